@@ -1,0 +1,11 @@
+//! The plane in metres and radians; knows nothing of maps.
+
+pub mod math;
+mod pose;
+
+pub use pose::Pose;
+
+/// A point, metres.
+pub type Point = nalgebra::Point2<f64>;
+/// A displacement, metres.
+pub type Vector = nalgebra::Vector2<f64>;

@@ -1,0 +1,84 @@
+//! A position and a heading.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Point, Vector, math};
+
+/// Where the middle of the rear axle is and where the nose points.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Pose {
+    /// Metres, to the east.
+    pub x: f64,
+    /// Metres, to the north.
+    pub y: f64,
+    /// Radians, counter-clockwise from east.
+    pub heading: f64,
+}
+
+impl Pose {
+    /// A pose from its three numbers.
+    pub const fn new(x: f64, y: f64, heading: f64) -> Self {
+        Self { x, y, heading }
+    }
+
+    /// The position.
+    pub fn point(self) -> Point {
+        Point::new(self.x, self.y)
+    }
+
+    /// The unit vector along the heading.
+    pub fn direction(self) -> Vector {
+        let (sin, cos) = math::sin_cos(self.heading);
+        Vector::new(cos, sin)
+    }
+
+    /// A point of the vehicle's frame (x ahead, y to the left) in the world.
+    pub fn to_world(self, local: Point) -> Point {
+        let (sin, cos) = math::sin_cos(self.heading);
+        Point::new(self.x + local.x * cos - local.y * sin, self.y + local.x * sin + local.y * cos)
+    }
+
+    /// A point of the world in the vehicle's frame (x ahead, y to the left).
+    pub fn to_local(self, world: Point) -> Point {
+        let (sin, cos) = math::sin_cos(self.heading);
+        let (dx, dy) = (world.x - self.x, world.y - self.y);
+        Point::new(dx * cos + dy * sin, dy * cos - dx * sin)
+    }
+
+    /// The pose after an arc of signed `length` at `curvature` (left positive), integrated exactly.
+    #[must_use]
+    pub fn advance(self, curvature: f64, length: f64) -> Self {
+        let (s0, c0) = math::sin_cos(self.heading);
+        if curvature == 0.0 {
+            return Self::new(self.x + length * c0, self.y + length * s0, self.heading);
+        }
+        let heading = self.heading + curvature * length;
+        let (s1, c1) = math::sin_cos(heading);
+        Self::new(self.x + (s1 - s0) / curvature, self.y - (c1 - c0) / curvature, math::wrap(heading))
+    }
+
+    /// Whether all three numbers are finite.
+    pub fn is_finite(self) -> bool {
+        self.x.is_finite() && self.y.is_finite() && self.heading.is_finite()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_quarter_turn_left_ends_on_the_circle() {
+        let end = Pose::new(0.0, 0.0, 0.0).advance(0.5, math::PI);
+        assert!((end.x - 2.0).abs() < 1e-12 && (end.y - 2.0).abs() < 1e-12);
+        assert!((end.heading - math::FRAC_PI_2).abs() < 1e-12);
+    }
+
+    #[test]
+    fn frames_are_inverse() {
+        let pose = Pose::new(3.0, -2.0, 0.7);
+        let p = Point::new(1.5, 0.25);
+        assert!((pose.to_local(pose.to_world(p)) - p).norm() < 1e-12);
+    }
+}

@@ -1,0 +1,213 @@
+//! The scene as people write it: plain data, checked once by [`Scenario::validate`].
+
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+use crate::geometry::Pose;
+
+pub mod slot;
+
+/// Largest number of cells on a side of the map.
+pub const MAX_CELLS: u32 = 4096;
+
+/// A scene: the map's frame, what stands in it, the car, where it is and where it shall go.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Scenario {
+    /// Format version, 1.
+    pub version: u32,
+    /// Id or file name; shown, never interpreted.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// The lattice and its place in the world.
+    pub map: MapFrame,
+    /// Everything that blocks, besides the border.
+    #[serde(default)]
+    pub obstacles: Vec<Obstacle>,
+    /// Parking slots; an occupied one holds a parked car.
+    #[serde(default)]
+    pub slots: Vec<Slot>,
+    /// The car that plans.
+    #[serde(default)]
+    pub vehicle: VehicleSpec,
+    /// Where the car stands.
+    pub start: Pose,
+    /// Where it shall go.
+    pub goal: Goal,
+    /// Settings per planner id, laid over that planner's defaults.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub planners: BTreeMap<String, serde_json::Map<String, serde_json::Value>>,
+}
+
+/// A lattice of square cells. Cell (0, 0) is the south-western one; its lower left corner is at `origin`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct MapFrame {
+    /// Lower left corner of the map, metres.
+    pub origin: [f64; 2],
+    /// Cells from west to east.
+    pub width: u32,
+    /// Cells from south to north.
+    pub height: u32,
+    /// Side of a cell, metres.
+    pub resolution: f64,
+    /// Outline of the drivable floor, metres; the map's rectangle where absent. Its edges are walls for the car.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub boundary: Option<Vec<[f64; 2]>>,
+}
+
+/// Something that blocks.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "type", rename_all = "kebab-case", rename_all_fields = "camelCase", deny_unknown_fields)]
+pub enum Obstacle {
+    /// Brushed cells of the map.
+    Cells {
+        /// Name for messages and selection.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        id: Option<String>,
+        /// Runs of blocked cells: x of the first, y, number of cells eastward.
+        runs: Vec<[u32; 3]>,
+    },
+    /// A wall along a line.
+    Wall {
+        /// Name for messages and selection.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        id: Option<String>,
+        /// Corners of the line, metres.
+        points: Vec<[f64; 2]>,
+        /// Full thickness, metres; 0 is a mathematical line.
+        #[serde(default)]
+        thickness: f64,
+    },
+    /// A simple polygon, convex or not, in either direction.
+    Polygon {
+        /// Name for messages and selection.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        id: Option<String>,
+        /// Corners, metres.
+        points: Vec<[f64; 2]>,
+    },
+    /// A rectangle, rotated about its centre.
+    Rectangle {
+        /// Name for messages and selection.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        id: Option<String>,
+        /// Centre, metres.
+        center: [f64; 2],
+        /// Length along the heading and width across it, metres.
+        size: [f64; 2],
+        /// Radians.
+        #[serde(default)]
+        heading: f64,
+    },
+    /// A parked car.
+    Car {
+        /// Name for messages and selection.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        id: Option<String>,
+        /// Middle of its rear axle.
+        pose: Pose,
+        /// Its dimensions.
+        #[serde(default)]
+        vehicle: VehicleSpec,
+    },
+}
+
+/// A parking slot. `(x, y)` is the middle of its open side, `heading` points from the aisle into the slot, at right
+/// angles to the aisle.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Slot {
+    /// Name for messages, selection and [`Goal::Slot`].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub id: Option<String>,
+    /// How the car stands to the aisle.
+    pub kind: SlotKind,
+    /// Middle of the open side, metres.
+    pub x: f64,
+    /// Middle of the open side, metres.
+    pub y: f64,
+    /// Radians, from the aisle into the slot.
+    pub heading: f64,
+    /// Clear width for the car: across the car's axis, for `parallel` too (its depth from the aisle). Metres.
+    pub width: f64,
+    /// Clear length for the car along its axis, metres.
+    pub length: f64,
+    /// `angled` only: the angle between the aisle and the car's axis, radians, in (0, π/2); default π/4.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub angle: Option<f64>,
+    /// `angled` only: to which side of `heading` the car's axis leans.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lean: Option<Lean>,
+    /// Whether a parked `sedan` stands in it, centred, nose to the aisle.
+    #[serde(default)]
+    pub occupied: bool,
+}
+
+/// How a car in a slot stands to the aisle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SlotKind {
+    /// At right angles.
+    Perpendicular,
+    /// Along it.
+    Parallel,
+    /// At another angle.
+    Angled,
+}
+
+/// A side.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Lean {
+    /// To the left of the slot's heading.
+    Left,
+    /// To the right of the slot's heading.
+    Right,
+}
+
+/// Where the car shall go.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Goal {
+    /// To a pose.
+    Pose(Pose),
+    /// Into a slot of the scene.
+    Slot(SlotGoal),
+}
+
+/// A slot of the scene and how to stand in it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct SlotGoal {
+    /// The slot's id.
+    pub slot: String,
+    /// Which way the nose points.
+    pub entry: Entry,
+}
+
+/// Which way the nose points in a slot.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Entry {
+    /// Nose to the aisle; in a parallel slot, with the slot on the car's right.
+    ReverseIn,
+    /// Nose away from the aisle; in a parallel slot, with the slot on the car's left.
+    HeadIn,
+}
+
+/// The car: a named profile or its own dimensions.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum VehicleSpec {
+    /// `paper` or `sedan`.
+    Profile(String),
+    /// Its own dimensions.
+    Custom(crate::vehicle::Vehicle),
+}
+
+impl Default for VehicleSpec {
+    fn default() -> Self {
+        Self::Profile("paper".to_owned())
+    }
+}

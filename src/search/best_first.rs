@@ -1,0 +1,241 @@
+//! A* and its kin: one loop for every planner.
+
+use super::open::Kind;
+use super::table::NO_PARENT;
+use super::{Cost, Domain, End, NodeId, Observer, Relax, Scratch, Visit};
+
+/// When to stop short of the cheapest completion.
+#[derive(Debug, Clone, Copy)]
+pub struct Limits {
+    /// Expansions after which the search gives up; the same on every machine, unlike a clock.
+    pub max_expansions: u32,
+    /// Whether to take the first completion found instead of the cheapest.
+    pub first: bool,
+}
+
+/// What a search found and what it did.
+#[derive(Debug, Clone)]
+pub struct Report<C, T> {
+    /// How it ended.
+    pub end: End,
+    /// The best completion: last node, total cost, tail.
+    pub found: Option<(NodeId, C, T)>,
+    /// Nodes taken from the open list and processed, second expansions included.
+    pub expanded: u32,
+    /// Distinct nodes that ever entered the open list, the root included.
+    pub generated: u32,
+    /// All insertions into the open list.
+    pub pushes: u32,
+    /// Expansions of moves that were held back, at once or later.
+    pub deferred: u32,
+    /// Largest size of the open list.
+    pub open_peak: u32,
+    /// The smallest heuristic value of an expanded node, and that node: how close the search came.
+    pub closest: (C, NodeId),
+}
+
+struct Sink<'a, D: Domain, O> {
+    domain: &'a D,
+    scratch: &'a mut Scratch<D::Cost, D::Label>,
+    observer: &'a mut O,
+    parent: NodeId,
+    g: D::Cost,
+    best: D::Cost,
+    generated: u32,
+    improved: bool,
+}
+
+impl<D: Domain, O: Observer<D::Cost, D::Label>> Relax<D::Cost, D::Label> for Sink<'_, D, O> {
+    fn worth(&self, target: NodeId, cost: D::Cost) -> bool {
+        let g = self.g + cost;
+        g < self.best && self.scratch.get(target).is_none_or(|s| s.stage == 0 && g < s.g)
+    }
+
+    fn emit(&mut self, target: NodeId, cost: D::Cost, label: D::Label) {
+        if !self.worth(target, cost) {
+            return;
+        }
+        let h = self.domain.heuristic(target, label);
+        let g = self.g + cost;
+        if h >= D::Cost::MAX || g + h >= self.best {
+            return;
+        }
+        self.improved = true;
+        self.generated += u32::from(self.scratch.improve(target, g, label, self.parent));
+        self.observer.relaxed(target, self.parent, label, g);
+        self.scratch.open.push(D::ORDER, g + h, h, g, target, Kind::Fresh);
+    }
+}
+
+/// Searches from `root` for the cheapest completion of `domain`.
+///
+/// Nodes are expanded in the order of [`Domain::ORDER`] and never reopened, so with a consistent heuristic the
+/// completion is optimal. `scratch` is reused between calls; `observer` is `()` where nobody watches.
+pub fn best_first<D: Domain, O: Observer<D::Cost, D::Label>>(
+    domain: &mut D,
+    (root, label): (NodeId, D::Label),
+    limits: Limits,
+    scratch: &mut Scratch<D::Cost, D::Label>,
+    observer: &mut O,
+) -> Report<D::Cost, D::Tail> {
+    let zero = D::Cost::default();
+    scratch.begin(domain.node_count());
+    scratch.improve(root, zero, label, NO_PARENT);
+    let h = domain.heuristic(root, label);
+    scratch.open.push(D::ORDER, h, h, zero, root, Kind::Fresh);
+    let mut report = Report {
+        end: End::Exhausted,
+        found: None,
+        expanded: 0,
+        generated: 1,
+        pushes: 0,
+        deferred: 0,
+        open_peak: 0,
+        closest: (h, root),
+    };
+    let mut best = D::Cost::MAX;
+    while let Some(entry) = scratch.open.pop(D::ORDER) {
+        if entry.kind == Kind::Goal {
+            report.end = End::Found;
+            break;
+        }
+        let slot = scratch.slot_mut(entry.node);
+        if slot.stage != u8::from(entry.kind == Kind::HeldBack) || (slot.stage == 0 && slot.g != entry.g) {
+            continue;
+        }
+        if report.expanded >= limits.max_expansions {
+            report.end = End::BudgetSpent;
+            break;
+        }
+        slot.stage += 1;
+        let (label, parent) = (slot.label, slot.parent);
+        let parent = (parent != NO_PARENT).then_some(parent);
+        report.expanded += 1;
+        let at = Visit { node: entry.node, label, g: entry.g, parent };
+        observer.expanded(at.node, at.label, at.g);
+        if entry.kind == Kind::Fresh {
+            if entry.h < report.closest.0 {
+                report.closest = (entry.h, at.node);
+            }
+            if let Some(finish) = domain.finish(at, best) {
+                let total = at.g + finish.cost;
+                if total < best {
+                    best = total;
+                    report.found = Some((at.node, total, finish.tail));
+                    if limits.first || total <= entry.f {
+                        report.end = End::Found;
+                        break;
+                    }
+                    scratch.open.push(D::ORDER, total, zero, total, at.node, Kind::Goal);
+                }
+            }
+        }
+        expand(domain, at, entry.kind, best, scratch, observer, &mut report);
+    }
+    report.pushes = scratch.open.pushes();
+    report.open_peak = scratch.open.peak() as u32;
+    report
+}
+
+fn expand<D: Domain, O: Observer<D::Cost, D::Label>>(
+    domain: &D,
+    at: Visit<D::Cost, D::Label>,
+    kind: Kind,
+    best: D::Cost,
+    scratch: &mut Scratch<D::Cost, D::Label>,
+    observer: &mut O,
+    report: &mut Report<D::Cost, D::Tail>,
+) {
+    let mut sink = Sink { domain, scratch, observer, parent: at.node, g: at.g, best, generated: 0, improved: false };
+    if kind == Kind::HeldBack {
+        report.deferred += 1;
+        domain.held_back(at, &mut sink);
+    } else {
+        domain.successors(at, &mut sink);
+        if D::HOLDS_BACK && !sink.improved {
+            report.deferred += 1;
+            domain.held_back(at, &mut sink);
+            sink.scratch.slot_mut(at.node).stage = 2;
+        } else if D::HOLDS_BACK {
+            let h = domain.heuristic(at.node, at.label);
+            let f = at.g + h + domain.held_back_penalty();
+            sink.scratch.open.push(D::ORDER, f, h, at.g, at.node, Kind::HeldBack);
+        }
+    }
+    report.generated += sink.generated;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::search::Finish;
+
+    /// A line of nodes 0..n with unit steps to both sides.
+    struct Line {
+        n: u32,
+        target: u32,
+    }
+
+    impl Domain for Line {
+        type Cost = i64;
+        type Label = ();
+        type Tail = ();
+
+        fn node_count(&self) -> usize {
+            self.n as usize
+        }
+
+        fn successors<S: Relax<i64, ()>>(&self, from: Visit<i64, ()>, sink: &mut S) {
+            if from.node + 1 < self.n {
+                sink.emit(from.node + 1, 1, ());
+            }
+            if from.node > 0 {
+                sink.emit(from.node - 1, 1, ());
+            }
+        }
+
+        fn heuristic(&self, node: NodeId, (): ()) -> i64 {
+            i64::from(node.abs_diff(self.target))
+        }
+
+        fn finish(&mut self, at: Visit<i64, ()>, _: i64) -> Option<Finish<i64, ()>> {
+            (at.node == self.target).then_some(Finish { cost: 0, tail: () })
+        }
+    }
+
+    const LIMITS: Limits = Limits { max_expansions: 100, first: false };
+
+    #[test]
+    fn finds_the_target_and_counts_it() {
+        let mut scratch = Scratch::new();
+        let report = best_first(&mut Line { n: 10, target: 7 }, (3, ()), LIMITS, &mut scratch, &mut ());
+        assert_eq!((report.end, report.expanded, report.generated), (End::Found, 5, 6));
+        assert_eq!(scratch.chain(7).iter().map(|n| n.0).collect::<Vec<_>>(), [3, 4, 5, 6, 7]);
+    }
+
+    #[test]
+    fn start_is_target() {
+        let report = best_first(&mut Line { n: 1, target: 0 }, (0, ()), LIMITS, &mut Scratch::new(), &mut ());
+        assert_eq!((report.end, report.expanded, report.generated), (End::Found, 1, 1));
+    }
+
+    #[test]
+    fn an_unreachable_target_exhausts_and_a_budget_stops() {
+        let mut line = Line { n: 10, target: 20 };
+        let report = best_first(&mut line, (0, ()), LIMITS, &mut Scratch::new(), &mut ());
+        assert_eq!((report.end, report.expanded, report.closest.1), (End::Exhausted, 10, 9));
+        let limits = Limits { max_expansions: 4, ..LIMITS };
+        let report = best_first(&mut line, (0, ()), limits, &mut Scratch::new(), &mut ());
+        assert_eq!((report.end, report.expanded), (End::BudgetSpent, 4));
+    }
+
+    #[test]
+    fn scratch_serves_searches_of_different_sizes() {
+        let mut scratch = Scratch::new();
+        for (n, target) in [(10, 7), (100, 99), (5, 1)] {
+            let report = best_first(&mut Line { n, target }, (0, ()), LIMITS, &mut scratch, &mut ());
+            assert_eq!(report.found.map(|f| f.1), Some(i64::from(target)));
+            assert_eq!(scratch.cost(target), Some(i64::from(target)));
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! Best-first search over any [`Domain`]; knows nodes and costs, nothing else.
+
+mod best_first;
+mod observer;
+mod open;
+mod table;
+
+pub use best_first::{Limits, Report, best_first};
+pub use observer::{Observer, Trace};
+pub use open::Order;
+pub use table::Scratch;
+
+/// Index of a node, below [`Domain::node_count`].
+pub type NodeId = u32;
+
+/// A totally ordered path cost, never NaN: `i64` micro-cells on grids, `f64` metres in hybrid A*.
+pub trait Cost:
+    Copy + PartialOrd + Default + std::ops::Add<Output = Self> + std::ops::Sub<Output = Self> + std::fmt::Debug
+{
+    /// Larger than every cost of a path.
+    const MAX: Self;
+}
+
+impl Cost for i64 {
+    const MAX: Self = Self::MAX;
+}
+
+impl Cost for f64 {
+    const MAX: Self = Self::INFINITY;
+}
+
+/// What completes a plan at a node: the cost still to pay, and how ([`Domain::Tail`]).
+#[derive(Debug, Clone, Copy)]
+pub struct Finish<C, T> {
+    /// Cost from the node to the target along the tail; zero at the target itself.
+    pub cost: C,
+    /// What completes the path.
+    pub tail: T,
+}
+
+/// What the search knows of the node that it is expanding.
+#[derive(Debug, Clone, Copy)]
+pub struct Visit<C, L> {
+    /// The node.
+    pub node: NodeId,
+    /// Its label, as emitted with its best cost.
+    pub label: L,
+    /// Its cost from the root.
+    pub g: C,
+    /// The node it was reached from; `None` at the root.
+    pub parent: Option<NodeId>,
+}
+
+/// A graph to search, defined by its moves.
+///
+/// A domain may hold back part of a node's moves ([`Domain::HOLDS_BACK`]): they are tried at once when the first
+/// part improved nothing, else when the node is popped a second time, [`Domain::held_back_penalty`] later.
+pub trait Domain {
+    /// The cost of a path.
+    type Cost: Cost;
+    /// Kept per node with its best cost: `()` on grids, a pose in hybrid A*.
+    type Label: Copy + Default;
+    /// What completes a plan beyond its last node: `()`, or an analytic shot.
+    type Tail;
+
+    /// How equal priorities are ordered.
+    const ORDER: Order = Order::Newest;
+    /// Whether [`Domain::held_back`] has anything to add.
+    const HOLDS_BACK: bool = false;
+
+    /// Number of nodes; ids are below it.
+    fn node_count(&self) -> usize;
+
+    /// Emits every move out of the node: target, cost of the move, label at the target.
+    ///
+    /// `worth(target, cost)` tells beforehand whether the move would improve the target, so that expensive validity
+    /// checks can be skipped; emitting without asking is allowed.
+    fn successors<S: Relax<Self::Cost, Self::Label>>(&self, from: Visit<Self::Cost, Self::Label>, sink: &mut S);
+
+    /// Emits the moves that [`Domain::successors`] held back.
+    fn held_back<S: Relax<Self::Cost, Self::Label>>(&self, from: Visit<Self::Cost, Self::Label>, sink: &mut S) {
+        let _ = (from, sink);
+    }
+
+    /// How much later than its first pop a node is popped for the moves it held back.
+    fn held_back_penalty(&self) -> Self::Cost {
+        Self::Cost::default()
+    }
+
+    /// Estimate of the cost from the node to the target; [`Cost::MAX`] where the target cannot be reached.
+    fn heuristic(&self, node: NodeId, label: Self::Label) -> Self::Cost;
+
+    /// A way to complete the path from this node for less than `bound` in all, if there is one.
+    fn finish(
+        &mut self,
+        at: Visit<Self::Cost, Self::Label>,
+        bound: Self::Cost,
+    ) -> Option<Finish<Self::Cost, Self::Tail>>;
+}
+
+/// Where a [`Domain`] emits its moves.
+pub trait Relax<C, L> {
+    /// Whether a move of this cost to `target` would improve on what is known.
+    fn worth(&self, target: NodeId, cost: C) -> bool;
+    /// Takes a valid move.
+    fn emit(&mut self, target: NodeId, cost: C, label: L);
+}
+
+/// How a search ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum End {
+    /// The cheapest completion was reached.
+    Found,
+    /// Nothing is left to expand.
+    Exhausted,
+    /// The expansion budget is spent; a completion may be known all the same.
+    BudgetSpent,
+}

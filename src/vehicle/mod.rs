@@ -1,0 +1,122 @@
+//! The car: dimensions, footprint and collision.
+
+use serde::{Deserialize, Serialize};
+
+use crate::error::{Error, ErrorCode};
+use crate::geometry::math;
+
+/// Dimensions of a car whose reference point is the middle of its rear axle.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Vehicle {
+    /// Distance between the axles, metres.
+    pub wheelbase: f64,
+    /// Full width, metres.
+    pub width: f64,
+    /// Rear axle to front bumper, metres.
+    pub rear_to_front: f64,
+    /// Rear axle to rear bumper, metres.
+    pub rear_to_back: f64,
+    /// Largest steering angle of the middle front wheel, radians, in (0, π/2).
+    pub max_steer: f64,
+    /// Largest steering speed, radians per second.
+    #[serde(default = "default_steer_rate")]
+    pub max_steer_rate: f64,
+}
+
+fn default_steer_rate() -> f64 {
+    0.6
+}
+
+impl Vehicle {
+    /// The parking paper's car (5.5 m × 2.6 m, turns in 5.41 m).
+    pub const PAPER: Self = Self {
+        wheelbase: 3.7,
+        width: 2.6,
+        rear_to_front: 4.5,
+        rear_to_back: 1.0,
+        max_steer: 0.6,
+        max_steer_rate: 0.6,
+    };
+
+    /// An ordinary sedan (4.7 m × 1.9 m, turns in 5.5 m).
+    pub const SEDAN: Self = Self {
+        wheelbase: 2.8,
+        width: 1.9,
+        rear_to_front: 3.75,
+        rear_to_back: 0.95,
+        // atan(2.8 / 5.5)
+        max_steer: 0.470_893_858_980_703_24,
+        max_steer_rate: 0.6,
+    };
+
+    /// The named profile, if there is one.
+    pub fn profile(name: &str) -> Option<Self> {
+        match name {
+            "paper" => Some(Self::PAPER),
+            "sedan" => Some(Self::SEDAN),
+            _ => None,
+        }
+    }
+
+    /// Radius of the tightest circle of the rear axle's middle, metres.
+    pub fn min_turning_radius(&self) -> f64 {
+        self.wheelbase / math::tan(self.max_steer)
+    }
+
+    /// Largest curvature of the path of the rear axle's middle, 1/m.
+    pub fn max_curvature(&self) -> f64 {
+        math::tan(self.max_steer) / self.wheelbase
+    }
+
+    /// Full length, metres.
+    pub fn length(&self) -> f64 {
+        self.rear_to_front + self.rear_to_back
+    }
+
+    /// Checks every dimension.
+    ///
+    /// # Errors
+    /// [`ErrorCode::Vehicle`] with the field and the rule.
+    pub fn validate(&self) -> Result<(), Error> {
+        let sizes = [
+            ("wheelbase", self.wheelbase),
+            ("width", self.width),
+            ("rearToFront", self.rear_to_front),
+            ("rearToBack", self.rear_to_back),
+            ("maxSteerRate", self.max_steer_rate),
+        ];
+        for (name, value) in sizes {
+            if !(value.is_finite() && value > 0.0) {
+                return Err(Error::new(ErrorCode::Vehicle, name, format!("must be positive, got {value}")));
+            }
+            if value > 100.0 {
+                return Err(Error::new(ErrorCode::Vehicle, name, format!("must be at most 100, got {value}")));
+            }
+        }
+        if !(self.max_steer > 0.0 && self.max_steer < math::FRAC_PI_2) {
+            let message = format!("must be between 0 and π/2, got {}", self.max_steer);
+            return Err(Error::new(ErrorCode::Vehicle, "maxSteer", message));
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn profiles_turn_in_the_stated_radius() {
+        assert!((Vehicle::PAPER.min_turning_radius() - 5.408_275_004_188_978).abs() < 1e-12);
+        assert!((Vehicle::SEDAN.min_turning_radius() - 5.5).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_bad_dimension_is_named() {
+        let error = Vehicle { wheelbase: -1.0, ..Vehicle::PAPER }.validate().unwrap_err();
+        assert_eq!(error.to_string(), "wheelbase: must be positive, got -1");
+        assert!(Vehicle { max_steer: f64::NAN, ..Vehicle::PAPER }.validate().is_err());
+        assert!(Vehicle::PAPER.validate().is_ok());
+    }
+}
