@@ -1,0 +1,218 @@
+import type { Layer, LayerName, Plan, PlannerId, Scenario, SceneGeometry } from "parkade";
+
+export type Scene = Scenario;
+export type ToolId = "select" | "brush" | "wall" | "rectangle" | "polygon" | "car" | "slot" | "eraser" | "hand";
+export type Selection = { kind: "start" | "goal" } | { kind: "obstacle" | "slot"; id: string } | null;
+
+/** World centre in metres, CSS pixels per metre; shared by all panels. */
+export interface Camera { x: number; y: number; scale: number }
+
+export type LayerKey =
+  | "slots" | "obstacles" | "safety" | "heat" | "risk" | "tree" | "sweep" | "path" | "car" | "ghosts" | "grid";
+
+export interface PanelResult {
+  plan: Plan | null;
+  lastGood: Plan | null;
+  layers: Partial<Record<LayerName, Layer>>;
+  status: "idle" | "planning" | "done" | "error";
+  error: { code: string; path: string; message: string } | null;
+  /** Median of `samples`. */
+  millis: number | null;
+  samples: number[];
+}
+
+export interface Playback {
+  base: "search" | "drive";
+  searchMode: "percent" | "expansions";
+  fraction: number;
+  playing: boolean;
+  speed: number;
+}
+
+export interface ToolOptions {
+  brushRadius: number;
+  wallThickness: number;
+  carProfile: "paper" | "sedan";
+  slot: {
+    kind: "perpendicular" | "parallel" | "angled";
+    angle: number;
+    lean: "left" | "right";
+    width: number;
+    length: number;
+  };
+  locked: boolean;
+  snap: boolean;
+}
+
+/** Never mutated: every change makes new objects, so views compare by identity. */
+export interface State {
+  scene: Scene;
+  geometry: SceneGeometry | null;
+  selection: Selection;
+  tool: ToolId;
+  toolOptions: ToolOptions;
+  planners: PlannerId[];
+  hidden: ReadonlySet<PlannerId>;
+  mode: "grid" | "overlay" | "focus";
+  focus: PlannerId;
+  /** null: fit the scene. */
+  camera: Camera | null;
+  hover: { x: number; y: number } | null;
+  playback: Playback;
+  layers: Record<LayerKey, boolean>;
+  results: Record<string, PanelResult>;
+  theme: "auto" | "light" | "dark";
+  lang: "en" | "zh";
+  canUndo: boolean;
+  canRedo: boolean;
+  /** A drag is going on. */
+  transient: boolean;
+  message: { tone: "err" | "warn" | "info"; text: string } | null;
+  live: ReadonlyMap<string, string> | null;
+}
+
+export interface EditOptions { transient?: boolean; label?: string }
+export type Listener = (state: State, previous: State) => void;
+
+export interface Store {
+  readonly state: State;
+  set(patch: Partial<State>): void;
+  subscribe(listener: Listener): () => void;
+  /** Applies an edit and pushes one undo step; the edits of one drag (`transient`, then one final) are one step. */
+  edit(next: Scene, options?: EditOptions): void;
+  undo(): void;
+  redo(): void;
+}
+
+export const UNDO_STEPS = 500;
+
+export const emptyResult: PanelResult = {
+  plan: null, lastGood: null, layers: {}, status: "idle", error: null, millis: null, samples: [],
+};
+
+const emptyScene: Scene = {
+  version: 1,
+  map: { origin: [0, 0], width: 40, height: 30, resolution: 0.5 },
+  obstacles: [],
+  slots: [],
+  vehicle: "paper",
+  start: { x: 4, y: 15, heading: 0 },
+  goal: { x: 16, y: 7.5, heading: 0 },
+};
+
+export function initialState(): State {
+  return {
+    scene: emptyScene,
+    geometry: null,
+    selection: null,
+    tool: "select",
+    toolOptions: {
+      brushRadius: 0.5, wallThickness: 0.2, carProfile: "sedan",
+      slot: { kind: "perpendicular", angle: Math.PI / 4, lean: "right", width: 2.8, length: 5.4 },
+      locked: false, snap: true,
+    },
+    planners: ["four", "eight", "risk-field", "hybrid"],
+    hidden: new Set(),
+    mode: "grid",
+    focus: "hybrid",
+    camera: null,
+    hover: null,
+    playback: { base: "drive", searchMode: "percent", fraction: 1, playing: false, speed: 1 },
+    layers: {
+      slots: true, obstacles: true, safety: false, heat: true, risk: true, tree: false,
+      sweep: true, path: true, car: true, ghosts: false, grid: true,
+    },
+    results: {},
+    theme: "auto",
+    lang: "en",
+    canUndo: false,
+    canRedo: false,
+    transient: false,
+    message: null,
+    live: null,
+  };
+}
+
+export function createStore(initial: Partial<State> = {}): Store {
+  return new SceneStore({ ...initialState(), ...initial });
+}
+
+class SceneStore implements Store {
+  state: State;
+  private readonly listeners = new Set<Listener>();
+  private readonly past: Scene[] = [];
+  private readonly future: Scene[] = [];
+  /** The scene before the drag that is going on. */
+  private dragFrom: Scene | null = null;
+
+  constructor(state: State) {
+    this.state = state;
+  }
+
+  set(patch: Partial<State>): void {
+    const previous = this.state;
+    const keys = Object.keys(patch) as (keyof State)[];
+    if (keys.every((key) => Object.is(patch[key], previous[key]))) return;
+    this.state = { ...previous, ...patch };
+    for (const listener of [...this.listeners]) listener(this.state, previous);
+  }
+
+  subscribe(listener: Listener): () => void {
+    this.listeners.add(listener);
+    return () => this.listeners.delete(listener);
+  }
+
+  edit(next: Scene, options: EditOptions = {}): void {
+    const before = this.dragFrom ?? this.state.scene;
+    if (options.transient) {
+      this.dragFrom = before;
+      this.set({ scene: next, transient: true });
+      return;
+    }
+    this.dragFrom = null;
+    if (next !== before) {
+      this.past.push(before);
+      if (this.past.length > UNDO_STEPS) this.past.shift();
+      this.future.length = 0;
+    }
+    this.apply(next);
+  }
+
+  undo(): void {
+    if (this.dragFrom) {
+      const from = this.dragFrom;
+      this.dragFrom = null;
+      this.apply(from);
+      return;
+    }
+    this.travel(this.past, this.future);
+  }
+
+  redo(): void {
+    if (!this.dragFrom) this.travel(this.future, this.past);
+  }
+
+  private travel(from: Scene[], to: Scene[]): void {
+    const scene = from.pop();
+    if (!scene) return;
+    to.push(this.state.scene);
+    this.apply(scene);
+  }
+
+  private apply(scene: Scene): void {
+    const { selection } = this.state;
+    this.set({
+      scene,
+      transient: false,
+      selection: isStillThere(scene, selection) ? selection : null,
+      canUndo: this.past.length > 0,
+      canRedo: this.future.length > 0,
+    });
+  }
+}
+
+function isStillThere(scene: Scene, selection: Selection): boolean {
+  if (selection?.kind === "obstacle") return (scene.obstacles ?? []).some((one) => one.id === selection.id);
+  if (selection?.kind === "slot") return (scene.slots ?? []).some((one) => one.id === selection.id);
+  return true;
+}
