@@ -1,6 +1,6 @@
 //! Transcendental functions that give the same bits natively and in wasm (libm), and angles.
 
-pub use core::f64::consts::{FRAC_PI_2, PI, TAU};
+pub use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 pub use libm::{acos, asin, atan, atan2, cos, exp, hypot, log as ln, sin, tan};
 
 /// `(sin a, cos a)`.

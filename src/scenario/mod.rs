@@ -4,8 +4,12 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 use crate::geometry::Pose;
+use crate::vehicle::Vehicle;
 
+mod parse;
+pub mod resolve;
 pub mod slot;
+mod validate;
 
 /// Largest number of cells on a side of the map.
 pub const MAX_CELLS: u32 = 4096;
@@ -57,13 +61,13 @@ pub struct MapFrame {
 }
 
 /// Something that blocks.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "type", rename_all = "kebab-case", rename_all_fields = "camelCase", deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(tag = "type", rename_all = "kebab-case", rename_all_fields = "camelCase")]
 pub enum Obstacle {
     /// Brushed cells of the map.
     Cells {
         /// Name for messages and selection.
-        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[serde(skip_serializing_if = "Option::is_none")]
         id: Option<String>,
         /// Runs of blocked cells: x of the first, y, number of cells eastward.
         runs: Vec<[u32; 3]>,
@@ -71,18 +75,17 @@ pub enum Obstacle {
     /// A wall along a line.
     Wall {
         /// Name for messages and selection.
-        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[serde(skip_serializing_if = "Option::is_none")]
         id: Option<String>,
         /// Corners of the line, metres.
         points: Vec<[f64; 2]>,
         /// Full thickness, metres; 0 is a mathematical line.
-        #[serde(default)]
         thickness: f64,
     },
     /// A simple polygon, convex or not, in either direction.
     Polygon {
         /// Name for messages and selection.
-        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[serde(skip_serializing_if = "Option::is_none")]
         id: Option<String>,
         /// Corners, metres.
         points: Vec<[f64; 2]>,
@@ -90,25 +93,23 @@ pub enum Obstacle {
     /// A rectangle, rotated about its centre.
     Rectangle {
         /// Name for messages and selection.
-        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[serde(skip_serializing_if = "Option::is_none")]
         id: Option<String>,
         /// Centre, metres.
         center: [f64; 2],
         /// Length along the heading and width across it, metres.
         size: [f64; 2],
         /// Radians.
-        #[serde(default)]
         heading: f64,
     },
     /// A parked car.
     Car {
         /// Name for messages and selection.
-        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[serde(skip_serializing_if = "Option::is_none")]
         id: Option<String>,
         /// Middle of its rear axle.
         pose: Pose,
         /// Its dimensions.
-        #[serde(default)]
         vehicle: VehicleSpec,
     },
 }
@@ -167,7 +168,7 @@ pub enum Lean {
 }
 
 /// Where the car shall go.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Goal {
     /// To a pose.
@@ -197,13 +198,13 @@ pub enum Entry {
 }
 
 /// The car: a named profile or its own dimensions.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum VehicleSpec {
     /// `paper` or `sedan`.
     Profile(String),
     /// Its own dimensions.
-    Custom(crate::vehicle::Vehicle),
+    Custom(Vehicle),
 }
 
 impl Default for VehicleSpec {

@@ -1,1 +1,100 @@
-//! slots.
+//! Where a slot's corners are and how a car stands in it.
+
+use super::{Entry, Lean, Slot, SlotKind};
+use crate::geometry::math::{self, FRAC_PI_2, FRAC_PI_4, PI};
+use crate::geometry::{Point, Pose, Vector};
+use crate::vehicle::Vehicle;
+
+impl Slot {
+    /// The heading of the car's axis, pointing into the slot; along the aisle for a parallel slot.
+    fn axis(&self) -> f64 {
+        match self.kind {
+            SlotKind::Perpendicular => self.heading,
+            SlotKind::Parallel => math::wrap(self.heading + FRAC_PI_2),
+            SlotKind::Angled => {
+                let lean = FRAC_PI_2 - self.angle.unwrap_or(FRAC_PI_4);
+                let sign = if self.lean == Some(Lean::Right) { -1.0 } else { 1.0 };
+                math::wrap(self.heading + sign * lean)
+            }
+        }
+    }
+
+    /// The four corners, metres: near left, near right, far right, far left, seen from the aisle.
+    pub fn outline(&self) -> [Point; 4] {
+        let inward = Pose::new(self.x, self.y, self.heading).direction();
+        let left = Vector::new(-inward.y, inward.x);
+        let mouth = Point::new(self.x, self.y);
+        let (opening, side) = match self.kind {
+            SlotKind::Perpendicular => (self.width, inward * self.length),
+            SlotKind::Parallel => (self.length, inward * self.width),
+            SlotKind::Angled => {
+                let axis = Pose::new(0.0, 0.0, self.axis()).direction();
+                (self.width / axis.dot(&inward), axis * self.length)
+            }
+        };
+        let half = left * (opening / 2.0);
+        [mouth + half, mouth - half, mouth - half + side, mouth + half + side]
+    }
+
+    /// The pose of `vehicle` centred in the slot.
+    pub fn pose(&self, entry: Entry, vehicle: &Vehicle) -> Pose {
+        let [a, _, c, _] = self.outline();
+        let center = nalgebra::center(&a, &c);
+        let nose_in = entry == Entry::HeadIn;
+        let heading = match self.kind {
+            SlotKind::Parallel if nose_in => math::wrap(self.axis() + PI),
+            SlotKind::Parallel => self.axis(),
+            _ if nose_in => self.axis(),
+            _ => math::wrap(self.axis() + PI),
+        };
+        let ahead = (vehicle.rear_to_front - vehicle.rear_to_back) / 2.0;
+        let at = center - Pose::new(0.0, 0.0, heading).direction() * ahead;
+        Pose::new(at.x, at.y, heading)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn slot(kind: SlotKind) -> Slot {
+        Slot {
+            id: None,
+            kind,
+            x: 10.0,
+            y: 5.0,
+            heading: -FRAC_PI_2,
+            width: 2.5,
+            length: 5.0,
+            angle: None,
+            lean: None,
+            occupied: false,
+        }
+    }
+
+    #[test]
+    fn a_perpendicular_slot_south_of_the_aisle() {
+        let [near_left, near_right, far_right, _] = slot(SlotKind::Perpendicular).outline();
+        assert!((near_left - Point::new(11.25, 5.0)).norm() < 1e-12);
+        assert!((near_right - Point::new(8.75, 5.0)).norm() < 1e-12);
+        assert!((far_right - Point::new(8.75, 0.0)).norm() < 1e-12);
+        let pose = slot(SlotKind::Perpendicular).pose(Entry::ReverseIn, &Vehicle::PAPER);
+        assert!((pose.heading - FRAC_PI_2).abs() < 1e-12);
+        assert!((pose.y - (2.5 - 1.75)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn reversing_into_a_parallel_slot_keeps_it_on_the_right() {
+        let pose = slot(SlotKind::Parallel).pose(Entry::ReverseIn, &Vehicle::PAPER);
+        assert!(pose.heading.abs() < 1e-12);
+        assert!((pose.point() - Point::new(10.0 - 1.75, 3.75)).norm() < 1e-12);
+    }
+
+    #[test]
+    fn an_angled_slot_keeps_its_clear_width() {
+        let [near_left, near_right, far_right, _] = slot(SlotKind::Angled).outline();
+        let side = (far_right - near_right).normalize();
+        let across = near_left - near_right;
+        assert!(((across - side * across.dot(&side)).norm() - 2.5).abs() < 1e-12);
+    }
+}

@@ -146,7 +146,8 @@ fn expand<D: Domain, O: Observer<D::Cost, D::Label>>(
     observer: &mut O,
     report: &mut Report<D::Cost, D::Tail>,
 ) {
-    let mut sink = Sink { domain, scratch, observer, parent: at.node, g: at.g, best, generated: 0, improved: false };
+    let mut sink =
+        Sink { domain, scratch, observer, parent: at.node, g: at.g, best, generated: 0, improved: false };
     if kind == Kind::HeldBack {
         report.deferred += 1;
         domain.held_back(at, &mut sink);

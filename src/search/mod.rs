@@ -75,10 +75,18 @@ pub trait Domain {
     ///
     /// `worth(target, cost)` tells beforehand whether the move would improve the target, so that expensive validity
     /// checks can be skipped; emitting without asking is allowed.
-    fn successors<S: Relax<Self::Cost, Self::Label>>(&self, from: Visit<Self::Cost, Self::Label>, sink: &mut S);
+    fn successors<S: Relax<Self::Cost, Self::Label>>(
+        &self,
+        from: Visit<Self::Cost, Self::Label>,
+        sink: &mut S,
+    );
 
     /// Emits the moves that [`Domain::successors`] held back.
-    fn held_back<S: Relax<Self::Cost, Self::Label>>(&self, from: Visit<Self::Cost, Self::Label>, sink: &mut S) {
+    fn held_back<S: Relax<Self::Cost, Self::Label>>(
+        &self,
+        from: Visit<Self::Cost, Self::Label>,
+        sink: &mut S,
+    ) {
         let _ = (from, sink);
     }
 

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, ErrorCode};
-use crate::geometry::math;
+use crate::geometry::{Point, Pose, math};
 
 /// Dimensions of a car whose reference point is the middle of its rear axle.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -74,6 +74,13 @@ impl Vehicle {
         self.rear_to_front + self.rear_to_back
     }
 
+    /// The corners of the body at `pose`: front left, rear left, rear right, front right.
+    pub fn outline(&self, pose: Pose) -> [Point; 4] {
+        let (front, back, side) = (self.rear_to_front, -self.rear_to_back, self.width / 2.0);
+        [(front, side), (back, side), (back, -side), (front, -side)]
+            .map(|(x, y)| pose.to_world(Point::new(x, y)))
+    }
+
     /// Checks every dimension.
     ///
     /// # Errors
@@ -91,7 +98,11 @@ impl Vehicle {
                 return Err(Error::new(ErrorCode::Vehicle, name, format!("must be positive, got {value}")));
             }
             if value > 100.0 {
-                return Err(Error::new(ErrorCode::Vehicle, name, format!("must be at most 100, got {value}")));
+                return Err(Error::new(
+                    ErrorCode::Vehicle,
+                    name,
+                    format!("must be at most 100, got {value}"),
+                ));
             }
         }
         if !(self.max_steer > 0.0 && self.max_steer < math::FRAC_PI_2) {

@@ -1,0 +1,263 @@
+//! Distance from the car's body to everything that blocks, from outlines alone.
+//!
+//! The checker's own code path: the planners' separating axes, discs and rasters are not used here. Two outlines meet
+//! when edges cross or one holds a corner of the other; that is exact for concave polygons too.
+
+use crate::geometry::{Point, Pose};
+use crate::scenario::resolve::{Form, Geometry, Owner};
+use crate::vehicle::Vehicle;
+
+/// Distances beyond this are reported as this, metres.
+pub const FAR: f64 = 10.0;
+
+/// Overlaps shallower than this count as contact, which is free, metres.
+const CONTACT: f64 = 1e-6;
+
+struct Edge {
+    a: Point,
+    b: Point,
+    owner: Owner,
+}
+
+struct Solid {
+    outline: Vec<Point>,
+    owner: Owner,
+    low: Point,
+    high: Point,
+}
+
+/// The exact obstacles of a scene, ready for body queries.
+pub struct Body {
+    vehicle: Vehicle,
+    origin: Point,
+    boundary: Vec<Point>,
+    edges: Vec<Edge>,
+    solids: Vec<Solid>,
+    buckets: Buckets,
+}
+
+/// Edges by the square of the plane that their bounding box touches.
+struct Buckets {
+    side: f64,
+    low: Point,
+    columns: usize,
+    rows: usize,
+    edges: Vec<Vec<u32>>,
+    solids: Vec<Vec<u32>>,
+}
+
+impl Buckets {
+    fn new(low: Point, high: Point, count: usize) -> Self {
+        let (w, h) = ((high.x - low.x).max(1.0), (high.y - low.y).max(1.0));
+        let side = ((w * h / (count + 1) as f64).sqrt() * 2.0).clamp(w.max(h) / 512.0, w.max(h)).max(0.5);
+        let (columns, rows) = ((w / side) as usize + 1, (h / side) as usize + 1);
+        let empty = || vec![Vec::new(); columns * rows];
+        Self { side, low, columns, rows, edges: empty(), solids: empty() }
+    }
+
+    fn range(&self, low: Point, high: Point) -> impl Iterator<Item = usize> + use<> {
+        let clamp = |v: f64, n: usize| (v / self.side).clamp(0.0, (n - 1) as f64) as usize;
+        let (x0, x1) = (clamp(low.x - self.low.x, self.columns), clamp(high.x - self.low.x, self.columns));
+        let (y0, y1) = (clamp(low.y - self.low.y, self.rows), clamp(high.y - self.low.y, self.rows));
+        let columns = self.columns;
+        (y0..=y1).flat_map(move |y| (x0..=x1).map(move |x| y * columns + x))
+    }
+}
+
+fn bounds<'a>(points: impl IntoIterator<Item = &'a Point>) -> (Point, Point) {
+    let start = (Point::new(f64::INFINITY, f64::INFINITY), Point::new(f64::NEG_INFINITY, f64::NEG_INFINITY));
+    points.into_iter().fold(start, |(low, high), p| {
+        (Point::new(low.x.min(p.x), low.y.min(p.y)), Point::new(high.x.max(p.x), high.y.max(p.y)))
+    })
+}
+
+impl Body {
+    /// The obstacles of a scene around its car.
+    pub fn new(geometry: &Geometry) -> Self {
+        let origin = geometry.boundary[0];
+        let local = |p: &Point| Point::from(p - origin);
+        let boundary: Vec<Point> = geometry.boundary.iter().map(local).collect();
+        let mut edges = Vec::new();
+        let mut ring = |outline: &[Point], owner| {
+            for (i, &a) in outline.iter().enumerate() {
+                edges.push(Edge { a, b: outline[(i + 1) % outline.len()], owner });
+            }
+        };
+        ring(&boundary, Owner::Border);
+        let mut solids = Vec::new();
+        let mut segments = Vec::new();
+        for shape in &geometry.shapes {
+            match &shape.form {
+                Form::Segment(a, b) => segments.push(Edge { a: local(a), b: local(b), owner: shape.owner }),
+                Form::Polygon(points) => {
+                    let outline: Vec<Point> = points.iter().map(local).collect();
+                    ring(&outline, shape.owner);
+                    let (low, high) = bounds(&outline);
+                    solids.push(Solid { outline, owner: shape.owner, low, high });
+                }
+            }
+        }
+        edges.append(&mut segments);
+        let (low, high) = bounds(&boundary);
+        let mut buckets = Buckets::new(low, high, edges.len());
+        for (i, edge) in edges.iter().enumerate() {
+            let (low, high) = bounds([&edge.a, &edge.b]);
+            buckets.range(low, high).for_each(|b| buckets.edges[b].push(i as u32));
+        }
+        for (i, solid) in solids.iter().enumerate() {
+            buckets.range(solid.low, solid.high).for_each(|b| buckets.solids[b].push(i as u32));
+        }
+        Self { vehicle: geometry.vehicle, origin, boundary, edges, solids, buckets }
+    }
+
+    /// What the body overlaps at `pose`, if anything; touching is free.
+    pub fn hit(&self, pose: Pose) -> Option<Owner> {
+        let body = self.outline(pose, CONTACT);
+        let (low, high) = bounds(&body);
+        for bucket in self.buckets.range(low, high) {
+            for &i in &self.buckets.edges[bucket] {
+                let edge = &self.edges[i as usize];
+                let ring = (0..4).any(|k| cross(body[k], body[(k + 1) % 4], edge.a, edge.b));
+                if ring || inside(&body, edge.a) {
+                    return Some(edge.owner);
+                }
+            }
+            for &i in &self.buckets.solids[bucket] {
+                let solid = &self.solids[i as usize];
+                if inside(&solid.outline, body[0]) {
+                    return Some(solid.owner);
+                }
+            }
+        }
+        (!inside(&self.boundary, body[0])).then_some(Owner::Border)
+    }
+
+    /// Distance from the body to the nearest obstacle, metres, at most [`FAR`]; 0 where it overlaps.
+    pub fn clearance(&self, pose: Pose) -> f64 {
+        if self.hit(pose).is_some() {
+            return 0.0;
+        }
+        let body = self.outline(pose, 0.0);
+        let (low, high) = bounds(&body);
+        let mut reach = self.buckets.side.min(FAR);
+        loop {
+            let margin = nalgebra::Vector2::new(reach, reach);
+            let mut best = FAR;
+            for bucket in self.buckets.range(low - margin, high + margin) {
+                for &i in &self.buckets.edges[bucket] {
+                    let edge = &self.edges[i as usize];
+                    for k in 0..4 {
+                        best = best.min(apart(body[k], body[(k + 1) % 4], edge.a, edge.b));
+                    }
+                }
+            }
+            if best <= reach || reach >= FAR {
+                return best;
+            }
+            reach = (reach * 2.0).min(FAR);
+        }
+    }
+
+    /// The body's corners relative to the local origin, pulled in by `inset` metres on every side.
+    fn outline(&self, pose: Pose, inset: f64) -> [Point; 4] {
+        let v = &self.vehicle;
+        let small = Vehicle {
+            width: v.width - 2.0 * inset,
+            rear_to_front: v.rear_to_front - inset,
+            rear_to_back: v.rear_to_back - inset,
+            ..*v
+        };
+        let at = pose.point() - self.origin;
+        small.outline(Pose::new(at.x, at.y, pose.heading))
+    }
+}
+
+fn side(a: Point, b: Point, p: Point) -> f64 {
+    (b - a).perp(&(p - a))
+}
+
+/// Whether two segments cross or touch.
+fn cross(a: Point, b: Point, c: Point, d: Point) -> bool {
+    let (c_side, d_side) = (side(a, b, c), side(a, b, d));
+    let (a_side, b_side) = (side(c, d, a), side(c, d, b));
+    c_side * d_side <= 0.0 && a_side * b_side <= 0.0 && {
+        let ((l1, h1), (l2, h2)) = (bounds([&a, &b]), bounds([&c, &d]));
+        l1.x <= h2.x && l2.x <= h1.x && l1.y <= h2.y && l2.y <= h1.y
+    }
+}
+
+/// Whether a point is inside a simple polygon (even–odd rule).
+fn inside(outline: &[Point], p: Point) -> bool {
+    let mut odd = false;
+    for (i, &a) in outline.iter().enumerate() {
+        let b = outline[(i + 1) % outline.len()];
+        if (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x) {
+            odd = !odd;
+        }
+    }
+    odd
+}
+
+fn point_to_segment(p: Point, a: Point, b: Point) -> f64 {
+    let ab = b - a;
+    let length2 = ab.norm_squared();
+    let t = if length2 > 0.0 { ((p - a).dot(&ab) / length2).clamp(0.0, 1.0) } else { 0.0 };
+    (p - (a + ab * t)).norm()
+}
+
+/// Distance between two segments that do not cross.
+fn apart(a: Point, b: Point, c: Point, d: Point) -> f64 {
+    let one = point_to_segment(a, c, d).min(point_to_segment(b, c, d));
+    one.min(point_to_segment(c, a, b)).min(point_to_segment(d, a, b))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenario::resolve::Shape;
+
+    fn scene(shapes: Vec<Shape>) -> Body {
+        let boundary = [(0.0, 0.0), (20.0, 0.0), (20.0, 20.0), (0.0, 20.0)].map(|(x, y)| Point::new(x, y));
+        let pose = Pose::new(5.0, 5.0, 0.0);
+        Body::new(&Geometry {
+            start: pose,
+            goal: pose,
+            vehicle: Vehicle::PAPER,
+            boundary: boundary.to_vec(),
+            shapes,
+            parked: Vec::new(),
+        })
+    }
+
+    #[test]
+    fn touching_the_border_is_free_and_crossing_it_is_not() {
+        let body = scene(Vec::new());
+        assert_eq!(body.hit(Pose::new(1.0, 5.0, 0.0)), None);
+        assert_eq!(body.hit(Pose::new(0.99, 5.0, 0.0)), Some(Owner::Border));
+        assert_eq!(body.hit(Pose::new(-50.0, 5.0, 0.0)), Some(Owner::Border));
+        assert!((body.clearance(Pose::new(3.0, 10.0, 0.0)) - 2.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_post_inside_the_body_and_a_body_inside_a_block_are_hits() {
+        let square = |x: f64, y: f64, r: f64| {
+            Form::Polygon(
+                [(-r, -r), (r, -r), (r, r), (-r, r)].map(|(a, b)| Point::new(x + a, y + b)).to_vec(),
+            )
+        };
+        let owner = Owner::Obstacle(0);
+        let post = scene(vec![Shape { owner, form: square(7.0, 5.0, 0.1) }]);
+        assert_eq!(post.hit(Pose::new(5.0, 5.0, 0.0)), Some(owner));
+        assert!((post.clearance(Pose::new(5.0, 8.0, 0.0)) - 1.6).abs() < 1e-12);
+        let block = scene(vec![Shape { owner, form: square(10.0, 10.0, 9.0) }]);
+        assert_eq!(block.hit(Pose::new(9.0, 10.0, 0.3)), Some(owner));
+    }
+
+    #[test]
+    fn a_line_across_the_body_is_a_hit() {
+        let form = Form::Segment(Point::new(7.0, 0.0), Point::new(7.0, 20.0));
+        let wall = scene(vec![Shape { owner: Owner::Obstacle(3), form }]);
+        assert_eq!(wall.hit(Pose::new(5.0, 5.0, 0.0)), Some(Owner::Obstacle(3)));
+        assert!((wall.clearance(Pose::new(2.0, 5.0, 0.0)) - 0.5).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,264 @@
+//! The independent validator: exact footprint against exact obstacles, motion against the car's limits.
+
+use super::Body;
+use crate::geometry::{Pose, math};
+use crate::scenario::resolve::{Geometry, Owner};
+
+/// Between two poses the body is tested at least this often, metres.
+const STEP: f64 = 0.02;
+/// Curvature above the limit by this factor is still the limit.
+const CURVATURE_SLACK: f64 = 1.001;
+/// Largest heading error that counts as arriving as asked, or starting along the heading, radians (5°).
+const HEADING_TOLERANCE: f64 = 0.0873;
+/// A step whose direction differs from the heading by more than this slides, radians.
+const SLIP_TOLERANCE: f64 = 0.02;
+
+/// The answer in one word, the worst first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Verdict {
+    /// There is no path.
+    None,
+    /// The body overlaps something.
+    Collides,
+    /// It turns tighter than the car can, slides, or starts in another direction than the car points.
+    TooTight,
+    /// It can be driven but ends in another pose than asked.
+    ArrivesTurned,
+    /// It can be driven and arrives as asked.
+    Ok,
+}
+
+impl Verdict {
+    /// The word of the JS API.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Collides => "collides",
+            Self::TooTight => "too-tight",
+            Self::ArrivesTurned => "arrives-turned",
+            Self::Ok => "ok",
+        }
+    }
+}
+
+/// What the validator found.
+#[derive(Debug, Clone)]
+pub struct Check {
+    /// In one word.
+    pub verdict: Verdict,
+    /// Indices of poses at which, or on the way to which, the body overlaps something.
+    pub hit_poses: Vec<u32>,
+    /// What is hit first, and where.
+    pub first_hit: Option<(Owner, Pose)>,
+    /// Corners and stretches that turn tighter than the car can, a wrong heading at the start included.
+    pub tight_turns: u32,
+    /// Steps in which the body moves sideways.
+    pub slips: u32,
+    /// Tightest radius, metres; 0 at a corner, infinite on a straight path.
+    pub tightest_radius: f64,
+    /// Radians between the car's heading and the path's first heading.
+    pub start_heading_error: f64,
+    /// Radians between the path's last heading and the goal's.
+    pub goal_heading_error: f64,
+    /// Metres between the last pose and the goal.
+    pub goal_distance: f64,
+    /// Smallest distance from the body to an obstacle, metres.
+    pub min_clearance: f64,
+    /// Mean of the poses' clearances, metres.
+    pub mean_clearance: f64,
+    /// Per pose: distance from the body to the nearest obstacle, metres.
+    pub clearances: Vec<f64>,
+}
+
+impl Check {
+    /// Whether this car can drive the path.
+    pub fn drivable(&self) -> bool {
+        matches!(self.verdict, Verdict::Ok | Verdict::ArrivesTurned)
+    }
+}
+
+/// Checks `path` against the scene. `directions[i]` is the gear (±1) from pose i to pose i + 1; `near` is how far from
+/// the goal a path may end, metres.
+pub fn check(geometry: &Geometry, body: &Body, path: &[Pose], directions: &[i8], near: f64) -> Check {
+    let mut check = empty();
+    let (Some(first), Some(last)) = (path.first(), path.last()) else { return check };
+    check.start_heading_error = math::turn(geometry.start.heading, first.heading).abs();
+    check.goal_heading_error = math::turn(geometry.goal.heading, last.heading).abs();
+    check.goal_distance = (last.point() - geometry.goal.point()).norm();
+    check.tight_turns = u32::from(check.start_heading_error > HEADING_TOLERANCE);
+    check_motion(&mut check, path, directions, geometry.vehicle.min_turning_radius());
+    check_body(&mut check, body, path, directions);
+    let arrives = check.goal_heading_error <= HEADING_TOLERANCE && check.goal_distance <= near;
+    check.verdict = match () {
+        () if !check.hit_poses.is_empty() => Verdict::Collides,
+        () if check.tight_turns > 0 || check.slips > 0 => Verdict::TooTight,
+        () if !arrives => Verdict::ArrivesTurned,
+        () => Verdict::Ok,
+    };
+    check
+}
+
+fn empty() -> Check {
+    Check {
+        verdict: Verdict::None,
+        hit_poses: Vec::new(),
+        first_hit: None,
+        tight_turns: 0,
+        slips: 0,
+        tightest_radius: f64::INFINITY,
+        start_heading_error: 0.0,
+        goal_heading_error: 0.0,
+        goal_distance: 0.0,
+        min_clearance: 0.0,
+        mean_clearance: 0.0,
+        clearances: Vec::new(),
+    }
+}
+
+/// The circular arc from one pose to the next: curvature and signed length.
+fn arc_between(a: Pose, b: Pose, direction: i8) -> (f64, f64) {
+    let chord = (b.point() - a.point()).norm();
+    let turn = math::turn(a.heading, b.heading);
+    let half = turn / 2.0;
+    let length = if half.abs() < 1e-6 { chord } else { chord * half / math::sin(half) };
+    let length = length * f64::from(direction);
+    (if length == 0.0 { 0.0 } else { turn / length }, length)
+}
+
+fn check_motion(check: &mut Check, path: &[Pose], directions: &[i8], min_radius: f64) {
+    let mut tight_before = false;
+    for (i, pair) in path.windows(2).enumerate() {
+        let (a, b) = (pair[0], pair[1]);
+        let turn = math::turn(a.heading, b.heading).abs();
+        let shift = b.point() - a.point();
+        let distance = shift.norm();
+        if distance < 1e-9 && turn < 1e-9 {
+            continue;
+        }
+        let radius = if turn < 1e-9 { f64::INFINITY } else { arc_between(a, b, 1).1 / turn };
+        check.tightest_radius = check.tightest_radius.min(radius);
+        // Steps far below a millimetre carry only rounding.
+        let tight = radius * CURVATURE_SLACK < min_radius && (distance > 1e-6 || turn > 1e-6);
+        check.tight_turns += u32::from(tight && !tight_before);
+        tight_before = tight;
+        if distance > 1e-4 {
+            let travel = math::atan2(shift.y, shift.x);
+            let middle = a.heading + math::turn(a.heading, b.heading) / 2.0;
+            let nose = if directions.get(i).is_some_and(|&d| d < 0) { middle + math::PI } else { middle };
+            check.slips += u32::from(math::turn(nose, travel).abs() > SLIP_TOLERANCE);
+        }
+    }
+}
+
+fn check_body(check: &mut Check, body: &Body, path: &[Pose], directions: &[i8]) {
+    let mut sum = 0.0;
+    check.min_clearance = f64::INFINITY;
+    for (i, &pose) in path.iter().enumerate() {
+        let way = i.checked_sub(1).map(|p| (path[p], directions.get(p).copied().unwrap_or(1)));
+        let hit = way
+            .and_then(|(from, gear)| hit_between(body, from, pose, gear))
+            .or_else(|| body.hit(pose).map(|owner| (owner, pose)));
+        if let Some(hit) = hit {
+            check.hit_poses.push(i as u32);
+            check.first_hit.get_or_insert(hit);
+        }
+        let clearance = if hit.is_some() { 0.0 } else { body.clearance(pose) };
+        check.min_clearance = check.min_clearance.min(clearance);
+        sum += clearance;
+        check.clearances.push(clearance);
+    }
+    check.mean_clearance = sum / path.len() as f64;
+}
+
+/// The first hit strictly between two poses.
+fn hit_between(body: &Body, from: Pose, to: Pose, gear: i8) -> Option<(Owner, Pose)> {
+    let (curvature, length) = arc_between(from, to, gear);
+    let turn = math::turn(from.heading, to.heading);
+    let steps = (length.abs() / STEP).max(turn.abs() / STEP).ceil().min(1e4) as u32;
+    (1..steps).find_map(|k| {
+        let t = f64::from(k) / f64::from(steps);
+        let pose = if length == 0.0 {
+            Pose::new(from.x, from.y, from.heading + turn * t)
+        } else {
+            from.advance(curvature, length * t)
+        };
+        body.hit(pose).map(|owner| (owner, pose))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Point;
+    use crate::scenario::resolve::{Form, Shape};
+    use crate::vehicle::Vehicle;
+
+    fn scene(goal: Pose, wall: Option<(Point, Point)>) -> Geometry {
+        let boundary = [(-20.0, -20.0), (40.0, -20.0), (40.0, 40.0), (-20.0, 40.0)];
+        Geometry {
+            start: Pose::new(0.0, 0.0, 0.0),
+            goal,
+            vehicle: Vehicle::PAPER,
+            boundary: boundary.map(|(x, y)| Point::new(x, y)).to_vec(),
+            shapes: wall
+                .map(|(a, b)| Shape { owner: Owner::Obstacle(0), form: Form::Segment(a, b) })
+                .into_iter()
+                .collect(),
+            parked: Vec::new(),
+        }
+    }
+
+    fn arc(curvature: f64, length: f64) -> Vec<Pose> {
+        let n = (length / 0.1).ceil();
+        (0..=n as u32).map(|i| Pose::default().advance(curvature, length * f64::from(i) / n)).collect()
+    }
+
+    fn run(geometry: &Geometry, path: &[Pose], direction: i8) -> Check {
+        check(geometry, &Body::new(geometry), path, &vec![direction; path.len()], 0.01)
+    }
+
+    #[test]
+    fn the_tightest_circle_is_fine_and_a_tighter_one_is_not() {
+        let limit = Vehicle::PAPER.max_curvature();
+        let path = arc(limit, 5.0);
+        let good = run(&scene(path[path.len() - 1], None), &path, 1);
+        assert_eq!((good.verdict, good.tight_turns, good.slips), (Verdict::Ok, 0, 0));
+        assert!((good.tightest_radius - 1.0 / limit).abs() < 1e-6);
+        let path = arc(limit * 1.01, 5.0);
+        let bad = run(&scene(path[path.len() - 1], None), &path, 1);
+        assert_eq!((bad.verdict, bad.tight_turns), (Verdict::TooTight, 1));
+    }
+
+    #[test]
+    fn a_corner_and_a_wrong_gear_cannot_be_driven() {
+        let corner = [Pose::default(), Pose::new(3.0, 0.0, 0.0), Pose::new(3.0, 0.0, 1.0)];
+        let checked = run(&scene(corner[2], None), &corner, 1);
+        assert_eq!(
+            (checked.verdict, checked.tight_turns, checked.tightest_radius),
+            (Verdict::TooTight, 1, 0.0)
+        );
+        let straight = arc(0.0, 3.0);
+        let backwards = run(&scene(straight[straight.len() - 1], None), &straight, -1);
+        assert_eq!(backwards.verdict, Verdict::TooTight);
+        assert!(backwards.slips > 0);
+    }
+
+    #[test]
+    fn a_thin_wall_between_two_poses_is_seen() {
+        let path = [Pose::default(), Pose::new(20.0, 0.0, 0.0)];
+        let wall = Some((Point::new(12.0, 1.0), Point::new(12.0, 1.31)));
+        let checked = run(&scene(path[1], wall), &path, 1);
+        assert_eq!((checked.verdict, checked.hit_poses), (Verdict::Collides, vec![1]));
+        assert_eq!(checked.first_hit.map(|h| h.0), Some(Owner::Obstacle(0)));
+    }
+
+    #[test]
+    fn arriving_tail_in_is_said() {
+        let path = arc(0.0, 5.0);
+        let mut goal = path[path.len() - 1];
+        goal.heading = math::PI;
+        let checked = run(&scene(goal, None), &path, 1);
+        assert_eq!(checked.verdict, Verdict::ArrivesTurned);
+        assert!(checked.drivable());
+    }
+}

@@ -1,0 +1,284 @@
+//! What a scene must satisfy before anything is built from it.
+
+use super::{Goal, MAX_CELLS, MapFrame, Obstacle, Scenario, Slot, SlotKind, VehicleSpec};
+use crate::error::{Error, ErrorCode};
+use crate::geometry::math::FRAC_PI_2;
+use crate::geometry::{Point, Pose};
+use crate::vehicle::Vehicle;
+
+/// Largest coordinate, metres: beyond it neighbouring numbers are more than a tenth of a millimetre apart.
+const MAX_COORDINATE: f64 = 1e11;
+/// Most corners of one polygon or wall: the test for self-intersection is quadratic.
+const MAX_CORNERS: usize = 2000;
+
+fn bad<T>(path: &str, message: String) -> Result<T, Error> {
+    Err(Error::new(ErrorCode::Scenario, path, message))
+}
+
+impl Scenario {
+    /// Checks every number and every reference.
+    ///
+    /// # Errors
+    /// The first rule that is broken, with the field's path and its value.
+    pub fn validate(&self) -> Result<(), Error> {
+        if self.version != 1 {
+            return bad("version", format!("must be 1, got {}", self.version));
+        }
+        self.map.validate().map_err(|e| e.within("map"))?;
+        for (i, obstacle) in self.obstacles.iter().enumerate() {
+            obstacle.validate(&self.map).map_err(|e| e.within(&format!("obstacles[{i}]")))?;
+        }
+        for (i, slot) in self.slots.iter().enumerate() {
+            slot.validate().map_err(|e| e.within(&format!("slots[{i}]")))?;
+            let twin = self.slots[..i].iter().position(|s| s.id.is_some() && s.id == slot.id);
+            if let (Some(twin), Some(id)) = (twin, &slot.id) {
+                return bad(
+                    &format!("slots[{i}].id"),
+                    format!("must be unique, \"{id}\" is slots[{twin}] too"),
+                );
+            }
+        }
+        self.vehicle.resolve().map_err(|e| e.within("vehicle"))?;
+        finite_pose(self.start).map_err(|e| e.within("start"))?;
+        match &self.goal {
+            Goal::Pose(pose) => finite_pose(*pose).map_err(|e| e.within("goal")),
+            Goal::Slot(goal) if self.slots.iter().all(|s| s.id.as_ref() != Some(&goal.slot)) => {
+                bad("goal.slot", format!("must be the id of a slot, got \"{}\"", goal.slot))
+            }
+            Goal::Slot(_) => Ok(()),
+        }
+    }
+}
+
+impl VehicleSpec {
+    /// The dimensions.
+    ///
+    /// # Errors
+    /// [`ErrorCode::Vehicle`] when the profile is unknown or a dimension is not possible.
+    pub fn resolve(&self) -> Result<Vehicle, Error> {
+        match self {
+            Self::Profile(name) => Vehicle::profile(name).ok_or_else(|| {
+                let message = format!("must be paper, sedan or dimensions, got \"{name}\"");
+                Error::new(ErrorCode::Vehicle, "", message)
+            }),
+            Self::Custom(vehicle) => vehicle.validate().map(|()| *vehicle),
+        }
+    }
+}
+
+impl MapFrame {
+    fn validate(&self) -> Result<(), Error> {
+        point("origin", self.origin)?;
+        for (name, cells) in [("width", self.width), ("height", self.height)] {
+            if !(1..=MAX_CELLS).contains(&cells) {
+                return bad(name, format!("must be 1 to {MAX_CELLS} cells, got {cells}"));
+            }
+        }
+        if !(self.resolution >= 0.001 && self.resolution <= 1000.0) {
+            return bad("resolution", format!("must be 0.001 to 1000 m, got {}", self.resolution));
+        }
+        let Some(boundary) = &self.boundary else { return Ok(()) };
+        outline("boundary", boundary)?;
+        let [x0, y0] = self.origin;
+        let slack = 1e-9 * (1.0 + x0.abs().max(y0.abs()));
+        let x1 = x0 + f64::from(self.width) * self.resolution + slack;
+        let y1 = y0 + f64::from(self.height) * self.resolution + slack;
+        for (i, &[x, y]) in boundary.iter().enumerate() {
+            if x < x0 - slack || x > x1 || y < y0 - slack || y > y1 {
+                return bad(&format!("boundary[{i}]"), format!("must be inside the map, got [{x}, {y}]"));
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Obstacle {
+    fn validate(&self, map: &MapFrame) -> Result<(), Error> {
+        match self {
+            Self::Cells { runs, .. } => {
+                for (i, &[x, y, count]) in runs.iter().enumerate() {
+                    let end = u64::from(x) + u64::from(count);
+                    if count == 0 || end > u64::from(map.width) || y >= map.height {
+                        let (w, h) = (map.width, map.height);
+                        let message = format!("must lie on the {w} × {h} map, got [{x}, {y}, {count}]");
+                        return bad(&format!("runs[{i}]"), message);
+                    }
+                }
+                Ok(())
+            }
+            Self::Wall { points, thickness, .. } => {
+                corners("points", points, 2)?;
+                if !(*thickness >= 0.0 && *thickness <= 1000.0) {
+                    return bad("thickness", format!("must be 0 to 1000 m, got {thickness}"));
+                }
+                Ok(())
+            }
+            Self::Polygon { points, .. } => outline("points", points),
+            Self::Rectangle { center, size, heading, .. } => {
+                point("center", *center)?;
+                positive("size[0]", size[0])?;
+                positive("size[1]", size[1])?;
+                finite("heading", *heading)
+            }
+            Self::Car { pose, vehicle, .. } => {
+                finite_pose(*pose).map_err(|e| e.within("pose"))?;
+                vehicle.resolve().map(|_| ()).map_err(|e| e.within("vehicle"))
+            }
+        }
+    }
+}
+
+impl Slot {
+    fn validate(&self) -> Result<(), Error> {
+        point("x", [self.x, 0.0])?;
+        point("y", [self.y, 0.0])?;
+        finite("heading", self.heading)?;
+        positive("width", self.width)?;
+        positive("length", self.length)?;
+        match self.angle {
+            Some(angle) if self.kind == SlotKind::Angled && !(0.1..FRAC_PI_2).contains(&angle) => {
+                bad("angle", format!("must be 0.1 to π/2, got {angle}"))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+fn finite(path: &str, value: f64) -> Result<(), Error> {
+    if value.is_finite() { Ok(()) } else { bad(path, format!("must be a finite number, got {value}")) }
+}
+
+fn positive(path: &str, value: f64) -> Result<(), Error> {
+    if value > 0.0 && value <= 1e6 {
+        Ok(())
+    } else {
+        bad(path, format!("must be positive, at most 1e6, got {value}"))
+    }
+}
+
+fn point(path: &str, [x, y]: [f64; 2]) -> Result<(), Error> {
+    match [x, y].into_iter().find(|v| v.is_nan() || v.abs() > MAX_COORDINATE) {
+        Some(v) => bad(path, format!("must be finite, within ±{MAX_COORDINATE:e} m, got {v}")),
+        None => Ok(()),
+    }
+}
+
+fn finite_pose(pose: Pose) -> Result<(), Error> {
+    point("x", [pose.x, 0.0])?;
+    point("y", [pose.y, 0.0])?;
+    finite("heading", pose.heading)
+}
+
+fn corners(path: &str, points: &[[f64; 2]], least: usize) -> Result<(), Error> {
+    if points.len() < least || points.len() > MAX_CORNERS {
+        return bad(path, format!("must have {least} to {MAX_CORNERS} points, got {}", points.len()));
+    }
+    points.iter().enumerate().try_for_each(|(i, &p)| point(&format!("{path}[{i}]"), p))
+}
+
+/// A closed outline: at least three corners, no two edges that touch, some area.
+fn outline(path: &str, points: &[[f64; 2]]) -> Result<(), Error> {
+    corners(path, points, 3)?;
+    let n = points.len();
+    // Relative to the first corner, so that the tests below keep their digits far from the origin.
+    let p: Vec<Point> = points.iter().map(|q| Point::new(q[0] - points[0][0], q[1] - points[0][1])).collect();
+    for i in 0..n {
+        if p[i] == p[(i + 1) % n] {
+            return bad(
+                &format!("{path}[{}]", (i + 1) % n),
+                "must differ from the corner before it".to_owned(),
+            );
+        }
+        for j in i + 1..n {
+            let adjacent = j == i + 1 || (i == 0 && j == n - 1);
+            if !adjacent && touch(p[i], p[i + 1], p[j], p[(j + 1) % n]) {
+                return bad(path, format!("must not cross itself: edges {i} and {j} meet"));
+            }
+        }
+    }
+    let area: f64 = (0..n).map(|i| cross(p[i], p[(i + 1) % n], Point::origin())).sum();
+    if area == 0.0 {
+        return bad(path, "must enclose an area".to_owned());
+    }
+    Ok(())
+}
+
+fn cross(a: Point, b: Point, origin: Point) -> f64 {
+    (a - origin).perp(&(b - origin))
+}
+
+/// Whether two closed segments share a point.
+fn touch(a: Point, b: Point, c: Point, d: Point) -> bool {
+    let side = |p, q, r| {
+        let s = cross(q, r, p);
+        if s > 0.0 { 1 } else { -i32::from(s < 0.0) }
+    };
+    let within = |p: Point, q: Point, r: Point| {
+        r.x >= p.x.min(q.x) && r.x <= p.x.max(q.x) && r.y >= p.y.min(q.y) && r.y <= p.y.max(q.y)
+    };
+    let (s1, s2, s3, s4) = (side(a, b, c), side(a, b, d), side(c, d, a), side(c, d, b));
+    (s1 != s2 && s3 != s4)
+        || (s1 == 0 && within(a, b, c))
+        || (s2 == 0 && within(a, b, d))
+        || (s3 == 0 && within(c, d, a))
+        || (s4 == 0 && within(c, d, b))
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+
+    fn refused(change: impl Fn(&mut Scenario)) -> String {
+        let mut scenario = Scenario::from_json(json!({
+            "version": 1,
+            "map": { "origin": [0.0, 0.0], "width": 40, "height": 40, "resolution": 0.5 },
+            "slots": [
+                { "id": "a", "kind": "angled", "x": 5, "y": 5, "heading": 0, "width": 2.5, "length": 5 },
+                { "id": "b", "kind": "parallel", "x": 5, "y": 9, "heading": 0, "width": 2.5, "length": 6 },
+            ],
+            "obstacles": [{ "type": "polygon", "points": [[8, 8], [9, 8], [9, 9]] }],
+            "start": { "x": 2.0, "y": 5.0, "heading": 0.0 },
+            "goal": { "slot": "a", "entry": "head-in" },
+        }))
+        .unwrap();
+        change(&mut scenario);
+        scenario.validate().unwrap_err().to_string()
+    }
+
+    fn polygon(points: &[[f64; 2]]) -> Obstacle {
+        Obstacle::Polygon { id: None, points: points.to_vec() }
+    }
+
+    #[test]
+    fn impossible_scenes_are_refused_with_words() {
+        let bow = polygon(&[[0.0, 0.0], [2.0, 2.0], [2.0, 0.0], [0.0, 2.0]]);
+        let flat = polygon(&[[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]]);
+        let cases = [
+            (refused(|s| s.map.width = 5000), "map.width: must be 1 to 4096 cells, got 5000"),
+            (refused(|s| s.map.resolution = f64::NAN), "map.resolution: must be 0.001 to 1000 m, got NaN"),
+            (refused(|s| s.start.x = f64::INFINITY), "start.x: must be finite"),
+            (
+                refused(|s| s.obstacles.push(bow.clone())),
+                "obstacles[1].points: must not cross itself: edges 0 and 2 meet",
+            ),
+            (refused(|s| s.obstacles.push(flat.clone())), "obstacles[1].points: must"),
+            (refused(|s| s.slots[1].width = -1.0), "slots[1].width: must be positive, at most 1e6, got -1"),
+            (refused(|s| s.slots[0].angle = Some(2.0)), "slots[0].angle: must be 0.1 to π/2, got 2"),
+            (refused(|s| s.slots[1].id = Some("a".into())), "slots[1].id: must be unique"),
+            (refused(|s| s.slots.clear()), "goal.slot: must be the id of a slot, got \"a\""),
+            (
+                refused(|s| s.map.boundary = Some(vec![[0.0, 0.0], [30.0, 0.0], [0.0, 9.0]])),
+                "map.boundary[1]: must be inside",
+            ),
+            (
+                refused(|s| s.obstacles.push(Obstacle::Cells { id: None, runs: vec![[39, 0, 2]] })),
+                "obstacles[1].runs[0]: must lie on the 40 × 40 map, got [39, 0, 2]",
+            ),
+        ];
+        for (got, expected) in cases {
+            assert!(got.starts_with(expected), "{got}\nis not\n{expected}");
+        }
+    }
+}
