@@ -1,3 +1,63 @@
-fn main() {
-    println!("not yet");
+//! The repository's commands: `cargo xtask <command>`.
+
+mod browser;
+mod serve;
+mod site;
+mod test;
+mod tools;
+mod wasm_runner;
+
+use std::fmt::Write as _;
+use std::process::ExitCode;
+
+use anyhow::{Result, bail};
+
+struct Command {
+    name: &'static str,
+    about: &'static str,
+    run: fn(&[String]) -> Result<()>,
+}
+
+const COMMANDS: &[Command] = &[
+    Command { name: "build", about: "build the npm package (pkg/) and the page (dist/)", run: site::build },
+    Command { name: "serve", about: "build, then serve the page on this machine", run: serve::serve },
+    Command { name: "test", about: "build, then check and test everything", run: test::test },
+    Command {
+        name: "wasm-test-runner",
+        about: "run one wasm test file in Node (cargo calls this)",
+        run: wasm_runner::run,
+    },
+];
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    match dispatch(&arguments) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn dispatch(arguments: &[String]) -> Result<()> {
+    let Some((name, rest)) = arguments.split_first() else {
+        bail!("which command?\n\n{}", help());
+    };
+    if matches!(name.as_str(), "help" | "--help" | "-h") {
+        println!("{}", help());
+        return Ok(());
+    }
+    match COMMANDS.iter().find(|command| command.name == name) {
+        Some(command) => (command.run)(rest),
+        None => bail!("there is no command `{name}`\n\n{}", help()),
+    }
+}
+
+fn help() -> String {
+    let mut text = String::from("usage: cargo xtask <command>\n");
+    for command in COMMANDS {
+        let _ = write!(text, "\n  {:<18}{}", command.name, command.about);
+    }
+    text
 }

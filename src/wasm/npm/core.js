@@ -1,0 +1,87 @@
+// @ts-check
+// Errors, and the state of the one wasm module behind the API.
+
+export class ParkadeError extends Error {
+  name = "ParkadeError";
+
+  /**
+   * @param {string} message
+   * @param {string} code
+   * @param {string} [path]
+   * @param {ErrorOptions} [options]
+   */
+  constructor(message, code, path = "", options) {
+    super(message, options);
+    this.code = code;
+    this.path = path;
+  }
+}
+
+/** @type {"not loaded" | "ready" | "stopped"} */
+let state = "not loaded";
+
+/** @type {Promise<void> | undefined} */
+let loading;
+
+/**
+ * Makes `init` from a way to load the module.
+ * @param {(wasm: unknown) => Promise<unknown>} load
+ * @returns {typeof import("./index.js").init}
+ */
+export function initializer(load) {
+  return function init(options) {
+    loading ??= load(options?.wasm).then(
+      () => {
+        state = "ready";
+      },
+      (cause) => {
+        loading = undefined;
+        const message = `cannot load the wasm module: ${describe(cause)}`;
+        const given = options?.wasm !== undefined;
+        throw new ParkadeError(message, given ? "bad-input" : "internal", given ? "wasm" : "", { cause });
+      },
+    );
+    return loading;
+  };
+}
+
+/**
+ * Calls into the module; whatever goes wrong there leaves as a ParkadeError.
+ * @template T
+ * @param {() => T} run
+ * @returns {T}
+ */
+export function call(run) {
+  if (state === "not loaded") {
+    throw new ParkadeError("the wasm module is not loaded: `await init()` first", "not-initialised");
+  }
+  if (state === "stopped") {
+    throw new ParkadeError("stopped by an earlier internal error: use a new worker or process", "internal");
+  }
+  try {
+    return run();
+  } catch (error) {
+    throw converted(error);
+  }
+}
+
+/** Whether the module can still be called: a trap leaves its memory in an unknown state. */
+export function isRunning() {
+  return state === "ready";
+}
+
+/** @param {unknown} error */
+function converted(error) {
+  if (error instanceof ParkadeError) return error;
+  if (error instanceof Error && error.name === "ParkadeError") {
+    const { code, path } = /** @type {ParkadeError} */ (error);
+    return new ParkadeError(error.message, code, path);
+  }
+  if (error instanceof WebAssembly.RuntimeError) state = "stopped";
+  return new ParkadeError(`internal error: ${describe(error)}`, "internal", "", { cause: error });
+}
+
+/** @param {unknown} error */
+function describe(error) {
+  return error instanceof Error ? error.message : String(error);
+}

@@ -1,0 +1,22 @@
+// @ts-check
+// Node.js, which cannot fetch files: the module is read from disk.
+import { readFile } from "node:fs/promises";
+import { initializer } from "./core.js";
+import load from "./parkade.js";
+
+export * from "./api.js";
+
+const BESIDE = new URL("parkade_bg.wasm", import.meta.url);
+
+/** @type {typeof import("./index.js").init} */
+export const init = initializer(async (wasm = BESIDE) => load({ module_or_path: await source(wasm) }));
+
+/** @param {unknown} wasm bytes, a module, a URL or a path */
+async function source(wasm) {
+  const isUrl = wasm instanceof URL || (typeof wasm === "string" && /^(https?|data|blob|file):/.test(wasm));
+  if (isUrl) {
+    const url = new URL(wasm);
+    return url.protocol === "file:" ? readFile(url) : url;
+  }
+  return typeof wasm === "string" ? readFile(wasm) : /** @type {BufferSource} */ (wasm);
+}

@@ -1,0 +1,5 @@
+import { init, version } from "parkade";
+
+await init();
+const output = document.querySelector("#version");
+if (output) output.textContent = version();
