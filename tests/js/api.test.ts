@@ -1,0 +1,117 @@
+import { readFileSync } from "node:fs";
+import { beforeAll, describe, expect, test } from "vitest";
+import * as parkade from "parkade";
+import { ParkadeError, Planner, checkPath, defaultConfig, init, scenario, scenarios } from "parkade";
+
+/** The ParkadeError that `run` throws, in parts. */
+function failure(run: () => unknown) {
+  try {
+    run();
+  } catch (error) {
+    expect(error).toBeInstanceOf(ParkadeError);
+    const { code, path, message, name } = error as ParkadeError;
+    expect(name).toBe("ParkadeError");
+    expect(message).not.toBe("");
+    return { code, path };
+  }
+  throw new Error("nothing was thrown");
+}
+
+/** What callers without types may hand over. */
+const untyped = (value: unknown) => value as never;
+
+const preset = () => scenario(scenarios()[0]!.id);
+
+test("before init every call says so, and a failed init can be repeated", async () => {
+  expect(failure(() => parkade.version())).toEqual({ code: "not-initialised", path: "" });
+  expect(failure(() => new Planner("hybrid", untyped({})))).toEqual({ code: "not-initialised", path: "" });
+  await expect(init({ wasm: new Uint8Array([1, 2, 3]) })).rejects.toMatchObject({ code: "bad-input", path: "wasm" });
+  await expect(init({ wasm: "no/such/file.wasm" })).rejects.toBeInstanceOf(ParkadeError);
+  await init();
+  expect(parkade.version()).toMatch(/^\d+\.\d+\.\d+/);
+});
+
+describe("after init", () => {
+  beforeAll(() => init());
+
+  test("init is idempotent, and concurrent calls share one load", async () => {
+    const first = init();
+    expect(init()).toBe(first);
+    await Promise.all([first, init({ wasm: "ignored by now" })]);
+  });
+
+  test("the types declare what the package exports", () => {
+    const declarations = readFileSync(new URL("../../pkg/index.d.ts", import.meta.url), "utf8");
+    const declared = [...declarations.matchAll(/^export (?:function|class|const) (\w+)/gm)].map((match) => match[1]);
+    expect(Object.keys(parkade).sort()).toEqual(declared.sort());
+  });
+
+  test("planners and scenarios answer by the ids that they list", () => {
+    for (const { id } of parkade.planners()) expect(defaultConfig(id)).toBeTypeOf("object");
+    for (const { id } of scenarios()) expect(scenario(id).version).toBe(1);
+  });
+
+  test("unknown names are errors with a code", () => {
+    expect(failure(() => defaultConfig(untyped("teleport"))).code).toBe("unknown-planner");
+    expect(failure(() => new Planner(untyped("teleport"), preset())).code).toBe("unknown-planner");
+    expect(failure(() => scenario("nowhere")).code).toBe("unknown-scenario");
+  });
+
+  test("values of the wrong kind are errors, never traps", () => {
+    for (const value of [undefined, null, 7, {}, [], Symbol("id")]) {
+      expect(failure(() => scenario(untyped(value)))).toEqual({ code: "bad-input", path: "id" });
+      expect(failure(() => new Planner(untyped(value), preset())).code).toBe("bad-input");
+    }
+    for (const value of [undefined, null, 7, "scene", []]) {
+      expect(failure(() => new Planner("hybrid", untyped(value))).code).toBe("bad-scenario");
+    }
+  });
+
+  test("a mistake in the settings is named by its field", () => {
+    expect(failure(() => new Planner("hybrid", preset(), { noSuchSetting: 1 })).code).toBe("bad-config");
+    const scene = { ...preset(), start: { x: untyped("left"), y: 0, heading: 0 } };
+    expect(failure(() => new Planner("hybrid", scene))).toEqual({ code: "bad-scenario", path: "start.x" });
+  });
+
+  test("a planner plans as often as asked, with the same answer", () => {
+    const planner = new Planner("eight", preset());
+    const first = planner.plan();
+    expect(first.path).toBeInstanceOf(Float64Array);
+    expect(first.directions).toBeInstanceOf(Int8Array);
+    expect(planner.plan({ trace: true }).hash).toBe(first.hash);
+    planner.free();
+  });
+
+  test("checkPath takes typed and plain arrays alike", () => {
+    const scene = preset();
+    const planner = new Planner("hybrid", scene);
+    const { path, directions, check } = planner.plan();
+    planner.free();
+    expect(checkPath(scene, path, directions)).toEqual(check);
+    expect(checkPath(scene, [...path], [...directions])).toEqual(check);
+  });
+
+  test("checkPath refuses what is no list of numbers", () => {
+    const scene = preset();
+    const path = [scene.start.x, scene.start.y, scene.start.heading];
+    expect(failure(() => checkPath(scene, untyped("path")))).toEqual({ code: "bad-input", path: "path" });
+    expect(failure(() => checkPath(scene, untyped([1, "2", 3])))).toEqual({ code: "bad-input", path: "path[1]" });
+    expect(failure(() => checkPath(scene, path, [257]))).toEqual({ code: "bad-input", path: "directions[0]" });
+    expect(failure(() => checkPath(scene, [1, 2])).code).toBe("bad-input");
+    expect(failure(() => checkPath(scene, [1, Number.NaN, 0])).code).toBe("bad-input");
+  });
+
+  test("a freed planner says so, and freeing it again does nothing", () => {
+    const planner = new Planner("eight", preset());
+    planner.free();
+    planner.free();
+    expect(failure(() => planner.plan())).toEqual({ code: "freed", path: "" });
+    expect(failure(() => planner.layer("occupancy"))).toEqual({ code: "freed", path: "" });
+  });
+
+  test("`using` frees a planner", () => {
+    const planner = new Planner("eight", preset());
+    planner[Symbol.dispose]();
+    expect(failure(() => planner.plan()).code).toBe("freed");
+  });
+});

@@ -1,0 +1,48 @@
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { afterAll, beforeAll, expect, test } from "vitest";
+
+const PACKAGE = fileURLToPath(new URL("../../pkg/", import.meta.url));
+
+const SCRIPT = `import { init, Planner, scenario, scenarios } from "parkade";
+
+await init();
+const { id } = scenarios()[0];
+const planner = new Planner("hybrid", scenario(id));
+const plan = planner.plan();
+planner.free();
+console.log(plan.outcome, plan.path.length / 3);
+`;
+
+let folder = "";
+
+function npm(args: string[], cwd: string) {
+  const quiet = ["--offline", "--no-audit", "--no-fund", "--loglevel=error"];
+  const [program, first] = process.platform === "win32" ? ["cmd", ["/C", "npm"]] : (["npm", []] as const);
+  return execFileSync(program, [...first, ...args, ...quiet], { cwd, encoding: "utf8" });
+}
+
+beforeAll(() => {
+  folder = mkdtempSync(join(tmpdir(), "parkade-"));
+});
+afterAll(() => rmSync(folder, { recursive: true, force: true }));
+
+test("the packed package, installed into an empty folder, plans a preset in Node", () => {
+  const [packed] = JSON.parse(npm(["pack", "--json", "--pack-destination", folder], PACKAGE));
+  writeFileSync(join(folder, "package.json"), "{}");
+  npm(["install", `./${packed.filename}`], folder);
+  writeFileSync(join(folder, "plan.mjs"), SCRIPT);
+  const [outcome, poses] = execFileSync(process.execPath, ["plan.mjs"], { cwd: folder, encoding: "utf8" }).split(" ");
+  expect(outcome).toBe("found");
+  expect(Number(poses)).toBeGreaterThan(10);
+});
+
+test("the package holds every file that it names", () => {
+  const manifest = JSON.parse(readFileSync(join(PACKAGE, "package.json"), "utf8"));
+  const [packed] = JSON.parse(npm(["pack", "--json", "--dry-run"], PACKAGE));
+  const paths: string[] = packed.files.map((file: { path: string }) => file.path);
+  expect(paths.sort()).toEqual(["package.json", ...manifest.files].sort());
+});
