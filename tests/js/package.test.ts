@@ -4,6 +4,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { afterAll, beforeAll, expect, test } from "vitest";
+import { init, version } from "parkade";
 
 const PACKAGE = fileURLToPath(new URL("../../pkg/", import.meta.url));
 
@@ -38,6 +39,12 @@ test("the packed package, installed into an empty folder, plans a preset in Node
   const [outcome, poses] = execFileSync(process.execPath, ["plan.mjs"], { cwd: folder, encoding: "utf8" }).split(" ");
   expect(outcome).toBe("found");
   expect(Number(poses)).toBeGreaterThan(10);
+});
+
+test("the package and the module in it are of one version", async () => {
+  await init();
+  const manifest = JSON.parse(readFileSync(join(PACKAGE, "package.json"), "utf8"));
+  expect(version()).toBe(manifest.version);
 });
 
 test("the package holds every file that it names", () => {

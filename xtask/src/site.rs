@@ -4,7 +4,6 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, ensure};
-use serde_json::{Value, json};
 
 use crate::tools::{self, WASM_TARGET, Workspace, capture, cargo, node, node_tool, root, run};
 
@@ -17,6 +16,9 @@ const GZIP_SIZES: &str = "const { readFileSync } = require('node:fs'); const { g
     console.log(JSON.stringify(process.argv.slice(1).map((file) => gzipSync(readFileSync(file), { level: 9 }).length)))";
 
 const WASM_FILE: &str = "parkade_bg.wasm";
+
+/// What stands in the package's manifest for the crate's version.
+const NO_VERSION: &str = r#""version": "0.0.0""#;
 
 /// Copied into the package as they are.
 const PACKAGE_SOURCES: &[&str] = &["index.js", "node.js", "api.js", "core.js", "index.d.ts"];
@@ -71,8 +73,7 @@ fn build_package(workspace: &Workspace) -> Result<()> {
     for name in PACKAGE_PAPERS {
         copy(&root().join(name), &package.join(name))?;
     }
-    let manifest = serde_json::to_string_pretty(&manifest(&workspace.package))?;
-    fs::write(package.join("package.json"), manifest + "\n").context("pkg/package.json")
+    write_manifest(&workspace.version, &package)
 }
 
 /// Writes the JavaScript glue and the `.wasm` file that belongs to it.
@@ -88,26 +89,13 @@ fn bind(compiled: &Path, package: &Path) -> Result<()> {
         .context("wasm-bindgen")
 }
 
-fn manifest(package: &Value) -> Value {
-    let mut files: Vec<&str> = PACKAGE_SOURCES.iter().chain(PACKAGE_PAPERS).copied().collect();
-    files.extend(["parkade.js", WASM_FILE]);
-    json!({
-        "name": package["name"],
-        "version": package["version"],
-        "description": package["description"],
-        "keywords": package["keywords"],
-        "license": package["license"],
-        "type": "module",
-        "engines": { "node": ">=20" },
-        "exports": {
-            ".": { "types": "./index.d.ts", "node": "./node.js", "default": "./index.js" },
-            "./parkade_bg.wasm": "./parkade_bg.wasm",
-            "./package.json": "./package.json",
-        },
-        "types": "./index.d.ts",
-        "sideEffects": false,
-        "files": files,
-    })
+/// Writes the package's manifest: the one beside its sources, with the crate's version.
+fn write_manifest(version: &str, package: &Path) -> Result<()> {
+    let template = root().join("src/wasm/npm/package.json");
+    let text = fs::read_to_string(&template).with_context(|| template.display().to_string())?;
+    ensure!(text.contains(NO_VERSION), "{}: must hold {NO_VERSION}", template.display());
+    let text = text.replacen(NO_VERSION, &format!("\"version\": \"{version}\""), 1);
+    fs::write(package.join("package.json"), text).context("pkg/package.json")
 }
 
 fn copy(from: &Path, to: &Path) -> Result<()> {

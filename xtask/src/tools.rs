@@ -118,22 +118,23 @@ pub(crate) fn ensure_node_modules() -> Result<()> {
 
 /// What `cargo metadata` knows and paths alone do not tell.
 pub(crate) struct Workspace {
+    /// Cargo's output folder.
     pub(crate) target: PathBuf,
-    pub(crate) package: serde_json::Value,
+    /// The library's version.
+    pub(crate) version: String,
 }
 
 impl Workspace {
     pub(crate) fn load() -> Result<Self> {
         let text = capture(cargo().args(["metadata", "--locked", "--no-deps", "--format-version", "1"]))?;
-        let mut metadata: serde_json::Value = serde_json::from_str(&text).context("cargo metadata")?;
-        let target =
-            metadata["target_directory"].as_str().context("cargo metadata: target_directory")?.into();
-        let package = metadata["packages"]
-            .as_array_mut()
-            .and_then(|packages| packages.iter_mut().find(|package| package["name"] == "parkade"))
-            .context("cargo metadata: no package `parkade`")?
-            .take();
-        Ok(Self { target, package })
+        let metadata: serde_json::Value = serde_json::from_str(&text).context("cargo metadata")?;
+        let target = metadata["target_directory"].as_str().context("cargo metadata: no target_directory")?;
+        let version = metadata["packages"]
+            .as_array()
+            .and_then(|packages| packages.iter().find(|package| package["name"] == "parkade"))
+            .and_then(|package| package["version"].as_str())
+            .context("cargo metadata: no package `parkade`")?;
+        Ok(Self { target: target.into(), version: version.to_owned() })
     }
 }
 
