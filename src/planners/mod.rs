@@ -1,1 +1,7 @@
-//! planners.
+//! The planners. One file or folder each: its settings, its search domain and `plan`.
+
+pub mod grid_astar;
+pub mod heuristics;
+pub mod moves;
+pub mod query;
+pub mod settings;

@@ -2,7 +2,7 @@
 
 use super::open::Kind;
 use super::table::NO_PARENT;
-use super::{Cost, Domain, End, NodeId, Observer, Relax, Scratch, Visit};
+use super::{Cost, Domain, End, Hold, NodeId, Observer, Relax, Scratch, Visit};
 
 /// When to stop short of the cheapest completion.
 #[derive(Debug, Clone, Copy)]
@@ -153,14 +153,19 @@ fn expand<D: Domain, O: Observer<D::Cost, D::Label>>(
         domain.held_back(at, &mut sink);
     } else {
         domain.successors(at, &mut sink);
-        if D::HOLDS_BACK && !sink.improved {
-            report.deferred += 1;
-            domain.held_back(at, &mut sink);
-            sink.scratch.slot_mut(at.node).stage = 2;
-        } else if D::HOLDS_BACK {
-            let h = domain.heuristic(at.node, at.label);
-            let f = at.g + h + domain.held_back_penalty();
-            sink.scratch.open.push(D::ORDER, f, h, at.g, at.node, Kind::HeldBack);
+        if D::HOLDS_BACK {
+            match (domain.hold(), sink.improved) {
+                (Hold::Forever, _) | (Hold::UntilStuck, true) => {}
+                (_, false) => {
+                    report.deferred += 1;
+                    domain.held_back(at, &mut sink);
+                    sink.scratch.slot_mut(at.node).stage = 2;
+                }
+                (Hold::Penalty(penalty), true) => {
+                    let h = domain.heuristic(at.node, at.label);
+                    sink.scratch.open.push(D::ORDER, at.g + h + penalty, h, at.g, at.node, Kind::HeldBack);
+                }
+            }
         }
     }
     report.generated += sink.generated;

@@ -53,8 +53,7 @@ pub struct Visit<C, L> {
 
 /// A graph to search, defined by its moves.
 ///
-/// A domain may hold back part of a node's moves ([`Domain::HOLDS_BACK`]): they are tried at once when the first
-/// part improved nothing, else when the node is popped a second time, [`Domain::held_back_penalty`] later.
+/// A domain may hold back part of a node's moves ([`Domain::HOLDS_BACK`]) until [`Domain::hold`] lets them go.
 pub trait Domain {
     /// The cost of a path.
     type Cost: Cost;
@@ -90,9 +89,9 @@ pub trait Domain {
         let _ = (from, sink);
     }
 
-    /// How much later than its first pop a node is popped for the moves it held back.
-    fn held_back_penalty(&self) -> Self::Cost {
-        Self::Cost::default()
+    /// When the moves that [`Domain::successors`] held back are tried.
+    fn hold(&self) -> Hold<Self::Cost> {
+        Hold::UntilStuck
     }
 
     /// Estimate of the cost from the node to the target; [`Cost::MAX`] where the target cannot be reached.
@@ -104,6 +103,18 @@ pub trait Domain {
         at: Visit<Self::Cost, Self::Label>,
         bound: Self::Cost,
     ) -> Option<Finish<Self::Cost, Self::Tail>>;
+}
+
+/// When a node's held-back moves are tried.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Hold<C> {
+    /// Never.
+    Forever,
+    /// At once where the node's other moves improved nothing, else never.
+    UntilStuck,
+    /// At once where the node's other moves improved nothing, else when the node is popped a second time: its
+    /// priority is put back by this much.
+    Penalty(C),
 }
 
 /// Where a [`Domain`] emits its moves.

@@ -1,0 +1,114 @@
+//! Exact Euclidean distance transforms, in integers.
+//!
+//! Two passes (Felzenszwalb & Huttenlocher 2012): the nearest blocked cell in each column, then the lower envelope of
+//! one parabola per column in each row. All numbers are squared half-cells, which makes both distances below exact.
+
+use super::{Layer, Occupancy};
+
+/// The value of a cell on a map where nothing is blocked; larger than any squared distance.
+pub const NONE: i64 = i64::MAX / 4;
+
+/// Four times the squared distance, in cells, from each cell's centre to the nearest blocked cell's centre; [`NONE`]
+/// where the map has no blocked cell.
+pub fn to_centers(map: &Occupancy) -> Layer<i64> {
+    let mut columns = column_distances(map, |d| 4 * d * d);
+    let width = map.width() as usize;
+    let mut envelope = Envelope::default();
+    let mut source = vec![NONE; width];
+    for row in columns.data.chunks_mut(width.max(1)) {
+        source.copy_from_slice(row);
+        envelope.build(source.iter().enumerate().map(|(x, &v)| (2 * x as i64, v)));
+        envelope.sample(row, |known, _| known);
+    }
+    columns
+}
+
+/// Four times the squared distance, in cells, from each cell's centre to the nearest blocked cell's closed square: 0
+/// in a blocked cell, 1 beside one; [`NONE`] where the map has no blocked cell.
+pub fn to_squares(map: &Occupancy) -> Layer<i64> {
+    let mut columns = column_distances(map, |d| if d == 0 { 0 } else { (2 * d - 1) * (2 * d - 1) });
+    let width = map.width() as usize;
+    let mut envelope = Envelope::default();
+    let mut edges = vec![NONE; width + 1];
+    for row in columns.data.chunks_mut(width.max(1)) {
+        // Seen from another column, a square begins at its edge: the parabolas stand on the edges between columns.
+        edges.fill(NONE);
+        for (x, &v) in row.iter().enumerate() {
+            edges[x] = edges[x].min(v);
+            edges[x + 1] = edges[x + 1].min(v);
+        }
+        envelope.build(edges.iter().enumerate().map(|(x, &v)| (2 * x as i64 - 1, v)));
+        envelope.sample(row, |across, own| across.min(own));
+    }
+    columns
+}
+
+/// Metres from each cell's centre to the nearest blocked cell's square; infinity where nothing is blocked.
+pub fn clearance(map: &Occupancy, resolution: f64) -> Layer<f32> {
+    let squares = to_squares(map);
+    let metres = |&d: &i64| {
+        if d >= NONE { f32::INFINITY } else { ((d as f64).sqrt() * 0.5 * resolution) as f32 }
+    };
+    Layer { width: squares.width, height: squares.height, data: squares.data.iter().map(metres).collect() }
+}
+
+/// `cost(distance)` to the nearest blocked cell in the same column.
+fn column_distances(map: &Occupancy, cost: impl Fn(i64) -> i64) -> Layer<i64> {
+    let (width, height) = (map.width() as usize, map.height() as usize);
+    let mut steps = Layer::filled(map.width(), map.height(), i64::MAX);
+    let mut near = vec![i64::MAX; width];
+    for upward in [true, false] {
+        near.fill(i64::MAX);
+        for k in 0..height {
+            let y = if upward { k } else { height - 1 - k };
+            let row = map.row(y as u32);
+            for (x, step) in steps.data[y * width..][..width].iter_mut().enumerate() {
+                near[x] = if row[x] != 0 { 0 } else { near[x].saturating_add(1) };
+                *step = near[x].min(*step);
+            }
+        }
+    }
+    for step in &mut steps.data {
+        *step = if *step == i64::MAX { NONE } else { cost(*step) };
+    }
+    steps
+}
+
+/// The lower envelope of parabolas `(x - p)² + v`.
+#[derive(Default)]
+struct Envelope {
+    /// Position, height, first position from which the parabola is the lowest.
+    parabolas: Vec<(i64, i64, i64)>,
+}
+
+impl Envelope {
+    fn build(&mut self, parabolas: impl Iterator<Item = (i64, i64)>) {
+        self.parabolas.clear();
+        for (p, v) in parabolas.filter(|&(_, v)| v < NONE) {
+            let mut from = i64::MIN;
+            while let Some(&(q, w, begin)) = self.parabolas.last() {
+                // The new one is at most as high from where (x-p)² + v <= (x-q)² + w.
+                from = (v + p * p - w - q * q + 2 * (p - q) - 1).div_euclid(2 * (p - q));
+                if from > begin {
+                    break;
+                }
+                self.parabolas.pop();
+                from = i64::MIN;
+            }
+            self.parabolas.push((p, v, from));
+        }
+    }
+
+    /// Writes `combine(envelope, old value)` to each cell of a row, cell x at position 2x.
+    fn sample(&self, row: &mut [i64], combine: impl Fn(i64, i64) -> i64) {
+        let mut k = 0;
+        for (x, value) in row.iter_mut().enumerate() {
+            let x = 2 * x as i64;
+            while self.parabolas.get(k + 1).is_some_and(|next| next.2 <= x) {
+                k += 1;
+            }
+            let lowest = self.parabolas.get(k).map_or(NONE, |&(p, v, _)| (x - p) * (x - p) + v);
+            *value = combine(lowest, *value);
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! Line of sight between cell centres: one predicate for moves, pruning and any-angle checks.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Cell, Occupancy};
+
+/// What a path may do where a line passes exactly through a corner of cells.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Corner {
+    /// Both side cells must be free: the path touches no blocked closed square.
+    #[default]
+    Strict,
+    /// At least one side cell must be free.
+    NoSqueeze,
+    /// Side cells do not matter.
+    Free,
+}
+
+/// Whether the straight line between two cell centres crosses free cells only. Symmetric in its ends.
+pub fn line_of_sight(map: &Occupancy, from: Cell, to: Cell, corner: Corner) -> bool {
+    let (dx, dy) = ((to.x - from.x).abs(), (to.y - from.y).abs());
+    let (sx, sy) = (if to.x > from.x { 1 } else { -1 }, if to.y > from.y { 1 } else { -1 });
+    let mut at = from;
+    if map.blocked(at) {
+        return false;
+    }
+    let (mut i, mut j) = (0, 0);
+    while i < dx || j < dy {
+        let side = (2 * i + 1) * dy - (2 * j + 1) * dx;
+        if side == 0 {
+            let (a, b) = (map.blocked(at.offset(sx, 0)), map.blocked(at.offset(0, sy)));
+            let shut = match corner {
+                Corner::Strict => a || b,
+                Corner::NoSqueeze => a && b,
+                Corner::Free => false,
+            };
+            if shut {
+                return false;
+            }
+            at = at.offset(sx, sy);
+            i += 1;
+            j += 1;
+        } else if side < 0 {
+            at.x += sx;
+            i += 1;
+        } else {
+            at.y += sy;
+            j += 1;
+        }
+        if map.blocked(at) {
+            return false;
+        }
+    }
+    true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The cells of a 4 × 3 map that must be free for a line from (0, 0), besides its ends.
+    fn needed(to: Cell) -> Vec<(i32, i32)> {
+        let mut cells = Vec::new();
+        for index in 0..12 {
+            let mut map = Occupancy::new(4, 3);
+            let cell = map.cell(index);
+            map.set(cell, true);
+            if cell != Cell::new(0, 0)
+                && cell != to
+                && !line_of_sight(&map, Cell::new(0, 0), to, Corner::Strict)
+            {
+                assert!(!line_of_sight(&map, to, Cell::new(0, 0), Corner::Strict));
+                cells.push((cell.x, cell.y));
+            }
+        }
+        cells
+    }
+
+    #[test]
+    fn the_cells_of_short_lines() {
+        assert_eq!(needed(Cell::new(1, 1)), [(1, 0), (0, 1)]);
+        assert_eq!(needed(Cell::new(2, 1)), [(1, 0), (1, 1)]);
+        assert_eq!(needed(Cell::new(3, 1)), [(1, 0), (2, 0), (1, 1), (2, 1)]);
+        assert_eq!(needed(Cell::new(3, 2)), [(1, 0), (1, 1), (2, 1), (2, 2)]);
+    }
+
+    #[test]
+    fn corner_rules() {
+        let sees = |drawing: &str, corner| {
+            line_of_sight(&Occupancy::parse(drawing), Cell::new(0, 0), Cell::new(1, 1), corner)
+        };
+        assert!(!sees("..\n.#", Corner::Strict) && sees("..\n.#", Corner::NoSqueeze));
+        assert!(!sees("#.\n.#", Corner::NoSqueeze) && sees("#.\n.#", Corner::Free));
+    }
+}

@@ -1,0 +1,174 @@
+//! The artificial potential field of the risk-field planner: the goal attracts, the nearest obstacle repels.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Cell, Layer, Occupancy};
+
+/// How the goal's pull depends on its distance.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Attraction {
+    /// Proportional to the distance (the paper).
+    #[default]
+    Linear,
+    /// The same at every distance.
+    Conic,
+}
+
+/// Which blocked cells within reach repel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ObstacleSet {
+    /// The nearest; the mean of their forces where several are equally near.
+    #[default]
+    NearestMean,
+    /// The nearest; of several equally near the first, row by row from the south-west.
+    NearestFirst,
+    /// All of them.
+    Sum,
+}
+
+/// Strength and reach of the field. Lengths in cells.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FieldSettings {
+    /// Gain of the attraction.
+    pub k1: f64,
+    /// Reach of the repulsion, cells.
+    pub rho0: f64,
+    /// Gain of the repulsion.
+    pub k2: f64,
+    /// How the pull depends on the distance.
+    pub attraction: Attraction,
+    /// Which blocked cells repel.
+    pub obstacle_set: ObstacleSet,
+}
+
+/// The field of one map and goal, evaluated cell by cell on demand.
+#[derive(Debug, Clone)]
+pub struct PotentialField<'a> {
+    map: &'a Occupancy,
+    goal: Cell,
+    settings: FieldSettings,
+    sources: Vec<Source>,
+}
+
+/// What a blocked cell at this offset does.
+#[derive(Debug, Clone, Copy)]
+struct Source {
+    offset: (i32, i32),
+    squared: i32,
+    force: (f64, f64),
+}
+
+impl<'a> PotentialField<'a> {
+    /// The field on `map` towards `goal`. Cells outside the map do not repel.
+    pub fn new(map: &'a Occupancy, goal: Cell, settings: FieldSettings) -> Self {
+        let mut sources = sources(&settings);
+        if settings.obstacle_set != ObstacleSet::Sum {
+            sources.sort_by_key(|s| s.squared);
+        }
+        Self { map, goal, settings, sources }
+    }
+
+    /// The force at a cell, east and north. Zero at the goal away from obstacles.
+    pub fn force(&self, at: Cell) -> (f64, f64) {
+        let (pull, push) = (self.attraction(at), self.repulsion(at));
+        (pull.0 + push.0, pull.1 + push.1)
+    }
+
+    /// The force at every cell, (0, 0) in blocked ones.
+    pub fn layer(&self) -> Layer<[f32; 2]> {
+        let mut layer = Layer::filled(self.map.width(), self.map.height(), [0.0; 2]);
+        for (index, value) in layer.data.iter_mut().enumerate() {
+            let cell = self.map.cell(index as u32);
+            if !self.map.blocked(cell) {
+                let (x, y) = self.force(cell);
+                *value = [x as f32, y as f32];
+            }
+        }
+        layer
+    }
+
+    fn attraction(&self, at: Cell) -> (f64, f64) {
+        let k1 = self.settings.k1;
+        let (x, y) = (f64::from(self.goal.x - at.x), f64::from(self.goal.y - at.y));
+        if self.settings.attraction == Attraction::Linear {
+            return (k1 * x, k1 * y);
+        }
+        let distance = (x * x + y * y).sqrt();
+        if distance == 0.0 { (0.0, 0.0) } else { (k1 * (x / distance), k1 * (y / distance)) }
+    }
+
+    fn repulsion(&self, at: Cell) -> (f64, f64) {
+        let (mut x, mut y, mut count, mut nearest) = (0.0, 0.0, 0_u32, i32::MAX);
+        for source in &self.sources {
+            if source.squared > nearest {
+                break;
+            }
+            if !self.map.is_obstacle(at.offset(source.offset.0, source.offset.1)) {
+                continue;
+            }
+            match self.settings.obstacle_set {
+                ObstacleSet::NearestFirst => return source.force,
+                ObstacleSet::NearestMean => nearest = source.squared,
+                ObstacleSet::Sum => {}
+            }
+            x += source.force.0;
+            y += source.force.1;
+            count += 1;
+        }
+        if self.settings.obstacle_set == ObstacleSet::NearestMean && count > 1 {
+            (x / f64::from(count), y / f64::from(count))
+        } else {
+            (x, y)
+        }
+    }
+}
+
+/// All offsets within reach, row by row from the south-west: the order in which forces are added.
+fn sources(settings: &FieldSettings) -> Vec<Source> {
+    let FieldSettings { rho0, k2, .. } = *settings;
+    let reach = rho0.ceil() as i32;
+    let mut sources = Vec::new();
+    for j in -reach..=reach {
+        for i in -reach..=reach {
+            let squared = i * i + j * j;
+            let rho = f64::from(squared).sqrt();
+            if squared == 0 || rho > rho0 {
+                continue;
+            }
+            let magnitude = k2 * (1.0 / rho - 1.0 / rho0) / (rho * rho);
+            let force = (-f64::from(i) / rho * magnitude, -f64::from(j) / rho * magnitude);
+            sources.push(Source { offset: (i, j), squared, force });
+        }
+    }
+    sources
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn force(drawing: &str, obstacle_set: ObstacleSet, at: Cell) -> (f64, f64) {
+        let map = Occupancy::parse(drawing);
+        let settings =
+            FieldSettings { k1: 0.0, rho0: 2.0, k2: 8.0, attraction: Attraction::Conic, obstacle_set };
+        PotentialField::new(&map, at, settings).force(at)
+    }
+
+    #[test]
+    fn the_nearest_obstacle_repels() {
+        // k2 (1/1 - 1/2) / 1 = 4 away from the wall; the cell two to the west is at the end of its reach.
+        let at = Cell::new(2, 1);
+        assert_eq!(force(".....\n#..#.\n.....", ObstacleSet::NearestMean, at), (-4.0, 0.0));
+        assert_eq!(force(".....\n.#.#.\n.....", ObstacleSet::NearestMean, at), (0.0, 0.0));
+        assert_eq!(force(".....\n.#.#.\n.....", ObstacleSet::NearestFirst, at), (4.0, 0.0));
+        assert_eq!(force("..#..\n.#...\n.....", ObstacleSet::NearestMean, at), (2.0, -2.0));
+        assert_eq!(force("..#..\n.#...\n.....", ObstacleSet::Sum, at), (4.0, -4.0));
+    }
+
+    #[test]
+    fn the_border_does_not_repel() {
+        assert_eq!(force("...", ObstacleSet::Sum, Cell::new(1, 0)), (0.0, 0.0));
+    }
+}

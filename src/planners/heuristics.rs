@@ -1,0 +1,146 @@
+//! Estimates of the cost between cells, in micro-cells.
+
+use serde::{Deserialize, Serialize};
+
+use super::moves::{D, Neighbourhood, R2, R5, R10, R13, euclid};
+
+/// How the cost still to pay is estimated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Heuristic {
+    /// Columns plus rows: exact for four neighbours, too much for more.
+    Manhattan,
+    /// The straight distance.
+    Euclid,
+    /// The shortest way with straight and diagonal steps: exact for eight neighbours, too much for more.
+    Octile,
+    /// The shortest way with the planner's own moves on an empty map: the best that never overestimates.
+    Gauge,
+}
+
+impl Heuristic {
+    /// Whether it never overestimates with these moves.
+    pub fn is_admissible(self, neighbourhood: Neighbourhood) -> bool {
+        match self {
+            Self::Manhattan => neighbourhood == Neighbourhood::Four,
+            Self::Octile => matches!(neighbourhood, Neighbourhood::Four | Neighbourhood::Eight),
+            Self::Euclid | Self::Gauge => true,
+        }
+    }
+
+    /// The name used in settings.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Manhattan => "manhattan",
+            Self::Euclid => "euclid",
+            Self::Octile => "octile",
+            Self::Gauge => "gauge",
+        }
+    }
+
+    /// The estimate over `dx` columns and `dy` rows.
+    pub fn estimate(self, neighbourhood: Neighbourhood, dx: i32, dy: i32) -> i64 {
+        match self {
+            Self::Manhattan => D * (i64::from(dx.abs()) + i64::from(dy.abs())),
+            Self::Euclid => euclid(dx, dy),
+            Self::Octile => octile(dx, dy),
+            Self::Gauge => gauge(neighbourhood, dx, dy),
+        }
+    }
+}
+
+/// The larger and the smaller of the two absolute differences.
+fn ordered(dx: i32, dy: i32) -> (i64, i64) {
+    let (x, y) = (i64::from(dx.abs()), i64::from(dy.abs()));
+    (x.max(y), x.min(y))
+}
+
+/// Straight and diagonal steps over an empty map.
+pub fn octile(dx: i32, dy: i32) -> i64 {
+    let (a, b) = ordered(dx, dy);
+    D * (a - b) + R2 * b
+}
+
+/// The exact cost over an empty map with the moves of a neighbourhood.
+pub fn gauge(neighbourhood: Neighbourhood, dx: i32, dy: i32) -> i64 {
+    let (a, b) = ordered(dx, dy);
+    match neighbourhood {
+        Neighbourhood::Four => D * (a + b),
+        Neighbourhood::Eight => octile(dx, dy),
+        Neighbourhood::Sixteen | Neighbourhood::TwentyFour if a >= 2 * b => D * (a - 2 * b) + R5 * b,
+        Neighbourhood::Sixteen | Neighbourhood::TwentyFour => R5 * (a - b) + R2 * (2 * b - a),
+        Neighbourhood::FortyEight if a >= 3 * b => D * (a - 3 * b) + R10 * b,
+        Neighbourhood::FortyEight if a >= 2 * b => R10 * (a - 2 * b) + R5 * (3 * b - a),
+        Neighbourhood::FortyEight if 2 * a >= 3 * b => R5 * (2 * a - 3 * b) + R13 * (2 * b - a),
+        Neighbourhood::FortyEight => R13 * (a - b) + R2 * (3 * b - 2 * a),
+    }
+}
+
+/// The dynamic weight of Hu et al. 2024, eq 12: h grows by the share of the straight way that is still ahead.
+#[derive(Debug, Clone, Copy)]
+pub struct DistanceWeight {
+    /// Thousandths: 1000 is the paper, w = 1 + d(n)/d(s).
+    permille: i64,
+    start: i64,
+}
+
+impl DistanceWeight {
+    /// The weight for a query over `dx` columns and `dy` rows.
+    pub fn new(permille: i64, dx: i32, dy: i32) -> Self {
+        Self { permille, start: euclid(dx, dy).max(1) }
+    }
+
+    /// The weighted estimate `h` of a cell `dx` columns and `dy` rows from the goal; floor divisions, left to right.
+    pub fn apply(&self, h: i64, dx: i32, dy: i32) -> i64 {
+        let e = euclid(dx, dy);
+        let share = match h.checked_mul(e) {
+            Some(product) => product / self.start,
+            None => (i128::from(h) * i128::from(e) / i128::from(self.start)) as i64,
+        };
+        h + self.permille * share / 1000
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::planners::moves::cost;
+
+    /// |h(u) − h(v)| ≤ cost(u, v) for every move: what keeps closed cells closed.
+    #[test]
+    fn admissible_estimates_are_consistent() {
+        use Neighbourhood::{Eight, FortyEight, Four, Sixteen, TwentyFour};
+        for neighbourhood in [Four, Eight, Sixteen, TwentyFour, FortyEight] {
+            let moves = neighbourhood.moves();
+            for heuristic in [Heuristic::Manhattan, Heuristic::Euclid, Heuristic::Octile, Heuristic::Gauge] {
+                if !heuristic.is_admissible(neighbourhood) {
+                    continue;
+                }
+                for (x, y) in (-70..=70).flat_map(|x| (-70..=70).map(move |y| (x, y))) {
+                    let h = heuristic.estimate(neighbourhood, x, y);
+                    for m in &moves {
+                        let step = heuristic.estimate(neighbourhood, x + m.dx, y + m.dy) - h;
+                        assert!(step.abs() <= m.cost, "{neighbourhood:?} {heuristic:?} {x} {y} {m:?}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_gauge_is_exact_along_its_own_moves() {
+        for m in Neighbourhood::FortyEight.moves() {
+            assert_eq!(gauge(Neighbourhood::FortyEight, m.dx, m.dy), cost(m.dx, m.dy));
+        }
+        assert_eq!(gauge(Neighbourhood::Sixteen, 7, -3), 3 * R5 + D);
+    }
+
+    #[test]
+    fn the_weight_is_two_at_the_start_and_one_at_the_goal() {
+        let weight = DistanceWeight::new(1000, 30, 40);
+        assert_eq!(weight.apply(70 * D, 30, 40), 140 * D);
+        assert_eq!(weight.apply(0, 0, 0), 0);
+        let far = DistanceWeight::new(1000, 4000, 3000);
+        assert_eq!(far.apply(2 * euclid(4000, 3000), 4000, 3000), 4 * euclid(4000, 3000));
+    }
+}

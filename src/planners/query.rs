@@ -1,0 +1,159 @@
+//! What grid planners are asked and what they answer.
+
+use crate::map::{Cell, Occupancy};
+use crate::search::{End, Report, Scratch};
+
+/// A question to a grid planner.
+#[derive(Debug, Clone, Copy)]
+pub struct Query<'a> {
+    /// Free and blocked cells, safety space included.
+    pub map: &'a Occupancy,
+    /// Where the path begins.
+    pub start: Cell,
+    /// Where it ends.
+    pub goal: Cell,
+}
+
+/// How a grid search ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Status {
+    /// There is a path.
+    Found,
+    /// Everything that can be reached was searched.
+    NoPath,
+    /// The expansion budget is spent.
+    BudgetSpent,
+    /// The start's cell is blocked; nothing was searched.
+    StartBlocked,
+    /// The goal's cell is blocked; nothing was searched.
+    GoalBlocked,
+    /// The start is not on the map; nothing was searched.
+    StartOutside,
+    /// The goal is not on the map; nothing was searched.
+    GoalOutside,
+}
+
+/// A finer word for [`Status::NoPath`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Detail {
+    /// No path exists on this map.
+    Unreachable,
+    /// A path exists, but this planner's moves do not lead to it.
+    Stranded,
+}
+
+impl Detail {
+    /// The word as the JS API spells it.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Unreachable => "unreachable",
+            Self::Stranded => "stranded",
+        }
+    }
+}
+
+/// The answer of a grid planner.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct GridReport {
+    /// How the search ended.
+    pub status: Status,
+    /// A finer word where there is no path.
+    pub detail: Option<Detail>,
+    /// The path from start to goal, one entry per move; empty where there is none.
+    pub cells: Vec<Cell>,
+    /// Sum of the moves' integer costs, micro-cells; 0 where there is no path.
+    pub cost_micro: i64,
+    /// Cells taken from the open list and processed, the goal and second expansions included.
+    pub expanded: u32,
+    /// Distinct cells that ever entered the open list, the start included.
+    pub generated: u32,
+    /// All insertions into the open list.
+    pub pushes: u32,
+    /// Expansions of moves that were held back (risk field).
+    pub deferred: u32,
+    /// Line-of-sight checks, single steps included.
+    pub los_calls: u32,
+    /// Largest size of the open list.
+    pub open_peak: u32,
+    /// The expanded cell with the smallest estimate: how near the search came. The start where nothing was searched.
+    pub closest: Cell,
+}
+
+/// A grid search's memory, reused between queries.
+pub type GridScratch = Scratch<i64, Cell>;
+
+impl Query<'_> {
+    /// The answer that needs no search: start or goal outside or blocked, or start and goal the same cell.
+    pub(super) fn trivial(&self) -> Option<GridReport> {
+        let status = if !self.map.contains(self.start) {
+            Status::StartOutside
+        } else if !self.map.contains(self.goal) {
+            Status::GoalOutside
+        } else if self.map.blocked(self.start) {
+            Status::StartBlocked
+        } else if self.map.blocked(self.goal) {
+            Status::GoalBlocked
+        } else if self.start == self.goal {
+            Status::Found
+        } else {
+            return None;
+        };
+        let mut report = GridReport::empty(status, self.start);
+        if status == Status::Found {
+            report.cells = vec![self.start];
+            report.generated = 1;
+        }
+        Some(report)
+    }
+}
+
+impl GridReport {
+    fn empty(status: Status, closest: Cell) -> Self {
+        Self {
+            status,
+            detail: None,
+            cells: Vec::new(),
+            cost_micro: 0,
+            expanded: 0,
+            generated: 0,
+            pushes: 0,
+            deferred: 0,
+            los_calls: 0,
+            open_peak: 0,
+            closest,
+        }
+    }
+
+    /// The answer of a search; `shot` is a goal that the last node sees without its having been opened.
+    pub(super) fn of<T>(
+        query: &Query,
+        search: &Report<i64, T>,
+        scratch: &GridScratch,
+        los_calls: u32,
+    ) -> Self {
+        let status = match search.end {
+            End::Found => Status::Found,
+            End::Exhausted => Status::NoPath,
+            End::BudgetSpent => Status::BudgetSpent,
+        };
+        let mut report = Self {
+            expanded: search.expanded,
+            generated: search.generated,
+            pushes: search.pushes,
+            deferred: search.deferred,
+            los_calls,
+            open_peak: search.open_peak,
+            detail: (status == Status::NoPath).then_some(Detail::Unreachable),
+            ..Self::empty(status, query.map.cell(search.closest.1))
+        };
+        if let (Status::Found, Some((last, cost, _))) = (status, &search.found) {
+            report.cells = scratch.chain(*last).into_iter().map(|(_, cell)| cell).collect();
+            report.cost_micro = *cost;
+            if *report.cells.last().expect("a chain has its end") != query.goal {
+                report.generated += u32::from(scratch.cost(query.map.index(query.goal)).is_none());
+                report.cells.push(query.goal);
+            }
+        }
+        report
+    }
+}
