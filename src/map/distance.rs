@@ -38,7 +38,7 @@ pub fn to_squares(map: &Occupancy) -> Layer<i64> {
             edges[x + 1] = edges[x + 1].min(v);
         }
         envelope.build(edges.iter().enumerate().map(|(x, &v)| (2 * x as i64 - 1, v)));
-        envelope.sample(row, |across, own| across.min(own));
+        envelope.sample(row, Ord::min);
     }
     columns
 }

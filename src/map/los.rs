@@ -28,6 +28,7 @@ pub fn line_of_sight(map: &Occupancy, from: Cell, to: Cell, corner: Corner) -> b
     let (mut i, mut j) = (0, 0);
     while i < dx || j < dy {
         let side = (2 * i + 1) * dy - (2 * j + 1) * dx;
+        let (across, along) = (i32::from(side <= 0), i32::from(side >= 0));
         if side == 0 {
             let (a, b) = (map.blocked(at.offset(sx, 0)), map.blocked(at.offset(0, sy)));
             let shut = match corner {
@@ -38,16 +39,9 @@ pub fn line_of_sight(map: &Occupancy, from: Cell, to: Cell, corner: Corner) -> b
             if shut {
                 return false;
             }
-            at = at.offset(sx, sy);
-            i += 1;
-            j += 1;
-        } else if side < 0 {
-            at.x += sx;
-            i += 1;
-        } else {
-            at.y += sy;
-            j += 1;
         }
+        at = at.offset(sx * across, sy * along);
+        (i, j) = (i + across, j + along);
         if map.blocked(at) {
             return false;
         }

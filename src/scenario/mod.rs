@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use crate::geometry::Pose;
 use crate::vehicle::Vehicle;
 
+pub mod generate;
 mod parse;
 pub mod resolve;
 pub mod slot;
