@@ -2,6 +2,7 @@
 
 mod body;
 pub mod check;
+pub mod grid;
 
 pub use body::{Body, FAR};
 pub use check::{Check, Verdict, check};

@@ -4,4 +4,5 @@ pub mod grid_astar;
 pub mod heuristics;
 pub mod moves;
 pub mod query;
+pub mod risk_field;
 pub mod settings;

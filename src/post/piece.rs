@@ -1,0 +1,96 @@
+//! Straight pieces and arcs, of which a smoothed path is made.
+
+use crate::geometry::math;
+
+/// A piece of a path. Cells, radians.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Piece {
+    /// A straight piece.
+    Line {
+        /// Where it begins.
+        from: [f64; 2],
+        /// Where it ends.
+        to: [f64; 2],
+    },
+    /// A piece of a circle.
+    Arc {
+        /// The circle's centre.
+        center: [f64; 2],
+        /// The circle's radius.
+        radius: f64,
+        /// Direction from the centre to where the arc begins.
+        start_angle: f64,
+        /// Angle it covers, positive to the left.
+        sweep: f64,
+    },
+}
+
+impl Piece {
+    /// The straight pieces along a row of points.
+    pub fn lines(points: &[[f64; 2]]) -> Vec<Self> {
+        points.windows(2).map(|pair| Self::Line { from: pair[0], to: pair[1] }).collect()
+    }
+
+    /// Its length.
+    pub fn length(&self) -> f64 {
+        match *self {
+            Self::Line { from, to } => distance(from, to),
+            Self::Arc { radius, sweep, .. } => radius * sweep.abs(),
+        }
+    }
+
+    /// Signed curvature, 1/cells, left positive; 0 on a line.
+    pub fn curvature(&self) -> f64 {
+        match *self {
+            Self::Line { .. } => 0.0,
+            Self::Arc { radius, sweep, .. } => sweep.signum() / radius,
+        }
+    }
+
+    /// The point at a share of its length, 0 at the beginning and 1 at the end.
+    pub fn point(&self, share: f64) -> [f64; 2] {
+        match *self {
+            Self::Line { from, to } => {
+                [from[0] + (to[0] - from[0]) * share, from[1] + (to[1] - from[1]) * share]
+            }
+            Self::Arc { center, radius, start_angle, sweep } => {
+                let (sin, cos) = math::sin_cos(start_angle + sweep * share);
+                [center[0] + radius * cos, center[1] + radius * sin]
+            }
+        }
+    }
+
+    /// The heading at a share of its length, radians in (−π, π].
+    pub fn heading(&self, share: f64) -> f64 {
+        match *self {
+            Self::Line { from, to } => math::atan2(to[1] - from[1], to[0] - from[0]),
+            Self::Arc { start_angle, sweep, .. } => {
+                math::wrap(start_angle + sweep * share + math::FRAC_PI_2.copysign(sweep))
+            }
+        }
+    }
+}
+
+pub(super) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+    (dx * dx + dy * dy).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_quarter_circle_to_the_right() {
+        let arc = Piece::Arc {
+            center: [0.0, 0.0],
+            radius: 2.0,
+            start_angle: math::FRAC_PI_2,
+            sweep: -math::FRAC_PI_2,
+        };
+        assert!((arc.length() - math::PI).abs() < 1e-12);
+        assert_eq!((arc.curvature(), arc.heading(0.0)), (-0.5, 0.0));
+        assert!((arc.heading(1.0) + math::FRAC_PI_2).abs() < 1e-12);
+        assert!(distance(arc.point(1.0), [2.0, 0.0]) < 1e-12);
+    }
+}
