@@ -1,0 +1,160 @@
+/** The short form of a scene behind a link: whole centimetres, tenths of a degree, lists instead of names. */
+import type { Goal, Obstacle, Pose, Scenario, Slot, VehicleSpec } from "parkade";
+import type { Point } from "./plane";
+
+type Item = number | string | Item[] | Record<string, unknown> | null;
+
+const cm = (metres: number): number => Math.round(metres * 100) + 0;
+const tenths = (angle: number): number => Math.round((angle * 1800) / Math.PI) + 0;
+const metres = (value: Item | undefined): number => number(value) / 100;
+const angle = (value: Item | undefined): number => (number(value) * Math.PI) / 1800;
+
+function number(value: Item | undefined): number {
+  if (typeof value !== "number" || !Number.isFinite(value)) throw new Error("This link is damaged: a number is missing.");
+  return value;
+}
+function list(value: unknown): Item[] {
+  if (!Array.isArray(value)) throw new Error("This link is damaged: a list is missing.");
+  return value as Item[];
+}
+
+const packPose = (pose: Pose): Item[] => [cm(pose.x), cm(pose.y), tenths(pose.heading)];
+const unpackPose = (item: Item[]): Pose => ({ x: metres(item[0]), y: metres(item[1]), heading: angle(item[2]) });
+
+/** Differences from point to point are short and repeat, so they deflate well. */
+function packPoints(points: readonly Point[]): number[] {
+  let x = 0, y = 0;
+  return points.flatMap((p) => {
+    const step = [cm(p[0]) - x, cm(p[1]) - y];
+    x += step[0]!; y += step[1]!;
+    return step;
+  });
+}
+function unpackPoints(items: Item[]): Point[] {
+  const points: Point[] = [];
+  for (let i = 0, x = 0, y = 0; i + 1 < items.length; i += 2) {
+    x += number(items[i]); y += number(items[i + 1]);
+    points.push([x / 100, y / 100]);
+  }
+  return points;
+}
+
+function packRuns(runs: readonly [number, number, number][]): number[] {
+  let x = 0, y = 0;
+  return runs.flatMap((run) => {
+    const step = [run[0] - x, run[1] - y, run[2]];
+    [x, y] = run;
+    return step;
+  });
+}
+function unpackRuns(items: Item[]): [number, number, number][] {
+  const runs: [number, number, number][] = [];
+  for (let i = 0, x = 0, y = 0; i + 2 < items.length; i += 3) {
+    x += number(items[i]); y += number(items[i + 1]);
+    runs.push([x, y, number(items[i + 2])]);
+  }
+  return runs;
+}
+
+/** Ids the page would give anyway are left out. */
+const ownName = (id: string | undefined): string => (id === undefined || /^[a-z]+-\d+$/.test(id) ? "" : id);
+
+function packObstacle(o: Obstacle): Item[] {
+  const id = ownName(o.id);
+  switch (o.type) {
+    case "cells": return ["k", id, packRuns(o.runs)];
+    case "wall": return ["w", id, packPoints(o.points), cm(o.thickness ?? 0)];
+    case "polygon": return ["p", id, packPoints(o.points)];
+    case "rectangle": return ["r", id, [...packPoints([o.center]), cm(o.size[0]), cm(o.size[1]), tenths(o.heading ?? 0)]];
+    case "car": return ["c", id, packPose(o.pose), packVehicle(o.vehicle)];
+  }
+}
+
+function unpackObstacle(item: Item): Obstacle {
+  const [type, name, raw, extra] = list(item);
+  const data = list(raw);
+  const id = name ? { id: String(name) } : {};
+  switch (type) {
+    case "k": return { type: "cells", ...id, runs: unpackRuns(data) };
+    case "w": return { type: "wall", ...id, points: unpackPoints(data), thickness: metres(extra) };
+    case "p": return { type: "polygon", ...id, points: unpackPoints(data) };
+    case "r": return {
+      type: "rectangle", ...id, center: [metres(data[0]), metres(data[1])], size: [metres(data[2]), metres(data[3])], heading: angle(data[4]),
+    };
+    case "c": return { type: "car", ...id, pose: unpackPose(data), ...unpackVehicle(extra) };
+    default: throw new Error("This link is damaged: an obstacle of an unknown type.");
+  }
+}
+
+const packVehicle = (vehicle: VehicleSpec | undefined): Item =>
+  vehicle === undefined ? 0 : typeof vehicle === "string" ? vehicle : (vehicle as unknown as Record<string, unknown>);
+const unpackVehicle = (item: Item | undefined): { vehicle?: VehicleSpec } =>
+  item === 0 || item === undefined ? {} : { vehicle: item as VehicleSpec };
+
+const KINDS = ["perpendicular", "parallel", "angled"] as const;
+
+function packSlot(slot: Slot): Item[] {
+  const base: Item[] = [KINDS.indexOf(slot.kind), cm(slot.x), cm(slot.y), tenths(slot.heading), cm(slot.width), cm(slot.length), slot.occupied ? 1 : 0, ownName(slot.id)];
+  return slot.kind === "angled" ? [...base, tenths(slot.angle ?? Math.PI / 4), slot.lean === "right" ? 1 : 0] : base;
+}
+
+function unpackSlot(item: Item): Slot {
+  const [kind, x, y, heading, width, length, occupied, name, lean, side] = list(item);
+  const word = KINDS[number(kind)];
+  if (!word) throw new Error("This link is damaged: a slot of an unknown kind.");
+  return {
+    ...(name ? { id: String(name) } : {}),
+    kind: word, x: metres(x), y: metres(y), heading: angle(heading), width: metres(width), length: metres(length),
+    ...(word === "angled" ? { angle: angle(lean), lean: side === 1 ? ("right" as const) : ("left" as const) } : {}),
+    occupied: occupied === 1,
+  };
+}
+
+function packGoal(scene: Scenario): Item[] {
+  const { goal } = scene;
+  if (!("slot" in goal)) return packPose(goal);
+  return [(scene.slots ?? []).findIndex((slot) => slot.id === goal.slot), goal.entry === "head-in" ? 1 : 0];
+}
+
+function unpackGoal(item: Item[], slots: readonly Slot[]): Goal {
+  if (item.length !== 2) return unpackPose(item);
+  const slot = slots[number(item[0])]?.id;
+  if (slot === undefined) throw new Error("This link is damaged: its goal slot is missing.");
+  return { slot, entry: item[1] === 1 ? "head-in" : "reverse-in" };
+}
+
+/** The short form; parts that are empty are left out. */
+export function pack(scene: Scenario): Record<string, unknown> {
+  const { map } = scene;
+  return {
+    m: [cm(map.origin[0]), cm(map.origin[1]), map.width, map.height, map.resolution],
+    ...(map.boundary ? { b: packPoints(map.boundary) } : {}),
+    ...(scene.name ? { n: scene.name } : {}),
+    ...(scene.obstacles?.length ? { o: scene.obstacles.map(packObstacle) } : {}),
+    ...(scene.slots?.length ? { l: scene.slots.map(packSlot) } : {}),
+    ...(scene.vehicle !== undefined ? { v: scene.vehicle } : {}),
+    s: packPose(scene.start),
+    g: packGoal(scene),
+    ...(scene.planners && Object.keys(scene.planners).length ? { p: scene.planners } : {}),
+  };
+}
+
+export function unpack(data: Record<string, unknown>, name: (scene: Scenario) => Scenario): Scenario {
+  const [x, y, width, height, resolution] = list(data["m"]);
+  const bare = {
+    version: 1 as const,
+    ...(typeof data["n"] === "string" ? { name: data["n"] } : {}),
+    map: {
+      origin: [metres(x), metres(y)] as Point, width: number(width), height: number(height), resolution: number(resolution),
+      ...(data["b"] ? { boundary: unpackPoints(list(data["b"])) } : {}),
+    },
+    obstacles: list(data["o"] ?? []).map(unpackObstacle),
+    slots: list(data["l"] ?? []).map(unpackSlot),
+    ...(data["v"] !== undefined ? { vehicle: data["v"] as VehicleSpec } : {}),
+    start: unpackPose(list(data["s"])),
+    goal: unpackPose([0, 0, 0]) as Goal,
+    ...(data["p"] ? { planners: data["p"] as NonNullable<Scenario["planners"]> } : {}),
+  };
+  const named = name(bare);
+  return { ...named, goal: unpackGoal(list(data["g"]), named.slots ?? []) };
+}

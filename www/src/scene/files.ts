@@ -1,0 +1,42 @@
+/** Scenes as files. */
+import type { Scenario } from "parkade";
+
+/** A scene file as people read it: two spaces, a closing newline. */
+export function sceneToFile(scene: Scenario): Blob {
+  return new Blob([`${JSON.stringify(scene, null, 2)}\n`], { type: "application/json" });
+}
+
+/** A scene from a file's text. Only its outline is checked here; the planners check every field. */
+export function sceneFromText(text: string): Scenario {
+  let value: unknown;
+  try {
+    value = JSON.parse(text);
+  } catch {
+    throw new Error("This is not a scene: the file is not JSON.");
+  }
+  return checkScene(value);
+}
+
+export function checkScene(value: unknown): Scenario {
+  if (!isRecord(value)) throw new Error("This is not a scene: an object is expected.");
+  if (value["version"] !== 1) throw new Error("This scene has a version this page does not read; 1 is expected.");
+  const map = value["map"];
+  if (!isRecord(map) || !isPair(map["origin"]) || !isNumber(map["width"]) || !isNumber(map["height"]) || !isNumber(map["resolution"])) {
+    throw new Error("This scene has no map: origin, width, height and resolution are expected.");
+  }
+  if (!isPose(value["start"])) throw new Error("This scene has no start pose: x, y and heading are expected.");
+  const goal = value["goal"];
+  if (!isPose(goal) && !(isRecord(goal) && typeof goal["slot"] === "string")) {
+    throw new Error("This scene has no goal: a pose or a slot is expected.");
+  }
+  for (const key of ["obstacles", "slots"]) {
+    if (value[key] !== undefined && !Array.isArray(value[key])) throw new Error(`This scene's ${key} are not a list.`);
+  }
+  return value as unknown as Scenario;
+}
+
+type Fields = Record<string, unknown>;
+const isRecord = (value: unknown): value is Fields => typeof value === "object" && value !== null && !Array.isArray(value);
+const isNumber = (value: unknown): value is number => typeof value === "number" && Number.isFinite(value);
+const isPair = (value: unknown): boolean => Array.isArray(value) && value.length === 2 && value.every(isNumber);
+const isPose = (value: unknown): boolean => isRecord(value) && isNumber(value["x"]) && isNumber(value["y"]) && isNumber(value["heading"]);

@@ -1,0 +1,60 @@
+/** Scenes in a link's hash: a version digit, then base64url of the deflated short form. */
+import type { Scenario } from "parkade";
+import { pack, unpack } from "./compact";
+import { checkScene } from "./files";
+import { ensureIds } from "./model";
+
+const VERSION = "1";
+/** A few kilobytes can inflate to gigabytes; no scene needs more than this. */
+const LARGEST = 16 * 1024 * 1024;
+
+export async function encodeScene(scene: Scenario): Promise<string> {
+  const text = new TextEncoder().encode(JSON.stringify(pack(scene)));
+  return VERSION + toBase64Url(await collect(stream(text).pipeThrough(new CompressionStream("deflate-raw")), Infinity));
+}
+
+/** Rejects with a sentence for people where the text is no scene. */
+export async function decodeScene(text: string): Promise<Scenario> {
+  if (!text.startsWith(VERSION)) throw new Error("This link was made by a version this page does not read.");
+  let data: unknown;
+  try {
+    const bytes = fromBase64Url(text.slice(VERSION.length));
+    const plain = await collect(stream(bytes).pipeThrough(new DecompressionStream("deflate-raw")), LARGEST);
+    data = JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(plain));
+  } catch {
+    throw new Error("This link is damaged or cut off.");
+  }
+  if (typeof data !== "object" || data === null) throw new Error("This link holds no scene.");
+  return checkScene(unpack(data as Record<string, unknown>, ensureIds));
+}
+
+type Bytes = Uint8Array<ArrayBuffer>;
+
+const stream = (bytes: Bytes): ReadableStream<Bytes> =>
+  new ReadableStream({ start(controller) { controller.enqueue(bytes); controller.close(); } });
+
+async function collect(source: ReadableStream<Uint8Array>, limit: number): Promise<Bytes> {
+  const chunks: Uint8Array[] = [];
+  let size = 0;
+  const reader = source.getReader();
+  for (let part = await reader.read(); !part.done; part = await reader.read()) {
+    size += part.value.length;
+    if (size > limit) { await reader.cancel(); throw new Error("too large"); }
+    chunks.push(part.value);
+  }
+  const all = new Uint8Array(size);
+  let at = 0;
+  for (const chunk of chunks) { all.set(chunk, at); at += chunk.length; }
+  return all;
+}
+
+function toBase64Url(bytes: Uint8Array): string {
+  let binary = "";
+  for (const byte of bytes) binary += String.fromCharCode(byte);
+  return btoa(binary).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
+}
+
+function fromBase64Url(text: string): Bytes {
+  const binary = atob(text.replaceAll("-", "+").replaceAll("_", "/"));
+  return Uint8Array.from(binary, (c) => c.charCodeAt(0));
+}

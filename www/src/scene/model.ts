@@ -1,0 +1,196 @@
+/** The scene as the page edits it: every edit gives a new scene and leaves the old one as it was. */
+import type { Obstacle, Pose, Scenario, Slot, VehicleSpec } from "parkade";
+import { convexRuns, sameRuns, subtractRuns, unionRuns, type Run } from "./cells";
+import { wrapAngle, type Point } from "./plane";
+import { slotOutline, parkedPose, poseInSlot, type Entry } from "./slots";
+import { moveShape, turnShape, type Shape } from "./shapes";
+import { footprint, vehicleOf, type ResolvedVehicle } from "./vehicle";
+
+export { vehicleOf, footprint } from "./vehicle";
+export { slotOutline, parkedPose, poseInSlot, type Entry } from "./slots";
+
+export type Scene = Scenario;
+export type CellsObstacle = Extract<Obstacle, { type: "cells" }>;
+
+/** The smallest free `prefix-n`. */
+export function nextId(scene: Scene, prefix: string): string {
+  const taken = new Set([...(scene.obstacles ?? []), ...(scene.slots ?? [])].map((thing) => thing.id));
+  for (let n = 1; ; n++) {
+    const id = `${prefix}-${n}`;
+    if (!taken.has(id)) return id;
+  }
+}
+
+/** The scene with an id on every obstacle and slot; the same object where nothing is missing. */
+export function ensureIds(scene: Scene): Scene {
+  const seen = new Set<string>();
+  const keep = (id: string | undefined): boolean => id !== undefined && !seen.has(id) && seen.add(id) !== undefined;
+  const all = [...(scene.obstacles ?? []), ...(scene.slots ?? [])];
+  const missing = new Set(all.filter((thing) => !keep(thing.id)));
+  if (missing.size === 0 && scene.obstacles && scene.slots) return scene;
+  const name = <T extends { id?: string }>(thing: T, prefix: string): T => {
+    if (!missing.has(thing as unknown as Obstacle)) return thing;
+    let n = 1;
+    while (seen.has(`${prefix}-${n}`)) n++;
+    seen.add(`${prefix}-${n}`);
+    return { ...thing, id: `${prefix}-${n}` };
+  };
+  return {
+    ...scene,
+    obstacles: (scene.obstacles ?? []).map((obstacle) => name(obstacle, obstacle.type)),
+    slots: (scene.slots ?? []).map((slot) => name(slot, "slot")),
+  };
+}
+
+export const findObstacle = (scene: Scene, id: string): Obstacle | undefined => scene.obstacles?.find((o) => o.id === id);
+export const findSlot = (scene: Scene, id: string): Slot | undefined => scene.slots?.find((s) => s.id === id);
+
+export const mapOutline = (scene: Scene): Point[] => {
+  const { origin: [x, y], width, height, resolution, boundary } = scene.map;
+  const right = x + width * resolution, top = y + height * resolution;
+  return boundary ?? [[x, y], [right, y], [right, top], [x, top]];
+};
+
+/** Where the car shall go, slots resolved. */
+export function goalPose(scene: Scene): Pose {
+  const { goal } = scene;
+  if (!("slot" in goal)) return goal;
+  const slot = findSlot(scene, goal.slot);
+  return slot ? poseInSlot(slot, goal.entry, vehicleOf(scene.vehicle)) : scene.start;
+}
+
+export interface Resolved {
+  start: Pose;
+  goal: Pose;
+  vehicle: ResolvedVehicle;
+  boundary: Point[];
+  slots: { slot: Slot; outline: Point[] }[];
+  parked: { slot: Slot; pose: Pose; vehicle: ResolvedVehicle }[];
+}
+
+const resolutions = new WeakMap<Scene, Resolved>();
+
+/** The scene as plain geometry, remembered per scene object. */
+export function resolve(scene: Scene): Resolved {
+  const known = resolutions.get(scene);
+  if (known) return known;
+  const slots = scene.slots ?? [];
+  const result: Resolved = {
+    start: scene.start,
+    goal: goalPose(scene),
+    vehicle: vehicleOf(scene.vehicle),
+    boundary: mapOutline(scene),
+    slots: slots.map((slot) => ({ slot, outline: slotOutline(slot) })),
+    parked: slots.filter((slot) => slot.occupied).map((slot) => ({ slot, pose: parkedPose(slot), vehicle: vehicleOf("sedan") })),
+  };
+  resolutions.set(scene, result);
+  return result;
+}
+
+export const moveStart = (scene: Scene, pose: Pose): Scene => ({ ...scene, start: tidy(pose) });
+export const moveGoal = (scene: Scene, pose: Pose): Scene => ({ ...scene, goal: tidy(pose) });
+export const movePose = (scene: Scene, kind: "start" | "goal", pose: Pose): Scene =>
+  kind === "start" ? moveStart(scene, pose) : moveGoal(scene, pose);
+export const setVehicle = (scene: Scene, vehicle: VehicleSpec): Scene => ({ ...scene, vehicle });
+export const swapPoses = (scene: Scene): Scene => ({ ...scene, start: goalPose(scene), goal: scene.start });
+
+/** Millimetres and hundredths of a degree: finer digits are noise of the pointer. */
+function tidy(pose: Pose): Pose {
+  const step = Math.PI / 18000;
+  return { x: round(pose.x), y: round(pose.y), heading: Math.round(wrapAngle(pose.heading) / step) * step };
+}
+const round = (value: number): number => Math.round(value * 1000) / 1000;
+
+export function addObstacle<T extends Obstacle>(scene: Scene, obstacle: T): { scene: Scene; id: string } {
+  const id = nextId(scene, obstacle.type);
+  return { scene: { ...scene, obstacles: [...(scene.obstacles ?? []), { ...obstacle, id }] }, id };
+}
+
+export function updateObstacle(scene: Scene, id: string, next: Obstacle): Scene {
+  return { ...scene, obstacles: (scene.obstacles ?? []).map((o) => (o.id === id ? { ...next, id } : o)) };
+}
+
+export const removeObstacle = (scene: Scene, id: string): Scene =>
+  ({ ...scene, obstacles: (scene.obstacles ?? []).filter((o) => o.id !== id) });
+
+export function addSlots(scene: Scene, slots: readonly Omit<Slot, "id">[]): { scene: Scene; ids: string[] } {
+  let next: Scene = { ...scene, slots: scene.slots ?? [] };
+  const ids: string[] = [];
+  for (const slot of slots) {
+    const id = nextId(next, "slot");
+    ids.push(id);
+    next = { ...next, slots: [...(next.slots ?? []), { ...slot, id }] };
+  }
+  return { scene: next, ids };
+}
+export const addSlot = (scene: Scene, slot: Omit<Slot, "id">): Scene => addSlots(scene, [slot]).scene;
+
+export const updateSlot = (scene: Scene, id: string, patch: Partial<Slot>): Scene =>
+  ({ ...scene, slots: (scene.slots ?? []).map((s) => (s.id === id ? { ...s, ...patch, id } : s)) });
+
+/** A goal in the slot stays where it was, as a pose. */
+export function removeSlot(scene: Scene, id: string): Scene {
+  const goal = "slot" in scene.goal && scene.goal.slot === id ? goalPose(scene) : scene.goal;
+  return { ...scene, goal, slots: (scene.slots ?? []).filter((s) => s.id !== id) };
+}
+
+/** The goal in a slot; `entry` stays as it was where it is not given. */
+export function setGoalFromSlot(scene: Scene, slot: string, entry?: Entry): Scene {
+  const before = "slot" in scene.goal ? scene.goal.entry : "reverse-in";
+  const freed = findSlot(scene, slot)?.occupied ? updateSlot(scene, slot, { occupied: false }) : scene;
+  return { ...freed, goal: { slot, entry: entry ?? before } };
+}
+
+/** Turns the goal round: the other entry in a slot, about the body's middle otherwise. */
+export function flipGoal(scene: Scene): Scene {
+  const { goal } = scene;
+  if ("slot" in goal) return { ...scene, goal: { ...goal, entry: goal.entry === "head-in" ? "reverse-in" : "head-in" } };
+  const { rearToFront, rearToBack } = vehicleOf(scene.vehicle);
+  const shift = rearToFront - rearToBack;
+  return moveGoal(scene, {
+    x: goal.x + Math.cos(goal.heading) * shift, y: goal.y + Math.sin(goal.heading) * shift, heading: goal.heading + Math.PI,
+  });
+}
+
+/** Adds brushed cells, never over the start or goal car, or erases them. The same object where nothing changes. */
+export function brushCells(scene: Scene, cells: readonly Run[], mode: "add" | "erase"): Scene {
+  return mode === "add" ? paintCells(scene, cells) : eraseCells(scene, cells);
+}
+
+function paintCells(scene: Scene, cells: readonly Run[]): Scene {
+  const kept = subtractRuns(cells, keepClear(scene));
+  if (kept.length === 0) return scene;
+  const old = scene.obstacles?.find((o): o is CellsObstacle => o.type === "cells");
+  if (!old) return addObstacle(scene, { type: "cells", runs: unionRuns(kept, []) }).scene;
+  const runs = unionRuns(old.runs, kept);
+  return sameRuns(runs, old.runs) ? scene : updateObstacle(scene, old.id!, { ...old, runs });
+}
+
+function eraseCells(scene: Scene, cells: readonly Run[]): Scene {
+  let changed = false;
+  const obstacles = (scene.obstacles ?? []).flatMap((obstacle): Obstacle[] => {
+    if (obstacle.type !== "cells") return [obstacle];
+    const runs = subtractRuns(obstacle.runs, cells);
+    if (sameRuns(runs, obstacle.runs)) return [obstacle];
+    changed = true;
+    return runs.length === 0 ? [] : [{ ...obstacle, runs }];
+  });
+  return changed ? { ...scene, obstacles } : scene;
+}
+
+/** Cells whose square can touch the start or goal body. */
+export function keepClear(scene: Scene): Run[] {
+  const { start, goal, vehicle } = resolve(scene);
+  const margin = scene.map.resolution * Math.SQRT1_2;
+  return [start, goal].flatMap((pose) => convexRuns(scene.map, footprint(pose, vehicle, margin)));
+}
+
+export const moveObstacle = (scene: Scene, id: string, dx: number, dy: number): Scene =>
+  withShape(scene, id, (shape) => moveShape(shape, dx, dy));
+export const turnObstacle = (scene: Scene, id: string, angle: number): Scene =>
+  withShape(scene, id, (shape) => turnShape(shape, angle));
+
+export function withShape(scene: Scene, id: string, change: (shape: Shape) => Shape): Scene {
+  const obstacle = findObstacle(scene, id);
+  return obstacle && obstacle.type !== "cells" ? updateObstacle(scene, id, change(obstacle)) : scene;
+}

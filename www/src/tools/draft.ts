@@ -1,0 +1,26 @@
+/** What a tool shows before it becomes part of the scene. World metres and radians. */
+import type { Pose, Slot, VehicleSpec } from "parkade";
+import type { Point } from "../scene/plane";
+import type { Selection } from "../store";
+
+export type Preview =
+  | { kind: "brush"; at: Point; radius: number; erase: boolean }
+  | { kind: "line"; points: Point[]; cursor: Point | null; thickness: number; closing: boolean; refused: boolean; closed: boolean }
+  | { kind: "rectangle"; center: Point; size: Point; heading: number; from: Point; to: Point }
+  | { kind: "car"; pose: Pose; vehicle: VehicleSpec }
+  | { kind: "slots"; slots: Omit<Slot, "id">[]; from: Point; to: Point }
+  | { kind: "pose"; which: "start" | "goal"; pose: Pose };
+
+/** A dotted line through two points that says what something lines up with. */
+export interface Guide { from: Point; to: Point }
+
+export interface Draft {
+  preview?: Preview;
+  guides?: Guide[];
+  /** Size or length of what is being drawn; beside `at`. */
+  label?: { text: string; at: Point };
+  /** The object under the pointer. */
+  hot?: Selection;
+  /** The pose being dragged: its label is shown as edited. */
+  grabbed?: { which: "start" | "goal"; part: "body" | "grip" };
+}

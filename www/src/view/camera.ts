@@ -1,0 +1,89 @@
+/** The one map from metres to pixels, and what moves it. */
+import type { Plan, Pose, Scenario, SceneGeometry } from "parkade";
+import type { Camera, State } from "../store";
+import { resolve } from "../scene/model";
+import { boxOf, fromPose, type Box, type Point } from "../scene/plane";
+import { footprint } from "../scene/vehicle";
+import { STALK } from "./pose-handle";
+
+/** A camera on a canvas of a size in CSS pixels. */
+export interface View { camera: Camera; width: number; height: number }
+
+export const MIN_SCALE = 1;
+export const MAX_SCALE = 400;
+const SPARE_PX = 6;
+
+export function worldToScreen({ camera, width, height }: View, x: number, y: number): Point {
+  return [width / 2 + (x - camera.x) * camera.scale, height / 2 - (y - camera.y) * camera.scale];
+}
+
+export function screenToWorld({ camera, width, height }: View, x: number, y: number): Point {
+  return [camera.x + (x - width / 2) / camera.scale, camera.y - (y - height / 2) / camera.scale];
+}
+
+/** The camera zoomed by `factor` with the world point under the pixel held in place. */
+export function zoomAt(view: View, pixelX: number, pixelY: number, factor: number): Camera {
+  const [x, y] = screenToWorld(view, pixelX, pixelY);
+  const scale = Math.min(MAX_SCALE, Math.max(MIN_SCALE, view.camera.scale * factor));
+  const kept = view.camera.scale / scale;
+  return { x: x + (view.camera.x - x) * kept, y: y + (view.camera.y - y) * kept, scale };
+}
+
+export const panBy = (camera: Camera, dx: number, dy: number): Camera =>
+  ({ ...camera, x: camera.x - dx / camera.scale, y: camera.y + dy / camera.scale });
+
+/** Shows start, goal, their slots and where the cars sweep, with a few pixels to spare. */
+export function fit(scene: Scenario, geometry: SceneGeometry | null, width: number, height: number, plans: readonly Plan[] = []): Camera {
+  const resolved = resolve(scene);
+  const vehicle = geometry?.vehicle ?? resolved.vehicle;
+  const start = geometry?.start ?? resolved.start, goal = geometry?.goal ?? resolved.goal;
+  const points = [...footprint(start, vehicle, 0.6), ...footprint(goal, vehicle, 0.6)];
+  for (const plan of plans) addSweep(points, plan, vehicle);
+  if (plans.length === 0) {
+    const swing = vehicle.minTurningRadius * 0.45;
+    points.push(...footprint(goal, vehicle, swing), ...footprint(start, vehicle, swing / 2));
+  }
+  const box = clip(boxOf(points), boxOf(resolved.boundary));
+  return frame(boxOf([[box.minX, box.minY], [box.maxX, box.maxY], gripEnd(goal, vehicle.rearToFront)]), width, height);
+}
+
+/** Shows the whole map. */
+export function fitMap(scene: Scenario, width: number, height: number): Camera {
+  return frame(boxOf(resolve(scene).boundary), width, height);
+}
+
+/** A little beyond the goal's grip, which may stand outside the floor. */
+const gripEnd = (pose: Pose, front: number): Point => fromPose(pose, front + STALK + 0.6, 0);
+
+function addSweep(points: Point[], plan: Plan, vehicle: SceneGeometry["vehicle"]): void {
+  for (let i = 0; i + 2 < plan.path.length; i += 12) {
+    points.push(...footprint({ x: plan.path[i]!, y: plan.path[i + 1]!, heading: plan.path[i + 2]! }, vehicle));
+  }
+}
+
+/** Walls are drawn outside the floor, so its edge stays in sight. */
+function clip(box: Box, floor: Box): Box {
+  const edge = 0.5;
+  const clipped = {
+    minX: Math.max(box.minX, floor.minX - edge), minY: Math.max(box.minY, floor.minY - edge),
+    maxX: Math.min(box.maxX, floor.maxX + edge), maxY: Math.min(box.maxY, floor.maxY + edge),
+  };
+  return clipped.minX < clipped.maxX && clipped.minY < clipped.maxY ? clipped : box;
+}
+
+function frame(box: Box, width: number, height: number): Camera {
+  const across = Math.max(1, width - 2 * SPARE_PX), up = Math.max(1, height - 2 * SPARE_PX);
+  const scale = Math.min(across / Math.max(1, box.maxX - box.minX), up / Math.max(1, box.maxY - box.minY));
+  return { x: (box.minX + box.maxX) / 2, y: (box.minY + box.maxY) / 2, scale: Math.min(MAX_SCALE, Math.max(MIN_SCALE, scale)) };
+}
+
+/** The camera in force on a canvas of this size. */
+export function cameraFor(state: State, width: number, height: number): Camera {
+  if (state.camera) return state.camera;
+  const plans = state.planners.flatMap((id) => {
+    const result = state.results[id];
+    const plan = result?.plan?.outcome === "found" ? result.plan : result?.lastGood;
+    return plan?.check.drivable ? [plan] : [];
+  });
+  return fit(state.scene, state.geometry, width, height, plans);
+}

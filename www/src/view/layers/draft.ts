@@ -1,0 +1,180 @@
+/** What a tool is about to draw. */
+import { polygonPath, inMetres, inPixels, linePath, pixels, toScreen, type Frame } from "../frame";
+import { slotOutline } from "../../scene/slots";
+import { rectangleCorners } from "../../scene/shapes";
+import { vehicleOf } from "../../scene/vehicle";
+import type { Point } from "../../scene/plane";
+import type { Guide, Preview } from "../../tools/draft";
+import { drawCar, parkedStyle } from "../car";
+import { drawPill, labelFont, PILL_HEIGHT, pillWidth } from "../text";
+import { fade } from "../tokens";
+import { drawPoseCar } from "./cars";
+
+export function drawDraft(frame: Frame): void {
+  const { draft } = frame;
+  if (!draft) return;
+  for (const guide of draft.guides ?? []) drawGuide(frame, guide);
+  if (draft.preview) drawPreview(frame, draft.preview);
+  if (draft.label) drawLiveLabel(frame, draft.label.text, draft.label.at);
+}
+
+function drawPreview(frame: Frame, preview: Preview): void {
+  switch (preview.kind) {
+    case "brush": return drawBrush(frame, preview);
+    case "line": return drawLine(frame, preview);
+    case "rectangle": return drawRectangle(frame, preview);
+    case "slots": return drawSlotRow(frame, preview);
+    case "pose": return drawPoseCar(frame, preview.which, preview.pose);
+    case "car": return drawParked(frame, preview);
+  }
+}
+
+function drawParked(frame: Frame, preview: Extract<Preview, { kind: "car" }>): void {
+  const { ctx } = frame;
+  ctx.save();
+  ctx.globalAlpha = 0.75;
+  const style = parkedStyle(frame);
+  drawCar(frame, preview.pose, vehicleOf(preview.vehicle), 0, { ...style, edge: frame.tokens.colour.accent, dash: [5, 3.5], edgeWidth: 1.5 });
+  ctx.restore();
+}
+
+function drawGuide(frame: Frame, { from, to }: Guide): void {
+  const { ctx, tokens: { colour } } = frame;
+  inPixels(frame);
+  ctx.beginPath();
+  ctx.moveTo(...toScreen(frame, from));
+  ctx.lineTo(...toScreen(frame, to));
+  ctx.setLineDash([1, 4]);
+  ctx.lineWidth = 1;
+  ctx.strokeStyle = colour.accent;
+  ctx.stroke();
+  ctx.setLineDash([]);
+}
+
+function drawBrush(frame: Frame, { at, radius, erase }: Extract<Preview, { kind: "brush" }>): void {
+  const { ctx, tokens: { colour }, view } = frame;
+  const [x, y] = toScreen(frame, at);
+  inPixels(frame);
+  ctx.beginPath();
+  ctx.arc(x, y, Math.max(2, radius * view.camera.scale), 0, 2 * Math.PI);
+  ctx.fillStyle = fade(erase ? colour.floor : colour.obs, erase ? 0.6 : 0.35);
+  ctx.fill();
+  ctx.lineWidth = 1.25;
+  ctx.strokeStyle = erase ? colour.t2 : colour.accent;
+  if (erase) ctx.setLineDash([3, 3]);
+  ctx.stroke();
+  ctx.setLineDash([]);
+}
+
+/** Corners set so far, the edge to the pointer, in the colour of errors where it is refused. */
+function drawLine(frame: Frame, preview: Extract<Preview, { kind: "line" }>): void {
+  const { ctx, tokens: { colour } } = frame;
+  const { points, cursor, thickness, refused, closing, closed } = preview;
+  const all = cursor && !closing ? [...points, cursor] : points;
+  inMetres(frame);
+  ctx.lineJoin = "round";
+  if (closed && all.length > 2) {
+    ctx.fillStyle = fade(refused ? colour.err : colour.accent, 0.09);
+    ctx.fill(polygonPath(all));
+  }
+  ctx.strokeStyle = fade(colour.accent, 0.22);
+  ctx.lineWidth = Math.max(thickness, pixels(frame, 3));
+  if (!closed) ctx.stroke(linePath(all));
+  ctx.strokeStyle = colour.accent;
+  ctx.lineWidth = pixels(frame, 1.5);
+  ctx.stroke(linePath(closing ? [...points, points[0]!] : points));
+  const last = points.at(-1);
+  if (cursor && last && !closing) {
+    ctx.strokeStyle = refused ? colour.err : colour.accent;
+    ctx.setLineDash([pixels(frame, 5), pixels(frame, 3.5)]);
+    ctx.stroke(linePath([last, cursor]));
+    ctx.setLineDash([]);
+  }
+  points.forEach((p, i) => drawVertex(frame, p, i === 0 && closing));
+  if (cursor) drawMovingEnd(frame, cursor);
+}
+
+function drawVertex(frame: Frame, p: Point, solid: boolean): void {
+  const { ctx, tokens: { colour } } = frame;
+  const [x, y] = toScreen(frame, p);
+  inPixels(frame);
+  ctx.beginPath();
+  ctx.arc(x, y, 5, 0, 2 * Math.PI);
+  ctx.fillStyle = solid ? colour.accent : colour.floor;
+  ctx.fill();
+  ctx.lineWidth = 1.75;
+  ctx.strokeStyle = colour.accent;
+  ctx.stroke();
+}
+
+/** The end under the pointer: solid, with a wide cross. */
+function drawMovingEnd(frame: Frame, p: Point): void {
+  const { ctx, tokens: { colour } } = frame;
+  const [x, y] = toScreen(frame, p);
+  inPixels(frame);
+  ctx.beginPath();
+  ctx.moveTo(x - 26, y);
+  ctx.lineTo(x + 26, y);
+  ctx.moveTo(x, y - 26);
+  ctx.lineTo(x, y + 26);
+  ctx.lineWidth = 1;
+  ctx.strokeStyle = colour.accent;
+  ctx.stroke();
+  ctx.beginPath();
+  ctx.arc(x, y, 5, 0, 2 * Math.PI);
+  ctx.fillStyle = colour.accent;
+  ctx.fill();
+}
+
+function drawRectangle(frame: Frame, preview: Extract<Preview, { kind: "rectangle" }>): void {
+  ghostOutline(frame, [rectangleCorners(preview)], () => 0.09);
+  drawVertex(frame, preview.from, false);
+  drawMovingEnd(frame, preview.to);
+}
+
+/** New outlines: dashed in the accent colour on a tint of it. */
+function ghostOutline(frame: Frame, outlines: readonly Point[][], tint: (i: number) => number): void {
+  const { ctx, tokens: { colour } } = frame;
+  inMetres(frame);
+  ctx.lineJoin = "miter";
+  ctx.lineWidth = pixels(frame, 1.5);
+  ctx.setLineDash([pixels(frame, 5), pixels(frame, 3.5)]);
+  ctx.strokeStyle = colour.accent;
+  outlines.forEach((outline, i) => {
+    const path = polygonPath(outline);
+    ctx.fillStyle = fade(colour.accent, tint(i));
+    ctx.fill(path);
+    ctx.stroke(path);
+  });
+  ctx.setLineDash([]);
+}
+
+function drawSlotRow(frame: Frame, { slots, from, to }: Extract<Preview, { kind: "slots" }>): void {
+  const { ctx, tokens: { colour } } = frame;
+  const outlines = slots.map((slot) => slotOutline(slot));
+  ghostOutline(frame, outlines, (i) => (i === outlines.length - 1 ? 0.04 : 0.09));
+  inPixels(frame);
+  ctx.font = labelFont(frame, 600);
+  ctx.textAlign = "center";
+  ctx.textBaseline = "middle";
+  ctx.fillStyle = colour.accent;
+  outlines.forEach((outline, i) => {
+    const [a, , c] = outline as [Point, Point, Point];
+    ctx.fillText(String(i + 1), ...toScreen(frame, [(a[0] + c[0]) / 2, (a[1] + c[1]) / 2]));
+  });
+  inMetres(frame);
+  ctx.strokeStyle = colour.accent;
+  ctx.lineWidth = pixels(frame, 1.5);
+  ctx.stroke(linePath([from, to]));
+  drawVertex(frame, from, false);
+  drawMovingEnd(frame, to);
+}
+
+/** Above the point, so that a finger does not cover it. */
+function drawLiveLabel(frame: Frame, text: string, at: Point): void {
+  const [x, y] = toScreen(frame, at);
+  const width = pillWidth(frame, text);
+  const left = Math.min(Math.max(4, x - width / 2), frame.view.width - width - 4);
+  const top = y - PILL_HEIGHT - 14 < 4 ? y + 16 : y - PILL_HEIGHT - 14;
+  drawPill(frame, text, left, top, "solid");
+}

@@ -1,0 +1,126 @@
+/** Selection outlines, grips and the label of the pose. */
+import type { Pose } from "parkade";
+import { findObstacle, findSlot, slotOutline } from "../../scene/model";
+import { boxOf, type Box, type Point } from "../../scene/plane";
+import { cornersOf, verticesOf } from "../../scene/shapes";
+import { footprint } from "../../scene/vehicle";
+import type { Selection } from "../../store";
+import { inMetres, inPixels, linePath, pixels, polygonPath, toScreen, type Frame } from "../frame";
+import { gripOf, noseOf } from "../pose-handle";
+import { turnGripOf } from "../turn-grip";
+import { drawPill, placePill, poseText } from "../text";
+
+const GRIP_PX = 6, GRIP_TOUCH_PX = 11;
+
+const coarse = (): boolean => globalThis.matchMedia?.("(pointer: coarse)").matches ?? false;
+
+/** The pose whose grip is drawn: the selected or grabbed one; the goal's while nothing else is chosen. */
+function posesWithGrip({ state, draft }: Frame): ("start" | "goal")[] {
+  if (state.tool !== "select" && !draft?.grabbed) return [];
+  const chosen = draft?.grabbed?.which ?? (isPose(state.selection) ? state.selection.kind : state.selection ? null : "goal");
+  const hot = isPose(draft?.hot ?? null) ? draft?.hot?.kind : null;
+  return (["start", "goal"] as const).filter((which) => which === chosen || which === hot);
+}
+
+const isPose = (selection: Selection): selection is { kind: "start" | "goal" } =>
+  selection?.kind === "start" || selection?.kind === "goal";
+
+export function drawHandles(frame: Frame): void {
+  for (const which of posesWithGrip(frame)) drawGrip(frame, frame.resolved[which]);
+  const { draft, state: { selection } } = frame;
+  const labelled = draft?.grabbed?.which ?? (isPose(selection) ? selection.kind : null);
+  if (labelled) drawPoseLabel(frame, labelled, draft?.grabbed !== undefined);
+}
+
+/** The round grip ahead of the nose, on its stalk. */
+function drawGrip(frame: Frame, pose: Pose): void {
+  const { resolved: { vehicle } } = frame;
+  drawStalk(frame, noseOf(pose, vehicle), gripOf(pose, vehicle));
+}
+
+function drawStalk(frame: Frame, from: Point, to: Point): void {
+  const { ctx, tokens: { colour } } = frame;
+  const a = toScreen(frame, from), b = toScreen(frame, to);
+  inPixels(frame);
+  ctx.strokeStyle = colour.accent;
+  ctx.lineWidth = 1.25;
+  ctx.beginPath();
+  ctx.moveTo(...a);
+  ctx.lineTo(...b);
+  ctx.stroke();
+  drawKnob(frame, b, coarse() ? GRIP_TOUCH_PX : GRIP_PX);
+}
+
+function drawKnob({ ctx, tokens: { colour } }: Frame, [x, y]: Point, radius: number): void {
+  ctx.beginPath();
+  ctx.arc(x, y, radius, 0, 2 * Math.PI);
+  ctx.fillStyle = colour.floor;
+  ctx.fill();
+  ctx.lineWidth = 1.75;
+  ctx.strokeStyle = colour.accent;
+  ctx.stroke();
+}
+
+function drawPoseLabel(frame: Frame, which: "start" | "goal", editing: boolean): void {
+  const { resolved, state: { scene } } = frame;
+  const pose = resolved[which];
+  const boxes = (["start", "goal"] as const).map((one) => screenBox(frame, footprint(resolved[one], resolved.vehicle)));
+  const grip = screenBox(frame, [gripOf(pose, resolved.vehicle)], 14);
+  const own = boxes[which === "start" ? 0 : 1]!;
+  const text = poseText(pose);
+  const keep: Box = {
+    minX: Math.min(own.minX, grip.minX), minY: Math.min(own.minY, grip.minY),
+    maxX: Math.max(own.maxX, grip.maxX), maxY: Math.max(own.maxY, grip.maxY),
+  };
+  const parked = (scene.slots?.length ?? 0) > 0 ? resolved.parked.map((car) => screenBox(frame, footprint(car.pose, car.vehicle))) : [];
+  drawPill(frame, text, ...placePill(frame, text, keep, [...boxes, ...parked]), editing ? "editing" : "plain");
+}
+
+function screenBox(frame: Frame, points: readonly Point[], margin = 0): Box {
+  const box = boxOf(points.map((p) => toScreen(frame, p)));
+  return { minX: box.minX - margin, minY: box.minY - margin, maxX: box.maxX + margin, maxY: box.maxY + margin };
+}
+
+/** The outline of what is selected and, thinner, of what is under the pointer. */
+export function drawSelection(frame: Frame): void {
+  const { state: { selection }, draft } = frame;
+  if (draft?.hot && !sameSelection(draft.hot, selection)) outlineOf(frame, draft.hot, 1.25);
+  if (!selection) return;
+  outlineOf(frame, selection, 2);
+  if (selection.kind === "obstacle") drawShapeGrips(frame, selection.id);
+}
+
+const sameSelection = (a: Selection, b: Selection): boolean =>
+  a?.kind === b?.kind && (a && "id" in a ? a.id : "") === (b && "id" in b ? b.id : "");
+
+function outlineOf(frame: Frame, selection: NonNullable<Selection>, width: number): void {
+  const { ctx, resolved, tokens: { colour } } = frame;
+  const path = selectionPath(frame, selection);
+  if (!path || (isPose(selection) && width < 2 && frame.state.tool !== "select")) return;
+  inMetres(frame);
+  ctx.strokeStyle = colour.accent;
+  ctx.lineWidth = pixels(frame, width);
+  ctx.lineJoin = "round";
+  if (isPose(selection)) ctx.stroke(polygonPath(footprint(resolved[selection.kind], resolved.vehicle, pixels(frame, 3))));
+  else ctx.stroke(path);
+}
+
+function selectionPath({ state: { scene }, resolved }: Frame, selection: NonNullable<Selection>): Path2D | null {
+  if (isPose(selection)) return polygonPath(footprint(resolved[selection.kind], resolved.vehicle));
+  if (selection.kind === "slot") {
+    const slot = findSlot(scene, selection.id);
+    return slot ? polygonPath(slotOutline(slot)) : null;
+  }
+  const obstacle = findObstacle(scene, selection.id);
+  if (!obstacle || obstacle.type === "cells") return null;
+  return obstacle.type === "wall" ? linePath(obstacle.points) : polygonPath(cornersOf(obstacle));
+}
+
+function drawShapeGrips(frame: Frame, id: string): void {
+  const obstacle = findObstacle(frame.state.scene, id);
+  if (frame.state.tool !== "select" || !obstacle || obstacle.type === "cells") return;
+  const grip = turnGripOf(obstacle, frame.view);
+  if (grip) drawStalk(frame, grip.from, grip.to);
+  inPixels(frame);
+  for (const corner of verticesOf(obstacle)) drawKnob(frame, toScreen(frame, corner), 5);
+}

@@ -1,0 +1,9 @@
+/** Where the grips of the start and goal car are, for drawing and for hitting. */
+import type { Pose, Vehicle } from "parkade";
+import { fromPose, type Point } from "../scene/plane";
+
+/** Metres from the nose to the middle of the round grip. */
+export const STALK = 1.2;
+
+export const gripOf = (pose: Pose, vehicle: Vehicle): Point => fromPose(pose, vehicle.rearToFront + STALK, 0);
+export const noseOf = (pose: Pose, vehicle: Vehicle): Point => fromPose(pose, vehicle.rearToFront, 0);

@@ -1,0 +1,75 @@
+/** Words on the canvas: pills and small numbers. */
+import { inPixels, type Frame } from "./frame";
+import type { Box } from "../scene/plane";
+
+export const PILL_HEIGHT = 22;
+const PAD = 8;
+
+export type PillTone = "plain" | "editing" | "solid";
+
+const widths = new Map<string, number>();
+
+function measure({ ctx }: Frame, text: string): number {
+  const key = `${ctx.font}|${text}`;
+  const known = widths.get(key);
+  if (known !== undefined) return known;
+  if (widths.size > 2000) widths.clear();
+  const width = ctx.measureText(text).width;
+  widths.set(key, width);
+  return width;
+}
+
+export const labelFont = (frame: Frame, weight = 500): string => `${weight} 12px ${frame.tokens.font}`;
+
+export function pillWidth(frame: Frame, text: string): number {
+  frame.ctx.font = labelFont(frame);
+  return Math.ceil(measure(frame, text)) + 2 * PAD;
+}
+
+/** A pill with its upper left corner at (x, y), CSS pixels. */
+export function drawPill(frame: Frame, text: string, x: number, y: number, tone: PillTone = "plain"): void {
+  const { ctx, tokens: { colour } } = frame;
+  inPixels(frame);
+  const width = pillWidth(frame, text);
+  const left = Math.round(x) + 0.5, top = Math.round(y) + 0.5;
+  ctx.beginPath();
+  ctx.roundRect(left, top, width - 1, PILL_HEIGHT - 1, 5);
+  ctx.globalAlpha = tone === "solid" ? 1 : 0.94;
+  ctx.fillStyle = tone === "solid" ? colour.accent : colour.panel;
+  ctx.fill();
+  ctx.globalAlpha = 1;
+  if (tone !== "solid") {
+    ctx.lineWidth = 1;
+    ctx.strokeStyle = tone === "editing" ? colour.accent : colour.hair2;
+    ctx.stroke();
+  }
+  ctx.fillStyle = tone === "solid" ? colour.panel : colour.t1;
+  ctx.font = labelFont(frame);
+  ctx.textAlign = "left";
+  ctx.textBaseline = "middle";
+  ctx.fillText(text, left + PAD - 0.5, top + PILL_HEIGHT / 2);
+}
+
+/** The first place below, right, above or left of `keep` (px) that is on the canvas and off every box of `avoid`. */
+export function placePill(frame: Frame, text: string, keep: Box, avoid: readonly Box[]): [number, number] {
+  const { width, height } = frame.view;
+  const w = pillWidth(frame, text), gap = 8, midX = (keep.minX + keep.maxX) / 2, midY = (keep.minY + keep.maxY) / 2 - PILL_HEIGHT / 2;
+  const places: [number, number][] = [
+    [midX - w / 2, keep.maxY + gap], [keep.maxX + gap, midY], [midX - w / 2, keep.minY - gap - PILL_HEIGHT], [keep.minX - gap - w, midY],
+    [keep.maxX + gap, keep.maxY + gap], [keep.minX - gap - w, keep.maxY + gap],
+  ];
+  const free = places.find(([x, y]) => x >= 4 && y >= 4 && x + w <= width - 4 && y + PILL_HEIGHT <= height - 4
+    && avoid.every((box) => x > box.maxX || x + w < box.minX || y > box.maxY || y + PILL_HEIGHT < box.minY));
+  const [x, y] = free ?? places[0]!;
+  return [Math.min(Math.max(4, x), Math.max(4, width - w - 4)), Math.min(Math.max(4, y), Math.max(4, height - PILL_HEIGHT - 4))];
+}
+
+const MINUS = "\u2212";
+export const fixed = (value: number, digits: number): string => {
+  const text = Math.abs(value).toFixed(digits);
+  return value < 0 && Number(text) !== 0 ? MINUS + text : text;
+};
+export const metresText = (value: number): string => `${fixed(value, 2)} m`;
+export const degreesText = (angle: number): string => `${fixed((angle * 180) / Math.PI, 1)}°`;
+export const poseText = (pose: { x: number; y: number; heading: number }): string =>
+  `x ${metresText(pose.x)} · y ${metresText(pose.y)} · ${degreesText(pose.heading)}`;
