@@ -207,7 +207,7 @@ mod tests {
             (refused(|s| s["start"]["x"] = json!("a")), "start.x: invalid type: string \"a\", expected f64"),
             (
                 refused(|s| {
-                    s["obstacles"] = json!([{ "type": "polygon", "points": [[1, 2], [3, "x"], [4, 5]] }])
+                    s["obstacles"] = json!([{ "type": "polygon", "points": [[1, 2], [3, "x"], [4, 5]] }]);
                 }),
                 "obstacles[0].points[1][1]: invalid type: string \"x\"",
             ),

@@ -87,6 +87,23 @@ impl Scenario {
         Ok(Geometry { start: self.start, goal, vehicle, boundary: self.boundary(), shapes, parked })
     }
 
+    /// What people call a thing: its id, else its kind.
+    pub fn name_of(&self, owner: Owner) -> String {
+        let (id, kind) = match owner {
+            Owner::Border => (None, "border"),
+            Owner::Slot(i) => (self.slots.get(i).and_then(|s| s.id.as_deref()), "parked car"),
+            Owner::Obstacle(i) => match self.obstacles.get(i) {
+                Some(Obstacle::Cells { id, .. }) => (id.as_deref(), "brush"),
+                Some(Obstacle::Wall { id, .. }) => (id.as_deref(), "wall"),
+                Some(Obstacle::Polygon { id, .. }) => (id.as_deref(), "polygon"),
+                Some(Obstacle::Rectangle { id, .. }) => (id.as_deref(), "rectangle"),
+                Some(Obstacle::Car { id, .. }) => (id.as_deref(), "parked car"),
+                None => (None, "obstacle"),
+            },
+        };
+        id.unwrap_or(kind).to_owned()
+    }
+
     fn boundary(&self) -> Vec<Point> {
         let map = &self.map;
         if let Some(boundary) = &map.boundary {

@@ -1,1 +1,114 @@
-//! wasm.
+//! The JS border: exported functions and the planner session. Types are in `npm/index.d.ts`.
+
+mod answer;
+mod codec;
+
+use serde_json::json;
+use wasm_bindgen::prelude::*;
+
+use crate::error::{Error, ErrorCode};
+use crate::plan::{self, Planner};
+use crate::planners::registry;
+use crate::scenario::{Scenario, catalog};
+
+type JsResult = Result<JsValue, JsValue>;
+
+#[wasm_bindgen(start)]
+fn start() {
+    console_error_panic_hook::set_once();
+}
+
+/// The crate's version.
+#[wasm_bindgen]
+pub fn version() -> String {
+    env!("CARGO_PKG_VERSION").to_owned()
+}
+
+/// All planners with their parameters.
+#[wasm_bindgen]
+pub fn planners() -> JsValue {
+    codec::write(&registry::planners())
+}
+
+/// A planner's settings.
+#[wasm_bindgen(js_name = defaultConfig)]
+pub fn default_config(planner: &str) -> JsResult {
+    let config = registry::default_config(planner).map_err(|e| codec::js_error(&e))?;
+    Ok(codec::write(&config))
+}
+
+/// All built-in scenes.
+#[wasm_bindgen]
+pub fn scenarios() -> JsValue {
+    let both = |[en, zh]: [&str; 2]| json!({ "en": en, "zh": zh });
+    let entry = |s: &catalog::Info| {
+        json!({ "id": s.id, "group": s.group, "title": both(s.title), "question": both(s.question) })
+    };
+    codec::write(&catalog::SCENES.iter().map(entry).collect::<Vec<_>>())
+}
+
+/// A built-in scene.
+#[wasm_bindgen]
+pub fn scenario(id: &str) -> JsResult {
+    let scene = catalog::scenario(id).map_err(|e| codec::js_error(&e))?;
+    Ok(codec::write(&scene))
+}
+
+/// A scene resolved to geometry.
+#[wasm_bindgen(js_name = sceneGeometry)]
+pub fn scene_geometry(scene: JsValue) -> JsResult {
+    let scene = read_scene(scene)?;
+    let geometry = scene.geometry().map_err(|e| codec::js_error(&e))?;
+    Ok(codec::write(&answer::geometry(&scene, &geometry)))
+}
+
+/// Re-checks a path against a scene.
+#[wasm_bindgen(js_name = checkPath)]
+pub fn check_path(scene: JsValue, path: &[f64], directions: Option<Vec<i8>>) -> JsResult {
+    let scene = read_scene(scene)?;
+    let geometry = scene.geometry().map_err(|e| codec::js_error(&e))?;
+    let check = plan::check_path(&geometry, path, directions.as_deref()).map_err(|e| codec::js_error(&e))?;
+    Ok(answer::check(&scene, &geometry, &check))
+}
+
+fn read_scene(scene: JsValue) -> Result<Scenario, JsValue> {
+    codec::json(scene, ErrorCode::Scenario).and_then(Scenario::from_json).map_err(|e| codec::js_error(&e))
+}
+
+/// A planner on one scene: settings checked once, map prepared once.
+#[wasm_bindgen]
+pub struct RawPlanner {
+    planner: Planner,
+}
+
+#[wasm_bindgen]
+impl RawPlanner {
+    /// Checks scene and settings and prepares the map.
+    #[wasm_bindgen(constructor)]
+    pub fn new(id: &str, scene: JsValue, config: JsValue) -> Result<RawPlanner, JsValue> {
+        let scene = read_scene(scene)?;
+        let config = if config.is_undefined() || config.is_null() {
+            serde_json::Map::new()
+        } else {
+            codec::read(config, ErrorCode::Config).map_err(|e| codec::js_error(&e))?
+        };
+        let planner = Planner::new(id, &scene, &config).map_err(|e| codec::js_error(&e))?;
+        Ok(Self { planner })
+    }
+
+    /// Plans.
+    pub fn plan(&mut self, options: JsValue) -> JsResult {
+        let options: plan::Options = if options.is_undefined() || options.is_null() {
+            plan::Options::default()
+        } else {
+            codec::read(options, ErrorCode::Input).map_err(|e| codec::js_error(&e))?
+        };
+        let plan = self.planner.plan(&options);
+        Ok(answer::plan(self.planner.scenario(), self.planner.geometry(), &plan))
+    }
+
+    /// A raster for drawing.
+    pub fn layer(&mut self, name: &str) -> JsResult {
+        self.planner.layer(name).map(|layer| answer::layer(&layer)).map_err(|e| codec::js_error(&e))
+    }
+}

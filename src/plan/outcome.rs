@@ -1,0 +1,229 @@
+//! What a planner answers.
+
+use serde::Serialize;
+
+use crate::geometry::{Point, Pose, math};
+use crate::metrics::Check;
+
+/// How planning ended; no path is an outcome, not an error.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Outcome {
+    /// There is a path.
+    Found,
+    /// There is none at these settings.
+    NoPath,
+    /// The expansion budget was spent first.
+    BudgetSpent,
+    /// The start is inside an obstacle.
+    StartBlocked,
+    /// The goal is inside an obstacle.
+    GoalBlocked,
+    /// The start is off the map.
+    StartOutside,
+    /// The goal is off the map.
+    GoalOutside,
+}
+
+impl Outcome {
+    /// The word of the JS API.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Found => "found",
+            Self::NoPath => "no-path",
+            Self::BudgetSpent => "budget-spent",
+            Self::StartBlocked => "start-blocked",
+            Self::GoalBlocked => "goal-blocked",
+            Self::StartOutside => "start-outside",
+            Self::GoalOutside => "goal-outside",
+        }
+    }
+}
+
+/// What the search did.
+#[derive(Debug, Clone, Default, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Stats {
+    /// Nodes taken from the open list and processed.
+    pub expanded: u32,
+    /// Distinct nodes that ever entered the open list.
+    pub generated: u32,
+    /// All insertions into the open list.
+    pub pushes: u32,
+    /// Largest size of the open list.
+    pub open_peak: u32,
+    /// Grid planners: second expansions.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub deferred: Option<u32>,
+    /// Grid planners: line-of-sight tests.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub los_calls: Option<u32>,
+    /// Grid planners: exact cost, millionths of a cell.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cost_micro: Option<i64>,
+    /// Hybrid A*: the same number as `expanded`, by the name of its specification.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub expansions: Option<u32>,
+    /// Hybrid A*: poses tested for collision.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub collision_checks: Option<u32>,
+    /// Hybrid A*: level of the resolution ladder that gave the path.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub level: Option<u32>,
+}
+
+/// What the path is worth.
+#[derive(Debug, Clone, Default, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Metrics {
+    /// Length of the path, metres.
+    pub length: f64,
+    /// Gear changes along it.
+    pub direction_changes: u32,
+    /// Largest |curvature|, 1/m; `None` where the path has corners.
+    pub max_curvature: Option<f64>,
+    /// The car's limit, 1/m.
+    pub curvature_limit: f64,
+    /// Smallest distance from the body to an obstacle, metres.
+    pub min_clearance: f64,
+    /// Mean distance over the poses, metres.
+    pub mean_clearance: f64,
+    /// Grid planners.
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    pub grid: Option<GridMetrics>,
+    /// Hybrid A*.
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    pub hybrid: Option<HybridMetrics>,
+}
+
+/// Metrics of a path of cells, lengths in cells.
+#[derive(Debug, Clone, Default, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct GridMetrics {
+    /// As searched.
+    pub length_raw: f64,
+    /// After one greedy pruning pass.
+    pub length_pruned: f64,
+    /// After pruning and tangent arcs.
+    pub length_smoothed: f64,
+    /// Corners of the raw path.
+    pub turns: u32,
+    /// Sum of |heading change| of the raw path, degrees.
+    pub turn_angle_deg: f64,
+    /// Corners of the pruned path.
+    pub turns_pruned: u32,
+    /// Sum of |heading change| of the pruned path, degrees.
+    pub turn_angle_deg_pruned: f64,
+    /// Corners that smoothing had to keep.
+    pub sharp_corners: u32,
+    /// Arcs that smoothing placed.
+    pub arcs: u32,
+    /// Smallest radius of those arcs, cells.
+    pub min_radius: Option<f64>,
+}
+
+/// Metrics of a path of arcs.
+#[derive(Debug, Clone, Default, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct HybridMetrics {
+    /// Cost of the path under the planner's settings.
+    pub cost: f64,
+    /// Length of the shortest path without obstacles, metres.
+    pub rs_bound: f64,
+    /// How far the length is above that, percent.
+    pub gap_percent: f64,
+    /// Length in the parking paper's rounding, metres.
+    pub paper_length: f64,
+    /// Nodes in the parking paper's counting.
+    pub paper_nodes: u32,
+    /// Driving time at the parking paper's 2 m/s, seconds.
+    pub paper_time: f64,
+}
+
+/// Where the search went, for drawing.
+#[derive(Debug, Clone)]
+pub enum PlanTrace {
+    /// Cell indices in order of expansion.
+    Cells {
+        /// `y * width + x`.
+        cells: Vec<u32>,
+        /// Expansions beyond the cap.
+        dropped: u64,
+    },
+    /// Arcs of the search tree, as driven.
+    Arcs {
+        /// x, y, heading, curvature, signed length, …
+        arcs: Vec<f32>,
+        /// Arcs beyond the cap.
+        dropped: u64,
+    },
+}
+
+/// A planner's answer.
+#[derive(Debug, Clone)]
+pub struct Plan {
+    /// The planner's id.
+    pub planner: &'static str,
+    /// How it ended.
+    pub outcome: Outcome,
+    /// A finer word for the outcome.
+    pub detail: Option<&'static str>,
+    /// For people, where there is no path.
+    pub reason: Option<String>,
+    /// Poses, close together, from start to goal.
+    pub path: Vec<Pose>,
+    /// Per pose: gear of the way to the next one.
+    pub directions: Vec<i8>,
+    /// Per pose: signed curvature of the way to the next one, 1/m; NaN at a corner.
+    pub curvatures: Vec<f64>,
+    /// The planner's unprocessed path.
+    pub raw_path: Vec<Point>,
+    /// What the search did.
+    pub stats: Stats,
+    /// What the path is worth.
+    pub metrics: Metrics,
+    /// What the independent validator says of it.
+    pub check: Check,
+    /// Where the search went, if asked for.
+    pub trace: Option<PlanTrace>,
+}
+
+impl Plan {
+    /// FNV-1a-64 over everything but the trace, as 16 hex digits: equal on every platform.
+    pub fn hash(&self) -> String {
+        let mut hash = 0xcbf2_9ce4_8422_2325_u64;
+        let mut eat = |bytes: &[u8]| {
+            for &byte in bytes {
+                hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+            }
+        };
+        eat(self.planner.as_bytes());
+        eat(self.outcome.as_str().as_bytes());
+        eat(self.check.verdict.as_str().as_bytes());
+        for pose in &self.path {
+            [pose.x, pose.y, pose.heading].iter().for_each(|v| eat(&v.to_bits().to_le_bytes()));
+        }
+        self.directions.iter().for_each(|&d| eat(&d.to_le_bytes()));
+        self.check.clearances.iter().for_each(|v| eat(&v.to_bits().to_le_bytes()));
+        self.raw_path.iter().for_each(|p| eat(&[p.x.to_bits().to_le_bytes(), p.y.to_bits().to_le_bytes()].concat()));
+        for text in [serde_json::to_vec(&self.stats), serde_json::to_vec(&self.metrics)] {
+            eat(&text.unwrap_or_default());
+        }
+        format!("{hash:016x}")
+    }
+}
+
+/// The gear changes along `directions`.
+pub(super) fn direction_changes(directions: &[i8]) -> u32 {
+    directions.windows(2).filter(|d| d[0] != d[1]).count() as u32
+}
+
+/// Length of a way through poses along its arcs, metres.
+pub(super) fn path_length(path: &[Pose]) -> f64 {
+    path.windows(2)
+        .map(|pair| {
+            let chord = (pair[1].point() - pair[0].point()).norm();
+            let half = math::turn(pair[0].heading, pair[1].heading) / 2.0;
+            if chord == 0.0 || half.abs() < 1e-6 { chord } else { chord * half / math::sin(half) }
+        })
+        .sum()
+}

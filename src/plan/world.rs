@@ -1,0 +1,55 @@
+//! A scene as the planners need it: exact for the car, rasters for the grid.
+
+use crate::map::{Frame, Occupancy, raster};
+use crate::metrics::Body;
+use crate::scenario::resolve::{Form, Geometry, Owner};
+use crate::scenario::{Obstacle, Scenario};
+use crate::{Error, geometry::Point};
+
+/// A validated scene, prepared for planning.
+pub(super) struct World {
+    pub(super) geometry: Geometry,
+    pub(super) body: Body,
+    pub(super) frame: Frame,
+    /// Cells that real obstacles overlap.
+    pub(super) occupancy: Occupancy,
+}
+
+impl World {
+    pub(super) fn new(scenario: &Scenario) -> Result<Self, Error> {
+        let geometry = scenario.geometry()?;
+        let map = &scenario.map;
+        let [x, y] = map.origin;
+        let frame = Frame {
+            origin: Point::new(x, y),
+            width: map.width,
+            height: map.height,
+            resolution: map.resolution,
+        };
+        let occupancy = rasterise(scenario, &geometry, &frame);
+        Ok(Self { body: Body::new(&geometry), geometry, frame, occupancy })
+    }
+}
+
+fn rasterise(scenario: &Scenario, geometry: &Geometry, frame: &Frame) -> Occupancy {
+    let mut map = Occupancy::new(frame.width, frame.height);
+    if scenario.map.boundary.is_some() {
+        raster::fill_outside(&mut map, frame, &geometry.boundary);
+    }
+    let brushed = |owner| match owner {
+        Owner::Obstacle(i) => matches!(scenario.obstacles[i], Obstacle::Cells { .. }),
+        _ => false,
+    };
+    for obstacle in &scenario.obstacles {
+        if let Obstacle::Cells { runs, .. } = obstacle {
+            raster::runs(&mut map, runs);
+        }
+    }
+    for shape in geometry.shapes.iter().filter(|s| !brushed(s.owner)) {
+        match &shape.form {
+            Form::Segment(a, b) => raster::wall(&mut map, frame, &[*a, *b]),
+            Form::Polygon(outline) => raster::fill(&mut map, frame, outline),
+        }
+    }
+    map
+}

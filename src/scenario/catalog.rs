@@ -1,0 +1,307 @@
+//! Built-in scenes: the page's presets, the parking paper's rows and the tight slots beyond it.
+
+use super::{Entry, Goal, Lean, MapFrame, Obstacle, Scenario, Slot, SlotGoal, SlotKind, VehicleSpec};
+use crate::error::{Error, ErrorCode};
+use crate::geometry::Pose;
+use crate::geometry::math::{FRAC_PI_2, FRAC_PI_4, PI};
+use crate::scenario::generate::{Family, Generator};
+
+/// What a built-in scene is about.
+#[derive(Debug, Clone, Copy)]
+pub struct Info {
+    /// Its id.
+    pub id: &'static str,
+    /// `parking`, `grid`, `tight` or `paper`.
+    pub group: &'static str,
+    /// Its name in English and Chinese.
+    pub title: [&'static str; 2],
+    /// The question it asks, in English and Chinese.
+    pub question: [&'static str; 2],
+}
+
+const fn info(id: &'static str, group: &'static str, title: [&'static str; 2], question: [&'static str; 2]) -> Info {
+    Info { id, group, title, question }
+}
+
+const PAPER_QUESTION: [&str; 2] =
+    ["A row of the parking paper's tables: shorter, or with fewer gear changes?", "停车论文表格中的一行：能否更短、换挡更少？"];
+
+/// All built-in scenes, in the order of the page's menu.
+pub const SCENES: [Info; 23] = [
+    info(
+        "perpendicular",
+        "parking",
+        ["Perpendicular", "垂直车位"],
+        ["Can it swing in without touching the corner?", "能否一次转入而不擦到角？"],
+    ),
+    info(
+        "reverse-in",
+        "parking",
+        ["Perpendicular, reverse in", "垂直车位，倒车入库"],
+        ["What does facing the aisle cost?", "车头朝外要付出多少代价？"],
+    ),
+    info(
+        "parallel",
+        "parking",
+        ["Parallel", "侧方车位"],
+        ["Does it find the way without a gear change?", "能否不换挡驶入？"],
+    ),
+    info(
+        "angled",
+        "parking",
+        ["Angled, 45°", "斜列车位，45°"],
+        ["Do angled slots save the second move?", "斜列车位能省去第二把吗？"],
+    ),
+    info(
+        "narrow-gap",
+        "parking",
+        ["Narrow gap", "窄口"],
+        ["What does 10 cm too little look like?", "窄了 10 厘米会怎样？"],
+    ),
+    info(
+        "regular-60",
+        "grid",
+        ["Regular blocks", "规则障碍"],
+        ["Who expands the fewest cells between blocks?", "规则障碍间谁扩展的格子最少？"],
+    ),
+    info(
+        "random-60",
+        "grid",
+        ["Random blocks", "随机障碍"],
+        ["Does the risk field pay in clutter?", "杂乱环境中风险场划算吗？"],
+    ),
+    info("trap-60", "grid", ["Traps", "陷阱"], ["Who runs into the dead ends?", "谁会走进死胡同？"]),
+    info("par-8.0", "tight", ["Parallel, 8.0 m", "侧方，8.0 m"], ["How few moves fit an 8 m gap?", "8 米车位最少几把？"]),
+    info("par-7.2", "tight", ["Parallel, 7.2 m", "侧方，7.2 m"], ["How few moves fit a 7.2 m gap?", "7.2 米车位最少几把？"]),
+    info("par-6.6", "tight", ["Parallel, 6.6 m", "侧方，6.6 m"], ["Is 6.6 m too little?", "6.6 米够不够？"]),
+    info(
+        "perp-tail-3.2",
+        "tight",
+        ["Reverse in, 3.2 m", "倒车入库，3.2 m"],
+        ["0.3 m on each side: enough to back in?", "两侧各 0.3 米，能倒入吗？"],
+    ),
+    info(
+        "perp-nose-3.2",
+        "tight",
+        ["Head in, 3.2 m", "车头入库，3.2 m"],
+        ["0.3 m on each side: enough to drive in?", "两侧各 0.3 米，能驶入吗？"],
+    ),
+    info("P0", "paper", ["Paper row P0", "论文 P0"], PAPER_QUESTION),
+    info("P1", "paper", ["Paper row P1", "论文 P1"], PAPER_QUESTION),
+    info("P2", "paper", ["Paper row P2", "论文 P2"], PAPER_QUESTION),
+    info("P3", "paper", ["Paper row P3", "论文 P3"], PAPER_QUESTION),
+    info("P4", "paper", ["Paper row P4", "论文 P4"], PAPER_QUESTION),
+    info("L0", "paper", ["Paper row L0", "论文 L0"], PAPER_QUESTION),
+    info("L1", "paper", ["Paper row L1", "论文 L1"], PAPER_QUESTION),
+    info("L2", "paper", ["Paper row L2", "论文 L2"], PAPER_QUESTION),
+    info("L3", "paper", ["Paper row L3", "论文 L3"], PAPER_QUESTION),
+    info("L4", "paper", ["Paper row L4", "论文 L4"], PAPER_QUESTION),
+];
+
+/// Start and goal of each row of the parking paper.
+const PAPER_ROWS: [(&str, [f64; 3], [f64; 3]); 10] = [
+    ("P0", [22.0, 8.19, PI], [2.5, 5.0, -FRAC_PI_2]),
+    ("P1", [24.0, 8.4, PI], [2.5, 5.0, -FRAC_PI_2]),
+    ("P2", [-20.0, 14.5, PI], [-7.0, 5.0, -FRAC_PI_2]),
+    ("P3", [16.0, 18.0, PI], [-2.0, 5.0, -FRAC_PI_2]),
+    ("P4", [-16.0, 7.5, PI], [7.0, 5.0, -FRAC_PI_2]),
+    ("L0", [20.0, 19.06, PI], [-3.0, 2.0, PI]),
+    ("L1", [18.0, 15.7, PI], [-3.0, 2.0, PI]),
+    ("L2", [16.0, 14.7, PI], [2.0, 2.0, PI]),
+    ("L3", [19.0, 15.5, PI], [-4.0, 3.0, PI]),
+    ("L4", [-8.0, 14.2, PI], [7.0, 3.0, PI]),
+];
+
+/// The built-in scene of this id.
+///
+/// # Errors
+/// [`ErrorCode::UnknownScenario`].
+///
+/// # Examples
+/// ```
+/// let scene = parkade::scenario::catalog::scenario("P0").unwrap();
+/// assert_eq!(scene.start.x, 22.0);
+/// ```
+pub fn scenario(id: &str) -> Result<Scenario, Error> {
+    let mut scene = build(id).ok_or_else(|| {
+        let known: Vec<_> = SCENES.iter().map(|s| s.id).collect();
+        let message = format!("no scene \"{id}\"; there are {}", known.join(", "));
+        Error::new(ErrorCode::UnknownScenario, "", message)
+    })?;
+    scene.name = Some(id.to_owned());
+    Ok(scene)
+}
+
+fn build(id: &str) -> Option<Scenario> {
+    if let Some(&(_, start, goal)) = PAPER_ROWS.iter().find(|row| row.0 == id) {
+        return Some(lot(-10.0, 10.0, 5.0, start, goal));
+    }
+    Some(match id {
+        "perpendicular" => perpendicular(),
+        "reverse-in" => reverse_in(),
+        "parallel" => parallel(),
+        "angled" => angled(),
+        "narrow-gap" => narrow_gap(),
+        "regular-60" => Generator::new(Family::Regular, 60, 7).scenario(),
+        "random-60" => Generator::new(Family::Random, 60, 7).scenario(),
+        "trap-60" => Generator::new(Family::Trap, 60, 7).scenario(),
+        "par-8.0" => lot(-8.0, 0.0, 3.0, [10.0, 8.0, PI], [-2.25, 3.5, PI]),
+        "par-7.2" => lot(-8.0, -0.8, 3.0, [10.0, 8.0, PI], [-2.65, 3.5, PI]),
+        "par-6.6" => lot(-8.0, -1.4, 3.0, [10.0, 8.0, PI], [-2.95, 3.5, PI]),
+        "perp-tail-3.2" => lot(0.0, 3.2, 6.0, [16.0, 9.0, PI], [1.6, 0.4, FRAC_PI_2]),
+        "perp-nose-3.2" => lot(0.0, 3.2, 6.0, [16.0, 9.0, PI], [1.6, 3.9, -FRAC_PI_2]),
+        _ => return None,
+    })
+}
+
+/// The parking paper's lot: 50 m × 25 m above y = 5, with a bay `x0..x1` of some depth below it.
+fn lot(x0: f64, x1: f64, depth: f64, start: [f64; 3], goal: [f64; 3]) -> Scenario {
+    let floor = 5.0 - depth;
+    let low = floor.min(0.0);
+    let boundary = [
+        [-25.0, 5.0],
+        [x0, 5.0],
+        [x0, floor],
+        [x1, floor],
+        [x1, 5.0],
+        [25.0, 5.0],
+        [25.0, 30.0],
+        [-25.0, 30.0],
+    ];
+    let map = MapFrame {
+        origin: [-25.0, low],
+        width: 200,
+        height: ((30.0 - low) * 4.0) as u32,
+        resolution: 0.25,
+        boundary: Some(boundary.to_vec()),
+    };
+    let pose = |[x, y, heading]: [f64; 3]| Pose::new(x, y, heading);
+    // The improved planner keeps the paper's necessary safety space, and arcs that this car can drive.
+    let risk = serde_json::json!({ "inflation": "width", "minRadius": "vehicle" });
+    let risk = risk.as_object().cloned().unwrap_or_default();
+    Scenario {
+        version: 1,
+        name: None,
+        map,
+        obstacles: Vec::new(),
+        slots: Vec::new(),
+        vehicle: VehicleSpec::default(),
+        start: pose(start),
+        goal: Goal::Pose(pose(goal)),
+        planners: [("risk-field".to_owned(), risk)].into(),
+    }
+}
+
+/// A row of perpendicular slots in the bay, south of the aisle, numbered from the west.
+fn bay_slots(centers: &[f64], occupied: &[usize]) -> Vec<Slot> {
+    let slot = |(i, &x): (usize, &f64)| Slot {
+        id: Some(format!("slot-{}", i + 1)),
+        kind: SlotKind::Perpendicular,
+        x,
+        y: 5.0,
+        heading: -FRAC_PI_2,
+        width: 2.8,
+        length: 5.0,
+        angle: None,
+        lean: None,
+        occupied: occupied.contains(&i),
+    };
+    centers.iter().enumerate().map(slot).collect()
+}
+
+fn island(id: &str, points: &[[f64; 2]]) -> Obstacle {
+    Obstacle::Polygon { id: Some(id.to_owned()), points: points.to_vec() }
+}
+
+fn block(id: &str, center: [f64; 2], size: [f64; 2], heading: f64) -> Obstacle {
+    Obstacle::Rectangle { id: Some(id.to_owned()), center, size, heading }
+}
+
+fn perpendicular() -> Scenario {
+    let mut scene = lot(-10.0, 10.0, 5.0, PAPER_ROWS[0].1, PAPER_ROWS[0].2);
+    scene.slots = bay_slots(&[-8.5, -5.75, -3.0, -0.25, 2.5, 5.25, 8.0], &[0, 2, 6]);
+    scene.obstacles = vec![
+        island("planter", &[[-4.5, 12.2], [-1.6, 13.4], [-0.6, 11.6], [-2.2, 10.4], [-4.2, 10.6]]),
+        block("kiosk", [9.5, 13.4], [4.4, 2.0], -0.4),
+        island("hedge", &[[-15.0, 17.0], [-11.0, 17.6], [-10.4, 15.2], [-13.0, 13.8], [-15.4, 14.6]]),
+        block("box", [18.5, 19.5], [5.0, 1.6], 0.25),
+    ];
+    scene
+}
+
+fn reverse_in() -> Scenario {
+    let mut scene = lot(-10.0, 10.0, 5.0, [14.0, 9.0, PI], [0.0; 3]);
+    scene.slots = bay_slots(&[-8.5, -5.75, -3.0, -0.25, 2.5, 5.25, 8.0], &[0, 1, 3, 5]);
+    scene.goal = Goal::Slot(SlotGoal { slot: "slot-5".to_owned(), entry: Entry::ReverseIn });
+    scene.vehicle = VehicleSpec::Profile("sedan".to_owned());
+    scene.obstacles = vec![
+        island("planter", &[[-9.0, 14.2], [-5.6, 14.8], [-4.9, 12.7], [-7.0, 11.6], [-9.2, 12.3]]),
+        block("kiosk", [8.0, 16.5], [4.4, 2.0], 0.3),
+    ];
+    scene
+}
+
+fn parallel() -> Scenario {
+    let mut scene = lot(-10.0, 10.0, 5.0, PAPER_ROWS[5].1, PAPER_ROWS[5].2);
+    scene.obstacles = vec![
+        island("planter", &[[-14.0, 18.2], [-10.6, 18.8], [-9.9, 16.7], [-12.0, 15.6], [-14.2, 16.3]]),
+        block("kiosk", [-2.0, 20.0], [5.0, 2.2], 0.35),
+    ];
+    scene
+}
+
+fn angled() -> Scenario {
+    let mut scene = lot(-10.0, 10.0, 5.0, [-18.0, 12.0, 0.0], [0.0; 3]);
+    scene.map.boundary = None;
+    let slot = |i: u32| Slot {
+        id: Some(format!("slot-{}", i + 1)),
+        kind: SlotKind::Angled,
+        x: -10.0 + 3.96 * f64::from(i),
+        y: 6.0,
+        heading: -FRAC_PI_2,
+        width: 2.8,
+        length: 5.6,
+        angle: Some(FRAC_PI_4),
+        lean: Some(Lean::Left),
+        occupied: [1, 2, 4, 5].contains(&i),
+    };
+    scene.slots = (0..7).map(slot).collect();
+    scene.vehicle = VehicleSpec::Profile("sedan".to_owned());
+    scene.goal = Goal::Slot(SlotGoal { slot: "slot-4".to_owned(), entry: Entry::HeadIn });
+    scene.obstacles = vec![
+        block("kiosk", [-4.0, 18.0], [6.0, 2.0], 0.0),
+        island("planter", &[[9.0, 17.5], [12.4, 18.1], [13.1, 16.0], [11.0, 14.9], [8.8, 15.6]]),
+    ];
+    scene
+}
+
+/// A wall with a gap of 2.50 m; the car is 2.60 m wide.
+fn narrow_gap() -> Scenario {
+    let mut scene = lot(-10.0, 10.0, 5.0, [-15.0, 15.0, 0.0], [8.0, 15.0, 0.0]);
+    scene.map.boundary = None;
+    scene.obstacles = vec![
+        block("wall south", [0.0, 6.875], [1.0, 13.75], 0.0),
+        block("wall north", [0.0, 23.125], [1.0, 13.75], 0.0),
+    ];
+    scene
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_scene_is_listed_and_valid() {
+        for info in SCENES {
+            let scene = scenario(info.id).unwrap();
+            assert!(scene.geometry().is_ok(), "{}", info.id);
+        }
+    }
+
+    #[test]
+    fn an_unknown_scene_is_named() {
+        let error = scenario("moon").unwrap_err();
+        assert_eq!(error.code, ErrorCode::UnknownScenario);
+        assert!(error.message.starts_with("no scene \"moon\"; there are perpendicular"));
+    }
+}

@@ -1,0 +1,148 @@
+//! Values across the border: JSON-like in, typed arrays out.
+
+use std::fmt;
+
+use js_sys::{Float32Array, Float64Array, Int8Array, Object, Reflect, Uint8Array, Uint32Array};
+use serde::de::{DeserializeOwned, Deserializer, MapAccess, SeqAccess, Visitor};
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Number, Value};
+use wasm_bindgen::JsValue;
+
+use crate::error::{Error, ErrorCode};
+use crate::scenario::parse::typed;
+
+/// A JSON value that refuses NaN and infinities, which JSON would turn into null.
+struct Strict(Value);
+
+impl<'de> Deserialize<'de> for Strict {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(StrictVisitor).map(Self)
+    }
+}
+
+struct StrictVisitor;
+
+impl<'de> Visitor<'de> for StrictVisitor {
+    type Value = Value;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("plain data")
+    }
+
+    fn visit_bool<E>(self, v: bool) -> Result<Value, E> {
+        Ok(Value::Bool(v))
+    }
+
+    fn visit_i64<E>(self, v: i64) -> Result<Value, E> {
+        Ok(v.into())
+    }
+
+    fn visit_u64<E>(self, v: u64) -> Result<Value, E> {
+        Ok(v.into())
+    }
+
+    fn visit_f64<E: serde::de::Error>(self, v: f64) -> Result<Value, E> {
+        // JS has one kind of number; integers must reach integer fields as integers.
+        if v.fract() == 0.0 && v.abs() < 9e15 {
+            return Ok((v as i64).into());
+        }
+        Number::from_f64(v).map(Value::Number).ok_or_else(|| E::custom(format!("must be a finite number, got {v}")))
+    }
+
+    fn visit_str<E>(self, v: &str) -> Result<Value, E> {
+        Ok(v.into())
+    }
+
+    fn visit_unit<E>(self) -> Result<Value, E> {
+        Ok(Value::Null)
+    }
+
+    fn visit_none<E>(self) -> Result<Value, E> {
+        Ok(Value::Null)
+    }
+
+    fn visit_some<D: Deserializer<'de>>(self, inner: D) -> Result<Value, D::Error> {
+        inner.deserialize_any(self)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Value, A::Error> {
+        let mut items = Vec::new();
+        while let Some(Strict(item)) = seq.next_element()? {
+            items.push(item);
+        }
+        Ok(Value::Array(items))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Value, A::Error> {
+        let mut fields = Map::new();
+        while let Some(key) = map.next_key::<String>()? {
+            let Strict(value) = map.next_value()?;
+            fields.insert(key, value);
+        }
+        Ok(Value::Object(fields))
+    }
+}
+
+/// Any plain JS value as JSON, or an error that names the first field that is not plain or not finite.
+pub(super) fn json(value: JsValue, code: ErrorCode) -> Result<Value, Error> {
+    if value.is_function() || value.is_symbol() {
+        return Err(Error::new(code, "", "must be plain data"));
+    }
+    serde_path_to_error::deserialize(serde_wasm_bindgen::Deserializer::from(value))
+        .map(|Strict(value)| value)
+        .map_err(|error| {
+            let path = error.path().to_string();
+            Error::new(code, if path == "." { "" } else { &path }, error.inner().to_string())
+        })
+}
+
+/// A typed value from a JS one.
+pub(super) fn read<T: DeserializeOwned>(value: JsValue, code: ErrorCode) -> Result<T, Error> {
+    typed(json(value, code)?, code)
+}
+
+/// A small value as plain JS objects.
+pub(super) fn write(value: &impl Serialize) -> JsValue {
+    value.serialize(&serde_wasm_bindgen::Serializer::json_compatible()).unwrap_or(JsValue::NULL)
+}
+
+/// A `ParkadeError` for JS: name, message, code, path.
+pub(super) fn js_error(error: &Error) -> JsValue {
+    let js = js_sys::Error::new(&error.to_string());
+    js.set_name("ParkadeError");
+    set(&js, "code", &error.code.as_str().into());
+    set(&js, "path", &error.path.as_str().into());
+    js.into()
+}
+
+pub(super) fn set(target: &JsValue, key: &str, value: &JsValue) {
+    // Setting an own property of a fresh object cannot fail.
+    let _ = Reflect::set(target, &key.into(), value);
+}
+
+/// An object from its fields.
+pub(super) fn object(fields: &[(&str, JsValue)]) -> JsValue {
+    let target = Object::new().into();
+    fields.iter().for_each(|(key, value)| set(&target, key, value));
+    target
+}
+
+pub(super) fn f64s(values: &[f64]) -> JsValue {
+    Float64Array::from(values).into()
+}
+
+pub(super) fn f32s(values: &[f32]) -> JsValue {
+    Float32Array::from(values).into()
+}
+
+pub(super) fn u32s(values: &[u32]) -> JsValue {
+    Uint32Array::from(values).into()
+}
+
+pub(super) fn u8s(values: &[u8]) -> JsValue {
+    Uint8Array::from(values).into()
+}
+
+pub(super) fn i8s(values: &[i8]) -> JsValue {
+    Int8Array::from(values).into()
+}
