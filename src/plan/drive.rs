@@ -54,7 +54,7 @@ impl Piece {
 /// reverse throughout where its tail points along the path at the start, rather than its nose.
 pub(super) fn follow(pieces: &[Piece], start_heading: f64, step: f64) -> Driven {
     let mut driven = Driven::default();
-    for piece in pieces {
+    for piece in pieces.iter().filter(|p| p.length() > 1e-9) {
         let steps = (piece.length() / step).ceil().max(1.0) as u32;
         let first = piece.pose(0.0);
         match driven.poses.last() {
