@@ -1,7 +1,9 @@
 //! The plane in metres and radians; knows nothing of maps.
 
+pub mod arcs;
 pub mod math;
 mod pose;
+pub mod reeds_shepp;
 
 pub use pose::Pose;
 

@@ -10,7 +10,7 @@ pub use observer::{Observer, Trace};
 pub use open::Order;
 pub use table::Scratch;
 
-/// Index of a node, below [`Domain::node_count`].
+/// Index of a node. Indices are dense: the search's memory grows with the largest.
 pub type NodeId = u32;
 
 /// A totally ordered path cost, never NaN: `i64` micro-cells on grids, `f64` metres in hybrid A*.
@@ -67,7 +67,7 @@ pub trait Domain {
     /// Whether [`Domain::held_back`] has anything to add.
     const HOLDS_BACK: bool = false;
 
-    /// Number of nodes; ids are below it.
+    /// Number of nodes known beforehand; a domain that names nodes as it meets them may emit larger ids.
     fn node_count(&self) -> usize;
 
     /// Emits every move out of the node: target, cost of the move, label at the target.

@@ -42,17 +42,20 @@ impl<C: Cost, L: Copy + Default> Scratch<C, L> {
             self.stamp = 0;
         }
         self.stamp += 1;
+        self.grow(node_count);
+        self.open.clear();
+    }
+
+    fn grow(&mut self, node_count: usize) {
         if self.slots.len() < node_count {
             let empty = Slot { g: C::MAX, label: L::default(), parent: NO_PARENT, stamp: 0, stage: 0 };
             self.slots.resize(node_count, empty);
         }
-        self.open.clear();
     }
 
     /// The node's state in this search, or `None` where it was not reached yet.
     pub(super) fn get(&self, node: NodeId) -> Option<&Slot<C, L>> {
-        let slot = &self.slots[node as usize];
-        (slot.stamp == self.stamp).then_some(slot)
+        self.slots.get(node as usize).filter(|slot| slot.stamp == self.stamp)
     }
 
     pub(super) fn slot_mut(&mut self, node: NodeId) -> &mut Slot<C, L> {
@@ -61,6 +64,9 @@ impl<C: Cost, L: Copy + Default> Scratch<C, L> {
 
     /// Records a better way to `node`; tells whether it was reached for the first time.
     pub(super) fn improve(&mut self, node: NodeId, g: C, label: L, parent: NodeId) -> bool {
+        if node as usize >= self.slots.len() {
+            self.grow((node as usize + 1).next_power_of_two());
+        }
         let stamp = self.stamp;
         let slot = &mut self.slots[node as usize];
         let fresh = slot.stamp != stamp;

@@ -1,5 +1,7 @@
 //! The car: dimensions, footprint and collision.
 
+pub mod collision;
+
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, ErrorCode};

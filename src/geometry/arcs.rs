@@ -1,0 +1,125 @@
+//! Paths of circular arcs and straight lines, driven forward and in reverse.
+
+use super::Pose;
+
+/// An arc of constant curvature, or a straight line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Arc {
+    /// 1/m, positive to the left of the car in either gear.
+    pub curvature: f64,
+    /// Metres, negative in reverse.
+    pub length: f64,
+}
+
+/// A pose along a path and how the car goes on from there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Waypoint {
+    /// The pose.
+    pub pose: Pose,
+    /// Of the arc ahead, 1/m.
+    pub curvature: f64,
+    /// Of the arc ahead, ±1.
+    pub gear: i8,
+    /// Distance driven so far, metres.
+    pub station: f64,
+}
+
+/// Curvatures closer than this are one curvature, 1/m.
+const SAME_CURVATURE: f64 = 1e-9;
+/// Shorter arcs are none, metres.
+const SHORTEST: f64 = 1e-9;
+
+/// Joins neighbouring arcs of one curvature and gear and drops those without length.
+pub fn merge(arcs: impl IntoIterator<Item = Arc>) -> Vec<Arc> {
+    let mut merged: Vec<Arc> = Vec::new();
+    for arc in arcs.into_iter().filter(|a| a.length.abs() >= SHORTEST) {
+        match merged.last_mut() {
+            Some(last)
+                if (last.curvature - arc.curvature).abs() < SAME_CURVATURE
+                    && (last.length > 0.0) == (arc.length > 0.0) =>
+            {
+                last.length += arc.length;
+            }
+            _ => merged.push(arc),
+        }
+    }
+    merged
+}
+
+/// Distance driven, metres.
+pub fn length(arcs: &[Arc]) -> f64 {
+    arcs.iter().map(|a| a.length.abs()).sum()
+}
+
+/// Sign changes between consecutive arcs.
+pub fn direction_changes(arcs: &[Arc]) -> u32 {
+    arcs.windows(2).filter(|w| (w[0].length > 0.0) != (w[1].length > 0.0)).count() as u32
+}
+
+/// The pose at the end.
+pub fn end(start: Pose, arcs: &[Arc]) -> Pose {
+    arcs.iter().fold(start, |pose, arc| pose.advance(arc.curvature, arc.length))
+}
+
+/// The same way driven from its end back to its start.
+pub fn reversed(arcs: &[Arc]) -> Vec<Arc> {
+    arcs.iter().rev().map(|a| Arc { curvature: a.curvature, length: -a.length }).collect()
+}
+
+/// Poses at most `step` metres apart, the ends of all arcs included; the last is exactly `end`.
+pub fn sample(start: Pose, arcs: &[Arc], end: Pose, step: f64) -> Vec<Waypoint> {
+    let mut points = Vec::new();
+    let (mut pose, mut station) = (start, 0.0);
+    let mut last = (0.0, 1);
+    for arc in arcs {
+        let steps = (arc.length.abs() / step).ceil().max(1.0) as u32;
+        let gear = if arc.length < 0.0 { -1 } else { 1 };
+        last = (arc.curvature, gear);
+        for k in 0..steps {
+            let along = arc.length * f64::from(k) / f64::from(steps);
+            let pose = pose.advance(arc.curvature, along);
+            points.push(Waypoint { pose, curvature: arc.curvature, gear, station: station + along.abs() });
+        }
+        pose = pose.advance(arc.curvature, arc.length);
+        station += arc.length.abs();
+    }
+    points.push(Waypoint { pose: end, curvature: last.0, gear: last.1, station });
+    points
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PATH: [Arc; 3] = [
+        Arc { curvature: 0.2, length: 3.0 },
+        Arc { curvature: 0.0, length: -2.0 },
+        Arc { curvature: -0.1, length: -1.05 },
+    ];
+
+    #[test]
+    fn driving_back_returns_to_the_start() {
+        let start = Pose::new(1.0, 2.0, 0.3);
+        let back = end(end(start, &PATH), &reversed(&PATH));
+        assert!((back.point() - start.point()).norm() < 1e-12 && (back.heading - start.heading).abs() < 1e-12);
+        assert_eq!(direction_changes(&PATH), 1);
+        assert!((length(&PATH) - 6.05).abs() < 1e-12);
+    }
+
+    #[test]
+    fn equal_neighbours_merge_and_empty_arcs_vanish() {
+        let arc = |curvature, length| Arc { curvature, length };
+        let merged = merge([arc(0.1, 1.0), arc(0.3, 0.0), arc(0.1, 2.0), arc(0.1, -1.0)]);
+        assert_eq!(merged, [arc(0.1, 3.0), arc(0.1, -1.0)]);
+    }
+
+    #[test]
+    fn samples_are_close_and_end_exactly() {
+        let start = Pose::new(0.0, 0.0, 0.0);
+        let goal = end(start, &PATH);
+        let points = sample(start, &PATH, goal, 0.1);
+        assert!(points.windows(2).all(|w| (w[1].pose.point() - w[0].pose.point()).norm() <= 0.1 + 1e-12));
+        assert_eq!(points[points.len() - 1].pose, goal);
+        assert_eq!((points[0].gear, points[31].gear), (1, -1));
+    }
+}
