@@ -5,7 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 const ORDER: [&str; 11] = [
-    "error", "geometry", "map", "vehicle", "scenario", "search", "planners", "post", "metrics", "plan", "wasm",
+    "error", "geometry", "map", "vehicle", "scenario", "search", "planners", "post", "metrics", "plan",
+    "wasm",
 ];
 
 fn rust_files(folder: &Path, files: &mut Vec<PathBuf>) {

@@ -101,7 +101,9 @@ mod tests {
     fn driving_back_returns_to_the_start() {
         let start = Pose::new(1.0, 2.0, 0.3);
         let back = end(end(start, &PATH), &reversed(&PATH));
-        assert!((back.point() - start.point()).norm() < 1e-12 && (back.heading - start.heading).abs() < 1e-12);
+        assert!(
+            (back.point() - start.point()).norm() < 1e-12 && (back.heading - start.heading).abs() < 1e-12
+        );
         assert_eq!(direction_changes(&PATH), 1);
         assert!((length(&PATH) - 6.05).abs() < 1e-12);
     }

@@ -117,10 +117,10 @@ impl<F: FnMut(Word)> Families<F> {
             let Some(mut lengths) = solve(sx, sy, sphi) else { continue };
             let mut turns = turns;
             if flip {
-                lengths.iter_mut().for_each(|l| *l = -*l);
+                lengths = lengths.map(|l| -l);
             }
             if reflect {
-                turns.iter_mut().for_each(|t| *t = mirrored(*t));
+                turns = turns.map(mirrored);
             }
             if backwards {
                 lengths.reverse();

@@ -200,11 +200,15 @@ impl Plan {
         eat(self.outcome.as_str().as_bytes());
         eat(self.check.verdict.as_str().as_bytes());
         for pose in &self.path {
-            [pose.x, pose.y, pose.heading].iter().for_each(|v| eat(&v.to_bits().to_le_bytes()));
+            for value in [pose.x, pose.y, pose.heading] {
+                eat(&value.to_bits().to_le_bytes());
+            }
         }
         self.directions.iter().for_each(|&d| eat(&d.to_le_bytes()));
         self.check.clearances.iter().for_each(|v| eat(&v.to_bits().to_le_bytes()));
-        self.raw_path.iter().for_each(|p| eat(&[p.x.to_bits().to_le_bytes(), p.y.to_bits().to_le_bytes()].concat()));
+        self.raw_path
+            .iter()
+            .for_each(|p| eat(&[p.x.to_bits().to_le_bytes(), p.y.to_bits().to_le_bytes()].concat()));
         for text in [serde_json::to_vec(&self.stats), serde_json::to_vec(&self.metrics)] {
             eat(&text.unwrap_or_default());
         }

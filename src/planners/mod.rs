@@ -2,7 +2,10 @@
 
 pub mod grid_astar;
 pub mod heuristics;
+pub mod hybrid;
 pub mod moves;
+mod parameters;
 pub mod query;
+pub mod registry;
 pub mod risk_field;
 pub mod settings;

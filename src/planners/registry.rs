@@ -3,6 +3,7 @@
 use serde::Serialize;
 use serde_json::{Map, Value};
 
+use super::moves::Neighbourhood;
 use super::parameters::{GRID, GRID_HEURISTICS, HYBRID, RISK, Row};
 use super::{grid_astar, hybrid, risk_field};
 use crate::error::{Error, ErrorCode};
@@ -106,8 +107,8 @@ impl Kind {
 
     fn default_value(self) -> Value {
         let value = match self {
-            Self::Four => serde_json::to_value(grid_astar::Config::four()),
-            Self::Eight => serde_json::to_value(grid_astar::Config::eight()),
+            Self::Four => serde_json::to_value(grid_astar::Config::new(Neighbourhood::Four)),
+            Self::Eight => serde_json::to_value(grid_astar::Config::new(Neighbourhood::Eight)),
             Self::RiskField => serde_json::to_value(risk_field::Config::default()),
             Self::Hybrid => serde_json::to_value(hybrid::Config::default()),
             Self::HybridForward => serde_json::to_value(hybrid::Config::forward()),

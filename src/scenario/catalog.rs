@@ -4,7 +4,7 @@ use super::{Entry, Goal, Lean, MapFrame, Obstacle, Scenario, Slot, SlotGoal, Slo
 use crate::error::{Error, ErrorCode};
 use crate::geometry::Pose;
 use crate::geometry::math::{FRAC_PI_2, FRAC_PI_4, PI};
-use crate::scenario::generate::{Family, Generator};
+use crate::scenario::generate::{Family, generate};
 
 /// What a built-in scene is about.
 #[derive(Debug, Clone, Copy)]
@@ -19,12 +19,19 @@ pub struct Info {
     pub question: [&'static str; 2],
 }
 
-const fn info(id: &'static str, group: &'static str, title: [&'static str; 2], question: [&'static str; 2]) -> Info {
+const fn info(
+    id: &'static str,
+    group: &'static str,
+    title: [&'static str; 2],
+    question: [&'static str; 2],
+) -> Info {
     Info { id, group, title, question }
 }
 
-const PAPER_QUESTION: [&str; 2] =
-    ["A row of the parking paper's tables: shorter, or with fewer gear changes?", "停车论文表格中的一行：能否更短、换挡更少？"];
+const PAPER_QUESTION: [&str; 2] = [
+    "A row of the parking paper's tables: shorter, or with fewer gear changes?",
+    "停车论文表格中的一行：能否更短、换挡更少？",
+];
 
 /// All built-in scenes, in the order of the page's menu.
 pub const SCENES: [Info; 23] = [
@@ -71,8 +78,18 @@ pub const SCENES: [Info; 23] = [
         ["Does the risk field pay in clutter?", "杂乱环境中风险场划算吗？"],
     ),
     info("trap-60", "grid", ["Traps", "陷阱"], ["Who runs into the dead ends?", "谁会走进死胡同？"]),
-    info("par-8.0", "tight", ["Parallel, 8.0 m", "侧方，8.0 m"], ["How few moves fit an 8 m gap?", "8 米车位最少几把？"]),
-    info("par-7.2", "tight", ["Parallel, 7.2 m", "侧方，7.2 m"], ["How few moves fit a 7.2 m gap?", "7.2 米车位最少几把？"]),
+    info(
+        "par-8.0",
+        "tight",
+        ["Parallel, 8.0 m", "侧方，8.0 m"],
+        ["How few moves fit an 8 m gap?", "8 米车位最少几把？"],
+    ),
+    info(
+        "par-7.2",
+        "tight",
+        ["Parallel, 7.2 m", "侧方，7.2 m"],
+        ["How few moves fit a 7.2 m gap?", "7.2 米车位最少几把？"],
+    ),
     info("par-6.6", "tight", ["Parallel, 6.6 m", "侧方，6.6 m"], ["Is 6.6 m too little?", "6.6 米够不够？"]),
     info(
         "perp-tail-3.2",
@@ -142,9 +159,9 @@ fn build(id: &str) -> Option<Scenario> {
         "parallel" => parallel(),
         "angled" => angled(),
         "narrow-gap" => narrow_gap(),
-        "regular-60" => Generator::new(Family::Regular, 60, 7).scenario(),
-        "random-60" => Generator::new(Family::Random, 60, 7).scenario(),
-        "trap-60" => Generator::new(Family::Trap, 60, 7).scenario(),
+        "regular-60" => return generate(Family::Regular, 60, 7).ok(),
+        "random-60" => return generate(Family::RANDOM, 60, 7).ok(),
+        "trap-60" => return generate(Family::Trap, 60, 7).ok(),
         "par-8.0" => lot(-8.0, 0.0, 3.0, [10.0, 8.0, PI], [-2.25, 3.5, PI]),
         "par-7.2" => lot(-8.0, -0.8, 3.0, [10.0, 8.0, PI], [-2.65, 3.5, PI]),
         "par-6.6" => lot(-8.0, -1.4, 3.0, [10.0, 8.0, PI], [-2.95, 3.5, PI]),

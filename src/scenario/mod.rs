@@ -6,8 +6,9 @@ use std::collections::BTreeMap;
 use crate::geometry::Pose;
 use crate::vehicle::Vehicle;
 
+pub mod catalog;
 pub mod generate;
-mod parse;
+pub(crate) mod parse;
 pub mod resolve;
 pub mod slot;
 mod validate;

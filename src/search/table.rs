@@ -79,6 +79,11 @@ impl<C: Cost, L: Copy + Default> Scratch<C, L> {
         self.get(node).map(|s| s.g)
     }
 
+    /// The label of `node` in the last search.
+    pub fn label(&self, node: NodeId) -> Option<L> {
+        self.get(node).map(|s| s.label)
+    }
+
     /// The nodes from the root to `node`, with their labels, along the last search's best way.
     pub fn chain(&self, node: NodeId) -> Vec<(NodeId, L)> {
         let mut chain = Vec::new();

@@ -62,14 +62,16 @@ impl Obstacles {
     pub fn new(walls: &[Edge], solids: &[Solid], boundary: &Solid) -> Self {
         let (low, high) = bounds(boundary.outline.iter().copied());
         let local = |p: Point| Point::from(p - low);
-        let shift = |s: &Solid| Solid { outline: s.outline.iter().map(|&p| local(p)).collect(), owner: s.owner };
+        let shift =
+            |s: &Solid| Solid { outline: s.outline.iter().map(|&p| local(p)).collect(), owner: s.owner };
         let boundary = shift(boundary);
         let solids: Vec<Solid> = solids.iter().map(shift).collect();
         let mut edges: Vec<Edge> =
             walls.iter().map(|e| Edge { a: local(e.a), b: local(e.b), owner: e.owner }).collect();
         for solid in solids.iter().chain([&boundary]) {
             let n = solid.outline.len();
-            let edge = |i: usize| Edge { a: solid.outline[i], b: solid.outline[(i + 1) % n], owner: solid.owner };
+            let edge =
+                |i: usize| Edge { a: solid.outline[i], b: solid.outline[(i + 1) % n], owner: solid.owner };
             edges.extend((0..n).map(edge));
         }
         let size = high - low;
@@ -239,7 +241,8 @@ impl<'a> Probe<'a> {
         }
         let (sin, cos) = math::sin_cos(pose.heading);
         let [front, back, left, right] = self.sides(0.0);
-        let corners = [(front, left), (back, left), (back, right), (front, right)].map(|(x, y)| Point::new(x, y));
+        let corners =
+            [(front, left), (back, left), (back, right), (front, right)].map(|(x, y)| Point::new(x, y));
         let (low, high) = self.bounds(pose, sin, cos, limit);
         let o = self.obstacles;
         let mut best = limit;
@@ -320,7 +323,8 @@ mod tests {
     use super::*;
 
     fn hall(solids: &[Solid]) -> Obstacles {
-        let outline = [(0.0, 0.0), (30.0, 0.0), (30.0, 20.0), (0.0, 20.0)].map(|(x, y)| Point::new(x, y)).to_vec();
+        let outline =
+            [(0.0, 0.0), (30.0, 0.0), (30.0, 20.0), (0.0, 20.0)].map(|(x, y)| Point::new(x, y)).to_vec();
         Obstacles::new(&[], solids, &Solid { outline, owner: 9 })
     }
 
@@ -337,7 +341,8 @@ mod tests {
 
     #[test]
     fn the_filters_never_change_the_answer() {
-        let square = [(12.0, 8.0), (13.0, 8.5), (12.6, 9.4), (11.8, 9.0)].map(|(x, y)| Point::new(x, y)).to_vec();
+        let square =
+            [(12.0, 8.0), (13.0, 8.5), (12.6, 9.4), (11.8, 9.0)].map(|(x, y)| Point::new(x, y)).to_vec();
         let hall = hall(&[Solid { outline: square, owner: 1 }]);
         let probe = Probe::new(&hall, &Vehicle::PAPER);
         let mut hits = 0;
@@ -354,7 +359,8 @@ mod tests {
 
     #[test]
     fn containment_is_asked_of_the_point() {
-        let square = [(5.0, 5.0), (25.0, 5.0), (25.0, 15.0), (5.0, 15.0)].map(|(x, y)| Point::new(x, y)).to_vec();
+        let square =
+            [(5.0, 5.0), (25.0, 5.0), (25.0, 15.0), (5.0, 15.0)].map(|(x, y)| Point::new(x, y)).to_vec();
         let hall = hall(&[Solid { outline: square, owner: 1 }]);
         assert_eq!(hall.inside(Point::new(10.0, 10.0)), Some(1));
         assert_eq!(hall.inside(Point::new(40.0, 10.0)), Some(9));

@@ -86,7 +86,8 @@ fn vehicle(vehicle: &Vehicle) -> Value {
 
 pub(super) fn geometry(scene: &Scenario, geometry: &Geometry) -> Value {
     let points = |list: &[Point]| list.iter().map(|p| [p.x, p.y]).collect::<Vec<_>>();
-    let parked = |&(slot, pose): &(usize, Pose)| json!({ "slot": slot, "pose": pose, "vehicle": vehicle(&PARKED) });
+    let parked =
+        |&(slot, pose): &(usize, Pose)| json!({ "slot": slot, "pose": pose, "vehicle": vehicle(&PARKED) });
     json!({
         "start": geometry.start,
         "goal": geometry.goal,

@@ -46,7 +46,9 @@ impl<'de> Visitor<'de> for StrictVisitor {
         if v.fract() == 0.0 && v.abs() < 9e15 {
             return Ok((v as i64).into());
         }
-        Number::from_f64(v).map(Value::Number).ok_or_else(|| E::custom(format!("must be a finite number, got {v}")))
+        Number::from_f64(v)
+            .map(Value::Number)
+            .ok_or_else(|| E::custom(format!("must be a finite number, got {v}")))
     }
 
     fn visit_str<E>(self, v: &str) -> Result<Value, E> {

@@ -1,4 +1,5 @@
 //! The JS border: exported functions and the planner session. Types are in `npm/index.d.ts`.
+#![expect(unreachable_pub, reason = "wasm-bindgen exports only items marked pub")]
 
 mod answer;
 mod codec;
@@ -6,7 +7,7 @@ mod codec;
 use serde_json::json;
 use wasm_bindgen::prelude::*;
 
-use crate::error::{Error, ErrorCode};
+use crate::error::ErrorCode;
 use crate::plan::{self, Planner};
 use crate::planners::registry;
 use crate::scenario::{Scenario, catalog};
@@ -41,9 +42,7 @@ pub fn default_config(planner: &str) -> JsResult {
 #[wasm_bindgen]
 pub fn scenarios() -> JsValue {
     let both = |[en, zh]: [&str; 2]| json!({ "en": en, "zh": zh });
-    let entry = |s: &catalog::Info| {
-        json!({ "id": s.id, "group": s.group, "title": both(s.title), "question": both(s.question) })
-    };
+    let entry = |s: &catalog::Info| json!({ "id": s.id, "group": s.group, "title": both(s.title), "question": both(s.question) });
     codec::write(&catalog::SCENES.iter().map(entry).collect::<Vec<_>>())
 }
 
@@ -103,7 +102,7 @@ impl RawPlanner {
         } else {
             codec::read(options, ErrorCode::Input).map_err(|e| codec::js_error(&e))?
         };
-        let plan = self.planner.plan(&options);
+        let plan = self.planner.plan(options);
         Ok(answer::plan(self.planner.scenario(), self.planner.geometry(), &plan))
     }
 

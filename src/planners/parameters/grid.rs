@@ -3,7 +3,7 @@
 use super::{EXPANSIONS, Form, Row, row};
 
 /// The heuristics: of four neighbours, then of eight.
-pub(super) const GRID_HEURISTICS: [Row; 2] = [
+pub(in crate::planners) const GRID_HEURISTICS: [Row; 2] = [
     row(
         "heuristic",
         Form::Choice(&["manhattan", "euclid", "octile"]),
@@ -23,7 +23,7 @@ pub(super) const GRID_HEURISTICS: [Row; 2] = [
 ];
 
 /// Settings of every grid planner; the first is not one of the risk field's.
-pub(super) const GRID: [Row; 8] = [
+pub(in crate::planners) const GRID: [Row; 8] = [
     row(
         "weight",
         Form::Choice(&["none", "distance"]),
@@ -46,7 +46,10 @@ pub(super) const GRID: [Row; 8] = [
         "1",
         true,
         ["Safety space", "安全空间"],
-        ["Keeps the path this far from obstacles: nothing, half the car's width, half its diagonal.", "与障碍保持的距离：零、半车宽或半对角线。"],
+        [
+            "Keeps the path this far from obstacles: nothing, half the car's width, half its diagonal.",
+            "与障碍保持的距离：零、半车宽或半对角线。",
+        ],
     ),
     row(
         "margin",
@@ -70,7 +73,10 @@ pub(super) const GRID: [Row; 8] = [
         "1",
         false,
         ["Smoothing", "平滑方式"],
-        ["Dynamic shrinks an arc until it is free; the paper tries once.", "动态：缩小圆弧直至无碰；论文：只试一次。"],
+        [
+            "Dynamic shrinks an arc until it is free; the paper tries once.",
+            "动态：缩小圆弧直至无碰；论文：只试一次。",
+        ],
     ),
     row(
         "minRadius",
@@ -78,25 +84,135 @@ pub(super) const GRID: [Row; 8] = [
         "cells",
         true,
         ["Smallest arc", "最小圆弧"],
-        ["Arcs tighter than this stay corners; \"vehicle\" is the car's own limit.", "更小的圆弧保留为折角；vehicle 为车辆极限。"],
+        [
+            "Arcs tighter than this stay corners; \"vehicle\" is the car's own limit.",
+            "更小的圆弧保留为折角；vehicle 为车辆极限。",
+        ],
     ),
     EXPANSIONS,
 ];
 
 /// Settings of the risk field alone.
-pub(super) const RISK: [Row; 14] = [
-    row("w1", Form::Number(0.5, 4.0, 0.1), "1", true, ["Weight w1", "权重 w1"], ["Of the larger part of the way still to go.", "剩余路程中较大部分的权重。"]),
-    row("w2", Form::Number(0.5, 4.0, 0.1), "1", true, ["Weight w2", "权重 w2"], ["Of the smaller part.", "较小部分的权重。"]),
-    row("wbar", Form::Integer(0.0, 4000.0), "1/1000", false, ["Dynamic weight", "动态权重"], ["How much the distance to the goal hurries the search; 1000 is the paper.", "目标距离对搜索的加速程度；论文取 1000。"]),
-    row("heuristic", Form::Choice(&["corrected", "printed", "octile"]), "1", false, ["Heuristic", "启发函数"], ["Corrected removes the printed formula's jump.", "修正式消除论文公式的跳变。"]),
-    row("k1", Form::Number(0.1, 10.0, 0.1), "1", false, ["Attraction k1", "引力 k1"], ["Gain of the goal's pull.", "目标引力增益。"]),
-    row("rho0", Form::Number(1.0, 10.0, 0.5), "cells", true, ["Reach of the field", "斥力范围"], ["Obstacles farther away do not repel.", "更远的障碍不产生斥力。"]),
-    row("k2", Form::Number(0.0, 1000.0, 0.5), "cells", false, ["Repulsion k2", "斥力 k2"], ["Gain of the obstacles' push; empty: half of k1 times the distance.", "障碍斥力增益；空：k1 × 距离之半。"]),
-    row("attraction", Form::Choice(&["linear", "conic"]), "1", false, ["Attraction law", "引力形式"], ["Linear grows with the distance (the paper).", "线性随距离增大（论文）。"]),
-    row("obstacleSet", Form::Choice(&["nearest-mean", "nearest-first", "sum"]), "1", false, ["Repelling cells", "斥力来源"], ["The nearest, or all within reach.", "最近的障碍格，或范围内全部。"]),
-    row("extLen", Form::Integer(0.0, 8.0), "cells", false, ["Extension", "扩展长度"], ["How far diagonal moves may be stretched.", "斜向移动可延伸的格数。"]),
-    row("goalSide", Form::Flag, "1", false, ["Goal side only", "仅目标侧"], ["Drops extensions that lead away from the goal.", "去除背离目标的延伸格。"]),
-    row("fallback", Form::Choice(&["penalty", "lexicographic", "stuck-only", "none"]), "1", false, ["Held-back moves", "延后扩展"], ["When the other five directions are tried; none is the literal paper and may strand.", "其余五方向何时尝试；none 为论文原式，可能搁浅。"]),
-    row("penalty", Form::Number(0.0, 40.0, 1.0), "cells", false, ["Their penalty", "延后代价"], ["How much later held-back moves are tried.", "延后扩展的代价。"]),
-    row("goalShot", Form::Flag, "1", false, ["Goal shot", "直达目标"], ["Finishes as soon as the goal is in sight.", "目标可见即完成。"]),
+pub(in crate::planners) const RISK: [Row; 14] = [
+    row(
+        "w1",
+        Form::Number(0.5, 4.0, 0.1),
+        "1",
+        true,
+        ["Weight w1", "权重 w1"],
+        ["Of the larger part of the way still to go.", "剩余路程中较大部分的权重。"],
+    ),
+    row(
+        "w2",
+        Form::Number(0.5, 4.0, 0.1),
+        "1",
+        true,
+        ["Weight w2", "权重 w2"],
+        ["Of the smaller part.", "较小部分的权重。"],
+    ),
+    row(
+        "wbar",
+        Form::Number(0.0, 4.0, 0.1),
+        "1",
+        false,
+        ["Dynamic weight", "动态权重"],
+        [
+            "How much the distance to the goal hurries the search; 1 is the paper.",
+            "目标距离对搜索的加速程度；论文取 1。",
+        ],
+    ),
+    row(
+        "heuristic",
+        Form::Choice(&["corrected", "printed", "octile"]),
+        "1",
+        false,
+        ["Heuristic", "启发函数"],
+        ["Corrected removes the printed formula's jump.", "修正式消除论文公式的跳变。"],
+    ),
+    row(
+        "k1",
+        Form::Number(0.1, 10.0, 0.1),
+        "1",
+        false,
+        ["Attraction k1", "引力 k1"],
+        ["Gain of the goal's pull.", "目标引力增益。"],
+    ),
+    row(
+        "rho0",
+        Form::Number(1.0, 10.0, 0.5),
+        "cells",
+        true,
+        ["Reach of the field", "斥力范围"],
+        ["Obstacles farther away do not repel.", "更远的障碍不产生斥力。"],
+    ),
+    row(
+        "k2",
+        Form::Number(0.0, 1000.0, 0.5),
+        "cells",
+        false,
+        ["Repulsion k2", "斥力 k2"],
+        [
+            "Gain of the obstacles' push; empty: half of k1 times the distance.",
+            "障碍斥力增益；空：k1 × 距离之半。",
+        ],
+    ),
+    row(
+        "attraction",
+        Form::Choice(&["linear", "conic"]),
+        "1",
+        false,
+        ["Attraction law", "引力形式"],
+        ["Linear grows with the distance (the paper).", "线性随距离增大（论文）。"],
+    ),
+    row(
+        "obstacleSet",
+        Form::Choice(&["nearest-mean", "nearest-first", "sum"]),
+        "1",
+        false,
+        ["Repelling cells", "斥力来源"],
+        ["The nearest, or all within reach.", "最近的障碍格，或范围内全部。"],
+    ),
+    row(
+        "extLen",
+        Form::Integer(0.0, 16.0),
+        "cells",
+        false,
+        ["Extension", "扩展长度"],
+        ["How far diagonal moves may be stretched.", "斜向移动可延伸的格数。"],
+    ),
+    row(
+        "goalSide",
+        Form::Flag,
+        "1",
+        false,
+        ["Goal side only", "仅目标侧"],
+        ["Drops extensions that lead away from the goal.", "去除背离目标的延伸格。"],
+    ),
+    row(
+        "fallback",
+        Form::Choice(&["penalty", "lexicographic", "stuck-only", "none"]),
+        "1",
+        false,
+        ["Held-back moves", "延后扩展"],
+        [
+            "When the other five directions are tried; none is the literal paper and may strand.",
+            "其余五方向何时尝试；none 为论文原式，可能搁浅。",
+        ],
+    ),
+    row(
+        "penalty",
+        Form::Number(0.0, 40.0, 1.0),
+        "cells",
+        false,
+        ["Their penalty", "延后代价"],
+        ["How much later held-back moves are tried.", "延后扩展的代价。"],
+    ),
+    row(
+        "goalShot",
+        Form::Flag,
+        "1",
+        false,
+        ["Goal shot", "直达目标"],
+        ["Finishes as soon as the goal is in sight.", "目标可见即完成。"],
+    ),
 ];

@@ -5,13 +5,13 @@ use serde_json::Value;
 mod grid;
 mod hybrid;
 
-pub(super) use grid::{GRID, GRID_HEURISTICS, RISK};
-pub(super) use hybrid::HYBRID;
+pub(in crate::planners) use grid::{GRID, GRID_HEURISTICS, RISK};
+pub(in crate::planners) use hybrid::HYBRID;
 
 use super::registry::{Parameter, Text};
 
 #[derive(Clone, Copy)]
-pub(super) struct Row {
+pub(in crate::planners) struct Row {
     name: &'static str,
     form: Form,
     unit: &'static str,
@@ -31,7 +31,7 @@ enum Form {
 }
 
 impl Row {
-    pub(super) fn with_default(&self, defaults: &Value) -> Parameter {
+    pub(in crate::planners) fn with_default(&self, defaults: &Value) -> Parameter {
         let (kind, range, choices): (_, _, &'static [&'static str]) = match self.form {
             Form::Number(min, max, step) => ("number", Some((min, max, step)), &[]),
             Form::Integer(min, max) => ("integer", Some((min, max, 1.0)), &[]),

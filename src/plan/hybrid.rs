@@ -1,0 +1,149 @@
+//! Hybrid A* in a scene.
+
+use super::outcome::{HybridMetrics, Outcome, Plan, PlanTrace, Stats};
+use super::world::World;
+use super::{Driven, NEAR, Options, STEP, measured};
+use crate::error::Error;
+use crate::geometry::arcs;
+use crate::planners::hybrid::{Config, Query, Report, Scratch, Status, plan};
+use crate::scenario::Scenario;
+use crate::scenario::resolve::{Form, Owner};
+use crate::vehicle::collision::{Edge, Obstacles, Solid};
+
+/// Speed of the parking paper's driving times, m/s.
+const PAPER_SPEED: f64 = 2.0;
+
+/// Hybrid A*, its obstacles and its memory.
+pub(super) struct Engine {
+    config: Config,
+    obstacles: Obstacles,
+    owners: Vec<Owner>,
+    scratch: Scratch,
+}
+
+impl Engine {
+    pub(super) fn new(world: &World, config: Config) -> Result<Self, Error> {
+        config.validate()?;
+        let geometry = &world.geometry;
+        let mut owners = vec![Owner::Border];
+        let (mut walls, mut solids) = (Vec::new(), Vec::new());
+        for shape in &geometry.shapes {
+            let owner = owners.len() as u32;
+            owners.push(shape.owner);
+            match &shape.form {
+                Form::Segment(a, b) => walls.push(Edge { a: *a, b: *b, owner }),
+                Form::Polygon(outline) => solids.push(Solid { outline: outline.clone(), owner }),
+            }
+        }
+        let boundary = Solid { outline: geometry.boundary.clone(), owner: 0 };
+        let obstacles = Obstacles::new(&walls, &solids, &boundary);
+        Ok(Self { config, obstacles, owners, scratch: Scratch::default() })
+    }
+
+    pub(super) fn plan(&mut self, scenario: &Scenario, world: &World, options: Options) -> Plan {
+        let geometry = &world.geometry;
+        let (obstacles, vehicle) = (&self.obstacles, &geometry.vehicle);
+        let query = Query { obstacles, vehicle, start: geometry.start, goal: geometry.goal };
+        let report = plan(&query, &self.config, &mut self.scratch, options.trace);
+        let found = matches!(report.status, Status::Found | Status::Suboptimal);
+        let driven = if found { drive(&query, &report) } else { Driven::default() };
+        let mut plan = measured(world, outcome(report.status), driven, NEAR);
+        plan.detail = detail(report.status);
+        plan.reason = self.reason(scenario, &report);
+        plan.stats = stats(&report);
+        if found {
+            plan.raw_path = knots(&query, &report);
+            plan.metrics.length = arcs::length(&report.arcs);
+            plan.metrics.hybrid = Some(metrics(&report));
+        }
+        plan.trace =
+            options.trace.then_some(PlanTrace::Arcs { arcs: report.tree, dropped: report.tree_dropped });
+        plan
+    }
+
+    fn reason(&self, scenario: &Scenario, report: &Report) -> Option<String> {
+        let name = |owner: u32| scenario.name_of(self.owners[owner as usize]);
+        let near = report
+            .closest
+            .map_or_else(String::new, |p| format!(" The search came to ({:.2}, {:.2}).", p.x, p.y));
+        Some(match report.status {
+            Status::Found | Status::Suboptimal => return None,
+            Status::StartInCollision(owner) => format!("The start touches {}. Move either one.", name(owner)),
+            Status::GoalInCollision(owner) => format!("The goal touches {}. Move either one.", name(owner)),
+            Status::Unreachable => {
+                "No way through: not even the middle of the rear axle could go from start to goal.".to_owned()
+            }
+            Status::NoPath => format!("No way through for this car at these settings.{near}"),
+            Status::BudgetExhausted(left) => {
+                format!("Stopped after {} expansions, {left:.1} m short of the goal.{near}", report.expanded)
+            }
+            Status::VerificationFailed => "Every path found touches something between two checks.".to_owned(),
+        })
+    }
+}
+
+fn drive(query: &Query, report: &Report) -> Driven {
+    let points = arcs::sample(query.start, &report.arcs, query.goal, STEP);
+    Driven {
+        poses: points.iter().map(|p| p.pose).collect(),
+        directions: points.iter().map(|p| p.gear).collect(),
+        curvatures: points.iter().map(|p| p.curvature).collect(),
+    }
+}
+
+/// The ends of the arcs.
+fn knots(query: &Query, report: &Report) -> Vec<crate::geometry::Point> {
+    let mut pose = query.start;
+    let mut points = vec![pose.point()];
+    for arc in &report.arcs {
+        pose = pose.advance(arc.curvature, arc.length);
+        points.push(pose.point());
+    }
+    points
+}
+
+fn outcome(status: Status) -> Outcome {
+    match status {
+        Status::Found | Status::Suboptimal => Outcome::Found,
+        Status::StartInCollision(_) => Outcome::StartBlocked,
+        Status::GoalInCollision(_) => Outcome::GoalBlocked,
+        Status::Unreachable | Status::NoPath | Status::VerificationFailed => Outcome::NoPath,
+        Status::BudgetExhausted(_) => Outcome::BudgetSpent,
+    }
+}
+
+fn detail(status: Status) -> Option<&'static str> {
+    match status {
+        Status::Suboptimal => Some("suboptimal"),
+        Status::Unreachable => Some("unreachable"),
+        Status::VerificationFailed => Some("verification-failed"),
+        _ => None,
+    }
+}
+
+fn stats(report: &Report) -> Stats {
+    Stats {
+        expanded: report.expanded,
+        generated: report.generated,
+        pushes: report.pushes,
+        open_peak: report.open_peak,
+        expansions: Some(report.expanded),
+        collision_checks: Some(report.collision_checks),
+        level: Some(report.level),
+        ..Stats::default()
+    }
+}
+
+fn metrics(report: &Report) -> HybridMetrics {
+    let length = arcs::length(&report.arcs);
+    let steps: f64 = report.arcs.iter().map(|a| (a.length.abs() / 0.1).round()).sum();
+    let gap = if report.rs_bound > 0.0 { (length / report.rs_bound - 1.0) * 100.0 } else { 0.0 };
+    HybridMetrics {
+        cost: report.cost,
+        rs_bound: report.rs_bound,
+        gap_percent: gap,
+        paper_length: 0.1 * steps,
+        paper_nodes: steps as u32 + 1,
+        paper_time: 0.1 * steps / PAPER_SPEED,
+    }
+}

@@ -1,0 +1,178 @@
+//! Settings of hybrid A*.
+
+use serde::{Deserialize, Serialize};
+
+use crate::error::{Error, ErrorCode};
+
+/// Which end the search tree grows from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SearchFrom {
+    /// From the goal, the paper's improvement: leaving a slot is easier than finding it.
+    #[default]
+    Goal,
+    /// From the start, the traditional way.
+    Start,
+}
+
+/// How the way still to go is estimated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Heuristic {
+    /// The larger of the Reeds–Shepp length and the way around obstacles for a point.
+    #[default]
+    Max,
+    /// The Reeds–Shepp length.
+    ReedsShepp,
+    /// The straight line.
+    Euclid,
+}
+
+/// Settings of hybrid A*.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
+pub struct Config {
+    /// Which end the search tree grows from.
+    pub search_from: SearchFrom,
+    /// Kept free around the body while planning, metres; less where start or goal have less.
+    pub margin: f64,
+    /// Gear changes of an analytic connection, at most.
+    pub max_direction_changes: u32,
+    /// Length of a motion primitive, metres; by the level where absent.
+    pub motion_primitive_length: Option<f64>,
+    /// Side of a position cell, metres; by the level where absent.
+    pub xy_resolution: Option<f64>,
+    /// Width of a heading bin, radians; by the level where absent.
+    pub heading_resolution: Option<f64>,
+    /// Steering angles per side, besides straight; by the level where absent.
+    pub steer_samples: Option<u32>,
+    /// How the way still to go is estimated.
+    pub heuristic: Heuristic,
+    /// Factor on the estimate; absent: 1, and 1.2 on the finer levels.
+    pub heuristic_weight: Option<f64>,
+    /// Weight of a metre in reverse.
+    pub reverse_cost: f64,
+    /// Cost of a gear change, metres.
+    pub direction_change_cost: f64,
+    /// Weight of a metre at full lock, besides its length.
+    pub steer_cost: f64,
+    /// Cost of moving the wheel from straight to full lock, metres.
+    pub steer_change_cost: f64,
+    /// Weight of a metre in contact with an obstacle.
+    pub obstacle_cost: f64,
+    /// Distance at which that weight begins, metres.
+    pub obstacle_distance: f64,
+    /// Whether stretches are replaced by shorter curves afterwards.
+    pub shortcut: bool,
+    /// Whether the first connection ends the search, as in the paper.
+    pub first_shot: bool,
+    /// Whether finer levels are tried when the coarse one finds nothing.
+    pub ladder: bool,
+    /// Expansions per level; by the level where absent.
+    pub max_expansions: Option<u32>,
+}
+
+impl Default for Config {
+    fn default() -> Self {
+        Self {
+            search_from: SearchFrom::Goal,
+            margin: 0.1,
+            max_direction_changes: 3,
+            motion_primitive_length: None,
+            xy_resolution: None,
+            heading_resolution: None,
+            steer_samples: None,
+            heuristic: Heuristic::Max,
+            heuristic_weight: None,
+            reverse_cost: 1.0,
+            direction_change_cost: 1.0,
+            steer_cost: 0.0,
+            steer_change_cost: 0.0,
+            obstacle_cost: 0.0,
+            obstacle_distance: 0.5,
+            shortcut: true,
+            first_shot: false,
+            ladder: true,
+            max_expansions: None,
+        }
+    }
+}
+
+impl Config {
+    /// The traditional planner: the same, searched from the start.
+    pub fn forward() -> Self {
+        Self { search_from: SearchFrom::Start, ..Self::default() }
+    }
+
+    /// Checks every setting.
+    ///
+    /// # Errors
+    /// [`ErrorCode::Config`] with the field and the rule.
+    pub fn validate(&self) -> Result<(), Error> {
+        let within = |path: &str, value: f64, low: f64, high: f64| {
+            if (low..=high).contains(&value) {
+                return Ok(());
+            }
+            Err(Error::new(ErrorCode::Config, path, format!("must be between {low} and {high}, got {value}")))
+        };
+        within("margin", self.margin, 0.0, 10.0)?;
+        within("maxDirectionChanges", f64::from(self.max_direction_changes), 0.0, 10.0)?;
+        within("motionPrimitiveLength", self.motion_primitive_length.unwrap_or(1.0), 0.02, 20.0)?;
+        within("xyResolution", self.xy_resolution.unwrap_or(1.0), 0.02, 20.0)?;
+        within("headingResolution", self.heading_resolution.unwrap_or(0.1), 0.005, 1.6)?;
+        within("steerSamples", f64::from(self.steer_samples.unwrap_or(2)), 1.0, 50.0)?;
+        within("heuristicWeight", self.heuristic_weight.unwrap_or(1.0), 0.0, 100.0)?;
+        within("reverseCost", self.reverse_cost, 1.0, 100.0)?;
+        within("directionChangeCost", self.direction_change_cost, 0.0, 1000.0)?;
+        within("steerCost", self.steer_cost, 0.0, 100.0)?;
+        within("steerChangeCost", self.steer_change_cost, 0.0, 1000.0)?;
+        within("obstacleCost", self.obstacle_cost, 0.0, 1000.0)?;
+        within("obstacleDistance", self.obstacle_distance, 0.01, 20.0)?;
+        within("maxExpansions", f64::from(self.max_expansions.unwrap_or(1)), 1.0, 10_000_000.0)
+    }
+}
+
+/// A rung of the resolution ladder.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Level {
+    pub(super) xy: f64,
+    pub(super) yaw: f64,
+    pub(super) step: f64,
+    pub(super) steer_samples: u32,
+    /// Spacing of collision checks along an arc, metres.
+    pub(super) spacing: f64,
+    pub(super) max_expansions: u32,
+    pub(super) weight: f64,
+}
+
+const DEGREE: f64 = core::f64::consts::PI / 180.0;
+
+impl Config {
+    /// The rungs to try, in order.
+    pub(super) fn levels(&self) -> impl Iterator<Item = Level> + use<> {
+        let rung = |xy, yaw, step, steer_samples, spacing, max_expansions, weight| Level {
+            xy,
+            yaw: yaw * DEGREE,
+            step,
+            steer_samples,
+            spacing,
+            max_expansions,
+            weight,
+        };
+        let rungs = [
+            rung(0.5, 5.0, 0.8, 2, 0.1, 20_000, 1.0),
+            rung(0.25, 3.0, 0.5, 2, 0.05, 20_000, 1.2),
+            rung(0.1, 1.5, 0.2, 1, 0.05, 60_000, 1.2),
+        ];
+        let config = *self;
+        rungs.into_iter().take(if self.ladder { 3 } else { 1 }).map(move |level| Level {
+            xy: config.xy_resolution.unwrap_or(level.xy),
+            yaw: config.heading_resolution.unwrap_or(level.yaw),
+            step: config.motion_primitive_length.unwrap_or(level.step),
+            steer_samples: config.steer_samples.unwrap_or(level.steer_samples),
+            max_expansions: config.max_expansions.unwrap_or(level.max_expansions),
+            weight: config.heuristic_weight.unwrap_or(level.weight),
+            ..level
+        })
+    }
+}

@@ -1,0 +1,205 @@
+//! The search space: poses on a lattice of position, heading and gear, joined by arcs.
+
+use core::cell::RefCell;
+
+use super::config::{Config, Heuristic, Level};
+use super::cost::{CostModel, Motion};
+use super::flood::Flood;
+use super::keys::Keys;
+use crate::geometry::arcs::{self, Arc};
+use crate::geometry::reeds_shepp::{self, Word};
+use crate::geometry::{Pose, math};
+use crate::search::{Domain, Finish, NodeId, Order, Relax, Visit};
+use crate::vehicle::Vehicle;
+use crate::vehicle::collision::Probe;
+
+/// A node's real-valued state: its pose and the arc that led there.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct State {
+    pub(super) pose: Pose,
+    pub(super) motion: Motion,
+    /// Signed length of the arc that led here.
+    pub(super) length: f64,
+}
+
+/// One search, from `root` to `target`, in local coordinates.
+pub(super) struct Lattice<'a> {
+    pub(super) probe: &'a Probe<'a>,
+    pub(super) flood: &'a Flood,
+    pub(super) keys: &'a RefCell<Keys>,
+    pub(super) costs: CostModel,
+    pub(super) level: Level,
+    pub(super) heuristic: Heuristic,
+    pub(super) target: Pose,
+    pub(super) margin: f64,
+    pub(super) max_changes: u32,
+    primitives: Vec<Arc>,
+    yaw_bins: u64,
+    words: Vec<(f64, Word)>,
+}
+
+/// What a lattice is made of.
+#[derive(Clone, Copy)]
+pub(super) struct Setting<'a> {
+    pub(super) probe: &'a Probe<'a>,
+    pub(super) flood: &'a Flood,
+    pub(super) keys: &'a RefCell<Keys>,
+    pub(super) costs: CostModel,
+}
+
+impl<'a> Lattice<'a> {
+    pub(super) fn new(
+        setting: Setting<'a>,
+        vehicle: &Vehicle,
+        config: &Config,
+        level: Level,
+        target: Pose,
+        margin: f64,
+    ) -> Self {
+        setting.keys.borrow_mut().clear();
+        let n = level.steer_samples as i32;
+        let steers = (-n..=n).map(|k| vehicle.max_steer * f64::from(k) / f64::from(n));
+        let curvatures: Vec<f64> = steers.map(|delta| math::tan(delta) / vehicle.wheelbase).collect();
+        let gears = [level.step, -level.step];
+        let primitives = gears
+            .into_iter()
+            .flat_map(|length| curvatures.iter().map(move |&curvature| Arc { curvature, length }))
+            .collect();
+        Self {
+            probe: setting.probe,
+            flood: setting.flood,
+            keys: setting.keys,
+            costs: setting.costs,
+            level,
+            heuristic: config.heuristic,
+            target,
+            margin,
+            max_changes: config.max_direction_changes,
+            primitives,
+            yaw_bins: (math::TAU / level.yaw).ceil() as u64,
+            words: Vec::new(),
+        }
+    }
+
+    /// The number of a state's lattice cell.
+    pub(super) fn node(&self, pose: Pose, gear: i8) -> NodeId {
+        let cell = |v: f64| ((v / self.level.xy).floor() as i64 + (1 << 20)) as u64 & 0x1f_ffff;
+        let yaw = ((pose.heading + math::PI) / self.level.yaw) as u64 % self.yaw_bins;
+        let key = (cell(pose.x) << 43) | (cell(pose.y) << 22) | (yaw << 2) | (gear + 1) as u64;
+        self.keys.borrow_mut().id(key)
+    }
+
+    fn free(&self, from: Pose, arc: &Arc) -> bool {
+        arc_free(self.probe, from, arc, self.level.spacing, self.margin)
+    }
+
+    fn word_free(&self, from: Pose, word: &Word) -> bool {
+        let mut pose = from;
+        word.arcs(self.costs.radius).all(|arc| {
+            let free = self.free(pose, &arc);
+            pose = pose.advance(arc.curvature, arc.length);
+            free
+        })
+    }
+}
+
+/// Whether the body with `margin` around it stays free along an arc, tested every `spacing` metres and at its end.
+pub(super) fn arc_free(probe: &Probe, from: Pose, arc: &Arc, spacing: f64, margin: f64) -> bool {
+    let steps = (arc.length.abs() / spacing).ceil().max(1.0);
+    let part = arc.length / steps;
+    // The end first: it is the farthest from what is known to be free.
+    (1..=steps as u32)
+        .rev()
+        .all(|k| probe.hit(from.advance(arc.curvature, part * f64::from(k)), margin).is_none())
+}
+
+impl Domain for Lattice<'_> {
+    type Cost = f64;
+    type Label = State;
+    type Tail = Word;
+
+    const ORDER: Order = Order::Oldest;
+
+    fn node_count(&self) -> usize {
+        0
+    }
+
+    fn successors<S: Relax<f64, State>>(&self, from: Visit<f64, State>, sink: &mut S) {
+        let State { pose, motion, .. } = from.label;
+        for arc in &self.primitives {
+            let end = pose.advance(arc.curvature, arc.length);
+            let after = Motion::after(arc);
+            let mut cost = self.costs.arc(motion, arc);
+            let node = self.node(end, after.gear);
+            if !sink.worth(node, cost) || !self.free(pose, arc) {
+                continue;
+            }
+            cost += self.costs.nearness(self.probe, pose, arc);
+            sink.emit(node, cost, State { pose: end, motion: after, length: arc.length });
+        }
+    }
+
+    fn heuristic(&self, _: NodeId, label: State) -> f64 {
+        let at = label.pose;
+        let h = match self.heuristic {
+            Heuristic::Euclid => (self.target.point() - at.point()).norm(),
+            Heuristic::ReedsShepp => reeds_shepp::distance(at, self.target, self.costs.radius),
+            Heuristic::Max => {
+                let around = self.flood.distance(at.point());
+                if around.is_finite() {
+                    around.max(reeds_shepp::distance(at, self.target, self.costs.radius))
+                } else {
+                    around
+                }
+            }
+        };
+        h * self.level.weight
+    }
+
+    fn finish(&mut self, at: Visit<f64, State>, bound: f64) -> Option<Finish<f64, Word>> {
+        let State { pose, motion, .. } = at.label;
+        let mut found = core::mem::take(&mut self.words);
+        found.clear();
+        reeds_shepp::words(pose, self.target, self.costs.radius, |word| {
+            let cheap = at.g + word.length(self.costs.radius) < bound;
+            if !cheap || word.direction_changes() > self.max_changes {
+                return;
+            }
+            let mut before = motion;
+            let mut cost = 0.0;
+            for arc in word.arcs(self.costs.radius) {
+                cost += self.costs.arc(before, &arc);
+                before = Motion::after(&arc);
+            }
+            if at.g + cost < bound {
+                found.push((cost, word));
+            }
+        });
+        found.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let best = found.iter().find(|(_, word)| self.word_free(pose, word)).and_then(|(cost, word)| {
+            let near = self.word_nearness(pose, word);
+            (at.g + cost + near < bound).then_some(Finish { cost: cost + near, tail: *word })
+        });
+        self.words = found;
+        best
+    }
+}
+
+impl Lattice<'_> {
+    fn word_nearness(&self, from: Pose, word: &Word) -> f64 {
+        let mut pose = from;
+        word.arcs(self.costs.radius)
+            .map(|arc| {
+                let near = self.costs.nearness(self.probe, pose, &arc);
+                pose = pose.advance(arc.curvature, arc.length);
+                near
+            })
+            .sum()
+    }
+}
+
+/// The arcs of a finished search, from its root to its target.
+pub(super) fn path(chain: &[(NodeId, State)], tail: &Word, radius: f64) -> Vec<Arc> {
+    let tree = chain[1..].iter().map(|(_, s)| Arc { curvature: s.motion.curvature, length: s.length });
+    arcs::merge(tree.chain(tail.arcs(radius)))
+}
