@@ -51,11 +51,11 @@ export function poseInSlot(slot: Slot, entry: Entry, vehicle: Vehicle): Pose {
 /** The car that stands in an occupied slot. */
 export const parkedPose = (slot: Slot): Pose => poseInSlot(slot, "reverse-in", vehicleOf("sedan"));
 
-/** As many slots as fit between `from` and `to` (at least one), on the left of that line. */
-export function slotRow(shape: SlotShape, from: Point, to: Point): Omit<Slot, "id">[] {
+/** As many slots as fit between `from` and `to` (at least one), to one side of that line. */
+export function slotRow(shape: SlotShape, from: Point, to: Point, side: "left" | "right" = "left"): Omit<Slot, "id">[] {
   const along = towards(from, to), step = openingOf(shape);
   const count = Math.max(1, Math.floor(distance(from, to) / step + 1e-6));
-  const heading = wrapAngle(along + Math.PI / 2);
+  const heading = wrapAngle(side === "left" ? along + Math.PI / 2 : along - Math.PI / 2);
   const base = { kind: shape.kind, width: shape.width, length: shape.length, heading };
   const leaning = shape.kind === "angled" ? { angle: slotAngle(shape), lean: shape.lean ?? "left" } : {};
   return Array.from({ length: Math.min(count, MOST_SLOTS) }, (_, i) => ({

@@ -77,13 +77,36 @@ function frame(box: Box, width: number, height: number): Camera {
   return { x: (box.minX + box.maxX) / 2, y: (box.minY + box.maxY) / 2, scale: Math.min(MAX_SCALE, Math.max(MIN_SCALE, scale)) };
 }
 
-/** The camera in force on a canvas of this size. */
+/** A fit and what it was made from. */
+interface Fitted { scene: Scenario; results: State["results"]; camera: Camera }
+
+const fits = new WeakMap<Scenario["map"], Map<string, Fitted>>();
+const MOST_SIZES = 12;
+
+/**
+ * The camera in force on a canvas of this size. A fit takes in the plans as they arrive and then stays while the scene
+ * is edited: edits keep the map, another scene brings its own.
+ */
 export function cameraFor(state: State, width: number, height: number): Camera {
   if (state.camera) return state.camera;
-  const plans = state.planners.flatMap((id) => {
+  const { scene, results } = state;
+  const sizes = fits.get(scene.map) ?? new Map<string, Fitted>();
+  const size = `${width}x${height}`, known = sizes.get(size);
+  if (known && (known.scene !== scene || known.results === results)) return known.camera;
+  if (sizes.size >= MOST_SIZES) sizes.clear();
+  const camera = fit(scene, state.geometry, width, height, drivablePlans(state));
+  sizes.set(size, { scene, results, camera });
+  fits.set(scene.map, sizes);
+  return camera;
+}
+
+/** Makes the next fit start afresh from the scene as it is then. */
+export const forgetFit = (scene: Scenario): void => void fits.delete(scene.map);
+
+function drivablePlans(state: State): Plan[] {
+  return state.planners.flatMap((id) => {
     const result = state.results[id];
     const plan = result?.plan?.outcome === "found" ? result.plan : result?.lastGood;
     return plan?.check.drivable ? [plan] : [];
   });
-  return fit(state.scene, state.geometry, width, height, plans);
 }

@@ -1,0 +1,117 @@
+/** Freehand walls of map cells, and the eraser. */
+import { capsuleRuns } from "../scene/cells";
+import { brushCells, removeObstacle, removeSlot, resolve, updateSlot, type Scene } from "../scene/model";
+import { distance, insidePolygon, type Point } from "../scene/plane";
+import { distanceToShape } from "../scene/shapes";
+import type { Bench, Input, Tool } from "./tool";
+
+abstract class StrokeTool implements Tool {
+  private last: Point | null = null;
+
+  constructor(private readonly erase: boolean) {}
+
+  cursor(): string {
+    return "crosshair";
+  }
+
+  hover(bench: Bench, input: Input | null): void {
+    bench.show(input && !input.touch ? this.disc(bench, input.at) : null);
+  }
+
+  down(bench: Bench, input: Input): void {
+    this.last = input.at;
+    this.begin();
+    this.stroke(bench, [input.at]);
+  }
+
+  move(bench: Bench, input: Input): void {
+    if (this.last) this.stroke(bench, input.trail);
+  }
+
+  up(bench: Bench, input: Input): void {
+    if (!this.last) return;
+    this.last = null;
+    bench.commit(bench.store.state.scene, this.erase ? "erase" : "brush");
+    this.hover(bench, input);
+  }
+
+  cancel(bench: Bench): boolean {
+    const drawing = this.last !== null;
+    this.last = null;
+    if (drawing) bench.revert();
+    bench.show(null);
+    return drawing;
+  }
+
+  protected begin(): void {}
+  protected abstract apply(bench: Bench, scene: Scene, from: Point, to: Point): Scene;
+
+  private stroke(bench: Bench, trail: readonly Point[]): void {
+    const before = bench.store.state.scene;
+    let scene = before;
+    for (const at of trail) {
+      scene = this.apply(bench, scene, this.last ?? at, at);
+      this.last = at;
+    }
+    bench.show(this.disc(bench, this.last ?? trail[0]!));
+    if (scene !== before) bench.preview(scene);
+  }
+
+  private disc(bench: Bench, at: Point): { preview: { kind: "brush"; at: Point; radius: number; erase: boolean } } {
+    return { preview: { kind: "brush", at, radius: bench.store.state.toolOptions.brushRadius, erase: this.erase } };
+  }
+}
+
+export class BrushTool extends StrokeTool {
+  constructor() {
+    super(false);
+  }
+
+  protected override apply(bench: Bench, scene: Scene, from: Point, to: Point): Scene {
+    return brushCells(scene, capsuleRuns(scene.map, from, to, bench.store.state.toolOptions.brushRadius), "add");
+  }
+}
+
+export class EraserTool extends StrokeTool {
+  /** Slots whose car this stroke took away; the slot itself takes another stroke. */
+  private readonly freed = new Set<string>();
+
+  constructor() {
+    super(true);
+  }
+
+  protected override begin(): void {
+    this.freed.clear();
+  }
+
+  protected override apply(bench: Bench, scene: Scene, from: Point, to: Point): Scene {
+    const radius = bench.store.state.toolOptions.brushRadius;
+    let next = brushCells(scene, capsuleRuns(scene.map, from, to, radius), "erase");
+    for (const obstacle of scene.obstacles ?? []) {
+      if (obstacle.type === "cells" || obstacle.id === undefined) continue;
+      const touched = along(from, to, radius).some((p) => distanceToShape(p, obstacle) <= radius);
+      if (touched) next = removeObstacle(next, obstacle.id);
+    }
+    return this.eraseSlots(next, from, to);
+  }
+
+  private eraseSlots(scene: Scene, from: Point, to: Point): Scene {
+    let next = scene;
+    for (const { slot, outline } of resolve(scene).slots) {
+      const crossed = along(from, to, 0.5).some((p) => insidePolygon(p, outline));
+      if (!crossed || slot.id === undefined || this.freed.has(slot.id)) continue;
+      this.freed.add(slot.id);
+      next = slot.occupied ? updateSlot(next, slot.id, { occupied: false }) : removeSlot(next, slot.id);
+    }
+    return next;
+  }
+}
+
+/** Points from one end to the other, no farther apart than `step`. */
+function along(from: Point, to: Point, step: number): Point[] {
+  const count = Math.min(400, Math.ceil(distance(from, to) / Math.max(0.05, step)));
+  return Array.from({ length: count + 1 }, (_, i) => {
+    const t = count === 0 ? 1 : i / count;
+    return [from[0] + (to[0] - from[0]) * t, from[1] + (to[1] - from[1]) * t] as Point;
+  });
+}

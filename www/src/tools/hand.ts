@@ -1,0 +1,33 @@
+/** Pans the camera. */
+import type { Point } from "../scene/plane";
+import { panBy } from "../view/camera";
+import type { Bench, Input, Tool } from "./tool";
+
+export class HandTool implements Tool {
+  private last: Point | null = null;
+
+  cursor(): string {
+    return this.last ? "grabbing" : "grab";
+  }
+
+  down(_bench: Bench, input: Input): void {
+    this.last = input.pixel;
+  }
+
+  move(bench: Bench, input: Input): void {
+    if (!this.last) return;
+    const [x, y] = this.last;
+    this.last = input.pixel;
+    bench.store.set({ camera: panBy(bench.view.camera, input.pixel[0] - x, input.pixel[1] - y) });
+  }
+
+  up(): void {
+    this.last = null;
+  }
+
+  cancel(): boolean {
+    const panning = this.last !== null;
+    this.last = null;
+    return panning;
+  }
+}

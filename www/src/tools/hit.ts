@@ -1,0 +1,73 @@
+/** What is under the pointer. */
+import type { Obstacle } from "parkade";
+import { resolve } from "../scene/model";
+import { distance, insidePolygon, type Point } from "../scene/plane";
+import { distanceToShape, verticesOf, vertexAt, type Shape } from "../scene/shapes";
+import { footprint } from "../scene/vehicle";
+import type { Selection, State } from "../store";
+import { gripOf } from "../view/pose-handle";
+import { turnGripOf } from "../view/turn-grip";
+import { metresOf, reachOf, type Bench, type Input } from "./tool";
+
+export type Hit =
+  | { part: "pose-grip"; which: "start" | "goal" }
+  | { part: "turn-grip"; id: string }
+  | { part: "vertex"; id: string; index: number }
+  | { part: "object"; selection: NonNullable<Selection> };
+
+/** Grips first, then vertices of the selected shape, cars, shapes from the top, slots. */
+export function hitAt(bench: Bench, input: Input, hot: Selection): Hit | null {
+  const { state } = bench.store;
+  return hitGrip(bench, input, hot) ?? hitShapeGrip(bench, input) ?? wrap(hitPose(state, input.at) ?? hitObstacle(bench, input) ?? hitSlot(state, input.at));
+}
+
+const wrap = (selection: Selection): Hit | null => (selection ? { part: "object", selection } : null);
+
+/** A grip answers where it is drawn: at the chosen pose, the pose under the pointer, the goal if nothing is chosen. */
+function hitGrip(bench: Bench, input: Input, hot: Selection): Hit | null {
+  const { scene, selection } = bench.store.state;
+  const resolved = resolve(scene);
+  const reach = metresOf(bench, reachOf(input));
+  const drawn = (which: "start" | "goal"): boolean =>
+    selection?.kind === which || hot?.kind === which || (which === "goal" && selection === null);
+  for (const which of ["goal", "start"] as const) {
+    if (drawn(which) && distance(gripOf(resolved[which], resolved.vehicle), input.at) <= reach) return { part: "pose-grip", which };
+  }
+  return null;
+}
+
+/** The selected obstacle if it is a shape. */
+export function selectedShape({ scene, selection }: State): (Shape & { id: string }) | null {
+  if (selection?.kind !== "obstacle") return null;
+  const found = scene.obstacles?.find((o) => o.id === selection.id);
+  return found && found.type !== "cells" ? { ...found, id: selection.id } : null;
+}
+
+function hitShapeGrip(bench: Bench, input: Input): Hit | null {
+  const shape = selectedShape(bench.store.state);
+  if (!shape) return null;
+  const reach = metresOf(bench, reachOf(input));
+  const grip = turnGripOf(shape, bench.view);
+  if (grip && distance(grip.to, input.at) <= reach) return { part: "turn-grip", id: shape.id };
+  const index = vertexAt(verticesOf(shape), input.at, reach * 0.75);
+  return index >= 0 ? { part: "vertex", id: shape.id, index } : null;
+}
+
+function hitPose({ scene, selection }: State, at: Point): Selection {
+  const { start, goal, vehicle } = resolve(scene);
+  const kinds = selection?.kind === "start" ? (["start", "goal"] as const) : (["goal", "start"] as const);
+  for (const kind of kinds) if (insidePolygon(at, footprint(kind === "start" ? start : goal, vehicle))) return { kind };
+  return null;
+}
+
+function hitObstacle(bench: Bench, input: Input): Selection {
+  const slack = metresOf(bench, input.touch ? 12 : 4);
+  const touched = (o: Obstacle): boolean => o.type !== "cells" && distanceToShape(input.at, o) <= slack;
+  const found = [...(bench.store.state.scene.obstacles ?? [])].reverse().find(touched);
+  return found?.id === undefined ? null : { kind: "obstacle", id: found.id };
+}
+
+function hitSlot({ scene }: State, at: Point): Selection {
+  const found = resolve(scene).slots.find((one) => insidePolygon(at, one.outline));
+  return found?.slot.id === undefined ? null : { kind: "slot", id: found.slot.id };
+}

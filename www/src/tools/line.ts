@@ -1,0 +1,140 @@
+/** Walls and polygons: corner after corner. */
+import { addObstacle } from "../scene/model";
+import { canExtend, crossesItself, distance, type Point } from "../scene/plane";
+import { fixed } from "../view/text";
+import type { Draft } from "./draft";
+import { constrainAngle, snapPoint } from "./snap";
+import { metresOf, reachOf, type Bench, type Input, type Tool } from "./tool";
+import { word } from "./words";
+
+const DRAG_PX = 8;
+
+abstract class LineTool implements Tool {
+  protected points: Point[] = [];
+  private pressed: Point | null = null;
+
+  protected abstract readonly closed: boolean;
+  protected abstract finish(bench: Bench): boolean;
+
+  cursor(): string {
+    return "crosshair";
+  }
+
+  hover(bench: Bench, input: Input | null): void {
+    if (!input) bench.show(this.points.length > 0 ? this.draft(bench, null) : null);
+    else if (!input.touch) bench.show(this.draft(bench, this.aim(bench, input)));
+  }
+
+  down(bench: Bench, input: Input): void {
+    this.pressed = input.pixel;
+    const at = this.aim(bench, input);
+    if (this.closes(bench, input, at)) {
+      this.finish(bench);
+      return;
+    }
+    this.add(bench, at);
+  }
+
+  move(bench: Bench, input: Input): void {
+    bench.show(this.draft(bench, this.aim(bench, input)));
+  }
+
+  /** A drag draws one edge; a wall is complete then. */
+  up(bench: Bench, input: Input): void {
+    const dragged = this.pressed !== null && distance(this.pressed, input.pixel) > DRAG_PX;
+    this.pressed = null;
+    if (!dragged || this.points.length === 0) return;
+    this.add(bench, this.aim(bench, input));
+    if (!this.closed && this.points.length === 2) this.finish(bench);
+  }
+
+  doubleClick(bench: Bench): void {
+    this.finish(bench);
+  }
+
+  confirm(bench: Bench): boolean {
+    return this.points.length > 0 && this.finish(bench);
+  }
+
+  cancel(bench: Bench): boolean {
+    const drawing = this.points.length > 0;
+    this.reset(bench);
+    return drawing;
+  }
+
+  protected reset(bench: Bench): void {
+    this.points = [];
+    this.pressed = null;
+    bench.show(null);
+  }
+
+  protected refuse(bench: Bench): void {
+    bench.store.set({ message: { tone: "err", text: word(bench.store.state, "crosses") } });
+  }
+
+  private add(bench: Bench, at: Point): void {
+    const last = this.points.at(-1);
+    if (last && distance(last, at) < 1e-6) return;
+    if (this.closed && !canExtend(this.points, at)) return this.refuse(bench);
+    this.points = [...this.points, at];
+    bench.show(this.draft(bench, at));
+  }
+
+  private aim(bench: Bench, input: Input): Point {
+    const last = this.points.at(-1);
+    return input.shift && last ? constrainAngle(last, input.at) : snapPoint(bench, input);
+  }
+
+  private closes(bench: Bench, input: Input, at: Point): boolean {
+    const first = this.points[0];
+    return this.closed && this.points.length > 2 && first !== undefined && distance(first, at) <= metresOf(bench, reachOf(input));
+  }
+
+  private draft(bench: Bench, cursor: Point | null): Draft {
+    const { points } = this;
+    const last = points.at(-1), first = points[0];
+    const closing = this.closed && points.length > 2 && cursor !== null && first !== undefined && distance(first, cursor) <= metresOf(bench, 12);
+    const refused = this.closed && cursor !== null && !closing && last !== undefined && distance(last, cursor) > 1e-6 && !canExtend(points, cursor);
+    const thickness = this.closed ? 0 : bench.store.state.toolOptions.wallThickness;
+    const length = cursor && last ? distance(last, cursor) : 0;
+    return {
+      preview: { kind: "line", points, cursor, thickness, closing, refused, closed: this.closed },
+      ...(cursor && length > 0 ? { label: { text: `${fixed(length, 2)} m`, at: cursor } } : {}),
+    };
+  }
+}
+
+export class WallTool extends LineTool {
+  protected override readonly closed = false;
+
+  protected override finish(bench: Bench): boolean {
+    const { points } = this;
+    this.reset(bench);
+    if (points.length < 2) return false;
+    const thickness = bench.store.state.toolOptions.wallThickness;
+    const { scene, id } = addObstacle(bench.store.state.scene, { type: "wall", points, thickness });
+    bench.commit(scene, "wall");
+    bench.store.set({ selection: { kind: "obstacle", id } });
+    bench.done();
+    return true;
+  }
+}
+
+export class PolygonTool extends LineTool {
+  protected override readonly closed = true;
+
+  protected override finish(bench: Bench): boolean {
+    const { points } = this;
+    if (points.length < 3) return false;
+    if (crossesItself(points)) {
+      this.refuse(bench);
+      return true;
+    }
+    this.reset(bench);
+    const { scene, id } = addObstacle(bench.store.state.scene, { type: "polygon", points });
+    bench.commit(scene, "polygon");
+    bench.store.set({ selection: { kind: "obstacle", id } });
+    bench.done();
+    return true;
+  }
+}

@@ -1,0 +1,58 @@
+/** Rectangles by their diagonal; Shift makes squares. */
+import { addObstacle } from "../scene/model";
+import { distance, type Point } from "../scene/plane";
+import { rectangleBetween } from "../scene/shapes";
+import { fixed } from "../view/text";
+import { snapPoint } from "./snap";
+import { metresOf, type Bench, type Input, type Tool } from "./tool";
+
+const LEAST_PX = 4;
+
+export class RectangleTool implements Tool {
+  private from: Point | null = null;
+
+  cursor(): string {
+    return "crosshair";
+  }
+
+  down(bench: Bench, input: Input): void {
+    this.from = snapPoint(bench, input);
+  }
+
+  move(bench: Bench, input: Input): void {
+    if (!this.from) return;
+    const to = this.corner(bench, this.from, input);
+    const { center, size } = rectangleBetween({}, this.from, to);
+    bench.show({
+      preview: { kind: "rectangle", center, size, heading: 0, from: this.from, to },
+      label: { text: `${fixed(size[0], 2)} × ${fixed(size[1], 2)} m`, at: [center[0], Math.max(this.from[1], to[1])] },
+    });
+  }
+
+  up(bench: Bench, input: Input): void {
+    const { from } = this;
+    this.from = null;
+    bench.show(null);
+    if (!from) return;
+    const { center, size } = rectangleBetween({}, from, this.corner(bench, from, input));
+    if (Math.min(...size) < metresOf(bench, LEAST_PX) || distance(from, center) === 0) return;
+    const { scene, id } = addObstacle(bench.store.state.scene, { type: "rectangle", center, size, heading: 0 });
+    bench.commit(scene, "rectangle");
+    bench.store.set({ selection: { kind: "obstacle", id } });
+    bench.done();
+  }
+
+  cancel(bench: Bench): boolean {
+    const drawing = this.from !== null;
+    this.from = null;
+    bench.show(null);
+    return drawing;
+  }
+
+  private corner(bench: Bench, from: Point, input: Input): Point {
+    const to = snapPoint(bench, input);
+    if (!input.shift) return to;
+    const side = Math.max(Math.abs(to[0] - from[0]), Math.abs(to[1] - from[1]));
+    return [from[0] + side * Math.sign(to[0] - from[0] || 1), from[1] + side * Math.sign(to[1] - from[1] || 1)];
+  }
+}

@@ -1,0 +1,74 @@
+/** Rows of parking slots: a drag along the aisle, as many as fit. The bays lie to its right; Alt puts them to its left. */
+import { addSlots } from "../scene/model";
+import { distance, towards, type Point } from "../scene/plane";
+import { openingOf, slotRow, type SlotShape } from "../scene/slots";
+import { fixed } from "../view/text";
+import type { Draft } from "./draft";
+import { constrainAngle, snapAngle, snapPoint } from "./snap";
+import type { Bench, Input, Tool } from "./tool";
+import { word } from "./words";
+
+export class SlotTool implements Tool {
+  private from: Point | null = null;
+
+  cursor(): string {
+    return "crosshair";
+  }
+
+  down(bench: Bench, input: Input): void {
+    this.from = snapPoint(bench, input);
+    this.move(bench, input);
+  }
+
+  move(bench: Bench, input: Input): void {
+    if (this.from) bench.show(rowDraft(bench, this.from, this.end(bench, this.from, input), input.alt));
+  }
+
+  up(bench: Bench, input: Input): void {
+    const { from } = this;
+    this.from = null;
+    bench.show(null);
+    if (!from) return;
+    const slots = slotRow(shapeOf(bench), from, this.end(bench, from, input), input.alt ? "left" : "right");
+    const { scene, ids } = addSlots(bench.store.state.scene, slots);
+    bench.commit(scene, "slots");
+    bench.store.set({ selection: ids[0] === undefined ? null : { kind: "slot", id: ids[0] } });
+    bench.done();
+  }
+
+  cancel(bench: Bench): boolean {
+    const drawing = this.from !== null;
+    this.from = null;
+    bench.show(null);
+    return drawing;
+  }
+
+  /** Rows go straight unless they are pulled away from it. */
+  private end(bench: Bench, from: Point, input: Input): Point {
+    if (input.shift) return constrainAngle(from, input.at);
+    const to = snapPoint(bench, input), angle = towards(from, to), straight = snapAngle(angle);
+    if (input.ctrl || straight === angle) return to;
+    const length = distance(from, to);
+    return [from[0] + length * Math.cos(straight), from[1] + length * Math.sin(straight)];
+  }
+}
+
+function shapeOf(bench: Bench): SlotShape {
+  const { kind, width, length, angle, lean } = bench.store.state.toolOptions.slot;
+  return kind === "angled" ? { kind, width, length, angle, lean } : { kind, width, length };
+}
+
+function rowDraft(bench: Bench, from: Point, to: Point, flipped: boolean): Draft {
+  const shape = shapeOf(bench), { state } = bench.store;
+  const slots = slotRow(shape, from, to, flipped ? "left" : "right");
+  const lean = shape.kind === "angled" ? ` · ${fixed(((shape.angle ?? 0) * 180) / Math.PI, 0)}° ${word(state, shape.lean ?? "left")}` : "";
+  const count = `${slots.length} ${word(state, slots.length === 1 ? "slot" : "slots")}`;
+  const row = slots.length * openingOf(shape);
+  return {
+    preview: { kind: "slots", slots, from, to },
+    label: {
+      text: `${count}${lean} · ${fixed(shape.width, 2)} × ${fixed(shape.length, 2)} m · ${word(state, "row")} ${fixed(row, 2)} m`,
+      at: [(from[0] + to[0]) / 2, Math.max(from[1], to[1])],
+    },
+  };
+}

@@ -1,0 +1,53 @@
+/** What a tool is: a small machine fed with pointer input in world coordinates. */
+import type { Point } from "../scene/plane";
+import type { Scene, Store } from "../store";
+import type { View } from "../view/camera";
+import type { Draft } from "./draft";
+
+export interface Input {
+  /** World metres. */
+  at: Point;
+  /** CSS pixels on the canvas. */
+  pixel: Point;
+  /** Where the pointer has been since the last event, `at` included. */
+  trail: readonly Point[];
+  shift: boolean;
+  alt: boolean;
+  ctrl: boolean;
+  touch: boolean;
+}
+
+/** A tool's way to the page. */
+export interface Bench {
+  readonly store: Store;
+  readonly view: View;
+  show(draft: Draft | null): void;
+  /** One step of a drag. */
+  preview(scene: Scene): void;
+  /** Ends a drag, or edits at once: one undo step. */
+  commit(scene: Scene, label: string): void;
+  /** Gives up a drag; the scene is as before it. */
+  revert(): void;
+  /** A shape is done: back to select unless the tool is locked. */
+  done(): void;
+}
+
+export interface Tool {
+  cursor(bench: Bench, input: Input | null): string;
+  /** The pointer moves without a press; null when it leaves. */
+  hover?(bench: Bench, input: Input | null): void;
+  down?(bench: Bench, input: Input): void;
+  move?(bench: Bench, input: Input): void;
+  up?(bench: Bench, input: Input): void;
+  doubleClick?(bench: Bench, input: Input): void;
+  /** Enter. */
+  confirm?(bench: Bench): boolean;
+  /** Escape, or the gesture became another: true where there was something to give up. */
+  cancel?(bench: Bench): boolean;
+  /** Turns of a wheel, positive away from the user: true where the tool takes it. */
+  wheel?(bench: Bench, input: Input, notches: number): boolean;
+}
+
+/** Reach of a pointer: half of the hit area's 24 px, or 44 px for fingers. */
+export const reachOf = (input: Input): number => (input.touch ? 22 : 12);
+export const metresOf = (bench: Bench, px: number): number => px / bench.view.camera.scale;

@@ -1,0 +1,14 @@
+/** The few sentences tools say. */
+import type { State } from "../store";
+
+const WORDS = {
+  crosses: { en: "This corner would cross an edge.", zh: "该顶点会使边相交。" },
+  slots: { en: "slots", zh: "个车位" },
+  slot: { en: "slot", zh: "个车位" },
+  left: { en: "left", zh: "左" },
+  right: { en: "right", zh: "右" },
+  row: { en: "row", zh: "总长" },
+  radius: { en: "radius", zh: "半径" },
+} as const;
+
+export const word = (state: State, key: keyof typeof WORDS): string => WORDS[key][state.lang];
