@@ -1,0 +1,225 @@
+import { readFileSync } from "node:fs";
+import type { MapFrame, Scenario } from "parkade";
+import fc from "fast-check";
+import { describe, expect, it } from "vitest";
+import { capsuleRuns, countCells, subtractRuns, unionRuns, type Run } from "../../www/src/scene/cells";
+import { sceneFromText, sceneToFile } from "../../www/src/scene/files";
+import { decodeScene, encodeScene } from "../../www/src/scene/link";
+import * as model from "../../www/src/scene/model";
+import { canExtend, crossesItself, type Point } from "../../www/src/scene/plane";
+import { slotRow } from "../../www/src/scene/slots";
+import { fit, screenToWorld, worldToScreen, zoomAt } from "../../www/src/view/camera";
+
+const frame: MapFrame = { origin: [-10, -5], width: 80, height: 60, resolution: 0.25 };
+
+const scene: Scenario = model.ensureIds({
+  version: 1,
+  name: "yard",
+  map: { origin: [-10, -5], width: 80, height: 60, resolution: 0.25, boundary: [[-10, -5], [10, -5], [10, 10], [-10, 10]] },
+  obstacles: [
+    { type: "polygon", id: "planter", points: [[1.1, 6.6], [4.3, 5.9], [5.8, 3.7]] },
+    { type: "wall", points: [[-9, 9], [-3.25, 8.5]], thickness: 0.2 },
+    { type: "rectangle", center: [6, 8], size: [4.4, 2], heading: Math.PI / 9 },
+    { type: "car", pose: { x: -8, y: 0.5, heading: Math.PI / 2 }, vehicle: "sedan" },
+    { type: "cells", runs: [[40, 50, 6], [39, 51, 8]] },
+  ],
+  slots: slotRow({ kind: "angled", width: 2.8, length: 5.4, angle: Math.PI / 4, lean: "right" }, [-9, -4], [9, -4]),
+  vehicle: "paper",
+  start: { x: -4, y: 3, heading: 0 },
+  goal: { slot: "slot-2", entry: "head-in" },
+});
+
+const cellsOf = (runs: readonly Run[]): Set<string> =>
+  new Set(runs.flatMap(([x, y, count]) => Array.from({ length: count }, (_, i) => `${x + i},${y}`)));
+
+function isConnected(cells: Set<string>): boolean {
+  const [first] = cells;
+  if (first === undefined) return true;
+  const seen = new Set([first]), queue = [first];
+  for (let cell = queue.pop(); cell !== undefined; cell = queue.pop()) {
+    const [x, y] = cell.split(",").map(Number) as [number, number];
+    for (const next of [`${x + 1},${y}`, `${x - 1},${y}`, `${x},${y + 1}`, `${x},${y - 1}`]) {
+      if (cells.has(next) && !seen.has(next)) { seen.add(next); queue.push(next); }
+    }
+  }
+  return seen.size === cells.size;
+}
+
+const inside = fc.tuple(fc.double({ min: -9, max: 9, noNaN: true }), fc.double({ min: -4, max: 9, noNaN: true }));
+
+describe("brush strokes", () => {
+  it("hold together along their sides, however far apart the pointer events are", () => {
+    fc.assert(fc.property(fc.array(inside, { minLength: 2, maxLength: 6 }), fc.double({ min: 0.01, max: 2, noNaN: true }), (points, radius) => {
+      const runs = points.slice(1).flatMap((to, i) => capsuleRuns(frame, points[i]!, to, radius));
+      expect(isConnected(cellsOf(runs))).toBe(true);
+    }));
+  });
+
+  it("cover exactly the cells whose centre is within the radius", () => {
+    fc.assert(fc.property(inside, inside, fc.double({ min: 0.2, max: 2, noNaN: true }), (a, b, radius) => {
+      const painted = cellsOf(capsuleRuns(frame, a, b, radius));
+      for (let y = 0; y < frame.height; y++) {
+        for (let x = 0; x < frame.width; x++) {
+          const gap = distanceTo([-10 + (x + 0.5) * 0.25, -5 + (y + 0.5) * 0.25], a, b);
+          if (Math.abs(gap - radius) > 1e-6) expect(painted.has(`${x},${y}`)).toBe(gap < radius);
+        }
+      }
+    }), { numRuns: 25 });
+  });
+
+  it("spare the start and goal cars", () => {
+    const painted = model.brushCells(scene, capsuleRuns(scene.map, [-9, 3], [9, 3], 1), "add");
+    const cells = painted.obstacles!.find((o) => o.type === "cells")!;
+    for (const [x, y] of [[-4, 3], [-2, 3.5], [0, 2.2]] as Point[]) {
+      const key = `${Math.floor((x + 10) / 0.25)},${Math.floor((y + 5) / 0.25)}`;
+      expect(cellsOf(cells.runs).has(key)).toBe(false);
+    }
+    expect(countCells(cells.runs)).toBeGreaterThan(200);
+  });
+
+  it("are taken back by the same stroke of the eraser", () => {
+    const stroke = capsuleRuns(frame, [-3, -2], [5, 6], 0.6), dot = capsuleRuns(frame, [1, 1], [1, 1], 1);
+    expect(subtractRuns(unionRuns(stroke, dot), stroke)).toEqual(subtractRuns(dot, stroke));
+    expect(subtractRuns(stroke, stroke)).toEqual([]);
+  });
+});
+
+function distanceTo([x, y]: Point, [ax, ay]: Point, [bx, by]: Point): number {
+  const dx = bx - ax, dy = by - ay, along = dx * dx + dy * dy;
+  const t = along === 0 ? 0 : Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / along));
+  return Math.hypot(x - ax - t * dx, y - ay - t * dy);
+}
+
+describe("links", () => {
+  it("bring a scene back to the centimetre and a tenth of a degree, and then never change it again", async () => {
+    const text = await encodeScene(scene);
+    const back = await decodeScene(text);
+    expect(text).toMatch(/^1[\w-]+$/);
+    expect(text.length).toBeLessThan(1900);
+    expect(await encodeScene(back)).toBe(text);
+    expect(model.goalPose(back).x).toBeCloseTo(model.goalPose(scene).x, 2);
+    expect(back.obstacles!.map((o) => o.id)).toEqual(scene.obstacles!.map((o) => o.id));
+    expect(back.obstacles![0]).toEqual(scene.obstacles![0]);
+    expect(back.map).toEqual(scene.map);
+    expect(back.goal).toEqual(scene.goal);
+  });
+
+  it("stay short for a scene drawn by hand", async () => {
+    let drawn = scene;
+    for (let i = 0; i < 12; i++) {
+      const at = (k: number): Point => [-9 + 1.5 * i + Math.sin(i * 7 + k), 4 + 4 * Math.cos(i * 3 + k)];
+      drawn = model.brushCells(drawn, capsuleRuns(drawn.map, at(0), at(1), 0.5), "add");
+      drawn = model.addObstacle(drawn, { type: "wall", points: [at(2), at(3), at(4)], thickness: 0.2 }).scene;
+    }
+    expect((await encodeScene(drawn)).length).toBeLessThan(1900);
+  });
+
+  it("that are damaged are refused in words", async () => {
+    const text = await encodeScene(scene);
+    await expect(decodeScene("2abc")).rejects.toThrow("version");
+    await expect(decodeScene(text.slice(0, 40))).rejects.toThrow("damaged");
+    await expect(decodeScene("1%%%")).rejects.toThrow("damaged");
+  });
+});
+
+describe("edits", () => {
+  const frozen = freeze(structuredClone(scene));
+
+  it("leave the scene they start from as it was", () => {
+    const edits: ((s: Scenario) => Scenario)[] = [
+      (s) => model.moveStart(s, { x: 1, y: 2, heading: 7 }),
+      (s) => model.moveGoal(s, { x: 1, y: 2, heading: 3 }),
+      (s) => model.addObstacle(s, { type: "wall", points: [[0, 0], [1, 1]] }).scene,
+      (s) => model.moveObstacle(s, "planter", 1, -1),
+      (s) => model.turnObstacle(s, "rectangle-1", 0.3),
+      (s) => model.removeObstacle(s, "car-1"),
+      (s) => model.brushCells(s, [[0, 0, 80], [3, 1, 2]], "add"),
+      (s) => model.brushCells(s, [[0, 50, 80]], "erase"),
+      (s) => model.updateSlot(s, "slot-1", { occupied: true }),
+      (s) => model.setGoalFromSlot(s, "slot-1"),
+      (s) => model.removeSlot(s, "slot-2"),
+      (s) => model.flipGoal(s),
+      (s) => model.swapPoses(s),
+    ];
+    for (const edit of edits) expect(edit(frozen)).not.toBe(frozen);
+    expect(frozen).toEqual(scene);
+  });
+
+  it("give the same object back where nothing changes", () => {
+    expect(model.ensureIds(frozen)).toBe(frozen);
+    expect(model.brushCells(frozen, [[41, 50, 2]], "add")).toBe(frozen);
+    expect(model.brushCells(frozen, [[0, 0, 3]], "erase")).toBe(frozen);
+  });
+
+  it("give every object an id of its own", () => {
+    const twins = model.ensureIds({ ...scene, obstacles: [{ type: "wall", id: "w", points: [] }, { type: "wall", id: "w", points: [] }, { type: "wall", points: [] }] });
+    expect(new Set(twins.obstacles!.map((o) => o.id)).size).toBe(3);
+  });
+
+  it("keep the goal where it was when its slot goes", () => {
+    const without = model.removeSlot(scene, "slot-2");
+    expect(model.goalPose(without)).toEqual(model.goalPose(scene));
+  });
+});
+
+function freeze<T>(value: T): T {
+  if (typeof value === "object" && value !== null) Object.values(Object.freeze(value)).forEach(freeze);
+  return value;
+}
+
+describe("polygons", () => {
+  it("that cross themselves are told from those that do not", () => {
+    expect(crossesItself([[0, 0], [4, 0], [4, 4], [0, 4]])).toBe(false);
+    expect(crossesItself([[0, 0], [4, 4], [4, 0], [0, 4]])).toBe(true);
+    expect(crossesItself([[0, 0], [4, 0], [2, 0], [2, 4]])).toBe(true);
+    expect(crossesItself([[0, 0], [4, 0], [2, 0.5], [4, 4]])).toBe(false);
+  });
+
+  it("refuse a corner whose edge would cross, and one that folds back", () => {
+    expect(canExtend([[0, 0], [4, 0], [4, 4]], [2, -2])).toBe(false);
+    expect(canExtend([[0, 0], [4, 0], [4, 4]], [4, 2])).toBe(false);
+    expect(canExtend([[0, 0], [4, 0], [4, 4]], [0, 4])).toBe(true);
+  });
+});
+
+describe("the camera", () => {
+  const view = { camera: { x: 3, y: -2, scale: 17.5 }, width: 560, height: 300 };
+
+  it("turns pixels into metres and back", () => {
+    fc.assert(fc.property(inside, ([x, y]) => {
+      const [u, v] = worldToScreen(view, x, y);
+      const [p, q] = screenToWorld(view, u, v);
+      expect(p).toBeCloseTo(x, 9);
+      expect(q).toBeCloseTo(y, 9);
+    }));
+  });
+
+  it("holds the point under the pointer while it zooms", () => {
+    const before = screenToWorld(view, 100, 50);
+    const after = screenToWorld({ ...view, camera: zoomAt(view, 100, 50, 1.7) }, 100, 50);
+    expect(after[0]).toBeCloseTo(before[0], 9);
+    expect(after[1]).toBeCloseTo(before[1], 9);
+  });
+
+  it("fits both cars into the canvas", () => {
+    const camera = fit(scene, null, 560, 300);
+    for (const pose of [scene.start, model.goalPose(scene)]) {
+      for (const [x, y] of model.footprint(pose, model.vehicleOf("paper"))) {
+        const [u, v] = worldToScreen({ camera, width: 560, height: 300 }, x, y);
+        expect(u >= 0 && u <= 560 && v >= 0 && v <= 300).toBe(true);
+      }
+    }
+  });
+});
+
+describe("files", () => {
+  it("come back as they were", async () => {
+    expect(sceneFromText(await sceneToFile(scene).text())).toEqual(scene);
+  });
+
+  it("that are no scene are refused in words", () => {
+    expect(() => sceneFromText("nonsense")).toThrow("not JSON");
+    expect(() => sceneFromText('{"version":1}')).toThrow("no map");
+    expect(() => sceneFromText(readFileSync("package.json", "utf8"))).toThrow("version");
+  });
+});
