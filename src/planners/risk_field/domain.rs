@@ -100,7 +100,7 @@ impl<'a> RiskGrid<'a> {
 }
 
 const fn step_cost(direction: usize) -> i64 {
-    if direction % 2 == 0 { D } else { R2 }
+    if direction.is_multiple_of(2) { D } else { R2 }
 }
 
 impl Domain for RiskGrid<'_> {
