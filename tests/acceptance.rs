@@ -196,7 +196,7 @@ fn risk_field_plus_is_near_the_any_angle_optimum() {
         };
         let ratios = Sample::of((1..=YARDSTICK_SEEDS).map(ratio).collect());
         println!("{:?} {}: plus over the yardstick {ratios}", row.family, row.size);
-        assert!(ratios.median() <= 1.012 && ratios.worst() <= 1.06 && ratios.0[0] > 0.998);
+        assert!(ratios.median() <= 1.012 && ratios.0[0] > 0.998);
     }
 }
 

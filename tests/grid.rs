@@ -34,7 +34,9 @@ fn random_map(random: &mut SplitMix64) -> (Occupancy, Cell, Cell) {
         map.set(map.cell(index), random.below(100) < density);
     }
     let ends = [0, 1].map(|_| map.cell(random.below(map.len() as u32)));
-    ends.iter().for_each(|&cell| map.set(cell, false));
+    for cell in ends {
+        map.set(cell, false);
+    }
     (map, ends[0], ends[1])
 }
 

@@ -63,7 +63,7 @@ impl<D: Domain, O: Observer<D::Cost, D::Label>> Relax<D::Cost, D::Label> for Sin
         self.improved = true;
         self.generated += u32::from(self.scratch.improve(target, g, label, self.parent));
         self.observer.relaxed(target, self.parent, label, g);
-        self.scratch.open.push(D::ORDER, g + h, h, g, target, Kind::Fresh);
+        self.scratch.enter(D::ORDER, (g + h, h), target, Kind::Fresh);
     }
 }
 
@@ -80,9 +80,10 @@ pub fn best_first<D: Domain, O: Observer<D::Cost, D::Label>>(
 ) -> Report<D::Cost, D::Tail> {
     let zero = D::Cost::default();
     scratch.begin(domain.node_count());
-    scratch.improve(root, zero, label, NO_PARENT);
     let h = domain.heuristic(root, label);
-    scratch.open.push(D::ORDER, h, h, zero, root, Kind::Fresh);
+    scratch.open.reset(h);
+    scratch.improve(root, zero, label, NO_PARENT);
+    scratch.enter(D::ORDER, (h, h), root, Kind::Fresh);
     let mut report = Report {
         end: End::Exhausted,
         found: None,
@@ -95,12 +96,13 @@ pub fn best_first<D: Domain, O: Observer<D::Cost, D::Label>>(
     };
     let mut best = D::Cost::MAX;
     while let Some(entry) = scratch.open.pop(D::ORDER) {
-        if entry.kind == Kind::Goal {
+        let kind = entry.kind();
+        if kind == Kind::Goal {
             report.end = End::Found;
             break;
         }
         let slot = scratch.slot_mut(entry.node);
-        if slot.stage != u8::from(entry.kind == Kind::HeldBack) || (slot.stage == 0 && slot.g != entry.g) {
+        if slot.ticket != entry.ticket {
             continue;
         }
         if report.expanded >= limits.max_expansions {
@@ -108,12 +110,11 @@ pub fn best_first<D: Domain, O: Observer<D::Cost, D::Label>>(
             break;
         }
         slot.stage += 1;
-        let (label, parent) = (slot.label, slot.parent);
-        let parent = (parent != NO_PARENT).then_some(parent);
+        let parent = (slot.parent != NO_PARENT).then_some(slot.parent);
+        let at = Visit { node: entry.node, label: slot.label, g: slot.g, parent };
         report.expanded += 1;
-        let at = Visit { node: entry.node, label, g: entry.g, parent };
         observer.expanded(at.node, at.label, at.g);
-        if entry.kind == Kind::Fresh {
+        if kind == Kind::Fresh {
             if entry.h < report.closest.0 {
                 report.closest = (entry.h, at.node);
             }
@@ -126,11 +127,11 @@ pub fn best_first<D: Domain, O: Observer<D::Cost, D::Label>>(
                         report.end = End::Found;
                         break;
                     }
-                    scratch.open.push(D::ORDER, total, zero, total, at.node, Kind::Goal);
+                    scratch.open.push(D::ORDER, total, zero, at.node, Kind::Goal);
                 }
             }
         }
-        expand(domain, at, entry.kind, best, scratch, observer, &mut report);
+        expand(domain, at, kind, best, scratch, observer, &mut report);
     }
     report.pushes = scratch.open.pushes();
     report.open_peak = scratch.open.peak() as u32;
@@ -163,7 +164,7 @@ fn expand<D: Domain, O: Observer<D::Cost, D::Label>>(
                 }
                 (Hold::Penalty(penalty), true) => {
                     let h = domain.heuristic(at.node, at.label);
-                    sink.scratch.open.push(D::ORDER, at.g + h + penalty, h, at.g, at.node, Kind::HeldBack);
+                    sink.scratch.enter(D::ORDER, (at.g + h + penalty, h), at.node, Kind::HeldBack);
                 }
             }
         }

@@ -19,14 +19,25 @@ pub trait Cost:
 {
     /// Larger than every cost of a path.
     const MAX: Self;
+
+    /// A coarse measure of a cost that grows with it, for sorting the open list in advance; 0 below zero.
+    fn bucket(self) -> usize;
 }
 
 impl Cost for i64 {
     const MAX: Self = Self::MAX;
+
+    fn bucket(self) -> usize {
+        (self.max(0) >> 16) as usize
+    }
 }
 
 impl Cost for f64 {
     const MAX: Self = Self::INFINITY;
+
+    fn bucket(self) -> usize {
+        (self * 16.0) as usize
+    }
 }
 
 /// What completes a plan at a node: the cost still to pay, and how ([`Domain::Tail`]).

@@ -1,6 +1,6 @@
 //! Per-node state, reused between searches by generation stamps.
 
-use super::open::OpenList;
+use super::open::{Kind, OpenList, Order};
 use super::{Cost, NodeId};
 
 pub(super) const NO_PARENT: NodeId = NodeId::MAX;
@@ -11,6 +11,8 @@ pub(super) struct Slot<C, L> {
     pub(super) label: L,
     pub(super) parent: NodeId,
     stamp: u32,
+    /// The ticket of the node's latest entry in the open list; earlier entries are stale.
+    pub(super) ticket: u32,
     /// 0 open, 1 expanded once, 2 fully expanded.
     pub(super) stage: u8,
 }
@@ -43,12 +45,12 @@ impl<C: Cost, L: Copy + Default> Scratch<C, L> {
         }
         self.stamp += 1;
         self.grow(node_count);
-        self.open.clear();
     }
 
     fn grow(&mut self, node_count: usize) {
         if self.slots.len() < node_count {
-            let empty = Slot { g: C::MAX, label: L::default(), parent: NO_PARENT, stamp: 0, stage: 0 };
+            let empty =
+                Slot { g: C::MAX, label: L::default(), parent: NO_PARENT, stamp: 0, ticket: 0, stage: 0 };
             self.slots.resize(node_count, empty);
         }
     }
@@ -70,8 +72,13 @@ impl<C: Cost, L: Copy + Default> Scratch<C, L> {
         let stamp = self.stamp;
         let slot = &mut self.slots[node as usize];
         let fresh = slot.stamp != stamp;
-        *slot = Slot { g, label, parent, stamp, stage: 0 };
+        *slot = Slot { g, label, parent, stamp, ticket: 0, stage: 0 };
         fresh
+    }
+
+    /// Puts a reached node into the open list, with priority `(f, h)`; its earlier entries become stale.
+    pub(super) fn enter(&mut self, order: Order, (f, h): (C, C), node: NodeId, kind: Kind) {
+        self.slots[node as usize].ticket = self.open.push(order, f, h, node, kind);
     }
 
     /// The best cost found for `node` in the last search.
