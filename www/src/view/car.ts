@@ -77,13 +77,7 @@ function linesPath(at: (share: number) => number, half: number): Path2D {
 
 function mirrorPath(x: number, half: number): Path2D {
   const path = new Path2D();
-  for (const side of [-1, 1]) {
-    path.moveTo(x + 0.1, side * half);
-    path.lineTo(x - 0.04, side * (half + 0.16));
-    path.lineTo(x - 0.16, side * (half + 0.16));
-    path.lineTo(x - 0.14, side * half);
-    path.closePath();
-  }
+  for (const side of [-1, 1]) path.roundRect(x - 0.1, side > 0 ? half - 0.05 : -half - 0.15, 0.15, 0.2, 0.06);
   return path;
 }
 

@@ -10,7 +10,7 @@ import { drawHandles, drawSelection } from "./layers/handles";
 import { drawHover } from "./layers/hover";
 import { RiskLayer } from "./layers/risk";
 import { SafetyLayer } from "./layers/safety";
-import { SweepLayer } from "./layers/sweep";
+import { drawSweep } from "./layers/sweep";
 import { TreeLayer } from "./layers/tree";
 import { drawOthers } from "./layers/ghosts";
 import { GHOST, leading, leads, type Frame, type Shown } from "./frame";
@@ -20,7 +20,6 @@ export class SceneLayers {
   private readonly safety = new SafetyLayer();
   private readonly risk = new RiskLayer();
   private readonly tree = new TreeLayer();
-  private readonly sweep = new SweepLayer();
 
   draw(frame: Frame): void {
     const { layers } = frame.state;
@@ -50,16 +49,20 @@ export class SceneLayers {
   private drawAnswers(frame: Frame): void {
     const { layers } = frame.state;
     const one = leading(frame);
-    if (one && layers.sweep) this.sweep.draw(frame, one);
+    if (one && layers.sweep) drawSweep(frame, one);
     if (layers.ghosts) drawOthers(frame);
     if (one && !frame.overlay && layers.path) drawCollisions(frame, one);
     if (layers.car) drawStartAndGoal(frame);
-    for (const shown of inOrder(frame)) if (layers.path) drawPath(frame, shown, strength(shown));
+    for (const shown of inOrder(frame)) if (layers.path) drawPath(frame, shown, strength(shown) * (crowded(frame) && !leads(frame, shown) ? BEHIND : 1));
     if (layers.car) for (const shown of inOrder(frame)) drawDrivingCar(frame, shown, strength(shown));
     if (frame.overlay && layers.path) for (const shown of frame.shown) drawFirstHit(frame, shown);
     for (const shown of inOrder(frame)) if (layers.path && leads(frame, shown)) drawCusps(frame, shown, strength(shown));
   }
 }
+
+/** On a phone the other planners' paths stand behind the focused one's. */
+const BEHIND = 0.5, NARROW = 640;
+const crowded = ({ overlay, view }: Frame): boolean => overlay && view.width <= NARROW;
 
 const strength = (shown: Shown): number => (shown.ghost ? GHOST : 1);
 

@@ -50,17 +50,22 @@ export function drawPill(frame: Frame, text: string, x: number, y: number, tone:
   ctx.fillText(text, left + PAD - 0.5, top + PILL_HEIGHT / 2);
 }
 
-/** The first place below, right, above or left of `keep` (px) that is on the canvas and off every box of `avoid`. */
-export function placePill(frame: Frame, text: string, keep: Box, avoid: readonly Box[]): [number, number] {
+/** The first of these places (upper left corners, px) that is on the canvas and off every box; the first one pushed inside if none is. */
+export function placePill(frame: Frame, text: string, keep: Box, grip: Box, avoid: readonly Box[]): [number, number] {
   const { width, height } = frame.view;
-  const w = pillWidth(frame, text), gap = 8, midX = (keep.minX + keep.maxX) / 2, midY = (keep.minY + keep.maxY) / 2 - PILL_HEIGHT / 2;
+  const w = pillWidth(frame, text), gap = 8;
+  const middle = (low: number, high: number, size: number): number => (low + high - size) / 2;
+  const atGrip = middle(grip.minY, grip.maxY, PILL_HEIGHT), beside = middle(keep.minY, keep.maxY, PILL_HEIGHT);
+  const centred = middle(keep.minX, keep.maxX, w);
   const places: [number, number][] = [
-    [midX - w / 2, keep.maxY + gap], [keep.maxX + gap, midY], [midX - w / 2, keep.minY - gap - PILL_HEIGHT], [keep.minX - gap - w, midY],
+    [centred, keep.maxY + gap], [grip.maxX + 2, atGrip], [keep.maxX + gap, beside], [grip.minX - 2 - w, atGrip],
+    [keep.minX - gap - w, beside], [centred, keep.minY - gap - PILL_HEIGHT],
     [keep.maxX + gap, keep.maxY + gap], [keep.minX - gap - w, keep.maxY + gap],
   ];
-  const free = places.find(([x, y]) => x >= 4 && y >= 4 && x + w <= width - 4 && y + PILL_HEIGHT <= height - 4
-    && avoid.every((box) => x > box.maxX || x + w < box.minX || y > box.maxY || y + PILL_HEIGHT < box.minY));
-  const [x, y] = free ?? places[0]!;
+  const inside = ([x, y]: [number, number]): boolean => x >= 4 && y >= 4 && x + w <= width - 4 && y + PILL_HEIGHT <= height - 4;
+  const clear = ([x, y]: [number, number]): boolean =>
+    avoid.every((box) => x > box.maxX || x + w < box.minX || y > box.maxY || y + PILL_HEIGHT < box.minY);
+  const [x, y] = places.find((place) => inside(place) && clear(place)) ?? places.find(inside) ?? places[0]!;
   return [Math.min(Math.max(4, x), Math.max(4, width - w - 4)), Math.min(Math.max(4, y), Math.max(4, height - PILL_HEIGHT - 4))];
 }
 

@@ -126,48 +126,62 @@ function drawMovingEnd(frame: Frame, p: Point): void {
   ctx.fill();
 }
 
+/** New outlines are dashed in the accent colour on a tint of it. */
 function drawRectangle(frame: Frame, preview: Extract<Preview, { kind: "rectangle" }>): void {
-  ghostOutline(frame, [rectangleCorners(preview)], () => 0.09);
-  drawVertex(frame, preview.from, false);
-  drawMovingEnd(frame, preview.to);
-}
-
-/** New outlines: dashed in the accent colour on a tint of it. */
-function ghostOutline(frame: Frame, outlines: readonly Point[][], tint: (i: number) => number): void {
   const { ctx, tokens: { colour } } = frame;
+  const outline = polygonPath(rectangleCorners(preview));
   inMetres(frame);
   ctx.lineJoin = "miter";
   ctx.lineWidth = pixels(frame, 1.5);
   ctx.setLineDash([pixels(frame, 5), pixels(frame, 3.5)]);
   ctx.strokeStyle = colour.accent;
-  outlines.forEach((outline, i) => {
-    const path = polygonPath(outline);
-    ctx.fillStyle = fade(colour.accent, tint(i));
-    ctx.fill(path);
-    ctx.stroke(path);
-  });
+  ctx.fillStyle = fade(colour.accent, 0.09);
+  ctx.fill(outline);
+  ctx.stroke(outline);
   ctx.setLineDash([]);
+  drawVertex(frame, preview.from, false);
+  drawMovingEnd(frame, preview.to);
 }
 
+/** Bays tinted and numbered; dividers once each, the aisle side solid. */
 function drawSlotRow(frame: Frame, { slots, from, to }: Extract<Preview, { kind: "slots" }>): void {
   const { ctx, tokens: { colour } } = frame;
   const outlines = slots.map((slot) => slotOutline(slot));
-  ghostOutline(frame, outlines, (i) => (i === outlines.length - 1 ? 0.04 : 0.09));
+  inMetres(frame);
+  const dividers = new Path2D();
+  outlines.forEach((outline, i) => {
+    const [nearLeft, nearRight, farRight, farLeft] = outline as [Point, Point, Point, Point];
+    ctx.fillStyle = fade(colour.accent, i === outlines.length - 1 ? 0.04 : 0.09);
+    ctx.fill(polygonPath(outline));
+    linePath(i === 0 ? [nearLeft, farLeft, farRight, nearRight] : [farLeft, farRight], dividers);
+    if (i > 0) linePath(outerSide(outline, outlines[i - 1]!), dividers);
+  });
+  ctx.lineJoin = "miter";
+  ctx.lineWidth = pixels(frame, 1.5);
+  ctx.strokeStyle = colour.accent;
+  ctx.setLineDash([pixels(frame, 5), pixels(frame, 3.5)]);
+  ctx.stroke(dividers);
+  ctx.setLineDash([]);
+  ctx.stroke(linePath([from, to]));
+  numberBays(frame, outlines);
+  drawVertex(frame, from, false);
+  drawMovingEnd(frame, to);
+}
+
+/** The side of a bay that its neighbour does not have. */
+function outerSide([nearLeft, nearRight, farRight, farLeft]: Point[], neighbour: Point[]): [Point, Point] {
+  const onLeft = neighbour.some((p) => Math.hypot(p[0] - nearLeft![0], p[1] - nearLeft![1]) < 1e-6);
+  return onLeft ? [nearRight!, farRight!] : [nearLeft!, farLeft!];
+}
+
+function numberBays(frame: Frame, outlines: readonly Point[][]): void {
+  const { ctx, tokens: { colour } } = frame;
   inPixels(frame);
   ctx.font = labelFont(frame, 600);
   ctx.textAlign = "center";
   ctx.textBaseline = "middle";
   ctx.fillStyle = colour.accent;
-  outlines.forEach((outline, i) => {
-    const [a, , c] = outline as [Point, Point, Point];
-    ctx.fillText(String(i + 1), ...toScreen(frame, [(a[0] + c[0]) / 2, (a[1] + c[1]) / 2]));
-  });
-  inMetres(frame);
-  ctx.strokeStyle = colour.accent;
-  ctx.lineWidth = pixels(frame, 1.5);
-  ctx.stroke(linePath([from, to]));
-  drawVertex(frame, from, false);
-  drawMovingEnd(frame, to);
+  outlines.forEach(([a, , c], i) => ctx.fillText(String(i + 1), ...toScreen(frame, [(a![0] + c![0]) / 2, (a![1] + c![1]) / 2])));
 }
 
 /** Above the point, so that a finger does not cover it. */

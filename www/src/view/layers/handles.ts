@@ -5,7 +5,7 @@ import { boxOf, type Box, type Point } from "../../scene/plane";
 import { cornersOf, verticesOf } from "../../scene/shapes";
 import { footprint } from "../../scene/vehicle";
 import type { Selection } from "../../store";
-import { inMetres, inPixels, linePath, pixels, polygonPath, toScreen, type Frame } from "../frame";
+import { inMetres, inPixels, leading, linePath, pixels, polygonPath, toScreen, type Frame } from "../frame";
 import { gripOf, noseOf } from "../pose-handle";
 import { turnGripOf } from "../turn-grip";
 import { drawPill, placePill, poseText } from "../text";
@@ -62,7 +62,7 @@ function drawKnob({ ctx, tokens: { colour } }: Frame, [x, y]: Point, radius: num
 }
 
 function drawPoseLabel(frame: Frame, which: "start" | "goal", editing: boolean): void {
-  const { resolved, state: { scene } } = frame;
+  const { resolved } = frame;
   const pose = resolved[which];
   const boxes = (["start", "goal"] as const).map((one) => screenBox(frame, footprint(resolved[one], resolved.vehicle)));
   const grip = screenBox(frame, [gripOf(pose, resolved.vehicle)], 14);
@@ -72,8 +72,17 @@ function drawPoseLabel(frame: Frame, which: "start" | "goal", editing: boolean):
     minX: Math.min(own.minX, grip.minX), minY: Math.min(own.minY, grip.minY),
     maxX: Math.max(own.maxX, grip.maxX), maxY: Math.max(own.maxY, grip.maxY),
   };
-  const parked = (scene.slots?.length ?? 0) > 0 ? resolved.parked.map((car) => screenBox(frame, footprint(car.pose, car.vehicle))) : [];
-  drawPill(frame, text, ...placePill(frame, text, keep, [...boxes, ...parked]), editing ? "editing" : "plain");
+  const parked = resolved.parked.map((car) => screenBox(frame, footprint(car.pose, car.vehicle)));
+  const place = placePill(frame, text, keep, grip, [...boxes, ...parked, ...pathBoxes(frame)]);
+  drawPill(frame, text, ...place, editing ? "editing" : "plain");
+}
+
+/** Small boxes along the shown path, which labels keep off. */
+function pathBoxes(frame: Frame): Box[] {
+  const path = leading(frame)?.plan?.path ?? new Float64Array();
+  const boxes: Box[] = [];
+  for (let i = 0; i + 2 < path.length; i += 15) boxes.push(screenBox(frame, [[path[i]!, path[i + 1]!]], 6));
+  return boxes;
 }
 
 function screenBox(frame: Frame, points: readonly Point[], margin = 0): Box {
@@ -94,19 +103,19 @@ const sameSelection = (a: Selection, b: Selection): boolean =>
   a?.kind === b?.kind && (a && "id" in a ? a.id : "") === (b && "id" in b ? b.id : "");
 
 function outlineOf(frame: Frame, selection: NonNullable<Selection>, width: number): void {
-  const { ctx, resolved, tokens: { colour } } = frame;
+  const { ctx, tokens: { colour } } = frame;
   const path = selectionPath(frame, selection);
-  if (!path || (isPose(selection) && width < 2 && frame.state.tool !== "select")) return;
+  if (!path) return;
   inMetres(frame);
   ctx.strokeStyle = colour.accent;
   ctx.lineWidth = pixels(frame, width);
   ctx.lineJoin = "round";
-  if (isPose(selection)) ctx.stroke(polygonPath(footprint(resolved[selection.kind], resolved.vehicle, pixels(frame, 3))));
-  else ctx.stroke(path);
+  ctx.stroke(path);
 }
 
-function selectionPath({ state: { scene }, resolved }: Frame, selection: NonNullable<Selection>): Path2D | null {
-  if (isPose(selection)) return polygonPath(footprint(resolved[selection.kind], resolved.vehicle));
+/** Start and goal need no outline: their grip and label say that they are chosen. */
+function selectionPath({ state: { scene } }: Frame, selection: NonNullable<Selection>): Path2D | null {
+  if (isPose(selection)) return null;
   if (selection.kind === "slot") {
     const slot = findSlot(scene, selection.id);
     return slot ? polygonPath(slotOutline(slot)) : null;

@@ -1,10 +1,10 @@
-/** The shared crosshair. */
+/** The shared crosshair; out of the way while something is dragged. */
 import { inPixels, toScreen, type Frame } from "../frame";
 import { fade } from "../tokens";
 
 export function drawHover(frame: Frame): void {
-  const { hover } = frame.state;
-  if (!hover) return;
+  const { hover, transient } = frame.state;
+  if (!hover || transient) return;
   const { ctx, view, tokens: { colour } } = frame;
   const [sx, sy] = toScreen(frame, [hover.x, hover.y]);
   const x = Math.round(sx) + 0.5, y = Math.round(sy) + 0.5;
