@@ -1,12 +1,11 @@
 //! A position and a heading.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use super::{Point, Vector, math};
 
 /// Where the middle of the rear axle is and where the nose points.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Pose {
     /// Metres, to the east.
     pub x: f64,

@@ -1,6 +1,6 @@
 //! The scene as people write it: plain data, checked once by [`Scenario::validate`].
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use std::collections::BTreeMap;
 
 use crate::geometry::Pose;
@@ -17,37 +17,34 @@ mod validate;
 pub const MAX_CELLS: u32 = 4096;
 
 /// A scene: the map's frame, what stands in it, the car, where it is and where it shall go.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase", deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
 pub struct Scenario {
     /// Format version, 1.
     pub version: u32,
     /// Id or file name; shown, never interpreted.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
     /// The lattice and its place in the world.
     pub map: MapFrame,
     /// Everything that blocks, besides the border.
-    #[serde(default)]
     pub obstacles: Vec<Obstacle>,
     /// Parking slots; an occupied one holds a parked car.
-    #[serde(default)]
     pub slots: Vec<Slot>,
     /// The car that plans.
-    #[serde(default)]
     pub vehicle: VehicleSpec,
     /// Where the car stands.
     pub start: Pose,
     /// Where it shall go.
     pub goal: Goal,
     /// Settings per planner id, laid over that planner's defaults.
-    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub planners: BTreeMap<String, serde_json::Map<String, serde_json::Value>>,
 }
 
 /// A lattice of square cells. Cell (0, 0) is the south-western one; its lower left corner is at `origin`.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase", deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
 pub struct MapFrame {
     /// Lower left corner of the map, metres.
     pub origin: [f64; 2],
@@ -58,7 +55,7 @@ pub struct MapFrame {
     /// Side of a cell, metres.
     pub resolution: f64,
     /// Outline of the drivable floor, metres; the map's rectangle where absent. Its edges are walls for the car.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub boundary: Option<Vec<[f64; 2]>>,
 }
 
@@ -118,11 +115,11 @@ pub enum Obstacle {
 
 /// A parking slot. `(x, y)` is the middle of its open side, `heading` points from the aisle into the slot, at right
 /// angles to the aisle.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase", deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
 pub struct Slot {
     /// Name for messages, selection and [`Goal::Slot`].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub id: Option<String>,
     /// How the car stands to the aisle.
     pub kind: SlotKind,
@@ -137,18 +134,17 @@ pub struct Slot {
     /// Clear length for the car along its axis, metres.
     pub length: f64,
     /// `angled` only: the angle between the aisle and the car's axis, radians, in (0, π/2); default π/4.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub angle: Option<f64>,
     /// `angled` only: to which side of `heading` the car's axis leans.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub lean: Option<Lean>,
     /// Whether a parked `sedan` stands in it, centred, nose to the aisle.
-    #[serde(default)]
     pub occupied: bool,
 }
 
 /// How a car in a slot stands to the aisle.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SlotKind {
     /// At right angles.
@@ -160,7 +156,7 @@ pub enum SlotKind {
 }
 
 /// A side.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Lean {
     /// To the left of the slot's heading.
@@ -180,8 +176,8 @@ pub enum Goal {
 }
 
 /// A slot of the scene and how to stand in it.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase", deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
 pub struct SlotGoal {
     /// The slot's id.
     pub slot: String,
@@ -190,7 +186,7 @@ pub struct SlotGoal {
 }
 
 /// Which way the nose points in a slot.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Entry {
     /// Nose to the aisle; in a parallel slot, with the slot on the car's right.

@@ -1,38 +1,220 @@
 //! From JSON to [`Scenario`], with errors that name the field, however deep it is.
 //!
-//! serde's own tagged and untagged enums forget where inside them an error arose; here each alternative is read by its
-//! own struct, and the inner path travels in the message until [`Scenario::from_json`] joins it to the outer one.
+//! Read by hand: serde's tagged and untagged enums forget where inside them an error arose, and the derived readers of
+//! a scene would be a quarter of the wasm file.
 
-use serde::de::{DeserializeOwned, Deserializer, Error as _};
-use serde::{Deserialize, Serialize};
-use serde_json::Value;
+use serde::de::{Deserialize, DeserializeOwned, Deserializer, Error as _};
+use serde_json::{Map, Value};
 
-use super::{Goal, Obstacle, Scenario, SlotGoal, VehicleSpec};
+use super::{Entry, Goal, Lean, MapFrame, Obstacle, Scenario, Slot, SlotGoal, SlotKind, VehicleSpec};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::Pose;
+use crate::vehicle::{DEFAULT_STEER_RATE, Vehicle};
 
-/// Separates an inner path from its message; no message of serde's contains it.
-const MARK: char = '\u{1}';
+type Result<T> = core::result::Result<T, Error>;
 
 /// Reads a typed value from JSON.
 ///
 /// # Errors
 /// `code`, the path of the offending field and serde's words for what is wrong with it.
-pub(crate) fn typed<T: DeserializeOwned>(value: Value, code: ErrorCode) -> Result<T, Error> {
+pub(crate) fn typed<T: DeserializeOwned>(value: Value, code: ErrorCode) -> Result<T> {
     serde_path_to_error::deserialize(value).map_err(|error| {
         let path = error.path().to_string();
-        let message = error.inner().to_string();
-        let outer = if path == "." { String::new() } else { path };
-        match message.split_once(MARK) {
-            Some((inner, rest)) => Error::new(code, inner, rest).within(&outer),
-            None => Error::new(code, outer, message),
-        }
+        Error::new(code, if path == "." { "" } else { &path }, error.inner().to_string())
     })
 }
 
-/// Reads one alternative of an enum, keeping the inner path.
-fn alternative<T: DeserializeOwned, E: serde::de::Error>(value: Value) -> Result<T, E> {
-    typed(value, ErrorCode::Scenario).map_err(|e| E::custom(format!("{}{MARK}{}", e.path, e.message)))
+fn bad<T>(path: &str, message: String) -> Result<T> {
+    Err(Error::new(ErrorCode::Scenario, path, message))
+}
+
+/// The fields of an object whose keys are all known.
+#[derive(Clone, Copy)]
+struct Fields<'a>(&'a Map<String, Value>);
+
+impl<'a> Fields<'a> {
+    fn of(value: &'a Value, known: &[&str]) -> Result<Self> {
+        let Value::Object(map) = value else { return bad("", format!("must be an object, got {value}")) };
+        match map.keys().find(|k| !known.contains(&k.as_str())) {
+            Some(key) => bad(key, format!("unknown field; there are {}", known.join(", "))),
+            None => Ok(Self(map)),
+        }
+    }
+
+    /// A field that may be absent or null.
+    fn maybe<T>(self, name: &str, read: impl Fn(&'a Value) -> Result<T>) -> Result<Option<T>> {
+        match self.0.get(name) {
+            None | Some(Value::Null) => Ok(None),
+            Some(value) => read(value).map(Some).map_err(|e| e.within(name)),
+        }
+    }
+
+    fn need<T>(self, name: &str, read: impl Fn(&'a Value) -> Result<T>) -> Result<T> {
+        match self.maybe(name, read)? {
+            Some(value) => Ok(value),
+            None => bad(name, "missing field".to_owned()),
+        }
+    }
+}
+
+fn number(value: &Value) -> Result<f64> {
+    value.as_f64().map_or_else(|| bad("", format!("must be a number, got {value}")), Ok)
+}
+
+fn count(value: &Value) -> Result<u32> {
+    let whole = value.as_u64().and_then(|v| u32::try_from(v).ok());
+    whole.map_or_else(|| bad("", format!("must be a whole number from 0, got {value}")), Ok)
+}
+
+fn flag(value: &Value) -> Result<bool> {
+    value.as_bool().map_or_else(|| bad("", format!("must be true or false, got {value}")), Ok)
+}
+
+fn text(value: &Value) -> Result<&str> {
+    value.as_str().map_or_else(|| bad("", format!("must be a string, got {value}")), Ok)
+}
+
+fn owned(value: &Value) -> Result<String> {
+    text(value).map(str::to_owned)
+}
+
+/// One of some words.
+fn word<T: Copy>(choices: &'static [(&'static str, T)]) -> impl Fn(&Value) -> Result<T> {
+    move |value| {
+        if let Some(&(_, choice)) = choices.iter().find(|c| value.as_str() == Some(c.0)) {
+            return Ok(choice);
+        }
+        let known: Vec<_> = choices.iter().map(|c| c.0).collect();
+        bad("", format!("must be {}, got {value}", known.join(" or ")))
+    }
+}
+
+fn list<T>(read: impl Fn(&Value) -> Result<T>) -> impl Fn(&Value) -> Result<Vec<T>> {
+    move |value| {
+        let Value::Array(items) = value else { return bad("", format!("must be an array, got {value}")) };
+        items.iter().enumerate().map(|(i, v)| read(v).map_err(|e| e.within(&format!("[{i}]")))).collect()
+    }
+}
+
+/// Exactly `N` of something.
+fn exactly<T, const N: usize>(read: impl Fn(&Value) -> Result<T>) -> impl Fn(&Value) -> Result<[T; N]> {
+    let all = list(read);
+    move |value| {
+        all(value)?
+            .try_into()
+            .or_else(|items: Vec<T>| bad("", format!("must have {N} items, got {}", items.len())))
+    }
+}
+
+fn point(value: &Value) -> Result<[f64; 2]> {
+    exactly(number)(value)
+}
+
+fn pose(value: &Value) -> Result<Pose> {
+    let f = Fields::of(value, &["x", "y", "heading"])?;
+    Ok(Pose::new(f.need("x", number)?, f.need("y", number)?, f.need("heading", number)?))
+}
+
+fn map(value: &Value) -> Result<MapFrame> {
+    let f = Fields::of(value, &["origin", "width", "height", "resolution", "boundary"])?;
+    Ok(MapFrame {
+        origin: f.need("origin", point)?,
+        width: f.need("width", count)?,
+        height: f.need("height", count)?,
+        resolution: f.need("resolution", number)?,
+        boundary: f.maybe("boundary", list(point))?,
+    })
+}
+
+fn vehicle(value: &Value) -> Result<VehicleSpec> {
+    if let Value::String(name) = value {
+        return Ok(VehicleSpec::Profile(name.clone()));
+    }
+    let known = ["wheelbase", "width", "rearToFront", "rearToBack", "maxSteer", "maxSteerRate"];
+    let f = Fields::of(value, &known)?;
+    Ok(VehicleSpec::Custom(Vehicle {
+        wheelbase: f.need("wheelbase", number)?,
+        width: f.need("width", number)?,
+        rear_to_front: f.need("rearToFront", number)?,
+        rear_to_back: f.need("rearToBack", number)?,
+        max_steer: f.need("maxSteer", number)?,
+        max_steer_rate: f.maybe("maxSteerRate", number)?.unwrap_or(DEFAULT_STEER_RATE),
+    }))
+}
+
+fn obstacle(value: &Value) -> Result<Obstacle> {
+    let kind = match value.get("type") {
+        Some(kind) => text(kind).map_err(|e| e.within("type"))?,
+        None if value.is_object() => return bad("type", "missing field".to_owned()),
+        None => return bad("", format!("must be an object, got {value}")),
+    };
+    let id = |f: Fields| f.maybe("id", owned);
+    Ok(match kind {
+        "cells" => {
+            let f = Fields::of(value, &["type", "id", "runs"])?;
+            Obstacle::Cells { id: id(f)?, runs: f.need("runs", list(exactly(count)))? }
+        }
+        "wall" => {
+            let f = Fields::of(value, &["type", "id", "points", "thickness"])?;
+            let thickness = f.maybe("thickness", number)?.unwrap_or(0.0);
+            Obstacle::Wall { id: id(f)?, points: f.need("points", list(point))?, thickness }
+        }
+        "polygon" => {
+            let f = Fields::of(value, &["type", "id", "points"])?;
+            Obstacle::Polygon { id: id(f)?, points: f.need("points", list(point))? }
+        }
+        "rectangle" => {
+            let f = Fields::of(value, &["type", "id", "center", "size", "heading"])?;
+            let (center, size) = (f.need("center", point)?, f.need("size", point)?);
+            Obstacle::Rectangle {
+                id: id(f)?,
+                center,
+                size,
+                heading: f.maybe("heading", number)?.unwrap_or(0.0),
+            }
+        }
+        "car" => {
+            let f = Fields::of(value, &["type", "id", "pose", "vehicle"])?;
+            let vehicle = f.maybe("vehicle", vehicle)?.unwrap_or_default();
+            Obstacle::Car { id: id(f)?, pose: f.need("pose", pose)?, vehicle }
+        }
+        _ => return bad("type", format!("must be cells, wall, polygon, rectangle or car, got \"{kind}\"")),
+    })
+}
+
+fn slot(value: &Value) -> Result<Slot> {
+    let known = ["id", "kind", "x", "y", "heading", "width", "length", "angle", "lean", "occupied"];
+    let f = Fields::of(value, &known)?;
+    let kinds = word(&[
+        ("perpendicular", SlotKind::Perpendicular),
+        ("parallel", SlotKind::Parallel),
+        ("angled", SlotKind::Angled),
+    ]);
+    Ok(Slot {
+        id: f.maybe("id", owned)?,
+        kind: f.need("kind", kinds)?,
+        x: f.need("x", number)?,
+        y: f.need("y", number)?,
+        heading: f.need("heading", number)?,
+        width: f.need("width", number)?,
+        length: f.need("length", number)?,
+        angle: f.maybe("angle", number)?,
+        lean: f.maybe("lean", word(&[("left", Lean::Left), ("right", Lean::Right)]))?,
+        occupied: f.maybe("occupied", flag)?.unwrap_or(false),
+    })
+}
+
+fn goal(value: &Value) -> Result<Goal> {
+    if value.get("slot").is_none() {
+        return pose(value).map(Goal::Pose);
+    }
+    let f = Fields::of(value, &["slot", "entry"])?;
+    let entry = word(&[("reverse-in", Entry::ReverseIn), ("head-in", Entry::HeadIn)]);
+    Ok(Goal::Slot(SlotGoal { slot: f.need("slot", owned)?, entry: f.need("entry", entry)? }))
+}
+
+fn object(value: &Value) -> Result<&Map<String, Value>> {
+    value.as_object().map_or_else(|| bad("", format!("must be an object, got {value}")), Ok)
 }
 
 impl Scenario {
@@ -43,117 +225,37 @@ impl Scenario {
     ///
     /// # Examples
     /// ```
-    /// let error = parkade::scenario::Scenario::from_json(serde_json::json!({ "version": 1 })).unwrap_err();
-    /// assert_eq!(error.to_string(), "missing field `map`");
+    /// let error = parkade::scenario::Scenario::from_json(&serde_json::json!({ "version": 1 })).unwrap_err();
+    /// assert_eq!(error.to_string(), "map: missing field");
     /// ```
-    pub fn from_json(value: Value) -> Result<Self, Error> {
-        let scenario: Self = typed(value, ErrorCode::Scenario)?;
+    pub fn from_json(value: &Value) -> Result<Self> {
+        let known = ["version", "name", "map", "obstacles", "slots", "vehicle", "start", "goal", "planners"];
+        let f = Fields::of(value, &known)?;
+        let settings = |value| {
+            let planners = object(value)?.iter();
+            planners
+                .map(|(id, config)| Ok((id.clone(), object(config).map_err(|e| e.within(id))?.clone())))
+                .collect()
+        };
+        let scenario = Self {
+            version: f.need("version", count)?,
+            name: f.maybe("name", owned)?,
+            map: f.need("map", map)?,
+            obstacles: f.maybe("obstacles", list(obstacle))?.unwrap_or_default(),
+            slots: f.maybe("slots", list(slot))?.unwrap_or_default(),
+            vehicle: f.maybe("vehicle", vehicle)?.unwrap_or_default(),
+            start: f.need("start", pose)?,
+            goal: f.need("goal", goal)?,
+            planners: f.maybe("planners", settings)?.unwrap_or_default(),
+        };
         scenario.validate()?;
         Ok(scenario)
     }
 }
 
-#[derive(Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
-struct Cells {
-    id: Option<String>,
-    runs: Vec<[u32; 3]>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Wall {
-    id: Option<String>,
-    points: Vec<[f64; 2]>,
-    #[serde(default)]
-    thickness: f64,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Polygon {
-    id: Option<String>,
-    points: Vec<[f64; 2]>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Rectangle {
-    id: Option<String>,
-    center: [f64; 2],
-    size: [f64; 2],
-    #[serde(default)]
-    heading: f64,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Car {
-    id: Option<String>,
-    pose: Pose,
-    #[serde(default)]
-    vehicle: VehicleSpec,
-}
-
-impl<'de> Deserialize<'de> for Obstacle {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let mut fields = serde_json::Map::deserialize(deserializer)?;
-        let kind = match fields.remove("type") {
-            Some(Value::String(kind)) => kind,
-            Some(other) => {
-                let message = format!("type{MARK}must be a string, got {other}");
-                return Err(D::Error::custom(message));
-            }
-            None => return Err(D::Error::missing_field("type")),
-        };
-        let value = Value::Object(fields);
-        Ok(match kind.as_str() {
-            "cells" => {
-                let Cells { id, runs } = alternative(value)?;
-                Self::Cells { id, runs }
-            }
-            "wall" => {
-                let Wall { id, points, thickness } = alternative(value)?;
-                Self::Wall { id, points, thickness }
-            }
-            "polygon" => {
-                let Polygon { id, points } = alternative(value)?;
-                Self::Polygon { id, points }
-            }
-            "rectangle" => {
-                let Rectangle { id, center, size, heading } = alternative(value)?;
-                Self::Rectangle { id, center, size, heading }
-            }
-            "car" => {
-                let Car { id, pose, vehicle } = alternative(value)?;
-                Self::Car { id, pose, vehicle }
-            }
-            other => {
-                let message =
-                    format!("type{MARK}must be cells, wall, polygon, rectangle or car, got \"{other}\"");
-                return Err(D::Error::custom(message));
-            }
-        })
-    }
-}
-
-impl<'de> Deserialize<'de> for Goal {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let value = Value::deserialize(deserializer)?;
-        if value.get("slot").is_some() {
-            alternative::<SlotGoal, _>(value).map(Self::Slot)
-        } else {
-            alternative::<Pose, _>(value).map(Self::Pose)
-        }
-    }
-}
-
-impl<'de> Deserialize<'de> for VehicleSpec {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        match Value::deserialize(deserializer)? {
-            Value::String(name) => Ok(Self::Profile(name)),
-            other => alternative(other).map(Self::Custom),
-        }
+impl<'de> Deserialize<'de> for Scenario {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> core::result::Result<Self, D::Error> {
+        Self::from_json(&Value::deserialize(deserializer)?).map_err(D::Error::custom)
     }
 }
 
@@ -175,13 +277,13 @@ mod tests {
     fn refused(change: impl Fn(&mut Value)) -> String {
         let mut value = scene();
         change(&mut value);
-        Scenario::from_json(value).unwrap_err().to_string()
+        Scenario::from_json(&value).unwrap_err().to_string()
     }
 
     #[test]
     fn a_plain_scene_reads_and_writes_back() {
-        let scenario = Scenario::from_json(scene()).unwrap();
-        let again = Scenario::from_json(serde_json::to_value(&scenario).unwrap()).unwrap();
+        let scenario = Scenario::from_json(&scene()).unwrap();
+        let again = Scenario::from_json(&serde_json::to_value(&scenario).unwrap()).unwrap();
         assert_eq!(scenario, again);
     }
 
@@ -195,28 +297,31 @@ mod tests {
             { "type": "rectangle", "center": [15, 15], "size": [2, 1], "heading": 0.3 },
             { "type": "car", "pose": { "x": 5, "y": 15, "heading": 1 }, "vehicle": "sedan" },
         ]);
-        let scenario = Scenario::from_json(value).unwrap();
+        let scenario = Scenario::from_json(&value).unwrap();
         assert_eq!(scenario.obstacles.len(), 5);
-        assert_eq!(scenario, Scenario::from_json(serde_json::to_value(&scenario).unwrap()).unwrap());
+        assert_eq!(scenario, Scenario::from_json(&serde_json::to_value(&scenario).unwrap()).unwrap());
     }
 
     #[test]
     fn errors_name_the_field_at_any_depth() {
         let cases = [
-            (refused(|s| s["map"]["widht"] = json!(3)), "map.widht: unknown field `widht`"),
-            (refused(|s| s["start"]["x"] = json!("a")), "start.x: invalid type: string \"a\", expected f64"),
+            (refused(|s| s["map"]["widht"] = json!(3)), "map.widht: unknown field; there are origin, width"),
+            (refused(|s| s["start"]["x"] = json!("a")), "start.x: must be a number, got \"a\""),
             (
                 refused(|s| {
                     s["obstacles"] = json!([{ "type": "polygon", "points": [[1, 2], [3, "x"], [4, 5]] }]);
                 }),
-                "obstacles[0].points[1][1]: invalid type: string \"x\"",
+                "obstacles[0].points[1][1]: must be a number, got \"x\"",
             ),
             (
                 refused(|s| s["obstacles"] = json!([{ "type": "hole" }])),
                 "obstacles[0].type: must be cells, wall",
             ),
-            (refused(|s| s["goal"] = json!({ "slot": "a" })), "goal: missing field `entry`"),
-            (refused(|s| s["vehicle"] = json!({ "wheelbase": "x" })), "vehicle.wheelbase: invalid type"),
+            (refused(|s| s["goal"] = json!({ "slot": "a" })), "goal.entry: missing field"),
+            (
+                refused(|s| s["vehicle"] = json!({ "wheelbase": "x" })),
+                "vehicle.wheelbase: must be a number, got \"x\"",
+            ),
             (
                 refused(|s| s["vehicle"] = json!("truck")),
                 "vehicle: must be paper, sedan or dimensions, got \"truck\"",

@@ -231,7 +231,7 @@ mod tests {
     use super::*;
 
     fn refused(change: impl Fn(&mut Scenario)) -> String {
-        let mut scenario = Scenario::from_json(json!({
+        let mut scenario = Scenario::from_json(&json!({
             "version": 1,
             "map": { "origin": [0.0, 0.0], "width": 40, "height": 40, "resolution": 0.5 },
             "slots": [

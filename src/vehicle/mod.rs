@@ -2,14 +2,14 @@
 
 pub mod collision;
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use crate::error::{Error, ErrorCode};
 use crate::geometry::{Point, Pose, math};
 
 /// Dimensions of a car whose reference point is the middle of its rear axle.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase", deny_unknown_fields)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
 pub struct Vehicle {
     /// Distance between the axles, metres.
     pub wheelbase: f64,
@@ -22,13 +22,11 @@ pub struct Vehicle {
     /// Largest steering angle of the middle front wheel, radians, in (0, π/2).
     pub max_steer: f64,
     /// Largest steering speed, radians per second.
-    #[serde(default = "default_steer_rate")]
     pub max_steer_rate: f64,
 }
 
-fn default_steer_rate() -> f64 {
-    0.6
-}
+/// Steering speed of a car that does not state its own, radians per second.
+pub const DEFAULT_STEER_RATE: f64 = 0.6;
 
 impl Vehicle {
     /// The parking paper's car (5.5 m × 2.6 m, turns in 5.41 m).

@@ -125,7 +125,9 @@ pub(super) fn set(target: &JsValue, key: &str, value: &JsValue) {
 /// An object from its fields.
 pub(super) fn object(fields: &[(&str, JsValue)]) -> JsValue {
     let target = Object::new().into();
-    fields.iter().for_each(|(key, value)| set(&target, key, value));
+    for (key, value) in fields {
+        set(&target, key, value);
+    }
     target
 }
 

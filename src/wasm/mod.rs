@@ -63,6 +63,7 @@ pub fn scene_geometry(scene: JsValue) -> JsResult {
 
 /// Re-checks a path against a scene.
 #[wasm_bindgen(js_name = checkPath)]
+#[expect(clippy::needless_pass_by_value, reason = "an optional array arrives as a vector of its own")]
 pub fn check_path(scene: JsValue, path: &[f64], directions: Option<Vec<i8>>) -> JsResult {
     let scene = read_scene(scene)?;
     let geometry = scene.geometry().map_err(|e| codec::js_error(&e))?;
@@ -71,7 +72,9 @@ pub fn check_path(scene: JsValue, path: &[f64], directions: Option<Vec<i8>>) -> 
 }
 
 fn read_scene(scene: JsValue) -> Result<Scenario, JsValue> {
-    codec::json(scene, ErrorCode::Scenario).and_then(Scenario::from_json).map_err(|e| codec::js_error(&e))
+    codec::json(scene, ErrorCode::Scenario)
+        .and_then(|v| Scenario::from_json(&v))
+        .map_err(|e| codec::js_error(&e))
 }
 
 /// A planner on one scene: settings checked once, map prepared once.
