@@ -1,0 +1,50 @@
+import en from "./en.json";
+import zh from "./zh.json";
+
+export type Lang = "en" | "zh";
+export type MessageKey = keyof typeof en;
+export type Values = Record<string, string | number>;
+export type Translate = (key: MessageKey, values?: Values) => string;
+
+const tables: Record<Lang, Record<MessageKey, string>> = { en, zh };
+const plurals: Record<Lang, Intl.PluralRules> = { en: new Intl.PluralRules("en"), zh: new Intl.PluralRules("zh") };
+const formats = new Map<string, Intl.NumberFormat>();
+
+/** `{name}` is a value; `{n|pose|poses}` picks a word by the number `n`. */
+export function translate(lang: Lang, key: MessageKey, values: Values = {}): string {
+  return tables[lang][key].replace(/\{(\w+)(?:\|([^|}]*)\|([^}]*))?\}/g, (_, name: string, one?: string, other?: string) => {
+    const value = values[name] ?? "";
+    if (one === undefined) return String(value);
+    return (plurals[lang].select(Number(value)) === "one" ? one : other) ?? "";
+  });
+}
+
+export function isMessage(key: string): key is MessageKey {
+  return key in en;
+}
+
+export function number(lang: Lang, value: number, digits: number): string {
+  const id = `${lang}${digits}`;
+  let format = formats.get(id);
+  if (!format) {
+    format = new Intl.NumberFormat(lang === "zh" ? "zh-CN" : "en", {
+      minimumFractionDigits: digits, maximumFractionDigits: digits, signDisplay: "negative", useGrouping: "min2",
+    } as Intl.NumberFormatOptions);
+    formats.set(id, format);
+  }
+  return format.format(value).replace("-", "−");
+}
+
+/** Three significant figures, as times are read. */
+export function millis(lang: Lang, value: number): string {
+  return number(lang, value, value < 1 ? 2 : value < 10 ? 2 : value < 100 ? 1 : 0);
+}
+
+export function pickLang(attribute: string | null): Lang {
+  const wanted = attribute ? [attribute] : [...navigator.languages, "en"];
+  for (const tag of wanted) {
+    const base = tag.toLowerCase().split("-")[0];
+    if (base === "zh" || base === "en") return base;
+  }
+  return "en";
+}

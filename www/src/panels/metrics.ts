@@ -1,0 +1,140 @@
+import type { Plan, PlannerId } from "parkade";
+import { millis, number, translate, type Lang, type MessageKey } from "../i18n/index";
+import { plannerName } from "../planning/planning";
+import type { PanelResult, State } from "../store";
+import { drivablePlan, statusOf, type Status } from "./status";
+
+export const COLUMNS = ["length", "drive", "gears", "curvature", "clearance", "heading", "expanded", "open", "plan"] as const;
+export type Column = (typeof COLUMNS)[number];
+
+/** Metres a second at which drive times are reckoned. */
+export const DRIVE_SPEED = 2;
+
+export interface Cell { value: number | null; text: string; best: boolean; title: string }
+export interface Row {
+  planner: PlannerId;
+  name: string;
+  hidden: boolean;
+  drivable: boolean;
+  stale: boolean;
+  status: Status;
+  cells: Record<Column, Cell>;
+}
+
+const DIGITS: Record<Column, number> = {
+  length: 2, drive: 1, gears: 0, curvature: 3, clearance: 2, heading: 1, expanded: 0, open: 0, plan: 2,
+};
+
+export function rowsOf(state: State): Row[] {
+  const rows = state.planners.map((planner) => rowOf(state, planner));
+  for (const column of COLUMNS) markBest(rows, column);
+  return rows;
+}
+
+/** The largest number of timed runs behind any row. */
+export function runsOf(state: State): number {
+  return Math.max(1, ...state.planners.map((planner) => state.results[planner]?.samples.length ?? 0));
+}
+
+function rowOf(state: State, planner: PlannerId): Row {
+  const result = state.results[planner];
+  const drivable = drivablePlan(result) !== null;
+  const cells = Object.fromEntries(COLUMNS.map((column) => {
+    const value = valueOf(result, column, drivable);
+    return [column, { value, text: textOf(state.lang, result, column, value), best: false, title: titleOf(state.lang, result, column) }];
+  })) as Record<Column, Cell>;
+  return {
+    planner, drivable, cells,
+    name: plannerName(state.lang, planner),
+    hidden: state.hidden.has(planner),
+    stale: result?.status === "error",
+    status: statusOf(state, planner),
+  };
+}
+
+function valueOf(result: PanelResult | undefined, column: Column, drivable: boolean): number | null {
+  const plan = result?.plan;
+  if (!plan) return null;
+  if (column === "expanded") return plan.stats.expanded;
+  if (column === "open") return plan.stats.openPeak;
+  if (column === "plan") return result.millis;
+  if (plan.outcome !== "found") return null;
+  return pathValue(plan, column, drivable);
+}
+
+function pathValue({ metrics, check }: Plan, column: Column, drivable: boolean): number | null {
+  switch (column) {
+    case "length": return metrics.length;
+    case "drive": return drivable ? metrics.length / DRIVE_SPEED : null;
+    case "gears": return drivable ? metrics.directionChanges : null;
+    case "curvature": return metrics.maxCurvature;
+    case "clearance": return metrics.minClearance;
+    case "heading": return Math.abs(check.goalHeadingError) * (180 / Math.PI);
+    default: return null;
+  }
+}
+
+function textOf(lang: Lang, result: PanelResult | undefined, column: Column, value: number | null): string {
+  if (value !== null && Number.isFinite(value)) return column === "plan" ? millis(lang, value) : number(lang, value, DIGITS[column]);
+  if (column === "curvature" && result?.plan?.outcome === "found") return translate(lang, "table.corner");
+  return "–";
+}
+
+function titleOf(lang: Lang, result: PanelResult | undefined, column: Column): string {
+  const samples = result?.samples ?? [];
+  if (column !== "plan" || samples.length < 4) return "";
+  const sorted = [...samples].sort((a, b) => a - b);
+  const at = (share: number): string => millis(lang, sorted[Math.round(share * (sorted.length - 1))]!);
+  return translate(lang, "tip.quartiles", { n: samples.length, low: at(0.25), high: at(0.75) });
+}
+
+/** The best drivable values; what reads the same is a tie. */
+function markBest(rows: Row[], column: Column): void {
+  const ranked = rows.filter((row) => row.drivable && !row.stale && row.cells[column].value !== null);
+  if (ranked.length === 0) return;
+  const values = ranked.map((row) => row.cells[column].value!);
+  const best = column === "clearance" ? Math.max(...values) : Math.min(...values);
+  const text = ranked.find((row) => row.cells[column].value === best)!.cells[column].text;
+  for (const row of ranked) row.cells[column].best = row.cells[column].text === text;
+}
+
+export type TableFormat = "markdown" | "csv" | "json";
+
+export function formatTable(state: State, format: TableFormat): string {
+  const rows = rowsOf(state);
+  if (format === "json") return JSON.stringify(rows.map((row) => plain(row, state)), null, 2);
+  const heads = ["table.planner", "table.status", ...COLUMNS.map((column) => `table.${column}`)]
+    .map((key) => translate(state.lang, key as MessageKey));
+  const units = COLUMNS.map((column) => translate(state.lang, `unit.${column}`, unitValues(state)));
+  const titles = heads.map((head, i) => (i < 2 ? head : `${head} (${units[i - 2]})`));
+  if (format === "csv") return csv(rows, titles);
+  const lines = rows.map((row) => [row.name, row.status.brief, ...COLUMNS.map((column) => markdownCell(row.cells[column]))]);
+  const rule = titles.map((_, i) => (i < 2 ? "---" : "---:"));
+  return [titles.map((title) => title.replaceAll("|", "\\|")), rule, ...lines].map((line) => `| ${line.join(" | ")} |`).join("\n");
+}
+
+export function unitValues(state: State): { limit: string; n: number } {
+  const plan = state.planners.map((planner) => state.results[planner]?.plan).find((one) => one);
+  return { limit: plan ? number(state.lang, plan.metrics.curvatureLimit, 3) : "–", n: runsOf(state) };
+}
+
+const markdownCell = ({ text, best }: Cell): string => (best ? `★ **${text}**` : text);
+
+function csv(rows: Row[], titles: string[]): string {
+  const quote = (text: string): string => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
+  const lines = rows.map((row) => [row.name, row.status.brief, ...COLUMNS.map((column) => String(row.cells[column].value ?? ""))]);
+  return [titles, ...lines].map((line) => line.map(quote).join(",")).join("\n");
+}
+
+function plain(row: Row, state: State): Record<string, unknown> {
+  const plan = state.results[row.planner]?.plan;
+  return {
+    planner: row.planner,
+    outcome: plan?.outcome ?? null,
+    verdict: plan?.check.verdict ?? null,
+    drivable: row.drivable,
+    hash: plan?.hash ?? null,
+    ...Object.fromEntries(COLUMNS.map((column) => [column, row.cells[column].value])),
+    best: COLUMNS.filter((column) => row.cells[column].best),
+  };
+}

@@ -1,0 +1,84 @@
+import type { Check, Plan, PlannerId } from "parkade";
+import { isMessage, number, translate, type MessageKey, type Values } from "../i18n/index";
+import type { PanelResult, Scene, State } from "../store";
+import type { IconName } from "./icons";
+
+export interface Status {
+  tone: "ok" | "warn" | "err" | "quiet";
+  icon: IconName;
+  /** For a panel's chip. */
+  chip: string;
+  /** For the table. */
+  brief: string;
+  /** What helps, when there is no path. */
+  reason: string | null;
+}
+
+type Word = { name: string; values?: Values };
+
+const DEGREES = 180 / Math.PI;
+const TAIL_IN = 150 / DEGREES;
+
+/** What is to be said of a planner's result, in the words of the page. */
+export function statusOf(state: State, planner: PlannerId): Status {
+  const result = state.results[planner];
+  if (result?.status === "error") {
+    return say(state, { name: "error" }, "err", "warning", result.error?.message ?? null);
+  }
+  if (!result?.plan) return say(state, { name: result?.status === "planning" ? "planning" : "waiting" }, "quiet", "clock");
+  return ofPlan(state, result.plan);
+}
+
+/** The result's plan when its car can drive it. */
+export function drivablePlan(result: PanelResult | undefined): Plan | null {
+  return result?.plan?.outcome === "found" && result.plan.check.drivable ? result.plan : null;
+}
+
+function ofPlan(state: State, plan: Plan): Status {
+  if (plan.outcome !== "found") {
+    const key = `reason.${plan.outcome}`;
+    const own = isMessage(key) ? translate(state.lang, key) : null;
+    return say(state, { name: plan.outcome }, "err", "warning", state.lang === "en" ? plan.reason ?? own : own);
+  }
+  const { check } = plan;
+  if (check.verdict === "ok") return say(state, { name: "ok" }, "ok", "check");
+  if (check.verdict === "arrives-turned") return say(state, turned(state, check), "warn", "turned");
+  return say(state, check.verdict === "collides" ? hits(state, check) : tight(state, check), "err", "warning");
+}
+
+function turned({ lang }: State, check: Check): Word {
+  const error = Math.abs(check.goalHeadingError);
+  if (error >= TAIL_IN) return { name: "tail-in" };
+  return { name: "turned", values: { angle: number(lang, error * DEGREES, 0) } };
+}
+
+function hits(state: State, check: Check): Word {
+  return { name: "hits", values: { n: check.hits, thing: thingOf(state, check) } };
+}
+
+function tight({ lang }: State, check: Check): Word {
+  if (check.tightestRadius === 0) return { name: "spot" };
+  if (check.tightTurns === 0) return { name: "sideways" };
+  return {
+    name: "tight",
+    values: { radius: number(lang, check.tightestRadius ?? 0, 2), limit: number(lang, check.minTurningRadius, 2) },
+  };
+}
+
+function thingOf({ lang, scene }: State, { firstHit }: Check): string {
+  if (!firstHit) return translate(lang, "thing.other");
+  const kind = obstacleKind(scene, firstHit.index, firstHit.obstacle);
+  const key = `thing.${kind}`;
+  return translate(lang, isMessage(key) ? key : "thing.other");
+}
+
+function obstacleKind(scene: Scene, index: number, name: string): string {
+  const obstacle = scene.obstacles?.[index] ?? scene.obstacles?.find((one) => one.id === name);
+  if (obstacle) return obstacle.type;
+  return (scene.slots ?? []).some((slot) => slot.id === name) ? "slot" : name.replace(/[^a-z].*$/, "");
+}
+
+function say(state: State, { name, values }: Word, tone: Status["tone"], icon: IconName, reason: string | null = null): Status {
+  const word = (prefix: string): string => translate(state.lang, `${prefix}.${name}` as MessageKey, values);
+  return { tone, icon, chip: word("status"), brief: word("brief"), reason };
+}

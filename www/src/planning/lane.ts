@@ -1,0 +1,122 @@
+import type { LayerName, PlannerId, Scenario } from "parkade";
+import type { Failure, Reply, Request } from "./protocol";
+
+export interface Job { id: number; scene: Scenario; layers: LayerName[] }
+
+/** What a lane needs of a Worker; tests put their own in. */
+export interface WorkerLike {
+  onmessage: ((event: MessageEvent<Reply>) => void) | null;
+  onerror: ((event: ErrorEvent) => void) | null;
+  postMessage(request: Request): void;
+  terminate(): void;
+}
+
+export interface LaneEvents {
+  planned(reply: Extract<Reply, { kind: "planned" }>, newerWaits: boolean): void;
+  failed(error: Failure, newerWaits: boolean): void;
+  restarted(): void;
+}
+
+/** A newer scene waits this long, then the running plan is given up. */
+export const PATIENCE_MS = 1000;
+
+/** One planner's worker: at most one plan running and one waiting, the newest wins. */
+export class Lane {
+  private worker: WorkerLike | null = null;
+  private running: Job | null = null;
+  private waiting: Job | null = null;
+  private patience: ReturnType<typeof setTimeout> | undefined;
+  private timing: { id: number; done: (samples: number[]) => void } | null = null;
+  private timingId = 0;
+
+  constructor(
+    private readonly planner: PlannerId,
+    private readonly module: WebAssembly.Module,
+    private readonly spawn: () => WorkerLike,
+    private readonly events: LaneEvents,
+  ) {}
+
+  get busy(): boolean {
+    return this.running !== null;
+  }
+
+  plan(job: Job): void {
+    if (!this.running) return this.send(job);
+    this.waiting = job;
+    this.patience ??= setTimeout(() => this.giveUp(), PATIENCE_MS);
+  }
+
+  /** Milliseconds of silent plans of the last scene; fewer than `runs` when the budget is spent. */
+  time(runs: number, budget: number): Promise<number[]> {
+    if (this.running || !this.worker) return Promise.resolve([]);
+    this.timing?.done([]);
+    const worker = this.worker;
+    return new Promise((done) => {
+      this.timing = { id: ++this.timingId, done };
+      worker.postMessage({ kind: "time", id: this.timingId, runs, budget });
+    });
+  }
+
+  stop(): void {
+    clearTimeout(this.patience);
+    this.patience = undefined;
+    this.worker?.terminate();
+    this.worker = null;
+    this.running = this.waiting = null;
+    this.timing?.done([]);
+    this.timing = null;
+  }
+
+  private send(job: Job): void {
+    this.running = job;
+    this.worker ??= this.start();
+    this.worker.postMessage({ kind: "plan", ...job });
+  }
+
+  private start(): WorkerLike {
+    const worker = this.spawn();
+    worker.onmessage = ({ data }) => this.receive(data);
+    worker.onerror = (event) => {
+      event.preventDefault();
+      this.died(event.message || "the worker stopped");
+    };
+    worker.postMessage({ kind: "start", module: this.module, planner: this.planner });
+    return worker;
+  }
+
+  private receive(reply: Reply): void {
+    if (reply.kind === "timed") {
+      if (this.timing?.id === reply.id) this.timing.done(reply.samples);
+      return;
+    }
+    if (reply.id !== this.running?.id) return;
+    if (reply.kind === "failed" && reply.error.code === "internal") return this.died(reply.error.message);
+    const next = this.finish();
+    if (reply.kind === "planned") this.events.planned(reply, next !== null);
+    else this.events.failed(reply.error, next !== null);
+    if (next) this.send(next);
+  }
+
+  /** A trap leaves the module's memory in an unknown state: the worker is thrown away with it. */
+  private died(message: string): void {
+    const next = this.finish();
+    this.stop();
+    this.events.restarted();
+    this.events.failed({ code: "internal", path: "", message }, next !== null);
+    if (next) this.send(next);
+  }
+
+  private giveUp(): void {
+    const next = this.finish();
+    this.stop();
+    if (next) this.send(next);
+  }
+
+  private finish(): Job | null {
+    clearTimeout(this.patience);
+    this.patience = undefined;
+    const next = this.waiting;
+    this.running = this.waiting = null;
+    return next;
+  }
+}

@@ -1,0 +1,218 @@
+import { ParkadeError, sceneGeometry, type LayerName, type PlannerId } from "parkade";
+import { isMessage, translate } from "../i18n/index";
+import { emptyResult, type PanelResult, type Scene, type State, type Store } from "../store";
+import { Lane, type WorkerLike } from "./lane";
+import type { Failure, Layers, Reply } from "./protocol";
+
+const SAMPLES = 9;
+const SLICE_MS = 40;
+/** A plan longer than this is not repeated just to time it. */
+const TOO_LONG_MS = 400;
+const QUIET_MS = 350;
+
+/** Keeps `results` and `geometry` of the store in step with its scene. */
+export class Planning {
+  private readonly lanes = new Map<PlannerId, Lane>();
+  private unsubscribe: (() => void) | null = null;
+  private job = 0;
+  private quiet: ReturnType<typeof setTimeout> | undefined;
+  private settled: { promise: Promise<void>; resolve: () => void } | null = null;
+
+  constructor(
+    private readonly store: Store,
+    private readonly module: WebAssembly.Module,
+    private readonly spawn: (planner: PlannerId) => WorkerLike = spawnWorker,
+  ) {}
+
+  start(): void {
+    this.unsubscribe ??= this.store.subscribe((state, previous) => {
+      if (state.scene !== previous.scene || state.planners !== previous.planners) this.replan(previous.scene);
+      else if (previous.transient && !state.transient) this.whenQuiet();
+    });
+    this.replan(null);
+  }
+
+  stop(): void {
+    this.unsubscribe?.();
+    this.unsubscribe = null;
+    clearTimeout(this.quiet);
+    for (const lane of this.lanes.values()) lane.stop();
+    this.lanes.clear();
+  }
+
+  /** Resolves when every planner has answered for the present scene. */
+  whenSettled(): Promise<void> {
+    if (!this.isBusy()) return Promise.resolve();
+    if (!this.settled) {
+      let resolve = (): void => {};
+      const promise = new Promise<void>((done) => { resolve = done; });
+      this.settled = { promise, resolve };
+    }
+    return this.settled.promise;
+  }
+
+  /** Times each planner again, one after another; `results` then hold that many samples. */
+  async measure(runs: number): Promise<void> {
+    clearTimeout(this.quiet);
+    const { planners } = this.store.state;
+    const job = this.job;
+    for (const planner of planners) {
+      const samples: number[] = [];
+      while (samples.length < runs && job === this.job) {
+        const more = await this.lanes.get(planner)?.time(runs - samples.length, SLICE_MS);
+        if (!more || more.length === 0) break;
+        samples.push(...more);
+      }
+      if (samples.length > 0 && job === this.job) this.update(planner, { samples, millis: median(samples) });
+    }
+  }
+
+  private isBusy(): boolean {
+    return [...this.lanes.values()].some((lane) => lane.busy);
+  }
+
+  private replan(previous: Scene | null): void {
+    clearTimeout(this.quiet);
+    const { state } = this.store;
+    this.job++;
+    if (!this.resolve(state)) return;
+    const fresh = previous !== null && !sameMap(previous, state.scene);
+    const results: Record<string, PanelResult> = {};
+    for (const planner of state.planners) {
+      const old = fresh ? emptyResult : state.results[planner] ?? emptyResult;
+      results[planner] = { ...old, status: "planning", error: null };
+    }
+    this.store.set({ results });
+    for (const [planner, lane] of this.lanes) {
+      if (state.planners.includes(planner)) continue;
+      lane.stop();
+      this.lanes.delete(planner);
+    }
+    for (const planner of state.planners) {
+      this.laneOf(planner).plan({ id: this.job, scene: state.scene, layers: layersOf(planner, state) });
+    }
+  }
+
+  /** Checks the scene and fills `geometry`; says in words what is wrong with it. */
+  private resolve(state: State): boolean {
+    try {
+      const geometry = sceneGeometry(state.scene);
+      const wasBad = Object.values(state.results).some((result) => result.status === "error");
+      this.store.set({ geometry, ...(wasBad ? { message: null } : {}) });
+      return true;
+    } catch (error) {
+      const failure = asFailure(error);
+      const results = Object.fromEntries(state.planners.map((planner) =>
+        [planner, { ...(state.results[planner] ?? emptyResult), status: "error" as const, error: failure }]));
+      const key = failure.path ? "error.sceneAt" : "error.scene";
+      const text = translate(state.lang, key, { path: failure.path, reason: withoutPath(failure) });
+      this.store.set({ results, message: { tone: "err", text } });
+      return false;
+    }
+  }
+
+  private laneOf(planner: PlannerId): Lane {
+    let lane = this.lanes.get(planner);
+    if (!lane) {
+      lane = new Lane(planner, this.module, () => this.spawn(planner), {
+        planned: (reply, newerWaits) => this.planned(planner, reply, newerWaits),
+        failed: (error, newerWaits) => this.failed(planner, error, newerWaits),
+        restarted: () => this.sayRestarted(planner),
+      });
+      this.lanes.set(planner, lane);
+    }
+    return lane;
+  }
+
+  private planned(planner: PlannerId, reply: Extract<Reply, { kind: "planned" }>, newerWaits: boolean): void {
+    const { plan, layers, millis } = reply;
+    const old = this.store.state.results[planner] ?? emptyResult;
+    this.update(planner, {
+      plan,
+      lastGood: plan.outcome === "found" ? plan : old.lastGood,
+      layers: withOld(layers, old.layers, this.store.state.transient),
+      status: newerWaits ? "planning" : "done",
+      error: null,
+      millis,
+      samples: [millis],
+    });
+    if (!newerWaits) this.afterResult();
+  }
+
+  private failed(planner: PlannerId, error: Failure, newerWaits: boolean): void {
+    this.update(planner, { status: newerWaits ? "planning" : "error", error });
+    if (newerWaits) return;
+    if (error.code !== "internal") {
+      const { lang } = this.store.state;
+      const text = translate(lang, "error.config", {
+        planner: plannerName(lang, planner), path: error.path, reason: withoutPath(error),
+      });
+      this.store.set({ message: { tone: "err", text } });
+    }
+    this.afterResult();
+  }
+
+  private update(planner: PlannerId, patch: Partial<PanelResult>): void {
+    const { results } = this.store.state;
+    this.store.set({ results: { ...results, [planner]: { ...(results[planner] ?? emptyResult), ...patch } } });
+  }
+
+  private sayRestarted(planner: PlannerId): void {
+    const { lang } = this.store.state;
+    const text = translate(lang, "panel.restarted", { planner: plannerName(lang, planner) });
+    this.store.set({ message: { tone: "warn", text } });
+  }
+
+  private afterResult(): void {
+    const { results, planners } = this.store.state;
+    if (planners.some((planner) => results[planner]?.status === "planning")) return;
+    this.settled?.resolve();
+    this.settled = null;
+    this.whenQuiet();
+  }
+
+  /** Plans are timed again only when nobody waits for one. */
+  private whenQuiet(): void {
+    clearTimeout(this.quiet);
+    const { results, planners, transient } = this.store.state;
+    const heavy = planners.some((planner) => (results[planner]?.millis ?? 0) > TOO_LONG_MS);
+    if (transient || heavy || this.isBusy()) return;
+    this.quiet = setTimeout(() => void this.measure(SAMPLES), QUIET_MS);
+  }
+}
+
+export function plannerName(lang: State["lang"], planner: string): string {
+  const key = `planner.${planner}`;
+  return isMessage(key) ? translate(lang, key) : planner;
+}
+
+export function median(values: readonly number[]): number {
+  const sorted = [...values].sort((a, b) => a - b);
+  const middle = sorted.length >> 1;
+  return sorted.length % 2 === 1 ? sorted[middle]! : (sorted[middle - 1]! + sorted[middle]!) / 2;
+}
+
+/** The arrows and hatching of the risk planner follow a drag; the hover's clearance can wait for its end. */
+function layersOf(planner: PlannerId, state: State): LayerName[] {
+  const names: LayerName[] = planner === "risk-field" ? ["safety", "risk"] : [];
+  if (!state.transient) names.push("clearance");
+  return names;
+}
+
+const withOld = (layers: Layers, old: Layers, transient: boolean): Layers =>
+  transient && old.clearance && !layers.clearance ? { ...layers, clearance: old.clearance } : layers;
+
+const sameMap = (a: Scene, b: Scene): boolean => a.map === b.map || JSON.stringify(a.map) === JSON.stringify(b.map);
+
+function withoutPath({ path, message }: Failure): string {
+  return path && message.startsWith(path) ? message.slice(path.length).replace(/^:\s*/, "") : message;
+}
+
+function asFailure(error: unknown): Failure {
+  if (error instanceof ParkadeError) return { code: error.code, path: error.path, message: error.message };
+  return { code: "internal", path: "", message: error instanceof Error ? error.message : String(error) };
+}
+
+function spawnWorker(planner: PlannerId): WorkerLike {
+  return new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name: `parkade ${planner}` }) as WorkerLike;
+}
