@@ -1,0 +1,194 @@
+import { planners, scenario, sceneGeometry, scenarios, type PlannerInfo, type ScenarioInfo } from "parkade";
+import { translate, type MessageKey, type Values } from "../i18n/index";
+import { loadModule } from "../planning/module";
+import { Planning } from "../planning/planning";
+import { ensureIds } from "../scene/model";
+import { sceneFromText, sceneToFile } from "../scene/files";
+import { createStore, type LayerKey, type Scene, type State, type Store } from "../store";
+import { ToolController } from "../tools/controller";
+import { readTokens, type Tokens } from "../view/tokens";
+import { LinkSync } from "./link-sync";
+import { Player } from "./player";
+
+/** What the planners' module knows, once it is loaded. */
+export interface Catalog { planners: PlannerInfo[]; scenarios: ScenarioInfo[]; scenario(id: string): Scene }
+
+export type LayerPreset = "clean" | "search" | "risk" | "drive";
+export const LAYER_PRESETS: readonly LayerPreset[] = ["clean", "search", "risk", "drive"];
+
+const SHOWN: Record<LayerPreset, readonly LayerKey[]> = {
+  clean: ["slots", "obstacles", "path", "car", "grid"],
+  search: ["slots", "obstacles", "path", "heat", "tree", "grid"],
+  risk: ["slots", "obstacles", "path", "car", "safety", "risk", "grid"],
+  drive: ["slots", "obstacles", "path", "car", "sweep", "heat", "safety", "risk", "grid"],
+};
+const ALL_LAYERS: readonly LayerKey[] = [
+  "slots", "obstacles", "safety", "heat", "risk", "tree", "sweep", "path", "car", "ghosts", "grid",
+];
+
+export function presetLayers(preset: LayerPreset): Record<LayerKey, boolean> {
+  return Object.fromEntries(ALL_LAYERS.map((key) => [key, SHOWN[preset].includes(key)])) as Record<LayerKey, boolean>;
+}
+
+export function presetOf(layers: State["layers"]): LayerPreset | null {
+  return LAYER_PRESETS.find((preset) => ALL_LAYERS.every((key) => layers[key] === SHOWN[preset].includes(key))) ?? null;
+}
+
+/** Everything behind one playground: the store, its planners, its tools, and what the bar's buttons do. */
+export class App {
+  readonly store: Store = createStore({ layers: presetLayers("drive") });
+  readonly controller = new ToolController(this.store);
+  readonly player = new Player(this.store);
+  readonly links = new LinkSync(this.store, (scene) => this.openScene(scene), (reason) => this.refuse("error.link", { reason }));
+  catalog: Catalog | null = null;
+  planning: Planning | null = null;
+  /** Id of the catalogue's scene last opened. */
+  preset: string | null = null;
+  private origin: Scene | null = null;
+  private cachedTokens: Tokens | null = null;
+
+  constructor(private readonly host: HTMLElement) {}
+
+  /** Loads the planners and the first scene: the address's, else the preset's. */
+  async start(preset: string, syncAddress: boolean): Promise<void> {
+    const module = await loadModule();
+    this.catalog ??= { planners: planners(), scenarios: scenarios(), scenario: (id) => ensureIds(scenario(id)) };
+    const first = await this.firstScene(preset, syncAddress);
+    this.origin = first;
+    this.store.set({ scene: first, camera: null });
+    if (syncAddress) this.links.start();
+    this.planning = new Planning(this.store, module);
+    this.planning.start();
+    await this.planning.whenSettled();
+    this.player.driveIn();
+  }
+
+  stop(): void {
+    this.player.pause();
+    this.links.stop();
+    this.planning?.stop();
+    this.planning = null;
+  }
+
+  /** The drawing's colours as they are now. */
+  tokens(): Tokens {
+    return (this.cachedTokens ??= readTokens(this.host));
+  }
+
+  themeChanged(): void {
+    this.cachedTokens = null;
+  }
+
+  t(key: MessageKey, values?: Values): string {
+    return translate(this.store.state.lang, key, values);
+  }
+
+  say(tone: "err" | "warn" | "info", key: MessageKey, values?: Values): void {
+    this.store.set({ message: { tone, text: this.t(key, values) } });
+  }
+
+  openPreset(id: string): void {
+    const scene = this.catalog?.scenario(id);
+    if (!scene) return;
+    this.preset = id;
+    this.openScene(scene);
+  }
+
+  /** Replaces the whole scene in one undoable step. */
+  openScene(scene: Scene): void {
+    this.origin = scene;
+    this.store.set({ camera: null, selection: null, message: null });
+    this.store.edit(scene, { label: "open" });
+  }
+
+  reset(): void {
+    if (this.origin) this.openScene(this.origin);
+  }
+
+  /** Opens a scene file; a bad one leaves everything as it was. */
+  async openFile(file: File): Promise<void> {
+    try {
+      const scene = ensureIds(sceneFromText(await file.text()));
+      sceneGeometry(scene);
+      this.preset = null;
+      this.openScene(scene);
+      this.say("info", "file.opened", { name: file.name });
+    } catch (error) {
+      this.refuse("error.file", { name: file.name, reason: sentence(error) });
+    }
+  }
+
+  saveFile(): void {
+    download(sceneToFile(this.store.state.scene), `${fileName(this.store.state.scene)}.json`);
+  }
+
+  async share(): Promise<boolean> {
+    const href = await this.links.write();
+    if (!href) {
+      this.say("warn", "error.longLink");
+      return false;
+    }
+    return this.copy(href);
+  }
+
+  async copy(text: string): Promise<boolean> {
+    try {
+      await navigator.clipboard.writeText(text);
+      return true;
+    } catch {
+      this.say("warn", "error.copy");
+      return false;
+    }
+  }
+
+  cycleMode(): void {
+    const order = ["grid", "overlay", "focus"] as const;
+    const at = order.indexOf(this.store.state.mode);
+    this.store.set({ mode: order[(at + 1) % order.length]!, camera: null });
+  }
+
+  cycleLayers(sign: 1 | -1): void {
+    const now = presetOf(this.store.state.layers);
+    const at = now ? LAYER_PRESETS.indexOf(now) : sign > 0 ? -1 : 0;
+    const next = LAYER_PRESETS[(at + sign + LAYER_PRESETS.length) % LAYER_PRESETS.length]!;
+    this.store.set({ layers: presetLayers(next) });
+  }
+
+  refuse(key: MessageKey, values: Values): void {
+    this.say("err", key, values);
+  }
+
+  private async firstScene(preset: string, syncAddress: boolean): Promise<Scene> {
+    try {
+      const linked = syncAddress ? await this.links.read() : null;
+      if (linked) {
+        const scene = ensureIds(linked);
+        sceneGeometry(scene);
+        return scene;
+      }
+    } catch (error) {
+      this.refuse("error.link", { reason: sentence(error) });
+    }
+    this.preset = preset;
+    return this.catalog!.scenario(preset);
+  }
+}
+
+/** The error's words, closed by a full stop so that more can follow. */
+function sentence(error: unknown): string {
+  const text = (error instanceof Error ? error.message : String(error)).trim();
+  return /[.!?。]$/.test(text) ? text : `${text}.`;
+}
+
+function fileName(scene: Scene): string {
+  const name = (scene.name ?? "").toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "");
+  return name || "parkade-scene";
+}
+
+export function download(blob: Blob, name: string): void {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+}

@@ -1,0 +1,68 @@
+import { decodeScene, encodeScene } from "../scene/link";
+import type { Scene, Store } from "../store";
+
+const PREFIX = "#s=";
+const SETTLE_MS = 500;
+/** Longer addresses are cut off by chats and mail. */
+export const LINK_LIMIT = 8000;
+
+/** Keeps the address in step with the scene, and reads scenes from it. */
+export class LinkSync {
+  private timer: ReturnType<typeof setTimeout> | undefined;
+  private unsubscribe: (() => void) | null = null;
+  private readonly onHash = (): void => void this.arrive();
+  private written = "";
+
+  constructor(
+    private readonly store: Store,
+    private readonly open: (scene: Scene) => void,
+    private readonly refuse: (reason: string) => void,
+  ) {}
+
+  start(): void {
+    addEventListener("hashchange", this.onHash);
+    this.unsubscribe = this.store.subscribe((state, previous) => {
+      if (state.scene === previous.scene) return;
+      clearTimeout(this.timer);
+      this.timer = setTimeout(() => void this.write(), SETTLE_MS);
+    });
+  }
+
+  stop(): void {
+    removeEventListener("hashchange", this.onHash);
+    this.unsubscribe?.();
+    clearTimeout(this.timer);
+  }
+
+  /** The address that opens the present scene; null when it would be too long. */
+  async address(): Promise<string | null> {
+    const url = new URL(location.href);
+    url.hash = PREFIX.slice(1) + (await encodeScene(this.store.state.scene));
+    return url.href.length > LINK_LIMIT ? null : url.href;
+  }
+
+  /** The scene in the present address; null without one. Rejects when it cannot be read. */
+  read(): Promise<Scene> | null {
+    return location.hash.startsWith(PREFIX) ? decodeScene(location.hash.slice(PREFIX.length)) : null;
+  }
+
+  async write(): Promise<string | null> {
+    clearTimeout(this.timer);
+    const href = await this.address();
+    if (href && href !== location.href) {
+      this.written = new URL(href).hash;
+      history.replaceState(history.state, "", href);
+    }
+    return href;
+  }
+
+  private async arrive(): Promise<void> {
+    if (location.hash === this.written) return;
+    try {
+      const scene = await this.read();
+      if (scene) this.open(scene);
+    } catch (error) {
+      this.refuse(error instanceof Error ? error.message : String(error));
+    }
+  }
+}

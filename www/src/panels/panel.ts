@@ -1,0 +1,126 @@
+import type { PlannerId } from "parkade";
+import { css, html, nothing, type TemplateResult } from "lit";
+import { millis } from "../i18n/index";
+import { plannerName } from "../planning/planning";
+import type { State } from "../store";
+import { controls } from "../styles/controls";
+import { AppElement } from "./base";
+import { icon, marker } from "./icons";
+import { legendOf, readoutOf } from "./readout";
+import { statusOf, type Status } from "./status";
+import "./scene-view";
+
+/** Waits before "updating" is said, so that quick plans do not flicker. */
+const SLOW_MS = 300;
+
+/** One planner: its name, its answer in words, and the scene with its path. */
+export class PlannerPanel extends AppElement {
+  static override properties = {
+    ...AppElement.properties,
+    planner: { type: String }, thumb: { type: Boolean, reflect: true }, slow: { state: true },
+  };
+  static override styles = [controls, css`
+    :host { display: grid; grid-template-rows: 32px 1fr; min-width: 0; min-height: 0; background: var(--parkade-panel); position: relative; }
+    :host([active])::before { content: ""; position: absolute; inset: 0 0 auto; height: 2px; background: var(--parkade-accent); z-index: 2; }
+    header { display: flex; align-items: center; gap: 8px; padding: 0 8px 0 12px; border-bottom: 1px solid var(--parkade-hair); min-width: 0; cursor: default; user-select: none; -webkit-user-select: none; }
+    h2 { margin: 0; font: inherit; font-weight: 600; white-space: nowrap; display: flex; align-items: center; gap: 8px; }
+    .time { color: var(--parkade-t2); white-space: nowrap; }
+    .chip { flex: 0 1 auto; }
+    .off h2, .off .time { color: var(--parkade-t3); }
+    .stale .time { color: var(--parkade-t3); }
+    .end { margin-left: auto; display: flex; flex: none; }
+    .body { position: relative; min-height: 0; }
+    parkade-scene-view { position: absolute; inset: 0; }
+    .pill { position: absolute; bottom: 8px; display: flex; align-items: center; gap: 10px; height: 24px; padding: 0 8px; pointer-events: none;
+      background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair);
+      border-radius: calc(5px * var(--parkade-radius)); font-size: 12px; line-height: 16px; color: var(--parkade-t2); white-space: nowrap; }
+    .pill b { font-weight: 500; color: var(--parkade-t1); margin-left: 4px; }
+    .readout { left: 8px; }
+    .legend { right: 8px; gap: 6px; }
+    .ramp { width: 72px; height: 6px; border-radius: 1px; background: linear-gradient(to right, #00224e, #123570, #3b496c, #575d6d, #707173, #8a8678, #a59c74, #c3b369, #e1cc55, #fde838); }
+    .reason { position: absolute; top: 8px; left: 8px; right: 8px; width: fit-content; max-width: calc(100% - 16px); padding: 5px 10px; pointer-events: none;
+      background: color-mix(in srgb, var(--parkade-err-soft) 94%, transparent); color: var(--parkade-err);
+      border-radius: calc(5px * var(--parkade-radius)); font-size: 12px; line-height: 16px; font-weight: 500; }
+    .veil { position: absolute; inset: 0; display: grid; place-items: center; background: var(--parkade-panel); color: var(--parkade-t3); text-align: center; padding: 12px; }
+    :host([thumb]) .time, :host([thumb]) .pill, :host([thumb]) .reason { display: none; }
+    :host([thumb]) { --panel-gap: 6px; }
+  `];
+  declare planner: PlannerId;
+  declare thumb: boolean;
+  declare slow: boolean;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+
+  constructor() {
+    super();
+    this.slow = false;
+    this.thumb = false;
+  }
+
+  protected watches(): readonly (keyof State)[] {
+    return ["results", "hidden", "focus", "hover", "mode", "layers", "playback", "scene"];
+  }
+
+  protected override render(): unknown {
+    const { state, planner } = this;
+    const result = state.results[planner];
+    const hidden = state.hidden.has(planner);
+    const status = statusOf(state, planner);
+    this.toggleAttribute("active", state.focus === planner);
+    this.watchTheClock(result?.status === "planning");
+    const label = this.t("panel.canvas", { planner: plannerName(state.lang, planner), status: status.chip });
+    return html`
+      <header class="${hidden ? "off" : ""} ${result?.status === "planning" ? "stale" : ""}" @dblclick=${this.maximise} @pointerdown=${this.takeFocus}>
+        <h2>${marker(planner)}<span>${plannerName(state.lang, planner)}</span></h2>
+        ${result?.millis != null ? html`<span class="time">${millis(state.lang, result.millis)} ms</span>` : nothing}
+        ${this.chip(status)}
+        <span class="end">${this.buttons(hidden)}</span>
+      </header>
+      <div class="body" @pointerdown=${this.takeFocus}>
+        ${hidden ? html`<div class="veil">${this.t("panel.hidden")}</div>` : html`
+          <parkade-scene-view .app=${this.app} .planners=${[planner]} .label=${label}></parkade-scene-view>
+          ${status.reason ? html`<div class="reason">${status.reason}</div>` : nothing}
+          ${readoutOf(state, planner)}${legendOf(state, planner)}`}
+      </div>`;
+  }
+
+  private chip(status: Status): TemplateResult {
+    const busy = this.slow && this.state.results[this.planner]?.plan;
+    const shown: Status = busy ? { ...status, tone: "quiet", icon: "clock", chip: this.t("status.updating") } : status;
+    return html`<span class="chip ${shown.tone}" title=${shown.chip}>${icon(shown.icon, 12)}<span>${shown.chip}</span></span>`;
+  }
+
+  private buttons(hidden: boolean): TemplateResult {
+    const name = plannerName(this.state.lang, this.planner);
+    const eye = this.t(hidden ? "panel.show" : "panel.hide", { planner: name });
+    const alone = this.state.mode === "focus" && this.state.focus === this.planner;
+    const size = alone ? this.t("panel.restore") : this.t("panel.maximise", { planner: name });
+    return html`
+      ${this.thumb ? nothing : html`<button class="icon small" aria-pressed=${!hidden} aria-label=${eye} title=${eye} @click=${this.hide}>${icon(hidden ? "eyeOff" : "eye")}</button>`}
+      <button class="icon small" aria-label=${size} title=${size} @click=${this.maximise}>${icon(alone ? "restore" : "maximise")}</button>`;
+  }
+
+  private readonly hide = (): void => {
+    const hidden = new Set(this.state.hidden);
+    if (!hidden.delete(this.planner)) hidden.add(this.planner);
+    this.app.store.set({ hidden });
+  };
+
+  private readonly maximise = (): void => {
+    const alone = this.state.mode === "focus" && this.state.focus === this.planner;
+    this.app.store.set({ mode: alone ? "grid" : "focus", focus: this.planner, camera: null });
+  };
+
+  private readonly takeFocus = (): void => {
+    if (this.state.focus !== this.planner && !this.thumb) this.app.store.set({ focus: this.planner });
+  };
+
+  private watchTheClock(planning: boolean): void {
+    if (planning && this.timer === undefined) this.timer = setTimeout(() => { this.slow = true; }, SLOW_MS);
+    if (planning) return;
+    clearTimeout(this.timer);
+    this.timer = undefined;
+    this.slow = false;
+  }
+}
+
+customElements.define("parkade-panel", PlannerPanel);

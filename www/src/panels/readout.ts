@@ -1,0 +1,84 @@
+import type { Layer, Plan, PlannerId } from "parkade";
+import { html, nothing, type TemplateResult } from "lit";
+import { number, translate, type MessageKey } from "../i18n/index";
+import type { Scene, State } from "../store";
+import { distancesOf } from "../view/drive";
+
+/** Metres from the path within which its own numbers are read. */
+const NEAR = 0.8;
+
+type Entry = [label: string, value: string];
+
+/** What is under the pointer, for one planner. */
+export function readoutOf(state: State, planner: PlannerId): TemplateResult | typeof nothing {
+  const entries = entriesOf(state, planner);
+  if (entries.length === 0) return nothing;
+  return html`<div class="pill readout">${entries.map(([label, value]) => html`<span>${label}<b>${value}</b></span>`)}</div>`;
+}
+
+export function legendOf(state: State, planner: PlannerId): TemplateResult | typeof nothing {
+  const plan = state.results[planner]?.plan;
+  if (planner === "risk-field" && state.layers.risk && !state.layers.heat) return riskLegend(state);
+  const expanded = plan?.stats.expanded ?? 0;
+  const drawn = planner.startsWith("hybrid") ? state.layers.tree : state.layers.heat;
+  if (!drawn || expanded < 2) return nothing;
+  return html`<div class="pill legend" title=${translate(state.lang, "read.legend")}>
+    <span>1</span><span class="ramp"></span><span>${number(state.lang, expanded, 0)}</span></div>`;
+}
+
+function riskLegend({ lang }: State): TemplateResult {
+  return html`<div class="pill legend"><span>→ ${translate(lang, "read.gradient")}</span></div>`;
+}
+
+function entriesOf(state: State, planner: PlannerId): Entry[] {
+  const { hover } = state;
+  const result = state.results[planner];
+  if (!hover || !result?.plan) return [];
+  const text = (key: MessageKey): string => translate(state.lang, key);
+  const near = nearestPose(result.plan, hover.x, hover.y);
+  if (planner.startsWith("hybrid") && near !== null) return poseEntries(state, result.plan, near);
+  const cell = cellAt(state.scene, hover.x, hover.y);
+  if (!cell) return [];
+  const entries: Entry[] = [];
+  if (result.plan.trace?.kind === "cells") entries.push([text("read.rank"), rankText(state, result.plan, cell.index)]);
+  const risk = result.layers.risk;
+  if (risk) entries.push([text("read.risk"), number(state.lang, Math.hypot(at(risk, cell.index * 2), at(risk, cell.index * 2 + 1)), 2)]);
+  const clearance = result.layers.clearance;
+  if (clearance && clearance.data.length > cell.index) {
+    entries.push([text("read.clearance"), `${number(state.lang, at(clearance, cell.index), 2)} m`]);
+  }
+  return entries;
+}
+
+function poseEntries({ lang }: State, plan: Plan, index: number): Entry[] {
+  const curvature = plan.curvatures[index] ?? NaN;
+  return [
+    ["s", `${number(lang, distancesOf(plan)[index] ?? 0, 2)} m`],
+    ["κ", Number.isFinite(curvature) ? number(lang, curvature, 3) : translate(lang, "table.corner")],
+    [translate(lang, "read.clearance"), `${number(lang, plan.clearances[index] ?? 0, 2)} m`],
+  ];
+}
+
+function rankText({ lang }: State, plan: Plan, cell: number): string {
+  const rank = plan.trace?.kind === "cells" ? plan.trace.cells.indexOf(cell) : -1;
+  return rank < 0 ? translate(lang, "read.unexpanded") : number(lang, rank + 1, 0);
+}
+
+const at = (layer: Layer, index: number): number => layer.data[index] ?? 0;
+
+function cellAt({ map }: Scene, x: number, y: number): { index: number } | null {
+  const column = Math.floor((x - map.origin[0]) / map.resolution);
+  const row = Math.floor((y - map.origin[1]) / map.resolution);
+  const inside = column >= 0 && row >= 0 && column < map.width && row < map.height;
+  return inside ? { index: row * map.width + column } : null;
+}
+
+/** Index of the pose nearest to a point, when one is near. */
+export function nearestPose(plan: Plan, x: number, y: number, reach = NEAR): number | null {
+  let best = -1, least = reach * reach;
+  for (let i = 0; 3 * i < plan.path.length; i++) {
+    const dx = plan.path[3 * i]! - x, dy = plan.path[3 * i + 1]! - y, square = dx * dx + dy * dy;
+    if (square < least) [best, least] = [i, square];
+  }
+  return best < 0 ? null : best;
+}

@@ -1,0 +1,87 @@
+import type { PlannerId } from "parkade";
+import { css, html, LitElement, type PropertyValues } from "lit";
+import type { App } from "../element/app";
+import type { State } from "../store";
+import { SceneCanvas } from "../view/scene-canvas";
+
+/** Parts of the state that never show on a canvas. */
+const UNSEEN: readonly (keyof State)[] = ["message", "live", "canUndo", "canRedo"];
+
+/** One canvas of the scene with one planner's answer, or several over another; every tool works on it. */
+export class SceneView extends LitElement {
+  static override properties = { app: { attribute: false }, planners: { attribute: false }, label: { type: String } };
+  static override styles = css`
+    :host { display: block; position: relative; min-width: 0; min-height: 0; overflow: hidden; background: var(--parkade-out); contain: strict; }
+    canvas { position: absolute; inset: 0; width: 100%; height: 100%; display: block; touch-action: none; outline: none; user-select: none; -webkit-user-select: none; }
+    canvas:focus-visible { outline: 2px solid var(--parkade-accent); outline-offset: -2px; }
+  `;
+  declare app: App;
+  declare planners: PlannerId[];
+  declare label: string;
+  private scene: SceneCanvas | null = null;
+  private detach: (() => void)[] = [];
+  private frame = 0;
+
+  /** The drawn canvas, for exports. */
+  get canvas(): HTMLCanvasElement | null {
+    return this.renderRoot.querySelector("canvas");
+  }
+
+  protected override render(): unknown {
+    return html`<canvas part="canvas" tabindex="0" role="application" aria-label=${this.label}></canvas>`;
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    if (this.hasUpdated) this.begin();
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.end();
+  }
+
+  protected override firstUpdated(): void {
+    this.begin();
+  }
+
+  protected override updated(changed: PropertyValues): void {
+    if (changed.has("planners")) this.schedule();
+  }
+
+  private begin(): void {
+    const canvas = this.canvas;
+    if (!canvas || this.scene) return;
+    this.scene = new SceneCanvas(canvas);
+    const { store, controller } = this.app;
+    this.detach = [
+      controller.attach(canvas),
+      store.subscribe((state, previous) => {
+        const keys = Object.keys(state) as (keyof State)[];
+        if (keys.some((key) => state[key] !== previous[key] && !UNSEEN.includes(key))) this.schedule();
+      }),
+    ];
+    controller.onDraft(this.schedule);
+    this.schedule();
+  }
+
+  private end(): void {
+    cancelAnimationFrame(this.frame);
+    this.frame = 0;
+    for (const stop of this.detach) stop();
+    this.detach = [];
+    this.scene?.dispose();
+    this.scene = null;
+  }
+
+  private readonly schedule = (): void => {
+    if (!this.frame && this.scene) this.frame = requestAnimationFrame(() => this.paint());
+  };
+
+  private paint(): void {
+    this.frame = 0;
+    this.scene?.draw(this.app.store.state, this.planners, this.app.tokens(), this.app.controller.draft);
+  }
+}
+
+customElements.define("parkade-scene-view", SceneView);

@@ -1,0 +1,151 @@
+import type { Plan } from "parkade";
+import { css, html, nothing, svg, type TemplateResult } from "lit";
+import { durationOf, mostExpanded } from "../element/player";
+import type { State } from "../store";
+import { controls } from "../styles/controls";
+import { cuspsOf, distancesOf } from "../view/drive";
+import { AppElement } from "./base";
+import { icon, type IconName } from "./icons";
+
+const SPEEDS = [0.25, 0.5, 1, 2, 4] as const;
+
+/** The slider that moves every car, or every search, at once. */
+export class Timeline extends AppElement {
+  static override properties = { ...AppElement.properties, compact: { type: Boolean, reflect: true } };
+  static override styles = [controls, css`
+    :host { display: block; container-type: inline-size; background: var(--parkade-panel); border-top: 1px solid var(--parkade-hair); }
+    .row { display: flex; align-items: center; height: 43px; padding: 0 14px 0 10px; gap: 2px; }
+    .segmented { margin: 0 16px 0 14px; flex: none; }
+    .track { position: relative; flex: 1; height: 32px; min-width: 60px; }
+    .track svg { position: absolute; inset: 0; width: 100%; height: 100%; overflow: visible; pointer-events: none; }
+    .track .slider { position: absolute; inset: 0; height: 32px; }
+    .slider::-webkit-slider-runnable-track { background: none; }
+    .slider::-moz-range-track, .slider::-moz-range-progress { background: none; }
+    .slider::-webkit-slider-thumb { position: relative; z-index: 1; }
+    .rail { stroke: var(--parkade-hair2); stroke-width: 2; }
+    .done { stroke: var(--parkade-t1); stroke-width: 2; }
+    .reverse { stroke: var(--parkade-t1); stroke-width: 3; stroke-dasharray: 0.1 5; stroke-linecap: round; }
+    .diamond { position: absolute; top: 50%; width: 10px; height: 10px; margin: -5px 0 0 -5px; pointer-events: none; overflow: visible; }
+    .diamond path { fill: #fff; stroke: #1b1d20; stroke-width: 1.25; }
+    .now { margin-left: 16px; white-space: nowrap; min-width: 76px; text-align: right; }
+    select { appearance: none; border: 0; background: none; height: 32px; padding: 0 8px; font-weight: 500; cursor: pointer; border-radius: calc(6px * var(--parkade-radius)); }
+    select:hover { background: var(--parkade-hover); }
+    option { background: var(--parkade-raise); color: var(--parkade-t1); }
+    .on { color: var(--parkade-accent); }
+    @container (max-width: 700px) { .unit { display: none; } .segmented { margin: 0 8px; } }
+    :host([compact]) .row { height: 48px; padding: 0 10px; gap: 8px; }
+    :host([compact]) .segmented { order: 3; margin: 0; }
+    :host([compact]) .icon { width: 44px; height: 44px; }
+    :host([compact]) .segmented button { height: 30px; }
+  `];
+  declare compact: boolean;
+
+  constructor() {
+    super();
+    this.compact = false;
+  }
+
+  protected watches(): readonly (keyof State)[] {
+    return ["playback", "results", "focus", "hidden"];
+  }
+
+  protected override render(): unknown {
+    const { playing } = this.state.playback;
+    const play = this.button(playing ? "pause" : "play", playing ? "time.pause" : "time.play", () => this.app.player.toggle());
+    if (this.compact) return html`<div class="row" role="group" aria-label=${this.t("time.label")}>${play}${this.scrubber()}${this.bases()}</div>`;
+    return html`<div class="row" role="group" aria-label=${this.t("time.label")}>
+      ${this.button("first", "time.first", () => this.app.player.seek(0))}
+      ${this.button("back", "time.back", () => this.app.player.step(-1))}
+      ${play}
+      ${this.button("next", "time.next", () => this.app.player.step(1))}
+      ${this.button("last", "time.last", () => this.app.player.seek(1))}
+      ${this.bases()}
+      ${this.scrubber()}
+      <span class="now">${this.position()}</span>
+      ${this.state.playback.base === "search" ? this.unit() : nothing}
+      ${this.speed()}
+      <button class="icon ${this.app.player.loop ? "on" : ""}" aria-pressed=${this.app.player.loop} aria-label=${this.t("time.loop")} title=${this.t("time.loop")}
+        @click=${() => { this.app.player.loop = !this.app.player.loop; this.requestUpdate(); }}>${icon("loop")}</button>
+    </div>`;
+  }
+
+  private bases(): TemplateResult {
+    const { base } = this.state.playback;
+    return html`<div class="segmented" role="group" aria-label=${this.t("time.base")}>
+      ${(["search", "drive"] as const).map((one) => html`<button aria-pressed=${base === one} @click=${() => this.setBase(one)}>${this.t(`time.${one}`)}</button>`)}</div>`;
+  }
+
+  private setBase(base: "search" | "drive"): void {
+    const { layers } = this.state;
+    this.app.player.set({ base });
+    if (base === "search") this.app.store.set({ layers: { ...layers, heat: true, tree: true } });
+    else if (layers.tree) this.app.store.set({ layers: { ...layers, tree: false } });
+  }
+
+  private unit(): TemplateResult {
+    const { searchMode } = this.state.playback;
+    return html`<select class="unit" aria-label=${this.t("time.unit")} .value=${searchMode}
+      @change=${(e: Event) => this.app.player.set({ searchMode: (e.target as HTMLSelectElement).value as State["playback"]["searchMode"] })}>
+      ${(["percent", "expansions"] as const).map((mode) => html`<option value=${mode} ?selected=${mode === searchMode}>${this.t(`time.${mode}`)}</option>`)}</select>`;
+  }
+
+  private speed(): TemplateResult {
+    const { speed } = this.state.playback;
+    return html`<select aria-label=${this.t("time.speed")} title=${this.t("time.speed")}
+      @change=${(e: Event) => this.app.player.set({ speed: Number((e.target as HTMLSelectElement).value) })}>
+      ${SPEEDS.map((one) => html`<option value=${one} ?selected=${one === speed}>${one}×</option>`)}</select>`;
+  }
+
+  private position(): string {
+    const { playback } = this.state;
+    if (playback.base === "drive") {
+      const total = durationOf(this.state);
+      return this.t("time.drivenOf", { now: this.num(playback.fraction * total, 1), total: this.num(total, 1) });
+    }
+    if (playback.searchMode === "percent") return this.t("time.searchOf", { now: this.num(playback.fraction * 100, 0) });
+    const total = mostExpanded(this.state);
+    return this.t("time.countOf", { now: this.num(Math.round(playback.fraction * total), 0), total: this.num(total, 0) });
+  }
+
+  private scrubber(): TemplateResult {
+    const { fraction, base } = this.state.playback;
+    const plan = base === "drive" ? focusedPlan(this.state) : null;
+    const done = `${fraction * 100}%`;
+    return html`<div class="track">
+      <svg aria-hidden="true"><line class="rail" x1="0" x2="100%" y1="16" y2="16"/><line class="done" x1="0" x2=${done} y1="16" y2="16"/>
+        ${plan ? reverseSpans(plan).map(([from, to]) => svg`<line class="reverse" x1="${from * 100}%" x2="${to * 100}%" y1="22" y2="22"/>`) : nothing}</svg>
+      ${plan ? cuspFractions(plan).map((at) => html`<svg class="diamond" .style=${`left:${at * 100}%`} viewBox="0 0 10 10" aria-hidden="true"><path d="M5 0l5 5-5 5-5-5z"/></svg>`) : nothing}
+      <input class="slider" type="range" min="0" max="1" step="0.001" .value=${String(fraction)} aria-label=${this.t("time.position")} aria-valuetext=${this.position()}
+        @input=${(e: Event) => this.app.player.seek(Number((e.target as HTMLInputElement).value))}>
+    </div>`;
+  }
+
+  private button(name: IconName, key: "time.first" | "time.back" | "time.play" | "time.pause" | "time.next" | "time.last", run: () => void): TemplateResult {
+    return html`<button class="icon" aria-label=${this.t(key)} title=${this.t(key)} @click=${run}>${icon(name)}</button>`;
+  }
+}
+
+export function focusedPlan(state: State): Plan | null {
+  const result = state.results[state.focus];
+  return result?.plan?.outcome === "found" ? result.plan : null;
+}
+
+function cuspFractions(plan: Plan): number[] {
+  const along = distancesOf(plan), total = along.at(-1) ?? 0;
+  return total > 0 ? cuspsOf(plan).map((index) => along[index]! / total) : [];
+}
+
+/** Shares of the way driven in reverse. */
+export function reverseSpans(plan: Plan): [number, number][] {
+  const along = distancesOf(plan), total = along.at(-1) ?? 0;
+  if (total === 0) return [];
+  const bounds = [0, ...cuspsOf(plan), along.length - 1];
+  const spans: [number, number][] = [];
+  for (let i = 0; i + 1 < bounds.length; i++) {
+    const from = bounds[i]!, to = bounds[i + 1]!;
+    if (plan.directions[Math.min(from + 1, to)]! < 0) spans.push([along[from]! / total, along[to]! / total]);
+  }
+  return spans;
+}
+
+customElements.define("parkade-timeline", Timeline);

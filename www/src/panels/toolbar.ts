@@ -1,0 +1,215 @@
+import { css, html, nothing, type TemplateResult } from "lit";
+import { LAYER_PRESETS, presetLayers, presetOf } from "../element/app";
+import type { MessageKey } from "../i18n/index";
+import type { LayerKey, State, ToolId } from "../store";
+import { controls } from "../styles/controls";
+import { AppElement } from "./base";
+import { icon, logo, type IconName } from "./icons";
+import { Menus } from "./menu";
+
+export const TOOLS: readonly { id: ToolId; icon: IconName; key: string; digit: string }[] = [
+  { id: "select", icon: "select", key: "V", digit: "1" },
+  { id: "brush", icon: "brush", key: "B", digit: "2" },
+  { id: "wall", icon: "wall", key: "L", digit: "3" },
+  { id: "rectangle", icon: "rectangle", key: "R", digit: "4" },
+  { id: "polygon", icon: "polygon", key: "G", digit: "5" },
+  { id: "car", icon: "car", key: "C", digit: "6" },
+  { id: "slot", icon: "slot", key: "P", digit: "7" },
+  { id: "eraser", icon: "eraser", key: "E", digit: "9" },
+  { id: "hand", icon: "hand", key: "H", digit: "" },
+];
+
+const MODES: readonly { id: State["mode"]; icon: IconName }[] = [
+  { id: "grid", icon: "grid" }, { id: "overlay", icon: "overlay" }, { id: "focus", icon: "focus" },
+];
+
+export const LAYER_ORDER: readonly LayerKey[] = [
+  "path", "car", "sweep", "ghosts", "heat", "tree", "risk", "safety", "obstacles", "slots", "grid",
+];
+
+type MenuName = "layers" | "export" | "more";
+
+/** The bar at the top: scene, history, tools, layers, arrangement, export, theme, language, share. */
+export class Toolbar extends AppElement {
+  static override properties = { ...AppElement.properties, compact: { type: Boolean, reflect: true }, ready: { type: Boolean }, shared: { state: true } };
+  static override styles = [controls, css`
+    :host { display: block; container-type: inline-size; background: var(--parkade-panel); border-bottom: 1px solid var(--parkade-hair); position: relative; z-index: 20; }
+    .bar { display: flex; align-items: center; height: 48px; padding: 0 14px; gap: 6px; }
+    .brand { display: flex; align-items: center; gap: 8px; font-size: 14px; line-height: 18px; font-weight: 650; margin: 0 8px 0 0; }
+    .scene { max-width: 200px; justify-content: space-between; }
+    .scene span { overflow: hidden; text-overflow: ellipsis; font-weight: 500; }
+    .scene svg, .menu svg:last-child { color: var(--parkade-t2); }
+    .rule { width: 1px; height: 20px; background: var(--parkade-hair); margin: 0 6px; flex: none; }
+    .tools { display: flex; gap: 2px; }
+    .tool { position: relative; width: 36px; height: 34px; color: var(--parkade-t1); padding-right: 5px; }
+    .tool kbd { position: absolute; right: 3px; bottom: 1px; font: inherit; font-size: 12px; line-height: 14px; color: var(--parkade-t3); }
+    .tool:hover { background: var(--parkade-hover); }
+    .tool:active { background: var(--parkade-press); }
+    .tool[aria-pressed="true"] { background: var(--parkade-accent-soft); color: var(--parkade-accent); box-shadow: inset 0 0 0 1px var(--parkade-accent); }
+    .tool[aria-pressed="true"] kbd { color: var(--parkade-accent); }
+    .end { margin-left: auto; display: flex; align-items: center; gap: 4px; flex: none; }
+    .modes button { padding: 0 8px; }
+    .anchor { position: relative; display: flex; }
+    .popover { top: calc(100% + 6px); left: 0; }
+    .popover.right { left: auto; right: 0; }
+    .popover .segmented { display: flex; margin: 2px 4px 6px; }
+    .popover .segmented button { flex: 1; }
+    .check { display: flex; align-items: center; gap: 10px; min-height: 28px; padding: 0 10px; border-radius: calc(6px * var(--parkade-radius)); cursor: pointer; }
+    .check:hover { background: var(--parkade-hover); }
+    .check input { accent-color: var(--parkade-accent); margin: 0; width: 14px; height: 14px; }
+    .lang { padding: 0 8px; color: var(--parkade-t3); font-weight: 400; }
+    .lang b { font-weight: 600; color: var(--parkade-t1); }
+    .wide { display: none; }
+    @container (max-width: 1240px) { .label { display: none; } .menu { padding: 0 8px; } .scene { max-width: 160px; } }
+    @container (max-width: 1060px) { .tool { width: 32px; padding: 0; } .tool kbd, .brand span { display: none; } .bar { gap: 4px; padding: 0 10px; } .rule { margin: 0 2px; } }
+    @container (max-width: 900px) { .rare { display: none; } .wide { display: flex; } .scene { max-width: 130px; } .tool { width: 28px; } }
+    :host([compact]) .bar { height: 44px; padding: 0 4px 0 6px; gap: 0; }
+    :host([compact]) .scene { border: 0; background: none; font-weight: 600; max-width: 230px; height: 44px; }
+  `];
+  declare compact: boolean;
+  declare ready: boolean;
+  declare shared: boolean;
+  private readonly menus = new Menus<MenuName>(this);
+
+  constructor() {
+    super();
+    this.compact = false;
+    this.ready = false;
+    this.shared = false;
+  }
+
+  protected watches(): readonly (keyof State)[] {
+    return ["scene", "tool", "canUndo", "canRedo", "mode", "layers", "theme"];
+  }
+
+  protected override render(): unknown {
+    return html`<div class="bar" role="toolbar" aria-label=${this.t("bar.label")}>${this.compact ? this.small() : this.full()}</div>`;
+  }
+
+  private full(): TemplateResult {
+    return html`
+      <h1 class="brand">${logo()}<span>${this.t("app.name")}</span></h1>
+      ${this.scenePicker()}
+      <span class="rule"></span>${this.history()}<span class="rule"></span>
+      <div class="tools" role="group" aria-label=${this.t("tools.label")}>${TOOLS.map((tool) => this.tool(tool))}</div>
+      <span class="rule"></span>
+      ${this.layersMenu()}
+      <div class="segmented modes" role="group" aria-label=${this.t("bar.mode")}>${MODES.map((mode) => this.mode(mode))}</div>
+      <span class="end">
+        <span class="anchor rare">
+          <button class="button menu" aria-expanded=${this.menus.open === "export"} aria-label=${this.t("bar.export")} @click=${(e: Event) => this.menus.toggle("export", e)}>
+            ${icon("export")}<span class="label">${this.t("bar.export")}</span>${icon("down", 14)}</button>
+          ${this.menus.open === "export" ? html`<div class="popover right">${this.exports()}</div>` : nothing}
+        </span>
+        ${this.button("theme", this.themeName(), this.nextTheme, "rare")}
+        <button class="button lang rare" aria-label=${this.t("bar.language")} title=${this.t("bar.language")} @click=${this.nextLang}>
+          <span>${this.state.lang === "zh" ? html`<b>中</b> / EN` : html`中 / <b>EN</b>`}</span></button>
+        ${this.button("help", `${this.t("bar.help")} · ?`, () => this.emit("keys"), "rare")}
+        ${this.moreMenu("wide")}
+        <button class="button solid" @click=${this.share}>${icon(this.shared ? "check" : "share")}<span class="label">${this.t(this.shared ? "bar.shared" : "bar.share")}</span><span class="sr">${this.t("bar.share")}</span></button>
+      </span>`;
+  }
+
+  private small(): TemplateResult {
+    return html`${this.scenePicker()}<span class="end">${this.history()}${this.moreMenu("")}</span>`;
+  }
+
+  private scenePicker(): TemplateResult {
+    const title = sceneTitle(this.app.preset, this.app.catalog?.scenarios ?? [], this.state);
+    return html`<button class="button outline scene" aria-label="${this.t("bar.scene")}: ${title || this.t("bar.own")}" ?disabled=${!this.ready} @click=${() => this.emit("scenes")}>
+      <span>${title || this.t("bar.own")}</span>${icon("down", 14)}</button>`;
+  }
+
+  private history(): TemplateResult {
+    const { canUndo, canRedo } = this.state;
+    return html`${this.button("undo", `${this.t("bar.undo")} · Ctrl Z`, () => this.app.store.undo(), "", !canUndo)}
+      ${this.button("redo", `${this.t("bar.redo")} · Ctrl Shift Z`, () => this.app.store.redo(), "", !canRedo)}`;
+  }
+
+  private tool(tool: (typeof TOOLS)[number]): TemplateResult {
+    const name = this.t(`tool.${tool.id}`);
+    const keys = tool.digit ? `${tool.key} / ${tool.digit}` : tool.key;
+    return html`<button class="tool" aria-pressed=${this.state.tool === tool.id} aria-label=${name} aria-keyshortcuts=${tool.key} title="${name} · ${keys}"
+      @click=${() => this.app.store.set({ tool: tool.id })}>${icon(tool.icon, 18)}<kbd aria-hidden="true">${tool.key}</kbd></button>`;
+  }
+
+  private mode(mode: (typeof MODES)[number]): TemplateResult {
+    const name = this.t(`mode.${mode.id}`);
+    return html`<button aria-pressed=${this.state.mode === mode.id} aria-label=${name} title="${name} · \\"
+      @click=${() => this.app.store.set({ mode: mode.id, camera: null })}>${icon(mode.icon)}</button>`;
+  }
+
+  private layersMenu(): TemplateResult {
+    return html`<span class="anchor">
+      <button class="button menu" aria-expanded=${this.menus.open === "layers"} aria-label=${this.t("bar.layers")} title="${this.t("bar.layers")} · , ." @click=${(e: Event) => this.menus.toggle("layers", e)}>
+        ${icon("layers")}<span class="label">${this.t("bar.layers")}</span>${icon("down", 14)}</button>
+      ${this.menus.open === "layers" ? html`<div class="popover">${this.layers()}</div>` : nothing}</span>`;
+  }
+
+  private layers(): TemplateResult {
+    const { layers } = this.state;
+    const now = presetOf(layers);
+    return html`<div class="segmented" role="group" aria-label=${this.t("layers.presets")}>
+        ${LAYER_PRESETS.map((preset) => html`<button aria-pressed=${preset === now} @click=${() => this.app.store.set({ layers: presetLayers(preset) })}>${this.t(`layers.${preset}`)}</button>`)}
+      </div>
+      ${LAYER_ORDER.map((key) => html`<label class="check"><input type="checkbox" .checked=${layers[key]}
+        @change=${() => this.app.store.set({ layers: { ...this.state.layers, [key]: !this.state.layers[key] } })}>${this.t(`layer.${key}`)}</label>`)}`;
+  }
+
+  private exports(): TemplateResult {
+    return html`${this.item("file", "bar.save", () => this.app.saveFile())}
+      ${this.item("open", "bar.open", () => this.emit("open-file"))}
+      ${this.item("image", "bar.png", () => this.emit("png"))}
+      <hr>${this.item("undo", "bar.reset", () => this.app.reset())}`;
+  }
+
+  private moreMenu(name: string): TemplateResult {
+    return html`<span class="anchor ${name}">
+      ${this.button("more", this.t("bar.more"), (e: Event) => this.menus.toggle("more", e), "")}
+      ${this.menus.open === "more" ? html`<div class="popover right">
+        ${this.compact ? this.layers() : nothing}${this.compact ? html`<hr>${this.item("share", "bar.share", this.share)}` : nothing}
+        ${this.item("fit", "bar.fit", () => this.app.store.set({ camera: null }))}<hr>
+        ${this.exports()}<hr>
+        <button class="item" @click=${this.nextTheme}>${icon("theme")}${this.themeName()}</button>
+        <button class="item" @click=${this.nextLang}>${icon("more")}${this.t("bar.language")}</button>
+        ${this.item("help", "bar.help", () => this.emit("keys"))}</div>` : nothing}</span>`;
+  }
+
+  private item(name: IconName, key: MessageKey, run: () => void): TemplateResult {
+    return html`<button class="item" @click=${() => { this.menus.close(); run(); }}>${icon(name)}${this.t(key)}</button>`;
+  }
+
+  private button(name: IconName, label: string, run: (event: Event) => void, kind: string, disabled = false): TemplateResult {
+    return html`<button class="icon ${kind}" ?disabled=${disabled} aria-label=${label} title=${label} @click=${run}>${icon(name)}</button>`;
+  }
+
+  private themeName(): string {
+    return this.t("bar.theme", { theme: this.t(`theme.${this.state.theme}`) });
+  }
+
+  private readonly nextTheme = (): void => {
+    const order = ["auto", "light", "dark"] as const;
+    this.app.store.set({ theme: order[(order.indexOf(this.state.theme) + 1) % 3]! });
+  };
+
+  private readonly nextLang = (): void => this.app.store.set({ lang: this.state.lang === "en" ? "zh" : "en" });
+
+  private readonly share = (): void => {
+    void this.app.share().then((copied) => {
+      this.shared = copied;
+      if (copied) setTimeout(() => { this.shared = false; }, 2000);
+    });
+  };
+
+  private emit(name: "scenes" | "keys" | "open-file" | "png"): void {
+    this.dispatchEvent(new CustomEvent(`parkade-${name}`, { bubbles: true, composed: true }));
+  }
+}
+
+/** The scene's title in the page's language; empty for a drawing without a name. */
+export function sceneTitle(preset: string | null, infos: readonly { id: string; title: { en: string; zh: string } }[], state: State): string {
+  const info = infos.find((one) => one.id === preset);
+  return info ? info.title[state.lang] : state.scene.name ?? "";
+}
+
+customElements.define("parkade-toolbar", Toolbar);
