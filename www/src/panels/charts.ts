@@ -1,0 +1,151 @@
+import type { Plan, PlannerId } from "parkade";
+import { css, html, nothing, svg, type SVGTemplateResult, type TemplateResult } from "lit";
+import type { State } from "../store";
+import { controls } from "../styles/controls";
+import { distancesOf, poseAtDistance } from "../view/drive";
+import { AppElement } from "./base";
+import { plannerColour } from "./icons";
+import { nearestPose } from "./readout";
+import { drivablePlan } from "./status";
+import { focusedPlan, reverseSpans } from "./timeline";
+
+type Quantity = "curvature" | "clearance";
+interface Line { planner: PlannerId; plan: Plan }
+interface Plot { quantity: Quantity; top: number; height: number; low: number; high: number }
+
+const WIDTH = 1000;
+const HEIGHT = 160;
+const HOVER_REACH = 1.5;
+const DASHES: Record<string, string> = { "eight": "9 5", "risk-field": "8 3 2 3" };
+
+/** Curvature and clearance over the way driven, marked where the pointer is on the map. */
+export class Charts extends AppElement {
+  static override styles = [controls, css`
+    :host { display: grid; grid-template-columns: 46px 1fr 92px; min-height: 0; background: var(--parkade-panel); border-left: 1px solid var(--parkade-hair); font-size: 12px; line-height: 16px; padding: 8px 0 0; }
+    .plots { position: relative; min-width: 0; }
+    .plots > svg { position: absolute; inset: 0 0 20px; width: 100%; height: calc(100% - 20px); overflow: visible; cursor: crosshair; }
+    path, line { fill: none; vector-effect: non-scaling-stroke; }
+    .limit { stroke: var(--parkade-t3); stroke-dasharray: 4 3; }
+    .zero { stroke: var(--parkade-hair2); }
+    .line { stroke-width: 1.5; stroke-linejoin: round; }
+    .cursor { stroke: var(--parkade-t1); stroke-dasharray: 2 3; }
+    .reverse { stroke: var(--parkade-t1); stroke-width: 3; stroke-dasharray: 0.1 5; stroke-linecap: round; }
+    .axis { position: absolute; left: 0; right: 0; bottom: 0; height: 18px; color: var(--parkade-t2); }
+    .axis span { position: absolute; transform: translateX(-50%); white-space: nowrap; }
+    .axis span:first-child { transform: none; } .axis span:last-child { transform: translateX(-100%); }
+    .left, .right { position: relative; }
+    .left span { position: absolute; right: 6px; transform: translateY(-50%); color: var(--parkade-t2); }
+    .right div { position: absolute; left: 12px; transform: translateY(-50%); color: var(--parkade-t2); }
+    .right b { display: block; font-weight: 600; color: var(--parkade-t1); white-space: nowrap; }
+    .none { grid-column: 1 / -1; place-self: center; color: var(--parkade-t3); }
+  `];
+
+  protected watches(): readonly (keyof State)[] {
+    return ["results", "focus", "hidden", "hover"];
+  }
+
+  protected override render(): TemplateResult {
+    const lines = linesOf(this.state);
+    if (lines.length === 0) return html`<p class="none">${this.t("chart.none")}</p>`;
+    const total = Math.max(...lines.map(({ plan }) => distancesOf(plan).at(-1) ?? 0), 0.1);
+    const plots = plotsOf(lines);
+    const at = this.hovered();
+    const percent = (y: number): string => `top:calc((100% - 20px) * ${y / HEIGHT})`;
+    return html`
+      <div class="left" aria-hidden="true">${plots.map((plot) => [plot.high, plot.low].map((value) => html`
+        <span .style=${percent(yOf(plot, value))}>${this.num(value, plot.quantity === "curvature" ? 3 : 1)}</span>`))}</div>
+      <div class="plots" role="img" aria-label="${this.t("chart.label")}: ${this.t("chart.curvature")}, ${this.t("chart.clearance")}">
+        <svg viewBox="0 0 ${WIDTH} ${HEIGHT}" preserveAspectRatio="none" @pointermove=${(e: PointerEvent) => this.point(e, total)} @pointerleave=${() => this.app.store.set({ hover: null })}>
+          <rect width=${WIDTH} height=${HEIGHT} fill="transparent"/>
+          ${plots.map((plot) => this.plot(plot, lines, total))}
+          ${this.reverse(total)}
+          ${at === null ? nothing : svg`<line class="cursor" x1=${(at / total) * WIDTH} x2=${(at / total) * WIDTH} y1="0" y2=${HEIGHT}/>`}
+        </svg>
+        <div class="axis" aria-hidden="true">${ticks(total).map((tick, i, all) => html`<span .style=${`left:${(tick / total) * 100}%`}>${this.num(tick, 0)}${i === all.length - 1 ? " m" : ""}</span>`)}</div>
+      </div>
+      <div class="right" aria-hidden="true">${plots.map((plot) => html`<div .style=${percent(plot.top + plot.height / 2)}>${this.t(`chart.${plot.quantity}`)}<b>${this.value(plot.quantity, at)}</b></div>`)}</div>`;
+  }
+
+  private plot(plot: Plot, lines: readonly Line[], total: number): SVGTemplateResult {
+    const limit = lines[0]!.plan.metrics.curvatureLimit;
+    const rule = (value: number, name: string): SVGTemplateResult =>
+      svg`<line class=${name} x1="0" x2=${WIDTH} y1=${yOf(plot, value)} y2=${yOf(plot, value)}/>`;
+    return svg`${plot.quantity === "curvature" ? [rule(limit, "limit"), rule(-limit, "limit"), rule(0, "zero")] : rule(0, "zero")}
+      ${lines.map(({ planner, plan }) => svg`<path class="line" d=${pathOf(plot, plan, total)} stroke=${plannerColour(planner)} stroke-dasharray=${DASHES[planner] ?? "none"}/>`)}`;
+  }
+
+  private reverse(total: number): SVGTemplateResult | typeof nothing {
+    const plan = focusedPlan(this.state);
+    if (!plan) return nothing;
+    const length = distancesOf(plan).at(-1) ?? 0;
+    return svg`${reverseSpans(plan).map(([from, to]) => svg`<line class="reverse" x1=${(from * length / total) * WIDTH} x2=${(to * length / total) * WIDTH} y1=${HEIGHT} y2=${HEIGHT}/>`)}`;
+  }
+
+  /** Metres along the focused path of the point nearest to the pointer. */
+  private hovered(): number | null {
+    const { hover } = this.state;
+    const plan = focusedPlan(this.state);
+    const index = hover && plan ? nearestPose(plan, hover.x, hover.y, HOVER_REACH) : null;
+    return index === null ? null : distancesOf(plan!)[index] ?? null;
+  }
+
+  private value(quantity: Quantity, at: number | null): string {
+    const plan = focusedPlan(this.state);
+    const pose = plan && at !== null ? poseAtDistance(plan, at) : null;
+    if (!pose) return "–";
+    if (quantity === "clearance") return `${this.num(pose.clearance, 2)} m`;
+    return Number.isFinite(pose.curvature) ? `${this.num(pose.curvature, 3)} 1/m` : this.t("table.corner");
+  }
+
+  private point(event: PointerEvent, total: number): void {
+    const box = (event.currentTarget as SVGElement).getBoundingClientRect();
+    const plan = focusedPlan(this.state);
+    const pose = plan ? poseAtDistance(plan, ((event.clientX - box.left) / box.width) * total) : null;
+    if (pose) this.app.store.set({ hover: { x: pose.x, y: pose.y } });
+  }
+}
+
+/** The drivable paths in sight, and the focused one. */
+function linesOf(state: State): Line[] {
+  return state.planners.filter((planner) => !state.hidden.has(planner)).flatMap((planner) => {
+    const plan = drivablePlan(state.results[planner]) ?? (planner === state.focus ? focusedPlan(state) : null);
+    return plan ? [{ planner, plan }] : [];
+  });
+}
+
+function plotsOf(lines: readonly Line[]): Plot[] {
+  const limit = lines[0]!.plan.metrics.curvatureLimit;
+  const clearances = lines.map(({ plan }) => plan.clearances.reduce((most, value) => Math.max(most, value), 0.5));
+  return [
+    { quantity: "curvature", top: 6, height: 62, low: -limit, high: limit },
+    { quantity: "clearance", top: 88, height: 62, low: 0, high: Math.max(...clearances) },
+  ];
+}
+
+const yOf = (plot: Plot, value: number): number => {
+  const part = (value - plot.low) / (plot.high - plot.low);
+  return plot.top + plot.height * (1 - Math.min(1.08, Math.max(-0.08, part)));
+};
+
+/** Curvature holds between poses, so it is drawn in steps; clearance is joined. */
+function pathOf(plot: Plot, plan: Plan, total: number): string {
+  const along = distancesOf(plan);
+  const values = plot.quantity === "curvature" ? plan.curvatures : plan.clearances;
+  let text = "", before: number | null = null;
+  for (let i = 0; i < along.length; i++) {
+    const value = values[i]!;
+    if (!Number.isFinite(value)) continue;
+    const x = ((along[i]! / total) * WIDTH).toFixed(1), y = yOf(plot, value).toFixed(1);
+    if (before === null) text += `M${x} ${y}`;
+    else text += plot.quantity === "curvature" ? `H${x}V${y}` : `L${x} ${y}`;
+    before = value;
+  }
+  return text;
+}
+
+function ticks(total: number): number[] {
+  const step = [1, 2, 5, 10, 20, 50, 100].find((one) => total / one <= 6) ?? 200;
+  return Array.from({ length: Math.floor(total / step) + 1 }, (_, i) => i * step);
+}
+
+customElements.define("parkade-charts", Charts);

@@ -1,0 +1,39 @@
+import { css, html, nothing, type TemplateResult } from "lit";
+import type { State } from "../store";
+import { controls } from "../styles/controls";
+import { AppElement } from "./base";
+import "./objects";
+import "./parameters";
+import "./selection";
+import "./vehicle-card";
+
+/** The column at the right: what is selected, the car, the focused planner's settings, every object. */
+export class Inspector extends AppElement {
+  static override properties = { ...AppElement.properties, ready: { type: Boolean } };
+  static override styles = [controls, css`
+    :host { display: block; overflow-y: auto; overflow-x: hidden; background: var(--parkade-panel); border-left: 1px solid var(--parkade-hair); scrollbar-width: thin; scrollbar-color: var(--parkade-hair2) transparent; }
+    section { padding: 14px; border-top: 1px solid var(--parkade-hair); }
+    section:first-child { border-top: 0; }
+  `];
+  declare ready: boolean;
+
+  constructor() {
+    super();
+    this.ready = false;
+  }
+
+  protected watches(): readonly (keyof State)[] {
+    return [];
+  }
+
+  protected override render(): TemplateResult | typeof nothing {
+    if (!this.ready) return nothing;
+    return html`
+      <section><parkade-selection .app=${this.app}></parkade-selection></section>
+      <section><parkade-vehicle .app=${this.app}></parkade-vehicle></section>
+      <section><parkade-parameters .app=${this.app}></parkade-parameters></section>
+      <section><parkade-objects .app=${this.app}></parkade-objects></section>`;
+  }
+}
+
+customElements.define("parkade-inspector", Inspector);

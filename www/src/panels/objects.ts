@@ -1,0 +1,98 @@
+import type { Obstacle, Pose } from "parkade";
+import { css, html, type TemplateResult } from "lit";
+import { number, translate, type Lang } from "../i18n/index";
+import { goalPose } from "../scene/model";
+import type { Selection, State } from "../store";
+import { controls } from "../styles/controls";
+import { sections } from "../styles/sections";
+import { AppElement } from "./base";
+import { icon, type IconName } from "./icons";
+
+interface Item { key: string; icon: IconName; name: string; detail: string; selection: NonNullable<Selection> }
+
+const ICONS: Record<Obstacle["type"], IconName> = {
+  cells: "brush", wall: "wall", polygon: "polygon", rectangle: "rectangle", car: "car",
+};
+
+/** Everything in the scene by name: the way to it without a pointer. */
+export class ObjectList extends AppElement {
+  static override styles = [controls, sections, css`
+    ul { list-style: none; margin: 0 -8px; padding: 0; }
+    li button { width: 100%; height: 27px; padding: 0 8px; gap: 10px; justify-content: flex-start; }
+    li button:hover { background: var(--parkade-hover); }
+    li button[aria-pressed="true"] { background: var(--parkade-accent-soft); box-shadow: inset 0 0 0 1px var(--parkade-accent); }
+    li span:last-child { margin-left: auto; color: var(--parkade-t2); font-size: 12px; overflow: hidden; text-overflow: ellipsis; }
+    li svg { color: var(--parkade-t2); }
+    @media (pointer: coarse) { li button { height: 44px; } }
+  `];
+
+  protected watches(): readonly (keyof State)[] {
+    return ["scene", "selection"];
+  }
+
+  protected override render(): TemplateResult {
+    const items = itemsOf(this.state);
+    const now = this.state.selection;
+    return html`<div class="head"><h2>${this.t("inspect.objects")}</h2><span>${items.length}</span></div>
+      <ul>${items.map((item) => html`<li><button aria-pressed=${isSame(item.selection, now)} @click=${() => this.pick(item)} @keydown=${(e: KeyboardEvent) => this.key(e, item)}>
+        ${icon(item.icon)}<span>${item.name}</span><span>${item.detail}</span></button></li>`)}</ul>`;
+  }
+
+  private pick(item: Item): void {
+    this.app.store.set({ selection: item.selection, tool: "select" });
+  }
+
+  /** Arrow keys and Delete work on an object from here as on the map. */
+  private key(event: KeyboardEvent, item: Item): void {
+    if (!/^(Arrow|Delete|Backspace)/.test(event.key)) return;
+    this.pick(item);
+    if (this.app.controller.handleKey(event)) {
+      event.preventDefault();
+      event.stopPropagation();
+    }
+  }
+}
+
+export function objectName(lang: Lang, type: Obstacle["type"]): string {
+  return translate(lang, `thing.${type}Name`);
+}
+
+function itemsOf({ scene, lang }: State): Item[] {
+  const slots = (scene.slots ?? []).map((slot, i): Item => ({
+    key: slot.id!, icon: "slot", selection: { kind: "slot", id: slot.id! },
+    name: `${translate(lang, "thing.slotName")} ${i + 1}`,
+    detail: slot.occupied ? translate(lang, "inspect.occupied") : translate(lang, `option.${slot.kind}`),
+  }));
+  const counts = new Map<string, number>();
+  const obstacles = (scene.obstacles ?? []).map((obstacle): Item => {
+    const n = (counts.get(obstacle.type) ?? 0) + 1;
+    counts.set(obstacle.type, n);
+    return {
+      key: obstacle.id!, icon: ICONS[obstacle.type], selection: { kind: "obstacle", id: obstacle.id! },
+      name: `${objectName(lang, obstacle.type)} ${n}`, detail: detailOf(lang, obstacle),
+    };
+  });
+  const pose = (kind: "start" | "goal", at: Pose): Item =>
+    ({ key: kind, icon: "car", selection: { kind }, name: translate(lang, `inspect.${kind}`), detail: poseText(lang, at) });
+  return [pose("start", scene.start), pose("goal", goalPose(scene)), ...slots, ...obstacles];
+}
+
+function detailOf(lang: Lang, obstacle: Obstacle): string {
+  switch (obstacle.type) {
+    case "cells": return translate(lang, "thing.cellCount", { n: obstacle.runs.reduce((sum, run) => sum + run[2], 0) });
+    case "wall":
+    case "polygon": return translate(lang, "thing.corners", { n: obstacle.points.length });
+    case "rectangle": return `${number(lang, obstacle.size[0], 2)} × ${number(lang, obstacle.size[1], 2)} m`;
+    case "car": return poseText(lang, obstacle.pose);
+  }
+}
+
+function poseText(lang: Lang, { x, y, heading }: Pose): string {
+  return `${number(lang, x, 2)}, ${number(lang, y, 2)} · ${number(lang, (heading * 180) / Math.PI, 0)}°`;
+}
+
+function isSame(a: NonNullable<Selection>, b: Selection): boolean {
+  return a.kind === b?.kind && ("id" in a ? a.id : "") === ("id" in b ? b.id : "");
+}
+
+customElements.define("parkade-objects", ObjectList);

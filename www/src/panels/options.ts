@@ -1,0 +1,84 @@
+import { css, html, nothing, type TemplateResult } from "lit";
+import type { MessageKey } from "../i18n/index";
+import type { State, ToolOptions } from "../store";
+import { controls } from "../styles/controls";
+import { AppElement } from "./base";
+import { icon } from "./icons";
+
+const KINDS = ["perpendicular", "parallel", "angled"] as const;
+const ANGLES = [30, 45, 60] as const;
+/** Usual sizes of each kind of slot, metres. */
+const SIZES: Record<ToolOptions["slot"]["kind"], { width: number; length: number }> = {
+  perpendicular: { width: 2.8, length: 5.4 }, parallel: { width: 2.5, length: 7.2 }, angled: { width: 2.8, length: 5.4 },
+};
+
+/** What the active tool can be set to, over the map. */
+export class ToolOptionsBar extends AppElement {
+  static override styles = [controls, css`
+    :host { position: absolute; left: 50%; top: 10px; transform: translateX(-50%); z-index: 8; max-width: calc(100% - 20px); }
+    .bar { display: flex; align-items: center; flex-wrap: wrap; gap: 6px 12px; padding: 6px 12px; background: var(--parkade-raise); border: 1px solid var(--parkade-hair); border-radius: calc(10px * var(--parkade-radius)); box-shadow: var(--parkade-float); }
+    b { font-weight: 600; }
+    label { display: flex; align-items: center; gap: 6px; color: var(--parkade-t2); }
+    .field { width: 78px; color: var(--parkade-t1); }
+    .lock[aria-pressed="true"] { color: var(--parkade-accent); }
+    :host([flat]) { position: static; transform: none; max-width: none; }
+    :host([flat]) .bar { border: 0; box-shadow: none; background: none; padding: 8px 12px; }
+  `];
+
+  protected watches(): readonly (keyof State)[] {
+    return ["tool", "toolOptions"];
+  }
+
+  protected override render(): TemplateResult | typeof nothing {
+    const { tool, toolOptions } = this.state;
+    if (tool === "select" || tool === "hand") return nothing;
+    return html`<div class="bar" role="group" aria-label=${this.t(`tool.${tool}`)}><b>${this.t(`tool.${tool}`)}</b>${this.fields(toolOptions)}${this.lock()}</div>`;
+  }
+
+  private fields(options: ToolOptions): TemplateResult | typeof nothing {
+    switch (this.state.tool) {
+      case "brush":
+      case "eraser": return this.metres("option.radius", options.brushRadius, 0.1, (brushRadius) => ({ brushRadius }));
+      case "wall": return this.metres("option.thickness", options.wallThickness, 0, (wallThickness) => ({ wallThickness }));
+      case "car": return this.choice(["sedan", "paper"] as const, options.carProfile, (name) => this.t(`vehicle.${name}`), (carProfile) => ({ carProfile }));
+      case "slot": return this.slot(options.slot);
+      default: return nothing;
+    }
+  }
+
+  private slot(slot: ToolOptions["slot"]): TemplateResult {
+    const put = (patch: Partial<ToolOptions["slot"]>): Partial<ToolOptions> => ({ slot: { ...slot, ...patch } });
+    return html`
+      ${this.choice(KINDS, slot.kind, (kind) => this.t(`option.${kind}`), (kind) => put({ kind, ...SIZES[kind] }))}
+      ${slot.kind === "angled" ? html`
+        ${this.choice(ANGLES, Math.round((slot.angle * 180) / Math.PI) as 45, (angle) => `${angle}°`, (angle) => put({ angle: (angle * Math.PI) / 180 }))}
+        ${this.choice(["left", "right"] as const, slot.lean, (lean) => this.t(`option.${lean}`), (lean) => put({ lean }))}` : nothing}
+      ${this.metres("option.width", slot.width, 1, (width) => put({ width }))}
+      ${this.metres("option.depth", slot.length, 1, (length) => put({ length }))}`;
+  }
+
+  private choice<T extends string | number>(all: readonly T[], now: T, name: (one: T) => string, put: (one: T) => Partial<ToolOptions>): TemplateResult {
+    return html`<div class="segmented" role="group" aria-label=${this.t(`tool.${this.state.tool}`)}>${all.map((one) => html`
+      <button aria-pressed=${one === now} @click=${() => this.set(put(one))}>${name(one)}</button>`)}</div>`;
+  }
+
+  private metres(key: MessageKey, value: number, min: number, put: (value: number) => Partial<ToolOptions>): TemplateResult {
+    return html`<label>${this.t(key)}<span class="field"><input type="number" step="0.1" min=${min} .value=${value.toFixed(2)}
+      @change=${(e: Event) => {
+        const typed = Number((e.target as HTMLInputElement).value);
+        if (Number.isFinite(typed) && typed >= min) this.set(put(typed));
+        this.requestUpdate();
+      }}><span>m</span></span></label>`;
+  }
+
+  private lock(): TemplateResult {
+    const { locked } = this.state.toolOptions;
+    return html`<button class="button lock" aria-pressed=${locked} title="${this.t("option.lock")} · Q" @click=${() => this.set({ locked: !locked })}>${icon("lock", 14)}${this.t("option.lock")}<span class="keys">Q</span></button>`;
+  }
+
+  private set(patch: Partial<ToolOptions>): void {
+    this.app.store.set({ toolOptions: { ...this.state.toolOptions, ...patch } });
+  }
+}
+
+customElements.define("parkade-options", ToolOptionsBar);

@@ -1,0 +1,115 @@
+import type { ParameterInfo, PlannerId } from "parkade";
+import { css, html, nothing, type TemplateResult } from "lit";
+import { plannerName } from "../planning/planning";
+import type { Scene, State } from "../store";
+import { controls } from "../styles/controls";
+import { sections } from "../styles/sections";
+import { AppElement } from "./base";
+import { marker } from "./icons";
+
+const DEGREES = 180 / Math.PI;
+const UNITS: Record<string, string> = { rad: "°", "1": "", cells: "cells" };
+
+/** The focused planner's settings, from what the planner says of them. */
+export class Parameters extends AppElement {
+  static override properties = { ...AppElement.properties, all: { state: true } };
+  static override styles = [controls, sections, css`
+    .one { padding: 5px 0; }
+    .name { display: flex; align-items: baseline; gap: 8px; font-size: 12.5px; line-height: 17px; font-weight: 500; }
+    .name output, .name .field { margin-left: auto; }
+    .name output { font-weight: 400; white-space: nowrap; }
+    .changed::after { content: ""; display: inline-block; width: 5px; height: 5px; margin-left: 6px; border-radius: 50%; background: var(--parkade-accent); vertical-align: 2px; }
+    .switch { display: flex; align-items: center; gap: 8px; margin: 4px 0; }
+    .switch input { accent-color: var(--parkade-accent); margin: 0; }
+    .segmented { margin: 4px 0; flex-wrap: wrap; }
+    .more { margin-top: 6px; }
+  `];
+  declare all: boolean;
+
+  constructor() {
+    super();
+    this.all = false;
+  }
+
+  protected watches(): readonly (keyof State)[] {
+    return ["focus", "scene"];
+  }
+
+  protected override render(): TemplateResult {
+    const { focus, lang, scene } = this.state;
+    const parameters = this.app.catalog?.planners.find((one) => one.id === focus)?.parameters ?? [];
+    const settings = scene.planners?.[focus] ?? {};
+    const basic = parameters.filter((one) => one.basic);
+    const shown = this.all || basic.length === 0 ? parameters : basic;
+    return html`
+      <div class="head"><h2>${marker(focus)}${plannerName(lang, focus)}</h2>
+        <button class="link" ?disabled=${Object.keys(settings).length === 0} @click=${() => this.app.store.edit(withSettings(scene, focus, {}))}>${this.t("inspect.reset")}</button></div>
+      ${shown.map((info) => this.parameter(info, settings))}
+      ${basic.length > 0 && basic.length < parameters.length
+        ? html`<button class="link more" aria-expanded=${this.all} @click=${() => { this.all = !this.all; }}>${this.t(this.all ? "inspect.less" : "inspect.more")}</button>` : nothing}`;
+  }
+
+  private parameter(info: ParameterInfo, settings: Record<string, unknown>): TemplateResult {
+    const value = settings[info.name] ?? info.default;
+    const changed = info.name in settings && settings[info.name] !== info.default;
+    const { lang } = this.state;
+    return html`<div class="one">
+      <div class="name"><span id="n-${info.name}" class=${changed ? "changed" : ""}>${info.title[lang]}</span>
+        ${isNumeric(info) ? html`<output>${this.valueText(info, value)}</output>` : nothing}</div>
+      ${this.control(info, value)}
+      <p>${info.doc[lang]}</p></div>`;
+  }
+
+  private control(info: ParameterInfo, value: unknown): TemplateResult {
+    if (info.type === "boolean") {
+      return html`<label class="switch"><input type="checkbox" aria-labelledby="n-${info.name}" .checked=${value === true}
+        @change=${(e: Event) => this.change(info, (e.target as HTMLInputElement).checked, false)}></label>`;
+    }
+    if (info.type === "choice") {
+      return html`<div class="segmented" role="group" aria-labelledby="n-${info.name}">${(info.choices ?? []).map((choice) => html`
+        <button aria-pressed=${choice === value} @click=${() => this.change(info, choice, false)}>${choice}</button>`)}</div>`;
+    }
+    return this.slider(info, value);
+  }
+
+  private slider(info: ParameterInfo, value: unknown): TemplateResult {
+    const { min = 0, max = 1 } = info;
+    const step = info.step ?? (info.type === "integer" ? 1 : (max - min) / 100);
+    const now = typeof value === "number" ? value : min;
+    const at = max > min ? ((Math.min(max, Math.max(min, now)) - min) / (max - min)) * 100 : 0;
+    const read = (e: Event): number => Number((e.target as HTMLInputElement).value);
+    return html`<input class="slider" type="range" min=${min} max=${max} step=${step} .value=${String(now)} .style=${`--at: ${at}%`}
+      aria-labelledby="n-${info.name}" aria-valuetext=${this.valueText(info, value)}
+      @input=${(e: Event) => this.change(info, read(e), true)} @change=${(e: Event) => this.change(info, read(e), false)}>`;
+  }
+
+  private valueText(info: ParameterInfo, value: unknown): string {
+    if (typeof value !== "number") return this.t("inspect.noPath");
+    const angle = info.unit === "rad";
+    const shown = angle ? value * DEGREES : value;
+    const digits = info.type === "integer" ? 0 : digitsOf(angle ? (info.step ?? 0.0175) * DEGREES : info.step ?? 0.01);
+    const unit = UNITS[info.unit] ?? info.unit;
+    return `${this.num(shown, digits)}${unit === "°" || unit === "" ? unit : ` ${unit}`}`;
+  }
+
+  private change(info: ParameterInfo, value: number | boolean | string, transient: boolean): void {
+    const { focus, scene } = this.state;
+    const settings = { ...scene.planners?.[focus] };
+    if (value === info.default) delete settings[info.name];
+    else settings[info.name] = value;
+    this.app.store.edit(withSettings(scene, focus, settings), { transient });
+  }
+}
+
+const isNumeric = (info: ParameterInfo): boolean => info.type === "number" || info.type === "integer";
+
+const digitsOf = (step: number): number => (step >= 1 ? 0 : step >= 0.1 ? 1 : step >= 0.01 ? 2 : 3);
+
+function withSettings(scene: Scene, planner: PlannerId, settings: Record<string, unknown>): Scene {
+  const planners = { ...scene.planners };
+  if (Object.keys(settings).length > 0) planners[planner] = settings;
+  else delete planners[planner];
+  return { ...scene, planners };
+}
+
+customElements.define("parkade-parameters", Parameters);

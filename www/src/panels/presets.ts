@@ -1,0 +1,111 @@
+import { css, html, nothing, type TemplateResult } from "lit";
+import type { ScenarioInfo } from "parkade";
+import { isMessage } from "../i18n/index";
+import type { Scene, State } from "../store";
+import { controls } from "../styles/controls";
+import { dialogs } from "../styles/dialogs";
+import { AppElement } from "./base";
+import { icon } from "./icons";
+import "./thumbnail";
+
+/** The gallery of scenes, each asking a question. */
+export class Presets extends AppElement {
+  static override properties = { ...AppElement.properties, group: { state: true }, shown: { state: true } };
+  static override styles = [controls, dialogs, css`
+    dialog { width: min(984px, 94vw); }
+    ul { list-style: none; margin: 0; padding: 0; display: grid; grid-template-columns: repeat(auto-fill, minmax(250px, 1fr)); gap: 16px; }
+    li button { display: block; width: 100%; text-align: left; white-space: normal; border-radius: calc(10px * var(--parkade-radius)); border: 1px solid var(--parkade-hair2); overflow: hidden; background: var(--parkade-panel); }
+    li button:hover { border-color: var(--parkade-t3); }
+    li button[aria-current="true"] { border-color: var(--parkade-accent); box-shadow: inset 0 0 0 1px var(--parkade-accent); }
+    li button:focus-visible { border-radius: calc(10px * var(--parkade-radius)); }
+    parkade-thumbnail { height: 128px; border-bottom: 1px solid var(--parkade-hair); pointer-events: none; }
+    .words { padding: 10px 12px 11px; display: block; }
+    b { display: block; font-weight: 600; }
+    i { display: block; font-style: normal; font-size: 12.5px; line-height: 17px; color: var(--parkade-t2); }
+    footer { display: flex; align-items: center; gap: 10px; padding: 12px 16px 12px 24px; border-top: 1px solid var(--parkade-hair); }
+    footer p { margin: 0; color: var(--parkade-t2); } footer b { white-space: nowrap; }
+    footer .button { margin-left: auto; flex: none; }
+    .segmented { margin-left: auto; } .top .segmented + .icon { margin-left: 0; }
+    @media (max-width: 640px) { ul { grid-template-columns: 1fr 1fr; gap: 10px; } parkade-thumbnail { height: 92px; } footer b + p { display: none; } .segmented { order: 4; margin: 0; } .top .segmented + .icon { margin-left: auto; } }
+  `];
+  declare group: string;
+  declare shown: boolean;
+  private readonly scenes = new Map<string, Scene>();
+
+  constructor() {
+    super();
+    this.group = "all";
+    this.shown = false;
+  }
+
+  open(): void {
+    this.shown = true;
+    void this.updateComplete.then(() => this.dialog?.showModal());
+  }
+
+  protected watches(): readonly (keyof State)[] {
+    return ["theme"];
+  }
+
+  protected override render(): TemplateResult {
+    return html`<dialog aria-labelledby="title" @close=${() => { this.shown = false; }} @click=${this.onBackdrop}>
+      ${this.shown ? this.content() : nothing}</dialog>`;
+  }
+
+  private content(): TemplateResult {
+    const all = this.app.catalog?.scenarios ?? [];
+    const groups = ["all", ...new Set(all.map((one) => one.group))];
+    const shown = all.filter((one) => this.group === "all" || one.group === this.group);
+    return html`
+      <div class="top"><h2 id="title">${this.t("scenes.title")}</h2><p>${this.t("scenes.lead")}</p>
+        ${groups.length > 2 ? html`<div class="segmented" role="group" aria-label=${this.t("scenes.title")}>${groups.map((group) => html`
+          <button aria-pressed=${group === this.group} @click=${() => { this.group = group; }}>${this.groupName(group)}</button>`)}</div>` : nothing}
+        <button class="icon" aria-label=${this.t("scenes.close")} @click=${this.close}>${icon("close")}</button></div>
+      <div class="scroll"><ul>${shown.map((info) => this.card(info))}</ul></div>
+      <footer>${icon("open")}<b>${this.t("scenes.own")}</b><p>${this.t("scenes.ownHelp")}</p>
+        <button class="button outline" @click=${this.choose}>${this.t("scenes.choose")}</button></footer>`;
+  }
+
+  private card(info: ScenarioInfo): TemplateResult {
+    const { lang } = this.state;
+    return html`<li><button aria-current=${info.id === this.app.preset} @click=${() => this.pick(info.id)}>
+      <parkade-thumbnail .app=${this.app} .scene=${this.sceneOf(info.id)}></parkade-thumbnail>
+      <span class="words"><b>${info.title[lang]}</b><i>${info.question[lang]}</i></span></button></li>`;
+  }
+
+  private sceneOf(id: string): Scene {
+    let scene = this.scenes.get(id);
+    if (!scene) {
+      scene = this.app.catalog!.scenario(id);
+      this.scenes.set(id, scene);
+    }
+    return scene;
+  }
+
+  private groupName(group: string): string {
+    const key = `scenes.${group}`;
+    return isMessage(key) ? this.t(key) : group;
+  }
+
+  private pick(id: string): void {
+    this.close();
+    this.app.openPreset(id);
+  }
+
+  private readonly choose = (): void => {
+    this.close();
+    this.dispatchEvent(new CustomEvent("parkade-open-file", { bubbles: true, composed: true }));
+  };
+
+  private readonly close = (): void => this.dialog?.close();
+
+  private readonly onBackdrop = (event: Event): void => {
+    if (event.target === this.dialog) this.close();
+  };
+
+  private get dialog(): HTMLDialogElement | null {
+    return this.renderRoot.querySelector("dialog");
+  }
+}
+
+customElements.define("parkade-presets", Presets);

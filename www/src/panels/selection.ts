@@ -1,0 +1,139 @@
+import type { Obstacle, Pose, Slot } from "parkade";
+import { css, html, nothing, type TemplateResult } from "lit";
+import {
+  findObstacle, findSlot, flipGoal, goalPose, movePose, removeObstacle, removeSlot, setGoalFromSlot, updateObstacle, updateSlot,
+} from "../scene/model";
+import type { Scene, State } from "../store";
+import { controls } from "../styles/controls";
+import { sections } from "../styles/sections";
+import { AppElement } from "./base";
+import { icon } from "./icons";
+import { objectName } from "./objects";
+
+const DEGREES = 180 / Math.PI;
+
+interface Field { label: string; unit: string; value: number; digits: number; step: number; min?: number; apply: (value: number) => Scene }
+
+/** The numbers of what is selected; typing them is one undo step each. */
+export class SelectionCard extends AppElement {
+  static override styles = [controls, sections, css`
+    .slots { color: var(--parkade-t2); }
+    label.check { display: flex; gap: 8px; align-items: center; }
+    label.check input { accent-color: var(--parkade-accent); }
+    .danger { color: var(--parkade-err); margin-left: -8px; }
+    .small { height: 28px; font-size: 12px; }
+  `];
+
+  protected watches(): readonly (keyof State)[] {
+    return ["scene", "selection"];
+  }
+
+  protected override render(): TemplateResult {
+    const { selection, scene } = this.state;
+    if (selection?.kind === "start" || selection?.kind === "goal") return this.pose(selection.kind);
+    const obstacle = selection?.kind === "obstacle" ? findObstacle(scene, selection.id) : undefined;
+    if (obstacle) return this.obstacle(obstacle);
+    const slot = selection?.kind === "slot" ? findSlot(scene, selection.id) : undefined;
+    if (slot) return this.slotCard(slot);
+    return html`<div class="head"><h2>${this.t("inspect.none")}</h2></div><p>${this.t("inspect.noneHelp")}</p>`;
+  }
+
+  private heading(name: string): TemplateResult {
+    return html`<div class="head"><h2>${name}</h2><span>${this.t("inspect.selected")}</span></div>`;
+  }
+
+  private pose(kind: "start" | "goal"): TemplateResult {
+    const { scene } = this.state;
+    const pose = kind === "start" ? scene.start : goalPose(scene);
+    const move = (patch: Partial<Pose>): Scene => movePose(this.state.scene, kind, { ...pose, ...patch });
+    const inSlot = kind === "goal" && "slot" in scene.goal ? scene.goal : null;
+    return html`${this.heading(this.t(`inspect.${kind}`))}
+      ${this.fields(poseFields(pose, move))}
+      ${inSlot ? html`<div class="row">
+        <div class="segmented" role="group" aria-label=${this.t("inspect.entry")}>
+          ${(["head-in", "reverse-in"] as const).map((entry) => html`<button aria-pressed=${inSlot.entry === entry}
+            @click=${() => this.edit(setGoalFromSlot(this.state.scene, inSlot.slot, entry))}>${this.t(entry === "head-in" ? "inspect.head" : "inspect.reverse")}</button>`)}
+        </div><span class="keys push">${this.t("inspect.flips")}</span></div>`
+        : kind === "goal" ? html`<div class="row"><button class="button outline small" @click=${() => this.edit(flipGoal(this.state.scene))}>${icon("flip", 14)}${this.t("inspect.flips")}</button></div>` : nothing}`;
+  }
+
+  private obstacle(obstacle: Obstacle): TemplateResult {
+    return html`${this.heading(objectName(this.state.lang, obstacle.type))}${this.fields(this.obstacleFields(obstacle))}
+      ${this.remove(() => this.edit(removeObstacle(this.state.scene, obstacle.id!)))}`;
+  }
+
+  private obstacleFields(obstacle: Obstacle): Field[] {
+    const apply = (next: Obstacle): Scene => updateObstacle(this.state.scene, obstacle.id!, next);
+    if (obstacle.type === "car") return poseFields(obstacle.pose, (patch) => apply({ ...obstacle, pose: { ...obstacle.pose, ...patch } }));
+    if (obstacle.type === "wall") {
+      return [metres(this.t("option.thickness"), obstacle.thickness ?? 0, (thickness) => apply({ ...obstacle, thickness }), 0)];
+    }
+    if (obstacle.type !== "rectangle") return [];
+    const { center, size, heading = 0 } = obstacle;
+    return [
+      metres("x", center[0], (x) => apply({ ...obstacle, center: [x, center[1]] })),
+      metres("y", center[1], (y) => apply({ ...obstacle, center: [center[0], y] })),
+      angle(heading, (value) => apply({ ...obstacle, heading: value })),
+      metres("↔", size[0], (along) => apply({ ...obstacle, size: [along, size[1]] }), 0.05),
+      metres("↕", size[1], (across) => apply({ ...obstacle, size: [size[0], across] }), 0.05),
+    ];
+  }
+
+  private slotCard(slot: Slot): TemplateResult {
+    const id = slot.id!;
+    const patch = (change: Partial<Slot>): Scene => updateSlot(this.state.scene, id, change);
+    const goal = this.state.scene.goal;
+    const isGoal = "slot" in goal && goal.slot === id;
+    return html`${this.heading(`${this.t("thing.slotName")} · ${this.t(`option.${slot.kind}`)}`)}
+      ${this.fields(poseFields(slot, patch))}
+      ${this.fields([
+        metres(this.t("option.width"), slot.width, (width) => patch({ width }), 0.5),
+        metres(this.t("option.depth"), slot.length, (length) => patch({ length }), 0.5),
+      ])}
+      <div class="row">
+        <label class="check"><input type="checkbox" .checked=${slot.occupied ?? false} ?disabled=${isGoal}
+          @change=${(e: Event) => this.edit(patch({ occupied: (e.target as HTMLInputElement).checked }))}>${this.t("inspect.occupied")}</label>
+        <button class="button outline small push" ?disabled=${isGoal || (slot.occupied ?? false)}
+          @click=${() => this.edit(setGoalFromSlot(this.state.scene, id))}>${this.t("inspect.makeGoal")}</button>
+      </div>
+      ${isGoal ? html`<p>${this.t("inspect.goalSlot")}</p>` : this.remove(() => this.edit(removeSlot(this.state.scene, id)))}`;
+  }
+
+  private fields(fields: readonly Field[]): TemplateResult {
+    const rows: Field[][] = [];
+    for (let i = 0; i < fields.length; i += 3) rows.push(fields.slice(i, i + 3));
+    return html`${rows.map((row) => html`<div class="row">${row.map((field) => this.field(field))}</div>`)}`;
+  }
+
+  private field({ label, unit, value, digits, step, min, apply }: Field): TemplateResult {
+    return html`<label class="field"><span>${label}</span><input type="number" step=${step} min=${min ?? nothing} .value=${value.toFixed(digits)}
+      @change=${(e: Event) => {
+        const input = e.target as HTMLInputElement;
+        const typed = Number(input.value);
+        if (input.value === "" || !Number.isFinite(typed) || (min !== undefined && typed < min)) input.value = value.toFixed(digits);
+        else this.edit(apply(typed));
+      }}><span>${unit}</span></label>`;
+  }
+
+  private remove(run: () => void): TemplateResult {
+    return html`<div class="row"><button class="button danger small" @click=${run}>${icon("trash", 14)}${this.t("inspect.delete")}</button><span class="keys push">Del</span></div>`;
+  }
+
+  private edit(scene: Scene): void {
+    this.app.store.edit(scene);
+  }
+}
+
+function poseFields(pose: Pose, move: (patch: Partial<Pose>) => Scene): Field[] {
+  return [metres("x", pose.x, (x) => move({ x })), metres("y", pose.y, (y) => move({ y })), angle(pose.heading, (heading) => move({ heading }))];
+}
+
+function metres(label: string, value: number, apply: (value: number) => Scene, min?: number): Field {
+  return { label, unit: "m", value, digits: 2, step: 0.1, apply, ...(min === undefined ? {} : { min }) };
+}
+
+function angle(value: number, apply: (value: number) => Scene): Field {
+  return { label: "θ", unit: "°", value: value * DEGREES, digits: 1, step: 1, apply: (degrees) => apply(degrees / DEGREES) };
+}
+
+customElements.define("parkade-selection", SelectionCard);
