@@ -49,8 +49,8 @@ export class App {
 
   constructor(private readonly host: HTMLElement) {}
 
-  /** Loads the planners and the first scene: the address's, else the preset's. */
-  async start(preset: string, syncAddress: boolean): Promise<void> {
+  /** Loads the planners and the first scene, the address's or else the preset's, and plans it; `loaded` comes before the plans. */
+  async start(preset: string, syncAddress: boolean, loaded: () => void): Promise<void> {
     const module = await loadModule();
     this.catalog ??= { planners: planners(), scenarios: scenarios(), scenario: (id) => ensureIds(scenario(id)) };
     const first = await this.firstScene(preset, syncAddress);
@@ -59,6 +59,7 @@ export class App {
     if (syncAddress) this.links.start();
     this.planning = new Planning(this.store, module);
     this.planning.start();
+    loaded();
     await this.planning.whenSettled();
     this.player.driveIn();
   }

@@ -38,7 +38,7 @@ export class KeysDialog extends AppElement {
 
   protected override render(): TemplateResult {
     const tools = TOOLS.map((tool): Entry => [`tool.${tool.id}`, tool.digit ? `${tool.key}, ${tool.digit}` : tool.key]);
-    const view: readonly Entry[] = [["keys.play", this.t("keys.space")], ...VIEW, ["keys.pan", `H, ${this.t("keys.space")}`], ["keys.zoom", this.t("keys.zoomKeys")]];
+    const view: readonly Entry[] = [["keys.play", "K"], ...VIEW, ["keys.pan", `H, ${this.t("keys.space")}`], ["keys.zoom", this.t("keys.zoomKeys")]];
     return html`<dialog aria-labelledby="title" @click=${(e: Event) => { if (e.target === this.dialog) this.dialog?.close(); }}>
       <div class="top"><h2 id="title">${this.t("keys.title")}</h2>
         <button class="icon" aria-label=${this.t("scenes.close")} @click=${() => this.dialog?.close()}>${icon("close")}</button></div>

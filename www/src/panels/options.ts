@@ -41,12 +41,12 @@ export class ToolOptionsBar extends AppElement {
       case "eraser": return this.metres("option.radius", options.brushRadius, 0.1, (brushRadius) => ({ brushRadius }));
       case "wall": return this.metres("option.thickness", options.wallThickness, 0, (wallThickness) => ({ wallThickness }));
       case "car": return this.choice(["sedan", "paper"] as const, options.carProfile, (name) => this.t(`vehicle.${name}`), (carProfile) => ({ carProfile }));
-      case "slot": return this.slot(options.slot);
+      case "slot": return this.slotRow(options.slot);
       default: return nothing;
     }
   }
 
-  private slot(slot: ToolOptions["slot"]): TemplateResult {
+  private slotRow(slot: ToolOptions["slot"]): TemplateResult {
     const put = (patch: Partial<ToolOptions["slot"]>): Partial<ToolOptions> => ({ slot: { ...slot, ...patch } });
     return html`
       ${this.choice(KINDS, slot.kind, (kind) => this.t(`option.${kind}`), (kind) => put({ kind, ...SIZES[kind] }))}

@@ -1,5 +1,5 @@
 import type { PlannerId } from "parkade";
-import { css, html, nothing, type TemplateResult } from "lit";
+import { css, html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { millis } from "../i18n/index";
 import { plannerName } from "../planning/planning";
 import type { State } from "../store";
@@ -8,6 +8,7 @@ import { AppElement } from "./base";
 import { icon, marker } from "./icons";
 import { legendOf, readoutOf } from "./readout";
 import { statusOf, type Status } from "./status";
+import "./hint";
 import "./scene-view";
 
 /** Waits before "updating" is said, so that quick plans do not flicker. */
@@ -60,13 +61,17 @@ export class PlannerPanel extends AppElement {
     return ["results", "hidden", "focus", "hover", "mode", "layers", "playback", "scene"];
   }
 
+  protected override willUpdate(changed: PropertyValues): void {
+    super.willUpdate(changed);
+    this.watchTheClock(this.state.results[this.planner]?.status === "planning");
+    this.toggleAttribute("active", this.state.focus === this.planner);
+  }
+
   protected override render(): unknown {
     const { state, planner } = this;
     const result = state.results[planner];
     const hidden = state.hidden.has(planner);
     const status = statusOf(state, planner);
-    this.toggleAttribute("active", state.focus === planner);
-    this.watchTheClock(result?.status === "planning");
     const label = this.t("panel.canvas", { planner: plannerName(state.lang, planner), status: status.chip });
     return html`
       <header class="${hidden ? "off" : ""} ${result?.status === "planning" ? "stale" : ""}" @dblclick=${this.maximise} @pointerdown=${this.takeFocus}>
@@ -78,6 +83,7 @@ export class PlannerPanel extends AppElement {
       <div class="body" @pointerdown=${this.takeFocus}>
         ${hidden ? html`<div class="veil">${this.t("panel.hidden")}</div>` : html`
           <parkade-scene-view .app=${this.app} .planners=${[planner]} .label=${label}></parkade-scene-view>
+          ${state.focus === planner && !this.thumb ? html`<parkade-hint .app=${this.app}></parkade-hint>` : nothing}
           ${status.reason ? html`<div class="reason">${status.reason}</div>` : nothing}
           ${readoutOf(state, planner)}${legendOf(state, planner)}`}
       </div>`;

@@ -60,8 +60,8 @@ export class SceneView extends LitElement {
         const keys = Object.keys(state) as (keyof State)[];
         if (keys.some((key) => state[key] !== previous[key] && !UNSEEN.includes(key))) this.schedule();
       }),
+      controller.onDraft(this.schedule),
     ];
-    controller.onDraft(this.schedule);
     this.schedule();
   }
 

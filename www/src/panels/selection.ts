@@ -59,7 +59,7 @@ export class SelectionCard extends AppElement {
 
   private obstacle(obstacle: Obstacle): TemplateResult {
     return html`${this.heading(objectName(this.state.lang, obstacle.type))}${this.fields(this.obstacleFields(obstacle))}
-      ${this.remove(() => this.edit(removeObstacle(this.state.scene, obstacle.id!)))}`;
+      ${this.deleteRow(() => this.edit(removeObstacle(this.state.scene, obstacle.id!)))}`;
   }
 
   private obstacleFields(obstacle: Obstacle): Field[] {
@@ -96,7 +96,7 @@ export class SelectionCard extends AppElement {
         <button class="button outline small push" ?disabled=${isGoal || (slot.occupied ?? false)}
           @click=${() => this.edit(setGoalFromSlot(this.state.scene, id))}>${this.t("inspect.makeGoal")}</button>
       </div>
-      ${isGoal ? html`<p>${this.t("inspect.goalSlot")}</p>` : this.remove(() => this.edit(removeSlot(this.state.scene, id)))}`;
+      ${isGoal ? html`<p>${this.t("inspect.goalSlot")}</p>` : this.deleteRow(() => this.edit(removeSlot(this.state.scene, id)))}`;
   }
 
   private fields(fields: readonly Field[]): TemplateResult {
@@ -115,7 +115,7 @@ export class SelectionCard extends AppElement {
       }}><span>${unit}</span></label>`;
   }
 
-  private remove(run: () => void): TemplateResult {
+  private deleteRow(run: () => void): TemplateResult {
     return html`<div class="row"><button class="button danger small" @click=${run}>${icon("trash", 14)}${this.t("inspect.delete")}</button><span class="keys push">Del</span></div>`;
   }
 

@@ -11,7 +11,7 @@ const SPEEDS = [0.25, 0.5, 1, 2, 4] as const;
 
 /** The slider that moves every car, or every search, at once. */
 export class Timeline extends AppElement {
-  static override properties = { ...AppElement.properties, compact: { type: Boolean, reflect: true } };
+  static override properties = { ...AppElement.properties, compact: { type: Boolean, reflect: true }, folded: { type: Boolean } };
   static override styles = [controls, css`
     :host { display: block; container-type: inline-size; background: var(--parkade-panel); border-top: 1px solid var(--parkade-hair); }
     .row { display: flex; align-items: center; height: 43px; padding: 0 14px 0 10px; gap: 2px; }
@@ -31,6 +31,7 @@ export class Timeline extends AppElement {
     select { appearance: none; border: 0; background: none; height: 32px; padding: 0 8px; font-weight: 500; cursor: pointer; border-radius: calc(6px * var(--parkade-radius)); }
     select:hover { background: var(--parkade-hover); }
     option { background: var(--parkade-raise); color: var(--parkade-t1); }
+    .up svg { transform: scaleY(-1); }
     .on { color: var(--parkade-accent); }
     @container (max-width: 700px) { .unit { display: none; } .segmented { margin: 0 8px; } }
     :host([compact]) .row { height: 48px; padding: 0 10px; gap: 8px; }
@@ -39,10 +40,11 @@ export class Timeline extends AppElement {
     :host([compact]) .segmented button { height: 30px; }
   `];
   declare compact: boolean;
+  declare folded: boolean;
 
   constructor() {
     super();
-    this.compact = false;
+    this.compact = this.folded = false;
   }
 
   protected watches(): readonly (keyof State)[] {
@@ -52,6 +54,7 @@ export class Timeline extends AppElement {
   protected override render(): unknown {
     const { playing } = this.state.playback;
     const play = this.button(playing ? "pause" : "play", playing ? "time.pause" : "time.play", () => this.app.player.toggle());
+    const fold = this.t(this.folded ? "chart.expand" : "chart.collapse");
     if (this.compact) return html`<div class="row" role="group" aria-label=${this.t("time.label")}>${play}${this.scrubber()}${this.bases()}</div>`;
     return html`<div class="row" role="group" aria-label=${this.t("time.label")}>
       ${this.button("first", "time.first", () => this.app.player.seek(0))}
@@ -66,6 +69,8 @@ export class Timeline extends AppElement {
       ${this.speed()}
       <button class="icon ${this.app.player.loop ? "on" : ""}" aria-pressed=${this.app.player.loop} aria-label=${this.t("time.loop")} title=${this.t("time.loop")}
         @click=${() => { this.app.player.loop = !this.app.player.loop; this.requestUpdate(); }}>${icon("loop")}</button>
+      <button class="icon ${this.folded ? "up" : ""}" aria-expanded=${!this.folded} aria-label=${fold} title=${fold}
+        @click=${() => this.dispatchEvent(new CustomEvent("parkade-fold", { bubbles: true, composed: true }))}>${icon("down")}</button>
     </div>`;
   }
 

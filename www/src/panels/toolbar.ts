@@ -168,7 +168,7 @@ export class Toolbar extends AppElement {
       ${this.button("more", this.t("bar.more"), (e: Event) => this.menus.toggle("more", e), "")}
       ${this.menus.open === "more" ? html`<div class="popover right">
         ${this.compact ? this.layers() : nothing}${this.compact ? html`<hr>${this.item("share", "bar.share", this.share)}` : nothing}
-        ${this.item("fit", "bar.fit", () => this.app.store.set({ camera: null }))}<hr>
+        ${this.item("fit", "bar.fit", () => this.app.controller.fit())}<hr>
         ${this.exports()}<hr>
         <button class="item" @click=${this.nextTheme}>${icon("theme")}${this.themeName()}</button>
         <button class="item" @click=${this.nextLang}>${icon("more")}${this.t("bar.language")}</button>

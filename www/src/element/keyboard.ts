@@ -1,0 +1,44 @@
+import type { App } from "./app";
+
+const TYPING = "input:not([type=checkbox]):not([type=range]), textarea, [contenteditable]";
+/** Keys that move sliders, press buttons and pick options belong to the control that has the focus. */
+const CONTROL_KEYS = /^( |Enter|Tab|Arrow|Home|End|Page)/;
+
+/** Keys of the whole playground, while the focus is in it or nowhere in particular. */
+export function listenToKeys(host: HTMLElement, app: App, help: () => void): () => void {
+  const listen = (event: KeyboardEvent): void => {
+    if (event.defaultPrevented || !isOurs(host, event)) return;
+    if (ownKey(app, event, help) || app.controller.handleKey(event)) event.preventDefault();
+  };
+  document.addEventListener("keydown", listen);
+  return () => document.removeEventListener("keydown", listen);
+}
+
+function isOurs(host: HTMLElement, event: KeyboardEvent): boolean {
+  const path = event.composedPath();
+  const target = path[0];
+  if (target !== document.body && !path.includes(host)) return false;
+  if (!(target instanceof HTMLElement)) return true;
+  if (target.matches(TYPING) || path.some((node) => node instanceof HTMLDialogElement)) return false;
+  return !(CONTROL_KEYS.test(event.key) && target.matches("button, input, select, [role=region]"));
+}
+
+function ownKey(app: App, event: KeyboardEvent, help: () => void): boolean {
+  const key = event.key.toLowerCase();
+  if (event.ctrlKey || event.metaKey) {
+    if (key === "z") event.shiftKey ? app.store.redo() : app.store.undo();
+    else if (key === "y") app.store.redo();
+    else return false;
+    return true;
+  }
+  if (event.altKey) return false;
+  switch (key) {
+    case "\\": app.cycleMode(); return true;
+    case ",": app.cycleLayers(-1); return true;
+    case ".": app.cycleLayers(1); return true;
+    case "?": help(); return true;
+    case "k": app.player.toggle(); return true;
+    case "0": app.controller.fit(); return true;
+    default: return false;
+  }
+}

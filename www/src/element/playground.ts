@@ -1,0 +1,297 @@
+import type { Plan, PlannerId } from "parkade";
+import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
+import { pickLang } from "../i18n/index";
+import type { SceneView } from "../panels/scene-view";
+import { ensureIds } from "../scene/model";
+import type { Scene, State, Store } from "../store";
+import { controls } from "../styles/controls";
+import { tokens } from "../styles/tokens";
+import { layout } from "../styles/layout";
+import { App, download } from "./app";
+import { listenToKeys } from "./keyboard";
+import { recall, remember } from "./memory";
+import { picture } from "./picture";
+import type { KeysDialog } from "../panels/keys-dialog";
+import type { Presets } from "../panels/presets";
+import "../panels/charts";
+import "../panels/inspector";
+import "../panels/keys-dialog";
+import "../panels/notices";
+import "../panels/phone";
+import "../panels/presets";
+import "../panels/stage";
+import "../panels/table";
+import "../panels/timeline";
+import "../panels/toolbar";
+
+const PHONE_WIDTH = 640;
+const FIRST_SCENE = "perpendicular";
+const PLANNERS: readonly string[] = ["four", "eight", "risk-field", "hybrid", "hybrid-forward"];
+
+/**
+ * Draws a scene and plans it with several planners at once.
+ *
+ * Attributes: `scene` (a preset's id), `planners` (ids, spaced), `layout` (grid, overlay, focus), `controls` (full, minimal),
+ * `theme` (auto, light, dark), `lang` (en, zh), `permalink` (keeps the scene in the page's address).
+ * Events: `ready`, `scene-change` { scene, transient }, `plan-result` { planner, plan }.
+ */
+export class Playground extends LitElement {
+  static override properties = {
+    scene: { type: String }, planners: { type: String }, layout: { type: String }, theme: { type: String, reflect: true },
+    permalink: { type: Boolean }, compact: { type: Boolean, reflect: true }, loaded: { state: true }, folded: { type: Boolean, reflect: true },
+    dropping: { state: true },
+  };
+  static override styles = [tokens, controls, layout];
+  static override get observedAttributes(): string[] {
+    return [...super.observedAttributes, "lang"];
+  }
+
+  declare scene: string;
+  declare planners: string;
+  declare layout: State["mode"];
+  declare theme: State["theme"];
+  declare permalink: boolean;
+  declare compact: boolean;
+  declare loaded: boolean;
+  declare folded: boolean;
+  declare dropping: boolean;
+
+  /** Resolves when the first scene is solved. */
+  readonly ready: Promise<void>;
+  private readonly app = new App(this);
+  private becomeReady: () => void = () => {};
+  private detach: (() => void)[] = [];
+
+  constructor() {
+    super();
+    this.ready = new Promise((resolve) => { this.becomeReady = resolve; });
+    this.scene = FIRST_SCENE;
+    this.planners = "";
+    this.layout = "grid";
+    this.theme = "auto";
+    this.permalink = this.compact = this.loaded = this.folded = this.dropping = false;
+    this.takeEarly("sceneData");
+  }
+
+  get store(): Store {
+    return this.app.store;
+  }
+
+  get results(): Record<string, Plan | null> {
+    return Object.fromEntries(Object.entries(this.store.state.results).map(([planner, result]) => [planner, result.plan]));
+  }
+
+  get sceneData(): Scene {
+    return this.store.state.scene;
+  }
+
+  set sceneData(scene: Scene) {
+    if (this.loaded) this.app.openScene(ensureIds(scene));
+    else void this.ready.then(() => this.app.openScene(ensureIds(scene)));
+  }
+
+  get canUndo(): boolean {
+    return this.store.state.canUndo;
+  }
+
+  get canRedo(): boolean {
+    return this.store.state.canRedo;
+  }
+
+  undo(): void { this.store.undo(); }
+  redo(): void { this.store.redo(); }
+  reset(): void { this.app.reset(); }
+  fit(): void { this.app.controller.fit(); }
+  play(): void { this.app.player.play(); }
+  pause(): void { this.app.player.pause(); }
+  seek(fraction: number, options: { base?: "search" | "drive" } = {}): void {
+    if (options.base) this.app.player.set({ base: options.base });
+    this.app.player.seek(fraction);
+  }
+
+  /** Resolves when every planner has answered for the present scene. */
+  async settled(): Promise<void> {
+    await this.ready;
+    await this.app.planning?.whenSettled();
+  }
+
+  shareURL(): Promise<string | null> {
+    return this.app.links.address();
+  }
+
+  toBlob(): Promise<Blob | null> {
+    return picture(this.app, this.views());
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.adopt();
+    const resize = new ResizeObserver(([entry]) => {
+      if (entry) this.compact = entry.contentRect.width <= PHONE_WIDTH;
+    });
+    resize.observe(this);
+    const scheme = matchMedia("(prefers-color-scheme: dark)");
+    const onScheme = (): void => this.themeChanged();
+    scheme.addEventListener("change", onScheme);
+    this.detach = [
+      () => resize.disconnect(),
+      () => scheme.removeEventListener("change", onScheme),
+      this.store.subscribe((state, previous) => this.onState(state, previous)),
+      listenToKeys(this, this.app, () => this.keysDialog?.open()),
+    ];
+    this.compact = this.getBoundingClientRect().width <= PHONE_WIDTH;
+    void this.begin();
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    for (const stop of this.detach) stop();
+    this.detach = [];
+    this.app.stop();
+  }
+
+  override attributeChangedCallback(name: string, old: string | null, value: string | null): void {
+    super.attributeChangedCallback(name, old, value);
+    if (name === "lang" && this.isConnected && value) this.store.set({ lang: pickLang(value) });
+  }
+
+  protected override willUpdate(changed: PropertyValues): void {
+    if (changed.has("theme")) this.store.set({ theme: this.theme });
+    if (changed.has("layout") && this.hasUpdated) this.store.set({ mode: this.layout });
+  }
+
+  protected override updated(changed: PropertyValues): void {
+    if (changed.has("theme")) this.themeChanged();
+    if (changed.has("scene") && this.loaded) this.app.openPreset(this.scene);
+  }
+
+  protected override render(): TemplateResult {
+    return html`<div class=${this.compact ? "phone" : "desk"} role="region" aria-label=${this.app.t("app.label")}
+        @parkade-scenes=${() => this.presets?.open()} @parkade-keys=${() => this.keysDialog?.open()} @parkade-fold=${() => { this.folded = !this.folded; }}
+        @parkade-open-file=${() => this.fileInput?.click()} @parkade-png=${this.savePicture}
+        @dragover=${this.onDragOver} @dragleave=${() => { this.dropping = false; }} @drop=${this.onDrop}>
+      <parkade-toolbar part="toolbar" .app=${this.app} .ready=${this.loaded} ?compact=${this.compact}></parkade-toolbar>
+      <parkade-stage .app=${this.app} ?compact=${this.compact}></parkade-stage>
+      ${this.compact ? this.phone() : this.desk()}
+      <parkade-notices .app=${this.app}></parkade-notices>
+      ${this.dropping ? html`<div class="dropping">${this.app.t("drop.here")}</div>` : nothing}
+      <parkade-presets .app=${this.app}></parkade-presets>
+      <parkade-keys .app=${this.app}></parkade-keys>
+      <input class="file" type="file" hidden accept=".json,application/json" aria-label=${this.app.t("bar.open")} @change=${this.onFile}>
+    </div>`;
+  }
+
+  private desk(): TemplateResult {
+    return html`
+      <parkade-timeline part="timeline" .app=${this.app} .folded=${this.folded}></parkade-timeline>
+      <parkade-inspector .app=${this.app} .ready=${this.loaded}></parkade-inspector>
+      <div class="strip"><parkade-table part="table" .app=${this.app}></parkade-table><parkade-charts part="chart" .app=${this.app}></parkade-charts></div>`;
+  }
+
+  private phone(): TemplateResult {
+    return html`<parkade-chips .app=${this.app}></parkade-chips>
+      <parkade-timeline .app=${this.app} compact></parkade-timeline>
+      <parkade-sheet .app=${this.app} .ready=${this.loaded}></parkade-sheet>`;
+  }
+
+  /** Takes language, theme, arrangement and planners from attributes and from the last visit. */
+  private adopt(): void {
+    const remembered = this.permalink ? recall("theme") : null;
+    if (remembered === "light" || remembered === "dark") this.theme = remembered;
+    const ids = this.planners.split(/\s+/).filter((id): id is PlannerId => PLANNERS.includes(id));
+    this.store.set({
+      lang: pickLang((this.permalink ? recall("lang") : null) ?? this.getAttribute("lang")),
+      theme: this.theme,
+      mode: this.layout,
+      ...(ids.length > 0 ? { planners: ids, focus: ids.includes("hybrid") ? "hybrid" : ids.at(-1)! } : {}),
+    });
+    this.setAttribute("lang", this.store.state.lang);
+  }
+
+  private async begin(): Promise<void> {
+    try {
+      const solved = this.app.start(this.scene, this.permalink, () => { this.loaded = true; });
+      await solved;
+      this.becomeReady();
+      this.emit("ready", {});
+    } catch (error) {
+      this.app.refuse("app.unsupported", { reason: error instanceof Error ? error.message : String(error) });
+    }
+  }
+
+  private onState(state: State, previous: State): void {
+    if (state.theme !== previous.theme) {
+      this.theme = state.theme;
+      if (this.permalink) remember("theme", state.theme);
+    }
+    if (state.lang !== previous.lang) {
+      this.setAttribute("lang", state.lang);
+      if (this.permalink) remember("lang", state.lang);
+      this.requestUpdate();
+    }
+    if (state.scene !== previous.scene || state.transient !== previous.transient) {
+      this.emit("scene-change", { scene: state.scene, transient: state.transient });
+    }
+    if (state.results === previous.results) return;
+    for (const planner of state.planners) {
+      const plan = state.results[planner]?.plan;
+      if (plan && plan !== previous.results[planner]?.plan) this.emit("plan-result", { planner, plan });
+    }
+  }
+
+  private themeChanged(): void {
+    this.app.themeChanged();
+    // A new object makes every canvas draw again, in the new colours.
+    this.store.set({ layers: { ...this.store.state.layers } });
+  }
+
+  private readonly savePicture = async (): Promise<void> => {
+    const blob = await this.toBlob();
+    if (blob) download(blob, "parkade.png");
+  };
+
+  private readonly onFile = (event: Event): void => {
+    const input = event.target as HTMLInputElement;
+    const file = input.files?.[0];
+    if (file) void this.app.openFile(file);
+    input.value = "";
+  };
+
+  private readonly onDragOver = (event: DragEvent): void => {
+    if (!event.dataTransfer?.types.includes("Files")) return;
+    event.preventDefault();
+    this.dropping = true;
+  };
+
+  private readonly onDrop = (event: DragEvent): void => {
+    event.preventDefault();
+    this.dropping = false;
+    const file = event.dataTransfer?.files[0];
+    if (file) void this.app.openFile(file);
+  };
+
+  private views(): SceneView[] {
+    const stage = this.renderRoot.querySelector("parkade-stage")?.shadowRoot;
+    if (!stage) return [];
+    const panels = [...stage.querySelectorAll("parkade-panel")].flatMap((panel) => [...(panel.shadowRoot?.querySelectorAll<SceneView>("parkade-scene-view") ?? [])]);
+    return [...stage.querySelectorAll<SceneView>("parkade-scene-view"), ...panels];
+  }
+
+  private get presets(): Presets | null { return this.renderRoot.querySelector("parkade-presets"); }
+  private get keysDialog(): KeysDialog | null { return this.renderRoot.querySelector("parkade-keys"); }
+  private get fileInput(): HTMLInputElement | null { return this.renderRoot.querySelector(".file"); }
+
+  /** Values set before this element was defined hide its accessors. */
+  private takeEarly(name: "sceneData"): void {
+    if (!Object.prototype.hasOwnProperty.call(this, name)) return;
+    const value = this[name];
+    delete (this as Partial<Record<typeof name, unknown>>)[name];
+    this[name] = value;
+  }
+
+  private emit(name: string, detail: object): void {
+    this.dispatchEvent(new CustomEvent(name, { detail, bubbles: true, composed: true }));
+  }
+}
+
+customElements.define("parkade-playground", Playground);

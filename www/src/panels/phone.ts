@@ -1,0 +1,148 @@
+import type { PlannerId } from "parkade";
+import { css, html, nothing, type TemplateResult } from "lit";
+import type { State } from "../store";
+import { controls } from "../styles/controls";
+import { AppElement } from "./base";
+import { icon, marker } from "./icons";
+import { statusOf } from "./status";
+import "./inspector";
+import "./options";
+import "./table";
+import { TOOLS } from "./toolbar";
+
+const TABS = ["draw", "results", "params"] as const;
+const HEIGHTS = [34, 148, 340] as const;
+const LONG_PRESS_MS = 500;
+const DRAG_PX = 6;
+
+/** Planner chips of the phone: a tap brings one to the front, a long press hides it. */
+export class Chips extends AppElement {
+  static override styles = [controls, css`
+    :host { display: grid; grid-auto-flow: column; grid-auto-columns: 1fr; gap: 6px; padding: 6px 10px; background: var(--parkade-panel); border-top: 1px solid var(--parkade-hair); }
+    button { display: grid; grid-template-columns: 12px 1fr; gap: 0 6px; padding: 4px 8px; min-width: 0; min-height: 44px; text-align: left; align-items: center; font-size: 12px; line-height: 15px; border: 1px solid var(--parkade-hair2); border-radius: calc(10px * var(--parkade-radius)); touch-action: manipulation; user-select: none; -webkit-user-select: none; }
+    button[aria-pressed="true"] { border-color: var(--parkade-t1); box-shadow: inset 0 0 0 1px var(--parkade-t1); }
+    b { font-weight: 600; overflow: hidden; text-overflow: ellipsis; }
+    span { grid-column: 2; color: var(--parkade-t2); overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
+    .err { color: var(--parkade-err); } .warn { color: var(--parkade-warn); }
+    .off b { color: var(--parkade-t3); text-decoration: line-through; }
+  `];
+  private timer: ReturnType<typeof setTimeout> | undefined;
+  private held = false;
+
+  protected watches(): readonly (keyof State)[] {
+    return ["planners", "focus", "hidden", "results"];
+  }
+
+  protected override render(): TemplateResult {
+    const { planners, focus, hidden } = this.state;
+    return html`${planners.map((planner) => {
+      const status = statusOf(this.state, planner);
+      return html`<button class=${hidden.has(planner) ? "off" : ""} aria-pressed=${planner === focus}
+        @click=${() => this.tap(planner)} @pointerdown=${() => this.press(planner)} @pointerup=${this.release} @pointercancel=${this.release} @contextmenu=${(e: Event) => e.preventDefault()}>
+        ${marker(planner)}<b>${this.t(`short.${planner}`)}</b><span class=${status.tone} title=${status.chip}>${status.brief}</span></button>`;
+    })}`;
+  }
+
+  private press(planner: PlannerId): void {
+    this.held = false;
+    this.timer = setTimeout(() => {
+      this.held = true;
+      const hidden = new Set(this.state.hidden);
+      if (!hidden.delete(planner)) hidden.add(planner);
+      this.app.store.set({ hidden });
+    }, LONG_PRESS_MS);
+  }
+
+  private readonly release = (): void => clearTimeout(this.timer);
+
+  private tap(planner: PlannerId): void {
+    if (!this.held) this.app.store.set({ focus: planner });
+  }
+}
+
+/** The phone's bottom sheet with three heights, and the row of tools under it. */
+export class Sheet extends AppElement {
+  static override properties = { ...AppElement.properties, ready: { type: Boolean }, tab: { state: true }, size: { state: true } };
+  static override styles = [controls, css`
+    :host { display: block; background: var(--parkade-app); }
+    .sheet { background: var(--parkade-raise); border-radius: calc(14px * var(--parkade-radius)) calc(14px * var(--parkade-radius)) 0 0; box-shadow: 0 -1px 0 var(--parkade-hair); }
+    .grip { display: block; width: 100%; height: 16px; touch-action: none; cursor: ns-resize; position: relative; }
+    .grip::before { content: ""; position: absolute; inset: -14px 0 0; }
+    .grip::after { content: ""; position: absolute; left: 50%; top: 7px; width: 36px; height: 4px; margin-left: -18px; border-radius: 2px; background: var(--parkade-hair2); }
+    .segmented { display: flex; margin: 2px 10px 6px; }
+    .segmented button { flex: 1; height: 30px; position: relative; }
+    .segmented button::after { content: ""; position: absolute; inset: -7px 0; }
+    .body { overflow-y: auto; overscroll-behavior: contain; transition: height var(--parkade-slow) var(--parkade-ease); }
+    parkade-inspector { border: 0; }
+    .tools { display: flex; justify-content: space-between; height: 48px; padding: 0 6px; background: var(--parkade-panel); border-top: 1px solid var(--parkade-hair); padding-bottom: env(safe-area-inset-bottom); box-sizing: content-box; }
+    .tools button { flex: 1; height: 48px; max-width: 52px; color: var(--parkade-t1); }
+    .tools button[aria-pressed="true"] { background: var(--parkade-accent-soft); color: var(--parkade-accent); box-shadow: inset 0 0 0 1px var(--parkade-accent); }
+    .draw { padding: 10px 14px; color: var(--parkade-t2); }
+  `];
+  declare ready: boolean;
+  declare tab: (typeof TABS)[number];
+  declare size: number;
+  private drag: { y: number; size: number; moved: boolean } | null = null;
+
+  constructor() {
+    super();
+    this.ready = false;
+    this.tab = "results";
+    this.size = 1;
+  }
+
+  protected watches(): readonly (keyof State)[] {
+    return ["tool"];
+  }
+
+  protected override render(): TemplateResult {
+    return html`<div class="sheet" role="region" aria-label=${this.t("sheet.label")}>
+        <button class="grip" aria-label=${this.t("sheet.grip")} aria-expanded=${this.size > 0} @pointerdown=${this.grab} @pointermove=${this.pull} @pointerup=${this.drop} @click=${this.next}></button>
+        <div class="segmented" role="tablist" aria-label=${this.t("sheet.label")}>${TABS.map((tab) => html`
+          <button role="tab" aria-selected=${tab === this.tab} aria-controls="body" @click=${() => this.show(tab)}>${this.t(`sheet.${tab}`)}</button>`)}</div>
+        <div class="body" id="body" role="tabpanel" tabindex="0" aria-label=${this.t(`sheet.${this.tab}`)} .style=${`height:${this.height()}`}>${this.size > 0 ? this.content() : nothing}</div>
+      </div>
+      <div class="tools" role="toolbar" aria-label=${this.t("tools.label")}>${TOOLS.map((tool) => html`
+        <button aria-pressed=${tool.id === this.state.tool} aria-label=${this.t(`tool.${tool.id}`)} @click=${() => this.app.store.set({ tool: tool.id })}>${icon(tool.icon, 20)}</button>`)}</div>`;
+  }
+
+  private height(): string {
+    return this.size === 0 ? "0px" : `min(${HEIGHTS[this.size]}px, 60vh)`;
+  }
+
+  private content(): TemplateResult {
+    if (this.tab === "results") return html`<parkade-table .app=${this.app} compact></parkade-table>`;
+    if (this.tab === "params") return html`<parkade-inspector .app=${this.app} .ready=${this.ready}></parkade-inspector>`;
+    return html`<parkade-options .app=${this.app} flat></parkade-options>${this.ready ? html`<div class="draw"><parkade-selection .app=${this.app}></parkade-selection></div>` : nothing}`;
+  }
+
+  private show(tab: (typeof TABS)[number]): void {
+    this.tab = tab;
+    if (this.size === 0) this.size = 1;
+    if (tab === "params") this.size = 2;
+  }
+
+  private readonly grab = (event: PointerEvent): void => {
+    (event.currentTarget as HTMLElement).setPointerCapture(event.pointerId);
+    this.drag = { y: event.clientY, size: this.size, moved: false };
+  };
+
+  private readonly pull = (event: PointerEvent): void => {
+    if (!this.drag) return;
+    const up = this.drag.y - event.clientY;
+    if (Math.abs(up) > DRAG_PX) this.drag.moved = true;
+    this.size = Math.min(2, Math.max(0, this.drag.size + Math.round(up / 90)));
+  };
+
+  private readonly drop = (): void => {
+    if (this.drag?.moved) setTimeout(() => { this.drag = null; });
+    else this.drag = null;
+  };
+
+  private readonly next = (): void => {
+    if (!this.drag) this.size = (this.size + 1) % HEIGHTS.length;
+  };
+}
+
+customElements.define("parkade-chips", Chips);
+customElements.define("parkade-sheet", Sheet);

@@ -1,0 +1,93 @@
+import type { PlannerId } from "parkade";
+import { css, html, nothing, type TemplateResult } from "lit";
+import { millis } from "../i18n/index";
+import { plannerName } from "../planning/planning";
+import type { State } from "../store";
+import { controls } from "../styles/controls";
+import { AppElement } from "./base";
+import { lineSample, marker } from "./icons";
+import { statusOf } from "./status";
+import "./hint";
+import "./options";
+import "./panel";
+import "./scene-view";
+
+/** The maps: side by side, one over another, or one large. */
+export class Stage extends AppElement {
+  static override properties = { ...AppElement.properties, compact: { type: Boolean, reflect: true } };
+  static override styles = [controls, css`
+    :host { display: block; position: relative; min-height: 0; min-width: 0; overflow: hidden; background: var(--parkade-hair); }
+    .grid { position: absolute; inset: 0; display: grid; gap: 1px; grid-auto-rows: 1fr; }
+    .grid[data-n="1"] { grid-template-columns: 1fr; }
+    .grid[data-n="2"], .grid[data-n="4"], .grid[data-n="3"] { grid-template-columns: 1fr 1fr; }
+    .grid[data-n="5"], .grid[data-n="6"] { grid-template-columns: 1fr 1fr 1fr; }
+    .focus { position: absolute; inset: 0; display: grid; gap: 1px; grid-template-columns: 1fr minmax(150px, 22%); grid-template-rows: repeat(var(--thumbs, 3), 1fr); }
+    .focus > .large { grid-row: 1 / -1; grid-column: 1; }
+    .focus > :not(.large) { grid-column: 2; }
+    .one { position: absolute; inset: 0; background: var(--parkade-panel); }
+    .one parkade-scene-view { position: absolute; inset: 0; }
+    .legend { position: absolute; right: 10px; bottom: 10px; padding: 5px; font-size: 12px; line-height: 16px; background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair); border-radius: calc(8px * var(--parkade-radius)); }
+    .legend button { display: grid; grid-template-columns: 14px 30px 1fr auto auto; gap: 6px; width: 100%; height: 27px; padding: 0 6px; text-align: left; align-items: center; border: 1px solid transparent; }
+    .legend button[aria-pressed="true"] { border-color: var(--parkade-hair2); background: var(--parkade-panel); }
+    .legend b { font-weight: 600; }
+    .legend .ms { color: var(--parkade-t2); text-align: right; padding-left: 12px; }
+    .err { color: var(--parkade-err); } .warn { color: var(--parkade-warn); }
+    .legend .off { color: var(--parkade-t3); }
+    .title { position: absolute; left: 10px; top: 10px; display: flex; align-items: center; gap: 8px; height: 28px; padding: 0 10px; pointer-events: none; background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair); border-radius: calc(8px * var(--parkade-radius)); font-weight: 600; }
+    .title span { font-weight: 400; color: var(--parkade-t2); }
+  `];
+  declare compact: boolean;
+
+  constructor() {
+    super();
+    this.compact = false;
+  }
+
+  protected watches(): readonly (keyof State)[] {
+    return ["mode", "planners", "focus", "hidden", "results"];
+  }
+
+  protected override render(): TemplateResult {
+    const { mode, planners, focus } = this.state;
+    if (this.compact || mode === "overlay") return html`${this.overlay()}${this.compact ? nothing : html`<parkade-options .app=${this.app}></parkade-options>`}`;
+    const options = html`<parkade-options .app=${this.app}></parkade-options>`;
+    if (mode === "grid") return html`<div class="grid" data-n=${planners.length}>${planners.map((planner) => this.panel(planner))}</div>${options}`;
+    const others = planners.filter((planner) => planner !== focus);
+    return html`<div class="focus" .style=${`--thumbs:${Math.max(1, others.length)}`}>
+      <parkade-panel class="large" .app=${this.app} .planner=${focus}></parkade-panel>
+      ${others.map((planner) => html`<parkade-panel .app=${this.app} .planner=${planner} thumb></parkade-panel>`)}</div>${options}`;
+  }
+
+  private panel(planner: PlannerId): TemplateResult {
+    return html`<parkade-panel .app=${this.app} .planner=${planner}></parkade-panel>`;
+  }
+
+  private overlay(): TemplateResult {
+    const { planners, hidden, focus } = this.state;
+    const shown = planners.filter((planner) => !hidden.has(planner) && planner !== focus);
+    if (!hidden.has(focus)) shown.push(focus);
+    return html`<div class="one">
+      <parkade-scene-view .app=${this.app} .planners=${shown} .label=${this.t("panel.overlay")}></parkade-scene-view>
+      <parkade-hint .app=${this.app}></parkade-hint>
+      ${this.compact ? this.heading() : this.legend()}</div>`;
+  }
+
+  private heading(): TemplateResult {
+    const { focus, results, lang } = this.state;
+    const plan = results[focus]?.plan;
+    return html`<div class="title">${marker(focus)}${plannerName(lang, focus)}
+      <span>${plan?.outcome === "found" ? `${this.num(plan.metrics.length, 2)} m` : statusOf(this.state, focus).brief}</span></div>`;
+  }
+
+  private legend(): TemplateResult {
+    const { state } = this;
+    return html`<div class="legend" role="group" aria-label=${this.t("chips.label")}>${state.planners.map((planner) => {
+      const status = statusOf(state, planner), time = state.results[planner]?.millis;
+      return html`<button aria-pressed=${planner === state.focus} class=${state.hidden.has(planner) ? "off" : ""} @click=${() => this.app.store.set({ focus: planner })}>
+        ${marker(planner)}${lineSample(planner)}<b>${plannerName(state.lang, planner)}</b>
+        <span class="ms">${time == null ? "" : `${millis(state.lang, time)} ms`}</span><span class=${status.tone}>${status.brief}</span></button>`;
+    })}</div>`;
+  }
+}
+
+customElements.define("parkade-stage", Stage);

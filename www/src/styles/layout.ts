@@ -1,0 +1,35 @@
+import { css } from "lit";
+
+/** Where the pieces stand: a desk with columns, or a phone's stack. */
+export const layout = css`
+  :host { display: block; position: relative; min-height: 320px; overflow: hidden; container-type: inline-size; }
+  .desk, .phone { position: absolute; inset: 0; display: grid; }
+  .desk {
+    grid-template: "bar bar" 49px "stage side" minmax(0, 1fr) "time side" 44px "strip strip" 202px / minmax(0, 1fr) 280px;
+  }
+  :host([folded]) .desk { grid-template-rows: 49px minmax(0, 1fr) 44px 0; }
+  :host([folded]) .strip { visibility: hidden; }
+  parkade-toolbar { grid-area: bar; }
+  parkade-stage { grid-area: stage; }
+  parkade-timeline { grid-area: time; }
+  parkade-inspector { grid-area: side; min-height: 0; }
+  .strip { grid-area: strip; display: grid; grid-template-columns: minmax(0, 1fr) minmax(320px, 36%); border-top: 1px solid var(--parkade-hair); min-height: 0; overflow: hidden; background: var(--parkade-panel); }
+  @container (max-width: 1180px) {
+    .strip { grid-template-columns: minmax(0, 1fr); }
+    .strip parkade-charts { display: none; }
+  }
+  @container (max-width: 960px) {
+    .desk { grid-template-columns: minmax(0, 1fr) 0; }
+    .desk parkade-inspector { display: none; }
+  }
+  @media (max-height: 640px) {
+    .desk { grid-template-rows: 49px minmax(0, 1fr) 44px 130px; }
+  }
+  .phone { grid-template: "bar" 45px "stage" minmax(0, 1fr) "chips" auto "time" 48px "sheet" auto / minmax(0, 1fr); }
+  parkade-chips { grid-area: chips; }
+  parkade-sheet { grid-area: sheet; }
+  :host([controls="minimal"]) .desk { grid-template: "stage" minmax(0, 1fr) "time" 44px / minmax(0, 1fr); }
+  :host([controls="minimal"]) .phone { grid-template: "stage" minmax(0, 1fr) "time" 48px / minmax(0, 1fr); }
+  :host([controls="minimal"]) :is(parkade-toolbar, parkade-inspector, .strip, parkade-chips, parkade-sheet) { display: none; }
+  .dropping { position: absolute; inset: 12px; z-index: 40; display: grid; place-items: center; pointer-events: none; border: 2px dashed var(--parkade-accent); border-radius: calc(14px * var(--parkade-radius)); background: color-mix(in srgb, var(--parkade-accent-soft) 88%, transparent); color: var(--parkade-accent); font-size: 17px; line-height: 24px; font-weight: 600; }
+`;
