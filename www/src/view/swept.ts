@@ -4,11 +4,13 @@ import { boxOf, convexHull, wrapAngle, type Box, type Point } from "../scene/pla
 import { footprint } from "../scene/vehicle";
 import { poseAt, segmentDirections } from "./drive";
 
-/** With these, a corner between two kept poses strays from its arc by about 2 mm. */
-const MOST_TURN = 0.05;
+/** With these, a corner between two kept poses strays from its arc by about a millimetre. */
+const MOST_TURN = 0.035;
 const MOST_STEP = 1;
 /** Outlines closer than this are the same line. */
 const SAME = 1e-4;
+/** Pieces of outline shorter than this (m) are not drawn. */
+const SLIVER = 0.003;
 
 export interface Swept {
   /** One path for a single non-zero fill: however often the car passes, nothing stacks. */
@@ -16,7 +18,8 @@ export interface Swept {
   edge: Path2D;
 }
 
-interface Convex { corners: Point[]; box: Box }
+/** `sides`: inward normal and offset of each side, moved inward by `SAME`. */
+interface Convex { corners: Point[]; box: Box; sides: Float64Array }
 
 const areas = new WeakMap<Plan, { vehicle: Vehicle; swept: Swept }>();
 
@@ -43,10 +46,20 @@ function hullsAlong(plan: Plan, vehicle: Vehicle): Convex[] {
   let before: Point[] | null = null;
   for (const corners of footprintsAlong(plan, vehicle)) {
     const hull = convexHull(before ? [...before, ...corners] : corners);
-    if (before) hulls.push({ corners: hull, box: boxOf(hull) });
+    if (before) hulls.push({ corners: hull, box: boxOf(hull), sides: sidesOf(hull) });
     before = corners;
   }
   return hulls;
+}
+
+function sidesOf(corners: readonly Point[]): Float64Array {
+  const sides = new Float64Array(3 * corners.length);
+  corners.forEach((q, i) => {
+    const p = corners.at(i - 1)!, length = Math.hypot(q[0] - p[0], q[1] - p[1]);
+    const nx = (p[1] - q[1]) / length, ny = (q[0] - p[0]) / length;
+    sides.set([nx, ny, nx * p[0] + ny * p[1] + SAME], 3 * i);
+  });
+  return sides;
 }
 
 function* footprintsAlong(plan: Plan, vehicle: Vehicle): Iterable<Point[]> {
@@ -75,50 +88,70 @@ function* footprintsAlong(plan: Plan, vehicle: Vehicle): Iterable<Point[]> {
 /** The parts of the hulls' sides that lie inside no other hull. */
 function outlineOf(hulls: readonly Convex[]): [Point, Point][] {
   const kept: [Point, Point][] = [];
-  for (const hull of hulls) {
-    hull.corners.forEach((b, i) => {
-      const a = hull.corners.at(i - 1)!;
-      for (const [from, to] of outsideParts(a, b, hulls, hull)) {
-        kept.push([[a[0] + (b[0] - a[0]) * from, a[1] + (b[1] - a[1]) * from], [a[0] + (b[0] - a[0]) * to, a[1] + (b[1] - a[1]) * to]]);
-      }
-    });
-  }
+  hulls.forEach(({ corners }, own) => {
+    for (let i = 0, j = corners.length - 1; i < corners.length; j = i++) {
+      const a = corners[j]!, b = corners[i]!;
+      const at = (t: number): Point => [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t];
+      for (const [from, to] of outsideParts(a, b, hulls, own)) kept.push([at(from), at(to)]);
+    }
+  });
   return kept;
 }
 
-function outsideParts(a: Point, b: Point, hulls: readonly Convex[], own: Convex): [number, number][] {
+/**
+ * What no other hull covers of a → b. Neighbours come first: from both ends they hide most sides whole, and then nothing
+ * else needs a look.
+ */
+function outsideParts(a: Point, b: Point, hulls: readonly Convex[], own: number): [number, number][] {
   const covered: [number, number][] = [];
+  const sliver = SLIVER / Math.max(SLIVER, Math.hypot(b[0] - a[0], b[1] - a[1]));
   const minX = Math.min(a[0], b[0]), maxX = Math.max(a[0], b[0]), minY = Math.min(a[1], b[1]), maxY = Math.max(a[1], b[1]);
-  for (const hull of hulls) {
+  const left = { low: 0, high: 1 }, part = { low: 0, high: 1 };
+  for (let step = 1; step < 2 * hulls.length; step++) {
+    const hull = hulls[own + (step & 1 ? (step + 1) >> 1 : -(step >> 1))];
+    if (!hull) continue;
     const { box } = hull;
-    if (hull === own || box.minX > maxX || box.maxX < minX || box.minY > maxY || box.maxY < minY) continue;
-    const part = insidePart(a, b, hull.corners);
-    if (!part) continue;
-    if (part[0] <= 0 && part[1] >= 1) return [];
-    covered.push(part);
+    if (box.minX > maxX || box.maxX < minX || box.minY > maxY || box.maxY < minY) continue;
+    part.low = left.low;
+    part.high = left.high;
+    if (!clipInside(a, b, hull.sides, part)) continue;
+    const fromLow = part.low <= left.low + sliver, toHigh = part.high >= left.high - sliver;
+    if (fromLow && toHigh) return [];
+    if (fromLow) left.low = part.high;
+    else if (toHigh) left.high = part.low;
+    else covered.push([part.low, part.high]);
   }
-  covered.sort((p, q) => p[0] - q[0]);
-  const left: [number, number][] = [];
-  let at = 0;
-  for (const [from, to] of covered) {
-    if (from > at) left.push([at, from]);
-    at = Math.max(at, to);
-  }
-  if (at < 1) left.push([at, 1]);
-  return left;
+  return gapsBetween(covered, left, sliver);
 }
 
-/** The interval of a → b strictly inside a counter-clockwise convex outline. */
-function insidePart(a: Point, b: Point, corners: readonly Point[]): [number, number] | null {
-  let low = 0, high = 1;
-  for (let i = 0, j = corners.length - 1; i < corners.length; j = i++) {
-    const p = corners[j]!, q = corners[i]!;
-    const ex = q[0] - p[0], ey = q[1] - p[1], slack = SAME * Math.hypot(ex, ey);
-    const atA = ex * (a[1] - p[1]) - ey * (a[0] - p[0]) - slack, atB = ex * (b[1] - p[1]) - ey * (b[0] - p[0]) - slack;
-    if (atA <= 0 && atB <= 0) return null;
-    if (atA < 0) low = Math.max(low, atA / (atA - atB));
-    else if (atB < 0) high = Math.min(high, atA / (atA - atB));
-    if (low >= high) return null;
+function gapsBetween(covered: [number, number][], { low, high }: Span, sliver: number): [number, number][] {
+  covered.sort((p, q) => p[0] - q[0]);
+  const gaps: [number, number][] = [];
+  let at = low;
+  for (const [from, to] of covered) {
+    if (Math.min(from, high) > at + sliver) gaps.push([at, Math.min(from, high)]);
+    at = Math.max(at, to);
   }
-  return [low, high];
+  if (at < high - sliver) gaps.push([at, high]);
+  return gaps;
+}
+
+interface Span { low: number; high: number }
+
+/** Narrows `span` of a → b to what lies inside every half-plane; false where nothing does. */
+function clipInside(a: Point, b: Point, sides: Float64Array, span: Span): boolean {
+  const ax = a[0], ay = a[1], bx = b[0], by = b[1];
+  let { low, high } = span;
+  for (let i = 0; i < sides.length; i += 3) {
+    const nx = sides[i]!, ny = sides[i + 1]!, c = sides[i + 2]!;
+    const atA = nx * ax + ny * ay - c, atB = nx * bx + ny * by - c;
+    if (atA <= 0) {
+      if (atB <= 0) return false;
+      low = Math.max(low, atA / (atA - atB));
+    } else if (atB < 0) high = Math.min(high, atA / (atA - atB));
+    if (low >= high) return false;
+  }
+  span.low = low;
+  span.high = high;
+  return true;
 }

@@ -62,16 +62,32 @@ export function parseColour(text: string): Rgb | null {
 
 const luminance = ([r, g, b]: Rgb): number => (0.2126 * r + 0.7152 * g + 0.0722 * b) / 255;
 
+const made = new Map<string, string>();
+
+/** Colours are made once: every frame asks for the same few. */
+function remember(key: string, make: () => string): string {
+  const known = made.get(key);
+  if (known !== undefined) return known;
+  if (made.size > 500) made.clear();
+  const colour = make();
+  made.set(key, colour);
+  return colour;
+}
+
 /** `share` of `colour` laid on `ground`. */
 export function mix(colour: string, ground: string, share: number): string {
-  const a = parseColour(colour), b = parseColour(ground);
-  if (!a || !b) return colour;
-  return `rgb(${a.map((v, i) => Math.round(v * share + b[i]! * (1 - share))).join(" ")})`;
+  return remember(`${colour}|${ground}|${share}`, () => {
+    const a = parseColour(colour), b = parseColour(ground);
+    if (!a || !b) return colour;
+    return `rgb(${a.map((v, i) => Math.round(v * share + b[i]! * (1 - share))).join(" ")})`;
+  });
 }
 
 export function fade(colour: string, alpha: number): string {
-  const rgb = parseColour(colour);
-  return rgb ? `rgb(${rgb.join(" ")} / ${alpha})` : colour;
+  return remember(`${colour}|${alpha}`, () => {
+    const rgb = parseColour(colour);
+    return rgb ? `rgb(${rgb.join(" ")} / ${alpha})` : colour;
+  });
 }
 
 /** Colour, dash and width by which a planner is known, the same everywhere. */

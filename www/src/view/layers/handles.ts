@@ -12,7 +12,8 @@ import { drawPill, placePill, poseText } from "../text";
 
 const GRIP_PX = 6, GRIP_TOUCH_PX = 11;
 
-const coarse = (): boolean => globalThis.matchMedia?.("(pointer: coarse)").matches ?? false;
+const pointer = globalThis.matchMedia?.("(pointer: coarse)");
+const coarse = (): boolean => pointer?.matches ?? false;
 
 /** The pose whose grip is drawn: the selected or grabbed one; the goal's while nothing else is chosen. */
 function posesWithGrip({ state, draft }: Frame): ("start" | "goal")[] {
