@@ -1,6 +1,6 @@
 //! The numbers that two independent programs agree on: maps, costs and counters to the last integer.
 
-use parkade::map::{Cell, Corner, Occupancy, inflation};
+use parkade::map::{Cell, Corner, Occupancy, RedundantSettings, inflation, redundant};
 use parkade::metrics::grid::length;
 use parkade::planners::grid_astar::{self, Config};
 use parkade::planners::heuristics::Heuristic;
@@ -94,6 +94,19 @@ fn inflation_blocks_the_same_cells() {
         let inflated = inflation::necessary(&golden.map, 0.9);
         golden.equal("/inflated_rho_0_9/blocked", inflated.blocked_cells());
         golden.hash("/inflated_rho_0_9/map_fnv1a64", &inflated);
+    }
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn redundant_space_is_the_same() {
+    for golden in maps() {
+        let Query { map, start, goal } = golden.query();
+        let closed = redundant(map, start, goal, RedundantSettings { min_passage: 2, trap_mouth: 5 });
+        golden.equal("/safety_space_m2_q5/narrow", closed.narrow);
+        golden.equal("/safety_space_m2_q5/pocket", closed.pocket);
+        golden.equal("/safety_space_m2_q5/restored", closed.restored);
+        golden.hash("/safety_space_m2_q5/map_fnv1a64_with_redundant_blocked", &closed.map);
     }
 }
 

@@ -7,9 +7,11 @@ mod layer;
 mod los;
 mod occupancy;
 pub mod raster;
+mod redundant;
 pub mod risk;
 
 pub use frame::{Cell, Frame};
 pub use layer::Layer;
 pub use los::{Corner, line_of_sight};
 pub use occupancy::Occupancy;
+pub use redundant::{Redundant, RedundantSettings, redundant};
