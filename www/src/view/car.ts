@@ -170,12 +170,24 @@ function drawAxle(frame: Frame, vehicle: Vehicle, style: CarStyle): void {
   ctx.moveTo(0, -vehicle.width / 2 + 0.3);
   ctx.lineTo(0, vehicle.width / 2 - 0.3);
   ctx.stroke();
+  drawDot(frame, [0, 0], style.edge);
+}
+
+function drawDot(frame: Frame, [x, y]: readonly [number, number], edge: string): void {
+  const { ctx } = frame;
   ctx.beginPath();
-  ctx.arc(0, 0, pixels(frame, 3), 0, 2 * Math.PI);
+  ctx.arc(x, y, pixels(frame, 3), 0, 2 * Math.PI);
   ctx.fillStyle = frame.tokens.colour.floor;
   ctx.fill();
   ctx.lineWidth = pixels(frame, 1.5);
+  ctx.strokeStyle = edge;
   ctx.stroke();
+}
+
+/** The reference points of start and goal, on top of the paths that begin and end there. */
+export function drawReferences(frame: Frame): void {
+  inMetres(frame);
+  for (const { x, y } of [frame.resolved.start, frame.resolved.goal]) drawDot(frame, [x, y], frame.tokens.colour.t1);
 }
 
 export const startStyle = ({ tokens: { colour } }: Frame): CarStyle => ({

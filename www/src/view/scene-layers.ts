@@ -1,4 +1,5 @@
 /** The fixed order of the layers, and what is kept between frames. */
+import { drawReferences } from "./car";
 import { drawBorder, drawFloor } from "./layers/floor";
 import { HeatLayer } from "./layers/heat";
 import { drawObstacles, drawSlots } from "./layers/obstacles";
@@ -54,6 +55,7 @@ export class SceneLayers {
     if (one && !frame.overlay && layers.path) drawCollisions(frame, one);
     if (layers.car) drawStartAndGoal(frame);
     for (const shown of inOrder(frame)) if (layers.path) drawPath(frame, shown, strength(shown) * (crowded(frame) && !leads(frame, shown) ? BEHIND : 1));
+    if (layers.car) drawReferences(frame);
     if (layers.car) for (const shown of inOrder(frame)) drawDrivingCar(frame, shown, strength(shown));
     if (frame.overlay && layers.path) for (const shown of frame.shown) drawFirstHit(frame, shown);
     for (const shown of inOrder(frame)) if (layers.path && leads(frame, shown)) drawCusps(frame, shown, strength(shown));

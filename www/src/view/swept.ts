@@ -18,7 +18,7 @@ export interface Swept {
   edge: Path2D;
 }
 
-/** `sides`: inward normal and offset of each side, moved inward by `SAME`. */
+/** `sides`: inward normal and offset of each side. */
 interface Convex { corners: Point[]; box: Box; sides: Float64Array }
 
 const areas = new WeakMap<Plan, { vehicle: Vehicle; swept: Swept }>();
@@ -57,7 +57,7 @@ function sidesOf(corners: readonly Point[]): Float64Array {
   corners.forEach((q, i) => {
     const p = corners.at(i - 1)!, length = Math.hypot(q[0] - p[0], q[1] - p[1]);
     const nx = (p[1] - q[1]) / length, ny = (q[0] - p[0]) / length;
-    sides.set([nx, ny, nx * p[0] + ny * p[1] + SAME], 3 * i);
+    sides.set([nx, ny, nx * p[0] + ny * p[1]], 3 * i);
   });
   return sides;
 }
@@ -108,13 +108,14 @@ function outsideParts(a: Point, b: Point, hulls: readonly Convex[], own: number)
   const minX = Math.min(a[0], b[0]), maxX = Math.max(a[0], b[0]), minY = Math.min(a[1], b[1]), maxY = Math.max(a[1], b[1]);
   const left = { low: 0, high: 1 }, part = { low: 0, high: 1 };
   for (let step = 1; step < 2 * hulls.length; step++) {
-    const hull = hulls[own + (step & 1 ? (step + 1) >> 1 : -(step >> 1))];
+    const other = own + (step & 1 ? (step + 1) >> 1 : -(step >> 1)), hull = hulls[other];
     if (!hull) continue;
     const { box } = hull;
     if (box.minX > maxX || box.maxX < minX || box.minY > maxY || box.maxY < minY) continue;
     part.low = left.low;
     part.high = left.high;
-    if (!clipInside(a, b, hull.sides, part)) continue;
+    // Of sides that lie on each other the first hull's is kept: drawn twice, a thin line looks bold.
+    if (!clipInside(a, b, hull.sides, other < own ? -SAME : SAME, part)) continue;
     const fromLow = part.low <= left.low + sliver, toHigh = part.high >= left.high - sliver;
     if (fromLow && toHigh) return [];
     if (fromLow) left.low = part.high;
@@ -138,12 +139,12 @@ function gapsBetween(covered: [number, number][], { low, high }: Span, sliver: n
 
 interface Span { low: number; high: number }
 
-/** Narrows `span` of a → b to what lies inside every half-plane; false where nothing does. */
-function clipInside(a: Point, b: Point, sides: Float64Array, span: Span): boolean {
+/** Narrows `span` of a → b to what lies at least `depth` inside every half-plane; false where nothing does. */
+function clipInside(a: Point, b: Point, sides: Float64Array, depth: number, span: Span): boolean {
   const ax = a[0], ay = a[1], bx = b[0], by = b[1];
   let { low, high } = span;
   for (let i = 0; i < sides.length; i += 3) {
-    const nx = sides[i]!, ny = sides[i + 1]!, c = sides[i + 2]!;
+    const nx = sides[i]!, ny = sides[i + 1]!, c = sides[i + 2]! + depth;
     const atA = nx * ax + ny * ay - c, atB = nx * bx + ny * by - c;
     if (atA <= 0) {
       if (atB <= 0) return false;

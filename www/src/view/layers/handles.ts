@@ -6,6 +6,7 @@ import { cornersOf, verticesOf } from "../../scene/shapes";
 import { footprint } from "../../scene/vehicle";
 import type { Selection } from "../../store";
 import { inMetres, inPixels, leading, linePath, pixels, polygonPath, toScreen, type Frame } from "../frame";
+import { cellPaths } from "../outline";
 import { gripOf, noseOf } from "../pose-handle";
 import { turnGripOf } from "../turn-grip";
 import { drawPill, placePill, poseText } from "../text";
@@ -122,7 +123,8 @@ function selectionPath({ state: { scene } }: Frame, selection: NonNullable<Selec
     return slot ? polygonPath(slotOutline(slot)) : null;
   }
   const obstacle = findObstacle(scene, selection.id);
-  if (!obstacle || obstacle.type === "cells") return null;
+  if (!obstacle) return null;
+  if (obstacle.type === "cells") return cellPaths(obstacle.runs, scene.map).edge;
   return obstacle.type === "wall" ? linePath(obstacle.points) : polygonPath(cornersOf(obstacle));
 }
 
