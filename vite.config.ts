@@ -14,5 +14,7 @@ export default defineConfig({
     target: "es2022",
     // A data: URL for the wasm file would lose streaming compilation, and the page's policy forbids it.
     assetsInlineLimit: 0,
+    // Two scripts need no preloading.
+    modulePreload: false,
   },
 });

@@ -1,6 +1,6 @@
-import { planners, scenario, sceneGeometry, scenarios, type PlannerInfo, type ScenarioInfo } from "parkade";
+import type { PlannerInfo, ScenarioInfo, SceneGeometry } from "parkade";
 import { translate, type MessageKey, type Values } from "../i18n/index";
-import { loadModule } from "../planning/module";
+import { loadEngine } from "../planning/module";
 import { Planning } from "../planning/planning";
 import { ensureIds } from "../scene/model";
 import { sceneFromText, sceneToFile } from "../scene/files";
@@ -11,7 +11,13 @@ import { LinkSync } from "./link-sync";
 import { Player } from "./player";
 
 /** What the planners' module knows, once it is loaded. */
-export interface Catalog { planners: PlannerInfo[]; scenarios: ScenarioInfo[]; scenario(id: string): Scene }
+export interface Catalog {
+  planners: PlannerInfo[];
+  scenarios: ScenarioInfo[];
+  scenario(id: string): Scene;
+  /** Throws what is wrong with a scene. */
+  geometry(scene: Scene): SceneGeometry;
+}
 
 export type LayerPreset = "clean" | "search" | "risk" | "drive";
 export const LAYER_PRESETS: readonly LayerPreset[] = ["clean", "search", "risk", "drive"];
@@ -51,13 +57,19 @@ export class App {
 
   /** Loads the planners and the first scene, the address's or else the preset's, and plans it; `loaded` comes before the plans. */
   async start(preset: string, syncAddress: boolean, loaded: () => void): Promise<void> {
-    const module = await loadModule();
-    this.catalog ??= { planners: planners(), scenarios: scenarios(), scenario: (id) => ensureIds(scenario(id)) };
+    const engine = await loadEngine();
+    const { api } = engine;
+    this.catalog ??= {
+      planners: api.planners(),
+      scenarios: api.scenarios(),
+      scenario: (id) => ensureIds(api.scenario(id)),
+      geometry: api.sceneGeometry,
+    };
     const first = await this.firstScene(preset, syncAddress);
     this.origin = first;
     this.store.set({ scene: first, camera: null });
     if (syncAddress) this.links.start();
-    this.planning = new Planning(this.store, module);
+    this.planning = new Planning(this.store, engine);
     this.planning.start();
     loaded();
     await this.planning.whenSettled();
@@ -110,7 +122,7 @@ export class App {
   async openFile(file: File): Promise<void> {
     try {
       const scene = ensureIds(sceneFromText(await file.text()));
-      sceneGeometry(scene);
+      this.catalog?.geometry(scene);
       this.preset = null;
       this.openScene(scene);
       this.say("info", "file.opened", { name: file.name });
@@ -164,7 +176,7 @@ export class App {
       const linked = syncAddress ? await this.links.read() : null;
       if (linked) {
         const scene = ensureIds(linked);
-        sceneGeometry(scene);
+        this.catalog?.geometry(scene);
         return scene;
       }
     } catch (error) {

@@ -21,7 +21,7 @@ const DASHES: Record<string, string> = { "eight": "9 5", "risk-field": "8 3 2 3"
 /** Curvature and clearance over the way driven, marked where the pointer is on the map. */
 export class Charts extends AppElement {
   static override styles = [controls, css`
-    :host { display: grid; grid-template-columns: 46px 1fr 92px; min-height: 0; background: var(--parkade-panel); border-left: 1px solid var(--parkade-hair); font-size: 12px; line-height: 16px; padding: 8px 0 0; }
+    :host { display: grid; grid-template-columns: 54px 1fr 96px; min-height: 0; background: var(--parkade-panel); border-left: 1px solid var(--parkade-hair); font-size: 12px; line-height: 16px; padding: 8px 0 0; }
     .plots { position: relative; min-width: 0; }
     .plots > svg { position: absolute; inset: 0 0 20px; width: 100%; height: calc(100% - 20px); overflow: visible; cursor: crosshair; }
     path, line { fill: none; vector-effect: non-scaling-stroke; }

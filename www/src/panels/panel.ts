@@ -2,14 +2,20 @@ import type { PlannerId } from "parkade";
 import { css, html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { millis } from "../i18n/index";
 import { plannerName } from "../planning/planning";
+import { goalPose, vehicleOf } from "../scene/model";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
+import { cameraFor, worldToScreen } from "../view/camera";
 import { AppElement } from "./base";
 import { icon, marker } from "./icons";
 import { legendOf, readoutOf } from "./readout";
 import { statusOf, type Status } from "./status";
 import "./hint";
 import "./scene-view";
+
+/** Pixels of a corner's pill, and a little more. */
+const READOUT = { width: 280, height: 48 };
+const LEGEND = { width: 160, height: 48 };
 
 /** Waits before "updating" is said, so that quick plans do not flicker. */
 const SLOW_MS = 300;
@@ -32,12 +38,14 @@ export class PlannerPanel extends AppElement {
     .end { margin-left: auto; display: flex; flex: none; }
     .body { position: relative; min-height: 0; }
     parkade-scene-view { position: absolute; inset: 0; }
-    .pill { position: absolute; bottom: 8px; display: flex; align-items: center; gap: 10px; height: 24px; padding: 0 8px; pointer-events: none;
+    .corner { position: absolute; left: 8px; bottom: 8px; pointer-events: none; }
+    .corner.right { left: auto; right: 8px; }
+    .corner.top { bottom: auto; top: 8px; }
+    .pill { display: flex; align-items: center; gap: 10px; height: 24px; padding: 0 8px;
       background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair);
       border-radius: calc(5px * var(--parkade-radius)); font-size: 12px; line-height: 16px; color: var(--parkade-t2); white-space: nowrap; }
     .pill b { font-weight: 500; color: var(--parkade-t1); margin-left: 4px; }
-    .readout { left: 8px; }
-    .legend { right: 8px; gap: 6px; }
+    .legend { gap: 6px; }
     .ramp { width: 72px; height: 6px; border-radius: 1px; background: linear-gradient(to right, #00224e, #123570, #3b496c, #575d6d, #707173, #8a8678, #a59c74, #c3b369, #e1cc55, #fde838); }
     .reason { position: absolute; top: 8px; left: 8px; right: 8px; width: fit-content; max-width: calc(100% - 16px); padding: 5px 10px; pointer-events: none;
       background: color-mix(in srgb, var(--parkade-err-soft) 94%, transparent); color: var(--parkade-err);
@@ -85,8 +93,20 @@ export class PlannerPanel extends AppElement {
           <parkade-scene-view .app=${this.app} .planners=${[planner]} .label=${label}></parkade-scene-view>
           ${state.focus === planner && !this.thumb ? html`<parkade-hint .app=${this.app}></parkade-hint>` : nothing}
           ${status.reason ? html`<div class="reason">${status.reason}</div>` : nothing}
-          ${readoutOf(state, planner)}${legendOf(state, planner)}`}
+          <div class="corner ${this.corner("left")}">${readoutOf(state, planner)}</div>
+          <div class="corner right ${this.corner("right")}">${legendOf(state, planner)}</div>`}
       </div>`;
+  }
+
+  /** The upper corner where a pose or its handle would be covered in the lower one. */
+  private corner(side: "left" | "right"): "top" | "" {
+    const body = this.renderRoot.querySelector<HTMLElement>(".body");
+    const width = body?.clientWidth ?? 0, height = body?.clientHeight ?? 0;
+    if (width === 0) return "";
+    const reach = side === "left" ? READOUT : LEGEND;
+    const covered = handlePoints(this.state, width, height).some(([x, y]) =>
+      y > height - reach.height && (side === "left" ? x < reach.width : x > width - reach.width));
+    return covered ? "top" : "";
   }
 
   private chip(status: Status): TemplateResult {
@@ -127,6 +147,15 @@ export class PlannerPanel extends AppElement {
     this.timer = undefined;
     this.slow = false;
   }
+}
+
+/** Where start and goal stand and the goal's handle is, in pixels. */
+function handlePoints(state: State, width: number, height: number): [number, number][] {
+  const view = { camera: cameraFor(state, width, height), width, height };
+  const nose = vehicleOf(state.scene.vehicle).rearToFront;
+  const goal = goalPose(state.scene);
+  return [state.scene.start, goal].flatMap(({ x, y, heading }) => [0, nose, nose + 1.2].map((ahead) =>
+    worldToScreen(view, x + ahead * Math.cos(heading), y + ahead * Math.sin(heading))));
 }
 
 customElements.define("parkade-panel", PlannerPanel);

@@ -1,5 +1,6 @@
 import type { ParameterInfo, PlannerId } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
+import { isMessage } from "../i18n/index";
 import { plannerName } from "../planning/planning";
 import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
@@ -67,9 +68,14 @@ export class Parameters extends AppElement {
     }
     if (info.type === "choice") {
       return html`<div class="segmented" role="group" aria-labelledby="n-${info.name}">${(info.choices ?? []).map((choice) => html`
-        <button aria-pressed=${choice === value} @click=${() => this.change(info, choice, false)}>${choice}</button>`)}</div>`;
+        <button aria-pressed=${choice === value} @click=${() => this.change(info, choice, false)}>${this.choiceName(choice)}</button>`)}</div>`;
     }
     return this.slider(info, value);
+  }
+
+  private choiceName(choice: string): string {
+    const key = `choice.${choice}`;
+    return isMessage(key) ? this.t(key) : choice;
   }
 
   private slider(info: ParameterInfo, value: unknown): TemplateResult {

@@ -39,7 +39,7 @@ export class Chips extends AppElement {
       const status = statusOf(this.state, planner);
       return html`<button class=${hidden.has(planner) ? "off" : ""} aria-pressed=${planner === focus}
         @click=${() => this.tap(planner)} @pointerdown=${() => this.press(planner)} @pointerup=${this.release} @pointercancel=${this.release} @contextmenu=${(e: Event) => e.preventDefault()}>
-        ${marker(planner)}<b>${this.t(`short.${planner}`)}</b><span class=${status.tone} title=${status.chip}>${status.brief}</span></button>`;
+        ${marker(planner)}<b>${this.t(`short.${planner}`)}</b><span class=${status.tone} title=${status.chip}>${status.tiny}</span></button>`;
     })}`;
   }
 

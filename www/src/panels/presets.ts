@@ -14,9 +14,9 @@ export class Presets extends AppElement {
   static override styles = [controls, dialogs, css`
     dialog { width: min(984px, 94vw); }
     ul { list-style: none; margin: 0; padding: 0; display: grid; grid-template-columns: repeat(auto-fill, minmax(250px, 1fr)); gap: 16px; }
-    li button { display: block; width: 100%; text-align: left; white-space: normal; border-radius: calc(10px * var(--parkade-radius)); border: 1px solid var(--parkade-hair2); overflow: hidden; background: var(--parkade-panel); }
+    li { display: grid; } li button { flex-direction: column; align-items: stretch; justify-content: flex-start; gap: 0; text-align: left; white-space: normal; border-radius: calc(10px * var(--parkade-radius)); border: 1px solid var(--parkade-hair2); overflow: hidden; background: var(--parkade-panel); }
     li button:hover { border-color: var(--parkade-t3); }
-    li button[aria-current="true"] { border-color: var(--parkade-accent); box-shadow: inset 0 0 0 1px var(--parkade-accent); }
+    li button[aria-current="true"] { border-color: var(--parkade-accent); box-shadow: 0 0 0 1px var(--parkade-accent); }
     li button:focus-visible { border-radius: calc(10px * var(--parkade-radius)); }
     parkade-thumbnail { height: 128px; border-bottom: 1px solid var(--parkade-hair); pointer-events: none; }
     .words { padding: 10px 12px 11px; display: block; }
@@ -69,7 +69,7 @@ export class Presets extends AppElement {
   private card(info: ScenarioInfo): TemplateResult {
     const { lang } = this.state;
     return html`<li><button aria-current=${info.id === this.app.preset} @click=${() => this.pick(info.id)}>
-      <parkade-thumbnail .app=${this.app} .scene=${this.sceneOf(info.id)}></parkade-thumbnail>
+      <parkade-thumbnail .app=${this.app} .scene=${this.sceneOf(info.id)} ?whole=${info.group === "grid"}></parkade-thumbnail>
       <span class="words"><b>${info.title[lang]}</b><i>${info.question[lang]}</i></span></button></li>`;
   }
 

@@ -10,6 +10,8 @@ export interface Status {
   chip: string;
   /** For the table. */
   brief: string;
+  /** For phones. */
+  tiny: string;
   /** What helps, when there is no path. */
   reason: string | null;
 }
@@ -58,7 +60,9 @@ function hits(state: State, check: Check): Word {
 
 function tight({ lang }: State, check: Check): Word {
   if (check.tightestRadius === 0) return { name: "spot" };
-  if (check.tightTurns === 0) return { name: "sideways" };
+  if ((check.tightestRadius ?? Infinity) >= check.minTurningRadius) {
+    return { name: "sideways", values: { angle: number(lang, Math.abs(check.startHeadingError) * DEGREES, 0) } };
+  }
   return {
     name: "tight",
     values: { radius: number(lang, check.tightestRadius ?? 0, 2), limit: number(lang, check.minTurningRadius, 2) },
@@ -78,7 +82,12 @@ function obstacleKind(scene: Scene, index: number, name: string): string {
   return (scene.slots ?? []).some((slot) => slot.id === name) ? "slot" : name.replace(/[^a-z].*$/, "");
 }
 
+function tinyOf({ lang }: State, name: string, values?: Values): string | null {
+  const key = `tiny.${name}`;
+  return isMessage(key) ? translate(lang, key, values) : null;
+}
+
 function say(state: State, { name, values }: Word, tone: Status["tone"], icon: IconName, reason: string | null = null): Status {
   const word = (prefix: string): string => translate(state.lang, `${prefix}.${name}` as MessageKey, values);
-  return { tone, icon, chip: word("status"), brief: word("brief"), reason };
+  return { tone, icon, chip: word("status"), brief: word("brief"), tiny: tinyOf(state, name, values) ?? word("brief"), reason };
 }

@@ -85,7 +85,7 @@ export class MetricsTable extends AppElement {
     return html`<tr class="${row.planner === focus ? "chosen" : ""} ${row.drivable ? "" : "grey"}" @click=${() => this.app.store.set({ focus: row.planner })}>
       <th scope="row"><button aria-pressed=${row.planner === focus}>${marker(row.planner)}${this.compact ? this.t(`short.${row.planner}`) : row.name}</button></th>
       ${row.hidden ? html`<td></td>${columns.map(() => html`<td></td>`)}` : html`
-        <td class=${tone}>${row.status.brief}</td>
+        <td class=${tone}>${this.compact ? row.status.tiny : row.status.brief}</td>
         ${columns.map((column) => {
           const { text, best, title } = row.cells[column];
           return html`<td class=${best ? "best" : ""} title=${title || nothing}>${best ? html`<span class="star" aria-hidden="true">★</span><span class="sr">${this.t("table.best")} </span>` : nothing}${text}</td>`;

@@ -1,24 +1,30 @@
-import { init } from "parkade";
 import wasmUrl from "../../../pkg/parkade_bg.wasm?url";
 
-let compiled: Promise<WebAssembly.Module> | null = null;
+type Api = typeof import("./engine");
 
-/** The planners' module: loaded and compiled once, shared by the page and every worker. */
-export function loadModule(): Promise<WebAssembly.Module> {
-  compiled ??= load().catch((error: unknown) => {
-    compiled = null;
+/** The planners' functions, ready to be called, and their compiled module for the workers. */
+export interface Engine { api: Api; module: WebAssembly.Module }
+
+let loading: Promise<Engine> | null = null;
+
+/** Loads and compiles the planners once, however many playgrounds there are. */
+export function loadEngine(): Promise<Engine> {
+  loading ??= load().catch((error: unknown) => {
+    loading = null;
     throw error;
   });
-  return compiled;
+  return loading;
 }
 
-async function load(): Promise<WebAssembly.Module> {
+async function load(): Promise<Engine> {
+  const [api, module] = await Promise.all([import("./engine"), compile()]);
+  await api.init({ wasm: module });
+  return { api, module };
+}
+
+async function compile(): Promise<WebAssembly.Module> {
   const response = await fetch(new URL(wasmUrl, import.meta.url));
   if (!response.ok) throw new Error(`the server answered ${response.status} for the planners' module.`);
   const isWasm = response.headers.get("content-type")?.startsWith("application/wasm") ?? false;
-  const module = isWasm
-    ? await WebAssembly.compileStreaming(response)
-    : await WebAssembly.compile(await response.arrayBuffer());
-  await init({ wasm: module });
-  return module;
+  return isWasm ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
 }

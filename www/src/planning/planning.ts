@@ -1,7 +1,8 @@
-import { ParkadeError, sceneGeometry, type LayerName, type PlannerId } from "parkade";
+import type { LayerName, PlannerId } from "parkade";
 import { isMessage, translate } from "../i18n/index";
 import { emptyResult, type PanelResult, type Scene, type State, type Store } from "../store";
 import { Lane, type WorkerLike } from "./lane";
+import type { Engine } from "./module";
 import type { Failure, Layers, Reply } from "./protocol";
 
 const SAMPLES = 9;
@@ -20,8 +21,9 @@ export class Planning {
 
   constructor(
     private readonly store: Store,
-    private readonly module: WebAssembly.Module,
-    private readonly spawn: (planner: PlannerId) => WorkerLike = spawnWorker,
+    private readonly engine: Engine,
+    private readonly spawn: (planner: PlannerId) => WorkerLike = (planner) =>
+      new Worker(engine.api.script, { type: "module", name: `parkade ${planner}` }) as WorkerLike,
   ) {}
 
   start(): void {
@@ -96,12 +98,12 @@ export class Planning {
   /** Checks the scene and fills `geometry`; says in words what is wrong with it. */
   private resolve(state: State): boolean {
     try {
-      const geometry = sceneGeometry(state.scene);
+      const geometry = this.engine.api.sceneGeometry(state.scene);
       const wasBad = Object.values(state.results).some((result) => result.status === "error");
       this.store.set({ geometry, ...(wasBad ? { message: null } : {}) });
       return true;
     } catch (error) {
-      const failure = asFailure(error);
+      const failure = this.engine.api.failureOf(error);
       const results = Object.fromEntries(state.planners.map((planner) =>
         [planner, { ...(state.results[planner] ?? emptyResult), status: "error" as const, error: failure }]));
       const key = failure.path ? "error.sceneAt" : "error.scene";
@@ -114,7 +116,7 @@ export class Planning {
   private laneOf(planner: PlannerId): Lane {
     let lane = this.lanes.get(planner);
     if (!lane) {
-      lane = new Lane(planner, this.module, () => this.spawn(planner), {
+      lane = new Lane(planner, this.engine.module, () => this.spawn(planner), {
         planned: (reply, newerWaits) => this.planned(planner, reply, newerWaits),
         failed: (error, newerWaits) => this.failed(planner, error, newerWaits),
         restarted: () => this.sayRestarted(planner),
@@ -206,13 +208,4 @@ const sameMap = (a: Scene, b: Scene): boolean => a.map === b.map || JSON.stringi
 
 function withoutPath({ path, message }: Failure): string {
   return path && message.startsWith(path) ? message.slice(path.length).replace(/^:\s*/, "") : message;
-}
-
-function asFailure(error: unknown): Failure {
-  if (error instanceof ParkadeError) return { code: error.code, path: error.path, message: error.message };
-  return { code: "internal", path: "", message: error instanceof Error ? error.message : String(error) };
-}
-
-function spawnWorker(planner: PlannerId): WorkerLike {
-  return new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name: `parkade ${planner}` }) as WorkerLike;
 }

@@ -1,5 +1,6 @@
 import { init, Planner, type LayerName, type Plan, type PlannerId, type Scenario } from "parkade";
-import type { Failure, Layers, Reply, Request } from "./protocol";
+import { failureOf } from "./failure";
+import type { Layers, Reply, Request } from "./protocol";
 
 const scope = self as unknown as {
   onmessage: ((event: MessageEvent<Request>) => void) | null;
@@ -10,14 +11,15 @@ let planner: PlannerId = "hybrid";
 let ready: Promise<void> | null = null;
 let current: Planner | null = null;
 
-scope.onmessage = ({ data }) => {
-  if (data.kind === "start") {
-    planner = data.planner;
-    ready = init({ wasm: data.module });
-    return;
-  }
-  void answer(data);
-};
+/** Answers the page's requests; called in workers only. */
+export function serve(): void {
+  scope.onmessage = ({ data }) => {
+    if (data.kind === "start") {
+      planner = data.planner;
+      ready = init({ wasm: data.module });
+    } else void answer(data);
+  };
+}
 
 async function answer(request: Exclude<Request, { kind: "start" }>): Promise<void> {
   try {
@@ -27,7 +29,7 @@ async function answer(request: Exclude<Request, { kind: "start" }>): Promise<voi
       : { kind: "timed" as const, id: request.id, samples: time(request.runs, request.budget) };
     scope.postMessage(reply, reply.kind === "planned" ? buffers(reply.plan, reply.layers) : []);
   } catch (error) {
-    scope.postMessage({ kind: "failed", id: request.id, error: failure(error) }, []);
+    scope.postMessage({ kind: "failed", id: request.id, error: failureOf(error) }, []);
   }
 }
 
@@ -62,10 +64,4 @@ function buffers(plan: Plan, layers: Layers): Transferable[] {
     ...Object.values(layers).map((layer) => layer.data),
   ];
   return [...new Set(arrays.flatMap((array) => (array ? [array.buffer as ArrayBuffer] : [])))];
-}
-
-function failure(error: unknown): Failure {
-  if (!(error instanceof Error)) return { code: "internal", path: "", message: String(error) };
-  const { code, path } = error as Partial<Failure>;
-  return { code: code ?? "internal", path: path ?? "", message: error.message };
 }

@@ -1,0 +1,13 @@
+/**
+ * The planners and their worker in one file: the page and every worker load the same script. It must import nothing that the
+ * page imports too, or workers would load the page.
+ */
+import { serve } from "./worker";
+
+export { failureOf } from "./failure";
+export { init, planners, scenario, sceneGeometry, scenarios } from "parkade";
+
+/** What `new Worker` is given. */
+export const script = import.meta.url;
+
+if (typeof document === "undefined") serve();
