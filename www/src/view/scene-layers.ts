@@ -50,23 +50,28 @@ export class SceneLayers {
   private drawAnswers(frame: Frame): void {
     const { layers } = frame.state;
     const one = leading(frame);
-    if (one && layers.sweep) drawSweep(frame, one);
+    const done = !searching(frame);
+    if (one && layers.sweep && done) drawSweep(frame, one);
     if (layers.ghosts) drawOthers(frame);
-    if (one && !frame.overlay && layers.path) drawCollisions(frame, one);
+    if (one && !frame.overlay && layers.path && done) drawCollisions(frame, one);
     if (layers.car) drawStartAndGoal(frame);
-    for (const shown of inOrder(frame)) if (layers.path) drawPath(frame, shown, strength(shown) * (crowded(frame) && !leads(frame, shown) ? BEHIND : 1));
+    if (layers.path) for (const shown of inOrder(frame)) drawPath(frame, shown, strength(frame, shown) * standing(frame, shown));
     if (layers.car) drawReferences(frame);
-    if (layers.car) for (const shown of inOrder(frame)) drawDrivingCar(frame, shown, strength(shown));
-    if (frame.overlay && layers.path) for (const shown of frame.shown) drawFirstHit(frame, shown);
-    for (const shown of inOrder(frame)) if (layers.path && leads(frame, shown)) drawCusps(frame, shown, strength(shown));
+    if (layers.car && one) drawDrivingCar(frame, one, strength(frame, one));
+    if (frame.overlay && layers.path && done) for (const shown of frame.shown) drawFirstHit(frame, shown);
+    if (one && layers.path) drawCusps(frame, one, strength(frame, one));
   }
 }
 
 /** On a phone the other planners' paths stand behind the focused one's. */
 const BEHIND = 0.5, NARROW = 640;
-const crowded = ({ overlay, view }: Frame): boolean => overlay && view.width <= NARROW;
+const standing = (frame: Frame, shown: Shown): number =>
+  frame.overlay && frame.view.width <= NARROW && !leads(frame, shown) ? BEHIND : 1;
 
-const strength = (shown: Shown): number => (shown.ghost ? GHOST : 1);
+/** Before its last step a search has no answer yet: paths stand back, what follows from them is not drawn. */
+const searching = ({ state: { playback } }: Frame): boolean => playback.base === "search" && playback.fraction < 1;
+
+const strength = (frame: Frame, shown: Shown): number => (shown.ghost || searching(frame) ? GHOST : 1);
 
 /** The focused planner is drawn last, on top. */
 const inOrder = (frame: Frame): Shown[] => [...frame.shown].sort((a, b) => Number(leads(frame, a)) - Number(leads(frame, b)));

@@ -2,7 +2,7 @@
 import type { Pose } from "parkade";
 import { drawCar, drivingStyle, goalStyle, startStyle } from "../car";
 import { poseAtFraction, steerAngle } from "../drive";
-import { leads, type Frame, type Shown } from "../frame";
+import type { Frame, Shown } from "../frame";
 import { plannerStyle } from "../tokens";
 import { drawHatchedPose } from "./collisions";
 
@@ -23,10 +23,10 @@ function isBlocked({ shown }: Frame, which: "start" | "goal"): boolean {
   return shown.some(({ result }) => result?.status !== "planning" && result?.plan?.outcome === `${which}-blocked`);
 }
 
-/** The car on its way; with several paths on one canvas only the focused planner's. */
+/** The car on its way. */
 export function drawDrivingCar(frame: Frame, shown: Shown, alpha: number): void {
   const { playback } = frame.state;
-  if (!shown.plan || playback.base !== "drive" || !leads(frame, shown)) return;
+  if (!shown.plan || playback.base !== "drive") return;
   const pose = poseAtFraction(shown.plan, playback.fraction);
   if (!pose) return;
   const { vehicle } = frame.resolved;

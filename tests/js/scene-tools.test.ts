@@ -1,0 +1,156 @@
+import { describe, expect, it } from "vitest";
+import { goalPose, resolve } from "../../www/src/scene/model";
+import { createStore, type Scene, type State } from "../../www/src/store";
+import { BrushTool, EraserTool } from "../../www/src/tools/brush";
+import type { Draft } from "../../www/src/tools/draft";
+import { PolygonTool, WallTool } from "../../www/src/tools/line";
+import { SelectTool } from "../../www/src/tools/select";
+import { SlotTool } from "../../www/src/tools/slot";
+import type { Bench, Input, Tool } from "../../www/src/tools/tool";
+import { gripOf } from "../../www/src/view/pose-handle";
+
+const yard: Scene = {
+  version: 1,
+  map: { origin: [0, 0], width: 120, height: 80, resolution: 0.25 },
+  obstacles: [{ type: "rectangle", id: "box", center: [20, 15], size: [4, 2], heading: 0 }],
+  slots: [{ id: "bay", kind: "perpendicular", x: 25, y: 6, heading: -Math.PI / 2, width: 3, length: 6 }],
+  vehicle: "paper",
+  start: { x: 4, y: 10, heading: 0 },
+  goal: { x: 14, y: 5, heading: 0 },
+};
+
+function bench(initial: Partial<State> = {}): Bench & { draft: Draft | null } {
+  const store = createStore({ scene: yard, ...initial });
+  return {
+    store,
+    draft: null,
+    view: { camera: { x: 15, y: 10, scale: 20 }, width: 600, height: 400 },
+    show(draft) { this.draft = draft; },
+    preview: (scene) => store.edit(scene, { transient: true }),
+    commit: (scene, label) => store.edit(scene, { label }),
+    revert: () => { if (store.state.transient) store.undo(); },
+    done: () => store.set({ tool: "select" }),
+  };
+}
+
+const input = (x: number, y: number, more: Partial<Input> = {}): Input =>
+  ({ at: [x, y], pixel: [x * 20, -y * 20], trail: [[x, y]], shift: false, alt: false, ctrl: false, touch: false, ...more });
+
+function drag(tool: Tool, on: Bench, points: [number, number][], more: Partial<Input> = {}): void {
+  tool.down?.(on, input(...points[0]!, more));
+  for (const point of points.slice(1)) tool.move?.(on, input(...point, more));
+  tool.up?.(on, input(...points.at(-1)!, more));
+}
+
+const steps = ({ store }: Bench): number => {
+  let count = 0;
+  for (; store.state.canUndo; count++) store.undo();
+  return count;
+};
+
+describe("a drag", () => {
+  it("moves the goal about its rear axle in one undo step", () => {
+    const on = bench();
+    drag(new SelectTool(), on, [[16, 5], [17, 7], [19, 8.5]]);
+    expect(goalPose(on.store.state.scene)).toEqual({ x: 17, y: 8.5, heading: 0 });
+    expect(on.store.state.selection).toEqual({ kind: "goal" });
+    expect(steps(on)).toBe(1);
+    expect(on.store.state.scene).toBe(yard);
+  });
+
+  it("of the grip turns the goal, and snaps to 15 degrees unless Alt is held", () => {
+    const { goal, vehicle } = resolve(yard), grip = gripOf(goal, vehicle), far = Math.hypot(grip[0] - goal.x, grip[1] - goal.y);
+    const turned = (angle: number, alt: boolean): number => {
+      const on = bench();
+      drag(new SelectTool(), on, [grip, [goal.x + far * Math.cos(angle), goal.y + far * Math.sin(angle)]], { alt });
+      return (goalPose(on.store.state.scene).heading * 180) / Math.PI;
+    };
+    expect(turned((43 * Math.PI) / 180, false)).toBeCloseTo(45, 6);
+    expect(turned((43 * Math.PI) / 180, true)).toBeCloseTo(43, 1);
+    expect(turned((38 * Math.PI) / 180, false)).toBeCloseTo(38, 1);
+  });
+
+  it("with Alt leaves a copy", () => {
+    const on = bench();
+    drag(new SelectTool(), on, [[20, 15], [22, 17]], { alt: true });
+    const [first, second] = on.store.state.scene.obstacles as { center: [number, number] }[];
+    expect(first!.center).toEqual([20, 15]);
+    expect(second!.center).toEqual([22, 17]);
+    expect(steps(on)).toBe(1);
+  });
+
+  it("that is given up leaves the scene as it was", () => {
+    const on = bench();
+    const tool = new SelectTool();
+    tool.down(on, input(16, 5));
+    tool.move(on, input(18, 8));
+    expect(tool.cancel(on)).toBe(true);
+    expect(on.store.state.scene).toBe(yard);
+    expect(on.store.state.canUndo).toBe(false);
+  });
+
+  it("brings the goal to rest in a slot close by; a click puts it there at once", () => {
+    const on = bench();
+    const there = { slot: "bay", entry: "reverse-in" };
+    drag(new SelectTool(), on, [[25, 3], [25, 3]]);
+    expect(on.store.state.scene.goal).toEqual(there);
+  });
+});
+
+describe("the brush", () => {
+  it("draws one undo step and passes on what the browser held back between events", () => {
+    const on = bench();
+    const tool = new BrushTool();
+    tool.down(on, input(2, 18));
+    tool.move(on, input(28, 18, { trail: [[8, 19], [15, 17], [28, 18]] }));
+    tool.up(on, input(28, 18));
+    const cells = on.store.state.scene.obstacles!.find((o) => o.type === "cells")!;
+    const columns = new Set(cells.runs.flatMap(([x, , count]) => Array.from({ length: count }, (_, i) => x + i)));
+    expect(columns.size).toBeGreaterThanOrEqual(104);
+    expect(cells.runs.some(([, y]) => y === Math.floor(19 / 0.25))).toBe(true);
+    expect(steps(on)).toBe(1);
+  });
+
+  it("turned round takes cells and shapes away", () => {
+    const on = bench();
+    drag(new BrushTool(), on, [[2, 18], [10, 18]]);
+    drag(new EraserTool(), on, [[1, 18], [11, 18], [20, 16.2]]);
+    expect(on.store.state.scene.obstacles).toEqual([]);
+    expect(steps(on)).toBe(2);
+  });
+});
+
+describe("corner by corner", () => {
+  const click = (tool: Tool, on: Bench, x: number, y: number): void => drag(tool, on, [[x, y]]);
+
+  it("walls end with Enter", () => {
+    const on = bench();
+    const tool = new WallTool();
+    for (const [x, y] of [[1, 1], [3, 1], [3, 4]] as const) click(tool, on, x, y);
+    expect(tool.confirm(on)).toBe(true);
+    expect(on.store.state.scene.obstacles!.at(-1)).toMatchObject({ type: "wall", points: [[1, 1], [3, 1], [3, 4]] });
+  });
+
+  it("polygons close on their first corner and refuse one that would cross", () => {
+    const on = bench();
+    const tool = new PolygonTool();
+    for (const [x, y] of [[1, 1], [5, 1], [5, 4]] as const) click(tool, on, x, y);
+    click(tool, on, 3, 0.25);
+    expect(on.store.state.message).toEqual({ tone: "err", text: "This corner would cross an edge." });
+    click(tool, on, 1, 4);
+    click(tool, on, 1, 1);
+    expect(on.store.state.scene.obstacles!.at(-1)).toMatchObject({ type: "polygon", points: [[1, 1], [5, 1], [5, 4], [1, 4]] });
+    expect(on.store.state.tool).toBe("select");
+  });
+});
+
+describe("a slot row", () => {
+  it("holds as many slots as its length gives, to the right of the drag", () => {
+    const on = bench();
+    drag(new SlotTool(), on, [[2, 18], [16.5, 18]]);
+    const row = on.store.state.scene.slots!.slice(1);
+    expect(row).toHaveLength(5);
+    for (const slot of row) expect(slot.heading).toBeCloseTo(-Math.PI / 2, 9);
+    expect(row[0]!.x).toBeCloseTo(2 + 1.4, 9);
+  });
+});
