@@ -29,7 +29,7 @@ export class SlotTool implements Tool {
     this.from = null;
     bench.show(null);
     if (!from) return;
-    const slots = slotRow(shapeOf(bench), from, this.end(bench, from, input), input.alt ? "left" : "right");
+    const slots = slotRow(shapeOf(bench, input.alt), from, this.end(bench, from, input), input.alt ? "left" : "right");
     const { scene, ids } = addSlots(bench.store.state.scene, slots);
     bench.commit(scene, "slots");
     bench.store.set({ selection: ids[0] === undefined ? null : { kind: "slot", id: ids[0] } });
@@ -53,21 +53,23 @@ export class SlotTool implements Tool {
   }
 }
 
-function shapeOf(bench: Bench): SlotShape {
+/** The option says where bays lean on the page, along the drag or against it; a slot says it as seen from its aisle. */
+function shapeOf(bench: Bench, flipped: boolean): SlotShape {
   const { kind, width, length, angle, lean } = bench.store.state.toolOptions.slot;
-  return kind === "angled" ? { kind, width, length, angle, lean } : { kind, width, length };
+  if (kind !== "angled") return { kind, width, length };
+  return { kind, width, length, angle, lean: (lean === "right") === flipped ? "right" : "left" };
 }
 
 function rowDraft(bench: Bench, from: Point, to: Point, flipped: boolean): Draft {
-  const shape = shapeOf(bench), { state } = bench.store;
+  const shape = shapeOf(bench, flipped), { state } = bench.store, { angle, lean } = state.toolOptions.slot;
   const slots = slotRow(shape, from, to, flipped ? "left" : "right");
-  const lean = shape.kind === "angled" ? ` · ${fixed(((shape.angle ?? 0) * 180) / Math.PI, 0)}° ${word(state, shape.lean ?? "left")}` : "";
+  const leaning = shape.kind === "angled" ? ` · ${fixed((angle * 180) / Math.PI, 0)}° ${word(state, lean)}` : "";
   const count = `${slots.length} ${word(state, slots.length === 1 ? "slot" : "slots")}`;
   const row = slots.length * openingOf(shape);
   return {
     preview: { kind: "slots", slots, from, to },
     label: {
-      text: `${count}${lean} · ${fixed(shape.width, 2)} × ${fixed(shape.length, 2)} m · ${word(state, "row")} ${fixed(row, 2)} m`,
+      text: `${count}${leaning} · ${fixed(shape.width, 2)} × ${fixed(shape.length, 2)} m · ${word(state, "row")} ${fixed(row, 2)} m`,
       at: [(from[0] + to[0]) / 2, Math.max(from[1], to[1])],
     },
   };

@@ -91,13 +91,31 @@ export function cameraFor(state: State, width: number, height: number): Camera {
   if (state.camera) return state.camera;
   const { scene, results } = state;
   const sizes = fits.get(scene.map) ?? new Map<string, Fitted>();
-  const size = `${width}x${height}`, known = sizes.get(size);
+  const size = `${state.mode}${width}x${height}`, known = sizes.get(size);
   if (known && (known.scene !== scene || known.results === results)) return known.camera;
   if (sizes.size >= MOST_SIZES) sizes.clear();
-  const camera = fit(scene, state.geometry, width, height, drivablePlans(state));
+  const camera = fitBesideLegend(state, width, height);
   sizes.set(size, { scene, results, camera });
   fits.set(scene.map, sizes);
   return camera;
+}
+
+/** The corner at the lower right that the list of planners takes in overlay mode, CSS pixels. */
+const LEGEND = { width: 350, height: 134, from: 640 };
+
+/** No panel may lie over the start or goal car: where the list would, the scene moves up. */
+function fitBesideLegend(state: State, width: number, height: number): Camera {
+  const plans = drivablePlans(state);
+  const camera = fit(state.scene, state.geometry, width, height, plans);
+  if (state.mode !== "overlay" || width <= LEGEND.from) return camera;
+  const { start, goal, vehicle } = resolve(state.scene);
+  const covered = [start, goal].flatMap((pose) => [...footprint(pose, vehicle), gripEnd(pose, vehicle.rearToFront)]).some(([x, y]) => {
+    const [px, py] = worldToScreen({ camera, width, height }, x, y);
+    return px > width - LEGEND.width && py > height - LEGEND.height;
+  });
+  if (!covered) return camera;
+  const above = fit(state.scene, state.geometry, width, height - LEGEND.height, plans);
+  return { ...above, y: above.y - LEGEND.height / 2 / above.scale };
 }
 
 /** Makes the next fit start afresh from the scene as it is then. */

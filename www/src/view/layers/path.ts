@@ -121,7 +121,8 @@ const DIAMOND = { half: 11, ink: "#1B1D20" };
 /** Gear changes, numbered along the way. Closer together than they are wide, they stand beside each other. */
 export function drawCusps(frame: Frame, shown: Shown, alpha: number): void {
   const { plan } = shown;
-  if (!plan) return;
+  const cusps = plan ? cuspsOf(plan) : [];
+  if (!plan || cusps.length === 0) return;
   const { ctx } = frame;
   const placed: Point[] = [];
   ctx.save();
@@ -130,7 +131,7 @@ export function drawCusps(frame: Frame, shown: Shown, alpha: number): void {
   ctx.font = labelFont(frame, 700);
   ctx.textAlign = "center";
   ctx.textBaseline = "middle";
-  cuspsOf(plan).forEach((at, i) => {
+  cusps.forEach((at, i) => {
     const spot = apart(toScreen(frame, [plan.path[3 * at]!, plan.path[3 * at + 1]!]), placed);
     placed.push(spot);
     drawDiamond(frame, spot, String(i + 1));
