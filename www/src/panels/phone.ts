@@ -66,10 +66,10 @@ export class Sheet extends AppElement {
   static override styles = [controls, css`
     :host { display: block; background: var(--parkade-app); }
     .sheet { background: var(--parkade-raise); border-radius: calc(14px * var(--parkade-radius)) calc(14px * var(--parkade-radius)) 0 0; box-shadow: 0 -1px 0 var(--parkade-hair); }
-    .grip { display: block; width: 100%; height: 16px; touch-action: none; cursor: ns-resize; position: relative; }
-    .grip::before { content: ""; position: absolute; inset: -14px 0 0; }
-    .grip::after { content: ""; position: absolute; left: 50%; top: 7px; width: 36px; height: 4px; margin-left: -18px; border-radius: 2px; background: var(--parkade-hair2); }
-    .segmented { display: flex; margin: 2px 10px 6px; }
+    .grip { display: block; width: 100%; height: 24px; touch-action: none; cursor: ns-resize; position: relative; }
+    .grip::before { content: ""; position: absolute; inset: -10px 0 0; }
+    .grip::after { content: ""; position: absolute; left: 50%; top: 9px; width: 36px; height: 4px; margin-left: -18px; border-radius: 2px; background: var(--parkade-hair2); }
+    .segmented { display: flex; margin: 0 10px 6px; }
     .segmented button { flex: 1; height: 30px; position: relative; }
     .segmented button::after { content: ""; position: absolute; inset: -7px 0; }
     .body { overflow-y: auto; overscroll-behavior: contain; transition: height var(--parkade-slow) var(--parkade-ease); }

@@ -2,6 +2,7 @@ import type { PlannerId } from "parkade";
 import { css, html, LitElement, type PropertyValues } from "lit";
 import type { App } from "../element/app";
 import type { State } from "../store";
+import type { View } from "../view/camera";
 import { SceneCanvas } from "../view/scene-canvas";
 
 /** Parts of the state that never show on a canvas. */
@@ -21,6 +22,11 @@ export class SceneView extends LitElement {
   private scene: SceneCanvas | null = null;
   private detach: (() => void)[] = [];
   private frame = 0;
+
+  /** Camera and size last drawn with. */
+  get view(): View | null {
+    return this.scene?.view ?? null;
+  }
 
   /** The drawn canvas, for exports. */
   get canvas(): HTMLCanvasElement | null {

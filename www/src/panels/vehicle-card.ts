@@ -9,9 +9,8 @@ import { AppElement } from "./base";
 export class VehicleCard extends AppElement {
   static override styles = [controls, sections, css`
     .card { display: grid; grid-template-columns: 92px 1fr; gap: 14px; align-items: center; }
-    dl { margin: 0; font-size: 12px; line-height: 17px; }
-    dd { margin: 0; }
-    dd + dd { color: var(--parkade-t2); }
+    .facts { display: grid; font-size: 12px; line-height: 17px; }
+    .facts span + span { color: var(--parkade-t2); }
     svg { overflow: visible; }
     select { appearance: none; border: 0; background: none; cursor: pointer; padding: 2px 6px; margin-right: -6px; border-radius: calc(6px * var(--parkade-radius)); color: var(--parkade-t2); text-align: right; }
     select:hover { background: var(--parkade-hover); color: var(--parkade-t1); }
@@ -34,9 +33,9 @@ export class VehicleCard extends AppElement {
         <select aria-label=${this.t("inspect.vehicle")} @change=${this.choose}>
           ${names.map((name) => html`<option value=${name} ?selected=${name === now}>${this.t(`vehicle.${name}`)}</option>`)}</select></div>
       <div class="card">${drawing(car.rearToBack, car.rearToFront, car.width, car.wheelbase)}
-        <dl><dd>${this.t("inspect.size", { length: this.num(length, 2), width: this.num(car.width, 2) })}</dd>
-          <dd>${this.t("inspect.wheelbase", { value: this.num(car.wheelbase, 2) })}</dd>
-          <dd>${this.t("inspect.turns", { value: this.num(car.minTurningRadius, 2) })}</dd></dl></div>`;
+        <div class="facts"><span>${this.t("inspect.size", { length: this.num(length, 2), width: this.num(car.width, 2) })}</span>
+          <span>${this.t("inspect.wheelbase", { value: this.num(car.wheelbase, 2) })}</span>
+          <span>${this.t("inspect.turns", { value: this.num(car.minTurningRadius, 2) })}</span></div></div>`;
   }
 
   private readonly choose = (event: Event): void => {

@@ -1,0 +1,168 @@
+import { expect, test } from "@playwright/test";
+import type { Obstacle } from "parkade";
+import { complaintsOf, dragWorld, expectFourAnswers, hashesOf, look, onScreen, open, sceneOf, settled, type PlaygroundElement } from "./playground.js";
+
+test.use({ viewport: { width: 1400, height: 900 } });
+
+test("the page opens solved by four planners, without a complaint", async ({ page }) => {
+  const complaints = complaintsOf(page);
+  await open(page);
+  await expectFourAnswers(page);
+  await expect(page.locator("parkade-panel")).toHaveCount(4);
+  const rows = page.locator("parkade-table tbody tr");
+  await expect(rows).toHaveCount(4);
+  await expect(rows.filter({ hasText: "Hybrid A*" })).toContainText("OK");
+  await expect(page.locator("parkade-table tr.grey td.best")).toHaveCount(0);
+  expect(complaints).toEqual([]);
+});
+
+test("dragging the goal changes every planner's answer, and undo brings them back", async ({ page }) => {
+  await open(page);
+  const before = await hashesOf(page);
+  const scene = await sceneOf(page);
+  await page.evaluate(() => {
+    const element = document.querySelector<PlaygroundElement>("parkade-playground")!;
+    element.sceneData = { ...element.sceneData, slots: [], obstacles: [], start: { x: 8, y: 20, heading: 0 }, goal: { x: 20, y: 20, heading: 0 } };
+  });
+  await settled(page);
+  const opened = await hashesOf(page);
+  await look(page, 16, 20, 20);
+  await dragWorld(page, [20.5, 20], [23, 18]);
+  const after = await hashesOf(page);
+  for (const planner of Object.keys(opened)) expect(after[planner], planner).not.toBe(opened[planner]);
+
+  await page.keyboard.press("Control+z");
+  await settled(page);
+  expect(await hashesOf(page)).toEqual(opened);
+  await page.keyboard.press("Control+Shift+z");
+  await settled(page);
+  expect(await hashesOf(page)).toEqual(after);
+  await page.keyboard.press("Control+z");
+  await page.keyboard.press("Control+z");
+  await settled(page);
+  expect(await sceneOf(page)).toEqual(scene);
+  expect(await hashesOf(page)).toEqual(before);
+});
+
+test("a fast brush stroke leaves no holes", async ({ page }) => {
+  await open(page);
+  const { map } = await sceneOf(page);
+  const middle: [number, number] = [map.origin[0] + (map.width * map.resolution) / 2, map.origin[1] + (map.height * map.resolution) * 0.75];
+  await look(page, middle[0], middle[1], 16);
+  await page.keyboard.press("b");
+  const from: [number, number] = [middle[0] - 6, middle[1] - 2], to: [number, number] = [middle[0] + 6, middle[1] + 2];
+  await dragWorld(page, from, to, 2);
+  const cells = (await sceneOf(page)).obstacles!.find((one): one is Extract<Obstacle, { type: "cells" }> => one.type === "cells")!;
+  const painted = new Set(cells.runs.flatMap(([x, y, count]) => Array.from({ length: count }, (_, i) => `${x + i},${y}`)));
+  for (let i = 0; i <= 400; i++) {
+    const x = from[0] + ((to[0] - from[0]) * i) / 400, y = from[1] + ((to[1] - from[1]) * i) / 400;
+    const cell = [Math.floor((x - map.origin[0]) / map.resolution), Math.floor((y - map.origin[1]) / map.resolution)].join();
+    expect(painted.has(cell), `${x} ${y}`).toBe(true);
+  }
+});
+
+test("a shared link opens the same scene with the same answers", async ({ page }) => {
+  await open(page);
+  const { start } = await sceneOf(page);
+  await page.evaluate(() => {
+    const element = document.querySelector<PlaygroundElement>("parkade-playground")!;
+    const { sceneData } = element;
+    element.sceneData = { ...sceneData, start: { ...sceneData.start, x: sceneData.start.x - 1 } };
+  });
+  await settled(page);
+  await page.waitForURL(/#s=/);
+  const again = async () => {
+    await page.reload();
+    await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.ready);
+    return { scene: await sceneOf(page), hashes: await hashesOf(page) };
+  };
+  const first = await again();
+  expect(first.scene.start.x).toBeCloseTo(start.x - 1, 2);
+  await expectFourAnswers(page);
+  // Links round to a centimetre and a tenth of a degree, once.
+  expect(await again()).toEqual(first);
+});
+
+test("a broken link opens the first scene and says why", async ({ page }) => {
+  await open(page, "#s=1nonsense");
+  await expectFourAnswers(page);
+  await expect(page.locator("parkade-notices .notice.err")).toContainText("The link could not be read");
+});
+
+test("a broken file leaves the scene and says why; a good one opens", async ({ page }) => {
+  await open(page);
+  const before = await sceneOf(page);
+  const input = page.locator("parkade-playground input[type=file]");
+  for (const text of ["{", "[]", JSON.stringify({ ...before, start: { x: "left" } })]) {
+    await input.setInputFiles({ name: "broken.json", mimeType: "application/json", buffer: Buffer.from(text) });
+    await expect(page.locator("parkade-notices .notice.err")).toContainText("broken.json could not be read");
+    expect(await sceneOf(page)).toEqual(before);
+    await page.locator("parkade-notices button").click();
+  }
+  const moved = { ...before, name: "Moved", start: { ...before.start, x: before.start.x - 2 } };
+  await input.setInputFiles({ name: "good.json", mimeType: "application/json", buffer: Buffer.from(JSON.stringify(moved)) });
+  await expect(page.locator("parkade-notices .notice.info")).toBeVisible();
+  expect((await sceneOf(page)).start.x).toBeCloseTo(before.start.x - 2, 6);
+});
+
+test("a scene no planner can take keeps the last plans and says what is wrong", async ({ page }) => {
+  await open(page);
+  const before = await hashesOf(page);
+  await page.evaluate(() => {
+    const element = document.querySelector<PlaygroundElement>("parkade-playground")!;
+    element.sceneData = { ...element.sceneData, vehicle: { wheelbase: -1, width: 2, rearToFront: 4, rearToBack: 1, maxSteer: 0.6 } };
+  });
+  await expect(page.locator("parkade-notices .notice.err")).toContainText("vehicle");
+  expect(await hashesOf(page)).toEqual(before);
+  await page.keyboard.press("Control+z");
+  await settled(page);
+  await expect(page.locator("parkade-notices .notice")).toHaveCount(0);
+});
+
+test("arrangements change by key, and any panel can be edited", async ({ page }) => {
+  await open(page);
+  await page.keyboard.press("\\");
+  await expect(page.locator("parkade-stage parkade-scene-view")).toHaveCount(1);
+  await page.keyboard.press("\\");
+  await expect(page.locator("parkade-panel[thumb]")).toHaveCount(3);
+  await page.keyboard.press("\\");
+  await expect(page.locator("parkade-panel:not([thumb])")).toHaveCount(4);
+  await page.locator("parkade-panel header").first().dblclick();
+  await expect(page.locator("parkade-panel[thumb]")).toHaveCount(3);
+});
+
+test("a parameter's slider plans again and can be reset", async ({ page }) => {
+  await open(page);
+  const before = await hashesOf(page);
+  const slider = page.locator("parkade-parameters input[type=range]").first();
+  await slider.focus();
+  for (let i = 0; i < 4; i++) await page.keyboard.press("ArrowRight");
+  await settled(page);
+  expect(Object.keys((await sceneOf(page)).planners?.hybrid ?? {})).toHaveLength(1);
+  expect((await hashesOf(page))["hybrid"]).not.toBe(before["hybrid"]);
+  await page.locator("parkade-parameters .head button").click();
+  await settled(page);
+  expect(await hashesOf(page)).toEqual(before);
+});
+
+test("a preset opens from the gallery, and undo brings the drawing back", async ({ page }) => {
+  await open(page);
+  const before = await sceneOf(page);
+  await page.locator("parkade-toolbar .scene").click();
+  const cards = page.locator("parkade-presets li button");
+  expect(await cards.count()).toBeGreaterThan(5);
+  await cards.nth(1).click();
+  await settled(page);
+  expect(await sceneOf(page)).not.toEqual(before);
+  await page.keyboard.press("Control+z");
+  await settled(page);
+  expect(await sceneOf(page)).toEqual(before);
+});
+
+test("hovering one map shows the pointer's place on all of them", async ({ page }) => {
+  await open(page);
+  await look(page, 12, 12, 16);
+  const at = await onScreen(page, 12, 12);
+  await page.mouse.move(at.x, at.y);
+  await expect(page.locator("parkade-panel .readout")).toHaveCount(4);
+});

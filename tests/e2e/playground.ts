@@ -1,0 +1,89 @@
+import { expect, type Page } from "@playwright/test";
+import type { Plan, Scenario } from "parkade";
+
+/** What the tests use of the page's element. */
+export interface PlaygroundElement extends HTMLElement {
+  ready: Promise<void>;
+  sceneData: Scenario;
+  results: Record<string, Plan | null>;
+  settled(): Promise<void>;
+  store: {
+    state: { scene: Scenario; canUndo: boolean; message: { tone: string; text: string } | null; camera: unknown; mode: string; lang: string };
+    set(patch: Record<string, unknown>): void;
+  };
+}
+
+/** Collects everything the page complains about. */
+export function complaintsOf(page: Page): string[] {
+  const complaints: string[] = [];
+  page.on("console", (message) => {
+    if (["error", "warning"].includes(message.type())) complaints.push(message.text());
+  });
+  page.on("pageerror", (error) => complaints.push(error.message));
+  return complaints;
+}
+
+export async function open(page: Page, hash = ""): Promise<void> {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await page.goto(`./${hash}`);
+  await page.evaluate(async () => {
+    await customElements.whenDefined("parkade-playground");
+    await document.querySelector<PlaygroundElement>("parkade-playground")!.ready;
+  });
+}
+
+export function settled(page: Page): Promise<void> {
+  return page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.settled());
+}
+
+export function sceneOf(page: Page): Promise<Scenario> {
+  return page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.sceneData);
+}
+
+export function hashesOf(page: Page): Promise<Record<string, string | undefined>> {
+  return page.evaluate(() => {
+    const { results } = document.querySelector<PlaygroundElement>("parkade-playground")!;
+    return Object.fromEntries(Object.entries(results).map(([planner, plan]) => [planner, plan?.hash]));
+  });
+}
+
+/** Where a world point is in the window, in the panel of the focused planner. */
+export function onScreen(page: Page, x: number, y: number): Promise<{ x: number; y: number }> {
+  return page.evaluate(([wx, wy]) => {
+    const inner = (root: ParentNode): HTMLCanvasElement | null => {
+      for (const element of root.querySelectorAll("*")) {
+        if (element.localName === "parkade-panel" && !element.hasAttribute("active")) continue;
+        if (element.localName === "parkade-scene-view") return element.shadowRoot!.querySelector("canvas");
+        const found = element.shadowRoot ? inner(element.shadowRoot) : null;
+        if (found) return found;
+      }
+      return null;
+    };
+    const box = inner(document)!.getBoundingClientRect();
+    const camera = document.querySelector<PlaygroundElement>("parkade-playground")!.store.state.camera as { x: number; y: number; scale: number };
+    return { x: box.left + box.width / 2 + (wx - camera.x) * camera.scale, y: box.top + box.height / 2 - (wy - camera.y) * camera.scale };
+  }, [x, y] as const);
+}
+
+/** Fixes the camera, so that world points can be aimed at. */
+export async function look(page: Page, x: number, y: number, scale: number): Promise<void> {
+  await page.evaluate((camera) => document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ camera }), { x, y, scale });
+  await page.waitForTimeout(100);
+}
+
+export async function dragWorld(page: Page, from: [number, number], to: [number, number], steps = 6): Promise<void> {
+  const a = await onScreen(page, ...from), b = await onScreen(page, ...to);
+  await page.mouse.move(a.x, a.y);
+  await page.mouse.down();
+  await page.mouse.move(b.x, b.y, { steps });
+  await page.mouse.up();
+  await settled(page);
+}
+
+export async function expectFourAnswers(page: Page): Promise<void> {
+  const outcomes = await page.evaluate(() => {
+    const { results } = document.querySelector<PlaygroundElement>("parkade-playground")!;
+    return Object.values(results).map((plan) => plan?.outcome);
+  });
+  expect(outcomes).toEqual(["found", "found", "found", "found"]);
+}

@@ -1,0 +1,98 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import type { Plan, Scenario } from "parkade";
+import { Lane, PATIENCE_MS, type WorkerLike } from "../../www/src/planning/lane";
+import type { Reply, Request } from "../../www/src/planning/protocol";
+
+class FakeWorker implements WorkerLike {
+  onmessage: ((event: MessageEvent<Reply>) => void) | null = null;
+  onerror: ((event: ErrorEvent) => void) | null = null;
+  readonly asked: Request[] = [];
+  terminated = false;
+
+  postMessage(request: Request): void {
+    this.asked.push(request);
+  }
+
+  terminate(): void {
+    this.terminated = true;
+  }
+
+  answer(id: number): void {
+    this.onmessage?.({ data: { kind: "planned", id, plan: {} as Plan, layers: {}, millis: 1 } } as MessageEvent<Reply>);
+  }
+
+  get plans(): number[] {
+    return this.asked.flatMap((request) => (request.kind === "plan" ? [request.id] : []));
+  }
+}
+
+function setup() {
+  const workers: FakeWorker[] = [];
+  const heard: string[] = [];
+  const lane = new Lane("four", {} as WebAssembly.Module, () => {
+    const worker = new FakeWorker();
+    workers.push(worker);
+    return worker;
+  }, {
+    planned: (reply, waits) => heard.push(`planned ${reply.id}${waits ? ", newer waits" : ""}`),
+    failed: (error) => heard.push(`failed ${error.code}`),
+    restarted: () => heard.push("restarted"),
+  });
+  const plan = (id: number) => lane.plan({ id, scene: {} as Scenario, layers: [] });
+  return { workers, heard, lane, plan };
+}
+
+describe("a planner's lane", () => {
+  beforeEach(() => { vi.useFakeTimers(); });
+  afterEach(() => { vi.useRealTimers(); });
+
+  it("runs one plan at a time and then only the newest that waits", () => {
+    const { workers, heard, plan } = setup();
+    for (const id of [1, 2, 3, 4]) plan(id);
+    expect(workers[0]!.plans).toEqual([1]);
+    workers[0]!.answer(1);
+    expect(workers[0]!.plans).toEqual([1, 4]);
+    workers[0]!.answer(4);
+    expect(heard).toEqual(["planned 1, newer waits", "planned 4"]);
+  });
+
+  it("gives up a long plan when a newer scene has waited", () => {
+    const { workers, heard, plan } = setup();
+    plan(1);
+    plan(2);
+    vi.advanceTimersByTime(PATIENCE_MS + 1);
+    expect(workers[0]!.terminated).toBe(true);
+    expect(workers[1]!.plans).toEqual([2]);
+    workers[0]!.answer(1);
+    workers[1]!.answer(2);
+    expect(heard).toEqual(["planned 2"]);
+  });
+
+  it("lets a long plan run while nothing newer waits", () => {
+    const { workers, plan } = setup();
+    plan(1);
+    vi.advanceTimersByTime(60 * PATIENCE_MS);
+    expect(workers[0]!.terminated).toBe(false);
+  });
+
+  it("starts a dead worker again and says so, without repeating what killed it", () => {
+    const { workers, heard, plan } = setup();
+    plan(1);
+    workers[0]!.onerror?.({ message: "boom", preventDefault() {} } as ErrorEvent);
+    expect(heard).toEqual(["restarted", "failed internal"]);
+    expect(workers).toHaveLength(1);
+    plan(2);
+    expect(workers[1]!.plans).toEqual([2]);
+  });
+
+  it("times nothing while it plans", async () => {
+    const { workers, lane, plan } = setup();
+    plan(1);
+    expect(await lane.time(9, 10)).toEqual([]);
+    workers[0]!.answer(1);
+    const samples = lane.time(2, 10);
+    const asked = workers[0]!.asked.at(-1)!;
+    workers[0]!.onmessage?.({ data: { kind: "timed", id: asked.kind === "time" ? asked.id : 0, samples: [1, 2] } } as MessageEvent<Reply>);
+    expect(await samples).toEqual([1, 2]);
+  });
+});
