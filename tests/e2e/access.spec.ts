@@ -92,6 +92,7 @@ test("the language changes everywhere at once", async ({ page }) => {
   await open(page);
   await page.locator("parkade-toolbar .lang").click();
   await expect(page.locator("parkade-playground")).toHaveAttribute("lang", "zh");
+  await page.locator("parkade-table tbody button").first().click();
   await expect(page.locator("parkade-table thead th").first()).toHaveText("规划器");
   const english = await page.evaluate(() => {
     const left: string[] = [];

@@ -1,5 +1,5 @@
 import type { PlannerInfo, ScenarioInfo, SceneGeometry } from "parkade";
-import { translate, type MessageKey, type Values } from "../i18n/index";
+import { loadLang, translate, type Lang, type MessageKey, type Values } from "../i18n/index";
 import { loadEngine } from "../planning/module";
 import { Planning } from "../planning/planning";
 import { ensureIds } from "../scene/model";
@@ -90,6 +90,10 @@ export class App {
 
   themeChanged(): void {
     this.cachedTokens = null;
+  }
+
+  async setLang(lang: Lang): Promise<void> {
+    this.store.set({ lang: await loadLang(lang) });
   }
 
   t(key: MessageKey, values?: Values): string {

@@ -61,6 +61,7 @@ export class Playground extends LitElement {
   private readonly app = new App(this);
   private becomeReady: () => void = () => {};
   private detach: (() => void)[] = [];
+  private words: Promise<void> = Promise.resolve();
 
   constructor() {
     super();
@@ -152,7 +153,7 @@ export class Playground extends LitElement {
 
   override attributeChangedCallback(name: string, old: string | null, value: string | null): void {
     super.attributeChangedCallback(name, old, value);
-    if (name === "lang" && this.isConnected && value) this.store.set({ lang: pickLang(value) });
+    if (name === "lang" && this.isConnected && value && value !== this.store.state.lang) void this.app.setLang(pickLang(value));
   }
 
   protected override willUpdate(changed: PropertyValues): void {
@@ -200,12 +201,18 @@ export class Playground extends LitElement {
     if (remembered === "light" || remembered === "dark") this.theme = remembered;
     const ids = this.planners.split(/\s+/).filter((id): id is PlannerId => PLANNERS.includes(id));
     this.store.set({
-      lang: pickLang((this.permalink ? recall("lang") : null) ?? this.getAttribute("lang")),
       theme: this.theme,
       mode: this.layout,
       ...(ids.length > 0 ? { planners: ids, focus: ids.includes("hybrid") ? "hybrid" : ids.at(-1)! } : {}),
     });
-    this.setAttribute("lang", this.store.state.lang);
+    this.words = this.app.setLang(pickLang((this.permalink ? recall("lang") : null) ?? this.getAttribute("lang")))
+      .then(() => this.setAttribute("lang", this.store.state.lang));
+  }
+
+  /** Nothing is drawn before its words are there. */
+  protected override async scheduleUpdate(): Promise<void> {
+    await this.words;
+    super.scheduleUpdate();
   }
 
   private async begin(): Promise<void> {

@@ -1,22 +1,37 @@
 import en from "./en.json";
-import zh from "./zh.json";
+import zhUrl from "./zh.json?url";
 
 export type Lang = "en" | "zh";
 export type MessageKey = keyof typeof en;
 export type Values = Record<string, string | number>;
 export type Translate = (key: MessageKey, values?: Values) => string;
 
-const tables: Record<Lang, Record<MessageKey, string>> = { en, zh };
+/** English is part of the page; other languages are fetched when they are wanted. */
+const tables: Partial<Record<Lang, Record<MessageKey, string>>> & { en: Record<MessageKey, string> } = { en };
+const urls: Partial<Record<Lang, string>> = { zh: zhUrl };
 const plurals: Record<Lang, Intl.PluralRules> = { en: new Intl.PluralRules("en"), zh: new Intl.PluralRules("zh") };
 const formats = new Map<string, Intl.NumberFormat>();
 
 /** `{name}` is a value; `{n|pose|poses}` picks a word by the number `n`. */
 export function translate(lang: Lang, key: MessageKey, values: Values = {}): string {
-  return tables[lang][key].replace(/\{(\w+)(?:\|([^|}]*)\|([^}]*))?\}/g, (_, name: string, one?: string, other?: string) => {
+  return (tables[lang] ?? en)[key].replace(/\{(\w+)(?:\|([^|}]*)\|([^}]*))?\}/g, (_, name: string, one?: string, other?: string) => {
     const value = values[name] ?? "";
     if (one === undefined) return String(value);
     return (plurals[lang].select(Number(value)) === "one" ? one : other) ?? "";
   });
+}
+
+/** Fetches a language's words; without them the page stays English. */
+export async function loadLang(lang: Lang): Promise<Lang> {
+  const url = urls[lang];
+  if (tables[lang] || !url) return lang;
+  try {
+    const response = await fetch(new URL(url, import.meta.url));
+    tables[lang] = (await response.json()) as Record<MessageKey, string>;
+    return lang;
+  } catch {
+    return "en";
+  }
 }
 
 export function isMessage(key: string): key is MessageKey {

@@ -11,6 +11,7 @@ import { focusedPlan, reverseSpans } from "./timeline";
 
 type Quantity = "curvature" | "clearance";
 interface Line { planner: PlannerId; plan: Plan }
+interface Content { lines: Line[]; total: number; plots: Plot[]; drawn: SVGTemplateResult }
 interface Plot { quantity: Quantity; top: number; height: number; low: number; high: number }
 
 const WIDTH = 1000;
@@ -40,16 +41,16 @@ export class Charts extends AppElement {
     .none { grid-column: 1 / -1; place-self: center; color: var(--parkade-t3); }
   `];
 
+  private cached: (Pick<State, "results" | "focus" | "hidden"> & { content: Content }) | null = null;
+
   protected watches(): readonly (keyof State)[] {
-    return ["results", "focus", "hidden", "hover"];
+    return ["results", "focus", "hidden", "hover", "playback"];
   }
 
   protected override render(): TemplateResult {
-    const lines = linesOf(this.state);
+    const { lines, total, plots, drawn } = this.content();
     if (lines.length === 0) return html`<p class="none">${this.t("chart.none")}</p>`;
-    const total = Math.max(...lines.map(({ plan }) => distancesOf(plan).at(-1) ?? 0), 0.1);
-    const plots = plotsOf(lines);
-    const at = this.hovered();
+    const at = this.position();
     const percent = (y: number): string => `top:calc((100% - 20px) * ${y / HEIGHT})`;
     return html`
       <div class="left" aria-hidden="true">${plots.map((plot) => [plot.high, plot.low].map((value) => html`
@@ -57,13 +58,25 @@ export class Charts extends AppElement {
       <div class="plots" role="img" aria-label="${this.t("chart.label")}: ${this.t("chart.curvature")}, ${this.t("chart.clearance")}">
         <svg viewBox="0 0 ${WIDTH} ${HEIGHT}" preserveAspectRatio="none" @pointermove=${(e: PointerEvent) => this.point(e, total)} @pointerleave=${() => this.app.store.set({ hover: null })}>
           <rect width=${WIDTH} height=${HEIGHT} fill="transparent"/>
-          ${plots.map((plot) => this.plot(plot, lines, total))}
-          ${this.reverse(total)}
+          ${drawn}
           ${at === null ? nothing : svg`<line class="cursor" x1=${(at / total) * WIDTH} x2=${(at / total) * WIDTH} y1="0" y2=${HEIGHT}/>`}
         </svg>
         <div class="axis" aria-hidden="true">${ticks(total).map((tick, i, all) => html`<span .style=${`left:${(tick / total) * 100}%`}>${this.num(tick, 0)}${i === all.length - 1 ? " m" : ""}</span>`)}</div>
       </div>
       <div class="right" aria-hidden="true">${plots.map((plot) => html`<div .style=${percent(plot.top + plot.height / 2)}>${this.t(`chart.${plot.quantity}`)}<b>${this.value(plot.quantity, at)}</b></div>`)}</div>`;
+  }
+
+  /** The lines change with the answers only, the cursor with every frame. */
+  private content(): Content {
+    const { results, focus, hidden } = this.state;
+    const { cached } = this;
+    if (cached && cached.results === results && cached.focus === focus && cached.hidden === hidden) return cached.content;
+    const lines = linesOf(this.state);
+    const total = Math.max(...lines.map(({ plan }) => distancesOf(plan).at(-1) ?? 0), 0.1);
+    const plots = lines.length > 0 ? plotsOf(lines) : [];
+    const content = { lines, total, plots, drawn: svg`${plots.map((plot) => this.plot(plot, lines, total))}${this.reverse(total)}` };
+    this.cached = { results, focus, hidden, content };
+    return content;
   }
 
   private plot(plot: Plot, lines: readonly Line[], total: number): SVGTemplateResult {
@@ -81,12 +94,15 @@ export class Charts extends AppElement {
     return svg`${reverseSpans(plan).map(([from, to]) => svg`<line class="reverse" x1=${(from * length / total) * WIDTH} x2=${(to * length / total) * WIDTH} y1=${HEIGHT} y2=${HEIGHT}/>`)}`;
   }
 
-  /** Metres along the focused path of the point nearest to the pointer. */
-  private hovered(): number | null {
-    const { hover } = this.state;
+  /** Metres along the focused path: of the point nearest to the pointer, else of the moving car. */
+  private position(): number | null {
+    const { hover, playback } = this.state;
     const plan = focusedPlan(this.state);
-    const index = hover && plan ? nearestPose(plan, hover.x, hover.y, HOVER_REACH) : null;
-    return index === null ? null : distancesOf(plan!)[index] ?? null;
+    if (!plan) return null;
+    const along = distancesOf(plan);
+    const index = hover ? nearestPose(plan, hover.x, hover.y, HOVER_REACH) : null;
+    if (index !== null) return along[index] ?? null;
+    return playback.base === "drive" ? playback.fraction * (along.at(-1) ?? 0) : null;
   }
 
   private value(quantity: Quantity, at: number | null): string {

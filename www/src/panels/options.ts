@@ -15,13 +15,13 @@ const SIZES: Record<ToolOptions["slot"]["kind"], { width: number; length: number
 /** What the active tool can be set to, over the map. */
 export class ToolOptionsBar extends AppElement {
   static override styles = [controls, css`
-    :host { position: absolute; left: 50%; top: 10px; transform: translateX(-50%); z-index: 8; max-width: calc(100% - 20px); }
-    .bar { display: flex; align-items: center; flex-wrap: wrap; gap: 6px 12px; padding: 6px 12px; background: var(--parkade-raise); border: 1px solid var(--parkade-hair); border-radius: calc(10px * var(--parkade-radius)); box-shadow: var(--parkade-float); }
+    :host { position: absolute; left: 10px; right: 10px; top: 42px; z-index: 8; display: grid; justify-items: center; pointer-events: none; }
+    .bar { pointer-events: auto; display: flex; align-items: center; flex-wrap: wrap; gap: 6px 12px; padding: 6px 12px; background: var(--parkade-raise); border: 1px solid var(--parkade-hair); border-radius: calc(10px * var(--parkade-radius)); box-shadow: var(--parkade-float); }
     b { font-weight: 600; }
     label { display: flex; align-items: center; gap: 6px; color: var(--parkade-t2); }
     .field { width: 78px; color: var(--parkade-t1); }
     .lock[aria-pressed="true"] { color: var(--parkade-accent); }
-    :host([flat]) { position: static; transform: none; max-width: none; }
+    :host([flat]) { position: static; justify-items: start; }
     :host([flat]) .bar { border: 0; box-shadow: none; background: none; padding: 8px 12px; }
   `];
 

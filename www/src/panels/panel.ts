@@ -27,12 +27,14 @@ export class PlannerPanel extends AppElement {
     planner: { type: String }, thumb: { type: Boolean, reflect: true }, slow: { state: true },
   };
   static override styles = [controls, css`
-    :host { display: grid; grid-template-rows: 32px 1fr; min-width: 0; min-height: 0; background: var(--parkade-panel); position: relative; }
+    :host { display: grid; container-type: inline-size; grid-template-rows: 32px 1fr; min-width: 0; min-height: 0; background: var(--parkade-panel); position: relative; }
     :host([active])::before { content: ""; position: absolute; inset: 0 0 auto; height: 2px; background: var(--parkade-accent); z-index: 2; }
     header { display: flex; align-items: center; gap: 8px; padding: 0 8px 0 12px; border-bottom: 1px solid var(--parkade-hair); min-width: 0; cursor: default; user-select: none; -webkit-user-select: none; }
     h2 { margin: 0; font: inherit; font-weight: 600; white-space: nowrap; display: flex; align-items: center; gap: 8px; }
     .time { color: var(--parkade-t2); white-space: nowrap; }
     .chip { flex: 0 1 auto; }
+    .chip .short { display: none; }
+    @container (max-width: 470px) { .chip .short { display: block; } .chip .long { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); } }
     .off h2, .off .time { color: var(--parkade-t3); }
     .stale .time { color: var(--parkade-t3); }
     .end { margin-left: auto; display: flex; flex: none; }
@@ -110,9 +112,10 @@ export class PlannerPanel extends AppElement {
   }
 
   private chip(status: Status): TemplateResult {
+    const updating = this.t("status.updating");
     const busy = this.slow && this.state.results[this.planner]?.plan;
-    const shown: Status = busy ? { ...status, tone: "quiet", icon: "clock", chip: this.t("status.updating") } : status;
-    return html`<span class="chip ${shown.tone}" title=${shown.chip}>${icon(shown.icon, 12)}<span>${shown.chip}</span></span>`;
+    const shown: Status = busy ? { ...status, tone: "quiet", icon: "clock", chip: updating, brief: updating, tiny: updating } : status;
+    return html`<span class="chip ${shown.tone}" title=${shown.chip}>${icon(shown.icon, 12)}<span class="long">${shown.chip}</span><span class="short" aria-hidden="true">${this.thumb ? shown.tiny : shown.brief}</span></span>`;
   }
 
   private buttons(hidden: boolean): TemplateResult {

@@ -9,7 +9,7 @@ import { AppElement } from "./base";
 import { marker } from "./icons";
 
 const DEGREES = 180 / Math.PI;
-const UNITS: Record<string, string> = { rad: "°", "1": "", cells: "cells" };
+const UNITS: Record<string, string> = { rad: "°", "1": "" };
 
 /** The focused planner's settings, from what the planner says of them. */
 export class Parameters extends AppElement {
@@ -94,7 +94,7 @@ export class Parameters extends AppElement {
     const angle = info.unit === "rad";
     const shown = angle ? value * DEGREES : value;
     const digits = info.type === "integer" ? 0 : digitsOf(angle ? (info.step ?? 0.0175) * DEGREES : info.step ?? 0.01);
-    const unit = UNITS[info.unit] ?? info.unit;
+    const unit = info.unit === "cells" ? this.t("unitname.cells") : UNITS[info.unit] ?? info.unit;
     return `${this.num(shown, digits)}${unit === "°" || unit === "" ? unit : ` ${unit}`}`;
   }
 

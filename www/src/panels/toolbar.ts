@@ -192,7 +192,7 @@ export class Toolbar extends AppElement {
     this.app.store.set({ theme: order[(order.indexOf(this.state.theme) + 1) % 3]! });
   };
 
-  private readonly nextLang = (): void => this.app.store.set({ lang: this.state.lang === "en" ? "zh" : "en" });
+  private readonly nextLang = (): void => void this.app.setLang(this.state.lang === "en" ? "zh" : "en");
 
   private readonly share = (): void => {
     void this.app.share().then((copied) => {
