@@ -1,12 +1,13 @@
 //! Grid planners in a scene: cells in, a checked path in metres out.
 
-use serde_json::Value;
+use serde_json::{Map, Value};
 
 use super::drive;
 use super::outcome::{GridMetrics, Outcome, Plan, PlanTrace, Stats};
+use super::settings::settings;
 use super::world::World;
 use super::{NEAR, Options, STEP, TRACE, measured};
-use crate::error::{Error, ErrorCode};
+use crate::error::Error;
 use crate::geometry::{Point, Pose};
 use crate::map::{Cell, Corner, Frame, Occupancy, inflation};
 use crate::metrics::grid as cells;
@@ -16,7 +17,6 @@ use crate::planners::registry::Kind;
 use crate::planners::settings::{Inflation, MinRadius, Post, SmoothMode};
 use crate::planners::{grid_astar, risk_field};
 use crate::post::{Piece, Smoothed, prune, prune_dp, smooth};
-use crate::scenario::parse::typed;
 use crate::search::Trace;
 
 /// A path of more poses than this is sampled less often.
@@ -48,14 +48,14 @@ pub(super) struct Engine {
 }
 
 impl Engine {
-    pub(super) fn new(world: &World, kind: Kind, config: Value) -> Result<Self, Error> {
+    pub(super) fn new(world: &World, kind: Kind, config: &Map<String, Value>) -> Result<Self, Error> {
         let search = if kind == Kind::RiskField {
-            let config: risk_field::Config = typed(config, ErrorCode::Config)?;
+            let config: risk_field::Config = settings(config)?;
             config.validate()?;
             Search::RiskField(config)
         } else {
             let around = if kind == Kind::Four { Neighbourhood::Four } else { Neighbourhood::Eight };
-            let config: grid_astar::Config = typed(config, ErrorCode::Config)?;
+            let config: grid_astar::Config = settings(config)?;
             config.validate(around)?;
             Search::Neighbours(around, config)
         };
@@ -76,7 +76,7 @@ impl Engine {
             goal: cell_of(&world.frame, world.geometry.goal),
         };
         let mut trace = options.trace.then(|| Trace::new(TRACE));
-        let report = self.search.run(query, &mut self.scratch, trace.as_mut());
+        let report = self.search.run(query, &mut self.scratch, &mut trace);
         let finish = Finish { world, map, settings: self.settings, report: &report };
         let mut plan = finish.plan();
         plan.trace = trace.map(|t| PlanTrace::Cells { cells: t.expanded, dropped: t.dropped });
@@ -94,16 +94,10 @@ impl Engine {
 }
 
 impl Search {
-    fn run(&self, query: Query, scratch: &mut GridScratch, trace: Option<&mut Trace>) -> GridReport {
-        match (self, trace) {
-            (Self::Neighbours(around, config), None) => {
-                grid_astar::plan(query, *around, config, scratch, &mut ())
-            }
-            (Self::Neighbours(around, config), Some(t)) => {
-                grid_astar::plan(query, *around, config, scratch, t)
-            }
-            (Self::RiskField(config), None) => risk_field::plan(query, config, scratch, &mut ()),
-            (Self::RiskField(config), Some(t)) => risk_field::plan(query, config, scratch, t),
+    fn run(&self, query: Query, scratch: &mut GridScratch, trace: &mut Option<Trace>) -> GridReport {
+        match self {
+            Self::Neighbours(around, config) => grid_astar::plan(query, *around, config, scratch, trace),
+            Self::RiskField(config) => risk_field::plan(query, config, scratch, trace),
         }
     }
 

@@ -4,11 +4,11 @@ mod drive;
 mod grid;
 mod hybrid;
 mod outcome;
+mod settings;
 mod world;
 
 pub use outcome::{GridMetrics, HybridMetrics, Metrics, Outcome, Plan, PlanTrace, Stats};
 
-use serde::Deserialize;
 use serde_json::{Map, Value};
 
 use crate::error::{Error, ErrorCode};
@@ -17,7 +17,6 @@ use crate::map::{distance, inflation};
 use crate::metrics::{Body, Check, check};
 use crate::planners::registry::{Kind, default_config};
 use crate::scenario::Scenario;
-use crate::scenario::parse::typed;
 use crate::scenario::resolve::Geometry;
 use world::World;
 
@@ -29,8 +28,7 @@ const TRACE: usize = 1_000_000;
 const NEAR: f64 = 1e-3;
 
 /// What is asked besides the path.
-#[derive(Debug, Clone, Copy, Default, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct Options {
     /// Whether to keep where the search went.
     pub trace: bool,
@@ -103,12 +101,11 @@ impl Planner {
             }
         }
         let world = World::new(scenario)?;
-        let settings = Value::Object(settings);
         let engine = match kind {
             Kind::Hybrid | Kind::HybridForward => {
-                Engine::Hybrid(Box::new(hybrid::Engine::new(&world, typed(settings, ErrorCode::Config)?)?))
+                Engine::Hybrid(Box::new(hybrid::Engine::new(&world, settings::settings(&settings)?)?))
             }
-            _ => Engine::Grid(Box::new(grid::Engine::new(&world, kind, settings)?)),
+            _ => Engine::Grid(Box::new(grid::Engine::new(&world, kind, &settings)?)),
         };
         Ok(Self { kind, scenario: scenario.clone(), world, engine })
     }

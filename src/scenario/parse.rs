@@ -3,7 +3,7 @@
 //! Read by hand: serde's tagged and untagged enums forget where inside them an error arose, and the derived readers of
 //! a scene would be a quarter of the wasm file.
 
-use serde::de::{Deserialize, DeserializeOwned, Deserializer, Error as _};
+use serde::de::{Deserialize, Deserializer, Error as _};
 use serde_json::{Map, Value};
 
 use super::{Entry, Goal, Lean, MapFrame, Obstacle, Scenario, Slot, SlotGoal, SlotKind, VehicleSpec};
@@ -12,17 +12,6 @@ use crate::geometry::Pose;
 use crate::vehicle::{DEFAULT_STEER_RATE, Vehicle};
 
 type Result<T> = core::result::Result<T, Error>;
-
-/// Reads a typed value from JSON.
-///
-/// # Errors
-/// `code`, the path of the offending field and serde's words for what is wrong with it.
-pub(crate) fn typed<T: DeserializeOwned>(value: Value, code: ErrorCode) -> Result<T> {
-    serde_path_to_error::deserialize(value).map_err(|error| {
-        let path = error.path().to_string();
-        Error::new(code, if path == "." { "" } else { &path }, error.inner().to_string())
-    })
-}
 
 fn bad<T>(path: &str, message: String) -> Result<T> {
     Err(Error::new(ErrorCode::Scenario, path, message))

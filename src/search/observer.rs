@@ -16,6 +16,21 @@ pub trait Observer<C, L> {
 
 impl<C, L> Observer<C, L> for () {}
 
+/// Watches, or not, by a decision made at run time; one branch an event.
+impl<C, L, O: Observer<C, L>> Observer<C, L> for Option<O> {
+    fn expanded(&mut self, node: NodeId, label: L, g: C) {
+        if let Some(observer) = self {
+            observer.expanded(node, label, g);
+        }
+    }
+
+    fn relaxed(&mut self, node: NodeId, parent: NodeId, label: L, g: C) {
+        if let Some(observer) = self {
+            observer.relaxed(node, parent, label, g);
+        }
+    }
+}
+
 /// Expanded nodes in order, up to a cap.
 #[derive(Debug, Clone)]
 pub struct Trace {

@@ -3,13 +3,15 @@
 use std::fmt;
 
 use js_sys::{Float32Array, Float64Array, Int8Array, Object, Reflect, Uint8Array, Uint32Array};
-use serde::de::{DeserializeOwned, Deserializer, MapAccess, SeqAccess, Visitor};
+use serde::de::{Deserializer, Error as _, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Number, Value};
 use wasm_bindgen::JsValue;
 
 use crate::error::{Error, ErrorCode};
-use crate::scenario::parse::typed;
+
+/// Separates the steps of a path from each other and from the message; no message contains it.
+const STEP: char = '\u{1}';
 
 /// A JSON value that refuses NaN and infinities, which JSON would turn into null.
 struct Strict(Value);
@@ -69,7 +71,9 @@ impl<'de> Visitor<'de> for StrictVisitor {
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Value, A::Error> {
         let mut items = Vec::new();
-        while let Some(Strict(item)) = seq.next_element()? {
+        while let Some(Strict(item)) =
+            seq.next_element().map_err(|e| A::Error::custom(format!("[{}]{STEP}{e}", items.len())))?
+        {
             items.push(item);
         }
         Ok(Value::Array(items))
@@ -78,7 +82,7 @@ impl<'de> Visitor<'de> for StrictVisitor {
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Value, A::Error> {
         let mut fields = Map::new();
         while let Some(key) = map.next_key::<String>()? {
-            let Strict(value) = map.next_value()?;
+            let Strict(value) = map.next_value().map_err(|e| A::Error::custom(format!("{key}{STEP}{e}")))?;
             fields.insert(key, value);
         }
         Ok(Value::Object(fields))
@@ -90,17 +94,14 @@ pub(super) fn json(value: JsValue, code: ErrorCode) -> Result<Value, Error> {
     if value.is_function() || value.is_symbol() {
         return Err(Error::new(code, "", "must be plain data"));
     }
-    serde_path_to_error::deserialize(serde_wasm_bindgen::Deserializer::from(value))
-        .map(|Strict(value)| value)
-        .map_err(|error| {
-            let path = error.path().to_string();
-            Error::new(code, if path == "." { "" } else { &path }, error.inner().to_string())
-        })
-}
-
-/// A typed value from a JS one.
-pub(super) fn read<T: DeserializeOwned>(value: JsValue, code: ErrorCode) -> Result<T, Error> {
-    typed(json(value, code)?, code)
+    Strict::deserialize(serde_wasm_bindgen::Deserializer::from(value)).map(|Strict(value)| value).map_err(
+        |error| {
+            let message = error.to_string();
+            let mut steps: Vec<&str> = message.split(STEP).collect();
+            let rule = steps.pop().unwrap_or_default();
+            steps.into_iter().rev().fold(Error::new(code, "", rule), Error::within)
+        },
+    )
 }
 
 /// A small value as plain JS objects.

@@ -4,10 +4,10 @@
 mod answer;
 mod codec;
 
-use serde_json::json;
+use serde_json::{Value, json};
 use wasm_bindgen::prelude::*;
 
-use crate::error::ErrorCode;
+use crate::error::{Error, ErrorCode};
 use crate::plan::{self, Planner};
 use crate::planners::registry;
 use crate::scenario::{Scenario, catalog};
@@ -77,6 +77,21 @@ fn read_scene(scene: JsValue) -> Result<Scenario, JsValue> {
         .map_err(|e| codec::js_error(&e))
 }
 
+/// An object that may be left out.
+fn optional(value: JsValue, code: ErrorCode) -> Result<serde_json::Map<String, Value>, JsValue> {
+    if value.is_undefined() || value.is_null() {
+        return Ok(serde_json::Map::new());
+    }
+    match codec::json(value, code).map_err(|e| codec::js_error(&e))? {
+        Value::Object(fields) => Ok(fields),
+        other => Err(codec::js_error(&Error::new(code, "", format!("must be an object, got {other}")))),
+    }
+}
+
+fn refused(path: &str, message: &str) -> JsValue {
+    codec::js_error(&Error::new(ErrorCode::Input, path, message))
+}
+
 /// A planner on one scene: settings checked once, map prepared once.
 #[wasm_bindgen]
 pub struct RawPlanner {
@@ -89,22 +104,24 @@ impl RawPlanner {
     #[wasm_bindgen(constructor)]
     pub fn new(id: &str, scene: JsValue, config: JsValue) -> Result<RawPlanner, JsValue> {
         let scene = read_scene(scene)?;
-        let config = if config.is_undefined() || config.is_null() {
-            serde_json::Map::new()
-        } else {
-            codec::read(config, ErrorCode::Config).map_err(|e| codec::js_error(&e))?
-        };
+        let config = optional(config, ErrorCode::Config)?;
         let planner = Planner::new(id, &scene, &config).map_err(|e| codec::js_error(&e))?;
         Ok(Self { planner })
     }
 
     /// Plans.
     pub fn plan(&mut self, options: JsValue) -> JsResult {
-        let options: plan::Options = if options.is_undefined() || options.is_null() {
-            plan::Options::default()
-        } else {
-            codec::read(options, ErrorCode::Input).map_err(|e| codec::js_error(&e))?
-        };
+        let fields = optional(options, ErrorCode::Input)?;
+        let mut options = plan::Options::default();
+        for (name, value) in fields {
+            match (name.as_str(), value.as_bool()) {
+                ("trace", Some(trace)) => options.trace = trace,
+                ("trace", None) => {
+                    return Err(refused(&name, &format!("must be true or false, got {value}")));
+                }
+                _ => return Err(refused(&name, "no option of plan; there is trace")),
+            }
+        }
         let plan = self.planner.plan(options);
         Ok(answer::plan(self.planner.scenario(), self.planner.geometry(), &plan))
     }

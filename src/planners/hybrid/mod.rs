@@ -260,15 +260,16 @@ impl Search<'_> {
         let limits = Limits { max_expansions: level.max_expansions, first: self.config.first_shot };
         let state = State { pose: self.root, ..State::default() };
         let root = (lattice.node(self.root, 0), state);
-        let found = if trace {
-            let origin = self.origin();
-            let mut tree = Tree { arcs: Vec::new(), dropped: 0, origin, mirrored: self.mirrored };
-            let found = best_first(&mut lattice, root, limits, &mut scratch.search, &mut tree);
+        let mut tree = trace.then(|| Tree {
+            arcs: Vec::new(),
+            dropped: 0,
+            origin: self.origin(),
+            mirrored: self.mirrored,
+        });
+        let found = best_first(&mut lattice, root, limits, &mut scratch.search, &mut tree);
+        if let Some(tree) = tree {
             (report.tree, report.tree_dropped) = (tree.arcs, tree.dropped);
-            found
-        } else {
-            best_first(&mut lattice, root, limits, &mut scratch.search, &mut ())
-        };
+        }
         report.expanded += found.expanded;
         report.generated += found.generated;
         report.pushes += found.pushes;
