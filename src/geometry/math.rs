@@ -22,9 +22,30 @@ pub fn turn(from: f64, to: f64) -> f64 {
     wrap(to - from)
 }
 
+/// The items by ascending key, equal ones in their old order.
+///
+/// One sort serves all types; each further instance of the standard one would add 8 kB to the wasm file.
+pub fn sorted_by<T: Copy>(items: &[T], key: impl Fn(&T) -> f64) -> Vec<T> {
+    // Flipping the sign bit, or all bits of negative numbers, makes the bits of a number sort like the number.
+    let ordered = |v: f64| {
+        let bits = v.to_bits();
+        if bits >> 63 == 1 { !bits } else { bits | 1 << 63 }
+    };
+    let mut keys: Vec<(u64, u32)> = items.iter().zip(0..).map(|(item, i)| (ordered(key(item)), i)).collect();
+    keys.sort_unstable();
+    keys.into_iter().map(|(_, i)| items[i as usize]).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn sorting_is_stable_and_knows_signs() {
+        let items = [(2.0, 'a'), (-1.0, 'b'), (2.0, 'c'), (-3.5, 'd'), (0.0, 'e')];
+        let order: String = sorted_by(&items, |i| i.0).into_iter().map(|i| i.1).collect();
+        assert_eq!(order, "dbeac");
+    }
 
     #[test]
     fn wrap_keeps_pi_and_moves_minus_pi() {

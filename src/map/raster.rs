@@ -5,7 +5,7 @@
 //! count as on it, so an outline drawn along cell edges does not leak into the next row by rounding.
 
 use super::{Cell, Frame, Occupancy};
-use crate::geometry::Point;
+use crate::geometry::{Point, math};
 
 const SNAP: f64 = 1e-9;
 
@@ -144,8 +144,7 @@ fn for_each_row_inside(
                 crossings.push(a[0] + (level - a[1]) / (b[1] - a[1]) * (b[0] - a[0]));
             }
         }
-        crossings.sort_by(f64::total_cmp);
-        for pair in crossings.chunks_exact(2) {
+        for pair in math::sorted_by(&crossings, |&x| x).chunks_exact(2) {
             visit(map, y, column(pair[0]), column(pair[1]));
         }
     }

@@ -7,6 +7,7 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use super::{Cell, Occupancy};
+use crate::geometry::math;
 
 const SIDES: [(i32, i32); 4] = [(1, 0), (0, 1), (-1, 0), (0, -1)];
 
@@ -148,7 +149,7 @@ fn components(map: &Occupancy, property: impl Fn(Cell) -> bool) -> Vec<Vec<Cell>
 fn mouths(component: &[Cell], core: &Occupancy) -> usize {
     let beside = component.iter().flat_map(|c| SIDES.map(|(dx, dy)| c.offset(dx, dy)));
     let mut left: Vec<Cell> = beside.filter(|&c| !core.blocked(c)).collect();
-    left.sort_unstable();
+    left = math::sorted_by(&left, |c| f64::from(c.x) * 65536.0 + f64::from(c.y));
     left.dedup();
     let mut clusters = 0;
     while let Some(first) = left.pop() {

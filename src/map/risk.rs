@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{Cell, Layer, Occupancy};
+use crate::geometry::math;
 
 /// How the goal's pull depends on its distance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -65,7 +66,7 @@ impl<'a> PotentialField<'a> {
     pub fn new(map: &'a Occupancy, goal: Cell, settings: FieldSettings) -> Self {
         let mut sources = sources(&settings);
         if settings.obstacle_set != ObstacleSet::Sum {
-            sources.sort_by_key(|s| s.squared);
+            sources = math::sorted_by(&sources, |s| f64::from(s.squared));
         }
         Self { map, goal, settings, sources }
     }

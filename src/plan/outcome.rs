@@ -209,8 +209,8 @@ impl Plan {
         self.raw_path
             .iter()
             .for_each(|p| eat(&[p.x.to_bits().to_le_bytes(), p.y.to_bits().to_le_bytes()].concat()));
-        for text in [serde_json::to_vec(&self.stats), serde_json::to_vec(&self.metrics)] {
-            eat(&text.unwrap_or_default());
+        for value in [serde_json::to_value(&self.stats), serde_json::to_value(&self.metrics)] {
+            eat(value.unwrap_or_default().to_string().as_bytes());
         }
         format!("{hash:016x}")
     }

@@ -1,6 +1,8 @@
 //! Built-in scenes: the page's presets, the parking paper's rows and the tight slots beyond it.
 
 use super::{Entry, Goal, Lean, MapFrame, Obstacle, Scenario, Slot, SlotGoal, SlotKind, VehicleSpec};
+use std::collections::BTreeMap;
+
 use crate::error::{Error, ErrorCode};
 use crate::geometry::Pose;
 use crate::geometry::math::{FRAC_PI_2, FRAC_PI_4, PI};
@@ -195,7 +197,8 @@ fn lot(x0: f64, x1: f64, depth: f64, start: [f64; 3], goal: [f64; 3]) -> Scenari
     let pose = |[x, y, heading]: [f64; 3]| Pose::new(x, y, heading);
     // The improved planner keeps the paper's necessary safety space, and arcs that this car can drive.
     let risk = serde_json::json!({ "inflation": "width", "minRadius": "vehicle" });
-    let risk = risk.as_object().cloned().unwrap_or_default();
+    let mut planners = BTreeMap::new();
+    planners.insert("risk-field".to_owned(), risk.as_object().cloned().unwrap_or_default());
     Scenario {
         version: 1,
         name: None,
@@ -205,7 +208,7 @@ fn lot(x0: f64, x1: f64, depth: f64, start: [f64; 3], goal: [f64; 3]) -> Scenari
         vehicle: VehicleSpec::default(),
         start: pose(start),
         goal: Goal::Pose(pose(goal)),
-        planners: [("risk-field".to_owned(), risk)].into(),
+        planners,
     }
 }
 

@@ -5,6 +5,7 @@
 
 use serde::de::{Deserialize, Deserializer, Error as _};
 use serde_json::{Map, Value};
+use std::collections::BTreeMap;
 
 use super::{Entry, Goal, Lean, MapFrame, Obstacle, Scenario, Slot, SlotGoal, SlotKind, VehicleSpec};
 use crate::error::{Error, ErrorCode};
@@ -221,10 +222,11 @@ impl Scenario {
         let known = ["version", "name", "map", "obstacles", "slots", "vehicle", "start", "goal", "planners"];
         let f = Fields::of(value, &known)?;
         let settings = |value| {
-            let planners = object(value)?.iter();
-            planners
-                .map(|(id, config)| Ok((id.clone(), object(config).map_err(|e| e.within(id))?.clone())))
-                .collect()
+            let mut settings = BTreeMap::new();
+            for (id, config) in object(value)? {
+                settings.insert(id.clone(), object(config).map_err(|e| e.within(id))?.clone());
+            }
+            Ok(settings)
         };
         let scenario = Self {
             version: f.need("version", count)?,

@@ -1,7 +1,8 @@
 //! A scene as plain geometry in metres.
 
-use super::{Entry, Goal, Obstacle, Scenario, Slot};
+use super::{Entry, Goal, MAX_CELLS, Obstacle, Scenario, Slot};
 use crate::error::Error;
+use crate::geometry::math;
 use crate::geometry::{Point, Pose, Vector};
 use crate::vehicle::Vehicle;
 
@@ -173,11 +174,12 @@ fn thick(a: Point, b: Point, thickness: f64) -> Option<Vec<Point>> {
 
 /// Joins runs that stand exactly above each other: [x, y, width, height].
 fn merge_runs(runs: &[[u32; 3]]) -> Vec<[u32; 4]> {
-    let mut sorted: Vec<_> = runs.iter().map(|&[x, y, count]| (x, count, y)).collect();
-    sorted.sort_unstable();
+    let side = f64::from(MAX_CELLS + 1);
+    let column = |&[x, y, count]: &[u32; 3]| (f64::from(x) * side + f64::from(count)) * side + f64::from(y);
+    let mut sorted = math::sorted_by(runs, column);
     sorted.dedup();
     let mut merged: Vec<[u32; 4]> = Vec::new();
-    for (x, count, y) in sorted {
+    for [x, y, count] in sorted {
         match merged.last_mut() {
             Some(last) if last[0] == x && last[2] == count && last[1] + last[3] == y => last[3] += 1,
             _ => merged.push([x, y, count, 1]),

@@ -108,7 +108,7 @@ impl Obstacles {
             let (low, high) = bounds([edge.a, edge.b]);
             self.buckets(low, high, |b| pairs.push((b as u32, i as u32)));
         }
-        pairs.sort_unstable();
+        let pairs = math::sorted_by(&pairs, |pair| f64::from(pair.0));
         self.first = vec![0; self.columns * self.rows + 1];
         for &(bucket, _) in &pairs {
             self.first[bucket as usize + 1] += 1;

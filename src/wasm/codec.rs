@@ -106,6 +106,8 @@ pub(super) fn json(value: JsValue, code: ErrorCode) -> Result<Value, Error> {
 
 /// A small value as plain JS objects.
 pub(super) fn write(value: &impl Serialize) -> JsValue {
+    // By way of JSON: one instance of the JS serializer instead of one for every type.
+    let value = serde_json::to_value(value).unwrap_or_default();
     value.serialize(&serde_wasm_bindgen::Serializer::json_compatible()).unwrap_or(JsValue::NULL)
 }
 

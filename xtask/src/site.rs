@@ -66,7 +66,7 @@ fn build_package(workspace: &Workspace) -> Result<()> {
     fs::create_dir_all(&package)?;
     bind(&compiled, &package)?;
     let wasm = package.join(WASM_FILE);
-    run(node_tool("binaryen/bin/wasm-opt").arg("-O3").arg(&wasm).arg("-o").arg(&wasm))?;
+    run(node_tool("binaryen/bin/wasm-opt").args(["-O3", "-Oz"]).arg(&wasm).arg("-o").arg(&wasm))?;
     for name in PACKAGE_SOURCES {
         copy(&root().join("src/wasm/npm").join(name), &package.join(name))?;
     }

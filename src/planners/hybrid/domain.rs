@@ -175,11 +175,12 @@ impl Domain for Lattice<'_> {
                 found.push((cost, word));
             }
         });
-        found.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let best = found.iter().find(|(_, word)| self.word_free(pose, word)).and_then(|(cost, word)| {
-            let near = self.word_nearness(pose, word);
-            (at.g + cost + near < bound).then_some(Finish { cost: cost + near, tail: *word })
-        });
+        let best = core::iter::from_fn(|| take_cheapest(&mut found))
+            .find(|(_, word)| self.word_free(pose, word))
+            .and_then(|(cost, word)| {
+                let near = self.word_nearness(pose, &word);
+                (at.g + cost + near < bound).then_some(Finish { cost: cost + near, tail: word })
+            });
         self.words = found;
         best
     }
@@ -196,6 +197,16 @@ impl Lattice<'_> {
             })
             .sum()
     }
+}
+
+/// The first of the cheapest entries, removed.
+pub(super) fn take_cheapest(words: &mut Vec<(f64, Word)>) -> Option<(f64, Word)> {
+    let first = words.first()?.0;
+    let cheaper = |best: (usize, f64), (i, word): (usize, &(f64, Word))| {
+        if word.0 < best.1 { (i, word.0) } else { best }
+    };
+    let (index, _) = words.iter().enumerate().fold((0, first), cheaper);
+    Some(words.remove(index))
 }
 
 /// The arcs of a finished search, from its root to its target.

@@ -1,10 +1,10 @@
 //! Replacing stretches of a path by shorter Reeds–Shepp curves.
 
 use super::cost::{CostModel, Motion};
-use super::domain::arc_free;
+use super::domain::{arc_free, take_cheapest};
 use crate::geometry::Pose;
 use crate::geometry::arcs::{self, Arc};
-use crate::geometry::reeds_shepp;
+use crate::geometry::reeds_shepp::{self, Word};
 use crate::vehicle::collision::Probe;
 
 /// Arcs are split at most this far apart, metres.
@@ -72,7 +72,7 @@ fn pass(
             let old = stretch_cost(probe, costs, from, before, &knots[i..], j - i);
             let replacement =
                 Candidate { probe, costs, from, to, before, next: knots.get(j), spacing, margin };
-            let changes = changes(before, &knots[i..j], knots.get(j));
+            let changes = changes(before, knots[i..j].iter().copied(), knots.get(j));
             if let Some(better) = replacement.best(old - GAIN, changes) {
                 knots.splice(i..j, better);
                 break;
@@ -107,8 +107,8 @@ fn stretch_cost(
     cost + knots.get(count).map_or(0.0, |next| costs.arc(Motion::after(&knots[count - 1]), next))
 }
 
-fn changes(before: Motion, arcs: &[Arc], next: Option<&Arc>) -> u32 {
-    let gears = arcs.iter().chain(next).map(|a| Motion::after(a).gear);
+fn changes(before: Motion, arcs: impl IntoIterator<Item = Arc>, next: Option<&Arc>) -> u32 {
+    let gears = arcs.into_iter().chain(next.copied()).map(|a| Motion::after(&a).gear);
     let mut gear = before.gear;
     gears.fold(0, |count, g| {
         let changed = gear != 0 && g != gear;
@@ -134,28 +134,26 @@ impl Candidate<'_> {
         let radius = self.costs.radius;
         let join = |last: &Arc| self.next.map_or(0.0, |next| self.costs.arc(Motion::after(last), next));
         let next_length = self.next.map_or(0.0, |n| n.length.abs());
-        let mut found: Vec<(f64, Vec<Arc>)> = Vec::new();
+        let mut found: Vec<(f64, Word)> = Vec::new();
         reeds_shepp::words(self.from, self.to, radius, |word| {
             if word.length(radius) + next_length >= bound {
                 return;
             }
-            let arcs: Vec<Arc> = word.arcs(radius).collect();
-            let Some(last) = arcs.last() else { return };
+            let Some(last) = word.arcs(radius).last() else { return };
             let mut before = self.before;
-            let mut cost = join(last);
-            for arc in &arcs {
-                cost += self.costs.arc(before, arc);
-                before = Motion::after(arc);
+            let mut cost = join(&last);
+            for arc in word.arcs(radius) {
+                cost += self.costs.arc(before, &arc);
+                before = Motion::after(&arc);
             }
-            if cost < bound && changes(self.before, &arcs, self.next) <= max_changes {
-                found.push((cost, arcs));
+            if cost < bound && changes(self.before, word.arcs(radius), self.next) <= max_changes {
+                found.push((cost, word));
             }
         });
-        found.sort_by(|a, b| a.0.total_cmp(&b.0));
-        found
-            .into_iter()
+        core::iter::from_fn(|| take_cheapest(&mut found))
+            .map(|(cost, word)| (cost, word.arcs(radius).collect::<Vec<Arc>>()))
             .find(|(cost, arcs)| self.free(arcs) && cost + self.nearness(arcs) < bound)
-            .map(|c| c.1)
+            .map(|found| found.1)
     }
 
     fn free(&self, arcs: &[Arc]) -> bool {
