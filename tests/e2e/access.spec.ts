@@ -101,7 +101,7 @@ test("the language changes everywhere at once", async ({ page }) => {
         if (element.shadowRoot) visit(element.shadowRoot);
         const texts = [...element.childNodes].filter((node) => node.nodeType === Node.TEXT_NODE).map((node) => node.textContent!.trim());
         const names = ["aria-label", "title"].map((name) => element.getAttribute(name) ?? "");
-        for (const text of [...texts, ...names]) if (/[A-Za-z]{4,}/.test(text) && !["STYLE", "SCRIPT"].includes(element.tagName)) left.push(text);
+        for (const text of [...texts, ...names]) if (/[A-Za-z]{4,}/.test(text) && !/\p{Script=Han}/u.test(text) && !["STYLE", "SCRIPT"].includes(element.tagName)) left.push(text);
       }
     };
     visit(document.querySelector("parkade-playground")!.shadowRoot!);

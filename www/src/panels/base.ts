@@ -3,11 +3,26 @@ import type { App } from "../element/app";
 import { number, translate, type MessageKey, type Values } from "../i18n/index";
 import type { State } from "../store";
 
+let frame: Promise<void> | null = null;
+
+/** Pages in the background get no frames, but must not fall behind for good. */
+function nextFrame(): Promise<void> {
+  if (document.hidden) return Promise.resolve();
+  frame ??= new Promise((done) => requestAnimationFrame(() => {
+    frame = null;
+    done();
+  }));
+  return frame;
+}
+
 /** A piece of the page: redraws when one of the state's parts it watches changes. */
 export abstract class AppElement extends LitElement {
   static override properties = { app: { attribute: false } };
   declare app: App;
+  /** Least milliseconds between redraws during a drag, for what the eye does not follow. */
+  protected pace = 0;
   private stop: (() => void) | null = null;
+  private drawnAt = 0;
 
   protected abstract watches(): readonly (keyof State)[];
 
@@ -28,6 +43,17 @@ export abstract class AppElement extends LitElement {
 
   protected override willUpdate(changed: PropertyValues): void {
     if (changed.has("app") && !this.stop) this.watch();
+  }
+
+  /** Answers of several planners within a frame are one redraw. */
+  protected override async scheduleUpdate(): Promise<void> {
+    if (this.hasUpdated) {
+      const wait = this.pace > 0 && this.state.transient ? this.drawnAt + this.pace - performance.now() : 0;
+      if (wait > 0) await new Promise((done) => setTimeout(done, wait));
+      await nextFrame();
+    }
+    this.drawnAt = performance.now();
+    super.scheduleUpdate();
   }
 
   protected t(key: MessageKey, values?: Values): string {

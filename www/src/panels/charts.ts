@@ -16,6 +16,8 @@ interface Plot { quantity: Quantity; top: number; height: number; low: number; h
 
 const WIDTH = 1000;
 const HEIGHT = 160;
+/** Points closer than this fall on one pixel. */
+const MIN_STEP = 2.5;
 const HOVER_REACH = 1.5;
 const DASHES: Record<string, string> = { "eight": "9 5", "risk-field": "8 3 2 3" };
 
@@ -41,6 +43,7 @@ export class Charts extends AppElement {
     .none { grid-column: 1 / -1; place-self: center; color: var(--parkade-t3); }
   `];
 
+  protected override pace = 100;
   private cached: (Pick<State, "results" | "focus" | "hidden"> & { content: Content }) | null = null;
 
   protected watches(): readonly (keyof State)[] {
@@ -147,14 +150,18 @@ const yOf = (plot: Plot, value: number): number => {
 function pathOf(plot: Plot, plan: Plan, total: number): string {
   const along = distancesOf(plan);
   const values = plot.quantity === "curvature" ? plan.curvatures : plan.clearances;
-  let text = "", before: number | null = null;
+  const steps = plot.quantity === "curvature";
+  let text = "", before: number | null = null, lastX = -MIN_STEP;
   for (let i = 0; i < along.length; i++) {
     const value = values[i]!;
-    if (!Number.isFinite(value)) continue;
-    const x = ((along[i]! / total) * WIDTH).toFixed(1), y = yOf(plot, value).toFixed(1);
-    if (before === null) text += `M${x} ${y}`;
-    else text += plot.quantity === "curvature" ? `H${x}V${y}` : `L${x} ${y}`;
+    const x = (along[i]! / total) * WIDTH;
+    const unseen = steps ? value === before && i < along.length - 1 : x - lastX < MIN_STEP && i < along.length - 1;
+    if (!Number.isFinite(value) || unseen) continue;
+    const y = yOf(plot, value).toFixed(1);
+    if (before === null) text += `M${x.toFixed(1)} ${y}`;
+    else text += steps ? `H${x.toFixed(1)}V${y}` : `L${x.toFixed(1)} ${y}`;
     before = value;
+    lastX = x;
   }
   return text;
 }

@@ -16,7 +16,11 @@ export class Hint extends AppElement {
     .left::after { right: -4px; } .right::after { left: -4px; }
   `;
   private gone = recall(KEY) !== null;
-  private readonly observer = new ResizeObserver(() => this.requestUpdate());
+  private size = { width: 0, height: 0 };
+  private readonly observer = new ResizeObserver(([entry]) => {
+    if (entry) this.size = { width: entry.contentRect.width, height: entry.contentRect.height };
+    this.requestUpdate();
+  });
 
   override connectedCallback(): void {
     super.connectedCallback();
@@ -38,7 +42,7 @@ export class Hint extends AppElement {
       this.gone = true;
       remember(KEY, "seen");
     }
-    const width = this.clientWidth, height = this.clientHeight;
+    const { width, height } = this.size;
     if (this.gone || width === 0 || !state.geometry || state.playback.playing) return nothing;
     const goal = goalPose(state.scene);
     const ahead = vehicleOf(state.scene.vehicle).rearToFront + 1.2;

@@ -21,6 +21,7 @@ export class Notices extends AppElement {
     .notice .icon { color: inherit; }
     @keyframes appear { from { opacity: 0; transform: translateY(-4px); } }
   `];
+  protected override pace = 100;
   declare spoken: string;
   private quiet: ReturnType<typeof setTimeout> | undefined;
   private fade: ReturnType<typeof setTimeout> | undefined;

@@ -26,6 +26,7 @@ export class ObjectList extends AppElement {
     @media (pointer: coarse) { li button { height: 44px; } }
   `];
 
+  protected override pace = 100;
   protected watches(): readonly (keyof State)[] {
     return ["scene", "selection"];
   }

@@ -13,6 +13,7 @@ import { statusOf, type Status } from "./status";
 import "./hint";
 import "./scene-view";
 
+const TITLE = 32;
 /** Pixels of a corner's pill, and a little more. */
 const READOUT = { width: 280, height: 48 };
 const LEGEND = { width: 160, height: 48 };
@@ -60,6 +61,14 @@ export class PlannerPanel extends AppElement {
   declare thumb: boolean;
   declare slow: boolean;
   private timer: ReturnType<typeof setTimeout> | undefined;
+  /** Of the map, kept because reading it makes the browser lay out the page. */
+  private size = { width: 0, height: 0 };
+  private readonly observer = new ResizeObserver(([entry]) => {
+    if (!entry) return;
+    const { width, height } = entry.contentRect;
+    this.size = { width, height: height - TITLE };
+    this.requestUpdate();
+  });
 
   constructor() {
     super();
@@ -67,8 +76,18 @@ export class PlannerPanel extends AppElement {
     this.thumb = false;
   }
 
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.observer.observe(this);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.observer.disconnect();
+  }
+
   protected watches(): readonly (keyof State)[] {
-    return ["results", "hidden", "focus", "hover", "mode", "layers", "playback", "scene"];
+    return ["results", "hidden", "focus", "hover", "mode", "layers", "scene"];
   }
 
   protected override willUpdate(changed: PropertyValues): void {
@@ -102,8 +121,7 @@ export class PlannerPanel extends AppElement {
 
   /** The upper corner where a pose or its handle would be covered in the lower one. */
   private corner(side: "left" | "right"): "top" | "" {
-    const body = this.renderRoot.querySelector<HTMLElement>(".body");
-    const width = body?.clientWidth ?? 0, height = body?.clientHeight ?? 0;
+    const { width, height } = this.size;
     if (width === 0) return "";
     const reach = side === "left" ? READOUT : LEGEND;
     const covered = handlePoints(this.state, width, height).some(([x, y]) =>

@@ -25,6 +25,7 @@ export class Parameters extends AppElement {
     .segmented { margin: 4px 0; flex-wrap: wrap; }
     .more { margin-top: 6px; }
   `];
+  protected override pace = 100;
   declare all: boolean;
 
   constructor() {

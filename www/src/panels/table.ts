@@ -49,6 +49,7 @@ export class MetricsTable extends AppElement {
   declare compact: boolean;
   declare copied: boolean;
   declare benching: boolean;
+  protected override pace = 100;
   private readonly menus = new Menus<"copy">(this);
 
   constructor() {

@@ -17,7 +17,7 @@ export class Timeline extends AppElement {
     .row { display: flex; align-items: center; height: 43px; padding: 0 14px 0 10px; gap: 2px; }
     .segmented { margin: 0 16px 0 14px; flex: none; }
     .track { position: relative; flex: 1; height: 32px; min-width: 60px; }
-    .track svg { position: absolute; inset: 0; width: 100%; height: 100%; overflow: visible; pointer-events: none; }
+    .track .rails { position: absolute; inset: 0; width: 100%; height: 100%; overflow: visible; pointer-events: none; }
     .track .slider { position: absolute; inset: 0; height: 32px; }
     .slider::-webkit-slider-runnable-track { background: none; }
     .slider::-moz-range-track, .slider::-moz-range-progress { background: none; }
@@ -25,7 +25,7 @@ export class Timeline extends AppElement {
     .rail { stroke: var(--parkade-hair2); stroke-width: 2; }
     .done { stroke: var(--parkade-t1); stroke-width: 2; }
     .reverse { stroke: var(--parkade-t1); stroke-width: 3; stroke-dasharray: 0.1 5; stroke-linecap: round; }
-    .diamond { position: absolute; top: 50%; width: 10px; height: 10px; margin: -5px 0 0 -5px; pointer-events: none; overflow: visible; }
+    .track .diamond { position: absolute; top: 50%; width: 10px; height: 10px; margin: -5px 0 0 -5px; pointer-events: none; overflow: visible; }
     .diamond path { fill: #fff; stroke: #1b1d20; stroke-width: 1.25; }
     .now { margin-left: 16px; white-space: nowrap; min-width: 76px; text-align: right; }
     select { appearance: none; border: 0; background: none; height: 32px; padding: 0 8px; font-weight: 500; cursor: pointer; border-radius: calc(6px * var(--parkade-radius)); }
@@ -117,7 +117,7 @@ export class Timeline extends AppElement {
     const plan = base === "drive" ? focusedPlan(this.state) : null;
     const done = `${fraction * 100}%`;
     return html`<div class="track">
-      <svg aria-hidden="true"><line class="rail" x1="0" x2="100%" y1="16" y2="16"/><line class="done" x1="0" x2=${done} y1="16" y2="16"/>
+      <svg class="rails" aria-hidden="true"><line class="rail" x1="0" x2="100%" y1="16" y2="16"/><line class="done" x1="0" x2=${done} y1="16" y2="16"/>
         ${plan ? reverseSpans(plan).map(([from, to]) => svg`<line class="reverse" x1="${from * 100}%" x2="${to * 100}%" y1="22" y2="22"/>`) : nothing}</svg>
       ${plan ? cuspFractions(plan).map((at) => html`<svg class="diamond" .style=${`left:${at * 100}%`} viewBox="0 0 10 10" aria-hidden="true"><path d="M5 0l5 5-5 5-5-5z"/></svg>`) : nothing}
       <input class="slider" type="range" min="0" max="1" step="0.001" .value=${String(fraction)} aria-label=${this.t("time.position")} aria-valuetext=${this.position()}

@@ -69,6 +69,7 @@ export class Toolbar extends AppElement {
   declare compact: boolean;
   declare ready: boolean;
   declare shared: boolean;
+  protected override pace = 100;
   private readonly menus = new Menus<MenuName>(this);
 
   constructor() {

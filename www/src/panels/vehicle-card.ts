@@ -18,6 +18,7 @@ export class VehicleCard extends AppElement {
     @media (pointer: coarse) { select { min-height: 44px; } }
   `];
 
+  protected override pace = 100;
   protected watches(): readonly (keyof State)[] {
     return ["scene"];
   }
