@@ -159,6 +159,20 @@ test("a preset opens from the gallery, and undo brings the drawing back", async 
   expect(await sceneOf(page)).toEqual(before);
 });
 
+test("the browser's way back leads through the presets opened", async ({ page }) => {
+  await open(page);
+  const { name } = await sceneOf(page);
+  await page.locator("parkade-toolbar .scene").click();
+  await page.locator("parkade-presets li button").nth(2).click();
+  await settled(page);
+  const second = (await sceneOf(page)).name;
+  expect(second).not.toBe(name);
+  await page.waitForURL(/#s=/);
+  await page.waitForTimeout(700);
+  await page.goBack();
+  await expect.poll(async () => (await sceneOf(page)).name).toBe(name);
+});
+
 test("hovering one map shows the pointer's place on all of them", async ({ page }) => {
   await open(page);
   await look(page, 12, 12, 16);

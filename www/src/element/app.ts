@@ -45,7 +45,7 @@ export class App {
   readonly store: Store = createStore({ layers: presetLayers("drive") });
   readonly controller = new ToolController(this.store);
   readonly player = new Player(this.store);
-  readonly links = new LinkSync(this.store, (scene) => this.openScene(scene), (reason) => this.refuse("error.link", { reason }));
+  readonly links = new LinkSync(this.store, (scene) => this.openLink(scene), (reason) => this.refuse("error.link", { reason }));
   catalog: Catalog | null = null;
   planning: Planning | null = null;
   /** Id of the catalogue's scene last opened. */
@@ -107,6 +107,7 @@ export class App {
   openPreset(id: string): void {
     const scene = this.catalog?.scenario(id);
     if (!scene) return;
+    void this.links.mark();
     this.preset = id;
     this.openScene(scene);
   }
@@ -116,6 +117,11 @@ export class App {
     this.origin = scene;
     this.store.set({ camera: null, selection: null, message: null });
     this.store.edit(scene, { label: "open" });
+  }
+
+  private openLink(scene: Scene): void {
+    this.preset = null;
+    this.openScene(ensureIds(scene));
   }
 
   reset(): void {

@@ -56,8 +56,14 @@ export class LinkSync {
     return href;
   }
 
+  /** Leaves the present scene in the history, for the way back from the next one. */
+  async mark(): Promise<void> {
+    if (this.unsubscribe && (await this.write())) history.pushState(history.state, "", location.href);
+  }
+
   private async arrive(): Promise<void> {
     if (location.hash === this.written) return;
+    this.written = location.hash;
     try {
       const scene = await this.read();
       if (scene) this.open(scene);

@@ -25,6 +25,8 @@ import "../panels/timeline";
 import "../panels/toolbar";
 
 const PHONE_WIDTH = 640;
+/** Too low for a map and a sheet: embedded pages. */
+const SHORT_HEIGHT = 560;
 const FIRST_SCENE = "perpendicular";
 const PLANNERS: readonly string[] = ["four", "eight", "risk-field", "hybrid", "hybrid-forward"];
 
@@ -38,7 +40,7 @@ const PLANNERS: readonly string[] = ["four", "eight", "risk-field", "hybrid", "h
 export class Playground extends LitElement {
   static override properties = {
     scene: { type: String }, planners: { type: String }, layout: { type: String }, theme: { type: String, reflect: true },
-    permalink: { type: Boolean }, compact: { type: Boolean, reflect: true }, loaded: { state: true }, folded: { type: Boolean, reflect: true },
+    permalink: { type: Boolean }, compact: { type: Boolean, reflect: true }, short: { type: Boolean, reflect: true }, loaded: { state: true }, folded: { type: Boolean, reflect: true },
     dropping: { state: true },
   };
   static override styles = [tokens, controls, layout];
@@ -52,6 +54,7 @@ export class Playground extends LitElement {
   declare theme: State["theme"];
   declare permalink: boolean;
   declare compact: boolean;
+  declare short: boolean;
   declare loaded: boolean;
   declare folded: boolean;
   declare dropping: boolean;
@@ -70,7 +73,7 @@ export class Playground extends LitElement {
     this.planners = "";
     this.layout = "grid";
     this.theme = "auto";
-    this.permalink = this.compact = this.loaded = this.folded = this.dropping = false;
+    this.permalink = this.compact = this.short = this.loaded = this.folded = this.dropping = false;
     this.takeEarly("sceneData");
   }
 
@@ -128,7 +131,7 @@ export class Playground extends LitElement {
     super.connectedCallback();
     this.adopt();
     const resize = new ResizeObserver(([entry]) => {
-      if (entry) this.compact = entry.contentRect.width <= PHONE_WIDTH;
+      if (entry) this.measure(entry.contentRect);
     });
     resize.observe(this);
     const scheme = matchMedia("(prefers-color-scheme: dark)");
@@ -140,7 +143,7 @@ export class Playground extends LitElement {
       this.store.subscribe((state, previous) => this.onState(state, previous)),
       listenToKeys(this, this.app, () => this.keysDialog?.open()),
     ];
-    this.compact = this.getBoundingClientRect().width <= PHONE_WIDTH;
+    this.measure(this.getBoundingClientRect());
     void this.begin();
   }
 
@@ -213,6 +216,11 @@ export class Playground extends LitElement {
   protected override async scheduleUpdate(): Promise<void> {
     await this.words;
     super.scheduleUpdate();
+  }
+
+  private measure({ width, height }: { width: number; height: number }): void {
+    this.compact = width <= PHONE_WIDTH;
+    this.short = height < SHORT_HEIGHT;
   }
 
   private async begin(): Promise<void> {

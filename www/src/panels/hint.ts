@@ -33,7 +33,7 @@ export class Hint extends AppElement {
   }
 
   protected watches(): readonly (keyof State)[] {
-    return this.gone ? [] : ["scene", "camera", "transient", "geometry", "results", "playback"];
+    return this.gone ? [] : ["scene", "camera", "transient", "geometry", "results", "playback", "selection"];
   }
 
   protected override render(): TemplateResult | typeof nothing {
@@ -43,7 +43,8 @@ export class Hint extends AppElement {
       remember(KEY, "seen");
     }
     const { width, height } = this.size;
-    if (this.gone || width === 0 || !state.geometry || state.playback.playing) return nothing;
+    const other = state.selection !== null && state.selection.kind !== "goal";
+    if (this.gone || other || width === 0 || !state.geometry || state.playback.playing) return nothing;
     const goal = goalPose(state.scene);
     const ahead = vehicleOf(state.scene.vehicle).rearToFront + 1.2;
     const at = worldToScreen({ camera: cameraFor(state, width, height), width, height },

@@ -46,6 +46,7 @@ const shapes = {
   image: svg`<rect x="2.5" y="3" width="11" height="10" rx="1.5"/><path d="M2.8 11l3.2-3.2 2.5 2.5 1.8-1.8 3 2.8M10.7 5.9v.1"/>`,
   file: svg`<path d="M4 2.5h5.2L12.5 6v7.5H4zM9 2.7V6h3.2"/>`,
   lock: svg`<rect x="3.5" y="7" width="9" height="6.5" rx="1.5"/><path d="M5.5 7V5a2.5 2.5 0 0 1 5 0v2"/>`,
+  language: svg`<circle cx="8" cy="8" r="5.7"/><path d="M2.3 8h11.4M8 2.3c-3.4 3.4-3.4 8 0 11.4M8 2.3c3.4 3.4 3.4 8 0 11.4"/>`,
   sliders: svg`<path d="M2.5 4.5h6M12 4.5h1.5M2.5 11.5H4M7.5 11.5h6"/><circle cx="10.3" cy="4.5" r="1.7"/><circle cx="5.7" cy="11.5" r="1.7"/>`,
 } satisfies Record<string, SVGTemplateResult>;
 

@@ -20,7 +20,6 @@ const VIEW: readonly Entry[] = [
 /** All keys on one card. */
 export class KeysDialog extends AppElement {
   static override styles = [controls, dialogs, css`
-    dialog { width: min(640px, 94vw); }
     .columns { display: grid; grid-template-columns: repeat(auto-fit, minmax(240px, 1fr)); gap: 8px 32px; }
     h3 { margin: 8px 0 4px; font-size: 12px; line-height: 16px; font-weight: 500; color: var(--parkade-t3); }
     dl { margin: 0; display: grid; grid-template-columns: 1fr auto; gap: 0 16px; }

@@ -12,7 +12,7 @@ import "./thumbnail";
 export class Presets extends AppElement {
   static override properties = { ...AppElement.properties, group: { state: true }, shown: { state: true } };
   static override styles = [controls, dialogs, css`
-    dialog { width: min(984px, 94vw); }
+    dialog { --dialog-width: 984px; }
     ul { list-style: none; margin: 0; padding: 0; display: grid; grid-template-columns: repeat(auto-fill, minmax(250px, 1fr)); gap: 16px; }
     li { display: grid; } li button { flex-direction: column; align-items: stretch; justify-content: flex-start; gap: 0; text-align: left; white-space: normal; border-radius: calc(10px * var(--parkade-radius)); border: 1px solid var(--parkade-hair2); overflow: hidden; background: var(--parkade-panel); }
     li button:hover { border-color: var(--parkade-t3); }

@@ -172,7 +172,7 @@ export class Toolbar extends AppElement {
         ${this.item("fit", "bar.fit", () => this.app.controller.fit())}<hr>
         ${this.exports()}<hr>
         <button class="item" @click=${this.nextTheme}>${icon("theme")}${this.themeName()}</button>
-        <button class="item" @click=${this.nextLang}>${icon("more")}${this.t("bar.language")}</button>
+        <button class="item" @click=${this.nextLang}>${icon("language")}${this.t("bar.language")}</button>
         ${this.item("help", "bar.help", () => this.emit("keys"))}</div>` : nothing}</span>`;
   }
 
