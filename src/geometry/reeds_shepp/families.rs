@@ -1,0 +1,248 @@
+//! The formulas of all words, from two pairs of turning circles.
+//!
+//! Reeds and Shepp's formulas see the target through two vectors: A, from the left circle at the start to the left one
+//! at the end, and B, from the left one to the right one. Time flip mirrors both across the y axis, and seen backwards
+//! A is only turned by φ, and B is the reflected B turned by φ. So four lengths and four angles serve all 48 words.
+
+use super::{Shape, Word};
+use crate::geometry::Pose;
+use crate::geometry::math::{self, FRAC_PI_2, PI, TAU};
+
+/// Lengths and angles this far on the wrong side of a bound are on it.
+pub(super) const EPS: f64 = 1e-10;
+
+/// Takes words as they are found.
+pub(super) trait Visit {
+    /// Words that are surely not shorter than this many radii need not be solved.
+    fn bound(&self) -> f64;
+    /// Takes a word: its arcs in radii, under time flip and reflection if told so.
+    fn take(&mut self, shape: Shape, flip: bool, reflect: bool, lengths: [f64; 5]);
+}
+
+/// Every word.
+pub(super) struct All<F> {
+    pub(super) bound: f64,
+    pub(super) each: F,
+}
+
+impl<F: FnMut(Word)> Visit for All<F> {
+    fn bound(&self) -> f64 {
+        self.bound
+    }
+
+    fn take(&mut self, shape: Shape, flip: bool, reflect: bool, lengths: [f64; 5]) {
+        let word = Word::new(shape, flip, reflect, lengths);
+        if word.total < self.bound {
+            (self.each)(word);
+        }
+    }
+}
+
+/// The least length; once it is at most `enough`, the rest is not looked at.
+pub(super) struct Least {
+    pub(super) best: f64,
+    pub(super) enough: f64,
+}
+
+impl Visit for Least {
+    fn bound(&self) -> f64 {
+        if self.best <= self.enough { 0.0 } else { self.best }
+    }
+
+    fn take(&mut self, _: Shape, _: bool, _: bool, lengths: [f64; 5]) {
+        self.best = self.best.min(lengths.iter().map(|l| l.abs()).sum());
+    }
+}
+
+/// Where the target is, as seen from one side: left as it is, right by reflection.
+struct Side {
+    reflect: bool,
+    phi: f64,
+    a: [f64; 2],
+    b: [f64; 2],
+}
+
+/// Solves all words from `from` to `to`.
+pub(super) fn visit(from: Pose, to: Pose, radius: f64, visitor: &mut impl Visit) {
+    let local = from.to_local(to.point());
+    let (x, y) = (local.x / radius, local.y / radius);
+    let phi = math::turn(from.heading, to.heading);
+    let (sin, cos) = math::sin_cos(phi);
+    let side = |reflect: bool| {
+        let (y, sin, phi) = if reflect { (-y, -sin, -phi) } else { (y, sin, phi) };
+        Side { reflect, phi, a: [x - sin, y - 1.0 + cos], b: [x + sin, y - 1.0 - cos] }
+    };
+    let sides = [side(false), side(true)].map(|side| (side.a_pair(), side.b_pair(), side));
+    for (a, b, side) in &sides {
+        side.straight(visitor, *a, *b);
+    }
+    for (a, b, side) in &sides {
+        side.same_turn(visitor, *a);
+        side.other_turn(visitor, *b);
+    }
+}
+
+impl Side {
+    fn a_pair(&self) -> (f64, f64) {
+        polar(self.a)
+    }
+
+    fn b_pair(&self) -> (f64, f64) {
+        polar(self.b)
+    }
+
+    /// Both time directions: (flip, angle, φ).
+    fn ways(&self, angle: f64) -> [(bool, f64, f64); 2] {
+        [(false, angle, self.phi), (true, PI - angle, -self.phi)]
+    }
+
+    /// CSC.
+    fn straight(&self, to: &mut impl Visit, (a, alpha): (f64, f64), (b, beta): (f64, f64)) {
+        if a < to.bound() {
+            for (flip, angle, phi) in self.ways(alpha) {
+                let (t, v) = (modulo(angle), modulo(phi - angle));
+                if t >= -EPS && v >= -EPS {
+                    to.take(Shape::Lsl, flip, self.reflect, [t, a, v, 0.0, 0.0]);
+                }
+            }
+        }
+        let square = b * b - 4.0;
+        if square < 0.0 {
+            return;
+        }
+        let u = square.sqrt();
+        if u < to.bound() {
+            let lead = math::atan2(2.0, u);
+            for (flip, angle, phi) in self.ways(beta) {
+                let t = modulo(angle + lead);
+                let v = modulo(t - phi);
+                if t >= -EPS && v >= -EPS {
+                    to.take(Shape::Lsr, flip, self.reflect, [t, u, v, 0.0, 0.0]);
+                }
+            }
+        }
+    }
+
+    /// Words that start and end on the same side: LRL and LRSL, both ways round.
+    fn same_turn(&self, to: &mut impl Visit, (a, alpha): (f64, f64)) {
+        if a <= 4.0 {
+            let u = -2.0 * math::asin(a / 4.0);
+            for (flip, angle, phi) in self.ways(alpha) {
+                for (backwards, angle) in [(false, angle), (true, phi - angle)] {
+                    let t = modulo(angle + u / 2.0 + PI);
+                    let v = modulo(phi - t + u);
+                    if t >= -EPS {
+                        let lengths = if backwards { [v, u, t, 0.0, 0.0] } else { [t, u, v, 0.0, 0.0] };
+                        to.take(Shape::Lrl, flip, self.reflect, lengths);
+                    }
+                }
+            }
+        }
+        if a < 2.0 {
+            return;
+        }
+        let straight = (a * a - 4.0).sqrt();
+        let u = 2.0 - straight;
+        if u > EPS || FRAC_PI_2 - u >= to.bound() {
+            return;
+        }
+        let lead = math::atan2(straight, -2.0);
+        for (flip, angle, phi) in self.ways(alpha) {
+            for (backwards, angle) in [(false, angle), (true, phi - angle)] {
+                let t = modulo(angle + lead);
+                let v = modulo(phi - FRAC_PI_2 - t);
+                if t >= -EPS && v <= EPS {
+                    if backwards {
+                        to.take(Shape::Lsrl, flip, self.reflect, [v, u, -FRAC_PI_2, t, 0.0]);
+                    } else {
+                        to.take(Shape::Lrsl, flip, self.reflect, [t, -FRAC_PI_2, u, v, 0.0]);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Words that start and end on different sides: LRLR, LRSR both ways round, LRSLR.
+    fn other_turn(&self, to: &mut impl Visit, (b, beta): (f64, f64)) {
+        self.four_circles(to, (b, beta));
+        if b < 2.0 {
+            return;
+        }
+        let u = 2.0 - b;
+        if FRAC_PI_2 - u < to.bound() {
+            for (flip, angle, phi) in self.ways(beta) {
+                let t = modulo(angle + FRAC_PI_2);
+                let v = modulo(t + FRAC_PI_2 - phi);
+                if t >= -EPS && v <= EPS {
+                    to.take(Shape::Lrsr, flip, self.reflect, [t, -FRAC_PI_2, u, v, 0.0]);
+                }
+                // Backwards, the same circles belong to the other side.
+                let t = modulo(angle - phi + FRAC_PI_2);
+                let v = modulo(t + FRAC_PI_2 + phi);
+                if t >= -EPS && v <= EPS {
+                    to.take(Shape::Rsrl, flip, !self.reflect, [v, u, -FRAC_PI_2, t, 0.0]);
+                }
+            }
+        }
+        let u = 4.0 - (b * b - 4.0).sqrt();
+        if u > EPS || PI - u >= to.bound() {
+            return;
+        }
+        let lead = PI - math::atan2(4.0 - u, 2.0);
+        for (flip, angle, phi) in self.ways(beta) {
+            let t = modulo(angle + lead);
+            let v = modulo(t - phi);
+            if t >= -EPS && v >= -EPS {
+                to.take(Shape::Lrslr, flip, self.reflect, [t, -FRAC_PI_2, u, -FRAC_PI_2, v]);
+            }
+        }
+    }
+
+    /// LRLR with one cusp in the middle, or with two around the middle.
+    fn four_circles(&self, to: &mut impl Visit, (b, beta): (f64, f64)) {
+        let rho = (2.0 + b) / 4.0;
+        if rho <= 1.0 {
+            let u = math::acos(rho);
+            // sin u, cos u, sin 2u and cos 2u without another angle.
+            let (sin, cos) = ((1.0 - rho * rho).sqrt(), rho);
+            let lead = math::atan2(cos - (cos * cos - sin * sin) - 1.0, sin - 2.0 * sin * cos);
+            let other = 2.0 * ((cos * cos - sin * sin) - 2.0 * cos) + 3.0 < 0.0;
+            for (flip, angle, phi) in self.ways(beta) {
+                let t = modulo(angle - lead + if other { PI } else { 0.0 });
+                let v = modulo(t - 2.0 * u - phi);
+                if t >= -EPS && v <= EPS {
+                    to.take(Shape::Lrlr, flip, self.reflect, [t, u, -u, v, 0.0]);
+                }
+            }
+        }
+        let rho = (20.0 - b * b) / 16.0;
+        if (0.0..=1.0).contains(&rho) {
+            let u = -math::acos(rho);
+            let lead = math::atan2(rho - 2.0, -(1.0 - rho * rho).sqrt());
+            let other = 2.0 * (1.0 - 2.0 * rho) + 3.0 < 0.0;
+            for (flip, angle, phi) in self.ways(beta) {
+                let t = modulo(angle - lead + if other { PI } else { 0.0 });
+                let v = modulo(t - phi);
+                if t >= -EPS && v >= -EPS {
+                    to.take(Shape::Lrlr, flip, self.reflect, [t, u, u, v, 0.0]);
+                }
+            }
+        }
+    }
+}
+
+fn polar([x, y]: [f64; 2]) -> (f64, f64) {
+    ((x * x + y * y).sqrt(), math::atan2(y, x))
+}
+
+/// The angle in [−π, π]; sums of a few angles only.
+fn modulo(angle: f64) -> f64 {
+    let mut a = angle;
+    while a > PI {
+        a -= TAU;
+    }
+    while a < -PI {
+        a += TAU;
+    }
+    a
+}

@@ -1,0 +1,195 @@
+//! Shortest paths without obstacles for a car that drives both ways (Reeds and Shepp 1990).
+//!
+//! Names and words follow the paper: C and its L, R are circles of the tightest curvature, S is a straight line; lengths
+//! t, u, v are in units of the turning radius, negative in reverse. Each word is tried under time flip (driving the
+//! other way), reflection (L for R) and, where that gives something new, backwards.
+
+mod families;
+
+use super::Pose;
+use super::arcs::Arc;
+use families::{All, EPS, Least, visit};
+
+/// A segment's kind.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Turn {
+    L,
+    S,
+    R,
+}
+use Turn::{L, R, S};
+
+/// A word's turns, before reflection.
+#[derive(Debug, Clone, Copy)]
+enum Shape {
+    Lsl,
+    Lsr,
+    Lrl,
+    Lrlr,
+    Lrsl,
+    Lsrl,
+    Lrsr,
+    Rsrl,
+    Lrslr,
+}
+
+impl Shape {
+    const fn turns(self) -> ([Turn; 5], usize) {
+        match self {
+            Self::Lsl => ([L, S, L, S, S], 3),
+            Self::Lsr => ([L, S, R, S, S], 3),
+            Self::Lrl => ([L, R, L, S, S], 3),
+            Self::Lrlr => ([L, R, L, R, S], 4),
+            Self::Lrsl => ([L, R, S, L, S], 4),
+            Self::Lsrl => ([L, S, R, L, S], 4),
+            Self::Lrsr => ([L, R, S, R, S], 4),
+            Self::Rsrl => ([R, S, R, L, S], 4),
+            Self::Lrslr => ([L, R, S, L, R], 5),
+        }
+    }
+}
+
+/// A Reeds–Shepp path: at most five arcs, lengths in turning radii.
+#[derive(Debug, Clone, Copy)]
+pub struct Word {
+    turns: [Turn; 5],
+    lengths: [f64; 5],
+    count: usize,
+    total: f64,
+}
+
+impl Word {
+    fn new(shape: Shape, flip: bool, reflect: bool, lengths: [f64; 5]) -> Self {
+        let (turns, count) = shape.turns();
+        Self {
+            turns: if reflect { turns.map(mirrored) } else { turns },
+            lengths: if flip { lengths.map(|l| -l) } else { lengths },
+            count,
+            total: lengths.iter().map(|l| l.abs()).sum(),
+        }
+    }
+
+    /// Length, metres, for turning radius `radius`.
+    pub fn length(&self, radius: f64) -> f64 {
+        self.total * radius
+    }
+
+    /// Its arcs, metres, for turning radius `radius`.
+    pub fn arcs(&self, radius: f64) -> impl Iterator<Item = Arc> + use<> {
+        let (turns, lengths) = (self.turns, self.lengths);
+        (0..self.count).filter(move |&i| lengths[i].abs() > EPS).map(move |i| {
+            let curvature = match turns[i] {
+                L => 1.0 / radius,
+                S => 0.0,
+                R => -1.0 / radius,
+            };
+            Arc { curvature, length: lengths[i] * radius }
+        })
+    }
+
+    /// Gear changes within it.
+    pub fn direction_changes(&self) -> u32 {
+        let mut gear = 0.0_f64;
+        let mut changes = 0;
+        for &length in self.lengths[..self.count].iter().filter(|l| l.abs() > EPS) {
+            changes += u32::from(gear * length < 0.0);
+            gear = length;
+        }
+        changes
+    }
+}
+
+fn mirrored(turn: Turn) -> Turn {
+    match turn {
+        L => R,
+        S => S,
+        R => L,
+    }
+}
+
+/// All words from `from` to `to` for turning radius `radius`, unordered, handed to `each`.
+pub fn words(from: Pose, to: Pose, radius: f64, each: impl FnMut(Word)) {
+    words_below(from, to, radius, f64::INFINITY, each);
+}
+
+/// The words shorter than `bound` metres from `from` to `to` for turning radius `radius`, unordered.
+pub fn words_below(from: Pose, to: Pose, radius: f64, bound: f64, each: impl FnMut(Word)) {
+    visit(from, to, radius, &mut All { bound: bound / radius, each });
+}
+
+/// Length of the shortest word, metres.
+pub fn distance(from: Pose, to: Pose, radius: f64) -> f64 {
+    distance_or(from, to, radius, 0.0)
+}
+
+/// Length of the shortest word, metres, or of any word that is at most `enough` long: the caller has a better bound.
+pub fn distance_or(from: Pose, to: Pose, radius: f64, enough: f64) -> f64 {
+    let mut least = Least { best: f64::INFINITY, enough: enough / radius };
+    visit(from, to, radius, &mut least);
+    least.best * radius
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::arcs;
+    use crate::geometry::math::{self, FRAC_PI_2, PI};
+
+    const RADIUS: f64 = 5.408_275_004_188_978;
+
+    fn shortest(from: Pose, to: Pose) -> Word {
+        let mut best: Option<Word> = None;
+        words(from, to, RADIUS, |w| {
+            if best.is_none_or(|b| w.total < b.total) {
+                best = Some(w);
+            }
+        });
+        best.unwrap()
+    }
+
+    #[test]
+    fn the_papers_rows() {
+        let rows = [
+            ([22.0, 8.19, PI], [2.5, 5.0, -FRAC_PI_2], 22.686_906, 1),
+            ([24.0, 8.4, PI], [2.5, 5.0, -FRAC_PI_2], 24.662_625, 1),
+            ([-20.0, 14.5, PI], [-7.0, 5.0, -FRAC_PI_2], 22.099_197, 1),
+            ([16.0, 18.0, PI], [-2.0, 5.0, -FRAC_PI_2], 23.198_558, 0),
+            ([-16.0, 7.5, PI], [7.0, 5.0, -FRAC_PI_2], 27.206_142, 1),
+            ([20.0, 19.06, PI], [-3.0, 2.0, PI], 29.199_063, 0),
+            ([18.0, 15.7, PI], [-3.0, 2.0, PI], 25.497_961, 0),
+            ([16.0, 14.7, PI], [2.0, 2.0, PI], 19.965_808, 0),
+            ([19.0, 15.5, PI], [-4.0, 3.0, PI], 26.438_377, 0),
+            ([-8.0, 14.2, PI], [7.0, 3.0, PI], 19.383_835, 0),
+        ];
+        for (a, b, length, changes) in rows {
+            let word = shortest(Pose::new(a[0], a[1], a[2]), Pose::new(b[0], b[1], b[2]));
+            assert!((word.length(RADIUS) - length).abs() < 1e-6, "{a:?}: {}", word.length(RADIUS));
+            assert_eq!(word.direction_changes(), changes, "{a:?}");
+        }
+    }
+
+    #[test]
+    fn every_word_ends_at_the_goal() {
+        let mut state = 1_u64;
+        let mut random = |low: f64, high: f64| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            low + (high - low) * (state >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        let mut families = 0;
+        for _ in 0..20_000 {
+            let from = Pose::new(random(-9.0, 9.0), random(-9.0, 9.0), random(-PI, PI));
+            let to = Pose::new(random(-9.0, 9.0), random(-9.0, 9.0), random(-PI, PI));
+            words(from, to, RADIUS, |word| {
+                families += 1;
+                let path: Vec<Arc> = word.arcs(RADIUS).collect();
+                let end = arcs::end(from, &path);
+                assert!((end.point() - to.point()).norm() < 1e-6, "{word:?}");
+                assert!(math::turn(end.heading, to.heading).abs() < 1e-6, "{word:?}");
+            });
+            let (there, back) = (distance(from, to, RADIUS), distance(to, from, RADIUS));
+            assert!((there - back).abs() < 1e-6, "{there} {back}");
+            assert!(there >= (to.point() - from.point()).norm() - 1e-9);
+        }
+        assert!(families > 100_000, "{families}");
+    }
+}
