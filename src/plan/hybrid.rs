@@ -71,7 +71,7 @@ impl Engine {
             Status::StartInCollision(owner) => format!("The start touches {}. Move either one.", name(owner)),
             Status::GoalInCollision(owner) => format!("The goal touches {}. Move either one.", name(owner)),
             Status::Unreachable => {
-                "No way through: not even the middle of the rear axle could go from start to goal.".to_owned()
+                "No way through: some gap on every way is narrower than the car with its margin.".to_owned()
             }
             Status::NoPath => format!("No way through for this car at these settings.{near}"),
             Status::BudgetExhausted(left) => {

@@ -90,7 +90,7 @@ impl<'a> Lattice<'a> {
     }
 
     fn free(&self, from: Pose, arc: &Arc) -> bool {
-        arc_free(self.probe, from, arc, self.level.spacing, self.margin)
+        self.probe.arc_free(from, arc, self.level.spacing, self.margin)
     }
 
     fn word_free(&self, from: Pose, word: &Word) -> bool {
@@ -101,16 +101,6 @@ impl<'a> Lattice<'a> {
             free
         })
     }
-}
-
-/// Whether the body with `margin` around it stays free along an arc, tested every `spacing` metres and at its end.
-pub(super) fn arc_free(probe: &Probe, from: Pose, arc: &Arc, spacing: f64, margin: f64) -> bool {
-    let steps = (arc.length.abs() / spacing).ceil().max(1.0);
-    let part = arc.length / steps;
-    // The end first: it is the farthest from what is known to be free.
-    (1..=steps as u32)
-        .rev()
-        .all(|k| probe.hit(from.advance(arc.curvature, part * f64::from(k)), margin).is_none())
 }
 
 impl Domain for Lattice<'_> {
@@ -145,9 +135,9 @@ impl Domain for Lattice<'_> {
             Heuristic::Euclid => (self.target.point() - at.point()).norm(),
             Heuristic::ReedsShepp => reeds_shepp::distance(at, self.target, self.costs.radius),
             Heuristic::Max => {
-                let around = self.flood.distance(at.point());
+                let around = self.flood.distance(at);
                 if around.is_finite() {
-                    around.max(reeds_shepp::distance(at, self.target, self.costs.radius))
+                    around.max(reeds_shepp::distance_or(at, self.target, self.costs.radius, around))
                 } else {
                     around
                 }
@@ -160,9 +150,8 @@ impl Domain for Lattice<'_> {
         let State { pose, motion, .. } = at.label;
         let mut found = core::mem::take(&mut self.words);
         found.clear();
-        reeds_shepp::words(pose, self.target, self.costs.radius, |word| {
-            let cheap = at.g + word.length(self.costs.radius) < bound;
-            if !cheap || word.direction_changes() > self.max_changes {
+        reeds_shepp::words_below(pose, self.target, self.costs.radius, bound - at.g, |word| {
+            if word.direction_changes() > self.max_changes {
                 return;
             }
             let mut before = motion;

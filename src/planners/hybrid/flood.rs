@@ -1,6 +1,6 @@
-//! The way around obstacles for a point: a lower bound on the car's way, from one flood of the lattice.
+//! The way around obstacles for a disc: a lower bound on the car's way, from one flood of the lattice.
 
-use crate::geometry::Point;
+use crate::geometry::{Point, Pose, Vector};
 use crate::map::{Cell, Frame};
 use crate::vehicle::Vehicle;
 use crate::vehicle::collision::Obstacles;
@@ -11,33 +11,94 @@ const DETOUR: f64 = 0.98;
 const STRAIGHT: u32 = 5;
 const DIAGONAL: u32 = 7;
 const UNREACHED: u32 = u32::MAX;
+/// Poses that touch something are free; so is their disc, metres.
+const TOLERANCE: f64 = 1e-4;
 
-/// Distances to one point over the lattice of the obstacles' distance field.
+/// Closed cells are told apart from narrow open ones by quartering them this often.
+const QUARTERINGS: u32 = 2;
+
+/// Distances to one pose over the lattice of the obstacles' distance field.
+///
+/// The body holds a disc as wide as itself. Where no place in a cell has room for that disc, the car cannot go; and the
+/// disc's way is hardly longer than the rear axle's.
 pub(super) struct Flood {
     frame: Frame,
     steps: Vec<u32>,
     scale: f64,
+    /// Centre of the disc, metres ahead of the rear axle.
+    ahead: f64,
 }
 
 impl Flood {
-    /// Floods from `target`. A cell is closed where even the largest disc around the rear axle inside the body cannot
-    /// be, wherever in the cell it is.
-    pub(super) fn new(obstacles: &Obstacles, vehicle: &Vehicle, target: Point) -> Self {
+    /// Floods from `target`, for a body grown by `margin`.
+    pub(super) fn new(obstacles: &Obstacles, vehicle: &Vehicle, target: Pose, margin: f64) -> Self {
         let frame = *obstacles.frame();
-        let inner = (vehicle.width / 2.0).min(vehicle.rear_to_back).min(vehicle.rear_to_front);
-        let closed_below = (inner - 2.0 * core::f64::consts::SQRT_2 * frame.resolution) as f32;
-        let open: Vec<bool> = obstacles.field().data.iter().map(|&d| d >= closed_below).collect();
-        let steps = frame.cell_at(target).map_or_else(Vec::new, |cell| spread(&frame, &open, cell));
-        Self { frame, steps, scale: frame.resolution * DETOUR / f64::from(STRAIGHT) }
+        let radius = (vehicle.width / 2.0).min(vehicle.length() / 2.0);
+        let ahead = 0.0_f64.clamp(radius - vehicle.rear_to_back, vehicle.rear_to_front - radius);
+        let swing = vehicle.max_curvature() * ahead;
+        let stretch = (1.0 + swing * swing).sqrt();
+        let room = Room { obstacles, radius: radius + margin - TOLERANCE };
+        let open = room.cells();
+        let mut flood = Self {
+            frame,
+            steps: Vec::new(),
+            scale: frame.resolution * DETOUR / f64::from(STRAIGHT) / stretch,
+            ahead,
+        };
+        flood.steps = flood.cell(target).map_or_else(Vec::new, |cell| spread(&frame, &open, cell));
+        flood
     }
 
-    /// A lower bound on the way from `point`, metres; infinite where there is no way.
-    pub(super) fn distance(&self, point: Point) -> f64 {
-        let cell = self.frame.cell_at(point);
-        match cell.and_then(|c| self.steps.get(self.frame.index(c))) {
+    fn cell(&self, at: Pose) -> Option<Cell> {
+        self.frame.cell_at(at.to_world(Point::new(self.ahead, 0.0)))
+    }
+
+    /// A lower bound on the way from a pose, metres; infinite where there is no way.
+    pub(super) fn distance(&self, at: Pose) -> f64 {
+        match self.cell(at).and_then(|c| self.steps.get(self.frame.index(c))) {
             None | Some(&UNREACHED) => f64::INFINITY,
             Some(&steps) => f64::from(steps) * self.scale,
         }
+    }
+}
+
+/// Where a disc has room.
+struct Room<'a> {
+    obstacles: &'a Obstacles,
+    radius: f64,
+}
+
+impl Room<'_> {
+    fn cells(&self) -> Vec<bool> {
+        let frame = self.obstacles.frame();
+        let half_diagonal = frame.resolution * core::f64::consts::FRAC_1_SQRT_2;
+        // The field is too small by up to the diagonal of the blocked square.
+        let (open, closed) = (self.radius as f32, (self.radius - 3.0 * half_diagonal) as f32);
+        let field = self.obstacles.field().data.iter();
+        field
+            .enumerate()
+            .map(|(i, &d)| {
+                d >= open
+                    || (d > closed && self.fits(frame.center(frame.cell(i)), half_diagonal, QUARTERINGS))
+            })
+            .collect()
+    }
+
+    /// Whether the disc may have room somewhere in the square around a point.
+    fn fits(&self, center: Point, half_diagonal: f64, quarterings: u32) -> bool {
+        let distance = self.obstacles.distance(center, self.radius);
+        if distance >= self.radius {
+            return true;
+        }
+        if distance < self.radius - half_diagonal {
+            return false;
+        }
+        let quarter = half_diagonal * core::f64::consts::FRAC_1_SQRT_2 / 2.0;
+        let corner = |dx: f64, dy: f64| center + Vector::new(dx * quarter, dy * quarter);
+        quarterings == 0
+            || [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)]
+                .iter()
+                .any(|&(dx, dy)| self.fits(corner(dx, dy), half_diagonal / 2.0, quarterings - 1))
     }
 }
 

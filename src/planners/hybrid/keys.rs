@@ -3,16 +3,27 @@
 /// Open addressing, insertion only; the numbers follow the order of first meeting, so nothing depends on the hash.
 #[derive(Debug, Default)]
 pub(super) struct Keys {
-    slots: Vec<(u64, u32)>,
+    slots: Vec<Slot>,
     count: u32,
+    stamp: u32,
 }
 
-const FREE: u32 = u32::MAX;
+/// A key and its number, taken only if the stamp is the present one.
+#[derive(Debug, Clone, Copy, Default)]
+struct Slot {
+    key: u64,
+    id: u32,
+    stamp: u32,
+}
 
 impl Keys {
     /// Forgets all keys, keeping the memory.
     pub(super) fn clear(&mut self) {
-        self.slots.fill((0, FREE));
+        if self.stamp == u32::MAX {
+            self.slots.fill(Slot::default());
+            self.stamp = 0;
+        }
+        self.stamp += 1;
         self.count = 0;
     }
 
@@ -22,28 +33,29 @@ impl Keys {
             self.grow();
         }
         let at = self.find(key);
-        if self.slots[at].1 == FREE {
-            self.slots[at] = (key, self.count);
+        if self.slots[at].stamp != self.stamp {
+            self.slots[at] = Slot { key, id: self.count, stamp: self.stamp };
             self.count += 1;
         }
-        self.slots[at].1
+        self.slots[at].id
     }
 
     fn find(&self, key: u64) -> usize {
         let mask = self.slots.len() - 1;
         let mut at = (key.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32) as usize & mask;
-        while self.slots[at].1 != FREE && self.slots[at].0 != key {
+        while self.slots[at].stamp == self.stamp && self.slots[at].key != key {
             at = (at + 1) & mask;
         }
         at
     }
 
     fn grow(&mut self) {
+        self.stamp = self.stamp.max(1);
         let size = (self.slots.len() * 2).max(4096);
-        let old = core::mem::replace(&mut self.slots, vec![(0, FREE); size]);
-        for (key, id) in old.into_iter().filter(|slot| slot.1 != FREE) {
-            let at = self.find(key);
-            self.slots[at] = (key, id);
+        let old = core::mem::replace(&mut self.slots, vec![Slot::default(); size]);
+        for slot in old.into_iter().filter(|slot| slot.stamp == self.stamp) {
+            let at = self.find(slot.key);
+            self.slots[at] = slot;
         }
     }
 }

@@ -16,7 +16,7 @@ use core::cell::RefCell;
 
 use config::Level;
 use cost::{CostModel, Motion};
-use domain::{Lattice, Setting, State, arc_free};
+use domain::{Lattice, Setting, State};
 use flood::Flood;
 use keys::Keys;
 
@@ -55,7 +55,7 @@ pub enum Status {
     StartInCollision(u32),
     /// The body overlaps this owner's obstacle at the goal.
     GoalInCollision(u32),
-    /// Not even a point could go from start to goal.
+    /// Some gap on every way is narrower than the car and its margin.
     Unreachable,
     /// Every level was searched to its end.
     NoPath,
@@ -178,8 +178,8 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, trace: bool) 
     }
     let mirrored = config.search_from == SearchFrom::Goal;
     let (root, target) = if mirrored { (goal, start) } else { (start, goal) };
-    let flood = Flood::new(query.obstacles, query.vehicle, target.point());
-    if flood.distance(root.point()).is_infinite() {
+    let flood = Flood::new(query.obstacles, query.vehicle, target, report.margin);
+    if flood.distance(root).is_infinite() {
         report.status = Status::Unreachable;
         return report;
     }
@@ -301,7 +301,7 @@ impl Search<'_> {
     fn verified(&self, arcs: &[Arc]) -> bool {
         let mut pose = self.start;
         let free = arcs.iter().all(|arc| {
-            let free = arc_free(self.probe, pose, arc, VERIFY, 0.0);
+            let free = self.probe.arc_free(pose, arc, VERIFY, 0.0);
             pose = pose.advance(arc.curvature, arc.length);
             free
         });

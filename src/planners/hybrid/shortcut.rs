@@ -1,7 +1,7 @@
 //! Replacing stretches of a path by shorter Reeds–Shepp curves.
 
 use super::cost::{CostModel, Motion};
-use super::domain::{arc_free, take_cheapest};
+use super::domain::take_cheapest;
 use crate::geometry::Pose;
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::reeds_shepp::{self, Word};
@@ -159,7 +159,7 @@ impl Candidate<'_> {
     fn free(&self, arcs: &[Arc]) -> bool {
         let mut pose = self.from;
         arcs.iter().all(|arc| {
-            let free = arc_free(self.probe, pose, arc, self.spacing, self.margin);
+            let free = self.probe.arc_free(pose, arc, self.spacing, self.margin);
             pose = pose.advance(arc.curvature, arc.length);
             free
         })

@@ -1,0 +1,11 @@
+//! Exact collision of the body with line obstacles, behind two cheap filters.
+//!
+//! A solid is its outline: a car that starts outside it cannot enter without meeting an edge, so containment is asked
+//! only once, of the first and last pose ([`Obstacles::inside`]). Most poses are settled by discs that cover the body,
+//! looked up in a distance field; the rest by separating axes against the edges nearby.
+
+mod obstacles;
+mod probe;
+
+pub use obstacles::{Edge, Obstacles, Solid};
+pub use probe::Probe;

@@ -1,0 +1,251 @@
+//! Everything that blocks, sorted into buckets, and how far each place is from it.
+
+use crate::geometry::{Point, Pose, math};
+use crate::map::{Frame, Layer, Occupancy, distance, raster};
+
+/// Side of a broad-phase bucket, metres.
+const BUCKET: f64 = 2.0;
+/// Cells of the distance field, at most.
+const FIELD_CELLS: f64 = 300_000.0;
+/// Side of a field cell on worlds that are small enough, metres.
+const FIELD_CELL: f64 = 0.25;
+
+/// A straight edge and what it belongs to.
+#[derive(Debug, Clone, Copy)]
+pub struct Edge {
+    /// One end, metres.
+    pub a: Point,
+    /// The other end, metres.
+    pub b: Point,
+    /// A number that the caller chose.
+    pub owner: u32,
+}
+
+/// A closed outline and what it belongs to.
+#[derive(Debug, Clone)]
+pub struct Solid {
+    /// Corners, metres, in either direction.
+    pub outline: Vec<Point>,
+    /// A number that the caller chose.
+    pub owner: u32,
+}
+
+/// Everything that blocks, in a frame whose origin is the boundary's lower left corner.
+#[derive(Debug)]
+pub struct Obstacles {
+    origin: Point,
+    edges: Vec<Edge>,
+    solids: Vec<Solid>,
+    boundary: Solid,
+    columns: usize,
+    rows: usize,
+    bucket: f64,
+    /// `first[b]..first[b + 1]` are the places in `members` of bucket b's edges.
+    first: Vec<u32>,
+    members: Vec<u32>,
+    frame: Frame,
+    /// From cell centres to blocked squares, metres.
+    field: Layer<f32>,
+}
+
+impl Obstacles {
+    /// Prepares walls, solids and the boundary, all in world coordinates.
+    pub fn new(walls: &[Edge], solids: &[Solid], boundary: &Solid) -> Self {
+        let (low, high) = bounds(boundary.outline.iter().copied());
+        let local = |p: Point| Point::from(p - low);
+        let shift =
+            |s: &Solid| Solid { outline: s.outline.iter().map(|&p| local(p)).collect(), owner: s.owner };
+        let boundary = shift(boundary);
+        let solids: Vec<Solid> = solids.iter().map(shift).collect();
+        let mut edges: Vec<Edge> =
+            walls.iter().map(|e| Edge { a: local(e.a), b: local(e.b), owner: e.owner }).collect();
+        for solid in solids.iter().chain([&boundary]) {
+            let n = solid.outline.len();
+            let edge =
+                |i: usize| Edge { a: solid.outline[i], b: solid.outline[(i + 1) % n], owner: solid.owner };
+            edges.extend((0..n).map(edge));
+        }
+        let size = high - low;
+        let bucket = BUCKET.max(size.x.max(size.y) / 1024.0);
+        let (columns, rows) = ((size.x / bucket) as usize + 1, (size.y / bucket) as usize + 1);
+        let cell = FIELD_CELL.max((size.x * size.y / FIELD_CELLS).sqrt());
+        let frame = Frame {
+            origin: Point::new(-cell, -cell),
+            width: (size.x / cell) as u32 + 3,
+            height: (size.y / cell) as u32 + 3,
+            resolution: cell,
+        };
+        let field = field(&edges, &frame);
+        let mut obstacles = Self {
+            origin: low,
+            edges,
+            solids,
+            boundary,
+            columns,
+            rows,
+            bucket,
+            first: Vec::new(),
+            members: Vec::new(),
+            frame,
+            field,
+        };
+        obstacles.fill_buckets();
+        obstacles
+    }
+
+    fn fill_buckets(&mut self) {
+        let mut pairs: Vec<(u32, u32)> = Vec::new();
+        let half_diagonal = self.bucket * core::f64::consts::FRAC_1_SQRT_2 * 1.001;
+        for (i, edge) in self.edges.iter().enumerate() {
+            let (low, high) = bounds([edge.a, edge.b]);
+            self.buckets(low, high, |b| {
+                let [x, y] = [b % self.columns, b / self.columns].map(|k| (k as f64 + 0.5) * self.bucket);
+                // Edges off the boundary are kept in the outermost buckets.
+                let rim = |k: usize, n: usize| k == 0 || k + 1 == n;
+                let rim = rim(b % self.columns, self.columns) || rim(b / self.columns, self.rows);
+                if rim || point_distance(Point::new(x, y), edge.a, edge.b) <= half_diagonal {
+                    pairs.push((b as u32, i as u32));
+                }
+            });
+        }
+        self.first = vec![0; self.columns * self.rows + 1];
+        for &(bucket, _) in &pairs {
+            self.first[bucket as usize + 1] += 1;
+        }
+        for b in 1..self.first.len() {
+            self.first[b] += self.first[b - 1];
+        }
+        let mut next = self.first.clone();
+        self.members = vec![0; pairs.len()];
+        for (bucket, member) in pairs {
+            let place = &mut next[bucket as usize];
+            self.members[*place as usize] = member;
+            *place += 1;
+        }
+    }
+
+    /// The edges that may meet a box, some of them more than once, until one satisfies `wanted`.
+    pub(super) fn find(&self, low: Point, high: Point, mut wanted: impl FnMut(&Edge) -> bool) -> Option<u32> {
+        let place = |v: f64, n: usize| (v / self.bucket).clamp(0.0, (n - 1) as f64) as usize;
+        let (left, right) = (place(low.x, self.columns), place(high.x, self.columns));
+        for y in place(low.y, self.rows)..=place(high.y, self.rows) {
+            // The buckets of a row are neighbours, and so are their members.
+            let row = y * self.columns;
+            let members = self.first[row + left] as usize..self.first[row + right + 1] as usize;
+            for &i in &self.members[members] {
+                if wanted(&self.edges[i as usize]) {
+                    return Some(self.edges[i as usize].owner);
+                }
+            }
+        }
+        None
+    }
+
+    /// Distance from a local point to the nearest edge, metres, at most `limit`.
+    pub fn distance(&self, point: Point, limit: f64) -> f64 {
+        let mut best = limit;
+        let reach = crate::geometry::Vector::new(limit, limit);
+        self.find(point - reach, point + reach, |edge| {
+            best = best.min(point_distance(point, edge.a, edge.b));
+            false
+        });
+        best
+    }
+
+    fn buckets(&self, low: Point, high: Point, mut each: impl FnMut(usize)) {
+        let place = |v: f64, n: usize| (v / self.bucket).clamp(0.0, (n - 1) as f64) as usize;
+        for y in place(low.y, self.rows)..=place(high.y, self.rows) {
+            for x in place(low.x, self.columns)..=place(high.x, self.columns) {
+                each(y * self.columns + x);
+            }
+        }
+    }
+
+    /// A world pose in the frame of all queries.
+    pub fn local(&self, pose: Pose) -> Pose {
+        Pose::new(pose.x - self.origin.x, pose.y - self.origin.y, math::wrap(pose.heading))
+    }
+
+    /// What a point is inside of, or outside of in the case of the boundary; local coordinates.
+    pub fn inside(&self, point: Point) -> Option<u32> {
+        if !contains(&self.boundary.outline, point) {
+            return Some(self.boundary.owner);
+        }
+        self.solids.iter().find(|s| contains(&s.outline, point)).map(|s| s.owner)
+    }
+
+    /// The lattice of [`Obstacles::field`].
+    pub fn frame(&self) -> &Frame {
+        &self.frame
+    }
+
+    /// The distance field: metres from each cell's centre to the nearest cell that an edge touches, as a square.
+    pub fn field(&self) -> &Layer<f32> {
+        &self.field
+    }
+
+    /// The field at a local point; off the field, 0.
+    pub(super) fn field_at(&self, x: f64, y: f64) -> f64 {
+        self.frame.cell_at(Point::new(x, y)).map_or(0.0, |c| f64::from(self.field.data[self.frame.index(c)]))
+    }
+}
+
+fn field(edges: &[Edge], frame: &Frame) -> Layer<f32> {
+    let mut map = Occupancy::new(frame.width, frame.height);
+    for edge in edges {
+        raster::wall(&mut map, frame, &[edge.a, edge.b]);
+    }
+    distance::clearance(&map, frame.resolution)
+}
+
+pub(super) fn point_distance(p: Point, a: Point, b: Point) -> f64 {
+    let ab = b - a;
+    let square = ab.norm_squared();
+    let t = if square > 0.0 { ((p - a).dot(&ab) / square).clamp(0.0, 1.0) } else { 0.0 };
+    (p - (a + ab * t)).norm()
+}
+
+/// Distance of two segments that do not cross.
+pub(super) fn segment_distance(a: Point, b: Point, c: Point, d: Point) -> f64 {
+    let one = point_distance(a, c, d).min(point_distance(b, c, d));
+    one.min(point_distance(c, a, b)).min(point_distance(d, a, b))
+}
+
+fn bounds(points: impl IntoIterator<Item = Point>) -> (Point, Point) {
+    let inf = f64::INFINITY;
+    points.into_iter().fold((Point::new(inf, inf), Point::new(-inf, -inf)), |(low, high), p| {
+        (Point::new(low.x.min(p.x), low.y.min(p.y)), Point::new(high.x.max(p.x), high.y.max(p.y)))
+    })
+}
+
+fn contains(outline: &[Point], p: Point) -> bool {
+    let mut odd = false;
+    for (i, &a) in outline.iter().enumerate() {
+        let b = outline[(i + 1) % outline.len()];
+        if (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x) {
+            odd = !odd;
+        }
+    }
+    odd
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+
+    pub(in crate::vehicle::collision) fn hall(solids: &[Solid]) -> Obstacles {
+        let outline =
+            [(0.0, 0.0), (30.0, 0.0), (30.0, 20.0), (0.0, 20.0)].map(|(x, y)| Point::new(x, y)).to_vec();
+        Obstacles::new(&[], solids, &Solid { outline, owner: 9 })
+    }
+
+    #[test]
+    fn containment_is_asked_of_the_point() {
+        let square =
+            [(5.0, 5.0), (25.0, 5.0), (25.0, 15.0), (5.0, 15.0)].map(|(x, y)| Point::new(x, y)).to_vec();
+        let hall = hall(&[Solid { outline: square, owner: 1 }]);
+        assert_eq!(hall.inside(Point::new(10.0, 10.0)), Some(1));
+        assert_eq!(hall.inside(Point::new(40.0, 10.0)), Some(9));
+        assert_eq!(hall.inside(Point::new(2.0, 2.0)), None);
+    }
+}

@@ -1,0 +1,242 @@
+//! Questions of one car to the obstacles.
+
+use std::cell::Cell as Counter;
+
+use super::Obstacles;
+use super::obstacles::segment_distance;
+use crate::geometry::arcs::Arc;
+use crate::geometry::{Point, Pose, math};
+use crate::vehicle::Vehicle;
+
+/// Overlaps shallower than this are contact, which is free, metres.
+const CONTACT: f64 = 1e-6;
+
+/// A place of the body: the rear axle's middle and the heading's sine and cosine.
+#[derive(Clone, Copy)]
+struct Place {
+    x: f64,
+    y: f64,
+    sin: f64,
+    cos: f64,
+}
+
+impl Place {
+    fn of(pose: Pose) -> Self {
+        let (sin, cos) = math::sin_cos(pose.heading);
+        Self { x: pose.x, y: pose.y, sin, cos }
+    }
+
+    fn local(self, p: Point) -> Point {
+        let (dx, dy) = (p.x - self.x, p.y - self.y);
+        Point::new(dx * self.cos + dy * self.sin, dy * self.cos - dx * self.sin)
+    }
+}
+
+/// Collision queries of one car, counted. All poses are local to the obstacles.
+#[derive(Debug)]
+pub struct Probe<'a> {
+    obstacles: &'a Obstacles,
+    vehicle: Vehicle,
+    /// Centres of the discs that cover the body, along its axis, metres ahead of the rear axle.
+    discs: Vec<f64>,
+    /// Half the length that one disc covers.
+    half_part: f64,
+    slack: f64,
+    checks: Counter<u32>,
+}
+
+impl<'a> Probe<'a> {
+    /// Queries of `vehicle` among `obstacles`.
+    pub fn new(obstacles: &'a Obstacles, vehicle: &Vehicle) -> Self {
+        let length = vehicle.length();
+        let count = (length / vehicle.width).ceil().clamp(1.0, 8.0);
+        let part = length / count;
+        let discs = (0..count as u32).map(|i| (f64::from(i) + 0.5) * part - vehicle.rear_to_back).collect();
+        // A point may be half a diagonal away from its cell's centre.
+        let slack = obstacles.frame().resolution * core::f64::consts::FRAC_1_SQRT_2 + 1e-5;
+        Self { obstacles, vehicle: *vehicle, discs, half_part: part / 2.0, slack, checks: Counter::new(0) }
+    }
+
+    /// Poses asked about so far.
+    pub fn checks(&self) -> u32 {
+        self.checks.get()
+    }
+
+    /// What the body, grown by `margin` metres on every side, overlaps.
+    pub fn hit(&self, pose: Pose, margin: f64) -> Option<u32> {
+        self.checks.set(self.checks.get() + 1);
+        let place = Place::of(pose);
+        if self.room(place) > self.disc_radius(margin) { None } else { self.exact(place, margin - CONTACT) }
+    }
+
+    /// Whether the body with `margin` around it stays free along an arc, tested every `spacing` metres and at its end.
+    ///
+    /// The end is tested first: it is the farthest from what is known to be free. Where the body has room, the poses
+    /// that the room covers are free without a test.
+    pub fn arc_free(&self, from: Pose, arc: &Arc, spacing: f64, margin: f64) -> bool {
+        let steps = (arc.length.abs() / spacing).ceil().max(1.0);
+        let part = arc.length / steps;
+        let start = Place::of(from);
+        let turn = arc.curvature * part;
+        let (turn_sin, turn_cos) = math::sin_cos(turn);
+        let radius = self.disc_radius(margin);
+        let farthest = self.discs.iter().fold(0.0_f64, |far, d| far.max(d.abs()));
+        let swing = arc.curvature * farthest;
+        let pace = part.abs() * (1.0 + swing * swing).sqrt();
+        let mut k = steps as u32;
+        let (mut sin, mut cos) = math::sin_cos(from.heading + turn * f64::from(k));
+        let mut checks = 0;
+        let free = loop {
+            let (x, y) = if arc.curvature == 0.0 {
+                let along = part * f64::from(k);
+                (start.x + along * start.cos, start.y + along * start.sin)
+            } else {
+                (start.x + (sin - start.sin) / arc.curvature, start.y - (cos - start.cos) / arc.curvature)
+            };
+            let place = Place { x, y, sin, cos };
+            checks += 1;
+            let spare = self.room(place) - radius;
+            if spare <= 0.0 && self.exact(place, margin - CONTACT).is_some() {
+                break false;
+            }
+            let settled = ((spare.max(0.0) / pace) as u32).saturating_add(1);
+            if settled >= k {
+                break true;
+            }
+            k -= settled;
+            (sin, cos) = if settled == 1 {
+                (sin * turn_cos - cos * turn_sin, cos * turn_cos + sin * turn_sin)
+            } else {
+                math::sin_cos(from.heading + turn * f64::from(k))
+            };
+        };
+        self.checks.set(self.checks.get() + checks);
+        free
+    }
+
+    /// Radius of a disc that covers its part of the grown body.
+    fn disc_radius(&self, margin: f64) -> f64 {
+        let (along, across) = (self.half_part + margin, self.vehicle.width / 2.0 + margin);
+        (along * along + across * across).sqrt()
+    }
+
+    /// A lower bound on the distance from the discs' centres to the nearest edge.
+    fn room(&self, at: Place) -> f64 {
+        let field = |&d: &f64| self.obstacles.field_at(at.x + d * at.cos, at.y + d * at.sin);
+        self.discs.iter().map(field).fold(f64::INFINITY, f64::min) - self.slack
+    }
+
+    fn exact(&self, at: Place, margin: f64) -> Option<u32> {
+        let sides = self.sides(margin);
+        let (low, high) = self.bounds(at, margin);
+        self.obstacles.find(low, high, |edge| segment_meets_box(at.local(edge.a), at.local(edge.b), sides))
+    }
+
+    /// Distance from the body to the nearest edge, metres, at most `limit`; 0 where it overlaps.
+    pub fn clearance(&self, pose: Pose, limit: f64) -> f64 {
+        if self.hit(pose, 0.0).is_some() {
+            return 0.0;
+        }
+        let at = Place::of(pose);
+        let [front, back, left, right] = self.sides(0.0);
+        let corners =
+            [(front, left), (back, left), (back, right), (front, right)].map(|(x, y)| Point::new(x, y));
+        let (low, high) = self.bounds(at, limit);
+        let mut best = limit;
+        self.obstacles.find(low, high, |edge| {
+            let (a, b) = (at.local(edge.a), at.local(edge.b));
+            for k in 0..4 {
+                best = best.min(segment_distance(a, b, corners[k], corners[(k + 1) % 4]));
+            }
+            false
+        });
+        // Contact leaves rounding errors, which are no room.
+        if best <= CONTACT { 0.0 } else { best }
+    }
+
+    /// Front, back, left and right of the grown body in its own frame.
+    fn sides(&self, margin: f64) -> [f64; 4] {
+        let v = &self.vehicle;
+        let side = v.width / 2.0 + margin;
+        [v.rear_to_front + margin, -v.rear_to_back - margin, side, -side]
+    }
+
+    fn bounds(&self, at: Place, margin: f64) -> (Point, Point) {
+        let v = &self.vehicle;
+        let (half, side) = (v.length() / 2.0 + margin, v.width / 2.0 + margin);
+        let ahead = (v.rear_to_front - v.rear_to_back) / 2.0;
+        let (x, y) = (at.x + ahead * at.cos, at.y + ahead * at.sin);
+        let dx = half * at.cos.abs() + side * at.sin.abs();
+        let dy = half * at.sin.abs() + side * at.cos.abs();
+        (Point::new(x - dx, y - dy), Point::new(x + dx, y + dy))
+    }
+}
+
+/// Separating axes of a segment and an upright box: the box's two, then the segment's normal.
+fn segment_meets_box(a: Point, b: Point, [front, back, left, right]: [f64; 4]) -> bool {
+    if a.x.max(b.x) < back || a.x.min(b.x) > front || a.y.max(b.y) < right || a.y.min(b.y) > left {
+        return false;
+    }
+    let (dx, dy) = (b.x - a.x, b.y - a.y);
+    let side = |x: f64, y: f64| dx * (y - a.y) - dy * (x - a.x);
+    let corners = [side(front, left), side(back, left), side(back, right), side(front, right)];
+    !(corners.iter().all(|&s| s > 0.0) || corners.iter().all(|&s| s < 0.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Solid;
+    use super::super::obstacles::tests::hall;
+    use super::*;
+
+    #[test]
+    fn touching_a_wall_is_free_and_a_margin_is_kept() {
+        let hall = hall(&[]);
+        let probe = Probe::new(&hall, &Vehicle::PAPER);
+        assert_eq!(probe.hit(Pose::new(1.0, 10.0, 0.0), 0.0), None);
+        assert_eq!(probe.hit(Pose::new(0.9, 10.0, 0.0), 0.0), Some(9));
+        assert_eq!(probe.hit(Pose::new(1.05, 10.0, 0.0), 0.1), Some(9));
+        assert!((probe.clearance(Pose::new(1.25, 10.0, 0.0), 1.0) - 0.25).abs() < 1e-9);
+        assert_eq!(probe.checks(), 4);
+    }
+
+    #[test]
+    fn the_filters_never_change_the_answer() {
+        let square =
+            [(12.0, 8.0), (13.0, 8.5), (12.6, 9.4), (11.8, 9.0)].map(|(x, y)| Point::new(x, y)).to_vec();
+        let hall = hall(&[Solid { outline: square, owner: 1 }]);
+        let probe = Probe::new(&hall, &Vehicle::PAPER);
+        let mut hits = 0;
+        for k in 0..20_000_u32 {
+            let t = f64::from(k);
+            let pose = Pose::new((t * 0.618).fract() * 30.0, (t * 0.414).fract() * 20.0, t * 0.1);
+            let exact = probe.exact(Place::of(pose), 0.1 - CONTACT);
+            assert_eq!(probe.hit(pose, 0.1), exact, "{pose:?}");
+            hits += u32::from(exact.is_some());
+        }
+        assert!(hits > 2000, "{hits}");
+    }
+
+    #[test]
+    fn a_free_arc_is_free_at_every_pose() {
+        let square =
+            [(12.0, 8.0), (13.0, 8.5), (12.6, 9.4), (11.8, 9.0)].map(|(x, y)| Point::new(x, y)).to_vec();
+        let hall = hall(&[Solid { outline: square, owner: 1 }]);
+        let probe = Probe::new(&hall, &Vehicle::PAPER);
+        let mut free = 0;
+        for k in 0..4000_u32 {
+            let t = f64::from(k);
+            let from = Pose::new((t * 0.618).fract() * 30.0, (t * 0.414).fract() * 20.0, t * 0.1);
+            let arc =
+                Arc { curvature: f64::from(k % 5) * 0.09 - 0.18, length: (t * 0.23).fract() * 16.0 - 8.0 };
+            let steps = (arc.length.abs() / 0.1).ceil().max(1.0);
+            let all = (1..=steps as u32).all(|i| {
+                let at = from.advance(arc.curvature, arc.length * f64::from(i) / steps);
+                probe.hit(at, 0.1).is_none()
+            });
+            assert_eq!(probe.arc_free(from, &arc, 0.1, 0.1), all, "{from:?} {arc:?}");
+            free += u32::from(all);
+        }
+        assert!(free > 200, "{free}");
+    }
+}
