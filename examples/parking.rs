@@ -1,33 +1,97 @@
-//! Plans the parking paper's rows and the tight slots, and prints what was reached.
+//! Plans the parking paper's rows and the tight slots, and prints what was reached and how fast.
 //!
 //! ```sh
-//! cargo run --release --example parking
+//! cargo run --release --example parking [setting=value …]
 //! ```
+//!
+//! Times are the least of several runs: preparing the obstacles, then search, shortcut and verification of one query.
 
 use std::time::Instant;
 
-use parkade::plan::{Options, Planner};
+use parkade::geometry::arcs;
+use parkade::planners::hybrid::{Config, Query, Report, Scratch, plan};
 use parkade::scenario::catalog;
+use parkade::scenario::resolve::{Form, Geometry};
+use parkade::vehicle::collision::{Edge, Obstacles, Probe, Solid};
+
+const RUNS: usize = 7;
 
 fn main() {
-    println!("| scene | length m | changes | clearance m | expanded | level | ms | verdict |");
-    println!("| --- | --- | --- | --- | --- | --- | --- | --- |");
+    let config = settings();
+    println!(
+        "| scene | length m | changes | clearance m | expanded | level | checks | prepare ms | plan ms |"
+    );
+    println!("| --- | --- | --- | --- | --- | --- | --- | --- | --- |");
+    let mut times = Vec::new();
     for info in catalog::SCENES.iter().filter(|s| s.group != "grid") {
         let scene = catalog::scenario(info.id).expect("a scene of the catalog");
-        let mut planner = Planner::new("hybrid", &scene, &serde_json::Map::new()).expect("valid defaults");
-        let begin = Instant::now();
-        let plan = planner.plan(Options::default());
-        let millis = begin.elapsed().as_secs_f64() * 1e3;
+        let geometry = scene.geometry().expect("a valid scene");
+        let (obstacles, prepare) = least(|| obstacles(&geometry));
+        let query = Query {
+            obstacles: &obstacles,
+            vehicle: &geometry.vehicle,
+            start: geometry.start,
+            goal: geometry.goal,
+        };
+        let mut scratch = Scratch::default();
+        let (report, millis) = least(|| plan(&query, &config, &mut scratch, false));
         println!(
-            "| {} | {:.2} | {} | {:.2} | {} | {} | {millis:.1} | {} {} |",
+            "| {} | {:.2} | {} | {:.2} | {} | {} | {} | {prepare:.2} | {millis:.2} |{}",
             info.id,
-            plan.metrics.length,
-            plan.metrics.direction_changes,
-            plan.metrics.min_clearance,
-            plan.stats.expanded,
-            plan.stats.level.unwrap_or(0),
-            plan.check.verdict.as_str(),
-            plan.reason.unwrap_or_default(),
+            arcs::length(&report.arcs),
+            arcs::direction_changes(&report.arcs),
+            clearance(&query, &report),
+            report.expanded,
+            report.level,
+            report.collision_checks,
+            if report.arcs.is_empty() { format!(" {:?}", report.status) } else { String::new() },
         );
+        if info.group == "paper" {
+            times.push(millis);
+        }
     }
+    times.sort_by(f64::total_cmp);
+    println!("\npaper rows: median {:.2} ms, worst {:.2} ms", times[times.len() / 2], times[times.len() - 1]);
+}
+
+/// The default settings, changed by `name=value` arguments.
+fn settings() -> Config {
+    let mut map = serde_json::Map::new();
+    for argument in std::env::args().skip(1) {
+        let (name, value) = argument.split_once('=').expect("arguments are name=value");
+        map.insert(name.to_owned(), serde_json::from_str(value).unwrap_or_else(|_| value.into()));
+    }
+    let config: Config = serde_json::from_value(map.into()).expect("settings of hybrid A*");
+    config.validate().expect("valid settings");
+    config
+}
+
+fn obstacles(geometry: &Geometry) -> Obstacles {
+    let (mut walls, mut solids) = (Vec::new(), Vec::new());
+    for (owner, shape) in (1..).zip(&geometry.shapes) {
+        match &shape.form {
+            Form::Segment(a, b) => walls.push(Edge { a: *a, b: *b, owner }),
+            Form::Polygon(outline) => solids.push(Solid { outline: outline.clone(), owner }),
+        }
+    }
+    Obstacles::new(&walls, &solids, &Solid { outline: geometry.boundary.clone(), owner: 0 })
+}
+
+fn clearance(query: &Query, report: &Report) -> f64 {
+    let probe = Probe::new(query.obstacles, query.vehicle);
+    let points = arcs::sample(query.start, &report.arcs, query.goal, 0.02);
+    points.iter().fold(10.0, |least, p| probe.clearance(query.obstacles.local(p.pose), least).min(least))
+}
+
+fn least<T>(mut run: impl FnMut() -> T) -> (T, f64) {
+    let mut timed = || {
+        let begin = Instant::now();
+        let value = run();
+        (value, begin.elapsed().as_secs_f64() * 1e3)
+    };
+    let first = timed();
+    (1..RUNS).fold(first, |best, _| {
+        let next = timed();
+        if next.1 < best.1 { next } else { best }
+    })
 }
