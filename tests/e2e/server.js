@@ -3,6 +3,7 @@
 import { readFile } from "node:fs/promises";
 import { createServer } from "node:http";
 import { extname } from "node:path";
+import { pathToFileURL } from "node:url";
 
 const PREFIX = "/sub/path/";
 const DIST = new URL("../../dist/", import.meta.url);
@@ -18,14 +19,27 @@ const TYPES = {
   ".woff2": "font/woff2",
 };
 
-createServer(async (request, response) => {
-  const { pathname } = new URL(request.url ?? "/", "http://localhost");
-  const file = new URL(pathname.slice(PREFIX.length) || "index.html", DIST);
-  try {
-    if (!pathname.startsWith(PREFIX) || !file.href.startsWith(DIST.href)) throw new Error("outside");
-    const body = await readFile(file);
-    response.writeHead(200, { "content-type": TYPES[extname(file.pathname)] ?? "application/octet-stream" }).end(body);
-  } catch {
-    response.writeHead(404).end();
-  }
-}).listen(4179, "127.0.0.1");
+/**
+ * Port 0 takes any that is free.
+ * @param {number} port
+ * @returns {Promise<{ url: string, close(): void }>}
+ */
+export async function serve(port) {
+  const server = createServer(async (request, response) => {
+    const { pathname } = new URL(request.url ?? "/", "http://localhost");
+    const file = new URL(pathname.slice(PREFIX.length) || "index.html", DIST);
+    try {
+      if (!pathname.startsWith(PREFIX) || !file.href.startsWith(DIST.href)) throw new Error("outside");
+      const body = await readFile(file);
+      response.writeHead(200, { "content-type": TYPES[extname(file.pathname)] ?? "application/octet-stream" }).end(body);
+    } catch {
+      response.writeHead(404).end();
+    }
+  });
+  await new Promise((resolve, reject) => server.once("error", reject).listen(port, "127.0.0.1", () => resolve(null)));
+  const address = server.address();
+  const taken = typeof address === "object" && address ? address.port : port;
+  return { url: `http://127.0.0.1:${taken}${PREFIX}`, close: () => server.close() };
+}
+
+if (process.argv[1] !== undefined && import.meta.url === pathToFileURL(process.argv[1]).href) await serve(4179);

@@ -1,6 +1,7 @@
 //! The repository's commands: `cargo xtask <command>`.
 
 mod browser;
+mod latency;
 mod serve;
 mod site;
 mod test;
@@ -22,6 +23,11 @@ const COMMANDS: &[Command] = &[
     Command { name: "build", about: "build the npm package (pkg/) and the page (dist/)", run: site::build },
     Command { name: "serve", about: "build, then serve the page on this machine", run: serve::serve },
     Command { name: "test", about: "build, then check and test everything", run: test::test },
+    Command {
+        name: "latency",
+        about: "build, then measure how soon the page answers a drag",
+        run: latency::latency,
+    },
     Command {
         name: "wasm-test-runner",
         about: "run one wasm test file in Node (cargo calls this)",
