@@ -1,4 +1,41 @@
 //! Vehicle path planners: grid A*, risk-field A*, hybrid A* — one scene, many answers.
+//!
+//! A [`scenario::Scenario`] is a floor, obstacles, parking slots, a car, a start and a goal. A [`plan::Planner`] is one of the
+//! planners that [`planners::registry::planners`] lists, prepared on a scene. Its [`plan::Plan`] is a path in metres and radians,
+//! what the search did, what the path is worth, and what an independent validator ([`metrics::check()`]) says of it. No path
+//! is an outcome with a reason, not an [`Error`]; errors are for scenes and settings that are wrong.
+//!
+//! ```
+//! use parkade::plan::{Options, Outcome, Planner};
+//! use parkade::scenario::catalog;
+//!
+//! # fn main() -> Result<(), parkade::Error> {
+//! let scene = catalog::scenario("perpendicular")?;
+//! let mut settings = serde_json::Map::new();
+//! settings.insert("reverseCost".to_owned(), 1.5.into());
+//! let mut planner = Planner::new("hybrid", &scene, &settings)?;
+//! let plan = planner.plan(Options::default());
+//! assert_eq!(plan.outcome, Outcome::Found);
+//! assert!(plan.check.drivable() && plan.metrics.length < 23.0);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! # Layers
+//!
+//! A module uses only modules before it in this list:
+//! [`error`] · [`geometry`] (poses, arcs, Reeds–Shepp curves) · [`map`] (cells, rasters, distance and potential fields) ·
+//! [`vehicle`] (dimensions, collision) · [`scenario`] (scenes, their JSON, built-in and generated ones) · [`search`] (best-first
+//! search over any [`search::Domain`]) · [`planners`] · [`post`] (pruning, smoothing) · [`metrics`] (validator, figures) ·
+//! [`plan`] (joins all of these). On wasm32 a module of JavaScript bindings follows.
+//!
+//! # Determinism
+//!
+//! Equal input gives equal bytes on every platform: transcendental functions come from `libm`, grid costs are integers,
+//! the open list has a total order, and no clock, thread, hash order or random number takes part. Budgets count
+//! expansions. [`plan::Plan::hash`] is there to compare.
+//!
+//! There are no cargo features.
 
 pub mod error;
 pub mod geometry;
@@ -14,3 +51,8 @@ pub mod vehicle;
 mod wasm;
 
 pub use error::Error;
+
+/// Runs the README's Rust lines.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

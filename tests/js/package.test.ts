@@ -8,15 +8,9 @@ import { init, version } from "parkade";
 
 const PACKAGE = fileURLToPath(new URL("../../pkg/", import.meta.url));
 
-const SCRIPT = `import { init, Planner, scenario, scenarios } from "parkade";
-
-await init();
-const { id } = scenarios()[0];
-const planner = new Planner("hybrid", scenario(id));
-const plan = planner.plan();
-planner.free();
-console.log(plan.outcome, plan.path.length / 3);
-`;
+/** The README's only JavaScript; a comment behind `console.log` is what it prints. */
+const SCRIPT = /```js\n([^]*?)```/.exec(readFileSync(new URL("../../README.md", import.meta.url), "utf8"))![1]!;
+const PRINTED = [...SCRIPT.matchAll(/console\.log.*\/\/ (.*)/g)].map((match) => match[1]);
 
 let folder = "";
 
@@ -31,14 +25,14 @@ beforeAll(() => {
 });
 afterAll(() => rmSync(folder, { recursive: true, force: true }));
 
-test("the packed package, installed into an empty folder, plans a preset in Node", () => {
+test("the packed package, installed into an empty folder, runs the README's lines in Node", () => {
   const [packed] = JSON.parse(npm(["pack", "--json", "--pack-destination", folder], PACKAGE));
   writeFileSync(join(folder, "package.json"), "{}");
   npm(["install", `./${packed.filename}`], folder);
   writeFileSync(join(folder, "plan.mjs"), SCRIPT);
-  const [outcome, poses] = execFileSync(process.execPath, ["plan.mjs"], { cwd: folder, encoding: "utf8" }).split(" ");
-  expect(outcome).toBe("found");
-  expect(Number(poses)).toBeGreaterThan(10);
+  const printed = execFileSync(process.execPath, ["plan.mjs"], { cwd: folder, encoding: "utf8" });
+  expect(PRINTED.length).toBeGreaterThan(0);
+  expect(printed.trim().split("\n")).toEqual(PRINTED);
 });
 
 test("the package and the module in it are of one version", async () => {
