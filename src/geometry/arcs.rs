@@ -48,7 +48,8 @@ pub fn merge(arcs: impl IntoIterator<Item = Arc>) -> Vec<Arc> {
 
 /// Distance driven, metres.
 pub fn length(arcs: &[Arc]) -> f64 {
-    arcs.iter().map(|a| a.length.abs()).sum()
+    // Not `sum`, which starts from −0.
+    arcs.iter().fold(0.0, |sum, a| sum + a.length.abs())
 }
 
 /// Sign changes between consecutive arcs.

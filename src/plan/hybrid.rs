@@ -49,7 +49,7 @@ impl Engine {
         let driven = if found { drive(&query, &report) } else { Driven::default() };
         let mut plan = measured(world, outcome(report.status), driven, NEAR);
         plan.detail = detail(report.status);
-        plan.reason = self.reason(scenario, &report);
+        plan.reason = self.reason(scenario, vehicle.width, &report);
         plan.stats = stats(&report);
         if found {
             plan.raw_path = knots(&query, &report);
@@ -61,7 +61,7 @@ impl Engine {
         plan
     }
 
-    fn reason(&self, scenario: &Scenario, report: &Report) -> Option<String> {
+    fn reason(&self, scenario: &Scenario, width: f64, report: &Report) -> Option<String> {
         let name = |owner: u32| scenario.name_of(self.owners[owner as usize]);
         let near = report
             .closest
@@ -73,6 +73,10 @@ impl Engine {
             Status::Unreachable => {
                 "No way through: some gap on every way is narrower than the car with its margin.".to_owned()
             }
+            Status::TooNarrow(gap) => format!(
+                "No way through. The gap at ({:.1}, {:.1}) is about {:.1} m, the car needs {:.2} m.",
+                gap.at.x, gap.at.y, gap.width, width
+            ),
             Status::NoPath => format!("No way through for this car at these settings.{near}"),
             Status::BudgetExhausted(left) => {
                 format!("Stopped after {} expansions, {left:.1} m short of the goal.{near}", report.expanded)
@@ -107,7 +111,9 @@ fn outcome(status: Status) -> Outcome {
         Status::Found | Status::Suboptimal => Outcome::Found,
         Status::StartInCollision(_) => Outcome::StartBlocked,
         Status::GoalInCollision(_) => Outcome::GoalBlocked,
-        Status::Unreachable | Status::NoPath | Status::VerificationFailed => Outcome::NoPath,
+        Status::Unreachable | Status::TooNarrow(_) | Status::NoPath | Status::VerificationFailed => {
+            Outcome::NoPath
+        }
         Status::BudgetExhausted(_) => Outcome::BudgetSpent,
     }
 }
@@ -116,6 +122,7 @@ fn detail(status: Status) -> Option<&'static str> {
     match status {
         Status::Suboptimal => Some("suboptimal"),
         Status::Unreachable => Some("unreachable"),
+        Status::TooNarrow(_) => Some("too-narrow"),
         Status::VerificationFailed => Some("verification-failed"),
         _ => None,
     }

@@ -223,11 +223,10 @@ pub(super) fn direction_changes(directions: &[i8]) -> u32 {
 
 /// Length of a way through poses along its arcs, metres.
 pub(super) fn path_length(path: &[Pose]) -> f64 {
-    path.windows(2)
-        .map(|pair| {
-            let chord = (pair[1].point() - pair[0].point()).norm();
-            let half = math::turn(pair[0].heading, pair[1].heading) / 2.0;
-            if chord == 0.0 || half.abs() < 1e-6 { chord } else { chord * half / math::sin(half) }
-        })
-        .sum()
+    // Not `sum`, which starts from −0.
+    path.windows(2).fold(0.0, |sum, pair| {
+        let chord = (pair[1].point() - pair[0].point()).norm();
+        let half = math::turn(pair[0].heading, pair[1].heading) / 2.0;
+        sum + if chord == 0.0 || half.abs() < 1e-6 { chord } else { chord * half / math::sin(half) }
+    })
 }

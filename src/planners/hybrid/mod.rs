@@ -8,9 +8,11 @@ mod cost;
 mod domain;
 mod flood;
 mod keys;
+mod passage;
 mod shortcut;
 
 pub use config::{Config, Heuristic, SearchFrom};
+pub use passage::Gap;
 
 use core::cell::RefCell;
 
@@ -28,6 +30,10 @@ use crate::vehicle::collision::{Obstacles, Probe};
 
 /// Spacing of the last check of a path, metres.
 const VERIFY: f64 = 0.02;
+/// Expansions after which the estimate gets more weight.
+const SOON: u32 = 1000;
+/// Its weight then.
+const PATIENCE: f64 = 1.3;
 /// Arcs of the search tree that are kept for drawing.
 const TREE: usize = 20_000;
 
@@ -57,6 +63,8 @@ pub enum Status {
     GoalInCollision(u32),
     /// Some gap on every way is narrower than the car and its margin.
     Unreachable,
+    /// A place on every way is narrower than the body; in world coordinates.
+    TooNarrow(Gap),
     /// Every level was searched to its end.
     NoPath,
     /// The budget ended with this estimate still to go, metres.
@@ -179,17 +187,12 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, trace: bool) 
     let mirrored = config.search_from == SearchFrom::Goal;
     let (root, target) = if mirrored { (goal, start) } else { (start, goal) };
     let flood = Flood::new(query.obstacles, query.vehicle, target, report.margin);
+    let search = Search { query, config, probe: &probe, flood: &flood, root, target, mirrored, start, goal };
     if flood.distance(root).is_infinite() {
-        report.status = Status::Unreachable;
+        report.status = search.unreachable();
         return report;
     }
-    let search = Search { query, config, probe: &probe, flood: &flood, root, target, mirrored, start, goal };
-    for (number, level) in config.levels().enumerate() {
-        report.level = number as u32;
-        if search.level(level, &mut report, scratch, trace) {
-            break;
-        }
-    }
+    search.climb(&mut report, scratch, trace);
     report.collision_checks = probe.checks();
     report
 }
@@ -226,6 +229,36 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
+    /// Why there is no way at all.
+    fn unreachable(&self) -> Status {
+        let gap = passage::too_narrow(self.query.obstacles, self.query.vehicle, self.start, self.goal);
+        gap.map_or(Status::Unreachable, |gap| {
+            let at = self.world(Pose::new(gap.at.x, gap.at.y, 0.0)).point();
+            Status::TooNarrow(Gap { at, ..gap })
+        })
+    }
+
+    /// Tries the levels in order until one gives a path.
+    fn climb(&self, report: &mut Report, scratch: &mut Scratch, trace: bool) {
+        for (number, level) in self.config.levels().enumerate() {
+            report.level = number as u32;
+            let patient = if number == 0 {
+                let soon = Level { max_expansions: level.max_expansions.min(SOON), ..level };
+                let found = self.level(soon, report, scratch, trace);
+                if found && (report.status == Status::Found || soon.max_expansions == level.max_expansions) {
+                    return;
+                }
+                // On long cluttered ways the plain estimate spends its budget on detours of equal promise.
+                Level { weight: self.config.heuristic_weight.unwrap_or(PATIENCE), ..level }
+            } else {
+                level
+            };
+            if self.level(patient, report, scratch, trace) {
+                return;
+            }
+        }
+    }
+
     /// Searches one level, with finer collision checks where verification fails; tells whether there is a path.
     fn level(&self, level: Level, report: &mut Report, scratch: &mut Scratch, trace: bool) -> bool {
         for halvings in 0..3 {

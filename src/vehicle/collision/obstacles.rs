@@ -1,6 +1,6 @@
 //! Everything that blocks, sorted into buckets, and how far each place is from it.
 
-use crate::geometry::{Point, Pose, math};
+use crate::geometry::{Point, Pose, Vector, math};
 use crate::map::{Frame, Layer, Occupancy, distance, raster};
 
 /// Side of a broad-phase bucket, metres.
@@ -68,13 +68,7 @@ impl Obstacles {
         let size = high - low;
         let bucket = BUCKET.max(size.x.max(size.y) / 1024.0);
         let (columns, rows) = ((size.x / bucket) as usize + 1, (size.y / bucket) as usize + 1);
-        let cell = FIELD_CELL.max((size.x * size.y / FIELD_CELLS).sqrt());
-        let frame = Frame {
-            origin: Point::new(-cell, -cell),
-            width: (size.x / cell) as u32 + 3,
-            height: (size.y / cell) as u32 + 3,
-            resolution: cell,
-        };
+        let frame = lattice(size, FIELD_CELL, FIELD_CELLS);
         let field = field(&edges, &frame);
         let mut obstacles = Self {
             origin: low,
@@ -91,6 +85,14 @@ impl Obstacles {
         };
         obstacles.fill_buckets();
         obstacles
+    }
+
+    /// Another lattice over the same world and its distance field, as [`Obstacles::field`]: cells of `cell` metres, larger
+    /// where there would be more than `most` of them.
+    pub fn lattice(&self, cell: f64, most: f64) -> (Frame, Layer<f32>) {
+        let (low, high) = bounds(self.boundary.outline.iter().copied());
+        let frame = lattice(high - low, cell, most);
+        (frame, field(&self.edges, &frame))
     }
 
     fn fill_buckets(&mut self) {
@@ -187,6 +189,16 @@ impl Obstacles {
     /// The field at a local point; off the field, 0.
     pub(super) fn field_at(&self, x: f64, y: f64) -> f64 {
         self.frame.cell_at(Point::new(x, y)).map_or(0.0, |c| f64::from(self.field.data[self.frame.index(c)]))
+    }
+}
+
+fn lattice(size: Vector, cell: f64, most: f64) -> Frame {
+    let cell = cell.max((size.x * size.y / most).sqrt());
+    Frame {
+        origin: Point::new(-cell, -cell),
+        width: (size.x / cell) as u32 + 3,
+        height: (size.y / cell) as u32 + 3,
+        resolution: cell,
     }
 }
 

@@ -1,0 +1,26 @@
+//! Prints the hash of every planner's plan on every preset: `tests/data/plan-hashes.json`.
+//!
+//! ```sh
+//! cargo run --release --example hashes > tests/data/plan-hashes.json
+//! ```
+
+use parkade::plan::{Options, Planner};
+use parkade::planners::registry::planners;
+use parkade::scenario::catalog;
+use serde_json::{Map, json};
+
+fn main() {
+    let mut scenes = Map::new();
+    for info in catalog::SCENES.iter().filter(|s| s.group == "parking" || s.group == "grid") {
+        let scene = catalog::scenario(info.id).expect("a scene of the catalog");
+        let mut hashes = Map::new();
+        for planner in planners() {
+            let mut session = Planner::new(planner.id, &scene, &Map::new()).expect("valid defaults");
+            let plan = session.plan(Options::default());
+            eprintln!("{} {} {} {:.2}", info.id, planner.id, plan.outcome.as_str(), plan.metrics.length);
+            hashes.insert(planner.id.to_owned(), json!(plan.hash()));
+        }
+        scenes.insert(info.id.to_owned(), hashes.into());
+    }
+    println!("{:#}", json!(scenes));
+}

@@ -1,0 +1,103 @@
+//! How wide the widest way is at its narrowest: words for a scene in which the body fits nowhere through.
+
+use crate::geometry::{Point, Pose};
+use crate::map::{Cell, Frame, Layer};
+use crate::vehicle::Vehicle;
+use crate::vehicle::collision::Obstacles;
+
+/// Side of a lattice cell on worlds that are small enough, metres.
+const CELL: f64 = 0.05;
+/// Cells of the lattice, at most.
+const CELLS: f64 = 1_500_000.0;
+/// Slots per metre of clearance when the widest way is looked for.
+const SLOTS: f64 = 50.0;
+
+/// A place that is too narrow for the car.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Gap {
+    /// The widest way from start to goal is about this wide at its narrowest, metres.
+    pub width: f64,
+    /// Where that is, metres, local.
+    pub at: Point,
+}
+
+/// The narrowest place of the widest way from start to goal, if it is narrower than the car.
+pub(super) fn too_narrow(obstacles: &Obstacles, vehicle: &Vehicle, start: Pose, goal: Pose) -> Option<Gap> {
+    let middle = Point::new((vehicle.rear_to_front - vehicle.rear_to_back) / 2.0, 0.0);
+    let (frame, clearance) = obstacles.lattice(CELL, CELLS);
+    let from = frame.cell_at(start.to_world(middle))?;
+    let to = frame.cell_at(goal.to_world(middle))?;
+    let at = frame.center(bottleneck(&frame, &clearance, from, to)?);
+    let width = 2.0 * obstacles.distance(at, vehicle.width);
+    (width < vehicle.width).then_some(Gap { width, at })
+}
+
+const AROUND: [(i32, i32); 8] = [(1, 0), (0, 1), (-1, 0), (0, -1), (1, 1), (-1, 1), (-1, -1), (1, -1)];
+
+fn neighbours(frame: &Frame, at: usize) -> impl Iterator<Item = usize> + '_ {
+    let cell = frame.cell(at);
+    AROUND
+        .iter()
+        .map(move |&(dx, dy)| cell.offset(dx, dy))
+        .filter(|&c| frame.contains(c))
+        .map(|c| frame.index(c))
+}
+
+/// The narrowest cell of the widest way.
+fn bottleneck(frame: &Frame, clearance: &Layer<f32>, from: Cell, to: Cell) -> Option<Cell> {
+    let (from, to) = (frame.index(from), frame.index(to));
+    let slot = |v: f32| (f64::from(v) * SLOTS) as usize;
+    let widest = clearance.data.iter().copied().fold(0.0, f32::max);
+    let mut slots = vec![Vec::new(); slot(widest) + 1];
+    // For each reached cell, the narrowest cell on its way.
+    let mut narrowest = vec![u32::MAX; frame.len()];
+    narrowest[from] = from as u32;
+    slots[slot(clearance.data[from])].push(from);
+    let mut level = slot(clearance.data[from]);
+    loop {
+        let Some(at) = slots[level].pop() else {
+            level = level.checked_sub(1)?;
+            continue;
+        };
+        let before = narrowest[at];
+        if at == to {
+            return Some(frame.cell(before as usize));
+        }
+        for next in neighbours(frame, at) {
+            if narrowest[next] == u32::MAX {
+                let tighter = clearance.data[next] < clearance.data[before as usize];
+                narrowest[next] = if tighter { next as u32 } else { before };
+                let reach = slot(clearance.data[narrowest[next] as usize]);
+                slots[reach.min(level)].push(next);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::vehicle::collision::Solid;
+
+    fn gap(width: f64) -> Option<Gap> {
+        let rectangle = |x0: f64, y0: f64, x1: f64, y1: f64, owner| Solid {
+            outline: [(x0, y0), (x1, y0), (x1, y1), (x0, y1)].map(|(x, y)| Point::new(x, y)).to_vec(),
+            owner,
+        };
+        let walls = [
+            rectangle(14.0, 0.0, 15.0, 10.0 - width / 2.0, 1),
+            rectangle(14.0, 10.0 + width / 2.0, 15.0, 20.0, 2),
+        ];
+        let hall = Obstacles::new(&[], &walls, &rectangle(0.0, 0.0, 30.0, 20.0, 0));
+        too_narrow(&hall, &Vehicle::PAPER, Pose::new(3.0, 10.0, 0.0), Pose::new(22.0, 10.0, 0.0))
+    }
+
+    #[test]
+    fn ten_centimetres_too_little_are_found_and_enough_is_not() {
+        let found = gap(2.5).unwrap();
+        assert!((found.width - 2.5).abs() < 0.08, "{found:?}");
+        assert!((found.at.x - 14.5).abs() < 0.6 && (found.at.y - 10.0).abs() < 0.1, "{found:?}");
+        assert_eq!(gap(2.75), None);
+        assert_eq!(gap(4.0), None);
+    }
+}
