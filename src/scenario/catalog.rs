@@ -162,7 +162,7 @@ fn build(id: &str) -> Option<Scenario> {
         "angled" => angled(),
         "narrow-gap" => narrow_gap(),
         "regular-60" => return generate(Family::Regular, 60, 7).ok(),
-        "random-60" => return generate(Family::RANDOM, 60, 7).ok(),
+        "random-60" => return generate(Family::RANDOM, 60, 13).ok(),
         "trap-60" => return generate(Family::Trap, 60, 7).ok(),
         "par-8.0" => lot(-8.0, 0.0, 3.0, [10.0, 8.0, PI], [-2.25, 3.5, PI]),
         "par-7.2" => lot(-8.0, -0.8, 3.0, [10.0, 8.0, PI], [-2.65, 3.5, PI]),

@@ -114,8 +114,9 @@ pub fn generate(family: Family, size: u32, seed: u64) -> Result<Scenario, Error>
         obstacles: vec![Obstacle::Cells { id: None, runs: raster::to_runs(&map) }],
         slots: Vec::new(),
         vehicle: VehicleSpec::Custom(CART),
-        start: Pose::new(0.0, 0.0, math::PI / 4.0),
-        goal: Goal::Pose(Pose::new(end, end, -3.0 * math::PI / 4.0)),
+        // A quarter of a cell inwards, still in the corner cells: room to turn out of the corner.
+        start: Pose::new(0.25, 0.25, math::PI / 4.0),
+        goal: Goal::Pose(Pose::new(end - 0.25, end - 0.25, -3.0 * math::PI / 4.0)),
         planners: std::collections::BTreeMap::new(),
     })
 }

@@ -23,6 +23,8 @@ const NO_VERSION: &str = r#""version": "0.0.0""#;
 /// Copied into the package as they are.
 const PACKAGE_SOURCES: &[&str] = &["index.js", "node.js", "api.js", "core.js", "index.d.ts"];
 const PACKAGE_PAPERS: &[&str] = &["README.md", "CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE"];
+/// The scenes' JSON Schema, published with the package and beside the page.
+const SCHEMA: &str = "scenario.schema.json";
 
 pub(crate) fn build(arguments: &[String]) -> Result<()> {
     ensure!(arguments.is_empty(), "`build` takes no arguments");
@@ -38,6 +40,7 @@ pub(crate) fn assemble() -> Result<()> {
     build_package(&Workspace::load()?)?;
     if root().join("www/index.html").exists() {
         run(node_tool("vite/bin/vite.js").arg("build"))?;
+        copy(&root().join("src/scenario").join(SCHEMA), &root().join("dist").join(SCHEMA))?;
     }
     Ok(())
 }
@@ -70,6 +73,7 @@ fn build_package(workspace: &Workspace) -> Result<()> {
     for name in PACKAGE_SOURCES {
         copy(&root().join("src/wasm/npm").join(name), &package.join(name))?;
     }
+    copy(&root().join("src/scenario").join(SCHEMA), &package.join(SCHEMA))?;
     for name in PACKAGE_PAPERS {
         copy(&root().join(name), &package.join(name))?;
     }
