@@ -9,6 +9,8 @@ use crate::vehicle::collision::Obstacles;
 const CELL: f64 = 0.05;
 /// Cells of the lattice, at most.
 const CELLS: f64 = 1_500_000.0;
+/// Anything narrower is a wall, not a gap, metres.
+const SLIT: f64 = 0.2;
 /// Slots per metre of clearance when the widest way is looked for.
 const SLOTS: f64 = 50.0;
 
@@ -29,7 +31,7 @@ pub(super) fn too_narrow(obstacles: &Obstacles, vehicle: &Vehicle, start: Pose, 
     let to = frame.cell_at(goal.to_world(middle))?;
     let at = frame.center(bottleneck(&frame, &clearance, from, to)?);
     let width = 2.0 * obstacles.distance(at, vehicle.width);
-    (width < vehicle.width).then_some(Gap { width, at })
+    (SLIT..vehicle.width).contains(&width).then_some(Gap { width, at })
 }
 
 const AROUND: [(i32, i32); 8] = [(1, 0), (0, 1), (-1, 0), (0, -1), (1, 1), (-1, 1), (-1, -1), (1, -1)];

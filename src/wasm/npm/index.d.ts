@@ -139,6 +139,8 @@ export interface Check {
   firstHit: { obstacle: string; index: number; pose: Pose } | null;
   /** Corners and arcs that turn tighter than the car can. */
   tightTurns: number;
+  /** Steps in which the body moves sideways. */
+  slips: number;
   /** Tightest radius, metres; 0 at a corner, null for a straight path. */
   tightestRadius: number | null;
   /** The limit, metres. */
@@ -159,11 +161,11 @@ export type Trace =
 export interface Plan {
   planner: PlannerId;
   outcome: Outcome;
-  /** A finer word for the outcome: "unreachable", "suboptimal", "verification-failed", … */
+  /** A finer word for the outcome: "unreachable", "too-narrow", "stranded", "suboptimal", "verification-failed". */
   detail: string | null;
   /** For people, when there is no path: what is in the way, where the search stopped. */
   reason: string | null;
-  /** x, y, heading, … at most 0.1 m apart (grid planners: at most 0.1 m or half a cell, whichever is larger). */
+  /** x, y, heading, … at most 0.1 m apart (grid paths beyond 5 km: 50 000 poses). */
   path: Float64Array;
   /** Per pose: +1 forward, −1 reverse. */
   directions: Int8Array;
@@ -188,7 +190,7 @@ export interface Layer {
   height: number;
   /**
    * Row-major from the south-western cell. occupancy: 0 free, 1 blocked. safety: 0 free, 1 obstacle, 2 necessary
-   * safety space (half the car's width), 3 redundant. clearance: metres from the cell's centre to the nearest blocked
+   * safety space (half the car's width). clearance: metres from the cell's centre to the nearest blocked
    * cell's square. risk: force east, force north per cell.
    */
   data: Uint8Array | Float32Array;
