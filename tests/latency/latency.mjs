@@ -87,7 +87,10 @@ async function open(page, preset) {
 
 /** Presses on the goal and returns the way of the drag: a loop out of the bay into the aisle, along it and back. */
 async function grab(page) {
-  const { x, y, scale } = await page.evaluate(() => window.probe.goal());
+  const { x, y, scale } = await page.evaluate(async () => {
+    await window.probe.painted();
+    return window.probe.goal();
+  });
   await page.mouse.move(x, y);
   await page.mouse.down();
   const at = (share) => {
@@ -132,6 +135,7 @@ async function installProbe() {
   });
   let watching = null;
   window.probe = {
+    painted,
     goal() {
       const view = element.shadowRoot.querySelector("parkade-stage").shadowRoot.querySelector("parkade-panel[active]").shadowRoot.querySelector("parkade-scene-view");
       const box = view.getBoundingClientRect(), { camera, width, height } = view.view;

@@ -10,7 +10,7 @@ const UNSEEN: readonly (keyof State)[] = ["message", "live", "canUndo", "canRedo
 
 /** One canvas of the scene with one planner's answer, or several over another; every tool works on it. */
 export class SceneView extends LitElement {
-  static override properties = { app: { attribute: false }, planners: { attribute: false }, label: { type: String } };
+  static override properties = { app: { attribute: false }, planners: { attribute: false, hasChanged: (now: unknown, before: unknown) => String(now) !== String(before) }, label: { type: String } };
   static override styles = css`
     :host { display: block; position: relative; min-width: 0; min-height: 0; overflow: hidden; background: var(--parkade-out); contain: strict; }
     canvas { position: absolute; inset: 0; width: 100%; height: 100%; display: block; touch-action: none; outline: none; user-select: none; -webkit-user-select: none; }
@@ -64,11 +64,18 @@ export class SceneView extends LitElement {
       controller.attach(canvas),
       store.subscribe((state, previous) => {
         const keys = Object.keys(state) as (keyof State)[];
-        if (keys.some((key) => state[key] !== previous[key] && !UNSEEN.includes(key))) this.schedule();
+        const changed = keys.filter((key) => state[key] !== previous[key] && !UNSEEN.includes(key));
+        if (changed.length > 0 && !(changed.length === 1 && changed[0] === "results" && this.isElsewhere(state, previous))) this.schedule();
       }),
       controller.onDraft(this.schedule),
     ];
     this.schedule();
+  }
+
+  /** During a drag the camera rests, so that other planners' answers change nothing here. */
+  private isElsewhere(state: State, { results }: State): boolean {
+    if (!state.transient || state.layers.ghosts || state.playback.base === "search") return false;
+    return this.planners.every((planner) => state.results[planner] === results[planner]);
   }
 
   private end(): void {
