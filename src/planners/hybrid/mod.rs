@@ -245,8 +245,12 @@ impl Search<'_> {
             let patient = if number == 0 {
                 let soon = Level { max_expansions: level.max_expansions.min(SOON), ..level };
                 let found = self.level(soon, report, scratch, trace);
-                if found && (report.status == Status::Found || soon.max_expansions == level.max_expansions) {
+                let whole = soon.max_expansions == level.max_expansions;
+                if found && (report.status == Status::Found || whole) {
                     return;
+                }
+                if whole || report.status == Status::NoPath {
+                    continue;
                 }
                 // On long cluttered ways the plain estimate spends its budget on detours of equal promise.
                 Level { weight: self.config.heuristic_weight.unwrap_or(PATIENCE), ..level }
