@@ -29,7 +29,7 @@ export class Planning {
   start(): void {
     this.unsubscribe ??= this.store.subscribe((state, previous) => {
       if (state.scene !== previous.scene || state.planners !== previous.planners) this.replan(previous.scene);
-      else if (previous.transient && !state.transient) this.whenQuiet();
+      else if (previous.transient && !state.transient) this.replan(state.scene); // A drag leaves its slower layers behind.
     });
     this.replan(null);
   }
