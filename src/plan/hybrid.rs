@@ -73,10 +73,9 @@ impl Engine {
             Status::Unreachable => {
                 "No way through: some gap on every way is narrower than the car with its margin.".to_owned()
             }
-            Status::TooNarrow(gap) => format!(
-                "No way through. The gap at ({:.1}, {:.1}) is about {:.1} m, the car needs {:.2} m.",
-                gap.at.x, gap.at.y, gap.width, width
-            ),
+            Status::TooNarrow(gap) => {
+                format!("No way through. The gap is about {:.1} m, the car needs {width:.2} m.", gap.width)
+            }
             Status::NoPath => format!("No way through for this car at these settings.{near}"),
             Status::BudgetExhausted(left) => {
                 format!("Stopped after {} expansions, {left:.1} m short of the goal.{near}", report.expanded)
