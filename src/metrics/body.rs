@@ -16,7 +16,23 @@ const CONTACT: f64 = 1e-6;
 struct Edge {
     a: Point,
     b: Point,
+    low: Point,
+    high: Point,
     owner: Owner,
+}
+
+impl Edge {
+    fn new(a: Point, b: Point, owner: Owner) -> Self {
+        let (low, high) = bounds([&a, &b]);
+        Self { a, b, low, high, owner }
+    }
+
+    /// A lower bound on the distance to anything inside a box, squared.
+    fn apart_from(&self, low: Point, high: Point) -> f64 {
+        let dx = (self.low.x - high.x).max(low.x - self.high.x).max(0.0);
+        let dy = (self.low.y - high.y).max(low.y - self.high.y).max(0.0);
+        dx * dx + dy * dy
+    }
 }
 
 struct Solid {
@@ -80,7 +96,7 @@ impl Body {
         let mut edges = Vec::new();
         let mut ring = |outline: &[Point], owner| {
             for (i, &a) in outline.iter().enumerate() {
-                edges.push(Edge { a, b: outline[(i + 1) % outline.len()], owner });
+                edges.push(Edge::new(a, outline[(i + 1) % outline.len()], owner));
             }
         };
         ring(&boundary, Owner::Border);
@@ -88,7 +104,7 @@ impl Body {
         let mut segments = Vec::new();
         for shape in &geometry.shapes {
             match &shape.form {
-                Form::Segment(a, b) => segments.push(Edge { a: local(a), b: local(b), owner: shape.owner }),
+                Form::Segment(a, b) => segments.push(Edge::new(local(a), local(b), shape.owner)),
                 Form::Polygon(points) => {
                     let outline: Vec<Point> = points.iter().map(local).collect();
                     ring(&outline, shape.owner);
@@ -101,8 +117,7 @@ impl Body {
         let (low, high) = bounds(&boundary);
         let mut buckets = Buckets::new(low, high, edges.len());
         for (i, edge) in edges.iter().enumerate() {
-            let (low, high) = bounds([&edge.a, &edge.b]);
-            buckets.range(low, high).for_each(|b| buckets.edges[b].push(i as u32));
+            buckets.range(edge.low, edge.high).for_each(|b| buckets.edges[b].push(i as u32));
         }
         for (i, solid) in solids.iter().enumerate() {
             buckets.range(solid.low, solid.high).for_each(|b| buckets.solids[b].push(i as u32));
@@ -117,6 +132,9 @@ impl Body {
         for bucket in self.buckets.range(low, high) {
             for &i in &self.buckets.edges[bucket] {
                 let edge = &self.edges[i as usize];
+                if edge.apart_from(low, high) > 0.0 {
+                    continue;
+                }
                 let ring = (0..4).any(|k| cross(body[k], body[(k + 1) % 4], edge.a, edge.b));
                 if ring || inside(&body, edge.a) {
                     return Some(edge.owner);
@@ -146,6 +164,9 @@ impl Body {
             for bucket in self.buckets.range(low - margin, high + margin) {
                 for &i in &self.buckets.edges[bucket] {
                     let edge = &self.edges[i as usize];
+                    if edge.apart_from(low, high) >= best * best {
+                        continue;
+                    }
                     for k in 0..4 {
                         best = best.min(apart(body[k], body[(k + 1) % 4], edge.a, edge.b));
                     }
