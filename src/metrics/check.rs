@@ -52,7 +52,7 @@ pub struct Check {
     pub first_hit: Option<(Owner, Pose)>,
     /// Corners and stretches that turn tighter than the car can, a wrong heading at the start included.
     pub tight_turns: u32,
-    /// Steps in which the body moves sideways.
+    /// Steps in which the body moves sideways; a path that begins elsewhere than at the start counts as one.
     pub slips: u32,
     /// Tightest radius, metres; 0 at a corner, infinite on a straight path.
     pub tightest_radius: f64,
@@ -78,7 +78,7 @@ impl Check {
 }
 
 /// Checks `path` against the scene. `directions[i]` is the gear (±1) from pose i to pose i + 1; `near` is how far from
-/// the goal a path may end, metres.
+/// the start a path may begin and from the goal it may end, metres.
 pub fn check(geometry: &Geometry, body: &Body, path: &[Pose], directions: &[i8], near: f64) -> Check {
     let mut check = empty();
     let (Some(first), Some(last)) = (path.first(), path.last()) else { return check };
@@ -86,6 +86,7 @@ pub fn check(geometry: &Geometry, body: &Body, path: &[Pose], directions: &[i8],
     check.goal_heading_error = math::turn(geometry.goal.heading, last.heading).abs();
     check.goal_distance = (last.point() - geometry.goal.point()).norm();
     check.tight_turns = u32::from(check.start_heading_error > HEADING_TOLERANCE);
+    check.slips = u32::from((first.point() - geometry.start.point()).norm() > near);
     check_motion(&mut check, path, directions, geometry.vehicle.min_turning_radius());
     check_body(&mut check, body, path, directions);
     let arrives = check.goal_heading_error <= HEADING_TOLERANCE && check.goal_distance <= near;
@@ -241,6 +242,13 @@ mod tests {
         let backwards = run(&scene(straight[straight.len() - 1], None), &straight, -1);
         assert_eq!(backwards.verdict, Verdict::TooTight);
         assert!(backwards.slips > 0);
+    }
+
+    #[test]
+    fn a_path_that_begins_elsewhere_cannot_be_driven() {
+        let path: Vec<Pose> = arc(0.0, 5.0).into_iter().map(|p| Pose { y: p.y + 0.5, ..p }).collect();
+        let checked = run(&scene(path[path.len() - 1], None), &path, 1);
+        assert_eq!((checked.verdict, checked.slips), (Verdict::TooTight, 1));
     }
 
     #[test]

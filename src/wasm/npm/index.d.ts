@@ -139,7 +139,7 @@ export interface Check {
   firstHit: { obstacle: string; index: number; pose: Pose } | null;
   /** Corners and arcs that turn tighter than the car can. */
   tightTurns: number;
-  /** Steps in which the body moves sideways. */
+  /** Steps in which the body moves sideways; a path that begins elsewhere than at the start counts as one. */
   slips: number;
   /** Tightest radius, metres; 0 at a corner, null for a straight path. */
   tightestRadius: number | null;
