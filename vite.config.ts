@@ -16,18 +16,31 @@ const squeezeTemplates: Plugin = {
   },
 };
 
+/** Whether the page's entry imports a module before anything is asked for. */
+function isFirst(id: string, graph: Graph, seen = new Set<string>()): boolean {
+  if (seen.has(id)) return false;
+  seen.add(id);
+  const info = graph.getModuleInfo(id);
+  return info !== null && (info.isEntry || info.importers.some((importer) => isFirst(importer, graph, seen)));
+}
+
+type Graph = { getModuleInfo(id: string): { isEntry: boolean; importers: readonly string[] } | null };
+
 export default defineConfig({
   plugins: [squeezeTemplates],
   root: here("www"),
   base: "./",
-  resolve: { alias: { parkade: here("pkg/index.js") } },
+  resolve: { alias: { "parkade/core": here("pkg/core/index.js"), parkade: here("pkg/index.js") } },
   worker: { format: "es" },
   build: {
     outDir: here("dist"),
     emptyOutDir: true,
+    manifest: true,
     target: "es2022",
     // A data: URL for the wasm file would lose streaming compilation, and the page's policy forbids it.
     assetsInlineLimit: 0,
+    // What the page opens with is one file, also where a part fetched later uses it too: every request costs a round trip.
+    rolldownOptions: { output: { codeSplitting: { groups: [{ name: (id: string, graph: Graph) => (isFirst(id, graph) ? "page" : null) }] } } },
     // Two scripts need no preloading.
     modulePreload: false,
   },

@@ -11,7 +11,7 @@ use serde_json::{Map, json};
 
 fn main() {
     let mut scenes = Map::new();
-    for info in catalog::SCENES.iter().filter(|s| s.group == "parking" || s.group == "grid") {
+    for info in catalog::scenes().filter(|s| s.group == "parking" || s.group == "grid") {
         let scene = catalog::scenario(info.id).expect("a scene of the catalog");
         let mut hashes = Map::new();
         for planner in planners() {

@@ -9,10 +9,9 @@
 use std::time::Instant;
 
 use parkade::geometry::arcs;
-use parkade::planners::hybrid::{Config, Query, Report, Scratch, plan};
+use parkade::planners::hybrid::{Config, Query, Report, Scratch, obstacles, plan};
 use parkade::scenario::catalog;
-use parkade::scenario::resolve::{Form, Geometry};
-use parkade::vehicle::collision::{Edge, Obstacles, Probe, Solid};
+use parkade::vehicle::collision::Probe;
 
 const RUNS: usize = 7;
 
@@ -23,7 +22,7 @@ fn main() {
     );
     println!("| --- | --- | --- | --- | --- | --- | --- | --- | --- |");
     let mut times = Vec::new();
-    for info in catalog::SCENES.iter().filter(|s| s.group != "grid") {
+    for info in catalog::scenes().filter(|s| s.group != "grid" && !["moving", "road"].contains(&s.group)) {
         let scene = catalog::scenario(info.id).expect("a scene of the catalog");
         let geometry = scene.geometry().expect("a valid scene");
         let (obstacles, prepare) = least(|| obstacles(&geometry));
@@ -61,20 +60,9 @@ fn settings() -> Config {
         let (name, value) = argument.split_once('=').expect("arguments are name=value");
         map.insert(name.to_owned(), serde_json::from_str(value).unwrap_or_else(|_| value.into()));
     }
-    let config: Config = serde_json::from_value(map.into()).expect("settings of hybrid A*");
+    let config = Config::default().with(&map).expect("settings of hybrid A*");
     config.validate().expect("valid settings");
     config
-}
-
-fn obstacles(geometry: &Geometry) -> Obstacles {
-    let (mut walls, mut solids) = (Vec::new(), Vec::new());
-    for (owner, shape) in (1..).zip(&geometry.shapes) {
-        match &shape.form {
-            Form::Segment(a, b) => walls.push(Edge { a: *a, b: *b, owner }),
-            Form::Polygon(outline) => solids.push(Solid { outline: outline.clone(), owner }),
-        }
-    }
-    Obstacles::new(&walls, &solids, &Solid { outline: geometry.boundary.clone(), owner: 0 })
 }
 
 fn clearance(query: &Query, report: &Report) -> f64 {

@@ -25,8 +25,9 @@
 //!
 //! A module uses only modules before it in this list:
 //! [`error`] · [`geometry`] (poses, arcs, Reeds–Shepp curves) · [`map`] (cells, rasters, distance and potential fields) ·
-//! [`vehicle`] (dimensions, collision) · [`scenario`] (scenes, their JSON, built-in and generated ones) · [`search`] (best-first
-//! search over any [`search::Domain`]) · [`planners`] · [`post`] (pruning, smoothing) · [`metrics`] (validator, figures) ·
+//! [`vehicle`] (dimensions, collision) · [`scenario`] (scenes, their JSON, built-in and generated ones) · `import` (maps of
+//! other programs) · [`search`] (best-first search over any [`search::Domain`]) · [`planners`] · [`post`] (pruning, smoothing) · [`metrics`] (validator, figures) ·
+//! `drive` (paths in time) ·
 //! [`plan`] (joins all of these). On wasm32 a module of JavaScript bindings follows.
 //!
 //! # Determinism
@@ -35,12 +36,19 @@
 //! the open list has a total order, and no clock, thread, hash order or random number takes part. Budgets count
 //! expansions. [`plan::Plan::hash`] is there to compare.
 //!
-//! There are no cargo features.
+//! The cargo feature `complete`, on by default, holds what the page does not need for its first picture.
 
+#[cfg(feature = "complete")]
+pub mod drive;
 pub mod error;
 pub mod geometry;
+#[cfg(feature = "complete")]
+pub mod import;
+mod json;
 pub mod map;
 pub mod metrics;
+#[cfg(feature = "complete")]
+pub mod papers;
 pub mod plan;
 pub mod planners;
 pub mod post;

@@ -1,18 +1,21 @@
-//! What the risk-field planners promise over many seeded maps, and how the neighbourhoods compare.
+//! What the grid planners promise over many seeded maps, as figures: `cargo test --test acceptance -- --nocapture`.
+//! Item 1, the golden vectors, is `golden.rs`.
 //!
 //! 200 maps per row natively, fewer in wasm, where the same numbers come out of the same code.
 
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
-
-use parkade::map::{Cell, Corner, Occupancy, line_of_sight};
+use parkade::map::{Bits, Cell, Corner, Occupancy, line_of_sight};
+use parkade::metrics::any_angle_length;
 use parkade::metrics::grid::{length, turns};
 use parkade::planners::grid_astar::{self, Config, Weight};
-use parkade::planners::moves::Neighbourhood;
+#[cfg(not(target_arch = "wasm32"))]
+use parkade::planners::heuristics::Heuristic;
+use parkade::planners::moves::{Neighbourhood, cost};
 use parkade::planners::query::{GridReport, GridScratch, Query, Status};
-use parkade::planners::risk_field;
-use parkade::post::{prune, prune_dp};
+use parkade::planners::settings::SmoothMode;
+use parkade::planners::{bidirectional, jump_point, risk_field};
+use parkade::post::{Piece, prune, prune_dp, smooth};
 use parkade::scenario::generate::{self, Family};
+use parkade::search::Stop;
 
 const SEEDS: u64 = if cfg!(target_arch = "wasm32") { 20 } else { 200 };
 /// Maps per row on which the any-angle yardstick, which is slow, is computed.
@@ -72,45 +75,9 @@ impl std::fmt::Display for Sample {
     }
 }
 
-/// The shortest any-angle path over cells beside convex corners, to within a thousandth: visibility A*.
 fn yardstick(map: &Occupancy) -> f64 {
     let Query { start, goal, .. } = query(map);
-    let is_corner = |c: Cell| {
-        !map.blocked(c)
-            && [(1, 1), (1, -1), (-1, 1), (-1, -1)].iter().any(|&(dx, dy)| {
-                map.is_obstacle(c.offset(dx, dy))
-                    && !map.blocked(c.offset(dx, 0))
-                    && !map.blocked(c.offset(0, dy))
-            })
-    };
-    let is_node = |c: Cell| {
-        let near = |k: i32| c.offset(k % 3 - 1, k / 3 - 1);
-        !map.blocked(c) && (c == start || c == goal || (0..9).any(|k| is_corner(near(k))))
-    };
-    let nodes: Vec<Cell> = (0..map.len() as u32).map(|i| map.cell(i)).filter(|&c| is_node(c)).collect();
-    let far = |a: Cell, b: Cell| f64::from((a.x - b.x).pow(2) + (a.y - b.y).pow(2)).sqrt();
-    let mut best = vec![f64::INFINITY; nodes.len()];
-    let mut done = vec![false; nodes.len()];
-    let first = nodes.iter().position(|&c| c == start).unwrap();
-    best[first] = 0.0;
-    // Lengths are positive, so their bits are ordered as they are.
-    let mut open = BinaryHeap::from([(Reverse(far(start, goal).to_bits()), first)]);
-    while let Some((_, u)) = open.pop() {
-        if nodes[u] == goal {
-            return best[u];
-        }
-        if std::mem::replace(&mut done[u], true) {
-            continue;
-        }
-        for v in 0..nodes.len() {
-            let g = best[u] + far(nodes[u], nodes[v]);
-            if !done[v] && g < best[v] && line_of_sight(map, nodes[u], nodes[v], STRICT) {
-                best[v] = g;
-                open.push((Reverse((g + far(nodes[v], goal)).to_bits()), v));
-            }
-        }
-    }
-    f64::INFINITY
+    any_angle_length(map, start, goal).unwrap()
 }
 
 struct Row {
@@ -166,7 +133,7 @@ fn risk_field_keeps_its_promises() {
         let [generated, share, weighted, pruned] = [0, 1, 2, 3].map(risk);
         let [plus_share, plus_length] = [0, 1].map(plus);
         println!(
-            "{:?} {}: risk {generated}, of eight {share}, of weighted eight {weighted}, length {pruned}; \
+            "items 2 to 6, {:?} {}: risk {generated}, of eight {share}, of weighted eight {weighted}, length {pruned}; \
              plus of eight {plus_share}, length {plus_length}",
             row.family, row.size
         );
@@ -195,7 +162,7 @@ fn risk_field_plus_is_near_the_any_angle_optimum() {
             length(&prune_dp(&map, &plus.cells, STRICT)) / yardstick(&map)
         };
         let ratios = Sample::of((1..=YARDSTICK_SEEDS).map(ratio).collect());
-        println!("{:?} {}: plus over the yardstick {ratios}", row.family, row.size);
+        println!("item 6, {:?} {}: plus over the yardstick {ratios}", row.family, row.size);
         // Two maps have no median worth the name.
         assert!(ratios.0[0] > 0.998 && (SEEDS < 200 || ratios.median() <= 1.012));
     }
@@ -213,28 +180,152 @@ fn risk_field_never_loses_the_way() {
             risk(&map, &risk_field::Config::PLUS, &mut scratch);
         }
     }
+    println!("item 7: risk and risk plus found a path on all {} maps", SEEDS * 12);
+}
+
+/// What must hold of the costs on every map: of the neighbourhoods, of searches from both ends, of jump points.
+fn costs_agree(map: &Occupancy, scratch: &mut GridScratch) -> [GridReport; 2] {
+    use Neighbourhood::{Eight, FortyEight, Four, Sixteen, TwentyFour};
+    let all = [Four, Eight, Sixteen, TwentyFour, FortyEight];
+    let reports = all.map(|n| astar(map, n, Weight::None, scratch));
+    let [four, eight, sixteen, more, most] = [0, 1, 2, 3, 4].map(|k: usize| reports[k].cost_micro);
+    assert_eq!(more, sixteen);
+    assert!(most <= sixteen && sixteen <= eight && eight <= four);
+    for (neighbours, report) in all.into_iter().zip(&reports) {
+        let both = |stop, scratch: &mut GridScratch| {
+            let config = bidirectional::Config { neighbours, stop, ..bidirectional::Config::default() };
+            let both = bidirectional::plan(query(map), &config, scratch, &mut ());
+            assert_eq!(both.status, Status::Found);
+            assert_eq!(both.cost_micro, walked(map, &both.cells));
+            both.cost_micro
+        };
+        let first = both(Stop::First, scratch);
+        let best = both(Stop::Best, scratch);
+        assert_eq!(both(Stop::Optimal, scratch), report.cost_micro);
+        assert!(report.cost_micro <= best && best <= first);
+    }
+    let bits = Bits::new(map);
+    for prune in [false, true] {
+        let config = jump_point::Config { prune, ..jump_point::Config::default() };
+        let jumps = jump_point::plan(query(map), &bits, &config, scratch, &mut ());
+        assert_eq!((jumps.cost_micro, walked(map, &jumps.cells)), (eight, eight));
+    }
+    let [_, eight, sixteen, ..] = reports;
+    [eight, sixteen]
+}
+
+/// What a path costs, every move of it checked.
+fn walked(map: &Occupancy, path: &[Cell]) -> i64 {
+    assert!(path.windows(2).all(|pair| line_of_sight(map, pair[0], pair[1], STRICT)));
+    path.windows(2).map(|pair| cost(pair[1].x - pair[0].x, pair[1].y - pair[0].y)).sum()
 }
 
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
-fn more_neighbours_are_never_longer() {
-    use Neighbourhood::{Eight, FortyEight, Four, Sixteen, TwentyFour};
+fn costs_agree_on_every_map() {
     let mut scratch = GridScratch::new();
     for row in rows() {
         let (mut lengths, mut angles) = (Vec::new(), Vec::new());
         for seed in 1..=SEEDS {
             let map = map(row.family, row.size, seed);
-            let [four, eight, sixteen, more, most] = [Four, Eight, Sixteen, TwentyFour, FortyEight]
-                .map(|n| astar(&map, n, Weight::None, &mut scratch));
-            assert_eq!(more.cost_micro, sixteen.cost_micro);
-            assert!(most.cost_micro <= sixteen.cost_micro && sixteen.cost_micro <= eight.cost_micro);
-            assert!(eight.cost_micro <= four.cost_micro);
+            let [eight, sixteen] = costs_agree(&map, &mut scratch);
             lengths.push(length(&sixteen.cells) / length(&eight.cells));
             angles.push(turns(&sixteen.cells).angle_deg / turns(&eight.cells).angle_deg);
         }
         let (lengths, angles) = (Sample::of(lengths), Sample::of(angles));
-        println!("{:?} {}: 16 against 8, length {lengths}, turning {angles}", row.family, row.size);
+        println!("item 9, {:?} {}: 16 against 8, length {lengths}, turning {angles}", row.family, row.size);
         assert!(lengths.median() <= 0.975);
         assert!(angles.median() <= 0.6);
+    }
+    // Traps and dense maps, where detours are long.
+    let dense = Family::Random { density_permille: 300, block_min: 1, block_max: 3 };
+    for (family, seed) in [Family::Trap, dense].into_iter().flat_map(|f| (1..=SEEDS).map(move |s| (f, s))) {
+        costs_agree(&map(family, 60, seed), &mut scratch);
+    }
+    println!("item 8: nba = a*, 24 = 16, jump-point = 8, 48 ≤ 16 ≤ 8 ≤ 4 on {} maps", SEEDS * 8);
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn processed_paths_are_free_and_not_longer() {
+    let mut scratch = GridScratch::new();
+    let (mut paths, mut arcs) = (0, 0);
+    for row in rows() {
+        for seed in 1..=SEEDS {
+            let map = map(row.family, row.size, seed);
+            let eight = astar(&map, Neighbourhood::Eight, Weight::None, &mut scratch);
+            for report in [eight, risk(&map, &risk_field::Config::PAPER, &mut scratch)] {
+                let raw = length(&report.cells);
+                let pruned = prune(&map, &report.cells, STRICT);
+                for path in [&pruned, &prune_dp(&map, &report.cells, STRICT)] {
+                    walked(&map, path);
+                    assert!(length(path) <= raw + 1e-9);
+                }
+                let smoothed = smooth(&map, &pruned, 1.0, SmoothMode::Dynamic);
+                for piece in &smoothed.pieces {
+                    let samples = (piece.length() / 0.1).ceil().max(1.0) as u32;
+                    let points = (0..=samples).map(|k| piece.point(f64::from(k) / f64::from(samples)));
+                    // Straight pieces lie on the pruned path's, which have just been walked.
+                    let arc = matches!(piece, Piece::Arc { .. });
+                    arcs += u32::from(arc);
+                    for [x, y] in points.filter(|_| arc) {
+                        let cell = Cell::new((x + 0.5).floor() as i32, (y + 0.5).floor() as i32);
+                        assert!(!map.blocked(cell));
+                    }
+                }
+                paths += 1;
+            }
+        }
+    }
+    println!(
+        "item 10: {paths} paths pruned, dp-pruned and smoothed ({arcs} arcs), none through an obstacle or longer"
+    );
+}
+
+/// A sample of the `MovingAI` questions; `cargo run --release --example movingai -- check FOLDER` asks all.
+#[cfg(not(target_arch = "wasm32"))]
+#[test]
+fn movingai_lengths_are_reached() {
+    use std::path::PathBuf;
+    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
+    let data = std::env::var_os("PARKADE_DATA").map_or_else(|| root.join("../shared/data"), PathBuf::from);
+    let folder = data.join("movingai");
+    let names = ["Berlin_0_256", "brc202d", "random512-25-0", "maze512-4-0"];
+    if !names.iter().all(|name| folder.join(format!("{name}.map.scen")).exists()) {
+        println!(
+            "skipped: no MovingAI maps in {}; put {} from movingai.com/benchmarks there, or set PARKADE_DATA",
+            folder.display(),
+            names.join(", ")
+        );
+        return;
+    }
+    let mut scratch = GridScratch::new();
+    for name in names {
+        let text = String::from_utf8(std::fs::read(folder.join(format!("{name}.map"))).unwrap()).unwrap();
+        // Rows from the north downward, as the questions count them.
+        let mut rows: Vec<&str> = text.lines().skip(4).filter(|l| !l.is_empty()).collect();
+        rows.reverse();
+        let map = Occupancy::parse(&rows.join("\n"));
+        let bits = Bits::new(&map);
+        let questions = std::fs::read_to_string(folder.join(format!("{name}.map.scen"))).unwrap();
+        let lines: Vec<&str> = questions.lines().skip(1).filter(|l| !l.trim().is_empty()).collect();
+        let mut asked = 0;
+        for line in lines.iter().step_by(lines.len() / 12) {
+            let words: Vec<&str> = line.split_whitespace().collect();
+            let n = |k: usize| words[k].parse::<i32>().unwrap();
+            let query = Query { map: &map, start: Cell::new(n(4), n(5)), goal: Cell::new(n(6), n(7)) };
+            let printed: f64 = words[8].parse().unwrap();
+            let eight = Neighbourhood::Eight;
+            let config = Config { heuristic: Heuristic::Octile, ..Config::new(eight) };
+            let plain = grid_astar::plan(query, eight, &config, &mut scratch, &mut ());
+            let jumps = jump_point::plan(query, &bits, &jump_point::Config::default(), &mut scratch, &mut ());
+            assert_eq!(jumps.cost_micro, plain.cost_micro);
+            for report in [plain, jumps] {
+                assert_eq!(walked(&map, &report.cells), report.cost_micro);
+                assert!((length(&report.cells) - printed).abs() <= printed * 2e-5 + 0.006, "{name}: {line}");
+            }
+            asked += 1;
+        }
+        println!("{name}: {asked} questions answered with the printed length by eight and jump-point");
     }
 }

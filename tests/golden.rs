@@ -1,15 +1,18 @@
 //! The numbers that two independent programs agree on: maps, costs and counters to the last integer.
 
-use parkade::map::{Cell, Corner, Occupancy, RedundantSettings, inflation, redundant};
+use parkade::map::{Bits, Cell, Corner, Occupancy, RedundantSettings, inflation, redundant};
+use parkade::metrics::any_angle_length;
 use parkade::metrics::grid::length;
+use parkade::plan::{Options, Planner};
 use parkade::planners::grid_astar::{self, Config};
 use parkade::planners::heuristics::Heuristic;
 use parkade::planners::moves::Neighbourhood;
 use parkade::planners::query::{GridReport, GridScratch, Query, Status};
-use parkade::planners::risk_field;
-use parkade::planners::settings::SmoothMode;
+use parkade::planners::settings::{Common, SmoothMode};
+use parkade::planners::{any_angle, bidirectional, jump_point, risk_field};
 use parkade::post::{prune, prune_dp, smooth};
 use parkade::scenario::generate::{self, Family};
+use parkade::search::Stop;
 use serde_json::Value;
 
 const GOLDEN: &str = include_str!("data/grid-golden-vectors.json");
@@ -19,6 +22,7 @@ struct Golden {
     map: Occupancy,
     record: Value,
     name: String,
+    family: Family,
 }
 
 impl Golden {
@@ -71,7 +75,12 @@ fn maps() -> Vec<Golden> {
             };
             let (size, seed) = (record["n"].as_u64().unwrap() as u32, record["seed"].as_u64().unwrap());
             let map = generate::occupancy(family, size, seed).unwrap();
-            Golden { map, record: record.clone(), name: format!("{} {size} seed {seed}", record["family"]) }
+            Golden {
+                map,
+                record: record.clone(),
+                name: format!("{} {size} seed {seed}", record["family"]),
+                family,
+            }
         })
         .collect()
 }
@@ -135,6 +144,47 @@ fn grid_searches_count_and_cost_the_same() {
 
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
+fn searches_from_both_ends_cost_the_same() {
+    for golden in maps() {
+        for (name, stop) in [("nba", Stop::Optimal), ("first", Stop::First), ("best", Stop::Best)] {
+            let config = bidirectional::Config { stop, ..bidirectional::Config::default() };
+            let report = bidirectional::plan(golden.query(), &config, &mut GridScratch::new(), &mut ());
+            assert_eq!(report.status, Status::Found);
+            golden.equal(&format!("/bidirectional16_cost_micro/{name}"), report.cost_micro);
+        }
+    }
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn jump_points_expand_the_same() {
+    for golden in maps() {
+        for prune in [false, true] {
+            let config = jump_point::Config { prune, ..jump_point::Config::default() };
+            let bits = Bits::new(&golden.map);
+            let report = jump_point::plan(golden.query(), &bits, &config, &mut GridScratch::new(), &mut ());
+            golden.equal("/optimal_cost_micro/a8", report.cost_micro);
+            if !prune {
+                golden.equal("/jps_expanded", report.expanded);
+            }
+        }
+    }
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn any_angle_paths_are_as_long() {
+    for golden in maps() {
+        let config = any_angle::Config::default();
+        let report = any_angle::plan(golden.query(), &config, &mut GridScratch::new(), &mut ());
+        golden.near("/theta_star_length", length(&report.cells));
+        let Query { map, start, goal } = golden.query();
+        golden.near("/yardstick_L_aa", any_angle_length(map, start, goal).unwrap());
+    }
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
 fn risk_searches_count_and_cost_the_same() {
     let planners = [("risk", risk_field::Config::PAPER), ("risk_plus", risk_field::Config::PLUS)];
     for golden in maps() {
@@ -176,4 +226,138 @@ fn pruned_and_smoothed_paths_are_as_long() {
         golden.near("/risk_smoothed/paper_mode_rmin0/length", paper.length);
         golden.equal("/risk_smoothed/paper_mode_rmin0/arcs", paper.arcs);
     }
+}
+
+/// §10's figures, by the names of the JS API.
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn plans_report_the_golden_figures() {
+    for golden in maps() {
+        let record = &golden.record;
+        let scene =
+            generate::generate(golden.family, golden.map.width(), record["seed"].as_u64().unwrap()).unwrap();
+        for post in ["none", "prune", "prune-dp", "smooth"] {
+            let mut settings = serde_json::Map::new();
+            settings.insert("post".to_owned(), post.into());
+            let plan = Planner::new("risk-field", &scene, &settings).unwrap().plan(Options::default());
+            let (stats, metrics) =
+                (serde_json::to_value(&plan.stats).unwrap(), serde_json::to_value(&plan.metrics).unwrap());
+            for key in ["expanded", "generated", "deferred"] {
+                golden.equal(&format!("/risk/{key}"), stats[key].as_i64().unwrap());
+            }
+            golden.equal("/risk/cost_micro", stats["costMicro"].as_i64().unwrap());
+            for (key, name) in [("length_pruned", "lengthPruned"), ("length_dp", "lengthDp")] {
+                golden.near(&format!("/risk/{key}"), metrics[name].as_f64().unwrap());
+            }
+            golden.near("/risk_smoothed/dynamic_rmin1/length", metrics["lengthSmoothed"].as_f64().unwrap());
+            golden.near("/risk_smoothed/dynamic_rmin1/min_radius", metrics["minRadius"].as_f64().unwrap());
+            golden.equal("/risk_smoothed/dynamic_rmin1/arcs", metrics["arcs"].as_i64().unwrap());
+            golden.equal("/risk_smoothed/dynamic_rmin1/sharp", metrics["sharpCorners"].as_i64().unwrap());
+            let kept = match post {
+                "none" => "lengthRaw",
+                "prune" => "lengthPruned",
+                "prune-dp" => "lengthDp",
+                _ => "lengthSmoothed",
+            };
+            assert!((plan.metrics.length - metrics[kept].as_f64().unwrap()).abs() < 1e-6, "{post}");
+            for key in ["pushes", "losCalls"] {
+                assert!(stats[key].as_u64().unwrap() > 0, "{key}");
+            }
+            for key in ["turns", "turnAngleDeg", "turnsPruned", "turnAngleDegPruned", "lengthRaw"] {
+                assert!(metrics[key].as_f64().unwrap() > 0.0, "{key}");
+            }
+            let (least, mean) =
+                (metrics["minClearanceCells"].as_f64(), metrics["meanClearanceCells"].as_f64());
+            assert!(least.unwrap() >= 1.0 && mean.unwrap() >= least.unwrap() && mean.unwrap() <= 5.0);
+        }
+    }
+}
+
+/// The planner's own defaults, not only its list of them.
+#[cfg(feature = "complete")]
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn risk_field_plus_plans_with_its_own_settings() {
+    for golden in maps() {
+        let seed = golden.record["seed"].as_u64().unwrap();
+        let scene = generate::generate(golden.family, golden.map.width(), seed).unwrap();
+        let none = serde_json::Map::new();
+        let plan = Planner::new("risk-field-plus", &scene, &none).unwrap().plan(Options::default());
+        golden.equal("/risk_plus/cost_micro", plan.stats.cost_micro.unwrap());
+        golden.equal("/risk_plus/expanded", plan.stats.expanded);
+        golden.equal("/risk_plus/generated", plan.stats.generated);
+        golden.near("/risk_plus/length_dp", plan.metrics.length);
+    }
+}
+
+/// Regions by angles instead of products, and candidates by what a single expansion generates.
+#[cfg(feature = "complete")]
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn explanations_are_the_papers_tables() {
+    use parkade::geometry::math;
+    use parkade::planners::risk_field::{Fallback, explain};
+    use std::collections::BTreeSet;
+
+    let mut seen = BTreeSet::new();
+    for golden in maps() {
+        for config in [risk_field::Config::PAPER, risk_field::Config::PLUS] {
+            let end = golden.query().goal;
+            let goals = [(0, 0), (end.x, 0), (0, end.y), (end.x, end.y)].map(|(x, y)| Cell::new(x, y));
+            for index in (0..golden.map.len() as u32).step_by(golden.map.len() / 300) {
+                let start = golden.map.cell(index);
+                let goal = goals[index as usize % 4];
+                if golden.map.blocked(goal) {
+                    continue;
+                }
+                let query = Query { start, goal, ..golden.query() };
+                let Some(told) = explain(query, &config, start) else {
+                    assert!(golden.map.blocked(start));
+                    continue;
+                };
+                let [x, y] = told.force;
+                if told.force == [0.0, 0.0] {
+                    // As F_x ≥ 0 and F_y ≥ 0.
+                    assert_eq!((told.region, told.slope), ("2", None));
+                    continue;
+                }
+                let degrees = math::atan2(y, x).to_degrees().rem_euclid(360.0);
+                let third = math::atan2(1.0, 3.0).to_degrees();
+                let region = if told.mode == "oblique" {
+                    // Axes within 18.4°, diagonals between; bounds belong to the diagonals.
+                    let quarter = (degrees / 90.0).round();
+                    let aside = (degrees - 90.0 * quarter).abs();
+                    let k = if aside < third - 1e-9 {
+                        2 * (quarter as usize % 4)
+                    } else {
+                        2 * ((degrees / 90.0).floor() as usize) + 1
+                    };
+                    ["1", "2", "3", "4", "5", "6", "7", "8"][k]
+                } else {
+                    ["A", "B", "C", "D"][((degrees / 90.0).round() as usize) % 4]
+                };
+                // On a bound the last digit of F decides.
+                let within = degrees.rem_euclid(90.0);
+                let on_bound = [third, 45.0, 90.0 - third].iter().any(|bound| (within - bound).abs() < 1e-9);
+                assert!(told.region == region || on_bound, "{told:?} {region}");
+                seen.insert(told.region);
+                let (dx, dy) = ((goal.x - start.x).abs(), (goal.y - start.y).abs());
+                let (long, short) = (f64::from(dx.max(dy)), f64::from(dx.min(dy)));
+                assert_eq!(told.mode == "oblique", 2_f64.sqrt() * short >= long - short);
+                let directions: Vec<_> = told.candidates[..3].iter().map(|c| c.direction).collect();
+                assert_eq!(told.candidates.iter().filter(|c| c.role == "held-back").count(), 5);
+                assert!(told.candidates[..3].iter().all(|c| c.role == "primary"), "{directions:?}");
+                let once = risk_field::Config {
+                    fallback: Fallback::None,
+                    goal_shot: false,
+                    common: Common { max_expansions: 1, ..Common::PLAIN },
+                    ..config
+                };
+                let report = risk_field::plan(query, &once, &mut GridScratch::new(), &mut ());
+                let tried = |c: &&risk_field::Candidate| c.free && c.role != "held-back";
+                assert_eq!(report.generated as usize, 1 + told.candidates.iter().filter(tried).count());
+            }
+        }
+    }
+    assert_eq!(seen.into_iter().collect::<String>(), "12345678ABCD");
 }

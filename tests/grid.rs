@@ -4,17 +4,18 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use parkade::geometry::Point;
-use parkade::map::{Cell, Corner, Frame, Occupancy, distance, inflation, line_of_sight, raster};
+use parkade::map::{Bits, Cell, Corner, Frame, Occupancy, distance, inflation, line_of_sight, raster};
 use parkade::metrics::grid::length;
 use parkade::planners::grid_astar::{self, Config};
 use parkade::planners::heuristics::Heuristic;
-use parkade::planners::moves::{Neighbourhood, cost};
+use parkade::planners::moves::{Move, Neighbourhood, cost};
 use parkade::planners::query::{Detail, GridReport, GridScratch, Query, Status};
 use parkade::planners::risk_field::{self, Fallback};
-use parkade::planners::settings::SmoothMode;
+use parkade::planners::settings::{Common, SmoothMode};
+use parkade::planners::{any_angle, bidirectional, jump_point};
 use parkade::post::{prune, prune_dp, smooth};
 use parkade::scenario::generate::SplitMix64;
-use parkade::search::Trace;
+use parkade::search::{Stop, Trace};
 
 const NEIGHBOURHOODS: [Neighbourhood; 5] = [
     Neighbourhood::Four,
@@ -42,6 +43,10 @@ fn random_map(random: &mut SplitMix64) -> (Occupancy, Cell, Cell) {
 
 /// Dijkstra's algorithm with nothing clever in it.
 fn dijkstra(query: Query, neighbourhood: Neighbourhood, corner: Corner) -> Option<i64> {
+    dijkstra_with(query, &neighbourhood.moves(), corner)
+}
+
+fn dijkstra_with(query: Query, moves: &[Move], corner: Corner) -> Option<i64> {
     let mut best = vec![i64::MAX; query.map.len()];
     let mut open = BinaryHeap::from([Reverse((0, query.start))]);
     best[query.map.index(query.start) as usize] = 0;
@@ -49,7 +54,7 @@ fn dijkstra(query: Query, neighbourhood: Neighbourhood, corner: Corner) -> Optio
         if cell == query.goal {
             return Some(g);
         }
-        for m in neighbourhood.moves() {
+        for m in moves {
             let to = cell.offset(m.dx, m.dy);
             if line_of_sight(query.map, cell, to, corner) {
                 let known = &mut best[query.map.index(to) as usize];
@@ -100,7 +105,8 @@ fn grid_searches_find_the_cheapest_path_or_none() {
         for (neighbourhood, corner) in NEIGHBOURHOODS.iter().flat_map(|&n| CORNERS.map(|c| (n, c))) {
             let cheapest = dijkstra(query, neighbourhood, corner);
             for heuristic in [Heuristic::Manhattan, Heuristic::Euclid, Heuristic::Octile, Heuristic::Gauge] {
-                let config = Config { heuristic, corner, ..Config::default() };
+                let config =
+                    Config { heuristic, common: Common { corner, ..Common::PLAIN }, ..Config::default() };
                 assert_eq!(config.validate(neighbourhood).is_ok(), heuristic.is_admissible(neighbourhood));
                 if !heuristic.is_admissible(neighbourhood) {
                     continue;
@@ -117,6 +123,83 @@ fn grid_searches_find_the_cheapest_path_or_none() {
         }
     }
     assert!(found > 2000, "{found}");
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn long_moves_that_short_ones_add_up_to_save_nothing() {
+    let primitive = |m: &Move| (2..4).all(|k| m.dx % k != 0 || m.dy % k != 0);
+    let all = Neighbourhood::FortyEight.moves();
+    let some: Vec<Move> = all.iter().copied().filter(primitive).collect();
+    assert_eq!(some.len(), 32);
+    let mut random = SplitMix64::new(25);
+    for _ in 0..1000 {
+        let (map, start, goal) = random_map(&mut random);
+        let query = Query { map: &map, start, goal };
+        let cost = |moves: &[Move]| dijkstra_with(query, moves, Corner::Strict);
+        assert_eq!(cost(&some), cost(&all));
+        assert_eq!(cost(&Neighbourhood::Sixteen.moves()), cost(&Neighbourhood::TwentyFour.moves()));
+    }
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn searches_from_both_ends_and_jumps_find_the_cheapest_path_or_none() {
+    let mut random = SplitMix64::new(21);
+    let mut scratch = GridScratch::new();
+    let mut found = 0;
+    for _ in 0..1000 {
+        let (map, start, goal) = random_map(&mut random);
+        let query = Query { map: &map, start, goal };
+        for (neighbours, corner) in NEIGHBOURHOODS.iter().flat_map(|&n| CORNERS.map(|c| (n, c))) {
+            let cheapest = grid_astar::plan(
+                query,
+                neighbours,
+                &Config {
+                    heuristic: Heuristic::Gauge,
+                    common: Common { corner, ..Common::PLAIN },
+                    ..Config::default()
+                },
+                &mut scratch,
+                &mut (),
+            );
+            let costs = [Stop::Optimal, Stop::Best, Stop::First].map(|stop| {
+                let common = Common { corner, ..Common::PLAIN };
+                let config = bidirectional::Config { neighbours, stop, common };
+                let report = bidirectional::plan(query, &config, &mut scratch, &mut ());
+                assert_eq!((report.status, report.detail), (cheapest.status, cheapest.detail));
+                if report.status == Status::Found {
+                    check_path(query, corner, &report);
+                    found += 1;
+                }
+                report.cost_micro
+            });
+            assert_eq!(costs[0], cheapest.cost_micro);
+            assert!(costs[0] <= costs[1] && costs[1] <= costs[2]);
+        }
+        let eight = grid_astar::plan(
+            query,
+            Neighbourhood::Eight,
+            &Config::new(Neighbourhood::Eight),
+            &mut scratch,
+            &mut (),
+        );
+        let bits = Bits::new(&map);
+        for prune in [false, true] {
+            let config = jump_point::Config { prune, ..jump_point::Config::default() };
+            let report = jump_point::plan(query, &bits, &config, &mut scratch, &mut ());
+            assert_eq!((report.status, report.cost_micro), (eight.status, eight.cost_micro));
+            if report.status == Status::Found {
+                check_path(query, Corner::Strict, &report);
+            }
+        }
+        let report = any_angle::plan(query, &any_angle::Config::default(), &mut scratch, &mut ());
+        assert_eq!(report.status, eight.status);
+        if report.status == Status::Found {
+            check_path(query, Corner::Strict, &report);
+        }
+    }
+    assert!(found > 20_000, "{found}");
 }
 
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
@@ -144,7 +227,7 @@ fn risk_field_searches_are_complete_with_every_option() {
         let (map, start, goal) = random_map(&mut random);
         let query = Query { map: &map, start, goal };
         for (mut config, corner) in configs.iter().flat_map(|&c| CORNERS.map(|corner| (c, corner))) {
-            config.corner = corner;
+            config.common.corner = corner;
             config.validate().unwrap();
             let reachable = dijkstra(query, Neighbourhood::Eight, corner).is_some();
             let report = risk_field::plan(query, &config, &mut scratch, &mut ());
@@ -212,7 +295,7 @@ fn small_and_empty_maps() {
         assert_eq!((risk.cost_micro, grid.cost_micro), (8_000_000, 8_000_000));
     }
 
-    let budget = Config { max_expansions: 3, ..octile };
+    let budget = Config { common: Common { max_expansions: 3, ..Common::PLAIN }, ..octile };
     let report = grid_astar::plan(query, eight, &budget, &mut GridScratch::new(), &mut ());
     assert_eq!((report.status, report.expanded, report.closest), (Status::BudgetSpent, 3, Cell::new(2, 2)));
 }
@@ -220,17 +303,28 @@ fn small_and_empty_maps() {
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn settings_are_plain_data_and_mistakes_are_named() {
-    let defaults = serde_json::to_value(risk_field::Config::PAPER).unwrap();
+    let defaults = risk_field::Config::PAPER.to_json();
     assert_eq!(
         (&defaults["extLen"], &defaults["k2"], &defaults["post"]),
         (&1.into(), &().into(), &"smooth".into())
     );
-    assert_eq!(serde_json::from_value::<risk_field::Config>(defaults).unwrap(), risk_field::Config::PAPER);
-    let parse = |text: &str| serde_json::from_str::<Config>(text);
+    assert_eq!(risk_field::Config::PLUS.with(&defaults).unwrap(), risk_field::Config::PAPER);
+    let parse = |text: &str| Config::default().with(&serde_json::from_str(text).unwrap());
     let config = parse(r#"{"minRadius": "vehicle", "corner": "no-squeeze", "weight": "distance"}"#).unwrap();
-    assert_eq!(config.min_radius.in_cells(5.5, 0.5), 11.0);
-    assert!(parse(r#"{"minRadius": "car"}"#).unwrap_err().to_string().contains("or \"vehicle\""));
-    assert!(parse(r#"{"hueristic": "octile"}"#).is_err());
+    assert_eq!(config.common.min_radius.in_cells(5.5, 0.5), 11.0);
+    let refused = |text: &str| parse(text).unwrap_err().to_string();
+    assert_eq!(
+        refused(r#"{"minRadius": "car"}"#),
+        "minRadius: must be a number of cells or \"vehicle\", got \"car\""
+    );
+    assert_eq!(
+        refused(r#"{"post": "round"}"#),
+        "post: must be none or prune or prune-dp or smooth, got \"round\""
+    );
+    assert!(
+        refused(r#"{"hueristic": "octile"}"#)
+            .starts_with("hueristic: no such setting; there are heuristic, weight")
+    );
     let config = parse(r#"{"heuristic": "manhattan"}"#).unwrap();
     assert_eq!(
         config.validate(Neighbourhood::Eight).unwrap_err().to_string(),

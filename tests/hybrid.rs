@@ -5,9 +5,9 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use parkade::geometry::arcs::{self, Arc};
 use parkade::geometry::{Point, Pose, math, reeds_shepp};
-use parkade::planners::hybrid::{Config, Query, Report, Scratch, SearchFrom, Status, plan};
+use parkade::planners::hybrid::{Config, Profile, Query, Report, Scratch, SearchFrom, Status, plan};
 use parkade::vehicle::Vehicle;
-use parkade::vehicle::collision::{Edge, Obstacles, Solid};
+use parkade::vehicle::collision::{Edge, Obstacles, Probe, Solid};
 
 const CAR: Vehicle = Vehicle::PAPER;
 const BORDER: u32 = 0;
@@ -52,12 +52,16 @@ impl Lot {
         self
     }
 
-    fn plan(&self, config: &Config) -> Report {
-        config.validate().unwrap();
+    fn obstacles(&self) -> Obstacles {
         let point = |p: &[f64; 2]| Point::new(p[0], p[1]);
         let solid = |points: &[[f64; 2]], owner| Solid { outline: points.iter().map(point).collect(), owner };
         let solids: Vec<Solid> = (1..).zip(&self.solids).map(|(owner, s)| solid(s, owner)).collect();
-        let obstacles = Obstacles::new(&[], &solids, &solid(&self.floor, BORDER));
+        Obstacles::new(&[], &solids, &solid(&self.floor, BORDER))
+    }
+
+    fn plan(&self, config: &Config) -> Report {
+        config.validate().unwrap();
+        let obstacles = self.obstacles();
         let query =
             Query { obstacles: &obstacles, vehicle: &CAR, start: pose(self.start), goal: pose(self.goal) };
         plan(&query, config, &mut Scratch::default(), false)
@@ -91,6 +95,14 @@ impl Lot {
         assert!(math::wrap(at[2] - heading).abs() < 1e-6, "{name} ends at {at:?}");
         let back = arcs::end(pose(self.goal), &arcs::reversed(path));
         assert!((back.point() - pose(self.start).point()).norm() < 1e-6, "{name} does not lead back");
+    }
+
+    /// The least distance from the car to anything along a path, 1 m at most.
+    fn clearance(&self, path: &[Arc]) -> f64 {
+        let obstacles = self.obstacles();
+        let probe = Probe::new(&obstacles, &CAR);
+        let points = arcs::sample(pose(self.start), path, pose(self.goal), 0.02);
+        points.iter().fold(1.0, |least, p| probe.clearance(obstacles.local(p.pose), least).min(least))
     }
 
     /// Whether the car overlaps a solid or an edge of the floor by more than a micrometre.
@@ -187,12 +199,61 @@ fn the_papers_rows_are_reached_from_the_start_too() {
     }
 }
 
+#[cfg(feature = "complete")]
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn two_trees_reach_the_papers_rows() {
+    for (id, _, length, changes) in MUST_REACH {
+        let (got, got_changes, report) = Lot::row(id).solve(id, &Config::both_ways());
+        println!("{id}: {got:.2} m, {got_changes} changes, {} expansions", report.expanded);
+        assert!(got <= length * 1.05 && got_changes <= changes, "{id}: {got} m, {got_changes} changes");
+    }
+    let boxed = Lot::paper(-8.0, -1.4, 3.0, [10.0, 8.0, PI], [-2.95, 3.5, PI]);
+    let report = boxed.plan(&Config { finest_level: 2, ..Config::both_ways() });
+    assert!(report.arcs.is_empty(), "{:?}", report.status);
+}
+
+#[cfg(feature = "complete")]
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn the_classic_planner_is_as_poor_as_its_forerunner() {
+    let rows = [("P0", 22.77, 0), ("P1", 24.72, 0), ("P3", 23.20, 0), ("L3", 26.44, 0), ("L4", 19.38, 0)];
+    for (id, length, changes) in rows {
+        let (got, got_changes, _) = Lot::row(id).solve(id, &Config::classic());
+        assert!(
+            (got - length).abs() < 0.01 && got_changes == changes,
+            "{id}: {got} m, {got_changes} changes"
+        );
+    }
+    for (id, length) in [("P2", 23.14), ("P4", 27.35), ("L0", 36.6), ("L1", 32.0), ("L2", 37.3)] {
+        let (got, got_changes, _) = Lot::row(id).solve(id, &Config::classic());
+        println!("{id}: {got:.2} m, {got_changes} changes; {length} m measured before");
+        assert!(got >= length * 0.8 && got <= length * 1.35, "{id}: {got} m");
+    }
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn comfort_keeps_away_from_walls() {
+    let config = Config { profile: Profile::Comfort, ..Config::default() };
+    for (id, length, clear) in [("P4", 27.8, 0.3), ("L2", 26.0, 0.18)] {
+        let lot = Lot::row(id);
+        let (got, changes, report) = lot.solve(id, &config);
+        let clearance = lot.clearance(&report.arcs);
+        println!("{id}: {got:.2} m, {changes} changes, {clearance:.2} m clear");
+        assert!(
+            got <= length && changes <= 1 && clearance >= clear,
+            "{id}: {got} m, {changes}, {clearance} m"
+        );
+    }
+}
+
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn a_box_in_the_aisle_is_passed() {
     let lot = Lot::row("P0").with(&[[11.0, 8.5], [13.0, 8.5], [13.0, 10.5], [11.0, 10.5]]);
     let (length, changes, _) = lot.solve("box", &Config::default());
-    assert!(length <= 24.0 && changes == 0, "{length} {changes}");
+    assert!(length <= 23.9 && changes == 0, "{length} {changes}");
 }
 
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
@@ -219,8 +280,37 @@ fn tight_slots_are_entered() {
         println!("{name}: {got:.2} m, {got_changes} changes, {} expansions", report.expanded);
         assert!(got <= length * 1.05 && got_changes <= changes, "{name}: {got} m, {got_changes} changes");
     }
-    let stuck = parallel(-1.4, -2.95).plan(&Config::default());
-    assert!(matches!(stuck.status, Status::NoPath | Status::BudgetExhausted(_)), "{:?}", stuck.status);
+    let tightest = parallel(-1.4, -2.95);
+    let coarse = tightest.plan(&Config { finest_level: 2, ..config });
+    assert!(matches!(coarse.status, Status::BoxedIn { at_start: false, .. }), "{:?}", coarse.status);
+    let report = tightest.plan(&Config::default());
+    assert_eq!((report.status, report.level, report.margin), (Status::Suboptimal, 3, 0.1));
+    assert!(arcs::length(&report.arcs) < 32.0 && arcs::direction_changes(&report.arcs) <= 20);
+    tightest.check("par-6.6", &report.arcs);
+    let nose = across(3.2, nose.0, nose.1).solve("perp-nose-3.2", &Config::default());
+    assert!(nose.0 <= 27.3 && nose.1 == 1, "{} m, {} changes", nose.0, nose.1);
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn the_margin_falls_where_it_alone_keeps_the_car_in() {
+    // Seven tenths of a metre to move in between two cars.
+    let mut lot = Lot::paper(-10.0, 10.0, 5.0, [10.0, 8.5, PI], [0.0, 2.0, PI]);
+    lot.solids.push(vec![[1.35, 0.7], [6.0, 0.7], [6.0, 3.3], [1.35, 3.3]]);
+    lot.solids.push(vec![[-9.0, 0.7], [-4.85, 0.7], [-4.85, 3.3], [-9.0, 3.3]]);
+    let report = lot.plan(&Config::default());
+    assert!(matches!(report.status, Status::Suboptimal), "{:?}", report.status);
+    assert_eq!((report.margin, report.level), (0.002, 3));
+    lot.check("between two cars", &report.arcs);
+    let kept = lot.plan(&Config { finest_level: 2, ..Config::default() });
+    assert_eq!((kept.status, kept.margin), (Status::BoxedIn { at_start: false, travel: 0.5 }, 0.1));
+    // The other way round, the tree grows from the start, which is now the tight end.
+    let out = Lot { start: lot.goal, goal: lot.start, ..lot };
+    let report = out.plan(&Config::default());
+    assert_eq!((report.status, report.margin), (Status::Suboptimal, 0.002));
+    out.check("out between two cars", &report.arcs);
+    let kept = out.plan(&Config { finest_level: 2, ..Config::default() });
+    assert!(matches!(kept.status, Status::BoxedIn { at_start: true, .. }) && kept.expanded < 100);
 }
 
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
@@ -377,9 +467,17 @@ fn a_hundred_thousand_words_arrive() {
 fn settings_are_checked() {
     let error = Config { margin: f64::NAN, ..Config::default() }.validate().unwrap_err();
     assert_eq!((error.path.as_str(), error.message.ends_with("got NaN")), ("margin", true));
-    let config: Config = serde_json::from_str(r#"{ "searchFrom": "start", "xyResolution": 0.4 }"#).unwrap();
+    let with = |text: &str| Config::default().with(&serde_json::from_str(text).unwrap());
+    let config = with(r#"{ "searchFrom": "start", "xyResolution": 0.4 }"#).unwrap();
     assert_eq!((config.search_from, config.xy_resolution), (SearchFrom::Start, Some(0.4)));
-    assert!(serde_json::from_str::<Config>(r#"{ "stepLength": 1 }"#).is_err());
+    let refused = |text: &str| with(text).unwrap_err().to_string();
+    assert!(
+        refused(r#"{ "stepLength": 1 }"#).starts_with("stepLength: no such setting; there are searchFrom")
+    );
+    assert_eq!(
+        refused(r#"{ "steerSamples": "many" }"#),
+        "steerSamples: must be a whole number from 0, got \"many\""
+    );
 }
 
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
@@ -398,4 +496,40 @@ fn a_wall_is_no_solid_but_stops_the_car() {
     let around = ask(Pose::new(8.0, 4.0, FRAC_PI_2));
     assert_eq!(around.status, Status::Found);
     assert!(arcs::length(&around.arcs) > 36.0);
+}
+
+#[cfg(all(feature = "complete", not(target_arch = "wasm32")))]
+#[test]
+fn every_competition_case_is_solved() {
+    use parkade::metrics::Verdict;
+    use parkade::plan::{Options, Planner};
+    let folder = std::env::var("PARKADE_DATA").unwrap_or_else(|_| "../shared/data".to_owned());
+    let mut solved = 0;
+    for number in 1..=20 {
+        let Ok(text) = std::fs::read_to_string(format!("{folder}/tpcap/Case{number}.csv")) else { continue };
+        let scene = parkade::import::tpcap::scene("case", &text).unwrap();
+        let plan = Planner::new("hybrid", &scene, &serde_json::Map::new()).unwrap().plan(Options::default());
+        assert_eq!(plan.check.verdict, Verdict::Ok, "case {number}: {:?}", plan.reason);
+        let margin = plan.metrics.hybrid.as_ref().map_or(0.0, |m| m.margin);
+        assert!(number == 7 || margin == 0.1, "case {number}: planned with {margin} m");
+        solved += 1;
+    }
+    if solved == 0 {
+        println!("skipped: no tpcap/Case*.csv in {folder}; they are in libai1943/TPCAP_benchmarks");
+    }
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn an_obstacle_more_makes_no_path_shorter() {
+    for seed in 0..25 {
+        let full = strewn(seed);
+        let mut fewer = full.clone();
+        fewer.solids.pop();
+        let config = Config { ladder: false, max_expansions: Some(3000), ..Config::default() };
+        let cost = |lot: &Lot| Some(lot.plan(&config)).filter(|r| !r.arcs.is_empty()).map(|r| r.cost);
+        if let (Some(more), Some(less)) = (cost(&full), cost(&fewer)) {
+            assert!(more >= 0.98 * less, "seed {seed}: {more} with, {less} without");
+        }
+    }
 }

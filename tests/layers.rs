@@ -4,9 +4,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const ORDER: [&str; 11] = [
-    "error", "geometry", "map", "vehicle", "scenario", "search", "planners", "post", "metrics", "plan",
-    "wasm",
+const ORDER: [&str; 15] = [
+    "error", "json", "geometry", "map", "vehicle", "scenario", "import", "search", "planners", "post",
+    "metrics", "drive", "papers", "plan", "wasm",
 ];
 
 fn rust_files(folder: &Path, files: &mut Vec<PathBuf>) {

@@ -1,6 +1,9 @@
 //! Every planner's plan on every preset has the hash in `data/plan-hashes.json`, here natively and in wasm; the same
 //! file is held by the tests of the built package in Node and of the page in a browser.
 
+#[cfg(feature = "complete")]
+mod strewn;
+
 use parkade::plan::{Options, Planner};
 use parkade::scenario::catalog;
 use serde_json::{Map, Value};
@@ -25,5 +28,16 @@ fn plans_have_the_same_hash_everywhere() {
             assert_eq!(again.hash(), plan.hash(), "{planner} on {id}, a second time and traced");
             assert_eq!(plan.check.clearances.len(), plan.path.len());
         }
+    }
+}
+
+#[cfg(feature = "complete")]
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn random_scenes_are_answered_the_same_everywhere() {
+    let expected: Vec<String> = serde_json::from_str(include_str!("data/strewn-hashes.json")).unwrap();
+    assert_eq!(expected.len(), 40);
+    for (seed, hash) in (0..).zip(expected) {
+        assert_eq!(strewn::plan(seed).hash(), hash, "seed {seed}");
     }
 }

@@ -1,6 +1,8 @@
 //! The plane in metres and radians; knows nothing of maps.
 
 pub mod arcs;
+#[cfg(feature = "complete")]
+pub mod bspline;
 pub mod math;
 mod pose;
 pub mod reeds_shepp;

@@ -41,3 +41,48 @@ pub fn layer(map: &Occupancy, inflated: &Occupancy) -> Layer<u8> {
     }
     layer
 }
+
+/// Each cell's [`Safety`] as a number, from the map, its inflated form and the form with redundant cells closed, too.
+#[cfg(feature = "complete")]
+pub fn layers(map: &Occupancy, inflated: &Occupancy, closed: &Occupancy) -> Layer<u8> {
+    let mut layer = layer(map, inflated);
+    for (index, value) in layer.data.iter_mut().enumerate() {
+        if *value == 0 && closed.blocked(map.cell(index as u32)) {
+            *value = Safety::Redundant as u8;
+        }
+    }
+    layer
+}
+
+/// Brings the inflated form, and its bits, up to date after `changed` was blocked or freed in `map`.
+#[cfg(feature = "complete")]
+pub fn update(
+    map: &Occupancy,
+    inflated: &mut Occupancy,
+    radius: f64,
+    changed: Cell,
+    mut bits: Option<&mut super::Bits>,
+) {
+    let limit = 4.0 * (radius * radius);
+    let reach = (radius + 0.5).ceil() as i32;
+    // Four times the squared distance from a cell's centre to another cell's square.
+    let near = |dx: i32, dy: i32| {
+        let side = |d: i32| f64::from((2 * d.abs() - 1).max(0));
+        side(dx) * side(dx) + side(dy) * side(dy) < limit
+    };
+    let around = || (-reach..=reach).flat_map(|dy| (-reach..=reach).map(move |dx| (dx, dy)));
+    let blocked = map.blocked(changed);
+    for (dx, dy) in around().filter(|&(dx, dy)| (dx, dy) == (0, 0) || near(dx, dy)) {
+        let cell = changed.offset(dx, dy);
+        if !map.contains(cell) {
+            continue;
+        }
+        let value = blocked
+            || map.blocked(cell)
+            || around().any(|(x, y)| near(x, y) && map.is_obstacle(cell.offset(x, y)));
+        inflated.set(cell, value);
+        if let Some(bits) = &mut bits {
+            bits.set(cell, value);
+        }
+    }
+}

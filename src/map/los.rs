@@ -1,12 +1,10 @@
 //! Line of sight between cell centres: one predicate for moves, pruning and any-angle checks.
 
-use serde::{Deserialize, Serialize};
-
 use super::{Cell, Occupancy};
+use crate::json;
 
 /// What a path may do where a line passes exactly through a corner of cells.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Corner {
     /// Both side cells must be free: the path touches no blocked closed square.
     #[default]
@@ -17,13 +15,22 @@ pub enum Corner {
     Free,
 }
 
+json::words!(Corner: "strict" = Strict, "no-squeeze" = NoSqueeze, "free" = Free);
+
 /// Whether the straight line between two cell centres crosses free cells only. Symmetric in its ends.
 pub fn line_of_sight(map: &Occupancy, from: Cell, to: Cell, corner: Corner) -> bool {
+    first_in_sight(map, from, to, corner).is_none()
+}
+
+/// The first cell that ends the straight line between two cell centres: a blocked one, or a free one of which a corner
+/// may not be passed.
+#[inline]
+pub fn first_in_sight(map: &Occupancy, from: Cell, to: Cell, corner: Corner) -> Option<Cell> {
     let (dx, dy) = ((to.x - from.x).abs(), (to.y - from.y).abs());
     let (sx, sy) = (if to.x > from.x { 1 } else { -1 }, if to.y > from.y { 1 } else { -1 });
     let mut at = from;
     if map.blocked(at) {
-        return false;
+        return Some(at);
     }
     let (mut i, mut j) = (0, 0);
     while i < dx || j < dy {
@@ -37,16 +44,16 @@ pub fn line_of_sight(map: &Occupancy, from: Cell, to: Cell, corner: Corner) -> b
                 Corner::Free => false,
             };
             if shut {
-                return false;
+                return Some(at);
             }
         }
         at = at.offset(sx * across, sy * along);
         (i, j) = (i + across, j + along);
         if map.blocked(at) {
-            return false;
+            return Some(at);
         }
     }
-    true
+    None
 }
 
 #[cfg(test)]

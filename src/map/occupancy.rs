@@ -2,27 +2,48 @@
 
 use super::{Cell, Layer};
 
+/// Blocked cells around the map, so that the cells around a cell need no range checks of their own.
+const RIM: usize = 3;
+
 /// Free and blocked cells. Everything outside counts as blocked.
 ///
-/// Stored as bytes with a rim of blocked cells, so that the eight neighbours of a cell need no range checks of
-/// their own.
+/// Each cell is a byte, and a second one says which of the eight cells around it are free: searches ask for nothing
+/// more often. Both are kept up to date by every change, so there is nothing to prepare before a search.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Occupancy {
     width: u32,
     height: u32,
     stride: usize,
+    /// 2⁴⁰ / width, rounded up; 0 where that is not exact enough.
+    reciprocal: u64,
+    /// 0 free, 1 blocked.
     rimmed: Vec<u8>,
+    /// Per cell, a bit for each free neighbour.
+    around: Vec<u8>,
 }
 
 impl Occupancy {
     /// A map of free cells.
     pub fn new(width: u32, height: u32) -> Self {
-        let stride = width as usize + 2;
-        let mut rimmed = vec![1; stride * (height as usize + 2)];
-        for row in rimmed.chunks_mut(stride).skip(1).take(height as usize) {
-            row[1..=width as usize].fill(0);
+        let (w, h) = (width as usize, height as usize);
+        let stride = w + 2 * RIM;
+        // Eight cells of a row can be read at once, even at the end of the last.
+        let size = stride * (h + 2 * RIM) + 8;
+        let (mut rimmed, mut around) = (vec![1; size], vec![0; size]);
+        for y in 0..h {
+            let row = (y + RIM) * stride + RIM;
+            rimmed[row..row + w].fill(0);
+            let south = if y == 0 { 0b0001_1111 } else { 0xff };
+            let north = if y + 1 == h { 0b1111_0001 } else { 0xff };
+            around[row..row + w].fill(south & north);
+            if w > 0 {
+                around[row] &= 0b1100_0111;
+                around[row + w - 1] &= 0b0111_1100;
+            }
         }
-        Self { width, height, stride, rimmed }
+        let exact = w > 0 && (w * w * h) as u64 <= 1 << 40;
+        let reciprocal = if exact { (1_u64 << 40).div_ceil(u64::from(width)) } else { 0 };
+        Self { width, height, stride, reciprocal, rimmed, around }
     }
 
     /// A map drawn with characters: the first line is the northern row, `.` and blanks are free, the rest blocked.
@@ -70,7 +91,12 @@ impl Occupancy {
 
     /// The cell of a row-major number.
     pub fn cell(&self, index: u32) -> Cell {
-        Cell::new((index % self.width) as i32, (index / self.width) as i32)
+        // A division takes longer than all the rest of a search's step.
+        let y = match self.reciprocal {
+            0 => index / self.width,
+            reciprocal => ((u64::from(index) * reciprocal) >> 40) as u32,
+        };
+        Cell::new((index - y * self.width) as i32, y as i32)
     }
 
     /// Whether the cell is blocked or outside.
@@ -85,28 +111,44 @@ impl Occupancy {
 
     /// Blocks or frees a cell; cells outside stay as they are.
     pub fn set(&mut self, cell: Cell, blocked: bool) {
-        if self.contains(cell) {
-            let slot = self.slot(cell);
-            self.rimmed[slot] = u8::from(blocked);
+        if !self.contains(cell) {
+            return;
+        }
+        let slot = self.slot(cell);
+        let value = u8::from(blocked);
+        if std::mem::replace(&mut self.rimmed[slot], value) == value {
+            return;
+        }
+        let (north, south) = (slot + self.stride, slot - self.stride);
+        let ring = [slot + 1, north + 1, north, north - 1, slot - 1, south - 1, south, south + 1];
+        for (direction, neighbour) in ring.into_iter().enumerate() {
+            self.around[neighbour] ^= 1 << ((direction + 4) % 8);
         }
     }
 
     /// The free cells around an inside cell: bit c stands for the c-th of E, NE, N, NW, W, SW, S, SE.
     pub fn free_around(&self, cell: Cell) -> u8 {
-        let slot = self.slot(cell);
-        let row = |start: usize| {
-            let r = &self.rimmed[start..start + 3];
-            [r[0], r[1], r[2]]
-        };
-        let [sw, s, se] = row(slot - self.stride - 1);
-        let [w, _, e] = row(slot - 1);
-        let [nw, n, ne] = row(slot + self.stride - 1);
-        !(e | ne << 1 | n << 2 | nw << 3 | w << 4 | sw << 5 | s << 6 | se << 7)
+        self.around[self.slot(cell)]
+    }
+
+    /// The blocked cells of the 7 × 7 square around an inside cell: bit `8 · (dy + 3) + dx + 3`.
+    pub(crate) fn window(&self, cell: Cell) -> u64 {
+        /// Gathers the lowest bits of eight bytes.
+        const GATHER: u64 = 0x0102_0408_1020_4080;
+        let mut start = self.slot(cell) - RIM * self.stride - RIM;
+        let mut window = 0;
+        for row in 0..7 {
+            let mut bytes = [0; 8];
+            bytes.copy_from_slice(&self.rimmed[start..start + 8]);
+            window |= (u64::from_le_bytes(bytes).wrapping_mul(GATHER) >> 56) << (8 * row);
+            start += self.stride;
+        }
+        window
     }
 
     /// One row, west to east: 0 free, 1 blocked.
     pub fn row(&self, y: u32) -> &[u8] {
-        let start = (y as usize + 1) * self.stride + 1;
+        let start = (y as usize + RIM) * self.stride + RIM;
         &self.rimmed[start..start + self.width as usize]
     }
 
@@ -156,7 +198,7 @@ impl Occupancy {
     }
 
     fn slot(&self, cell: Cell) -> usize {
-        (cell.y as usize + 1) * self.stride + cell.x as usize + 1
+        (cell.y as usize + RIM) * self.stride + cell.x as usize + RIM
     }
 }
 
@@ -179,6 +221,27 @@ mod tests {
         assert_eq!(map.free_around(Cell::new(0, 0)), 0b0000_0111);
         map.set(Cell::new(2, 0), true);
         assert_eq!(map.free_around(Cell::new(1, 1)), 0b0111_1111);
+    }
+
+    #[test]
+    fn neighbours_and_windows_follow_every_change() {
+        let mut map = Occupancy::new(9, 6);
+        let mut state = 7_u32;
+        for round in 0..300 {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            let cell = map.cell((state >> 8) % map.len() as u32);
+            map.set(cell, round % 3 != 0);
+            let window = map.window(cell);
+            for (dx, dy) in (-3..=3).flat_map(|dy| (-3..=3).map(move |dx| (dx, dy))) {
+                let seen = window >> (8 * (dy + 3) + dx + 3) & 1 == 1;
+                assert_eq!(seen, map.blocked(cell.offset(dx, dy)), "{cell:?} {dx} {dy}");
+            }
+            for (c, (dx, dy)) in
+                [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)].into_iter().enumerate()
+            {
+                assert_eq!(map.free_around(cell) >> c & 1 == 0, map.blocked(cell.offset(dx, dy)));
+            }
+        }
     }
 
     #[test]

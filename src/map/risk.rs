@@ -1,13 +1,11 @@
 //! The artificial potential field of the risk-field planner: the goal attracts, the nearest obstacle repels.
 
-use serde::{Deserialize, Serialize};
-
 use super::{Cell, Layer, Occupancy};
 use crate::geometry::math;
+use crate::json;
 
 /// How the goal's pull depends on its distance.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Attraction {
     /// Proportional to the distance (the paper).
     #[default]
@@ -16,9 +14,10 @@ pub enum Attraction {
     Conic,
 }
 
+json::words!(Attraction: "linear" = Linear, "conic" = Conic);
+
 /// Which blocked cells within reach repel.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ObstacleSet {
     /// The nearest; the mean of their forces where several are equally near.
     #[default]
@@ -28,6 +27,8 @@ pub enum ObstacleSet {
     /// All of them.
     Sum,
 }
+
+json::words!(ObstacleSet: "nearest-mean" = NearestMean, "nearest-first" = NearestFirst, "sum" = Sum);
 
 /// Strength and reach of the field. Lengths in cells.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -90,7 +91,8 @@ impl<'a> PotentialField<'a> {
         layer
     }
 
-    fn attraction(&self, at: Cell) -> (f64, f64) {
+    /// The goal's pull at a cell, east and north.
+    pub fn attraction(&self, at: Cell) -> (f64, f64) {
         let k1 = self.settings.k1;
         let (x, y) = (f64::from(self.goal.x - at.x), f64::from(self.goal.y - at.y));
         if self.settings.attraction == Attraction::Linear {
@@ -100,7 +102,8 @@ impl<'a> PotentialField<'a> {
         if distance == 0.0 { (0.0, 0.0) } else { (k1 * (x / distance), k1 * (y / distance)) }
     }
 
-    fn repulsion(&self, at: Cell) -> (f64, f64) {
+    /// The obstacles' push at a cell, east and north.
+    pub fn repulsion(&self, at: Cell) -> (f64, f64) {
         let (mut x, mut y, mut count, mut nearest) = (0.0, 0.0, 0_u32, i32::MAX);
         for source in &self.sources {
             if source.squared > nearest {

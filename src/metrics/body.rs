@@ -13,9 +13,9 @@ pub const FAR: f64 = 10.0;
 /// Overlaps shallower than this count as contact, which is free, metres.
 const CONTACT: f64 = 1e-6;
 
-struct Edge {
-    a: Point,
-    b: Point,
+pub(super) struct Edge {
+    pub(super) a: Point,
+    pub(super) b: Point,
     low: Point,
     high: Point,
     owner: Owner,
@@ -28,15 +28,15 @@ impl Edge {
     }
 
     /// A lower bound on the distance to anything inside a box, squared.
-    fn apart_from(&self, low: Point, high: Point) -> f64 {
+    pub(super) fn apart_from(&self, low: Point, high: Point) -> f64 {
         let dx = (self.low.x - high.x).max(low.x - self.high.x).max(0.0);
         let dy = (self.low.y - high.y).max(low.y - self.high.y).max(0.0);
         dx * dx + dy * dy
     }
 }
 
-struct Solid {
-    outline: Vec<Point>,
+pub(super) struct Solid {
+    pub(super) outline: Vec<Point>,
     owner: Owner,
     low: Point,
     high: Point,
@@ -45,21 +45,22 @@ struct Solid {
 /// The exact obstacles of a scene, ready for body queries.
 pub struct Body {
     vehicle: Vehicle,
-    origin: Point,
-    boundary: Vec<Point>,
-    edges: Vec<Edge>,
-    solids: Vec<Solid>,
-    buckets: Buckets,
+    pub(super) origin: Point,
+    pub(super) edges: Vec<Edge>,
+    pub(super) solids: Vec<Solid>,
+    pub(super) buckets: Buckets,
+    /// The boundary's edges by the buckets' rows.
+    bands: Vec<Vec<u32>>,
 }
 
 /// Edges by the square of the plane that their bounding box touches.
-struct Buckets {
-    side: f64,
+pub(super) struct Buckets {
+    pub(super) side: f64,
     low: Point,
     columns: usize,
     rows: usize,
-    edges: Vec<Vec<u32>>,
-    solids: Vec<Vec<u32>>,
+    pub(super) edges: Vec<Vec<u32>>,
+    pub(super) solids: Vec<Vec<u32>>,
 }
 
 impl Buckets {
@@ -71,7 +72,11 @@ impl Buckets {
         Self { side, low, columns, rows, edges: empty(), solids: empty() }
     }
 
-    fn range(&self, low: Point, high: Point) -> impl Iterator<Item = usize> + use<> {
+    fn row(&self, y: f64) -> usize {
+        ((y - self.low.y) / self.side).clamp(0.0, (self.rows - 1) as f64) as usize
+    }
+
+    pub(super) fn range(&self, low: Point, high: Point) -> impl Iterator<Item = usize> + use<> {
         let clamp = |v: f64, n: usize| (v / self.side).clamp(0.0, (n - 1) as f64) as usize;
         let (x0, x1) = (clamp(low.x - self.low.x, self.columns), clamp(high.x - self.low.x, self.columns));
         let (y0, y1) = (clamp(low.y - self.low.y, self.rows), clamp(high.y - self.low.y, self.rows));
@@ -122,7 +127,21 @@ impl Body {
         for (i, solid) in solids.iter().enumerate() {
             buckets.range(solid.low, solid.high).for_each(|b| buckets.solids[b].push(i as u32));
         }
-        Self { vehicle: geometry.vehicle, origin, boundary, edges, solids, buckets }
+        let mut bands = vec![Vec::new(); buckets.rows];
+        for (i, edge) in edges[..boundary.len()].iter().enumerate() {
+            bands[buckets.row(edge.low.y)..=buckets.row(edge.high.y)]
+                .iter_mut()
+                .for_each(|b| b.push(i as u32));
+        }
+        Self { vehicle: geometry.vehicle, origin, edges, solids, buckets, bands }
+    }
+
+    /// Whether a point, relative to the local origin, is within the boundary.
+    pub(super) fn on_floor(&self, p: Point) -> bool {
+        self.bands[self.buckets.row(p.y)].iter().fold(false, |odd, &i| {
+            let edge = &self.edges[i as usize];
+            odd ^ passes(edge.a, edge.b, p)
+        })
     }
 
     /// What the body overlaps at `pose`, if anything; touching is free.
@@ -147,7 +166,7 @@ impl Body {
                 }
             }
         }
-        (!inside(&self.boundary, body[0])).then_some(Owner::Border)
+        (!self.on_floor(body[0])).then_some(Owner::Border)
     }
 
     /// Distance from the body to the nearest obstacle, metres, at most [`FAR`]; 0 where it overlaps.
@@ -180,7 +199,7 @@ impl Body {
     }
 
     /// The body's corners relative to the local origin, pulled in by `inset` metres on every side.
-    fn outline(&self, pose: Pose, inset: f64) -> [Point; 4] {
+    pub(super) fn outline(&self, pose: Pose, inset: f64) -> [Point; 4] {
         let v = &self.vehicle;
         let small = Vehicle {
             width: v.width - 2.0 * inset,
@@ -207,19 +226,17 @@ fn cross(a: Point, b: Point, c: Point, d: Point) -> bool {
     }
 }
 
-/// Whether a point is inside a simple polygon (even–odd rule).
-fn inside(outline: &[Point], p: Point) -> bool {
-    let mut odd = false;
-    for (i, &a) in outline.iter().enumerate() {
-        let b = outline[(i + 1) % outline.len()];
-        if (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x) {
-            odd = !odd;
-        }
-    }
-    odd
+/// Whether an edge is passed on the way from a point to the far east.
+fn passes(a: Point, b: Point, p: Point) -> bool {
+    (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)
 }
 
-fn point_to_segment(p: Point, a: Point, b: Point) -> f64 {
+/// Whether a point is inside a simple polygon (even–odd rule).
+pub(super) fn inside(outline: &[Point], p: Point) -> bool {
+    (0..outline.len()).fold(false, |odd, i| odd ^ passes(outline[i], outline[(i + 1) % outline.len()], p))
+}
+
+pub(super) fn point_to_segment(p: Point, a: Point, b: Point) -> f64 {
     let ab = b - a;
     let length2 = ab.norm_squared();
     let t = if length2 > 0.0 { ((p - a).dot(&ab) / length2).clamp(0.0, 1.0) } else { 0.0 };
@@ -230,6 +247,22 @@ fn point_to_segment(p: Point, a: Point, b: Point) -> f64 {
 fn apart(a: Point, b: Point, c: Point, d: Point) -> f64 {
     let one = point_to_segment(a, c, d).min(point_to_segment(b, c, d));
     one.min(point_to_segment(c, a, b)).min(point_to_segment(d, a, b))
+}
+
+/// Distance between two closed outlines, metres; 0 where they overlap.
+#[cfg(feature = "complete")]
+pub(crate) fn gap(a: &[Point], b: &[Point]) -> f64 {
+    if inside(a, b[0]) || inside(b, a[0]) {
+        return 0.0;
+    }
+    let edges =
+        |ring: &[Point]| ring.iter().copied().zip(ring.iter().copied().cycle().skip(1)).collect::<Vec<_>>();
+    let others = edges(b);
+    edges(a).into_iter().fold(f64::INFINITY, |best, (p, q)| {
+        others
+            .iter()
+            .fold(best, |best, &(r, s)| best.min(if cross(p, q, r, s) { 0.0 } else { apart(p, q, r, s) }))
+    })
 }
 
 #[cfg(test)]
@@ -272,6 +305,18 @@ mod tests {
         assert!((post.clearance(Pose::new(5.0, 8.0, 0.0)) - 1.6).abs() < 1e-12);
         let block = scene(vec![Shape { owner, form: square(10.0, 10.0, 9.0) }]);
         assert_eq!(block.hit(Pose::new(9.0, 10.0, 0.3)), Some(owner));
+    }
+
+    #[cfg(feature = "complete")]
+    #[test]
+    fn outlines_are_apart_by_their_nearest_sides() {
+        let square = |x: f64, y: f64, r: f64| {
+            [(-r, -r), (r, -r), (r, r), (-r, r)].map(|(a, b)| Point::new(x + a, y + b))
+        };
+        assert!((gap(&square(0.0, 0.0, 1.0), &square(4.0, 0.5, 1.0)) - 2.0).abs() < 1e-12);
+        assert_eq!(gap(&square(0.0, 0.0, 1.0), &square(1.5, 1.5, 1.0)), 0.0);
+        assert_eq!(gap(&square(0.0, 0.0, 3.0), &square(0.2, 0.1, 1.0)), 0.0);
+        assert!((gap(&square(0.0, 0.0, 1.0), &square(5.0, 6.0, 1.0)) - 5.0).abs() < 1e-12);
     }
 
     #[test]

@@ -3,123 +3,142 @@
 use serde_json::{Map, Value};
 
 use super::drive;
+use super::grid_search::Search;
 use super::outcome::{GridMetrics, Outcome, Plan, PlanTrace, Stats};
-use super::settings::settings;
+use super::rasters::Rasters;
 use super::world::World;
 use super::{NEAR, Options, STEP, TRACE, measured};
 use crate::error::Error;
 use crate::geometry::{Point, Pose};
-use crate::map::{Cell, Corner, Frame, Occupancy, inflation};
+use crate::map::{Cell, Frame};
+#[cfg(feature = "complete")]
+use crate::metrics::any_angle_length;
 use crate::metrics::grid as cells;
-use crate::planners::moves::Neighbourhood;
 use crate::planners::query::{Detail, GridReport, GridScratch, Query, Status};
 use crate::planners::registry::Kind;
-use crate::planners::settings::{Inflation, MinRadius, Post, SmoothMode};
-use crate::planners::{grid_astar, risk_field};
+#[cfg(feature = "complete")]
+use crate::planners::risk_field;
+use crate::planners::settings::{Common, Inflation, Post};
 use crate::post::{Piece, Smoothed, prune, prune_dp, smooth};
+#[cfg(feature = "complete")]
+use crate::search::Stop;
 use crate::search::Trace;
 
 /// A path of more poses than this is sampled less often.
 const MAX_POSES: f64 = 50_000.0;
-
-enum Search {
-    Neighbours(Neighbourhood, grid_astar::Config),
-    RiskField(risk_field::Config),
-}
-
-/// What all grid planners' settings say of the path.
-#[derive(Clone, Copy)]
-struct PathSettings {
-    corner: Corner,
-    inflation: Inflation,
-    margin: f64,
-    post: Post,
-    smooth_mode: SmoothMode,
-    min_radius: MinRadius,
-}
+/// Longest chord that stands for a piece of an arc where clearances are measured, cells.
+const CHORD: f64 = 0.1;
 
 /// A grid planner and its memory.
 pub(super) struct Engine {
     search: Search,
-    settings: PathSettings,
-    /// The map with the safety space blocked, where there is any.
-    inflated: Option<Occupancy>,
+    settings: Common,
+    rasters: Rasters,
     scratch: GridScratch,
 }
 
 impl Engine {
     pub(super) fn new(world: &World, kind: Kind, config: &Map<String, Value>) -> Result<Self, Error> {
-        let search = if kind == Kind::RiskField {
-            let config: risk_field::Config = settings(config)?;
-            config.validate()?;
-            Search::RiskField(config)
-        } else {
-            let around = if kind == Kind::Four { Neighbourhood::Four } else { Neighbourhood::Eight };
-            let config: grid_astar::Config = settings(config)?;
-            config.validate(around)?;
-            Search::Neighbours(around, config)
-        };
-        let settings = search.path_settings();
-        let vehicle = &world.geometry.vehicle;
-        let inflated = settings
-            .inflation
-            .radius(vehicle.length(), vehicle.width, settings.margin)
-            .map(|radius| inflation::necessary(&world.occupancy, radius / world.frame.resolution));
-        Ok(Self { search, settings, inflated, scratch: GridScratch::new() })
+        let search = Search::new(kind, config)?;
+        let settings = search.common();
+        settings.validate()?;
+        let rasters = Rasters::new(world, &settings);
+        Ok(Self { search, settings, rasters, scratch: GridScratch::new() })
     }
 
     pub(super) fn plan(&mut self, world: &World, options: Options) -> Plan {
-        let map = self.inflated.as_ref().unwrap_or(&world.occupancy);
-        let query = Query {
-            map,
-            start: cell_of(&world.frame, world.geometry.start),
-            goal: cell_of(&world.frame, world.geometry.goal),
-        };
         let mut trace = options.trace.then(|| Trace::new(TRACE));
-        let report = self.search.run(query, &mut self.scratch, &mut trace);
-        let finish = Finish { world, map, settings: self.settings, report: &report };
+        let report = self.search(world, world.geometry.start, world.geometry.goal, &mut trace);
+        let finish = Finish { world, rasters: &self.rasters, settings: self.settings, report: &report };
         let mut plan = finish.plan();
+        #[cfg(feature = "complete")]
+        self.count(&report, &mut plan.stats);
         plan.trace = trace.map(|t| PlanTrace::Cells { cells: t.expanded, dropped: t.dropped });
         plan
     }
 
-    /// The risk field's force at every cell: east, north, ….
-    pub(super) fn field(&self, world: &World) -> Vec<f32> {
-        let Search::RiskField(config) = &self.search else { return Vec::new() };
-        let map = self.inflated.as_ref().unwrap_or(&world.occupancy);
+    /// The search alone.
+    pub(super) fn search(
+        &mut self,
+        world: &World,
+        start: Pose,
+        goal: Pose,
+        trace: &mut Option<Trace>,
+    ) -> GridReport {
+        let [start, goal] = [start, goal].map(|pose| cell_of(&world.frame, pose));
+        #[cfg(feature = "complete")]
+        {
+            self.rasters.prepare(world, start, goal);
+            if self.search.needs_bits() {
+                self.rasters.prepare_bits(world);
+            }
+        }
+        let query = Query { map: self.rasters.map(world), start, goal };
+        self.search.run(
+            query,
+            #[cfg(feature = "complete")]
+            &self.rasters,
+            &mut self.scratch,
+            trace,
+        )
+    }
+
+    /// The risk field's force at every cell: east, north, …; `None` without a risk field.
+    pub(super) fn field(&self, world: &World) -> Option<Vec<f32>> {
+        let Search::RiskField(config) = &self.search else { return None };
+        let map = self.rasters.map(world);
         let start = cell_of(&world.frame, world.geometry.start);
         let goal = cell_of(&world.frame, world.geometry.goal);
-        config.field(&Query { map, start, goal }).layer().data.into_iter().flatten().collect()
+        Some(config.field(&Query { map, start, goal }).layer().data.into_iter().flatten().collect())
     }
 }
 
-impl Search {
-    fn run(&self, query: Query, scratch: &mut GridScratch, trace: &mut Option<Trace>) -> GridReport {
-        match self {
-            Self::Neighbours(around, config) => grid_astar::plan(query, *around, config, scratch, trace),
-            Self::RiskField(config) => risk_field::plan(query, config, scratch, trace),
+#[cfg(feature = "complete")]
+impl Engine {
+    /// What the risk field does at the cell of a point; `None` without a risk field, off the map and in blocked cells.
+    pub(super) fn explain(&self, world: &World, at: Point) -> Option<risk_field::Explanation> {
+        let Search::RiskField(config) = &self.search else { return None };
+        let map = self.rasters.map(world);
+        let start = cell_of(&world.frame, world.geometry.start);
+        let goal = cell_of(&world.frame, world.geometry.goal);
+        risk_field::explain(Query { map, start, goal }, config, world.frame.cell_at(at)?)
+    }
+}
+
+#[cfg(feature = "complete")]
+impl Engine {
+    /// Counters that only some planners and settings have.
+    fn count(&self, report: &GridReport, stats: &mut Stats) {
+        match &self.search {
+            Search::JumpPoint(_) => stats.cells_scanned = Some(report.cells_scanned),
+            Search::Bidirectional(config) if config.stop == Stop::Optimal => {
+                stats.rejected = Some(report.rejected);
+            }
+            _ => {}
+        }
+        if let Some(redundant) = self.rasters.redundant() {
+            stats.narrow = Some(redundant.narrow);
+            stats.pocket = Some(redundant.pocket);
+            stats.restored = Some(redundant.restored);
         }
     }
 
-    fn path_settings(&self) -> PathSettings {
-        match *self {
-            Self::Neighbours(_, c) => PathSettings {
-                corner: c.corner,
-                inflation: c.inflation,
-                margin: c.margin,
-                post: c.post,
-                smooth_mode: c.smooth_mode,
-                min_radius: c.min_radius,
-            },
-            Self::RiskField(c) => PathSettings {
-                corner: c.corner,
-                inflation: c.inflation,
-                margin: c.margin,
-                post: c.post,
-                smooth_mode: c.smooth_mode,
-                min_radius: c.min_radius,
-            },
-        }
+    /// Each cell's safety between the scene's start and goal, as a number.
+    pub(super) fn safety(&self, world: &World) -> Vec<u8> {
+        let [start, goal] = [world.geometry.start, world.geometry.goal].map(|p| cell_of(&world.frame, p));
+        self.rasters.layer(world, start, goal).data
+    }
+
+    /// The any-angle yardstick between the scene's start and goal, metres.
+    pub(super) fn any_angle_length(&self, world: &World) -> Option<f64> {
+        let [start, goal] = [world.geometry.start, world.geometry.goal].map(|p| cell_of(&world.frame, p));
+        let cells = any_angle_length(self.rasters.solid(world), start, goal)?;
+        Some(cells * world.frame.resolution)
+    }
+
+    /// The map has changed in one cell.
+    pub(super) fn change(&mut self, world: &World, cell: Cell) {
+        self.rasters.change(world, cell);
     }
 }
 
@@ -130,19 +149,22 @@ fn cell_of(frame: &Frame, pose: Pose) -> Cell {
 
 struct Finish<'a> {
     world: &'a World,
-    map: &'a Occupancy,
-    settings: PathSettings,
+    rasters: &'a Rasters,
+    settings: Common,
     report: &'a GridReport,
 }
 
 impl Finish<'_> {
     fn plan(&self) -> Plan {
         let Self { world, report, .. } = self;
-        let pruned = prune(self.map, &report.cells, self.settings.corner);
+        let (map, solid) = (self.rasters.map(world), self.rasters.solid(world));
+        let pruned = prune(map, &report.cells, self.settings.corner);
         let radius = world.geometry.vehicle.min_turning_radius();
         let min_radius = self.settings.min_radius.in_cells(radius, world.frame.resolution);
-        let smoothed = smooth(self.map, &pruned, min_radius, self.settings.smooth_mode);
-        let driven = self.driven(&pruned, &smoothed);
+        let smoothed = smooth(solid, &pruned, min_radius, self.settings.smooth_mode);
+        let shortest = prune_dp(map, &report.cells, self.settings.corner);
+        let pieces = self.pieces(&pruned, &shortest, &smoothed);
+        let driven = self.driven(&pieces);
         let near = NEAR.max(world.frame.resolution);
         let mut plan = measured(world, outcome(report.status), driven, near);
         plan.detail = report.detail.map(Detail::as_str);
@@ -150,12 +172,23 @@ impl Finish<'_> {
         plan.raw_path = report.cells.iter().map(|&c| world.frame.center(c)).collect();
         plan.stats = stats(report);
         if report.status == Status::Found {
-            plan.metrics.grid = Some(metrics(&report.cells, &pruned, &smoothed));
+            plan.metrics.grid = Some(self.metrics(&pruned, &shortest, &smoothed, &pieces));
         }
         plan
     }
 
-    fn driven(&self, pruned: &[Cell], smoothed: &Smoothed) -> super::Driven {
+    /// What becomes of the path as asked.
+    fn pieces(&self, pruned: &[Cell], shortest: &[Cell], smoothed: &Smoothed) -> Vec<Piece> {
+        let line = |path: &[Cell]| Piece::lines(&cells::polyline(path));
+        match self.settings.post {
+            Post::None => line(&self.report.cells),
+            Post::Prune => line(pruned),
+            Post::PruneDp => line(shortest),
+            Post::Smooth => smoothed.pieces.clone(),
+        }
+    }
+
+    fn driven(&self, pieces: &[Piece]) -> super::Driven {
         let frame = &self.world.frame;
         let start = self.world.geometry.start.heading;
         if let [only] = self.report.cells[..] {
@@ -163,17 +196,36 @@ impl Finish<'_> {
             let poses = vec![Pose::new(at.x, at.y, start)];
             return super::Driven { poses, directions: vec![1], curvatures: vec![0.0] };
         }
-        let line = |cells: &[Cell]| {
-            Piece::lines(&cells.iter().map(|c| [f64::from(c.x), f64::from(c.y)]).collect::<Vec<_>>())
-        };
-        let pieces = match self.settings.post {
-            Post::None => line(&self.report.cells),
-            Post::Prune => line(pruned),
-            Post::PruneDp => line(&prune_dp(self.map, &self.report.cells, self.settings.corner)),
-            Post::Smooth => smoothed.pieces.clone(),
-        };
         let length: f64 = pieces.iter().map(Piece::length).sum::<f64>() * frame.resolution;
-        drive::follow(frame, &pieces, start, STEP.max(length / MAX_POSES))
+        drive::follow(frame, pieces, start, STEP.max(length / MAX_POSES))
+    }
+
+    fn metrics(
+        &self,
+        pruned: &[Cell],
+        shortest: &[Cell],
+        smoothed: &Smoothed,
+        pieces: &[Piece],
+    ) -> GridMetrics {
+        let raw = &self.report.cells;
+        let (turns, turns_pruned) = (cells::turns(raw), cells::turns(pruned));
+        let line = if pieces.is_empty() { cells::polyline(raw) } else { Piece::polyline(pieces, CHORD) };
+        let clearance = cells::clearance(self.rasters.solid(self.world), &line);
+        GridMetrics {
+            length_raw: cells::length(raw),
+            length_pruned: cells::length(pruned),
+            length_dp: cells::length(shortest),
+            length_smoothed: smoothed.length,
+            turns: turns.count,
+            turn_angle_deg: turns.angle_deg,
+            turns_pruned: turns_pruned.count,
+            turn_angle_deg_pruned: turns_pruned.angle_deg,
+            min_clearance_cells: clearance.min,
+            mean_clearance_cells: clearance.mean,
+            sharp_corners: smoothed.sharp,
+            arcs: smoothed.arcs,
+            min_radius: smoothed.min_radius,
+        }
     }
 
     fn reason(&self) -> Option<String> {
@@ -199,7 +251,7 @@ impl Finish<'_> {
     }
 }
 
-fn outcome(status: Status) -> Outcome {
+pub(super) fn outcome(status: Status) -> Outcome {
     match status {
         Status::Found => Outcome::Found,
         Status::NoPath => Outcome::NoPath,
@@ -221,21 +273,5 @@ fn stats(report: &GridReport) -> Stats {
         los_calls: Some(report.los_calls),
         cost_micro: (report.status == Status::Found).then_some(report.cost_micro),
         ..Stats::default()
-    }
-}
-
-fn metrics(raw: &[Cell], pruned: &[Cell], smoothed: &Smoothed) -> GridMetrics {
-    let (turns, turns_pruned) = (cells::turns(raw), cells::turns(pruned));
-    GridMetrics {
-        length_raw: cells::length(raw),
-        length_pruned: cells::length(pruned),
-        length_smoothed: smoothed.length,
-        turns: turns.count,
-        turn_angle_deg: turns.angle_deg,
-        turns_pruned: turns_pruned.count,
-        turn_angle_deg_pruned: turns_pruned.angle_deg,
-        sharp_corners: smoothed.sharp,
-        arcs: smoothed.arcs,
-        min_radius: smoothed.min_radius,
     }
 }

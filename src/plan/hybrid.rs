@@ -1,14 +1,18 @@
 //! Hybrid A* in a scene.
 
+use serde_json::{Map, Value};
+
 use super::outcome::{HybridMetrics, Outcome, Plan, PlanTrace, Stats};
 use super::world::World;
 use super::{Driven, NEAR, Options, STEP, measured};
 use crate::error::Error;
 use crate::geometry::arcs;
-use crate::planners::hybrid::{Config, Query, Report, Scratch, Status, plan};
+use crate::metrics::Verdict;
+use crate::planners::hybrid::{Config, Query, Report, Scratch, Status, obstacles, plan};
+use crate::planners::registry::Kind;
 use crate::scenario::Scenario;
-use crate::scenario::resolve::{Form, Owner};
-use crate::vehicle::collision::{Edge, Obstacles, Solid};
+use crate::scenario::resolve::{Geometry, Owner};
+use crate::vehicle::collision::Obstacles;
 
 /// Speed of the parking paper's driving times, m/s.
 const PAPER_SPEED: f64 = 2.0;
@@ -17,39 +21,45 @@ const PAPER_SPEED: f64 = 2.0;
 pub(super) struct Engine {
     config: Config,
     obstacles: Obstacles,
-    owners: Vec<Owner>,
     scratch: Scratch,
 }
 
 impl Engine {
-    pub(super) fn new(world: &World, config: Config) -> Result<Self, Error> {
+    pub(super) fn new(world: &World, kind: Kind, config: &Map<String, Value>) -> Result<Self, Error> {
+        let defaults = match kind {
+            Kind::HybridForward => Config::forward(),
+            #[cfg(feature = "complete")]
+            Kind::HybridBidirectional => Config::both_ways(),
+            #[cfg(feature = "complete")]
+            Kind::HybridClassic => Config::classic(),
+            _ => Config::default(),
+        };
+        let config = defaults.with(config)?;
         config.validate()?;
-        let geometry = &world.geometry;
-        let mut owners = vec![Owner::Border];
-        let (mut walls, mut solids) = (Vec::new(), Vec::new());
-        for shape in &geometry.shapes {
-            let owner = owners.len() as u32;
-            owners.push(shape.owner);
-            match &shape.form {
-                Form::Segment(a, b) => walls.push(Edge { a: *a, b: *b, owner }),
-                Form::Polygon(outline) => solids.push(Solid { outline: outline.clone(), owner }),
-            }
-        }
-        let boundary = Solid { outline: geometry.boundary.clone(), owner: 0 };
-        let obstacles = Obstacles::new(&walls, &solids, &boundary);
-        Ok(Self { config, obstacles, owners, scratch: Scratch::default() })
+        let obstacles = obstacles(&world.geometry);
+        Ok(Self { config, obstacles, scratch: Scratch::default() })
+    }
+
+    /// The obstacles have changed.
+    #[cfg(feature = "complete")]
+    pub(super) fn change(&mut self, world: &World) {
+        self.obstacles = obstacles(&world.geometry);
     }
 
     pub(super) fn plan(&mut self, scenario: &Scenario, world: &World, options: Options) -> Plan {
         let geometry = &world.geometry;
         let (obstacles, vehicle) = (&self.obstacles, &geometry.vehicle);
         let query = Query { obstacles, vehicle, start: geometry.start, goal: geometry.goal };
-        let report = plan(&query, &self.config, &mut self.scratch, options.trace);
-        let found = matches!(report.status, Status::Found | Status::Suboptimal);
+        let mut report = plan(&query, &self.config, &mut self.scratch, options.trace);
+        let mut found = matches!(report.status, Status::Found | Status::Suboptimal);
         let driven = if found { drive(&query, &report) } else { Driven::default() };
         let mut plan = measured(world, outcome(report.status), driven, NEAR);
+        if found && plan.check.verdict == Verdict::Collides {
+            (found, report.status) = (false, Status::VerificationFailed);
+            plan = measured(world, outcome(report.status), Driven::default(), NEAR);
+        }
         plan.detail = detail(report.status);
-        plan.reason = self.reason(scenario, vehicle.width, &report);
+        plan.reason = reason(scenario, geometry, &report);
         plan.stats = stats(&report);
         if found {
             plan.raw_path = knots(&query, &report);
@@ -60,29 +70,38 @@ impl Engine {
             options.trace.then_some(PlanTrace::Arcs { arcs: report.tree, dropped: report.tree_dropped });
         plan
     }
+}
 
-    fn reason(&self, scenario: &Scenario, width: f64, report: &Report) -> Option<String> {
-        let name = |owner: u32| scenario.name_of(self.owners[owner as usize]);
-        let near = report
-            .closest
-            .map_or_else(String::new, |p| format!(" The search came to ({:.2}, {:.2}).", p.x, p.y));
-        Some(match report.status {
-            Status::Found | Status::Suboptimal => return None,
-            Status::StartInCollision(owner) => format!("The start touches {}. Move either one.", name(owner)),
-            Status::GoalInCollision(owner) => format!("The goal touches {}. Move either one.", name(owner)),
-            Status::Unreachable => {
-                "No way through: some gap on every way is narrower than the car with its margin.".to_owned()
-            }
-            Status::TooNarrow(gap) => {
-                format!("No way through. The gap is about {:.1} m, the car needs {width:.2} m.", gap.width)
-            }
-            Status::NoPath => format!("No way through for this car at these settings.{near}"),
-            Status::BudgetExhausted(left) => {
-                format!("Stopped after {} expansions, {left:.1} m short of the goal.{near}", report.expanded)
-            }
-            Status::VerificationFailed => "Every path found touches something between two checks.".to_owned(),
-        })
-    }
+fn reason(scenario: &Scenario, geometry: &Geometry, report: &Report) -> Option<String> {
+    let name = |owner: u32| {
+        let shape = (owner as usize).checked_sub(1).and_then(|k| geometry.shapes.get(k));
+        scenario.name_of(shape.map_or(Owner::Border, |s| s.owner))
+    };
+    let near =
+        report.closest.map_or_else(String::new, |p| format!(" The search came to ({:.2}, {:.2}).", p.x, p.y));
+    Some(match report.status {
+        Status::Found | Status::Suboptimal => return None,
+        Status::StartInCollision(owner) => format!("The start touches {}. Move either one.", name(owner)),
+        Status::GoalInCollision(owner) => format!("The goal touches {}. Move either one.", name(owner)),
+        Status::Unreachable => {
+            "No way through: some gap on every way is narrower than the car with its margin.".to_owned()
+        }
+        Status::TooNarrow(gap) => {
+            format!(
+                "No way through. The gap is about {:.1} m, the car needs {:.2} m.",
+                gap.width, geometry.vehicle.width
+            )
+        }
+        Status::NoPath => format!("No way through for this car at these settings.{near}"),
+        Status::BoxedIn { at_start, travel } => {
+            let end = if at_start { "start" } else { "goal" };
+            format!("The car is boxed in at the {end}: it can move {travel:.2} m in all.")
+        }
+        Status::BudgetExhausted(left) => {
+            format!("Stopped after {} expansions, {left:.1} m short of the goal.{near}", report.expanded)
+        }
+        Status::VerificationFailed => "Every path found touches something between two checks.".to_owned(),
+    })
 }
 
 fn drive(query: &Query, report: &Report) -> Driven {
@@ -110,9 +129,11 @@ fn outcome(status: Status) -> Outcome {
         Status::Found | Status::Suboptimal => Outcome::Found,
         Status::StartInCollision(_) => Outcome::StartBlocked,
         Status::GoalInCollision(_) => Outcome::GoalBlocked,
-        Status::Unreachable | Status::TooNarrow(_) | Status::NoPath | Status::VerificationFailed => {
-            Outcome::NoPath
-        }
+        Status::Unreachable
+        | Status::TooNarrow(_)
+        | Status::NoPath
+        | Status::BoxedIn { .. }
+        | Status::VerificationFailed => Outcome::NoPath,
         Status::BudgetExhausted(_) => Outcome::BudgetSpent,
     }
 }
@@ -122,6 +143,7 @@ fn detail(status: Status) -> Option<&'static str> {
         Status::Suboptimal => Some("suboptimal"),
         Status::Unreachable => Some("unreachable"),
         Status::TooNarrow(_) => Some("too-narrow"),
+        Status::BoxedIn { .. } => Some("boxed-in"),
         Status::VerificationFailed => Some("verification-failed"),
         _ => None,
     }
@@ -146,6 +168,7 @@ fn metrics(report: &Report) -> HybridMetrics {
     let gap = if report.rs_bound > 0.0 { (length / report.rs_bound - 1.0) * 100.0 } else { 0.0 };
     HybridMetrics {
         cost: report.cost,
+        margin: report.margin,
         rs_bound: report.rs_bound,
         gap_percent: gap,
         paper_length: 0.1 * steps,

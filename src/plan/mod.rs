@@ -1,23 +1,42 @@
 //! From a scene and settings to a checked plan: the only place that joins all the rest.
 
+#[cfg(feature = "complete")]
+mod brush;
 mod drive;
 mod grid;
+mod grid_search;
 mod hybrid;
 mod outcome;
-mod settings;
+mod path;
+mod rasters;
+#[cfg(feature = "complete")]
+mod road;
+mod session;
+#[cfg(feature = "complete")]
+mod tow;
 mod world;
 
 pub use outcome::{GridMetrics, HybridMetrics, Metrics, Outcome, Plan, PlanTrace, Stats};
+#[cfg(feature = "complete")]
+pub use path::route;
+
+pub use session::{Ends, Found};
 
 use serde_json::{Map, Value};
 
 use crate::error::{Error, ErrorCode};
 use crate::geometry::Pose;
 use crate::map::{distance, inflation};
+#[cfg(feature = "complete")]
+use crate::metrics::risk::{self, Risk};
+#[cfg(feature = "complete")]
+use crate::metrics::road::{Figures, figures};
 use crate::metrics::{Body, Check, check};
 use crate::planners::registry::{Kind, default_config};
 use crate::scenario::Scenario;
 use crate::scenario::resolve::Geometry;
+#[cfg(feature = "complete")]
+use crate::{geometry::Point, planners::risk_field::Explanation};
 use world::World;
 
 /// Poses of a path are this close together, metres.
@@ -57,6 +76,8 @@ pub enum LayerData {
 enum Engine {
     Grid(Box<grid::Engine>),
     Hybrid(Box<hybrid::Engine>),
+    #[cfg(feature = "complete")]
+    Road(Box<road::Engine>),
 }
 
 /// A planner on one scene: settings checked once, map prepared once, memory reused between plans.
@@ -73,6 +94,8 @@ pub struct Planner {
     scenario: Scenario,
     world: World,
     engine: Engine,
+    #[cfg(feature = "complete")]
+    brush: Option<brush::Brush>,
 }
 
 impl Planner {
@@ -83,15 +106,8 @@ impl Planner {
     /// What is wrong with the scene or the settings, by field, value and rule.
     pub fn new(id: &str, scenario: &Scenario, config: &Map<String, Value>) -> Result<Self, Error> {
         let kind = Kind::of(id)?;
-        let mut settings = default_config(id)?;
-        let own = scenario.planners.get(id);
-        for (name, value) in own.into_iter().flatten().chain(config) {
-            if settings.insert(name.clone(), value.clone()).is_none() {
-                let known: Vec<_> = default_config(id)?.keys().cloned().collect();
-                let message = format!("no setting of {id}; there are {}", known.join(", "));
-                return Err(Error::new(ErrorCode::Config, name.clone(), message));
-            }
-        }
+        let mut settings = scenario.planners.get(id).cloned().unwrap_or_default();
+        settings.extend(config.clone());
         for (name, other) in scenario.planners.iter().filter(|p| p.0 != id) {
             let known = default_config(name)
                 .map_err(|e| Error { code: ErrorCode::Scenario, ..e.within("planners") })?;
@@ -102,12 +118,21 @@ impl Planner {
         }
         let world = World::new(scenario)?;
         let engine = match kind {
-            Kind::Hybrid | Kind::HybridForward => {
-                Engine::Hybrid(Box::new(hybrid::Engine::new(&world, settings::settings(&settings)?)?))
+            #[cfg(feature = "complete")]
+            Kind::CostMap => Engine::Road(Box::new(road::Engine::new(scenario, &world, &settings)?)),
+            kind if kind.is_hybrid() => {
+                Engine::Hybrid(Box::new(hybrid::Engine::new(&world, kind, &settings)?))
             }
-            _ => Engine::Grid(Box::new(grid::Engine::new(&world, kind, &settings)?)),
+            kind => Engine::Grid(Box::new(grid::Engine::new(&world, kind, &settings)?)),
         };
-        Ok(Self { kind, scenario: scenario.clone(), world, engine })
+        Ok(Self {
+            kind,
+            scenario: scenario.clone(),
+            world,
+            engine,
+            #[cfg(feature = "complete")]
+            brush: None,
+        })
     }
 
     /// The scene.
@@ -122,18 +147,51 @@ impl Planner {
 
     /// Plans, and checks the answer.
     pub fn plan(&mut self, options: Options) -> Plan {
+        #[cfg(feature = "complete")]
+        self.settle();
         let mut plan = match &mut self.engine {
             Engine::Grid(engine) => engine.plan(&self.world, options),
             Engine::Hybrid(engine) => engine.plan(&self.scenario, &self.world, options),
+            #[cfg(feature = "complete")]
+            Engine::Road(engine) => engine.plan(&self.scenario, &self.world, options),
         };
         plan.planner = self.kind.id();
         plan
     }
 
-    /// A raster: `occupancy`, `safety`, `clearance` or `risk`.
+    /// What the risk field does at the cell of a point, metres: its force, region and candidates in the terms of its paper.
+    /// `None` off the map and in blocked cells.
     ///
     /// # Errors
-    /// [`ErrorCode::Input`] for another name, and for `risk` of a planner without a field.
+    /// [`ErrorCode::Input`] for a planner without a risk field, and for coordinates that are not finite.
+    #[cfg(feature = "complete")]
+    pub fn explain(&self, x: f64, y: f64) -> Result<Option<Explanation>, Error> {
+        for (name, value) in [("x", x), ("y", y)] {
+            if !value.is_finite() {
+                return Err(Error::new(
+                    ErrorCode::Input,
+                    name,
+                    format!("must be a finite number, got {value}"),
+                ));
+            }
+        }
+        match &self.engine {
+            Engine::Grid(engine) if self.kind.has_field() => {
+                Ok(engine.explain(&self.world, Point::new(x, y)))
+            }
+            _ => {
+                let message = format!("{} has no risk field; risk-field has", self.kind.id());
+                Err(Error::new(ErrorCode::Input, "planner", message))
+            }
+        }
+    }
+
+    /// A raster: `occupancy`, `safety`, `redundant` (safety under this planner's own settings), `clearance`, `risk` or
+    /// `cost`.
+    ///
+    /// # Errors
+    /// [`ErrorCode::Input`] for another name, for `risk` of a planner without a field, for `redundant` of one that is
+    /// not a grid planner, and for `cost` of one without a cost map.
     pub fn layer(&self, name: &str) -> Result<Layer, Error> {
         let map = &self.world.occupancy;
         let data = match (name, &self.engine) {
@@ -144,15 +202,28 @@ impl Planner {
                 LayerData::Bytes(inflation::layer(map, &inflated).data)
             }
             ("clearance", _) => LayerData::Floats(distance::clearance(map, self.world.frame.resolution).data),
-            ("risk", Engine::Grid(engine)) if self.kind == Kind::RiskField => {
-                LayerData::Floats(engine.field(&self.world))
-            }
-            ("risk", _) => {
-                let message = format!("{} has no risk field; risk-field has", self.kind.id());
+            #[cfg(feature = "complete")]
+            ("redundant", Engine::Grid(engine)) => LayerData::Bytes(engine.safety(&self.world)),
+            #[cfg(feature = "complete")]
+            ("redundant", _) => {
+                let message = format!("{} closes no redundant cells; grid planners do", self.kind.id());
                 return Err(Error::new(ErrorCode::Input, "name", message));
             }
+            #[cfg(feature = "complete")]
+            ("cost", Engine::Road(engine)) => LayerData::Floats(engine.costs(&self.scenario, &self.world)),
+            #[cfg(feature = "complete")]
+            ("cost", _) => {
+                let message = format!("{} has no cost map; cost-map has", self.kind.id());
+                return Err(Error::new(ErrorCode::Input, "name", message));
+            }
+            ("risk", engine) => {
+                let field = if let Engine::Grid(engine) = engine { engine.field(&self.world) } else { None };
+                let message = || format!("{} has no risk field; risk-field has", self.kind.id());
+                LayerData::Floats(field.ok_or_else(|| Error::new(ErrorCode::Input, "name", message()))?)
+            }
             _ => {
-                let message = format!("must be occupancy, safety, clearance or risk, got \"{name}\"");
+                let message =
+                    format!("must be occupancy, safety, redundant, clearance, risk or cost, got \"{name}\"");
                 return Err(Error::new(ErrorCode::Input, "name", message));
             }
         };
@@ -188,6 +259,8 @@ fn measured(world: &World, outcome: Outcome, driven: Driven, near: f64) -> Plan 
         mean_clearance: check.mean_clearance,
         grid: None,
         hybrid: None,
+        #[cfg(feature = "complete")]
+        road: None,
     };
     Plan {
         planner: "",
@@ -211,24 +284,27 @@ fn measured(world: &World, outcome: Outcome, driven: Driven, near: f64) -> Plan 
 /// # Errors
 /// [`ErrorCode::Input`] when the numbers are not poses or the gears not ±1.
 pub fn check_path(geometry: &Geometry, path: &[f64], directions: Option<&[i8]>) -> Result<Check, Error> {
-    if !path.len().is_multiple_of(3) {
-        let message = format!("must be x, y, heading for each pose, got {} numbers", path.len());
-        return Err(Error::new(ErrorCode::Input, "path", message));
-    }
-    if let Some(i) = path.iter().position(|v| !v.is_finite()) {
-        let message = format!("must be a finite number, got {}", path[i]);
-        return Err(Error::new(ErrorCode::Input, format!("path[{i}]"), message));
-    }
-    let poses: Vec<Pose> = path.chunks_exact(3).map(|p| Pose::new(p[0], p[1], p[2])).collect();
-    let forward = vec![1; poses.len()];
-    let directions = directions.unwrap_or(&forward);
-    if directions.len() != poses.len() {
-        let message = format!("must be one per pose ({}), got {}", poses.len(), directions.len());
-        return Err(Error::new(ErrorCode::Input, "directions", message));
-    }
-    if let Some(i) = directions.iter().position(|d| d.abs() != 1) {
-        let message = format!("must be 1 or -1, got {}", directions[i]);
-        return Err(Error::new(ErrorCode::Input, format!("directions[{i}]"), message));
-    }
-    Ok(check(geometry, &Body::new(geometry), &poses, directions, NEAR))
+    let poses = path::poses(path)?;
+    let directions = path::gears(directions, poses.len())?;
+    Ok(check(geometry, &Body::new(geometry), &poses, &directions, NEAR))
+}
+
+/// Figures of any path on a scene's road: x, y, heading, ….
+///
+/// # Errors
+/// [`ErrorCode::Input`] when the numbers are not poses, or none.
+#[cfg(feature = "complete")]
+pub fn road_figures(scenario: &Scenario, path: &[f64]) -> Result<Figures, Error> {
+    let (geometry, poses) = (scenario.geometry()?, path::some_poses(path)?);
+    Ok(figures(&geometry, &Body::new(&geometry), &scenario.lanes, &poses))
+}
+
+/// How often any path ends in a collision when nobody drives exactly along it: x, y, heading, ….
+///
+/// # Errors
+/// [`ErrorCode::Input`] when the numbers are not poses, or none.
+#[cfg(feature = "complete")]
+pub fn collision_risk(scenario: &Scenario, path: &[f64], options: &risk::Options) -> Result<Risk, Error> {
+    let (geometry, poses) = (scenario.geometry()?, path::some_poses(path)?);
+    Ok(risk::collision_risk(&geometry, &Body::new(&geometry), &poses, options))
 }

@@ -60,6 +60,21 @@ pub struct Stats {
     /// Grid planners: exact cost, millionths of a cell.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cost_micro: Option<i64>,
+    /// Jump points: cells looked at along jumps.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cells_scanned: Option<u32>,
+    /// NBA*: cells that bounds excluded.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rejected: Option<u32>,
+    /// Redundant safety space: cells closed because they are too narrow.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub narrow: Option<u32>,
+    /// Redundant safety space: cells closed because they are in a pocket.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pocket: Option<u32>,
+    /// Redundant safety space: closed cells given back to connect start and goal.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub restored: Option<u32>,
     /// Hybrid A*: the same number as `expanded`, by the name of its specification.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub expansions: Option<u32>,
@@ -93,6 +108,10 @@ pub struct Metrics {
     /// Hybrid A*.
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     pub hybrid: Option<HybridMetrics>,
+    /// Cost-map A*.
+    #[cfg(feature = "complete")]
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    pub road: Option<crate::metrics::road::RoadMetrics>,
 }
 
 /// Metrics of a path of cells, lengths in cells.
@@ -103,6 +122,8 @@ pub struct GridMetrics {
     pub length_raw: f64,
     /// After one greedy pruning pass.
     pub length_pruned: f64,
+    /// Along the shortest way over its cells.
+    pub length_dp: f64,
     /// After pruning and tangent arcs.
     pub length_smoothed: f64,
     /// Corners of the raw path.
@@ -113,6 +134,10 @@ pub struct GridMetrics {
     pub turns_pruned: u32,
     /// Sum of |heading change| of the pruned path, degrees.
     pub turn_angle_deg_pruned: f64,
+    /// Smallest distance of the path as answered, from its cells' centres to blocked cells' centres, at most 5 cells.
+    pub min_clearance_cells: f64,
+    /// Mean of that distance, sampled every quarter of a cell.
+    pub mean_clearance_cells: f64,
     /// Corners that smoothing had to keep.
     pub sharp_corners: u32,
     /// Arcs that smoothing placed.
@@ -127,6 +152,9 @@ pub struct GridMetrics {
 pub struct HybridMetrics {
     /// Cost of the path under the planner's settings.
     pub cost: f64,
+    /// The margin planned with, metres: less than asked where start or goal have less, 2 mm where any more keeps
+    /// the car in.
+    pub margin: f64,
     /// Length of the shortest path without obstacles, metres.
     pub rs_bound: f64,
     /// How far the length is above that, percent.

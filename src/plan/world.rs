@@ -26,12 +26,24 @@ impl World {
             height: map.height,
             resolution: map.resolution,
         };
-        let occupancy = rasterise(scenario, &geometry, &frame);
+        let mut occupancy = shapes(scenario, &geometry, &frame);
+        for runs in brushed(scenario) {
+            raster::runs(&mut occupancy, runs);
+        }
         Ok(Self { body: Body::new(&geometry), geometry, frame, occupancy })
     }
 }
 
-fn rasterise(scenario: &Scenario, geometry: &Geometry, frame: &Frame) -> Occupancy {
+/// The brush's runs.
+pub(super) fn brushed(scenario: &Scenario) -> impl Iterator<Item = &[[u32; 3]]> {
+    scenario.obstacles.iter().filter_map(|obstacle| match obstacle {
+        Obstacle::Cells { runs, .. } => Some(&runs[..]),
+        _ => None,
+    })
+}
+
+/// The cells that everything but the brush blocks.
+pub(super) fn shapes(scenario: &Scenario, geometry: &Geometry, frame: &Frame) -> Occupancy {
     let mut map = Occupancy::new(frame.width, frame.height);
     if scenario.map.boundary.is_some() {
         raster::fill_outside(&mut map, frame, &geometry.boundary);
@@ -40,11 +52,6 @@ fn rasterise(scenario: &Scenario, geometry: &Geometry, frame: &Frame) -> Occupan
         Owner::Obstacle(i) => matches!(scenario.obstacles[i], Obstacle::Cells { .. }),
         _ => false,
     };
-    for obstacle in &scenario.obstacles {
-        if let Obstacle::Cells { runs, .. } = obstacle {
-            raster::runs(&mut map, runs);
-        }
-    }
     for shape in geometry.shapes.iter().filter(|s| !brushed(s.owner)) {
         match &shape.form {
             Form::Segment(a, b) => raster::wall(&mut map, frame, &[*a, *b]),

@@ -3,20 +3,18 @@
 //! Ties go to the smaller estimate, then to the newest entry, which keeps four-neighbour searches from flooding the
 //! whole rectangle. Without a weight and with an admissible heuristic the path is the cheapest one.
 
-use serde::{Deserialize, Serialize};
-use std::cell::Cell as Counter;
-
+use super::grid_lattice::Grid;
 use super::heuristics::{DistanceWeight, Heuristic};
-use super::moves::{Move, Neighbourhood, legal_steps};
+use super::moves::Neighbourhood;
 use super::query::{GridReport, GridScratch, Query};
-use super::settings::{Inflation, MAX_EXPANSIONS, MinRadius, Post, Shared, SmoothMode};
+use super::settings::Common;
 use crate::error::{Error, ErrorCode};
-use crate::map::{Cell, Corner, line_of_sight};
-use crate::search::{Domain, Finish, Limits, NodeId, Observer, Relax, Visit, best_first};
+use crate::json;
+use crate::search::Observer;
+use crate::search::lattice::one_way;
 
 /// What multiplies the estimate.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Weight {
     /// Nothing: the cheapest path.
     #[default]
@@ -25,28 +23,32 @@ pub enum Weight {
     Distance,
 }
 
+json::words!(Weight: "none" = None, "distance" = Distance);
+
 /// Settings of grid A*.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Config {
     /// How the cost still to pay is estimated.
     pub heuristic: Heuristic,
     /// What multiplies the estimate.
     pub weight: Weight,
-    /// What a path may do at corners of blocked cells.
-    pub corner: Corner,
-    /// Room for the car.
-    pub inflation: Inflation,
-    /// Extra room, metres.
-    pub margin: f64,
-    /// What is done to the raw path.
-    pub post: Post,
-    /// How corners share the segment between them.
-    pub smooth_mode: SmoothMode,
-    /// Tightest arc of smoothing, cells.
-    pub min_radius: MinRadius,
-    /// Expansions after which the search gives up.
-    pub max_expansions: u32,
+    /// What every grid planner has.
+    pub common: Common,
+}
+
+json::settings! {
+    Config:
+    "heuristic" = heuristic,
+    "weight" = weight,
+    "corner" = common.corner,
+    "inflation" = common.inflation,
+    "margin" = common.margin,
+    "minPassage" = common.min_passage,
+    "trapMouth" = common.trap_mouth,
+    "post" = common.post,
+    "smoothMode" = common.smooth_mode,
+    "minRadius" = common.min_radius,
+    "maxExpansions" = common.max_expansions,
 }
 
 impl Default for Config {
@@ -65,13 +67,7 @@ impl Config {
                 _ => Heuristic::Gauge,
             },
             weight: Weight::None,
-            corner: Corner::Strict,
-            inflation: Inflation::None,
-            margin: 0.0,
-            post: Post::None,
-            smooth_mode: SmoothMode::Dynamic,
-            min_radius: MinRadius::Cells(1.0),
-            max_expansions: MAX_EXPANSIONS,
+            common: Common::PLAIN,
         }
     }
 
@@ -93,76 +89,7 @@ impl Config {
             );
             return Err(Error::new(ErrorCode::Config, "heuristic", rule));
         }
-        let Self { margin, min_radius, max_expansions, .. } = *self;
-        Shared { margin, min_radius, max_expansions }.validate()
-    }
-}
-
-struct Grid<'a> {
-    query: Query<'a>,
-    neighbourhood: Neighbourhood,
-    moves: Vec<Move>,
-    /// How many of the moves lead to one of the eight cells around.
-    steps: usize,
-    corner: Corner,
-    heuristic: Heuristic,
-    weight: Option<DistanceWeight>,
-    los_calls: Counter<u32>,
-}
-
-impl Domain for Grid<'_> {
-    type Cost = i64;
-    type Label = Cell;
-    type Tail = ();
-
-    fn node_count(&self) -> usize {
-        self.query.map.len()
-    }
-
-    fn successors<S: Relax<i64, Cell>>(&self, from: Visit<i64, Cell>, sink: &mut S) {
-        let map = self.query.map;
-        let free = map.free_around(from.label);
-        let legal = legal_steps(free, self.corner);
-        let stride = if self.neighbourhood == Neighbourhood::Four { 2 } else { 1 };
-        let mut calls = 0;
-        for (k, m) in self.moves[..self.steps].iter().enumerate() {
-            let bit = 1 << (k * stride);
-            if free & bit == 0 {
-                continue;
-            }
-            let to = from.label.offset(m.dx, m.dy);
-            let node = map.index(to);
-            if sink.worth(node, m.cost) {
-                calls += 1;
-                if legal & bit != 0 {
-                    sink.emit(node, m.cost, to);
-                }
-            }
-        }
-        for m in &self.moves[self.steps..] {
-            let to = from.label.offset(m.dx, m.dy);
-            if map.blocked(to) {
-                continue;
-            }
-            let node = map.index(to);
-            if sink.worth(node, m.cost) {
-                calls += 1;
-                if line_of_sight(map, from.label, to, self.corner) {
-                    sink.emit(node, m.cost, to);
-                }
-            }
-        }
-        self.los_calls.set(self.los_calls.get() + calls);
-    }
-
-    fn heuristic(&self, _: NodeId, at: Cell) -> i64 {
-        let (dx, dy) = (self.query.goal.x - at.x, self.query.goal.y - at.y);
-        let h = self.heuristic.estimate(self.neighbourhood, dx, dy);
-        self.weight.map_or(h, |weight| weight.apply(h, dx, dy))
-    }
-
-    fn finish(&mut self, at: Visit<i64, Cell>, _: i64) -> Option<Finish<i64, ()>> {
-        (at.label == self.query.goal).then_some(Finish { cost: 0, tail: () })
+        self.common.validate()
     }
 }
 
@@ -182,7 +109,7 @@ impl Domain for Grid<'_> {
 /// let report = plan(query, eight, &Config::new(eight), &mut GridScratch::new(), &mut ());
 /// assert_eq!(report.cost_micro, 5_000_000);
 /// ```
-pub fn plan<O: Observer<i64, Cell>>(
+pub fn plan<O: Observer<i64, ()>>(
     query: Query,
     neighbourhood: Neighbourhood,
     config: &Config,
@@ -193,19 +120,8 @@ pub fn plan<O: Observer<i64, Cell>>(
         return report;
     }
     let (dx, dy) = (query.goal.x - query.start.x, query.goal.y - query.start.y);
-    let moves = neighbourhood.moves();
-    let mut grid = Grid {
-        query,
-        neighbourhood,
-        steps: moves.len().min(8),
-        moves,
-        corner: config.corner,
-        heuristic: config.heuristic,
-        weight: (config.weight == Weight::Distance).then(|| DistanceWeight::new(1000, dx, dy)),
-        los_calls: Counter::new(0),
-    };
-    let root = (query.map.index(query.start), query.start);
-    let limits = Limits { max_expansions: config.max_expansions, first: true };
-    let search = best_first(&mut grid, root, limits, scratch, observer);
-    GridReport::of(&query, &search, scratch, grid.los_calls.get())
+    let weight = (config.weight == Weight::Distance).then(|| DistanceWeight::new(1000, dx, dy));
+    let grid = Grid::new(&query, neighbourhood, config.common.corner, config.heuristic, weight);
+    let found = one_way(&grid, query.ends(), config.common.max_expansions, &mut scratch.lattice, observer);
+    GridReport::along(&query, &found, grid.los_calls())
 }

@@ -1,12 +1,10 @@
 //! Estimates of the cost between cells, in micro-cells.
 
-use serde::{Deserialize, Serialize};
-
 use super::moves::{D, Neighbourhood, R2, R5, R10, R13, euclid};
+use crate::json;
 
 /// How the cost still to pay is estimated.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Heuristic {
     /// Columns plus rows: exact for four neighbours, too much for more.
     Manhattan,
@@ -17,6 +15,8 @@ pub enum Heuristic {
     /// The shortest way with the planner's own moves on an empty map: the best that never overestimates.
     Gauge,
 }
+
+json::words!(Heuristic: "manhattan" = Manhattan, "euclid" = Euclid, "octile" = Octile, "gauge" = Gauge);
 
 impl Heuristic {
     /// Whether it never overestimates with these moves.

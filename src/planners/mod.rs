@@ -1,8 +1,17 @@
 //! The planners. One file or folder each: its settings, its search domain and `plan`.
 
+#[cfg(feature = "complete")]
+pub mod any_angle;
+#[cfg(feature = "complete")]
+pub mod bidirectional;
+#[cfg(feature = "complete")]
+pub mod cost_map;
 pub mod grid_astar;
+mod grid_lattice;
 pub mod heuristics;
 pub mod hybrid;
+#[cfg(feature = "complete")]
+pub mod jump_point;
 pub mod moves;
 mod parameters;
 pub mod query;

@@ -3,6 +3,7 @@
 //! Costs are in micro-cells (a millionth of a cell), so that ties are real ties on every machine. A move costs the
 //! *ceiling* of its length and a Euclidean estimate is the *floor*: every heuristic stays exactly consistent.
 
+use crate::json;
 use crate::map::Corner;
 
 /// Micro-cells per cell: the cost of a straight step.
@@ -35,6 +36,8 @@ pub enum Neighbourhood {
     FortyEight,
 }
 
+json::words!(Neighbourhood: "four" = Four, "eight" = Eight, "sixteen" = Sixteen, "twenty-four" = TwentyFour, "forty-eight" = FortyEight);
+
 /// A step to another cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Move {
@@ -49,24 +52,40 @@ pub struct Move {
 impl Neighbourhood {
     /// The moves in the order in which they are tried: counter-clockwise from the east, inner ring first.
     pub fn moves(self) -> Vec<Move> {
-        let cells: Vec<(i32, i32)> = match self {
-            Self::Four => ring(1).step_by(2).collect(),
-            Self::Eight => ring(1).collect(),
-            Self::Sixteen => ring(1).chain(ring(2).filter(|&(x, y)| x * x + y * y == 5)).collect(),
-            Self::TwentyFour => ring(1).chain(ring(2)).collect(),
-            Self::FortyEight => ring(1).chain(ring(2)).chain(ring(3)).collect(),
+        let rings = match self {
+            Self::Four | Self::Eight => 1,
+            Self::Sixteen | Self::TwentyFour => 2,
+            Self::FortyEight => 3,
         };
-        cells.into_iter().map(|(dx, dy)| Move { dx, dy, cost: cost(dx, dy) }).collect()
+        let mut moves = Vec::new();
+        for (dx, dy) in (1..=rings).flat_map(ring) {
+            let wanted = match self {
+                Self::Four => dx == 0 || dy == 0,
+                Self::Sixteen => dx * dx + dy * dy != 4 && dx * dx + dy * dy != 8,
+                _ => true,
+            };
+            if wanted {
+                moves.push(Move { dx, dy, cost: cost(dx, dy) });
+            }
+        }
+        moves
     }
 }
 
 /// The cells at Chebyshev distance `r`, counter-clockwise from (r, 0).
-fn ring(r: i32) -> impl Iterator<Item = (i32, i32)> {
-    let east = (0..=r).map(move |y| (r, y));
-    let north = (-r..r).rev().map(move |x| (x, r));
-    let west = (-r..r).rev().map(move |y| (-r, y));
-    let south = (-r + 1..=r).map(move |x| (x, -r));
-    east.chain(north).chain(west).chain(south).chain((-r + 1..0).map(move |y| (r, y)))
+fn ring(r: i32) -> Vec<(i32, i32)> {
+    let mut cells = Vec::new();
+    let (mut x, mut y) = (r, 0);
+    for _ in 0..8 * r {
+        cells.push((x, y));
+        match () {
+            () if x == r && y < r => y += 1,
+            () if y == r && x > -r => x -= 1,
+            () if x == -r && y > -r => y -= 1,
+            () => x += 1,
+        }
+    }
+    cells
 }
 
 /// The cost of a straight move: the number of primitive steps times the rounded-up length of one. Micro-cells.
@@ -146,8 +165,8 @@ mod tests {
 
     #[test]
     fn rings_turn_counter_clockwise() {
-        assert_eq!(ring(1).collect::<Vec<_>>(), DIRECTIONS);
-        let two: Vec<_> = ring(2).collect();
+        assert_eq!(ring(1), DIRECTIONS);
+        let two = ring(2);
         assert_eq!(
             (two.len(), two[0], two[2], two[6], two[10], two[15]),
             (16, (2, 0), (2, 2), (-2, 2), (-2, -2), (2, -1))

@@ -1,7 +1,8 @@
 //! What grid planners are asked and what they answer.
 
 use crate::map::{Cell, Occupancy};
-use crate::search::{End, Report, Scratch};
+use crate::search::lattice::{Found, Memory};
+use crate::search::{Cost, End, NodeId, Report, Scratch};
 
 /// A question to a grid planner.
 #[derive(Debug, Clone, Copy)]
@@ -73,6 +74,10 @@ pub struct GridReport {
     pub deferred: u32,
     /// Line-of-sight checks, single steps included.
     pub los_calls: u32,
+    /// Cells that bounds excluded before they were expanded (NBA*).
+    pub rejected: u32,
+    /// Cells looked at along jumps (jump points).
+    pub cells_scanned: u32,
     /// Largest size of the open list.
     pub open_peak: u32,
     /// The expanded cell with the smallest estimate: how near the search came. The start where nothing was searched.
@@ -80,9 +85,29 @@ pub struct GridReport {
 }
 
 /// A grid search's memory, reused between queries.
-pub type GridScratch = Scratch<i64, Cell>;
+#[derive(Debug, Default)]
+pub struct GridScratch {
+    pub(super) cells: Scratch<i64, Cell>,
+    #[cfg(feature = "complete")]
+    pub(super) jumps: Scratch<i64, u8>,
+    #[cfg(feature = "complete")]
+    pub(super) lengths: Scratch<f64, Cell>,
+    pub(super) lattice: Memory,
+}
+
+impl GridScratch {
+    /// Memory with nothing in it yet.
+    pub fn new() -> Self {
+        Self::default()
+    }
+}
 
 impl Query<'_> {
+    /// The numbers of start and goal, which must be on the map.
+    pub(super) fn ends(&self) -> (NodeId, NodeId) {
+        (self.map.index(self.start), self.map.index(self.goal))
+    }
+
     /// The answer that needs no search: start or goal outside or blocked, or start and goal the same cell.
     pub(super) fn trivial(&self) -> Option<GridReport> {
         let status = if !self.map.contains(self.start) {
@@ -119,23 +144,21 @@ impl GridReport {
             pushes: 0,
             deferred: 0,
             los_calls: 0,
+            rejected: 0,
+            cells_scanned: 0,
             open_peak: 0,
             closest,
         }
     }
 
-    /// The answer of a search; `shot` is a goal that the last node sees without its having been opened.
-    pub(super) fn of<T>(
+    /// The answer of a search, still without its cost; `shot` is a goal that the last node sees without its having been opened.
+    pub(super) fn of<C: Cost, L: Copy + Default, T>(
         query: &Query,
-        search: &Report<i64, T>,
-        scratch: &GridScratch,
+        search: &Report<C, T>,
+        scratch: &Scratch<C, L>,
         los_calls: u32,
     ) -> Self {
-        let status = match search.end {
-            End::Found => Status::Found,
-            End::Exhausted => Status::NoPath,
-            End::BudgetSpent => Status::BudgetSpent,
-        };
+        let status = status(search.end);
         let mut report = Self {
             expanded: search.expanded,
             generated: search.generated,
@@ -146,14 +169,38 @@ impl GridReport {
             detail: (status == Status::NoPath).then_some(Detail::Unreachable),
             ..Self::empty(status, query.map.cell(search.closest.1))
         };
-        if let (Status::Found, Some((last, cost, _))) = (status, &search.found) {
-            report.cells = scratch.chain(*last).into_iter().map(|(_, cell)| cell).collect();
-            report.cost_micro = *cost;
+        if let (Status::Found, Some((last, ..))) = (status, &search.found) {
+            report.cells = scratch.chain(*last).into_iter().map(|(node, _)| query.map.cell(node)).collect();
             if *report.cells.last().expect("a chain has its end") != query.goal {
                 report.generated += u32::from(scratch.cost(query.map.index(query.goal)).is_none());
                 report.cells.push(query.goal);
             }
         }
         report
+    }
+
+    /// The answer of a search over the map's cells by number.
+    pub(super) fn along(query: &Query, found: &Found, los_calls: u32) -> Self {
+        let status = status(found.end);
+        Self {
+            cells: found.nodes.iter().map(|&node| query.map.cell(node)).collect(),
+            cost_micro: found.cost,
+            expanded: found.expanded,
+            generated: found.generated,
+            pushes: found.pushes,
+            rejected: found.rejected,
+            los_calls,
+            open_peak: found.open_peak,
+            detail: (status == Status::NoPath).then_some(Detail::Unreachable),
+            ..Self::empty(status, query.map.cell(found.closest))
+        }
+    }
+}
+
+fn status(end: End) -> Status {
+    match end {
+        End::Found => Status::Found,
+        End::Exhausted => Status::NoPath,
+        End::BudgetSpent => Status::BudgetSpent,
     }
 }

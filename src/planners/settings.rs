@@ -1,18 +1,16 @@
 //! Settings that the grid planners share.
 
-use serde::de::{self, Deserializer, Visitor};
-use serde::ser::Serializer;
-use serde::{Deserialize, Serialize};
-use std::fmt;
+use serde_json::Value;
 
 use crate::error::{Error, ErrorCode};
+use crate::json::{self, Setting, bad};
+use crate::map::Corner;
 
 /// Expansions after which a grid search gives up, unless told otherwise.
 pub const MAX_EXPANSIONS: u32 = 20_000_000;
 
 /// How much room the car needs beside the path, as far as the map knows.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Inflation {
     /// None: the car is a point.
     #[default]
@@ -22,6 +20,8 @@ pub enum Inflation {
     /// Half its diagonal: enough in every heading.
     HalfDiagonal,
 }
+
+json::words!(Inflation: "none" = None, "width" = Width, "half-diagonal" = HalfDiagonal);
 
 impl Inflation {
     /// The radius in metres for a car of this length and width (metres), and extra `margin`; `None` for no inflation.
@@ -35,8 +35,7 @@ impl Inflation {
 }
 
 /// What is done to the raw path.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Post {
     /// Nothing.
     #[default]
@@ -49,9 +48,10 @@ pub enum Post {
     Smooth,
 }
 
+json::words!(Post: "none" = None, "prune" = Prune, "prune-dp" = PruneDp, "smooth" = Smooth);
+
 /// How corners share the segment between them.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum SmoothMode {
     /// Each corner may use what the one before it left, and half of the segment ahead; arcs shrink until they are free.
     #[default]
@@ -59,6 +59,8 @@ pub enum SmoothMode {
     /// Each corner tries the whole segment once.
     Paper,
 }
+
+json::words!(SmoothMode: "dynamic" = Dynamic, "paper" = Paper);
 
 /// The tightest arc that smoothing may put in.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -79,55 +81,75 @@ impl MinRadius {
     }
 }
 
-impl Serialize for MinRadius {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+impl Setting for MinRadius {
+    fn read(&mut self, value: &Value) -> Result<(), Error> {
+        *self = match (value.as_f64(), value.as_str()) {
+            (Some(radius), _) => Self::Cells(radius),
+            (_, Some("vehicle")) => Self::Vehicle,
+            _ => return bad("", format!("must be a number of cells or \"vehicle\", got {value}")),
+        };
+        Ok(())
+    }
+
+    fn write(&self) -> Value {
         match *self {
-            Self::Cells(radius) => serializer.serialize_f64(radius),
-            Self::Vehicle => serializer.serialize_str("vehicle"),
+            Self::Cells(radius) => radius.into(),
+            Self::Vehicle => "vehicle".into(),
         }
     }
 }
 
-impl<'de> Deserialize<'de> for MinRadius {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Words;
-        impl Visitor<'_> for Words {
-            type Value = MinRadius;
-
-            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str("a number of cells or \"vehicle\"")
-            }
-            fn visit_f64<E: de::Error>(self, v: f64) -> Result<MinRadius, E> {
-                Ok(MinRadius::Cells(v))
-            }
-            fn visit_u64<E: de::Error>(self, v: u64) -> Result<MinRadius, E> {
-                Ok(MinRadius::Cells(v as f64))
-            }
-            fn visit_i64<E: de::Error>(self, v: i64) -> Result<MinRadius, E> {
-                Ok(MinRadius::Cells(v as f64))
-            }
-            fn visit_str<E: de::Error>(self, v: &str) -> Result<MinRadius, E> {
-                if v == "vehicle" {
-                    Ok(MinRadius::Vehicle)
-                } else {
-                    Err(E::invalid_value(de::Unexpected::Str(v), &self))
-                }
-            }
-        }
-        deserializer.deserialize_any(Words)
-    }
+/// What every grid planner's settings say of the map and of the path.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Common {
+    /// What a path may do at corners of blocked cells.
+    pub corner: Corner,
+    /// Room for the car.
+    pub inflation: Inflation,
+    /// Extra room, metres.
+    pub margin: f64,
+    /// Passages through which no square of this many cells fits are closed; 1 closes none.
+    pub min_passage: u32,
+    /// Pockets into which no square of this many cells fits are closed; 1 closes none.
+    pub trap_mouth: u32,
+    /// What is done to the raw path.
+    pub post: Post,
+    /// How corners share the segment between them.
+    pub smooth_mode: SmoothMode,
+    /// Tightest arc of smoothing, cells.
+    pub min_radius: MinRadius,
+    /// Expansions after which the search gives up.
+    pub max_expansions: u32,
 }
 
-/// The part of a grid planner's settings that every one of them has, for the checks they share.
-pub(super) struct Shared {
-    pub(super) margin: f64,
-    pub(super) min_radius: MinRadius,
-    pub(super) max_expansions: u32,
-}
+impl Common {
+    /// No safety space, no processing of the path.
+    pub const PLAIN: Self = Self {
+        corner: Corner::Strict,
+        inflation: Inflation::None,
+        margin: 0.0,
+        min_passage: 1,
+        trap_mouth: 1,
+        post: Post::None,
+        smooth_mode: SmoothMode::Dynamic,
+        min_radius: MinRadius::Cells(1.0),
+        max_expansions: MAX_EXPANSIONS,
+    };
 
-impl Shared {
-    pub(super) fn validate(&self) -> Result<(), Error> {
+    /// Checks every setting.
+    ///
+    /// # Errors
+    /// [`ErrorCode::Config`] with the field and the rule.
+    pub fn validate(&self) -> Result<(), Error> {
         within("margin", self.margin, 0.0, 10.0)?;
+        for (name, cells) in [("minPassage", self.min_passage), ("trapMouth", self.trap_mouth)] {
+            within(name, f64::from(cells), 1.0, 64.0)?;
+            #[cfg(not(feature = "complete"))]
+            if cells > 1 {
+                let rule = format!("must be 1 without the complete module, got {cells}");
+                return Err(Error::new(ErrorCode::Config, name, rule));
+            }
+        }
         if let MinRadius::Cells(radius) = self.min_radius {
             within("minRadius", radius, 0.0, 1000.0)?;
         }

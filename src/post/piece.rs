@@ -31,6 +31,19 @@ impl Piece {
         points.windows(2).map(|pair| Self::Line { from: pair[0], to: pair[1] }).collect()
     }
 
+    /// The points of pieces that join, those of arcs at most `step` apart.
+    pub fn polyline(pieces: &[Self], step: f64) -> Vec<[f64; 2]> {
+        let mut points: Vec<_> = pieces.first().map(|first| first.point(0.0)).into_iter().collect();
+        for piece in pieces {
+            let parts = match piece {
+                Self::Line { .. } => 1,
+                Self::Arc { .. } => (piece.length() / step).ceil().max(1.0) as u32,
+            };
+            points.extend((1..=parts).map(|k| piece.point(f64::from(k) / f64::from(parts))));
+        }
+        points
+    }
+
     /// Its length.
     pub fn length(&self) -> f64 {
         match *self {

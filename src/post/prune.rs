@@ -1,6 +1,6 @@
 //! Leaving out cells that a path does not need.
 
-use crate::map::{Cell, Corner, Occupancy, line_of_sight};
+use crate::map::{Cell, Corner, Occupancy, first_in_sight, line_of_sight};
 
 /// Leaves out, in one pass, every cell that the last kept one need not pass to see the next (Hu et al. 2024, 5.1).
 ///
@@ -28,18 +28,37 @@ fn goes_straight(a: Cell, b: Cell, c: Cell) -> bool {
 
 /// The shortest way over the path's own cells, every cell of its long moves included.
 ///
-/// Takes time quadratic in the length of the path, up to a line-of-sight check per pair of its cells.
+/// Takes time quadratic in the length of the path. What hid a cell from another one mostly hides it from the next one
+/// too: that cell is looked at first, and only where it is out of the way the whole line.
 pub fn prune_dp(map: &Occupancy, path: &[Cell], corner: Corner) -> Vec<Cell> {
     let points = unit_steps(path);
     let mut best = vec![(f64::INFINITY, 0_usize); points.len()];
+    let mut screens: Vec<Option<Cell>> = vec![None; points.len()];
     if let Some(first) = best.first_mut() {
         first.0 = 0.0;
     }
     for j in 1..points.len() {
+        let mut latest = None;
         for i in 0..j {
             let length = best[i].0 + distance(points[i], points[j]);
-            if length < best[j].0 - 1e-12 && line_of_sight(map, points[i], points[j], corner) {
+            if length >= best[j].0 - 1e-12 {
+                continue;
+            }
+            let hidden = |screen: Option<Cell>| screen.is_some_and(|c| passes(points[j], points[i], c));
+            if hidden(screens[i]) {
+                continue;
+            }
+            if hidden(latest) {
+                screens[i] = latest;
+                continue;
+            }
+            let screen = first_in_sight(map, points[j], points[i], corner);
+            if screen.is_none() {
                 best[j] = (length, i);
+            } else {
+                // A free cell stands for a corner that no other line passes.
+                latest = screen.filter(|&c| map.blocked(c));
+                screens[i] = latest;
             }
         }
     }
@@ -51,6 +70,18 @@ pub fn prune_dp(map: &Occupancy, path: &[Cell], corner: Corner) -> Vec<Cell> {
     }
     kept.reverse();
     kept
+}
+
+/// Whether the segment between two cell centres passes through the inside of a third cell's square.
+fn passes(from: Cell, to: Cell, cell: Cell) -> bool {
+    let within = |v: i32, a: i32, b: i32| v >= a.min(b) && v <= a.max(b);
+    if !within(cell.x, from.x, to.x) || !within(cell.y, from.y, to.y) {
+        return false;
+    }
+    let (dx, dy) = (to.x - from.x, to.y - from.y);
+    // Twice the cell's centre's distance from the line, against the farthest one of its corners.
+    let aside = 2 * (dx * (cell.y - from.y) - dy * (cell.x - from.x));
+    aside.abs() < dx.abs() + dy.abs()
 }
 
 /// The path with every move that passes over cell centres cut there.
@@ -95,6 +126,64 @@ mod tests {
         let around = [Cell::new(0, 0), Cell::new(1, 0), Cell::new(1, 2), Cell::new(0, 2)];
         assert_eq!(prune(&map, &path, Corner::Strict), around);
         assert_eq!(prune_dp(&map, &path, Corner::Strict), around);
+    }
+
+    #[test]
+    fn a_cell_that_is_passed_is_in_sight() {
+        let (from, corner) = (Cell::new(4, 5), Corner::Strict);
+        for (to, index) in (0..100).flat_map(|to| (0..100).map(move |i| (to, i))) {
+            let mut map = Occupancy::new(10, 10);
+            let (to, cell) = (map.cell(to), map.cell(index));
+            map.set(cell, true);
+            let seen = line_of_sight(&map, from, to, corner);
+            assert!(!(passes(from, to, cell) && seen), "{to:?} {cell:?}");
+            // Without corners to touch, the two are the same.
+            let hidden = !line_of_sight(&map, from, to, Corner::Free);
+            assert!(from == to || passes(from, to, cell) == hidden);
+        }
+    }
+
+    /// As specified, with nothing clever in it.
+    fn plain_dp(map: &Occupancy, path: &[Cell], corner: Corner) -> Vec<Cell> {
+        let points = unit_steps(path);
+        let mut best = vec![(f64::INFINITY, 0); points.len()];
+        best[0].0 = 0.0;
+        for j in 1..points.len() {
+            for i in 0..j {
+                let length = best[i].0 + distance(points[i], points[j]);
+                if length < best[j].0 - 1e-12 && line_of_sight(map, points[i], points[j], corner) {
+                    best[j] = (length, i);
+                }
+            }
+        }
+        let (mut at, mut kept) = (points.len() - 1, vec![points[points.len() - 1]]);
+        while at > 0 {
+            at = best[at].1;
+            kept.push(points[at]);
+        }
+        kept.reverse();
+        kept
+    }
+
+    #[test]
+    fn the_quick_way_is_the_plain_one() {
+        use crate::scenario::generate::{Family, SplitMix64, occupancy};
+        let mut random = SplitMix64::new(5);
+        for seed in 1..=12 {
+            let map = occupancy(Family::RANDOM, 40, seed).unwrap();
+            for corner in [Corner::Strict, Corner::NoSqueeze, Corner::Free] {
+                // A walk that wanders, steps of the corner rule's own.
+                let mut path = vec![Cell::new(0, 0)];
+                while path.len() < 300 {
+                    let at = path[path.len() - 1];
+                    let to = at.offset(random.below(3) as i32 - 1, random.below(3) as i32 - 1);
+                    if to != at && line_of_sight(&map, at, to, corner) {
+                        path.push(to);
+                    }
+                }
+                assert_eq!(prune_dp(&map, &path, corner), plain_dp(&map, &path, corner));
+            }
+        }
     }
 
     #[test]

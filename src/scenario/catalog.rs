@@ -13,7 +13,7 @@ use crate::scenario::generate::{Family, generate};
 pub struct Info {
     /// Its id.
     pub id: &'static str,
-    /// `parking`, `grid`, `tight` or `paper`.
+    /// `parking`, `grid`, `tight`, `paper`, `moving` or `road`.
     pub group: &'static str,
     /// Its name in English and Chinese.
     pub title: [&'static str; 2],
@@ -21,7 +21,7 @@ pub struct Info {
     pub question: [&'static str; 2],
 }
 
-const fn info(
+pub(super) const fn info(
     id: &'static str,
     group: &'static str,
     title: [&'static str; 2],
@@ -36,7 +36,14 @@ const PAPER_QUESTION: [&str; 2] = [
 ];
 
 /// All built-in scenes, in the order of the page's menu.
-pub const SCENES: [Info; 23] = [
+pub fn scenes() -> impl Iterator<Item = &'static Info> {
+    let all = SCENES.iter();
+    #[cfg(feature = "complete")]
+    let all = all.chain(&super::crossing::SCENES).chain(&super::road_scenes::SCENES);
+    all
+}
+
+const SCENES: [Info; 23] = [
     info(
         "perpendicular",
         "parking",
@@ -143,7 +150,7 @@ const PAPER_ROWS: [(&str, [f64; 3], [f64; 3]); 10] = [
 /// ```
 pub fn scenario(id: &str) -> Result<Scenario, Error> {
     let mut scene = build(id).ok_or_else(|| {
-        let known: Vec<_> = SCENES.iter().map(|s| s.id).collect();
+        let known: Vec<_> = scenes().map(|s| s.id).collect();
         let message = format!("no scene \"{id}\"; there are {}", known.join(", "));
         Error::new(ErrorCode::UnknownScenario, "", message)
     })?;
@@ -152,8 +159,12 @@ pub fn scenario(id: &str) -> Result<Scenario, Error> {
 }
 
 fn build(id: &str) -> Option<Scenario> {
-    if let Some(&(_, start, goal)) = PAPER_ROWS.iter().find(|row| row.0 == id) {
-        return Some(lot(-10.0, 10.0, 5.0, start, goal));
+    if let Some(row) = paper_row(id) {
+        return Some(row);
+    }
+    #[cfg(feature = "complete")]
+    if let Some(scene) = super::crossing::build(id).or_else(|| super::road_scenes::build(id)) {
+        return Some(scene);
     }
     Some(match id {
         "perpendicular" => perpendicular(),
@@ -171,6 +182,11 @@ fn build(id: &str) -> Option<Scenario> {
         "perp-nose-3.2" => lot(0.0, 3.2, 6.0, [16.0, 9.0, PI], [1.6, 3.9, -FRAC_PI_2]),
         _ => return None,
     })
+}
+
+pub(super) fn paper_row(id: &str) -> Option<Scenario> {
+    let &(_, start, goal) = PAPER_ROWS.iter().find(|row| row.0 == id)?;
+    Some(lot(-10.0, 10.0, 5.0, start, goal))
 }
 
 /// The parking paper's lot: 50 m × 25 m above y = 5, with a bay `x0..x1` of some depth below it.
@@ -205,6 +221,12 @@ fn lot(x0: f64, x1: f64, depth: f64, start: [f64; 3], goal: [f64; 3]) -> Scenari
         map,
         obstacles: Vec::new(),
         slots: Vec::new(),
+        #[cfg(feature = "complete")]
+        moving: Vec::new(),
+        #[cfg(feature = "complete")]
+        lanes: Vec::new(),
+        #[cfg(feature = "complete")]
+        speed_limits: Vec::new(),
         vehicle: VehicleSpec::default(),
         start: pose(start),
         goal: Goal::Pose(pose(goal)),
@@ -312,7 +334,7 @@ mod tests {
 
     #[test]
     fn every_scene_is_listed_and_valid() {
-        for info in SCENES {
+        for info in scenes() {
             let scene = scenario(info.id).unwrap();
             assert!(scene.geometry().is_ok(), "{}", info.id);
         }

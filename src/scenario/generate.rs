@@ -3,11 +3,11 @@
 //! The start is the south-western cell, the goal the north-eastern one. A map in which they are not connected is drawn
 //! again from the continuing random stream.
 
-use serde::{Deserialize, Serialize};
-
 use super::{Goal, MAX_CELLS, MapFrame, Obstacle, Scenario, VehicleSpec};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::{Pose, math};
+#[cfg(feature = "complete")]
+use crate::json::{self, Fields};
 use crate::map::{Cell, Occupancy, raster};
 use crate::vehicle::Vehicle;
 
@@ -27,8 +27,7 @@ pub const CART: Vehicle = Vehicle {
 };
 
 /// How a map is drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(tag = "family", rename_all = "kebab-case", rename_all_fields = "camelCase", deny_unknown_fields)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Family {
     /// Rectangles anywhere.
     Random {
@@ -113,12 +112,56 @@ pub fn generate(family: Family, size: u32, seed: u64) -> Result<Scenario, Error>
         map: MapFrame { origin: [-0.5, -0.5], width: size, height: size, resolution: 1.0, boundary: None },
         obstacles: vec![Obstacle::Cells { id: None, runs: raster::to_runs(&map) }],
         slots: Vec::new(),
+        #[cfg(feature = "complete")]
+        moving: Vec::new(),
+        #[cfg(feature = "complete")]
+        lanes: Vec::new(),
+        #[cfg(feature = "complete")]
+        speed_limits: Vec::new(),
         vehicle: VehicleSpec::Custom(CART),
         // A quarter of a cell inwards, still in the corner cells: room to turn out of the corner.
         start: Pose::new(0.25, 0.25, math::PI / 4.0),
         goal: Goal::Pose(Pose::new(end - 0.25, end - 0.25, -3.0 * math::PI / 4.0)),
         planners: std::collections::BTreeMap::new(),
     })
+}
+
+/// Draws the scene that JSON fields ask for: `family` (`random`, `regular` or `trap`), `size`, `seed`, and for `random`
+/// `densityPermille`, `blockMin` and `blockMax`, which default to [`Family::RANDOM`]'s.
+///
+/// # Errors
+/// [`ErrorCode::Input`] with the field and the rule it breaks.
+///
+/// # Examples
+/// ```
+/// let scene = parkade::scenario::generate::from_json(&serde_json::json!({ "family": "trap", "size": 30, "seed": 2 }));
+/// assert_eq!(scene.unwrap().map.width, 30);
+/// ```
+#[cfg(feature = "complete")]
+pub fn from_json(value: &serde_json::Value) -> Result<Scenario, Error> {
+    const RECTANGLES: [&str; 3] = ["densityPermille", "blockMin", "blockMax"];
+    let f = Fields::of(value, &["family", "size", "seed", RECTANGLES[0], RECTANGLES[1], RECTANGLES[2]])?;
+    let whole = |value: &serde_json::Value| {
+        let seed = value.as_u64();
+        seed.map_or_else(|| json::bad("", format!("must be a whole number from 0, got {value}")), Ok)
+    };
+    let families =
+        json::word(&[("random", Family::RANDOM), ("regular", Family::Regular), ("trap", Family::Trap)]);
+    let family = match f.need("family", families)? {
+        Family::Random { density_permille, block_min, block_max } => Family::Random {
+            density_permille: f.maybe(RECTANGLES[0], json::count)?.unwrap_or(density_permille),
+            block_min: f.maybe(RECTANGLES[1], json::count)?.unwrap_or(block_min),
+            block_max: f.maybe(RECTANGLES[2], json::count)?.unwrap_or(block_max),
+        },
+        other => {
+            let given = RECTANGLES.iter().find(|name| value.get(name).is_some_and(|v| !v.is_null()));
+            if let Some(name) = given {
+                return json::bad(name, "must be left out: only random maps have it".to_owned());
+            }
+            other
+        }
+    };
+    generate(family, f.need("size", json::count)?, f.need("seed", whole)?)
 }
 
 /// Sebastiano Vigna's `SplitMix64`.
@@ -250,6 +293,45 @@ mod tests {
         let mut map = Occupancy::new(30, 30);
         raster::runs(&mut map, runs);
         assert_eq!(map, occupancy(Family::Trap, 30, 3).unwrap());
+    }
+
+    #[cfg(feature = "complete")]
+    #[test]
+    fn bad_fields_are_named() {
+        use serde_json::json;
+        let refused = |value| from_json(&value).unwrap_err().to_string();
+        for (got, expected) in [
+            (refused(json!([])), "must be an object, got []"),
+            (refused(json!({ "family": "maze" })), "family: must be random or regular or trap, got \"maze\""),
+            (refused(json!({ "family": "trap", "seed": 1 })), "size: missing field"),
+            (refused(json!({ "family": "trap", "size": 30 })), "seed: missing field"),
+            (
+                refused(json!({ "family": "trap", "size": 9, "seed": 1 })),
+                "size: must be between 10 and 4096, got 9",
+            ),
+            (
+                refused(json!({ "family": "trap", "size": 30, "seed": -1 })),
+                "seed: must be a whole number from 0",
+            ),
+            (
+                refused(json!({ "family": "trap", "size": 30, "seed": 1, "blockMin": 1 })),
+                "blockMin: must be left out",
+            ),
+            (
+                refused(json!({ "family": "random", "size": 30, "seed": 1, "block": 1 })),
+                "block: unknown field",
+            ),
+            (
+                refused(json!({ "family": "random", "size": 30, "seed": 1, "densityPermille": 901 })),
+                "densityPermille: must be between 0 and 900, got 901",
+            ),
+            (
+                refused(json!({ "family": "random", "size": 30, "seed": 1, "blockMin": 4 })),
+                "blockMin: must be between 1 and 3, got 4",
+            ),
+        ] {
+            assert!(got.starts_with(expected), "{got}\nis not\n{expected}");
+        }
     }
 
     #[test]

@@ -5,13 +5,26 @@ use std::collections::BTreeMap;
 
 use crate::geometry::Pose;
 use crate::vehicle::Vehicle;
+#[cfg(feature = "complete")]
+pub use moving::MovingObstacle;
+#[cfg(feature = "complete")]
+pub use road::{Lane, LanePiece, SpeedLimit};
 
 pub mod catalog;
+#[cfg(feature = "complete")]
+mod crossing;
 pub mod generate;
+#[cfg(feature = "complete")]
+mod moving;
+pub mod packed;
 pub(crate) mod parse;
 pub mod resolve;
+#[cfg(feature = "complete")]
+mod road;
+#[cfg(feature = "complete")]
+mod road_scenes;
 pub mod slot;
-mod validate;
+pub(crate) mod validate;
 
 /// Largest number of cells on a side of the map.
 pub const MAX_CELLS: u32 = 4096;
@@ -31,6 +44,18 @@ pub struct Scenario {
     pub obstacles: Vec<Obstacle>,
     /// Parking slots; an occupied one holds a parked car.
     pub slots: Vec<Slot>,
+    /// What moves. Planners leave it out; a drive along a path has to wait for it.
+    #[cfg(feature = "complete")]
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub moving: Vec<MovingObstacle>,
+    /// Lanes of a road, for planners that keep to them.
+    #[cfg(feature = "complete")]
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub lanes: Vec<Lane>,
+    /// Areas with a speed limit, for planners that know speeds.
+    #[cfg(feature = "complete")]
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub speed_limits: Vec<SpeedLimit>,
     /// The car that plans.
     pub vehicle: VehicleSpec,
     /// Where the car stands.

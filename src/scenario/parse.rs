@@ -1,106 +1,23 @@
 //! From JSON to [`Scenario`], with errors that name the field, however deep it is.
 //!
-//! Read by hand: serde's tagged and untagged enums forget where inside them an error arose, and the derived readers of
-//! a scene would be a quarter of the wasm file.
-
 use serde::de::{Deserialize, Deserializer, Error as _};
-use serde_json::{Map, Value};
+use serde_json::Value;
 use std::collections::BTreeMap;
 
+use super::packed;
 use super::{Entry, Goal, Lean, MapFrame, Obstacle, Scenario, Slot, SlotGoal, SlotKind, VehicleSpec};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::Pose;
+use crate::json::{Fields, bad, count, exactly, flag, list, number, object, owned, text, word};
 use crate::vehicle::{DEFAULT_STEER_RATE, Vehicle};
 
 type Result<T> = core::result::Result<T, Error>;
 
-fn bad<T>(path: &str, message: String) -> Result<T> {
-    Err(Error::new(ErrorCode::Scenario, path, message))
-}
-
-/// The fields of an object whose keys are all known.
-#[derive(Clone, Copy)]
-struct Fields<'a>(&'a Map<String, Value>);
-
-impl<'a> Fields<'a> {
-    fn of(value: &'a Value, known: &[&str]) -> Result<Self> {
-        let Value::Object(map) = value else { return bad("", format!("must be an object, got {value}")) };
-        match map.keys().find(|k| !known.contains(&k.as_str())) {
-            Some(key) => bad(key, format!("unknown field; there are {}", known.join(", "))),
-            None => Ok(Self(map)),
-        }
-    }
-
-    /// A field that may be absent or null.
-    fn maybe<T>(self, name: &str, read: impl Fn(&'a Value) -> Result<T>) -> Result<Option<T>> {
-        match self.0.get(name) {
-            None | Some(Value::Null) => Ok(None),
-            Some(value) => read(value).map(Some).map_err(|e| e.within(name)),
-        }
-    }
-
-    fn need<T>(self, name: &str, read: impl Fn(&'a Value) -> Result<T>) -> Result<T> {
-        match self.maybe(name, read)? {
-            Some(value) => Ok(value),
-            None => bad(name, "missing field".to_owned()),
-        }
-    }
-}
-
-fn number(value: &Value) -> Result<f64> {
-    value.as_f64().map_or_else(|| bad("", format!("must be a number, got {value}")), Ok)
-}
-
-fn count(value: &Value) -> Result<u32> {
-    let whole = value.as_u64().and_then(|v| u32::try_from(v).ok());
-    whole.map_or_else(|| bad("", format!("must be a whole number from 0, got {value}")), Ok)
-}
-
-fn flag(value: &Value) -> Result<bool> {
-    value.as_bool().map_or_else(|| bad("", format!("must be true or false, got {value}")), Ok)
-}
-
-fn text(value: &Value) -> Result<&str> {
-    value.as_str().map_or_else(|| bad("", format!("must be a string, got {value}")), Ok)
-}
-
-fn owned(value: &Value) -> Result<String> {
-    text(value).map(str::to_owned)
-}
-
-/// One of some words.
-fn word<T: Copy>(choices: &'static [(&'static str, T)]) -> impl Fn(&Value) -> Result<T> {
-    move |value| {
-        if let Some(&(_, choice)) = choices.iter().find(|c| value.as_str() == Some(c.0)) {
-            return Ok(choice);
-        }
-        let known: Vec<_> = choices.iter().map(|c| c.0).collect();
-        bad("", format!("must be {}, got {value}", known.join(" or ")))
-    }
-}
-
-fn list<T>(read: impl Fn(&Value) -> Result<T>) -> impl Fn(&Value) -> Result<Vec<T>> {
-    move |value| {
-        let Value::Array(items) = value else { return bad("", format!("must be an array, got {value}")) };
-        items.iter().enumerate().map(|(i, v)| read(v).map_err(|e| e.within(&format!("[{i}]")))).collect()
-    }
-}
-
-/// Exactly `N` of something.
-fn exactly<T, const N: usize>(read: impl Fn(&Value) -> Result<T>) -> impl Fn(&Value) -> Result<[T; N]> {
-    let all = list(read);
-    move |value| {
-        all(value)?
-            .try_into()
-            .or_else(|items: Vec<T>| bad("", format!("must have {N} items, got {}", items.len())))
-    }
-}
-
-fn point(value: &Value) -> Result<[f64; 2]> {
+pub(super) fn point(value: &Value) -> Result<[f64; 2]> {
     exactly(number)(value)
 }
 
-fn pose(value: &Value) -> Result<Pose> {
+pub(crate) fn pose(value: &Value) -> Result<Pose> {
     let f = Fields::of(value, &["x", "y", "heading"])?;
     Ok(Pose::new(f.need("x", number)?, f.need("y", number)?, f.need("heading", number)?))
 }
@@ -116,7 +33,8 @@ fn map(value: &Value) -> Result<MapFrame> {
     })
 }
 
-fn vehicle(value: &Value) -> Result<VehicleSpec> {
+/// A car: a profile's name or dimensions, not yet checked.
+pub(crate) fn vehicle(value: &Value) -> Result<VehicleSpec> {
     if let Value::String(name) = value {
         return Ok(VehicleSpec::Profile(name.clone()));
     }
@@ -132,6 +50,11 @@ fn vehicle(value: &Value) -> Result<VehicleSpec> {
     }))
 }
 
+/// Runs of cells: threes of numbers, or packed.
+fn runs(value: &Value) -> Result<Vec<[u32; 3]>> {
+    value.as_str().map_or_else(|| list(exactly(count))(value), packed::unpack)
+}
+
 fn obstacle(value: &Value) -> Result<Obstacle> {
     let kind = match value.get("type") {
         Some(kind) => text(kind).map_err(|e| e.within("type"))?,
@@ -142,7 +65,7 @@ fn obstacle(value: &Value) -> Result<Obstacle> {
     Ok(match kind {
         "cells" => {
             let f = Fields::of(value, &["type", "id", "runs"])?;
-            Obstacle::Cells { id: id(f)?, runs: f.need("runs", list(exactly(count)))? }
+            Obstacle::Cells { id: id(f)?, runs: f.need("runs", runs)? }
         }
         "wall" => {
             let f = Fields::of(value, &["type", "id", "points", "thickness"])?;
@@ -203,10 +126,6 @@ fn goal(value: &Value) -> Result<Goal> {
     Ok(Goal::Slot(SlotGoal { slot: f.need("slot", owned)?, entry: f.need("entry", entry)? }))
 }
 
-fn object(value: &Value) -> Result<&Map<String, Value>> {
-    value.as_object().map_or_else(|| bad("", format!("must be an object, got {value}")), Ok)
-}
-
 impl Scenario {
     /// Reads and validates a scene.
     ///
@@ -219,7 +138,26 @@ impl Scenario {
     /// assert_eq!(error.to_string(), "map: missing field");
     /// ```
     pub fn from_json(value: &Value) -> Result<Self> {
-        let known = ["version", "name", "map", "obstacles", "slots", "vehicle", "start", "goal", "planners"];
+        let scenario = Self::read(value).map_err(|e| Error { code: ErrorCode::Scenario, ..e })?;
+        scenario.validate()?;
+        Ok(scenario)
+    }
+
+    fn read(value: &Value) -> Result<Self> {
+        let known = [
+            "version",
+            "name",
+            "map",
+            "obstacles",
+            "slots",
+            "moving",
+            "lanes",
+            "speedLimits",
+            "vehicle",
+            "start",
+            "goal",
+            "planners",
+        ];
         let f = Fields::of(value, &known)?;
         let settings = |value| {
             let mut settings = BTreeMap::new();
@@ -228,19 +166,24 @@ impl Scenario {
             }
             Ok(settings)
         };
-        let scenario = Self {
+        Ok(Self {
             version: f.need("version", count)?,
             name: f.maybe("name", owned)?,
             map: f.need("map", map)?,
             obstacles: f.maybe("obstacles", list(obstacle))?.unwrap_or_default(),
             slots: f.maybe("slots", list(slot))?.unwrap_or_default(),
+            // No planner of `core` sees these: it leaves them to the complete module.
+            #[cfg(feature = "complete")]
+            moving: f.maybe("moving", super::moving::read_all)?.unwrap_or_default(),
+            #[cfg(feature = "complete")]
+            lanes: f.maybe("lanes", super::road::read_lanes)?.unwrap_or_default(),
+            #[cfg(feature = "complete")]
+            speed_limits: f.maybe("speedLimits", super::road::read_limits)?.unwrap_or_default(),
             vehicle: f.maybe("vehicle", vehicle)?.unwrap_or_default(),
             start: f.need("start", pose)?,
             goal: f.need("goal", goal)?,
             planners: f.maybe("planners", settings)?.unwrap_or_default(),
-        };
-        scenario.validate()?;
-        Ok(scenario)
+        })
     }
 }
 
@@ -276,6 +219,19 @@ mod tests {
         let scenario = Scenario::from_json(&scene()).unwrap();
         let again = Scenario::from_json(&serde_json::to_value(&scenario).unwrap()).unwrap();
         assert_eq!(scenario, again);
+    }
+
+    #[cfg(feature = "complete")]
+    #[test]
+    fn moving_obstacles_read_and_write_back() {
+        let mut value = scene();
+        value["moving"] = json!([{ "points": [[1, 2], [9, 2]], "size": [5, 1], "speed": 2 }]);
+        let scenario = Scenario::from_json(&value).unwrap();
+        assert_eq!((scenario.moving[0].start, scenario.moving[0].size), (0.0, [5.0, 1.0]));
+        assert_eq!(scenario, Scenario::from_json(&serde_json::to_value(&scenario).unwrap()).unwrap());
+        let error =
+            refused(|s| s["moving"] = json!([{ "points": [[1, 2], [9]], "size": [5, 1], "speed": 2 }]));
+        assert!(error.starts_with("moving[0].points[1]: must have 2 items"), "{error}");
     }
 
     #[test]

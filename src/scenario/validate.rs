@@ -11,7 +11,7 @@ const MAX_COORDINATE: f64 = 1e11;
 /// Most corners of one polygon or wall: the test for self-intersection is quadratic.
 const MAX_CORNERS: usize = 2000;
 
-fn bad<T>(path: &str, message: String) -> Result<T, Error> {
+pub(super) fn bad<T>(path: &str, message: String) -> Result<T, Error> {
     Err(Error::new(ErrorCode::Scenario, path, message))
 }
 
@@ -37,6 +37,18 @@ impl Scenario {
                     format!("must be unique, \"{id}\" is slots[{twin}] too"),
                 );
             }
+        }
+        #[cfg(feature = "complete")]
+        for (i, moving) in self.moving.iter().enumerate() {
+            moving.validate().map_err(|e| e.within(&format!("moving[{i}]")))?;
+        }
+        #[cfg(feature = "complete")]
+        for (i, lane) in self.lanes.iter().enumerate() {
+            lane.validate().map_err(|e| e.within(&format!("lanes[{i}]")))?;
+        }
+        #[cfg(feature = "complete")]
+        for (i, limit) in self.speed_limits.iter().enumerate() {
+            limit.validate().map_err(|e| e.within(&format!("speedLimits[{i}]")))?;
         }
         self.vehicle.resolve().map_err(|e| e.within("vehicle"))?;
         finite_pose(self.start).map_err(|e| e.within("start"))?;
@@ -93,7 +105,7 @@ impl MapFrame {
 }
 
 impl Obstacle {
-    fn validate(&self, map: &MapFrame) -> Result<(), Error> {
+    pub(crate) fn validate(&self, map: &MapFrame) -> Result<(), Error> {
         match self {
             Self::Cells { runs, .. } => {
                 for (i, &[x, y, count]) in runs.iter().enumerate() {
@@ -148,7 +160,7 @@ fn finite(path: &str, value: f64) -> Result<(), Error> {
     if value.is_finite() { Ok(()) } else { bad(path, format!("must be a finite number, got {value}")) }
 }
 
-fn positive(path: &str, value: f64) -> Result<(), Error> {
+pub(super) fn positive(path: &str, value: f64) -> Result<(), Error> {
     if value > 0.0 && value <= 1e6 {
         Ok(())
     } else {
@@ -163,13 +175,13 @@ fn point(path: &str, [x, y]: [f64; 2]) -> Result<(), Error> {
     }
 }
 
-fn finite_pose(pose: Pose) -> Result<(), Error> {
+pub(crate) fn finite_pose(pose: Pose) -> Result<(), Error> {
     point("x", [pose.x, 0.0])?;
     point("y", [pose.y, 0.0])?;
     finite("heading", pose.heading)
 }
 
-fn corners(path: &str, points: &[[f64; 2]], least: usize) -> Result<(), Error> {
+pub(super) fn corners(path: &str, points: &[[f64; 2]], least: usize) -> Result<(), Error> {
     if points.len() < least || points.len() > MAX_CORNERS {
         return bad(path, format!("must have {least} to {MAX_CORNERS} points, got {}", points.len()));
     }
@@ -177,7 +189,7 @@ fn corners(path: &str, points: &[[f64; 2]], least: usize) -> Result<(), Error> {
 }
 
 /// A closed outline: at least three corners, no two edges that touch, some area.
-fn outline(path: &str, points: &[[f64; 2]]) -> Result<(), Error> {
+pub(super) fn outline(path: &str, points: &[[f64; 2]]) -> Result<(), Error> {
     corners(path, points, 3)?;
     let n = points.len();
     // Relative to the first corner, so that the tests below keep their digits far from the origin.
@@ -239,6 +251,7 @@ mod tests {
                 { "id": "b", "kind": "parallel", "x": 5, "y": 9, "heading": 0, "width": 2.5, "length": 6 },
             ],
             "obstacles": [{ "type": "polygon", "points": [[8, 8], [9, 8], [9, 9]] }],
+            "moving": [{ "points": [[1, 2], [9, 2], [9, 4]], "size": [5, 1], "speed": 2 }],
             "start": { "x": 2.0, "y": 5.0, "heading": 0.0 },
             "goal": { "slot": "a", "entry": "head-in" },
         }))
@@ -276,6 +289,30 @@ mod tests {
                 refused(|s| s.obstacles.push(Obstacle::Cells { id: None, runs: vec![[39, 0, 2]] })),
                 "obstacles[1].runs[0]: must lie on the 40 × 40 map, got [39, 0, 2]",
             ),
+        ];
+        for (got, expected) in cases {
+            assert!(got.starts_with(expected), "{got}\nis not\n{expected}");
+        }
+    }
+
+    #[cfg(feature = "complete")]
+    #[test]
+    fn impossible_movements_are_refused_with_words() {
+        let cases = [
+            (
+                refused(|s| s.moving[0].points[1] = [1.0, 2.0]),
+                "moving[0].points[1]: must differ from the point before it",
+            ),
+            (
+                refused(|s| s.moving[0].points.truncate(1)),
+                "moving[0].points: must have 2 to 2000 points, got 1",
+            ),
+            (
+                refused(|s| s.moving[0].size[1] = 0.0),
+                "moving[0].size[1]: must be positive, at most 1e6, got 0",
+            ),
+            (refused(|s| s.moving[0].speed = -2.0), "moving[0].speed: must be positive, at most 1e6, got -2"),
+            (refused(|s| s.moving[0].start = f64::NAN), "moving[0].start: must be 0 to 1e6 s, got NaN"),
         ];
         for (got, expected) in cases {
             assert!(got.starts_with(expected), "{got}\nis not\n{expected}");

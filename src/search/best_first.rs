@@ -51,18 +51,34 @@ impl<D: Domain, O: Observer<D::Cost, D::Label>> Relax<D::Cost, D::Label> for Sin
         g < self.best && self.scratch.get(target).is_none_or(|s| s.stage == 0 && g < s.g)
     }
 
-    fn emit(&mut self, target: NodeId, cost: D::Cost, label: D::Label) {
-        if !self.worth(target, cost) {
-            return;
+    fn is_closed(&self, target: NodeId) -> bool {
+        self.scratch.get(target).is_some_and(|slot| slot.stage > 0)
+    }
+
+    fn emit_past(&mut self, target: NodeId, cost: D::Cost, label: D::Label) {
+        let parent = self.scratch.slot_mut(self.parent).parent;
+        let g = self.scratch.slot_mut(parent).g + cost;
+        if !self.is_closed(target) && self.scratch.get(target).is_none_or(|slot| g < slot.g) {
+            self.link(parent, g, target, label);
         }
+    }
+
+    fn emit(&mut self, target: NodeId, cost: D::Cost, label: D::Label) {
+        if self.worth(target, cost) {
+            self.link(self.parent, self.g + cost, target, label);
+        }
+    }
+}
+
+impl<D: Domain, O: Observer<D::Cost, D::Label>> Sink<'_, D, O> {
+    fn link(&mut self, parent: NodeId, g: D::Cost, target: NodeId, label: D::Label) {
         let h = self.domain.heuristic(target, label);
-        let g = self.g + cost;
         if h >= D::Cost::MAX || g + h >= self.best {
             return;
         }
         self.improved = true;
-        self.generated += u32::from(self.scratch.improve(target, g, label, self.parent));
-        self.observer.relaxed(target, self.parent, label, g);
+        self.generated += u32::from(self.scratch.improve(target, g, label, parent));
+        self.observer.relaxed(target, parent, label, g);
         self.scratch.enter(D::ORDER, (g + h, h), target, Kind::Fresh);
     }
 }

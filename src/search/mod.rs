@@ -1,11 +1,17 @@
 //! Best-first search over any [`Domain`]; knows nodes and costs, nothing else.
 
 mod best_first;
+#[cfg(feature = "complete")]
+mod both_ways;
+pub mod lattice;
 mod observer;
 mod open;
+mod queue;
 mod table;
 
 pub use best_first::{Limits, Report, best_first};
+#[cfg(feature = "complete")]
+pub use both_ways::{Stop, both_ways};
 pub use observer::{Observer, Trace};
 pub use open::Order;
 pub use table::Scratch;
@@ -28,7 +34,7 @@ impl Cost for i64 {
     const MAX: Self = Self::MAX;
 
     fn bucket(self) -> usize {
-        (self.max(0) >> 16) as usize
+        (self.max(0) >> 12) as usize
     }
 }
 
@@ -36,7 +42,7 @@ impl Cost for f64 {
     const MAX: Self = Self::INFINITY;
 
     fn bucket(self) -> usize {
-        (self * 16.0) as usize
+        (self * 256.0) as usize
     }
 }
 
@@ -132,6 +138,15 @@ pub enum Hold<C> {
 pub trait Relax<C, L> {
     /// Whether a move of this cost to `target` would improve on what is known.
     fn worth(&self, target: NodeId, cost: C) -> bool;
+    /// Whether `target` has been expanded: no move improves it any more.
+    fn is_closed(&self, target: NodeId) -> bool {
+        let _ = target;
+        false
+    }
+    /// Takes a valid move that leads to `target` from the node's parent, past the node itself. Only [`best_first`] does.
+    fn emit_past(&mut self, target: NodeId, cost: C, label: L) {
+        let _ = (target, cost, label);
+    }
     /// Takes a valid move.
     fn emit(&mut self, target: NodeId, cost: C, label: L);
 }

@@ -1,7 +1,9 @@
 //! The open list: an exact total order at nearly the price of a bucket queue.
 //!
-//! Entries are sorted coarsely into buckets of f; only the current bucket is a heap. Whatever falls into or before the
-//! current bucket goes to that heap, so the order is exact for every heuristic, consistent or not.
+//! Entries are sorted into buckets of f, coarsely at first, finely once their coarse bucket is due; only the entries of
+//! the current fine bucket are in order. Whatever falls into or before it is put among them, so the order is exact for
+//! every heuristic, consistent or not. They are a sorted stack, onto which an entry goes that comes before nearly all
+//! others, as that of the next cell on a straight way does, and a heap for the rest.
 
 use super::{Cost, NodeId};
 
@@ -58,11 +60,19 @@ impl<C: Cost> Entry<C> {
 
 #[derive(Debug, Default)]
 pub(super) struct OpenList<C> {
-    /// All entries up to the current bucket, as a 4-ary heap: the four children of an entry are neighbours in memory.
+    /// Entries up to the current bucket, as a 4-ary heap: the four children of an entry are neighbours in memory.
     heap: Vec<Entry<C>>,
-    /// The entries of later buckets, unsorted.
+    /// Entries of the current bucket in order, the first one last.
+    stack: Vec<Entry<C>>,
+    /// Room for sorting.
+    spare: Vec<Entry<C>>,
+    /// The entries of the fine buckets of the current coarse one, unsorted.
+    fine: [Vec<Entry<C>>; FINE],
+    /// The entries of later coarse buckets, unsorted.
     later: Vec<Vec<Entry<C>>>,
+    /// The current fine bucket.
     current: usize,
+    /// The highest coarse bucket in use.
     highest: usize,
     /// The f from which buckets are counted.
     origin: C,
@@ -72,15 +82,23 @@ pub(super) struct OpenList<C> {
 }
 
 const ARITY: usize = 4;
-/// Buckets beyond this one share it.
-const LAST_BUCKET: usize = 1 << 16;
+/// How deep into the stack an entry may be put.
+const DEPTH: usize = 6;
+/// Fine buckets in a coarse one.
+const FINE: usize = 16;
+/// Fine buckets beyond this one share it.
+const LAST_BUCKET: usize = FINE * (1 << 16) - 1;
+/// Runs of this many entries are sorted by insertion, and then merged.
+const RUN: usize = 12;
 
 impl<C: Cost> OpenList<C> {
     /// Empties the list; buckets count from `origin`, best the root's f.
     pub(super) fn reset(&mut self, origin: C) {
         self.heap.clear();
+        self.stack.clear();
+        self.fine.iter_mut().for_each(Vec::clear);
         let used = self.later.len().min(self.highest + 1);
-        self.later[..used].iter_mut().skip(self.current).for_each(Vec::clear);
+        self.later[..used].iter_mut().skip(self.current / FINE).for_each(Vec::clear);
         (self.current, self.highest, self.len, self.peak, self.pushes) = (0, 0, 0, 0, 0);
         self.origin = origin;
     }
@@ -102,18 +120,24 @@ impl<C: Cost> OpenList<C> {
         self.pushes += 1;
         self.len += 1;
         self.peak = self.peak.max(self.len);
-        let bucket = (f - self.origin).bucket().min(LAST_BUCKET);
+        let bucket = self.bucket(f);
+        let coarse = bucket / FINE;
         if bucket <= self.current {
-            self.heap.push(entry);
-            self.sift_up(order);
+            self.insert(entry, order);
+        } else if coarse == self.current / FINE {
+            self.fine[bucket % FINE].push(entry);
         } else {
-            if bucket >= self.later.len() {
-                self.later.resize_with(bucket + 1, Vec::new);
+            if coarse >= self.later.len() {
+                self.later.resize_with(coarse + 1, Vec::new);
             }
-            self.later[bucket].push(entry);
-            self.highest = self.highest.max(bucket);
+            self.later[coarse].push(entry);
+            self.highest = self.highest.max(coarse);
         }
         ticket
+    }
+
+    fn bucket(&self, f: C) -> usize {
+        (f - self.origin).bucket().min(LAST_BUCKET)
     }
 
     /// Takes the first entry of the order.
@@ -122,8 +146,14 @@ impl<C: Cost> OpenList<C> {
             return None;
         }
         self.len -= 1;
-        if self.heap.is_empty() {
+        if self.stack.is_empty() && self.heap.is_empty() {
             self.advance(order);
+        }
+        if let Some(&first) = self.stack.last()
+            && self.heap.first().is_none_or(|other| first.before(other, order))
+        {
+            self.stack.pop();
+            return Some(first);
         }
         let last = self.heap.pop()?;
         let Some(&top) = self.heap.first() else { return Some(last) };
@@ -131,19 +161,43 @@ impl<C: Cost> OpenList<C> {
         Some(top)
     }
 
-    /// Makes the next bucket with entries the current one.
+    /// Puts an entry among those of the current bucket.
+    #[inline(never)]
+    fn insert(&mut self, entry: Entry<C>, order: Order) {
+        let near =
+            self.stack.iter().rev().take(DEPTH).take_while(|other| other.before(&entry, order)).count();
+        if near < DEPTH {
+            self.stack.insert(self.stack.len() - near, entry);
+        } else {
+            self.heap.push(entry);
+            self.sift_up(order);
+        }
+    }
+
+    /// Makes the next fine bucket with entries the current one.
+    #[inline(never)]
     fn advance(&mut self, order: Order) {
         loop {
             self.current += 1;
-            if !self.later[self.current].is_empty() {
+            if self.current.is_multiple_of(FINE) {
+                let mut coarse = self.current / FINE;
+                while self.later[coarse].is_empty() {
+                    coarse += 1;
+                }
+                self.current = coarse * FINE;
+                let mut entries = std::mem::take(&mut self.later[coarse]);
+                for entry in entries.drain(..) {
+                    let bucket = self.bucket(entry.f);
+                    self.fine[bucket % FINE].push(entry);
+                }
+                self.later[coarse] = entries;
+            }
+            if !self.fine[self.current % FINE].is_empty() {
                 break;
             }
         }
-        std::mem::swap(&mut self.heap, &mut self.later[self.current]);
-        for hole in (0..self.heap.len().div_ceil(ARITY)).rev() {
-            let entry = self.heap[hole];
-            self.sift_down(hole, entry, order);
-        }
+        std::mem::swap(&mut self.stack, &mut self.fine[self.current % FINE]);
+        sort(&mut self.stack, &mut self.spare, order);
     }
 
     fn sift_up(&mut self, order: Order) {
@@ -181,6 +235,42 @@ impl<C: Cost> OpenList<C> {
             hole = best;
         }
         heap[hole] = entry;
+    }
+}
+
+/// Sorts entries so that the first one of the order comes last. (The standard library's sort is 8 kB of wasm.)
+#[inline(never)]
+fn sort<C: Cost>(entries: &mut Vec<Entry<C>>, spare: &mut Vec<Entry<C>>, order: Order) {
+    for run in entries.chunks_mut(RUN) {
+        for sorted in 1..run.len() {
+            let entry = run[sorted];
+            let mut hole = sorted;
+            while hole > 0 && run[hole - 1].before(&entry, order) {
+                run[hole] = run[hole - 1];
+                hole -= 1;
+            }
+            run[hole] = entry;
+        }
+    }
+    let mut length = RUN;
+    while length < entries.len() {
+        spare.clear();
+        for pair in entries.chunks(2 * length) {
+            let (mut a, mut b) = pair.split_at(length.min(pair.len()));
+            while let ([first, rest @ ..], [second, others @ ..]) = (a, b) {
+                if first.before(second, order) {
+                    spare.push(*second);
+                    b = others;
+                } else {
+                    spare.push(*first);
+                    a = rest;
+                }
+            }
+            spare.extend_from_slice(a);
+            spare.extend_from_slice(b);
+        }
+        std::mem::swap(entries, spare);
+        length *= 2;
     }
 }
 

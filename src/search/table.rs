@@ -81,6 +81,12 @@ impl<C: Cost, L: Copy + Default> Scratch<C, L> {
         self.slots[node as usize].ticket = self.open.push(order, f, h, node, kind);
     }
 
+    /// Bytes held, but for the open list's.
+    #[cfg(feature = "complete")]
+    pub fn bytes(&self) -> usize {
+        size_of_val(&self.slots[..])
+    }
+
     /// The best cost found for `node` in the last search.
     pub fn cost(&self, node: NodeId) -> Option<C> {
         self.get(node).map(|s| s.g)

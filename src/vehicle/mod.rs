@@ -50,11 +50,26 @@ impl Vehicle {
         max_steer_rate: 0.6,
     };
 
+    /// The road manuscript's ship (72 m × 16 m, turns in 144 m); it turns about a point a quarter of its length from the
+    /// stern, a choice of ours.
+    #[cfg(feature = "complete")]
+    pub const SHIP: Self = Self {
+        wheelbase: 36.0,
+        width: 16.0,
+        rear_to_front: 54.0,
+        rear_to_back: 18.0,
+        // atan(36 / 144)
+        max_steer: 0.244_978_663_126_864_15,
+        max_steer_rate: 0.05,
+    };
+
     /// The named profile, if there is one.
     pub fn profile(name: &str) -> Option<Self> {
         match name {
             "paper" => Some(Self::PAPER),
             "sedan" => Some(Self::SEDAN),
+            #[cfg(feature = "complete")]
+            "ship" => Some(Self::SHIP),
             _ => None,
         }
     }
@@ -72,6 +87,12 @@ impl Vehicle {
     /// Full length, metres.
     pub fn length(&self) -> f64 {
         self.rear_to_front + self.rear_to_back
+    }
+
+    /// How far the body's middle is ahead of the rear axle, metres.
+    #[cfg(feature = "complete")]
+    pub fn middle(&self) -> f64 {
+        (self.rear_to_front - self.rear_to_back) / 2.0
     }
 
     /// The corners of the body at `pose`: front left, rear left, rear right, front right.
@@ -121,6 +142,8 @@ mod tests {
     fn profiles_turn_in_the_stated_radius() {
         assert!((Vehicle::PAPER.min_turning_radius() - 5.408_275_004_188_978).abs() < 1e-12);
         assert!((Vehicle::SEDAN.min_turning_radius() - 5.5).abs() < 1e-9);
+        #[cfg(feature = "complete")]
+        assert!((Vehicle::SHIP.min_turning_radius() - 144.0).abs() < 1e-9 && Vehicle::SHIP.length() == 72.0);
     }
 
     #[test]

@@ -62,7 +62,7 @@ pub(super) fn check(scene: &Scenario, geometry: &Geometry, check: &Check) -> JsV
     answer
 }
 
-fn hit(scene: &Scenario, owner: Owner, pose: Pose) -> Value {
+pub(super) fn hit(scene: &Scenario, owner: Owner, pose: Pose) -> Value {
     let index = match owner {
         Owner::Obstacle(i) => i as i64,
         Owner::Border | Owner::Slot(_) => -1,

@@ -3,14 +3,19 @@
 
 mod answer;
 mod codec;
+#[cfg(feature = "complete")]
+mod complete;
+#[cfg(feature = "complete")]
+mod drive;
 
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::*;
 
 use crate::error::{Error, ErrorCode};
+use crate::geometry::Pose;
 use crate::plan::{self, Planner};
 use crate::planners::registry;
-use crate::scenario::{Scenario, catalog};
+use crate::scenario::{Scenario, catalog, parse};
 
 type JsResult = Result<JsValue, JsValue>;
 
@@ -43,7 +48,7 @@ pub fn default_config(planner: &str) -> JsResult {
 pub fn scenarios() -> JsValue {
     let both = |[en, zh]: [&str; 2]| json!({ "en": en, "zh": zh });
     let entry = |s: &catalog::Info| json!({ "id": s.id, "group": s.group, "title": both(s.title), "question": both(s.question) });
-    codec::write(&catalog::SCENES.iter().map(entry).collect::<Vec<_>>())
+    codec::write(&catalog::scenes().map(entry).collect::<Vec<_>>())
 }
 
 /// A built-in scene.
@@ -92,6 +97,10 @@ fn refused(path: &str, message: &str) -> JsValue {
     codec::js_error(&Error::new(ErrorCode::Input, path, message))
 }
 
+fn pose(path: &str, value: &Value) -> Result<Pose, JsValue> {
+    parse::pose(value).map_err(|e| codec::js_error(&Error { code: ErrorCode::Input, ..e.within(path) }))
+}
+
 /// A planner on one scene: settings checked once, map prepared once.
 #[wasm_bindgen]
 pub struct RawPlanner {
@@ -112,17 +121,19 @@ impl RawPlanner {
     /// Plans.
     pub fn plan(&mut self, options: JsValue) -> JsResult {
         let fields = optional(options, ErrorCode::Input)?;
-        let mut options = plan::Options::default();
+        let (mut options, mut ends) = (plan::Options::default(), plan::Ends::default());
         for (name, value) in fields {
-            match (name.as_str(), value.as_bool()) {
-                ("trace", Some(trace)) => options.trace = trace,
-                ("trace", None) => {
-                    return Err(refused(&name, &format!("must be true or false, got {value}")));
+            match name.as_str() {
+                "trace" => {
+                    let rule = || refused(&name, &format!("must be true or false, got {value}"));
+                    options.trace = value.as_bool().ok_or_else(rule)?;
                 }
-                _ => return Err(refused(&name, "no option of plan; there is trace")),
+                "start" => ends.start = Some(pose(&name, &value)?),
+                "goal" => ends.goal = Some(pose(&name, &value)?),
+                _ => return Err(refused(&name, "no option of plan; there are trace, start, goal")),
             }
         }
-        let plan = self.planner.plan(options);
+        let plan = self.planner.plan_between(ends, options).map_err(|e| codec::js_error(&e))?;
         Ok(answer::plan(self.planner.scenario(), self.planner.geometry(), &plan))
     }
 

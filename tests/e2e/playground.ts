@@ -4,11 +4,14 @@ import type { Plan, Scenario } from "parkade";
 /** What the tests use of the page's element. */
 export interface PlaygroundElement extends HTMLElement {
   ready: Promise<void>;
+  scene: string;
   sceneData: Scenario;
+  updateComplete: Promise<boolean>;
   results: Record<string, Plan | null>;
   settled(): Promise<void>;
+  shareURL(): Promise<string | null>;
   store: {
-    state: { scene: Scenario; canUndo: boolean; message: { tone: string; text: string } | null; camera: unknown; mode: string; lang: string };
+    state: { scene: Scenario; canUndo: boolean; message: { tone: string; text: string } | null; camera: unknown; mode: string; lang: string; complete: boolean };
     set(patch: Record<string, unknown>): void;
   };
 }

@@ -38,7 +38,7 @@ function setup() {
     failed: (error) => heard.push(`failed ${error.code}`),
     restarted: () => heard.push("restarted"),
   });
-  const plan = (id: number) => lane.plan({ id, scene: {} as Scenario, layers: [] });
+  const plan = (id: number) => lane.plan({ id, scene: {} as Scenario, layers: [], trace: true, waiting: null });
   return { workers, heard, lane, plan };
 }
 

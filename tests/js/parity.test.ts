@@ -1,5 +1,6 @@
 import { readFileSync } from "node:fs";
 import { init, Planner, planners, scenario, type PlannerId } from "parkade";
+import * as core from "parkade/core";
 import { beforeAll, describe, expect, it } from "vitest";
 
 const read = (name: string): unknown => JSON.parse(readFileSync(new URL(`../data/${name}`, import.meta.url), "utf8"));
@@ -14,7 +15,7 @@ interface Golden {
   risk: { cost_micro: number; expanded: number; generated: number; deferred: number; length_pruned: number };
 }
 
-beforeAll(() => init());
+beforeAll(() => Promise.all([init(), core.init()]));
 
 describe("plans in Node", () => {
   const hashes = read("plan-hashes.json") as Record<string, Record<PlannerId, string>>;
@@ -24,6 +25,16 @@ describe("plans in Node", () => {
     for (const [planner, hash] of Object.entries(hashes[id]!)) {
       const session = new Planner(planner as PlannerId, scenario(id));
       expect(session.plan().hash, `${planner} on ${id}`).toBe(hash);
+      session.free();
+    }
+  });
+
+  it.each(Object.keys(hashes))("are the same by the smaller module on %s", (id) => {
+    const ids = core.planners().map((planner) => planner.id);
+    expect(ids).toEqual(["four", "eight", "risk-field", "hybrid", "hybrid-forward"]);
+    for (const planner of ids) {
+      const session = new core.Planner(planner, core.scenario(id));
+      expect(session.plan().hash, `${planner} on ${id}`).toBe(hashes[id]![planner]);
       session.free();
     }
   });

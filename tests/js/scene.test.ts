@@ -2,6 +2,7 @@ import { readFileSync } from "node:fs";
 import type { MapFrame, Scenario } from "parkade";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
+import { fitsLink, forPlanners, withoutCells } from "../../www/src/scene/vast";
 import { capsuleRuns, countCells, subtractRuns, unionRuns, type Run } from "../../www/src/scene/cells";
 import { sceneFromText, sceneToFile } from "../../www/src/scene/files";
 import { decodeScene, encodeScene } from "../../www/src/scene/link";
@@ -222,5 +223,48 @@ describe("files", () => {
     expect(() => sceneFromText("nonsense")).toThrow("not JSON");
     expect(() => sceneFromText('{"version":1}')).toThrow("no map");
     expect(() => sceneFromText(readFileSync("package.json", "utf8"))).toThrow("version");
+  });
+});
+
+describe("scenes of very many cells", () => {
+  const runs = Array.from({ length: 900 }, (_, i): Run => [(i % 3) * 10, Math.floor(i / 3), 4]);
+
+  it("change only in the rows that are touched", () => {
+    const cells: Run[] = [[2, 100, 20], [5, 101, 1]];
+    for (const [change, small] of [[unionRuns(runs, cells), unionRuns], [subtractRuns(runs, cells), subtractRuns]] as const) {
+      const row = (list: readonly Run[], y: number): Run[] => list.filter((run) => run[1] === y);
+      expect(row(change, 100)).toEqual(small(row(runs, 100), cells.slice(0, 1)));
+      expect(change.find((run) => run[1] === 99)).toBe(runs.find((run) => run[1] === 99));
+      expect(countCells(change)).toBe(runs.reduce((sum, run) => sum + run[2], 0) + (small === unionRuns ? 13 : -8));
+    }
+    expect(unionRuns(runs, [[0, 7, 2]])).toBe(runs);
+  });
+
+  it("go to the planners as a text made once, and are left out where nothing depends on them", () => {
+    const many = Array.from({ length: 3000 }, (_, i): Run => [0, i, 1]);
+    const vast = { ...scene, obstacles: [{ type: "cells" as const, id: "cells-1", runs: many }] };
+    let made = 0;
+    const pack = (): string => `text ${++made}`;
+    expect(forPlanners(vast, pack).obstacles).toEqual([{ type: "cells", id: "cells-1", runs: "text 1" }]);
+    expect(forPlanners({ ...vast, start: scene.goal as typeof scene.start }, pack).obstacles).toEqual([{ type: "cells", id: "cells-1", runs: "text 1" }]);
+    expect(withoutCells(vast).obstacles).toEqual([{ type: "cells", id: "cells-1", runs: [] }]);
+    expect(forPlanners(scene, pack)).toBe(scene);
+    expect(fitsLink(vast)).toBe(true);
+  });
+});
+
+describe("a link", () => {
+  it("keeps moving obstacles, lanes and speed limits", async () => {
+    const scene: Scenario = {
+      version: 1,
+      map: { origin: [0, 0], width: 200, height: 40, resolution: 0.5 },
+      obstacles: [], slots: [],
+      moving: [{ id: "walker", points: [[1, 2], [30, 12.5]], size: [0.6, 0.5], speed: 1.2, start: 2 }],
+      lanes: [{ id: "road", start: { x: 0, y: 5, heading: 0.123456 }, pieces: [{ length: 60, curvature: 0 }, { length: 30.5, curvature: -0.012345 }], width: 3.5 }],
+      speedLimits: [{ points: [[0, 0], [10, 0], [10, 10]], speed: 8.33 }],
+      start: { x: 5, y: 5, heading: 0 }, goal: { x: 90, y: 10, heading: 0 },
+    };
+    const back = await decodeScene(await encodeScene(scene));
+    expect([back.moving, back.lanes, back.speedLimits]).toEqual([scene.moving, scene.lanes, scene.speedLimits]);
   });
 });

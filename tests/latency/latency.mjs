@@ -119,7 +119,9 @@ async function installProbe() {
   }));
   const isGrid = (planner) => !planner.startsWith("hybrid");
   let step = null;
-  addEventListener("pointermove", (event) => { if (step) step.from ??= event.timeStamp; }, { capture: true });
+  for (const type of ["pointerrawupdate", "pointermove"]) {
+    addEventListener(type, (event) => { if (step) step.from ??= event.timeStamp; }, { capture: true });
+  }
   store.subscribe((state) => {
     if (!step || step.from === undefined) return;
     const fresh = (planner) => state.results[planner].status !== "planning" && state.results[planner].plan !== step.before[planner];

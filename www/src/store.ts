@@ -1,18 +1,20 @@
-import type { Layer, LayerName, Plan, PlannerId, Scenario, SceneGeometry } from "parkade";
+import type { Drive, Encounter, Explanation, Layer, LayerName, Plan, PlannerId, Scenario, SceneGeometry } from "parkade";
 
 export type Scene = Scenario;
-export type ToolId = "select" | "brush" | "wall" | "rectangle" | "polygon" | "car" | "slot" | "eraser" | "hand";
-export type Selection = { kind: "start" | "goal" } | { kind: "obstacle" | "slot"; id: string } | null;
+export type ToolId = "select" | "brush" | "wall" | "rectangle" | "polygon" | "car" | "slot" | "moving" | "eraser" | "hand";
+export type Selection = { kind: "start" | "goal" } | { kind: "obstacle" | "slot" | "moving"; id: string } | null;
 
 /** World centre in metres, CSS pixels per metre; shared by all panels. */
 export interface Camera { x: number; y: number; scale: number }
 
 export type LayerKey =
-  | "slots" | "obstacles" | "safety" | "heat" | "risk" | "tree" | "sweep" | "path" | "car" | "ghosts" | "grid";
+  | "slots" | "obstacles" | "safety" | "redundant" | "cost" | "heat" | "risk" | "tree" | "sweep" | "path" | "car" | "ghosts" | "grid";
 
 export interface PanelResult {
   plan: Plan | null;
   lastGood: Plan | null;
+  /** `plan` in time, among moving obstacles where there are some; null where no car drives it, and during drags. */
+  drive: Drive | Encounter | null;
   layers: Partial<Record<LayerName, Layer>>;
   status: "idle" | "planning" | "done" | "error";
   error: { code: string; path: string; message: string } | null;
@@ -44,6 +46,8 @@ export interface ToolOptions {
   snap: boolean;
 }
 
+export const FIRST_PLANNERS: PlannerId[] = ["four", "eight", "risk-field", "hybrid"];
+
 /** Never mutated: every change makes new objects, so views compare by identity. */
 export interface State {
   scene: Scene;
@@ -53,11 +57,17 @@ export interface State {
   toolOptions: ToolOptions;
   planners: PlannerId[];
   hidden: ReadonlySet<PlannerId>;
+  /** Every planner and format is loaded, not only those of the first picture. */
+  complete: boolean;
   mode: "grid" | "overlay" | "focus";
   focus: PlannerId;
   /** null: fit the scene. */
   camera: Camera | null;
   hover: { x: number; y: number } | null;
+  /** What the risk field does at the cell under the pointer. */
+  explained: Explanation | null;
+  /** How moving obstacles are waited for. */
+  waiting: "predictive" | "reactive";
   playback: Playback;
   layers: Record<LayerKey, boolean>;
   results: Record<string, PanelResult>;
@@ -87,7 +97,7 @@ export interface Store {
 export const UNDO_STEPS = 500;
 
 export const emptyResult: PanelResult = {
-  plan: null, lastGood: null, layers: {}, status: "idle", error: null, millis: null, samples: [],
+  plan: null, lastGood: null, drive: null, layers: {}, status: "idle", error: null, millis: null, samples: [],
 };
 
 const emptyScene: Scene = {
@@ -111,15 +121,18 @@ export function initialState(): State {
       slot: { kind: "perpendicular", angle: Math.PI / 4, lean: "right", width: 2.8, length: 5.4 },
       locked: false, snap: true,
     },
-    planners: ["four", "eight", "risk-field", "hybrid"],
+    planners: FIRST_PLANNERS,
     hidden: new Set(),
+    complete: false,
     mode: "grid",
     focus: "hybrid",
     camera: null,
     hover: null,
+    explained: null,
+    waiting: "predictive",
     playback: { base: "drive", searchMode: "percent", fraction: 1, playing: false, speed: 1 },
     layers: {
-      slots: true, obstacles: true, safety: false, heat: true, risk: true, tree: false,
+      slots: true, obstacles: true, safety: false, redundant: false, cost: false, heat: true, risk: true, tree: false,
       sweep: true, path: true, car: true, ghosts: false, grid: true,
     },
     results: {},

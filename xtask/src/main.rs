@@ -1,7 +1,9 @@
 //! The repository's commands: `cargo xtask <command>`.
 
+mod bench;
 mod browser;
 mod latency;
+mod paper;
 mod serve;
 mod site;
 mod test;
@@ -27,6 +29,12 @@ const COMMANDS: &[Command] = &[
         name: "latency",
         about: "build, then measure how soon the page answers a drag",
         run: latency::latency,
+    },
+    Command { name: "paper", about: "print a paper's tables beside ours: grid", run: paper::paper },
+    Command {
+        name: "bench",
+        about: "build, then race the grid planners: bench grid [questions] [repeats]",
+        run: bench::bench,
     },
     Command {
         name: "wasm-test-runner",

@@ -41,6 +41,7 @@ pub(crate) fn test(arguments: &[String]) -> Result<()> {
     suites.push(suite("lint, native", || lint(&["--all-targets"])));
     suites.push(suite("lint, tool", || lint(&[TOOL, &["--all-targets"]].concat())));
     suites.push(suite("lint, wasm", || lint(&["--target", WASM_TARGET, "--lib", "--tests"])));
+    suites.push(suite("lint, core", || lint(&["--target", WASM_TARGET, "--lib", "--no-default-features"])));
     suites.push(suite("Rust, native", || rust_tests(&[])));
     suites.push(suite("Rust, tool", || rust_tests(TOOL)));
     suites.push(suite("Rust, wasm in Node", || rust_tests(&["--target", WASM_TARGET, "--tests"])));

@@ -1,23 +1,29 @@
 //! Settings of hybrid A*.
 
-use serde::{Deserialize, Serialize};
-
 use crate::error::{Error, ErrorCode};
+use crate::json;
 
 /// Which end the search tree grows from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum SearchFrom {
-    /// From the goal, the paper's improvement: leaving a slot is easier than finding it.
+    /// From the goal, the paper's improvement: leaving a slot is easier than finding it. From the start where the car can
+    /// hardly move there and less than at the goal.
     #[default]
     Goal,
     /// From the start, the traditional way.
     Start,
+    /// From both ends, the paper's flowchart.
+    #[cfg(feature = "complete")]
+    Both,
 }
 
+#[cfg(not(feature = "complete"))]
+json::words!(SearchFrom: "goal" = Goal, "start" = Start);
+#[cfg(feature = "complete")]
+json::words!(SearchFrom: "goal" = Goal, "start" = Start, "both" = Both);
+
 /// How the way still to go is estimated.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Heuristic {
     /// The larger of the Reeds–Shepp length and the way around obstacles for a point.
     #[default]
@@ -28,9 +34,24 @@ pub enum Heuristic {
     Euclid,
 }
 
+json::words!(Heuristic: "max" = Max, "reeds-shepp" = ReedsShepp, "euclid" = Euclid);
+
+/// What driving costs, by name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Profile {
+    /// As set one by one; by default length, and a metre per gear change.
+    #[default]
+    Shortest,
+    /// Away from obstacles, few gear changes, a steady wheel.
+    Comfort,
+    /// As in the program that the parking paper started from.
+    Classic,
+}
+
+json::words!(Profile: "shortest" = Shortest, "comfort" = Comfort, "classic" = Classic);
+
 /// Settings of hybrid A*.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Config {
     /// Which end the search tree grows from.
     pub search_from: SearchFrom,
@@ -50,6 +71,8 @@ pub struct Config {
     pub heuristic: Heuristic,
     /// Factor on the estimate; absent: 1, and 1.2 on the finer levels.
     pub heuristic_weight: Option<f64>,
+    /// What driving costs; `comfort` and `classic` replace the six costs below.
+    pub profile: Profile,
     /// Weight of a metre in reverse.
     pub reverse_cost: f64,
     /// Cost of a gear change, metres.
@@ -68,8 +91,36 @@ pub struct Config {
     pub first_shot: bool,
     /// Whether finer levels are tried when the coarse one finds nothing.
     pub ladder: bool,
+    /// The finest level that is tried, 0 to 4; 3 and 4, for cars that can hardly move, only where the one before was
+    /// searched to its end.
+    pub finest_level: u32,
     /// Expansions per level; by the level where absent.
     pub max_expansions: Option<u32>,
+}
+
+json::settings! {
+    Config:
+    "searchFrom" = search_from,
+    "margin" = margin,
+    "maxDirectionChanges" = max_direction_changes,
+    "motionPrimitiveLength" = motion_primitive_length,
+    "xyResolution" = xy_resolution,
+    "headingResolution" = heading_resolution,
+    "steerSamples" = steer_samples,
+    "heuristic" = heuristic,
+    "heuristicWeight" = heuristic_weight,
+    "profile" = profile,
+    "reverseCost" = reverse_cost,
+    "directionChangeCost" = direction_change_cost,
+    "steerCost" = steer_cost,
+    "steerChangeCost" = steer_change_cost,
+    "obstacleCost" = obstacle_cost,
+    "obstacleDistance" = obstacle_distance,
+    "shortcut" = shortcut,
+    "firstShot" = first_shot,
+    "ladder" = ladder,
+    "finestLevel" = finest_level,
+    "maxExpansions" = max_expansions,
 }
 
 impl Default for Config {
@@ -84,6 +135,7 @@ impl Default for Config {
             steer_samples: None,
             heuristic: Heuristic::Max,
             heuristic_weight: None,
+            profile: Profile::Shortest,
             reverse_cost: 1.0,
             direction_change_cost: 1.0,
             steer_cost: 0.0,
@@ -93,6 +145,7 @@ impl Default for Config {
             shortcut: true,
             first_shot: false,
             ladder: true,
+            finest_level: 4,
             max_expansions: None,
         }
     }
@@ -102,6 +155,64 @@ impl Config {
     /// The traditional planner: the same, searched from the start.
     pub fn forward() -> Self {
         Self { search_from: SearchFrom::Start, ..Self::default() }
+    }
+
+    /// The tree of both ends.
+    #[cfg(feature = "complete")]
+    pub fn both_ways() -> Self {
+        Self { search_from: SearchFrom::Both, ..Self::default() }
+    }
+
+    /// As coarse and greedy as the program that the parking paper started from, for comparison: 2 m, 15°, one level, the
+    /// first connection, no shortcut.
+    #[cfg(feature = "complete")]
+    pub fn classic() -> Self {
+        Self {
+            search_from: SearchFrom::Start,
+            motion_primitive_length: Some(3.1),
+            xy_resolution: Some(2.0),
+            heading_resolution: Some(15.0 * DEGREE),
+            steer_samples: Some(2),
+            heuristic_weight: Some(5.0),
+            profile: Profile::Classic,
+            shortcut: false,
+            first_shot: true,
+            ladder: false,
+            ..Self::default()
+        }
+    }
+
+    /// These settings with the profile's costs.
+    pub(super) fn with_profile(self) -> Self {
+        let own = [
+            self.reverse_cost,
+            self.direction_change_cost,
+            self.steer_cost,
+            self.steer_change_cost,
+            self.obstacle_cost,
+            self.obstacle_distance,
+        ];
+        let [
+            reverse_cost,
+            direction_change_cost,
+            steer_cost,
+            steer_change_cost,
+            obstacle_cost,
+            obstacle_distance,
+        ] = match self.profile {
+            Profile::Shortest => own,
+            Profile::Comfort => [1.0, 2.0, 0.0, 0.1, 1.0, 0.5],
+            Profile::Classic => [1.5, 0.0, 0.25, 0.9, 0.0, 0.5],
+        };
+        Self {
+            reverse_cost,
+            direction_change_cost,
+            steer_cost,
+            steer_change_cost,
+            obstacle_cost,
+            obstacle_distance,
+            ..self
+        }
     }
 
     /// Checks every setting.
@@ -127,6 +238,7 @@ impl Config {
         within("steerCost", self.steer_cost, 0.0, 100.0)?;
         within("steerChangeCost", self.steer_change_cost, 0.0, 1000.0)?;
         within("obstacleCost", self.obstacle_cost, 0.0, 1000.0)?;
+        within("finestLevel", f64::from(self.finest_level), 0.0, 4.0)?;
         within("obstacleDistance", self.obstacle_distance, 0.01, 20.0)?;
         within("maxExpansions", f64::from(self.max_expansions.unwrap_or(1)), 1.0, 10_000_000.0)
     }
@@ -143,6 +255,8 @@ pub(super) struct Level {
     pub(super) spacing: f64,
     pub(super) max_expansions: u32,
     pub(super) weight: f64,
+    /// Whether a car that can hardly move drives as far as it can each time, `step` at most.
+    pub(super) shuffle: bool,
 }
 
 const DEGREE: f64 = core::f64::consts::PI / 180.0;
@@ -158,21 +272,37 @@ impl Config {
             spacing,
             max_expansions,
             weight,
+            shuffle: false,
         };
+        let shuffle = |level| Level { shuffle: true, ..level };
         let rungs = [
             rung(0.5, 5.0, 0.8, 2, 0.1, 20_000, 1.0),
             rung(0.25, 3.0, 0.5, 2, 0.05, 20_000, 1.2),
             rung(0.1, 1.5, 0.2, 1, 0.05, 60_000, 1.2),
+            shuffle(rung(0.05, 1.0, 1.0, 1, 0.05, 10_000, 1.2)),
+            shuffle(rung(0.03, 0.5, 1.0, 1, 0.05, 10_000, 1.2)),
         ];
         let config = *self;
-        rungs.into_iter().take(if self.ladder { 3 } else { 1 }).map(move |level| Level {
-            xy: config.xy_resolution.unwrap_or(level.xy),
-            yaw: config.heading_resolution.unwrap_or(level.yaw),
-            step: config.motion_primitive_length.unwrap_or(level.step),
-            steer_samples: config.steer_samples.unwrap_or(level.steer_samples),
-            max_expansions: config.max_expansions.unwrap_or(level.max_expansions),
-            weight: config.heuristic_weight.unwrap_or(level.weight),
-            ..level
-        })
+        rungs
+            .into_iter()
+            .take(if self.ladder { self.finest_level as usize + 1 } else { 1 })
+            .map(move |level| Level {
+                max_expansions: config.max_expansions.unwrap_or(level.max_expansions),
+                weight: config.heuristic_weight.unwrap_or(level.weight),
+                ..level
+            })
+            .map(move |level| {
+                if level.shuffle {
+                    level
+                } else {
+                    Level {
+                        xy: config.xy_resolution.unwrap_or(level.xy),
+                        yaw: config.heading_resolution.unwrap_or(level.yaw),
+                        step: config.motion_primitive_length.unwrap_or(level.step),
+                        steer_samples: config.steer_samples.unwrap_or(level.steer_samples),
+                        ..level
+                    }
+                }
+            })
     }
 }

@@ -3,6 +3,7 @@
 use super::Config;
 use crate::geometry::Pose;
 use crate::geometry::arcs::Arc;
+use crate::geometry::reeds_shepp::Word;
 use crate::vehicle::collision::Probe;
 
 /// Clearance is looked at this often along an arc, metres.
@@ -37,6 +38,7 @@ impl Motion {
 impl CostModel {
     /// Costs of arcs as driven from start to goal.
     pub(super) fn driven(config: &Config, radius: f64) -> Self {
+        let config = config.with_profile();
         Self {
             radius,
             forward: 1.0,
@@ -63,6 +65,28 @@ impl CostModel {
         length * (weight + self.steer * arc.curvature.abs() * self.radius)
             + if changed { self.change } else { 0.0 }
             + self.steer_change * (arc.curvature - before.curvature).abs() * self.radius
+    }
+
+    /// Cost of a word after `before`, obstacles aside.
+    pub(super) fn word(&self, mut before: Motion, word: &Word) -> f64 {
+        word.arcs(self.radius).fold(0.0, |cost, arc| {
+            let cost = cost + self.arc(before, &arc);
+            before = Motion::after(&arc);
+            cost
+        })
+    }
+
+    /// Cost of being near obstacles along a word from `from`.
+    pub(super) fn word_nearness(&self, probe: &Probe, from: Pose, word: &Word) -> f64 {
+        if self.obstacle == 0.0 {
+            return 0.0;
+        }
+        let mut pose = from;
+        word.arcs(self.radius).fold(0.0, |cost, arc| {
+            let cost = cost + self.nearness(probe, pose, &arc);
+            pose = pose.advance(arc.curvature, arc.length);
+            cost
+        })
     }
 
     /// Cost of being near obstacles along `arc` from `from`.

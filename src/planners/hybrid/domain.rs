@@ -13,6 +13,13 @@ use crate::search::{Domain, Finish, NodeId, Order, Relax, Visit};
 use crate::vehicle::Vehicle;
 use crate::vehicle::collision::Probe;
 
+/// While shuffling, where the body has this much room around it, metres, …
+const ROOM: f64 = 0.1;
+/// … states are told apart no finer than this: metres and radians.
+const ROOMY: (f64, f64) = (0.5, math::PI / 36.0);
+/// Moves while shuffling are at least this long, metres.
+const SHORTEST: f64 = 0.01;
+
 /// A node's real-valued state: its pose and the arc that led there.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct State {
@@ -34,7 +41,6 @@ pub(super) struct Lattice<'a> {
     pub(super) margin: f64,
     pub(super) max_changes: u32,
     primitives: Vec<Arc>,
-    yaw_bins: u64,
     words: Vec<(f64, Word)>,
 }
 
@@ -76,16 +82,19 @@ impl<'a> Lattice<'a> {
             margin,
             max_changes: config.max_direction_changes,
             primitives,
-            yaw_bins: (math::TAU / level.yaw).ceil() as u64,
             words: Vec::new(),
         }
     }
 
     /// The number of a state's lattice cell.
     pub(super) fn node(&self, pose: Pose, gear: i8) -> NodeId {
-        let cell = |v: f64| ((v / self.level.xy).floor() as i64 + (1 << 20)) as u64 & 0x1f_ffff;
-        let yaw = ((pose.heading + math::PI) / self.level.yaw) as u64 % self.yaw_bins;
-        let key = (cell(pose.x) << 43) | (cell(pose.y) << 22) | (yaw << 2) | (gear + 1) as u64;
+        let roomy = self.level.shuffle && self.probe.roomy(pose, ROOM);
+        let (xy, yaw) = if roomy { ROOMY } else { (self.level.xy, self.level.yaw) };
+        let cell = |v: f64| ((v / xy).floor() as i64 + (1 << 20)) as u64 & 0x1f_ffff;
+        let bins = (math::TAU / yaw).ceil() as u64;
+        let yaw = ((pose.heading + math::PI) / yaw) as u64 % bins;
+        let key = (cell(pose.x) << 43) | (cell(pose.y) << 22) | (yaw << 3) | (gear + 1) as u64;
+        let key = key | u64::from(roomy) << 2;
         self.keys.borrow_mut().id(key)
     }
 
@@ -93,7 +102,16 @@ impl<'a> Lattice<'a> {
         self.probe.arc_free(from, arc, self.level.spacing, self.margin)
     }
 
-    fn word_free(&self, from: Pose, word: &Word) -> bool {
+    /// How far to drive along a primitive: its length or, while shuffling, until something is in the way, and half as far.
+    fn lengths(&self, from: Pose, arc: &Arc) -> [f64; 2] {
+        if !self.level.shuffle {
+            return [arc.length, 0.0];
+        }
+        let far = self.probe.free_length(from, arc, self.level.spacing, self.margin);
+        [far, far / 2.0].map(|far| if far < SHORTEST { 0.0 } else { far.copysign(arc.length) })
+    }
+
+    pub(super) fn word_free(&self, from: Pose, word: &Word) -> bool {
         let mut pose = from;
         word.arcs(self.costs.radius).all(|arc| {
             let free = self.free(pose, &arc);
@@ -116,16 +134,19 @@ impl Domain for Lattice<'_> {
 
     fn successors<S: Relax<f64, State>>(&self, from: Visit<f64, State>, sink: &mut S) {
         let State { pose, motion, .. } = from.label;
-        for arc in &self.primitives {
-            let end = pose.advance(arc.curvature, arc.length);
-            let after = Motion::after(arc);
-            let mut cost = self.costs.arc(motion, arc);
-            let node = self.node(end, after.gear);
-            if !sink.worth(node, cost) || !self.free(pose, arc) {
-                continue;
+        for primitive in &self.primitives {
+            for length in self.lengths(pose, primitive).into_iter().filter(|&length| length != 0.0) {
+                let arc = Arc { length, ..*primitive };
+                let end = pose.advance(arc.curvature, arc.length);
+                let after = Motion::after(&arc);
+                let mut cost = self.costs.arc(motion, &arc);
+                let node = self.node(end, after.gear);
+                if !sink.worth(node, cost) || !(self.level.shuffle || self.free(pose, &arc)) {
+                    continue;
+                }
+                cost += self.costs.nearness(self.probe, pose, &arc);
+                sink.emit(node, cost, State { pose: end, motion: after, length: arc.length });
             }
-            cost += self.costs.nearness(self.probe, pose, arc);
-            sink.emit(node, cost, State { pose: end, motion: after, length: arc.length });
         }
     }
 
@@ -154,12 +175,7 @@ impl Domain for Lattice<'_> {
             if word.direction_changes() > self.max_changes {
                 return;
             }
-            let mut before = motion;
-            let mut cost = 0.0;
-            for arc in word.arcs(self.costs.radius) {
-                cost += self.costs.arc(before, &arc);
-                before = Motion::after(&arc);
-            }
+            let cost = self.costs.word(motion, &word);
             if at.g + cost < bound {
                 found.push((cost, word));
             }
@@ -167,24 +183,11 @@ impl Domain for Lattice<'_> {
         let best = core::iter::from_fn(|| take_cheapest(&mut found))
             .find(|(_, word)| self.word_free(pose, word))
             .and_then(|(cost, word)| {
-                let near = self.word_nearness(pose, &word);
+                let near = self.costs.word_nearness(self.probe, pose, &word);
                 (at.g + cost + near < bound).then_some(Finish { cost: cost + near, tail: word })
             });
         self.words = found;
         best
-    }
-}
-
-impl Lattice<'_> {
-    fn word_nearness(&self, from: Pose, word: &Word) -> f64 {
-        let mut pose = from;
-        word.arcs(self.costs.radius)
-            .map(|arc| {
-                let near = self.costs.nearness(self.probe, pose, &arc);
-                pose = pose.advance(arc.curvature, arc.length);
-                near
-            })
-            .sum()
     }
 }
 

@@ -8,34 +8,51 @@ mod cost;
 mod domain;
 mod flood;
 mod keys;
+mod ladder;
 mod passage;
 mod shortcut;
+#[cfg(feature = "complete")]
+mod two_way;
 
-pub use config::{Config, Heuristic, SearchFrom};
+pub use config::{Config, Heuristic, Profile, SearchFrom};
 pub use passage::Gap;
 
 use core::cell::RefCell;
 
-use config::Level;
-use cost::{CostModel, Motion};
-use domain::{Lattice, Setting, State};
+use domain::State;
 use flood::Flood;
 use keys::Keys;
+use ladder::Search;
 
-use crate::geometry::arcs::{self, Arc};
+use crate::geometry::arcs::Arc;
 use crate::geometry::{Pose, math, reeds_shepp};
-use crate::search::{End, Limits, NodeId, Observer, best_first};
+use crate::scenario::resolve::{Form, Geometry};
+use crate::search::{NodeId, Observer};
 use crate::vehicle::Vehicle;
-use crate::vehicle::collision::{Obstacles, Probe};
+use crate::vehicle::collision::{Edge, Obstacles, Probe, Solid};
 
-/// Spacing of the last check of a path, metres.
-const VERIFY: f64 = 0.02;
-/// Expansions after which the estimate gets more weight.
-const SOON: u32 = 1000;
-/// Its weight then.
-const PATIENCE: f64 = 1.3;
+/// A car that can go no farther than this, ahead and back together, is stuck, metres.
+const STUCK: f64 = 1.0;
+/// The least margin where start and goal have it, metres: what passes unseen between two checks.
+const HAIR: f64 = 0.002;
+/// Less clearance than this at start or goal is tight, metres.
+const TIGHT: f64 = 0.4;
+/// Levels from this one on are for cars that can hardly move.
+const FINE: usize = 3;
 /// Arcs of the search tree that are kept for drawing.
 const TREE: usize = 20_000;
+
+/// Everything that blocks in a scene, prepared for queries. Owner 0 is the border, owner k is `shapes[k - 1]`.
+pub fn obstacles(geometry: &Geometry) -> Obstacles {
+    let (mut walls, mut solids) = (Vec::new(), Vec::new());
+    for (owner, shape) in (1..).zip(&geometry.shapes) {
+        match &shape.form {
+            Form::Segment(a, b) => walls.push(Edge { a: *a, b: *b, owner }),
+            Form::Polygon(outline) => solids.push(Solid { outline: outline.clone(), owner }),
+        }
+    }
+    Obstacles::new(&walls, &solids, &Solid { outline: geometry.boundary.clone(), owner: 0 })
+}
 
 /// A question to hybrid A*: poses in world coordinates.
 #[derive(Debug, Clone, Copy)]
@@ -67,6 +84,13 @@ pub enum Status {
     TooNarrow(Gap),
     /// Every level was searched to its end.
     NoPath,
+    /// So it was, and the car can hardly move where it starts or arrives.
+    BoxedIn {
+        /// Where it starts, else where it arrives.
+        at_start: bool,
+        /// How far it can go ahead and back there with its margin, together, metres.
+        travel: f64,
+    },
     /// The budget ended with this estimate still to go, metres.
     BudgetExhausted(f64),
     /// Every path found touches something between two checks.
@@ -86,7 +110,8 @@ pub struct Report {
     pub rs_bound: f64,
     /// Level of the resolution ladder that gave the path, or the last one tried.
     pub level: u32,
-    /// The margin planned with, metres: less than asked where start or goal have less.
+    /// The margin planned with, metres: less than asked where start or goal have less, and 2 mm where it alone keeps the
+    /// car in.
     pub margin: f64,
     /// Expansions, over all levels.
     pub expanded: u32,
@@ -138,6 +163,14 @@ impl Observer<f64, State> for Tree {
     }
 }
 
+impl Report {
+    fn keep(&mut self, tree: Option<Tree>) {
+        if let Some(tree) = tree {
+            (self.tree, self.tree_dropped) = (tree.arcs, tree.dropped);
+        }
+    }
+}
+
 /// Plans a path that the car can drive.
 ///
 /// Levels of the resolution ladder are tried in order until one gives a path that survives verification at 0.02 m.
@@ -177,24 +210,59 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, trace: bool) 
         report.status = Status::GoalInCollision(owner);
         return report;
     }
-    let clearance = probe.clearance(start, config.margin).min(probe.clearance(goal, config.margin));
-    report.margin = config.margin.min(clearance);
+    let look = config.margin.max(TIGHT);
+    let clearance = probe.clearance(start, look).min(probe.clearance(goal, look));
+    report.margin = config.margin.max(HAIR).min(clearance);
     let apart = (goal.point() - start.point()).norm();
     if apart <= 1e-6 && math::turn(start.heading, goal.heading).abs() <= 1e-6 {
         report.status = Status::Found;
         return report;
     }
-    let mirrored = config.search_from == SearchFrom::Goal;
+    let [from_start, from_goal] =
+        [start, goal].map(|pose| travel(&probe, query.vehicle, pose, report.margin));
+    let mirrored =
+        config.search_from != SearchFrom::Start && (from_start >= STUCK || from_start >= from_goal);
     let (root, target) = if mirrored { (goal, start) } else { (start, goal) };
     let flood = Flood::new(query.obstacles, query.vehicle, target, report.margin);
-    let search = Search { query, config, probe: &probe, flood: &flood, root, target, mirrored, start, goal };
+    let search = Search {
+        query,
+        config,
+        probe: &probe,
+        flood: &flood,
+        root,
+        target,
+        mirrored,
+        start,
+        goal,
+        tight: clearance < TIGHT,
+    };
     if flood.distance(root).is_infinite() {
         report.status = search.unreachable();
         return report;
     }
-    search.climb(&mut report, scratch, trace);
+    search.climb(0, &mut report, scratch, trace);
+    if report.arcs.is_empty() && report.level as usize >= FINE && report.margin > HAIR {
+        // The margin is what keeps the car in.
+        (report.margin, report.status) = (HAIR, Status::NoPath);
+        let flood = Flood::new(query.obstacles, query.vehicle, target, HAIR);
+        Search { flood: &flood, ..search }.climb(FINE, &mut report, scratch, trace);
+    }
     report.collision_checks = probe.checks();
+    let least = from_start.min(from_goal);
+    if report.status == Status::NoPath && least < STUCK {
+        report.status = Status::BoxedIn { at_start: from_start < from_goal, travel: least };
+    }
     report
+}
+
+/// How far the body can go ahead and back from a pose, together, metres; a metre each way at most.
+fn travel(probe: &Probe, vehicle: &Vehicle, pose: Pose, margin: f64) -> f64 {
+    let limit = vehicle.max_curvature();
+    let way = |length: f64| {
+        let far = |curvature: f64| probe.free_length(pose, &Arc { curvature, length }, 0.05, margin);
+        [-limit, 0.0, limit].into_iter().map(far).fold(0.0, f64::max)
+    };
+    way(1.0) + way(-1.0)
 }
 
 fn empty(rs_bound: f64) -> Report {
@@ -213,147 +281,5 @@ fn empty(rs_bound: f64) -> Report {
         closest: None,
         tree: Vec::new(),
         tree_dropped: 0,
-    }
-}
-
-struct Search<'a> {
-    query: &'a Query<'a>,
-    config: &'a Config,
-    probe: &'a Probe<'a>,
-    flood: &'a Flood,
-    root: Pose,
-    target: Pose,
-    mirrored: bool,
-    start: Pose,
-    goal: Pose,
-}
-
-impl Search<'_> {
-    /// Why there is no way at all.
-    fn unreachable(&self) -> Status {
-        let gap = passage::too_narrow(self.query.obstacles, self.query.vehicle, self.start, self.goal);
-        gap.map_or(Status::Unreachable, |gap| {
-            let at = self.world(Pose::new(gap.at.x, gap.at.y, 0.0)).point();
-            Status::TooNarrow(Gap { at, ..gap })
-        })
-    }
-
-    /// Tries the levels in order until one gives a path.
-    fn climb(&self, report: &mut Report, scratch: &mut Scratch, trace: bool) {
-        for (number, level) in self.config.levels().enumerate() {
-            report.level = number as u32;
-            let patient = if number == 0 {
-                let soon = Level { max_expansions: level.max_expansions.min(SOON), ..level };
-                let found = self.level(soon, report, scratch, trace);
-                let whole = soon.max_expansions == level.max_expansions;
-                if found && (report.status == Status::Found || whole) {
-                    return;
-                }
-                if whole || report.status == Status::NoPath {
-                    continue;
-                }
-                // On long cluttered ways the plain estimate spends its budget on detours of equal promise.
-                Level { weight: self.config.heuristic_weight.unwrap_or(PATIENCE), ..level }
-            } else {
-                level
-            };
-            if self.level(patient, report, scratch, trace) {
-                return;
-            }
-        }
-    }
-
-    /// Searches one level, with finer collision checks where verification fails; tells whether there is a path.
-    fn level(&self, level: Level, report: &mut Report, scratch: &mut Scratch, trace: bool) -> bool {
-        for halvings in 0..3 {
-            let level = Level { spacing: level.spacing / f64::from(1 << halvings), ..level };
-            let Some((arcs, status)) = self.search(level, report, scratch, trace) else { return false };
-            let arcs = self.improve(arcs, level, report.margin);
-            if self.verified(&arcs) {
-                let costs = CostModel::driven(self.config, self.query.vehicle.min_turning_radius());
-                report.cost = costs.path(self.probe, self.start, Motion::default(), &arcs);
-                report.arcs = arcs;
-                report.status = status;
-                return true;
-            }
-            report.status = Status::VerificationFailed;
-        }
-        false
-    }
-
-    fn search(
-        &self,
-        level: Level,
-        report: &mut Report,
-        scratch: &mut Scratch,
-        trace: bool,
-    ) -> Option<(Vec<Arc>, Status)> {
-        let radius = self.query.vehicle.min_turning_radius();
-        let driven = CostModel::driven(self.config, radius);
-        let costs = if self.mirrored { driven.mirrored() } else { driven };
-        let setting = Setting { probe: self.probe, flood: self.flood, keys: &scratch.keys, costs };
-        let mut lattice =
-            Lattice::new(setting, self.query.vehicle, self.config, level, self.target, report.margin);
-        let limits = Limits { max_expansions: level.max_expansions, first: self.config.first_shot };
-        let state = State { pose: self.root, ..State::default() };
-        let root = (lattice.node(self.root, 0), state);
-        let mut tree = trace.then(|| Tree {
-            arcs: Vec::new(),
-            dropped: 0,
-            origin: self.origin(),
-            mirrored: self.mirrored,
-        });
-        let found = best_first(&mut lattice, root, limits, &mut scratch.search, &mut tree);
-        if let Some(tree) = tree {
-            (report.tree, report.tree_dropped) = (tree.arcs, tree.dropped);
-        }
-        report.expanded += found.expanded;
-        report.generated += found.generated;
-        report.pushes += found.pushes;
-        report.open_peak = report.open_peak.max(found.open_peak);
-        let closest = scratch.search.label(found.closest.1).map(|s| s.pose);
-        report.closest = closest.map(|p| self.world(p));
-        let Some((last, _, tail)) = found.found else {
-            report.status = match found.end {
-                End::BudgetSpent => Status::BudgetExhausted(found.closest.0 / level.weight.max(1e-9)),
-                _ => Status::NoPath,
-            };
-            return None;
-        };
-        let arcs = domain::path(&scratch.search.chain(last), &tail, radius);
-        let arcs = if self.mirrored { arcs::reversed(&arcs) } else { arcs };
-        let status = if found.end == End::BudgetSpent { Status::Suboptimal } else { Status::Found };
-        Some((arcs, status))
-    }
-
-    fn improve(&self, arcs: Vec<Arc>, level: Level, margin: f64) -> Vec<Arc> {
-        if !self.config.shortcut {
-            return arcs;
-        }
-        let costs = CostModel::driven(self.config, self.query.vehicle.min_turning_radius());
-        shortcut::shortcut(self.probe, &costs, self.start, arcs, level.spacing, margin)
-    }
-
-    /// Whether the path is free at the finest spacing and ends at the goal.
-    fn verified(&self, arcs: &[Arc]) -> bool {
-        let mut pose = self.start;
-        let free = arcs.iter().all(|arc| {
-            let free = self.probe.arc_free(pose, arc, VERIFY, 0.0);
-            pose = pose.advance(arc.curvature, arc.length);
-            free
-        });
-        let off = (pose.point() - self.goal.point()).norm();
-        free && off < 1e-6 && math::turn(pose.heading, self.goal.heading).abs() < 1e-6
-    }
-
-    /// The world position of the local origin.
-    fn origin(&self) -> Pose {
-        let at = self.query.start.point() - self.start.point();
-        Pose::new(at.x, at.y, 0.0)
-    }
-
-    fn world(&self, pose: Pose) -> Pose {
-        let origin = self.origin();
-        Pose::new(pose.x + origin.x, pose.y + origin.y, pose.heading)
     }
 }

@@ -26,10 +26,18 @@ pub struct Gap {
 /// The narrowest place of the widest way from start to goal, if it is narrower than the car.
 pub(super) fn too_narrow(obstacles: &Obstacles, vehicle: &Vehicle, start: Pose, goal: Pose) -> Option<Gap> {
     let middle = Point::new((vehicle.rear_to_front - vehicle.rear_to_back) / 2.0, 0.0);
+    let narrowest = |frame: &Frame, clearance: &Layer<f32>| {
+        let from = frame.cell_at(start.to_world(middle))?;
+        let to = frame.cell_at(goal.to_world(middle))?;
+        bottleneck(frame, clearance, from, to)
+    };
+    // A closed wall shows on the coarse field at once.
+    let (frame, clearance) = (obstacles.frame(), obstacles.field());
+    if narrowest(frame, clearance).is_none_or(|at| clearance.data[frame.index(at)] == 0.0) {
+        return None;
+    }
     let (frame, clearance) = obstacles.lattice(CELL, CELLS);
-    let from = frame.cell_at(start.to_world(middle))?;
-    let to = frame.cell_at(goal.to_world(middle))?;
-    let at = frame.center(bottleneck(&frame, &clearance, from, to)?);
+    let at = frame.center(narrowest(&frame, &clearance)?);
     let width = 2.0 * obstacles.distance(at, vehicle.width);
     (SLIT..vehicle.width).contains(&width).then_some(Gap { width, at })
 }

@@ -7,106 +7,152 @@ use crate::geometry::arcs::{self, Arc};
 use crate::geometry::reeds_shepp::{self, Word};
 use crate::vehicle::collision::Probe;
 
-/// Arcs are split at most this far apart, metres.
-const KNOT: f64 = 1.0;
+/// Arcs are split at most this far apart, metres: first coarsely, which does most of it, then finely.
+const KNOTS: [f64; 2] = [1.0, 0.5];
 /// A replacement must save at least this much.
 const GAIN: f64 = 1e-3;
 /// Collision checks after which shortcutting ends: work, not time, so that the result is the same everywhere.
 const WORK: u32 = 400_000;
 const PASSES: u32 = 6;
 
+/// How a replacement is tested.
+#[derive(Clone, Copy)]
+pub(super) struct Rules<'a> {
+    pub(super) probe: &'a Probe<'a>,
+    pub(super) costs: &'a CostModel,
+    /// Spacing of collision checks, metres.
+    pub(super) spacing: f64,
+    pub(super) margin: f64,
+}
+
 /// A path of arcs from `start`, made cheaper where a curve between two of its knots is free. Gear changes never
 /// increase.
-pub(super) fn shortcut(
-    probe: &Probe,
-    costs: &CostModel,
-    start: Pose,
-    path: Vec<Arc>,
-    spacing: f64,
-    margin: f64,
-) -> Vec<Arc> {
-    let limit = probe.checks().saturating_add(WORK);
-    let mut path = path;
-    for _ in 0..PASSES {
-        let before = path.len();
-        let cost = costs.path(probe, start, Motion::default(), &path);
-        path = pass(probe, costs, start, &path, spacing, margin, limit);
-        let gain = cost - costs.path(probe, start, Motion::default(), &path);
-        if (gain < GAIN && path.len() == before) || probe.checks() >= limit {
-            break;
+pub(super) fn shortcut(rules: Rules, start: Pose, mut path: Vec<Arc>) -> Vec<Arc> {
+    let limit = rules.probe.checks().saturating_add(WORK);
+    for knot in KNOTS {
+        for _ in 0..PASSES {
+            let mut pass = Pass::new(rules, start, split(&path, knot));
+            let improved = pass.run(limit);
+            path = arcs::merge(pass.knots);
+            if !improved || rules.probe.checks() >= limit {
+                break;
+            }
         }
     }
     path
 }
 
-fn split(path: &[Arc]) -> Vec<Arc> {
+fn split(path: &[Arc], knot: f64) -> Vec<Arc> {
     path.iter()
         .flat_map(|arc| {
-            let parts = (arc.length.abs() / KNOT).ceil().max(1.0);
+            let parts = (arc.length.abs() / knot).ceil().max(1.0);
             let part = Arc { length: arc.length / parts, ..*arc };
             core::iter::repeat_n(part, parts as usize)
         })
         .collect()
 }
 
-fn pass(
-    probe: &Probe,
-    costs: &CostModel,
-    start: Pose,
-    path: &[Arc],
-    spacing: f64,
-    margin: f64,
-    limit: u32,
-) -> Vec<Arc> {
-    let mut knots = split(path);
-    let mut i = 0;
-    let mut from = start;
-    while i < knots.len() {
-        let before = if i == 0 { Motion::default() } else { Motion::after(&knots[i - 1]) };
-        let poses: Vec<Pose> = ends(from, &knots[i..]);
-        for j in (i + 2..=knots.len()).rev() {
-            if probe.checks() >= limit {
-                return arcs::merge(knots);
-            }
-            let to = poses[j - i - 1];
-            let old = stretch_cost(probe, costs, from, before, &knots[i..], j - i);
-            let replacement =
-                Candidate { probe, costs, from, to, before, next: knots.get(j), spacing, margin };
-            let changes = changes(before, knots[i..j].iter().copied(), knots.get(j));
-            if let Some(better) = replacement.best(old - GAIN, changes) {
-                knots.splice(i..j, better);
-                break;
-            }
-        }
-        from = from.advance(knots[i].curvature, knots[i].length);
-        i += 1;
+/// One round over all pairs of knots.
+struct Pass<'a> {
+    rules: Rules<'a>,
+    knots: Vec<Arc>,
+    /// Before each knot's arc, and at the end.
+    poses: Vec<Pose>,
+    /// Cost up to there.
+    spent: Vec<f64>,
+}
+
+impl<'a> Pass<'a> {
+    fn new(rules: Rules<'a>, start: Pose, knots: Vec<Arc>) -> Self {
+        let mut pass = Self { rules, knots, poses: vec![start], spent: vec![0.0] };
+        pass.measure(0);
+        pass
     }
-    arcs::merge(knots)
-}
 
-fn ends(from: Pose, arcs: &[Arc]) -> Vec<Pose> {
-    let mut pose = from;
-    arcs.iter()
-        .map(|arc| {
+    /// Poses and costs beyond knot `from`.
+    fn measure(&mut self, from: usize) {
+        self.poses.truncate(from + 1);
+        self.spent.truncate(from + 1);
+        for k in from..self.knots.len() {
+            let (arc, pose) = (self.knots[k], self.poses[k]);
+            let cost = self.rules.costs.arc(self.before(k), &arc)
+                + self.rules.costs.nearness(self.rules.probe, pose, &arc);
+            self.poses.push(pose.advance(arc.curvature, arc.length));
+            self.spent.push(self.spent[k] + cost);
+        }
+    }
+
+    fn before(&self, k: usize) -> Motion {
+        if k == 0 { Motion::default() } else { Motion::after(&self.knots[k - 1]) }
+    }
+
+    /// Cost of driving into knot `k`'s arc, if there is one, after `last`.
+    fn join(&self, k: usize, last: &Arc) -> f64 {
+        self.knots.get(k).map_or(0.0, |next| self.rules.costs.arc(Motion::after(last), next))
+    }
+
+    fn run(&mut self, limit: u32) -> bool {
+        let mut improved = false;
+        let mut i = 0;
+        while i < self.knots.len() {
+            for j in (i + 2..=self.knots.len()).rev() {
+                if self.rules.probe.checks() >= limit {
+                    return improved;
+                }
+                if let Some(word) = self.better(i, j) {
+                    self.knots.splice(i..j, word.arcs(self.rules.costs.radius));
+                    self.measure(i);
+                    improved = true;
+                    break;
+                }
+            }
+            i += 1;
+        }
+        improved
+    }
+
+    /// The cheapest free curve from knot `i` to knot `j` that costs less than the stretch and has no more gear changes.
+    fn better(&self, i: usize, j: usize) -> Option<Word> {
+        let Rules { probe, costs, .. } = self.rules;
+        let (from, to) = (self.poses[i], self.poses[j]);
+        let old = self.spent[j] - self.spent[i] + self.join(j, &self.knots[j - 1]) - GAIN;
+        let longest = old - self.knots.get(j).map_or(0.0, |next| next.length.abs());
+        if (to.point() - from.point()).norm() >= longest {
+            return None;
+        }
+        let before = self.before(i);
+        let next = self.knots.get(j);
+        let mut allowed = None;
+        let mut found: Vec<(f64, Word)> = Vec::new();
+        reeds_shepp::words_below(from, to, costs.radius, longest, |word| {
+            let Some(last) = word.arcs(costs.radius).last() else { return };
+            let cost = costs.word(before, &word) + self.join(j, &last);
+            if cost >= old {
+                return;
+            }
+            let changed = changes(before, word.arcs(costs.radius), next);
+            let stretch = || changes(before, self.knots[i..j].iter().copied(), next);
+            if changed <= *allowed.get_or_insert_with(stretch) {
+                found.push((cost, word));
+            }
+        });
+        core::iter::from_fn(|| take_cheapest(&mut found))
+            .find(|(cost, word)| self.free(from, word) && cost + costs.word_nearness(probe, from, word) < old)
+            .map(|found| found.1)
+    }
+
+    fn free(&self, from: Pose, word: &Word) -> bool {
+        let Rules { probe, costs, spacing, margin } = self.rules;
+        let mut pose = from;
+        word.arcs(costs.radius).all(|arc| {
+            let free = probe.arc_free(pose, &arc, spacing, margin);
             pose = pose.advance(arc.curvature, arc.length);
-            pose
+            free
         })
-        .collect()
+    }
 }
 
-/// Cost of the first `count` arcs, and of joining the one after them.
-fn stretch_cost(
-    probe: &Probe,
-    costs: &CostModel,
-    from: Pose,
-    before: Motion,
-    knots: &[Arc],
-    count: usize,
-) -> f64 {
-    let cost = costs.path(probe, from, before, &knots[..count]);
-    cost + knots.get(count).map_or(0.0, |next| costs.arc(Motion::after(&knots[count - 1]), next))
-}
-
+/// Gear changes along some arcs, from `before` on into `next`.
 fn changes(before: Motion, arcs: impl IntoIterator<Item = Arc>, next: Option<&Arc>) -> u32 {
     let gears = arcs.into_iter().chain(next.copied()).map(|a| Motion::after(&a).gear);
     let mut gear = before.gear;
@@ -115,64 +161,4 @@ fn changes(before: Motion, arcs: impl IntoIterator<Item = Arc>, next: Option<&Ar
         gear = g;
         count + u32::from(changed)
     })
-}
-
-struct Candidate<'a> {
-    probe: &'a Probe<'a>,
-    costs: &'a CostModel,
-    from: Pose,
-    to: Pose,
-    before: Motion,
-    next: Option<&'a Arc>,
-    spacing: f64,
-    margin: f64,
-}
-
-impl Candidate<'_> {
-    /// The cheapest free curve below `bound` with at most `max_changes` gear changes.
-    fn best(&self, bound: f64, max_changes: u32) -> Option<Vec<Arc>> {
-        let radius = self.costs.radius;
-        let join = |last: &Arc| self.next.map_or(0.0, |next| self.costs.arc(Motion::after(last), next));
-        let next_length = self.next.map_or(0.0, |n| n.length.abs());
-        let mut found: Vec<(f64, Word)> = Vec::new();
-        reeds_shepp::words(self.from, self.to, radius, |word| {
-            if word.length(radius) + next_length >= bound {
-                return;
-            }
-            let Some(last) = word.arcs(radius).last() else { return };
-            let mut before = self.before;
-            let mut cost = join(&last);
-            for arc in word.arcs(radius) {
-                cost += self.costs.arc(before, &arc);
-                before = Motion::after(&arc);
-            }
-            if cost < bound && changes(self.before, word.arcs(radius), self.next) <= max_changes {
-                found.push((cost, word));
-            }
-        });
-        core::iter::from_fn(|| take_cheapest(&mut found))
-            .map(|(cost, word)| (cost, word.arcs(radius).collect::<Vec<Arc>>()))
-            .find(|(cost, arcs)| self.free(arcs) && cost + self.nearness(arcs) < bound)
-            .map(|found| found.1)
-    }
-
-    fn free(&self, arcs: &[Arc]) -> bool {
-        let mut pose = self.from;
-        arcs.iter().all(|arc| {
-            let free = self.probe.arc_free(pose, arc, self.spacing, self.margin);
-            pose = pose.advance(arc.curvature, arc.length);
-            free
-        })
-    }
-
-    fn nearness(&self, arcs: &[Arc]) -> f64 {
-        let mut pose = self.from;
-        arcs.iter()
-            .map(|arc| {
-                let near = self.costs.nearness(self.probe, pose, arc);
-                pose = pose.advance(arc.curvature, arc.length);
-                near
-            })
-            .sum()
-    }
 }

@@ -2,8 +2,8 @@
 
 use super::{EXPANSIONS, Form, Row, row};
 
-/// The heuristics: of four neighbours, then of eight.
-pub(in crate::planners) const GRID_HEURISTICS: [Row; 2] = [
+/// The heuristics: of four neighbours, of eight, of more.
+pub(in crate::planners) const GRID_HEURISTICS: [Row; 3] = [
     row(
         "heuristic",
         Form::Choice(&["manhattan", "euclid", "octile"]),
@@ -20,10 +20,56 @@ pub(in crate::planners) const GRID_HEURISTICS: [Row; 2] = [
         ["Heuristic", "启发函数"],
         ["Octile is exact on an empty map, so it expands less.", "空地图上八方距离精确，扩展更少。"],
     ),
+    row(
+        "heuristic",
+        Form::Choice(&["euclid", "gauge"]),
+        "1",
+        false,
+        ["Heuristic", "启发函数"],
+        ["The gauge is exact on an empty map for these moves.", "对这些移动，规范距离在空地图上精确。"],
+    ),
 ];
 
+/// Settings of the search from both ends alone.
+#[cfg(feature = "complete")]
+pub(in crate::planners) const BIDIRECTIONAL: [Row; 2] = [
+    row(
+        "neighbours",
+        Form::Choice(&["four", "eight", "sixteen", "twenty-four", "forty-eight"]),
+        "1",
+        true,
+        ["Neighbours", "邻域"],
+        ["Cells that a step may lead to.", "一步可达的格子。"],
+    ),
+    row(
+        "stop",
+        Form::Choice(&["first", "best", "nba"]),
+        "1",
+        true,
+        ["Stop", "停止规则"],
+        [
+            "First: where the two meet (the paper); best: the best connection until then; nba: the cheapest path.",
+            "first：相遇即停（论文）；best：其间最佳连接；nba：最短路径。",
+        ],
+    ),
+];
+
+/// Settings of jump point search alone.
+#[cfg(feature = "complete")]
+pub(in crate::planners) const JUMP_POINT: [Row; 1] = [row(
+    "prune",
+    Form::Flag,
+    "1",
+    false,
+    ["Skip free turns", "跳过自由转折"],
+    [
+        "Expands only cells where an obstacle forces a turn: the same cost from fewer expansions.",
+        "只扩展被障碍迫使转向的格子：代价相同，扩展更少。",
+    ],
+)];
+
 /// Settings of every grid planner; the first is not one of the risk field's.
-pub(in crate::planners) const GRID: [Row; 8] = [
+pub(in crate::planners) const GRID: &[Row] = &[
     row(
         "weight",
         Form::Choice(&["none", "distance"]),
@@ -58,6 +104,30 @@ pub(in crate::planners) const GRID: [Row; 8] = [
         true,
         ["Extra margin", "额外余量"],
         ["Added to the safety space.", "加在安全空间之外。"],
+    ),
+    #[cfg(feature = "complete")]
+    row(
+        "minPassage",
+        Form::Integer(1.0, 8.0),
+        "cells",
+        false,
+        ["Narrowest passage", "最窄通道"],
+        [
+            "Closes passages narrower than this many cells; 1 closes none. Start and goal stay connected.",
+            "封闭窄于此格数的通道；1 为不封闭。起终点保持连通。",
+        ],
+    ),
+    #[cfg(feature = "complete")]
+    row(
+        "trapMouth",
+        Form::Integer(1.0, 16.0),
+        "cells",
+        false,
+        ["Pockets", "陷阱填充"],
+        [
+            "Closes dead ends into which no square of this many cells fits; 1 closes none.",
+            "封闭容不下此边长方块的死胡同；1 为不封闭。",
+        ],
     ),
     row(
         "post",

@@ -2,8 +2,13 @@
 
 use super::{EXPANSIONS, Form, Row, row};
 
+#[cfg(not(feature = "complete"))]
+const ENDS: &[&str] = &["goal", "start"];
+#[cfg(feature = "complete")]
+const ENDS: &[&str] = &["goal", "start", "both"];
+
 /// Settings of hybrid A*.
-pub(in crate::planners) const HYBRID: [Row; 19] = [
+pub(in crate::planners) const HYBRID: [Row; 21] = [
     row(
         "margin",
         Form::Number(0.0, 0.5, 0.05),
@@ -46,11 +51,19 @@ pub(in crate::planners) const HYBRID: [Row; 19] = [
     ),
     row(
         "searchFrom",
-        Form::Choice(&["goal", "start"]),
+        Form::Choice(ENDS),
         "1",
         true,
         ["Search from", "搜索起点"],
         ["Leaving a slot is easier than finding it.", "驶出车位比驶入更易搜索。"],
+    ),
+    row(
+        "profile",
+        Form::Choice(&["shortest", "comfort", "classic"]),
+        "1",
+        false,
+        ["Cost profile", "代价方案"],
+        ["Comfort and classic replace the costs below.", "comfort 与 classic 取代以下各项代价。"],
     ),
     row(
         "reverseCost",
@@ -150,6 +163,17 @@ pub(in crate::planners) const HYBRID: [Row; 19] = [
         false,
         ["Finer levels", "逐级细化"],
         ["Tries finer steps when the coarse ones find nothing.", "粗步无解时尝试更细的步长。"],
+    ),
+    row(
+        "finestLevel",
+        Form::Integer(0.0, 4.0),
+        "1",
+        false,
+        ["Finest level", "最细级别"],
+        [
+            "3 and 4 are for cars that can hardly move: many gear changes.",
+            "3 和 4 用于几乎动弹不得的车：换挡很多。",
+        ],
     ),
     EXPANSIONS,
 ];

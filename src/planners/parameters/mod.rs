@@ -1,12 +1,18 @@
 //! The planners' settings for people: range, unit, name and one line of why.
 
-use serde_json::Value;
+use serde_json::{Map, Value};
 
 mod grid;
 mod hybrid;
+#[cfg(feature = "complete")]
+mod road;
 
+#[cfg(feature = "complete")]
+pub(in crate::planners) use grid::{BIDIRECTIONAL, JUMP_POINT};
 pub(in crate::planners) use grid::{GRID, GRID_HEURISTICS, RISK};
 pub(in crate::planners) use hybrid::HYBRID;
+#[cfg(feature = "complete")]
+pub(in crate::planners) use road::ROAD;
 
 use super::registry::{Parameter, Text};
 
@@ -31,7 +37,7 @@ enum Form {
 }
 
 impl Row {
-    pub(in crate::planners) fn with_default(&self, defaults: &Value) -> Parameter {
+    pub(in crate::planners) fn with_default(&self, defaults: &Map<String, Value>) -> Parameter {
         let (kind, range, choices): (_, _, &'static [&'static str]) = match self.form {
             Form::Number(min, max, step) => ("number", Some((min, max, step)), &[]),
             Form::Integer(min, max) => ("integer", Some((min, max, 1.0)), &[]),

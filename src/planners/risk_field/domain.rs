@@ -37,7 +37,7 @@ impl<'a> RiskGrid<'a> {
             ext_len: config.ext_len as i32,
             goal_side: config.goal_side,
             goal_shot: config.goal_shot,
-            corner: config.corner,
+            corner: config.common.corner,
             hold,
             los_calls: Counter::new(0),
         }

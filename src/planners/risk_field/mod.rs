@@ -8,22 +8,25 @@
 
 mod directions;
 mod domain;
-
-use serde::{Deserialize, Serialize};
+#[cfg(feature = "complete")]
+mod explain;
 
 use super::grid_astar;
 use super::heuristics::{DistanceWeight, Heuristic as GridHeuristic};
 use super::moves::Neighbourhood;
 use super::query::{Detail, GridReport, GridScratch, Query, Status};
-use super::settings::{Inflation, MAX_EXPANSIONS, MinRadius, Post, Shared, SmoothMode, within};
+use super::settings::{Common, Post, within};
 use crate::error::{Error, ErrorCode};
+use crate::json;
 use crate::map::risk::{Attraction, FieldSettings, ObstacleSet, PotentialField};
 use crate::map::{Cell, Corner};
-use crate::search::{Hold, Limits, Observer, best_first};
+use crate::search::{Hold, Limits, Observer, Trace, best_first};
+
+#[cfg(feature = "complete")]
+pub use explain::{Candidate, Explanation, explain};
 
 /// The estimate before the distance weight.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Heuristic {
     /// The paper's equations 10 and 11 as meant: w1 times the longer part plus w2 times the shorter.
     #[default]
@@ -34,9 +37,10 @@ pub enum Heuristic {
     Octile,
 }
 
+json::words!(Heuristic: "corrected" = Corrected, "printed" = Printed, "octile" = Octile);
+
 /// What becomes of the five directions that the field does not pick.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Fallback {
     /// Tried when the three improve nothing, else later, at a penalty: complete.
     #[default]
@@ -49,9 +53,10 @@ pub enum Fallback {
     None,
 }
 
+json::words!(Fallback: "penalty" = Penalty, "lexicographic" = Lexicographic, "stuck-only" = StuckOnly, "none" = None);
+
 /// Settings of risk-field A*.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Config {
     /// Weight of the longer part of the estimate. Thousandths count.
     pub w1: f64,
@@ -81,20 +86,35 @@ pub struct Config {
     pub penalty: f64,
     /// Whether the search ends as soon as the goal is in sight.
     pub goal_shot: bool,
-    /// What a path may do at corners of blocked cells.
-    pub corner: Corner,
-    /// Room for the car.
-    pub inflation: Inflation,
-    /// Extra room, metres.
-    pub margin: f64,
-    /// What is done to the raw path.
-    pub post: Post,
-    /// How corners share the segment between them.
-    pub smooth_mode: SmoothMode,
-    /// Tightest arc of smoothing, cells.
-    pub min_radius: MinRadius,
-    /// Expansions after which the search gives up.
-    pub max_expansions: u32,
+    /// What every grid planner has.
+    pub common: Common,
+}
+
+json::settings! {
+    Config:
+    "w1" = w1,
+    "w2" = w2,
+    "wbar" = wbar,
+    "heuristic" = heuristic,
+    "k1" = k1,
+    "rho0" = rho0,
+    "k2" = k2,
+    "attraction" = attraction,
+    "obstacleSet" = obstacle_set,
+    "extLen" = ext_len,
+    "goalSide" = goal_side,
+    "fallback" = fallback,
+    "penalty" = penalty,
+    "goalShot" = goal_shot,
+    "corner" = common.corner,
+    "inflation" = common.inflation,
+    "margin" = common.margin,
+    "minPassage" = common.min_passage,
+    "trapMouth" = common.trap_mouth,
+    "post" = common.post,
+    "smoothMode" = common.smooth_mode,
+    "minRadius" = common.min_radius,
+    "maxExpansions" = common.max_expansions,
 }
 
 impl Default for Config {
@@ -120,13 +140,7 @@ impl Config {
         fallback: Fallback::Penalty,
         penalty: 4.0,
         goal_shot: false,
-        corner: Corner::Strict,
-        inflation: Inflation::None,
-        margin: 0.0,
-        post: Post::Smooth,
-        smooth_mode: SmoothMode::Dynamic,
-        min_radius: MinRadius::Cells(1.0),
-        max_expansions: MAX_EXPANSIONS,
+        common: Common { post: Post::Smooth, ..Common::PLAIN },
     };
 
     /// Settings that give shorter paths from fewer cells than the paper's.
@@ -138,7 +152,7 @@ impl Config {
         goal_side: true,
         ext_len: 3,
         goal_shot: true,
-        post: Post::PruneDp,
+        common: Common { post: Post::PruneDp, ..Common::PLAIN },
         ..Self::PAPER
     };
 
@@ -158,8 +172,7 @@ impl Config {
             let rule = format!("must be between 0 and 16, got {}", self.ext_len);
             return Err(Error::new(ErrorCode::Config, "extLen", rule));
         }
-        let Self { margin, min_radius, max_expansions, .. } = *self;
-        Shared { margin, min_radius, max_expansions }.validate()
+        self.common.validate()
     }
 
     /// The potential field of a query.
@@ -214,11 +227,12 @@ pub fn plan<O: Observer<i64, Cell>>(
     let weight = DistanceWeight::new(permille(config.wbar), dx, dy);
     let mut grid = domain::RiskGrid::new(query, config, weight, config.hold());
     let root = (query.map.index(query.start), query.start);
-    let limits = Limits { max_expansions: config.max_expansions, first: true };
-    let search = best_first(&mut grid, root, limits, scratch, observer);
-    let mut report = GridReport::of(&query, &search, scratch, grid.los_calls());
+    let limits = Limits { max_expansions: config.common.max_expansions, first: true };
+    let search = best_first(&mut grid, root, limits, &mut scratch.cells, observer);
+    let mut report = GridReport::of(&query, &search, &scratch.cells, grid.los_calls());
+    report.cost_micro = search.found.map_or(0, |found| found.1);
     let incomplete = matches!(config.fallback, Fallback::StuckOnly | Fallback::None);
-    if report.status == Status::NoPath && incomplete && is_reachable(query, config.corner, scratch) {
+    if report.status == Status::NoPath && incomplete && is_reachable(query, config.common.corner, scratch) {
         report.detail = Some(Detail::Stranded);
     }
     report
@@ -227,9 +241,11 @@ pub fn plan<O: Observer<i64, Cell>>(
 /// Whether ordinary steps lead from start to goal.
 fn is_reachable(query: Query, corner: Corner, scratch: &mut GridScratch) -> bool {
     let eight = Neighbourhood::Eight;
+    let common = Common { corner, ..Common::PLAIN };
     let config =
-        grid_astar::Config { heuristic: GridHeuristic::Octile, corner, ..grid_astar::Config::new(eight) };
-    grid_astar::plan(query, eight, &config, scratch, &mut ()).status == Status::Found
+        grid_astar::Config { heuristic: GridHeuristic::Octile, common, ..grid_astar::Config::new(eight) };
+    // A silent observer of the type that plans are traced with: a second copy of the search saves nothing.
+    grid_astar::plan(query, eight, &config, scratch, &mut None::<Trace>).status == Status::Found
 }
 
 fn permille(weight: f64) -> i64 {

@@ -1,8 +1,10 @@
 // @ts-check
-// The API over the raw wasm exports; `index.d.ts` documents it.
-import { ParkadeError, call, isRunning } from "./core.js";
+// The API over the raw wasm exports; `index.d.ts` documents it. Only what both modules have: the complete one and `core`.
+import { packedScene } from "./cells.js";
 import * as raw from "./parkade.js";
+import { ParkadeError, call, isRunning, kind, numbers, text } from "./runtime.js";
 
+export { packRuns, unpackRuns } from "./cells.js";
 export { ParkadeError };
 
 /** @typedef {typeof import("./index.js")} Api */
@@ -26,13 +28,13 @@ export const scenarios = () => call(() => raw.scenarios());
 export const scenario = (id) => call(() => raw.scenario(text(id, "id")));
 
 /** @type {Api["sceneGeometry"]} */
-export const sceneGeometry = (scene) => call(() => raw.sceneGeometry(scene));
+export const sceneGeometry = (scene) => call(() => raw.sceneGeometry(packedScene(scene)));
 
 /** @type {Api["checkPath"]} */
 export const checkPath = (scene, path, directions) =>
   call(() =>
     raw.checkPath(
-      scene,
+      packedScene(scene),
       numbers(Float64Array, path, "path"),
       directions === undefined ? undefined : numbers(Int8Array, directions, "directions"),
     ),
@@ -45,7 +47,7 @@ export class Planner {
   /** @param {ConstructorParameters<Api["Planner"]>} args */
   constructor(...args) {
     const [planner, scene, config = {}] = args;
-    this.#raw = call(() => new raw.RawPlanner(text(planner, "planner"), scene, config));
+    this.#raw = call(() => new raw.RawPlanner(text(planner, "planner"), packedScene(scene), config));
   }
 
   /** @type {import("./index.js").Planner["plan"]} */
@@ -53,9 +55,50 @@ export class Planner {
     return this.#call((planner) => planner.plan(options));
   }
 
+  /** @type {import("./index.js").Planner["search"]} */
+  search(start, goal) {
+    const found = this.#call((planner) => {
+      if (planner.search === undefined) throw missing("search");
+      return planner.search(start?.x, start?.y, goal?.x, goal?.y);
+    });
+    const [outcome = 0, costMicro = 0, expanded = 0, generated = 0] = found;
+    return { outcome: /** @type {import("./index.js").Outcome} */ (OUTCOMES[outcome]), path: found.subarray(4), costMicro, expanded, generated };
+  }
+
+  /** @type {import("./index.js").Planner["anyAngleLength"]} */
+  anyAngleLength() {
+    return this.#call((planner) => {
+      if (planner.anyAngleLength === undefined) throw missing("anyAngleLength");
+      return planner.anyAngleLength() ?? null;
+    });
+  }
+
+  /** @type {import("./index.js").Planner["brush"]} */
+  brush(runs, blocked) {
+    if (!Array.isArray(runs) || runs.some((run) => !Array.isArray(run) || run.length !== 3)) {
+      throw new ParkadeError("runs: must be a list of [x, y, count]", "bad-input", "runs");
+    }
+    if (typeof blocked !== "boolean") {
+      throw new ParkadeError(`blocked: must be true or false, got ${kind(blocked)}`, "bad-input", "blocked");
+    }
+    const cells = numbers(Uint32Array, runs.flat(), "runs");
+    this.#call((planner) => {
+      if (planner.brush === undefined) throw missing("brush");
+      planner.brush(cells, blocked);
+    });
+  }
+
   /** @type {import("./index.js").Planner["layer"]} */
   layer(name) {
     return this.#call((planner) => planner.layer(text(name, "name")));
+  }
+
+  /** @type {import("./index.js").Planner["explain"]} */
+  explain(at) {
+    return this.#call((planner) => {
+      if (typeof planner.explain !== "function") throw new ParkadeError("`parkade/core` does not explain", "bad-input");
+      return planner.explain(at.x, at.y);
+    });
   }
 
   /** Gives the memory back; again, it does nothing. */
@@ -80,38 +123,10 @@ export class Planner {
   }
 }
 
-/**
- * wasm-bindgen does not check what it takes for a string.
- * @param {unknown} value
- * @param {string} path
- */
-function text(value, path) {
-  if (typeof value === "string") return value;
-  throw new ParkadeError(`${path}: must be a string, got ${kind(value)}`, "bad-input", path);
-}
+/** In the module's order. @type {import("./index.js").Outcome[]} */
+const OUTCOMES = [
+  "found", "no-path", "budget-spent", "start-blocked", "goal-blocked", "start-outside", "goal-outside",
+];
 
-/**
- * The typed array itself, or an array's numbers in one; never another number than the given one.
- * @template {Float64Array | Int8Array} T
- * @param {{ new (values: number[]): T }} Numbers
- * @param {unknown} values
- * @param {string} path
- */
-function numbers(Numbers, values, path) {
-  if (values instanceof Numbers) return values;
-  if (!Array.isArray(values)) {
-    throw new ParkadeError(`${path}: must be an array of numbers, got ${kind(values)}`, "bad-input", path);
-  }
-  const typed = new Numbers(values.map((value) => (typeof value === "number" ? value : Number.NaN)));
-  const changed = typed.findIndex((value, index) => value !== values[index] && !Number.isNaN(values[index]));
-  if (changed >= 0) {
-    const at = `${path}[${changed}]`;
-    throw new ParkadeError(`${at}: must be a number that fits, got ${String(values[changed])}`, "bad-input", at);
-  }
-  return typed;
-}
-
-/** @param {unknown} value */
-function kind(value) {
-  return value === null ? "null" : typeof value;
-}
+/** @param {string} method */
+const missing = (method) => new ParkadeError(`${method}: not in parkade/core, but in parkade`, "bad-input");

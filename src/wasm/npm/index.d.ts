@@ -1,6 +1,8 @@
 /** Vehicle path planners. SI units, radians; x east, y north, headings counter-clockwise from east. */
 
-export type PlannerId = "four" | "eight" | "risk-field" | "hybrid" | "hybrid-forward";
+export type PlannerId =
+  | "four" | "eight" | "sixteen" | "twenty-four" | "forty-eight" | "sixteen-bidirectional" | "jump-point" | "any-angle"
+  | "risk-field" | "risk-field-plus" | "hybrid" | "hybrid-forward" | "hybrid-bidirectional" | "hybrid-classic" | "cost-map";
 
 export type Outcome =
   | "found" | "no-path" | "budget-spent" | "interrupted"
@@ -46,6 +48,34 @@ export interface Slot {
   occupied?: boolean;
 }
 
+/**
+ * A box that follows a line at constant speed, its length along its motion. It stands at the first point before its start
+ * and at the last one after its arrival. Planners leave it out; `stopWaitGo` waits for it.
+ */
+export interface MovingObstacle {
+  id?: string;
+  /** The way of the box's centre. */
+  points: [number, number][];
+  /** Length along the motion, width across it. */
+  size: [number, number];
+  /** Metres per second. */
+  speed: number;
+  /** When it starts to move, seconds; default 0. */
+  start?: number;
+}
+
+/** A lane's middle, from its beginning in the direction of travel: straight lines and arcs, one after the other. */
+export interface Lane {
+  id?: string;
+  start: Pose;
+  /** Curvature in 1/m, positive to the left; default 0. */
+  pieces: { length: number; curvature?: number }[];
+  width: number;
+}
+
+/** An area, a simple polygon, in which nobody may drive faster; m/s. */
+export interface SpeedLimit { points: [number, number][]; speed: number }
+
 export interface Vehicle {
   wheelbase: number;
   width: number;
@@ -57,9 +87,13 @@ export interface Vehicle {
   maxSteerRate?: number;
 }
 
-export type VehicleSpec = "paper" | "sedan" | Vehicle;
+/** "ship": 72 m × 16 m, turns in 144 m; not in `parkade/core`. */
+export type VehicleSpec = "paper" | "sedan" | "ship" | Vehicle;
 
 export type Goal = Pose | { slot: string; entry: "reverse-in" | "head-in" };
+
+/** Runs of brushed cells: x of the first, y, number of cells eastward. */
+export type Run = [number, number, number];
 
 export interface Scenario {
   version: 1;
@@ -67,6 +101,11 @@ export interface Scenario {
   map: MapFrame;
   obstacles?: Obstacle[];
   slots?: Slot[];
+  /** Left out by planners; `parkade/core` does not even check it. */
+  moving?: MovingObstacle[];
+  /** For planners that keep to lanes; `parkade/core` leaves lanes and limits out. */
+  lanes?: Lane[];
+  speedLimits?: SpeedLimit[];
   vehicle?: VehicleSpec;
   start: Pose;
   goal: Goal;
@@ -85,6 +124,14 @@ export interface Stats {
   losCalls?: number;
   /** Grid planners: exact integer cost in millionths of a cell. */
   costMicro?: number;
+  /** Jump points: cells looked at along jumps. */
+  cellsScanned?: number;
+  /** From both ends with `stop: "nba"`: cells that bounds excluded. */
+  rejected?: number;
+  /** With `minPassage` or `trapMouth`: cells closed as too narrow, as pockets, and given back to connect the ends. */
+  narrow?: number;
+  pocket?: number;
+  restored?: number;
   /** Hybrid: the same number as `expanded`, by the name of its specification. */
   expansions?: number;
   collisionChecks?: number;
@@ -103,14 +150,21 @@ export interface Metrics {
   /** Of the car's body along `path`, metres. */
   minClearance: number;
   meanClearance: number;
-  /** Grid planners, cells: see the grid specification. */
+  /** Grid planners, lengths in cells: as searched, after greedy pruning, along the shortest way over its cells, smoothed. */
   lengthRaw?: number;
   lengthPruned?: number;
+  lengthDp?: number;
   lengthSmoothed?: number;
   turns?: number;
   turnAngleDeg?: number;
   turnsPruned?: number;
   turnAngleDegPruned?: number;
+  /**
+   * Of the path as answered: from the centres of its cells to blocked cells' centres, at most 5 cells; the mean over samples
+   * every quarter of a cell.
+   */
+  minClearanceCells?: number;
+  meanClearanceCells?: number;
   sharpCorners?: number;
   arcs?: number;
   /** Smallest arc radius, cells. */
@@ -118,11 +172,33 @@ export interface Metrics {
   /** Hybrid: path cost, shortest Reeds–Shepp length without obstacles (m), gap to it in percent. */
   cost?: number;
   rsBound?: number;
+  /** Hybrid: the margin planned with, metres: less than asked where start or goal have less, 2 mm where more keeps the car in. */
+  margin?: number;
   gapPercent?: number;
   /** Hybrid: the parking paper's rounding. */
   paperLength?: number;
   paperNodes?: number;
   paperTime?: number;
+  /** Cost map, and `cost`: turning points of cells and chords, ends included; how far the ends were moved to have room, metres. */
+  turnsRaw?: number;
+  startMoved?: number;
+  goalMoved?: number;
+  /** Cost map: bytes of the arrays that planning holds. */
+  bytes?: number;
+  /** Cost map: metres of the line of the car's middle. */
+  middleLength?: number;
+  /** Cost map: of the body, pointing along that line, 5 m at the ends left out; below zero where it overlaps. The mean counts at most 1.2 m. */
+  bodyClearanceMin?: number;
+  bodyClearanceMean?: number;
+  /** Cost map: of the middle, less half the width. */
+  sideClearanceMin?: number;
+  sideClearanceMean?: number;
+  /** Cost map: sum of the changes of the middle's curvature from metre to metre, and its largest, 1/m. */
+  curvatureVariation?: number;
+  middleCurvature?: number;
+  /** Cost map: metres from the nearest lane's middle; null without lanes. */
+  laneDeviationMax?: number | null;
+  laneDeviationMean?: number | null;
 }
 
 /** What the independent checker says of `path`: exact footprint against exact obstacles. */
@@ -161,7 +237,8 @@ export type Trace =
 export interface Plan {
   planner: PlannerId;
   outcome: Outcome;
-  /** A finer word for the outcome: "unreachable", "too-narrow", "stranded", "suboptimal", "verification-failed". */
+  /** A finer word for the outcome: "unreachable", "too-narrow", "boxed-in", "stranded", "suboptimal",
+   *  "verification-failed", "smoothing-fell-back". */
   detail: string | null;
   /** For people, when there is no path: what is in the way, where the search stopped. */
   reason: string | null;
@@ -183,17 +260,58 @@ export interface Plan {
   hash: string;
 }
 
-export type LayerName = "occupancy" | "safety" | "clearance" | "risk";
+/** What `Planner.search` found. */
+export interface Found {
+  outcome: Outcome;
+  /** Cell centres x, y, … from start to goal, metres; every cell, or the turning points of "any-angle". */
+  path: Float64Array;
+  /** Millionths of a cell. */
+  costMicro: number;
+  expanded: number;
+  generated: number;
+}
+
+export type LayerName = "occupancy" | "safety" | "redundant" | "clearance" | "risk" | "cost";
 
 export interface Layer {
   width: number;
   height: number;
   /**
    * Row-major from the south-western cell. occupancy: 0 free, 1 blocked. safety: 0 free, 1 obstacle, 2 necessary
-   * safety space (half the car's width). clearance: metres from the cell's centre to the nearest blocked
-   * cell's square. risk: force east, force north per cell.
+   * safety space (half the car's width). redundant: the same for this grid planner's own settings, and 3 where
+   * `minPassage` or `trapMouth` close free cells between start and goal. clearance: metres from the cell's centre to the nearest blocked
+   * cell's square. risk: force east, force north per cell. cost: what a metre costs beyond its length (with
+   * `costs: "paper"`, what the cell costs); Infinity where the car has no room.
    */
   data: Uint8Array | Float32Array;
+}
+
+/** What the risk-field planner does at one cell, in the terms of its paper's tables 1 and 2. Forces: east, north. */
+export interface Explanation {
+  /** Column, row. */
+  cell: [number, number];
+  /** "oblique": table 1; "straight": table 2. */
+  mode: "oblique" | "straight";
+  attraction: [number, number];
+  repulsion: [number, number];
+  /** F, their sum. */
+  force: [number, number];
+  /** k = F_y / F_x; null where F_x is 0. */
+  slope: number | null;
+  region: "1" | "2" | "3" | "4" | "5" | "6" | "7" | "8" | "A" | "B" | "C" | "D";
+  /** Central direction, counter-clockwise from the east: 0 to 7. */
+  center: number;
+  /** Cells in the order in which they are tried; those of the other five directions, held back, last. */
+  candidates: {
+    cell: [number, number];
+    direction: "E" | "NE" | "N" | "NW" | "W" | "SW" | "S" | "SE";
+    role: "primary" | "extension" | "held-back";
+    /** Whether it is free and the way to it is. */
+    free: boolean;
+  }[];
+  /** Estimate of the way to the goal, millionths of a cell; then with the distance weight. */
+  estimate: number;
+  weighted: number;
 }
 
 export interface ParameterInfo {
@@ -214,7 +332,7 @@ export interface ParameterInfo {
 
 export interface PlannerInfo {
   id: PlannerId;
-  family: "grid" | "hybrid";
+  family: "grid" | "hybrid" | "road";
   title: { en: string; zh: string };
   paper: string;
   parameters: ParameterInfo[];
@@ -260,11 +378,296 @@ export function sceneGeometry(scene: Scenario): SceneGeometry;
 /** Re-checks any path (x, y, heading, …) against a scene. `directions` defaults to forward throughout. */
 export function checkPath(scene: Scenario, path: Float64Array | number[], directions?: Int8Array | number[]): Check;
 
+/**
+ * Brushed cells as text, about two characters a run, for links, files and messages. A scene's `runs` may be such a text
+ * wherever a scene is read; scenes that the package makes have them as numbers.
+ */
+export function packRuns(runs: readonly Run[]): string;
+/** The runs that `packRuns` made a text of. */
+export function unpackRuns(text: string): Run[];
+
+/** `parkade` only, not `parkade/core`: what `importScene` is asked. */
+export interface ImportOptions {
+  /** Side of a cell, metres, of maps that do not say; default 1. */
+  resolution?: number;
+  /** Which of the queries gives the scene's start and goal; default 0. */
+  query?: number;
+  /** What cells count as that are neither free nor occupied; default "blocked". */
+  unknown?: "blocked" | "free";
+  /** Default: a cart 0.8 cells wide for maps of cells, "paper" for maps in metres. */
+  vehicle?: VehicleSpec;
+}
+
+/** A question that comes with a map. */
+export interface ImportedQuery {
+  /** Its group of about equal length. */
+  bucket: number;
+  /** Centre of the cell; the heading points to the goal. */
+  start: Pose;
+  goal: Pose;
+  /** Length of the shortest eight-connected path that touches no corner of a blocked cell, metres. */
+  length: number;
+}
+
+export interface Imported {
+  format: "movingai" | "ros-map" | "tpcap" | "lots" | "scene";
+  /** The first of `scenes`. */
+  scene: Scenario;
+  scenes: Scenario[];
+  queries: ImportedQuery[];
+  /** What people should know of how it was read. */
+  notes: string[];
+}
+
+/**
+ * Reads files by name: MovingAI `.map` with or without its `.scen`, ROS `.yaml` with its `.pgm`, TPCAP `.csv`, lots and
+ * scenes as `.json`. Throws ParkadeError "bad-import" with `path` "file:line". `parkade` only, not `parkade/core`.
+ */
+export function importScene(
+  files: Record<string, string | Uint8Array | ArrayBuffer>, options?: ImportOptions,
+): Imported;
+
+/** A seeded map; the same arguments give the same map everywhere. */
+export type Family =
+  | {
+      family: "random";
+      /** Cells a side, 5 to 4096. */
+      size: number;
+      seed: number;
+      /** Share of blocked cells, thousandths; default 150. */
+      densityPermille?: number;
+      /** Sides of the blocks, cells; default 1 to 3. */
+      blockMin?: number;
+      blockMax?: number;
+    }
+  | { family: "regular" | "trap"; size: number; seed: number };
+
+/** Draws a map of a family, one metre a cell, from corner to corner. `parkade` only, not `parkade/core`. */
+export function generateScenario(family: Family): Scenario;
+
+/** A row of tables 3 and 4 of Hu et al. 2024; printed values of four neighbours, eight neighbours, the improved planner. */
+export interface PaperRow {
+  id: string;
+  table: number;
+  size: number;
+  nodes: [number, number, number];
+  lengths: [number, number, number];
+  /** No path between the printed end points is shorter, cells. */
+  straight: number;
+}
+
+/** Over many maps. */
+export interface Spread { median: number; p95: number; worst: number }
+
+export interface PaperTable {
+  row: Omit<PaperRow, "straight">;
+  straight: number;
+  maps: number;
+  lines: {
+    planner: string;
+    printedNodes: number | null;
+    printedLength: number | null;
+    /** The printed length is below the straight line. */
+    impossible: boolean;
+    /** In the order of the columns. */
+    figures: Spread[];
+  }[];
+  ratios: { figure: string; planner: string; overFigure: string; over: string; printed: number | null; ours: Spread }[];
+}
+
+export interface PaperClaim { id: string; text: string; found: string; holds: "yes" | "no" | "partly" | "unknown" }
+
+/** What `paperGrid` measures: rows, planners and columns. `parkade` only, not `parkade/core`, as the next two. */
+export function paperGridRows(): { rows: PaperRow[]; planners: string[]; columns: string[] };
+/**
+ * Measures a row of the risk-field paper on the maps of seeds `from` to `to`, both included: per map a number for each
+ * planner and column. Slices may be measured anywhere, and joined in any order.
+ */
+export function paperGrid(slice: { row: string; from: number; to: number }): Float64Array;
+/** The papers' values beside ours, from all figures of each row; claims are judged when all rows are there. */
+export function paperGridSummary(measured: Record<string, Float64Array>): { tables: PaperTable[]; claims: PaperClaim[] };
+
 export class Planner {
   /** Checks scene and settings and prepares the map, once. Throws ParkadeError. */
   constructor(planner: PlannerId, scene: Scenario, config?: Record<string, unknown>);
-  plan(options?: { trace?: boolean }): Plan;
+  /** `start` and `goal` take the place of the scene's in this plan; a second plan on the same map prepares nothing anew. */
+  plan(options?: { trace?: boolean; start?: Pose; goal?: Pose }): Plan;
+  /**
+   * The search of a grid planner alone, between two points: its cells, neither followed by a car nor checked nor
+   * measured. What `plan` does besides grows with the path and often takes longer. Not in `parkade/core`.
+   */
+  search(start: { x: number; y: number }, goal: { x: number; y: number }): Found;
+  /**
+   * Grid planners: length in metres of the shortest path in any direction over cell centres, from the start's to the
+   * goal's; null where there is none. Slow on large maps. Not in `parkade/core`.
+   */
+  anyAngleLength(): number | null;
+  /**
+   * Blocks runs of cells [x, y, count] in this planner's own map, or takes the brush away from them; what other obstacles
+   * block stays blocked. Costs what the runs touch, not the size of the map. Not in `parkade/core`.
+   */
+  brush(runs: [number, number, number][], blocked: boolean): void;
   layer(name: LayerName): Layer;
+  /**
+   * What the risk field does at the cell of a point (metres); null off the map and in blocked cells. Throws for planners
+   * without a risk field. `parkade` only, not `parkade/core`.
+   */
+  explain(at: { x: number; y: number }): Explanation | null;
   free(): void;
   [Symbol.dispose](): void;
 }
+
+/** A path to drive: a plan, or its columns alone. */
+export interface DrivenPath {
+  /** x, y, heading, … */
+  path: Float64Array | number[];
+  /** Gear (±1) of the way on from each pose; forward where absent. */
+  directions?: Int8Array | number[];
+  /** Curvature of the way on from each pose, 1/m; from the poses where absent. */
+  curvatures?: Float64Array | number[];
+}
+
+/** What a trajectory keeps to. */
+export interface Limits {
+  /** "limited" (default): from rest to rest within all limits. "constant": `speed` throughout, as in the parking paper. */
+  profile?: "limited" | "constant";
+  /** m/s; default 2. The scene's `speedLimits` hold as well. */
+  speed?: number;
+  /** m/s²; default 1. */
+  acceleration?: number;
+  /** m/s²; default 1.5. */
+  deceleration?: number;
+  /** v²·|κ|, m/s²; default 1.5. */
+  lateralAcceleration?: number;
+  /** m/s³; none where absent. Needs `steps: "preview"`. */
+  jerk?: number | null;
+  /**
+   * Where the curvature steps, which the wheel cannot. "preview" (default): the speed is kept and the wheel begins to turn
+   * before the step. "slow": 0.5 m/s near steps, and everywhere slow enough for the wheel.
+   */
+  steps?: "preview" | "slow";
+  /** Whether the wheel turns at standstill at the start and at gear changes; default true. */
+  dwell?: boolean;
+  /** Most time between two rows, seconds; default 0.05. */
+  dt?: number;
+}
+
+/** Columns with one item per moment; times increase strictly. */
+export interface Drive {
+  /** Seconds. */
+  t: Float64Array;
+  /** x, y, heading, … per moment. */
+  path: Float64Array;
+  /** Distance driven, metres. */
+  stations: Float64Array;
+  /** m/s, negative in reverse. */
+  speeds: Float64Array;
+  /** Of `speeds` from here on, m/s². */
+  accelerations: Float64Array;
+  /** Angle of the middle front wheel, radians, positive to the left. */
+  steering: Float64Array;
+  /** The same in every browser and in Node. */
+  hash: string;
+}
+
+export interface Trajectory extends Drive {
+  /** Seconds. */
+  duration: number;
+  /** Metres. */
+  length: number;
+  /** Seconds at standstill to turn the wheel. */
+  dwell: number;
+  maxLateralAcceleration: number;
+}
+
+/** How closely a simulated car followed. */
+export interface Tracking {
+  t: Float64Array;
+  /** Where the car was: x, y, heading, … */
+  path: Float64Array;
+  /** Metres to the left of the path. */
+  lateral: Float64Array;
+  /** Radians. */
+  steering: Float64Array;
+  /** Metres. */
+  maxLateral: number;
+  /** Radians. */
+  maxHeading: number;
+  /** Metres and radians between the last pose and the path's. */
+  endDistance: number;
+  endHeading: number;
+  /** What the body overlapped first. */
+  hit: Check["firstHit"];
+  /** At most 0.10 m to the side, 0.10 m and 0.05 rad off at the end, no hit. */
+  passes: boolean;
+  hash: string;
+}
+
+export interface WaitOptions {
+  /**
+   * "predictive" (default): stops before a hit to come, where it is safe to stand. "reactive", the parking paper's: stops
+   * while an obstacle is on the way ahead; it can be run into.
+   */
+  rule?: "predictive" | "reactive";
+  /** How far ahead "reactive" looks: to the end (default), or a stopping distance. */
+  scope?: "remaining" | "window";
+  /** m/s; default 2. */
+  speed?: number;
+  /** For the window, m/s²; default 1.5. */
+  deceleration?: number;
+  /** Metres kept when it decides to stop, default 0.3, and when it decides to go on, default 0.5. */
+  margin?: number;
+  releaseMargin?: number;
+  /** Seconds after which the drive is given up; default 600. */
+  maxTime?: number;
+  /** Seconds between two decisions; default 0.05. */
+  dt?: number;
+}
+
+/** A drive among a scene's moving obstacles, checked by outlines. */
+export interface Encounter extends Drive {
+  /** "unavoidable": there was no place to stand safely. "blocked": an obstacle stays on the path for ever. */
+  ending: "arrived" | "unavoidable" | "hit" | "blocked" | "out-of-time";
+  /** Per moment: metres from the body to the nearest box; Infinity where there is none. */
+  clearances: Float64Array;
+  /** Per moment, per moving obstacle: x, y, heading of the box. */
+  boxes: Float64Array;
+  waits: { pose: Pose; station: number; from: number; to: number }[];
+  /** The first overlap: whose, its index in `moving`, when, where the car was and whether it stood. */
+  contact: { obstacle: string; index: number; t: number; pose: Pose; standing: boolean } | null;
+  /** Seconds, with and without waiting. */
+  duration: number;
+  freeDuration: number;
+}
+
+/**
+ * Figures of any path on a scene's road, along the line of the car's middle. `parkade` only, not `parkade/core`. What they
+ * are: `Metrics`.
+ */
+export function roadFigures(scene: Scenario, plan: { path: Float64Array | number[] }): {
+  middleLength: number;
+  bodyClearanceMin: number;
+  bodyClearanceMean: number;
+  sideClearanceMin: number;
+  sideClearanceMean: number;
+  curvatureVariation: number;
+  middleCurvature: number;
+  laneDeviationMax: number | null;
+  laneDeviationMean: number | null;
+};
+/**
+ * How often a path ends in a collision when the car is beside it by chance: in each trial by 0.10 m throughout and 0.12 m
+ * along the way (standard deviations). Trials `from` to `from + trials` of a seed; slices add up. Defaults: 1000 trials from 0,
+ * seed 20260101. `discHits`: the same for a disc of the car's width. `parkade` only, not `parkade/core`.
+ */
+export function collisionRisk(
+  scene: Scenario, plan: { path: Float64Array | number[] }, options?: { trials?: number; from?: number; seed?: number },
+): { trials: number; hits: number; discHits: number };
+/** Gives a path times. Throws ParkadeError for paths that this car cannot drive. `parkade` only, not `parkade/core`. */
+export function trajectory(scene: Scenario, plan: DrivenPath, limits?: Limits): Trajectory;
+/** Lets a simulated car follow a path. `parkade` only, not `parkade/core`. */
+export function track(
+  scene: Scenario, plan: DrivenPath, options?: Limits & { controller?: "feedback" | "pure-pursuit" | "stanley" },
+): Tracking;
+/** Drives a path, waiting for the scene's moving obstacles. `parkade` only, not `parkade/core`. */
+export function stopWaitGo(scene: Scenario, plan: DrivenPath, options?: WaitOptions): Encounter;

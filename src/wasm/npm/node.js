@@ -1,10 +1,11 @@
 // @ts-check
 // Node.js, which cannot fetch files: the module is read from disk.
 import { readFile } from "node:fs/promises";
-import { initializer } from "./core.js";
+import { initializer } from "./runtime.js";
 import load from "./parkade.js";
 
 export * from "./api.js";
+export * from "./complete.js";
 
 const BESIDE = new URL("parkade_bg.wasm", import.meta.url);
 

@@ -1,10 +1,11 @@
-import type { PlannerInfo, ScenarioInfo, SceneGeometry } from "parkade";
+import type { PlannerId, PlannerInfo, ScenarioInfo, SceneGeometry } from "parkade";
 import { loadLang, translate, type Lang, type MessageKey, type Values } from "../i18n/index";
-import { loadEngine } from "../planning/module";
+import { introduce } from "../view/identity";
+import { extentFor, loadEngine, type Engine } from "../planning/module";
 import { Planning } from "../planning/planning";
 import { ensureIds } from "../scene/model";
-import { sceneFromText, sceneToFile } from "../scene/files";
-import { createStore, type LayerKey, type Scene, type State, type Store } from "../store";
+import { forPlanners, withoutCells } from "../scene/vast";
+import { createStore, FIRST_PLANNERS, type LayerKey, type Scene, type State, type Store } from "../store";
 import { ToolController } from "../tools/controller";
 import { readTokens, type Tokens } from "../view/tokens";
 import { LinkSync } from "./link-sync";
@@ -25,11 +26,11 @@ export const LAYER_PRESETS: readonly LayerPreset[] = ["clean", "search", "risk",
 const SHOWN: Record<LayerPreset, readonly LayerKey[]> = {
   clean: ["slots", "obstacles", "path", "car", "grid"],
   search: ["slots", "obstacles", "path", "heat", "tree", "grid"],
-  risk: ["slots", "obstacles", "path", "car", "safety", "risk", "grid"],
+  risk: ["slots", "obstacles", "path", "car", "safety", "cost", "risk", "grid"],
   drive: ["slots", "obstacles", "path", "car", "sweep", "heat", "safety", "risk", "grid"],
 };
 const ALL_LAYERS: readonly LayerKey[] = [
-  "slots", "obstacles", "safety", "heat", "risk", "tree", "sweep", "path", "car", "ghosts", "grid",
+  "slots", "obstacles", "safety", "redundant", "cost", "heat", "risk", "tree", "sweep", "path", "car", "ghosts", "grid",
 ];
 
 export function presetLayers(preset: LayerPreset): Record<LayerKey, boolean> {
@@ -57,14 +58,9 @@ export class App {
 
   /** Loads the planners and the first scene, the address's or else the preset's, and plans it; `loaded` comes before the plans. */
   async start(preset: string, syncAddress: boolean, loaded: () => void): Promise<void> {
-    const engine = await loadEngine();
-    const { api } = engine;
-    this.catalog ??= {
-      planners: api.planners(),
-      scenarios: api.scenarios(),
-      scenario: (id) => ensureIds(api.scenario(id)),
-      geometry: api.sceneGeometry,
-    };
+    const engine = await loadEngine(extentFor(this.store.state.planners));
+    this.catalog = catalogOf(engine);
+    this.dropUnknownPlanners();
     const first = await this.firstScene(preset, syncAddress);
     this.origin = first;
     this.store.set({ scene: first, camera: null });
@@ -74,6 +70,18 @@ export class App {
     loaded();
     await this.planning.whenSettled();
     this.player.driveIn();
+    requestIdle(() => void this.complete().catch(() => undefined));
+  }
+
+  /** Every planner and format, which the first picture does not wait for. */
+  async complete(): Promise<Engine> {
+    const engine = await loadEngine("complete");
+    if (!this.store.state.complete) {
+      this.catalog = catalogOf(engine);
+      this.planning?.use(engine);
+      this.store.set({ complete: true });
+    }
+    return engine;
   }
 
   stop(): void {
@@ -104,9 +112,38 @@ export class App {
     this.store.set({ message: { tone, text: this.t(key, values) } });
   }
 
+  private dropUnknownPlanners(): void {
+    const { planners } = this.store.state;
+    const known = planners.filter((id) => this.catalog?.planners.some((info) => info.id === id));
+    if (known.length === planners.length) return;
+    const unknown = planners.filter((id) => !known.includes(id));
+    this.refuse("error.planners", { unknown: unknown.join(", ") });
+    if (known.length > 0) this.store.set({ planners: known, focus: known.at(-1)! });
+    else this.showFirstPlanners();
+  }
+
+  /** Shows or hides a planner's map; the last one stays. */
+  togglePlanner(id: PlannerId): void {
+    const { planners, focus } = this.store.state;
+    const order = this.catalog?.planners.map((info) => info.id) ?? planners;
+    const next = order.filter((one) => planners.includes(one) !== (one === id));
+    if (next.length > 0) this.store.set({ planners: next, focus: next.includes(focus) ? focus : next.at(-1)! });
+  }
+
+  /** The four planners of the first picture. */
+  showFirstPlanners(): void {
+    this.store.set({ planners: FIRST_PLANNERS, focus: "hybrid" });
+  }
+
   openPreset(id: string): void {
-    const scene = this.catalog?.scenario(id);
-    if (!scene) return;
+    if (!this.catalog) return;
+    let scene: Scene;
+    try {
+      scene = this.catalog.scenario(id);
+    } catch (error) {
+      this.refuse("error.load", { reason: sentence(error) });
+      return;
+    }
     void this.links.mark();
     this.preset = id;
     this.openScene(scene);
@@ -128,21 +165,10 @@ export class App {
     if (this.origin) this.openScene(this.origin);
   }
 
-  /** Opens a scene file; a bad one leaves everything as it was. */
-  async openFile(file: File): Promise<void> {
-    try {
-      const scene = ensureIds(sceneFromText(await file.text()));
-      this.catalog?.geometry(scene);
-      this.preset = null;
-      this.openScene(scene);
-      this.say("info", "file.opened", { name: file.name });
-    } catch (error) {
-      this.refuse("error.file", { name: file.name, reason: sentence(error) });
-    }
-  }
-
-  saveFile(): void {
-    download(sceneToFile(this.store.state.scene), `${fileName(this.store.state.scene)}.json`);
+  async saveFile(): Promise<void> {
+    const { fileName, sceneToFile } = await import("../scene/files");
+    const { scene } = this.store.state;
+    download(sceneToFile(forPlanners(scene, (await this.complete()).api.packRuns)), `${fileName(scene)}.json`);
   }
 
   async share(): Promise<boolean> {
@@ -197,15 +223,25 @@ export class App {
   }
 }
 
-/** The error's words, closed by a full stop so that more can follow. */
-function sentence(error: unknown): string {
-  const text = (error instanceof Error ? error.message : String(error)).trim();
-  return /[.!?。]$/.test(text) ? text : `${text}.`;
+function catalogOf({ api }: Engine): Catalog {
+  const planners = api.planners();
+  introduce(planners);
+  return {
+    planners,
+    scenarios: api.scenarios(),
+    scenario: (id) => ensureIds(api.scenario(id)),
+    geometry: (scene) => api.sceneGeometry(withoutCells(scene)),
+  };
 }
 
-function fileName(scene: Scene): string {
-  const name = (scene.name ?? "").toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "");
-  return name || "parkade-scene";
+/** Safari has no requestIdleCallback. */
+const requestIdle = (run: () => void): unknown =>
+  typeof requestIdleCallback === "function" ? requestIdleCallback(run, { timeout: 5000 }) : setTimeout(run, 500);
+
+/** The error's words, closed by a full stop so that more can follow. */
+export function sentence(error: unknown): string {
+  const text = (error instanceof Error ? error.message : String(error)).trim();
+  return /[.!?。]$/.test(text) ? text : `${text}.`;
 }
 
 export function download(blob: Blob, name: string): void {

@@ -5,10 +5,10 @@ const TYPING = "input:not([type=checkbox]):not([type=range]), textarea, [content
 const CONTROL_KEYS = /^( |Enter|Tab|Arrow|Home|End|Page)/;
 
 /** Keys of the whole playground, while the focus is in it or nowhere in particular. */
-export function listenToKeys(host: HTMLElement, app: App, help: () => void): () => void {
+export function listenToKeys(host: HTMLElement, app: App, open: (dialog: "keys" | "papers") => void): () => void {
   const listen = (event: KeyboardEvent): void => {
     if (event.defaultPrevented || !isOurs(host, event)) return;
-    if (ownKey(app, event, help) || app.controller.handleKey(event)) event.preventDefault();
+    if (ownKey(app, event, open) || app.controller.handleKey(event)) event.preventDefault();
   };
   document.addEventListener("keydown", listen);
   return () => document.removeEventListener("keydown", listen);
@@ -23,7 +23,7 @@ function isOurs(host: HTMLElement, event: KeyboardEvent): boolean {
   return !(CONTROL_KEYS.test(event.key) && target.matches("button, input, select, [role=region]"));
 }
 
-function ownKey(app: App, event: KeyboardEvent, help: () => void): boolean {
+function ownKey(app: App, event: KeyboardEvent, open: (dialog: "keys" | "papers") => void): boolean {
   const key = event.key.toLowerCase();
   if (event.ctrlKey || event.metaKey) {
     if (key === "z") event.shiftKey ? app.store.redo() : app.store.undo();
@@ -36,7 +36,8 @@ function ownKey(app: App, event: KeyboardEvent, help: () => void): boolean {
     case "\\": app.cycleMode(); return true;
     case ",": app.cycleLayers(-1); return true;
     case ".": app.cycleLayers(1); return true;
-    case "?": help(); return true;
+    case "?": open("keys"); return true;
+    case "y": open("papers"); return true;
     case "k": app.player.toggle(); return true;
     case "0": app.controller.fit(); return true;
     default: return false;

@@ -1,10 +1,13 @@
-import { decodeScene, encodeScene } from "../scene/link";
+import { fitsLink } from "../scene/vast";
 import type { Scene, Store } from "../store";
 
 const PREFIX = "#s=";
 const SETTLE_MS = 500;
 /** Longer addresses are cut off by chats and mail. */
 export const LINK_LIMIT = 8000;
+
+/** Nothing of it is needed before the first picture, unless that comes by a link. */
+const linkFormat = () => import("../scene/link");
 
 /** Keeps the address in step with the scene, and reads scenes from it. */
 export class LinkSync {
@@ -36,14 +39,17 @@ export class LinkSync {
 
   /** The address that opens the present scene; null when it would be too long. */
   async address(): Promise<string | null> {
-    const url = new URL(location.href);
-    url.hash = PREFIX.slice(1) + (await encodeScene(this.store.state.scene));
+    const { scene } = this.store.state, url = new URL(location.href);
+    if (!fitsLink(scene)) return null;
+    const { encodeScene } = await linkFormat();
+    url.hash = PREFIX.slice(1) + (await encodeScene(scene));
     return url.href.length > LINK_LIMIT ? null : url.href;
   }
 
   /** The scene in the present address; null without one. Rejects when it cannot be read. */
-  read(): Promise<Scene> | null {
-    return location.hash.startsWith(PREFIX) ? decodeScene(location.hash.slice(PREFIX.length)) : null;
+  async read(): Promise<Scene | null> {
+    const { hash } = location;
+    return hash.startsWith(PREFIX) ? (await linkFormat()).decodeScene(hash.slice(PREFIX.length)) : null;
   }
 
   async write(): Promise<string | null> {

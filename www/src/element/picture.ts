@@ -1,4 +1,4 @@
-import { plannerName } from "../planning/planning";
+import { plannerName } from "../view/identity";
 import { statusOf } from "../panels/status";
 import type { SceneView } from "../panels/scene-view";
 import type { App } from "./app";

@@ -1,24 +1,8 @@
 import type { Playback, State, Store } from "../store";
-import { DRIVE_SPEED } from "../panels/metrics";
+import { durationOf } from "../view/clock";
 
-const SEARCH_SECONDS = 4;
 const FIRST_DRIVE_SECONDS = 6;
 const STEP = 0.02;
-
-/** Seconds the playback's time base lasts at speed 1. */
-export function durationOf(state: State): number {
-  if (state.playback.base === "search") return SEARCH_SECONDS;
-  return Math.max(1, longestPath(state) / DRIVE_SPEED);
-}
-
-/** Metres of the longest path in sight. */
-export function longestPath(state: State): number {
-  return Math.max(0, ...state.planners.filter((planner) => !state.hidden.has(planner)).map((planner) => {
-    const result = state.results[planner];
-    const plan = result?.plan?.outcome === "found" ? result.plan : result?.lastGood;
-    return plan?.metrics.length ?? 0;
-  }));
-}
 
 /** The most expansions any planner made: the length of the search's timeline when it counts them. */
 export function mostExpanded(state: State): number {

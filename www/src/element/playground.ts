@@ -10,15 +10,8 @@ import { layout } from "../styles/layout";
 import { App, download } from "./app";
 import { listenToKeys } from "./keyboard";
 import { recall, remember } from "./memory";
-import { picture } from "./picture";
-import type { KeysDialog } from "../panels/keys-dialog";
-import type { Presets } from "../panels/presets";
 import "../panels/charts";
-import "../panels/inspector";
-import "../panels/keys-dialog";
 import "../panels/notices";
-import "../panels/phone";
-import "../panels/presets";
 import "../panels/stage";
 import "../panels/table";
 import "../panels/timeline";
@@ -28,7 +21,8 @@ const PHONE_WIDTH = 640;
 /** Too low for a map and a sheet: embedded pages. */
 const SHORT_HEIGHT = 560;
 const FIRST_SCENE = "perpendicular";
-const PLANNERS: readonly string[] = ["four", "eight", "risk-field", "hybrid", "hybrid-forward"];
+/** What the first picture does without is fetched when it is opened. */
+const DIALOGS = { presets: () => import("../panels/presets"), keys: () => import("../panels/keys-dialog"), import: () => import("../panels/import"), papers: () => import("../panels/papers") };
 
 /**
  * Draws a scene and plans it with several planners at once.
@@ -123,7 +117,8 @@ export class Playground extends LitElement {
     return this.app.links.address();
   }
 
-  toBlob(): Promise<Blob | null> {
+  async toBlob(): Promise<Blob | null> {
+    const { picture } = await import("./picture");
     return picture(this.app, this.views());
   }
 
@@ -141,10 +136,11 @@ export class Playground extends LitElement {
       () => resize.disconnect(),
       () => scheme.removeEventListener("change", onScheme),
       this.store.subscribe((state, previous) => this.onState(state, previous)),
-      listenToKeys(this, this.app, () => this.keysDialog?.open()),
+      listenToKeys(this, this.app, (name) => void this.openDialog(name)),
     ];
     this.measure(this.getBoundingClientRect());
     void this.begin();
+    void import("../panels/inspector");
   }
 
   override disconnectedCallback(): void {
@@ -171,7 +167,7 @@ export class Playground extends LitElement {
 
   protected override render(): TemplateResult {
     return html`<div class=${this.compact ? "phone" : "desk"} role="region" aria-label=${this.app.t("app.label")}
-        @parkade-scenes=${() => this.presets?.open()} @parkade-keys=${() => this.keysDialog?.open()} @parkade-fold=${() => { this.folded = !this.folded; }}
+        @parkade-scenes=${() => void this.openDialog("presets")} @parkade-keys=${() => void this.openDialog("keys")} @parkade-papers=${() => void this.openDialog("papers")} @parkade-fold=${() => { this.folded = !this.folded; }}
         @parkade-open-file=${() => this.fileInput?.click()} @parkade-png=${this.savePicture}
         @dragover=${this.onDragOver} @dragleave=${() => { this.dropping = false; }} @drop=${this.onDrop}>
       <parkade-toolbar part="toolbar" .app=${this.app} .ready=${this.loaded} ?compact=${this.compact}></parkade-toolbar>
@@ -181,7 +177,9 @@ export class Playground extends LitElement {
       ${this.dropping ? html`<div class="dropping">${this.app.t("drop.here")}</div>` : nothing}
       <parkade-presets .app=${this.app}></parkade-presets>
       <parkade-keys .app=${this.app}></parkade-keys>
-      <input class="file" type="file" hidden accept=".json,application/json" aria-label=${this.app.t("bar.open")} @change=${this.onFile}>
+      <parkade-papers .app=${this.app}></parkade-papers>
+      <parkade-import .app=${this.app}></parkade-import>
+      <input class="file" type="file" hidden multiple accept=".json,.map,.scen,.yaml,.yml,.pgm,.csv" aria-label=${this.app.t("bar.open")} @change=${this.onFile}>
     </div>`;
   }
 
@@ -202,7 +200,8 @@ export class Playground extends LitElement {
   private adopt(): void {
     const remembered = this.permalink ? recall("theme") : null;
     if (remembered === "light" || remembered === "dark") this.theme = remembered;
-    const ids = this.planners.split(/\s+/).filter((id): id is PlannerId => PLANNERS.includes(id));
+    // Ids that no planner has are dropped, with a word, when the planners are there.
+    const ids = this.planners.split(/\s+/).filter(Boolean) as PlannerId[];
     this.store.set({
       theme: this.theme,
       mode: this.layout,
@@ -220,6 +219,7 @@ export class Playground extends LitElement {
 
   private measure({ width, height }: { width: number; height: number }): void {
     this.compact = width <= PHONE_WIDTH;
+    if (this.compact) void import("../panels/phone");
     this.short = height < SHORT_HEIGHT;
   }
 
@@ -267,8 +267,7 @@ export class Playground extends LitElement {
 
   private readonly onFile = (event: Event): void => {
     const input = event.target as HTMLInputElement;
-    const file = input.files?.[0];
-    if (file) void this.app.openFile(file);
+    void this.openFiles([...(input.files ?? [])]);
     input.value = "";
   };
 
@@ -281,9 +280,14 @@ export class Playground extends LitElement {
   private readonly onDrop = (event: DragEvent): void => {
     event.preventDefault();
     this.dropping = false;
-    const file = event.dataTransfer?.files[0];
-    if (file) void this.app.openFile(file);
+    void this.openFiles([...(event.dataTransfer?.files ?? [])]);
   };
+
+  private async openFiles(files: File[]): Promise<void> {
+    if (files.length === 0) return;
+    await DIALOGS.import();
+    await this.renderRoot.querySelector<HTMLElement & { openFiles(files: File[]): Promise<void> }>("parkade-import")?.openFiles(files);
+  }
 
   private views(): SceneView[] {
     const stage = this.renderRoot.querySelector("parkade-stage")?.shadowRoot;
@@ -292,8 +296,11 @@ export class Playground extends LitElement {
     return [...stage.querySelectorAll<SceneView>("parkade-scene-view"), ...panels];
   }
 
-  private get presets(): Presets | null { return this.renderRoot.querySelector("parkade-presets"); }
-  private get keysDialog(): KeysDialog | null { return this.renderRoot.querySelector("parkade-keys"); }
+  private async openDialog(name: keyof typeof DIALOGS): Promise<void> {
+    await DIALOGS[name]();
+    this.renderRoot.querySelector<HTMLElement & { open(): void }>(`parkade-${name}`)?.open();
+  }
+
   private get fileInput(): HTMLInputElement | null { return this.renderRoot.querySelector(".file"); }
 
   /** Values set before this element was defined hide its accessors. */

@@ -13,8 +13,11 @@ const plurals: Record<Lang, Intl.PluralRules> = { en: new Intl.PluralRules("en")
 const formats = new Map<string, Intl.NumberFormat>();
 
 /** `{name}` is a value; `{n|pose|poses}` picks a word by the number `n`. */
-export function translate(lang: Lang, key: MessageKey, values: Values = {}): string {
-  return (tables[lang] ?? en)[key].replace(/\{(\w+)(?:\|([^|}]*)\|([^}]*))?\}/g, (_, name: string, one?: string, other?: string) => {
+export const translate = (lang: Lang, key: MessageKey, values: Values = {}): string => fill(lang, (tables[lang] ?? en)[key], values);
+
+/** A text with its values in their places. */
+export function fill(lang: Lang, text: string, values: Values): string {
+  return text.replace(/\{(\w+)(?:\|([^|}]*)\|([^}]*))?\}/g, (_, name: string, one?: string, other?: string) => {
     const value = values[name] ?? "";
     if (one === undefined) return String(value);
     return (plurals[lang].select(Number(value)) === "one" ? one : other) ?? "";

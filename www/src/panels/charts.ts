@@ -1,16 +1,18 @@
-import type { Plan, PlannerId } from "parkade";
+import type { Drive, Plan, PlannerId } from "parkade";
 import { css, html, nothing, svg, type SVGTemplateResult, type TemplateResult } from "lit";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
+import { drivenAt, rowAt } from "../view/clock";
 import { distancesOf, poseAtDistance } from "../view/drive";
+import { identityOf } from "../view/identity";
 import { AppElement } from "./base";
 import { plannerColour } from "./icons";
 import { nearestPose } from "./readout";
 import { drivablePlan } from "./status";
 import { focusedPlan, reverseSpans } from "./timeline";
 
-type Quantity = "curvature" | "clearance";
-interface Line { planner: PlannerId; plan: Plan }
+type Quantity = "curvature" | "clearance" | "speed";
+interface Line { planner: PlannerId; plan: Plan; drive: Drive | null }
 interface Content { lines: Line[]; total: number; plots: Plot[]; drawn: SVGTemplateResult }
 interface Plot { quantity: Quantity; top: number; height: number; low: number; high: number }
 
@@ -19,7 +21,6 @@ const HEIGHT = 160;
 /** Points closer than this fall on one pixel. */
 const MIN_STEP = 2.5;
 const HOVER_REACH = 1.5;
-const DASHES: Record<string, string> = { "eight": "9 5", "risk-field": "8 3 2 3" };
 
 /** Curvature and clearance over the way driven, marked where the pointer is on the map. */
 export class Charts extends AppElement {
@@ -87,7 +88,7 @@ export class Charts extends AppElement {
     const rule = (value: number, name: string): SVGTemplateResult =>
       svg`<line class=${name} x1="0" x2=${WIDTH} y1=${yOf(plot, value)} y2=${yOf(plot, value)}/>`;
     return svg`${plot.quantity === "curvature" ? [rule(limit, "limit"), rule(-limit, "limit"), rule(0, "zero")] : rule(0, "zero")}
-      ${lines.map(({ planner, plan }) => svg`<path class="line" d=${pathOf(plot, plan, total)} stroke=${plannerColour(planner)} stroke-dasharray=${DASHES[planner] ?? "none"}/>`)}`;
+      ${lines.map(({ planner, plan, drive }) => svg`<path class="line" d=${plot.quantity === "speed" ? speedPath(plot, drive, total) : pathOf(plot, plan, total)} stroke=${plannerColour(planner)} stroke-dasharray=${identityOf(planner).dash.join(" ") || "none"}/>`)}`;
   }
 
   private reverse(total: number): SVGTemplateResult | typeof nothing {
@@ -105,15 +106,22 @@ export class Charts extends AppElement {
     const along = distancesOf(plan);
     const index = hover ? nearestPose(plan, hover.x, hover.y, HOVER_REACH) : null;
     if (index !== null) return along[index] ?? null;
-    return playback.base === "drive" ? playback.fraction * (along.at(-1) ?? 0) : null;
+    if (playback.base !== "drive") return null;
+    return drivenAt(this.state, plan, this.state.results[this.state.focus], 1)?.along ?? null;
   }
 
   private value(quantity: Quantity, at: number | null): string {
     const plan = focusedPlan(this.state);
     const pose = plan && at !== null ? poseAtDistance(plan, at) : null;
     if (!pose) return "–";
+    if (quantity === "speed") return this.speedAt(at!);
     if (quantity === "clearance") return `${this.num(pose.clearance, 2)} m`;
     return Number.isFinite(pose.curvature) ? `${this.num(pose.curvature, 3)} 1/m` : this.t("table.corner");
+  }
+
+  private speedAt(station: number): string {
+    const drive = this.state.results[this.state.focus]?.drive;
+    return drive ? `${this.num(drive.speeds[rowAt(drive.stations, station)] ?? 0, 2)} m/s` : "–";
   }
 
   private point(event: PointerEvent, total: number): void {
@@ -128,16 +136,26 @@ export class Charts extends AppElement {
 function linesOf(state: State): Line[] {
   return state.planners.filter((planner) => !state.hidden.has(planner)).flatMap((planner) => {
     const plan = drivablePlan(state.results[planner]) ?? (planner === state.focus ? focusedPlan(state) : null);
-    return plan ? [{ planner, plan }] : [];
+    const result = state.results[planner];
+    return plan ? [{ planner, plan, drive: result?.plan === plan ? result.drive : null }] : [];
   });
 }
 
 function plotsOf(lines: readonly Line[]): Plot[] {
   const limit = lines[0]!.plan.metrics.curvatureLimit;
   const clearances = lines.map(({ plan }) => plan.clearances.reduce((most, value) => Math.max(most, value), 0.5));
+  const high = Math.max(...clearances);
+  const speeds = lines.flatMap(({ drive }) => (drive ? [...drive.speeds] : []));
+  if (speeds.length === 0) {
+    return [
+      { quantity: "curvature", top: 6, height: 62, low: -limit, high: limit },
+      { quantity: "clearance", top: 88, height: 62, low: 0, high },
+    ];
+  }
   return [
-    { quantity: "curvature", top: 6, height: 62, low: -limit, high: limit },
-    { quantity: "clearance", top: 88, height: 62, low: 0, high: Math.max(...clearances) },
+    { quantity: "curvature", top: 6, height: 40, low: -limit, high: limit },
+    { quantity: "clearance", top: 60, height: 40, low: 0, high },
+    { quantity: "speed", top: 114, height: 40, low: Math.min(0, ...speeds), high: Math.max(0.5, ...speeds) },
   ];
 }
 
@@ -163,6 +181,19 @@ function pathOf(plot: Plot, plan: Plan, total: number): string {
     before = value;
     lastX = x;
   }
+  return text;
+}
+
+/** Speed over the way driven, negative in reverse. */
+function speedPath(plot: Plot, drive: Drive | null, total: number): string {
+  if (!drive) return "";
+  let text = "", lastX = -MIN_STEP, lastY = "";
+  drive.stations.forEach((station, i) => {
+    const x = (station / total) * WIDTH, y = yOf(plot, drive.speeds[i]!).toFixed(1);
+    if (i > 0 && i < drive.stations.length - 1 && x - lastX < MIN_STEP && y === lastY) return;
+    text += `${text ? "L" : "M"}${x.toFixed(1)} ${y}`;
+    [lastX, lastY] = [x, y];
+  });
   return text;
 }
 

@@ -1,4 +1,5 @@
 import { svg, html, type SVGTemplateResult, type TemplateResult } from "lit";
+import { identityOf, type Shape } from "../view/identity";
 
 const shapes = {
   select: svg`<path d="M4 2.5v10l2.7-2.5 1.7 3.8 1.7-.8-1.7-3.7h3.6z"/>`,
@@ -12,6 +13,8 @@ const shapes = {
   hand: svg`<path d="M4.8 8.5V4.3a1 1 0 0 1 2 0v3M6.8 7V2.8a1 1 0 0 1 2 0V7M8.8 7V3.6a1 1 0 0 1 2 0V8M10.8 8V5.3a1 1 0 0 1 2 0v4.2c0 2.8-1.6 4.5-4.1 4.5-2 0-3-.8-4-2.6L3 8.3c-.3-.9.9-1.5 1.5-.7l.9 1.4"/>`,
   undo: svg`<path d="M3 6.2h6.7a3.4 3.4 0 0 1 0 6.8H6M5.8 3.2l-3 3 3 3"/>`,
   redo: svg`<path d="M13 6.2H6.3a3.4 3.4 0 0 0 0 6.8H10M10.2 3.2l3 3-3 3"/>`,
+  moving: svg`<rect x="2.5" y="5" width="6" height="6"/><path d="M10.5 8h3.5M12 6l2 2-2 2"/>`,
+  planners: svg`<circle cx="3.5" cy="12" r="1.6"/><circle cx="12.5" cy="4" r="1.6"/><path d="M5 11.2C8.5 9.5 5.5 6 10.9 4.3M5.1 12h7.4"/>`,
   layers: svg`<path d="M8 2.5l6 3-6 3-6-3zM2.6 8.3L8 11l5.4-2.7M2.6 10.9L8 13.6l5.4-2.7"/>`,
   grid: svg`<rect x="2.5" y="2.5" width="4.5" height="4.5"/><rect x="9" y="2.5" width="4.5" height="4.5"/><rect x="2.5" y="9" width="4.5" height="4.5"/><rect x="9" y="9" width="4.5" height="4.5"/>`,
   overlay: svg`<rect x="2.5" y="2.5" width="8" height="8" rx="1"/><rect x="5.5" y="5.5" width="8" height="8" rx="1"/>`,
@@ -45,6 +48,7 @@ const shapes = {
   fit: svg`<path d="M2.5 5.5v-3h3M10.5 2.5h3v3M13.5 10.5v3h-3M5.5 13.5h-3v-3M5.5 8h5M8 5.5v5"/>`,
   image: svg`<rect x="2.5" y="3" width="11" height="10" rx="1.5"/><path d="M2.8 11l3.2-3.2 2.5 2.5 1.8-1.8 3 2.8M10.7 5.9v.1"/>`,
   file: svg`<path d="M4 2.5h5.2L12.5 6v7.5H4zM9 2.7V6h3.2"/>`,
+  cells: svg`<path d="M2.5 3h11v10h-11zM2.5 6.3h11M2.5 9.6h11M6.2 3v10"/>`,
   lock: svg`<rect x="3.5" y="7" width="9" height="6.5" rx="1.5"/><path d="M5.5 7V5a2.5 2.5 0 0 1 5 0v2"/>`,
   language: svg`<circle cx="8" cy="8" r="5.7"/><path d="M2.3 8h11.4M8 2.3c-3.4 3.4-3.4 8 0 11.4M8 2.3c3.4 3.4 3.4 8 0 11.4"/>`,
   sliders: svg`<path d="M2.5 4.5h6M12 4.5h1.5M2.5 11.5H4M7.5 11.5h6"/><circle cx="10.3" cy="4.5" r="1.7"/><circle cx="5.7" cy="11.5" r="1.7"/>`,
@@ -65,28 +69,29 @@ export function logo(): TemplateResult {
     <path d="M2.5 3v14.5h15V3"/><rect x="6.7" y="2.5" width="6.6" height="11.5" rx="2.2"/><path d="M8.3 6.3c1.1-.4 2.3-.4 3.4 0"/></svg>`;
 }
 
-const markers: Record<string, [string, SVGTemplateResult]> = {
-  "four": ["--parkade-planner-1", svg`<circle cx="6" cy="6" r="5"/>`],
-  "eight": ["--parkade-planner-2", svg`<path d="M6 .8l5.6 10H.4z"/>`],
-  "risk-field": ["--parkade-planner-3", svg`<rect x="1.2" y="1.2" width="9.6" height="9.6"/>`],
-  "hybrid": ["--parkade-planner-4", svg`<path d="M6 .2L11.8 6 6 11.8.2 6z"/>`],
-  "hybrid-forward": ["--parkade-planner-5", svg`<path d="M4.3.8h3.4v3.5h3.5v3.4H7.7v3.5H4.3V7.7H.8V4.3h3.5z"/>`],
+const markers: Record<Shape, SVGTemplateResult> = {
+  circle: svg`<circle cx="6" cy="6" r="5"/>`,
+  triangle: svg`<path d="M6 .8l5.6 10H.4z"/>`,
+  square: svg`<rect x="1.2" y="1.2" width="9.6" height="9.6"/>`,
+  diamond: svg`<path d="M6 .2L11.8 6 6 11.8.2 6z"/>`,
+  plus: svg`<path d="M4.3.8h3.4v3.5h3.5v3.4H7.7v3.5H4.3V7.7H.8V4.3h3.5z"/>`,
+  pentagon: svg`<path d="M6 .5l5.7 4.1-2.2 6.7h-7L.3 4.6z"/>`,
+  wedge: svg`<path d="M6 11.2L.4 1.2h11.2z"/>`,
+  cross: svg`<path d="M2.6.6L6 4 9.4.6l2 2L8 6l3.4 3.4-2 2L6 8l-3.4 3.4-2-2L4 6 .6 2.6z"/>`,
+  bars: svg`<path d="M1.2 1.2h9.6v3.4H1.2zM1.2 7.4h9.6v3.4H1.2z"/>`,
+  hexagon: svg`<path d="M3.2.8h5.6L11.6 6l-2.8 5.2H3.2L.4 6z"/>`,
 };
 
 /** A planner's shape in its colour; always beside its name. */
 export function marker(planner: string, size = 11): TemplateResult {
-  const [colour, shape] = markers[planner] ?? markers["hybrid-forward"]!;
-  return html`<svg width=${size} height=${size} viewBox="0 0 12 12" fill="var(${colour})" aria-hidden="true">${shape}</svg>`;
+  return html`<svg width=${size} height=${size} viewBox="0 0 12 12" fill=${plannerColour(planner)} aria-hidden="true">${markers[identityOf(planner).shape]}</svg>`;
 }
 
 /** The planner's line as drawn on the map, for legends. */
 export function lineSample(planner: string): TemplateResult {
-  const dash: Record<string, string> = { "eight": "9 5", "risk-field": "10 4 2 4" };
-  const [colour] = markers[planner] ?? markers["hybrid-forward"]!;
-  return html`<svg width="26" height="4" viewBox="0 0 26 4" aria-hidden="true"><path d="M0 2h26" stroke="var(${colour})"
-    stroke-width=${planner.startsWith("hybrid") ? 3 : 2} stroke-dasharray=${dash[planner] ?? "none"}/></svg>`;
+  const { dash, drives } = identityOf(planner);
+  return html`<svg width="26" height="4" viewBox="0 0 26 4" aria-hidden="true"><path d="M0 2h26" stroke=${plannerColour(planner)}
+    stroke-width=${drives ? 3 : 2} stroke-dasharray=${dash.join(" ") || "none"}/></svg>`;
 }
 
-export function plannerColour(planner: string): string {
-  return `var(${(markers[planner] ?? markers["hybrid-forward"]!)[0]})`;
-}
+export const plannerColour = (planner: string): string => `var(--parkade-planner-${identityOf(planner).colour})`;

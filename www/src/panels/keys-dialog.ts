@@ -14,7 +14,7 @@ const EDIT: readonly Entry[] = [
   ["keys.flip", "X"], ["keys.lock", "Q"], ["keys.radius", "[ ]"],
 ];
 const VIEW: readonly Entry[] = [
-  ["keys.mode", "\\"], ["keys.layers", ", ."], ["keys.fit", "0"],
+  ["keys.mode", "\\"], ["keys.layers", ", ."], ["keys.fit", "0"], ["bar.papers", "Y"],
 ];
 
 /** All keys on one card. */

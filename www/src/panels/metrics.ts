@@ -1,14 +1,12 @@
 import type { Plan, PlannerId } from "parkade";
 import { millis, number, translate, type Lang, type MessageKey } from "../i18n/index";
-import { plannerName } from "../planning/planning";
+import { plannerName } from "../view/identity";
 import type { PanelResult, State } from "../store";
 import { drivablePlan, statusOf, type Status } from "./status";
+import { DRIVE_SPEED } from "../view/clock";
 
 export const COLUMNS = ["length", "drive", "gears", "curvature", "clearance", "heading", "expanded", "open", "plan"] as const;
 export type Column = (typeof COLUMNS)[number];
-
-/** Metres a second at which drive times are reckoned. */
-export const DRIVE_SPEED = 2;
 
 export interface Cell { value: number | null; text: string; best: boolean; title: string }
 export interface Row {

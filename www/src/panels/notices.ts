@@ -1,5 +1,5 @@
 import { css, html, nothing, type TemplateResult } from "lit";
-import { plannerName } from "../planning/planning";
+import { plannerName } from "../view/identity";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";

@@ -1,6 +1,7 @@
 import type { Obstacle, Pose } from "parkade";
 import { css, html, type TemplateResult } from "lit";
 import { number, translate, type Lang } from "../i18n/index";
+import { countCells, type Run } from "../scene/cells";
 import { goalPose } from "../scene/model";
 import type { Selection, State } from "../store";
 import { controls } from "../styles/controls";
@@ -73,19 +74,31 @@ function itemsOf({ scene, lang }: State): Item[] {
       name: `${objectName(lang, obstacle.type)} ${n}`, detail: detailOf(lang, obstacle),
     };
   });
+  const moving = (scene.moving ?? []).map((one, i): Item => ({
+    key: one.id!, icon: "moving", selection: { kind: "moving", id: one.id! },
+    name: `${translate(lang, "thing.movingName")} ${i + 1}`, detail: `${number(lang, one.speed, 2)} m/s`,
+  }));
   const pose = (kind: "start" | "goal", at: Pose): Item =>
     ({ key: kind, icon: "car", selection: { kind }, name: translate(lang, `inspect.${kind}`), detail: poseText(lang, at) });
-  return [pose("start", scene.start), pose("goal", goalPose(scene)), ...slots, ...obstacles];
+  return [pose("start", scene.start), pose("goal", goalPose(scene)), ...slots, ...obstacles, ...moving];
 }
 
 function detailOf(lang: Lang, obstacle: Obstacle): string {
   switch (obstacle.type) {
-    case "cells": return translate(lang, "thing.cellCount", { n: obstacle.runs.reduce((sum, run) => sum + run[2], 0) });
+    case "cells": return translate(lang, "thing.cellCount", { n: cellsOf(obstacle.runs) });
     case "wall":
     case "polygon": return translate(lang, "thing.corners", { n: obstacle.points.length });
     case "rectangle": return `${number(lang, obstacle.size[0], 2)} × ${number(lang, obstacle.size[1], 2)} m`;
     case "car": return poseText(lang, obstacle.pose);
   }
+}
+
+const counted = new WeakMap<readonly Run[], number>();
+
+function cellsOf(runs: readonly Run[]): number {
+  const known = counted.get(runs) ?? countCells(runs);
+  counted.set(runs, known);
+  return known;
 }
 
 function poseText(lang: Lang, { x, y, heading }: Pose): string {

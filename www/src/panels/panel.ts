@@ -1,9 +1,10 @@
 import type { PlannerId } from "parkade";
 import { css, html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { millis } from "../i18n/index";
-import { plannerName } from "../planning/planning";
+import { plannerName } from "../view/identity";
 import { goalPose, vehicleOf } from "../scene/model";
-import type { State } from "../store";
+import type { PanelResult, State } from "../store";
+import { isEncounter } from "../view/clock";
 import { controls } from "../styles/controls";
 import { cameraFor, worldToScreen } from "../view/camera";
 import { AppElement } from "./base";
@@ -42,7 +43,7 @@ export class PlannerPanel extends AppElement {
     .body { position: relative; min-height: 0; }
     parkade-scene-view { position: absolute; inset: 0; }
     .corner { position: absolute; left: 8px; bottom: 8px; pointer-events: none; }
-    .corner.right { left: auto; right: 8px; }
+    .corner.right { left: auto; right: 8px; display: grid; gap: 4px; justify-items: end; }
     .corner.top { bottom: auto; top: 8px; }
     .pill { display: flex; align-items: center; gap: 10px; height: 24px; padding: 0 8px;
       background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair);
@@ -86,6 +87,8 @@ export class PlannerPanel extends AppElement {
     this.observer.disconnect();
   }
 
+  protected override pace = 100;
+
   protected watches(): readonly (keyof State)[] {
     return ["results", "hidden", "focus", "hover", "mode", "layers", "scene"];
   }
@@ -106,7 +109,7 @@ export class PlannerPanel extends AppElement {
       <header class="${hidden ? "off" : ""} ${result?.status === "planning" ? "stale" : ""}" @dblclick=${this.maximise} @pointerdown=${this.takeFocus}>
         <h2>${marker(planner)}<span>${plannerName(state.lang, planner)}</span></h2>
         ${result?.millis != null ? html`<span class="time">${millis(state.lang, result.millis)} ms</span>` : nothing}
-        ${this.chip(status)}
+        ${this.chip(status)}${this.encounter(result)}
         <span class="end">${this.buttons(hidden)}</span>
       </header>
       <div class="body" @pointerdown=${this.takeFocus}>
@@ -134,6 +137,17 @@ export class PlannerPanel extends AppElement {
     const busy = this.slow && this.state.results[this.planner]?.plan;
     const shown: Status = busy ? { ...status, tone: "quiet", icon: "clock", chip: updating, brief: updating, tiny: updating } : status;
     return html`<span class="chip ${shown.tone}" title=${shown.chip}>${icon(shown.icon, 12)}<span class="long">${shown.chip}</span><span class="short" aria-hidden="true">${this.thumb ? shown.tiny : shown.brief}</span></span>`;
+  }
+
+  /** How the car fares among moving obstacles. */
+  private encounter(result: PanelResult | undefined): TemplateResult | typeof nothing {
+    const drive = result?.drive;
+    if (!isEncounter(drive)) return nothing;
+    const waited = drive.waits.reduce((sum, { from, to }) => sum + to - from, 0);
+    const late = { unavoidable: "moving.unavoidable", blocked: "moving.blocked", "out-of-time": "moving.late" } as const;
+    if (drive.contact) return this.chip(sayMoving("err", this.t("moving.hit", { s: this.num(drive.contact.t, 1) })));
+    if (drive.ending !== "arrived" && drive.ending !== "hit") return this.chip(sayMoving("err", this.t(late[drive.ending])));
+    return waited > 0 ? this.chip(sayMoving("warn", this.t("moving.waits", { s: this.num(waited, 1) }))) : nothing;
   }
 
   private buttons(hidden: boolean): TemplateResult {
@@ -169,6 +183,8 @@ export class PlannerPanel extends AppElement {
     this.slow = false;
   }
 }
+
+const sayMoving = (tone: Status["tone"], text: string): Status => ({ tone, icon: tone === "err" ? "warning" : "clock", chip: text, brief: text, tiny: text, reason: null });
 
 /** Where start and goal stand and the goal's handle is, in pixels. */
 function handlePoints(state: State, width: number, height: number): [number, number][] {

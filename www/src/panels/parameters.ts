@@ -1,7 +1,7 @@
 import type { ParameterInfo, PlannerId } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import { isMessage } from "../i18n/index";
-import { plannerName } from "../planning/planning";
+import { plannerName } from "../view/identity";
 import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";
@@ -75,8 +75,8 @@ export class Parameters extends AppElement {
   }
 
   private choiceName(choice: string): string {
-    const key = `choice.${choice}`;
-    return isMessage(key) ? this.t(key) : choice;
+    const key = [`choice.${choice}`, `planner.${choice}`].find(isMessage);
+    return key ? this.t(key) : (choice[0] ?? "").toUpperCase() + choice.slice(1).replaceAll("-", " ");
   }
 
   private slider(info: ParameterInfo, value: unknown): TemplateResult {

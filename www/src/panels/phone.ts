@@ -3,6 +3,7 @@ import { css, html, nothing, type TemplateResult } from "lit";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
+import { shortName } from "../view/identity";
 import { icon, marker } from "./icons";
 import { statusOf } from "./status";
 import "./inspector";
@@ -39,7 +40,7 @@ export class Chips extends AppElement {
       const status = statusOf(this.state, planner);
       return html`<button class=${hidden.has(planner) ? "off" : ""} aria-pressed=${planner === focus}
         @click=${() => this.tap(planner)} @pointerdown=${() => this.press(planner)} @pointerup=${this.release} @pointercancel=${this.release} @contextmenu=${(e: Event) => e.preventDefault()}>
-        ${marker(planner)}<b>${this.t(`short.${planner}`)}</b><span class=${status.tone} title=${status.chip}>${status.tiny}</span></button>`;
+        ${marker(planner)}<b>${shortName(this.state.lang, planner)}</b><span class=${status.tone} title=${status.chip}>${status.tiny}</span></button>`;
     })}`;
   }
 
@@ -74,8 +75,8 @@ export class Sheet extends AppElement {
     .segmented button::after { content: ""; position: absolute; inset: -7px 0; }
     .body { overflow-y: auto; overscroll-behavior: contain; transition: height var(--parkade-slow) var(--parkade-ease); }
     parkade-inspector { border: 0; }
-    .tools { display: flex; justify-content: space-between; height: 48px; padding: 0 6px; background: var(--parkade-panel); border-top: 1px solid var(--parkade-hair); padding-bottom: env(safe-area-inset-bottom); box-sizing: content-box; }
-    .tools button { flex: 1; height: 48px; max-width: 52px; color: var(--parkade-t1); }
+    .tools { display: flex; justify-content: space-between; overflow-x: auto; scrollbar-width: none; height: 48px; padding: 0 6px; background: var(--parkade-panel); border-top: 1px solid var(--parkade-hair); padding-bottom: env(safe-area-inset-bottom); box-sizing: content-box; }
+    .tools button { flex: 1 0 44px; height: 48px; max-width: 52px; color: var(--parkade-t1); }
     .tools button[aria-pressed="true"] { background: var(--parkade-accent-soft); color: var(--parkade-accent); box-shadow: inset 0 0 0 1px var(--parkade-accent); }
     .draw { padding: 10px 14px; color: var(--parkade-t2); }
   `];

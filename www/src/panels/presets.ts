@@ -1,12 +1,18 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import type { ScenarioInfo } from "parkade";
 import { isMessage } from "../i18n/index";
+import { words } from "../i18n/words";
 import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
 import { AppElement } from "./base";
 import { icon } from "./icons";
+import "./generate";
 import "./thumbnail";
+
+/** Groups whose words the page does not have. */
+const say = words({ generate: ["Generate", "生成"], moving: ["Moving", "移动"], road: ["Roads", "道路"] });
+const GENERATE = "generate";
 
 /** The gallery of scenes, each asking a question. */
 export class Presets extends AppElement {
@@ -18,6 +24,7 @@ export class Presets extends AppElement {
     li button:hover { border-color: var(--parkade-t3); }
     li button[aria-current="true"] { border-color: var(--parkade-accent); box-shadow: 0 0 0 1px var(--parkade-accent); }
     li button:focus-visible { border-radius: calc(10px * var(--parkade-radius)); }
+    ul:not(:empty) + parkade-generate { margin-top: 16px; }
     parkade-thumbnail { height: 128px; border-bottom: 1px solid var(--parkade-hair); pointer-events: none; }
     .words { padding: 10px 12px 11px; display: block; }
     b { display: block; font-weight: 600; }
@@ -25,8 +32,9 @@ export class Presets extends AppElement {
     footer { display: flex; align-items: center; gap: 10px; padding: 12px 16px 12px 24px; border-top: 1px solid var(--parkade-hair); }
     footer p { margin: 0; color: var(--parkade-t2); } footer b { white-space: nowrap; }
     footer .button { margin-left: auto; flex: none; }
-    .segmented { margin-left: auto; } .top .segmented + .icon { margin-left: 0; }
-    @media (max-width: 640px) { ul { grid-template-columns: 1fr 1fr; gap: 10px; } parkade-thumbnail { height: 92px; } footer b + p { display: none; } .segmented { order: 4; margin: 0; } .top .segmented + .icon { margin-left: auto; } }
+    .tables { margin-left: auto; flex: none; } .top .tables + .icon { margin-left: 0; } .top p { min-width: 0; }
+    .groups { padding: 0 24px 14px; } .groups .segmented { max-width: 100%; overflow-x: auto; } .groups button { flex: none; }
+    @media (max-width: 640px) { ul { grid-template-columns: 1fr 1fr; gap: 10px; } parkade-thumbnail { height: 92px; } footer b + p { display: none; } .groups { padding: 0 16px 12px; } .top p { display: none; } }
   `];
   declare group: string;
   declare shown: boolean;
@@ -54,14 +62,16 @@ export class Presets extends AppElement {
 
   private content(): TemplateResult {
     const all = this.app.catalog?.scenarios ?? [];
-    const groups = ["all", ...new Set(all.map((one) => one.group))];
+    const groups = ["all", ...new Set(all.map((one) => one.group)), GENERATE];
     const shown = all.filter((one) => this.group === "all" || one.group === this.group);
     return html`
       <div class="top"><h2 id="title">${this.t("scenes.title")}</h2><p>${this.t("scenes.lead")}</p>
-        ${groups.length > 2 ? html`<div class="segmented" role="group" aria-label=${this.t("scenes.title")}>${groups.map((group) => html`
-          <button aria-pressed=${group === this.group} @click=${() => { this.group = group; }}>${this.groupName(group)}</button>`)}</div>` : nothing}
+        <button class="button outline tables" @click=${this.showTables}>${icon("cells", 14)}${this.t("bar.papers")}</button>
         <button class="icon" aria-label=${this.t("scenes.close")} @click=${this.close}>${icon("close")}</button></div>
-      <div class="scroll"><ul>${shown.map((info) => this.card(info))}</ul></div>
+      <div class="groups"><div class="segmented" role="group" aria-label=${this.t("scenes.title")}>${groups.map((group) => html`
+          <button aria-pressed=${group === this.group} @click=${() => { this.group = group; }}>${this.groupName(group)}</button>`)}</div></div>
+      <div class="scroll"><ul>${shown.map((info) => this.card(info))}</ul>
+        ${["all", "grid", GENERATE].includes(this.group) ? html`<parkade-generate .app=${this.app} @opened=${this.close}></parkade-generate>` : nothing}</div>
       <footer>${icon("open")}<b>${this.t("scenes.own")}</b><p>${this.t("scenes.ownHelp")}</p>
         <button class="button outline" @click=${this.choose}>${this.t("scenes.choose")}</button></footer>`;
   }
@@ -83,6 +93,7 @@ export class Presets extends AppElement {
   }
 
   private groupName(group: string): string {
+    if (group === GENERATE || group === "moving" || group === "road") return say(this.state.lang, group);
     const key = `scenes.${group}`;
     return isMessage(key) ? this.t(key) : group;
   }
@@ -95,6 +106,11 @@ export class Presets extends AppElement {
   private readonly choose = (): void => {
     this.close();
     this.dispatchEvent(new CustomEvent("parkade-open-file", { bubbles: true, composed: true }));
+  };
+
+  private readonly showTables = (): void => {
+    this.close();
+    this.dispatchEvent(new CustomEvent("parkade-papers", { bubbles: true, composed: true }));
   };
 
   private readonly close = (): void => this.dialog?.close();

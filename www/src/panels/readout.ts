@@ -1,7 +1,9 @@
-import type { Layer, Plan, PlannerId } from "parkade";
+import type { Explanation, Layer, Plan, PlannerId } from "parkade";
 import { html, nothing, type TemplateResult } from "lit";
 import { number, translate, type MessageKey } from "../i18n/index";
 import type { Scene, State } from "../store";
+import { costRange } from "../view/layers/cost";
+import { hasField } from "../planning/planning";
 import { distancesOf } from "../view/drive";
 
 /** Metres from the path within which its own numbers are read. */
@@ -17,10 +19,23 @@ export function readoutOf(state: State, planner: PlannerId): TemplateResult | ty
 }
 
 export function legendOf(state: State, planner: PlannerId): TemplateResult | typeof nothing {
+  const { narrow, pocket, restored } = state.results[planner]?.plan?.stats ?? {};
+  if (!state.layers.redundant || narrow === undefined) return rampOf(state, planner);
+  const counts = translate(state.lang, "read.redundant", { narrow, pocket: pocket ?? 0, restored: restored ?? 0 });
+  return html`<div class="pill legend">${counts}</div>${rampOf(state, planner)}`;
+}
+
+function rampOf(state: State, planner: PlannerId): TemplateResult | typeof nothing {
   const plan = state.results[planner]?.plan;
-  if (planner === "risk-field" && state.layers.risk && !state.layers.heat) return riskLegend(state);
+  if (hasField(planner) && state.layers.risk && !state.layers.heat) return riskLegend(state);
   const expanded = plan?.stats.expanded ?? 0;
   const drawn = planner.startsWith("hybrid") ? state.layers.tree : state.layers.heat;
+  const cost = state.layers.cost ? state.results[planner]?.layers.cost : undefined;
+  if (cost && !state.layers.heat) {
+    const { low, high } = costRange(cost);
+    return html`<div class="pill legend" title=${translate(state.lang, "layer.cost")}>
+      <span>${number(state.lang, low, 2)}</span><span class="ramp"></span><span>≥ ${number(state.lang, high, 2)}</span></div>`;
+  }
   if (!drawn || expanded < 2) return nothing;
   return html`<div class="pill legend" title=${translate(state.lang, "read.legend")}>
     <span>1</span><span class="ramp"></span><span>${number(state.lang, expanded, 0)}</span></div>`;
@@ -41,13 +56,29 @@ function entriesOf(state: State, planner: PlannerId): Entry[] {
   if (!cell) return [];
   const entries: Entry[] = [];
   if (result.plan.trace?.kind === "cells") entries.push([text("read.rank"), rankText(state, result.plan, cell.index)]);
-  const risk = result.layers.risk;
-  if (risk) entries.push([text("read.risk"), number(state.lang, Math.hypot(at(risk, cell.index * 2), at(risk, cell.index * 2 + 1)), 2)]);
+  const risk = result.layers.risk, { explained } = state;
+  if (risk && explained && explained.cell[1] * state.scene.map.width + explained.cell[0] === cell.index) {
+    entries.push(...fieldEntries(state, explained));
+  } else if (risk) entries.push([text("read.risk"), number(state.lang, Math.hypot(at(risk, cell.index * 2), at(risk, cell.index * 2 + 1)), 2)]);
+  const cost = state.layers.cost ? result.layers.cost : undefined;
+  if (cost) {
+    const value = at(cost, cell.index);
+    entries.push([text("read.cost"), Number.isFinite(value) ? number(state.lang, value, 2) : "\u221e"]);
+  }
   const clearance = result.layers.clearance;
   if (clearance && clearance.data.length > cell.index) {
     entries.push([text("read.clearance"), `${number(state.lang, at(clearance, cell.index), 2)} m`]);
   }
   return entries;
+}
+
+/** F, its slope k, and the region of the paper's table that it falls in. */
+function fieldEntries({ lang }: State, { force, slope, region, mode }: Explanation): Entry[] {
+  return [
+    ["F", number(lang, Math.hypot(force[0], force[1]), 2)],
+    ["k", slope === null ? "\u221e" : number(lang, slope, 2)],
+    [translate(lang, mode === "oblique" ? "read.table1" : "read.table2"), region],
+  ];
 }
 
 function poseEntries({ lang }: State, plan: Plan, index: number): Entry[] {

@@ -1,7 +1,8 @@
-import type { Obstacle, Pose, Slot } from "parkade";
+import type { MovingObstacle, Obstacle, Pose, Slot } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import {
-  findObstacle, findSlot, flipGoal, goalPose, movePose, removeObstacle, removeSlot, setGoalFromSlot, updateObstacle, updateSlot,
+  findMoving, findObstacle, findSlot, flipGoal, goalPose, movePose, removeMoving, removeObstacle, removeSlot, setGoalFromSlot, updateMoving,
+  updateObstacle, updateSlot,
 } from "../scene/model";
 import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
@@ -24,6 +25,8 @@ export class SelectionCard extends AppElement {
     .small { height: 28px; font-size: 12px; }
   `];
 
+  protected override pace = 100;
+
   protected watches(): readonly (keyof State)[] {
     return ["scene", "selection"];
   }
@@ -33,6 +36,8 @@ export class SelectionCard extends AppElement {
     if (selection?.kind === "start" || selection?.kind === "goal") return this.pose(selection.kind);
     const obstacle = selection?.kind === "obstacle" ? findObstacle(scene, selection.id) : undefined;
     if (obstacle) return this.obstacle(obstacle);
+    const moving = selection?.kind === "moving" ? findMoving(scene, selection.id) : undefined;
+    if (moving) return this.moving(moving);
     const slot = selection?.kind === "slot" ? findSlot(scene, selection.id) : undefined;
     if (slot) return this.slotCard(slot);
     return html`<div class="head"><h2>${this.t("inspect.none")}</h2></div><p>${this.t("inspect.noneHelp")}</p>`;
@@ -77,6 +82,19 @@ export class SelectionCard extends AppElement {
       metres("↔", size[0], (along) => apply({ ...obstacle, size: [along, size[1]] }), 0.05),
       metres("↕", size[1], (across) => apply({ ...obstacle, size: [size[0], across] }), 0.05),
     ];
+  }
+
+  private moving(one: MovingObstacle): TemplateResult {
+    const patch = (change: Partial<MovingObstacle>): Scene => updateMoving(this.state.scene, one.id!, change);
+    const [length, width] = one.size;
+    return html`${this.heading(this.t("thing.movingName"))}
+      ${this.fields([
+        { label: "v", unit: "m/s", value: one.speed, digits: 2, step: 0.1, min: 0.05, apply: (speed) => patch({ speed }) },
+        { label: "t\u2080", unit: "s", value: one.start ?? 0, digits: 1, step: 0.5, min: 0, apply: (start) => patch({ start }) },
+        metres("\u2194", length, (to) => patch({ size: [to, width] }), 0.05),
+        metres("\u2195", width, (to) => patch({ size: [length, to] }), 0.05),
+      ])}
+      ${this.deleteRow(() => this.edit(removeMoving(this.state.scene, one.id!)))}`;
   }
 
   private slotCard(slot: Slot): TemplateResult {

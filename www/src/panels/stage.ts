@@ -1,7 +1,7 @@
 import type { PlannerId } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import { millis } from "../i18n/index";
-import { plannerName } from "../planning/planning";
+import { plannerName } from "../view/identity";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
@@ -17,10 +17,10 @@ export class Stage extends AppElement {
   static override properties = { ...AppElement.properties, compact: { type: Boolean, reflect: true } };
   static override styles = [controls, css`
     :host { display: block; position: relative; min-height: 0; min-width: 0; overflow: hidden; background: var(--parkade-hair); }
-    .grid { position: absolute; inset: 0; display: grid; gap: 1px; grid-auto-rows: 1fr; }
+    .grid { position: absolute; inset: 0; display: grid; gap: 1px; grid-auto-rows: 1fr; grid-template-columns: repeat(4, 1fr); }
     .grid[data-n="1"] { grid-template-columns: 1fr; }
     .grid[data-n="2"], .grid[data-n="4"], .grid[data-n="3"] { grid-template-columns: 1fr 1fr; }
-    .grid[data-n="5"], .grid[data-n="6"] { grid-template-columns: 1fr 1fr 1fr; }
+    .grid[data-n="5"], .grid[data-n="6"], .grid[data-n="9"] { grid-template-columns: repeat(3, 1fr); }
     .focus { position: absolute; inset: 0; display: grid; gap: 1px; grid-template-columns: 1fr minmax(150px, 22%); grid-template-rows: repeat(var(--thumbs, 3), 1fr); }
     .focus > .large { grid-row: 1 / -1; grid-column: 1; }
     .focus > :not(.large) { grid-column: 2; }

@@ -2,6 +2,7 @@ import { css, html, nothing, type TemplateResult } from "lit";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
+import { shortName } from "../view/identity";
 import { icon, marker } from "./icons";
 import { Menus } from "./menu";
 import { COLUMNS, formatTable, rowsOf, unitValues, type Column, type Row, type TableFormat } from "./metrics";
@@ -84,7 +85,7 @@ export class MetricsTable extends AppElement {
     const { focus } = this.state;
     const tone = row.status.tone === "err" ? "err" : "";
     return html`<tr class="${row.planner === focus ? "chosen" : ""} ${row.drivable ? "" : "grey"}" @click=${() => this.app.store.set({ focus: row.planner })}>
-      <th scope="row"><button aria-pressed=${row.planner === focus}>${marker(row.planner)}${this.compact ? this.t(`short.${row.planner}`) : row.name}</button></th>
+      <th scope="row"><button aria-pressed=${row.planner === focus}>${marker(row.planner)}${this.compact ? shortName(this.state.lang, row.planner) : row.name}</button></th>
       ${row.hidden ? html`<td></td>${columns.map(() => html`<td></td>`)}` : html`
         <td class=${tone}>${this.compact ? row.status.tiny : row.status.brief}</td>
         ${columns.map((column) => {

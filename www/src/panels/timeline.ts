@@ -1,6 +1,7 @@
 import type { Plan } from "parkade";
 import { css, html, nothing, svg, type TemplateResult } from "lit";
-import { durationOf, mostExpanded } from "../element/player";
+import { mostExpanded } from "../element/player";
+import { durationOf } from "../view/clock";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { cuspsOf, distancesOf } from "../view/drive";
@@ -47,8 +48,10 @@ export class Timeline extends AppElement {
     this.compact = this.folded = false;
   }
 
+  protected override pace = 100;
+
   protected watches(): readonly (keyof State)[] {
-    return ["playback", "results", "focus", "hidden"];
+    return ["playback", "results", "focus", "hidden", "waiting"];
   }
 
   protected override render(): unknown {
@@ -66,6 +69,7 @@ export class Timeline extends AppElement {
       ${this.scrubber()}
       <span class="now">${this.position()}</span>
       ${this.state.playback.base === "search" ? this.unit() : nothing}
+      ${this.state.scene.moving?.length ? this.waiting() : nothing}
       ${this.speed()}
       <button class="icon ${this.app.player.loop ? "on" : ""}" aria-pressed=${this.app.player.loop} aria-label=${this.t("time.loop")} title=${this.t("time.loop")}
         @click=${() => { this.app.player.loop = !this.app.player.loop; this.requestUpdate(); }}>${icon("loop")}</button>
@@ -92,6 +96,12 @@ export class Timeline extends AppElement {
     return html`<select class="unit" aria-label=${this.t("time.unit")} .value=${searchMode}
       @change=${(e: Event) => this.app.player.set({ searchMode: (e.target as HTMLSelectElement).value as State["playback"]["searchMode"] })}>
       ${(["percent", "expansions"] as const).map((mode) => html`<option value=${mode} ?selected=${mode === searchMode}>${this.t(`time.${mode}`)}</option>`)}</select>`;
+  }
+
+  private waiting(): TemplateResult {
+    return html`<select aria-label=${this.t("time.waiting")} title=${this.t("time.waiting")}
+      @change=${(e: Event) => this.app.store.set({ waiting: (e.target as HTMLSelectElement).value as State["waiting"] })}>
+      ${(["predictive", "reactive"] as const).map((one) => html`<option value=${one} ?selected=${one === this.state.waiting}>${this.t(`time.${one}`)}</option>`)}</select>`;
   }
 
   private speed(): TemplateResult {

@@ -1,10 +1,10 @@
 import { css, html, nothing, type TemplateResult } from "lit";
-import { LAYER_PRESETS, presetLayers, presetOf } from "../element/app";
+import { LAYER_PRESETS, presetLayers, presetOf, sentence } from "../element/app";
 import type { MessageKey } from "../i18n/index";
 import type { LayerKey, State, ToolId } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
-import { icon, logo, type IconName } from "./icons";
+import { icon, logo, marker, type IconName } from "./icons";
 import { Menus } from "./menu";
 
 export const TOOLS: readonly { id: ToolId; icon: IconName; key: string; digit: string }[] = [
@@ -15,6 +15,7 @@ export const TOOLS: readonly { id: ToolId; icon: IconName; key: string; digit: s
   { id: "polygon", icon: "polygon", key: "G", digit: "5" },
   { id: "car", icon: "car", key: "C", digit: "6" },
   { id: "slot", icon: "slot", key: "P", digit: "7" },
+  { id: "moving", icon: "moving", key: "M", digit: "8" },
   { id: "eraser", icon: "eraser", key: "E", digit: "9" },
   { id: "hand", icon: "hand", key: "H", digit: "" },
 ];
@@ -24,24 +25,24 @@ const MODES: readonly { id: State["mode"]; icon: IconName }[] = [
 ];
 
 export const LAYER_ORDER: readonly LayerKey[] = [
-  "path", "car", "sweep", "ghosts", "heat", "tree", "risk", "safety", "obstacles", "slots", "grid",
+  "path", "car", "sweep", "ghosts", "heat", "tree", "risk", "cost", "safety", "redundant", "obstacles", "slots", "grid",
 ];
 
-type MenuName = "layers" | "export" | "more";
+type MenuName = "planners" | "layers" | "export" | "more";
 
 /** The bar at the top: scene, history, tools, layers, arrangement, export, theme, language, share. */
 export class Toolbar extends AppElement {
   static override properties = { ...AppElement.properties, compact: { type: Boolean, reflect: true }, ready: { type: Boolean }, shared: { state: true } };
   static override styles = [controls, css`
     :host { display: block; container-type: inline-size; background: var(--parkade-panel); border-bottom: 1px solid var(--parkade-hair); position: relative; z-index: 20; }
-    .bar { display: flex; align-items: center; height: 48px; padding: 0 14px; gap: 6px; }
+    .bar { display: flex; align-items: center; height: 48px; padding: 0 12px; gap: 5px; }
     .brand { display: flex; align-items: center; gap: 8px; font-size: 14px; line-height: 18px; font-weight: 650; margin: 0 8px 0 0; }
-    .scene { max-width: 200px; justify-content: space-between; }
+    .scene { max-width: 176px; justify-content: space-between; }
     .scene span { overflow: hidden; text-overflow: ellipsis; font-weight: 500; }
     .scene svg, .menu svg:last-child { color: var(--parkade-t2); }
-    .rule { width: 1px; height: 20px; background: var(--parkade-hair); margin: 0 6px; flex: none; }
+    .rule { width: 1px; height: 20px; background: var(--parkade-hair); margin: 0 3px; flex: none; }
     .tools { display: flex; gap: 2px; }
-    .tool { position: relative; width: 36px; height: 34px; color: var(--parkade-t1); padding-right: 5px; }
+    .tool { position: relative; width: 32px; height: 34px; color: var(--parkade-t1); padding-right: 5px; }
     .tool kbd { position: absolute; right: 3px; bottom: 1px; font: inherit; font-size: 12px; line-height: 14px; color: var(--parkade-t3); }
     .tool:hover { background: var(--parkade-hover); }
     .tool:active { background: var(--parkade-press); }
@@ -51,6 +52,7 @@ export class Toolbar extends AppElement {
     .modes button { padding: 0 8px; }
     .anchor { position: relative; display: flex; }
     .popover { top: calc(100% + 6px); left: 0; }
+    .popover { max-height: calc(100vh - 72px); overflow-y: auto; }
     .popover.right { left: auto; right: 0; }
     .popover .segmented { display: flex; margin: 2px 4px 6px; }
     .popover .segmented button { flex: 1; }
@@ -80,7 +82,7 @@ export class Toolbar extends AppElement {
   }
 
   protected watches(): readonly (keyof State)[] {
-    return ["scene", "tool", "canUndo", "canRedo", "mode", "layers", "theme"];
+    return ["scene", "tool", "canUndo", "canRedo", "mode", "layers", "theme", "planners", "complete"];
   }
 
   protected override render(): unknown {
@@ -94,6 +96,7 @@ export class Toolbar extends AppElement {
       <span class="rule"></span>${this.history()}<span class="rule"></span>
       <div class="tools" role="group" aria-label=${this.t("tools.label")}>${TOOLS.map((tool) => this.tool(tool))}</div>
       <span class="rule"></span>
+      ${this.plannersMenu()}
       ${this.layersMenu()}
       <div class="segmented modes" role="group" aria-label=${this.t("bar.mode")}>${MODES.map((mode) => this.mode(mode))}</div>
       <span class="end">
@@ -140,6 +143,25 @@ export class Toolbar extends AppElement {
       @click=${() => this.app.store.set({ mode: mode.id, camera: null })}>${icon(mode.icon)}</button>`;
   }
 
+  private plannersMenu(): TemplateResult {
+    const open = (event: Event): void => {
+      void this.app.complete().catch((error: unknown) => this.app.refuse("error.load", { reason: sentence(error) }));
+      this.menus.toggle("planners", event);
+    };
+    return html`<span class="anchor">
+      <button class="button menu" aria-expanded=${this.menus.open === "planners"} aria-label=${this.t("bar.planners")} title=${this.t("bar.planners")} ?disabled=${!this.ready} @click=${open}>
+        ${icon("planners")}<span class="label">${this.t("bar.planners")}</span>${icon("down", 14)}</button>
+      ${this.menus.open === "planners" ? html`<div class="popover planners">${this.planners()}</div>` : nothing}</span>`;
+  }
+
+  private planners(): TemplateResult {
+    const { planners } = this.state;
+    return html`${this.app.catalog?.planners.map(({ id, title, paper }) => html`<label class="check" title=${paper}>
+      <input type="checkbox" .checked=${planners.includes(id)} ?disabled=${planners.length === 1 && planners[0] === id} @change=${() => this.app.togglePlanner(id)}>
+      ${marker(id)}${title[this.state.lang]}</label>`)}
+      <hr><button class="item" @click=${() => { this.menus.close(); this.app.showFirstPlanners(); }}>${icon("undo")}${this.t("planners.first")}</button>`;
+  }
+
   private layersMenu(): TemplateResult {
     return html`<span class="anchor">
       <button class="button menu" aria-expanded=${this.menus.open === "layers"} aria-label=${this.t("bar.layers")} title="${this.t("bar.layers")} · , ." @click=${(e: Event) => this.menus.toggle("layers", e)}>
@@ -158,9 +180,10 @@ export class Toolbar extends AppElement {
   }
 
   private exports(): TemplateResult {
-    return html`${this.item("file", "bar.save", () => this.app.saveFile())}
+    return html`${this.item("file", "bar.save", () => void this.app.saveFile())}
       ${this.item("open", "bar.open", () => this.emit("open-file"))}
       ${this.item("image", "bar.png", () => this.emit("png"))}
+      ${this.item("cells", "bar.papers", () => this.emit("papers"))}
       <hr>${this.item("undo", "bar.reset", () => this.app.reset())}`;
   }
 
@@ -168,7 +191,7 @@ export class Toolbar extends AppElement {
     return html`<span class="anchor ${name}">
       ${this.button("more", this.t("bar.more"), (e: Event) => this.menus.toggle("more", e), "")}
       ${this.menus.open === "more" ? html`<div class="popover right">
-        ${this.compact ? this.layers() : nothing}${this.compact ? html`<hr>${this.item("share", "bar.share", this.share)}` : nothing}
+        ${this.compact ? html`${this.planners()}<hr>${this.layers()}` : nothing}${this.compact ? html`<hr>${this.item("share", "bar.share", this.share)}` : nothing}
         ${this.item("fit", "bar.fit", () => this.app.controller.fit())}<hr>
         ${this.exports()}<hr>
         <button class="item" @click=${this.nextTheme}>${icon("theme")}${this.themeName()}</button>
@@ -202,7 +225,7 @@ export class Toolbar extends AppElement {
     });
   };
 
-  private emit(name: "scenes" | "keys" | "open-file" | "png"): void {
+  private emit(name: "scenes" | "keys" | "open-file" | "png" | "papers"): void {
     this.dispatchEvent(new CustomEvent(`parkade-${name}`, { bubbles: true, composed: true }));
   }
 }

@@ -27,7 +27,7 @@ export class VehicleCard extends AppElement {
     const spec = this.state.scene.vehicle ?? "paper";
     const car = vehicleOf(spec);
     const length = car.rearToFront + car.rearToBack;
-    const names = ["paper", "sedan", ...(typeof spec === "string" ? [] : ["own"])] as ("paper" | "sedan" | "own")[];
+    const names = ["paper", "sedan", ...(spec === "ship" ? ["ship"] : typeof spec === "string" ? [] : ["own"])] as ("paper" | "sedan" | "ship" | "own")[];
     const now = typeof spec === "string" ? spec : "own";
     return html`
       <div class="head"><h2>${this.t("inspect.vehicle")}</h2>

@@ -1,13 +1,14 @@
 /**
- * The planners and their worker in one file: the page and every worker load the same script. It must import nothing that the
- * page imports too, or workers would load the page.
+ * The first picture's planners and their worker in one file: the page and every worker load the same script. It must import
+ * nothing that the page imports too, or workers would load the page.
  */
+import { Planner, init } from "parkade/core";
 import { serve } from "./worker";
 
 export { failureOf } from "./failure";
-export { init, planners, scenario, sceneGeometry, scenarios } from "parkade";
+export { init, packRuns, planners, scenario, sceneGeometry, scenarios } from "parkade/core";
 
 /** What `new Worker` is given. */
 export const script = import.meta.url;
 
-if (typeof document === "undefined") serve();
+if (typeof document === "undefined") serve({ Planner, init });

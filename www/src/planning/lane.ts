@@ -1,7 +1,7 @@
-import type { LayerName, PlannerId, Scenario } from "parkade";
-import type { Failure, Reply, Request } from "./protocol";
+import type { Explanation, LayerName, PlannerId, Scenario } from "parkade";
+import type { Failure, Reply, Request, Waiting } from "./protocol";
 
-export interface Job { id: number; scene: Scenario; layers: LayerName[] }
+export interface Job { id: number; scene: Scenario; layers: LayerName[]; trace: boolean; waiting: Waiting | null }
 
 /** What a lane needs of a Worker; tests put their own in. */
 export interface WorkerLike {
@@ -28,10 +28,11 @@ export class Lane {
   private patience: ReturnType<typeof setTimeout> | undefined;
   private timing: { id: number; done: (samples: number[]) => void } | null = null;
   private timingId = 0;
+  private asking: { id: number; done: (explanation: Explanation | null) => void } | null = null;
 
   constructor(
     private readonly planner: PlannerId,
-    private readonly module: WebAssembly.Module,
+    readonly module: WebAssembly.Module,
     private readonly spawn: () => WorkerLike,
     private readonly events: LaneEvents,
   ) {}
@@ -57,6 +58,18 @@ export class Lane {
     });
   }
 
+  /** What the risk field of the last scene does at a point; null where a newer question overtakes this one. */
+  explain(x: number, y: number): Promise<Explanation | null> {
+    this.asking?.done(null);
+    this.asking = null;
+    const { worker } = this;
+    if (this.running || !worker) return Promise.resolve(null);
+    return new Promise((done) => {
+      this.asking = { id: ++this.timingId, done };
+      worker.postMessage({ kind: "explain", id: this.timingId, x, y });
+    });
+  }
+
   stop(): void {
     clearTimeout(this.patience);
     this.patience = undefined;
@@ -64,7 +77,8 @@ export class Lane {
     this.worker = null;
     this.running = this.waiting = null;
     this.timing?.done([]);
-    this.timing = null;
+    this.asking?.done(null);
+    this.timing = this.asking = null;
   }
 
   private send(job: Job): void {
@@ -87,6 +101,10 @@ export class Lane {
   private receive(reply: Reply): void {
     if (reply.kind === "timed") {
       if (this.timing?.id === reply.id) this.timing.done(reply.samples);
+      return;
+    }
+    if (reply.kind === "explained") {
+      if (this.asking?.id === reply.id) this.asking.done(reply.explanation);
       return;
     }
     if (reply.id !== this.running?.id) return;

@@ -1,29 +1,44 @@
-import wasmUrl from "../../../pkg/parkade_bg.wasm?url";
+import type { PlannerId } from "parkade";
+import coreUrl from "../../../pkg/core/parkade_bg.wasm?url";
+import completeUrl from "../../../pkg/parkade_bg.wasm?url";
 
 type Api = typeof import("./engine");
 
 /** The planners' functions, ready to be called, and their compiled module for the workers. */
 export interface Engine { api: Api; module: WebAssembly.Module }
 
-let loading: Promise<Engine> | null = null;
+/** `core` plans the first picture; `complete` has every planner and format and comes later, or at once where it is needed. */
+export type Extent = "core" | "complete";
+
+const SOURCES = {
+  core: { url: coreUrl, script: () => import("./engine") },
+  complete: { url: completeUrl, script: () => import("./engine-complete") },
+};
+const CORE: readonly PlannerId[] = ["four", "eight", "risk-field", "hybrid", "hybrid-forward"];
+
+const loading: Partial<Record<Extent, Promise<Engine>>> = {};
+
+/** What these planners need. */
+export const extentFor = (planners: readonly PlannerId[]): Extent =>
+  planners.every((planner) => CORE.includes(planner)) ? "core" : "complete";
 
 /** Loads and compiles the planners once, however many playgrounds there are. */
-export function loadEngine(): Promise<Engine> {
-  loading ??= load().catch((error: unknown) => {
-    loading = null;
+export function loadEngine(extent: Extent): Promise<Engine> {
+  return (loading[extent] ??= load(extent).catch((error: unknown) => {
+    delete loading[extent];
     throw error;
-  });
-  return loading;
+  }));
 }
 
-async function load(): Promise<Engine> {
-  const [api, module] = await Promise.all([import("./engine"), compile()]);
+async function load(extent: Extent): Promise<Engine> {
+  const { url, script } = SOURCES[extent];
+  const [api, module] = await Promise.all([script(), compile(url)]);
   await api.init({ wasm: module });
   return { api, module };
 }
 
-async function compile(): Promise<WebAssembly.Module> {
-  const response = await fetch(new URL(wasmUrl, import.meta.url));
+async function compile(url: string): Promise<WebAssembly.Module> {
+  const response = await fetch(new URL(url, import.meta.url));
   if (!response.ok) throw new Error(`the server answered ${response.status} for the planners' module.`);
   const isWasm = response.headers.get("content-type")?.startsWith("application/wasm") ?? false;
   return isWasm ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());

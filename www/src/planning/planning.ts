@@ -1,7 +1,9 @@
 import type { LayerName, PlannerId } from "parkade";
-import { isMessage, translate } from "../i18n/index";
+import { translate } from "../i18n/index";
+import { identityOf, plannerName } from "../view/identity";
+import { forPlanners, isUnpacked, withoutCells } from "../scene/vast";
 import { emptyResult, type PanelResult, type Scene, type State, type Store } from "../store";
-import { Lane, type WorkerLike } from "./lane";
+import { Lane, type Job, type WorkerLike } from "./lane";
 import type { Engine } from "./module";
 import type { Failure, Layers, Reply } from "./protocol";
 
@@ -10,26 +12,39 @@ const SLICE_MS = 40;
 /** A plan longer than this is not repeated just to time it. */
 const TOO_LONG_MS = 400;
 const QUIET_MS = 350;
+const HOLD_MS = 12;
 
 /** Keeps `results` and `geometry` of the store in step with its scene. */
 export class Planning {
   private readonly lanes = new Map<PlannerId, Lane>();
   private unsubscribe: (() => void) | null = null;
   private job = 0;
+  private readonly held = new Map<PlannerId, Job>();
+  private release: ReturnType<typeof setTimeout> | undefined;
+  /** What is wrong with the present scene. */
+  private refused: Failure | null = null;
   private quiet: ReturnType<typeof setTimeout> | undefined;
   private settled: { promise: Promise<void>; resolve: () => void } | null = null;
 
   constructor(
     private readonly store: Store,
-    private readonly engine: Engine,
+    private engine: Engine,
     private readonly spawn: (planner: PlannerId) => WorkerLike = (planner) =>
-      new Worker(engine.api.script, { type: "module", name: `parkade ${planner}` }) as WorkerLike,
+      new Worker(this.engine.api.script, { type: "module", name: `parkade ${planner}` }) as WorkerLike,
   ) {}
+
+  /** Planners run on this module from now on: at once, or with their next plan when they are at work. */
+  use(engine: Engine): void {
+    this.engine = engine;
+    if (!this.isBusy() && !this.store.state.transient) this.replan(this.store.state.scene);
+  }
 
   start(): void {
     this.unsubscribe ??= this.store.subscribe((state, previous) => {
-      if (state.scene !== previous.scene || state.planners !== previous.planners) this.replan(previous.scene);
+      if (state.scene !== previous.scene || state.planners !== previous.planners || state.waiting !== previous.waiting) this.replan(previous.scene);
       else if (previous.transient && !state.transient) this.replan(state.scene); // A drag leaves its slower layers behind.
+      else if ((["redundant", "cost"] as const).some((name) => state.layers[name] && !previous.layers[name])) this.replan(state.scene);
+      if (state.hover !== previous.hover) void this.explain(state);
     });
     this.replan(null);
   }
@@ -38,6 +53,9 @@ export class Planning {
     this.unsubscribe?.();
     this.unsubscribe = null;
     clearTimeout(this.quiet);
+    clearTimeout(this.release);
+    this.release = undefined;
+    this.held.clear();
     for (const lane of this.lanes.values()) lane.stop();
     this.lanes.clear();
   }
@@ -69,8 +87,16 @@ export class Planning {
     }
   }
 
+  /** The cell under the pointer in the terms of the risk field's paper, wherever its arrows are shown. */
+  private async explain({ hover, layers, planners, transient }: State): Promise<void> {
+    const planner = planners.find(hasField), lane = planner && this.lanes.get(planner);
+    const wanted = hover && layers.risk && !transient && lane && lane.module === this.engine.module && this.store.state.complete;
+    const explained = wanted ? await lane.explain(hover.x, hover.y).catch(() => null) : null;
+    if (explained !== this.store.state.explained && this.store.state.hover === hover) this.store.set({ explained });
+  }
+
   private isBusy(): boolean {
-    return [...this.lanes.values()].some((lane) => lane.busy);
+    return this.held.size > 0 || [...this.lanes.values()].some((lane) => lane.busy);
   }
 
   private replan(previous: Scene | null): void {
@@ -78,6 +104,8 @@ export class Planning {
     const { state } = this.store;
     this.job++;
     if (!this.resolve(state)) return;
+    // A stroke over a huge map is planned when it ends.
+    if (state.transient && isUnpacked(state.scene)) return;
     const fresh = previous !== null && !sameMap(previous, state.scene);
     const results: Record<string, PanelResult> = {};
     for (const planner of state.planners) {
@@ -90,20 +118,40 @@ export class Planning {
       lane.stop();
       this.lanes.delete(planner);
     }
+    const scene = forPlanners(state.scene, this.engine.api.packRuns);
     for (const planner of state.planners) {
-      this.laneOf(planner).plan({ id: this.job, scene: state.scene, layers: layersOf(planner, state) });
+      const waiting = state.transient ? null : state.waiting;
+      const job = { id: this.job, scene, layers: layersOf(planner, state), trace: isTraced(planner, state), waiting };
+      if (state.transient && identityOf(planner).drives) this.hold(planner, job);
+      else {
+        this.held.delete(planner);
+        this.laneOf(planner).plan(job);
+      }
     }
+  }
+
+  /** During a drag the grid planners, who answer within the frame, have the processors to themselves for a moment. */
+  private hold(planner: PlannerId, job: Job): void {
+    this.held.set(planner, job);
+    this.release ??= setTimeout(() => {
+      this.release = undefined;
+      const held = [...this.held];
+      this.held.clear();
+      for (const [id, newest] of held) if (this.store.state.planners.includes(id)) this.laneOf(id).plan(newest);
+    }, HOLD_MS);
   }
 
   /** Checks the scene and fills `geometry`; says in words what is wrong with it. */
   private resolve(state: State): boolean {
     try {
-      const geometry = this.engine.api.sceneGeometry(state.scene);
-      const wasBad = Object.values(state.results).some((result) => result.status === "error");
+      const geometry = this.engine.api.sceneGeometry(withoutCells(state.scene));
+      const wasBad = this.refused !== null || Object.values(state.results).some((result) => result.status === "error");
+      this.refused = null;
       this.store.set({ geometry, ...(wasBad ? { message: null } : {}) });
       return true;
     } catch (error) {
       const failure = this.engine.api.failureOf(error);
+      this.refused = failure;
       const results = Object.fromEntries(state.planners.map((planner) =>
         [planner, { ...(state.results[planner] ?? emptyResult), status: "error" as const, error: failure }]));
       const key = failure.path ? "error.sceneAt" : "error.scene";
@@ -115,6 +163,10 @@ export class Planning {
 
   private laneOf(planner: PlannerId): Lane {
     let lane = this.lanes.get(planner);
+    if (lane && lane.module !== this.engine.module && !lane.busy) {
+      lane.stop();
+      lane = undefined;
+    }
     if (!lane) {
       lane = new Lane(planner, this.engine.module, () => this.spawn(planner), {
         planned: (reply, newerWaits) => this.planned(planner, reply, newerWaits),
@@ -127,14 +179,16 @@ export class Planning {
   }
 
   private planned(planner: PlannerId, reply: Extract<Reply, { kind: "planned" }>, newerWaits: boolean): void {
-    const { plan, layers, millis } = reply;
+    const { plan, layers, drive, millis } = reply;
     const old = this.store.state.results[planner] ?? emptyResult;
     this.update(planner, {
       plan,
+      drive,
       lastGood: plan.outcome === "found" ? plan : old.lastGood,
       layers: withOld(layers, old.layers, this.store.state.transient),
-      status: newerWaits ? "planning" : "done",
-      error: null,
+      // The answer may be to a scene before one that no planner can take.
+      status: this.refused ? "error" : newerWaits ? "planning" : "done",
+      error: this.refused,
       millis,
       samples: [millis],
     });
@@ -187,11 +241,6 @@ export class Planning {
   }
 }
 
-export function plannerName(lang: State["lang"], planner: string): string {
-  const key = `planner.${planner}`;
-  return isMessage(key) ? translate(lang, key) : planner;
-}
-
 export function median(values: readonly number[]): number {
   const sorted = [...values].sort((a, b) => a - b);
   const middle = sorted.length >> 1;
@@ -200,10 +249,23 @@ export function median(values: readonly number[]): number {
 
 /** The arrows and hatching of the risk planner follow a drag; the hover's clearance can wait for its end. */
 function layersOf(planner: PlannerId, state: State): LayerName[] {
-  const names: LayerName[] = planner === "risk-field" ? ["safety", "risk"] : [];
+  const names: LayerName[] = hasField(planner) ? ["safety", "risk"] : [];
+  if (state.layers.redundant && state.complete && closes(state.scene.planners?.[planner])) names.push("redundant");
+  if (state.layers.cost && hasCosts(planner)) names.push("cost");
   if (!state.transient) names.push("clearance");
   return names;
 }
+
+/** A drag's plans bring no more than is drawn of them. */
+const isTraced = (planner: PlannerId, { transient, layers, playback }: State): boolean =>
+  !transient || playback.base === "search" || (identityOf(planner).drives ? layers.tree : layers.heat);
+
+const hasCosts = (planner: PlannerId): boolean => planner === "cost-map";
+
+export const hasField = (planner: PlannerId): boolean => planner.startsWith("risk-field");
+
+/** Whether a grid planner's settings close free cells. */
+const closes = ({ minPassage = 1, trapMouth = 1 }: Record<string, unknown> = {}): boolean => Number(minPassage) > 1 || Number(trapMouth) > 1;
 
 const withOld = (layers: Layers, old: Layers, transient: boolean): Layers =>
   transient && old.clearance && !layers.clearance ? { ...layers, clearance: old.clearance } : layers;

@@ -1,22 +1,28 @@
-import { init, Planner, type LayerName, type Plan, type PlannerId, type Scenario } from "parkade";
+import type { Drive, Encounter, Plan, Planner, PlannerId, Scenario } from "parkade";
 import { failureOf } from "./failure";
-import type { Layers, Reply, Request } from "./protocol";
+import type { Layers, Reply, Request, Waiting } from "./protocol";
 
 const scope = self as unknown as {
   onmessage: ((event: MessageEvent<Request>) => void) | null;
   postMessage(reply: Reply, transfer: Transferable[]): void;
 };
 
+/** What the worker needs of the package. */
+type Package = typeof import("parkade");
+type Api = Pick<Package, "Planner" | "init"> & Partial<Pick<Package, "stopWaitGo" | "trajectory">>;
+
+let api: Api;
 let planner: PlannerId = "hybrid";
 let ready: Promise<void> | null = null;
 let current: Planner | null = null;
 
 /** Answers the page's requests; called in workers only. */
-export function serve(): void {
+export function serve(loaded: Api): void {
+  api = loaded;
   scope.onmessage = ({ data }) => {
     if (data.kind === "start") {
       planner = data.planner;
-      ready = init({ wasm: data.module });
+      ready = api.init({ wasm: data.module });
     } else void answer(data);
   };
 }
@@ -24,26 +30,39 @@ export function serve(): void {
 async function answer(request: Exclude<Request, { kind: "start" }>): Promise<void> {
   try {
     await ready;
-    const reply = request.kind === "plan"
-      ? plan(request.id, request.scene, request.layers)
-      : { kind: "timed" as const, id: request.id, samples: time(request.runs, request.budget) };
+    const reply = answerTo(request);
     scope.postMessage(reply, reply.kind === "planned" ? buffers(reply.plan, reply.layers) : []);
   } catch (error) {
     scope.postMessage({ kind: "failed", id: request.id, error: failureOf(error) }, []);
   }
 }
 
-function plan(id: number, scene: Scenario, names: LayerName[]): Extract<Reply, { kind: "planned" }> {
+function answerTo(request: Exclude<Request, { kind: "start" }>): Reply {
+  const { id } = request;
+  switch (request.kind) {
+    case "plan": return plan(request);
+    case "time": return { kind: "timed", id, samples: time(request.runs, request.budget) };
+    case "explain": return { kind: "explained", id, explanation: current?.explain(request) ?? null };
+  }
+}
+
+function plan({ id, scene, layers: names, trace, waiting }: Extract<Request, { kind: "plan" }>): Extract<Reply, { kind: "planned" }> {
   current?.free();
   current = null;
-  const next = new Planner(planner, scene);
+  const next = new api.Planner(planner, scene);
   current = next;
   const from = performance.now();
-  const found = next.plan({ trace: true });
+  const found = next.plan({ trace });
   const millis = performance.now() - from;
   const layers: Layers = {};
   for (const name of names) layers[name] = next.layer(name);
-  return { kind: "planned", id, plan: found, layers, millis };
+  return { kind: "planned", id, plan: found, layers, drive: waiting && driveOf(scene, found, waiting), millis };
+}
+
+/** The plan in time, among moving obstacles where there are some; null where no car drives it, or without the complete module. */
+function driveOf(scene: Scenario, plan: Plan, rule: Waiting): Drive | Encounter | null {
+  if (plan.outcome !== "found" || !plan.check.drivable) return null;
+  return (scene.moving?.length ? api.stopWaitGo?.(scene, plan, { rule }) : api.trajectory?.(scene, plan)) ?? null;
 }
 
 function time(runs: number, budget: number): number[] {

@@ -88,10 +88,48 @@ function runsOf(rows: Rows): Run[] {
 }
 
 /** Canonical runs of all cells in either list. */
-export const unionRuns = (a: readonly Run[], b: readonly Run[]): Run[] => runsOf(rowsOf([...a, ...b]));
+export const unionRuns = (a: readonly Run[], b: readonly Run[]): Run[] => nearby(a, b, (rows) => runsOf(rowsOf([...rows, ...b])));
 
 /** Canonical runs of the cells of `from` that are not in `minus`. */
-export function subtractRuns(from: readonly Run[], minus: readonly Run[]): Run[] {
+export const subtractRuns = (from: readonly Run[], minus: readonly Run[]): Run[] => nearby(from, minus, (rows) => subtracted(rows, minus));
+
+const FEW = 500;
+const canonical = new WeakSet<readonly Run[]>();
+
+/** Changes the rows that `cells` touch; of many canonical runs all others stay the same objects. */
+function nearby(runs: readonly Run[], cells: readonly Run[], change: (rows: readonly Run[]) => Run[]): Run[] {
+  if (runs.length < FEW || cells.length === 0 || !isCanonical(runs)) return change(runs);
+  const rows = cells.map((run) => run[1]);
+  const from = firstOfRow(runs, Math.min(...rows)), to = firstOfRow(runs, Math.max(...rows) + 1);
+  const before = runs.slice(from, to), after = change(before);
+  if (sameRuns(before, after)) return runs as Run[];
+  const next = runs.slice(0, from).concat(after, runs.slice(to));
+  canonical.add(next);
+  return next;
+}
+
+function isCanonical(runs: readonly Run[]): boolean {
+  if (canonical.has(runs)) return true;
+  for (let i = 1; i < runs.length; i++) {
+    const [x, y, count] = runs[i - 1]!, [nextX, nextY] = runs[i]!;
+    if (nextY < y || (nextY === y && nextX <= x + count)) return false;
+  }
+  canonical.add(runs);
+  return true;
+}
+
+/** Index of the first run in this row or beyond. */
+export function firstOfRow(runs: readonly Run[], row: number): number {
+  let low = 0, high = runs.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (runs[middle]![1] < row) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
+function subtracted(from: readonly Run[], minus: readonly Run[]): Run[] {
   const rows = rowsOf(from), cut = rowsOf(minus);
   for (const [y, row] of rows) {
     const holes = cut.get(y);
@@ -112,7 +150,14 @@ function subtractInterval([from, to]: [number, number], holes: readonly [number,
   return left;
 }
 
-export const sameRuns = (a: readonly Run[], b: readonly Run[]): boolean =>
-  a.length === b.length && a.every((run, i) => run[0] === b[i]![0] && run[1] === b[i]![1] && run[2] === b[i]![2]);
+export function sameRuns(a: readonly Run[], b: readonly Run[]): boolean {
+  if (a === b) return true;
+  if (a.length !== b.length) return false;
+  for (let i = 0; i < a.length; i++) {
+    const p = a[i]!, q = b[i]!;
+    if (p !== q && (p[0] !== q[0] || p[1] !== q[1] || p[2] !== q[2])) return false;
+  }
+  return true;
+}
 
 export const countCells = (runs: readonly Run[]): number => runs.reduce((sum, run) => sum + run[2], 0);

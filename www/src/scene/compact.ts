@@ -1,5 +1,5 @@
 /** The short form of a scene behind a link: whole centimetres, tenths of a degree, lists instead of names. */
-import type { Goal, Obstacle, Pose, Scenario, Slot, VehicleSpec } from "parkade";
+import type { Goal, Lane, MovingObstacle, Obstacle, Pose, Scenario, Slot, SpeedLimit, VehicleSpec } from "parkade";
 import type { Point } from "./plane";
 
 type Item = number | string | Item[] | Record<string, unknown> | null;
@@ -110,6 +110,38 @@ function unpackSlot(item: Item): Slot {
   };
 }
 
+const packMoving = (one: MovingObstacle): Item[] =>
+  [packPoints(one.points), cm(one.size[0]), cm(one.size[1]), cm(one.speed), cm(one.start ?? 0), ownName(one.id)];
+
+function unpackMoving(item: Item): MovingObstacle {
+  const [points, length, width, speed, start, name] = list(item);
+  return {
+    ...(name ? { id: String(name) } : {}), points: unpackPoints(list(points)), size: [metres(length), metres(width)],
+    speed: metres(speed), start: metres(start),
+  };
+}
+
+/** Roads are long: their headings and curvatures are kept to a millionth. */
+const millionths = (value: number): number => Math.round(value * 1e6) + 0;
+
+const packLane = ({ start, pieces, width, id }: Lane): Item[] => [
+  cm(start.x), cm(start.y), millionths(start.heading), cm(width), pieces.flatMap(({ length, curvature = 0 }) => [cm(length), millionths(curvature)]), ownName(id),
+];
+
+function unpackLane(item: Item): Lane {
+  const [x, y, heading, width, numbers, name] = list(item), flat = list(numbers), pieces: Lane["pieces"] = [];
+  for (let i = 0; i + 1 < flat.length; i += 2) pieces.push({ length: metres(flat[i]), curvature: number(flat[i + 1]) / 1e6 });
+  return {
+    ...(name ? { id: String(name) } : {}), start: { x: metres(x), y: metres(y), heading: number(heading) / 1e6 }, pieces, width: metres(width),
+  };
+}
+
+const packLimit = ({ points, speed }: SpeedLimit): Item[] => [packPoints(points), cm(speed)];
+function unpackLimit(item: Item): SpeedLimit {
+  const [points, speed] = list(item);
+  return { points: unpackPoints(list(points)), speed: metres(speed) };
+}
+
 function packGoal(scene: Scenario): Item[] {
   const { goal } = scene;
   if (!("slot" in goal)) return packPose(goal);
@@ -132,6 +164,9 @@ export function pack(scene: Scenario): Record<string, unknown> {
     ...(scene.name ? { n: scene.name } : {}),
     ...(scene.obstacles?.length ? { o: scene.obstacles.map(packObstacle) } : {}),
     ...(scene.slots?.length ? { l: scene.slots.map(packSlot) } : {}),
+    ...(scene.lanes?.length ? { r: scene.lanes.map(packLane) } : {}),
+    ...(scene.speedLimits?.length ? { q: scene.speedLimits.map(packLimit) } : {}),
+    ...(scene.moving?.length ? { d: scene.moving.map(packMoving) } : {}),
     ...(scene.vehicle !== undefined ? { v: scene.vehicle } : {}),
     s: packPose(scene.start),
     g: packGoal(scene),
@@ -150,6 +185,9 @@ export function unpack(data: Record<string, unknown>, name: (scene: Scenario) =>
     },
     obstacles: list(data["o"] ?? []).map(unpackObstacle),
     slots: list(data["l"] ?? []).map(unpackSlot),
+    ...(data["r"] ? { lanes: list(data["r"]).map(unpackLane) } : {}),
+    ...(data["q"] ? { speedLimits: list(data["q"]).map(unpackLimit) } : {}),
+    ...(data["d"] ? { moving: list(data["d"]).map(unpackMoving) } : {}),
     ...(data["v"] !== undefined ? { vehicle: data["v"] as VehicleSpec } : {}),
     start: unpackPose(list(data["s"])),
     goal: unpackPose([0, 0, 0]) as Goal,

@@ -6,6 +6,12 @@ export function sceneToFile(scene: Scenario): Blob {
   return new Blob([`${JSON.stringify(scene, null, 2)}\n`], { type: "application/json" });
 }
 
+/** A file's name after the scene's. */
+export function fileName(scene: Scenario): string {
+  const name = (scene.name ?? "").toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "");
+  return name || "parkade-scene";
+}
+
 /** A scene from a file's text. Only its outline is checked here; the planners check every field. */
 export function sceneFromText(text: string): Scenario {
   let value: unknown;

@@ -1,5 +1,5 @@
 /** The scene as the page edits it: every edit gives a new scene and leaves the old one as it was. */
-import type { Obstacle, Pose, Scenario, Slot, VehicleSpec } from "parkade";
+import type { MovingObstacle, Obstacle, Pose, Scenario, Slot, VehicleSpec } from "parkade";
 import { convexRuns, sameRuns, subtractRuns, unionRuns, type Run } from "./cells";
 import { wrapAngle, type Point } from "./plane";
 import { slotOutline, parkedPose, poseInSlot, type Entry } from "./slots";
@@ -14,7 +14,7 @@ export type CellsObstacle = Extract<Obstacle, { type: "cells" }>;
 
 /** The smallest free `prefix-n`. */
 export function nextId(scene: Scene, prefix: string): string {
-  const taken = new Set([...(scene.obstacles ?? []), ...(scene.slots ?? [])].map((thing) => thing.id));
+  const taken = new Set([...(scene.obstacles ?? []), ...(scene.slots ?? []), ...(scene.moving ?? [])].map((thing) => thing.id));
   for (let n = 1; ; n++) {
     const id = `${prefix}-${n}`;
     if (!taken.has(id)) return id;
@@ -25,7 +25,7 @@ export function nextId(scene: Scene, prefix: string): string {
 export function ensureIds(scene: Scene): Scene {
   const seen = new Set<string>();
   const keep = (id: string | undefined): boolean => id !== undefined && !seen.has(id) && seen.add(id) !== undefined;
-  const all = [...(scene.obstacles ?? []), ...(scene.slots ?? [])];
+  const all = [...(scene.obstacles ?? []), ...(scene.slots ?? []), ...(scene.moving ?? [])];
   const missing = new Set(all.filter((thing) => !keep(thing.id)));
   if (missing.size === 0 && scene.obstacles && scene.slots) return scene;
   const name = <T extends { id?: string }>(thing: T, prefix: string): T => {
@@ -39,11 +39,31 @@ export function ensureIds(scene: Scene): Scene {
     ...scene,
     obstacles: (scene.obstacles ?? []).map((obstacle) => name(obstacle, obstacle.type)),
     slots: (scene.slots ?? []).map((slot) => name(slot, "slot")),
+    ...(scene.moving ? { moving: scene.moving.map((one) => name(one, "moving")) } : {}),
   };
 }
 
 export const findObstacle = (scene: Scene, id: string): Obstacle | undefined => scene.obstacles?.find((o) => o.id === id);
 export const findSlot = (scene: Scene, id: string): Slot | undefined => scene.slots?.find((s) => s.id === id);
+
+export const findMoving = (scene: Scene, id: string): MovingObstacle | undefined => scene.moving?.find((m) => m.id === id);
+
+export function addMoving(scene: Scene, one: Omit<MovingObstacle, "id">): { scene: Scene; id: string } {
+  const id = nextId(scene, "moving");
+  return { scene: { ...scene, moving: [...(scene.moving ?? []), { ...one, id }] }, id };
+}
+
+export const updateMoving = (scene: Scene, id: string, patch: Partial<MovingObstacle>): Scene =>
+  ({ ...scene, moving: (scene.moving ?? []).map((m) => (m.id === id ? { ...m, ...patch, id } : m)) });
+
+/** Without the last one the scene holds no list of them. */
+export function removeMoving({ moving = [], ...scene }: Scene, id: string): Scene {
+  const left = moving.filter((m) => m.id !== id);
+  return left.length > 0 ? { ...scene, moving: left } : scene;
+}
+
+export const shiftMoving = (scene: Scene, id: string, dx: number, dy: number): Scene =>
+  updateMoving(scene, id, { points: (findMoving(scene, id)?.points ?? []).map(([x, y]) => [x + dx, y + dy]) });
 
 export const mapOutline = (scene: Scene): Point[] => {
   const { origin: [x, y], width, height, resolution, boundary } = scene.map;

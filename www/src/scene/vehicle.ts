@@ -4,9 +4,10 @@ import { fromPose, type Point } from "./plane";
 
 export type ResolvedVehicle = Required<Vehicle> & { minTurningRadius: number };
 
-const PROFILES: Record<"paper" | "sedan", Required<Vehicle>> = {
+const PROFILES: Record<"paper" | "sedan" | "ship", Required<Vehicle>> = {
   paper: { wheelbase: 3.7, width: 2.6, rearToFront: 4.5, rearToBack: 1, maxSteer: 0.6, maxSteerRate: 0.6 },
   sedan: { wheelbase: 2.8, width: 1.9, rearToFront: 3.75, rearToBack: 0.95, maxSteer: Math.atan(2.8 / 5.5), maxSteerRate: 0.6 },
+  ship: { wheelbase: 36, width: 16, rearToFront: 54, rearToBack: 18, maxSteer: Math.atan(36 / 144), maxSteerRate: 0.05 },
 };
 
 const resolved = new Map<string, ResolvedVehicle>();

@@ -1,13 +1,13 @@
 /** Pointers and keys of all canvases, handed to the tool in force. */
 import type { Scene, State, Store, ToolId } from "../store";
-import { cameraFor, forgetFit, screenToWorld, zoomAt, type View } from "../view/camera";
+import { cameraFor, forgetFit, leastScale, screenToWorld, zoomAt, type View } from "../view/camera";
 import type { Point } from "../scene/plane";
 import { BrushTool, EraserTool } from "./brush";
 import { CarTool } from "./car";
 import type { Draft } from "./draft";
 import { HandTool } from "./hand";
 import { editByKey, toolOfKey } from "./keys";
-import { PolygonTool, WallTool } from "./line";
+import { MovingTool, PolygonTool, WallTool } from "./line";
 import { Pinch } from "./pinch";
 import { PlaceTool } from "./place";
 import { RectangleTool } from "./rectangle";
@@ -29,7 +29,7 @@ export class ToolController {
 
   private readonly tools: Record<ToolId, Tool> = {
     select: new SelectTool(), brush: new BrushTool(), wall: new WallTool(), rectangle: new RectangleTool(), polygon: new PolygonTool(),
-    car: new CarTool(), slot: new SlotTool(), eraser: new EraserTool(), hand: new HandTool(),
+    car: new CarTool(), slot: new SlotTool(), moving: new MovingTool(), eraser: new EraserTool(), hand: new HandTool(),
   };
   private readonly hand = new HandTool();
   private readonly eraser = new EraserTool();
@@ -38,6 +38,8 @@ export class ToolController {
   private armed: "start" | "goal" | null = null;
   private spaceDown = false;
   private press: Press | null = null;
+  /** The drag's move of this frame that was taken at once. */
+  private early: PointerEvent | null = null;
   private pinch: Pinch | null = null;
   private readonly fingers = new Map<number, Point>();
   private readonly listeners = new Set<(draft: Draft | null) => void>();
@@ -59,7 +61,8 @@ export class ToolController {
     const on = <K extends keyof HTMLElementEventMap>(type: K, handler: (event: HTMLElementEventMap[K]) => void, passive = true): void =>
       canvas.addEventListener(type, handler, { signal: events.signal, passive });
     on("pointerdown", (event) => this.pointerDown(canvas, event), false);
-    on("pointermove", (event) => this.pointerMove(canvas, event));
+    on("pointerrawupdate", (event) => this.pointerEarly(canvas, event as PointerEvent));
+    on("pointermove", (event) => this.pointerFrame(canvas, event));
     on("pointerup", (event) => this.pointerUp(canvas, event));
     on("pointercancel", (event) => this.pointerUp(canvas, event));
     on("lostpointercapture", (event) => this.pointerUp(canvas, event));
@@ -107,6 +110,21 @@ export class ToolController {
     this.press = { pointer: event.pointerId, tool, input, since: event.timeStamp };
     tool.down?.(this.bench(), input);
     this.setCursor(tool, input);
+  }
+
+  /** Browsers hold moves back until the next frame; a drag's first one is taken at once, so that its plans make that frame. */
+  private pointerEarly(canvas: HTMLElement, event: PointerEvent): void {
+    if (this.early || this.press?.pointer !== event.pointerId) return;
+    this.early = event;
+    this.pointerMove(canvas, event);
+  }
+
+  private pointerFrame(canvas: HTMLElement, event: PointerEvent): void {
+    const { early } = this;
+    this.early = null;
+    const isKnown = early !== null && early.pointerId === event.pointerId && event.getCoalescedEvents().length <= 1
+      && early.clientX === event.clientX && early.clientY === event.clientY;
+    if (!isKnown) this.pointerMove(canvas, event);
   }
 
   private pointerMove(canvas: HTMLElement, event: PointerEvent): void {
@@ -163,7 +181,7 @@ export class ToolController {
 
   private movePinch(): void {
     const [a, b] = [...this.fingers.values()];
-    if (a && b && this.pinch) this.store.set({ camera: this.pinch.move(this.view(), a, b) });
+    if (a && b && this.pinch) this.store.set({ camera: this.pinch.move(this.view(), a, b, leastScale(this.store.state.scene.map)) });
   }
 
   private wheelTurned(canvas: HTMLElement, event: WheelEvent): void {
@@ -175,7 +193,7 @@ export class ToolController {
     if (this.tool().wheel?.(this.bench(), input, -Math.sign(pixels) * Math.max(1, Math.round(Math.abs(pixels) / 100)))) return;
     // Pinches on a track pad arrive as small turns with Ctrl.
     const factor = Math.exp(-pixels * (event.ctrlKey ? 0.01 : 0.0015));
-    this.store.set({ camera: zoomAt(this.view(), input.pixel[0], input.pixel[1], Math.min(4, Math.max(0.25, factor))) });
+    this.store.set({ camera: zoomAt(this.view(), input.pixel[0], input.pixel[1], Math.min(4, Math.max(0.25, factor)), leastScale(this.store.state.scene.map)) });
   }
 
   private toolFor(event: PointerEvent): Tool {

@@ -1,10 +1,11 @@
 /** What is under the pointer. */
-import type { Obstacle } from "parkade";
-import { resolve } from "../scene/model";
-import { distance, insidePolygon, type Point } from "../scene/plane";
-import { distanceToShape, verticesOf, vertexAt, type Shape } from "../scene/shapes";
+import type { MovingObstacle, Obstacle } from "parkade";
+import { findMoving, resolve } from "../scene/model";
+import { distance, distanceToPolyline, insidePolygon, type Point } from "../scene/plane";
+import { distanceToShape, rectangleCorners, verticesOf, vertexAt, type Shape } from "../scene/shapes";
 import { footprint } from "../scene/vehicle";
 import type { Selection, State } from "../store";
+import { boxAt, clockOf } from "../view/clock";
 import { gripOf } from "../view/pose-handle";
 import { turnGripOf } from "../view/turn-grip";
 import { metresOf, reachOf, type Bench, type Input } from "./tool";
@@ -13,12 +14,13 @@ export type Hit =
   | { part: "pose-grip"; which: "start" | "goal" }
   | { part: "turn-grip"; id: string }
   | { part: "vertex"; id: string; index: number }
+  | { part: "way"; id: string; index: number }
   | { part: "object"; selection: NonNullable<Selection> };
 
 /** Grips first, then vertices of the selected shape, cars, shapes from the top, slots. */
 export function hitAt(bench: Bench, input: Input, hot: Selection): Hit | null {
   const { state } = bench.store;
-  return hitGrip(bench, input, hot) ?? hitShapeGrip(bench, input) ?? wrap(hitPose(state, input.at) ?? hitObstacle(bench, input) ?? hitSlot(state, input.at));
+  return hitGrip(bench, input, hot) ?? hitShapeGrip(bench, input) ?? hitWay(bench, input) ?? wrap(hitPose(state, input.at) ?? hitMoving(bench, input) ?? hitObstacle(bench, input) ?? hitSlot(state, input.at));
 }
 
 const wrap = (selection: Selection): Hit | null => (selection ? { part: "object", selection } : null);
@@ -51,6 +53,24 @@ function hitShapeGrip(bench: Bench, input: Input): Hit | null {
   if (grip && distance(grip.to, input.at) <= reach) return { part: "turn-grip", id: shape.id };
   const index = vertexAt(verticesOf(shape), input.at, reach * 0.75);
   return index >= 0 ? { part: "vertex", id: shape.id, index } : null;
+}
+
+/** A corner of the selected moving obstacle's way. */
+function hitWay(bench: Bench, input: Input): Hit | null {
+  const { scene, selection } = bench.store.state;
+  if (selection?.kind !== "moving") return null;
+  const index = vertexAt(findMoving(scene, selection.id)?.points ?? [], input.at, metresOf(bench, reachOf(input)) * 0.75);
+  return index >= 0 ? { part: "way", id: selection.id, index } : null;
+}
+
+function hitMoving(bench: Bench, input: Input): Selection {
+  const { state } = bench.store, slack = metresOf(bench, input.touch ? 12 : 5), clock = clockOf(state);
+  const touched = (one: MovingObstacle): boolean => {
+    const { x, y, heading } = boxAt(one, clock);
+    return insidePolygon(input.at, rectangleCorners({ center: [x, y], size: one.size, heading })) || distanceToPolyline(input.at, one.points) <= slack;
+  };
+  const id = state.scene.moving?.find(touched)?.id;
+  return id === undefined ? null : { kind: "moving", id };
 }
 
 function hitPose({ scene, selection }: State, at: Point): Selection {

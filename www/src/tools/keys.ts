@@ -1,12 +1,12 @@
 /** Keys of the playground, where they need no pointer. */
 import {
-  findObstacle, findSlot, flipGoal, moveObstacle, movePose, removeObstacle, removeSlot, resolve, updateSlot, type Scene,
+  findObstacle, findSlot, flipGoal, moveObstacle, movePose, removeMoving, removeObstacle, removeSlot, resolve, shiftMoving, updateSlot, type Scene,
 } from "../scene/model";
 import type { State, Store, ToolId } from "../store";
 
 const TOOL_KEYS: Record<string, ToolId> = {
   v: "select", 1: "select", b: "brush", 2: "brush", l: "wall", 3: "wall", r: "rectangle", 4: "rectangle", g: "polygon", 5: "polygon",
-  c: "car", 6: "car", p: "slot", 7: "slot", e: "eraser", 9: "eraser", h: "hand",
+  c: "car", 6: "car", p: "slot", 7: "slot", m: "moving", 8: "moving", e: "eraser", 9: "eraser", h: "hand",
 };
 
 const ARROWS: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
@@ -51,6 +51,7 @@ function nudged({ scene, selection }: State, dx: number, dy: number): Scene | nu
     return movePose(scene, selection.kind, { ...pose, x: pose.x + dx, y: pose.y + dy });
   }
   if (selection.kind === "obstacle") return findObstacle(scene, selection.id) ? moveObstacle(scene, selection.id, dx, dy) : null;
+  if (selection.kind === "moving") return shiftMoving(scene, selection.id, dx, dy);
   const slot = findSlot(scene, selection.id);
   return slot ? updateSlot(scene, selection.id, { x: slot.x + dx, y: slot.y + dy }) : null;
 }
@@ -58,7 +59,8 @@ function nudged({ scene, selection }: State, dx: number, dy: number): Scene | nu
 function removeSelected(store: Store): boolean {
   const { scene, selection } = store.state;
   if (!selection || !("id" in selection)) return false;
-  store.edit(selection.kind === "slot" ? removeSlot(scene, selection.id) : removeObstacle(scene, selection.id), { label: "delete" });
+  const remove = { slot: removeSlot, obstacle: removeObstacle, moving: removeMoving }[selection.kind];
+  store.edit(remove(scene, selection.id), { label: "delete" });
   store.set({ selection: null });
   return true;
 }

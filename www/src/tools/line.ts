@@ -1,5 +1,5 @@
 /** Walls and polygons: corner after corner. */
-import { addObstacle } from "../scene/model";
+import { addMoving, addObstacle } from "../scene/model";
 import { canExtend, crossesItself, distance, type Point } from "../scene/plane";
 import { fixed } from "../view/text";
 import type { Draft } from "./draft";
@@ -8,6 +8,8 @@ import { metresOf, reachOf, type Bench, type Input, type Tool } from "./tool";
 import { word } from "./words";
 
 const DRAG_PX = 8;
+/** Metres, metres per second, seconds. */
+const PERSON: { size: Point; speed: number; start: number } = { size: [0.6, 0.6], speed: 1.2, start: 0 };
 
 abstract class LineTool implements Tool {
   protected points: Point[] = [];
@@ -15,6 +17,11 @@ abstract class LineTool implements Tool {
 
   protected abstract readonly closed: boolean;
   protected abstract finish(bench: Bench): boolean;
+
+  /** Of the preview's line, metres. */
+  protected width(bench: Bench): { thickness: number } {
+    return { thickness: this.closed ? 0 : bench.store.state.toolOptions.wallThickness };
+  }
 
   cursor(): string {
     return "crosshair";
@@ -95,12 +102,32 @@ abstract class LineTool implements Tool {
     const last = points.at(-1), first = points[0];
     const closing = this.closed && points.length > 2 && cursor !== null && first !== undefined && distance(first, cursor) <= metresOf(bench, 12);
     const refused = this.closed && cursor !== null && !closing && last !== undefined && distance(last, cursor) > 1e-6 && !canExtend(points, cursor);
-    const thickness = this.closed ? 0 : bench.store.state.toolOptions.wallThickness;
+    const { thickness } = this.width(bench);
     const length = cursor && last ? distance(last, cursor) : 0;
     return {
       preview: { kind: "line", points, cursor, thickness, closing, refused, closed: this.closed },
       ...(cursor && length > 0 ? { label: { text: `${fixed(length, 2)} m`, at: cursor } } : {}),
     };
+  }
+}
+
+/** The way of a moving obstacle: a person's pace and size at first. */
+export class MovingTool extends LineTool {
+  protected override readonly closed = false;
+
+  protected override width(): { thickness: number } {
+    return { thickness: PERSON.size[1] };
+  }
+
+  protected override finish(bench: Bench): boolean {
+    const { points } = this;
+    this.reset(bench);
+    if (points.length < 2) return false;
+    const { scene, id } = addMoving(bench.store.state.scene, { points, ...PERSON });
+    bench.commit(scene, "moving");
+    bench.store.set({ selection: { kind: "moving", id } });
+    bench.done();
+    return true;
   }
 }
 

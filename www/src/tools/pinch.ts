@@ -15,10 +15,10 @@ export class Pinch {
   }
 
   /** The camera after the fingers moved to `a` and `b`. */
-  move(view: View, a: Point, b: Point): Camera {
+  move(view: View, a: Point, b: Point, least: number): Camera {
     const { last } = this, now = gripOf(a, b);
     this.last = now;
     const panned = panBy(view.camera, now.middle[0] - last.middle[0], now.middle[1] - last.middle[1]);
-    return zoomAt({ ...view, camera: panned }, now.middle[0], now.middle[1], now.spread / last.spread);
+    return zoomAt({ ...view, camera: panned }, now.middle[0], now.middle[1], now.spread / last.spread, least);
   }
 }

@@ -1,6 +1,6 @@
 /** Select, move, turn. */
 import {
-  addObstacle, findObstacle, findSlot, movePose, resolve, setGoalFromSlot, updateObstacle, updateSlot, withShape, type Scene,
+  addObstacle, findMoving, findObstacle, findSlot, movePose, resolve, setGoalFromSlot, shiftMoving, updateMoving, updateObstacle, updateSlot, withShape, type Scene,
 } from "../scene/model";
 import { crossesItself, distance, towards, wrapAngle, type Point } from "../scene/plane";
 import { dragVertex, edgeAt, headingOf, moveShape, pivotOf, turnShape, vertexAt, type Shape } from "../scene/shapes";
@@ -110,6 +110,7 @@ export class SelectTool implements Tool {
       case "pose-grip": return turnPose(press, hit.which, input);
       case "turn-grip": return { scene: withShape(press.scene, hit.id, (shape) => turnTowards(shape, press.at, input)), draft: null };
       case "vertex": return { scene: moveVertex(bench, press.scene, hit, input), draft: null };
+      case "way": return { scene: moveCorner(bench, press.scene, hit, input), draft: null };
       case "object": return moveObject(bench, press, hit.selection, input);
     }
   }
@@ -141,6 +142,11 @@ function moveVertex(bench: Bench, scene: Scene, { id, index }: { id: string; ind
   return updateObstacle(scene, id, next);
 }
 
+function moveCorner(bench: Bench, scene: Scene, { id, index }: { id: string; index: number }, input: Input): Scene {
+  const to = snapPoint(bench, input, id);
+  return updateMoving(scene, id, { points: (findMoving(scene, id)?.points ?? []).map((p, i) => (i === index ? to : p)) });
+}
+
 function moveObject(bench: Bench, press: Press, selection: NonNullable<Selection>, input: Input): { scene: Scene; draft: Draft | null } {
   const { scene } = press;
   const dx = input.at[0] - press.at[0], dy = input.at[1] - press.at[1];
@@ -150,6 +156,7 @@ function moveObject(bench: Bench, press: Press, selection: NonNullable<Selection
     const moved = "slot" in goal ? { ...scene, goal } : movePose(scene, selection.kind, pose);
     return { scene: moved, draft: { grabbed: { which: selection.kind, part: "body" }, guides } };
   }
+  if (selection.kind === "moving") return { scene: shiftMoving(scene, selection.id, dx, dy), draft: null };
   if (selection.kind === "slot") {
     const slot = findSlot(scene, selection.id);
     return { scene: slot ? updateSlot(scene, selection.id, { x: slot.x + dx, y: slot.y + dy }) : scene, draft: null };

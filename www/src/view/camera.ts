@@ -10,6 +10,13 @@ import { STALK } from "./pose-handle";
 export interface View { camera: Camera; width: number; height: number }
 
 export const MIN_SCALE = 1;
+/** Pixels that the longer side of the widest map keeps. */
+const LEAST_MAP = 200;
+
+/** The smallest scale at which a map is looked at. */
+export const leastScale = ({ width, height, resolution }: Scenario["map"]): number =>
+  Math.min(MIN_SCALE, LEAST_MAP / (Math.max(width, height) * resolution));
+
 export const MAX_SCALE = 400;
 const SPARE_PX = 6;
 
@@ -22,9 +29,9 @@ export function screenToWorld({ camera, width, height }: View, x: number, y: num
 }
 
 /** The camera zoomed by `factor` with the world point under the pixel held in place. */
-export function zoomAt(view: View, pixelX: number, pixelY: number, factor: number): Camera {
+export function zoomAt(view: View, pixelX: number, pixelY: number, factor: number, least = MIN_SCALE): Camera {
   const [x, y] = screenToWorld(view, pixelX, pixelY);
-  const scale = Math.min(MAX_SCALE, Math.max(MIN_SCALE, view.camera.scale * factor));
+  const scale = Math.min(MAX_SCALE, Math.max(least, view.camera.scale * factor));
   const kept = view.camera.scale / scale;
   return { x: x + (view.camera.x - x) * kept, y: y + (view.camera.y - y) * kept, scale };
 }
@@ -44,12 +51,12 @@ export function fit(scene: Scenario, geometry: SceneGeometry | null, width: numb
     points.push(...footprint(goal, vehicle, swing), ...footprint(start, vehicle, swing / 2));
   }
   const box = clip(boxOf(points), boxOf(resolved.boundary));
-  return frame(boxOf([[box.minX, box.minY], [box.maxX, box.maxY], gripEnd(goal, vehicle.rearToFront)]), width, height);
+  return frame(boxOf([[box.minX, box.minY], [box.maxX, box.maxY], gripEnd(goal, vehicle.rearToFront)]), width, height, leastScale(scene.map));
 }
 
 /** Shows the whole map. */
 export function fitMap(scene: Scenario, width: number, height: number): Camera {
-  return frame(boxOf(resolve(scene).boundary), width, height);
+  return frame(boxOf(resolve(scene).boundary), width, height, leastScale(scene.map));
 }
 
 /** A little beyond the goal's grip, which may stand outside the floor. */
@@ -71,10 +78,10 @@ function clip(box: Box, floor: Box): Box {
   return clipped.minX < clipped.maxX && clipped.minY < clipped.maxY ? clipped : box;
 }
 
-function frame(box: Box, width: number, height: number): Camera {
+function frame(box: Box, width: number, height: number, least: number): Camera {
   const across = Math.max(1, width - 2 * SPARE_PX), up = Math.max(1, height - 2 * SPARE_PX);
   const scale = Math.min(across / Math.max(1, box.maxX - box.minX), up / Math.max(1, box.maxY - box.minY));
-  return { x: (box.minX + box.maxX) / 2, y: (box.minY + box.maxY) / 2, scale: Math.min(MAX_SCALE, Math.max(MIN_SCALE, scale)) };
+  return { x: (box.minX + box.maxX) / 2, y: (box.minY + box.maxY) / 2, scale: Math.min(MAX_SCALE, Math.max(least, scale)) };
 }
 
 /** A fit and what it was made from. */

@@ -3,6 +3,7 @@ import type { Plan, PlannerId } from "parkade";
 import type { State } from "../store";
 import type { Draft } from "../tools/draft";
 import { cameraFor, type View } from "./camera";
+import { waiting } from "./heavy";
 import { makeFrame, type Shown } from "./frame";
 import { SceneLayers } from "./scene-layers";
 import type { Tokens } from "./tokens";
@@ -31,6 +32,7 @@ export class SceneCanvas {
     this.height = canvas.clientHeight;
     this.observer = new ResizeObserver(() => this.resized());
     this.observer.observe(canvas);
+    waiting.add(this.redraw);
   }
 
   /** The camera and size last drawn with. */
@@ -49,6 +51,7 @@ export class SceneCanvas {
 
   dispose(): void {
     this.observer.disconnect();
+    waiting.delete(this.redraw);
     clearTimeout(this.staleTimer);
     this.last = null;
   }
@@ -57,9 +60,9 @@ export class SceneCanvas {
     return { camera: cameraFor(state, this.width, this.height), width: this.width, height: this.height };
   }
 
-  private redraw(): void {
+  private readonly redraw = (): void => {
     if (this.last) this.draw(this.last.state, this.last.planners, this.last.tokens, this.last.draft);
-  }
+  };
 
   private resized(): void {
     this.width = this.canvas.clientWidth;

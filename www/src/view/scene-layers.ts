@@ -1,11 +1,16 @@
 /** The fixed order of the layers, and what is kept between frames. */
 import { drawReferences } from "./car";
 import { drawBorder, drawFloor } from "./layers/floor";
+import { drawLanes } from "./layers/lanes";
+import { drawCost } from "./layers/cost";
 import { HeatLayer } from "./layers/heat";
 import { drawObstacles, drawSlots } from "./layers/obstacles";
 import { drawCusps, drawPath } from "./layers/path";
 import { drawCollisions, drawFirstHit } from "./layers/collisions";
 import { drawDrivingCar, drawStartAndGoal } from "./layers/cars";
+import { hasField } from "../planning/planning";
+import { drawExplained } from "./layers/explained";
+import { drawContact, drawMoving } from "./layers/moving";
 import { drawDraft } from "./layers/draft";
 import { drawHandles, drawSelection } from "./layers/handles";
 import { drawHover } from "./layers/hover";
@@ -13,8 +18,13 @@ import { RiskLayer } from "./layers/risk";
 import { SafetyLayer } from "./layers/safety";
 import { drawSweep } from "./layers/sweep";
 import { TreeLayer } from "./layers/tree";
+import { vast } from "./heavy";
+import { fade } from "./tokens";
 import { drawOthers } from "./layers/ghosts";
 import { GHOST, leading, leads, type Frame, type Shown } from "./frame";
+
+/** In the raster `redundant`: free, but closed before the search. */
+const CLOSED = 3;
 
 export class SceneLayers {
   private readonly heat = new HeatLayer();
@@ -25,10 +35,12 @@ export class SceneLayers {
   draw(frame: Frame): void {
     const { layers } = frame.state;
     drawFloor(frame);
+    drawLanes(frame);
     this.drawRasters(frame);
     if (layers.slots) drawSlots(frame);
     drawBorder(frame);
     if (layers.obstacles) drawObstacles(frame);
+    drawMoving(frame);
     this.drawAnswers(frame);
     drawSelection(frame);
     drawHandles(frame);
@@ -42,8 +54,14 @@ export class SceneLayers {
     const one = leading(frame);
     if (!one) return;
     if (layers.heat) this.heat.draw(frame, one);
+    const cost = layers.cost && one.result?.layers.cost;
+    if (cost) drawCost(frame, cost);
     if (layers.safety) this.safety.draw(frame, one);
+    const redundant = layers.redundant && one.result?.layers.redundant;
+    if (redundant) vast()?.drawKinds(frame, redundant, [CLOSED], fade(frame.tokens.colour.t1, 0.24), 7);
     if (layers.risk) this.risk.draw(frame, one);
+    const { explained, hover, transient } = frame.state;
+    if (layers.risk && explained && hover && !transient && hasField(one.planner)) drawExplained(frame, explained);
     if (layers.tree) this.tree.draw(frame, one);
   }
 
@@ -58,6 +76,7 @@ export class SceneLayers {
     if (layers.path) for (const shown of inOrder(frame)) drawPath(frame, shown, strength(frame, shown) * standing(frame, shown));
     if (layers.car) drawReferences(frame);
     if (layers.car && one) drawDrivingCar(frame, one, strength(frame, one));
+    if (one) drawContact(frame, one);
     if (frame.overlay && layers.path && done) for (const shown of frame.shown) drawFirstHit(frame, shown);
     if (one && layers.path) drawCusps(frame, one, strength(frame, one));
   }

@@ -19,7 +19,7 @@ export interface Swept {
 }
 
 /** `sides`: inward normal and offset of each side. */
-interface Convex { corners: Point[]; box: Box; sides: Float64Array }
+export interface Convex { corners: Point[]; box: Box; sides: Float64Array }
 
 const areas = new WeakMap<Plan, { vehicle: Vehicle; swept: Swept }>();
 
@@ -41,7 +41,7 @@ export function sweptArea(plan: Plan, vehicle: Vehicle): Swept {
 }
 
 /** Hulls of neighbouring footprints, counter-clockwise: they close the gaps that sampling alone leaves as scallops. */
-function hullsAlong(plan: Plan, vehicle: Vehicle): Convex[] {
+export function hullsAlong(plan: Plan, vehicle: Vehicle): Convex[] {
   const hulls: Convex[] = [];
   let before: Point[] | null = null;
   for (const corners of footprintsAlong(plan, vehicle)) {

@@ -9,22 +9,21 @@ export type PillTone = "plain" | "editing" | "solid";
 
 const widths = new Map<string, number>();
 
-function measure({ ctx }: Frame, text: string): number {
-  const key = `${ctx.font}|${text}`;
+/** Setting a canvas's font makes the browser settle the page's style first, so known widths do without; digits are all as wide as 0. */
+function measure(frame: Frame, text: string): number {
+  const font = labelFont(frame), like = text.replace(/\d/g, "0"), key = `${font}|${like}`;
   const known = widths.get(key);
   if (known !== undefined) return known;
   if (widths.size > 2000) widths.clear();
-  const width = ctx.measureText(text).width;
+  frame.ctx.font = font;
+  const { width } = frame.ctx.measureText(like);
   widths.set(key, width);
   return width;
 }
 
 export const labelFont = (frame: Frame, weight = 500): string => `${weight} 12px ${frame.tokens.font}`;
 
-export function pillWidth(frame: Frame, text: string): number {
-  frame.ctx.font = labelFont(frame);
-  return Math.ceil(measure(frame, text)) + 2 * PAD;
-}
+export const pillWidth = (frame: Frame, text: string): number => Math.ceil(measure(frame, text)) + 2 * PAD;
 
 /** A pill with its upper left corner at (x, y), CSS pixels. */
 export function drawPill(frame: Frame, text: string, x: number, y: number, tone: PillTone = "plain"): void {

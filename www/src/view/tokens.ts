@@ -1,5 +1,6 @@
 /** The colours and the font of the drawing, read from the element's `--parkade-*` custom properties. */
 import type { PlannerId } from "parkade";
+import { identityOf } from "./identity";
 
 export const COLOUR_NAMES = [
   "app", "panel", "floor", "out", "raise", "hover", "press", "hair", "hair2", "gridl", "t1", "t2", "t3", "accent", "accent-soft",
@@ -93,15 +94,7 @@ export function fade(colour: string, alpha: number): string {
 /** Colour, dash and width by which a planner is known, the same everywhere. */
 export interface PlannerStyle { colour: string; dash: readonly number[]; width: number; hybrid: boolean }
 
-const STYLES: Record<PlannerId, { index: number; dash: readonly number[]; width: number; hybrid: boolean }> = {
-  four: { index: 0, dash: [], width: 2, hybrid: false },
-  eight: { index: 1, dash: [9, 5], width: 2, hybrid: false },
-  "risk-field": { index: 2, dash: [10, 4, 2, 4], width: 2, hybrid: false },
-  hybrid: { index: 3, dash: [], width: 3, hybrid: true },
-  "hybrid-forward": { index: 4, dash: [14, 5], width: 3, hybrid: true },
-};
-
 export function plannerStyle(tokens: Tokens, planner: PlannerId): PlannerStyle {
-  const style = STYLES[planner];
-  return { colour: tokens.planner[style.index] ?? tokens.colour.t1, dash: style.dash, width: style.width, hybrid: style.hybrid };
+  const { colour, dash, drives } = identityOf(planner);
+  return { colour: tokens.planner[colour - 1] ?? tokens.colour.t1, dash, width: drives ? 3 : 2, hybrid: drives };
 }

@@ -20,7 +20,7 @@ export function drawFloor(frame: Frame): void {
 
 function drawGrid(frame: Frame): void {
   const { ctx, view } = frame;
-  const step = view.camera.scale > 40 ? 1 : view.camera.scale > 4 ? 5 : 25;
+  const step = view.camera.scale > 40 ? 1 : view.camera.scale > 4 ? 5 : view.camera.scale > 0.8 ? 25 : 250;
   const [left, top] = screenToWorld(view, 0, 0), [right, bottom] = screenToWorld(view, view.width, view.height);
   inPixels(frame);
   ctx.beginPath();

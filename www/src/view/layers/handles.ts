@@ -1,6 +1,6 @@
 /** Selection outlines, grips and the label of the pose. */
 import type { Pose } from "parkade";
-import { findObstacle, findSlot, slotOutline } from "../../scene/model";
+import { findMoving, findObstacle, findSlot, slotOutline } from "../../scene/model";
 import { boxOf, type Box, type Point } from "../../scene/plane";
 import { cornersOf, verticesOf } from "../../scene/shapes";
 import { footprint } from "../../scene/vehicle";
@@ -99,6 +99,10 @@ export function drawSelection(frame: Frame): void {
   if (!selection) return;
   outlineOf(frame, selection, 2);
   if (selection.kind === "obstacle") drawShapeGrips(frame, selection.id);
+  if (selection.kind === "moving" && frame.state.tool === "select") {
+    inPixels(frame);
+    for (const corner of findMoving(frame.state.scene, selection.id)?.points ?? []) drawKnob(frame, toScreen(frame, corner), 5);
+  }
 }
 
 const sameSelection = (a: Selection, b: Selection): boolean =>
@@ -122,6 +126,7 @@ function selectionPath({ state: { scene } }: Frame, selection: NonNullable<Selec
     const slot = findSlot(scene, selection.id);
     return slot ? polygonPath(slotOutline(slot)) : null;
   }
+  if (selection.kind === "moving") return linePath(findMoving(scene, selection.id)?.points ?? []);
   const obstacle = findObstacle(scene, selection.id);
   if (!obstacle) return null;
   if (obstacle.type === "cells") return cellPaths(obstacle.runs, scene.map).edge;

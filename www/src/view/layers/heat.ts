@@ -1,8 +1,12 @@
 /** The order in which a grid planner expanded its cells. */
 import type { Plan } from "parkade";
 import type { State } from "../../store";
+import { vast } from "../heavy";
 import { inPixels, toScreen, type Frame, type Shown } from "../frame";
 import { RAMP_SIZE, RAMP_WORDS } from "../ramp";
+
+/** Cells of which a whole picture is too slow to paint again and again. */
+const TOO_MANY = 500_000;
 
 interface Painted { trace: Plan["trace"]; count: number; canvas: HTMLCanvasElement; ctx: CanvasRenderingContext2D; image: ImageData; words: Uint32Array }
 
@@ -29,6 +33,7 @@ export class HeatLayer {
   draw(frame: Frame, { plan }: Shown): void {
     if (plan?.trace?.kind !== "cells") return;
     const { origin, width, height, resolution } = frame.state.scene.map;
+    if (width * height > TOO_MANY && vast()?.drawHeat(frame, plan.trace.cells, expansionsShown(frame.state, plan))) return;
     const painted = this.paint(plan.trace, expansionsShown(frame.state, plan), width, height);
     const [left, top] = toScreen(frame, [origin[0], origin[1] + height * resolution]);
     const scale = resolution * frame.view.camera.scale;

@@ -4,6 +4,8 @@ import { cornersOf } from "../../scene/shapes";
 import { vehicleOf } from "../../scene/vehicle";
 import { drawCar, parkedStyle } from "../car";
 import { inMetres, linePath, pixels, polygonPath, type Frame } from "../frame";
+import { MANY } from "../../scene/vast";
+import { vast } from "../heavy";
 import { cellPaths, type CellPaths } from "../outline";
 
 const drawn = new WeakMap<Obstacle, CellPaths>();
@@ -52,6 +54,7 @@ export function drawObstacles(frame: Frame): void {
 
 function drawSolid(frame: Frame, obstacle: Exclude<Obstacle, { type: "car" }>): void {
   const { ctx, tokens: { colour } } = frame;
+  if (obstacle.type === "cells" && obstacle.runs.length > MANY && vast()?.drawCells(frame, obstacle)) return;
   const { fill, edge } = pathsOf(obstacle, frame.state.scene.map);
   inMetres(frame);
   ctx.fillStyle = colour.obs;

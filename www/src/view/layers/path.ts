@@ -6,6 +6,9 @@ import { inPixels, toScreen, type Frame, type Shown } from "../frame";
 import { labelFont } from "../text";
 import { plannerStyle, type PlannerStyle } from "../tokens";
 
+/** Pixels between two points of a drawn path. */
+const FINEST = 0.7;
+
 interface Leg { points: Point[]; headings: number[]; reverse: boolean }
 
 /** Stretches of one direction of travel, in pixels. */
@@ -13,14 +16,19 @@ function legsOf(frame: Frame, plan: Plan): Leg[] {
   const { path } = plan;
   const sense = segmentDirections(plan);
   const legs: Leg[] = [];
-  let leg: Leg | null = null;
+  let leg: Leg | null = null, lastX = 0, lastY = 0;
   for (let i = 0; i < sense.length; i++) {
     const reverse = sense[i]! < 0;
     if (!leg || leg.reverse !== reverse) {
       leg = { points: [toScreen(frame, [path[3 * i]!, path[3 * i + 1]!])], headings: [path[3 * i + 2]!], reverse };
+      [lastX, lastY] = leg.points[0]!;
       legs.push(leg);
     }
-    leg.points.push(toScreen(frame, [path[3 * i + 3]!, path[3 * i + 4]!]));
+    const point = toScreen(frame, [path[3 * i + 3]!, path[3 * i + 4]!]);
+    // Long paths seen from afar have many poses to a pixel.
+    if (Math.abs(point[0] - lastX) + Math.abs(point[1] - lastY) < FINEST && sense[i + 1] === sense[i]) continue;
+    [lastX, lastY] = point;
+    leg.points.push(point);
     leg.headings.push(path[3 * i + 5]!);
   }
   return legs;

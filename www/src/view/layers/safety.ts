@@ -1,11 +1,14 @@
 /** Soft safety space: hatched up to a contour of the distance to the nearest obstacle. */
 import type { Layer, MapFrame } from "parkade";
 import { contours } from "../contour";
+import { vast } from "../heavy";
 import { inMetres, inPixels, pixels, polygonPath, type Frame, type Shown } from "../frame";
 import { hatchPattern } from "../hatch";
 import { fade } from "../tokens";
 
 const NECESSARY = 2;
+/** Cells whose contour would take long to follow. */
+const TOO_MANY = 200_000;
 
 interface Zone { safety: Layer; clearance: Layer | undefined; map: MapFrame; area: Path2D }
 
@@ -16,6 +19,7 @@ export class SafetyLayer {
     const safety = result?.layers.safety;
     if (!safety) return;
     const { ctx, tokens: { colour } } = frame;
+    if (safety.data.length > TOO_MANY && vast()?.drawKinds(frame, safety, [1, NECESSARY], fade(colour.t1, 0.28))) return;
     const area = this.areaOf(safety, result.layers.clearance, frame.state.scene.map);
     ctx.save();
     inMetres(frame);

@@ -85,3 +85,39 @@ function converted(error) {
 function describe(error) {
   return error instanceof Error ? error.message : String(error);
 }
+
+/**
+ * wasm-bindgen does not check what it takes for a string.
+ * @param {unknown} value
+ * @param {string} path
+ */
+export function text(value, path) {
+  if (typeof value === "string") return value;
+  throw new ParkadeError(`${path}: must be a string, got ${kind(value)}`, "bad-input", path);
+}
+
+/** @param {unknown} value */
+export function kind(value) {
+  return value === null ? "null" : typeof value;
+}
+
+/**
+ * The typed array itself, or an array's numbers in one; never another number than the given one.
+ * @template {Float64Array | Int8Array | Uint32Array} T
+ * @param {{ new (values: number[]): T }} Numbers
+ * @param {unknown} values
+ * @param {string} path
+ */
+export function numbers(Numbers, values, path) {
+  if (values instanceof Numbers) return values;
+  if (!Array.isArray(values)) {
+    throw new ParkadeError(`${path}: must be an array of numbers, got ${kind(values)}`, "bad-input", path);
+  }
+  const typed = new Numbers(values.map((value) => (typeof value === "number" ? value : Number.NaN)));
+  const changed = typed.findIndex((value, index) => value !== values[index] && !Number.isNaN(values[index]));
+  if (changed >= 0) {
+    const at = `${path}[${changed}]`;
+    throw new ParkadeError(`${at}: must be a number that fits, got ${String(values[changed])}`, "bad-input", at);
+  }
+  return typed;
+}

@@ -1,0 +1,330 @@
+//! Speeds along a route: limits, a forward and a backward pass, standstill at gear changes.
+
+use super::route::{Route, Run};
+use super::scurve;
+use crate::error::{Error, ErrorCode};
+use crate::geometry::math;
+use crate::json;
+use crate::vehicle::Vehicle;
+
+/// Neighbouring legs up to this length are samples of a changing curvature, not steps of it, metres.
+const SAMPLE: f64 = 0.25;
+/// `slow` keeps to this speed, m/s, …
+const SLOW: f64 = 0.5;
+/// … this near to a step of the curvature, metres.
+const NEAR_STEP: f64 = 0.5;
+
+/// How the speed comes about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Profile {
+    /// From standstill to standstill within all limits.
+    #[default]
+    Limited,
+    /// Constant: the parking paper's, with `speed` 2 and no `dwell`.
+    Constant,
+}
+
+json::words!(Profile: "limited" = Limited, "constant" = Constant);
+
+/// What happens where the curvature steps inside a run; the wheel cannot step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Steps {
+    /// The speed is kept; the wheel begins to turn before the step, and may come late where steps follow each other closely.
+    #[default]
+    Preview,
+    /// At most 0.5 m/s within 0.5 m of a step, and slow enough everywhere for the wheel to keep up.
+    Slow,
+}
+
+json::words!(Steps: "preview" = Preview, "slow" = Slow);
+
+/// What a trajectory keeps to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Limits {
+    /// How the speed comes about.
+    pub profile: Profile,
+    /// Largest speed, m/s, 0.01 to 100.
+    pub speed: f64,
+    /// Largest acceleration, m/s², 0.01 to 100.
+    pub acceleration: f64,
+    /// Largest deceleration, m/s², 0.01 to 100.
+    pub deceleration: f64,
+    /// Largest lateral acceleration v²·|κ|, m/s², 0.01 to 100.
+    pub lateral_acceleration: f64,
+    /// Largest jerk, m/s³, 0.01 to 1000; no limit where absent. Each run then has one peak of speed, below the lowest limit
+    /// along it; goes with `preview` only.
+    pub jerk: Option<f64>,
+    /// What happens where the curvature steps inside a run.
+    pub steps: Steps,
+    /// Whether the wheel is turned at standstill at the start and at gear changes.
+    pub dwell: bool,
+    /// Largest time between two rows, seconds, 0.001 to 10.
+    pub dt: f64,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self {
+            profile: Profile::Limited,
+            speed: 2.0,
+            acceleration: 1.0,
+            deceleration: 1.5,
+            lateral_acceleration: 1.5,
+            jerk: None,
+            steps: Steps::Preview,
+            dwell: true,
+            dt: 0.05,
+        }
+    }
+}
+
+json::settings! {
+    Limits:
+    "profile" = profile,
+    "speed" = speed,
+    "acceleration" = acceleration,
+    "deceleration" = deceleration,
+    "lateralAcceleration" = lateral_acceleration,
+    "jerk" = jerk,
+    "steps" = steps,
+    "dwell" = dwell,
+    "dt" = dt,
+}
+
+/// Refuses a setting outside its range.
+pub(super) fn within(path: &str, value: f64, low: f64, high: f64) -> Result<(), Error> {
+    if (low..=high).contains(&value) {
+        return Ok(());
+    }
+    Err(Error::new(ErrorCode::Config, path, format!("must be between {low} and {high}, got {value}")))
+}
+
+impl Limits {
+    /// The parking paper's driving: 2 m/s throughout, its time is the length by that.
+    pub fn paper() -> Self {
+        Self { profile: Profile::Constant, dwell: false, ..Self::default() }
+    }
+
+    /// On roads: 10 m/s, 2 m/s² sideways, no stop to turn the wheel.
+    pub fn road() -> Self {
+        Self {
+            speed: 10.0,
+            acceleration: 1.5,
+            deceleration: 2.0,
+            lateral_acceleration: 2.0,
+            dwell: false,
+            ..Self::default()
+        }
+    }
+
+    /// Checks every limit.
+    ///
+    /// # Errors
+    /// [`ErrorCode::Config`] with the field and the rule.
+    pub fn validate(&self) -> Result<(), Error> {
+        within("speed", self.speed, 0.01, 100.0)?;
+        within("acceleration", self.acceleration, 0.01, 100.0)?;
+        within("deceleration", self.deceleration, 0.01, 100.0)?;
+        within("lateralAcceleration", self.lateral_acceleration, 0.01, 100.0)?;
+        within("jerk", self.jerk.unwrap_or(1.0), 0.01, 1000.0)?;
+        if self.jerk.is_some() && self.steps == Steps::Slow {
+            return Err(Error::new(
+                ErrorCode::Config,
+                "steps",
+                "must be preview where there is a jerk limit",
+            ));
+        }
+        within("dt", self.dt, 0.001, 10.0)
+    }
+}
+
+/// A time of constant jerk.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Phase {
+    pub(super) time: f64,
+    pub(super) duration: f64,
+    pub(super) station: f64,
+    pub(super) speed: f64,
+    pub(super) acceleration: f64,
+    pub(super) jerk: f64,
+    pub(super) run: usize,
+}
+
+impl Phase {
+    /// Station, speed and acceleration after `t` seconds of it.
+    pub(super) fn after(&self, t: f64) -> (f64, f64, f64) {
+        let (v, a, j) = (self.speed, self.acceleration, self.jerk);
+        let station = self.station + t * (v + t * (a / 2.0 + t * j / 6.0));
+        (station, (v + t * (a + t * j / 2.0)).max(0.0), a + t * j)
+    }
+}
+
+/// Speeds along a route, in time.
+#[derive(Debug, Clone)]
+pub struct Motion {
+    pub(super) phases: Vec<Phase>,
+    /// When each run begins to move and when it has ended, seconds.
+    pub(super) runs: Vec<(f64, f64)>,
+    pub(super) duration: f64,
+    pub(super) dwell: f64,
+}
+
+impl Motion {
+    /// Drives `route` within `limits`; the wheel is straight at first.
+    ///
+    /// # Errors
+    /// As [`Limits::validate`].
+    pub fn new(vehicle: &Vehicle, route: &Route, limits: &Limits) -> Result<Self, Error> {
+        limits.validate()?;
+        let mut motion = Self { phases: Vec::new(), runs: Vec::new(), duration: 0.0, dwell: 0.0 };
+        let mut steering = 0.0;
+        for (index, run) in route.runs.iter().enumerate() {
+            let wanted = angle(vehicle, route.legs[run.first].curvature);
+            if limits.dwell && (wanted - steering).abs() > 1e-9 {
+                let duration = (wanted - steering).abs() / vehicle.max_steer_rate;
+                motion.push(index, &[Phase { duration, station: run.from, ..Phase::default() }]);
+                motion.dwell += duration;
+            }
+            steering = angle(vehicle, route.legs[run.end - 1].curvature);
+            let from = motion.duration;
+            let at = (from, run.from);
+            match (limits.profile, limits.jerk) {
+                (Profile::Constant, _) => {
+                    let duration = (run.to - run.from) / limits.speed;
+                    let phase =
+                        Phase { duration, station: run.from, speed: limits.speed, ..Phase::default() };
+                    motion.push(index, &[phase]);
+                }
+                (Profile::Limited, Some(jerk)) => {
+                    let top =
+                        zones(vehicle, route, run, limits).iter().fold(limits.speed, |top, z| top.min(z.1));
+                    motion.push(index, &scurve::phases(limits, jerk, top, run.to - run.from, at));
+                }
+                (Profile::Limited, None) => {
+                    motion.push(index, &passes(&zones(vehicle, route, run, limits), limits, run));
+                }
+            }
+            motion.runs.push((from, motion.duration));
+        }
+        Ok(motion)
+    }
+
+    fn push(&mut self, run: usize, phases: &[Phase]) {
+        for phase in phases {
+            self.phases.push(Phase { time: self.duration, run, ..*phase });
+            self.duration += phase.duration;
+        }
+    }
+
+    /// The time of the whole drive, seconds.
+    pub fn duration(&self) -> f64 {
+        self.duration
+    }
+
+    /// Station, speed and acceleration at a time.
+    pub(super) fn at(&self, time: f64) -> (f64, f64, f64) {
+        let after = self.phases.partition_point(|p| p.time <= time);
+        self.phases
+            .get(after.max(1) - 1)
+            .map_or((0.0, 0.0, 0.0), |p| p.after((time - p.time).clamp(0.0, p.duration)))
+    }
+}
+
+/// The steering angle of a curvature, radians.
+pub(super) fn angle(vehicle: &Vehicle, curvature: f64) -> f64 {
+    math::atan(vehicle.wheelbase * curvature)
+}
+
+/// The wheel is turned for the curvature this far ahead, seconds: half the time from straight to full lock, so that a
+/// step of the curvature falls into the middle of the wheel's turn and leaves no heading error.
+pub(super) fn preview(vehicle: &Vehicle) -> f64 {
+    vehicle.max_steer / vehicle.max_steer_rate / 2.0
+}
+
+/// Stretches of one speed limit: where each ends and its limit.
+///
+/// The wheel's turn for a step of the curvature lies half before and half after the step; a leg has to be long enough for
+/// the halves at its two ends. On samples of a changing curvature that is the limit δ̇ / |dδ/ds|, which always holds.
+fn zones(vehicle: &Vehicle, route: &Route, run: &Run, limits: &Limits) -> Vec<(f64, f64)> {
+    let legs = &route.legs[run.first..run.end];
+    let turn = |i: usize| {
+        (angle(vehicle, legs[i].curvature) - angle(vehicle, legs[i - 1].curvature)).abs()
+            / vehicle.max_steer_rate
+    };
+    let slow = limits.steps == Steps::Slow;
+    let short = |i: usize| legs.get(i).is_some_and(|leg| leg.length <= SAMPLE);
+    let sampled = |i: usize| short(i) && (short(i + 1) || i > 0 && short(i - 1));
+    let mut zones = Vec::new();
+    for (i, leg) in legs.iter().enumerate() {
+        let before = if i > 0 { turn(i) } else { 0.0 };
+        let after = if i + 1 < legs.len() { turn(i + 1) } else { 0.0 };
+        let lateral = (limits.lateral_acceleration / leg.curvature.abs()).sqrt();
+        let wheel = if slow || sampled(i) { 2.0 * leg.length / (before + after) } else { f64::INFINITY };
+        let end = if i + 1 < legs.len() { leg.station + leg.length } else { run.to };
+        zones.push((end, limits.speed.min(lateral).min(wheel)));
+    }
+    let zones = route
+        .slow
+        .iter()
+        .fold(zones, |zones, &(from, to, speed)| lowered(&zones, run.from, (from, to), speed));
+    let steps = legs.windows(2).filter(|pair| slow && pair[0].length.max(pair[1].length) > SAMPLE);
+    steps.fold(zones, |zones, pair| {
+        let at = pair[1].station;
+        lowered(&zones, run.from, (at - NEAR_STEP, at + NEAR_STEP), SLOW)
+    })
+}
+
+/// The same zones with at most `speed` between two stations.
+fn lowered(zones: &[(f64, f64)], start: f64, (from, to): (f64, f64), speed: f64) -> Vec<(f64, f64)> {
+    let mut parts = Vec::new();
+    let mut at = start;
+    for &(end, limit) in zones {
+        for (until, limit) in [(from, limit), (to, limit.min(speed)), (end, limit)] {
+            let until = until.min(end);
+            if until > at {
+                parts.push((until, limit));
+                at = until;
+            }
+        }
+    }
+    parts
+}
+
+/// The fastest speeds from rest to rest through the zones: a forward pass, a backward pass, then at most three phases in
+/// each zone.
+fn passes(zones: &[(f64, f64)], limits: &Limits, run: &Run) -> Vec<Phase> {
+    let (up, down) = (limits.acceleration, limits.deceleration);
+    let length = |i: usize| zones[i].0 - if i == 0 { run.from } else { zones[i - 1].0 };
+    // Squared speeds at the ends of the zones.
+    let mut square = vec![0.0; zones.len() + 1];
+    for i in 0..zones.len() {
+        let next = zones.get(i + 1).map_or(0.0, |z| z.1);
+        let top = zones[i].1.min(next);
+        square[i + 1] = (square[i] + 2.0 * up * length(i)).min(top * top);
+    }
+    for i in (0..zones.len()).rev() {
+        square[i] = (square[i + 1] + 2.0 * down * length(i)).min(square[i]);
+    }
+    let mut phases = Vec::new();
+    for (i, &(end, limit)) in zones.iter().enumerate() {
+        let (from, to, length) = (square[i], square[i + 1], length(i));
+        let meet = (2.0 * up * down * length + down * from + up * to) / (up + down);
+        let peak = meet.min(limit * limit).max(from).max(to);
+        let (rise, fall) = ((peak - from) / (2.0 * up), (peak - to) / (2.0 * down));
+        let cruise = length - rise - fall;
+        let (v0, v1, top) = (from.sqrt(), to.sqrt(), peak.sqrt());
+        let start = end - length;
+        let parts = [
+            (start, v0, up, (top - v0) / up),
+            (start + rise, top, 0.0, cruise / top),
+            (end - fall, top, -down, (top - v1) / down),
+        ];
+        for (station, speed, acceleration, duration) in parts {
+            // Shorter times are rounding.
+            if duration > 1e-9 {
+                phases.push(Phase { duration, station, speed, acceleration, ..Phase::default() });
+            }
+        }
+    }
+    phases
+}

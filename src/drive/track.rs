@@ -1,0 +1,217 @@
+//! A simulated car follows a route in closed loop: how far a real one would stray.
+//!
+//! A kinematic bicycle whose wheel turns at a limited rate, driven at the trajectory's speeds, so that only steering is
+//! judged.
+
+use super::motion::{Limits, Motion, angle, preview};
+use super::route::{Route, Run};
+use super::trajectory::hash;
+use crate::error::Error;
+use crate::geometry::{Point, Pose, math};
+use crate::json;
+use crate::metrics::Body;
+use crate::scenario::resolve::Owner;
+use crate::vehicle::Vehicle;
+
+/// Time step, seconds.
+const STEP: f64 = 0.005;
+/// What counts as following: metres sideways, metres and radians at the end.
+const PASS: [f64; 3] = [0.10, 0.10, 0.05];
+/// Every so many steps a row is kept.
+const KEPT: u32 = 10;
+
+/// What turns the wheel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Controller {
+    /// Curvature ahead, corrected by heading and lateral error.
+    #[default]
+    Feedback,
+    /// Heads for the point max(1.5 m, 1 s) ahead on the route.
+    PurePursuit,
+    /// Lateral error of the leading axle, by the arc tangent of its ratio to the speed (Stanley).
+    Stanley,
+}
+
+json::words!(Controller: "feedback" = Feedback, "pure-pursuit" = PurePursuit, "stanley" = Stanley);
+
+/// How well a car followed.
+#[derive(Debug, Clone)]
+pub struct Tracking {
+    /// Seconds, one per row.
+    pub t: Vec<f64>,
+    /// Where the car was.
+    pub poses: Vec<Pose>,
+    /// How far to the left of the route, metres.
+    pub lateral: Vec<f64>,
+    /// Wheel angle, radians.
+    pub steering: Vec<f64>,
+    /// Largest |lateral error|, metres.
+    pub max_lateral: f64,
+    /// Largest |heading error|, radians.
+    pub max_heading: f64,
+    /// Between the last pose and the route's end, metres.
+    pub end_distance: f64,
+    /// Between the last heading and the route's, radians.
+    pub end_heading: f64,
+    /// What the body overlapped first, and where.
+    pub hit: Option<(Owner, Pose)>,
+}
+
+impl Tracking {
+    /// FNV-1a-64 over all columns, as 16 hex digits: equal on every platform.
+    pub fn hash(&self) -> String {
+        let poses = self.poses.iter().flat_map(|p| [p.x, p.y, p.heading]);
+        hash(poses.chain([&self.t, &self.lateral, &self.steering].into_iter().flatten().copied()))
+    }
+
+    /// Whether the route was followed: at most 0.10 m to the side, 0.10 m and 0.05 rad off at the end, no hit.
+    pub fn passes(&self) -> bool {
+        let worst = [self.max_lateral, self.end_distance, self.end_heading];
+        self.hit.is_none() && worst.iter().zip(PASS).all(|(got, most)| *got <= most)
+    }
+}
+
+struct Car {
+    pose: Pose,
+    steering: f64,
+    /// Of the nearest point of the route.
+    station: f64,
+}
+
+/// Errors to the nearest point of a run.
+struct Errors {
+    lateral: f64,
+    heading: f64,
+}
+
+/// Lets a car follow `route` at the speeds of `limits`, the wheel straight at first; `body` tells what it hits.
+///
+/// # Errors
+/// As [`Limits::validate`].
+pub fn track(
+    vehicle: &Vehicle,
+    body: &Body,
+    route: &Route,
+    limits: &Limits,
+    controller: Controller,
+) -> Result<Tracking, Error> {
+    let motion = Motion::new(vehicle, route, limits)?;
+    let start = route.pose(0.0);
+    let mut car = Car { pose: start, steering: 0.0, station: 0.0 };
+    let mut log = Tracking {
+        t: Vec::new(),
+        poses: Vec::new(),
+        lateral: Vec::new(),
+        steering: Vec::new(),
+        max_lateral: 0.0,
+        max_heading: 0.0,
+        end_distance: 0.0,
+        end_heading: 0.0,
+        hit: None,
+    };
+    let mut standing = 0.0;
+    for (index, run) in route.runs.iter().enumerate() {
+        let (from, to) = motion.runs[index];
+        car.station = run.from;
+        let mut step = |from: f64, to: f64, count: u32| {
+            for k in 0..count {
+                let at = |k: u32| from + (to - from) * f64::from(k) / f64::from(count);
+                let (t, dt) = (at(k), at(k + 1) - at(k));
+                let errors = nearest(route, run, &mut car);
+                log.max_lateral = log.max_lateral.max(errors.lateral.abs());
+                log.max_heading = log.max_heading.max(errors.heading.abs());
+                if k % KEPT == 0 {
+                    log.t.push(t);
+                    log.poses.push(car.pose);
+                    log.lateral.push(errors.lateral);
+                    log.steering.push(car.steering);
+                }
+                let (station, speed, _) = motion.at(t);
+                let driven = (motion.at(at(k + 1)).0 - station).max(0.0);
+                let wanted = command(vehicle, route, run, &car, &errors, speed, controller);
+                let before = car.steering;
+                let most = vehicle.max_steer_rate * dt;
+                car.steering +=
+                    (wanted.clamp(-vehicle.max_steer, vehicle.max_steer) - before).clamp(-most, most);
+                let curvature = math::tan(f64::midpoint(before, car.steering)) / vehicle.wheelbase;
+                car.pose = car.pose.advance(curvature, run.gear * driven);
+                if log.hit.is_none() && driven > 0.0 {
+                    log.hit = body.hit(car.pose).map(|owner| (owner, car.pose));
+                }
+            }
+        };
+        step(standing, from, steps(from - standing));
+        step(from, to, steps(to - from));
+        standing = to;
+    }
+    if let Some(run) = route.runs.last() {
+        let errors = nearest(route, run, &mut car);
+        log.max_lateral = log.max_lateral.max(errors.lateral.abs());
+        log.lateral.push(errors.lateral);
+    } else {
+        log.lateral.push(0.0);
+    }
+    log.t.push(motion.duration());
+    log.poses.push(car.pose);
+    log.steering.push(car.steering);
+    let goal = route.pose(route.length());
+    log.end_distance = (car.pose.point() - goal.point()).norm();
+    log.end_heading = math::turn(goal.heading, car.pose.heading).abs();
+    Ok(log)
+}
+
+fn steps(time: f64) -> u32 {
+    (time / STEP - 1e-6).ceil().max(0.0) as u32
+}
+
+/// Moves the car's station on to the nearest point of the run, never back.
+fn nearest(route: &Route, run: &Run, car: &mut Car) -> Errors {
+    let mut pose = route.pose_in(run, car.station);
+    for _ in 0..4 {
+        let ahead = (car.pose.point() - pose.point()).dot(&pose.direction()) * run.gear;
+        let station = (car.station + ahead).clamp(car.station, run.to);
+        if station - car.station < 1e-9 {
+            break;
+        }
+        car.station = station;
+        pose = route.pose_in(run, station);
+    }
+    let local = pose.to_local(car.pose.point());
+    Errors { lateral: local.y, heading: math::turn(pose.heading, car.pose.heading) }
+}
+
+/// The wheel angle that a controller asks for, radians.
+fn command(
+    vehicle: &Vehicle,
+    route: &Route,
+    run: &Run,
+    car: &Car,
+    errors: &Errors,
+    speed: f64,
+    controller: Controller,
+) -> f64 {
+    let ahead = route.curvature_in(run, (car.station + preview(vehicle) * speed).min(run.to));
+    match controller {
+        Controller::Feedback => {
+            angle(vehicle, ahead - run.gear * 1.6 * errors.heading - 0.64 * errors.lateral)
+        }
+        Controller::PurePursuit => {
+            let target = route.pose_in(run, car.station + speed.max(1.5));
+            let local = car.pose.to_local(target.point());
+            angle(vehicle, 2.0 * local.y / local.coords.norm_squared().max(0.01))
+        }
+        Controller::Stanley => {
+            let pace = speed.max(0.3);
+            if run.gear < 0.0 {
+                return angle(vehicle, ahead) + errors.heading - math::atan(errors.lateral / pace);
+            }
+            let pose = route.pose_in(run, car.station);
+            let wheel = angle(vehicle, route.curvature_in(run, car.station));
+            let axle = Point::new(vehicle.wheelbase, 0.0);
+            let way = Pose { heading: pose.heading + wheel, ..pose };
+            let off = car.pose.to_world(axle) - pose.to_world(axle);
+            let lateral = way.direction().perp(&off);
+            angle(vehicle, ahead) - errors.heading - math::atan(lateral / pace)
+        }
+    }
+}

@@ -1,0 +1,251 @@
+//! Cubic B-splines fitted to points: as smooth as a given residual allows.
+//!
+//! Clamped uniform knots; the sum of weighted squared residuals plus λ times that of the control points' third differences
+//! is least (penalised splines, Eilers & Marx 1996). The matrix is banded, so a fit costs what its points cost.
+
+use super::{Point, Vector};
+
+/// Steps of the bisection for λ, and the powers of ten between which it looks.
+const STEPS: u32 = 24;
+const POWERS: (f64, f64) = (-4.0, 7.0);
+
+/// A cubic B-spline over u from 0 to 1.
+#[derive(Debug, Clone)]
+pub struct Spline {
+    controls: Vec<Point>,
+}
+
+/// A place on a spline.
+#[derive(Debug, Clone, Copy)]
+pub struct Place {
+    /// Where.
+    pub point: Point,
+    /// Derivatives by u.
+    pub first: Vector,
+    /// Of the second order.
+    pub second: Vector,
+}
+
+impl Place {
+    /// Signed curvature, 1/m, positive to the left.
+    pub fn curvature(&self) -> f64 {
+        let speed = self.first.norm();
+        self.first.perp(&self.second) / (speed * speed * speed)
+    }
+}
+
+impl Spline {
+    /// The smoothest spline with `count` (at least 4) control points whose root mean square distance from `points` is at
+    /// most `sigma` metres, ends met exactly; the closest one where none is as close. `at[i]` is the u of point i.
+    pub fn fit(points: &[Point], at: &[f64], weights: &[f64], count: usize, sigma: f64) -> Self {
+        let rows: Vec<(usize, [f64; 4])> = at.iter().map(|&u| basis(count, u)).collect();
+        let solve = |power: f64| Self { controls: controls(points, &rows, weights, count, power10(power)) };
+        let (mut low, mut high) = POWERS;
+        let mut best = solve(high);
+        if best.residual(points, at) <= sigma {
+            return best;
+        }
+        best = solve(low);
+        for _ in 0..STEPS {
+            let middle = f64::midpoint(low, high);
+            let next = solve(middle);
+            if next.residual(points, at) <= sigma {
+                (low, best) = (middle, next);
+            } else {
+                high = middle;
+            }
+        }
+        best
+    }
+
+    /// The place at u.
+    pub fn at(&self, u: f64) -> Place {
+        let n = self.controls.len();
+        let (first, values) = bases(n, u, 3);
+        let zeroth = [0, 1, 2, 3].map(|k| self.controls[first + k].coords);
+        // Control point k of a derivative depends on two of the function's.
+        let derived = |controls: &[Vector], degree: usize, k: usize| {
+            let i = first + k + 4 - degree;
+            (controls[k + 1] - controls[k]) * (degree as f64 / (knot(n, i + degree) - knot(n, i)))
+        };
+        let slopes = [0, 1, 2].map(|k| derived(&zeroth, 3, k));
+        let bends = [0, 1].map(|k| derived(&slopes, 2, k));
+        let sum = |controls: &[Vector], values: [f64; 4]| {
+            controls.iter().zip(values).fold(Vector::zeros(), |sum, (c, v)| sum + c * v)
+        };
+        Place {
+            point: Point::from(sum(&zeroth, values)),
+            first: sum(&slopes, bases(n, u, 2).1),
+            second: sum(&bends, bases(n, u, 1).1),
+        }
+    }
+
+    /// Root mean square distance from points, metres.
+    pub fn residual(&self, points: &[Point], at: &[f64]) -> f64 {
+        let rows = at.iter().map(|&u| basis(self.controls.len(), u));
+        let sum = points.iter().zip(rows).fold(0.0, |sum, (point, (first, values))| {
+            let near = (0..4).fold(Vector::zeros(), |s, k| s + self.controls[first + k].coords * values[k]);
+            sum + (near - point.coords).norm_squared()
+        });
+        (sum / points.len() as f64).sqrt()
+    }
+}
+
+/// 10 to a power.
+fn power10(power: f64) -> f64 {
+    super::math::exp(power * core::f64::consts::LN_10)
+}
+
+/// Knot i of a clamped uniform cubic spline with n control points.
+fn knot(n: usize, i: usize) -> f64 {
+    (i.clamp(3, n) - 3) as f64 / (n - 3) as f64
+}
+
+fn basis(n: usize, u: f64) -> (usize, [f64; 4]) {
+    bases(n, u, 3)
+}
+
+/// The functions of a degree that do not vanish at u: which control point the cubic ones begin with, and their values.
+fn bases(n: usize, u: f64, degree: usize) -> (usize, [f64; 4]) {
+    let span = ((u * (n - 3) as f64).floor().clamp(0.0, (n - 4) as f64)) as usize + 3;
+    let mut values = [1.0, 0.0, 0.0, 0.0];
+    for d in 1..=degree {
+        let mut saved = 0.0;
+        for (r, value) in values[..d].iter_mut().enumerate() {
+            let (right, left) = (knot(n, span + r + 1), knot(n, span + r + 1 - d));
+            let share = *value / (right - left);
+            *value = saved + (right - u) * share;
+            saved = (u - left) * share;
+        }
+        values[d] = saved;
+    }
+    (span - 3, values)
+}
+
+/// Solves for the inner control points; the outer two are the ends.
+fn controls(
+    points: &[Point],
+    rows: &[(usize, [f64; 4])],
+    weights: &[f64],
+    n: usize,
+    lambda: f64,
+) -> Vec<Point> {
+    // Lower half of the banded matrix: band[i][k] couples i with i − k.
+    let mut band = vec![[0.0; 4]; n];
+    let mut right = vec![Vector::zeros(); n];
+    let mut add = |first: usize, values: &[f64; 4], weight: f64, target: Vector| {
+        for a in 0..4 {
+            right[first + a] += target * (weight * values[a]);
+            for b in 0..=a {
+                band[first + a][a - b] += weight * values[a] * values[b];
+            }
+        }
+    };
+    for ((point, (first, values)), &weight) in points.iter().zip(rows).zip(weights) {
+        add(*first, values, weight, point.coords);
+    }
+    for first in 0..n - 3 {
+        add(first, &[-1.0, 3.0, -3.0, 1.0], lambda, Vector::zeros());
+    }
+    let ends = [(0, points[0].coords), (n - 1, points[points.len() - 1].coords)];
+    for (fixed, value) in ends {
+        let around = fixed.saturating_sub(3)..(fixed + 4).min(n);
+        for (other, sum) in right.iter_mut().enumerate().take(around.end).skip(around.start) {
+            let (high, low) = (fixed.max(other), fixed.min(other));
+            let coupling = std::mem::take(&mut band[high][high - low]);
+            *sum -= value * coupling;
+        }
+        band[fixed][0] = 1.0;
+        right[fixed] = value;
+    }
+    // Cholesky in place, then both substitutions.
+    for i in 0..n {
+        for k in (0..=i.min(3)).rev() {
+            let j = i - k;
+            let mut sum = band[i][k];
+            for m in i.saturating_sub(3)..j {
+                if j - m <= 3 {
+                    sum -= band[i][i - m] * band[j][j - m];
+                }
+            }
+            band[i][k] = if k == 0 { sum.max(1e-300).sqrt() } else { sum / band[j][0] };
+        }
+    }
+    for i in 0..n {
+        for m in i.saturating_sub(3)..i {
+            let known = right[m];
+            right[i] -= known * band[i][i - m];
+        }
+        right[i] /= band[i][0];
+    }
+    for i in (0..n).rev() {
+        for m in i + 1..(i + 4).min(n) {
+            let known = right[m];
+            right[i] -= known * band[m][m - i];
+        }
+        right[i] /= band[i][0];
+    }
+    right.into_iter().map(Point::from).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::math;
+
+    fn wave(sigma: f64) -> (Vec<Point>, Vec<f64>, Spline) {
+        let at: Vec<f64> = (0..=100).map(|i| f64::from(i) / 100.0).collect();
+        let points: Vec<Point> = at
+            .iter()
+            .map(|u| Point::new(100.0 * u, 2.0 * math::sin(9.0 * u) + 0.1 * math::sin(400.0 * u)))
+            .collect();
+        let spline = Spline::fit(&points, &at, &[1.0; 101], 30, sigma);
+        (points, at, spline)
+    }
+
+    #[test]
+    fn ends_are_met_and_the_residual_is_used_up() {
+        for sigma in [0.1, 0.3, 1.0] {
+            let (points, at, spline) = wave(sigma);
+            assert!((spline.at(0.0).point - points[0]).norm() < 1e-9);
+            assert!((spline.at(1.0).point - points[100]).norm() < 1e-9);
+            let residual = spline.residual(&points, &at);
+            assert!(residual <= sigma && residual > 0.95 * sigma, "{sigma}: {residual}");
+        }
+    }
+
+    #[test]
+    fn a_line_stays_a_line() {
+        let at: Vec<f64> = (0..=20).map(|i| f64::from(i) / 20.0).collect();
+        let points: Vec<Point> = at.iter().map(|u| Point::new(7.0 * u, 1.0 + u)).collect();
+        let spline = Spline::fit(&points, &at, &[1.0; 21], 6, 0.1);
+        for u in [0.0, 0.13, 0.5, 1.0] {
+            let place = spline.at(u);
+            assert!((place.point.y - 1.0 - place.point.x / 7.0).abs() < 1e-9, "{place:?}");
+            assert!(place.curvature().abs() < 1e-6);
+        }
+    }
+
+    #[test]
+    fn derivatives_are_those_of_the_curve() {
+        let (_, _, spline) = wave(0.1);
+        let step = 1e-5;
+        for k in 1..50 {
+            let u = f64::from(k) / 50.0;
+            let (before, here, after) = (spline.at(u - step), spline.at(u), spline.at(u + step));
+            let first = (after.point - before.point) / (2.0 * step);
+            let second = (after.first - before.first) / (2.0 * step);
+            assert!((first - here.first).norm() < 1e-3 * here.first.norm(), "{u}: {first} {}", here.first);
+            assert!((second - here.second).norm() < 0.02 * (1.0 + here.second.norm()), "{u}");
+        }
+    }
+
+    #[test]
+    fn heavy_points_are_passed_closer() {
+        let (points, at, _) = wave(1.0);
+        let mut weights = [1.0; 101];
+        weights[50] = 1e4;
+        let heavy = Spline::fit(&points, &at, &weights, 30, 1.0);
+        assert!((heavy.at(0.5).point - points[50]).norm() < 0.05);
+    }
+}

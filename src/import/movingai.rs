@@ -1,0 +1,177 @@
+//! `MovingAI` grid maps and their questions (Sturtevant 2012): `.map` and `.scen`.
+//!
+//! A map's first line is the northern row; `.`, `G` and `S` are free, `@`, `O`, `T` and `W` are blocked. Questions count
+//! rows from the north; a cell is a metre, and the centre of the south-western one is the origin, unless asked otherwise.
+
+use super::lines::{Line, Lines, at, quoted};
+use super::{File, Imported, Options, Question, Raster, base, lattice, poses};
+use crate::error::{Error, ErrorCode};
+use crate::map::{Cell, Frame, Occupancy};
+use crate::scenario::generate::CART;
+use crate::scenario::{MAX_CELLS, MapFrame, VehicleSpec};
+use crate::vehicle::Vehicle;
+
+/// Most questions of one file; the largest published ones have some ten thousand.
+const MAX_QUESTIONS: usize = 1_000_000;
+
+pub(super) fn read(map: Option<File>, scen: Option<File>, options: &Options) -> Result<Imported, Error> {
+    let Some(map_file) = map else {
+        let name = scen.map_or("files", |f| f.name);
+        return Err(Error::new(ErrorCode::Import, name, "must come with the .map file that it names"));
+    };
+    let map = read_map(map_file)?;
+    let side = options.resolution.unwrap_or(1.0);
+    let origin = [-0.5 * side; 2];
+    let frame =
+        MapFrame { origin, width: map.width(), height: map.height(), resolution: side, boundary: None };
+    let questions = match scen {
+        Some(scen) => read_questions(scen, map_file.name, &map, &lattice(&frame))?,
+        None => Vec::new(),
+    };
+    let ends = match questions.get(options.query) {
+        Some(question) => Some(question.ends),
+        None if questions.is_empty() && options.query == 0 => None,
+        None => {
+            let rule = format!("must be below {}, got {}", questions.len(), options.query);
+            return Err(Error::new(ErrorCode::Input, "query", rule));
+        }
+    };
+    let vehicle = options.vehicle.clone().unwrap_or_else(|| VehicleSpec::Custom(cart(side)));
+    let scene = Raster { map, frame, vehicle }.scene(ends, map_file.name)?;
+    let queries = questions.into_iter().map(|q| q.question).collect();
+    Ok(Imported { format: "movingai", scenes: vec![scene], queries, notes: Vec::new() })
+}
+
+/// A car that fits between cells of `side` metres.
+fn cart(side: f64) -> Vehicle {
+    Vehicle {
+        wheelbase: CART.wheelbase * side,
+        width: CART.width * side,
+        rear_to_front: CART.rear_to_front * side,
+        rear_to_back: CART.rear_to_back * side,
+        ..CART
+    }
+}
+
+/// The cells of a `.map` file.
+fn read_map(file: File) -> Result<Occupancy, Error> {
+    let mut lines = Lines::new(file);
+    let first = lines.need("\"type octile\"")?;
+    match first.text()?.split_ascii_whitespace().collect::<Vec<_>>()[..] {
+        ["type", "octile" | "tile"] => {}
+        _ => return Err(first.error(format!("must be \"type octile\", got {}", quoted(first.text()?)))),
+    }
+    let (mut width, mut height) = (None, None);
+    loop {
+        let line = lines.need("\"height\", \"width\" or \"map\"")?;
+        let words: Vec<&str> = line.text()?.split_ascii_whitespace().collect();
+        match words[..] {
+            ["height", text] => height = Some(side(&line, "height", text)?),
+            ["width", text] => width = Some(side(&line, "width", text)?),
+            ["map"] => break,
+            _ => {
+                let rule = format!("must be \"height\", \"width\" or \"map\", got {}", quoted(line.text()?));
+                return Err(line.error(rule));
+            }
+        }
+    }
+    let (Some(width), Some(height)) = (width, height) else {
+        let missing = if width.is_none() { "width" } else { "height" };
+        return Err(Error::new(ErrorCode::Import, file.name, format!("must say its {missing}")));
+    };
+    if lines.left() < width as usize * height as usize {
+        let rule = format!("must hold {height} rows of {width} characters, has only {} bytes", lines.left());
+        return Err(Error::new(ErrorCode::Import, file.name, rule));
+    }
+    let mut map = Occupancy::new(width, height);
+    for y in (0..height).rev() {
+        let line = lines.need("a row of the map")?;
+        if line.bytes.len() != width as usize {
+            return Err(line.error(format!("must have {width} characters, got {}", line.bytes.len())));
+        }
+        for (x, &terrain) in line.bytes.iter().enumerate() {
+            match terrain {
+                b'.' | b'G' | b'S' => {}
+                b'@' | b'O' | b'T' | b'W' => map.set(Cell::new(x as i32, y as i32), true),
+                _ => {
+                    let got = char::from(terrain);
+                    return Err(line.error(format!("column {}: must be one of .GS@OTW, got {got:?}", x + 1)));
+                }
+            }
+        }
+    }
+    match lines.find(|line| !line.is_blank()) {
+        Some(line) => Err(line.error(format!("must be the end, after {height} rows"))),
+        None => Ok(map),
+    }
+}
+
+fn side(line: &Line, name: &str, text: &str) -> Result<u32, Error> {
+    let what = format!("1 to {MAX_CELLS}");
+    let cells: u32 = line.number(name, text, &what)?;
+    if (1..=MAX_CELLS).contains(&cells) {
+        Ok(cells)
+    } else {
+        Err(line.error(format!("{name} must be {what}, got {cells}")))
+    }
+}
+
+struct Read {
+    ends: [Cell; 2],
+    question: Question,
+}
+
+fn read_questions(scen: File, map_name: &str, map: &Occupancy, frame: &Frame) -> Result<Vec<Read>, Error> {
+    let mut lines = Lines::new(scen);
+    let first = lines.need("\"version 1\"")?;
+    let mut words = first.text()?.split_ascii_whitespace();
+    let version = (words.next(), words.next().and_then(|v| v.parse::<f64>().ok()), words.next());
+    if version != (Some("version"), Some(1.0), None) {
+        return Err(first.error(format!("must be \"version 1\", got {}", quoted(first.text()?))));
+    }
+    let mut questions = Vec::new();
+    for line in lines.filter(|line| !line.is_blank()) {
+        if questions.len() == MAX_QUESTIONS {
+            return Err(line.error(format!("must be the end, after {MAX_QUESTIONS} questions")));
+        }
+        questions.push(read_question(&line, map_name, map, frame)?);
+    }
+    if questions.is_empty() {
+        return Err(at(scen.name, 2, "must hold a question"));
+    }
+    Ok(questions)
+}
+
+fn read_question(line: &Line, map_name: &str, map: &Occupancy, frame: &Frame) -> Result<Read, Error> {
+    let fields: Vec<&str> = line.text()?.split_ascii_whitespace().collect();
+    let [bucket, name, width, height, x0, y0, x1, y1, length] = fields[..] else {
+        return Err(line.error(format!("must have 9 fields, got {}", fields.len())));
+    };
+    if base(name) != base(map_name) {
+        return Err(line.error(format!("must be about {}, got {}", quoted(base(map_name)), quoted(name))));
+    }
+    for (what, text, cells) in [("width", width, map.width()), ("height", height, map.height())] {
+        if line.number::<u32>(what, text, "a whole number")? != cells {
+            return Err(line.error(format!("{what} must be the map's {cells}, got {}", quoted(text))));
+        }
+    }
+    let cell = |what: [&str; 2], x: &str, y: &str| {
+        let (columns, rows) = (map.width(), map.height());
+        let inside = |name: &str, text: &str, count: u32| {
+            let rule = format!("0 to {}", count - 1);
+            let value: u32 = line.number(name, text, &rule)?;
+            let outside = || line.error(format!("{name} must be {rule}, got {value}"));
+            (value < count).then_some(value).ok_or_else(outside)
+        };
+        let (x, y) = (inside(what[0], x, columns)?, inside(what[1], y, rows)?);
+        Ok(Cell::new(x as i32, (rows - 1 - y) as i32))
+    };
+    let ends = [cell(["start x", "start y"], x0, y0)?, cell(["goal x", "goal y"], x1, y1)?];
+    let bucket = line.number("bucket", bucket, "a whole number from 0")?;
+    let cells: f64 = line.number("length", length, "a number")?;
+    if !(cells.is_finite() && cells >= 0.0) {
+        return Err(line.error(format!("length must be a number from 0, got {}", quoted(length))));
+    }
+    let [start, goal] = poses(frame, ends[0], ends[1]);
+    Ok(Read { ends, question: Question { bucket, start, goal, length: cells * frame.resolution } })
+}

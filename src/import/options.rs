@@ -1,0 +1,91 @@
+//! What is asked of an import.
+
+use serde_json::{Map, Value};
+
+use crate::error::{Error, ErrorCode};
+use crate::scenario::{VehicleSpec, parse};
+
+/// What cells count as of which a map says neither free nor occupied.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Unknown {
+    /// Blocked.
+    #[default]
+    Blocked,
+    /// Free.
+    Free,
+}
+
+/// What is asked of an import.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Options {
+    /// Side of a cell, metres, of maps that do not say; default 1.
+    pub resolution: Option<f64>,
+    /// Which of the questions gives start and goal, from 0.
+    pub query: usize,
+    /// What unknown cells count as.
+    pub unknown: Unknown,
+    /// The car; default: a cart as wide as 0.8 cells for maps of cells, `paper` for maps in metres.
+    pub vehicle: Option<VehicleSpec>,
+}
+
+impl Options {
+    /// Reads options: `resolution`, `query`, `unknown` (`blocked` or `free`), `vehicle`.
+    ///
+    /// # Errors
+    /// [`ErrorCode::Input`] with the field and the rule it breaks.
+    pub fn from_json(fields: &Map<String, Value>) -> Result<Self, Error> {
+        let mut options = Self::default();
+        for (name, value) in fields {
+            let bad = |rule: &str| Error::new(ErrorCode::Input, name, format!("{rule}, got {value}"));
+            match name.as_str() {
+                "resolution" => {
+                    let side = value.as_f64().filter(|v| (0.001..=1000.0).contains(v));
+                    options.resolution = Some(side.ok_or_else(|| bad("must be 0.001 to 1000 m"))?);
+                }
+                "query" => {
+                    let query = value.as_u64().and_then(|v| usize::try_from(v).ok());
+                    options.query = query.ok_or_else(|| bad("must be a whole number from 0"))?;
+                }
+                "unknown" => {
+                    options.unknown = match value.as_str() {
+                        Some("blocked") => Unknown::Blocked,
+                        Some("free") => Unknown::Free,
+                        _ => return Err(bad("must be blocked or free")),
+                    }
+                }
+                "vehicle" => {
+                    let vehicle = parse::vehicle(value).and_then(|v| v.resolve().map(|_| v));
+                    options.vehicle =
+                        Some(vehicle.map_err(|e| Error { code: ErrorCode::Input, ..e.within(name) })?);
+                }
+                _ => {
+                    let rule = "no option of importScene; there are resolution, query, unknown, vehicle";
+                    return Err(Error::new(ErrorCode::Input, name, rule));
+                }
+            }
+        }
+        Ok(options)
+    }
+
+    pub(super) fn refuse_question(&self) -> Result<(), Error> {
+        match self.query {
+            0 => Ok(()),
+            n => {
+                let rule = format!("must be 0 for maps without questions, got {n}");
+                Err(Error::new(ErrorCode::Input, "query", rule))
+            }
+        }
+    }
+
+    /// Files that say everything themselves take no options.
+    pub(super) fn refuse_for_scenes(&self) -> Result<(), Error> {
+        self.refuse_question()?;
+        let refused =
+            |name: &str| Error::new(ErrorCode::Input, name, "must be left out: the file says its own");
+        match (self.resolution, &self.vehicle) {
+            (Some(_), _) => Err(refused("resolution")),
+            (_, Some(_)) => Err(refused("vehicle")),
+            _ => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,226 @@
+//! Reading JSON values, with errors that name the field, however deep it is.
+//!
+//! By hand: serde's tagged and untagged enums forget where inside them an error arose, and derived readers of scenes and
+//! settings would be a quarter of the wasm file. The errors' code is the caller's to set.
+
+use serde_json::{Map, Value};
+
+use crate::error::{Error, ErrorCode};
+
+type Result<T> = core::result::Result<T, Error>;
+
+pub(crate) fn bad<T>(path: &str, message: String) -> Result<T> {
+    Err(Error::new(ErrorCode::Input, path, message))
+}
+
+/// The fields of an object whose keys are all known.
+#[derive(Clone, Copy)]
+pub(crate) struct Fields<'a>(&'a Map<String, Value>);
+
+impl<'a> Fields<'a> {
+    pub(crate) fn of(value: &'a Value, known: &[&str]) -> Result<Self> {
+        let Value::Object(map) = value else { return bad("", format!("must be an object, got {value}")) };
+        match map.keys().find(|k| !known.contains(&k.as_str())) {
+            Some(key) => bad(key, format!("unknown field; there are {}", known.join(", "))),
+            None => Ok(Self(map)),
+        }
+    }
+
+    /// A field that may be absent or null.
+    pub(crate) fn maybe<T>(self, name: &str, read: impl Fn(&'a Value) -> Result<T>) -> Result<Option<T>> {
+        match self.0.get(name) {
+            None | Some(Value::Null) => Ok(None),
+            Some(value) => read(value).map(Some).map_err(|e| e.within(name)),
+        }
+    }
+
+    pub(crate) fn need<T>(self, name: &str, read: impl Fn(&'a Value) -> Result<T>) -> Result<T> {
+        match self.maybe(name, read)? {
+            Some(value) => Ok(value),
+            None => bad(name, "missing field".to_owned()),
+        }
+    }
+}
+
+pub(crate) fn number(value: &Value) -> Result<f64> {
+    value.as_f64().map_or_else(|| bad("", format!("must be a number, got {value}")), Ok)
+}
+
+pub(crate) fn count(value: &Value) -> Result<u32> {
+    let whole = value.as_u64().and_then(|v| u32::try_from(v).ok());
+    whole.map_or_else(|| bad("", format!("must be a whole number from 0, got {value}")), Ok)
+}
+
+pub(crate) fn flag(value: &Value) -> Result<bool> {
+    value.as_bool().map_or_else(|| bad("", format!("must be true or false, got {value}")), Ok)
+}
+
+pub(crate) fn text(value: &Value) -> Result<&str> {
+    value.as_str().map_or_else(|| bad("", format!("must be a string, got {value}")), Ok)
+}
+
+pub(crate) fn owned(value: &Value) -> Result<String> {
+    text(value).map(str::to_owned)
+}
+
+/// One of some words.
+pub(crate) fn word<T: Copy>(choices: &'static [(&'static str, T)]) -> impl Fn(&Value) -> Result<T> {
+    move |value| {
+        if let Some(&(_, choice)) = choices.iter().find(|c| value.as_str() == Some(c.0)) {
+            return Ok(choice);
+        }
+        let known: Vec<_> = choices.iter().map(|c| c.0).collect();
+        bad("", format!("must be {}, got {value}", known.join(" or ")))
+    }
+}
+
+pub(crate) fn list<T>(read: impl Fn(&Value) -> Result<T>) -> impl Fn(&Value) -> Result<Vec<T>> {
+    move |value| {
+        let Value::Array(items) = value else { return bad("", format!("must be an array, got {value}")) };
+        items.iter().enumerate().map(|(i, v)| read(v).map_err(|e| e.within(&format!("[{i}]")))).collect()
+    }
+}
+
+/// Exactly `N` of something.
+pub(crate) fn exactly<T, const N: usize>(
+    read: impl Fn(&Value) -> Result<T>,
+) -> impl Fn(&Value) -> Result<[T; N]> {
+    let all = list(read);
+    move |value| {
+        all(value)?
+            .try_into()
+            .or_else(|items: Vec<T>| bad("", format!("must have {N} items, got {}", items.len())))
+    }
+}
+
+pub(crate) fn object(value: &Value) -> Result<&Map<String, Value>> {
+    value.as_object().map_or_else(|| bad("", format!("must be an object, got {value}")), Ok)
+}
+
+/// A type whose values have names.
+pub(crate) trait Words: Copy + PartialEq + 'static {
+    /// Each value with its name.
+    const WORDS: &'static [(&'static str, Self)];
+}
+
+/// Names the values of an enum.
+macro_rules! words {
+    ($type:ty: $($word:literal = $variant:ident),+ $(,)?) => {
+        impl $crate::json::Words for $type {
+            const WORDS: &'static [(&'static str, Self)] = &[$(($word, Self::$variant)),+];
+        }
+    };
+}
+pub(crate) use words;
+
+/// A value inside a config.
+pub(crate) trait Setting {
+    /// Takes its value from JSON.
+    fn read(&mut self, value: &Value) -> Result<()>;
+    /// Its value as JSON.
+    fn write(&self) -> Value;
+}
+
+impl Setting for f64 {
+    fn read(&mut self, value: &Value) -> Result<()> {
+        number(value).map(|v| *self = v)
+    }
+    fn write(&self) -> Value {
+        (*self).into()
+    }
+}
+
+impl Setting for u32 {
+    fn read(&mut self, value: &Value) -> Result<()> {
+        count(value).map(|v| *self = v)
+    }
+    fn write(&self) -> Value {
+        (*self).into()
+    }
+}
+
+impl Setting for bool {
+    fn read(&mut self, value: &Value) -> Result<()> {
+        flag(value).map(|v| *self = v)
+    }
+    fn write(&self) -> Value {
+        (*self).into()
+    }
+}
+
+impl<T: Setting + Default> Setting for Option<T> {
+    fn read(&mut self, value: &Value) -> Result<()> {
+        *self = if value.is_null() {
+            None
+        } else {
+            let mut inner = T::default();
+            inner.read(value)?;
+            Some(inner)
+        };
+        Ok(())
+    }
+    fn write(&self) -> Value {
+        self.as_ref().map_or(Value::Null, Setting::write)
+    }
+}
+
+impl<T: Words> Setting for T {
+    fn read(&mut self, value: &Value) -> Result<()> {
+        word(T::WORDS)(value).map(|v| *self = v)
+    }
+    fn write(&self) -> Value {
+        T::WORDS.iter().find(|w| w.1 == *self).map_or(Value::Null, |w| w.0.into())
+    }
+}
+
+/// A setting's name and place.
+type Named<'a> = (&'static str, &'a mut dyn Setting);
+
+/// Lays JSON fields over settings.
+pub(crate) fn overlay(settings: &mut [Named], fields: &Map<String, Value>) -> Result<()> {
+    for (name, value) in fields {
+        let read = if let Some((_, setting)) = settings.iter_mut().find(|s| s.0 == name) {
+            setting.read(value)
+        } else {
+            let known: Vec<_> = settings.iter().map(|s| s.0).collect();
+            bad("", format!("no such setting; there are {}", known.join(", ")))
+        };
+        read.map_err(|e| Error { code: ErrorCode::Config, ..e.within(name) })?;
+    }
+    Ok(())
+}
+
+/// Settings as JSON fields.
+pub(crate) fn written(settings: &[Named]) -> Map<String, Value> {
+    let mut fields = Map::new();
+    for (name, setting) in settings {
+        fields.insert((*name).to_owned(), setting.write());
+    }
+    fields
+}
+
+/// Makes a struct readable from JSON and writable to it, by the names of its fields there.
+macro_rules! settings {
+    ($type:ty: $($name:literal = $($field:ident).+),+ $(,)?) => {
+        impl $type {
+            /// These settings with JSON fields laid over them. Ranges are checked by `validate`.
+            ///
+            /// # Errors
+            /// [`ErrorCode::Config`](crate::error::ErrorCode::Config) with the field and the rule.
+            pub fn with(
+                mut self,
+                fields: &serde_json::Map<String, serde_json::Value>,
+            ) -> Result<Self, $crate::error::Error> {
+                $crate::json::overlay(&mut [$(($name, &mut self.$($field).+)),+], fields)?;
+                Ok(self)
+            }
+
+            /// These settings as JSON fields.
+            pub fn to_json(&self) -> serde_json::Map<String, serde_json::Value> {
+                let mut own = self.clone();
+                $crate::json::written(&[$(($name, &mut own.$($field).+)),+])
+            }
+        }
+    };
+}
+pub(crate) use settings;

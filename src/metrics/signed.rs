@@ -1,0 +1,56 @@
+//! Distances that go on below zero where something is overlapped.
+
+use super::Body;
+use super::body::{FAR, inside, point_to_segment};
+use crate::geometry::{Point, Pose};
+
+/// Points of the body's outline are at most this far apart where it overlaps something, metres.
+const SPACING: f64 = 0.24;
+
+impl Body {
+    /// Signed distance from a point to the nearest obstacle or kerb, metres, at most `most`; below zero inside an
+    /// obstacle and off the floor.
+    pub fn point_clearance(&self, point: Point, most: f64) -> f64 {
+        let at = Point::from(point - self.origin);
+        let mut reach = self.buckets.side.min(most);
+        let distance = loop {
+            let margin = nalgebra::Vector2::new(reach, reach);
+            let mut best = most;
+            for bucket in self.buckets.range(at - margin, at + margin) {
+                for &i in &self.buckets.edges[bucket] {
+                    let edge = &self.edges[i as usize];
+                    if edge.apart_from(at, at) < best * best {
+                        best = best.min(point_to_segment(at, edge.a, edge.b));
+                    }
+                }
+            }
+            if best <= reach || reach >= most {
+                break best;
+            }
+            reach = (reach * 2.0).min(most);
+        };
+        let solid = |bucket: usize| {
+            self.buckets.solids[bucket].iter().any(|&i| inside(&self.solids[i as usize].outline, at))
+        };
+        let blocked = self.buckets.range(at, at).any(solid) || !self.on_floor(at);
+        if blocked { -distance } else { distance }
+    }
+
+    /// Signed distance from the body's outline to the nearest obstacle or kerb, metres: exact where it overlaps nothing,
+    /// otherwise that of the deepest of points of the outline at most 0.24 m apart.
+    pub fn signed_clearance(&self, pose: Pose) -> f64 {
+        if self.hit(pose).is_none() {
+            return self.clearance(pose);
+        }
+        let corners = self.outline(pose, 0.0).map(|p| p + self.origin.coords);
+        let mut deepest = -1e-9_f64;
+        for (i, &a) in corners.iter().enumerate() {
+            let way = corners[(i + 1) % 4] - a;
+            let parts = (way.norm() / SPACING).ceil().max(1.0);
+            for k in 0..parts as u32 {
+                deepest = deepest.min(self.point_clearance(a + way * (f64::from(k) / parts), FAR));
+            }
+        }
+        deepest
+    }
+}

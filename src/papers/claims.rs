@@ -1,0 +1,142 @@
+//! What the papers say in words, held against our rows.
+
+use serde::Serialize;
+
+use super::grid::{ROWS, Ratio, Table};
+
+/// A claim and what we find.
+#[derive(Debug, Clone, Serialize)]
+pub struct Claim {
+    /// `H1` to `H3` of Hu et al. 2024, `Y1` to `Y4` of Yuan 2020.
+    pub id: &'static str,
+    /// What the paper says.
+    pub text: &'static str,
+    /// What we find: the range of medians over the rows.
+    pub found: String,
+    /// `yes`, `no`, `partly`, or `unknown` where rows or times are missing.
+    pub holds: &'static str,
+}
+
+/// The claims, judged on the rows there are.
+pub fn claims(tables: &[Table]) -> Vec<Claim> {
+    let medians = |figure, planner, over| Range::of(tables, figure, planner, over);
+    let complete = tables.len() == ROWS.len();
+    let judged = |id, text, found: String, holds| Claim {
+        id,
+        text,
+        found,
+        holds: if complete { holds } else { "unknown" },
+    };
+    let share = |over| medians("generated", "risk-field", over);
+    let (eight, weighted, four) = (share("eight"), share("eight-weighted"), share("four"));
+    let pruned = medians("lengthPruned", "risk-field", "eight");
+    let (short16, turn16) =
+        (medians("lengthRaw", "sixteen", "eight-octile"), medians("turnAngleDeg", "sixteen", "eight-octile"));
+    let (time16, time24, time48) = (
+        medians("milliseconds", "sixteen", "eight-octile"),
+        medians("milliseconds", "twenty-four", "sixteen"),
+        medians("milliseconds", "forty-eight", "sixteen"),
+    );
+    let (short24, short48) =
+        (medians("lengthRaw", "twenty-four", "sixteen"), medians("lengthRaw", "forty-eight", "sixteen"));
+    let both = |figure| medians(figure, "sixteen-bidirectional", "sixteen");
+    let turn48 = medians("turnAngleDeg", "forty-eight", "sixteen");
+    let timed = time16.1 != 1.0;
+    let word = |yes: bool| if yes { "yes" } else { "no" };
+    let slower = |holds: bool| if timed { word(holds) } else { "unknown" };
+    vec![
+        judged(
+            "H1",
+            "The improved planner visits 0.41 to 0.46 of the nodes of eight neighbours.",
+            format!(
+                "generates {eight} of plain eight neighbours', {weighted} of theirs under the same weight"
+            ),
+            if eight.1 < 0.4577 && weighted.0 > 0.4065 { "partly" } else { "no" },
+        ),
+        judged(
+            "H2",
+            "The improved planner visits 0.36 to 0.49 of the nodes of four neighbours.",
+            format!("generates {four}"),
+            if four.1 < 0.4939 {
+                "yes"
+            } else if four.0 < 0.4939 {
+                "partly"
+            } else {
+                "no"
+            },
+        ),
+        judged(
+            "H3",
+            "Its path is at most 0.6 % longer than with eight neighbours.",
+            format!("{pruned} after pruning"),
+            if pruned.1 <= 1.0059 {
+                "yes"
+            } else if pruned.0 <= 1.0059 {
+                "partly"
+            } else {
+                "no"
+            },
+        ),
+        judged(
+            "Y1",
+            "Sixteen neighbours give shorter and smoother paths than eight, at clearly more time.",
+            format!("length {short16}, turning {turn16}, time {time16}"),
+            slower(short16.1 < 1.0 && turn16.1 < 1.0 && time16.0 > 1.0),
+        ),
+        judged(
+            "Y2",
+            "24 and 48 neighbours are no smoother, somewhat shorter, much slower.",
+            format!(
+                "24: length {short24}, time {time24}; 48: length {short48}, turning {turn48}, time {time48} of sixteen's"
+            ),
+            if timed { "partly" } else { "unknown" },
+        ),
+        judged(
+            "Y3",
+            "Sixteen neighbours from both ends keep the quality of the path and need the least time.",
+            format!(
+                "length {} of sixteen's in the median, {:.3} at worst; turning {}, time {}",
+                both("lengthRaw"),
+                worst(tables, "lengthRaw", "sixteen-bidirectional"),
+                both("turnAngleDeg"),
+                both("milliseconds")
+            ),
+            if timed { "partly" } else { "unknown" },
+        ),
+        judged(
+            "Y4",
+            "Plain search from both ends can fail or loop where no common best node is found.",
+            "ours stops at the first cell that both sides have closed: a path on every map".to_owned(),
+            "no",
+        ),
+    ]
+}
+
+/// The worst of a planner's figures over sixteen neighbours', on any map.
+fn worst(tables: &[Table], figure: &str, planner: &str) -> f64 {
+    let same = |r: &&Ratio| r.figure == figure && r.planner == planner && r.over == "sixteen";
+    tables.iter().filter_map(|t| t.ratios.iter().find(same)).fold(0.0, |worst, r| worst.max(r.ours.worst))
+}
+
+/// The smallest and the largest median over the rows.
+#[derive(Clone, Copy)]
+struct Range(f64, f64);
+
+impl Range {
+    fn of(tables: &[Table], figure: &str, planner: &str, over: &str) -> Self {
+        let same = |r: &&Ratio| r.figure == figure && r.planner == planner && r.over == over;
+        let medians = tables.iter().filter_map(|t| t.ratios.iter().find(same)).map(|r| r.ours.median);
+        medians
+            .fold(Self(f64::INFINITY, f64::NEG_INFINITY), |Self(low, high), m| Self(low.min(m), high.max(m)))
+    }
+}
+
+impl std::fmt::Display for Range {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        if self.0 > self.1 {
+            f.write_str("not measured")
+        } else {
+            write!(f, "{:.3} to {:.3}", self.0, self.1)
+        }
+    }
+}

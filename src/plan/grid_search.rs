@@ -1,0 +1,96 @@
+//! One of the grid planners with its settings.
+
+use serde_json::{Map, Value};
+
+#[cfg(feature = "complete")]
+use super::rasters::Rasters;
+use crate::error::Error;
+use crate::planners::moves::Neighbourhood;
+use crate::planners::query::{GridReport, GridScratch, Query};
+use crate::planners::registry::Kind;
+use crate::planners::settings::Common;
+#[cfg(feature = "complete")]
+use crate::planners::{any_angle, bidirectional, jump_point};
+use crate::planners::{grid_astar, risk_field};
+use crate::search::Trace;
+
+pub(super) enum Search {
+    Neighbours(Neighbourhood, grid_astar::Config),
+    RiskField(risk_field::Config),
+    #[cfg(feature = "complete")]
+    Bidirectional(bidirectional::Config),
+    #[cfg(feature = "complete")]
+    JumpPoint(jump_point::Config),
+    #[cfg(feature = "complete")]
+    AnyAngle(any_angle::Config),
+}
+
+impl Search {
+    pub(super) fn new(kind: Kind, config: &Map<String, Value>) -> Result<Self, Error> {
+        if let Some(around) = kind.neighbourhood() {
+            let config = grid_astar::Config::new(around).with(config)?;
+            config.validate(around)?;
+            return Ok(Self::Neighbours(around, config));
+        }
+        Ok(match kind {
+            #[cfg(feature = "complete")]
+            Kind::Bidirectional => Self::Bidirectional(bidirectional::Config::default().with(config)?),
+            #[cfg(feature = "complete")]
+            Kind::JumpPoint => Self::JumpPoint(jump_point::Config::default().with(config)?),
+            #[cfg(feature = "complete")]
+            Kind::AnyAngle => Self::AnyAngle(any_angle::Config::default().with(config)?),
+            kind => {
+                let defaults = match kind {
+                    #[cfg(feature = "complete")]
+                    Kind::RiskFieldPlus => risk_field::Config::PLUS,
+                    _ => risk_field::Config::default(),
+                };
+                let config = defaults.with(config)?;
+                config.validate()?;
+                Self::RiskField(config)
+            }
+        })
+    }
+
+    /// What every grid planner's settings have, still to be validated.
+    pub(super) fn common(&self) -> Common {
+        match self {
+            Self::Neighbours(_, config) => config.common,
+            Self::RiskField(config) => config.common,
+            #[cfg(feature = "complete")]
+            Self::Bidirectional(config) => config.common,
+            #[cfg(feature = "complete")]
+            Self::JumpPoint(config) => config.common,
+            #[cfg(feature = "complete")]
+            Self::AnyAngle(config) => config.common,
+        }
+    }
+
+    /// Whether it searches [`Rasters::bits`].
+    #[cfg(feature = "complete")]
+    pub(super) fn needs_bits(&self) -> bool {
+        matches!(self, Self::JumpPoint(_))
+    }
+
+    pub(super) fn run(
+        &self,
+        query: Query,
+        #[cfg(feature = "complete")] rasters: &Rasters,
+        scratch: &mut GridScratch,
+        trace: &mut Option<Trace>,
+    ) -> GridReport {
+        match self {
+            Self::Neighbours(around, config) => grid_astar::plan(query, *around, config, scratch, trace),
+            Self::RiskField(config) => risk_field::plan(query, config, scratch, trace),
+            #[cfg(feature = "complete")]
+            Self::Bidirectional(config) => bidirectional::plan(query, config, scratch, trace),
+            #[cfg(feature = "complete")]
+            Self::JumpPoint(config) => {
+                let bits = rasters.bits().expect("prepared before the search");
+                jump_point::plan(query, bits, config, scratch, trace)
+            }
+            #[cfg(feature = "complete")]
+            Self::AnyAngle(config) => any_angle::plan(query, config, scratch, trace),
+        }
+    }
+}

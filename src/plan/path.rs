@@ -1,0 +1,62 @@
+//! Paths as callers hand them over: numbers, checked.
+
+use crate::error::{Error, ErrorCode};
+use crate::geometry::Pose;
+
+fn refused<T>(path: impl Into<String>, message: String) -> Result<T, Error> {
+    Err(Error::new(ErrorCode::Input, path, message))
+}
+
+/// The poses of x, y, heading, ….
+pub(super) fn poses(path: &[f64]) -> Result<Vec<Pose>, Error> {
+    if !path.len().is_multiple_of(3) {
+        return refused("path", format!("must be x, y, heading for each pose, got {} numbers", path.len()));
+    }
+    if let Some(i) = path.iter().position(|v| !v.is_finite()) {
+        return refused(format!("path[{i}]"), format!("must be a finite number, got {}", path[i]));
+    }
+    Ok(path.chunks_exact(3).map(|p| Pose::new(p[0], p[1], p[2])).collect())
+}
+
+/// The poses of x, y, heading, …, at least one.
+#[cfg(feature = "complete")]
+pub(super) fn some_poses(path: &[f64]) -> Result<Vec<Pose>, Error> {
+    let poses = poses(path)?;
+    if poses.is_empty() {
+        return refused("path", "must have poses; there is nothing to measure".to_owned());
+    }
+    Ok(poses)
+}
+
+/// Gears of a path of so many poses, forward where absent.
+pub(super) fn gears(directions: Option<&[i8]>, poses: usize) -> Result<Vec<i8>, Error> {
+    let directions = directions.map_or_else(|| vec![1; poses], <[i8]>::to_vec);
+    if directions.len() != poses {
+        return refused("directions", format!("must be one per pose ({poses}), got {}", directions.len()));
+    }
+    match directions.iter().position(|d| d.abs() != 1) {
+        Some(i) => refused(format!("directions[{i}]"), format!("must be 1 or -1, got {}", directions[i])),
+        None => Ok(directions),
+    }
+}
+
+/// The way along a path, to be driven: x, y, heading, …; the gear (forward where absent) and, where known, the curvature
+/// of the way on from each pose.
+///
+/// # Errors
+/// [`ErrorCode::Input`] when the numbers are not poses, the gears not ±1, or no car of these dimensions can drive it.
+#[cfg(feature = "complete")]
+pub fn route(
+    geometry: &crate::scenario::resolve::Geometry,
+    path: &[f64],
+    directions: Option<&[i8]>,
+    curvatures: Option<&[f64]>,
+) -> Result<crate::drive::Route, Error> {
+    let poses = poses(path)?;
+    let directions = gears(directions, poses.len())?;
+    if let Some(curvatures) = curvatures.filter(|k| k.len() != poses.len()) {
+        let message = format!("must be one per pose ({}), got {}", poses.len(), curvatures.len());
+        return refused("curvatures", message);
+    }
+    crate::drive::Route::new(&geometry.vehicle, &poses, &directions, curvatures)
+}

@@ -1,0 +1,115 @@
+//! The maps that a grid planner searches: safety space blocked, dead ends closed, as bits.
+
+use super::world::World;
+#[cfg(feature = "complete")]
+use crate::map::{Bits, Cell, Layer, Redundant, RedundantSettings, redundant};
+use crate::map::{Occupancy, inflation};
+use crate::planners::settings::Common;
+
+pub(super) struct Rasters {
+    /// The map with necessary safety space blocked, where there is any.
+    inflated: Option<Occupancy>,
+    #[cfg(feature = "complete")]
+    extra: Extra,
+}
+
+/// What only the complete module has.
+#[cfg(feature = "complete")]
+struct Extra {
+    /// The radius of necessary safety space, cells, where there is any.
+    radius: Option<f64>,
+    closing: Option<RedundantSettings>,
+    /// What is closed between these ends.
+    closed: Option<(Cell, Cell, Redundant)>,
+    bits: Option<Bits>,
+}
+
+impl Rasters {
+    pub(super) fn new(world: &World, settings: &Common) -> Self {
+        let vehicle = &world.geometry.vehicle;
+        let radius = settings
+            .inflation
+            .radius(vehicle.length(), vehicle.width, settings.margin)
+            .map(|radius| radius / world.frame.resolution);
+        Self {
+            inflated: radius.map(|radius| inflation::necessary(&world.occupancy, radius)),
+            #[cfg(feature = "complete")]
+            extra: Extra::new(radius, settings),
+        }
+    }
+
+    /// Real obstacles and necessary safety space.
+    pub(super) fn solid<'a>(&'a self, world: &'a World) -> &'a Occupancy {
+        self.inflated.as_ref().unwrap_or(&world.occupancy)
+    }
+
+    /// What is searched.
+    pub(super) fn map<'a>(&'a self, world: &'a World) -> &'a Occupancy {
+        #[cfg(feature = "complete")]
+        if let Some((_, _, redundant)) = &self.extra.closed {
+            return &redundant.map;
+        }
+        self.solid(world)
+    }
+}
+
+#[cfg(feature = "complete")]
+impl Extra {
+    fn new(radius: Option<f64>, settings: &Common) -> Self {
+        let (min_passage, trap_mouth) = (settings.min_passage, settings.trap_mouth);
+        let closes = min_passage > 1 || trap_mouth > 1;
+        let closing = closes.then_some(RedundantSettings { min_passage, trap_mouth });
+        Self { radius, closing, closed: None, bits: None }
+    }
+}
+
+#[cfg(feature = "complete")]
+impl Rasters {
+    /// Brings the map between these ends up to date.
+    pub(super) fn prepare(&mut self, world: &World, start: Cell, goal: Cell) {
+        let Some(settings) = self.extra.closing else { return };
+        if self.extra.closed.as_ref().is_none_or(|known| (known.0, known.1) != (start, goal)) {
+            self.extra.closed = Some((start, goal, redundant(self.solid(world), start, goal, settings)));
+            self.extra.bits = None;
+        }
+    }
+
+    /// Makes sure that there are [`Rasters::bits`].
+    pub(super) fn prepare_bits(&mut self, world: &World) {
+        if self.extra.bits.is_none() {
+            self.extra.bits = Some(Bits::new(self.map(world)));
+        }
+    }
+
+    /// What is searched, as bits.
+    pub(super) fn bits(&self) -> Option<&Bits> {
+        self.extra.bits.as_ref()
+    }
+
+    /// What was closed, where the settings ask for it.
+    pub(super) fn redundant(&self) -> Option<&Redundant> {
+        self.extra.closed.as_ref().map(|closed| &closed.2)
+    }
+
+    /// Each cell's [`inflation::Safety`] between these ends, as a number.
+    pub(super) fn layer(&self, world: &World, start: Cell, goal: Cell) -> Layer<u8> {
+        let solid = self.solid(world);
+        match self.extra.closing.map(|settings| redundant(solid, start, goal, settings)) {
+            Some(closed) => inflation::layers(&world.occupancy, solid, &closed.map),
+            None => inflation::layer(&world.occupancy, solid),
+        }
+    }
+
+    /// The map has changed in one cell.
+    pub(super) fn change(&mut self, world: &World, cell: Cell) {
+        let extra = &mut self.extra;
+        if let (Some(inflated), Some(radius)) = (&mut self.inflated, extra.radius) {
+            inflation::update(&world.occupancy, inflated, radius, cell, extra.bits.as_mut());
+        } else if let Some(bits) = &mut extra.bits {
+            bits.set(cell, world.occupancy.blocked(cell));
+        }
+        if extra.closed.take().is_some() {
+            extra.bits = None;
+        }
+    }
+}

@@ -1,0 +1,221 @@
+//! Cost-map A* in a scene: the car's middle follows chords or a curve, the rest of the car is towed.
+
+use serde_json::{Map, Value};
+
+use super::outcome::{Outcome, Plan, PlanTrace, Stats};
+use super::tow::tow;
+use super::world::World;
+use super::{Driven, NEAR, Options, STEP, TRACE, measured};
+use crate::error::Error;
+use crate::geometry::bspline::{Place, Spline};
+use crate::geometry::{Point, Pose, Vector};
+use crate::metrics::road::{self, RoadMetrics};
+use crate::planners::cost_map::{
+    Config, Curves, Ground, Query, Report, Scratch, Smoothing, Status, corners, costs, dense, paper_spline,
+    plan, smooth,
+};
+use crate::scenario::Scenario;
+use crate::search::Trace;
+
+/// A path of more poses than this is sampled less often.
+const MAX_POSES: f64 = 50_000.0;
+/// The body is tested at places of a curve this far apart, metres.
+const STATION: f64 = 0.25;
+/// Nearer to the ends of a curve only its raster clearance counts, metres.
+const ENDS: f64 = 5.0;
+
+/// Cost-map A*, its rasters and its memory.
+pub(super) struct Engine {
+    config: Config,
+    ground: Ground,
+    scratch: Scratch,
+}
+
+/// What the car's middle follows.
+struct Line {
+    /// Its chords' ends.
+    chords: Vec<Point>,
+    curve: Option<Spline>,
+    fell_back: bool,
+}
+
+impl Engine {
+    pub(super) fn new(
+        scenario: &Scenario,
+        world: &World,
+        config: &Map<String, Value>,
+    ) -> Result<Self, Error> {
+        let config = Config::default().with(config)?;
+        config.validate()?;
+        Ok(Self { config, ground: ground(scenario, world), scratch: Scratch::default() })
+    }
+
+    /// The obstacles have changed.
+    pub(super) fn change(&mut self, scenario: &Scenario, world: &World) {
+        self.ground = ground(scenario, world);
+    }
+
+    /// Per cell, what a metre costs beyond its length.
+    pub(super) fn costs(&self, scenario: &Scenario, world: &World) -> Vec<f32> {
+        costs(&self.query(scenario, world), &self.config)
+    }
+
+    pub(super) fn plan(&mut self, scenario: &Scenario, world: &World, options: Options) -> Plan {
+        let mut trace = options.trace.then(|| Trace::new(TRACE));
+        let mut scratch = std::mem::take(&mut self.scratch);
+        let query = self.query(scenario, world);
+        let report = plan(&query, &self.config, &mut scratch, &mut trace);
+        let found = report.status == Status::Found;
+        let line = self.line(world, &report);
+        let driven = if found { drive(world, &line) } else { Driven::default() };
+        let mut plan =
+            measured(world, outcome(world, &query, report.status), driven, NEAR.max(world.frame.resolution));
+        if line.curve.is_none() && line.chords.len() > 2 {
+            plan.metrics.max_curvature = None;
+        }
+        plan.detail = line.fell_back.then_some("smoothing-fell-back");
+        plan.reason = reason(&query, &report);
+        plan.raw_path = report.cells.iter().map(|&c| world.frame.center(c)).collect();
+        plan.stats = stats(&report);
+        if found {
+            let figures = road::figures(&world.geometry, &world.body, &scenario.lanes, &plan.path);
+            plan.metrics.road = Some(RoadMetrics {
+                cost: report.cost,
+                turns_raw: corners(&report.cells).len() as u32,
+                turns_pruned: corners(&report.pruned).len() as u32,
+                start_moved: report.moved[0],
+                goal_moved: report.moved[1],
+                bytes: report.bytes as u64,
+                figures,
+            });
+        }
+        self.scratch = scratch;
+        plan.trace = trace.map(|t| PlanTrace::Cells { cells: t.expanded, dropped: t.dropped });
+        plan
+    }
+
+    fn query<'a>(&'a self, scenario: &'a Scenario, world: &'a World) -> Query<'a> {
+        let (geometry, vehicle) = (&world.geometry, &world.geometry.vehicle);
+        let middle = |pose: Pose| pose.advance(0.0, vehicle.middle()).point();
+        Query {
+            ground: &self.ground,
+            lanes: &scenario.lanes,
+            limits: &scenario.speed_limits,
+            radius: vehicle.width / 2.0 + self.config.margin,
+            start: middle(geometry.start),
+            goal: middle(geometry.goal),
+        }
+    }
+
+    fn line(&self, world: &World, report: &Report) -> Line {
+        let chords: Vec<Point> = report.pruned.iter().map(|&c| world.frame.center(c)).collect();
+        let (curve, fell_back) = match self.config.smoothing {
+            _ if chords.len() < 2 => (None, false),
+            Curves::None => (None, false),
+            Curves::Paper => (paper_spline(&chords), false),
+            Curves::Spline => {
+                let limit = world.geometry.vehicle.max_curvature();
+                let lever = world.geometry.vehicle.middle();
+                let how = Smoothing {
+                    sigma: self.config.residual,
+                    places: self.config.smooth_points,
+                    // Of the middle, where the rear axle's is at its limit.
+                    max_curvature: limit / (1.0 + lever * lever * limit * limit).sqrt(),
+                    radius: world.geometry.vehicle.width / 2.0 + self.config.margin,
+                };
+                let smooth = smooth(&self.ground, &chords, &how, |spline| clear(world, spline));
+                (smooth.spline, smooth.fell_back)
+            }
+        };
+        Line { chords, curve, fell_back }
+    }
+}
+
+fn ground(scenario: &Scenario, world: &World) -> Ground {
+    Ground::new(world.frame, &world.geometry, !scenario.lanes.is_empty())
+}
+
+/// Places of a curve about `step` apart, and the direction there.
+fn along(spline: &Spline, step: f64) -> Vec<(Point, Vector)> {
+    let rough: Vec<Point> = (0..=200).map(|k| spline.at(f64::from(k) / 200.0).point).collect();
+    let length = rough.windows(2).fold(0.0, |sum, w| sum + (w[1] - w[0]).norm());
+    // Parameters are not quite lengths.
+    let count = (length * 1.25 / step).ceil().max(2.0) as u32;
+    let place = |k: u32| {
+        let Place { point, first, .. } = spline.at(f64::from(k) / f64::from(count));
+        (point, first)
+    };
+    (0..=count).map(place).collect()
+}
+
+/// Whether the towed car touches nothing but at the ends.
+fn clear(world: &World, spline: &Spline) -> bool {
+    let towed = tow(&world.geometry, &along(spline, STATION));
+    let middle = |pose: &Pose| pose.advance(0.0, world.geometry.vehicle.middle()).point();
+    let mut stations = vec![0.0];
+    for pair in towed.poses.windows(2) {
+        stations.push(stations[stations.len() - 1] + (middle(&pair[1]) - middle(&pair[0])).norm());
+    }
+    let inner = ENDS..=stations[stations.len() - 1] - ENDS;
+    let inside = |(pose, station): (&Pose, &f64)| !inner.contains(station) || world.body.hit(*pose).is_none();
+    towed.poses.iter().zip(&stations).all(inside)
+}
+
+fn drive(world: &World, line: &Line) -> Driven {
+    if let [only] = line.chords[..] {
+        let heading = world.geometry.start.heading;
+        let pose = Pose::new(only.x, only.y, heading).advance(0.0, -world.geometry.vehicle.middle());
+        return Driven { poses: vec![pose], directions: vec![1], curvatures: vec![0.0] };
+    }
+    let length = line.chords.windows(2).fold(0.0, |sum, w| sum + (w[1] - w[0]).norm());
+    let step = STEP.max(length * 1.25 / MAX_POSES);
+    if let Some(curve) = &line.curve {
+        return tow(&world.geometry, &along(curve, step));
+    }
+    let points = dense(&line.chords, step);
+    let way = |i: usize| points[(i + 1).min(points.len() - 1)] - points[i.min(points.len() - 2)];
+    let places: Vec<(Point, Vector)> = (0..points.len()).map(|i| (points[i], way(i))).collect();
+    tow(&world.geometry, &places)
+}
+
+fn outcome(world: &World, query: &Query, status: Status) -> Outcome {
+    let outside = |point: Point| world.frame.cell_at(point).is_none();
+    match status {
+        Status::Found => Outcome::Found,
+        Status::NoPath => Outcome::NoPath,
+        Status::BudgetSpent => Outcome::BudgetSpent,
+        Status::StartBlocked if outside(query.start) => Outcome::StartOutside,
+        Status::StartBlocked => Outcome::StartBlocked,
+        Status::GoalBlocked if outside(query.goal) => Outcome::GoalOutside,
+        Status::GoalBlocked => Outcome::GoalBlocked,
+    }
+}
+
+fn reason(query: &Query, report: &Report) -> Option<String> {
+    let room = |end: &str, at: Point| {
+        format!(
+            "The car's middle at the {end}, ({:.2}, {:.2}), has no road or obstacles nearer than {:.2} m, and so has everything within 1.5 m.",
+            at.x, at.y, query.radius
+        )
+    };
+    Some(match report.status {
+        Status::Found => return None,
+        Status::StartBlocked => room("start", query.start),
+        Status::GoalBlocked => room("goal", query.goal),
+        Status::BudgetSpent => format!("Stopped after {} expansions.", report.expanded),
+        Status::NoPath => format!(
+            "No way through: all {} cells that can be reached with {:.2} m of room to each side were searched.",
+            report.generated, query.radius
+        ),
+    })
+}
+
+fn stats(report: &Report) -> Stats {
+    Stats {
+        expanded: report.expanded,
+        generated: report.generated,
+        pushes: report.pushes,
+        open_peak: report.open_peak,
+        ..Stats::default()
+    }
+}

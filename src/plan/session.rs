@@ -1,0 +1,87 @@
+//! Other ends than the scene's, and the search of a grid planner alone.
+
+#[cfg(feature = "complete")]
+use super::{Engine, grid};
+use super::{Options, Outcome, Plan, Planner};
+use crate::error::{Error, ErrorCode};
+use crate::geometry::{Point, Pose};
+use crate::scenario::validate::finite_pose;
+
+/// Where a plan begins and ends; the scene's poses where none are given.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Ends {
+    /// Where it begins.
+    pub start: Option<Pose>,
+    /// Where it ends.
+    pub goal: Option<Pose>,
+}
+
+/// What a search found, without what is made of it for a car.
+#[derive(Debug, Clone)]
+pub struct Found {
+    /// How it ended.
+    pub outcome: Outcome,
+    /// Centres of the cells from start to goal, metres: every cell, or the turning points of any-angle paths.
+    pub path: Vec<Point>,
+    /// The moves' exact cost, millionths of a cell.
+    pub cost_micro: i64,
+    /// Cells taken from the open list and processed.
+    pub expanded: u32,
+    /// Distinct cells that entered it.
+    pub generated: u32,
+}
+
+fn checked(path: &str, pose: Pose) -> Result<Pose, Error> {
+    finite_pose(pose).map(|()| pose).map_err(|e| Error { code: ErrorCode::Input, ..e.within(path) })
+}
+
+impl Planner {
+    /// [`Planner::plan`] between other poses than the scene's.
+    ///
+    /// # Errors
+    /// [`ErrorCode::Input`] when a coordinate is not a finite number, within the range of scenes.
+    pub fn plan_between(&mut self, ends: Ends, options: Options) -> Result<Plan, Error> {
+        let start = ends.start.map(|pose| checked("start", pose)).transpose()?;
+        let goal = ends.goal.map(|pose| checked("goal", pose)).transpose()?;
+        #[cfg(feature = "complete")]
+        self.settle();
+        let geometry = &mut self.world.geometry;
+        let own = (geometry.start, geometry.goal);
+        (geometry.start, geometry.goal) = (start.unwrap_or(own.0), goal.unwrap_or(own.1));
+        let plan = self.plan(options);
+        (self.world.geometry.start, self.world.geometry.goal) = own;
+        Ok(plan)
+    }
+
+    /// The search of a grid planner between two points, and nothing else: no car follows the path, nothing is checked
+    /// or measured. A second search on the same map costs what it touches.
+    ///
+    /// # Errors
+    /// [`ErrorCode::Input`] when a coordinate is not a finite number, and for planners other than grid planners.
+    #[cfg(feature = "complete")]
+    pub fn search(&mut self, start: Point, goal: Point) -> Result<Found, Error> {
+        let pose = |point: Point| Pose::new(point.x, point.y, 0.0);
+        let (start, goal) = (checked("start", pose(start))?, checked("goal", pose(goal))?);
+        let Engine::Grid(engine) = &mut self.engine else {
+            let message = format!("{} has no bare search; grid planners have", self.kind.id());
+            return Err(Error::new(ErrorCode::Input, "", message));
+        };
+        let report = engine.search(&self.world, start, goal, &mut None);
+        Ok(Found {
+            outcome: grid::outcome(report.status),
+            path: report.cells.iter().map(|&cell| self.world.frame.center(cell)).collect(),
+            cost_micro: report.cost_micro,
+            expanded: report.expanded,
+            generated: report.generated,
+        })
+    }
+
+    /// Length of the shortest any-angle path between the centres of the scene's start and goal cells, metres, with
+    /// this grid planner's safety space: what no path over cells is shorter than, but for rounded corners. `None` where
+    /// there is no path, and for planners other than grid planners.
+    #[cfg(feature = "complete")]
+    pub fn any_angle_length(&self) -> Option<f64> {
+        let Engine::Grid(engine) = &self.engine else { return None };
+        engine.any_angle_length(&self.world)
+    }
+}

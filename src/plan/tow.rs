@@ -1,0 +1,95 @@
+//! The poses of a car whose middle follows a line.
+
+use super::Driven;
+use crate::geometry::{Point, Pose, Vector, math};
+use crate::scenario::resolve::Geometry;
+
+/// Tows the car by its middle through `places`, each with the direction of the way there: forwards, the rear wheels rolling
+/// without slip, so between two places the rear axle drives an arc. The car points along its start's heading at first where
+/// the wheel can turn that into the line, along the line otherwise. Where its rear axle is its middle it points along the
+/// line throughout.
+pub(super) fn tow(geometry: &Geometry, places: &[(Point, Vector)]) -> Driven {
+    let lever = geometry.vehicle.middle();
+    let towed = lever > 1e-3;
+    let direction = |way: Vector| math::atan2(way.y, way.x);
+    let mut driven = Driven::default();
+    let Some((&(first, way), rest)) = places.split_first() else { return driven };
+    let mut heading = direction(way);
+    let off = math::turn(geometry.start.heading, heading).abs();
+    if towed && off < math::FRAC_PI_2 && math::tan(off) <= lever * geometry.vehicle.max_curvature() {
+        heading = geometry.start.heading;
+    }
+    let behind = |middle: Point, heading: f64| Pose::new(middle.x, middle.y, heading).advance(0.0, -lever);
+    let mut middle = first;
+    driven.poses.push(behind(middle, heading));
+    for &(next, way) in rest {
+        let step = next - middle;
+        let turn = if towed {
+            // Half the turn, from chords of the rear axle's arc having the mean heading.
+            let off = math::turn(heading, direction(step));
+            let (sin, cos) = math::sin_cos(off);
+            2.0 * math::atan2(step.norm() * sin, 2.0 * lever + step.norm() * cos)
+        } else {
+            math::turn(heading, direction(way))
+        };
+        heading = math::wrap(heading + turn);
+        let pose = behind(next, heading);
+        let chord = (pose.point() - driven.poses[driven.poses.len() - 1].point()).norm();
+        let half = turn / 2.0;
+        let length = if half.abs() < 1e-6 { chord } else { chord * half / math::sin(half) };
+        driven.curvatures.push(if length > 0.0 { turn / length } else { 0.0 });
+        driven.poses.push(pose);
+        middle = next;
+    }
+    driven.curvatures.push(driven.curvatures.last().copied().unwrap_or(0.0));
+    driven.directions = vec![1; driven.poses.len()];
+    driven
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::vehicle::Vehicle;
+
+    fn geometry(heading: f64) -> Geometry {
+        let pose = Pose::new(0.0, 0.0, heading);
+        let vehicle = Vehicle::SEDAN;
+        Geometry {
+            start: pose,
+            goal: pose,
+            vehicle,
+            boundary: Vec::new(),
+            shapes: Vec::new(),
+            parked: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn the_middle_is_on_the_line_and_the_rear_axle_rolls() {
+        let radius = 20.0;
+        let place = |k: u32| {
+            let (sin, cos) = math::sin_cos(f64::from(k) * 0.1 / radius);
+            (Point::new(radius * sin, radius * (1.0 - cos)), Vector::new(cos, sin))
+        };
+        let places: Vec<_> = (0..600).map(place).collect();
+        let driven = tow(&geometry(0.05), &places);
+        for (pose, (point, _)) in driven.poses.iter().zip(&places) {
+            assert!((pose.advance(0.0, 1.4).point() - point).norm() < 1e-12);
+        }
+        for (pair, curvature) in driven.poses.windows(2).zip(&driven.curvatures) {
+            let length = math::turn(pair[0].heading, pair[1].heading) / curvature;
+            assert!((pair[0].advance(*curvature, length).point() - pair[1].point()).norm() < 1e-9);
+        }
+        assert_eq!(driven.poses[0].heading, 0.05);
+        // In the end the rear axle is on a circle of its own.
+        let settled = driven.curvatures[driven.curvatures.len() - 1];
+        assert!((settled - (radius * radius - 1.4 * 1.4_f64).sqrt().recip()).abs() < 1e-4, "{settled}");
+    }
+
+    #[test]
+    fn a_start_across_the_line_is_not_pretended_away() {
+        let places: Vec<_> = (0..9).map(|k| (Point::new(f64::from(k), 0.0), Vector::new(1.0, 0.0))).collect();
+        assert_eq!(tow(&geometry(1.0), &places).poses[0].heading, 0.0);
+        assert!(tow(&geometry(0.0), &places).curvatures.iter().all(|k| *k == 0.0));
+    }
+}

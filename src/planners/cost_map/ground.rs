@@ -1,0 +1,174 @@
+//! Rasters of a road: cells count by their centres.
+
+use crate::geometry::{Point, Pose, Vector, math};
+use crate::map::{Cell, Frame, Occupancy, distance, raster};
+use crate::scenario::resolve::{Form, Geometry};
+use crate::scenario::{Lane, SpeedLimit};
+
+/// Centres this near to an outline are on it, metres.
+const EDGE: f64 = 1e-9;
+
+/// A road on a lattice.
+#[derive(Debug, Clone)]
+pub struct Ground {
+    /// The lattice.
+    pub frame: Frame,
+    /// Per cell: metres from its centre to the border of the nearest cell that is no road or holds an obstacle; 0 in
+    /// one.
+    pub clearance: Vec<f32>,
+    /// The same to the nearest cell that is no road.
+    pub kerb: Vec<f32>,
+}
+
+impl Ground {
+    /// Of a scene's geometry. Where the map ends a road goes on if it is `open`; otherwise there is a wall.
+    pub fn new(frame: Frame, geometry: &Geometry, open: bool) -> Self {
+        let mut road = Occupancy::new(frame.width, frame.height);
+        for index in 0..frame.len() {
+            road.set(frame.cell(index), true);
+        }
+        fill(&frame, &geometry.boundary, |cell| road.set(cell, false));
+        let kerb = distances(&road, &frame, open);
+        for shape in &geometry.shapes {
+            match &shape.form {
+                Form::Polygon(outline) => fill(&frame, outline, |cell| road.set(cell, true)),
+                Form::Segment(a, b) => raster::wall(&mut road, &frame, &[*a, *b]),
+            }
+        }
+        Self { frame, clearance: distances(&road, &frame, open), kerb }
+    }
+
+    /// The clearance at a cell, metres; 0 off the map.
+    pub fn at(&self, cell: Cell) -> f64 {
+        if self.frame.contains(cell) { f64::from(self.clearance[self.frame.index(cell)]) } else { 0.0 }
+    }
+}
+
+/// Calls `each` with every cell whose centre is inside a simple polygon or on its outline; some more than once.
+fn fill(frame: &Frame, outline: &[Point], mut each: impl FnMut(Cell)) {
+    for y in 0..frame.height {
+        let center = frame.center(Cell::new(0, y as i32)).y;
+        // A hair above and a hair below, so that edges along the row count.
+        for level in [center - EDGE, center + EDGE] {
+            let edges = outline.iter().zip(outline.iter().cycle().skip(1));
+            let crossings: Vec<f64> = edges
+                .filter(|(a, b)| (a.y > level) != (b.y > level))
+                .map(|(a, b)| a.x + (level - a.y) / (b.y - a.y) * (b.x - a.x))
+                .collect();
+            for pair in math::sorted_by(&crossings, |x| *x).chunks_exact(2) {
+                let column = |x: f64| (x - frame.origin.x) / frame.resolution - 0.5;
+                let last = f64::from(frame.width);
+                let from = column(pair[0] - EDGE).ceil().clamp(0.0, last);
+                let to = (column(pair[1] + EDGE).floor() + 1.0).clamp(0.0, last);
+                (from as i32..to as i32).for_each(|x| each(Cell::new(x, y as i32)));
+            }
+        }
+    }
+}
+
+/// From the exact distances between centres, half a cell less.
+fn distances(map: &Occupancy, frame: &Frame, open: bool) -> Vec<f32> {
+    let (w, h) = (f64::from(frame.width), f64::from(frame.height));
+    let far = (w * w + h * h).sqrt() * frame.resolution;
+    let metres = |d: i64| if d >= distance::NONE { far } else { (d as f64).sqrt() / 2.0 * frame.resolution };
+    let to_wall = |index: usize| {
+        let cell = frame.cell(index);
+        let (x, y) = (f64::from(cell.x) + 0.5, f64::from(cell.y) + 0.5);
+        if open { far } else { x.min(y).min(w - x).min(h - y) * frame.resolution }
+    };
+    let clearance =
+        |(index, &d): (usize, &i64)| (metres(d) - frame.resolution / 2.0).max(0.0).min(to_wall(index)) as f32;
+    distance::to_centers(map).data.iter().enumerate().map(clearance).collect()
+}
+
+/// How far a point is from the nearest lane's middle, half that lane's width, and the middle's curvature there.
+pub(crate) fn lane_at(legs: &[(Pose, f64, f64, f64)], point: Point) -> Option<(f64, f64, f64)> {
+    let mut best: Option<(f64, f64, f64)> = None;
+    for &(from, length, curvature, half) in legs {
+        let away = distance_to(from, length, curvature, point);
+        if best.is_none_or(|b| away < b.0) {
+            best = Some((away, half, curvature));
+        }
+    }
+    best
+}
+
+/// The pieces of lanes: beginning, length, curvature, half the width.
+pub(crate) fn legs(lanes: &[Lane]) -> Vec<(Pose, f64, f64, f64)> {
+    let legs = |lane: &Lane| {
+        let half = lane.width / 2.0;
+        lane.legs().into_iter().map(move |(from, piece)| (from, piece.length, piece.curvature, half))
+    };
+    lanes.iter().flat_map(legs).collect()
+}
+
+fn distance_to(from: Pose, length: f64, curvature: f64, point: Point) -> f64 {
+    if curvature == 0.0 {
+        let local = from.to_local(point);
+        let ahead = local.x.clamp(0.0, length);
+        return (local - Point::new(ahead, 0.0)).norm();
+    }
+    let center = from.to_world(Point::new(0.0, 1.0 / curvature));
+    let (a, b): (Vector, Vector) = (from.point() - center, point - center);
+    // How far round, along the arc.
+    let turned = math::atan2(a.perp(&b), a.dot(&b)) * curvature.signum();
+    let turned = if turned < 0.0 { turned + math::TAU } else { turned };
+    if turned * curvature.abs().recip() <= length {
+        return (b.norm() - 1.0 / curvature.abs()).abs();
+    }
+    let end = from.advance(curvature, length);
+    (point - from.point()).norm().min((point - end.point()).norm())
+}
+
+/// The lowest limit at a point, m/s.
+pub(crate) fn limit_at(limits: &[SpeedLimit], point: Point) -> f64 {
+    limits.iter().filter(|l| inside(&l.points, point)).fold(f64::INFINITY, |low, l| low.min(l.speed))
+}
+
+fn inside(outline: &[[f64; 2]], p: Point) -> bool {
+    let mut odd = false;
+    for (i, a) in outline.iter().enumerate() {
+        let b = outline[(i + 1) % outline.len()];
+        if (a[1] > p.y) != (b[1] > p.y) && p.x < a[0] + (p.y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]) {
+            odd = !odd;
+        }
+    }
+    odd
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cells_count_by_their_centres() {
+        let frame = Frame { origin: Point::new(0.0, 0.0), width: 6, height: 4, resolution: 0.5 };
+        let outline = [(0.3, 0.2), (2.2, 0.2), (2.2, 1.3), (0.3, 1.3)].map(|(x, y)| Point::new(x, y));
+        let mut cells = Vec::new();
+        fill(&frame, &outline, |cell| cells.push((cell.x, cell.y)));
+        cells.sort_unstable_by_key(|c| (c.1, c.0));
+        cells.dedup();
+        assert_eq!(cells, [(1, 0), (2, 0), (3, 0), (1, 1), (2, 1), (3, 1), (1, 2), (2, 2), (3, 2)]);
+        let aligned = [(0.25, 0.25), (1.25, 0.25), (1.25, 0.75), (0.25, 0.75)].map(|(x, y)| Point::new(x, y));
+        let mut cells = 0;
+        let mut seen = [false; 24];
+        fill(&frame, &aligned, |cell| {
+            let index = frame.index(cell);
+            cells += u32::from(!std::mem::replace(&mut seen[index], true));
+        });
+        assert_eq!(cells, 6, "edges through centres count");
+    }
+
+    #[test]
+    fn a_bend_is_as_far_as_its_nearest_point() {
+        let from = Pose::new(0.0, 0.0, 0.0);
+        let quarter = 10.0 * math::FRAC_PI_2;
+        assert!((distance_to(from, quarter, 0.1, Point::new(0.0, 3.0)) - 3.0).abs() < 1e-12);
+        let diagonal = Point::new(20.0 * math::sin(0.5), 10.0 - 20.0 * math::cos(0.5));
+        assert!((distance_to(from, quarter, 0.1, diagonal) - 10.0).abs() < 1e-12);
+        assert!((distance_to(from, quarter, 0.1, Point::new(-3.0, 0.0)) - 3.0).abs() < 1e-12);
+        assert!(
+            (distance_to(from, 10.0 * math::FRAC_PI_2, -0.1, Point::new(10.0, -12.0)) - 2.0).abs() < 1e-9
+        );
+    }
+}

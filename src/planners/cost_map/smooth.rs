@@ -1,0 +1,146 @@
+//! From chords to a curve: a penalised spline, drawn closer to the chords where it comes too near to something.
+
+use super::Ground;
+use crate::geometry::Point;
+use crate::geometry::bspline::{Place, Spline};
+
+/// Points of the chords are this far apart at most, metres.
+const DATA: f64 = 1.0;
+/// Control points are this far apart; closer where that does not do, metres.
+const SPACINGS: [f64; 2] = [5.0, 2.5];
+/// Rounds of drawing closer.
+const ROUNDS: u32 = 8;
+/// A curve with less clearance than this is none, metres.
+const LEAST: f64 = 0.05;
+/// Root mean square distance of the manuscript's smoothing, metres.
+const PAPER_RESIDUAL: f64 = 1.0;
+
+/// How to smooth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Smoothing {
+    /// Root mean square distance from the chords that is used up, metres.
+    pub sigma: f64,
+    /// Places of the curve, at least; two a metre on long ways.
+    pub places: u32,
+    /// Largest curvature, 1/m.
+    pub max_curvature: f64,
+    /// Half the car's width, metres.
+    pub radius: f64,
+}
+
+/// A curve, or the chords where none was good enough.
+#[derive(Debug, Clone)]
+pub struct Smooth {
+    /// Points from start to goal.
+    pub points: Vec<Point>,
+    /// Signed curvature at each point, 1/m; empty for chords.
+    pub curvatures: Vec<f64>,
+    /// The curve itself.
+    pub spline: Option<Spline>,
+    /// Smallest clearance beside the body by the raster, metres.
+    pub clearance: f64,
+    /// Whether these are the chords.
+    pub fell_back: bool,
+}
+
+/// Smooths a polyline; `accept` has the last word on a curve.
+pub fn smooth(ground: &Ground, line: &[Point], how: &Smoothing, accept: impl Fn(&Spline) -> bool) -> Smooth {
+    let room = |p: Point| bilinear(ground, p) - how.radius;
+    let chords = |points: Vec<Point>| {
+        let clearance = points.iter().fold(f64::INFINITY, |least, &p| least.min(room(p)));
+        Smooth { points, curvatures: Vec::new(), spline: None, clearance, fell_back: true }
+    };
+    let data = dense(line, DATA);
+    let length = data.windows(2).fold(0.0, |sum, w| sum + (w[1] - w[0]).norm());
+    let places = (f64::from(how.places)).max((length * 2.0).ceil()).max(1.0) as u32;
+    if line.len() < 3 || length < SPACINGS[0] {
+        let points = dense(line, length / f64::from(places).max(1.0));
+        return Smooth { curvatures: vec![0.0; points.len()], fell_back: line.len() > 2, ..chords(points) };
+    }
+    let mut at = vec![0.0];
+    for pair in data.windows(2) {
+        at.push(at[at.len() - 1] + (pair[1] - pair[0]).norm() / length);
+    }
+    let least = dense(line, 0.5).iter().fold(f64::INFINITY, |least, &p| least.min(room(p)));
+    let target = (least.min(0.8) - 0.02).max(0.25);
+    for spacing in SPACINGS {
+        let count = ((length / spacing).ceil() as usize + 3).max(6);
+        let (mut weights, mut sigma) = (vec![1.0_f64; data.len()], how.sigma);
+        let mut best: Option<(f64, Spline)> = None;
+        for _ in 0..ROUNDS {
+            let spline = Spline::fit(&data, &at, &weights, count, sigma);
+            let rooms: Vec<f64> = at.iter().map(|&u| room(spline.at(u).point)).collect();
+            let worst = rooms.iter().fold(f64::INFINITY, |least, &r| least.min(r));
+            if best.as_ref().is_none_or(|b| worst > b.0) {
+                best = Some((worst, spline));
+            }
+            if worst >= target {
+                break;
+            }
+            for near in (0..data.len()).filter(|&i| rooms[i] < target) {
+                for weight in &mut weights[near.saturating_sub(3)..(near + 4).min(data.len())] {
+                    *weight = (*weight * 4.0).min(1e4);
+                }
+            }
+            sigma *= 0.7;
+        }
+        let Some((_, spline)) = best else { continue };
+        let curve: Vec<Place> = (0..=places).map(|k| spline.at(f64::from(k) / f64::from(places))).collect();
+        let points: Vec<Point> = curve.iter().map(|p| p.point).collect();
+        let curvatures: Vec<f64> = curve.iter().map(Place::curvature).collect();
+        let clearance = points.iter().fold(f64::INFINITY, |least, &p| least.min(room(p)));
+        let bends = curvatures.iter().all(|k| k.abs() <= how.max_curvature);
+        if clearance >= LEAST && bends && accept(&spline) {
+            return Smooth { points, curvatures, spline: Some(spline), clearance, fell_back: false };
+        }
+    }
+    chords(dense(line, length / f64::from(places)))
+}
+
+/// The manuscript's smoothing, as its program does it: as few control points as come within a root mean square distance of
+/// a metre from the points, and as smooth as that allows. Lines of fewer than four points get more half-way. `None` for
+/// fewer than two.
+pub fn paper_spline(line: &[Point]) -> Option<Spline> {
+    let mut points = line.to_vec();
+    while points.len() < 4 {
+        let gap = |i: &usize| -((points[i + 1] - points[*i]).norm());
+        let widest = (0..points.len().checked_sub(1)?).min_by(|a, b| gap(a).total_cmp(&gap(b)))?;
+        points.insert(widest + 1, nalgebra::center(&points[widest], &points[widest + 1]));
+    }
+    let length = points.windows(2).fold(0.0, |sum, w| sum + (w[1] - w[0]).norm());
+    let mut at = vec![0.0];
+    for pair in points.windows(2) {
+        at.push(at[at.len() - 1] + (pair[1] - pair[0]).norm() / length);
+    }
+    let weights = vec![1.0; points.len()];
+    let fit = |count: usize| Spline::fit(&points, &at, &weights, count, PAPER_RESIDUAL);
+    let near = |count: &usize| fit(*count).residual(&points, &at) <= PAPER_RESIDUAL;
+    Some(fit((4..points.len()).find(near).unwrap_or(points.len())))
+}
+
+/// The same line with points at most `step` metres apart, its own kept.
+pub fn dense(line: &[Point], step: f64) -> Vec<Point> {
+    let mut points = Vec::new();
+    for pair in line.windows(2) {
+        let way = pair[1] - pair[0];
+        let parts = (way.norm() / step - 1e-9).ceil().max(1.0);
+        points.extend((0..parts as u32).map(|k| pair[0] + way * (f64::from(k) / parts)));
+    }
+    points.extend(line.last());
+    points
+}
+
+/// The clearance between cell centres, metres; at the map's edge that of the outermost centres.
+fn bilinear(ground: &Ground, point: Point) -> f64 {
+    let [x, y] = ground.frame.lattice(point).map(|v| v - 0.5);
+    let (w, h) = (f64::from(ground.frame.width - 1), f64::from(ground.frame.height - 1));
+    let (x, y) = (x.clamp(0.0, w), y.clamp(0.0, h));
+    let (x0, y0) = (x.floor(), y.floor());
+    let at = |dx: f64, dy: f64| {
+        let cell = crate::map::Cell::new((x0 + dx).min(w) as i32, (y0 + dy).min(h) as i32);
+        ground.at(cell)
+    };
+    let (fx, fy) = (x - x0, y - y0);
+    (at(0.0, 0.0) * (1.0 - fx) + at(1.0, 0.0) * fx) * (1.0 - fy)
+        + (at(0.0, 1.0) * (1.0 - fx) + at(1.0, 1.0) * fx) * fy
+}

@@ -1,0 +1,260 @@
+//! The cells of a map with the moves of a neighbourhood, as a lattice to search.
+
+use std::cell::Cell as Counter;
+
+use super::heuristics::{DistanceWeight, Heuristic};
+use super::moves::{DIRECTIONS, Move, Neighbourhood, cost, legal_steps};
+use super::query::Query;
+use crate::map::{Cell, Corner, Occupancy, line_of_sight};
+use crate::search::NodeId;
+use crate::search::lattice::{Lattice, Sink};
+
+struct Step {
+    /// How much larger the target's number is.
+    offset: i32,
+    cost: i64,
+    /// Number of the move back.
+    opposite: u32,
+    dx: i32,
+    dy: i32,
+    /// Cells that must be free, as in [`Occupancy::window`].
+    needs: u64,
+    target: u64,
+}
+
+pub(super) struct Grid<'a> {
+    map: &'a Occupancy,
+    start: Cell,
+    goal: Cell,
+    neighbourhood: Neighbourhood,
+    steps: Vec<Step>,
+    /// The single steps by their direction, those that there are not as well.
+    single_steps: [Step; 8],
+    /// Directions of single steps that there are, as in [`Occupancy::free_around`].
+    single: u8,
+    /// Number of a single step from its direction: shift by this.
+    shift: u32,
+    corner: Corner,
+    heuristic: Heuristic,
+    weight: Option<DistanceWeight>,
+    los_calls: Counter<u32>,
+}
+
+impl<'a> Grid<'a> {
+    pub(super) fn new(
+        query: &Query<'a>,
+        neighbourhood: Neighbourhood,
+        corner: Corner,
+        heuristic: Heuristic,
+        weight: Option<DistanceWeight>,
+    ) -> Self {
+        let moves = neighbourhood.moves();
+        let width = query.map.width() as i32;
+        let step = |m: &Move| Step {
+            offset: m.dy * width + m.dx,
+            cost: cost(m.dx, m.dy),
+            opposite: moves.iter().position(|o| (o.dx, o.dy) == (-m.dx, -m.dy)).unwrap_or(0) as u32,
+            dx: m.dx,
+            dy: m.dy,
+            needs: crossed(m.dx, m.dy, corner),
+            target: bit(m.dx, m.dy),
+        };
+        let four = neighbourhood == Neighbourhood::Four;
+        Self {
+            map: query.map,
+            start: query.start,
+            goal: query.goal,
+            neighbourhood,
+            steps: moves.iter().map(step).collect(),
+            single_steps: DIRECTIONS.map(|(dx, dy)| step(&Move { dx, dy, cost: cost(dx, dy) })),
+            single: if four { 0b0101_0101 } else { 0xff },
+            shift: u32::from(four),
+            corner,
+            heuristic,
+            weight,
+            los_calls: Counter::new(0),
+        }
+    }
+
+    pub(super) fn los_calls(&self) -> u32 {
+        self.los_calls.get()
+    }
+
+    fn offer<S: Sink>(&self, node: NodeId, last: Option<u32>, back: bool, sink: &mut S) {
+        let cell = self.map.cell(node);
+        let free = self.map.free_around(cell);
+        let legal = legal_steps(free, self.corner);
+        let mut left = self.single & free;
+        if let Some(number) = last.filter(|&number| number < 8) {
+            let direction = number << self.shift;
+            left &= unseen(free, if back { direction + 4 } else { direction }, self.shift == 0);
+        }
+        // First look at all, then move: processors guess badly which steps are worth it.
+        let mut worth = 0_u32;
+        while left != 0 {
+            let direction = left.trailing_zeros() & 7;
+            left &= left - 1;
+            let step = &self.single_steps[direction as usize];
+            let better = sink.worth(node.wrapping_add_signed(step.offset), step.cost);
+            worth |= u32::from(better) << direction;
+        }
+        let mut calls = worth.count_ones();
+        worth &= u32::from(legal);
+        while worth != 0 {
+            let direction = worth.trailing_zeros() & 7;
+            worth &= worth - 1;
+            let step = &self.single_steps[direction as usize];
+            let h = self.ahead(cell.offset(step.dx, step.dy), back);
+            let number = if back { direction ^ 4 } else { direction } >> self.shift;
+            sink.take(number, node.wrapping_add_signed(step.offset), step.cost, h);
+        }
+        if self.steps.len() > 8 {
+            calls += self.offer_long(node, cell, back, sink);
+        }
+        self.los_calls.set(self.los_calls.get() + calls);
+    }
+
+    fn offer_long<S: Sink>(&self, node: NodeId, cell: Cell, back: bool, sink: &mut S) -> u32 {
+        let window = self.map.window(cell);
+        let mut calls = 0;
+        for (number, step) in self.steps.iter().enumerate().skip(8) {
+            if window & step.target != 0 {
+                continue;
+            }
+            let target = node.wrapping_add_signed(step.offset);
+            if sink.worth(target, step.cost) {
+                calls += 1;
+                let to = || cell.offset(step.dx, step.dy);
+                if window & step.needs == 0
+                    && (self.corner != Corner::NoSqueeze || line_of_sight(self.map, cell, to(), self.corner))
+                {
+                    let number = if back { step.opposite } else { number as u32 };
+                    sink.take(number, target, step.cost, self.ahead(to(), back));
+                }
+            }
+        }
+        calls
+    }
+
+    #[inline]
+    fn estimate(&self, from: Cell, to: Cell) -> i64 {
+        self.heuristic.estimate(self.neighbourhood, to.x - from.x, to.y - from.y)
+    }
+
+    /// The estimate from a cell to where the search goes.
+    #[inline]
+    fn ahead(&self, cell: Cell, back: bool) -> i64 {
+        if back {
+            return self.estimate(self.start, cell);
+        }
+        let h = self.estimate(cell, self.goal);
+        self.weight.map_or(h, |weight| weight.apply(h, self.goal.x - cell.x, self.goal.y - cell.y))
+    }
+}
+
+impl Lattice for Grid<'_> {
+    fn node_count(&self) -> usize {
+        self.map.len()
+    }
+
+    fn successors<S: Sink>(&self, node: NodeId, last: Option<u32>, sink: &mut S) {
+        self.offer(node, last, false, sink);
+    }
+
+    fn predecessors<S: Sink>(&self, node: NodeId, last: Option<u32>, sink: &mut S) {
+        self.offer(node, last, true, sink);
+    }
+
+    fn after(&self, node: NodeId, number: u32) -> NodeId {
+        node.wrapping_add_signed(self.steps[number as usize].offset)
+    }
+
+    fn before(&self, node: NodeId, number: u32) -> NodeId {
+        node.wrapping_add_signed(-self.steps[number as usize].offset)
+    }
+
+    fn to_goal(&self, node: NodeId) -> i64 {
+        self.ahead(self.map.cell(node), false)
+    }
+
+    fn to_start(&self, node: NodeId) -> i64 {
+        self.ahead(self.map.cell(node), true)
+    }
+}
+
+/// The single steps that may lead on from a cell whose free neighbours are `free` and which was reached in a direction:
+/// the cell before has been there at no higher cost where such a cell is also its neighbour. Without `diagonals`, that
+/// is only itself.
+fn unseen(free: u8, direction: u32, diagonals: bool) -> u8 {
+    let free = free.rotate_right(direction);
+    let seen = match (diagonals, direction % 2) {
+        (false, _) => 0b0001_0000,
+        (true, 0) => 0b0011_1000 | (free & 0b1000) >> 1 | (free & 0b10_0000) << 1,
+        (true, _) => 0b0011_1000,
+    };
+    (!seen).rotate_left(direction)
+}
+
+/// The bit of a cell in [`Occupancy::window`].
+const fn bit(dx: i32, dy: i32) -> u64 {
+    1 << (8 * (dy + 3) + dx + 3)
+}
+
+/// The cells that [`line_of_sight`] along a move asks to be free; with [`Corner::NoSqueeze`], which asks for one *or*
+/// another, only those that it asks for in any case.
+fn crossed(dx: i32, dy: i32, corner: Corner) -> u64 {
+    let (ax, ay, sx, sy) = (dx.abs(), dy.abs(), dx.signum(), dy.signum());
+    let (mut i, mut j, mut cells) = (0, 0, 0);
+    while i < ax || j < ay {
+        let side = (2 * i + 1) * ay - (2 * j + 1) * ax;
+        if side == 0 && corner == Corner::Strict {
+            cells |= bit(sx * (i + 1), sy * j) | bit(sx * i, sy * (j + 1));
+        }
+        i += i32::from(side <= 0);
+        j += i32::from(side >= 0);
+        cells |= bit(sx * i, sy * j);
+    }
+    cells
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::planners::moves::{D, R2};
+
+    /// Every step that is left out leads to where the cell before could go itself, legally and at no higher cost.
+    #[test]
+    fn only_what_the_cell_before_has_seen_is_left_out() {
+        let centre = Cell::new(2, 2);
+        for (free, direction) in (0..=255_u8).flat_map(|free| (0..8_u32).map(move |d| (free, d))) {
+            let (dx, dy) = DIRECTIONS[direction as usize];
+            let before = centre.offset(-dx, -dy);
+            let mut map = Occupancy::new(5, 5);
+            for (c, &(dx, dy)) in DIRECTIONS.iter().enumerate() {
+                map.set(centre.offset(dx, dy), free >> c & 1 == 0);
+            }
+            for corner in [Corner::Strict, Corner::NoSqueeze, Corner::Free] {
+                if map.blocked(before) || !line_of_sight(&map, before, centre, corner) {
+                    continue;
+                }
+                let price = |from: Cell, to: Cell| if from.x == to.x || from.y == to.y { D } else { R2 };
+                for diagonals in [true, false] {
+                    if !diagonals && direction % 2 == 1 {
+                        continue;
+                    }
+                    let out = free & !unseen(free, direction, diagonals);
+                    for c in (0..8).filter(|c| out >> c & 1 == 1) {
+                        let target = centre.offset(DIRECTIONS[c].0, DIRECTIONS[c].1);
+                        if !diagonals && c % 2 == 1 || target == before {
+                            continue;
+                        }
+                        let near = (target.x - before.x).abs().max((target.y - before.y).abs()) == 1;
+                        assert!(near && diagonals, "{free:b} {direction} {c}");
+                        assert!(line_of_sight(&map, before, target, corner), "{free:b} {direction} {c}");
+                        assert!(price(before, target) <= price(before, centre) + price(centre, target));
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,195 @@
+//! From level to level until one gives a path that survives verification.
+
+use super::config::Level;
+use super::cost::{CostModel, Motion};
+use super::domain::{self, Lattice, Setting, State};
+use super::flood::Flood;
+use super::passage::{self, Gap};
+use super::{Config, FINE, Query, Report, Scratch, Status, Tree, shortcut};
+use crate::geometry::arcs::{self, Arc};
+use crate::geometry::{Pose, math};
+use crate::search::{End, Limits, best_first};
+use crate::vehicle::collision::Probe;
+
+/// Spacing of the last check of a path, metres.
+const VERIFY: f64 = 0.01;
+/// Expansions after which the estimate gets more weight.
+const SOON: u32 = 1000;
+/// Its weight then.
+const PATIENCE: f64 = 1.3;
+/// The first level's weight then.
+const TIGHT_WEIGHT: f64 = 1.2;
+
+/// One question at one margin.
+#[derive(Clone, Copy)]
+pub(super) struct Search<'a> {
+    pub(super) query: &'a Query<'a>,
+    pub(super) config: &'a Config,
+    pub(super) probe: &'a Probe<'a>,
+    pub(super) flood: &'a Flood,
+    pub(super) root: Pose,
+    pub(super) target: Pose,
+    pub(super) mirrored: bool,
+    pub(super) start: Pose,
+    pub(super) goal: Pose,
+    /// Whether start or goal have little room around them.
+    pub(super) tight: bool,
+}
+
+impl Search<'_> {
+    /// Why there is no way at all.
+    pub(super) fn unreachable(&self) -> Status {
+        let gap = passage::too_narrow(self.query.obstacles, self.query.vehicle, self.start, self.goal);
+        gap.map_or(Status::Unreachable, |gap| {
+            let at = self.world(Pose::new(gap.at.x, gap.at.y, 0.0)).point();
+            Status::TooNarrow(Gap { at, ..gap })
+        })
+    }
+
+    /// Tries the levels from one on in order until one gives a path.
+    pub(super) fn climb(&self, first: usize, report: &mut Report, scratch: &mut Scratch, trace: bool) {
+        for (number, level) in self.config.levels().enumerate().skip(first) {
+            // A level that spent its budget had room to move: finer steps would only spend more.
+            if number >= FINE && matches!(report.status, Status::BudgetExhausted(_)) {
+                return;
+            }
+            report.level = number as u32;
+            let found = if number == 0 {
+                let weight = self.config.heuristic_weight.unwrap_or(if self.tight {
+                    TIGHT_WEIGHT
+                } else {
+                    level.weight
+                });
+                self.coarse(Level { weight, ..level }, report, scratch, trace)
+            } else {
+                self.level(level, report, scratch, trace)
+            };
+            if found {
+                return;
+            }
+        }
+    }
+
+    /// Searches the first level: soon with the plain estimate or, what is left of the budget, with a heavier one. On
+    /// long cluttered ways the plain estimate spends its budget on detours of equal promise.
+    fn coarse(&self, level: Level, report: &mut Report, scratch: &mut Scratch, trace: bool) -> bool {
+        let soon = Level { max_expansions: level.max_expansions.min(SOON), ..level };
+        let found = self.level(soon, report, scratch, trace);
+        let unfinished = matches!(report.status, Status::Suboptimal | Status::BudgetExhausted(_));
+        if !unfinished || soon.max_expansions == level.max_expansions {
+            return found;
+        }
+        let before = found.then(|| (core::mem::take(&mut report.arcs), report.cost));
+        let weight = self.config.heuristic_weight.unwrap_or(PATIENCE);
+        let patient = Level { weight, max_expansions: level.max_expansions - soon.max_expansions, ..level };
+        let again = self.level(patient, report, scratch, trace);
+        match before {
+            Some((arcs, cost)) if !again || cost < report.cost => {
+                (report.arcs, report.cost, report.status) = (arcs, cost, Status::Suboptimal);
+                true
+            }
+            _ => again,
+        }
+    }
+
+    /// Searches one level, with finer collision checks where verification fails; tells whether there is a path.
+    fn level(&self, level: Level, report: &mut Report, scratch: &mut Scratch, trace: bool) -> bool {
+        for halvings in 0..3 {
+            let level = Level { spacing: level.spacing / f64::from(1 << halvings), ..level };
+            let Some((arcs, status)) = self.search(level, report, scratch, trace) else { return false };
+            let arcs = self.improve(arcs, level, report.margin);
+            if self.verified(&arcs) {
+                let costs = CostModel::driven(self.config, self.query.vehicle.min_turning_radius());
+                report.cost = costs.path(self.probe, self.start, Motion::default(), &arcs);
+                report.arcs = arcs;
+                report.status = status;
+                return true;
+            }
+            report.status = Status::VerificationFailed;
+        }
+        false
+    }
+
+    fn search(
+        &self,
+        level: Level,
+        report: &mut Report,
+        scratch: &mut Scratch,
+        trace: bool,
+    ) -> Option<(Vec<Arc>, Status)> {
+        let mut tree = trace.then(|| Tree {
+            arcs: Vec::new(),
+            dropped: 0,
+            origin: self.origin(),
+            mirrored: self.mirrored,
+        });
+        #[cfg(feature = "complete")]
+        if self.config.search_from == super::SearchFrom::Both && !level.shuffle {
+            let found = super::two_way::search(self, level, report, &mut tree);
+            report.keep(tree);
+            return found;
+        }
+        let radius = self.query.vehicle.min_turning_radius();
+        let driven = CostModel::driven(self.config, radius);
+        let costs = if self.mirrored { driven.mirrored() } else { driven };
+        let setting = Setting { probe: self.probe, flood: self.flood, keys: &scratch.keys, costs };
+        let mut lattice =
+            Lattice::new(setting, self.query.vehicle, self.config, level, self.target, report.margin);
+        let limits =
+            Limits { max_expansions: level.max_expansions, first: self.config.first_shot || level.shuffle };
+        let state = State { pose: self.root, ..State::default() };
+        let root = (lattice.node(self.root, 0), state);
+        let found = best_first(&mut lattice, root, limits, &mut scratch.search, &mut tree);
+        report.keep(tree);
+        report.expanded += found.expanded;
+        report.generated += found.generated;
+        report.pushes += found.pushes;
+        report.open_peak = report.open_peak.max(found.open_peak);
+        let closest = scratch.search.label(found.closest.1).map(|s| s.pose);
+        report.closest = closest.map(|p| self.world(p));
+        let Some((last, _, tail)) = found.found else {
+            report.status = match found.end {
+                End::BudgetSpent => Status::BudgetExhausted(found.closest.0 / level.weight.max(1e-9)),
+                _ => Status::NoPath,
+            };
+            return None;
+        };
+        let arcs = domain::path(&scratch.search.chain(last), &tail, radius);
+        let arcs = if self.mirrored { arcs::reversed(&arcs) } else { arcs };
+        let unproven = level.shuffle || found.end == End::BudgetSpent;
+        let status = if unproven { Status::Suboptimal } else { Status::Found };
+        Some((arcs, status))
+    }
+
+    fn improve(&self, arcs: Vec<Arc>, level: Level, margin: f64) -> Vec<Arc> {
+        if !self.config.shortcut {
+            return arcs;
+        }
+        let costs = CostModel::driven(self.config, self.query.vehicle.min_turning_radius());
+        let rules = shortcut::Rules { probe: self.probe, costs: &costs, spacing: level.spacing, margin };
+        shortcut::shortcut(rules, self.start, arcs)
+    }
+
+    /// Whether the path is free at the finest spacing and ends at the goal.
+    fn verified(&self, arcs: &[Arc]) -> bool {
+        let mut pose = self.start;
+        let free = arcs.iter().all(|arc| {
+            let free = self.probe.arc_free(pose, arc, VERIFY, 0.0);
+            pose = pose.advance(arc.curvature, arc.length);
+            free
+        });
+        let off = (pose.point() - self.goal.point()).norm();
+        free && off < 1e-6 && math::turn(pose.heading, self.goal.heading).abs() < 1e-6
+    }
+
+    /// The world position of the local origin.
+    fn origin(&self) -> Pose {
+        let at = self.query.start.point() - self.start.point();
+        Pose::new(at.x, at.y, 0.0)
+    }
+
+    fn world(&self, pose: Pose) -> Pose {
+        let origin = self.origin();
+        Pose::new(pose.x + origin.x, pose.y + origin.y, pose.heading)
+    }
+}

@@ -1,0 +1,40 @@
+//! Scenes in which something crosses the car's way: the parking paper's figure 16 and what it takes to make it wait.
+
+use super::catalog::{Info, info, paper_row};
+use super::{MovingObstacle, Scenario};
+
+const FIGURE: [&str; 2] = [
+    "The paper waits for this box. Does a shorter path have to?",
+    "论文在此等待该障碍物。更短的路径还需要等吗？",
+];
+const CONFLICT: [&str; 2] = ["Where is it safe to wait for the box?", "在哪里等待障碍物才安全？"];
+
+pub(super) const SCENES: [Info; 5] = [
+    info("fig16", "moving", ["Figure 16 of the paper", "论文图 16"], FIGURE),
+    info("fig16-conflict", "moving", ["Box across the way", "横穿的障碍物"], CONFLICT),
+    info("fig16-oncoming", "moving", ["Oncoming box", "迎面而来的障碍物"], CONFLICT),
+    info("fig16-fast", "moving", ["Box from behind, 4 m/s", "后方来的障碍物，4 m/s"], CONFLICT),
+    info("fig16-low", "moving", ["Box near the slot", "车位旁的障碍物"], CONFLICT),
+];
+
+/// From x, to x, y and speed of each scene's box.
+const BOXES: [(&str, [f64; 4]); 5] = [
+    ("fig16", [-20.0, 5.0, 15.0, 2.0]),
+    ("fig16-conflict", [25.0, -20.0, 12.0, 2.0]),
+    ("fig16-oncoming", [25.0, -20.0, 15.0, 2.0]),
+    ("fig16-fast", [-20.0, 25.0, 12.0, 4.0]),
+    ("fig16-low", [25.0, -20.0, 10.0, 2.0]),
+];
+
+pub(super) fn build(id: &str) -> Option<Scenario> {
+    let (_, [from, to, y, speed]) = BOXES.into_iter().find(|b| b.0 == id)?;
+    let mut scene = paper_row("L0")?;
+    scene.moving = vec![MovingObstacle {
+        id: Some("box".to_owned()),
+        points: vec![[from, y], [to, y]],
+        size: [5.0, 1.0],
+        speed,
+        start: 0.0,
+    }];
+    Some(scene)
+}

@@ -1,0 +1,177 @@
+//! The road scenes: a lane, a curve, a crossing, a narrow road. Every road goes on for 5 m before the start and beyond the
+//! goal, so that the car stands on it.
+
+use super::catalog::{Info, info};
+use super::road::{Lane, LanePiece, SpeedLimit};
+use super::{Goal, MapFrame, Obstacle, Scenario, VehicleSpec};
+use crate::geometry::Pose;
+use crate::geometry::math::{FRAC_PI_2, PI};
+use crate::vehicle::Vehicle;
+
+const QUESTION: [&str; 2] =
+    ["Which way keeps its distance and turns the least?", "哪条路径既保持距离又转弯最少？"];
+
+pub(super) const SCENES: [Info; 4] = [
+    info("road-straight", "road", ["Straight lane, 1 km", "直线车道，1 公里"], QUESTION),
+    info("road-curve", "road", ["Two-way curve", "双向弯道"], QUESTION),
+    info("road-crossing", "road", ["Left turn at a crossing", "路口左转"], QUESTION),
+    info("road-narrow", "road", ["Narrow road, eight obstacles", "窄路，八个障碍物"], QUESTION),
+];
+
+/// How far a road goes on before the start and beyond the goal, metres; ten cells.
+const RUN_OUT: f64 = 5.0;
+const RESOLUTION: f64 = 0.5;
+
+pub(super) fn build(id: &str) -> Option<Scenario> {
+    match id {
+        "road-straight" => Some(straight()),
+        "road-curve" => Some(curve()),
+        "road-crossing" => Some(crossing()),
+        "road-narrow" => Some(narrow()),
+        _ => None,
+    }
+}
+
+/// A scene whose start and goal are places of the car's middle.
+fn scene(origin: [f64; 2], cells: [u32; 2], boundary: Vec<[f64; 2]>, start: Pose, goal: Pose) -> Scenario {
+    let car = Vehicle::SEDAN;
+    let behind = (car.rear_to_back - car.rear_to_front) / 2.0;
+    let [width, height] = cells;
+    Scenario {
+        version: 1,
+        name: None,
+        map: MapFrame { origin, width, height, resolution: RESOLUTION, boundary: Some(boundary) },
+        obstacles: Vec::new(),
+        slots: Vec::new(),
+        moving: Vec::new(),
+        lanes: Vec::new(),
+        speed_limits: Vec::new(),
+        vehicle: VehicleSpec::Profile("sedan".to_owned()),
+        start: start.advance(0.0, behind),
+        goal: Goal::Pose(goal.advance(0.0, behind)),
+        planners: std::collections::BTreeMap::new(),
+    }
+}
+
+fn lane(id: &str, start: Pose, pieces: &[(f64, f64)], width: f64) -> Lane {
+    let pieces = pieces.iter().map(|&(length, curvature)| LanePiece { length, curvature }).collect();
+    Lane { id: Some(id.to_owned()), start, pieces, width }
+}
+
+fn block(id: &str, [x0, x1]: [f64; 2], [y0, y1]: [f64; 2]) -> Obstacle {
+    Obstacle::Rectangle {
+        id: Some(id.to_owned()),
+        center: [f64::midpoint(x0, x1), f64::midpoint(y0, y1)],
+        size: [x1 - x0, y1 - y0],
+        heading: 0.0,
+    }
+}
+
+/// A straight road from x = −5 to `end` + 5, y = 0 to `width`, with a metre around it.
+fn along_x(end: f64, width: f64, start: Pose, goal: Pose) -> Scenario {
+    let (low, high) = (-RUN_OUT, end + RUN_OUT);
+    let boundary = vec![[low, 0.0], [high, 0.0], [high, width], [low, width]];
+    let cells = [((high - low) / RESOLUTION) as u32, ((width + 2.0) / RESOLUTION) as u32];
+    let mut scene = scene([low, -1.0], cells, boundary, start, goal);
+    let y = width / 2.0;
+    scene.lanes = vec![lane("lane", Pose::new(low, y, 0.0), &[(high - low, 0.0)], width)];
+    scene
+}
+
+fn straight() -> Scenario {
+    along_x(1000.5, 3.5, Pose::new(0.25, 1.75, 0.0), Pose::new(1000.25, 1.75, 0.0))
+}
+
+fn narrow() -> Scenario {
+    let mut scene = along_x(500.5, 6.5, Pose::new(0.25, 3.25, 0.0), Pose::new(500.25, 3.25, 0.0));
+    scene.lanes[0].width = 3.25;
+    let obstacle = |i: u32| {
+        let x = 43.0 + 55.0 * f64::from(i);
+        let y = if i.is_multiple_of(2) { [0.0, 3.0] } else { [3.5, 6.5] };
+        block(&format!("obstacle-{}", i + 1), [x, x + 4.5], y)
+    };
+    scene.obstacles = (0..8).map(obstacle).collect();
+    scene
+}
+
+fn curve() -> Scenario {
+    let bend = 120.0 * PI / 3.0;
+    let rest = 800.0 - 250.0 - 2.0 * bend;
+    let k = 1.0 / 120.0;
+    let pieces = [(150.0 + RUN_OUT, 0.0), (bend, k), (100.0, 0.0), (bend, -k), (rest + RUN_OUT, 0.0)];
+    let middle = lane("middle", Pose::new(-RUN_OUT, 0.0, 0.0), &pieces, 7.0);
+    let at = |station: f64, left: f64| middle.point(station + RUN_OUT, left);
+    // A metre of arc bulges by a millimetre.
+    let stations: Vec<f64> = [-RUN_OUT]
+        .into_iter()
+        .chain((0..=126).map(|i| 150.0 + bend * f64::from(i) / 126.0))
+        .chain((0..=126).map(|i| 250.0 + bend + bend * f64::from(i) / 126.0))
+        .chain([800.0 + RUN_OUT])
+        .collect();
+    let side = |left: f64| stations.iter().map(move |&s| at(s, left)).map(|p| [p.x, p.y]);
+    let mut boundary: Vec<[f64; 2]> = side(3.5).collect();
+    boundary.reverse();
+    boundary.splice(0..0, side(-3.5));
+    // Centres from two metres before the middle's westernmost place and eight below its lowest.
+    let end = at(800.0, 0.0);
+    let cells =
+        [((end.x + 4.0) / RESOLUTION).floor() as u32 + 21, ((end.y + 16.0) / RESOLUTION).floor() as u32 + 1];
+    let mut scene = scene([-2.25 - RUN_OUT, -8.25], cells, boundary, at(1.0, -1.75), at(799.0, -1.75));
+    let start = at(-RUN_OUT, -1.75);
+    let beside = |&(length, k): &(f64, f64)| (length * (1.0 + 1.75 * k), k / (1.0 + 1.75 * k));
+    scene.lanes = vec![lane("lane", start, &pieces.iter().map(beside).collect::<Vec<_>>(), 3.5)];
+    let obstacle = |id: &str, station: f64, left: f64, size: [f64; 2]| {
+        let pose = at(station, left);
+        Obstacle::Rectangle { id: Some(id.to_owned()), center: [pose.x, pose.y], size, heading: pose.heading }
+    };
+    scene.obstacles =
+        vec![obstacle("car", 330.0, -2.5, [4.7, 1.9]), obstacle("box", 560.0, -1.75, [1.0, 1.0])];
+    scene
+}
+
+fn crossing() -> Scenario {
+    let (low, high, half) = (-360.0 - RUN_OUT, 40.0, 7.5);
+    let boundary = vec![
+        [-half, low],
+        [half, low],
+        [half, -half],
+        [high, -half],
+        [high, half],
+        [half, half],
+        [half, high],
+        [-half, high],
+        [-half, half],
+        [low, half],
+        [low, -half],
+        [-half, -half],
+    ];
+    let (start, goal) = (Pose::new(2.25, -359.75, FRAC_PI_2), Pose::new(-359.75, 2.25, PI));
+    let cells = ((high - low) / RESOLUTION) as u32;
+    let mut scene = scene([low, low], [cells, cells], boundary, start, goal);
+    scene.obstacles = vec![
+        block("hatch south", [-0.5, 0.5], [low, -20.0]),
+        block("hatch west", [low, -20.0], [-0.5, 0.5]),
+        block("barrier-1", [0.5, 4.0], [-281.0, -279.0]),
+        block("barrier-2", [4.0, 7.5], [-191.0, -189.0]),
+        block("barrier-3", [0.5, 4.0], [-101.0, -99.0]),
+        block("barrier-4", [-131.0, -129.0], [4.0, 7.5]),
+        block("barrier-5", [-241.0, -239.0], [0.5, 4.0]),
+    ];
+    let way = -12.0 - low;
+    let north = |id: &str, x: f64| lane(id, Pose::new(x, low, FRAC_PI_2), &[(way, 0.0)], 3.5);
+    let west = |id: &str, y: f64| lane(id, Pose::new(-12.0, y, PI), &[(way, 0.0)], 3.5);
+    let guide = [(14.25 * FRAC_PI_2, 1.0 / 14.25)];
+    scene.lanes = vec![
+        north("north inner", 2.25),
+        north("north outer", 5.75),
+        lane("turn", Pose::new(2.25, -12.0, FRAC_PI_2), &guide, 3.5),
+        west("west inner", 2.25),
+        west("west outer", 5.75),
+    ];
+    let walk = |[x0, x1]: [f64; 2], [y0, y1]: [f64; 2]| SpeedLimit {
+        points: vec![[x0, y0], [x1, y0], [x1, y1], [x0, y1]],
+        speed: 5.56,
+    };
+    scene.speed_limits = vec![walk([-half, half], [-18.5, -15.5]), walk([-18.5, -15.5], [-half, half])];
+    scene
+}

@@ -1,0 +1,243 @@
+//! Search from both ends at once, one node at a time in turns.
+//!
+//! The backward side follows *forward* costs against their direction ([`Lattice::predecessors`]), so costs may depend
+//! on the direction of a move.
+
+use super::lattice::{Found, Lattice, Memory, Relaxing, Side};
+use super::{End, NodeId, Observer};
+
+/// When a search from both ends stops.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Stop {
+    /// When one side takes up a node that the other has finished; the path leads through it. Not always the cheapest.
+    #[default]
+    First,
+    /// Then, too; but the path leads through the best connection seen until then.
+    Best,
+    /// When no better connection can exist, which gives the cheapest path (Pijls and Post 2009).
+    Optimal,
+}
+
+/// Searches a path from `start` to `goal` from both ends. The estimates must be consistent.
+pub fn both_ways<L: Lattice, O: Observer<i64, ()>>(
+    lattice: &L,
+    (start, goal): (NodeId, NodeId),
+    stop: Stop,
+    max_expansions: u32,
+    memory: &mut Memory,
+    observer: &mut O,
+) -> Found {
+    let far = lattice.to_goal(start);
+    let first = if stop == Stop::Optimal { (far, far) } else { (0, 0) };
+    for (side, root) in memory.sides.iter_mut().zip([start, goal]) {
+        side.begin(lattice.node_count(), root, first, far);
+    }
+    let mut search = Search {
+        lattice,
+        observer,
+        found: Found::nothing(start),
+        best: (i64::MAX, start),
+        nearest: far,
+        last: [far; 2],
+    };
+    let mut turn = 0;
+    while let Some((node, f, h)) = memory.sides[turn].pop() {
+        if search.found.expanded >= max_expansions {
+            search.found.end = End::BudgetSpent;
+            break;
+        }
+        let goes_on = if stop == Stop::Optimal {
+            search.bounded(turn, (node, f, h), &mut memory.sides)
+        } else {
+            search.meeting(turn, (node, h), stop, &mut memory.sides)
+        };
+        if !goes_on {
+            break;
+        }
+        turn = 1 - turn;
+    }
+    let Search { mut found, best, .. } = search;
+    if best.0 < i64::MAX && found.end != End::BudgetSpent {
+        found.end = End::Found;
+        found.cost = best.0;
+        found.nodes = memory.sides[0].chain(best.1, |at, number| lattice.before(at, number));
+        found.nodes.reverse();
+        let back = memory.sides[1].chain(best.1, |at, number| lattice.after(at, number));
+        found.nodes.extend(&back[1..]);
+    }
+    found.count(&memory.sides);
+    found
+}
+
+struct Search<'a, L, O> {
+    lattice: &'a L,
+    observer: &'a mut O,
+    found: Found,
+    /// The cheapest connection so far, and the node that it leads through.
+    best: (i64, NodeId),
+    nearest: i64,
+    /// Each side's last f.
+    last: [i64; 2],
+}
+
+impl<L: Lattice, O: Observer<i64, ()>> Search<'_, L, O> {
+    /// One turn until the sides meet. Tells whether to go on.
+    fn meeting(&mut self, turn: usize, (node, h): (NodeId, i64), stop: Stop, sides: &mut [Side; 2]) -> bool {
+        let (side, other) = pair(sides, turn);
+        let g = side.known(node).unwrap_or_default();
+        side.close(node);
+        if other.is_closed(node) {
+            self.found.expanded += 1;
+            self.observer.expanded(node, (), g);
+            if stop == Stop::First {
+                self.best = (g + other.known(node).unwrap_or_default(), node);
+            }
+            return false;
+        }
+        self.expand(turn, (node, g, h), sides, stop == Stop::Best);
+        true
+    }
+
+    /// One turn of NBA*. Tells whether to go on.
+    fn bounded(&mut self, turn: usize, (node, f, h): (NodeId, i64, i64), sides: &mut [Side; 2]) -> bool {
+        let (side, other) = pair(sides, turn);
+        let g = side.known(node).unwrap_or_default();
+        self.last[turn] = f;
+        side.close(node);
+        other.close(node);
+        let back = if turn == 0 { self.lattice.to_start(node) } else { self.lattice.to_goal(node) };
+        if g + h >= self.best.0 || g + self.last[1 - turn] - back >= self.best.0 {
+            self.found.rejected += 1;
+            return f < self.best.0;
+        }
+        self.expand(turn, (node, g, h), sides, true);
+        true
+    }
+
+    fn expand(
+        &mut self,
+        turn: usize,
+        (node, g, h): (NodeId, i64, i64),
+        sides: &mut [Side; 2],
+        connect: bool,
+    ) {
+        self.found.expanded += 1;
+        self.observer.expanded(node, (), g);
+        if turn == 0 && h < self.nearest {
+            (self.nearest, self.found.closest) = (h, node);
+        }
+        let (side, other) = pair(sides, turn);
+        let (lattice, best) = (self.lattice, &mut self.best);
+        let note = |target: NodeId, g: i64| {
+            if connect
+                && let Some(rest) = other.known(target)
+                && g + rest < best.0
+            {
+                *best = (g + rest, target);
+            }
+        };
+        let last = side.last(node);
+        let mut sink = Relaxing::new(side, self.observer, (node, g), note);
+        if turn == 0 {
+            lattice.successors(node, last, &mut sink);
+        } else {
+            lattice.predecessors(node, last, &mut sink);
+        }
+    }
+}
+
+/// The side whose turn it is and the other one.
+fn pair(sides: &mut [Side; 2], turn: usize) -> (&mut Side, &mut Side) {
+    let [first, second] = sides;
+    if turn == 0 { (first, second) } else { (second, first) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::search::lattice::{Sink, one_way};
+
+    const SIDE: u32 = 12;
+
+    /// A torus of nodes with four moves whose costs depend on where they begin: against the direction of a move, its
+    /// cost is another one.
+    struct Directed {
+        costs: Vec<[i64; 4]>,
+    }
+
+    impl Directed {
+        fn neighbour(node: NodeId, number: u32) -> NodeId {
+            let (x, y) = (node % SIDE, node / SIDE);
+            let (dx, dy) = [(1, 0), (0, 1), (SIDE - 1, 0), (0, SIDE - 1)][number as usize];
+            (x + dx) % SIDE + (y + dy) % SIDE * SIDE
+        }
+    }
+
+    impl Lattice for Directed {
+        fn node_count(&self) -> usize {
+            (SIDE * SIDE) as usize
+        }
+        fn successors<S: Sink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
+            for number in 0..4 {
+                let (to, cost) = (Self::neighbour(node, number), self.costs[node as usize][number as usize]);
+                if sink.worth(to, cost) {
+                    sink.take(number, to, cost, 0);
+                }
+            }
+        }
+        fn predecessors<S: Sink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
+            for number in 0..4 {
+                let from = self.before(node, number);
+                let cost = self.costs[from as usize][number as usize];
+                if sink.worth(from, cost) {
+                    sink.take(number, from, cost, 0);
+                }
+            }
+        }
+        fn after(&self, node: NodeId, number: u32) -> NodeId {
+            Self::neighbour(node, number)
+        }
+        fn before(&self, node: NodeId, number: u32) -> NodeId {
+            Self::neighbour(node, (number + 2) % 4)
+        }
+        fn to_goal(&self, _: NodeId) -> i64 {
+            0
+        }
+        fn to_start(&self, _: NodeId) -> i64 {
+            0
+        }
+    }
+
+    #[test]
+    fn the_backward_side_pays_forward_costs() {
+        let mut state = 5_u64;
+        let mut random = move |n: u64| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (state >> 33) % n
+        };
+        let mut memory = Memory::default();
+        for _ in 0..300 {
+            let node = |_| [0; 4].map(|_| 1 + random(9) as i64);
+            let directed = Directed { costs: (0..SIDE * SIDE).map(node).collect() };
+            let ends = (random(144) as u32, random(144) as u32);
+            if ends.0 == ends.1 {
+                continue;
+            }
+            let plain = one_way(&directed, ends, 1000, &mut memory, &mut ());
+            for stop in [Stop::First, Stop::Best, Stop::Optimal] {
+                let both = both_ways(&directed, ends, stop, 1000, &mut memory, &mut ());
+                assert_eq!((both.nodes.first(), both.nodes.last()), (Some(&ends.0), Some(&ends.1)));
+                // The cheapest of the moves that join two nodes is the one that a cheapest path takes.
+                let step = |pair: &[NodeId]| {
+                    let moves = (0..4).filter(|&k| Directed::neighbour(pair[0], k) == pair[1]);
+                    moves.map(|k| directed.costs[pair[0] as usize][k as usize]).min().unwrap()
+                };
+                assert_eq!(both.nodes.windows(2).map(step).sum::<i64>(), both.cost);
+                assert!(both.cost >= plain.cost);
+                if stop == Stop::Optimal {
+                    assert_eq!(both.cost, plain.cost);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,373 @@
+//! The open list of [`lattice`](super::lattice) searches: smaller f first, then smaller h, then the newest.
+//!
+//! Costs are whole numbers there, so that most entries share their f with many others. Entries lie unsorted in buckets
+//! of f, as in [`OpenList`](super::open::OpenList), but near ones at once in a bucket of their own, and a bucket whose
+//! entries all have one f is sorted by spreading them over h. Nothing tells the newest entry but its place: whatever
+//! is done to a bucket keeps equal entries in the order in which they came.
+
+use super::NodeId;
+
+/// An entry in 16 bytes, whose costs must be below 2⁴⁸: f, then h, then the node, from the highest bit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Entry {
+    high: u64,
+    low: u64,
+}
+
+impl Entry {
+    fn new(f: i64, h: i64, node: NodeId) -> Self {
+        let (f, h) = (f as u64, h as u64);
+        Self { high: f << 16 | h >> 32, low: h << 32 | u64::from(node) }
+    }
+
+    fn f(self) -> i64 {
+        (self.high >> 16) as i64
+    }
+
+    fn h(self) -> i64 {
+        ((self.high & 0xffff) << 32 | self.low >> 32) as i64
+    }
+
+    /// Whether it comes before one that is older.
+    fn before(self, older: Self) -> bool {
+        self.high < older.high || self.high == older.high && self.low >> 32 <= older.low >> 32
+    }
+}
+
+#[derive(Debug, Default)]
+pub(super) struct Queue {
+    /// Entries up to the current bucket in order, the first one last.
+    stack: Vec<Entry>,
+    /// Unsorted entries of the buckets after the current one, up to the end of the next span; bucket `n` is at `n % RING`.
+    ring: Vec<Vec<Entry>>,
+    /// A bit for each list of the ring that holds something.
+    filled: [u64; WORDS],
+    /// Unsorted entries of later spans, the last one without an end.
+    later: Vec<Vec<Entry>>,
+    /// Empty lists with room, the last used one last.
+    empty: Vec<Vec<Entry>>,
+    /// Room for sorting.
+    spare: Vec<Entry>,
+    places: Vec<u32>,
+    /// The current bucket, counted from `origin`.
+    current: usize,
+    /// The buckets before this one have their place in the ring.
+    reach: usize,
+    /// The f from which buckets are counted.
+    origin: i64,
+    peak: u32,
+    pushes: u32,
+    pops: u32,
+}
+
+/// A bucket is 2 to this power wide.
+const WIDTH: u32 = 12;
+/// Buckets in a span: more than a step of eight neighbours adds to f.
+const SPAN: usize = 1024;
+const RING: usize = 2 * SPAN;
+const WORDS: usize = RING / 64;
+/// Number of spans.
+const SPANS: usize = 1024;
+/// So many entries are sorted by insertion.
+const FEW: usize = 16;
+/// How deep in the stack the place of an entry is looked for step by step.
+const NEAR: usize = 6;
+
+impl Queue {
+    /// Empties the list; buckets count from `origin`, best the root's f.
+    pub(super) fn reset(&mut self, origin: i64) {
+        self.stack.clear();
+        while let Some(bucket) = self.next_filled() {
+            let mut list = self.take(bucket);
+            list.clear();
+            self.empty.push(list);
+        }
+        self.later.iter_mut().for_each(Vec::clear);
+        self.ring.resize_with(RING, Vec::new);
+        (self.current, self.reach, self.origin) = (0, RING, origin);
+        (self.peak, self.pushes, self.pops) = (0, 0, 0);
+    }
+
+    /// Largest number of entries held at once.
+    pub(super) fn peak(&self) -> u32 {
+        self.peak.max(self.pushes - self.pops)
+    }
+
+    /// Number of insertions so far.
+    pub(super) fn pushes(&self) -> u32 {
+        self.pushes
+    }
+
+    /// Adds an entry.
+    pub(super) fn push(&mut self, f: i64, h: i64, node: NodeId) {
+        self.pushes += 1;
+        let entry = Entry::new(f, h, node);
+        let bucket = self.bucket(f);
+        if bucket <= self.current {
+            self.insert(entry);
+        } else {
+            self.put(entry, bucket);
+        }
+    }
+
+    fn bucket(&self, f: i64) -> usize {
+        ((f - self.origin).max(0) >> WIDTH) as usize
+    }
+
+    fn put(&mut self, entry: Entry, bucket: usize) {
+        if bucket < self.reach {
+            let list = &mut self.ring[bucket % RING];
+            if list.is_empty() {
+                self.filled[bucket % RING / 64] |= 1 << (bucket % 64);
+                *list = self.empty.pop().unwrap_or_default();
+            }
+            list.push(entry);
+        } else {
+            self.put_later(entry, bucket);
+        }
+    }
+
+    #[cold]
+    fn put_later(&mut self, entry: Entry, bucket: usize) {
+        let span = (bucket / SPAN).min(SPANS);
+        if span >= self.later.len() {
+            self.later.resize_with(span + 1, Vec::new);
+        }
+        self.later[span].push(entry);
+    }
+
+    /// Takes the first entry of the order: its f, its h and the node.
+    pub(super) fn pop(&mut self) -> Option<(i64, i64, NodeId)> {
+        self.peak = self.peak();
+        if self.stack.is_empty() {
+            self.advance();
+        }
+        let entry = self.stack.pop()?;
+        self.pops += 1;
+        Some((entry.f(), entry.h(), entry.low as NodeId))
+    }
+
+    /// Puts an entry among those of the current bucket.
+    fn insert(&mut self, entry: Entry) {
+        let near = self.stack.iter().rev().take(NEAR).take_while(|&&other| !entry.before(other)).count();
+        let place = if near < NEAR {
+            self.stack.len() - near
+        } else {
+            self.stack.partition_point(|&other| entry.before(other))
+        };
+        self.stack.insert(place, entry);
+    }
+
+    /// The bucket of the first list of the ring that holds something.
+    fn next_filled(&self) -> Option<usize> {
+        let start = self.current / 64;
+        let shift = self.current % 64;
+        let first = self.filled[start % WORDS] >> shift;
+        if first != 0 {
+            return Some(self.current + first.trailing_zeros() as usize);
+        }
+        (start + 1..=start + WORDS).find_map(|word| {
+            let bits = self.filled[word % WORDS];
+            (bits != 0).then(|| word * 64 + bits.trailing_zeros() as usize)
+        })
+    }
+
+    /// Makes the next bucket with entries the current one, if there is one.
+    #[inline(never)]
+    fn advance(&mut self) {
+        loop {
+            let span = self.current / SPAN;
+            if let Some(bucket) = self.next_filled() {
+                if bucket / SPAN > span {
+                    self.current = bucket / SPAN * SPAN;
+                    self.bring(span + 2);
+                }
+                self.current = bucket;
+                break;
+            }
+            let Some(next) = self.later.iter().position(|list| !list.is_empty()) else { return };
+            if next == SPANS {
+                self.origin = self.later[next].iter().map(|entry| entry.f()).min().unwrap_or_default();
+                self.current = 0;
+            } else {
+                self.current = next * SPAN - 1;
+            }
+            self.bring(next);
+        }
+        let next = self.take(self.current);
+        self.empty.push(std::mem::replace(&mut self.stack, next));
+        sort(&mut self.stack, &mut self.spare, &mut self.places);
+    }
+
+    /// Takes a bucket's list out of the ring.
+    fn take(&mut self, bucket: usize) -> Vec<Entry> {
+        let slot = bucket % RING;
+        self.filled[slot / 64] &= !(1 << (slot % 64));
+        std::mem::take(&mut self.ring[slot])
+    }
+
+    /// Puts the entries of a span that has come near into the ring.
+    fn bring(&mut self, span: usize) {
+        self.reach = (self.current / SPAN + 2).min(SPANS) * SPAN;
+        let Some(list) = self.later.get_mut(span) else { return };
+        let mut entries = std::mem::take(list);
+        for entry in entries.drain(..) {
+            self.put(entry, self.bucket(entry.f()));
+        }
+        // What is still too far away has made a new list.
+        if self.later[span].is_empty() {
+            self.later[span] = entries;
+        }
+    }
+}
+
+/// Sorts entries so that the first one of the order comes last.
+#[inline(never)]
+fn sort(entries: &mut Vec<Entry>, spare: &mut Vec<Entry>, places: &mut Vec<u32>) {
+    if entries.len() > FEW {
+        let f = entries[0].f();
+        if entries.iter().all(|entry| entry.f() == f) {
+            spread(entries, spare, places);
+        } else {
+            merge(entries, spare);
+            return;
+        }
+    }
+    insertion(entries);
+}
+
+/// Sorts short or nearly sorted entries.
+fn insertion(entries: &mut [Entry]) {
+    for sorted in 1..entries.len() {
+        let entry = entries[sorted];
+        let mut hole = sorted;
+        while hole > 0 && !entry.before(entries[hole - 1]) {
+            entries[hole] = entries[hole - 1];
+            hole -= 1;
+        }
+        entries[hole] = entry;
+    }
+}
+
+/// Puts entries of one f nearly in order: by as many steps of h as there are entries.
+fn spread(entries: &mut Vec<Entry>, spare: &mut Vec<Entry>, places: &mut Vec<u32>) {
+    let (mut least, mut most) = (i64::MAX, 0);
+    for h in entries.iter().map(|entry| entry.h()) {
+        (least, most) = (least.min(h), most.max(h));
+    }
+    let mut shift = 0;
+    while (most - least) >> shift >= 2 * entries.len() as i64 {
+        shift += 1;
+    }
+    let step = |entry: Entry| ((most - entry.h()) >> shift) as usize;
+    places.clear();
+    places.resize(((most - least) >> shift) as usize + 1, 0);
+    for &entry in &*entries {
+        places[step(entry)] += 1;
+    }
+    let mut sum = 0;
+    for place in &mut *places {
+        sum += std::mem::replace(place, sum);
+    }
+    spare.clear();
+    spare.resize(entries.len(), Entry { high: 0, low: 0 });
+    for &entry in &*entries {
+        let place = &mut places[step(entry)];
+        spare[*place as usize] = entry;
+        *place += 1;
+    }
+    std::mem::swap(entries, spare);
+}
+
+/// Sorts entries in runs, which it merges.
+fn merge(entries: &mut Vec<Entry>, spare: &mut Vec<Entry>) {
+    entries.chunks_mut(FEW).for_each(insertion);
+    let mut length = FEW;
+    while length < entries.len() {
+        spare.clear();
+        for pair in entries.chunks(2 * length) {
+            let (mut a, mut b) = pair.split_at(length.min(pair.len()));
+            while let ([first, rest @ ..], [second, others @ ..]) = (a, b) {
+                if second.before(*first) {
+                    spare.push(*first);
+                    a = rest;
+                } else {
+                    spare.push(*second);
+                    b = others;
+                }
+            }
+            spare.extend_from_slice(a);
+            spare.extend_from_slice(b);
+        }
+        std::mem::swap(entries, spare);
+        length *= 2;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn random(state: &mut u64, n: u64) -> u64 {
+        *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        (*state >> 33) % n
+    }
+
+    #[test]
+    fn entries_hold_what_they_are_given() {
+        for (f, h) in [(0, 0), (3, 1 << 40), ((1 << 48) - 1, (1 << 48) - 1), (1 << 47, 1 << 32)] {
+            let entry = Entry::new(f, h, u32::MAX);
+            assert_eq!((entry.f(), entry.h(), entry.low as u32), (f, h, u32::MAX));
+        }
+    }
+
+    #[test]
+    fn equal_entries_come_out_newest_first() {
+        let mut queue = Queue::default();
+        queue.reset(0);
+        for node in 0..100 {
+            queue.push(1_000_000, i64::from(node % 3), node);
+        }
+        let order: Vec<_> = std::iter::from_fn(|| queue.pop()).map(|(_, h, node)| (h, node)).collect();
+        let mut sorted = order.clone();
+        sorted.sort_by_key(|&(h, node)| (h, std::cmp::Reverse(node)));
+        assert_eq!(order, sorted);
+        assert_eq!(queue.peak(), 100);
+    }
+
+    /// Pushes and pops mixed: priorities in and across buckets and spans, before the origin, beyond the last span; in
+    /// every second round many entries share few values of f, in some of them nothing is before what was popped.
+    #[test]
+    fn the_order_is_exact_whatever_is_pushed() {
+        let mut state = 7;
+        let mut queue = Queue::default();
+        for round in 0..60 {
+            queue.reset(1_000_000);
+            let mut held: Vec<(i64, i64, u32)> = Vec::new();
+            let (steps, mut number, mut last) = ([3000, 300][round % 2], 0, 1_000_000);
+            for step in 0..steps {
+                if random(&mut state, 5) < if step < steps / 2 { 4 } else { 2 } {
+                    let f = match (random(&mut state, 50), round % 4) {
+                        (0, _) => (1 << 45) + random(&mut state, 4) as i64,
+                        (1, 0) => 5,
+                        (_, 0) => random(&mut state, 40) as i64 * 100_003,
+                        (_, 1) => random(&mut state, 40) as i64 * 10_000_019,
+                        (_, 2) => last + random(&mut state, 5) as i64 * 1_414_214,
+                        _ => last + random(&mut state, 3000) as i64,
+                    };
+                    let h = random(&mut state, [8, 1 << 34][round / 4 % 2]) as i64;
+                    queue.push(f, h, number);
+                    held.push((f, h, number));
+                    number += 1;
+                } else {
+                    let first =
+                        held.iter().enumerate().min_by_key(|(_, e)| (e.0, e.1, std::cmp::Reverse(e.2)));
+                    let want = first.map(|(i, _)| i).map(|i| held.swap_remove(i));
+                    let got = queue.pop();
+                    assert_eq!(got, want, "round {round} step {step}");
+                    last = got.map_or(last, |(f, ..)| f);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,162 @@
+//! What the complete module has and `core` lacks: maps of other programs, generated scenes, bare searches, edits, the
+//! papers' tables.
+
+use serde_json::{Value, json};
+use wasm_bindgen::prelude::*;
+
+use super::{JsResult, RawPlanner, codec, optional, read_scene};
+use crate::error::{Error, ErrorCode};
+use crate::geometry::Point;
+use crate::import::{self, Question};
+use crate::metrics::risk;
+use crate::papers::{claims, grid};
+use crate::plan;
+use crate::scenario::{Obstacle, Scenario, generate, packed};
+
+/// Runs of one obstacle beyond which they cross the border packed.
+const MANY: usize = 200;
+
+/// Reads the files of another program; their bytes in the order of their names.
+#[wasm_bindgen(js_name = importScene)]
+#[expect(clippy::needless_pass_by_value, reason = "arrays of values arrive owned")]
+pub fn import_scene(names: Vec<String>, bytes: Vec<js_sys::Uint8Array>, options: JsValue) -> JsResult {
+    let fields = optional(options, ErrorCode::Input)?;
+    let options = import::Options::from_json(&fields).map_err(|e| codec::js_error(&e))?;
+    let bytes: Vec<Vec<u8>> = bytes.iter().map(js_sys::Uint8Array::to_vec).collect();
+    let files: Vec<import::File> =
+        names.iter().zip(&bytes).map(|(name, bytes)| import::File { name, bytes }).collect();
+    let imported = import::import(&files, &options).map_err(|e| codec::js_error(&e))?;
+    drop(bytes);
+    let scenes: Vec<Value> = imported.scenes.into_iter().map(scene).collect();
+    Ok(codec::write(&json!({
+        "format": imported.format,
+        "scenes": scenes,
+        "queries": imported.queries.iter().map(question).collect::<Vec<_>>(),
+        "notes": imported.notes,
+    })))
+}
+
+/// Draws a scene of a seeded family.
+#[wasm_bindgen(js_name = generateScenario)]
+pub fn generate_scenario(fields: JsValue) -> JsResult {
+    let drawn = codec::json(fields, ErrorCode::Input).and_then(|value| generate::from_json(&value));
+    drawn.map(|drawn| codec::write(&scene(drawn))).map_err(|e| codec::js_error(&e))
+}
+
+#[wasm_bindgen]
+impl RawPlanner {
+    /// What the risk field does at the cell of a point.
+    pub fn explain(&self, x: f64, y: f64) -> JsResult {
+        self.planner.explain(x, y).map(|answer| codec::write(&answer)).map_err(|e| codec::js_error(&e))
+    }
+
+    /// The search alone: the outcome's number, cost in micro-cells, expanded, generated, and x, y of each cell. One
+    /// array, because every property of an object costs more than a short search.
+    pub fn search(&mut self, x0: f64, y0: f64, x1: f64, y1: f64) -> Result<Vec<f64>, JsValue> {
+        let found =
+            self.planner.search(Point::new(x0, y0), Point::new(x1, y1)).map_err(|e| codec::js_error(&e))?;
+        let mut numbers = Vec::with_capacity(4 + 2 * found.path.len());
+        numbers.extend([
+            f64::from(found.outcome as u8),
+            found.cost_micro as f64,
+            f64::from(found.expanded),
+            f64::from(found.generated),
+        ]);
+        numbers.extend(found.path.iter().flat_map(|p| [p.x, p.y]));
+        Ok(numbers)
+    }
+
+    /// The any-angle yardstick, metres.
+    #[wasm_bindgen(js_name = anyAngleLength)]
+    pub fn any_angle_length(&self) -> Option<f64> {
+        self.planner.any_angle_length()
+    }
+
+    /// Blocks runs of cells or frees them: column, row, count, ….
+    pub fn brush(&mut self, runs: &[u32], blocked: bool) -> Result<(), JsValue> {
+        let runs: Vec<[u32; 3]> = runs.chunks_exact(3).map(|r| [r[0], r[1], r[2]]).collect();
+        self.planner.brush(&runs, blocked).map_err(|e| codec::js_error(&e))
+    }
+}
+
+/// Figures of a path on a scene's road.
+#[wasm_bindgen(js_name = roadFigures)]
+pub fn road_figures(scene: JsValue, path: &[f64]) -> JsResult {
+    let scene = read_scene(scene)?;
+    let figures = plan::road_figures(&scene, path).map_err(|e| codec::js_error(&e.within("plan")))?;
+    Ok(codec::write(&figures))
+}
+
+/// How often a path ends in a collision when nobody drives exactly along it.
+#[wasm_bindgen(js_name = collisionRisk)]
+pub fn collision_risk(scene: JsValue, path: &[f64], options: JsValue) -> JsResult {
+    let scene = read_scene(scene)?;
+    let fields = optional(options, ErrorCode::Input)?;
+    let options = risk::Options::from_json(&fields).map_err(|e| codec::js_error(&e))?;
+    let risk =
+        plan::collision_risk(&scene, path, &options).map_err(|e| codec::js_error(&e.within("plan")))?;
+    Ok(codec::write(&risk))
+}
+
+/// The rows of the risk-field paper's tables, and what is measured of them.
+#[wasm_bindgen(js_name = paperGridRows)]
+pub fn paper_grid_rows() -> JsValue {
+    let straight = |row: &grid::Row| {
+        let mut value = json!(row);
+        value["straight"] = row.straight().into();
+        value
+    };
+    let rows: Vec<Value> = grid::ROWS.iter().map(straight).collect();
+    codec::write(&json!({ "rows": rows, "planners": grid::PLANNERS, "columns": grid::COLUMNS }))
+}
+
+/// The figures of one row on the maps of some seeds; `clock` tells milliseconds.
+#[wasm_bindgen(js_name = paperGrid)]
+pub fn paper_grid(row: &str, from: f64, to: f64, clock: &js_sys::Function) -> JsResult {
+    let seed = |name: &str, value: f64| {
+        let whole = value.fract() == 0.0 && (0.0..9e15).contains(&value);
+        let rule =
+            || Error::new(ErrorCode::Input, name, format!("must be a whole number from 0, got {value}"));
+        whole.then_some(value as u64).ok_or_else(rule)
+    };
+    let mut clock = || clock.call0(&JsValue::NULL).ok().and_then(|v| v.as_f64()).unwrap_or(0.0);
+    let figures = seed("from", from).and_then(|from| {
+        let to = seed("to", to)?;
+        grid::measure(grid::row(row)?, from, to, &mut clock)
+    });
+    figures.map(|figures| codec::f64s(&figures)).map_err(|e| codec::js_error(&e))
+}
+
+/// Tables and claims from the figures of rows, in the order of the rows' ids.
+#[wasm_bindgen(js_name = paperGridSummary)]
+#[expect(clippy::needless_pass_by_value, reason = "arrays of values arrive owned")]
+pub fn paper_grid_summary(rows: Vec<String>, figures: Vec<js_sys::Float64Array>) -> JsResult {
+    let table = |(row, figures): (&String, &js_sys::Float64Array)| {
+        grid::summary(grid::row(row)?, &figures.to_vec()).map_err(|e| e.within(row))
+    };
+    let tables: Result<Vec<_>, Error> = rows.iter().zip(&figures).map(table).collect();
+    let tables = tables.map_err(|e| codec::js_error(&e))?;
+    Ok(codec::write(&json!({ "tables": tables, "claims": claims(&tables) })))
+}
+
+fn question(question: &Question) -> Value {
+    let Question { bucket, start, goal, length } = question;
+    json!({ "bucket": bucket, "start": start, "goal": goal, "length": length })
+}
+
+/// A scene as JSON, long lists of cells packed: `api.js` unpacks them faster than the border passes their numbers.
+fn scene(mut scene: Scenario) -> Value {
+    let long: Vec<Option<String>> = scene
+        .obstacles
+        .iter_mut()
+        .map(|obstacle| match obstacle {
+            Obstacle::Cells { runs, .. } if runs.len() > MANY => Some(packed::pack(&std::mem::take(runs))),
+            _ => None,
+        })
+        .collect();
+    let mut value = json!(scene);
+    for (i, text) in long.into_iter().enumerate().filter_map(|(i, text)| text.map(|text| (i, text))) {
+        value["obstacles"][i]["runs"] = text.into();
+    }
+    value
+}

@@ -1,0 +1,157 @@
+//! Driving in time, for JS: trajectories, following, waiting.
+
+use serde_json::json;
+use wasm_bindgen::prelude::*;
+
+use super::codec::{f64s, object, write};
+use super::{JsResult, answer, codec, optional, read_scene};
+use crate::drive::{Controller, Limits, Mover, Route, Rows, WaitOptions, stop_wait_go, track, trajectory};
+use crate::error::{Error, ErrorCode};
+use crate::geometry::Pose;
+use crate::json;
+use crate::metrics::Body;
+use crate::plan;
+use crate::scenario::Scenario;
+use crate::scenario::resolve::Geometry;
+
+struct Question {
+    scene: Scenario,
+    geometry: Geometry,
+    route: Route,
+    options: serde_json::Map<String, serde_json::Value>,
+}
+
+fn js<T>(result: Result<T, Error>) -> Result<T, JsValue> {
+    result.map_err(|e| codec::js_error(&e))
+}
+
+impl Question {
+    fn read(
+        scene: JsValue,
+        path: &[f64],
+        directions: Option<&[i8]>,
+        curvatures: Option<&[f64]>,
+        options: JsValue,
+    ) -> Result<Self, JsValue> {
+        let scene = read_scene(scene)?;
+        let geometry = js(scene.geometry())?;
+        let route = js(plan::route(&geometry, path, directions, curvatures).map_err(|e| e.within("plan")))?;
+        let route = route.with_speed_limits(&scene.speed_limits);
+        Ok(Self { scene, geometry, route, options: optional(options, ErrorCode::Config)? })
+    }
+}
+
+fn poses(poses: &[Pose]) -> JsValue {
+    f64s(&poses.iter().flat_map(|p| [p.x, p.y, p.heading]).collect::<Vec<_>>())
+}
+
+/// The columns of a drive, and more fields.
+fn drive(rows: &Rows, more: &[(&str, JsValue)]) -> JsValue {
+    let columns = [
+        ("t", f64s(&rows.t)),
+        ("path", poses(&rows.poses)),
+        ("stations", f64s(&rows.station)),
+        ("speeds", f64s(&rows.speed)),
+        ("accelerations", f64s(&rows.acceleration)),
+        ("steering", f64s(&rows.steering)),
+        ("hash", rows.hash().into()),
+    ];
+    object(&columns.iter().chain(more).cloned().collect::<Vec<_>>())
+}
+
+/// A path in time.
+#[wasm_bindgen(js_name = trajectory)]
+#[expect(clippy::needless_pass_by_value, reason = "optional arrays arrive as vectors of their own")]
+pub fn js_trajectory(
+    scene: JsValue,
+    path: &[f64],
+    directions: Option<Vec<i8>>,
+    curvatures: Option<Vec<f64>>,
+    options: JsValue,
+) -> JsResult {
+    let asked = Question::read(scene, path, directions.as_deref(), curvatures.as_deref(), options)?;
+    let limits = js(Limits::default().with(&asked.options))?;
+    let driven = js(trajectory(&asked.geometry.vehicle, &asked.route, &limits))?;
+    Ok(drive(
+        &driven.rows,
+        &[
+            ("duration", driven.duration.into()),
+            ("length", driven.length.into()),
+            ("dwell", driven.dwell.into()),
+            ("maxLateralAcceleration", driven.max_lateral_acceleration.into()),
+        ],
+    ))
+}
+
+/// How closely a simulated car follows a path.
+#[wasm_bindgen(js_name = track)]
+#[expect(clippy::needless_pass_by_value, reason = "optional arrays arrive as vectors of their own")]
+pub fn js_track(
+    scene: JsValue,
+    path: &[f64],
+    directions: Option<Vec<i8>>,
+    curvatures: Option<Vec<f64>>,
+    options: JsValue,
+) -> JsResult {
+    let mut asked = Question::read(scene, path, directions.as_deref(), curvatures.as_deref(), options)?;
+    let mut controller = Controller::default();
+    if let Some(value) = asked.options.remove("controller") {
+        let fields = [("controller".to_owned(), value)].into_iter().collect();
+        js(json::overlay(&mut [("controller", &mut controller)], &fields))?;
+    }
+    let limits = js(Limits::default().with(&asked.options))?;
+    let body = Body::new(&asked.geometry);
+    let got = js(track(&asked.geometry.vehicle, &body, &asked.route, &limits, controller))?;
+    let hit = got.hit.map(|(owner, pose)| answer::hit(&asked.scene, owner, pose));
+    Ok(object(&[
+        ("t", f64s(&got.t)),
+        ("path", poses(&got.poses)),
+        ("lateral", f64s(&got.lateral)),
+        ("steering", f64s(&got.steering)),
+        ("maxLateral", got.max_lateral.into()),
+        ("maxHeading", got.max_heading.into()),
+        ("endDistance", got.end_distance.into()),
+        ("endHeading", got.end_heading.into()),
+        ("hit", write(&hit)),
+        ("passes", got.passes().into()),
+        ("hash", got.hash().into()),
+    ]))
+}
+
+/// A drive among the scene's moving obstacles.
+#[wasm_bindgen(js_name = stopWaitGo)]
+#[expect(clippy::needless_pass_by_value, reason = "optional arrays arrive as vectors of their own")]
+pub fn js_stop_wait_go(
+    scene: JsValue,
+    path: &[f64],
+    directions: Option<Vec<i8>>,
+    curvatures: Option<Vec<f64>>,
+    options: JsValue,
+) -> JsResult {
+    let asked = Question::read(scene, path, directions.as_deref(), curvatures.as_deref(), options)?;
+    let options = js(WaitOptions::default().with(&asked.options))?;
+    let movers: Vec<Mover> = asked.scene.moving.iter().map(Mover::new).collect();
+    let met = js(stop_wait_go(&asked.geometry.vehicle, &asked.route, &movers, &options))?;
+    let boxes: Vec<Pose> = met.rows.t.iter().flat_map(|&t| movers.iter().map(move |m| m.pose(t))).collect();
+    let waits: Vec<_> = met
+        .waits
+        .iter()
+        .map(|w| json!({ "pose": w.pose, "station": w.station, "from": w.from, "to": w.to }))
+        .collect();
+    let contact = met.contact.map(|c| {
+        let id = asked.scene.moving[c.obstacle].id.as_deref().unwrap_or("moving");
+        json!({ "obstacle": id, "index": c.obstacle, "t": c.t, "pose": c.pose, "standing": c.standing })
+    });
+    Ok(drive(
+        &met.rows,
+        &[
+            ("ending", met.ending.as_str().into()),
+            ("clearances", f64s(&met.clearances)),
+            ("boxes", poses(&boxes)),
+            ("waits", write(&waits)),
+            ("contact", write(&contact)),
+            ("duration", met.duration.into()),
+            ("freeDuration", met.free_duration.into()),
+        ],
+    ))
+}

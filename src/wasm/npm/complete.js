@@ -1,0 +1,80 @@
+// @ts-check
+// What the complete module has and `core` lacks.
+import { packedScene, unpackedScene } from "./cells.js";
+import * as raw from "./parkade.js";
+import { ParkadeError, call, kind, numbers, text } from "./runtime.js";
+
+export * from "./drive.js";
+
+/** No file of a map that fits is larger. */
+const MAX_BYTES = 80_000_000;
+
+/** @type {typeof import("./index.js").importScene} */
+export function importScene(files, options = {}) {
+  if (typeof files !== "object" || files === null || Array.isArray(files)) {
+    throw new ParkadeError(`files: must be contents by name, got ${kind(files)}`, "bad-input", "files");
+  }
+  const names = Object.keys(files);
+  const contents = names.map((name) => bytes(name, files[name]));
+  return call(() => {
+    const imported = raw.importScene(names, contents, options);
+    const scenes = imported.scenes.map(unpackedScene);
+    return { ...imported, scene: scenes[0], scenes };
+  });
+}
+
+/** @type {typeof import("./index.js").generateScenario} */
+export const generateScenario = (family) => call(() => unpackedScene(raw.generateScenario(family)));
+
+/** @type {typeof import("./index.js").roadFigures} */
+export const roadFigures = (scene, plan) => call(() => raw.roadFigures(packedScene(scene), line(plan)));
+
+/** @type {typeof import("./index.js").collisionRisk} */
+export const collisionRisk = (scene, plan, options = {}) =>
+  call(() => raw.collisionRisk(packedScene(scene), line(plan), options));
+
+/** @type {typeof import("./index.js").paperGridRows} */
+export const paperGridRows = () => call(() => raw.paperGridRows());
+
+/** @type {typeof import("./index.js").paperGrid} */
+export const paperGrid = ({ row, from, to }) =>
+  call(() => raw.paperGrid(text(row, "row"), from, to, () => performance.now()));
+
+/** @type {typeof import("./index.js").paperGridSummary} */
+export function paperGridSummary(measured) {
+  if (typeof measured !== "object" || measured === null) {
+    throw new ParkadeError(`measured: must be figures by row, got ${kind(measured)}`, "bad-input", "measured");
+  }
+  const rows = Object.keys(measured);
+  const figures = rows.map((row) => {
+    const values = measured[row];
+    if (values instanceof Float64Array) return values;
+    throw new ParkadeError(`${row}: must be a Float64Array, got ${kind(values)}`, "bad-input", row);
+  });
+  return call(() => raw.paperGridSummary(rows, figures));
+}
+
+/**
+ * A plan's path.
+ * @param {{ path: Float64Array | number[] }} plan
+ */
+function line(plan) {
+  if (typeof plan !== "object" || plan === null) {
+    throw new ParkadeError(`plan: must be an object with a path, got ${kind(plan)}`, "bad-input", "plan");
+  }
+  return numbers(Float64Array, plan.path, "plan.path");
+}
+
+/**
+ * A file's bytes; too many are refused before the module makes room for them.
+ * @param {string} name
+ * @param {unknown} content
+ */
+function bytes(name, content) {
+  const view = content instanceof ArrayBuffer ? new Uint8Array(content) : content;
+  const size = view instanceof Uint8Array ? view.length : text(view, `files[${JSON.stringify(name)}]`).length;
+  if (size > MAX_BYTES) {
+    throw new ParkadeError(`${name}: must have at most ${MAX_BYTES} bytes, got ${size}`, "bad-import", name);
+  }
+  return view instanceof Uint8Array ? view : new TextEncoder().encode(/** @type {string} */ (view));
+}

@@ -1,0 +1,3 @@
+// @ts-check
+// `core` has nothing beyond `api.js`.
+export {};

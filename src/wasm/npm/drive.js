@@ -1,0 +1,30 @@
+// @ts-check
+// Driving in time; in the complete module only.
+import { packedScene } from "./cells.js";
+import * as raw from "./parkade.js";
+import { ParkadeError, call, kind, numbers } from "./runtime.js";
+
+/** @type {typeof import("./index.js").trajectory} */
+export const trajectory = (scene, plan, options = {}) => call(() => raw.trajectory(packedScene(scene), ...columns(plan), options));
+
+/** @type {typeof import("./index.js").track} */
+export const track = (scene, plan, options = {}) => call(() => raw.track(packedScene(scene), ...columns(plan), options));
+
+/** @type {typeof import("./index.js").stopWaitGo} */
+export const stopWaitGo = (scene, plan, options = {}) => call(() => raw.stopWaitGo(packedScene(scene), ...columns(plan), options));
+
+/**
+ * @param {import("./index.js").DrivenPath} plan
+ * @returns {[Float64Array, Int8Array | undefined, Float64Array | undefined]}
+ */
+function columns(plan) {
+  if (typeof plan !== "object" || plan === null) {
+    throw new ParkadeError(`plan: must be an object with a path, got ${kind(plan)}`, "bad-input", "plan");
+  }
+  const { path, directions, curvatures } = plan;
+  return [
+    numbers(Float64Array, path, "plan.path"),
+    directions === undefined ? undefined : numbers(Int8Array, directions, "plan.directions"),
+    curvatures === undefined ? undefined : numbers(Float64Array, curvatures, "plan.curvatures"),
+  ];
+}

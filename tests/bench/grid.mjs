@@ -1,0 +1,260 @@
+// `cargo xtask bench grid`: grid planners through the built package against others, interleaved in one run.
+//
+// Usage: node grid.mjs MAPS PEERS NATIVE [count] [repeats], where MAPS holds the MovingAI files, PEERS the installed
+// peers, and NATIVE is the built example `movingai`. Times are CPU times; ratios count, not milliseconds. Each rival
+// has a process of its own and is asked in turn: one's garbage is not another's time.
+import { execFileSync, fork } from "node:child_process";
+import { once } from "node:events";
+import { existsSync, readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { join } from "node:path";
+import { importScene, init, Planner } from "../../pkg/node.js";
+import { agrees, load, sample, walk } from "./movingai.mjs";
+
+const [maps, peers, native, count = "20", repeats = "3", role] = process.argv.slice(2);
+await init();
+
+const cpu = () => {
+  const { user, system } = process.cpuUsage();
+  return (user + system) / 1000;
+};
+const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1];
+
+/** Our planner on a map: asks in cells from the north, as the files do. */
+function ours(map, id, config = {}) {
+  const { scene } = importScene({ [`${map.name}.map`]: map.text });
+  const planner = new Planner(id, scene, config);
+  const { resolution, origin } = scene.map;
+  const point = (x, y) => ({ x: origin[0] + (x + 0.5) * resolution, y: origin[1] + (map.height - y - 0.5) * resolution });
+  const ask = (q) => planner.search(point(q.x0, q.y0), point(q.x1, q.y1));
+  const path = ({ path: points }) => points.map((v, i) => (i % 2 === 0
+    ? Math.floor((v - origin[0]) / resolution)
+    : map.height - 1 - Math.floor((v - origin[1]) / resolution)));
+  return { ask, path, planner, point };
+}
+
+const peer = createRequire(join(peers, "package.json"));
+
+/** PathFinding.js needs a copy of the grid for every search. */
+function pathfinding(map, finder, diagonals) {
+  const PF = peer("pathfinding");
+  const rows = Array.from({ length: map.height }, (_, y) =>
+    Array.from(map.blocked.subarray(y * map.width, (y + 1) * map.width)));
+  const grid = new PF.Grid(map.width, map.height, rows);
+  const search = new PF[finder](diagonals
+    ? { diagonalMovement: PF.DiagonalMovement.OnlyWhenNoObstacles, heuristic: PF.Heuristic.octile }
+    : { diagonalMovement: PF.DiagonalMovement.Never, heuristic: PF.Heuristic.manhattan });
+  return { ask: (q) => search.findPath(q.x0, q.y0, q.x1, q.y1, grid.clone()), path: (cells) => cells.flat() };
+}
+
+function nba(map) {
+  const createGraph = peer("ngraph.graph");
+  const ngraph = peer("ngraph.path");
+  const { width, height, blocked } = map;
+  const graph = createGraph();
+  const free = (x, y) => x >= 0 && y >= 0 && x < width && y < height && blocked[y * width + x] === 0;
+  for (let y = 0; y < height; y++) for (let x = 0; x < width; x++) if (free(x, y)) graph.addNode(y * width + x, { x, y });
+  for (let y = 0; y < height; y++) for (let x = 0; x < width; x++) for (const [dx, dy] of [[1, 0], [0, 1], [1, 1], [-1, 1]]) {
+    const legal = free(x, y) && free(x + dx, y + dy) && (dx === 0 || dy === 0 || (free(x + dx, y) && free(x, y + dy)));
+    if (legal) graph.addLink(y * width + x, (y + dy) * width + x + dx, dx !== 0 && dy !== 0 ? Math.SQRT2 : 1);
+  }
+  const finder = ngraph.nba(graph, {
+    distance: (_a, _b, link) => link.data,
+    heuristic: (a, b) => {
+      const [dx, dy] = [Math.abs(a.data.x - b.data.x), Math.abs(a.data.y - b.data.y)];
+      return Math.max(dx, dy) + (Math.SQRT2 - 1) * Math.min(dx, dy);
+    },
+  });
+  return {
+    ask: (q) => finder.find(q.y0 * width + q.x0, q.y1 * width + q.x1),
+    path: (nodes) => nodes.reverse().flatMap((node) => [node.data.x, node.data.y]),
+  };
+}
+
+function crate(map, which) {
+  const module = new WebAssembly.Module(readFileSync(join(peers, "grid_peers.wasm")));
+  const { exports } = new WebAssembly.Instance(module);
+  const room = exports.alloc(map.blocked.length);
+  new Uint8Array(exports.memory.buffer, room, map.blocked.length).set(map.blocked);
+  exports.init(map.width, map.height);
+  const path = () => new Uint32Array(exports.memory.buffer, exports.path(), exports.path_len()).slice();
+  return { ask: (q) => (exports.query(which, q.x0, q.y0, q.x1, q.y1) ? path() : null), path: (cells) => cells };
+}
+
+/** A rival's process: answers `{ question, runs }` with its CPU time per run and what its path is worth. */
+function serve(name, kind, rules) {
+  const map = load(maps, name);
+  const makers = { ours, pathfinding, nba, crate };
+  const rival = makers[kind[0]](map, ...kind.slice(1));
+  process.on("message", ({ question, runs }) => {
+    const start = cpu();
+    let found;
+    for (let run = 0; run < runs; run++) found = rival.ask(question);
+    process.send({ ms: (cpu() - start) / runs, length: walk(map, question, rival.path(found), rules) });
+  });
+  process.send("ready");
+}
+
+/** Asks everybody every question in turns. Returns total CPU milliseconds by name. */
+async function race(map, questions, rivals) {
+  for (const rival of rivals) {
+    const rules = { four: rival.four, cuts: rival.cuts };
+    const role = JSON.stringify([map.name, rival.kind, rules]);
+    rival.process = fork(process.argv[1], [maps, peers, native, count, repeats, role], { execArgv: ["--max-old-space-size=4000"] });
+    await once(rival.process, "message");
+  }
+  const ask = async (rival, question, runs) => {
+    rival.process.send({ question, runs });
+    return (await once(rival.process, "message"))[0];
+  };
+  const times = rivals.map(() => questions.map(() => []));
+  // Engines compile what is called often, on threads of their own; that is not to be measured.
+  for (const [k, rival] of rivals.entries()) {
+    for (let spent = 0, n = 0; spent < 400 && n < 3 * questions.length; n++) {
+      const q = n % questions.length;
+      const runs = 8;
+      const first = await ask(rival, questions[q], 1);
+      times[k][q].first = first.ms;
+      if (first.ms < 20) await ask(rival, questions[q], runs);
+      spent += first.ms * (first.ms < 20 ? runs + 1 : 1);
+    }
+  }
+  for (let round = 0; round < Number(repeats); round++) {
+    for (const [q, question] of questions.entries()) {
+      for (const k of rivals.keys()) {
+        const which = (k + q + round) % rivals.length;
+        const rival = rivals[which];
+        const before = Math.min(times[which][q].first ?? 1, ...times[which][q]);
+        const runs = Math.max(1, Math.min(256, Math.floor(3 / Math.max(before, 0.005))));
+        const { ms, length } = await ask(rival, question, runs);
+        times[which][q].push(ms);
+        if (rival.mine && !(rival.expect ? Math.abs(length - rival.expect(question)) < 1e-6 : agrees(length, question.length))) {
+          throw new Error(`${map.name}: ${rival.name} answers ${length} instead of ${question.length}`);
+        }
+        if (typeof length !== "number") throw new Error(`${map.name}: ${rival.name}: ${length}`);
+      }
+    }
+  }
+  for (const rival of rivals) rival.process.kill();
+  return Object.fromEntries(rivals.map((r, k) => [r.name, times[k].reduce((sum, t) => sum + median(t), 0)]));
+}
+
+if (role !== undefined) {
+  serve(...JSON.parse(role));
+  await new Promise(() => undefined);
+}
+
+const rows = [];
+function report(goal, map, what, value, floor, aim, unit, less = false) {
+  const meets = (bound) => (less ? value <= bound : value >= bound);
+  const verdict = meets(aim) ? "goal" : meets(floor) ? "floor" : "BELOW";
+  const line = `${goal.padEnd(4)} ${map.padEnd(16)} ${what.padEnd(58)} ${value.toPrecision(3).padStart(8)}${unit}  floor ${floor}, goal ${aim}: ${verdict}`;
+  rows.push(line);
+  console.log(line);
+}
+
+const BOUNDS = {
+  "Berlin_0_256": { G1: [15, 30], G2: [2.5, 5], G3: [100, 500], G4: [4, 9], G5: [12, 30], G6: [15, 40] },
+  "brc202d": { G1: [25, 60], G2: [2.5, 5], G3: [100, 350], G4: [2, 5], G5: [40, 90], G6: [15, 40] },
+  "random512-25-0": { G1: [20, 40], G2: [2.5, 5], G3: [15, 40], G4: [0.8, 1.1] },
+  "maze512-4-0": { G1: [15, 30], G2: [2.5, 5], G3: [100, 240], G4: [4, 11] },
+};
+const OCTILE = { heuristic: "octile" };
+
+if (existsSync(join(maps, "London_1_1024.map"))) {
+  const map = load(maps, "London_1_1024");
+  const { ask } = ours(map, "eight", OCTILE);
+  const near = map.questions.filter((q) => q.length <= 20);
+  ask(near[0]);
+  const each = near.map((q) => {
+    const start = cpu();
+    for (let run = 0; run < 200; run++) ask(q);
+    return (cpu() - start) / 200;
+  });
+  report("G9", map.name, `eight, another question (${near.length} of at most 20 cells), median`, median(each), 0.05, 0.01, " ms", true);
+}
+
+{
+  const map = load(maps, "random512-25-0");
+  const questions = sample(map.questions, 10);
+  for (const [id, config, bound] of [["eight", OCTILE, 4], ["risk-field", {}, 8]]) {
+    const { ask, planner } = ours(map, id, config);
+    const dab = Array.from({ length: 9 }, (_, k) => [200, 200 + k, 9]);
+    for (let k = 0; k < 20; k++) {
+      planner.brush(dab, k % 2 === 0);
+      ask(questions[k % 10]);
+    }
+    const each = questions.flatMap((q) => [true, false].map((blocked) => {
+      const start = cpu();
+      planner.brush(dab.map(([x, y, n]) => [x + (q.x0 % 97), y, n]), blocked);
+      ask(q);
+      return cpu() - start;
+    }));
+    report("G10", map.name, `${id}, one dab of the brush and a search, median`, median(each), bound, bound, " ms", true);
+  }
+}
+
+{
+  const map = load(maps, "brc202d");
+  const questions = sample(map.questions, 10);
+  const kinds = [["eight", 8, OCTILE], ["sixteen", 16, {}], ["twenty-four", 24, {}], ["forty-eight", 48, {}], ["risk-field", 8, {}]];
+  for (const [id, around, config] of kinds) {
+    const { ask } = ours(map, id, config);
+    const each = [];
+    // The first rounds compile, on threads of their own whose time counts, too.
+    for (let round = 0; round < 12; round++) {
+      let expanded = 0;
+      const start = cpu();
+      for (const q of questions) expanded += ask(q).expanded;
+      each.push(((cpu() - start) * 1e6) / expanded);
+    }
+    const bound = 100 + 35 * (around - 8);
+    report("G11", map.name, `${id}, per expanded cell`, median(each.slice(4)), bound, bound, " ns", true);
+  }
+}
+for (const [name, bounds] of Object.entries(BOUNDS)) {
+  const map = load(maps, name);
+  const questions = sample(map.questions, Number(count));
+  const rivals = [
+    { name: "eight", mine: true, kind: ["ours", "eight", OCTILE] },
+    { name: "jump-point", mine: true, kind: ["ours", "jump-point"] },
+    { name: "pathfinding", kind: ["pathfinding", "AStarFinder", true] },
+    { name: "crate pathfinding", kind: ["crate", 0] },
+    { name: "grid_pathfinding, pruning", cuts: true, kind: ["crate", 1] },
+    { name: "grid_pathfinding", cuts: true, kind: ["crate", 2] },
+  ];
+  if (bounds.G6) {
+    rivals.push(
+      { name: "nba", mine: true, kind: ["ours", "sixteen-bidirectional", { neighbours: "eight", stop: "nba" }] },
+      { name: "ngraph", kind: ["nba"] },
+      { name: "BiAStarFinder", kind: ["pathfinding", "BiAStarFinder", true] },
+    );
+  }
+  const ms = await race(map, questions, rivals);
+  console.log(`\n${name}, ${questions.length} questions, CPU ms in all:`, Object.entries(ms).map(([k, v]) => `${k} ${v.toFixed(1)}`).join(", "));
+  report("G1", name, "eight against npm pathfinding AStarFinder", ms.pathfinding / ms.eight, ...bounds.G1, "x");
+  report("G2", name, "eight against crate pathfinding in wasm", ms["crate pathfinding"] / ms.eight, ...bounds.G2, "x");
+  report("G3", name, "jump-point against npm pathfinding AStarFinder", ms.pathfinding / ms["jump-point"], ...bounds.G3, "x");
+  const jumps = Math.min(ms.grid_pathfinding, ms["grid_pathfinding, pruning"]);
+  report("G4", name, "jump-point against crate grid_pathfinding in wasm", jumps / ms["jump-point"], ...bounds.G4, "x");
+  if (bounds.G6) {
+    const bi = Math.min(ms.ngraph, ms.BiAStarFinder);
+    report("G6", name, "both ends (nba, 8) against the better of ngraph nba, BiAStarFinder", bi / ms.nba, ...bounds.G6, "x");
+    const four = ours(map, "four");
+    const costs = new Map(questions.map((q) => [q, four.ask(q).costMicro / 1e6]));
+    const expect = (q) => costs.get(q);
+    const straight = await race(map, questions, [
+      { name: "four", mine: true, four: true, expect, kind: ["ours", "four"] },
+      { name: "pathfinding", four: true, kind: ["pathfinding", "AStarFinder", false] },
+    ]);
+    report("G5", name, "four against npm pathfinding AStarFinder", straight.pathfinding / straight.four, ...bounds.G5, "x");
+    // Native: the same questions, in the same run.
+    for (const [id, mine] of [["eight", ms.eight], ["jump-point", ms["jump-point"]]]) {
+      const asked = questions.map((q) => [q.x0, q.y0, q.x1, q.y1].join(" ")).join("\n");
+      const out = execFileSync(native, ["time", join(maps, `${name}.map`), id], { input: asked, encoding: "utf8" });
+      report("G8", name, `${id} in wasm against native`, mine / Number(out), 2, 1.4, "x", true);
+    }
+  }
+}
+
+console.log(`\n${rows.length} figures, ${rows.filter((r) => r.endsWith("BELOW")).length} below their floor`);

@@ -1,0 +1,33 @@
+import { expect, test } from "@playwright/test";
+import { complaintsOf, open, settled, type PlaygroundElement } from "./playground.js";
+
+test.use({ viewport: { width: 1400, height: 900 } });
+
+test("redundant space is drawn for the planner that closes it, with its counts", async ({ page }) => {
+  const complaints = complaintsOf(page);
+  await open(page);
+  await page.waitForFunction(() => (document.querySelector("parkade-playground") as PlaygroundElement & { store: { state: { complete: boolean } } }).store.state.complete);
+  await page.evaluate(() => {
+    const element = document.querySelector<PlaygroundElement>("parkade-playground")!;
+    const walls = [[20, 10, 4], [20, 11, 1], [23, 11, 1], [20, 12, 1], [23, 12, 1], [20, 13, 1], [23, 13, 1]] as [number, number, number][];
+    element.sceneData = {
+      version: 1, map: { origin: [0, 0], width: 40, height: 30, resolution: 1 }, obstacles: [{ type: "cells", runs: walls }],
+      vehicle: { wheelbase: 1, width: 0.8, rearToFront: 1.25, rearToBack: 0.25, maxSteer: 0.6 },
+      start: { x: 5.5, y: 15.5, heading: 0 }, goal: { x: 35.5, y: 15.5, heading: 0 }, planners: { eight: { minPassage: 3, trapMouth: 4 } },
+    };
+  });
+  await settled(page);
+  const panel = page.locator("parkade-panel").nth(1), legend = panel.locator(".legend").first();
+  await expect(legend).not.toContainText("too narrow");
+  const without = await panel.locator("canvas").screenshot();
+  await page.getByRole("button", { name: "Layers" }).click();
+  await page.getByLabel("Redundant space").check();
+  await page.keyboard.press("Escape");
+  await settled(page);
+  await expect(legend).toContainText(/\d+ too narrow, \d+ in pockets, \d+ given back/);
+  const { narrow = 0, pocket = 0 } = await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.results["eight"]!.stats);
+  expect(narrow + pocket).toBeGreaterThan(0);
+  await expect.poll(async () => (await panel.locator("canvas").screenshot()).equals(without)).toBe(false);
+  await expect(page.locator("parkade-panel").first().locator(".legend")).not.toContainText("too narrow");
+  expect(complaints).toEqual([]);
+});

@@ -1,0 +1,63 @@
+import { AxeBuilder } from "@axe-core/playwright";
+import { expect, test, type Page } from "@playwright/test";
+import { complaintsOf, open } from "./playground.js";
+
+test.use({ viewport: { width: 1400, height: 900 }, permissions: ["clipboard-read", "clipboard-write"] });
+
+const dialog = (page: Page) => page.locator("parkade-papers dialog");
+const measured = (page: Page) => expect(dialog(page).getByRole("button", { name: "Measure" })).toBeVisible({ timeout: 60_000 });
+
+test("the papers' tables are measured beside the printed ones, and impossible rows are flagged", async ({ page }) => {
+  const complaints = complaintsOf(page);
+  await open(page);
+  await page.keyboard.press("y");
+  await expect(dialog(page).getByRole("progressbar")).toBeVisible();
+  await measured(page);
+  await expect(dialog(page).locator("h3")).toHaveCount(7);
+  await expect(dialog(page).locator("h3").last()).toContainText("20 maps");
+  await expect(dialog(page).locator("td .chip.err")).toHaveCount(4);
+  await expect(dialog(page).locator("td .chip.err").first()).toContainText("below the straight 140.01");
+  await expect(dialog(page).locator(".claims li")).toHaveCount(7);
+  await expect(dialog(page).locator("#H1 .chip")).toContainText("holds in part");
+  await expect(dialog(page).locator("#Y1")).toContainText("not judged");
+  const row = dialog(page).locator("table").first().locator("tbody tr").filter({ hasText: "Risk field" }).first();
+  await expect(row).toContainText("81");
+  await expect(row).toContainText("42.29");
+  const { violations } = await new AxeBuilder({ page }).withTags(["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"]).analyze();
+  expect(violations.map((one) => `${one.id} ${one.nodes.map((node) => node.target.join(" ")).join("; ")}`)).toEqual([]);
+
+  await dialog(page).getByRole("button", { name: "Copy as Markdown" }).click();
+  const markdown = await page.evaluate(() => navigator.clipboard.readText());
+  expect(markdown).toContain("### Table 4: random obstacles, 100 × 100 (20 maps)");
+  expect(markdown).toMatch(/\| 8-neighbour \| 599 \|.*135\.86 \(below the straight 140\.01\)/);
+  await dialog(page).getByRole("button", { name: "Copy as JSON" }).click();
+  const json = JSON.parse(await page.evaluate(() => navigator.clipboard.readText())) as { tables: { maps: number }[]; claims: unknown[] };
+  expect(json.tables.map((one) => one.maps)).toEqual([20, 20, 20, 20, 20, 20]);
+  expect(complaints).toEqual([]);
+});
+
+test("the range can be chosen and extended, and measuring can be cancelled", async ({ page }) => {
+  await open(page);
+  await page.keyboard.press("y");
+  await measured(page);
+  const from = dialog(page).getByLabel("First seed"), to = dialog(page).getByLabel("Last seed");
+  for (const [first, last] of [["0", "20"], ["5", "4"], ["1", "201"], ["1", ""]] as const) {
+    await from.fill(first);
+    await to.fill(last);
+    await expect(dialog(page).getByRole("alert")).toContainText("Whole numbers from 1 to 200");
+    await expect(dialog(page).getByRole("button", { name: "Measure" })).toBeDisabled();
+  }
+  await from.fill("3");
+  await to.fill("22");
+  await dialog(page).getByRole("button", { name: "Measure" }).click();
+  await expect(dialog(page).locator("h3").last()).toContainText("20 maps");
+  await measured(page);
+  await dialog(page).getByRole("button", { name: "1–200" }).click();
+  await dialog(page).getByRole("button", { name: "Cancel" }).click();
+  await expect(dialog(page).getByRole("alert")).toContainText("Cancelled");
+  await expect(dialog(page).getByRole("button", { name: "Measure" })).toBeEnabled();
+  await page.keyboard.press("Escape");
+  await page.locator("parkade-toolbar .scene").click();
+  await page.getByRole("button", { name: "Paper tables" }).click();
+  await expect(dialog(page).locator("h3").first()).toBeVisible();
+});

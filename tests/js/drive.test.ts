@@ -1,0 +1,114 @@
+import { readFileSync } from "node:fs";
+import { beforeAll, describe, expect, it, test } from "vitest";
+import { type Plan, ParkadeError, Planner, init, scenario, stopWaitGo, track, trajectory } from "parkade";
+
+interface Row {
+  path: number[];
+  directions: number[];
+  curvatures: number[];
+  limited: string;
+  jerk: string;
+  slow: string;
+  paper: string;
+  tracked: string;
+}
+
+interface Vectors {
+  rows: Record<string, Row>;
+  scenes: Record<string, Record<"predictive" | "reactive", { ending: string; hash: string }>>;
+}
+
+const file = new URL("../data/drive-vectors.json", import.meta.url);
+const { rows, scenes } = JSON.parse(readFileSync(file, "utf8")) as Vectors;
+const untyped = (value: unknown) => value as never;
+
+beforeAll(() => init());
+
+function planned(id: string): Plan {
+  using planner = new Planner("hybrid", scenario(id));
+  return planner.plan();
+}
+
+function failure(run: () => unknown) {
+  try {
+    run();
+  } catch (error) {
+    expect(error).toBeInstanceOf(ParkadeError);
+    const { code, path } = error as ParkadeError;
+    return { code, path };
+  }
+  throw new Error("nothing was thrown");
+}
+
+describe("driving has the native bytes", () => {
+  it.each(Object.keys(rows))("on row %s", (id) => {
+    const row = rows[id]!, scene = scenario(id);
+    expect(trajectory(scene, row).hash).toBe(row.limited);
+    expect(trajectory(scene, row, { jerk: 2 }).hash).toBe(row.jerk);
+    expect(trajectory(scene, row, { steps: "slow" }).hash).toBe(row.slow);
+    expect(trajectory(scene, row, { profile: "constant", dwell: false }).hash).toBe(row.paper);
+    expect(track(scene, row).hash).toBe(row.tracked);
+  });
+
+  it.each(Object.keys(scenes))("in scene %s", (id) => {
+    for (const rule of ["predictive", "reactive"] as const) {
+      const { ending, hash } = stopWaitGo(scenario(id), rows["L0"]!, { rule });
+      expect({ ending, hash }).toEqual(scenes[id]![rule]);
+    }
+  });
+});
+
+test("a plan becomes a trajectory from rest to rest", () => {
+  const plan = planned("P2");
+  const driven = trajectory(scenario("P2"), plan, { speed: 1.5, dt: 0.1 });
+  const last = driven.t.length - 1;
+  expect(driven.path.length).toBe(3 * driven.t.length);
+  expect([driven.t[0], driven.t[last], driven.speeds[0], driven.speeds[last]]).toEqual([0, driven.duration, 0, 0]);
+  expect(driven.length).toBeCloseTo(plan.metrics.length, 6);
+  expect(driven.path.slice(-3)).toEqual(plan.path.slice(-3));
+  expect(Math.min(...driven.speeds)).toBeCloseTo(-1.5, 6);
+  expect(driven.t.every((t, i) => i === 0 || (t > driven.t[i - 1]! && t <= driven.t[i - 1]! + 0.1 + 1e-9))).toBe(true);
+  expect(driven.dwell).toBeGreaterThan(2);
+});
+
+test("a simulated car follows", () => {
+  const plan = planned("P3"), scene = scenario("P3");
+  const feedback = track(scene, plan, { profile: "constant", speed: 1 });
+  expect(feedback.passes).toBe(true);
+  expect(feedback.maxLateral).toBeLessThan(0.05);
+  expect(feedback.lateral.length).toBe(feedback.t.length);
+  expect(track(scene, plan, { controller: "stanley" }).hash).not.toBe(feedback.hash);
+  expect(track(scenario("P2"), planned("P2"), { profile: "constant", dwell: false }).passes).toBe(false);
+});
+
+test("a car waits for what crosses its way", () => {
+  const scene = scenario("fig16-conflict"), plan = planned("fig16-conflict");
+  const safe = stopWaitGo(scene, plan);
+  expect([safe.ending, safe.waits.length, safe.contact]).toEqual(["arrived", 1, null]);
+  expect(Math.min(...safe.clearances)).toBeGreaterThan(0.2);
+  expect(safe.boxes.length).toBe(3 * safe.t.length);
+  expect(safe.duration).toBeGreaterThan(safe.freeDuration + 5);
+  const paper = stopWaitGo(scene, plan, { rule: "reactive" });
+  expect(paper.ending).toBe("hit");
+  expect(paper.contact).toMatchObject({ obstacle: "box", index: 0 });
+  const { moving: _, ...still } = scene;
+  const free = stopWaitGo(still, plan);
+  expect([free.ending, free.waits, free.clearances[0], free.boxes.length]).toEqual(["arrived", [], Infinity, 0]);
+});
+
+test("mistakes are named", () => {
+  const scene = scenario("P3"), plan = planned("P3");
+  expect(failure(() => trajectory(scene, untyped(null)))).toEqual({ code: "bad-input", path: "plan" });
+  expect(failure(() => trajectory(scene, untyped({})))).toEqual({ code: "bad-input", path: "plan.path" });
+  expect(failure(() => trajectory(scene, { path: [] })).path).toBe("plan.path");
+  expect(failure(() => trajectory(scene, { path: [1, 2] })).path).toBe("plan.path");
+  expect(failure(() => trajectory(scene, { path: [0, 0, 0, 1, 0, 1] })).path).toBe("plan.path[0]");
+  expect(failure(() => trajectory(scene, { ...plan, directions: [1] })).path).toBe("plan.directions");
+  expect(failure(() => trajectory(scene, { ...plan, curvatures: [0] })).path).toBe("plan.curvatures");
+  expect(failure(() => trajectory(scene, plan, { speed: -1 }))).toEqual({ code: "bad-config", path: "speed" });
+  expect(failure(() => track(scene, plan, { controller: untyped("mpc") })).path).toBe("controller");
+  expect(failure(() => stopWaitGo(scene, plan, untyped({ haste: 1 }))).path).toBe("haste");
+  expect(failure(() => stopWaitGo({ ...scene, moving: [untyped({})] }, plan))).toEqual({ code: "bad-scenario", path: "moving[0].points" });
+  using planner = new Planner("eight", scene);
+  expect(failure(() => trajectory(scene, planner.plan())).code).toBe("bad-input");
+});

@@ -1,0 +1,160 @@
+//! A planner used more than once: other ends, edits with a brush, the search alone. Every answer is that of a planner
+//! made anew.
+
+use parkade::error::ErrorCode;
+use parkade::geometry::{Point, Pose};
+use parkade::plan::{Ends, LayerData, Options, Outcome, Planner};
+use parkade::planners::registry::planners;
+use parkade::scenario::generate::SplitMix64;
+use parkade::scenario::{Goal, Obstacle, Scenario, catalog};
+use serde_json::{Map, Value, json};
+
+fn settings(value: &Value) -> Map<String, Value> {
+    value.as_object().cloned().unwrap()
+}
+
+fn bytes(planner: &Planner, name: &str) -> Vec<u8> {
+    match planner.layer(name).unwrap().data {
+        LayerData::Bytes(bytes) => bytes,
+        LayerData::Floats(_) => panic!("{name} has bytes"),
+    }
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn other_ends_give_the_plan_of_another_scene() {
+    let scene = catalog::scenario("perpendicular").unwrap();
+    let start = Pose { x: scene.start.x - 0.7, ..scene.start };
+    let goal = Pose { y: scene.start.y + 0.2, x: scene.start.x - 3.0, ..scene.start };
+    let moved = Scenario { start, goal: Goal::Pose(goal), ..scene.clone() };
+    for info in planners() {
+        let mut session = Planner::new(info.id, &scene, &Map::new()).unwrap();
+        let own = session.plan(Options::default()).hash();
+        let ends = Ends { start: Some(start), goal: Some(goal) };
+        let there = session.plan_between(ends, Options::default()).unwrap();
+        let anew = Planner::new(info.id, &moved, &Map::new()).unwrap().plan(Options::default());
+        assert_eq!((there.outcome, there.hash()), (Outcome::Found, anew.hash()), "{}", info.id);
+        assert_eq!(session.plan(Options::default()).hash(), own, "{}", info.id);
+        let nowhere = Ends { start: None, goal: Some(Pose { heading: f64::NAN, ..goal }) };
+        let error = session.plan_between(nowhere, Options::default()).unwrap_err();
+        assert_eq!((error.code, error.path.as_str()), (ErrorCode::Input, "goal.heading"));
+    }
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn a_search_alone_finds_the_raw_path() {
+    let scene = catalog::scenario("trap-60").unwrap();
+    for info in planners() {
+        let mut session = Planner::new(info.id, &scene, &Map::new()).unwrap();
+        let (start, Goal::Pose(goal)) = (scene.start, scene.goal.clone()) else { panic!("a pose") };
+        let route = session.search(start.point(), goal.point());
+        if info.family != "grid" {
+            assert_eq!(route.unwrap_err().code, ErrorCode::Input);
+            continue;
+        }
+        let shortest = session.any_angle_length().unwrap();
+        let (route, plan) = (route.unwrap(), session.plan(Options::default()));
+        assert!(plan.metrics.grid.as_ref().unwrap().length_dp * scene.map.resolution >= 0.998 * shortest);
+        assert_eq!((route.outcome, route.path), (plan.outcome, plan.raw_path), "{}", info.id);
+        assert_eq!(Some(route.cost_micro), plan.stats.cost_micro);
+        assert_eq!((route.expanded, route.generated), (plan.stats.expanded, plan.stats.generated));
+        let error = session.search(Point::new(0.0, f64::INFINITY), goal.point()).unwrap_err();
+        assert_eq!(error.path, "start.y");
+        let off = session.search(Point::new(-1e3, 0.0), goal.point()).unwrap();
+        assert_eq!((off.outcome, off.path.len()), (Outcome::StartOutside, 0));
+    }
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn a_brushed_map_is_as_if_made_anew() {
+    let mut random = SplitMix64::new(60);
+    let wide = json!({ "inflation": "width", "margin": 0.35 });
+    let closing = json!({ "minPassage": 2, "trapMouth": 5 });
+    let kinds = [
+        ("eight", json!({})),
+        ("eight", wide.clone()),
+        ("jump-point", json!({})),
+        ("jump-point", wide),
+        ("jump-point", closing),
+        ("risk-field", json!({})),
+        ("hybrid", json!({})),
+    ];
+    for (id, config) in kinds {
+        // One scene with a brush, one without: walls and parked cars stay under the eraser.
+        for scene in ["random-60", "perpendicular"] {
+            let mut scene = catalog::scenario(scene).unwrap();
+            let mut session = Planner::new(id, &scene, &settings(&config)).unwrap();
+            let (width, height) = (scene.map.width, scene.map.height);
+            for round in 0..6 {
+                let (x, y) = (random.below(width - 3), random.below(height - 2));
+                let runs = [[x, y, 3], [x, y + 1, 2]];
+                let blocked = round % 3 != 2;
+                session.brush(&runs, blocked).unwrap();
+                edit(&mut scene, &runs, blocked);
+            }
+            let mut anew = Planner::new(id, &scene, &settings(&config)).unwrap();
+            assert_eq!(bytes(&session, "occupancy"), bytes(&anew, "occupancy"), "{id}");
+            if id == "jump-point" {
+                let ends = [scene.start.point(), Point::new(scene.start.x + 9.0, scene.start.y)];
+                let [one, two] = [&mut session, &mut anew].map(|p| p.search(ends[0], ends[1]).unwrap().path);
+                assert_eq!(one, two);
+                assert_eq!(bytes(&session, "redundant"), bytes(&anew, "redundant"));
+            }
+            let [one, two] = [&mut session, &mut anew].map(|planner| planner.plan(Options::default()));
+            assert_eq!(one.hash(), two.hash(), "{id} {config}");
+        }
+    }
+    let scene = catalog::scenario("random-60").unwrap();
+    let mut session = Planner::new("eight", &scene, &Map::new()).unwrap();
+    let error = session.brush(&[[0, 0, 1], [58, 0, 3]], true).unwrap_err();
+    assert_eq!((error.code, error.path.as_str()), (ErrorCode::Input, "runs[1]"));
+}
+
+/// The same edit in the scene.
+fn edit(scene: &mut Scenario, runs: &[[u32; 3]], blocked: bool) {
+    use parkade::map::{Cell, Occupancy, raster};
+    let mut covered = Occupancy::new(scene.map.width, scene.map.height);
+    for obstacle in &scene.obstacles {
+        if let Obstacle::Cells { runs, .. } = obstacle {
+            raster::runs(&mut covered, runs);
+        }
+    }
+    for &[x, y, count] in runs {
+        (x..x + count).for_each(|x| covered.set(Cell::new(x as i32, y as i32), blocked));
+    }
+    scene.obstacles.retain(|o| !matches!(o, Obstacle::Cells { .. }));
+    scene.obstacles.push(Obstacle::Cells { id: None, runs: raster::to_runs(&covered) });
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn redundant_space_is_closed_counted_and_drawn() {
+    let scene = catalog::scenario("trap-60").unwrap();
+    for id in
+        ["four", "eight", "forty-eight", "sixteen-bidirectional", "jump-point", "any-angle", "risk-field"]
+    {
+        let config = settings(&json!({ "minPassage": 2, "trapMouth": 5, "post": "none" }));
+        let mut session = Planner::new(id, &scene, &config).unwrap();
+        let plan = session.plan(Options::default());
+        let stats = &plan.stats;
+        let closed = stats.narrow.unwrap() + stats.pocket.unwrap() - stats.restored.unwrap();
+        let layer = bytes(&session, "redundant");
+        assert_eq!(layer.iter().map(|&v| u32::from(v == 3)).sum::<u32>(), closed);
+        assert!(closed > 0 && plan.outcome == Outcome::Found);
+        // The path keeps out of closed cells.
+        let index = |x: f64, y: f64| {
+            let [x0, y0] = scene.map.origin;
+            let cell = |v: f64, v0: f64| ((v - v0) / scene.map.resolution).floor() as usize;
+            cell(y, y0) * scene.map.width as usize + cell(x, x0)
+        };
+        assert!(plan.raw_path.iter().all(|p| layer[index(p.x, p.y)] == 0), "{id}");
+        // Switched off, nothing of it is said.
+        let off = Planner::new(id, &scene, &Map::new()).unwrap().plan(Options::default());
+        assert!(off.stats.narrow.is_none());
+    }
+    let config = settings(&json!({ "minPassage": 0 }));
+    let error = Planner::new("eight", &scene, &config).err().unwrap();
+    assert_eq!(error.to_string(), "minPassage: must be between 1 and 64, got 0");
+}

@@ -1,0 +1,168 @@
+import type { ImportedQuery, Scenario } from "parkade";
+import { css, html, nothing, type TemplateResult } from "lit";
+import { sentence } from "../element/app";
+import { words } from "../i18n/words";
+import { Helper, JobError, joined } from "../planning/helper";
+import { ensureIds } from "../scene/model";
+import type { Scene, State } from "../store";
+import { controls } from "../styles/controls";
+import { loadVast } from "../view/heavy";
+import { AppElement } from "./base";
+import { icon, type IconName } from "./icons";
+
+const say = words({
+  reading: ["Reading {name} …", "正在读取 {name}……"],
+  opened: ["Opened {name}: {width} × {height} cells of {side} m.", "已打开 {name}：{width} × {height} 格，每格 {side} m。"],
+  line: ["{name} could not be read. Line {line}: {reason} The scene stays as it was.", "无法读取 {name}。第 {line} 行：{reason} 场景保持不变。"],
+  bad: ["{name} could not be read: {reason} The scene stays as it was.", "无法读取 {name}：{reason} 场景保持不变。"],
+  queries: ["Start and goal of the map", "地图的起点与终点"],
+  scenes: ["Scenes of the file", "文件中的场景"],
+  question: ["Question", "问题"],
+  scene: ["Scene", "场景"],
+  of: ["of {n}", "/ {n}"],
+  previous: ["Previous", "上一个"],
+  next: ["Next", "下一个"],
+  group: ["Length", "长度"],
+  groupOf: ["about {length} m", "约 {length} m"],
+  shortest: ["shortest with 8 neighbours: {length} m", "八邻域最短：{length} m"],
+  close: ["Close", "关闭"],
+});
+
+interface Opened { name: string; scenes: Scene[]; queries: readonly ImportedQuery[] }
+
+/** Opens files of many kinds, and offers the questions or scenes that come with them. */
+export class ImportBar extends AppElement {
+  static override properties = { ...AppElement.properties, opened: { state: true }, at: { state: true } };
+  static override styles = [controls, css`
+    :host { grid-area: stage; align-self: end; z-index: 9; display: grid; justify-items: center; pointer-events: none; padding: 0 10px 46px; min-width: 0; }
+    .bar { pointer-events: auto; display: flex; align-items: center; flex-wrap: wrap; gap: 6px 12px; padding: 6px 6px 6px 12px; max-width: 100%; background: var(--parkade-raise); border: 1px solid var(--parkade-hair); border-radius: calc(10px * var(--parkade-radius)); box-shadow: var(--parkade-float); }
+    b { font-weight: 600; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; max-width: 200px; }
+    .step { display: flex; align-items: center; gap: 2px; color: var(--parkade-t2); }
+    .field { width: 58px; color: var(--parkade-t1); }
+    select { height: 28px; padding: 0 6px; background: var(--parkade-panel); border: 1px solid var(--parkade-hair2); border-radius: calc(6px * var(--parkade-radius)); }
+    label { display: flex; align-items: center; gap: 6px; color: var(--parkade-t2); }
+    select { color: var(--parkade-t1); max-width: 150px; }
+    .length { color: var(--parkade-t2); }
+    @media (max-width: 640px) { :host { padding: 0 8px 8px; } .length { display: none; } b { order: -2; flex: 1 0 calc(100% - 64px); max-width: none; } .close { order: -1; } .bar { gap: 2px 8px; padding: 2px 4px 6px 12px; width: 100%; } select { max-width: 112px; } label { font-size: 0; } select { font-size: 13px; } .step { margin-left: auto; } }
+  `];
+  declare opened: Opened | null;
+  declare at: number;
+  private helper: Helper | null = null;
+  private turn = 0;
+
+  constructor() {
+    super();
+    this.opened = null;
+    this.at = 0;
+  }
+
+  protected watches(): readonly (keyof State)[] {
+    return ["scene"];
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.helper?.stop();
+    this.helper = null;
+  }
+
+  /** Opens files that belong together; bad ones leave everything as it was. */
+  async openFiles(files: readonly File[]): Promise<void> {
+    const turn = ++this.turn, name = files.map((file) => file.name).join(", ");
+    const { lang } = this.state;
+    const reading = { tone: "info" as const, text: say(lang, "reading", { name }) };
+    this.app.store.set({ message: reading });
+    try {
+      const opened = await this.read(files, name);
+      // Somebody has dropped other files meanwhile.
+      if (turn !== this.turn) return;
+      // The first questions are of a few steps, the last ones lead through the whole map.
+      const fair = opened.queries.findIndex(({ bucket }) => bucket >= (opened.queries.at(-1)?.bucket ?? 0) / 4);
+      const first = opened.scenes[0]!, query = opened.queries[fair];
+      this.app.preset = null;
+      this.app.openScene(query ? { ...first, start: query.start, goal: query.goal } : first);
+      this.opened = opened;
+      this.at = Math.max(0, fair);
+      const { width, height, resolution } = first.map;
+      const text = say(lang, "opened", { name, width, height, side: Number(resolution.toPrecision(4)) });
+      this.app.store.set({ message: { tone: "info", text: [text, ...opened.notes.map(sentence)].join(" ") } });
+    } catch (error) {
+      if (turn === this.turn) this.app.store.set({ message: { tone: "err", text: this.complaint(error, name) } });
+    }
+  }
+
+  private async read(files: readonly File[], name: string): Promise<Opened & { notes: string[] }> {
+    const engine = await this.app.complete();
+    this.helper ??= new Helper(engine);
+    const contents = await Promise.all(files.map(async (file) => [file.name, new Uint8Array(await file.arrayBuffer())] as const));
+    const [moved, vast] = await Promise.all([this.helper.call("import", { files: Object.fromEntries(contents), options: {} }), loadVast()]);
+    const scenes = (await joined(moved, moved.value.scenes)).map(ensureIds);
+    this.app.catalog?.geometry(scenes[0]!);
+    await vast.prepare(scenes[0]!, this.app.tokens());
+    return { name, scenes, queries: moved.value.queries, notes: moved.value.notes };
+  }
+
+  private complaint(error: unknown, name: string): string {
+    const { lang } = this.state;
+    const { path, message } = error instanceof JobError ? error.failure : { path: "", message: sentence(error) };
+    const reason = sentence(path && message.startsWith(path) ? message.slice(path.length).replace(/^:\s*/, "") : message);
+    const place = /^(.*):(\d+)$/.exec(path);
+    if (place) return say(lang, "line", { name: place[1]!, line: place[2]!, reason });
+    return say(lang, "bad", { name, reason: path && !name.includes(path) ? `${path}: ${reason}` : reason });
+  }
+
+  protected override render(): TemplateResult | typeof nothing {
+    const { opened, state: { lang, scene } } = this;
+    if (!opened || !opened.scenes.some((one) => one.map === scene.map)) return nothing;
+    const { queries, scenes, name } = opened;
+    const many = queries.length || scenes.length;
+    if (many < 2) return nothing;
+    return html`<div class="bar" role="group" aria-label=${say(lang, queries.length ? "queries" : "scenes")}><b title=${name}>${name.split(", ")[0]}</b>
+      ${queries.length ? this.groups(queries) : this.names(scenes)}
+      <span class="step">${this.button("back", "previous", this.at - 1, many)}
+        <span class="field"><input type="number" min="1" max=${many} .value=${String(this.at + 1)} aria-label=${say(lang, queries.length ? "question" : "scene")}
+          @change=${(e: Event) => this.choose(Math.round(Number((e.target as HTMLInputElement).value)) - 1)}></span>
+        ${this.button("next", "next", this.at + 1, many)} ${say(lang, "of", { n: this.num(many, 0) })}</span>
+      ${queries[this.at] ? html`<span class="length">${say(lang, "shortest", { length: this.num(queries[this.at]!.length, 2) })}</span>` : nothing}
+      <button class="icon small close" aria-label=${say(lang, "close")} title=${say(lang, "close")} @click=${() => { this.opened = null; }}>${icon("close", 14)}</button></div>`;
+  }
+
+  /** Questions come in groups of about the same length; a group's first one is chosen. */
+  private groups(queries: readonly ImportedQuery[]): TemplateResult {
+    const { lang } = this.state;
+    const firsts = queries.flatMap((query, i) => (i === 0 || query.bucket !== queries[i - 1]!.bucket ? [i] : []));
+    const now = firsts.findLast((first) => first <= this.at);
+    return html`<label>${say(lang, "group")}<select @change=${(e: Event) => this.choose(Number((e.target as HTMLSelectElement).value))}>
+      ${firsts.map((first) => html`<option value=${first} ?selected=${first === now} .selected=${first === now}>${say(lang, "groupOf", { length: this.num(queries[first]!.length, 0) })}</option>`)}</select></label>`;
+  }
+
+  private names(scenes: readonly Scene[]): TemplateResult {
+    const { lang } = this.state;
+    return html`<label>${say(lang, "scene")}<select @change=${(e: Event) => this.choose(Number((e.target as HTMLSelectElement).value))}>
+      ${scenes.map((scene, i) => html`<option value=${i} ?selected=${i === this.at} .selected=${i === this.at}>${scene.name ?? i + 1}</option>`)}</select></label>`;
+  }
+
+  private button(name: IconName, key: "previous" | "next", to: number, many: number): TemplateResult {
+    const label = say(this.state.lang, key);
+    return html`<button class="icon small" aria-label=${label} title=${label} ?disabled=${to < 0 || to >= many} @click=${() => this.choose(to)}>${icon(name)}</button>`;
+  }
+
+  private choose(at: number): void {
+    const { opened, app } = this;
+    this.requestUpdate();
+    if (!opened) return;
+    const query = opened.queries[at], scene = opened.scenes[at];
+    if (query) this.edit({ ...app.store.state.scene, start: query.start, goal: query.goal });
+    else if (scene && opened.queries.length === 0) app.openScene(scene);
+    else return;
+    this.at = at;
+  }
+
+  /** The answers to another question need not lie where the last ones did. */
+  private edit(scene: Scenario): void {
+    this.app.store.edit(scene, { label: "question" });
+    this.app.controller.fit();
+  }
+}
+
+customElements.define("parkade-import", ImportBar);

@@ -1,0 +1,15 @@
+/** The same as `engine.ts` with every planner and format; its workers also do what takes long beside planning. */
+import { Planner, init, stopWaitGo, trajectory } from "parkade";
+import { serveJobs } from "./jobs";
+import { serve } from "./worker";
+
+export { failureOf } from "./failure";
+export { init, packRuns, planners, scenario, sceneGeometry, scenarios } from "parkade";
+
+/** What `new Worker` is given. */
+export const script = import.meta.url;
+
+if (typeof document === "undefined") {
+  serve({ Planner, init, stopWaitGo, trajectory });
+  serveJobs();
+}

@@ -1,0 +1,75 @@
+/** A worker of the complete module for one long job after another. */
+import type { Scenario } from "parkade";
+import type { Run } from "../scene/cells";
+import { rememberPacked } from "../scene/vast";
+import type { JobName, JobReply, JobRequest, Jobs, Moved } from "./jobs";
+import type { Engine } from "./module";
+import type { Failure } from "./protocol";
+
+/** What a job threw, with its code and field. */
+export class JobError extends Error {
+  constructor(readonly failure: Failure) {
+    super(failure.message);
+  }
+}
+
+interface Waiting { resolve(answer: unknown): void; reject(error: Error): void }
+
+export class Helper {
+  private readonly worker: Worker;
+  private readonly waiting = new Map<number, Waiting>();
+  private last = 0;
+
+  constructor(private readonly engine: Engine) {
+    this.worker = new Worker(engine.api.script, { type: "module", name: "parkade jobs" });
+    this.worker.onmessage = ({ data }: MessageEvent<JobReply>) => {
+      const job = this.waiting.get(data.id);
+      this.waiting.delete(data.id);
+      if ("error" in data) job?.reject(new JobError(data.error));
+      else job?.resolve(data.answer);
+    };
+    this.worker.onerror = (event) => {
+      event.preventDefault();
+      this.fail(event.message || "the worker stopped");
+    };
+  }
+
+  call<Name extends JobName>(name: Name, input: Parameters<Jobs[Name]>[0]): Promise<ReturnType<Jobs[Name]>> {
+    const id = ++this.last;
+    return new Promise((resolve, reject) => {
+      this.waiting.set(id, { resolve: (answer) => resolve(answer as ReturnType<Jobs[Name]>), reject });
+      const request: JobRequest = { kind: "job", id, module: this.engine.module, name, input };
+      this.worker.postMessage(request);
+    });
+  }
+
+  /** Gives up whatever runs. */
+  stop(): void {
+    this.worker.terminate();
+    this.fail("stopped");
+  }
+
+  private fail(message: string): void {
+    for (const { reject } of this.waiting.values()) reject(new JobError({ code: "internal", path: "", message }));
+    this.waiting.clear();
+  }
+}
+
+/** Runs made at once; more would hold up the page. */
+const SLICE = 15_000;
+
+/** Puts the cells that travelled apart back into their scenes. */
+export async function joined({ cells }: Moved<unknown>, scenes: readonly Scenario[]): Promise<Scenario[]> {
+  const whole = [...scenes];
+  for (const { scene, obstacle, numbers, text } of cells) {
+    const runs: Run[] = [];
+    for (let i = 0; i < numbers.length; i += 3) {
+      runs.push([numbers[i]!, numbers[i + 1]!, numbers[i + 2]!]);
+      if (runs.length % SLICE === 0) await new Promise((done) => setTimeout(done));
+    }
+    rememberPacked(runs, text);
+    const { obstacles = [], ...rest } = whole[scene]!;
+    whole[scene] = { ...rest, obstacles: obstacles.map((one, i) => (i === obstacle && one.type === "cells" ? { ...one, runs } : one)) };
+  }
+  return whole;
+}

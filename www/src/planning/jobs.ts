@@ -1,0 +1,72 @@
+/** What workers of the complete module do beside planning. */
+import type { Family, ImportOptions, Imported, PaperRow, PaperTable, PaperClaim, Scenario } from "parkade";
+import { generateScenario, importScene, init, packRuns, paperGrid, paperGridRows, paperGridSummary } from "parkade";
+import type { Run } from "../scene/cells";
+import { failureOf } from "./failure";
+import type { Failure, Request } from "./protocol";
+
+/** Lists of cells longer than this travel as numbers and as a text. */
+const MANY = 2000;
+
+/** The cells of an obstacle: x, y, count of each run. */
+export interface Cells { scene: number; obstacle: number; numbers: Int32Array; text: string }
+export interface Moved<T> { value: T; cells: Cells[] }
+
+const JOBS = {
+  import: ({ files, options }: { files: Record<string, Uint8Array>; options: ImportOptions }): Moved<Omit<Imported, "scene">> => {
+    const { format, scenes, queries, notes } = importScene(files, options);
+    const { value, cells } = apart(scenes);
+    return { value: { format, scenes: value, queries, notes }, cells };
+  },
+  generate: (family: Family): Moved<Scenario[]> => apart([generateScenario(family)]),
+  rows: (): { rows: PaperRow[]; planners: string[]; columns: string[] } => paperGridRows(),
+  paper: (slice: { row: string; from: number; to: number }): Float64Array => paperGrid(slice),
+  summary: (measured: Record<string, Float64Array>): { tables: PaperTable[]; claims: PaperClaim[] } => paperGridSummary(measured),
+};
+
+export type Jobs = typeof JOBS;
+export type JobName = keyof Jobs;
+export interface JobRequest { kind: "job"; id: number; module: WebAssembly.Module; name: JobName; input: unknown }
+export type JobReply = { kind: "job"; id: number; answer: unknown } | { kind: "job"; id: number; error: Failure };
+
+const scope = self as unknown as {
+  onmessage: ((event: MessageEvent<Request | JobRequest>) => void) | null;
+  postMessage(reply: JobReply, transfer: Transferable[]): void;
+};
+
+/** Answers jobs and leaves everything else to who listened before. */
+export function serveJobs(): void {
+  const before = scope.onmessage;
+  scope.onmessage = (event) => (event.data.kind === "job" ? void work(event.data) : before?.call(scope, event));
+}
+
+async function work({ id, module, name, input }: JobRequest): Promise<void> {
+  try {
+    await init({ wasm: module });
+    const answer = (JOBS[name] as (given: unknown) => unknown)(input);
+    const cells = typeof answer === "object" && answer !== null && "cells" in answer ? (answer as Moved<unknown>).cells : [];
+    scope.postMessage({ kind: "job", id, answer }, cells.map(({ numbers }) => numbers.buffer as ArrayBuffer));
+  } catch (error) {
+    scope.postMessage({ kind: "job", id, error: failureOf(error) }, []);
+  }
+}
+
+/** Scenes without their long lists of cells, and these. */
+function apart(scenes: Scenario[]): Moved<Scenario[]> {
+  const cells: Cells[] = [];
+  const value = scenes.map((scene, at): Scenario => ({
+    ...scene,
+    obstacles: (scene.obstacles ?? []).map((one, obstacle) => {
+      if (one.type !== "cells" || one.runs.length <= MANY) return one;
+      cells.push({ scene: at, obstacle, numbers: flat(one.runs), text: packRuns(one.runs) });
+      return { ...one, runs: [] };
+    }),
+  }));
+  return { value, cells };
+}
+
+function flat(runs: readonly Run[]): Int32Array {
+  const numbers = new Int32Array(3 * runs.length);
+  runs.forEach((run, i) => numbers.set(run, 3 * i));
+  return numbers;
+}

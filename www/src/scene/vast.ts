@@ -1,0 +1,47 @@
+/** Scenes of very many cells: what is sent, checked and kept of them must not grow with every edit. */
+import type { Scenario } from "parkade";
+import type { Run } from "./cells";
+
+/** Runs of one obstacle beyond which it is handled as a whole. */
+export const MANY = 2000;
+/** Runs that take milliseconds to be made a text. */
+const SLOW = 20_000;
+/** No link is long enough for more. */
+const LINKABLE = 20_000;
+
+const texts = new WeakMap<readonly Run[], string>();
+const sent = new WeakMap<Scenario, Scenario>();
+
+/** Remembers what `pack` would make of these runs. */
+export const rememberPacked = (runs: readonly Run[], text: string): void => void texts.set(runs, text);
+
+/** The scene for planners: many cells as a text, which is copied to a worker far faster. */
+export function forPlanners(scene: Scenario, pack: (runs: readonly Run[]) => string): Scenario {
+  let packed = sent.get(scene);
+  if (!packed) {
+    packed = withCells(scene, (runs) => {
+      const text = texts.get(runs) ?? pack(runs);
+      texts.set(runs, text);
+      // Only runs that make no sense give an empty text: the planners shall refuse them themselves.
+      return text || runs;
+    });
+    sent.set(scene, packed);
+  }
+  return packed;
+}
+
+/** Whether making that text would hold up a drag. */
+export const isUnpacked = (scene: Scenario): boolean =>
+  (scene.obstacles ?? []).some((one) => one.type === "cells" && one.runs.length > SLOW && !texts.has(one.runs));
+
+/** The scene without many cells, for questions whose answer does not depend on them. */
+export const withoutCells = (scene: Scenario): Scenario => withCells(scene, () => []);
+
+export const fitsLink = (scene: Scenario): boolean =>
+  (scene.obstacles ?? []).reduce((sum, one) => sum + (one.type === "cells" ? one.runs.length : 0), 0) <= LINKABLE;
+
+function withCells(scene: Scenario, change: (runs: Run[]) => string | Run[]): Scenario {
+  if (!scene.obstacles?.some((one) => one.type === "cells" && one.runs.length > MANY)) return scene;
+  // The planners take such a text wherever they take runs.
+  return { ...scene, obstacles: scene.obstacles.map((one) => (one.type === "cells" && one.runs.length > MANY ? { ...one, runs: change(one.runs) as Run[] } : one)) };
+}

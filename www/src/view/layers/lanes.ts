@@ -1,0 +1,60 @@
+/** Roads: each lane's floor, its edges and its middle; areas with a speed limit. */
+import type { Lane } from "parkade";
+import type { Point } from "../../scene/plane";
+import { inMetres, linePath, pixels, polygonPath, type Frame } from "../frame";
+import { fade } from "../tokens";
+
+/** A chord of this length strays from the tightest roads' arcs by millimetres. */
+const STEP = 1;
+
+interface Drawn { middle: Path2D; edges: Path2D; floor: Path2D }
+
+const drawn = new WeakMap<Lane, Drawn>();
+
+export function drawLanes(frame: Frame): void {
+  const { ctx, tokens: { colour }, state: { scene } } = frame;
+  inMetres(frame);
+  for (const { points } of scene.speedLimits ?? []) {
+    ctx.fillStyle = fade(colour.accent, 0.06);
+    ctx.fill(polygonPath(points));
+  }
+  for (const lane of scene.lanes ?? []) {
+    const { middle, edges, floor } = pathsOf(lane);
+    ctx.fillStyle = fade(colour.t3, 0.1);
+    ctx.fill(floor);
+    ctx.strokeStyle = colour.slot;
+    ctx.lineWidth = pixels(frame, 1);
+    ctx.stroke(edges);
+    ctx.strokeStyle = fade(colour.slot, 0.7);
+    ctx.setLineDash([pixels(frame, 10), pixels(frame, 8)]);
+    ctx.stroke(middle);
+    ctx.setLineDash([]);
+  }
+}
+
+function pathsOf(lane: Lane): Drawn {
+  const known = drawn.get(lane);
+  if (known) return known;
+  const middle: Point[] = [], left: Point[] = [], right: Point[] = [];
+  let { x, y, heading } = lane.start;
+  const add = (): void => {
+    const side = lane.width / 2, dx = -Math.sin(heading) * side, dy = Math.cos(heading) * side;
+    middle.push([x, y]);
+    left.push([x + dx, y + dy]);
+    right.push([x - dx, y - dy]);
+  };
+  add();
+  for (const { length, curvature = 0 } of lane.pieces) {
+    const parts = curvature === 0 ? 1 : Math.max(1, Math.ceil(length / STEP)), step = length / parts;
+    for (let i = 0; i < parts; i++) {
+      const turn = curvature * step, chord = turn === 0 ? step : (2 * Math.sin(turn / 2)) / curvature;
+      x += chord * Math.cos(heading + turn / 2);
+      y += chord * Math.sin(heading + turn / 2);
+      heading += turn;
+      add();
+    }
+  }
+  const made = { middle: linePath(middle), edges: linePath(right, linePath(left)), floor: polygonPath([...left, ...right.reverse()]) };
+  drawn.set(lane, made);
+  return made;
+}

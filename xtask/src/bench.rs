@@ -1,0 +1,56 @@
+//! `cargo xtask bench grid`: our grid planners against others, in one run.
+
+use std::path::PathBuf;
+use std::{env, fs};
+
+use anyhow::{Context as _, Result, ensure};
+
+use crate::site;
+use crate::tools::{WASM_TARGET, Workspace, cargo, node, npm, root, run};
+
+/// Packages to compare with; installed into a temporary folder, no part of the product.
+const PEERS: &[&str] = &["pathfinding@0.4.18", "ngraph.graph@20.1.2", "ngraph.path@1.6.1"];
+
+/// Prints figures with their floors and goals; never fails on slow ones, which say as much of the machine.
+pub(crate) fn bench(arguments: &[String]) -> Result<()> {
+    let [what, sizes @ ..] = arguments else { anyhow::bail!("bench what? There is `bench grid`") };
+    ensure!(what == "grid" && sizes.len() <= 2, "there is `bench grid [questions] [repeats]`");
+    let data = env::var_os("PARKADE_DATA").map_or_else(|| root().join("../shared/data"), PathBuf::from);
+    let maps = data.join("movingai");
+    if !maps.join("Berlin_0_256.map").exists() {
+        println!(
+            "skipped: no MovingAI maps in {}; put the .map and .map.scen files of movingai.com/benchmarks there, \
+             or name another folder in PARKADE_DATA",
+            maps.display()
+        );
+        return Ok(());
+    }
+    site::assemble()?;
+    run(cargo().args(["build", "--release", "--locked", "--example", "movingai"]))?;
+    let native = Workspace::load()?.target.join("release/examples/movingai");
+    let peers = peers()?;
+    run(node()
+        .args(["--expose-gc", "--max-old-space-size=6000", "tests/bench/grid.mjs"])
+        .args([&maps, &peers, &native])
+        .args(sizes))
+}
+
+/// The folder with the installed peers.
+fn peers() -> Result<PathBuf> {
+    let folder = env::temp_dir().join("parkade-bench-peers");
+    let sources = root().join("tests/bench/peers_rs");
+    fs::create_dir_all(folder.join("src")).with_context(|| folder.display().to_string())?;
+    fs::write(folder.join("package.json"), r#"{ "private": true }"#)?;
+    for name in ["Cargo.toml", "src/lib.rs"] {
+        fs::copy(sources.join(name), folder.join(name))?;
+    }
+    run(npm().args(["install", "--no-audit", "--no-fund"]).args(PEERS).current_dir(&folder))?;
+    let target = folder.join("target");
+    run(cargo()
+        .args(["build", "--release", "--lib", "--target", WASM_TARGET])
+        .current_dir(&folder)
+        .env("CARGO_TARGET_DIR", &target))?;
+    let wasm = target.join(WASM_TARGET).join("release/grid_peers.wasm");
+    fs::copy(wasm, folder.join("grid_peers.wasm"))?;
+    Ok(folder)
+}
