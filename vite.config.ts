@@ -24,10 +24,22 @@ function isFirst(id: string, graph: Graph, seen = new Set<string>()): boolean {
   return info !== null && (info.isEntry || info.importers.some((importer) => isFirst(importer, graph, seen)));
 }
 
+/** The engines' files are also the workers' scripts, where the page's own code would not run. */
+const workersAlone: Plugin = {
+  name: "workers-alone",
+  generateBundle(_, bundle) {
+    for (const chunk of Object.values(bundle)) {
+      if (chunk.type !== "chunk" || !/\/planning\/engine(-complete)?\.ts$/.test(chunk.facadeModuleId ?? "")) continue;
+      const page = chunk.imports.find((file) => { const other = bundle[file]; return other?.type === "chunk" && other.isEntry; });
+      if (page) this.error(`${chunk.fileName} imports the page's ${page}: a module that the page and the workers share must not be imported by both.`);
+    }
+  },
+};
+
 type Graph = { getModuleInfo(id: string): { isEntry: boolean; importers: readonly string[] } | null };
 
 export default defineConfig({
-  plugins: [squeezeTemplates],
+  plugins: [squeezeTemplates, workersAlone],
   root: here("www"),
   base: "./",
   resolve: { alias: { "parkade/core": here("pkg/core/index.js"), parkade: here("pkg/index.js") } },

@@ -16,6 +16,37 @@ test("the page opens solved by four planners, without a complaint", async ({ pag
   expect(complaints).toEqual([]);
 });
 
+test("a planner chosen before its module is there is planned when it comes", async ({ page }) => {
+  let modules = 0, letGo = (): void => {};
+  const held = new Promise<void>((resolve) => { letGo = resolve; });
+  await page.route("**/*.wasm", async (route) => {
+    if (++modules > 1) await held;
+    await route.continue();
+  });
+  await open(page);
+  await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ planners: ["eight", "jump-point"], focus: "eight" }));
+  let done = false;
+  const answered = settled(page).then(() => { done = true; });
+  await expect(page.locator("parkade-panel")).toHaveCount(2);
+  await page.waitForTimeout(300);
+  expect(done).toBe(false);
+  letGo();
+  await answered;
+  const hashes = await hashesOf(page);
+  expect(Object.values(hashes).every((hash) => hash !== undefined), JSON.stringify(hashes)).toBe(true);
+});
+
+test("a planner whose module cannot be loaded says so, and the others stay", async ({ page }) => {
+  let modules = 0;
+  await page.route("**/*.wasm", (route) => (++modules > 1 ? route.abort() : route.continue()));
+  await open(page);
+  const before = await hashesOf(page);
+  await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ planners: ["eight", "jump-point"], focus: "eight" }));
+  await settled(page);
+  expect((await hashesOf(page))["eight"]).toBe(before["eight"]);
+  await expect(page.getByText("Not everything could be loaded")).toBeVisible();
+});
+
 test("dragging the goal changes every planner's answer, and undo brings them back", async ({ page }) => {
   await open(page);
   const before = await hashesOf(page);

@@ -65,7 +65,7 @@ export class App {
     this.origin = first;
     this.store.set({ scene: first, camera: null });
     if (syncAddress) this.links.start();
-    this.planning = new Planning(this.store, engine);
+    this.planning = new Planning(this.store, engine, () => this.complete());
     this.planning.start();
     loaded();
     await this.planning.whenSettled();

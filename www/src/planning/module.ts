@@ -5,7 +5,7 @@ import completeUrl from "../../../pkg/parkade_bg.wasm?url";
 type Api = typeof import("./engine");
 
 /** The planners' functions, ready to be called, and their compiled module for the workers. */
-export interface Engine { api: Api; module: WebAssembly.Module }
+export interface Engine { extent: Extent; api: Api; module: WebAssembly.Module }
 
 /** `core` plans the first picture; `complete` has every planner and format and comes later, or at once where it is needed. */
 export type Extent = "core" | "complete";
@@ -18,7 +18,7 @@ const CORE: readonly PlannerId[] = ["four", "eight", "risk-field", "hybrid", "hy
 
 const loading: Partial<Record<Extent, Promise<Engine>>> = {};
 
-/** What these planners need. */
+/** What these planners need; the first picture's are in both. */
 export const extentFor = (planners: readonly PlannerId[]): Extent =>
   planners.every((planner) => CORE.includes(planner)) ? "core" : "complete";
 
@@ -34,7 +34,7 @@ async function load(extent: Extent): Promise<Engine> {
   const { url, script } = SOURCES[extent];
   const [api, module] = await Promise.all([script(), compile(url)]);
   await api.init({ wasm: module });
-  return { api, module };
+  return { extent, api, module };
 }
 
 async function compile(url: string): Promise<WebAssembly.Module> {

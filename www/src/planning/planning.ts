@@ -4,7 +4,7 @@ import { identityOf, plannerName } from "../view/identity";
 import { forPlanners, isUnpacked, withoutCells } from "../scene/vast";
 import { emptyResult, type PanelResult, type Scene, type State, type Store } from "../store";
 import { Lane, type Job, type WorkerLike } from "./lane";
-import type { Engine } from "./module";
+import { extentFor, type Engine } from "./module";
 import type { Failure, Layers, Reply } from "./protocol";
 
 const SAMPLES = 9;
@@ -20,6 +20,8 @@ export class Planning {
   private unsubscribe: (() => void) | null = null;
   private job = 0;
   private readonly held = new Map<PlannerId, Job>();
+  /** Shown, but not in the module that is loaded so far. */
+  private readonly absent = new Set<PlannerId>();
   private release: ReturnType<typeof setTimeout> | undefined;
   /** What is wrong with the present scene. */
   private refused: Failure | null = null;
@@ -29,6 +31,8 @@ export class Planning {
   constructor(
     private readonly store: Store,
     private engine: Engine,
+    /** Loads the complete module and has it used here. */
+    private readonly complete: () => Promise<Engine>,
     private readonly spawn: (planner: PlannerId) => WorkerLike = (planner) =>
       new Worker(this.engine.api.script, { type: "module", name: `parkade ${planner}` }) as WorkerLike,
   ) {}
@@ -36,7 +40,8 @@ export class Planning {
   /** Planners run on this module from now on: at once, or with their next plan when they are at work. */
   use(engine: Engine): void {
     this.engine = engine;
-    if (!this.isBusy() && !this.store.state.transient) this.replan(this.store.state.scene);
+    const waited = this.absent.size > 0;
+    if (waited || (!this.isBusy() && !this.store.state.transient)) this.replan(this.store.state.scene);
   }
 
   start(): void {
@@ -96,13 +101,14 @@ export class Planning {
   }
 
   private isBusy(): boolean {
-    return this.held.size > 0 || [...this.lanes.values()].some((lane) => lane.busy);
+    return this.held.size + this.absent.size > 0 || [...this.lanes.values()].some((lane) => lane.busy);
   }
 
   private replan(previous: Scene | null): void {
     clearTimeout(this.quiet);
     const { state } = this.store;
     this.job++;
+    this.absent.clear();
     if (!this.resolve(state)) return;
     // A stroke over a huge map is planned when it ends.
     if (state.transient && isUnpacked(state.scene)) return;
@@ -119,7 +125,9 @@ export class Planning {
       this.lanes.delete(planner);
     }
     const scene = forPlanners(state.scene, this.engine.api.packRuns);
-    for (const planner of state.planners) {
+    const present = state.planners.filter((planner) => this.engine.extent === "complete" || extentFor([planner]) === "core");
+    this.planWhenLoaded(state.planners.filter((planner) => !present.includes(planner)));
+    for (const planner of present) {
       const waiting = state.transient ? null : state.waiting;
       const job = { id: this.job, scene, layers: layersOf(planner, state), trace: isTraced(planner, state), waiting };
       if (state.transient && identityOf(planner).drives) this.hold(planner, job);
@@ -128,6 +136,18 @@ export class Planning {
         this.laneOf(planner).plan(job);
       }
     }
+  }
+
+  private planWhenLoaded(absent: readonly PlannerId[]): void {
+    for (const planner of absent) this.absent.add(planner);
+    if (absent.length === 0) return;
+    this.complete().catch((error: unknown) => {
+      const failed = [...this.absent];
+      this.absent.clear();
+      const failure = this.engine.api.failureOf(error);
+      this.store.set({ message: { tone: "err", text: translate(this.store.state.lang, "error.load", { reason: failure.message }) } });
+      for (const planner of failed) this.failed(planner, failure, false);
+    });
   }
 
   /** During a drag the grid planners, who answer within the frame, have the processors to themselves for a moment. */
