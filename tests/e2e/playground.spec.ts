@@ -132,7 +132,7 @@ test("a broken file leaves the scene and says why; a good one opens", async ({ p
   }
   const moved = { ...before, name: "Moved", start: { ...before.start, x: before.start.x - 2 } };
   await input.setInputFiles({ name: "good.json", mimeType: "application/json", buffer: Buffer.from(JSON.stringify(moved)) });
-  await expect(page.locator("parkade-notices .notice.info")).toBeVisible();
+  await expect(page.locator("parkade-notices .notice.info")).toContainText("Opened good.json");
   expect((await sceneOf(page)).start.x).toBeCloseTo(before.start.x - 2, 6);
 });
 

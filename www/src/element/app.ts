@@ -7,6 +7,7 @@ import { ensureIds } from "../scene/model";
 import { forPlanners, withoutCells } from "../scene/vast";
 import { createStore, FIRST_PLANNERS, type LayerKey, type Scene, type State, type Store } from "../store";
 import { ToolController } from "../tools/controller";
+import { extras } from "../view/pieces";
 import { readTokens, type Tokens } from "../view/tokens";
 import { LinkSync } from "./link-sync";
 import { Player } from "./player";
@@ -68,6 +69,8 @@ export class App {
     this.planning = new Planning(this.store, engine, () => this.complete());
     this.planning.start();
     loaded();
+    void this.controller.fetchTools();
+    void extras.load();
     await this.planning.whenSettled();
     this.player.driveIn();
     requestIdle(() => void this.complete().catch(() => undefined));

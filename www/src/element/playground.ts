@@ -10,7 +10,6 @@ import { layout } from "../styles/layout";
 import { App, download } from "./app";
 import { listenToKeys } from "./keyboard";
 import { recall, remember } from "./memory";
-import "../panels/charts";
 import "../panels/notices";
 import "../panels/stage";
 import "../panels/table";
@@ -141,6 +140,8 @@ export class Playground extends LitElement {
     this.measure(this.getBoundingClientRect());
     void this.begin();
     void import("../panels/inspector");
+    void import("../panels/charts");
+    void import("../panels/options");
   }
 
   override disconnectedCallback(): void {

@@ -6,7 +6,7 @@ import { Helper, JobError, joined } from "../planning/helper";
 import { ensureIds } from "../scene/model";
 import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
-import { loadVast } from "../view/heavy";
+import { vast } from "../view/pieces";
 import { AppElement } from "./base";
 import { icon } from "./icons";
 import "./thumbnail";
@@ -156,7 +156,7 @@ export class Generate extends AppElement {
     clearTimeout(this.typing);
     const scene = await this.make();
     if (!scene) return;
-    await (await loadVast()).prepare(scene, this.app.tokens());
+    await (await vast.load()).prepare(scene, this.app.tokens());
     void this.app.links.mark();
     this.app.preset = null;
     this.app.openScene(scene);

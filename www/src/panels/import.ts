@@ -6,7 +6,7 @@ import { Helper, JobError, joined } from "../planning/helper";
 import { ensureIds } from "../scene/model";
 import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
-import { loadVast } from "../view/heavy";
+import { vast } from "../view/pieces";
 import { AppElement } from "./base";
 import { icon, type IconName } from "./icons";
 
@@ -95,10 +95,10 @@ export class ImportBar extends AppElement {
     const engine = await this.app.complete();
     this.helper ??= new Helper(engine);
     const contents = await Promise.all(files.map(async (file) => [file.name, new Uint8Array(await file.arrayBuffer())] as const));
-    const [moved, vast] = await Promise.all([this.helper.call("import", { files: Object.fromEntries(contents), options: {} }), loadVast()]);
+    const [moved, { prepare }] = await Promise.all([this.helper.call("import", { files: Object.fromEntries(contents), options: {} }), vast.load()]);
     const scenes = (await joined(moved, moved.value.scenes)).map(ensureIds);
     this.app.catalog?.geometry(scenes[0]!);
-    await vast.prepare(scenes[0]!, this.app.tokens());
+    await prepare(scenes[0]!, this.app.tokens());
     return { name, scenes, queries: moved.value.queries, notes: moved.value.notes };
   }
 

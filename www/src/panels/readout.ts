@@ -2,7 +2,7 @@ import type { Explanation, Layer, Plan, PlannerId } from "parkade";
 import { html, nothing, type TemplateResult } from "lit";
 import { number, translate, type MessageKey } from "../i18n/index";
 import type { Scene, State } from "../store";
-import { costRange } from "../view/layers/cost";
+import { extras } from "../view/pieces";
 import { hasField } from "../planning/planning";
 import { distancesOf } from "../view/drive";
 
@@ -31,8 +31,9 @@ function rampOf(state: State, planner: PlannerId): TemplateResult | typeof nothi
   const expanded = plan?.stats.expanded ?? 0;
   const drawn = planner.startsWith("hybrid") ? state.layers.tree : state.layers.heat;
   const cost = state.layers.cost ? state.results[planner]?.layers.cost : undefined;
-  if (cost && !state.layers.heat) {
-    const { low, high } = costRange(cost);
+  const range = cost && !state.layers.heat ? extras()?.costRange(cost) : undefined;
+  if (range) {
+    const { low, high } = range;
     return html`<div class="pill legend" title=${translate(state.lang, "layer.cost")}>
       <span>${number(state.lang, low, 2)}</span><span class="ramp"></span><span>≥ ${number(state.lang, high, 2)}</span></div>`;
   }

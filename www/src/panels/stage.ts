@@ -8,7 +8,6 @@ import { AppElement } from "./base";
 import { lineSample, marker } from "./icons";
 import { statusOf } from "./status";
 import "./hint";
-import "./options";
 import "./panel";
 import "./scene-view";
 

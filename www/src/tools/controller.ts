@@ -2,17 +2,12 @@
 import type { Scene, State, Store, ToolId } from "../store";
 import { cameraFor, forgetFit, leastScale, screenToWorld, zoomAt, type View } from "../view/camera";
 import type { Point } from "../scene/plane";
-import { BrushTool, EraserTool } from "./brush";
-import { CarTool } from "./car";
 import type { Draft } from "./draft";
+import type { Drawing } from "./drawing";
 import { HandTool } from "./hand";
 import { editByKey, toolOfKey } from "./keys";
-import { MovingTool, PolygonTool, WallTool } from "./line";
 import { Pinch } from "./pinch";
-import { PlaceTool } from "./place";
-import { RectangleTool } from "./rectangle";
 import { SelectTool } from "./select";
-import { SlotTool } from "./slot";
 import type { Bench, Input, Tool } from "./tool";
 
 export type { Draft } from "./draft";
@@ -27,13 +22,10 @@ export class ToolController {
   /** Which wheel turns zoom: embedded pages keep plain ones for scrolling. */
   wheel: "always" | "ctrl" | "none" = "always";
 
-  private readonly tools: Record<ToolId, Tool> = {
-    select: new SelectTool(), brush: new BrushTool(), wall: new WallTool(), rectangle: new RectangleTool(), polygon: new PolygonTool(),
-    car: new CarTool(), slot: new SlotTool(), moving: new MovingTool(), eraser: new EraserTool(), hand: new HandTool(),
-  };
+  private readonly select = new SelectTool();
   private readonly hand = new HandTool();
-  private readonly eraser = new EraserTool();
-  private readonly place = { start: new PlaceTool("start"), goal: new PlaceTool("goal") };
+  /** All other tools; null until they are fetched. */
+  private drawing: Drawing | null = null;
   /** Set by S or T: the next press places that pose. */
   private armed: "start" | "goal" | null = null;
   private spaceDown = false;
@@ -49,6 +41,14 @@ export class ToolController {
 
   constructor(private readonly store: Store) {
     store.subscribe((state, previous) => this.toolChanged(state, previous));
+  }
+
+  /** The first picture does without the tools that draw. */
+  async fetchTools(): Promise<void> {
+    if (this.drawing) return;
+    const { makeDrawing } = await import("./drawing");
+    this.drawing ??= makeDrawing();
+    this.refresh();
   }
 
   onDraft(listener: (draft: Draft | null) => void): () => void {
@@ -158,7 +158,7 @@ export class ToolController {
     if (!press) return;
     this.press = null;
     press.tool.up?.(this.bench(), press.input);
-    if (press.tool === this.place.start || press.tool === this.place.goal) this.armed = null;
+    if (this.drawing && (press.tool === this.drawing.place.start || press.tool === this.drawing.place.goal)) this.armed = null;
     this.setCursor(this.tool(), this.last);
   }
 
@@ -199,20 +199,28 @@ export class ToolController {
   private toolFor(event: PointerEvent): Tool {
     if (event.button === 1 || this.spaceDown) return this.hand;
     const { tool } = this.store.state;
-    if (event.button === 2) return tool === "select" || tool === "hand" ? this.hand : this.eraser;
+    if (event.button === 2) return tool === "select" || tool === "hand" ? this.hand : this.drawing?.eraser ?? this.hand;
     return this.tool();
   }
 
   private tool(): Tool {
     if (this.spaceDown) return this.hand;
-    return this.armed ? this.place[this.armed] : this.tools[this.store.state.tool];
+    const { tool } = this.store.state;
+    if (this.armed && this.drawing) return this.drawing.place[this.armed];
+    return tool === "select" ? this.select : this.toolCalled(tool);
+  }
+
+  private toolCalled(tool: Exclude<ToolId, "select">): Tool {
+    if (tool === "hand") return this.hand;
+    if (!this.drawing) void this.fetchTools();
+    return this.drawing?.tools[tool] ?? this.hand;
   }
 
   private escape(): boolean {
     const { press } = this;
     this.press = null;
     if (this.armed) {
-      this.place[this.armed].cancel(this.bench());
+      this.drawing?.place[this.armed].cancel(this.bench());
       this.armed = null;
       return this.refresh();
     }
@@ -225,6 +233,7 @@ export class ToolController {
 
   private arm(which: "start" | "goal"): boolean {
     this.armed = which;
+    void this.fetchTools();
     return this.refresh();
   }
 
@@ -247,7 +256,8 @@ export class ToolController {
 
   private toolChanged(state: State, previous: State): void {
     if (state.tool === previous.tool) return;
-    this.tools[previous.tool].cancel?.(this.bench());
+    if (previous.tool === "select") this.select.cancel(this.bench());
+    else this.toolCalled(previous.tool).cancel?.(this.bench());
     this.press = null;
     this.armed = null;
     this.refresh();

@@ -1,26 +1,20 @@
 /** The fixed order of the layers, and what is kept between frames. */
 import { drawReferences } from "./car";
 import { drawBorder, drawFloor } from "./layers/floor";
-import { drawLanes } from "./layers/lanes";
-import { drawCost } from "./layers/cost";
 import { HeatLayer } from "./layers/heat";
 import { drawObstacles, drawSlots } from "./layers/obstacles";
 import { drawCusps, drawPath } from "./layers/path";
 import { drawCollisions, drawFirstHit } from "./layers/collisions";
 import { drawDrivingCar, drawStartAndGoal } from "./layers/cars";
 import { hasField } from "../planning/planning";
-import { drawExplained } from "./layers/explained";
-import { drawContact, drawMoving } from "./layers/moving";
-import { drawDraft } from "./layers/draft";
 import { drawHandles, drawSelection } from "./layers/handles";
 import { drawHover } from "./layers/hover";
 import { RiskLayer } from "./layers/risk";
 import { SafetyLayer } from "./layers/safety";
 import { drawSweep } from "./layers/sweep";
-import { TreeLayer } from "./layers/tree";
-import { vast } from "./heavy";
+import type { TreeLayer } from "./layers/tree";
+import { extras, vast } from "./pieces";
 import { fade } from "./tokens";
-import { drawOthers } from "./layers/ghosts";
 import { GHOST, leading, leads, type Frame, type Shown } from "./frame";
 
 /** In the raster `redundant`: free, but closed before the search. */
@@ -30,21 +24,21 @@ export class SceneLayers {
   private readonly heat = new HeatLayer();
   private readonly safety = new SafetyLayer();
   private readonly risk = new RiskLayer();
-  private readonly tree = new TreeLayer();
+  private tree: TreeLayer | null = null;
 
   draw(frame: Frame): void {
-    const { layers } = frame.state;
+    const { layers, scene } = frame.state;
     drawFloor(frame);
-    drawLanes(frame);
+    if (scene.lanes?.length || scene.speedLimits?.length) extras()?.drawLanes(frame);
     this.drawRasters(frame);
     if (layers.slots) drawSlots(frame);
     drawBorder(frame);
     if (layers.obstacles) drawObstacles(frame);
-    drawMoving(frame);
+    if (scene.moving?.length) extras()?.drawMoving(frame);
     this.drawAnswers(frame);
     drawSelection(frame);
     drawHandles(frame);
-    drawDraft(frame);
+    if (frame.draft) extras()?.drawDraft(frame);
     drawHover(frame);
   }
 
@@ -55,32 +49,37 @@ export class SceneLayers {
     if (!one) return;
     if (layers.heat) this.heat.draw(frame, one);
     const cost = layers.cost && one.result?.layers.cost;
-    if (cost) drawCost(frame, cost);
+    if (cost) extras()?.drawCost(frame, cost);
     if (layers.safety) this.safety.draw(frame, one);
     const redundant = layers.redundant && one.result?.layers.redundant;
     if (redundant) vast()?.drawKinds(frame, redundant, [CLOSED], fade(frame.tokens.colour.t1, 0.24), 7);
     if (layers.risk) this.risk.draw(frame, one);
     const { explained, hover, transient } = frame.state;
-    if (layers.risk && explained && hover && !transient && hasField(one.planner)) drawExplained(frame, explained);
-    if (layers.tree) this.tree.draw(frame, one);
+    if (layers.risk && explained && hover && !transient && hasField(one.planner)) extras()?.drawExplained(frame, explained);
+    if (layers.tree) (this.tree ??= treeLayer())?.draw(frame, one);
   }
 
   private drawAnswers(frame: Frame): void {
-    const { layers } = frame.state;
+    const { layers, scene } = frame.state;
     const one = leading(frame);
     const done = !searching(frame);
     if (one && layers.sweep && done) drawSweep(frame, one);
-    if (layers.ghosts) drawOthers(frame);
+    if (layers.ghosts) extras()?.drawOthers(frame);
     if (one && !frame.overlay && layers.path && done) drawCollisions(frame, one);
     if (layers.car) drawStartAndGoal(frame);
     if (layers.path) for (const shown of inOrder(frame)) drawPath(frame, shown, strength(frame, shown) * standing(frame, shown));
     if (layers.car) drawReferences(frame);
     if (layers.car && one) drawDrivingCar(frame, one, strength(frame, one));
-    if (one) drawContact(frame, one);
+    if (one && scene.moving?.length) extras()?.drawContact(frame, one);
     if (frame.overlay && layers.path && done) for (const shown of frame.shown) drawFirstHit(frame, shown);
     if (one && layers.path) drawCusps(frame, one, strength(frame, one));
   }
 }
+
+const treeLayer = (): TreeLayer | null => {
+  const piece = extras();
+  return piece && new piece.TreeLayer();
+};
 
 /** On a phone the other planners' paths stand behind the focused one's. */
 const BEHIND = 0.5, NARROW = 640;

@@ -5,7 +5,7 @@ import { vehicleOf } from "../../scene/vehicle";
 import { drawCar, parkedStyle } from "../car";
 import { inMetres, linePath, pixels, polygonPath, type Frame } from "../frame";
 import { MANY } from "../../scene/vast";
-import { vast } from "../heavy";
+import { vast } from "../pieces";
 import { cellPaths, type CellPaths } from "../outline";
 
 const drawn = new WeakMap<Obstacle, CellPaths>();

@@ -1,0 +1,26 @@
+/** The tools that draw; the first picture does without them. */
+import type { ToolId } from "../store";
+import { BrushTool, EraserTool } from "./brush";
+import { CarTool } from "./car";
+import { MovingTool, PolygonTool, WallTool } from "./line";
+import { PlaceTool } from "./place";
+import { RectangleTool } from "./rectangle";
+import { SlotTool } from "./slot";
+import type { Tool } from "./tool";
+
+export interface Drawing {
+  tools: Record<Exclude<ToolId, "select" | "hand">, Tool>;
+  /** Of the right button. */
+  eraser: Tool;
+  /** By press, drag, release while S or T is called for. */
+  place: { start: PlaceTool; goal: PlaceTool };
+}
+
+export const makeDrawing = (): Drawing => ({
+  tools: {
+    brush: new BrushTool(), wall: new WallTool(), rectangle: new RectangleTool(), polygon: new PolygonTool(), car: new CarTool(),
+    slot: new SlotTool(), moving: new MovingTool(), eraser: new EraserTool(),
+  },
+  eraser: new EraserTool(),
+  place: { start: new PlaceTool("start"), goal: new PlaceTool("goal") },
+});

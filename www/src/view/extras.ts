@@ -1,0 +1,8 @@
+/** The layers that the first picture does without. */
+export { costRange, drawCost } from "./layers/cost";
+export { drawDraft } from "./layers/draft";
+export { drawExplained } from "./layers/explained";
+export { drawOthers } from "./layers/ghosts";
+export { drawLanes } from "./layers/lanes";
+export { drawContact, drawMoving } from "./layers/moving";
+export { TreeLayer } from "./layers/tree";

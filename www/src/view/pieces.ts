@@ -1,0 +1,30 @@
+/** Pieces of the drawing that the first picture does without: each is fetched when something asks for it. */
+
+/** What is called when a piece has come: whoever drew without it draws again. */
+export const waiting = new Set<() => void>();
+
+/** Null until the piece is there; the first call fetches it. */
+export interface Piece<T> {
+  (): T | null;
+  load(): Promise<T>;
+}
+
+function piece<T>(fetch: () => Promise<T>): Piece<T> {
+  let loaded: T | null = null;
+  let loading: Promise<T> | null = null;
+  const load = (): Promise<T> => (loading ??= fetch().then((got) => {
+    loaded = got;
+    for (const draw of waiting) draw();
+    return got;
+  }));
+  const get = (): T | null => {
+    if (!loaded) void load();
+    return loaded;
+  };
+  return Object.assign(get, { load });
+}
+
+/** Maps of very many cells. */
+export const vast = piece(() => import("./vast"));
+/** What comes with drawing, roads, moving obstacles and a closer look at searches. */
+export const extras = piece(() => import("./extras"));
