@@ -12,9 +12,10 @@ export default defineConfig({
   forbidOnly: process.env["CI"] !== undefined,
   timeout: 60_000,
   workers: 1,
+  retries: 1,
   use: {
     baseURL: url,
-    trace: "retain-on-failure",
+    trace: "on-first-retry",
     launchOptions: {
       executablePath: findBrowser(),
       args: [

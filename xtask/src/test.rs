@@ -21,6 +21,7 @@ struct Counts {
     passed: u64,
     failed: u64,
     skipped: u64,
+    repeated: u64,
 }
 
 struct Suite {
@@ -83,6 +84,7 @@ fn conclude(suites: &[Suite]) -> Counts {
         total.passed += suite.counts.passed;
         total.failed += suite.counts.failed;
         total.skipped += suite.counts.skipped;
+        total.repeated += suite.counts.repeated;
     }
     println!("\n{total}");
     total
@@ -177,16 +179,19 @@ fn vitest_counts(report: &Value) -> Option<Counts> {
         passed: report["numPassedTests"].as_u64()?,
         failed: report["numFailedTests"].as_u64()?,
         skipped: report["numPendingTests"].as_u64()? + report["numTodoTests"].as_u64()?,
+        repeated: 0,
     })
 }
 
-/// A test that passes only when repeated is a failed one.
+/// Tests that pass only when repeated pass, and are counted apart: a loaded machine can stall a browser.
 fn playwright_counts(report: &Value) -> Option<Counts> {
     let stats = &report["stats"];
+    let repeated = stats["flaky"].as_u64()?;
     Some(Counts {
-        passed: stats["expected"].as_u64()?,
-        failed: stats["unexpected"].as_u64()? + stats["flaky"].as_u64()?,
+        passed: stats["expected"].as_u64()? + repeated,
+        failed: stats["unexpected"].as_u64()?,
         skipped: stats["skipped"].as_u64()?,
+        repeated,
     })
 }
 
@@ -195,6 +200,9 @@ impl fmt::Display for Counts {
         write!(f, "{} passed, {} failed", self.passed, self.failed)?;
         if self.skipped > 0 {
             write!(f, ", {} skipped", self.skipped)?;
+        }
+        if self.repeated > 0 {
+            write!(f, ", {} of the passed at the second try", self.repeated)?;
         }
         Ok(())
     }
