@@ -14,6 +14,7 @@ use crate::map::{Cell, Frame};
 #[cfg(feature = "complete")]
 use crate::metrics::any_angle_length;
 use crate::metrics::grid as cells;
+use crate::planners::Obstruction;
 use crate::planners::query::{Detail, GridReport, GridScratch, Query, Status};
 use crate::planners::registry::Kind;
 #[cfg(feature = "complete")]
@@ -169,6 +170,10 @@ impl Finish<'_> {
         let mut plan = measured(world, outcome(report.status), driven, near);
         plan.detail = report.detail.map(Detail::as_str);
         plan.reason = self.reason();
+        if report.status == Status::NoPath {
+            let at = world.frame.center(report.closest);
+            plan.obstruction = Some(Obstruction::Nearest { at, heading: None });
+        }
         plan.raw_path = report.cells.iter().map(|&c| world.frame.center(c)).collect();
         plan.stats = stats(report);
         if report.status == Status::Found {

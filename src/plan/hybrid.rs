@@ -11,7 +11,7 @@ use crate::metrics::Verdict;
 use crate::planners::hybrid::{Config, Query, Report, Scratch, Status, obstacles, plan};
 use crate::planners::registry::Kind;
 use crate::scenario::Scenario;
-use crate::scenario::resolve::{Geometry, Owner};
+use crate::scenario::resolve::Geometry;
 use crate::vehicle::collision::Obstacles;
 
 /// Speed of the parking paper's driving times, m/s.
@@ -66,17 +66,18 @@ impl Engine {
             plan.metrics.length = arcs::length(&report.arcs);
             plan.metrics.hybrid = Some(metrics(&report));
         }
-        plan.trace =
-            options.trace.then_some(PlanTrace::Arcs { arcs: report.tree, dropped: report.tree_dropped });
+        plan.obstruction = report.obstruction;
+        plan.trace = options.trace.then_some(PlanTrace::Arcs {
+            arcs: report.tree,
+            dropped: report.tree_dropped,
+            shots: report.shots,
+        });
         plan
     }
 }
 
 fn reason(scenario: &Scenario, geometry: &Geometry, report: &Report) -> Option<String> {
-    let name = |owner: u32| {
-        let shape = (owner as usize).checked_sub(1).and_then(|k| geometry.shapes.get(k));
-        scenario.name_of(shape.map_or(Owner::Border, |s| s.owner))
-    };
+    let name = |owner| scenario.name_of(geometry.owner(owner));
     let near =
         report.closest.map_or_else(String::new, |p| format!(" The search came to ({:.2}, {:.2}).", p.x, p.y));
     Some(match report.status {

@@ -267,6 +267,7 @@ fn measured(world: &World, outcome: Outcome, driven: Driven, near: f64) -> Plan 
         outcome,
         detail: None,
         reason: None,
+        obstruction: None,
         path: poses,
         directions,
         curvatures,

@@ -4,6 +4,8 @@ use serde::Serialize;
 
 use crate::geometry::{Point, Pose, math};
 use crate::metrics::Check;
+use crate::planners::Obstruction;
+use crate::planners::hybrid::Shots;
 
 /// How planning ended; no path is an outcome, not an error.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -180,9 +182,11 @@ pub enum PlanTrace {
     /// Arcs of the search tree, as driven.
     Arcs {
         /// x, y, heading, curvature, signed length, …
-        arcs: Vec<f32>,
+        arcs: Vec<f64>,
         /// Arcs beyond the cap.
         dropped: u64,
+        /// Analytic connections that hit something.
+        shots: Shots,
     },
 }
 
@@ -197,6 +201,8 @@ pub struct Plan {
     pub detail: Option<&'static str>,
     /// For people, where there is no path.
     pub reason: Option<String>,
+    /// Where it fails, where there is no path and that is known.
+    pub obstruction: Option<Obstruction>,
     /// Poses, close together, from start to goal.
     pub path: Vec<Pose>,
     /// Per pose: gear of the way to the next one.
@@ -216,7 +222,7 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// FNV-1a-64 over everything but the trace, as 16 hex digits: equal on every platform.
+    /// FNV-1a-64 over everything but the trace and words for people, as 16 hex digits: equal on every platform.
     pub fn hash(&self) -> String {
         let mut hash = 0xcbf2_9ce4_8422_2325_u64;
         let mut eat = |bytes: &[u8]| {

@@ -13,8 +13,11 @@ pub mod hybrid;
 #[cfg(feature = "complete")]
 pub mod jump_point;
 pub mod moves;
+mod obstruction;
 mod parameters;
 pub mod query;
 pub mod registry;
 pub mod risk_field;
 pub mod settings;
+
+pub use obstruction::{Gap, Obstruction, Region};

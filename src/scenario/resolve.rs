@@ -52,6 +52,14 @@ pub struct Geometry {
     pub parked: Vec<(usize, Pose)>,
 }
 
+impl Geometry {
+    /// Whose a number is: 0 the border's, k that of shape k − 1.
+    pub fn owner(&self, number: u32) -> Owner {
+        let shape = (number as usize).checked_sub(1).and_then(|k| self.shapes.get(k));
+        shape.map_or(Owner::Border, |s| s.owner)
+    }
+}
+
 /// The car that stands in occupied slots.
 pub const PARKED: Vehicle = Vehicle::SEDAN;
 

@@ -3,10 +3,11 @@
 use serde_json::{Value, json};
 use wasm_bindgen::JsValue;
 
-use super::codec::{f32s, f64s, i8s, object, set, u8s, u32s, write};
+use super::codec::{f32s, f64s, i8s, i32s, object, set, u8s, u32s, write};
 use crate::geometry::{Point, Pose};
 use crate::metrics::Check;
 use crate::plan::{Layer, LayerData, Plan, PlanTrace};
+use crate::planners::{Gap, Obstruction};
 use crate::scenario::Scenario;
 use crate::scenario::resolve::{Geometry, Owner, PARKED};
 use crate::vehicle::Vehicle;
@@ -27,19 +28,62 @@ pub(super) fn plan(scene: &Scenario, geometry: &Geometry, plan: &Plan) -> JsValu
         ("stats", write(&plan.stats)),
         ("metrics", write(&plan.metrics)),
         ("check", check(scene, geometry, &plan.check)),
-        ("trace", plan.trace.as_ref().map_or(JsValue::NULL, trace)),
+        ("obstruction", write(&plan.obstruction.as_ref().map(|o| obstruction(scene, geometry, o)))),
+        ("trace", plan.trace.as_ref().map_or(JsValue::NULL, |t| trace(geometry, t))),
         ("hash", plan.hash().into()),
     ])
 }
 
-fn trace(trace: &PlanTrace) -> JsValue {
+fn obstruction(scene: &Scenario, geometry: &Geometry, obstruction: &Obstruction) -> Value {
+    let end = |at_start| if at_start { "start" } else { "goal" };
+    let named = |(pose, owner)| hit(scene, geometry.owner(owner), pose);
+    match obstruction {
+        Obstruction::Contact { at_start, owner } => {
+            let pose = if *at_start { geometry.start } else { geometry.goal };
+            json!({ "kind": "contact", "end": end(*at_start), "hit": named((pose, *owner)) })
+        }
+        Obstruction::Gap(Gap { width, at }) => {
+            let needed = geometry.vehicle.width;
+            json!({ "kind": "gap", "x": at.x, "y": at.y, "width": width, "needed": needed })
+        }
+        Obstruction::Enclosed { at_start, region } => {
+            let runs: Vec<_> = region.runs.iter().map(|&(at, n)| (at.x, at.y, n)).collect();
+            json!({ "kind": "enclosed", "end": end(*at_start), "cell": region.cell, "runs": runs })
+        }
+        Obstruction::BoxedIn { at_start, stops } => {
+            let stops: Vec<_> = stops.iter().map(|&stop| named(stop)).collect();
+            json!({ "kind": "boxed-in", "end": end(*at_start), "stops": stops })
+        }
+        Obstruction::Nearest { at, heading } => {
+            json!({ "kind": "nearest", "x": at.x, "y": at.y, "heading": heading })
+        }
+    }
+}
+
+fn trace(geometry: &Geometry, trace: &PlanTrace) -> JsValue {
     match trace {
         PlanTrace::Cells { cells, dropped } => {
             object(&[("kind", "cells".into()), ("cells", u32s(cells)), ("dropped", (*dropped as f64).into())])
         }
-        PlanTrace::Arcs { arcs, dropped } => {
-            object(&[("kind", "arcs".into()), ("arcs", f32s(arcs)), ("dropped", (*dropped as f64).into())])
-        }
+        PlanTrace::Arcs { arcs, dropped, shots } => object(&[
+            ("kind", "arcs".into()),
+            ("arcs", f64s(arcs)),
+            ("dropped", (*dropped as f64).into()),
+            (
+                "shots",
+                object(&[
+                    ("first", u32s(&shots.first)),
+                    ("arcs", f64s(&shots.arcs)),
+                    ("hits", f64s(&shots.hits)),
+                    (
+                        "obstacles",
+                        i32s(&shots.owners.iter().map(|&o| index(geometry.owner(o))).collect::<Vec<_>>()),
+                    ),
+                    ("expansions", u32s(&shots.expansions)),
+                    ("dropped", (shots.dropped as f64).into()),
+                ]),
+            ),
+        ]),
     }
 }
 
@@ -63,11 +107,15 @@ pub(super) fn check(scene: &Scenario, geometry: &Geometry, check: &Check) -> JsV
 }
 
 pub(super) fn hit(scene: &Scenario, owner: Owner, pose: Pose) -> Value {
-    let index = match owner {
-        Owner::Obstacle(i) => i as i64,
+    json!({ "obstacle": scene.name_of(owner), "index": index(owner), "pose": pose })
+}
+
+/// Its index in the scene's obstacles, or -1.
+fn index(owner: Owner) -> i32 {
+    match owner {
+        Owner::Obstacle(i) => i as i32,
         Owner::Border | Owner::Slot(_) => -1,
-    };
-    json!({ "obstacle": scene.name_of(owner), "index": index, "pose": pose })
+    }
 }
 
 pub(super) fn layer(layer: &Layer) -> JsValue {

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use js_sys::{Float32Array, Float64Array, Int8Array, Object, Reflect, Uint8Array, Uint32Array};
+use js_sys::{Float32Array, Float64Array, Int8Array, Int32Array, Object, Reflect, Uint8Array, Uint32Array};
 use serde::de::{Deserializer, Error as _, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Number, Value};
@@ -150,6 +150,10 @@ pub(super) fn u32s(values: &[u32]) -> JsValue {
 
 pub(super) fn u8s(values: &[u8]) -> JsValue {
     Uint8Array::from(values).into()
+}
+
+pub(super) fn i32s(values: &[i32]) -> JsValue {
+    Int32Array::from(values).into()
 }
 
 pub(super) fn i8s(values: &[i8]) -> JsValue {

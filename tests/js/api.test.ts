@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import { beforeAll, describe, expect, test } from "vitest";
 import * as parkade from "parkade";
-import { ParkadeError, Planner, checkPath, defaultConfig, init, scenario, scenarios } from "parkade";
+import { type PlannerId, type Scenario, ParkadeError, Planner, checkPath, defaultConfig, init, scenario, scenarios } from "parkade";
 
 /** The ParkadeError that `run` throws, in parts. */
 function failure(run: () => unknown) {
@@ -80,6 +80,50 @@ describe("after init", () => {
     expect(first.directions).toBeInstanceOf(Int8Array);
     expect(planner.plan({ trace: true }).hash).toBe(first.hash);
     planner.free();
+  });
+
+  test("a traced search shows its tree and the connections that failed", () => {
+    const scene = scenario("L2");
+    using planner = new Planner("hybrid", scene);
+    const { trace, hash, stats, obstruction } = planner.plan({ trace: true });
+    expect(obstruction).toBeNull();
+    expect(hash).toBe(planner.plan().hash);
+    if (trace?.kind !== "arcs") throw new Error("no tree");
+    expect(trace.arcs.length).toBeGreaterThan(500);
+    expect(trace.arcs.length).toBeLessThanOrEqual(5 * stats.expanded);
+    const { first, hits, obstacles, expansions, arcs, dropped } = trace.shots;
+    expect(first.length).toBeGreaterThan(20);
+    expect([hits.length, obstacles.length, expansions.length, arcs.length % 5, dropped]).toEqual([3 * first.length, first.length, first.length, 0, 0]);
+    expect(Math.max(...obstacles)).toBeLessThan(scene.obstacles?.length ?? 0);
+  });
+
+  test("a failure has a place", () => {
+    const hall: Scenario = {
+       version: 1, map: { origin: [0, 0], width: 40, height: 20, resolution: 1 }, vehicle: "sedan",
+      start: { x: 5, y: 10, heading: 0 }, goal: { x: 32, y: 10, heading: 0 },
+    };
+    const wall = (y1: number, y2: number) => ({ type: "wall" as const, points: [[22, y1], [22, y2]] as [number, number][] });
+    const ask = (obstacles: Scenario["obstacles"], planner: PlannerId = "hybrid") => {
+      using session = new Planner(planner, { ...hall, obstacles: obstacles! });
+      return session.plan().obstruction;
+    };
+    expect(ask([])).toBeNull();
+    const enclosed = ask([wall(0, 20)]);
+    if (enclosed?.kind !== "enclosed") throw new Error(enclosed?.kind);
+    expect(enclosed.end).toBe("goal");
+    for (const [x, y, count] of enclosed.runs) {
+      expect(x).toBeGreaterThan(22);
+      expect(x + count * enclosed.cell).toBeLessThan(40);
+      expect(y).toBeGreaterThan(0);
+    }
+    const gap = ask([wall(0, 9.2), wall(10.8, 20)]);
+    if (gap?.kind !== "gap") throw new Error(gap?.kind);
+    expect(gap.needed).toBe(1.9);
+    expect([gap.width, gap.x, gap.y].map(Math.round)).toEqual([2, 22, 10]);
+    expect(ask([wall(0, 4), { type: "car", pose: hall.start }])).toEqual({
+      kind: "contact", end: "start", hit: { obstacle: "parked car", index: 1, pose: hall.start },
+    });
+    expect(ask([wall(0, 20)], "eight")).toMatchObject({ kind: "nearest", heading: null });
   });
 
   test("checkPath takes typed and plain arrays alike", () => {

@@ -6,6 +6,7 @@ use super::config::{Config, Heuristic, Level};
 use super::cost::{CostModel, Motion};
 use super::flood::Flood;
 use super::keys::Keys;
+use super::shots::Watch;
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::reeds_shepp::{self, Word};
 use crate::geometry::{Pose, math};
@@ -40,6 +41,8 @@ pub(super) struct Lattice<'a> {
     pub(super) target: Pose,
     pub(super) margin: f64,
     pub(super) max_changes: u32,
+    mirrored: bool,
+    watch: Option<&'a RefCell<Watch>>,
     primitives: Vec<Arc>,
     words: Vec<(f64, Word)>,
 }
@@ -51,6 +54,9 @@ pub(super) struct Setting<'a> {
     pub(super) flood: &'a Flood,
     pub(super) keys: &'a RefCell<Keys>,
     pub(super) costs: CostModel,
+    /// Whether the tree grows from the goal; `costs` are then, too.
+    pub(super) mirrored: bool,
+    pub(super) watch: Option<&'a RefCell<Watch>>,
 }
 
 impl<'a> Lattice<'a> {
@@ -81,6 +87,8 @@ impl<'a> Lattice<'a> {
             target,
             margin,
             max_changes: config.max_direction_changes,
+            mirrored: setting.mirrored,
+            watch: setting.watch,
             primitives,
             words: Vec::new(),
         }
@@ -180,13 +188,24 @@ impl Domain for Lattice<'_> {
                 found.push((cost, word));
             }
         });
+        let mut missed = None;
         let best = core::iter::from_fn(|| take_cheapest(&mut found))
-            .find(|(_, word)| self.word_free(pose, word))
+            .find(|(_, word)| {
+                let free = self.word_free(pose, word);
+                if !free {
+                    missed.get_or_insert(*word);
+                }
+                free
+            })
             .and_then(|(cost, word)| {
                 let near = self.costs.word_nearness(self.probe, pose, &word);
                 (at.g + cost + near < bound).then_some(Finish { cost: cost + near, tail: word })
             });
         self.words = found;
+        if let Some(watch) = self.watch {
+            let rules = (self.costs.radius, self.level.spacing, self.margin);
+            watch.borrow_mut().note(&self.probe.clone(), pose, missed.as_ref(), rules, self.mirrored);
+        }
         best
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::geometry::{Point, Pose, Vector};
 use crate::map::{Cell, Frame};
+use crate::planners::Region;
 use crate::vehicle::Vehicle;
 use crate::vehicle::collision::Obstacles;
 
@@ -51,6 +52,26 @@ impl Flood {
 
     fn cell(&self, at: Pose) -> Option<Cell> {
         self.frame.cell_at(at.to_world(Point::new(self.ahead, 0.0)))
+    }
+
+    /// Squares of the lattice that the flood reached.
+    pub(super) fn reached(&self) -> usize {
+        self.steps.iter().filter(|&&s| s != UNREACHED).count()
+    }
+
+    /// Where the flood came.
+    pub(super) fn region(&self) -> Region {
+        let mut runs: Vec<(Point, u32)> = Vec::new();
+        let half = Vector::new(0.5, 0.5) * self.frame.resolution;
+        let reached = |i: usize| self.steps[i] != UNREACHED;
+        for i in (0..self.steps.len()).filter(|&i| reached(i)) {
+            let cell = self.frame.cell(i);
+            match runs.last_mut() {
+                Some(run) if cell.x > 0 && reached(i - 1) => run.1 += 1,
+                _ => runs.push((self.frame.center(cell) - half, 1)),
+            }
+        }
+        Region { cell: self.frame.resolution, runs }
     }
 
     /// A lower bound on the way from a pose, metres; infinite where there is no way.

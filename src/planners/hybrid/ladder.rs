@@ -1,13 +1,17 @@
 //! From level to level until one gives a path that survives verification.
 
+use core::cell::RefCell;
+
 use super::config::Level;
 use super::cost::{CostModel, Motion};
 use super::domain::{self, Lattice, Setting, State};
 use super::flood::Flood;
-use super::passage::{self, Gap};
+use super::passage;
+use super::shots::Watch;
 use super::{Config, FINE, Query, Report, Scratch, Status, Tree, shortcut};
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::{Pose, math};
+use crate::planners::Gap;
 use crate::search::{End, Limits, best_first};
 use crate::vehicle::collision::Probe;
 
@@ -123,16 +127,24 @@ impl Search<'_> {
             origin: self.origin(),
             mirrored: self.mirrored,
         });
+        let watch = trace.then(|| RefCell::new(Watch::new(self.origin())));
         #[cfg(feature = "complete")]
         if self.config.search_from == super::SearchFrom::Both && !level.shuffle {
-            let found = super::two_way::search(self, level, report, &mut tree);
-            report.keep(tree);
+            let found = super::two_way::search(self, level, report, (&mut tree, watch.as_ref()));
+            report.keep(tree, watch.as_ref());
             return found;
         }
         let radius = self.query.vehicle.min_turning_radius();
         let driven = CostModel::driven(self.config, radius);
         let costs = if self.mirrored { driven.mirrored() } else { driven };
-        let setting = Setting { probe: self.probe, flood: self.flood, keys: &scratch.keys, costs };
+        let setting = Setting {
+            probe: self.probe,
+            flood: self.flood,
+            keys: &scratch.keys,
+            costs,
+            mirrored: self.mirrored,
+            watch: watch.as_ref(),
+        };
         let mut lattice =
             Lattice::new(setting, self.query.vehicle, self.config, level, self.target, report.margin);
         let limits =
@@ -140,7 +152,7 @@ impl Search<'_> {
         let state = State { pose: self.root, ..State::default() };
         let root = (lattice.node(self.root, 0), state);
         let found = best_first(&mut lattice, root, limits, &mut scratch.search, &mut tree);
-        report.keep(tree);
+        report.keep(tree, watch.as_ref());
         report.expanded += found.expanded;
         report.generated += found.generated;
         report.pushes += found.pushes;

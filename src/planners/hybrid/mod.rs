@@ -9,13 +9,15 @@ mod domain;
 mod flood;
 mod keys;
 mod ladder;
+mod obstruction;
 mod passage;
 mod shortcut;
+mod shots;
 #[cfg(feature = "complete")]
 mod two_way;
 
 pub use config::{Config, Heuristic, Profile, SearchFrom};
-pub use passage::Gap;
+pub use shots::Shots;
 
 use core::cell::RefCell;
 
@@ -23,7 +25,9 @@ use domain::State;
 use flood::Flood;
 use keys::Keys;
 use ladder::Search;
+use shots::Watch;
 
+use super::{Gap, Obstruction};
 use crate::geometry::arcs::Arc;
 use crate::geometry::{Pose, math, reeds_shepp};
 use crate::scenario::resolve::{Form, Geometry};
@@ -125,10 +129,14 @@ pub struct Report {
     pub collision_checks: u32,
     /// The expanded pose with the least estimate to go: how near the search came.
     pub closest: Option<Pose>,
+    /// What keeps the car from its goal, where that is known.
+    pub obstruction: Option<Obstruction>,
     /// Arcs of the search tree as driven, in order of expansion: x, y, heading, curvature, signed length, ….
-    pub tree: Vec<f32>,
+    pub tree: Vec<f64>,
     /// Tree arcs beyond the cap.
     pub tree_dropped: u64,
+    /// Connections that hit something, of the same search.
+    pub shots: Shots,
 }
 
 /// The memory of hybrid A*, reused between queries.
@@ -140,7 +148,7 @@ pub struct Scratch {
 
 /// Keeps the arcs that led to expanded states.
 struct Tree {
-    arcs: Vec<f32>,
+    arcs: Vec<f64>,
     dropped: u64,
     origin: Pose,
     mirrored: bool,
@@ -159,14 +167,15 @@ impl Observer<f64, State> for Tree {
         let (from, length) =
             if self.mirrored { (at.pose, -length) } else { (at.pose.advance(curvature, -length), length) };
         let (x, y) = (from.x + self.origin.x, from.y + self.origin.y);
-        self.arcs.extend([x, y, from.heading, curvature, length].map(|v| v as f32));
+        self.arcs.extend([x, y, from.heading, curvature, length]);
     }
 }
 
 impl Report {
-    fn keep(&mut self, tree: Option<Tree>) {
-        if let Some(tree) = tree {
+    fn keep(&mut self, tree: Option<Tree>, watch: Option<&RefCell<Watch>>) {
+        if let (Some(tree), Some(watch)) = (tree, watch) {
             (self.tree, self.tree_dropped) = (tree.arcs, tree.dropped);
+            self.shots = core::mem::take(&mut watch.borrow_mut().shots);
         }
     }
 }
@@ -174,7 +183,8 @@ impl Report {
 /// Plans a path that the car can drive.
 ///
 /// Levels of the resolution ladder are tried in order until one gives a path that survives verification at 0.02 m.
-/// Deterministic: budgets count expansions and collision checks, never time. `trace` keeps the search tree.
+/// Deterministic: budgets count expansions and collision checks, never time. `trace` keeps the search tree and the
+/// connections that failed.
 ///
 /// # Examples
 /// ```
@@ -204,10 +214,12 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, trace: bool) 
     let blocked = |pose: Pose| query.obstacles.inside(pose.point()).or_else(|| probe.hit(pose, 0.0));
     if let Some(owner) = blocked(start) {
         report.status = Status::StartInCollision(owner);
+        report.obstruction = Some(Obstruction::Contact { at_start: true, owner });
         return report;
     }
     if let Some(owner) = blocked(goal) {
         report.status = Status::GoalInCollision(owner);
+        report.obstruction = Some(Obstruction::Contact { at_start: false, owner });
         return report;
     }
     let look = config.margin.max(TIGHT);
@@ -238,6 +250,10 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, trace: bool) 
     };
     if flood.distance(root).is_infinite() {
         report.status = search.unreachable();
+        report.obstruction = Some(match report.status {
+            Status::TooNarrow(gap) => Obstruction::Gap(gap),
+            _ => obstruction::enclosed(query, [start, goal], report.margin),
+        });
         return report;
     }
     search.climb(0, &mut report, scratch, trace);
@@ -250,7 +266,13 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, trace: bool) 
     report.collision_checks = probe.checks();
     let least = from_start.min(from_goal);
     if report.status == Status::NoPath && least < STUCK {
-        report.status = Status::BoxedIn { at_start: from_start < from_goal, travel: least };
+        let at_start = from_start < from_goal;
+        report.status = Status::BoxedIn { at_start, travel: least };
+        let stops = obstruction::stops(&probe, query, if at_start { start } else { goal }, report.margin);
+        report.obstruction = Some(Obstruction::BoxedIn { at_start, stops });
+    } else if report.arcs.is_empty() {
+        report.obstruction =
+            report.closest.map(|pose| Obstruction::Nearest { at: pose.point(), heading: Some(pose.heading) });
     }
     report
 }
@@ -279,7 +301,9 @@ fn empty(rs_bound: f64) -> Report {
         open_peak: 0,
         collision_checks: 0,
         closest: None,
+        obstruction: None,
         tree: Vec::new(),
         tree_dropped: 0,
+        shots: Shots::default(),
     }
 }

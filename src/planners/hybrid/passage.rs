@@ -2,6 +2,7 @@
 
 use crate::geometry::{Point, Pose};
 use crate::map::{Cell, Frame, Layer};
+use crate::planners::Gap;
 use crate::vehicle::Vehicle;
 use crate::vehicle::collision::Obstacles;
 
@@ -14,16 +15,7 @@ const SLIT: f64 = 0.2;
 /// Slots per metre of clearance when the widest way is looked for.
 const SLOTS: f64 = 50.0;
 
-/// A place that is too narrow for the car.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Gap {
-    /// The widest way from start to goal is about this wide at its narrowest, metres.
-    pub width: f64,
-    /// Where that is, metres, local.
-    pub at: Point,
-}
-
-/// The narrowest place of the widest way from start to goal, if it is narrower than the car.
+/// The narrowest place of the widest way from start to goal, local, if it is narrower than the car.
 pub(super) fn too_narrow(obstacles: &Obstacles, vehicle: &Vehicle, start: Pose, goal: Pose) -> Option<Gap> {
     let middle = Point::new((vehicle.rear_to_front - vehicle.rear_to_back) / 2.0, 0.0);
     let narrowest = |frame: &Frame, clearance: &Layer<f32>| {

@@ -13,6 +13,7 @@ use super::domain::{self, Lattice, Setting, State};
 use super::flood::Flood;
 use super::keys::Keys;
 use super::ladder::Search;
+use super::shots::Watch;
 use super::{Report, Status, Tree};
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::reeds_shepp;
@@ -199,7 +200,7 @@ pub(super) fn search(
     search: &Search,
     level: Level,
     report: &mut Report,
-    tree: &mut Option<Tree>,
+    (tree, watch): (&mut Option<Tree>, Option<&RefCell<Watch>>),
 ) -> Option<(Vec<Arc>, Status)> {
     let vehicle = search.query.vehicle;
     let driven = CostModel::driven(search.config, vehicle.min_turning_radius());
@@ -210,7 +211,8 @@ pub(super) fn search(
     let mut sides = [false, true].map(|mirrored| {
         let i = usize::from(mirrored);
         let costs = if mirrored { driven.mirrored() } else { driven };
-        let setting = Setting { probe: search.probe, flood: &floods[i], keys: &keys[i], costs };
+        let setting =
+            Setting { probe: search.probe, flood: &floods[i], keys: &keys[i], costs, mirrored, watch };
         let lattice = Lattice::new(setting, vehicle, search.config, level, ends[1 - i], report.margin);
         let mut side =
             Side { lattice, mirrored, nodes: Vec::new(), open: BinaryHeap::new(), pushes: 0, generated: 0 };

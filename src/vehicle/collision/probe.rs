@@ -33,7 +33,7 @@ impl Place {
 }
 
 /// Collision queries of one car, counted. All poses are local to the obstacles.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Probe<'a> {
     obstacles: &'a Obstacles,
     vehicle: Vehicle,

@@ -212,7 +212,7 @@ export interface Check {
   /** Their indices into `path`. */
   hitPoses: Uint32Array;
   /** What is hit first: its id or kind ("border", "wall", "polygon", …), its index in `obstacles` (or -1) and the pose. */
-  firstHit: { obstacle: string; index: number; pose: Pose } | null;
+  firstHit: Hit | null;
   /** Corners and arcs that turn tighter than the car can. */
   tightTurns: number;
   /** Steps in which the body moves sideways; a path that begins elsewhere than at the start counts as one. */
@@ -231,8 +231,46 @@ export interface Check {
 export type Trace =
   /** Cell indices (y * width + x) in order of expansion. */
   | { kind: "cells"; cells: Uint32Array; dropped: number }
-  /** Hybrid search tree: x, y, heading, curvature, signed length of each arc as driven, in order of expansion. */
-  | { kind: "arcs"; arcs: Float32Array; dropped: number };
+  /**
+   * Hybrid search tree: x, y, heading at its beginning, curvature, signed length (negative: reverse) of each arc as driven, in
+   * order of expansion; at most 20 000. Of the last search, where several levels were tried.
+   */
+  | { kind: "arcs"; arcs: Float64Array; dropped: number; shots: Shots };
+
+/** Analytic connections that hit something: of each expansion the cheapest that was tried; at most 4000. */
+export interface Shots {
+  /** Per connection: index of its first arc in `arcs`; the next one's is its end. */
+  first: Uint32Array;
+  /** Up to where they hit, x, y, heading, curvature, signed length of each arc, as driven. */
+  arcs: Float64Array;
+  /** Per connection: x, y, heading of the car where it hits. */
+  hits: Float64Array;
+  /** Per connection: index in the scene's `obstacles`, or -1 for the border and parked cars of slots. */
+  obstacles: Int32Array;
+  /** Per connection: how many expansions came before the one that tried it. */
+  expansions: Uint32Array;
+  /** Connections beyond the cap. */
+  dropped: number;
+}
+
+/** What is in the way of a pose: its id or kind ("border", "wall", "polygon", …) and its index in `obstacles` (or -1). */
+export interface Hit { obstacle: string; index: number; pose: Pose }
+
+/** Where it fails, for drawing; metres. */
+export type Obstruction =
+  /** The car overlaps something where it starts or shall arrive. */
+  | { kind: "contact"; end: "start" | "goal"; hit: Hit }
+  /** The narrowest place of the widest way, and the car's width. */
+  | { kind: "gap"; x: number; y: number; width: number; needed: number }
+  /**
+   * No way joins start and goal: the smaller of the regions around them, where the centre of a disc as wide as the car can be.
+   * Squares of side `cell` in runs: lower left corner, number of squares eastward.
+   */
+  | { kind: "enclosed"; end: "start" | "goal"; cell: number; runs: [number, number, number][] }
+  /** The car can hardly move: how far it gets straight and at full lock, ahead and back, and what stops it there. */
+  | { kind: "boxed-in"; end: "start" | "goal"; stops: Hit[] }
+  /** Of what was searched, the place with the least estimate to go; the car's heading, of planners that have one. */
+  | { kind: "nearest"; x: number; y: number; heading: number | null };
 
 export interface Plan {
   planner: PlannerId;
@@ -242,6 +280,8 @@ export interface Plan {
   detail: string | null;
   /** For people, when there is no path: what is in the way, where the search stopped. */
   reason: string | null;
+  /** Where it fails, when there is no path and that is known. */
+  obstruction: Obstruction | null;
   /** x, y, heading, … at most 0.1 m apart (grid paths beyond 5 km: 50 000 poses). */
   path: Float64Array;
   /** Per pose: +1 forward, −1 reverse. */

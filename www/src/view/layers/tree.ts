@@ -27,7 +27,7 @@ export class TreeLayer {
   }
 
   /** One path per stop of the ramp: thousands of arcs in ten strokes. */
-  private bands(trace: { kind: "arcs"; arcs: Float32Array }, count: number): Path2D[] {
+  private bands(trace: { kind: "arcs"; arcs: Float64Array }, count: number): Path2D[] {
     const known = this.built;
     if (known?.trace === trace && known.count === count) return known.bands;
     const { arcs } = trace, total = Math.max(1, arcs.length / FIELDS);
@@ -39,7 +39,7 @@ export class TreeLayer {
 }
 
 /** x, y, heading at its beginning, curvature, signed length as driven. */
-function addArc(path: Path2D, arc: Float32Array): void {
+function addArc(path: Path2D, arc: Float64Array): void {
   const [x, y, heading, curvature, length] = arc as unknown as [number, number, number, number, number];
   path.moveTo(x, y);
   if (Math.abs(curvature) < 1e-6) {

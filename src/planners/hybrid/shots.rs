@@ -1,0 +1,88 @@
+//! Connections that were tried and hit something, kept for drawing.
+
+use crate::geometry::Pose;
+use crate::geometry::arcs::Arc;
+use crate::geometry::reeds_shepp::Word;
+use crate::vehicle::collision::Probe;
+
+/// Connections that are kept.
+const KEPT: usize = 4000;
+
+/// Failed connections, at most one an expansion: the cheapest that was tried.
+#[derive(Debug, Clone, Default)]
+pub struct Shots {
+    /// Where each begins in `arcs`, in arcs.
+    pub first: Vec<u32>,
+    /// Their arcs up to where they hit, as driven: x, y, heading, curvature, signed length, ….
+    pub arcs: Vec<f64>,
+    /// The body where it hits: x, y, heading per connection.
+    pub hits: Vec<f64>,
+    /// Whose obstacle is hit.
+    pub owners: Vec<u32>,
+    /// The expansion that tried it, counted from 0.
+    pub expansions: Vec<u32>,
+    /// Connections beyond the cap.
+    pub dropped: u64,
+}
+
+/// Watches the connections of one search.
+pub(super) struct Watch {
+    pub(super) shots: Shots,
+    /// World position of the local origin.
+    origin: Pose,
+    expansions: u32,
+}
+
+impl Watch {
+    pub(super) fn new(origin: Pose) -> Self {
+        Self { shots: Shots::default(), origin, expansions: 0 }
+    }
+
+    /// A search has expanded `pose`; `missed` is the cheapest connection that it tried in vain. `mirrored` where the tree
+    /// grows from the goal. The probe counts, so it must not be the search's own.
+    pub(super) fn note(
+        &mut self,
+        probe: &Probe,
+        pose: Pose,
+        missed: Option<&Word>,
+        (radius, spacing, margin): (f64, f64, f64),
+        mirrored: bool,
+    ) {
+        let expansion = self.expansions;
+        self.expansions += 1;
+        let Some(word) = missed else { return };
+        if self.shots.owners.len() >= KEPT {
+            self.shots.dropped += 1;
+            return;
+        }
+        let begin = self.shots.arcs.len();
+        let mut from = pose;
+        for arc in word.arcs(radius) {
+            let far = probe.free_length(from, &arc, spacing, margin);
+            let length = far.copysign(arc.length);
+            let end = from.advance(arc.curvature, length);
+            if far > 0.0 {
+                self.keep(if mirrored { end } else { from }, &Arc { length, ..arc }, mirrored);
+            }
+            if far < arc.length.abs() {
+                let beyond = (far + spacing / 16.0).min(arc.length.abs()).copysign(arc.length);
+                let beyond = from.advance(arc.curvature, beyond);
+                let Some(owner) = probe.hit(beyond, margin) else { break };
+                self.shots.first.push((begin / 5) as u32);
+                self.shots.owners.push(owner);
+                self.shots.expansions.push(expansion);
+                self.shots.hits.extend([beyond.x + self.origin.x, beyond.y + self.origin.y, beyond.heading]);
+                return;
+            }
+            from = end;
+        }
+        // What the search saw between two checks is not there at these.
+        self.shots.arcs.truncate(begin);
+    }
+
+    fn keep(&mut self, from: Pose, arc: &Arc, mirrored: bool) {
+        let length = if mirrored { -arc.length } else { arc.length };
+        let (x, y) = (from.x + self.origin.x, from.y + self.origin.y);
+        self.shots.arcs.extend([x, y, from.heading, arc.curvature, length]);
+    }
+}

@@ -1,0 +1,192 @@
+//! Lots to park in and a checker that shares nothing with the planner.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use parkade::geometry::arcs::{self, Arc};
+use parkade::geometry::{Point, Pose, math};
+use parkade::planners::hybrid::{Config, Query, Report, Scratch, Status, plan};
+use parkade::vehicle::Vehicle;
+use parkade::vehicle::collision::{Obstacles, Probe, Solid};
+
+pub(crate) const CAR: Vehicle = Vehicle::PAPER;
+pub(crate) const BORDER: u32 = 0;
+
+/// A floor, what stands on it, and a question.
+#[derive(Clone)]
+pub(crate) struct Lot {
+    pub(crate) floor: Vec<[f64; 2]>,
+    pub(crate) solids: Vec<Vec<[f64; 2]>>,
+    pub(crate) start: [f64; 3],
+    pub(crate) goal: [f64; 3],
+}
+
+pub(crate) fn pose([x, y, heading]: [f64; 3]) -> Pose {
+    Pose::new(x, y, heading)
+}
+
+impl Lot {
+    /// The paper's lot: 50 m × 25 m above y = 5 with a bay `x0..x1` of this depth below it.
+    pub(crate) fn paper(x0: f64, x1: f64, depth: f64, start: [f64; 3], goal: [f64; 3]) -> Self {
+        let low = 5.0 - depth;
+        let floor = vec![
+            [-25.0, 5.0],
+            [x0, 5.0],
+            [x0, low],
+            [x1, low],
+            [x1, 5.0],
+            [25.0, 5.0],
+            [25.0, 30.0],
+            [-25.0, 30.0],
+        ];
+        Self { floor, solids: Vec::new(), start, goal }
+    }
+
+    pub(crate) fn row(id: &str) -> Self {
+        let (_, start, goal) = ROWS.into_iter().find(|row| row.0 == id).expect("a row of the paper");
+        Self::paper(-10.0, 10.0, 5.0, start, goal)
+    }
+
+    pub(crate) fn with(mut self, solid: &[[f64; 2]]) -> Self {
+        self.solids.push(solid.to_vec());
+        self
+    }
+
+    pub(crate) fn obstacles(&self) -> Obstacles {
+        let point = |p: &[f64; 2]| Point::new(p[0], p[1]);
+        let solid = |points: &[[f64; 2]], owner| Solid { outline: points.iter().map(point).collect(), owner };
+        let solids: Vec<Solid> = (1..).zip(&self.solids).map(|(owner, s)| solid(s, owner)).collect();
+        Obstacles::new(&[], &solids, &solid(&self.floor, BORDER))
+    }
+
+    pub(crate) fn plan(&self, config: &Config) -> Report {
+        config.validate().unwrap();
+        let obstacles = self.obstacles();
+        let query =
+            Query { obstacles: &obstacles, vehicle: &CAR, start: pose(self.start), goal: pose(self.goal) };
+        plan(&query, config, &mut Scratch::default(), false)
+    }
+
+    /// Plans and checks the path; its length and direction changes.
+    pub(crate) fn solve(&self, name: &str, config: &Config) -> (f64, u32, Report) {
+        let report = self.plan(config);
+        assert_eq!(report.status, Status::Found, "{name}");
+        self.check(name, &report.arcs);
+        let length = arcs::length(&report.arcs);
+        assert!(length >= report.rs_bound - 1e-6, "{name}: {length} below {}", report.rs_bound);
+        (length, arcs::direction_changes(&report.arcs), report)
+    }
+
+    /// Drives `path` in steps of 2 cm: ends at the goal, turns within the limit, touches nothing.
+    pub(crate) fn check(&self, name: &str, path: &[Arc]) {
+        let mut at = self.start;
+        assert_eq!(self.hit(at), None, "{name}: at the start");
+        for arc in path {
+            assert!(arc.curvature.abs() <= CAR.max_curvature() + 1e-9, "{name}: {arc:?}");
+            let steps = (arc.length.abs() / 0.02).ceil();
+            let from = at;
+            for k in 1..=steps as u32 {
+                at = drive(from, arc.curvature, arc.length * f64::from(k) / steps);
+                assert_eq!(self.hit(at), None, "{name}: at {at:?} on {arc:?}");
+            }
+        }
+        let [x, y, heading] = self.goal;
+        assert!(math::hypot(at[0] - x, at[1] - y) < 1e-6, "{name} ends at {at:?}");
+        assert!(math::wrap(at[2] - heading).abs() < 1e-6, "{name} ends at {at:?}");
+        let back = arcs::end(pose(self.goal), &arcs::reversed(path));
+        assert!((back.point() - pose(self.start).point()).norm() < 1e-6, "{name} does not lead back");
+    }
+
+    /// The least distance from the car to anything along a path, 1 m at most.
+    pub(crate) fn clearance(&self, path: &[Arc]) -> f64 {
+        let obstacles = self.obstacles();
+        let probe = Probe::new(&obstacles, &CAR);
+        let points = arcs::sample(pose(self.start), path, pose(self.goal), 0.02);
+        points.iter().fold(1.0, |least, p| probe.clearance(obstacles.local(p.pose), least).min(least))
+    }
+
+    /// Whether the car overlaps a solid or an edge of the floor by more than a micrometre.
+    pub(crate) fn hit(&self, at: [f64; 3]) -> Option<usize> {
+        let body = body(at);
+        let n = self.floor.len();
+        let walls = (0..n).map(|i| vec![self.floor[i], self.floor[(i + 1) % n]]);
+        let things: Vec<Vec<[f64; 2]>> = walls.chain(self.solids.iter().cloned()).collect();
+        things.iter().position(|thing| overlap(&body, thing))
+    }
+}
+
+/// Corners of the car.
+fn body([x, y, heading]: [f64; 3]) -> [[f64; 2]; 4] {
+    let (s, c) = (math::sin(heading), math::cos(heading));
+    let side = CAR.width / 2.0;
+    [
+        (CAR.rear_to_front, side),
+        (-CAR.rear_to_back, side),
+        (-CAR.rear_to_back, -side),
+        (CAR.rear_to_front, -side),
+    ]
+    .map(|(u, v)| [x + u * c - v * s, y + u * s + v * c])
+}
+
+/// Separating axes of two convex outlines; a segment is one of two corners.
+fn overlap(a: &[[f64; 2]], b: &[[f64; 2]]) -> bool {
+    let axes = |p: &[[f64; 2]]| -> Vec<[f64; 2]> {
+        let edge = |i: usize| [p[(i + 1) % p.len()][0] - p[i][0], p[(i + 1) % p.len()][1] - p[i][1]];
+        (0..p.len()).map(edge).map(|[dx, dy]| [-dy / math::hypot(dx, dy), dx / math::hypot(dx, dy)]).collect()
+    };
+    let range = |p: &[[f64; 2]], [nx, ny]: [f64; 2]| {
+        let along = p.iter().map(|q| q[0] * nx + q[1] * ny);
+        along.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
+    };
+    axes(a).into_iter().chain(axes(b)).all(|axis| {
+        let ((a0, a1), (b0, b1)) = (range(a, axis), range(b, axis));
+        a1.min(b1) - a0.max(b0) > 1e-6
+    })
+}
+
+/// A pose after an arc, by the chord: another formula than the planner's.
+fn drive([x, y, heading]: [f64; 3], curvature: f64, length: f64) -> [f64; 3] {
+    let half = curvature * length / 2.0;
+    let chord = if half.abs() < 1e-12 { length } else { length * math::sin(half) / half };
+    [x + chord * math::cos(heading + half), y + chord * math::sin(heading + half), heading + 2.0 * half]
+}
+
+/// A number in [0, 1) and the next state.
+pub(crate) fn random(state: &mut u64) -> f64 {
+    *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+    (*state >> 11) as f64 / (1_u64 << 53) as f64
+}
+
+/// A lot with boxes strewn over it.
+pub(crate) fn strewn(seed: u64) -> Lot {
+    let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    let mut between = |low: f64, high: f64| low + (high - low) * random(&mut state);
+    let mut lot = Lot::paper(-10.0, 10.0, 5.0, [0.0; 3], [0.0; 3]);
+    for _ in 0..6 {
+        let (x, y, turn) = (between(-24.0, 24.0), between(8.0, 29.0), between(0.0, PI));
+        let (a, b) = (between(0.3, 2.5), between(0.3, 1.5));
+        let (s, c) = (math::sin(turn), math::cos(turn));
+        let corner = |u: f64, v: f64| [x + u * c - v * s, y + u * s + v * c];
+        lot.solids.push(vec![corner(-a, -b), corner(a, -b), corner(a, b), corner(-a, b)]);
+    }
+    let mut free = || loop {
+        let at = [between(-23.0, 23.0), between(3.0, 28.0), between(-PI, PI)];
+        if lot.hit(at).is_none() && at[1] > 6.0 + 4.0 * f64::from(at[0].abs() > 9.0) {
+            return at;
+        }
+    };
+    (lot.start, lot.goal) = (free(), free());
+    lot
+}
+
+const ROWS: [(&str, [f64; 3], [f64; 3]); 10] = [
+    ("P0", [22.0, 8.19, PI], [2.5, 5.0, -FRAC_PI_2]),
+    ("P1", [24.0, 8.4, PI], [2.5, 5.0, -FRAC_PI_2]),
+    ("P2", [-20.0, 14.5, PI], [-7.0, 5.0, -FRAC_PI_2]),
+    ("P3", [16.0, 18.0, PI], [-2.0, 5.0, -FRAC_PI_2]),
+    ("P4", [-16.0, 7.5, PI], [7.0, 5.0, -FRAC_PI_2]),
+    ("L0", [20.0, 19.06, PI], [-3.0, 2.0, PI]),
+    ("L1", [18.0, 15.7, PI], [-3.0, 2.0, PI]),
+    ("L2", [16.0, 14.7, PI], [2.0, 2.0, PI]),
+    ("L3", [19.0, 15.5, PI], [-4.0, 3.0, PI]),
+    ("L4", [-8.0, 14.2, PI], [7.0, 3.0, PI]),
+];

@@ -1,0 +1,9 @@
+//! Hybrid A* against the parking paper's rows, tight slots, bad questions and random lots; every path is driven again
+//! by a checker that shares nothing with the planner.
+
+mod lot;
+mod properties;
+mod questions;
+mod rows;
+mod tight;
+mod why;

@@ -1,0 +1,84 @@
+//! Bad questions, settings, walls.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use parkade::geometry::{Point, Pose, arcs};
+use parkade::planners::hybrid::{Config, Query, Scratch, SearchFrom, Status, plan};
+use parkade::vehicle::collision::{Edge, Obstacles, Solid};
+
+use crate::lot::{BORDER, CAR, Lot};
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn bad_questions_are_answered_with_the_reason() {
+    let lot = Lot::row("P3");
+    let ask = |lot: &Lot| lot.plan(&Config::default());
+    let block =
+        |x: f64, y: f64| [[x - 1.0, y - 1.0], [x + 1.0, y - 1.0], [x + 1.0, y + 1.0], [x - 1.0, y + 1.0]];
+    assert_eq!(ask(&lot.clone().with(&block(14.0, 18.0))).status, Status::StartInCollision(1));
+    assert_eq!(ask(&lot.clone().with(&block(-2.0, 3.0))).status, Status::GoalInCollision(1));
+    let cliff = [[-30.0, 4.0], [30.0, 4.0], [30.0, 31.0], [-30.0, 31.0]];
+    assert_eq!(ask(&lot.clone().with(&cliff)).status, Status::StartInCollision(1), "wholly inside a solid");
+    let away = Lot { start: [100.0, 18.0, PI], ..lot.clone() };
+    assert_eq!(ask(&away).status, Status::StartInCollision(BORDER), "wholly outside");
+    let wall = [[-25.0, 11.0], [25.0, 11.0], [25.0, 11.2], [-25.0, 11.2]];
+    let walled = ask(&lot.clone().with(&wall));
+    assert_eq!((walled.status, walled.expanded), (Status::Unreachable, 0));
+    for bad in [f64::NAN, f64::INFINITY, 1e300] {
+        let report = ask(&Lot { start: [bad, 18.0, PI], ..lot.clone() });
+        assert!(!matches!(report.status, Status::Found | Status::Suboptimal), "{bad}");
+        let report = ask(&Lot { goal: [0.0, 18.0, bad], ..lot.clone() });
+        assert!(bad == 1e300 || !matches!(report.status, Status::Found | Status::Suboptimal), "{bad}");
+    }
+    let stay = ask(&Lot { goal: lot.start, ..lot.clone() });
+    assert_eq!((stay.status, stay.arcs.len(), stay.cost), (Status::Found, 0, 0.0));
+    let turn = Lot { goal: [16.0, 18.0, 0.0], ..lot.clone() };
+    turn.solve("about turn", &Config::default());
+    let config = Config {
+        motion_primitive_length: Some(0.2),
+        xy_resolution: Some(0.1),
+        heading_resolution: Some(0.026),
+        max_expansions: Some(10),
+        ladder: false,
+        ..Config::default()
+    };
+    let spent = Lot::paper(-8.0, -0.8, 3.0, [10.0, 8.0, PI], [-2.65, 3.5, PI]).plan(&config);
+    assert!(matches!(spent.status, Status::BudgetExhausted(left) if left > 1.0), "{:?}", spent.status);
+    assert_eq!(spent.expanded, 10);
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn settings_are_checked() {
+    let error = Config { margin: f64::NAN, ..Config::default() }.validate().unwrap_err();
+    assert_eq!((error.path.as_str(), error.message.ends_with("got NaN")), ("margin", true));
+    let with = |text: &str| Config::default().with(&serde_json::from_str(text).unwrap());
+    let config = with(r#"{ "searchFrom": "start", "xyResolution": 0.4 }"#).unwrap();
+    assert_eq!((config.search_from, config.xy_resolution), (SearchFrom::Start, Some(0.4)));
+    let refused = |text: &str| with(text).unwrap_err().to_string();
+    assert!(
+        refused(r#"{ "stepLength": 1 }"#).starts_with("stepLength: no such setting; there are searchFrom")
+    );
+    assert_eq!(
+        refused(r#"{ "steerSamples": "many" }"#),
+        "steerSamples: must be a whole number from 0, got \"many\""
+    );
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn a_wall_is_no_solid_but_stops_the_car() {
+    let point = |x, y| Point::new(x, y);
+    let outline = vec![point(0.0, 0.0), point(40.0, 0.0), point(40.0, 20.0), point(0.0, 20.0)];
+    let floor = Solid { outline, owner: 0 };
+    let wall = Edge { a: point(20.0, 0.0), b: point(20.0, 14.0), owner: 7 };
+    let obstacles = Obstacles::new(&[wall], &[], &floor);
+    let ask = |start: Pose| {
+        let query = Query { obstacles: &obstacles, vehicle: &CAR, start, goal: Pose::new(34.0, 4.0, 0.0) };
+        plan(&query, &Config::default(), &mut Scratch::default(), false)
+    };
+    assert_eq!(ask(Pose::new(18.0, 5.0, 0.0)).status, Status::StartInCollision(7));
+    let around = ask(Pose::new(8.0, 4.0, FRAC_PI_2));
+    assert_eq!(around.status, Status::Found);
+    assert!(arcs::length(&around.arcs) > 36.0);
+}

@@ -1,0 +1,86 @@
+//! Slots with little room, and TPCAP's cases.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use parkade::geometry::arcs;
+use parkade::planners::hybrid::{Config, Status};
+
+use crate::lot::Lot;
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn tight_slots_are_entered() {
+    let parallel = |x1: f64, x: f64| Lot::paper(-8.0, x1, 3.0, [10.0, 8.0, PI], [x, 3.5, PI]);
+    let across =
+        |w: f64, y: f64, heading: f64| Lot::paper(0.0, w, 6.0, [16.0, 9.0, PI], [w / 2.0, y, heading]);
+    let (tail, nose) = ((0.4, FRAC_PI_2), (3.9, -FRAC_PI_2));
+    let rows = [
+        ("par-8.0", parallel(0.0, -2.25), 24.6, 4),
+        ("par-7.2", parallel(-0.8, -2.65), 26.7, 10),
+        ("perp-tail-3.6", across(3.6, tail.0, tail.1), 25.5, 1),
+        ("perp-tail-3.2", across(3.2, tail.0, tail.1), 25.8, 1),
+        ("perp-tail-3.0", across(3.0, tail.0, tail.1), 26.2, 1),
+        ("perp-nose-3.6", across(3.6, nose.0, nose.1), 23.5, 1),
+        ("perp-nose-3.2", across(3.2, nose.0, nose.1), 26.0, 1),
+        ("perp-nose-3.0", across(3.0, nose.0, nose.1), 26.0, 1),
+    ];
+    let config = Config { heuristic_weight: Some(1.2), ..Config::default() };
+    for (name, lot, length, changes) in rows {
+        lot.solve(name, &Config::default());
+        let (got, got_changes, report) = lot.solve(name, &config);
+        println!("{name}: {got:.2} m, {got_changes} changes, {} expansions", report.expanded);
+        assert!(got <= length * 1.05 && got_changes <= changes, "{name}: {got} m, {got_changes} changes");
+    }
+    let tightest = parallel(-1.4, -2.95);
+    let coarse = tightest.plan(&Config { finest_level: 2, ..config });
+    assert!(matches!(coarse.status, Status::BoxedIn { at_start: false, .. }), "{:?}", coarse.status);
+    let report = tightest.plan(&Config::default());
+    assert_eq!((report.status, report.level, report.margin), (Status::Suboptimal, 3, 0.1));
+    assert!(arcs::length(&report.arcs) < 32.0 && arcs::direction_changes(&report.arcs) <= 20);
+    tightest.check("par-6.6", &report.arcs);
+    let nose = across(3.2, nose.0, nose.1).solve("perp-nose-3.2", &Config::default());
+    assert!(nose.0 <= 27.3 && nose.1 == 1, "{} m, {} changes", nose.0, nose.1);
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn the_margin_falls_where_it_alone_keeps_the_car_in() {
+    // Seven tenths of a metre to move in between two cars.
+    let mut lot = Lot::paper(-10.0, 10.0, 5.0, [10.0, 8.5, PI], [0.0, 2.0, PI]);
+    lot.solids.push(vec![[1.35, 0.7], [6.0, 0.7], [6.0, 3.3], [1.35, 3.3]]);
+    lot.solids.push(vec![[-9.0, 0.7], [-4.85, 0.7], [-4.85, 3.3], [-9.0, 3.3]]);
+    let report = lot.plan(&Config::default());
+    assert!(matches!(report.status, Status::Suboptimal), "{:?}", report.status);
+    assert_eq!((report.margin, report.level), (0.002, 3));
+    lot.check("between two cars", &report.arcs);
+    let kept = lot.plan(&Config { finest_level: 2, ..Config::default() });
+    assert_eq!((kept.status, kept.margin), (Status::BoxedIn { at_start: false, travel: 0.5 }, 0.1));
+    // The other way round, the tree grows from the start, which is now the tight end.
+    let out = Lot { start: lot.goal, goal: lot.start, ..lot };
+    let report = out.plan(&Config::default());
+    assert_eq!((report.status, report.margin), (Status::Suboptimal, 0.002));
+    out.check("out between two cars", &report.arcs);
+    let kept = out.plan(&Config { finest_level: 2, ..Config::default() });
+    assert!(matches!(kept.status, Status::BoxedIn { at_start: true, .. }) && kept.expanded < 100);
+}
+
+#[cfg(all(feature = "complete", not(target_arch = "wasm32")))]
+#[test]
+fn every_competition_case_is_solved() {
+    use parkade::metrics::Verdict;
+    use parkade::plan::{Options, Planner};
+    let folder = std::env::var("PARKADE_DATA").unwrap_or_else(|_| "../shared/data".to_owned());
+    let mut solved = 0;
+    for number in 1..=20 {
+        let Ok(text) = std::fs::read_to_string(format!("{folder}/tpcap/Case{number}.csv")) else { continue };
+        let scene = parkade::import::tpcap::scene("case", &text).unwrap();
+        let plan = Planner::new("hybrid", &scene, &serde_json::Map::new()).unwrap().plan(Options::default());
+        assert_eq!(plan.check.verdict, Verdict::Ok, "case {number}: {:?}", plan.reason);
+        let margin = plan.metrics.hybrid.as_ref().map_or(0.0, |m| m.margin);
+        assert!(number == 7 || margin == 0.1, "case {number}: planned with {margin} m");
+        solved += 1;
+    }
+    if solved == 0 {
+        println!("skipped: no tpcap/Case*.csv in {folder}; they are in libai1943/TPCAP_benchmarks");
+    }
+}
