@@ -33,7 +33,9 @@ const PACKAGE_SOURCES: &[&str] = &["index.js", "node.js", "api.js", "cells.js", 
 /// What the complete module has beyond `core`; `core` has a file of that name in its own folder, which is empty.
 const COMPLETE_SOURCE: &str = "complete.js";
 /// What that file takes from others.
-const COMPLETE_PARTS: &[&str] = &["drive.js"];
+const COMPLETE_PARTS: &[&str] = &["columns.js", "drive.js", "picture.js"];
+/// The folder of the command `parkade`.
+const COMMAND: &str = "cli";
 const PACKAGE_PAPERS: &[&str] = &["README.md", "CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE"];
 /// The scenes' JSON Schema, published with the package and beside the page.
 const SCHEMA: &str = "scenario.schema.json";
@@ -86,6 +88,7 @@ fn build_package(workspace: &Workspace) -> Result<()> {
     for name in [COMPLETE_SOURCE].iter().chain(COMPLETE_PARTS) {
         copy(&sources.join(name), &package.join(name))?;
     }
+    copy_folder(&sources.join(COMMAND), &package.join(COMMAND))?;
     copy(&root().join("src/wasm/npm/index.d.ts"), &package.join("index.d.ts"))?;
     copy(&root().join("src/scenario").join(SCHEMA), &package.join(SCHEMA))?;
     for name in PACKAGE_PAPERS {
@@ -136,6 +139,16 @@ fn write_manifest(version: &str, package: &Path) -> Result<()> {
 
 fn copy(from: &Path, to: &Path) -> Result<()> {
     fs::copy(from, to).with_context(|| format!("cannot copy {} to {}", from.display(), to.display()))?;
+    Ok(())
+}
+
+/// Copies the files of a folder that has no folders.
+fn copy_folder(from: &Path, to: &Path) -> Result<()> {
+    fs::create_dir_all(to)?;
+    for entry in fs::read_dir(from).with_context(|| from.display().to_string())? {
+        let entry = entry?;
+        copy(&entry.path(), &to.join(entry.file_name()))?;
+    }
     Ok(())
 }
 

@@ -4,7 +4,9 @@ import { packedScene, unpackedScene } from "./cells.js";
 import * as raw from "./parkade.js";
 import { ParkadeError, call, kind, numbers, text } from "./runtime.js";
 
+export * from "./columns.js";
 export * from "./drive.js";
+export * from "./picture.js";
 
 /** No file of a map that fits is larger. */
 const MAX_BYTES = 80_000_000;

@@ -703,6 +703,27 @@ export function roadFigures(scene: Scenario, plan: { path: Float64Array | number
 export function collisionRisk(
   scene: Scenario, plan: { path: Float64Array | number[] }, options?: { trials?: number; from?: number; seed?: number },
 ): { trials: number; hits: number; discHits: number };
+/** How `toSVG` draws. */
+export interface PictureOptions {
+  /** Pixels, 16 to 8192; default 720 × 420. */
+  width?: number;
+  height?: number;
+  /** "auto" (default) follows the reader's system. */
+  theme?: "auto" | "light" | "dark";
+  /** For screen readers; the scene's name where absent. */
+  title?: string;
+}
+
+/**
+ * A picture of a scene and its plans, seen as the page sees it first; the scene itself is in the picture's `metadata`.
+ * `parkade` only, not `parkade/core`.
+ */
+export function toSVG(scene: Scenario, plans?: Plan | readonly Plan[], options?: PictureOptions): string;
+/**
+ * A plan's poses as CSV: s,x,y,theta,kappa,clearance,v,direction in metres, radians, 1/m, m/s and ±1. Corners have no
+ * kappa, paths that this car cannot drive no v. `parkade` only, not `parkade/core`.
+ */
+export function toCSV(scene: Scenario, plan: Plan): string;
 /** Gives a path times. Throws ParkadeError for paths that this car cannot drive. `parkade` only, not `parkade/core`. */
 export function trajectory(scene: Scenario, plan: DrivenPath, limits?: Limits): Trajectory;
 /** Lets a simulated car follow a path. `parkade` only, not `parkade/core`. */

@@ -1,0 +1,126 @@
+#!/usr/bin/env node
+// @ts-check
+// The command `parkade`.
+import { parseArgs } from "node:util";
+import { ParkadeError, init, version } from "../node.js";
+import { Refused } from "./input.js";
+
+const HELP = `usage: parkade <command> [options]
+
+  plan SCENE       plan a path            --planner ID  --set NAME=VALUE  --format json|csv|svg  --out FILE
+  check SCENE [PATH]   check a scene, or a path against it (plan.json, or CSV as from \`plan\`)
+  bench SCENE      time planners          --planner ID,ID…  --repeats N  --format markdown|csv|json
+  batch DIR        plan many scenes       --planner ID,ID…  --jobs N  --shard I/N  --out FILE.jsonl  --set NAME=VALUE
+  digest FILE…     one hash over the results of \`batch\`, in whatever order and however many files
+  planners         list planners, or with --planner ID its settings
+  scenarios        list the built-in scenes
+
+SCENE is a scene as JSON, a MovingAI .map, a ROS .yaml, a TPCAP .csv, the id of a built-in scene, or - for standard input.
+\`parkade <command> --help\` says more.
+
+exit codes: 0 done; 1 no path, a path that fails its check, or scenes that could not be planned; 2 bad input; 3 internal error
+`;
+
+/** What each command is told by `--help`, its options, and where it is. @type {Record<string, Command>} */
+const COMMANDS = {
+  plan: {
+    about: `usage: parkade plan SCENE [options]
+
+  --planner ID         default: hybrid
+  --set NAME=VALUE     a setting of the planner; may be repeated
+  --format json|csv|svg  default: json. NaN and infinities are null in JSON, empty in CSV
+  --out FILE           default: standard output
+  --trace              with the expansions (json)
+  --size WIDTHxHEIGHT  of the svg, pixels; default: 720x420
+  --theme auto|light|dark  of the svg; default: auto
+`,
+    options: { planner: { type: "string" }, set: { type: "string", multiple: true }, format: { type: "string" }, out: { type: "string" }, trace: { type: "boolean" }, size: { type: "string" }, theme: { type: "string" } },
+    load: async () => (await import("./plan.js")).plan,
+  },
+  check: {
+    about: `usage: parkade check SCENE [PATH] [options]
+
+  Without PATH: whether the scene can be read. PATH is JSON with \`path\` (x, y, heading, …) and perhaps \`directions\`, or CSV
+  with columns x, y, theta and perhaps direction. The independent checker drives the body along it.
+
+  --format text|json   default: text
+`,
+    options: { format: { type: "string" } },
+    load: async () => (await import("./check.js")).check,
+  },
+  bench: {
+    about: `usage: parkade bench SCENE [options]
+
+  --planner ID,ID…     default: four,eight,risk-field,hybrid
+  --repeats N          plans timed per planner, interleaved, after one that is not; default: 25
+  --format markdown|csv|json  default: markdown
+`,
+    options: { planner: { type: "string" }, repeats: { type: "string" }, format: { type: "string" } },
+    load: async () => (await import("./bench.js")).bench,
+  },
+  batch: {
+    about: `usage: parkade batch DIR [options]
+
+  Plans every .json scene below DIR, or every line of a .jsonl file. A line per scene and planner is appended to the results
+  as it comes; what they already hold is not planned again, so a stopped run goes on when it is started again.
+
+  --planner ID,ID…     default: hybrid
+  --set NAME=VALUE     a setting for all of the planners; may be repeated
+  --jobs N             worker threads; default: one per processor
+  --shard I/N          only the I-th of N parts, which the scenes' contents decide
+  --out FILE           default: results.jsonl, with a shard results-I-of-N.jsonl
+  --quiet              no progress
+`,
+    options: { planner: { type: "string" }, set: { type: "string", multiple: true }, jobs: { type: "string" }, shard: { type: "string" }, out: { type: "string" }, quiet: { type: "boolean" } },
+    load: async () => (await import("./batch.js")).batch,
+  },
+  digest: { about: "usage: parkade digest FILE…\n", options: {}, load: async () => (await import("./results.js")).digestFiles },
+  planners: { about: "usage: parkade planners [--planner ID] [--format text|json]\n", options: { planner: { type: "string" }, format: { type: "string" } }, load: async () => (await import("./list.js")).planners },
+  scenarios: { about: "usage: parkade scenarios [--format text|json]\n", options: { format: { type: "string" } }, load: async () => (await import("./list.js")).scenarios },
+};
+
+/** @typedef {import("node:util").ParseArgsConfig["options"]} Options */
+/** @typedef {Record<string, string | boolean | (string | boolean)[] | undefined>} Values */
+/** @typedef {(places: string[], values: any) => Promise<number>} Run */
+/** @typedef {{ about: string, options: Options, load(): Promise<Run> }} Command */
+
+/** @param {string[]} args @returns {Promise<number>} */
+async function main([name = "", ...rest]) {
+  if (name === "" || ["help", "--help", "-h"].includes(name)) {
+    (name === "" ? process.stderr : process.stdout).write(HELP);
+    return name === "" ? 2 : 0;
+  }
+  await init();
+  if (["version", "--version", "-v"].includes(name)) {
+    process.stdout.write(`${version()}\n`);
+    return 0;
+  }
+  const command = Object.hasOwn(COMMANDS, name) ? COMMANDS[name] : undefined;
+  if (command === undefined) throw new Refused(`there is no command \`${name}\`; \`parkade --help\` lists them`);
+  const { positionals, values } = parsed(rest, command.options);
+  if (values["help"]) {
+    process.stdout.write(command.about);
+    return 0;
+  }
+  return (await command.load())(positionals, values);
+}
+
+/** @param {string[]} args @param {Options} options */
+function parsed(args, options) {
+  try {
+    return parseArgs({ args, options: { ...options, help: { type: "boolean", short: "h" } }, allowPositionals: true });
+  } catch (error) {
+    throw new Refused(error instanceof Error ? (error.message.split(". ")[0] ?? "") : String(error));
+  }
+}
+
+// A reader that has seen enough, as `head`, is no error.
+process.stdout.on("error", (error) => process.exit(/** @type {NodeJS.ErrnoException} */ (error).code === "EPIPE" ? 0 : 3));
+
+try {
+  process.exitCode = await main(process.argv.slice(2));
+} catch (error) {
+  const known = error instanceof Refused || (error instanceof ParkadeError && error.code !== "internal");
+  process.stderr.write(`parkade: ${known ? error.message : error instanceof Error ? (error.stack ?? error.message) : error}\n`);
+  process.exitCode = known ? 2 : 3;
+}

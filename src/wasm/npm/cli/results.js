@@ -1,0 +1,81 @@
+// @ts-check
+// The results of `parkade batch`: a JSON object a line, appended only.
+import { createHash } from "node:crypto";
+import { createReadStream } from "node:fs";
+import { open, stat } from "node:fs/promises";
+import { createInterface } from "node:readline";
+import { Refused, reason } from "./input.js";
+
+/**
+ * A scene planned by a planner, or why it could not be.
+ * @typedef {{ key: string, scene: string, planner: string, outcome?: string, verdict?: string, hash?: string, error?: { code: string, path: string, message: string }, [figure: string]: unknown }} Result
+ */
+
+/** @param {string} text */
+export const hashOf = (text) => createHash("sha256").update(text).digest("hex").slice(0, 32);
+
+/** @param {string} file @returns {AsyncGenerator<Result>} */
+export async function* read(file) {
+  let at = 0;
+  for await (const line of createInterface({ input: createReadStream(file), crlfDelay: Infinity })) {
+    at++;
+    if (line === "") continue;
+    /** @type {any} */
+    let value;
+    try {
+      value = JSON.parse(line);
+    } catch {
+      value = null;
+    }
+    if (typeof value?.key !== "string" || typeof value?.planner !== "string") throw new Refused(`${file}:${at}: is no result of \`parkade batch\``);
+    yield value;
+  }
+}
+
+/** What a run that was stopped in the middle of a line left of it is taken away. @param {string} file */
+export async function mend(file) {
+  const size = await stat(file).then((one) => one.size, () => 0);
+  if (size === 0) return;
+  const handle = await open(file, "r+");
+  try {
+    const block = Buffer.alloc(65_536);
+    for (let end = size; end > 0; ) {
+      const from = Math.max(0, end - block.length);
+      await handle.read(block, 0, end - from, from);
+      const last = block.subarray(0, end - from).lastIndexOf(10);
+      if (last >= 0) {
+        if (from + last + 1 < size) await handle.truncate(from + last + 1);
+        return;
+      }
+      end = from;
+    }
+    await handle.truncate(0);
+  } finally {
+    await handle.close();
+  }
+}
+
+/** One hash over results in whatever order. @param {Iterable<Result>} results */
+export function digest(results) {
+  const lines = [...results].map(({ key, hash, error }) => `${key} ${hash ?? error?.message ?? ""}`).sort();
+  return hashOf(lines.join("\n"));
+}
+
+/** @type {import("./main.js").Run} */
+export async function digestFiles(files) {
+  if (files.length === 0) throw new Refused("which files?");
+  /** @type {Map<string, Result>} */
+  const all = new Map();
+  let repeated = 0;
+  for (const file of files) {
+    await stat(file).catch((error) => {
+      throw new Refused(`${file}: ${reason(error)}`);
+    });
+    for await (const result of read(file)) {
+      if (all.has(result.key)) repeated++;
+      all.set(result.key, result);
+    }
+  }
+  process.stdout.write(`${digest(all.values())}  ${all.size} results${repeated > 0 ? `, ${repeated} repeated` : ""}\n`);
+  return repeated > 0 ? 1 : 0;
+}

@@ -1,0 +1,96 @@
+import { spawn } from "node:child_process";
+import { once } from "node:events";
+import { appendFileSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { afterAll, beforeAll, expect, test } from "vitest";
+import { Planner, generateScenario, init, scenario } from "parkade";
+import { PACKAGE, parkade } from "./pack";
+
+const SCENES = 1000;
+let folder = "";
+const run = (...args: string[]) => parkade(args, folder);
+const lines = (name: string) => (existsSync(join(folder, name)) ? readFileSync(join(folder, name), "utf8").split("\n").slice(0, -1) : []);
+const results = (name: string) => lines(name).map((line) => JSON.parse(line) as { key: string; scene: string; outcome: string; hash: string });
+const digestOf = (...files: string[]) => run("digest", ...files).out.split(" ")[0];
+
+beforeAll(async () => {
+  await init();
+  folder = mkdtempSync(join(tmpdir(), "parkade-"));
+  mkdirSync(join(folder, "scenes/parking"), { recursive: true });
+  for (let seed = 1; seed < SCENES; seed++) {
+    writeFileSync(join(folder, `scenes/random-${seed}.json`), JSON.stringify(generateScenario({ family: "random", size: 15, seed })));
+  }
+  writeFileSync(join(folder, "scenes/parking/perpendicular.json"), JSON.stringify(scenario("perpendicular")));
+  expect(run("batch", "scenes", "--planner", "eight", "--out", "whole.jsonl", "--quiet").status).toBe(0);
+}, 120_000);
+afterAll(() => rmSync(folder, { recursive: true, force: true }));
+
+test("every scene is planned once, as the library plans it", () => {
+  const whole = results("whole.jsonl");
+  expect(new Set(whole.map(({ scene }) => scene)).size).toBe(SCENES);
+  expect(whole).toHaveLength(SCENES);
+  const parking = whole.find(({ scene }) => scene === "parking/perpendicular.json");
+  expect(parking?.hash).toBe(new Planner("eight", scenario("perpendicular")).plan().hash);
+  expect(whole.find(({ scene }) => scene === "random-7.json")?.hash).toBe(new Planner("eight", generateScenario({ family: "random", size: 15, seed: 7 })).plan().hash);
+});
+
+test("killed half-way, even in the middle of a line, a run goes on with nothing lost or repeated", async () => {
+  const child = spawn(process.execPath, [join(PACKAGE, "cli/main.js"), "batch", "scenes", "--planner", "eight", "--out", "killed.jsonl", "--quiet"], { cwd: folder, stdio: "ignore" });
+  const ended = once(child, "exit");
+  while (lines("killed.jsonl").length < SCENES / 4) await new Promise((done) => setTimeout(done, 2));
+  child.kill("SIGKILL");
+  await ended;
+  const before = lines("killed.jsonl");
+  expect(before.length).toBeLessThan(SCENES);
+  appendFileSync(join(folder, "killed.jsonl"), '{"key":"torn');
+  const { status, out } = run("batch", "scenes", "--planner", "eight", "--out", "killed.jsonl", "--quiet");
+  expect(status).toBe(0);
+  expect(out).toContain(`${SCENES} of ${SCENES} planned (${SCENES - before.length} now)`);
+  expect(lines("killed.jsonl").slice(0, before.length)).toEqual(before);
+  expect(lines("killed.jsonl")).toHaveLength(SCENES);
+  expect(new Set(results("killed.jsonl").map(({ key }) => key)).size).toBe(SCENES);
+  expect(digestOf("killed.jsonl")).toBe(digestOf("whole.jsonl"));
+}, 120_000);
+
+test("a run that has all its results plans nothing", () => {
+  const { out } = run("batch", "scenes", "--planner", "eight", "--out", "whole.jsonl", "--quiet");
+  expect(out).toContain("(0 now)");
+  expect(lines("whole.jsonl")).toHaveLength(SCENES);
+});
+
+test("two shards are two halves of the whole, by hash", () => {
+  for (const shard of ["1/2", "2/2"]) expect(run("batch", "scenes", "--planner", "eight", "--shard", shard, "--quiet").status).toBe(0);
+  const [one, two] = [results("results-1-of-2.jsonl"), results("results-2-of-2.jsonl")];
+  expect(one.length + two.length).toBe(SCENES);
+  expect(Math.min(one.length, two.length)).toBeGreaterThan(SCENES / 3);
+  expect(digestOf("results-1-of-2.jsonl", "results-2-of-2.jsonl")).toBe(digestOf("whole.jsonl"));
+  expect(digestOf("results-1-of-2.jsonl")).not.toBe(digestOf("whole.jsonl"));
+}, 120_000);
+
+test("other planners and settings are other results in the same file", () => {
+  mkdirSync(join(folder, "few"), { recursive: true });
+  writeFileSync(join(folder, "few/a.json"), JSON.stringify(scenario("perpendicular")));
+  const few = (...more: string[]) => run("batch", "few", "--out", "few.jsonl", "--quiet", ...more);
+  expect(few("--planner", "four,eight").out).toContain("(2 now)");
+  expect(few("--planner", "eight", "--set", "corner=free").out).toContain("(1 now)");
+  expect(few("--planner", "four,eight").out).toContain("(0 now)");
+  expect(lines("few.jsonl")).toHaveLength(3);
+});
+
+test("scenes that cannot be planned are named, told by the exit code, and stop nothing", () => {
+  const bad = { ...scenario("perpendicular"), start: { x: "here" } };
+  writeFileSync(join(folder, "mixed.jsonl"), [JSON.stringify(bad), "{", JSON.stringify(scenario("perpendicular"))].join("\n"));
+  const { status, out, err } = run("batch", "mixed.jsonl", "--planner", "eight", "--out", "mixed-out.jsonl", "--quiet");
+  expect(status).toBe(1);
+  expect(out).toContain("3 of 3 planned (3 now): 1 found, 0 without a path, 2 refused");
+  expect(err).toContain("mixed.jsonl:1 (eight): start.x");
+  expect(err).toContain("mixed.jsonl:2 (eight): is not JSON");
+});
+
+test("a file that holds something else is refused before anything is planned", () => {
+  writeFileSync(join(folder, "other.jsonl"), '{"a":1}\n');
+  const { status, err } = run("batch", "few", "--out", "other.jsonl");
+  expect([status, err]).toEqual([2, "parkade: other.jsonl:1: is no result of `parkade batch`\n"]);
+  expect(lines("other.jsonl")).toEqual(['{"a":1}']);
+});

@@ -1,0 +1,141 @@
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { afterAll, beforeAll, expect, test } from "vitest";
+import { Planner, checkPath, generateScenario, init, scenario, toCSV, toSVG, type Plan } from "parkade";
+import { parkade } from "./pack";
+
+let folder = "";
+const run = (args: string[], input?: string) => parkade(args, folder, input);
+const write = (name: string, value: unknown) => writeFileSync(join(folder, name), typeof value === "string" ? value : JSON.stringify(value));
+
+beforeAll(async () => {
+  await init();
+  folder = mkdtempSync(join(tmpdir(), "parkade-"));
+});
+afterAll(() => rmSync(folder, { recursive: true, force: true }));
+
+test("plan prints the plan as the library has it, from a file, an id or standard input", () => {
+  write("scene.json", scenario("perpendicular"));
+  const plan = new Planner("hybrid", scenario("perpendicular"), { reverseCost: 1.5 }).plan();
+  for (const [place, input] of [["scene.json", ""], ["perpendicular", ""], ["-", JSON.stringify(scenario("perpendicular"))]] as const) {
+    const { status, out, err } = run(["plan", place, "--set", "reverseCost=1.5"], input);
+    expect([status, err]).toEqual([0, ""]);
+    const printed: Plan = JSON.parse(out);
+    expect(printed.hash).toBe(plan.hash);
+    expect(printed.path).toEqual([...plan.path]);
+  }
+});
+
+test("plan reads maps of other programs with their questions and pictures", () => {
+  mkdirSync(join(folder, "maps"), { recursive: true });
+  write("maps/room.map", "type octile\nheight 4\nwidth 6\nmap\n......\n.@@@@.\n......\n......\n");
+  write("maps/room.map.scen", "version 1\n0\troom.map\t6\t4\t0\t0\t5\t3\t7.24264069\n");
+  const { status, out } = run(["plan", "maps/room.map", "--planner", "eight"]);
+  expect([status, JSON.parse(out).outcome]).toEqual([0, "found"]);
+  write("maps/yard.pgm", `P2\n5 4\n255\n${"254 ".repeat(20)}\n`);
+  write("maps/yard.yaml", "image: yard.pgm\nresolution: 2\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n");
+  expect(run(["check", "maps/yard.yaml"]).out).toMatch(/^ok:/);
+});
+
+test("a path's CSV has a row for each pose, distances that add up, and passes the checker as CSV and as JSON", () => {
+  write("path.csv", run(["plan", "perpendicular", "--format", "csv"]).out);
+  write("plan.json", run(["plan", "perpendicular"]).out);
+  const plan: Plan = JSON.parse(readFileSync(join(folder, "plan.json"), "utf8"));
+  const [head, ...rows] = readFileSync(join(folder, "path.csv"), "utf8").trim().split("\n");
+  expect(head).toBe("s,x,y,theta,kappa,clearance,v,direction");
+  expect(rows).toHaveLength(plan.path.length / 3);
+  expect(Number(rows.at(-1)!.split(",")[0])).toBeCloseTo(plan.metrics.length, 1);
+  const speeds = rows.map((row) => Number(row.split(",")[6]));
+  expect(Math.max(...speeds)).toBeGreaterThan(1);
+  expect(Math.max(...speeds)).toBeLessThanOrEqual(2);
+  for (const file of ["path.csv", "plan.json"]) expect(run(["check", "perpendicular", file])).toMatchObject({ status: 0, err: "" });
+});
+
+test("check says what is wrong with a path, by its exit code too", () => {
+  write("corners.csv", run(["plan", "perpendicular", "--planner", "four", "--format", "csv"]).out);
+  const { status, out } = run(["check", "perpendicular", "corners.csv"]);
+  expect(status).toBe(1);
+  expect(out).toMatch(/^collides: overlaps at \d+ poses/);
+  const plan = new Planner("four", scenario("perpendicular")).plan();
+  expect(JSON.parse(run(["check", "perpendicular", "corners.csv", "--format", "json"]).out).hits).toBe(checkPath(scenario("perpendicular"), plan.path).hits);
+});
+
+test("no path is exit code 1, with the reason on standard error", () => {
+  const scene = scenario("perpendicular");
+  write("shut.json", { ...scene, obstacles: [...(scene.obstacles ?? []), { type: "rectangle", center: [scene.start.x, scene.start.y], size: [3, 3] }] });
+  const { status, err } = run(["plan", "shut.json", "--planner", "eight"]);
+  expect(status).toBe(1);
+  expect(err).toMatch(/start-blocked/);
+});
+
+test("bench answers for every planner with its hash and the number of runs", () => {
+  const { status, out } = run(["bench", "perpendicular", "--planner", "eight,hybrid", "--repeats", "3", "--format", "json"]);
+  const rows: { planner: string; n: number; hash: string; medianMs: number }[] = JSON.parse(out);
+  expect(status).toBe(0);
+  expect(rows.map(({ planner, n }) => [planner, n])).toEqual([["eight", 3], ["hybrid", 3]]);
+  expect(rows[1]!.hash).toBe(new Planner("hybrid", scenario("perpendicular")).plan().hash);
+  expect(run(["bench", "perpendicular", "--planner", "eight", "--repeats", "1"]).out.split("\n")[1]).toMatch(/^\| --- /);
+});
+
+test("the SVG picture is well formed, holds the scene, and draws each planner's line", () => {
+  const scene = { ...scenario("perpendicular"), name: 'a "name" <with> & signs' };
+  const plans = (["eight", "hybrid"] as const).map((planner) => new Planner(planner, scene).plan());
+  const svg = toSVG(scene, plans, { width: 640, height: 360, theme: "light" });
+  const metadata = /<metadata>([^]*?)<\/metadata>/.exec(svg)![1]!.replace(/&#(\d+);/g, (_, code) => String.fromCharCode(Number(code)));
+  expect(JSON.parse(metadata)).toEqual(scene);
+  expect(svg).toContain('width="640" height="360"');
+  expect(svg).toContain("#D55E00");
+  expect(svg).toContain("#CC79A7");
+  expect(svg).not.toMatch(/NaN|undefined|<with>/);
+  expect(() => toSVG(scene, plans, { width: 0 })).toThrow("width: must be 16 to 8192 pixels, got 0");
+  const { status, out } = run(["plan", "perpendicular", "--format", "svg", "--size", "300x200"]);
+  expect([status, out.slice(0, 4), out.includes('width="300" height="200"')]).toEqual([0, "<svg", true]);
+});
+
+test("every kind of obstacle is drawn, also paths that no car drives", () => {
+  const cells = generateScenario({ family: "random", size: 21, seed: 3 });
+  const plan = new Planner("eight", cells).plan();
+  expect(toSVG(cells, plan).match(/class="pk-obs"/g)).toHaveLength(1);
+  expect(toCSV(cells, plan).split("\n")[1]!.split(",")[6]).toBe("");
+  const scene = { ...scenario("perpendicular"), obstacles: [
+    { type: "wall", points: [[1, 1], [3, 1]], thickness: 0.2 }, { type: "polygon", points: [[1, 2], [2, 2], [2, 3]] },
+    { type: "rectangle", center: [3, 3], size: [1, 2], heading: 0.3 }, { type: "car", pose: { x: 3, y: 8, heading: 1 }, vehicle: "sedan" },
+  ] } as ReturnType<typeof scenario>;
+  const svg = toSVG(scene);
+  expect([svg.match(/class="pk-wall"/g)?.length, svg.match(/class="pk-obs"/g)?.length]).toEqual([1, 2]);
+});
+
+test.each([
+  [["plan", "nowhere.json"], "nowhere.json: there is no such file"],
+  [["plan", "nowhere"], "nowhere: neither a file nor a built-in scene"],
+  [["plan", "perpendicular", "--planner", "hybird"], "--planner hybird: there is no such planner"],
+  [["plan", "perpendicular", "--format", "png"], "--format png: must be one of json, csv, svg"],
+  [["plan", "perpendicular", "--size", "big"], "--size big: must be WIDTHxHEIGHT"],
+  [["plan", "perpendicular", "--set", "reverseCost"], "--set reverseCost: must be NAME=VALUE"],
+  [["plan", "perpendicular", "--set", "reverseCost=-1"], "reverseCost"],
+  [["plan", "perpendicular", "--fast"], "Unknown option '--fast'"],
+  [["bench", "perpendicular", "--repeats", "0"], "--repeats 0: must be a whole number from 1"],
+  [["batch", "nowhere"], "nowhere: there is no such folder"],
+  [["batch", ".", "--shard", "3/2"], "--shard 3/2: must be I/N"],
+  [["park"], "there is no command `park`"],
+  [["toString"], "there is no command `toString`"],
+])("bad input %j is exit code 2 and one line that says so", (args, words) => {
+  const { status, out, err } = run(args);
+  expect([status, out]).toEqual([2, ""]);
+  expect(err).toContain(`parkade: `);
+  expect(err).toContain(words);
+  expect(err.trim().split("\n")).toHaveLength(1);
+});
+
+test("every command explains itself", () => {
+  const { status, out } = run(["--help"]);
+  expect(status).toBe(0);
+  for (const name of [...out.matchAll(/^ {2}(\w+) /gm)].map((match) => match[1]!)) {
+    expect(run([name, "--help"])).toMatchObject({ status: 0, err: "" });
+    expect(run([name, "--help"]).out).toMatch(new RegExp(`^usage: parkade ${name}`));
+  }
+  expect(run(["planners"]).out).toMatch(/^hybrid /m);
+  expect(run(["planners", "--planner", "hybrid"]).out).toMatch(/^reverseCost /m);
+  expect(JSON.parse(run(["scenarios", "--format", "json"]).out)[0]).toHaveProperty("question");
+});

@@ -1,0 +1,32 @@
+import { execFileSync, spawnSync } from "node:child_process";
+import { mkdtempSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { fileURLToPath } from "node:url";
+
+const here = (path: string) => fileURLToPath(new URL(`../../${path}`, import.meta.url));
+
+export const PACKAGE = here("pkg/");
+
+export function npm(args: string[], cwd: string): string {
+  const quiet = ["--offline", "--no-audit", "--no-fund", "--loglevel=error"];
+  const [program, first] = process.platform === "win32" ? ["cmd", ["/C", "npm"]] : (["npm", []] as const);
+  return execFileSync(program, [...first, ...args, ...quiet], { cwd, encoding: "utf8" });
+}
+
+/** A new folder with nothing but the packed package and what it depends on. */
+export function installed(): string {
+  const folder = mkdtempSync(join(tmpdir(), "parkade-"));
+  const packed = [PACKAGE, here("node_modules/tinypool")].map((from) => JSON.parse(npm(["pack", "--json", "--ignore-scripts", "--pack-destination", folder], from))[0].filename);
+  writeFileSync(join(folder, "package.json"), JSON.stringify({ private: true, type: "module" }));
+  npm(["install", ...packed.map((file) => `./${file}`)], folder);
+  return folder;
+}
+
+export interface Ran { status: number | null; out: string; err: string }
+
+/** Runs the package's command, the one built or the one installed in a folder. */
+export function parkade(args: string[], cwd: string, input = "", script = join(PACKAGE, "cli/main.js")): Ran {
+  const { status, stdout, stderr } = spawnSync(process.execPath, [script, ...args], { cwd, input, encoding: "utf8", maxBuffer: 1e8 });
+  return { status, out: stdout, err: stderr };
+}
