@@ -24,6 +24,7 @@ function bench(initial: Partial<State> = {}): Bench & { draft: Draft | null } {
   return {
     store,
     draft: null,
+    canvas: null,
     view: { camera: { x: 15, y: 10, scale: 20 }, width: 600, height: 400 },
     show(draft) { this.draft = draft; },
     preview: (scene) => store.edit(scene, { transient: true }),

@@ -7,6 +7,7 @@ import { capsuleRuns, countCells, subtractRuns, unionRuns, type Run } from "../.
 import { sceneFromText, sceneToFile } from "../../www/src/scene/files";
 import { decodeScene, encodeScene } from "../../www/src/scene/link";
 import * as model from "../../www/src/scene/model";
+import { moveThings, turnThings } from "../../www/src/scene/things";
 import { canExtend, crossesItself, type Point } from "../../www/src/scene/plane";
 import { slotRow } from "../../www/src/scene/slots";
 import { fit, screenToWorld, worldToScreen, zoomAt } from "../../www/src/view/camera";
@@ -132,8 +133,8 @@ describe("edits", () => {
       (s) => model.moveStart(s, { x: 1, y: 2, heading: 7 }),
       (s) => model.moveGoal(s, { x: 1, y: 2, heading: 3 }),
       (s) => model.addObstacle(s, { type: "wall", points: [[0, 0], [1, 1]] }).scene,
-      (s) => model.moveObstacle(s, "planter", 1, -1),
-      (s) => model.turnObstacle(s, "rectangle-1", 0.3),
+      (s) => moveThings(s, ["planter"], 1, -1),
+      (s) => turnThings(s, ["rectangle-1"], 0.3),
       (s) => model.removeObstacle(s, "car-1"),
       (s) => model.brushCells(s, [[0, 0, 80], [3, 1, 2]], "add"),
       (s) => model.brushCells(s, [[0, 50, 80]], "erase"),

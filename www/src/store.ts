@@ -2,7 +2,14 @@ import type { Drive, Encounter, Explanation, Layer, LayerName, Plan, PlannerId, 
 
 export type Scene = Scenario;
 export type ToolId = "select" | "brush" | "wall" | "rectangle" | "polygon" | "car" | "slot" | "moving" | "eraser" | "hand";
-export type Selection = { kind: "start" | "goal" } | { kind: "obstacle" | "slot" | "moving"; id: string } | null;
+export type Selection =
+  | { kind: "start" | "goal" }
+  | { kind: "obstacle" | "slot" | "moving"; id: string }
+  | { kind: "group"; ids: readonly string[] }
+  | null;
+
+export const isPose = (selection: Selection | undefined): selection is { kind: "start" | "goal" } =>
+  selection?.kind === "start" || selection?.kind === "goal";
 
 /** World centre in metres, CSS pixels per metre; shared by all panels. */
 export interface Camera { x: number; y: number; scale: number }
@@ -41,9 +48,13 @@ export interface ToolOptions {
     lean: "left" | "right";
     width: number;
     length: number;
+    /** Drawn beside the row, not part of it. */
+    aisle: number;
   };
   locked: boolean;
   snap: boolean;
+  /** Where a pen is used, fingers move the view. */
+  penDraws: boolean;
 }
 
 export const FIRST_PLANNERS: PlannerId[] = ["four", "eight", "risk-field", "hybrid"];
@@ -55,6 +66,7 @@ export interface State {
   selection: Selection;
   tool: ToolId;
   toolOptions: ToolOptions;
+  penSeen: boolean;
   planners: PlannerId[];
   hidden: ReadonlySet<PlannerId>;
   /** Every planner and format is loaded, not only those of the first picture. */
@@ -118,9 +130,10 @@ export function initialState(): State {
     tool: "select",
     toolOptions: {
       brushRadius: 0.5, wallThickness: 0.2, carProfile: "sedan",
-      slot: { kind: "perpendicular", angle: Math.PI / 4, lean: "right", width: 2.8, length: 5.4 },
-      locked: false, snap: true,
+      slot: { kind: "perpendicular", angle: Math.PI / 4, lean: "right", width: 2.8, length: 5.4, aisle: 6 },
+      locked: false, snap: true, penDraws: true,
     },
+    penSeen: false,
     planners: FIRST_PLANNERS,
     hidden: new Set(),
     complete: false,
@@ -217,15 +230,18 @@ class SceneStore implements Store {
     this.set({
       scene,
       transient: false,
-      selection: isStillThere(scene, selection) ? selection : null,
+      selection: stillThere(scene, selection),
       canUndo: this.past.length > 0,
       canRedo: this.future.length > 0,
     });
   }
 }
 
-function isStillThere(scene: Scene, selection: Selection): boolean {
-  if (selection?.kind === "obstacle") return (scene.obstacles ?? []).some((one) => one.id === selection.id);
-  if (selection?.kind === "slot") return (scene.slots ?? []).some((one) => one.id === selection.id);
-  return true;
+/** What is left of a selection in another scene. */
+function stillThere(scene: Scene, selection: Selection): Selection {
+  if (selection === null || !("id" in selection || "ids" in selection)) return selection;
+  const known = new Set([...(scene.obstacles ?? []), ...(scene.slots ?? []), ...(scene.moving ?? [])].map((one) => one.id));
+  if ("id" in selection) return known.has(selection.id) ? selection : null;
+  const ids = selection.ids.filter((id) => known.has(id));
+  return ids.length === selection.ids.length ? selection : ids.length > 1 ? { kind: "group", ids } : null;
 }

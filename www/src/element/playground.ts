@@ -7,6 +7,7 @@ import type { Scene, State, Store } from "../store";
 import { controls } from "../styles/controls";
 import { tokens } from "../styles/tokens";
 import { layout } from "../styles/layout";
+import type { MenuRequest } from "../tools/controller";
 import { App, download } from "./app";
 import { listenToKeys } from "./keyboard";
 import { recall, remember } from "./memory";
@@ -169,7 +170,7 @@ export class Playground extends LitElement {
   protected override render(): TemplateResult {
     return html`<div class=${this.compact ? "phone" : "desk"} role="region" aria-label=${this.app.t("app.label")}
         @parkade-scenes=${() => void this.openDialog("presets")} @parkade-keys=${() => void this.openDialog("keys")} @parkade-papers=${() => void this.openDialog("papers")} @parkade-fold=${() => { this.folded = !this.folded; }}
-        @parkade-open-file=${() => this.fileInput?.click()} @parkade-png=${this.savePicture}
+        @parkade-menu=${this.showMenu} @parkade-open-file=${() => this.fileInput?.click()} @parkade-png=${this.savePicture}
         @dragover=${this.onDragOver} @dragleave=${() => { this.dropping = false; }} @drop=${this.onDrop}>
       <parkade-toolbar part="toolbar" .app=${this.app} .ready=${this.loaded} ?compact=${this.compact}></parkade-toolbar>
       <parkade-stage .app=${this.app} ?compact=${this.compact}></parkade-stage>
@@ -179,6 +180,7 @@ export class Playground extends LitElement {
       <parkade-presets .app=${this.app}></parkade-presets>
       <parkade-keys .app=${this.app}></parkade-keys>
       <parkade-papers .app=${this.app}></parkade-papers>
+      <parkade-context .app=${this.app}></parkade-context>
       <parkade-import .app=${this.app}></parkade-import>
       <input class="file" type="file" hidden multiple accept=".json,.map,.scen,.yaml,.yml,.pgm,.csv" aria-label=${this.app.t("bar.open")} @change=${this.onFile}>
     </div>`;
@@ -260,6 +262,11 @@ export class Playground extends LitElement {
     // A new object makes every canvas draw again, in the new colours.
     this.store.set({ layers: { ...this.store.state.layers } });
   }
+
+  private readonly showMenu = async ({ detail }: CustomEvent<MenuRequest>): Promise<void> => {
+    await import("../panels/context-menu");
+    await this.renderRoot.querySelector<HTMLElement & { show(request: MenuRequest): Promise<void> }>("parkade-context")?.show(detail);
+  };
 
   private readonly savePicture = async (): Promise<void> => {
     const blob = await this.toBlob();

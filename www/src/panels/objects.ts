@@ -3,6 +3,7 @@ import { css, html, type TemplateResult } from "lit";
 import { number, translate, type Lang } from "../i18n/index";
 import { countCells, type Run } from "../scene/cells";
 import { goalPose } from "../scene/model";
+import { idsOf } from "../scene/things";
 import type { Selection, State } from "../store";
 import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";
@@ -105,8 +106,9 @@ function poseText(lang: Lang, { x, y, heading }: Pose): string {
   return `${number(lang, x, 2)}, ${number(lang, y, 2)} · ${number(lang, (heading * 180) / Math.PI, 0)}°`;
 }
 
-function isSame(a: NonNullable<Selection>, b: Selection): boolean {
-  return a.kind === b?.kind && ("id" in a ? a.id : "") === ("id" in b ? b.id : "");
+function isSame(item: NonNullable<Selection>, chosen: Selection): boolean {
+  const [id] = idsOf(item);
+  return id === undefined ? item.kind === chosen?.kind : idsOf(chosen).includes(id);
 }
 
 customElements.define("parkade-objects", ObjectList);

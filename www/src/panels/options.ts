@@ -1,5 +1,5 @@
 import { css, html, nothing, type TemplateResult } from "lit";
-import type { MessageKey } from "../i18n/index";
+import { words } from "../i18n/words";
 import type { State, ToolOptions } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
@@ -8,9 +8,15 @@ import { icon } from "./icons";
 const KINDS = ["perpendicular", "parallel", "angled"] as const;
 const ANGLES = [30, 45, 60] as const;
 /** Usual sizes of each kind of slot, metres. */
-const SIZES: Record<ToolOptions["slot"]["kind"], { width: number; length: number }> = {
-  perpendicular: { width: 2.8, length: 5.4 }, parallel: { width: 2.5, length: 7.2 }, angled: { width: 2.8, length: 5.4 },
+const SIZES: Record<ToolOptions["slot"]["kind"], { width: number; length: number; aisle: number }> = {
+  perpendicular: { width: 2.8, length: 5.4, aisle: 6 }, parallel: { width: 2.5, length: 7.2, aisle: 3.5 }, angled: { width: 2.8, length: 5.4, aisle: 4.6 },
 };
+
+const say = words({
+  aisle: ["Aisle", "通道"],
+  snap: ["Snap", "吸附"],
+  snapHelp: ["To corners, lines and cells; Ctrl inverts", "吸附到角点、对齐线与栅格；按住 Ctrl 反转"],
+});
 
 /** What the active tool can be set to, over the map. */
 export class ToolOptionsBar extends AppElement {
@@ -38,8 +44,8 @@ export class ToolOptionsBar extends AppElement {
   private fields(options: ToolOptions): TemplateResult | typeof nothing {
     switch (this.state.tool) {
       case "brush":
-      case "eraser": return this.metres("option.radius", options.brushRadius, 0.1, (brushRadius) => ({ brushRadius }));
-      case "wall": return this.metres("option.thickness", options.wallThickness, 0, (wallThickness) => ({ wallThickness }));
+      case "eraser": return this.metres(this.t("option.radius"), options.brushRadius, 0.1, (brushRadius) => ({ brushRadius }));
+      case "wall": return this.metres(this.t("option.thickness"), options.wallThickness, 0, (wallThickness) => ({ wallThickness }));
       case "car": return this.choice(["sedan", "paper"] as const, options.carProfile, (name) => this.t(`vehicle.${name}`), (carProfile) => ({ carProfile }));
       case "slot": return this.slotRow(options.slot);
       default: return nothing;
@@ -53,8 +59,9 @@ export class ToolOptionsBar extends AppElement {
       ${slot.kind === "angled" ? html`
         ${this.choice(ANGLES, Math.round((slot.angle * 180) / Math.PI) as 45, (angle) => `${angle}°`, (angle) => put({ angle: (angle * Math.PI) / 180 }))}
         ${this.choice(["left", "right"] as const, slot.lean, (lean) => this.t(`option.${lean}`), (lean) => put({ lean }))}` : nothing}
-      ${this.metres("option.width", slot.width, 1, (width) => put({ width }))}
-      ${this.metres("option.depth", slot.length, 1, (length) => put({ length }))}`;
+      ${this.metres(this.t("option.width"), slot.width, 1, (width) => put({ width }))}
+      ${this.metres(this.t("option.depth"), slot.length, 1, (length) => put({ length }))}
+      ${this.metres(say(this.state.lang, "aisle"), slot.aisle, 0, (aisle) => put({ aisle }))}`;
   }
 
   private choice<T extends string | number>(all: readonly T[], now: T, name: (one: T) => string, put: (one: T) => Partial<ToolOptions>): TemplateResult {
@@ -62,8 +69,8 @@ export class ToolOptionsBar extends AppElement {
       <button aria-pressed=${one === now} @click=${() => this.set(put(one))}>${name(one)}</button>`)}</div>`;
   }
 
-  private metres(key: MessageKey, value: number, min: number, put: (value: number) => Partial<ToolOptions>): TemplateResult {
-    return html`<label>${this.t(key)}<span class="field"><input type="number" step="0.1" min=${min} .value=${value.toFixed(2)}
+  private metres(name: string, value: number, min: number, put: (value: number) => Partial<ToolOptions>): TemplateResult {
+    return html`<label>${name}<span class="field"><input type="number" step="0.1" min=${min} .value=${value.toFixed(2)}
       @change=${(e: Event) => {
         const typed = Number((e.target as HTMLInputElement).value);
         if (Number.isFinite(typed) && typed >= min) this.set(put(typed));
@@ -73,7 +80,10 @@ export class ToolOptionsBar extends AppElement {
 
   private lock(): TemplateResult {
     const { locked } = this.state.toolOptions;
-    return html`<button class="button lock" aria-pressed=${locked} title="${this.t("option.lock")} · Q" @click=${() => this.set({ locked: !locked })}>${icon("lock", 14)}${this.t("option.lock")}<span class="keys">Q</span></button>`;
+    const { snap } = this.state.toolOptions, { lang, tool } = this.state;
+    const snaps = tool !== "brush" && tool !== "eraser" && tool !== "car";
+    return html`${snaps ? html`<button class="button lock" aria-pressed=${snap} title=${say(lang, "snapHelp")} @click=${() => this.set({ snap: !snap })}>${icon("fit", 14)}${say(lang, "snap")}</button>` : nothing}
+      <button class="button lock" aria-pressed=${locked} title="${this.t("option.lock")} · Q" @click=${() => this.set({ locked: !locked })}>${icon("lock", 14)}${this.t("option.lock")}<span class="keys">Q</span></button>`;
   }
 
   private set(patch: Partial<ToolOptions>): void {

@@ -3,6 +3,7 @@ import { css, html, LitElement, type PropertyValues } from "lit";
 import type { App } from "../element/app";
 import type { State } from "../store";
 import type { View } from "../view/camera";
+import type { PoseRequest } from "../view/pose-label";
 import { SceneCanvas } from "../view/scene-canvas";
 
 /** Parts of the state that never show on a canvas. */
@@ -14,6 +15,8 @@ export class SceneView extends LitElement {
   static override styles = css`
     :host { display: block; position: relative; min-width: 0; min-height: 0; overflow: hidden; background: var(--parkade-out); contain: strict; }
     canvas { position: absolute; inset: 0; width: 100%; height: 100%; display: block; touch-action: none; outline: none; user-select: none; -webkit-user-select: none; }
+    .pose { position: absolute; width: 178px; height: 22px; padding: 0 7px; font: 500 12px/20px inherit; font-family: inherit; font-variant-numeric: tabular-nums; color: var(--parkade-t1); background: var(--parkade-panel); border: 1.5px solid var(--parkade-accent); border-radius: calc(5px * var(--parkade-radius)); outline: none; }
+    .pose[aria-invalid="true"] { border-color: var(--parkade-err); }
     canvas:focus-visible { outline: 2px solid var(--parkade-accent); outline-offset: -2px; }
   `;
   declare app: App;
@@ -34,7 +37,7 @@ export class SceneView extends LitElement {
   }
 
   protected override render(): unknown {
-    return html`<canvas part="canvas" tabindex="0" role="application" aria-label=${this.label}></canvas>`;
+    return html`<canvas part="canvas" tabindex="0" role="application" aria-label=${this.label} @parkade-pose=${this.enterPose}></canvas>`;
   }
 
   override connectedCallback(): void {
@@ -86,6 +89,11 @@ export class SceneView extends LitElement {
     this.scene?.dispose();
     this.scene = null;
   }
+
+  private readonly enterPose = async ({ detail }: CustomEvent<PoseRequest>): Promise<void> => {
+    const { openPoseEntry } = await import("./pose-entry");
+    if (this.shadowRoot) openPoseEntry(this.app, this.shadowRoot, detail);
+  };
 
   private readonly schedule = (): void => {
     if (!this.frame && this.scene) this.frame = requestAnimationFrame(() => this.paint());

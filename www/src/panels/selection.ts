@@ -9,6 +9,7 @@ import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";
 import { AppElement } from "./base";
 import { icon } from "./icons";
+import "./group-card";
 import { objectName } from "./objects";
 
 const DEGREES = 180 / Math.PI;
@@ -34,6 +35,7 @@ export class SelectionCard extends AppElement {
   protected override render(): TemplateResult {
     const { selection, scene } = this.state;
     if (selection?.kind === "start" || selection?.kind === "goal") return this.pose(selection.kind);
+    if (selection?.kind === "group") return html`<parkade-group .app=${this.app}></parkade-group>`;
     const obstacle = selection?.kind === "obstacle" ? findObstacle(scene, selection.id) : undefined;
     if (obstacle) return this.obstacle(obstacle);
     const moving = selection?.kind === "moving" ? findMoving(scene, selection.id) : undefined;

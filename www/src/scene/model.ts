@@ -3,7 +3,7 @@ import type { MovingObstacle, Obstacle, Pose, Scenario, Slot, VehicleSpec } from
 import { convexRuns, sameRuns, subtractRuns, unionRuns, type Run } from "./cells";
 import { wrapAngle, type Point } from "./plane";
 import { slotOutline, parkedPose, poseInSlot, type Entry } from "./slots";
-import { moveShape, turnShape, type Shape } from "./shapes";
+import type { Shape } from "./shapes";
 import { footprint, vehicleOf, type ResolvedVehicle } from "./vehicle";
 
 export { vehicleOf, footprint } from "./vehicle";
@@ -61,9 +61,6 @@ export function removeMoving({ moving = [], ...scene }: Scene, id: string): Scen
   const left = moving.filter((m) => m.id !== id);
   return left.length > 0 ? { ...scene, moving: left } : scene;
 }
-
-export const shiftMoving = (scene: Scene, id: string, dx: number, dy: number): Scene =>
-  updateMoving(scene, id, { points: (findMoving(scene, id)?.points ?? []).map(([x, y]) => [x + dx, y + dy]) });
 
 export const mapOutline = (scene: Scene): Point[] => {
   const { origin: [x, y], width, height, resolution, boundary } = scene.map;
@@ -205,10 +202,6 @@ export function keepClear(scene: Scene): Run[] {
   return [start, goal].flatMap((pose) => convexRuns(scene.map, footprint(pose, vehicle, margin)));
 }
 
-export const moveObstacle = (scene: Scene, id: string, dx: number, dy: number): Scene =>
-  withShape(scene, id, (shape) => moveShape(shape, dx, dy));
-export const turnObstacle = (scene: Scene, id: string, angle: number): Scene =>
-  withShape(scene, id, (shape) => turnShape(shape, angle));
 
 export function withShape(scene: Scene, id: string, change: (shape: Shape) => Shape): Scene {
   const obstacle = findObstacle(scene, id);

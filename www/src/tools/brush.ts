@@ -6,6 +6,7 @@ import { distanceToShape } from "../scene/shapes";
 import type { Bench, Input, Tool } from "./tool";
 
 abstract class StrokeTool implements Tool {
+  readonly drags = true;
   private last: Point | null = null;
 
   constructor(private readonly erase: boolean) {}

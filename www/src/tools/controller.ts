@@ -1,12 +1,13 @@
 /** Pointers and keys of all canvases, handed to the tool in force. */
 import type { Scene, State, Store, ToolId } from "../store";
-import { cameraFor, forgetFit, leastScale, screenToWorld, zoomAt, type View } from "../view/camera";
-import type { Point } from "../scene/plane";
+import { cameraFor, forgetFit, leastScale, zoomAt, type View } from "../view/camera";
+import { distance, type Point } from "../scene/plane";
 import type { Draft } from "./draft";
 import type { Drawing } from "./drawing";
+import { Fingers } from "./fingers";
 import { HandTool } from "./hand";
-import { editByKey, toolOfKey } from "./keys";
-import { Pinch } from "./pinch";
+import { inputOf, keyedInput, viewOf } from "./input";
+import { arrowOf, editByKey, stepOf, toolOfKey } from "./keys";
 import { SelectTool } from "./select";
 import type { Bench, Input, Tool } from "./tool";
 
@@ -14,6 +15,14 @@ export type { Draft } from "./draft";
 
 /** A second finger within this time takes back what the first one drew: it was meant to be a pinch. */
 const STRAY_MS = 120;
+
+/** A right click moves less than this. */
+const CLICK_PX = 4;
+/** Of a press by keys. */
+const KEYS = -1;
+
+/** Where a canvas asks for its menu, CSS pixels of the window. */
+export interface MenuRequest { x: number; y: number; at: Point }
 
 interface Press { pointer: number; tool: Tool; input: Input; since: number }
 
@@ -30,10 +39,15 @@ export class ToolController {
   private armed: "start" | "goal" | null = null;
   private spaceDown = false;
   private press: Press | null = null;
+  /** The tool of the last press. */
+  private pressed: Tool | null = null;
   /** The drag's move of this frame that was taken at once. */
   private early: PointerEvent | null = null;
-  private pinch: Pinch | null = null;
-  private readonly fingers = new Map<number, Point>();
+  private readonly fingers = new Fingers();
+  /** Where the last right press began; its click asks for the menu. */
+  private rightAt: Point | null = null;
+  /** Where keys have put the pointer. */
+  private keyed: Point | null = null;
   private readonly listeners = new Set<(draft: Draft | null) => void>();
   /** The canvas last used, and the last input on it. */
   private canvas: HTMLElement | null = null;
@@ -58,6 +72,7 @@ export class ToolController {
 
   attach(canvas: HTMLElement): () => void {
     const events = new AbortController();
+    this.canvas ??= canvas;
     const on = <K extends keyof HTMLElementEventMap>(type: K, handler: (event: HTMLElementEventMap[K]) => void, passive = true): void =>
       canvas.addEventListener(type, handler, { signal: events.signal, passive });
     on("pointerdown", (event) => this.pointerDown(canvas, event), false);
@@ -67,12 +82,19 @@ export class ToolController {
     on("pointercancel", (event) => this.pointerUp(canvas, event));
     on("lostpointercapture", (event) => this.pointerUp(canvas, event));
     on("pointerleave", () => this.leave());
-    on("dblclick", (event) => this.tool().doubleClick?.(this.bench(), this.inputOf(canvas, event)));
-    on("contextmenu", (event) => event.preventDefault(), false);
+    on("dblclick", (event) => {
+      // The second press may have ended a shape and handed over to another tool.
+      if (this.pressed === this.tool()) this.pressed.doubleClick?.(this.bench(), inputOf(canvas, this.store.state, event));
+    });
+    on("contextmenu", (event) => this.menuAsked(canvas, event), false);
+    on("focus", () => { this.canvas = canvas; });
     on("wheel", (event) => this.wheelTurned(canvas, event), false);
     const blur = (): void => this.endPress();
     globalThis.addEventListener("blur", blur, { signal: events.signal });
-    return () => events.abort();
+    return () => {
+      events.abort();
+      if (this.canvas === canvas) this.canvas = null;
+    };
   }
 
   /** Shows start, goal and the plans as they are now. */
@@ -84,9 +106,10 @@ export class ToolController {
   /** True where the key was used; the caller then prevents its default. Takes keydown and keyup. */
   handleKey(event: KeyboardEvent): boolean {
     if (event.type === "keyup") return this.keyUp(event);
-    if (event.ctrlKey || event.metaKey) return false;
     const key = event.key.toLowerCase();
+    if (event.ctrlKey || event.metaKey) return editByKey(this.store, event) && this.refresh();
     if (key === "escape") return this.escape();
+    if (this.drawByKey(event)) return true;
     if (key === "enter") return this.tool().confirm?.(this.bench()) ?? false;
     if (key === " ") return this.holdSpace();
     if (key === "s" || key === "t") return this.arm(key === "s" ? "start" : "goal");
@@ -98,16 +121,17 @@ export class ToolController {
 
   private pointerDown(canvas: HTMLElement, event: PointerEvent): void {
     this.canvas = canvas;
-    const input = this.inputOf(canvas, event);
+    this.keyed = null;
+    const input = inputOf(canvas, this.store.state, event);
     canvas.setPointerCapture(event.pointerId);
-    if (event.pointerType === "touch") {
-      this.fingers.set(event.pointerId, input.pixel);
-      if (this.fingers.size === 2) return this.beginPinch();
-    }
-    if (this.press || this.pinch) return;
-    const tool = this.toolFor(event);
+    if (event.pointerType === "pen") this.store.set({ penSeen: true });
+    if (event.pointerType === "touch" && this.fingers.press(event.pointerId, input.pixel, event.timeStamp) > 1) return this.beginPinch(event.timeStamp);
+    if (this.press || this.fingers.pinching) return;
+    const tool = (this.pressed = this.toolFor(event));
     if (event.button === 1) event.preventDefault();
+    this.rightAt = event.button === 2 ? input.pixel : null;
     this.press = { pointer: event.pointerId, tool, input, since: event.timeStamp };
+    if (event.pointerType === "touch") this.fingers.whenLong(event.pointerId, input.pixel, () => this.longPress(canvas, event));
     tool.down?.(this.bench(), input);
     this.setCursor(tool, input);
   }
@@ -129,9 +153,10 @@ export class ToolController {
 
   private pointerMove(canvas: HTMLElement, event: PointerEvent): void {
     if (!this.press) this.canvas = canvas;
-    const input = this.inputOf(canvas, event);
-    if (this.fingers.has(event.pointerId)) this.fingers.set(event.pointerId, input.pixel);
-    if (this.pinch) return this.movePinch();
+    this.keyed = null;
+    const input = inputOf(canvas, this.store.state, event);
+    this.fingers.move(event.pointerId, input.pixel);
+    if (this.fingers.pinching) return this.movePinch();
     this.last = input;
     const { press } = this;
     if (press && press.pointer !== event.pointerId) return;
@@ -144,11 +169,10 @@ export class ToolController {
   }
 
   private pointerUp(canvas: HTMLElement, event: PointerEvent): void {
-    this.fingers.delete(event.pointerId);
-    if (this.fingers.size < 2) this.pinch = null;
+    if (this.fingers.release(event.pointerId, event.timeStamp)) this.store.undo();
     if (this.press?.pointer !== event.pointerId) return;
     // A cancelled pointer carries no position worth drawing to.
-    if (event.type === "pointerup") this.press.input = this.inputOf(canvas, event);
+    if (event.type === "pointerup") this.press.input = inputOf(canvas, this.store.state, event);
     this.endPress();
     if (event.pointerType === "touch") this.store.set({ hover: null });
   }
@@ -169,26 +193,75 @@ export class ToolController {
     this.store.set({ hover: null });
   }
 
-  private beginPinch(): void {
+  private beginPinch(now: number): void {
     const { press } = this;
-    const [a, b] = [...this.fingers.values()] as [Point, Point];
     this.press = null;
-    if (press && performance.now() - press.since < STRAY_MS) press.tool.cancel?.(this.bench());
+    if (press && now - press.since < STRAY_MS) press.tool.cancel?.(this.bench());
     else if (press) press.tool.up?.(this.bench(), press.input);
-    this.pinch = new Pinch(a, b);
     this.store.set({ hover: null });
   }
 
   private movePinch(): void {
-    const [a, b] = [...this.fingers.values()];
-    if (a && b && this.pinch) this.store.set({ camera: this.pinch.move(this.view(), a, b, leastScale(this.store.state.scene.map)) });
+    const camera = this.fingers.moved(this.view(), leastScale(this.store.state.scene.map));
+    if (camera) this.store.set({ camera });
+  }
+
+  /** What the finger has begun is taken back. */
+  private longPress(canvas: HTMLElement, event: PointerEvent): void {
+    const { press } = this;
+    this.press = null;
+    press?.tool.cancel?.(this.bench());
+    this.select.pick(this.bench(), inputOf(canvas, this.store.state, event));
+    this.askForMenu(canvas, event.clientX, event.clientY);
+  }
+
+  private menuAsked(canvas: HTMLElement, event: MouseEvent): void {
+    event.preventDefault();
+    const { tool } = this.store.state, input = inputOf(canvas, this.store.state, event), from = this.rightAt;
+    // Fingers that rest are told apart from drawing ones elsewhere.
+    if ((event as PointerEvent).pointerType === "touch" || (tool !== "select" && tool !== "hand")) return;
+    if (from && distance(from, input.pixel) > CLICK_PX) return;
+    this.select.pick(this.bench(), input);
+    this.askForMenu(canvas, event.clientX, event.clientY);
+  }
+
+  private askForMenu(canvas: HTMLElement, x: number, y: number): void {
+    const { at } = inputOf(canvas, this.store.state, new MouseEvent("contextmenu", { clientX: x, clientY: y }));
+    canvas.dispatchEvent(new CustomEvent<MenuRequest>("parkade-menu", { detail: { x, y, at }, bubbles: true, composed: true }));
+  }
+
+  /** Arrows move the pointer of a drawing tool, Enter presses and releases it. */
+  private drawByKey(event: KeyboardEvent): boolean {
+    const { state } = this.store, way = arrowOf(event.key);
+    if (!this.canvas || state.tool === "select" || state.tool === "hand" || (!way && (event.key !== "Enter" || !this.keyed))) return false;
+    const view = this.view(), { map } = state.scene, step = stepOf(map, event.shiftKey);
+    // The first arrow puts it on a corner of the lattice in the middle of the view.
+    const from = this.keyed ?? (state.hover ? [state.hover.x, state.hover.y] as Point : onLattice(map, [view.camera.x, view.camera.y]));
+    const at: Point = way ? [from[0] + way[0] * step, from[1] + way[1] * step] : from;
+    this.keyed = at;
+    const input = keyedInput(view, at), tool = this.tool();
+    this.last = input;
+    if (!way) this.pressByKey(tool, input);
+    else if (this.press) {
+      this.press.input = input;
+      tool.move?.(this.bench(), input);
+    } else tool.hover?.(this.bench(), input);
+    this.store.set({ hover: { x: at[0], y: at[1] } });
+    return true;
+  }
+
+  private pressByKey(tool: Tool, input: Input): void {
+    if (this.press) return this.endPress();
+    this.press = { pointer: KEYS, tool, input, since: performance.now() };
+    tool.down?.(this.bench(), input);
+    if (!tool.drags) this.endPress();
   }
 
   private wheelTurned(canvas: HTMLElement, event: WheelEvent): void {
     if (this.wheel === "none" || (this.wheel === "ctrl" && !event.ctrlKey)) return;
     event.preventDefault();
     if (!this.press) this.canvas = canvas;
-    const input = this.inputOf(canvas, event);
+    const input = inputOf(canvas, this.store.state, event);
     const pixels = event.deltaMode === 1 ? event.deltaY * 33 : event.deltaMode === 2 ? event.deltaY * 400 : event.deltaY;
     if (this.tool().wheel?.(this.bench(), input, -Math.sign(pixels) * Math.max(1, Math.round(Math.abs(pixels) / 100)))) return;
     // Pinches on a track pad arrive as small turns with Ctrl.
@@ -198,7 +271,8 @@ export class ToolController {
 
   private toolFor(event: PointerEvent): Tool {
     if (event.button === 1 || this.spaceDown) return this.hand;
-    const { tool } = this.store.state;
+    const { tool, penSeen, toolOptions } = this.store.state;
+    if (event.pointerType === "touch" && penSeen && toolOptions.penDraws) return this.hand;
     if (event.button === 2) return tool === "select" || tool === "hand" ? this.hand : this.drawing?.eraser ?? this.hand;
     return this.tool();
   }
@@ -260,6 +334,7 @@ export class ToolController {
     else this.toolCalled(previous.tool).cancel?.(this.bench());
     this.press = null;
     this.armed = null;
+    this.keyed = null;
     this.refresh();
   }
 
@@ -284,7 +359,7 @@ export class ToolController {
   }
 
   private view(): View {
-    return this.canvas ? this.viewOf(this.canvas) : { camera: cameraFor(this.store.state, 1, 1), width: 1, height: 1 };
+    return this.canvas ? viewOf(this.canvas, this.store.state) : { camera: cameraFor(this.store.state, 1, 1), width: 1, height: 1 };
   }
 
   private bench(): Bench {
@@ -292,6 +367,7 @@ export class ToolController {
     return {
       store,
       view: this.view(),
+      canvas: this.canvas,
       show: (draft) => this.show(draft),
       preview: (scene: Scene) => store.edit(scene, { transient: true }),
       commit: (scene: Scene, label: string) => {
@@ -301,27 +377,7 @@ export class ToolController {
       done: () => { if (!store.state.toolOptions.locked) store.set({ tool: "select" }); },
     };
   }
-
-  private inputOf(canvas: HTMLElement, event: MouseEvent): Input {
-    const box = canvas.getBoundingClientRect();
-    const view = this.viewOf(canvas);
-    const pixelOf = (one: MouseEvent): Point => [one.clientX - box.left, one.clientY - box.top];
-    const worldOf = (one: MouseEvent): Point => screenToWorld(view, ...pixelOf(one));
-    const coalesced = event instanceof PointerEvent ? event.getCoalescedEvents?.() ?? [] : [];
-    const at = worldOf(event);
-    return {
-      at,
-      pixel: pixelOf(event),
-      trail: [...coalesced.map(worldOf), at],
-      shift: event.shiftKey,
-      alt: event.altKey,
-      ctrl: event.ctrlKey || event.metaKey,
-      touch: event instanceof PointerEvent && event.pointerType === "touch",
-    };
-  }
-
-  private viewOf(canvas: HTMLElement): View {
-    const width = canvas.clientWidth, height = canvas.clientHeight;
-    return { camera: cameraFor(this.store.state, width, height), width, height };
-  }
 }
+
+const onLattice = ({ origin, resolution }: Scene["map"], [x, y]: Point): Point =>
+  [origin[0] + Math.round((x - origin[0]) / resolution) * resolution, origin[1] + Math.round((y - origin[1]) / resolution) * resolution];

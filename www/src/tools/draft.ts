@@ -8,8 +8,12 @@ export type Preview =
   | { kind: "line"; points: Point[]; cursor: Point | null; thickness: number; closing: boolean; refused: boolean; closed: boolean }
   | { kind: "rectangle"; center: Point; size: Point; heading: number; from: Point; to: Point }
   | { kind: "car"; pose: Pose; vehicle: VehicleSpec }
-  | { kind: "slots"; slots: Omit<Slot, "id">[]; from: Point; to: Point }
+  | { kind: "marquee"; from: Point; to: Point }
+  | { kind: "slots"; slots: Omit<Slot, "id">[]; from: Point; to: Point; aisle: Aisle }
   | { kind: "pose"; which: "start" | "goal"; pose: Pose };
+
+/** The lane in front of a row of slots; `free` falls short of `width` where something stands in it. Metres. */
+export interface Aisle { from: Point; to: Point; width: number; free: number }
 
 /** A dotted line through two points that says what something lines up with. */
 export interface Guide { from: Point; to: Point }

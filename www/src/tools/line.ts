@@ -3,17 +3,21 @@ import { addMoving, addObstacle } from "../scene/model";
 import { canExtend, crossesItself, distance, type Point } from "../scene/plane";
 import { fixed } from "../view/text";
 import type { Draft } from "./draft";
-import { constrainAngle, snapPoint } from "./snap";
+import { constrainAngle, snapPoint, type Snapped } from "./snap";
 import { metresOf, reachOf, type Bench, type Input, type Tool } from "./tool";
 import { word } from "./words";
 
 const DRAG_PX = 8;
+const TWICE_PX = 5;
 /** Metres, metres per second, seconds. */
 const PERSON: { size: Point; speed: number; start: number } = { size: [0.6, 0.6], speed: 1.2, start: 0 };
 
 abstract class LineTool implements Tool {
   protected points: Point[] = [];
   private pressed: Point | null = null;
+  /** Where the press before was, and whether this one is in the same place. */
+  private before: Point | null = null;
+  private twice = false;
 
   protected abstract readonly closed: boolean;
   protected abstract finish(bench: Bench): boolean;
@@ -29,13 +33,14 @@ abstract class LineTool implements Tool {
 
   hover(bench: Bench, input: Input | null): void {
     if (!input) bench.show(this.points.length > 0 ? this.draft(bench, null) : null);
-    else if (!input.touch) bench.show(this.draft(bench, this.aim(bench, input)));
+    else if (!input.touch) this.showAim(bench, input);
   }
 
   down(bench: Bench, input: Input): void {
-    this.pressed = input.pixel;
-    const at = this.aim(bench, input);
-    if (this.closes(bench, input, at)) {
+    this.twice = this.before !== null && distance(this.before, input.pixel) <= TWICE_PX;
+    this.before = this.pressed = input.pixel;
+    const { at } = this.aim(bench, input);
+    if (this.closes(bench, input, at) || this.repeats(bench, input, at)) {
       this.finish(bench);
       return;
     }
@@ -43,7 +48,7 @@ abstract class LineTool implements Tool {
   }
 
   move(bench: Bench, input: Input): void {
-    bench.show(this.draft(bench, this.aim(bench, input)));
+    this.showAim(bench, input);
   }
 
   /** A drag draws one edge; a wall is complete then. */
@@ -51,12 +56,13 @@ abstract class LineTool implements Tool {
     const dragged = this.pressed !== null && distance(this.pressed, input.pixel) > DRAG_PX;
     this.pressed = null;
     if (!dragged || this.points.length === 0) return;
-    this.add(bench, this.aim(bench, input));
+    this.add(bench, this.aim(bench, input).at);
     if (!this.closed && this.points.length === 2) this.finish(bench);
   }
 
+  /** Quick presses in different places are corners. */
   doubleClick(bench: Bench): void {
-    this.finish(bench);
+    if (this.twice) this.finish(bench);
   }
 
   confirm(bench: Bench): boolean {
@@ -71,7 +77,7 @@ abstract class LineTool implements Tool {
 
   protected reset(bench: Bench): void {
     this.points = [];
-    this.pressed = null;
+    this.pressed = this.before = null;
     bench.show(null);
   }
 
@@ -87,9 +93,20 @@ abstract class LineTool implements Tool {
     bench.show(this.draft(bench, at));
   }
 
-  private aim(bench: Bench, input: Input): Point {
+  private aim(bench: Bench, input: Input): Snapped {
     const last = this.points.at(-1);
-    return input.shift && last ? constrainAngle(last, input.at) : snapPoint(bench, input);
+    return input.shift && last ? { at: constrainAngle(last, input.at), guides: [] } : snapPoint(bench, input);
+  }
+
+  private showAim(bench: Bench, input: Input): void {
+    const { at, guides } = this.aim(bench, input);
+    bench.show({ ...this.draft(bench, at), guides });
+  }
+
+  /** Fingers and keys have no double click: a press on the last corner ends the line. */
+  private repeats(bench: Bench, input: Input, at: Point): boolean {
+    const last = this.points.at(-1), reach = input.keyed ? 1e-6 : input.touch ? metresOf(bench, reachOf(input)) : -1;
+    return last !== undefined && distance(last, at) <= reach;
   }
 
   private closes(bench: Bench, input: Input, at: Point): boolean {

@@ -8,6 +8,7 @@ import { metresOf, type Bench, type Input, type Tool } from "./tool";
 const AIM_PX = 8;
 
 export class PlaceTool implements Tool {
+  readonly drags = true;
   private at: Point | null = null;
 
   constructor(private readonly which: "start" | "goal") {}

@@ -3,12 +3,13 @@ import { addObstacle } from "../scene/model";
 import { distance, type Point } from "../scene/plane";
 import { rectangleBetween } from "../scene/shapes";
 import { fixed } from "../view/text";
-import { snapPoint } from "./snap";
+import { snapPoint, type Snapped } from "./snap";
 import { metresOf, type Bench, type Input, type Tool } from "./tool";
 
 const LEAST_PX = 4;
 
 export class RectangleTool implements Tool {
+  readonly drags = true;
   private from: Point | null = null;
 
   cursor(): string {
@@ -16,14 +17,15 @@ export class RectangleTool implements Tool {
   }
 
   down(bench: Bench, input: Input): void {
-    this.from = snapPoint(bench, input);
+    this.from = snapPoint(bench, input).at;
   }
 
   move(bench: Bench, input: Input): void {
     if (!this.from) return;
-    const to = this.corner(bench, this.from, input);
+    const { at: to, guides } = this.corner(bench, this.from, input);
     const { center, size } = rectangleBetween({}, this.from, to);
     bench.show({
+      guides,
       preview: { kind: "rectangle", center, size, heading: 0, from: this.from, to },
       label: { text: `${fixed(size[0], 2)} × ${fixed(size[1], 2)} m`, at: [center[0], Math.max(this.from[1], to[1])] },
     });
@@ -34,7 +36,7 @@ export class RectangleTool implements Tool {
     this.from = null;
     bench.show(null);
     if (!from) return;
-    const { center, size } = rectangleBetween({}, from, this.corner(bench, from, input));
+    const { center, size } = rectangleBetween({}, from, this.corner(bench, from, input).at);
     if (Math.min(...size) < metresOf(bench, LEAST_PX) || distance(from, center) === 0) return;
     const { scene, id } = addObstacle(bench.store.state.scene, { type: "rectangle", center, size, heading: 0 });
     bench.commit(scene, "rectangle");
@@ -49,10 +51,15 @@ export class RectangleTool implements Tool {
     return drawing;
   }
 
-  private corner(bench: Bench, from: Point, input: Input): Point {
-    const to = snapPoint(bench, input);
-    if (!input.shift) return to;
-    const side = Math.max(Math.abs(to[0] - from[0]), Math.abs(to[1] - from[1]));
-    return [from[0] + side * Math.sign(to[0] - from[0] || 1), from[1] + side * Math.sign(to[1] - from[1] || 1)];
+  hover(bench: Bench, input: Input | null): void {
+    const guides = input && !input.touch ? snapPoint(bench, input).guides : [];
+    bench.show(guides.length > 0 ? { guides } : null);
+  }
+
+  private corner(bench: Bench, from: Point, input: Input): Snapped {
+    const { at, guides } = snapPoint(bench, input);
+    if (!input.shift) return { at, guides };
+    const side = Math.max(Math.abs(at[0] - from[0]), Math.abs(at[1] - from[1]));
+    return { at: [from[0] + side * Math.sign(at[0] - from[0] || 1), from[1] + side * Math.sign(at[1] - from[1] || 1)], guides: [] };
   }
 }

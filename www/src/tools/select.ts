@@ -1,17 +1,20 @@
-/** Select, move, turn. */
+/** Select, move, turn, copy. */
 import {
-  addObstacle, findMoving, findObstacle, findSlot, movePose, resolve, setGoalFromSlot, shiftMoving, updateMoving, updateObstacle, updateSlot, withShape, type Scene,
+  findMoving, findObstacle, findSlot, movePose, resolve, setGoalFromSlot, updateMoving, updateObstacle, withShape, type Scene,
 } from "../scene/model";
-import { crossesItself, distance, towards, wrapAngle, type Point } from "../scene/plane";
-import { dragVertex, edgeAt, headingOf, moveShape, pivotOf, turnShape, vertexAt, type Shape } from "../scene/shapes";
-import type { Selection } from "../store";
+import { boxOf, crossesItself, distance, towards, wrapAngle, type Box, type Point } from "../scene/plane";
+import { dragVertex, edgeAt, headingOf, pivotOf, turnShape, vertexAt, type Shape } from "../scene/shapes";
+import { boxOfThings, copyThings, findThing, idsOf, moveThings, selectionOf, thingsWithin } from "../scene/things";
+import { isPose, type Selection } from "../store";
+import { askForPose, poseLabelAt } from "../view/pose-label";
 import type { Draft } from "./draft";
 import { hitAt, selectedShape, type Hit } from "./hit";
-import { snapAngle, snapPoint, snapPose } from "./snap";
+import { snapAngle, snapMove, snapPoint, snapPose } from "./snap";
 import { metresOf, type Bench, type Input, type Tool } from "./tool";
 import { word } from "./words";
 
-interface Press { hit: Hit; at: Point; pixel: Point; scene: Scene; dragging: boolean; duplicate: string | null }
+/** `hit` null: the press began beside everything and draws a frame around what shall be chosen. */
+interface Press { hit: Hit | null; at: Point; pixel: Point; scene: Scene; box: Box | null; ids: readonly string[]; dragging: boolean }
 
 const DRAG_PX = 3;
 
@@ -20,7 +23,8 @@ export class SelectTool implements Tool {
   private hot: Selection = null;
 
   cursor(bench: Bench, input: Input | null): string {
-    if (this.press?.dragging) return this.press.hit.part === "object" ? "grabbing" : "crosshair";
+    if (this.press?.dragging) return this.press.hit?.part === "object" ? "grabbing" : "crosshair";
+    if (input && poseLabelAt(bench.canvas, input.pixel)) return "text";
     const hit = input ? hitAt(bench, input, this.hot) : null;
     if (!hit) return "default";
     return hit.part === "object" ? "grab" : "pointer";
@@ -33,11 +37,17 @@ export class SelectTool implements Tool {
   }
 
   down(bench: Bench, input: Input): void {
-    const hit = hitAt(bench, input, this.hot);
-    this.press = hit && { hit, at: input.at, pixel: input.pixel, scene: bench.store.state.scene, dragging: false, duplicate: null };
-    if (!hit) bench.store.set({ selection: null });
-    else if (hit.part === "object") bench.store.set({ selection: hit.selection });
-    else if (hit.part === "pose-grip") bench.store.set({ selection: { kind: hit.which } });
+    const label = poseLabelAt(bench.canvas, input.pixel);
+    if (label) {
+      askForPose(bench.canvas, label);
+      return;
+    }
+    const { scene, selection } = bench.store.state, hit = hitAt(bench, input, this.hot);
+    if (hit?.part === "object") this.choose(bench, hit.selection, input.shift);
+    else if (hit?.part === "pose-grip") bench.store.set({ selection: { kind: hit.which } });
+    else if (!hit && !input.shift) bench.store.set({ selection: null });
+    const ids = hit?.part === "object" ? idsOf(bench.store.state.selection) : idsOf(selection);
+    this.press = { hit, at: input.at, pixel: input.pixel, scene, box: null, ids, dragging: false };
   }
 
   move(bench: Bench, input: Input): void {
@@ -46,9 +56,13 @@ export class SelectTool implements Tool {
     if (!press.dragging) {
       if (distance(press.pixel, input.pixel) < DRAG_PX * (input.touch ? 2 : 1)) return;
       press.dragging = true;
-      if (input.alt) this.duplicate(bench, press);
+      if (input.alt && press.hit?.part === "object") duplicate(bench, press);
     }
-    const { scene, draft } = this.dragged(bench, press, input);
+    if (!press.hit) {
+      bench.show({ preview: { kind: "marquee", from: press.at, to: input.at } });
+      return;
+    }
+    const { scene, draft } = dragged(bench, press, press.hit, input);
     bench.show(draft);
     if (scene) bench.preview(scene);
   }
@@ -58,61 +72,99 @@ export class SelectTool implements Tool {
     this.press = null;
     bench.show(null);
     if (!press) return;
-    if (press.dragging) bench.commit(bench.store.state.scene, "move");
-    else if (press.hit.part === "object" && press.hit.selection.kind === "slot") this.clickSlot(bench, press.hit.selection.id);
+    if (press.dragging && press.hit) bench.commit(bench.store.state.scene, "move");
+    else if (press.dragging) this.gather(bench, press, input);
+    else if (press.hit?.part === "object") this.click(bench, press.hit.selection, input);
     this.hover(bench, input);
   }
 
-  /** On an edge of the selected polygon or wall: a new vertex. */
+  /** Chooses what is under the pointer, as menus do before they open; a group that it belongs to stays. */
+  pick(bench: Bench, input: Input): void {
+    const hit = hitAt(bench, input, null);
+    if (hit?.part === "object") this.choose(bench, hit.selection, false);
+    else if (!hit) bench.store.set({ selection: null });
+  }
+
+  /** On an edge of the selected polygon or wall: a new vertex; on a vertex: without it. */
   doubleClick(bench: Bench, input: Input): void {
     const shape = selectedShape(bench.store.state);
     if (!shape || (shape.type !== "polygon" && shape.type !== "wall")) return;
-    const index = edgeAt(shape.points, input.at, metresOf(bench, 8), shape.type === "polygon");
-    if (index < 0 || vertexAt(shape.points, input.at, metresOf(bench, 10)) >= 0) return;
-    const points = [...shape.points.slice(0, index), input.at, ...shape.points.slice(index)];
-    if (index === 0) points.push(points.shift()!);
-    bench.commit(updateObstacle(bench.store.state.scene, shape.id, { ...shape, points }), "vertex");
+    const points = withoutVertex(shape, input.at, metresOf(bench, 10)) ?? withVertex(shape, input.at, metresOf(bench, 8));
+    if (points) bench.commit(updateObstacle(bench.store.state.scene, shape.id, { ...shape, points }), "vertex");
+  }
+
+  /** Enter: the chosen pose's numbers. */
+  confirm(bench: Bench): boolean {
+    const { selection } = bench.store.state;
+    return isPose(selection) && askForPose(bench.canvas, selection.kind);
   }
 
   cancel(bench: Bench): boolean {
-    if (this.press?.dragging) {
-      this.press = null;
-      bench.show(null);
+    const { press } = this;
+    this.press = null;
+    bench.show(null);
+    if (press?.dragging) {
       bench.revert();
       return true;
     }
-    this.press = null;
     if (!bench.store.state.selection) return false;
     bench.store.set({ selection: null });
     return true;
   }
 
-  private clickSlot(bench: Bench, id: string): void {
-    const { scene } = bench.store.state;
-    if (!findSlot(scene, id)?.occupied) bench.commit(setGoalFromSlot(scene, id), "goal");
+  /** With Shift things join a group or leave it; a press on one of a group keeps the group. */
+  private choose(bench: Bench, hit: NonNullable<Selection>, shift: boolean): void {
+    const { scene, selection } = bench.store.state;
+    const ids = idsOf(selection), id = idsOf(hit)[0];
+    if (id === undefined || (!shift && !ids.includes(id))) bench.store.set({ selection: hit });
+    else if (shift) bench.store.set({ selection: selectionOf(scene, ids.includes(id) ? ids.filter((one) => one !== id) : [...ids, id]) });
   }
 
-  private duplicate(bench: Bench, press: Press): void {
-    if (press.hit.part !== "object" || press.hit.selection.kind !== "obstacle") return;
-    const original = findObstacle(press.scene, press.hit.selection.id);
-    if (!original) return;
-    const { scene, id } = addObstacle(press.scene, original);
-    press.scene = scene;
-    press.hit = { part: "object", selection: { kind: "obstacle", id } };
-    bench.preview(scene);
-    bench.store.set({ selection: press.hit.selection });
+  private click(bench: Bench, hit: NonNullable<Selection>, input: Input): void {
+    const { scene, selection } = bench.store.state;
+    if (input.shift) return;
+    if (selection?.kind === "group") bench.store.set({ selection: hit });
+    if (hit.kind === "slot" && !findSlot(scene, hit.id)?.occupied) bench.commit(setGoalFromSlot(scene, hit.id), "goal");
   }
 
-  /** Every step starts from the scene at the press: rounding cannot add up. */
-  private dragged(bench: Bench, press: Press, input: Input): { scene: Scene | null; draft: Draft | null } {
-    const { hit } = press;
-    switch (hit.part) {
-      case "pose-grip": return turnPose(press, hit.which, input);
-      case "turn-grip": return { scene: withShape(press.scene, hit.id, (shape) => turnTowards(shape, press.at, input)), draft: null };
-      case "vertex": return { scene: moveVertex(bench, press.scene, hit, input), draft: null };
-      case "way": return { scene: moveCorner(bench, press.scene, hit, input), draft: null };
-      case "object": return moveObject(bench, press, hit.selection, input);
-    }
+  private gather(bench: Bench, press: Press, input: Input): void {
+    const { scene } = bench.store.state, inside = thingsWithin(scene, boxOf([press.at, input.at]));
+    bench.store.set({ selection: selectionOf(scene, input.shift ? [...new Set([...press.ids, ...inside])] : inside) });
+  }
+}
+
+/** What is dragged on is the copy. */
+function duplicate(bench: Bench, press: Press): void {
+  const { scene, ids } = copyThings(press.scene, press.ids);
+  const selection = selectionOf(scene, ids);
+  if (!selection) return;
+  Object.assign(press, { scene, ids });
+  bench.preview(scene);
+  bench.store.set({ selection });
+}
+
+function withVertex(shape: Extract<Shape, { points: Point[] }>, at: Point, reach: number): Point[] | null {
+  const index = edgeAt(shape.points, at, reach, shape.type === "polygon");
+  if (index < 0) return null;
+  const points = [...shape.points.slice(0, index), at, ...shape.points.slice(index)];
+  if (index === 0) points.push(points.shift()!);
+  return points;
+}
+
+function withoutVertex(shape: Extract<Shape, { points: Point[] }>, at: Point, reach: number): Point[] | null {
+  const index = vertexAt(shape.points, at, reach), least = shape.type === "polygon" ? 3 : 2;
+  const points = shape.points.filter((_, i) => i !== index);
+  return index < 0 || points.length < least || (shape.type === "polygon" && crossesItself(points)) ? null : points;
+}
+
+/** Every step starts from the scene at the press: rounding cannot add up. */
+function dragged(bench: Bench, press: Press, hit: Hit, input: Input): { scene: Scene | null; draft: Draft | null } {
+  switch (hit.part) {
+    case "pose-grip": return turnPose(press, hit.which, input);
+    case "turn-grip": return { scene: withShape(press.scene, hit.id, (shape) => turnTowards(shape, press.at, input)), draft: null };
+    case "vertex": return moveVertex(bench, press.scene, hit, input);
+    case "way": return moveCorner(bench, press.scene, hit, input);
+    case "object": return moveObject(bench, press, hit.selection, input);
   }
 }
 
@@ -131,35 +183,33 @@ function turnTowards(shape: Shape, from: Point, input: Input): Shape {
   return turnShape(shape, wrapAngle(snapAngle(turned, input.alt ? "free" : input.shift ? "always" : "near") - heading));
 }
 
-function moveVertex(bench: Bench, scene: Scene, { id, index }: { id: string; index: number }, input: Input): Scene | null {
+function moveVertex(bench: Bench, scene: Scene, { id, index }: { id: string; index: number }, input: Input): { scene: Scene | null; draft: Draft | null } {
   const shape = findObstacle(scene, id);
-  if (!shape || shape.type === "cells") return null;
-  const next = dragVertex(shape, index, snapPoint(bench, input, id));
+  if (!shape || shape.type === "cells") return { scene: null, draft: null };
+  const { at, guides } = snapPoint(bench, input, id), next = dragVertex(shape, index, at);
   if (next.type === "polygon" && crossesItself(next.points)) {
     bench.store.set({ message: { tone: "err", text: word(bench.store.state, "crosses") } });
-    return null;
+    return { scene: null, draft: null };
   }
-  return updateObstacle(scene, id, next);
+  return { scene: updateObstacle(scene, id, next), draft: { guides } };
 }
 
-function moveCorner(bench: Bench, scene: Scene, { id, index }: { id: string; index: number }, input: Input): Scene {
-  const to = snapPoint(bench, input, id);
-  return updateMoving(scene, id, { points: (findMoving(scene, id)?.points ?? []).map((p, i) => (i === index ? to : p)) });
+function moveCorner(bench: Bench, scene: Scene, { id, index }: { id: string; index: number }, input: Input): { scene: Scene; draft: Draft } {
+  const { at, guides } = snapPoint(bench, input, id);
+  return { scene: updateMoving(scene, id, { points: (findMoving(scene, id)?.points ?? []).map((p, i) => (i === index ? at : p)) }), draft: { guides } };
 }
 
-function moveObject(bench: Bench, press: Press, selection: NonNullable<Selection>, input: Input): { scene: Scene; draft: Draft | null } {
+function moveObject(bench: Bench, press: Press, selection: NonNullable<Selection>, input: Input): { scene: Scene; draft: Draft } {
   const { scene } = press;
   const dx = input.at[0] - press.at[0], dy = input.at[1] - press.at[1];
-  if (!("id" in selection)) {
+  if (isPose(selection)) {
     const from = resolve(scene)[selection.kind];
     const { pose, goal, guides } = snapPose(bench, input, selection.kind, { ...from, x: from.x + dx, y: from.y + dy });
     const moved = "slot" in goal ? { ...scene, goal } : movePose(scene, selection.kind, pose);
     return { scene: moved, draft: { grabbed: { which: selection.kind, part: "body" }, guides } };
   }
-  if (selection.kind === "moving") return { scene: shiftMoving(scene, selection.id, dx, dy), draft: null };
-  if (selection.kind === "slot") {
-    const slot = findSlot(scene, selection.id);
-    return { scene: slot ? updateSlot(scene, selection.id, { x: slot.x + dx, y: slot.y + dy }) : scene, draft: null };
-  }
-  return { scene: withShape(scene, selection.id, (shape) => moveShape(shape, dx, dy)), draft: null };
+  const ids = press.ids.filter((id) => findThing(scene, id));
+  press.box ??= boxOfThings(scene, ids);
+  const { by, guides } = snapMove(bench, input, press.box, [dx, dy], ids);
+  return { scene: moveThings(scene, ids, ...by), draft: { guides } };
 }

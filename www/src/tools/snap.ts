@@ -1,8 +1,8 @@
 /** Snapping: to corners, to the cell grid, to angles, to slots and to the other pose. */
 import type { Goal, Pose } from "parkade";
 import { poseInSlot, resolve, type Scene } from "../scene/model";
-import { distance, radians, wrapAngle, type Point } from "../scene/plane";
-import { verticesOf } from "../scene/shapes";
+import { boxOf, distance, radians, wrapAngle, type Box, type Point } from "../scene/plane";
+import { cornersOf, verticesOf, type Shape } from "../scene/shapes";
 import type { Guide } from "./draft";
 import { metresOf, type Bench, type Input } from "./tool";
 
@@ -10,7 +10,7 @@ const SNAP_PX = 8;
 const ANGLE_STEP = radians(15), ANGLE_REACH = radians(3);
 
 /** Ctrl inverts the setting. */
-export const snaps = (bench: Bench, input: Input): boolean => bench.store.state.toolOptions.snap !== input.ctrl;
+export const snaps = (bench: Bench, input: Input): boolean => !input.keyed && bench.store.state.toolOptions.snap !== input.ctrl;
 
 /** Multiples of 15° within 3°; `free` leaves the angle alone, `always` takes the nearest. */
 export function snapAngle(angle: number, mode: "near" | "always" | "free" = "near"): number {
@@ -25,27 +25,77 @@ export function constrainAngle(from: Point, to: Point): Point {
   return [from[0] + along * Math.cos(angle), from[1] + along * Math.sin(angle)];
 }
 
-/** The nearest corner within 8 px, else the nearest cell corner within 8 px, else the point. */
-export function snapPoint(bench: Bench, input: Input, skip?: string): Point {
-  if (!snaps(bench, input)) return input.at;
-  const reach = metresOf(bench, SNAP_PX);
-  const corner = nearestCorner(bench.store.state.scene, input.at, skip);
-  if (corner && distance(corner, input.at) <= reach) return corner;
-  const { origin, resolution } = bench.store.state.scene.map;
-  const onGrid = (value: number, from: number): number => {
-    const line = from + Math.round((value - from) / resolution) * resolution;
-    return Math.abs(line - value) <= reach ? line : value;
-  };
-  return [onGrid(input.at[0], origin[0]), onGrid(input.at[1], origin[1])];
+export interface Snapped { at: Point; guides: Guide[] }
+
+/** The nearest corner within 8 px, else in line with one or on the cell grid, else the point. */
+export function snapPoint(bench: Bench, input: Input, skip?: string): Snapped {
+  if (!snaps(bench, input)) return { at: input.at, guides: [] };
+  const reach = metresOf(bench, SNAP_PX), { scene } = bench.store.state;
+  const marks = marksOf(scene, skip === undefined ? [] : [skip]);
+  const corner = nearest(marks, input.at);
+  if (corner && distance(corner, input.at) <= reach) return { at: corner, guides: [{ from: corner, to: corner }] };
+  const [x, y] = ([0, 1] as const).map((axis) => lineUp(scene, marks, [input.at], axis, reach)) as [Shift, Shift];
+  const at: Point = [input.at[0] + x.by, input.at[1] + y.by];
+  return { at, guides: guidesTo(at, x, y) };
 }
 
-function nearestCorner(scene: Scene, at: Point, skip: string | undefined): Point | null {
-  const { boundary, slots } = resolve(scene);
-  const shapes = (scene.obstacles ?? []).flatMap((o) => (o.type === "cells" || o.id === skip ? [] : verticesOf(o)));
-  let best: Point | null = null;
-  for (const corner of [...boundary, ...shapes, ...slots.flatMap((one) => one.outline)]) {
-    if (!best || distance(corner, at) < distance(best, at)) best = corner;
+/** How far things dragged by `by` go: their edges or middle in line with something else, or their lower left corner on the grid. */
+export function snapMove(bench: Bench, input: Input, from: Box, by: Point, skip: readonly string[]): { by: Point; guides: Guide[] } {
+  if (!snaps(bench, input)) return { by, guides: [] };
+  const reach = metresOf(bench, SNAP_PX), { scene } = bench.store.state;
+  const [left, low, right, high] = [from.minX + by[0], from.minY + by[1], from.maxX + by[0], from.maxY + by[1]];
+  const marks = marksOf(scene, skip);
+  const [x, y] = ([0, 1] as const).map((axis) => lineUp(scene, marks, [[left, low], [right, high], [(left + right) / 2, (low + high) / 2]], axis, reach)) as [Shift, Shift];
+  const middle: Point = [(left + right) / 2 + x.by, (low + high) / 2 + y.by];
+  return { by: [by[0] + x.by, by[1] + y.by], guides: guidesTo(middle, x, y) };
+}
+
+/** How far to go along one axis, and the mark that is then in line. */
+interface Shift { by: number; mark: Point | null; at: number }
+
+function lineUp({ map: { origin, resolution } }: Scene, marks: readonly Point[], points: readonly Point[], axis: 0 | 1, reach: number): Shift {
+  let best: Shift = { by: 0, mark: null, at: 0 }, least = reach;
+  for (const mark of marks) {
+    for (const p of points) {
+      const by = mark[axis] - p[axis];
+      if (Math.abs(by) < least || (Math.abs(by) === least && !best.mark)) [best, least] = [{ by, mark, at: mark[axis] }, Math.abs(by)];
+    }
   }
+  if (best.mark) return best;
+  const value = points[0]![axis], line = origin[axis] + Math.round((value - origin[axis]) / resolution) * resolution;
+  return Math.abs(line - value) <= reach ? { by: line - value, mark: null, at: line } : best;
+}
+
+function guidesTo([x, y]: Point, across: Shift, along: Shift): Guide[] {
+  const guides: Guide[] = [];
+  if (across.mark) guides.push({ from: [across.at, y], to: across.mark });
+  if (along.mark) guides.push({ from: [x, along.at], to: along.mark });
+  return guides;
+}
+
+/** More corners than this are not looked through at every move. */
+const MOST_MARKS = 4000;
+
+/** What things line up with: corners and wall ends, the floor's outline, slots, the cars' reference points. */
+function marksOf(scene: Scene, skip: readonly string[]): Point[] {
+  const { boundary, slots, start, goal } = resolve(scene);
+  const marks: Point[] = [...boundary, [start.x, start.y], [goal.x, goal.y]];
+  for (const one of scene.obstacles ?? []) {
+    if (one.type === "cells" || skip.includes(one.id ?? "") || marks.length > MOST_MARKS) continue;
+    marks.push(...(one.type === "car" ? cornersOf(one) : verticesOf(one)), ...(one.type === "wall" ? [] : [middleOf(one)]));
+  }
+  for (const { slot, outline } of slots) if (!skip.includes(slot.id ?? "")) marks.push(...outline);
+  return marks;
+}
+
+function middleOf(shape: Shape): Point {
+  const { minX, maxX, minY, maxY } = boxOf(cornersOf(shape));
+  return [(minX + maxX) / 2, (minY + maxY) / 2];
+}
+
+function nearest(marks: readonly Point[], at: Point): Point | null {
+  let best: Point | null = null;
+  for (const mark of marks) if (!best || distance(mark, at) < distance(best, at)) best = mark;
   return best;
 }
 

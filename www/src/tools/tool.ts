@@ -15,12 +15,16 @@ export interface Input {
   alt: boolean;
   ctrl: boolean;
   touch: boolean;
+  /** By arrow keys and Enter. */
+  keyed?: boolean;
 }
 
 /** A tool's way to the page. */
 export interface Bench {
   readonly store: Store;
   readonly view: View;
+  /** What the pointer is on. */
+  readonly canvas: HTMLElement | null;
   show(draft: Draft | null): void;
   /** One step of a drag. */
   preview(scene: Scene): void;
@@ -33,6 +37,8 @@ export interface Bench {
 }
 
 export interface Tool {
+  /** Draws from the press to the release, rather than press by press. */
+  readonly drags?: boolean;
   cursor(bench: Bench, input: Input | null): string;
   /** The pointer moves without a press; null when it leaves. */
   hover?(bench: Bench, input: Input | null): void;

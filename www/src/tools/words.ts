@@ -8,6 +8,8 @@ const WORDS = {
   left: { en: "left", zh: "左" },
   right: { en: "right", zh: "右" },
   row: { en: "row", zh: "总长" },
+  aisle: { en: "aisle", zh: "通道" },
+  free: { en: "free", zh: "空余" },
   radius: { en: "radius", zh: "半径" },
 } as const;
 

@@ -4,9 +4,10 @@ import { slotOutline } from "../../scene/slots";
 import { rectangleCorners } from "../../scene/shapes";
 import { vehicleOf } from "../../scene/vehicle";
 import type { Point } from "../../scene/plane";
-import type { Guide, Preview } from "../../tools/draft";
+import type { Aisle, Guide, Preview } from "../../tools/draft";
+import { word } from "../../tools/words";
 import { drawCar, parkedStyle } from "../car";
-import { drawPill, labelFont, PILL_HEIGHT, pillWidth } from "../text";
+import { drawPill, fixed, labelFont, PILL_HEIGHT, pillWidth } from "../text";
 import { fade } from "../tokens";
 import { drawPoseCar } from "./cars";
 
@@ -23,6 +24,7 @@ function drawPreview(frame: Frame, preview: Preview): void {
     case "brush": return drawBrush(frame, preview);
     case "line": return drawLine(frame, preview);
     case "rectangle": return drawRectangle(frame, preview);
+    case "marquee": return drawMarquee(frame, preview);
     case "slots": return drawSlotRow(frame, preview);
     case "pose": return drawPoseCar(frame, preview.which, preview.pose);
     case "car": return drawParked(frame, preview);
@@ -38,6 +40,9 @@ function drawParked(frame: Frame, preview: Extract<Preview, { kind: "car" }>): v
   ctx.restore();
 }
 
+/** Half of the crosses at a guide's ends, px. */
+const TICK = 3.5;
+
 function drawGuide(frame: Frame, { from, to }: Guide): void {
   const { ctx, tokens: { colour } } = frame;
   inPixels(frame);
@@ -49,6 +54,24 @@ function drawGuide(frame: Frame, { from, to }: Guide): void {
   ctx.strokeStyle = colour.accent;
   ctx.stroke();
   ctx.setLineDash([]);
+  ctx.beginPath();
+  for (const [x, y] of [toScreen(frame, from), toScreen(frame, to)]) {
+    ctx.moveTo(x - TICK, y - TICK);
+    ctx.lineTo(x + TICK, y + TICK);
+    ctx.moveTo(x - TICK, y + TICK);
+    ctx.lineTo(x + TICK, y - TICK);
+  }
+  ctx.stroke();
+}
+
+function drawMarquee(frame: Frame, { from, to }: Extract<Preview, { kind: "marquee" }>): void {
+  const { ctx, tokens: { colour } } = frame, [x0, y0] = toScreen(frame, from), [x1, y1] = toScreen(frame, to);
+  inPixels(frame);
+  ctx.fillStyle = fade(colour.accent, 0.08);
+  ctx.fillRect(x0, y0, x1 - x0, y1 - y0);
+  ctx.lineWidth = 1;
+  ctx.strokeStyle = colour.accent;
+  ctx.strokeRect(Math.round(x0) + 0.5, Math.round(y0) + 0.5, Math.round(x1 - x0), Math.round(y1 - y0));
 }
 
 function drawBrush(frame: Frame, { at, radius, erase }: Extract<Preview, { kind: "brush" }>): void {
@@ -144,7 +167,7 @@ function drawRectangle(frame: Frame, preview: Extract<Preview, { kind: "rectangl
 }
 
 /** Bays tinted and numbered; dividers once each, the aisle side solid. */
-function drawSlotRow(frame: Frame, { slots, from, to }: Extract<Preview, { kind: "slots" }>): void {
+function drawSlotRow(frame: Frame, { slots, from, to, aisle }: Extract<Preview, { kind: "slots" }>): void {
   const { ctx, tokens: { colour } } = frame;
   const outlines = slots.map((slot) => slotOutline(slot));
   inMetres(frame);
@@ -163,9 +186,38 @@ function drawSlotRow(frame: Frame, { slots, from, to }: Extract<Preview, { kind:
   ctx.stroke(dividers);
   ctx.setLineDash([]);
   ctx.stroke(linePath([from, to]));
+  if (aisle.width > 0) drawAisle(frame, from, to, aisle);
   numberBays(frame, outlines);
   drawVertex(frame, from, false);
   drawMovingEnd(frame, to);
+}
+
+/** A dimension line across the aisle; in the colour of errors where something stands in it. */
+function drawAisle(frame: Frame, from: Point, to: Point, aisle: Aisle): void {
+  const { ctx, state, tokens: { colour } } = frame, short = aisle.free < aisle.width - 0.05;
+  const dx = aisle.to[0] - aisle.from[0], dy = aisle.to[1] - aisle.from[1];
+  const a = toScreen(frame, aisle.from), b = toScreen(frame, aisle.to), length = Math.hypot(b[0] - a[0], b[1] - a[1]);
+  inPixels(frame);
+  ctx.strokeStyle = short ? colour.err : colour.accent;
+  ctx.lineWidth = 1;
+  ctx.setLineDash([2, 3]);
+  ctx.beginPath();
+  ctx.moveTo(...toScreen(frame, [from[0] + dx, from[1] + dy]));
+  ctx.lineTo(...toScreen(frame, [to[0] + dx, to[1] + dy]));
+  ctx.stroke();
+  ctx.setLineDash([]);
+  const ux = (b[0] - a[0]) / length, uy = (b[1] - a[1]) / length;
+  ctx.beginPath();
+  ctx.moveTo(...a);
+  ctx.lineTo(...b);
+  for (const [[x, y], sign] of [[a, 1], [b, -1]] as const) {
+    ctx.moveTo(x + sign * ux * 6 - uy * 3, y + sign * uy * 6 + ux * 3);
+    ctx.lineTo(x, y);
+    ctx.lineTo(x + sign * ux * 6 + uy * 3, y + sign * uy * 6 - ux * 3);
+  }
+  ctx.stroke();
+  const text = `${word(state, "aisle")} ${fixed(aisle.width, 2)} m${short ? ` · ${word(state, "free")} ${fixed(aisle.free, 2)} m` : ""}`;
+  drawPill(frame, text, (a[0] + b[0]) / 2 + 10, (a[1] + b[1]) / 2 - PILL_HEIGHT / 2);
 }
 
 /** The side of a bay that its neighbour does not have. */

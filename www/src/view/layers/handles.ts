@@ -1,15 +1,17 @@
 /** Selection outlines, grips and the label of the pose. */
 import type { Pose } from "parkade";
-import { findMoving, findObstacle, findSlot, slotOutline } from "../../scene/model";
+import { findMoving, findObstacle, slotOutline } from "../../scene/model";
 import { boxOf, type Box, type Point } from "../../scene/plane";
 import { cornersOf, verticesOf } from "../../scene/shapes";
 import { footprint } from "../../scene/vehicle";
-import type { Selection } from "../../store";
+import { findThing, idsOf } from "../../scene/things";
+import { isPose, type Selection } from "../../store";
 import { inMetres, inPixels, leading, linePath, pixels, polygonPath, toScreen, type Frame } from "../frame";
 import { cellPaths } from "../outline";
 import { gripOf, noseOf } from "../pose-handle";
 import { turnGripOf } from "../turn-grip";
-import { drawPill, placePill, poseText } from "../text";
+import { drawPill, PILL_HEIGHT, pillWidth, placePill, poseText } from "../text";
+import { keepPoseLabel } from "../pose-label";
 
 const GRIP_PX = 6, GRIP_TOUCH_PX = 11;
 
@@ -24,14 +26,13 @@ function posesWithGrip({ state, draft }: Frame): ("start" | "goal")[] {
   return (["start", "goal"] as const).filter((which) => which === chosen || which === hot);
 }
 
-const isPose = (selection: Selection): selection is { kind: "start" | "goal" } =>
-  selection?.kind === "start" || selection?.kind === "goal";
 
 export function drawHandles(frame: Frame): void {
   for (const which of posesWithGrip(frame)) drawGrip(frame, frame.resolved[which]);
   const { draft, state: { selection } } = frame;
   const labelled = draft?.grabbed?.which ?? (isPose(selection) ? selection.kind : null);
   if (labelled) drawPoseLabel(frame, labelled, draft?.grabbed !== undefined);
+  else keepPoseLabel(frame.ctx.canvas, null);
 }
 
 /** The round grip ahead of the nose, on its stalk. */
@@ -77,6 +78,7 @@ function drawPoseLabel(frame: Frame, which: "start" | "goal", editing: boolean):
   const parked = resolved.parked.map((car) => screenBox(frame, footprint(car.pose, car.vehicle)));
   const place = placePill(frame, text, keep, grip, [...boxes, ...parked, ...pathBoxes(frame)]);
   drawPill(frame, text, ...place, editing ? "editing" : "plain");
+  keepPoseLabel(frame.ctx.canvas, which, { minX: place[0], minY: place[1], maxX: place[0] + pillWidth(frame, text), maxY: place[1] + PILL_HEIGHT });
 }
 
 /** Small boxes along the shown path, which labels keep off. */
@@ -105,32 +107,29 @@ export function drawSelection(frame: Frame): void {
   }
 }
 
-const sameSelection = (a: Selection, b: Selection): boolean =>
-  a?.kind === b?.kind && (a && "id" in a ? a.id : "") === (b && "id" in b ? b.id : "");
+const sameSelection = (a: Selection, b: Selection): boolean => a?.kind === b?.kind && idsOf(a).join() === idsOf(b).join();
 
+/** Start and goal need no outline: their grip and label say that they are chosen. */
 function outlineOf(frame: Frame, selection: NonNullable<Selection>, width: number): void {
   const { ctx, tokens: { colour } } = frame;
-  const path = selectionPath(frame, selection);
-  if (!path) return;
   inMetres(frame);
   ctx.strokeStyle = colour.accent;
   ctx.lineWidth = pixels(frame, width);
   ctx.lineJoin = "round";
-  ctx.stroke(path);
+  for (const id of idsOf(selection)) {
+    const path = pathOfThing(frame, id);
+    if (path) ctx.stroke(path);
+  }
 }
 
-/** Start and goal need no outline: their grip and label say that they are chosen. */
-function selectionPath({ state: { scene } }: Frame, selection: NonNullable<Selection>): Path2D | null {
-  if (isPose(selection)) return null;
-  if (selection.kind === "slot") {
-    const slot = findSlot(scene, selection.id);
-    return slot ? polygonPath(slotOutline(slot)) : null;
-  }
-  if (selection.kind === "moving") return linePath(findMoving(scene, selection.id)?.points ?? []);
-  const obstacle = findObstacle(scene, selection.id);
-  if (!obstacle) return null;
-  if (obstacle.type === "cells") return cellPaths(obstacle.runs, scene.map).edge;
-  return obstacle.type === "wall" ? linePath(obstacle.points) : polygonPath(cornersOf(obstacle));
+function pathOfThing({ state: { scene } }: Frame, id: string): Path2D | null {
+  const found = findThing(scene, id);
+  if (!found) return null;
+  if (found.kind === "slot") return polygonPath(slotOutline(found.thing));
+  if (found.kind === "moving") return linePath(found.thing.points);
+  const { thing } = found;
+  if (thing.type === "cells") return cellPaths(thing.runs, scene.map).edge;
+  return thing.type === "wall" ? linePath(thing.points) : polygonPath(cornersOf(thing));
 }
 
 function drawShapeGrips(frame: Frame, id: string): void {

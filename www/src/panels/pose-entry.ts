@@ -1,0 +1,64 @@
+/** A field in the place of a pose's label: three numbers, metres and degrees. */
+import type { Pose } from "parkade";
+import type { App } from "../element/app";
+import { words } from "../i18n/words";
+import { movePose, resolve } from "../scene/model";
+import type { PoseRequest } from "../view/pose-label";
+
+const say = words({
+  start: ["Start pose: x and y in metres, heading in degrees", "起始位姿：x、y（米），朝向（度）"],
+  goal: ["Goal pose: x and y in metres, heading in degrees", "目标位姿：x、y（米），朝向（度）"],
+  refused: ["Write two numbers for the place in metres and, if it shall turn, one for the heading in degrees.", "请输入两个位置数值（米），如需转向再输入朝向（度）。"],
+});
+
+const DEGREES = 180 / Math.PI;
+
+/** Two numbers, or three; null for anything else. */
+export function poseFromText(text: string, before: Pose): Pose | null {
+  const numbers = text.replaceAll("\u2212", "-").match(/[+-]?(\d+\.?\d*|\.\d+)/g)?.map(Number) ?? [];
+  const [x, y, heading] = numbers;
+  if (x === undefined || y === undefined || numbers.length > 3) return null;
+  return { x, y, heading: heading === undefined ? before.heading : heading / DEGREES };
+}
+
+export function openPoseEntry(app: App, root: ShadowRoot, { which, box }: PoseRequest): void {
+  const { state } = app.store, pose = resolve(state.scene)[which];
+  const input = document.createElement("input");
+  input.className = "pose";
+  input.value = `${pose.x.toFixed(2)} ${pose.y.toFixed(2)} ${(pose.heading * DEGREES).toFixed(1)}`;
+  input.spellcheck = false;
+  input.setAttribute("aria-label", say(state.lang, which));
+  input.title = say(state.lang, which);
+  input.style.left = `${box.minX}px`;
+  input.style.top = `${box.minY}px`;
+  const written = input.value;
+  let open = true;
+  const close = (): void => {
+    open = false;
+    input.remove();
+    root.querySelector("canvas")?.focus();
+  };
+  const apply = (): void => {
+    if (!open) return;
+    const next = poseFromText(input.value, pose);
+    if (!next) {
+      input.setAttribute("aria-invalid", "true");
+      app.store.set({ message: { tone: "warn", text: say(app.store.state.lang, "refused") } });
+      return;
+    }
+    if (input.value !== written) app.store.edit(movePose(app.store.state.scene, which, next), { label: which });
+    close();
+  };
+  input.addEventListener("keydown", (event) => {
+    event.stopPropagation();
+    if (event.key === "Enter") apply();
+    else if (event.key === "Escape") close();
+  });
+  input.addEventListener("blur", () => {
+    if (open && poseFromText(input.value, pose)) apply();
+    else if (open) close();
+  });
+  root.append(input);
+  input.select();
+  input.focus();
+}

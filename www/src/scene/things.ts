@@ -1,0 +1,121 @@
+/** Obstacles, slots and moving obstacles by their ids, whatever they are. */
+import type { MovingObstacle, Obstacle, Slot } from "parkade";
+import type { Selection } from "../store";
+import { type Run } from "./cells";
+import { addMoving, addObstacle, addSlots, findMoving, findObstacle, findSlot, removeMoving, removeObstacle, removeSlot, updateMoving, updateObstacle, updateSlot, type Scene } from "./model";
+import { boxOf, rotateAbout, wrapAngle, type Box, type Point } from "./plane";
+import { cornersOf, moveShape, turnShape } from "./shapes";
+import { slotOutline } from "./slots";
+
+type Thing = { kind: "obstacle"; thing: Obstacle } | { kind: "slot"; thing: Slot } | { kind: "moving"; thing: MovingObstacle };
+
+export function findThing(scene: Scene, id: string): Thing | null {
+  const obstacle = findObstacle(scene, id);
+  if (obstacle) return { kind: "obstacle", thing: obstacle };
+  const slot = findSlot(scene, id);
+  if (slot) return { kind: "slot", thing: slot };
+  const moving = findMoving(scene, id);
+  return moving ? { kind: "moving", thing: moving } : null;
+}
+
+/** Ids of what is chosen; none for start and goal. */
+export const idsOf = (selection: Selection): readonly string[] =>
+  selection === null ? [] : selection.kind === "group" ? selection.ids : "id" in selection ? [selection.id] : [];
+
+/** One thing is chosen as itself, several as a group. */
+export function selectionOf(scene: Scene, ids: readonly string[]): Selection {
+  if (ids.length > 1) return { kind: "group", ids };
+  const found = ids[0] === undefined ? null : findThing(scene, ids[0]);
+  return found && { kind: found.kind, id: ids[0]! };
+}
+
+export const allIds = (scene: Scene): string[] =>
+  [...(scene.obstacles ?? []), ...(scene.slots ?? []), ...(scene.moving ?? [])].map((one) => one.id!);
+
+/** Corners of a thing; of brushed cells those of their extent. */
+export function outlineOfThing(scene: Scene, id: string): Point[] {
+  const found = findThing(scene, id);
+  if (!found) return [];
+  if (found.kind === "slot") return slotOutline(found.thing);
+  if (found.kind === "moving") return found.thing.points;
+  return found.thing.type === "cells" ? extentOf(found.thing.runs, scene.map) : cornersOf(found.thing);
+}
+
+function extentOf(runs: readonly Run[], { origin: [ox, oy], resolution: side }: Scene["map"]): Point[] {
+  let left = Infinity, right = -Infinity, low = Infinity, high = -Infinity;
+  for (const [x, y, count] of runs) {
+    left = Math.min(left, x); right = Math.max(right, x + count);
+    low = Math.min(low, y); high = Math.max(high, y + 1);
+  }
+  return runs.length === 0 ? [] : [[ox + left * side, oy + low * side], [ox + right * side, oy + high * side]];
+}
+
+export const boxOfThings = (scene: Scene, ids: readonly string[]): Box => boxOf(ids.flatMap((id) => outlineOfThing(scene, id)));
+
+/** What lies wholly inside a box; brushed cells are drawn on, not picked up. */
+export function thingsWithin(scene: Scene, { minX, minY, maxX, maxY }: Box): string[] {
+  const cells = new Set((scene.obstacles ?? []).filter((one) => one.type === "cells").map((one) => one.id));
+  return allIds(scene).filter((id) => !cells.has(id) && outlineOfThing(scene, id).every(([x, y]) => x >= minX && x <= maxX && y >= minY && y <= maxY));
+}
+
+/** Brushed cells move by whole cells. */
+export function moveThings(scene: Scene, ids: readonly string[], dx: number, dy: number): Scene {
+  return ids.reduce((next, id) => {
+    const found = findThing(next, id);
+    if (found?.kind === "slot") return updateSlot(next, id, { x: found.thing.x + dx, y: found.thing.y + dy });
+    if (found?.kind === "moving") return updateMoving(next, id, { points: found.thing.points.map(([x, y]) => [x + dx, y + dy]) });
+    if (found?.kind !== "obstacle") return next;
+    const { thing } = found;
+    return updateObstacle(next, id, thing.type === "cells" ? { ...thing, runs: movedRuns(thing.runs, next.map, dx, dy) } : moveShape(thing, dx, dy));
+  }, scene);
+}
+
+function movedRuns(runs: readonly Run[], { width, height, resolution }: Scene["map"], dx: number, dy: number): Run[] {
+  const columns = Math.round(dx / resolution), rows = Math.round(dy / resolution);
+  return runs.flatMap(([x, y, count]): Run[] => {
+    const from = Math.max(0, x + columns), to = Math.min(width, x + columns + count), row = y + rows;
+    return from < to && row >= 0 && row < height ? [[from, row, to - from]] : [];
+  });
+}
+
+/** Turns all of them about the middle of their extent; brushed cells stay. */
+export function turnThings(scene: Scene, ids: readonly string[], angle: number): Scene {
+  const box = boxOfThings(scene, ids), about: Point = [(box.minX + box.maxX) / 2, (box.minY + box.maxY) / 2];
+  return ids.reduce((next, id) => {
+    const found = findThing(next, id);
+    if (found?.kind === "slot") {
+      const [x, y] = rotateAbout([found.thing.x, found.thing.y], about, angle);
+      return updateSlot(next, id, { x, y, heading: wrapAngle(found.thing.heading + angle) });
+    }
+    if (found?.kind === "moving") return updateMoving(next, id, { points: found.thing.points.map((p) => rotateAbout(p, about, angle)) });
+    if (found?.kind !== "obstacle" || found.thing.type === "cells") return next;
+    const turned = turnShape(found.thing, angle), from = middleOf(cornersOf(turned)), [x, y] = rotateAbout(middleOf(cornersOf(found.thing)), about, angle);
+    return updateObstacle(next, id, moveShape(turned, x - from[0], y - from[1]));
+  }, scene);
+}
+
+function middleOf(points: readonly Point[]): Point {
+  const { minX, maxX, minY, maxY } = boxOf(points);
+  return [(minX + maxX) / 2, (minY + maxY) / 2];
+}
+
+export function removeThings(scene: Scene, ids: readonly string[]): Scene {
+  const remove = { obstacle: removeObstacle, slot: removeSlot, moving: removeMoving };
+  return ids.reduce((next, id) => {
+    const found = findThing(next, id);
+    return found ? remove[found.kind](next, id) : next;
+  }, scene);
+}
+
+/** Copies where the originals are; brushed cells are one and are not copied. */
+export function copyThings(scene: Scene, ids: readonly string[]): { scene: Scene; ids: string[] } {
+  const copies: string[] = [];
+  const next = ids.reduce((before, id) => {
+    const found = findThing(before, id);
+    if (!found || (found.kind === "obstacle" && found.thing.type === "cells")) return before;
+    const made = found.kind === "slot" ? addSlots(before, [found.thing]) : found.kind === "moving" ? addMoving(before, found.thing) : addObstacle(before, found.thing);
+    copies.push("ids" in made ? made.ids[0]! : made.id);
+    return made.scene;
+  }, scene);
+  return { scene: next, ids: copies };
+}
