@@ -31,10 +31,10 @@ pub struct Parameter {
     pub kind: &'static str,
     /// `m`, `rad`, `cells` or `1`.
     pub unit: &'static str,
-    /// Smallest value.
+    /// Smallest value of a form's slider; the rules that planners hold a setting to may be wider.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub min: Option<f64>,
-    /// Largest value.
+    /// Largest value of the slider.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub max: Option<f64>,
     /// A step that people can see the effect of.

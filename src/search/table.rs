@@ -81,10 +81,10 @@ impl<C: Cost, L: Copy + Default> Scratch<C, L> {
         self.slots[node as usize].ticket = self.open.push(order, f, h, node, kind);
     }
 
-    /// Bytes held, but for the open list's.
+    /// Bytes that a search of this many nodes needs, but for the open list's.
     #[cfg(feature = "complete")]
-    pub fn bytes(&self) -> usize {
-        size_of_val(&self.slots[..])
+    pub const fn bytes(node_count: usize) -> usize {
+        node_count * size_of::<Slot<C, L>>()
     }
 
     /// The best cost found for `node` in the last search.

@@ -2,6 +2,7 @@
 
 mod bench;
 mod browser;
+mod fuzz;
 mod latency;
 mod paper;
 mod serve;
@@ -35,6 +36,11 @@ const COMMANDS: &[Command] = &[
         name: "bench",
         about: "build, then race the grid planners: bench grid [questions] [repeats]",
         run: bench::bench,
+    },
+    Command {
+        name: "fuzz",
+        about: "ask random questions, check the answers: fuzz [target] [--count N] [--from SEED]",
+        run: fuzz::fuzz,
     },
     Command {
         name: "wasm-test-runner",

@@ -14,6 +14,7 @@ use crate::{browser, site};
 
 /// Selects this program, in the profile in which it is built anyway.
 const TOOL: &[&str] = &["--package", "xtask", "--profile", "tool"];
+const FUZZ: &[&str] = &["--package", "parkade-fuzz"];
 
 /// Tests of one suite; a check without tests of its own counts as one.
 #[derive(Clone, Copy, Default)]
@@ -41,10 +42,12 @@ pub(crate) fn test(arguments: &[String]) -> Result<()> {
     suites.push(suite("format", || cargo_check(&["fmt", "--all", "--check"])));
     suites.push(suite("lint, native", || lint(&["--all-targets"])));
     suites.push(suite("lint, tool", || lint(&[TOOL, &["--all-targets"]].concat())));
+    suites.push(suite("lint, fuzz", || lint(&[FUZZ, &["--all-targets"]].concat())));
     suites.push(suite("lint, wasm", || lint(&["--target", WASM_TARGET, "--lib", "--tests"])));
     suites.push(suite("lint, core", || lint(&["--target", WASM_TARGET, "--lib", "--no-default-features"])));
     suites.push(suite("Rust, native", || rust_tests(&[])));
     suites.push(suite("Rust, tool", || rust_tests(TOOL)));
+    suites.push(suite("Rust, random input", || rust_tests(FUZZ)));
     suites.push(suite("Rust, wasm in Node", || rust_tests(&["--target", WASM_TARGET, "--tests"])));
     let mut on_build = |name, run: fn() -> Result<Counts>| {
         suites.push(suite(name, || if built { run() } else { bail!("not run: the build failed") }));

@@ -139,8 +139,10 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, trace: &mut O
     report.generated = found.generated;
     report.pushes = found.pushes;
     report.open_peak = found.open_peak;
-    report.bytes =
-        size_of_val(&ground.clearance[..]) + size_of_val(&ground.kerb[..]) + road.bytes() + memory.bytes();
+    report.bytes = size_of_val(&ground.clearance[..])
+        + size_of_val(&ground.kerb[..])
+        + road.bytes()
+        + crate::search::Scratch::<f64, ()>::bytes(road.len());
     if let Some((last, cost, ())) = found.found {
         report.cells = memory.chain(last).into_iter().map(|(node, ())| road.cell(node)).collect();
         report.cost = cost;

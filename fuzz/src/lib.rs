@@ -1,0 +1,78 @@
+//! Random input to Parkade, by seed, and what its answers are held against.
+//!
+//! A [`Target`] makes its input from a seed and fails in words when an answer is wrong: a planner's path that an independent
+//! walk refuses, a cost that differs from plain Dijkstra's, an error without a field. `cargo xtask fuzz` runs them by the
+//! million; the test suite runs the first seeds of each.
+
+mod configs;
+mod field;
+mod mutate;
+mod oracles;
+mod parsers;
+mod random;
+mod soak;
+#[path = "../../tests/strewn/mod.rs"]
+mod strewn;
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// Something that can be asked a million random questions.
+pub struct Target {
+    /// Its name on the command line.
+    pub name: &'static str,
+    /// What is asked, and what the answers are held against.
+    pub about: &'static str,
+    /// How many seeds the test suite asks.
+    pub sample: u64,
+    run: fn(u64) -> Outcome,
+}
+
+/// A word for the statistics, or what is wrong with the answer.
+pub type Outcome = Result<&'static str, String>;
+
+/// All of them.
+pub const TARGETS: &[Target] = &[
+    Target {
+        name: "grid",
+        about: "every grid planner on small random maps, against Dijkstra, a flood fill and an independent walk; maps \
+            reversed, moved, turned and filled further",
+        sample: 150,
+        run: oracles::grid,
+    },
+    Target {
+        name: "hybrid",
+        about: "hybrid A* among random obstacles, far from the origin too, against the validator and the Reeds-Shepp bound",
+        sample: 20,
+        run: |seed| Ok(strewn::plan(seed).outcome.as_str()),
+    },
+    Target {
+        name: "planners",
+        about: "every planner on random scenes with random settings, good and bad",
+        sample: 60,
+        run: configs::planners,
+    },
+    Target {
+        name: "edits",
+        about: "brush strokes on a planner's map, against the same map made anew",
+        sample: 60,
+        run: soak::edits,
+    },
+    Target { name: "scene", about: "mutated scene JSON", sample: 400, run: parsers::scene },
+    Target { name: "movingai", about: "mutated .map and .scen files", sample: 400, run: parsers::movingai },
+    Target { name: "rosmap", about: "mutated .yaml and .pgm files", sample: 400, run: parsers::rosmap },
+    Target { name: "tpcap", about: "mutated TPCAP cases", sample: 400, run: parsers::tpcap },
+    Target { name: "lots", about: "mutated lots of lines and polygons", sample: 400, run: parsers::lots },
+];
+
+impl Target {
+    /// Asks the question of a seed; a panic is an answer that is wrong.
+    ///
+    /// # Errors
+    /// What is wrong with the answer.
+    pub fn ask(&self, seed: u64) -> Outcome {
+        catch_unwind(AssertUnwindSafe(|| (self.run)(seed))).unwrap_or_else(|panic| {
+            let text = panic.downcast_ref::<String>().map(String::as_str);
+            Err(format!("panic: {}", text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("?")))
+        })
+    }
+}
