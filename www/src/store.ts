@@ -15,7 +15,7 @@ export const isPose = (selection: Selection | undefined): selection is { kind: "
 export interface Camera { x: number; y: number; scale: number }
 
 export type LayerKey =
-  | "slots" | "obstacles" | "safety" | "redundant" | "cost" | "heat" | "risk" | "tree" | "sweep" | "path" | "car" | "ghosts" | "grid";
+  | "slots" | "obstacles" | "safety" | "redundant" | "cost" | "heat" | "risk" | "tree" | "sweep" | "path" | "car" | "ghosts" | "difference" | "grid";
 
 export interface PanelResult {
   plan: Plan | null;
@@ -146,7 +146,7 @@ export function initialState(): State {
     playback: { base: "drive", searchMode: "percent", fraction: 1, playing: false, speed: 1 },
     layers: {
       slots: true, obstacles: true, safety: false, redundant: false, cost: false, heat: true, risk: true, tree: false,
-      sweep: true, path: true, car: true, ghosts: false, grid: true,
+      sweep: true, path: true, car: true, ghosts: false, difference: false, grid: true,
     },
     results: {},
     theme: "auto",

@@ -3,11 +3,10 @@ import { css, html, nothing, svg, type SVGTemplateResult, type TemplateResult } 
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { drivenAt, rowAt } from "../view/clock";
-import { distancesOf, poseAtDistance } from "../view/drive";
+import { cuspsOf, distancesOf, nearestPose, poseAtDistance } from "../view/drive";
 import { identityOf } from "../view/identity";
 import { AppElement } from "./base";
 import { plannerColour } from "./icons";
-import { nearestPose } from "./readout";
 import { drivablePlan } from "./status";
 import { focusedPlan, reverseSpans } from "./timeline";
 
@@ -22,16 +21,20 @@ const HEIGHT = 160;
 const MIN_STEP = 2.5;
 const HOVER_REACH = 1.5;
 
-/** Curvature and clearance over the way driven, marked where the pointer is on the map. */
+/** Curvature, clearance and speed over the way driven, marked where the pointer is on the map. */
 export class Charts extends AppElement {
   static override styles = [controls, css`
     :host { display: grid; grid-template-columns: 54px 1fr 96px; min-height: 0; background: var(--parkade-panel); border-left: 1px solid var(--parkade-hair); font-size: 12px; line-height: 16px; padding: 8px 0 0; }
     .plots { position: relative; min-width: 0; }
-    .plots > svg { position: absolute; inset: 0 0 20px; width: 100%; height: calc(100% - 20px); overflow: visible; cursor: crosshair; }
+    .all { position: absolute; inset: 0 0 20px; width: 100%; height: calc(100% - 20px); overflow: visible; cursor: crosshair; }
     path, line { fill: none; vector-effect: non-scaling-stroke; }
     .limit { stroke: var(--parkade-t3); stroke-dasharray: 4 3; }
     .zero { stroke: var(--parkade-hair2); }
     .line { stroke-width: 1.5; stroke-linejoin: round; }
+    .band { fill: var(--parkade-t1); opacity: .05; }
+    .cusp { stroke: var(--parkade-t1); }
+    .dot { position: absolute; width: 9px; height: 9px; margin: -4.5px 0 0 -4.5px; border: 2px solid; border-radius: 50%; background: var(--parkade-panel); pointer-events: none; }
+    .diamond { position: absolute; top: -5px; width: 10px; height: 10px; margin-left: -5px; overflow: visible; } .diamond path { fill: #fff; stroke: #1b1d20; stroke-width: 1.25; }
     .cursor { stroke: var(--parkade-t1); stroke-dasharray: 2 3; }
     .reverse { stroke: var(--parkade-t1); stroke-width: 3; stroke-dasharray: 0.1 5; stroke-linecap: round; }
     .axis { position: absolute; left: 0; right: 0; bottom: 0; height: 18px; color: var(--parkade-t2); }
@@ -59,12 +62,14 @@ export class Charts extends AppElement {
     return html`
       <div class="left" aria-hidden="true">${plots.map((plot) => [plot.high, plot.low].map((value) => html`
         <span .style=${percent(yOf(plot, value))}>${this.num(value, plot.quantity === "curvature" ? 3 : 1)}</span>`))}</div>
-      <div class="plots" role="img" aria-label="${this.t("chart.label")}: ${this.t("chart.curvature")}, ${this.t("chart.clearance")}">
-        <svg viewBox="0 0 ${WIDTH} ${HEIGHT}" preserveAspectRatio="none" @pointermove=${(e: PointerEvent) => this.point(e, total)} @pointerleave=${() => this.app.store.set({ hover: null })}>
+      <div class="plots" role="img" aria-label="${this.t("chart.label")}: ${plots.map(({ quantity }) => this.t(`chart.${quantity}`)).join(", ")}">
+        <svg class="all" viewBox="0 0 ${WIDTH} ${HEIGHT}" preserveAspectRatio="none" @pointermove=${(e: PointerEvent) => this.point(e, total)} @pointerleave=${() => this.app.store.set({ hover: null })}>
           <rect width=${WIDTH} height=${HEIGHT} fill="transparent"/>
           ${drawn}
           ${at === null ? nothing : svg`<line class="cursor" x1=${(at / total) * WIDTH} x2=${(at / total) * WIDTH} y1="0" y2=${HEIGHT}/>`}
         </svg>
+        ${this.cusps(total).map((x) => html`<svg class="diamond" .style=${`left:${x * 100}%`} viewBox="0 0 10 10" aria-hidden="true"><path d="M5 0l5 5-5 5-5-5z"/></svg>`)}
+        ${at === null ? nothing : plots.map((plot) => this.dot(plot, at, total, percent))}
         <div class="axis" aria-hidden="true">${ticks(total).map((tick, i, all) => html`<span .style=${`left:${(tick / total) * 100}%`}>${this.num(tick, 0)}${i === all.length - 1 ? " m" : ""}</span>`)}</div>
       </div>
       <div class="right" aria-hidden="true">${plots.map((plot) => html`<div .style=${percent(plot.top + plot.height / 2)}>${this.t(`chart.${plot.quantity}`)}<b>${this.value(plot.quantity, at)}</b></div>`)}</div>`;
@@ -78,16 +83,16 @@ export class Charts extends AppElement {
     const lines = linesOf(this.state);
     const total = Math.max(...lines.map(({ plan }) => distancesOf(plan).at(-1) ?? 0), 0.1);
     const plots = lines.length > 0 ? plotsOf(lines) : [];
-    const content = { lines, total, plots, drawn: svg`${plots.map((plot) => this.plot(plot, lines, total))}${this.reverse(total)}` };
+    const content = { lines, total, plots, drawn: svg`${this.reverse(total)}${plots.map((plot) => this.plot(plot, lines, total))}` };
     this.cached = { results, focus, hidden, content };
     return content;
   }
 
   private plot(plot: Plot, lines: readonly Line[], total: number): SVGTemplateResult {
-    const limit = lines[0]!.plan.metrics.curvatureLimit;
+    const limit = lines[0]!.plan.metrics.curvatureLimit, margin = focusedPlan(this.state)?.metrics.margin;
     const rule = (value: number, name: string): SVGTemplateResult =>
       svg`<line class=${name} x1="0" x2=${WIDTH} y1=${yOf(plot, value)} y2=${yOf(plot, value)}/>`;
-    return svg`${plot.quantity === "curvature" ? [rule(limit, "limit"), rule(-limit, "limit"), rule(0, "zero")] : rule(0, "zero")}
+    return svg`${plot.quantity === "curvature" ? [rule(limit, "limit"), rule(-limit, "limit"), rule(0, "zero")] : [rule(0, "zero"), plot.quantity === "clearance" && margin ? rule(margin, "limit") : nothing]}
       ${lines.map(({ planner, plan, drive }) => svg`<path class="line" d=${plot.quantity === "speed" ? speedPath(plot, drive, total) : pathOf(plot, plan, total)} stroke=${plannerColour(planner)} stroke-dasharray=${identityOf(planner).dash.join(" ") || "none"}/>`)}`;
   }
 
@@ -95,7 +100,15 @@ export class Charts extends AppElement {
     const plan = focusedPlan(this.state);
     if (!plan) return nothing;
     const length = distancesOf(plan).at(-1) ?? 0;
-    return svg`${reverseSpans(plan).map(([from, to]) => svg`<line class="reverse" x1=${(from * length / total) * WIDTH} x2=${(to * length / total) * WIDTH} y1=${HEIGHT} y2=${HEIGHT}/>`)}`;
+    return svg`${reverseSpans(plan).map(([from, to]) => svg`<rect class="band" x=${(from * length / total) * WIDTH} width=${((to - from) * length / total) * WIDTH} y="0" height=${HEIGHT}/>`)}
+      ${this.cusps(total).map((x) => svg`<line class="cusp" x1=${x * WIDTH} x2=${x * WIDTH} y1="0" y2=${HEIGHT}/>`)}
+      ${reverseSpans(plan).map(([from, to]) => svg`<line class="reverse" x1=${(from * length / total) * WIDTH} x2=${(to * length / total) * WIDTH} y1=${HEIGHT} y2=${HEIGHT}/>`)}`;
+  }
+
+  /** Where the focused path changes gear, as shares of the axis. */
+  private cusps(total: number): number[] {
+    const plan = focusedPlan(this.state);
+    return plan ? cuspsOf(plan).map((index) => distancesOf(plan)[index]! / total) : [];
   }
 
   /** Metres along the focused path: of the point nearest to the pointer, else of the moving car. */
@@ -108,6 +121,15 @@ export class Charts extends AppElement {
     if (index !== null) return along[index] ?? null;
     if (playback.base !== "drive") return null;
     return drivenAt(this.state, plan, this.state.results[this.state.focus], 1)?.along ?? null;
+  }
+
+  /** The focused line's value at the cursor. */
+  private dot(plot: Plot, at: number, total: number, percent: (y: number) => string): TemplateResult | typeof nothing {
+    const plan = focusedPlan(this.state), pose = plan && poseAtDistance(plan, at), drive = this.state.results[this.state.focus]?.drive;
+    if (!pose) return nothing;
+    const value = plot.quantity === "speed" ? drive?.speeds[rowAt(drive.stations, at)] : pose[plot.quantity];
+    if (value === undefined || !Number.isFinite(value)) return nothing;
+    return html`<i class="dot" .style=${`left:${(at / total) * 100}%;${percent(yOf(plot, value))};border-color:${plannerColour(this.state.focus)}`}></i>`;
   }
 
   private value(quantity: Quantity, at: number | null): string {

@@ -73,17 +73,31 @@ function pathValue({ metrics, check }: Plan, column: Column, drivable: boolean):
 }
 
 function textOf(lang: Lang, result: PanelResult | undefined, column: Column, value: number | null): string {
-  if (value !== null && Number.isFinite(value)) return column === "plan" ? millis(lang, value) : number(lang, value, DIGITS[column]);
+  if (value !== null && Number.isFinite(value)) return column === "plan" ? timeText(lang, result?.samples ?? [], value) : number(lang, value, DIGITS[column]);
   if (column === "curvature" && result?.plan?.outcome === "found") return translate(lang, "table.corner");
   return "–";
+}
+
+/** Repeats behind a benchmark; fewer are only the median. */
+export const BENCH_RUNS = 25;
+
+/** A benchmark shows its middle half beside the median. */
+function timeText(lang: Lang, samples: readonly number[], value: number): string {
+  const text = millis(lang, value), spread = samples.length >= BENCH_RUNS ? quartiles(samples) : null;
+  return spread ? `${text} [${millis(lang, spread[0])}–${millis(lang, spread[1])}]` : text;
+}
+
+export function quartiles(samples: readonly number[]): [number, number] {
+  const sorted = [...samples].sort((a, b) => a - b);
+  const at = (share: number): number => sorted[Math.round(share * (sorted.length - 1))]!;
+  return [at(0.25), at(0.75)];
 }
 
 function titleOf(lang: Lang, result: PanelResult | undefined, column: Column): string {
   const samples = result?.samples ?? [];
   if (column !== "plan" || samples.length < 4) return "";
-  const sorted = [...samples].sort((a, b) => a - b);
-  const at = (share: number): string => millis(lang, sorted[Math.round(share * (sorted.length - 1))]!);
-  return translate(lang, "tip.quartiles", { n: samples.length, low: at(0.25), high: at(0.75) });
+  const [low, high] = quartiles(samples);
+  return translate(lang, "tip.quartiles", { n: samples.length, low: millis(lang, low), high: millis(lang, high) });
 }
 
 /** The best drivable values; what reads the same is a tie. */
@@ -92,8 +106,8 @@ function markBest(rows: Row[], column: Column): void {
   if (ranked.length === 0) return;
   const values = ranked.map((row) => row.cells[column].value!);
   const best = column === "clearance" ? Math.max(...values) : Math.min(...values);
-  const text = ranked.find((row) => row.cells[column].value === best)!.cells[column].text;
-  for (const row of ranked) row.cells[column].best = row.cells[column].text === text;
+  const read = (cell: Cell): string => cell.text.split(" [")[0]!, text = read(ranked.find((row) => row.cells[column].value === best)!.cells[column]);
+  for (const row of ranked) row.cells[column].best = read(row.cells[column]) === text;
 }
 
 export type TableFormat = "markdown" | "csv" | "json";
@@ -133,6 +147,7 @@ function plain(row: Row, state: State): Record<string, unknown> {
     drivable: row.drivable,
     hash: plan?.hash ?? null,
     ...Object.fromEntries(COLUMNS.map((column) => [column, row.cells[column].value])),
+    samples: state.results[row.planner]?.samples ?? [],
     best: COLUMNS.filter((column) => row.cells[column].best),
   };
 }

@@ -4,10 +4,7 @@ import { number, translate, type MessageKey } from "../i18n/index";
 import type { Scene, State } from "../store";
 import { extras } from "../view/pieces";
 import { hasField } from "../planning/planning";
-import { distancesOf } from "../view/drive";
-
-/** Metres from the path within which its own numbers are read. */
-const NEAR = 0.8;
+import { distancesOf, nearestPose } from "../view/drive";
 
 type Entry = [label: string, value: string];
 
@@ -38,7 +35,8 @@ function rampOf(state: State, planner: PlannerId): TemplateResult | typeof nothi
       <span>${number(state.lang, low, 2)}</span><span class="ramp"></span><span>≥ ${number(state.lang, high, 2)}</span></div>`;
   }
   if (!drawn || expanded < 2) return nothing;
-  return html`<div class="pill legend" title=${translate(state.lang, "read.legend")}>
+  const tree = plan?.trace?.kind === "arcs";
+  return html`${tree ? html`<div class="pill legend tree">${translate(state.lang, "read.tree")}</div>` : nothing}<div class="pill legend" title=${translate(state.lang, "read.legend")}>
     <span>1</span><span class="ramp"></span><span>${number(state.lang, expanded, 0)}</span></div>`;
 }
 
@@ -103,14 +101,4 @@ function cellAt({ map }: Scene, x: number, y: number): { index: number } | null 
   const row = Math.floor((y - map.origin[1]) / map.resolution);
   const inside = column >= 0 && row >= 0 && column < map.width && row < map.height;
   return inside ? { index: row * map.width + column } : null;
-}
-
-/** Index of the pose nearest to a point, when one is near. */
-export function nearestPose(plan: Plan, x: number, y: number, reach = NEAR): number | null {
-  let best = -1, least = reach * reach;
-  for (let i = 0; 3 * i < plan.path.length; i++) {
-    const dx = plan.path[3 * i]! - x, dy = plan.path[3 * i + 1]! - y, square = dx * dx + dy * dy;
-    if (square < least) [best, least] = [i, square];
-  }
-  return best < 0 ? null : best;
 }

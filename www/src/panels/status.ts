@@ -40,12 +40,21 @@ function ofPlan(state: State, plan: Plan): Status {
   if (plan.outcome !== "found") {
     const key = `reason.${plan.outcome}`;
     const own = isMessage(key) ? translate(state.lang, key) : null;
-    return say(state, { name: plan.outcome }, "err", "warning", state.lang === "en" ? plan.reason ?? own : own);
+    const why = placeOf(state, plan);
+    const reason = state.lang === "en" && plan.reason ? [plan.reason, ["gap", "contact"].includes(plan.obstruction?.kind ?? "") ? "" : why ?? ""].join(" ").trim() : why ?? own;
+    return say(state, { name: plan.outcome }, "err", "warning", reason);
   }
   const { check } = plan;
   if (check.verdict === "ok") return say(state, { name: "ok" }, "ok", "check");
   if (check.verdict === "arrives-turned") return say(state, turned(state, check), "warn", "turned");
   return say(state, check.verdict === "collides" ? hits(state, check) : tight(state, check), "err", "warning");
+}
+
+/** What the mark on the map says. */
+function placeOf({ lang }: State, { obstruction, outcome }: Plan): string | null {
+  if (!obstruction || (obstruction.kind === "nearest" && outcome === "budget-spent")) return null;
+  const values: Values = obstruction.kind === "gap" ? { width: number(lang, obstruction.width, 2), needed: number(lang, obstruction.needed, 2) } : {};
+  return translate(lang, `why.${obstruction.kind}`, values);
 }
 
 function turned({ lang }: State, check: Check): Word {

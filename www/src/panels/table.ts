@@ -5,9 +5,8 @@ import { AppElement } from "./base";
 import { shortName } from "../view/identity";
 import { icon, marker } from "./icons";
 import { Menus } from "./menu";
-import { COLUMNS, formatTable, rowsOf, unitValues, type Column, type Row, type TableFormat } from "./metrics";
+import { BENCH_RUNS, COLUMNS, formatTable, rowsOf, unitValues, type Column, type Row, type TableFormat } from "./metrics";
 
-const BENCH_RUNS = 25;
 const SMALL: readonly Column[] = ["length", "gears", "clearance", "plan"];
 
 /** The planners' numbers side by side, the best drivable ones starred. */
@@ -97,13 +96,19 @@ export class MetricsTable extends AppElement {
 
   private footer(): TemplateResult {
     return html`<footer><span title=${this.t("table.rule")}>★ ${this.t("table.rule")}</span>
-      <span class="end">
+      <span class="end">${this.hash()}
         <button class="button" aria-expanded=${this.menus.open === "copy"} @click=${(e: Event) => this.menus.toggle("copy", e)}>
           ${icon(this.copied ? "check" : "copy", 14)}${this.t(this.copied ? "table.copied" : "table.copy")}${icon("down", 14)}</button>
         ${this.menus.open === "copy" ? html`<div class="popover">${(["markdown", "csv", "json"] as const).map((format) => html`
           <button class="item" @click=${() => this.copy(format)}>${this.t(`table.${format}`)}</button>`)}</div>` : nothing}
         <button class="button" ?disabled=${this.benching} @click=${this.bench}>${this.t(this.benching ? "table.benching" : "table.bench")}</button>
       </span></footer>`;
+  }
+
+  /** What the focused plan is known by, wherever it is made. */
+  private hash(): TemplateResult | typeof nothing {
+    const hash = this.state.results[this.state.focus]?.plan?.hash;
+    return hash ? html`<button class="button hash" title="${this.t("table.hash")} ${hash}" @click=${() => void this.app.copy(hash)}>${marker(this.state.focus, 9)}${this.t("table.hashName")} ${hash.slice(0, 8)}</button>` : nothing;
   }
 
   private copy(format: TableFormat): void {

@@ -25,7 +25,7 @@ const MODES: readonly { id: State["mode"]; icon: IconName }[] = [
 ];
 
 export const LAYER_ORDER: readonly LayerKey[] = [
-  "path", "car", "sweep", "ghosts", "heat", "tree", "risk", "cost", "safety", "redundant", "obstacles", "slots", "grid",
+  "path", "car", "sweep", "ghosts", "difference", "heat", "tree", "risk", "cost", "safety", "redundant", "obstacles", "slots", "grid",
 ];
 
 type MenuName = "planners" | "layers" | "export" | "more";

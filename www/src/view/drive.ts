@@ -92,3 +92,16 @@ export function cuspsOf(plan: Plan): number[] {
   for (let i = 1; i < sense.length; i++) if (sense[i] !== sense[i - 1]) cusps.push(i);
   return cusps;
 }
+
+/** Metres from the path within which its own numbers are read. */
+const NEAR = 0.8;
+
+/** Index of the pose nearest to a point, when one is near. */
+export function nearestPose(plan: Plan, x: number, y: number, reach = NEAR): number | null {
+  let best = -1, least = reach * reach;
+  for (let i = 0; 3 * i < plan.path.length; i++) {
+    const dx = plan.path[3 * i]! - x, dy = plan.path[3 * i + 1]! - y, square = dx * dx + dy * dy;
+    if (square < least) [best, least] = [i, square];
+  }
+  return best < 0 ? null : best;
+}

@@ -1,8 +1,10 @@
 /** The layers that the first picture does without. */
 export { costRange, drawCost } from "./layers/cost";
+export { drawDifference } from "./layers/difference";
 export { drawDraft } from "./layers/draft";
 export { drawExplained } from "./layers/explained";
 export { drawOthers } from "./layers/ghosts";
 export { drawLanes } from "./layers/lanes";
 export { drawContact, drawMoving } from "./layers/moving";
+export { drawObstruction } from "./layers/obstruction";
 export { TreeLayer } from "./layers/tree";

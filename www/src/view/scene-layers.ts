@@ -67,11 +67,13 @@ export class SceneLayers {
     if (layers.ghosts) extras()?.drawOthers(frame);
     if (one && !frame.overlay && layers.path && done) drawCollisions(frame, one);
     if (layers.car) drawStartAndGoal(frame);
+    if (layers.difference && done) for (const shown of frame.shown) extras()?.drawDifference(frame, shown);
     if (layers.path) for (const shown of inOrder(frame)) drawPath(frame, shown, strength(frame, shown) * standing(frame, shown));
     if (layers.car) drawReferences(frame);
     if (layers.car && one) drawDrivingCar(frame, one, strength(frame, one));
     if (one && scene.moving?.length) extras()?.drawContact(frame, one);
     if (frame.overlay && layers.path && done) for (const shown of frame.shown) drawFirstHit(frame, shown);
+    for (const shown of frame.shown) if (shown.result?.plan?.obstruction) extras()?.drawObstruction(frame, shown);
     if (one && layers.path) drawCusps(frame, one, strength(frame, one));
   }
 }

@@ -217,7 +217,7 @@ function drawAisle(frame: Frame, from: Point, to: Point, aisle: Aisle): void {
   }
   ctx.stroke();
   const text = `${word(state, "aisle")} ${fixed(aisle.width, 2)} m${short ? ` · ${word(state, "free")} ${fixed(aisle.free, 2)} m` : ""}`;
-  drawPill(frame, text, (a[0] + b[0]) / 2 + 10, (a[1] + b[1]) / 2 - PILL_HEIGHT / 2);
+  drawPill(frame, text, a[0] + (b[0] - a[0]) * 0.75 + 10, a[1] + (b[1] - a[1]) * 0.75 - PILL_HEIGHT / 2);
 }
 
 /** The side of a bay that its neighbour does not have. */

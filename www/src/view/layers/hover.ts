@@ -1,6 +1,7 @@
 /** The shared crosshair; out of the way while something is dragged. */
-import { inPixels, toScreen, type Frame } from "../frame";
-import { fade } from "../tokens";
+import { nearestPose, poseAt } from "../drive";
+import { inPixels, leading, toScreen, type Frame } from "../frame";
+import { fade, plannerStyle } from "../tokens";
 
 export function drawHover(frame: Frame): void {
   const { hover, transient } = frame.state;
@@ -19,4 +20,19 @@ export function drawHover(frame: Frame): void {
   ctx.lineTo(view.width, y);
   ctx.stroke();
   ctx.setLineDash([]);
+  drawMark(frame, hover);
+}
+
+/** A ring on the focused path where the pointer, here or on a chart, is near it. */
+function drawMark(frame: Frame, hover: { x: number; y: number }): void {
+  const one = leading(frame), near = one?.plan ? nearestPose(one.plan, hover.x, hover.y) : null;
+  if (!one?.plan || near === null) return;
+  const { ctx, tokens } = frame, { x, y } = poseAt(one.plan, near);
+  ctx.beginPath();
+  ctx.arc(...toScreen(frame, [x, y]), 5.5, 0, 2 * Math.PI);
+  ctx.fillStyle = tokens.colour.floor;
+  ctx.fill();
+  ctx.lineWidth = 2.5;
+  ctx.strokeStyle = plannerStyle(tokens, one.planner).colour;
+  ctx.stroke();
 }

@@ -1,41 +1,88 @@
-/** The arcs of the hybrid search, in order of expansion. */
-import type { Plan } from "parkade";
-import { inMetres, pixels, type Frame, type Shown } from "../frame";
+/** The hybrid search: its arcs in order of expansion, reverse ones dotted, and the connections that hit something, dashed up to a cross. */
+import type { Trace } from "parkade";
+import { inMetres, inPixels, pixels, toScreen, type Frame, type Shown } from "../frame";
 import { RAMP_STOPS } from "../ramp";
+import { fade } from "../tokens";
 import { expansionsShown } from "./heat";
 
 const FIELDS = 5;
+/** Connections drawn at once, evenly picked: thousands would be a carpet. */
+const MOST_SHOTS = 60;
+const CROSS_PX = 3.5;
 
-interface Built { trace: Plan["trace"]; count: number; bands: Path2D[] }
+type Arcs = Extract<Trace, { kind: "arcs" }>;
+interface Built { trace: Arcs; count: number; forward: Path2D[]; reverse: Path2D[]; shots: Path2D; hits: number[] }
 
 export class TreeLayer {
   private built: Built | null = null;
 
   draw(frame: Frame, { plan }: Shown): void {
     if (plan?.trace?.kind !== "arcs") return;
-    const { ctx } = frame;
-    const bands = this.bands(plan.trace, expansionsShown(frame.state, plan));
+    const { ctx, tokens: { colour } } = frame;
+    const { forward, reverse, shots, hits } = this.build(plan.trace, expansionsShown(frame.state, plan));
     ctx.save();
     inMetres(frame);
     ctx.lineWidth = pixels(frame, 1.1);
     ctx.globalAlpha = 0.6;
-    bands.forEach((band, i) => {
-      ctx.strokeStyle = RAMP_STOPS[i]!;
-      ctx.stroke(band);
-    });
+    strokeBands(frame, forward);
+    ctx.lineCap = "round";
+    ctx.lineWidth = pixels(frame, 1.5);
+    ctx.setLineDash([0.01, pixels(frame, 3.2)]);
+    strokeBands(frame, reverse);
+    ctx.lineCap = "butt";
+    ctx.globalAlpha = 1;
+    ctx.setLineDash([pixels(frame, 5), pixels(frame, 3.5)]);
+    ctx.lineWidth = pixels(frame, 1);
+    ctx.strokeStyle = fade(colour.err, 0.55);
+    ctx.stroke(shots);
+    ctx.setLineDash([]);
+    inPixels(frame);
+    ctx.lineWidth = 1.5;
+    ctx.strokeStyle = colour.err;
+    ctx.beginPath();
+    for (let i = 0; i < hits.length; i += 2) {
+      const [x, y] = toScreen(frame, [hits[i]!, hits[i + 1]!]);
+      ctx.moveTo(x - CROSS_PX, y - CROSS_PX);
+      ctx.lineTo(x + CROSS_PX, y + CROSS_PX);
+      ctx.moveTo(x - CROSS_PX, y + CROSS_PX);
+      ctx.lineTo(x + CROSS_PX, y - CROSS_PX);
+    }
+    ctx.stroke();
     ctx.restore();
   }
 
-  /** One path per stop of the ramp: thousands of arcs in ten strokes. */
-  private bands(trace: { kind: "arcs"; arcs: Float64Array }, count: number): Path2D[] {
+  /** One path per stop of the ramp and gear: thousands of arcs in twenty strokes. */
+  private build(trace: Arcs, count: number): Built {
     const known = this.built;
-    if (known?.trace === trace && known.count === count) return known.bands;
+    if (known?.trace === trace && known.count === count) return known;
     const { arcs } = trace, total = Math.max(1, arcs.length / FIELDS);
-    const bands = RAMP_STOPS.map(() => new Path2D());
-    for (let i = 0; i < count; i++) addArc(bands[Math.floor((i * bands.length) / total)]!, arcs.subarray(i * FIELDS, i * FIELDS + FIELDS));
-    this.built = { trace: trace as Plan["trace"], count, bands };
-    return bands;
+    const forward = RAMP_STOPS.map(() => new Path2D()), reverse = RAMP_STOPS.map(() => new Path2D());
+    for (let i = 0; i < count; i++) {
+      const arc = arcs.subarray(i * FIELDS, i * FIELDS + FIELDS);
+      addArc((arc[4]! < 0 ? reverse : forward)[Math.floor((i * RAMP_STOPS.length) / total)]!, arc);
+    }
+    this.built = { trace, count, forward, reverse, ...shotsUpTo(trace, count) };
+    return this.built;
   }
+}
+
+function strokeBands({ ctx }: Frame, bands: readonly Path2D[]): void {
+  bands.forEach((band, i) => {
+    ctx.strokeStyle = RAMP_STOPS[i]!;
+    ctx.stroke(band);
+  });
+}
+
+/** The failed connections tried within the first `count` expansions, and where each hit. */
+function shotsUpTo({ shots }: Arcs, count: number): Pick<Built, "shots" | "hits"> {
+  const path = new Path2D(), hits: number[] = [];
+  const tried = shots.expansions.filter((before) => before <= count).length, step = Math.max(1, tried / MOST_SHOTS);
+  for (let k = tried - 1; k >= 0; k -= step) {
+    const i = Math.round(k), from = shots.first[i]!, to = shots.first[i + 1] ?? shots.arcs.length / FIELDS;
+    for (let at = from; at < to; at++) addArc(path, shots.arcs.subarray(at * FIELDS, at * FIELDS + FIELDS));
+    hits.push(shots.hits[3 * i]!, shots.hits[3 * i + 1]!);
+  }
+  return { shots: path, hits };
 }
 
 /** x, y, heading at its beginning, curvature, signed length as driven. */
