@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 const ORDER: [&str; 15] = [
     "error", "json", "geometry", "map", "vehicle", "scenario", "import", "search", "planners", "post",
-    "metrics", "drive", "papers", "plan", "wasm",
+    "metrics", "drive", "plan", "papers", "wasm",
 ];
 
 fn rust_files(folder: &Path, files: &mut Vec<PathBuf>) {

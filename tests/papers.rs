@@ -1,8 +1,8 @@
 //! Published tables, computed again: what is printed, what is flagged, and slices that add up.
 #![cfg(feature = "complete")]
 
-use parkade::papers::claims;
 use parkade::papers::grid::{COLUMNS, PLANNERS, ROWS, Row, WIDTH, measure, row, summary};
+use parkade::papers::{claims, road};
 use parkade::scenario::generate::{Family, occupancy};
 use serde_json::Value;
 #[cfg(target_arch = "wasm32")]
@@ -131,4 +131,41 @@ fn claims_are_judged_on_all_rows_only() {
         let generated = line.figures[0].median;
         assert!((generated / line.printed_nodes.unwrap() - 1.0).abs() < 0.15, "{} {generated}", table.row.id);
     }
+}
+
+#[test]
+fn the_road_manuscripts_printed_values_are_the_records() {
+    let file: Value = serde_json::from_str(include_str!("data/paper-tables-road.json")).unwrap();
+    for row in &road::ROWS {
+        let p = &row.printed;
+        for (name, values) in [
+            ("path_length", p.length),
+            ("turning_points", p.turns),
+            ("safety_distance", p.safety),
+            ("time", p.time),
+            ("memory", p.memory),
+            ("collisions_per_1000", p.collisions),
+        ] {
+            let record = &file["tables"][name][&row.id[..2]];
+            assert_eq!([record[0].as_f64(), record[1].as_f64()], values.map(Some), "{} {name}", row.id);
+        }
+    }
+}
+
+#[test]
+fn roads_keep_what_is_promised() {
+    for row in road::ROWS.iter().filter(|row| !row.ship) {
+        let table = road::measure(row, 1, &mut still).unwrap();
+        // Memory has a test of its own, with the bounds that are kept.
+        for promise in table.promises.iter().filter(|p| p.figure != "bytesPerCell") {
+            assert!(promise.kept, "{}: {promise:?}", row.id);
+        }
+        assert_eq!((table.lines[1].verdict, table.lines[1].fell_back), ("ok", false), "{}", row.id);
+    }
+    let ship = road::measure(road::row("S2-ship").unwrap(), 1, &mut still).unwrap();
+    assert!(ship.promises.is_empty());
+    // Half of 16 m and a margin of 9 m: the manuscript's safety distance of 17 m.
+    assert!(ship.lines[1].metrics.figures.side_clearance_min >= 9.0);
+    assert_eq!(road::row("S5").unwrap_err().path, "row");
+    assert_eq!(road::measure(&road::ROWS[0], 0, &mut still).unwrap_err().path, "rounds");
 }

@@ -4,8 +4,11 @@ use super::Body;
 use super::body::{FAR, inside, point_to_segment};
 use crate::geometry::{Point, Pose};
 
-/// Points of the body's outline are at most this far apart where it overlaps something, metres.
+/// Points of the body's outline are at most this far apart where it overlaps something, metres; farther on bodies so large
+/// that they would be more than [`POINTS`].
 const SPACING: f64 = 0.24;
+/// A car has fewer.
+const POINTS: f64 = 64.0;
 
 impl Body {
     /// Signed distance from a point to the nearest obstacle or kerb, metres, at most `most`; below zero inside an
@@ -37,16 +40,18 @@ impl Body {
     }
 
     /// Signed distance from the body's outline to the nearest obstacle or kerb, metres: exact where it overlaps nothing,
-    /// otherwise that of the deepest of points of the outline at most 0.24 m apart.
+    /// otherwise that of the deepest of points of the outline at most 0.24 m apart, of a ship's a 64th of it.
     pub fn signed_clearance(&self, pose: Pose) -> f64 {
         if self.hit(pose).is_none() {
             return self.clearance(pose);
         }
         let corners = self.outline(pose, 0.0).map(|p| p + self.origin.coords);
+        let around = 2.0 * ((corners[1] - corners[0]).norm() + (corners[2] - corners[1]).norm());
+        let spacing = SPACING.max(around / POINTS);
         let mut deepest = -1e-9_f64;
         for (i, &a) in corners.iter().enumerate() {
             let way = corners[(i + 1) % 4] - a;
-            let parts = (way.norm() / SPACING).ceil().max(1.0);
+            let parts = (way.norm() / spacing).ceil().max(1.0);
             for k in 0..parts as u32 {
                 deepest = deepest.min(self.point_clearance(a + way * (f64::from(k) / parts), FAR));
             }

@@ -158,6 +158,16 @@ pub fn scenario(id: &str) -> Result<Scenario, Error> {
     Ok(scene)
 }
 
+/// A road scene ten times as large, with the road manuscript's ship; listed nowhere.
+///
+/// # Errors
+/// [`ErrorCode::UnknownScenario`] for other ids than those of road scenes.
+#[cfg(feature = "complete")]
+pub fn ship_scenario(id: &str) -> Result<Scenario, Error> {
+    super::road_scenes::ship(id)
+        .ok_or_else(|| Error::new(ErrorCode::UnknownScenario, "", format!("no road scene \"{id}\"")))
+}
+
 fn build(id: &str) -> Option<Scenario> {
     if let Some(row) = paper_row(id) {
         return Some(row);

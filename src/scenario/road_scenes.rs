@@ -21,6 +21,8 @@ pub(super) const SCENES: [Info; 4] = [
 /// How far a road goes on before the start and beyond the goal, metres; ten cells.
 const RUN_OUT: f64 = 5.0;
 const RESOLUTION: f64 = 0.5;
+/// The manuscript's ship has cells of 5 m.
+const SHIP_SCALE: f64 = 10.0;
 
 pub(super) fn build(id: &str) -> Option<Scenario> {
     match id {
@@ -32,10 +34,47 @@ pub(super) fn build(id: &str) -> Option<Scenario> {
     }
 }
 
+/// Ten times a scene, with the manuscript's ship on it.
+pub(super) fn ship(id: &str) -> Option<Scenario> {
+    let mut scene = build(id)?;
+    let scale = |value: f64| value * SHIP_SCALE;
+    let point = |p: [f64; 2]| p.map(scale);
+    let (car, ship) = (Vehicle::SEDAN, Vehicle::SHIP);
+    let pose = |pose: Pose| {
+        let middle = pose.advance(0.0, car.middle());
+        Pose::new(scale(middle.x), scale(middle.y), pose.heading).advance(0.0, -ship.middle())
+    };
+    scene.name = Some(format!("{id}-ship"));
+    scene.map.origin = point(scene.map.origin);
+    scene.map.resolution = scale(scene.map.resolution);
+    scene.map.boundary = scene.map.boundary.map(|outline| outline.into_iter().map(point).collect());
+    for obstacle in &mut scene.obstacles {
+        if let Obstacle::Rectangle { center, size, .. } = obstacle {
+            (*center, *size) = (point(*center), point(*size));
+        }
+    }
+    for lane in &mut scene.lanes {
+        (lane.start.x, lane.start.y) = (scale(lane.start.x), scale(lane.start.y));
+        lane.width = scale(lane.width);
+        for piece in &mut lane.pieces {
+            (piece.length, piece.curvature) = (scale(piece.length), piece.curvature / SHIP_SCALE);
+        }
+    }
+    for limit in &mut scene.speed_limits {
+        limit.points = limit.points.iter().map(|p| point(*p)).collect();
+    }
+    scene.vehicle = VehicleSpec::Profile("ship".to_owned());
+    scene.start = pose(scene.start);
+    if let Goal::Pose(goal) = &mut scene.goal {
+        *goal = pose(*goal);
+    }
+    Some(scene)
+}
+
 /// A scene whose start and goal are places of the car's middle.
 fn scene(origin: [f64; 2], cells: [u32; 2], boundary: Vec<[f64; 2]>, start: Pose, goal: Pose) -> Scenario {
     let car = Vehicle::SEDAN;
-    let behind = (car.rear_to_back - car.rear_to_front) / 2.0;
+    let behind = -car.middle();
     let [width, height] = cells;
     Scenario {
         version: 1,

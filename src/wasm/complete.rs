@@ -9,7 +9,7 @@ use crate::error::{Error, ErrorCode};
 use crate::geometry::Point;
 use crate::import::{self, Question};
 use crate::metrics::risk;
-use crate::papers::{claims, grid};
+use crate::papers::{claims, grid, road};
 use crate::plan;
 use crate::scenario::{Obstacle, Scenario, generate, packed};
 
@@ -119,7 +119,7 @@ pub fn paper_grid(row: &str, from: f64, to: f64, clock: &js_sys::Function) -> Js
             || Error::new(ErrorCode::Input, name, format!("must be a whole number from 0, got {value}"));
         whole.then_some(value as u64).ok_or_else(rule)
     };
-    let mut clock = || clock.call0(&JsValue::NULL).ok().and_then(|v| v.as_f64()).unwrap_or(0.0);
+    let mut clock = clock_of(clock);
     let figures = seed("from", from).and_then(|from| {
         let to = seed("to", to)?;
         grid::measure(grid::row(row)?, from, to, &mut clock)
@@ -137,6 +137,26 @@ pub fn paper_grid_summary(rows: Vec<String>, figures: Vec<js_sys::Float64Array>)
     let tables: Result<Vec<_>, Error> = rows.iter().zip(&figures).map(table).collect();
     let tables = tables.map_err(|e| codec::js_error(&e))?;
     Ok(codec::write(&json!({ "tables": tables, "claims": claims(&tables) })))
+}
+
+/// The rows of the road manuscript's tables.
+#[wasm_bindgen(js_name = paperRoadRows)]
+pub fn paper_road_rows() -> JsValue {
+    codec::write(&json!(road::ROWS))
+}
+
+/// What is measured of one of them; `clock` tells milliseconds.
+#[wasm_bindgen(js_name = paperRoad)]
+pub fn paper_road(row: &str, rounds: f64, clock: &js_sys::Function) -> JsResult {
+    let mut clock = clock_of(clock);
+    // Numbers that are no whole ones from 1 are refused like 0.
+    let rounds = if rounds.fract() == 0.0 { rounds as u32 } else { 0 };
+    let table = road::row(row).and_then(|row| road::measure(row, rounds, &mut clock));
+    table.map(|table| codec::write(&table)).map_err(|e| codec::js_error(&e))
+}
+
+fn clock_of(clock: &js_sys::Function) -> impl FnMut() -> f64 {
+    || clock.call0(&JsValue::NULL).ok().and_then(|v| v.as_f64()).unwrap_or(0.0)
 }
 
 fn question(question: &Question) -> Value {

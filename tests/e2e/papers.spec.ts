@@ -61,3 +61,30 @@ test("the range can be chosen and extended, and measuring can be cancelled", asy
   await page.getByRole("button", { name: "Paper tables" }).click();
   await expect(dialog(page).locator("h3").first()).toBeVisible();
 });
+
+test("the road manuscript's tables stand beside ours, with percentages and what cannot be", async ({ page }) => {
+  test.setTimeout(180_000);
+  const complaints = complaintsOf(page);
+  await open(page);
+  await page.keyboard.press("y");
+  const tab = dialog(page).getByRole("tab", { name: "Grid" });
+  await tab.press("ArrowRight");
+  await expect(dialog(page).getByRole("tab", { name: "Road" })).toBeFocused();
+  await expect(dialog(page).getByRole("progressbar")).toBeVisible();
+  await dialog(page).getByRole("button", { name: "Cancel" }).click();
+  await expect(dialog(page).getByRole("alert")).toContainText("Cancelled.");
+  await dialog(page).getByRole("button", { name: "Measure" }).click();
+  await expect(dialog(page).getByRole("button", { name: "Measure" })).toBeVisible({ timeout: 150_000 });
+  await expect(dialog(page).locator("h3")).toHaveText([/^S1/, /^S2/, /^S3/, /^S4/, /^S1.*ship/, /^S2.*ship/, /^S3.*ship/, /^S4.*ship/, /cannot be/]);
+  const turns = dialog(page).locator("table").nth(3).getByRole("row", { name: /^Turning points/ });
+  await expect(turns.getByRole("cell")).toHaveText(["22", /^9\s*−59 %$/, "21", /^10\s*−52 %/, /^10/, /^4/]);
+  await expect(turns.getByRole("img")).toHaveAttribute("aria-label", "Promised: ≤ 11 – kept");
+  await expect(dialog(page).locator("table").nth(1).getByRole("row", { name: /^Length/ })).toContainText("cannot be");
+  await expect(dialog(page).locator("table").nth(2).locator(".chip.err", { hasText: "collides" })).toHaveCount(2);
+  await expect(dialog(page).locator(".flags li")).toHaveCount(11);
+  const { violations } = await new AxeBuilder({ page }).withTags(["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"]).analyze();
+  expect(violations.map((one) => `${one.id} ${one.nodes.map((node) => node.target.join(" ")).join("; ")}`)).toEqual([]);
+  await dialog(page).getByRole("button", { name: "Copy as Markdown" }).click();
+  expect(await page.evaluate(() => navigator.clipboard.readText())).toMatch(/\| Turning points \| 22\.0 \| 9\.0 −59 % \| 21 \| 10 −52 %/);
+  expect(complaints).toEqual([]);
+});

@@ -56,6 +56,13 @@ export function paperGridSummary(measured) {
   return call(() => raw.paperGridSummary(rows, figures));
 }
 
+/** @type {typeof import("./index.js").paperRoadRows} */
+export const paperRoadRows = () => call(() => raw.paperRoadRows());
+
+/** @type {typeof import("./index.js").paperRoad} */
+export const paperRoad = ({ row, rounds = 1 }) =>
+  call(() => raw.paperRoad(text(row, "row"), rounds, () => performance.now()));
+
 /**
  * A plan's path.
  * @param {{ path: Float64Array | number[] }} plan

@@ -527,6 +527,48 @@ export function paperGrid(slice: { row: string; from: number; to: number }): Flo
 /** The papers' values beside ours, from all figures of each row; claims are judged when all rows are there. */
 export function paperGridSummary(measured: Record<string, Float64Array>): { tables: PaperTable[]; claims: PaperClaim[] };
 
+/** A scene of the road manuscript; printed values of plain and improved A*. */
+export interface RoadRow {
+  id: string;
+  /** The scene; with `ship` ten times as large, for the manuscript's ship. */
+  scene: string;
+  ship: boolean;
+  /** Metres, seconds, MB; collisions of 1000. */
+  printed: Record<"length" | "turns" | "safety" | "time" | "memory" | "collisions", [plain: number, improved: number]>;
+}
+
+export interface RoadTable {
+  row: RoadRow;
+  /** Of the map. */
+  cells: number;
+  /** Plain A* first. */
+  lines: {
+    id: "plain" | "inverse" | "exponential" | "literal" | "paper" | "paper-exponential";
+    verdict: Check["verdict"];
+    /** No curve was good enough. */
+    fellBack: boolean;
+    metrics: Required<Pick<Metrics,
+      | "cost" | "turnsRaw" | "turnsPruned" | "startMoved" | "goalMoved" | "bytes" | "middleLength" | "bodyClearanceMin" | "bodyClearanceMean"
+      | "sideClearanceMin" | "sideClearanceMean" | "curvatureVariation" | "middleCurvature" | "laneDeviationMax" | "laneDeviationMean">>;
+    risk: { trials: number; hits: number; discHits: number };
+    milliseconds: number;
+  }[];
+  /** What the second line is held to; none for ships. */
+  promises: {
+    figure: "length" | "turns" | "curvatureVariation" | "curvature" | "clearanceMean" | "clearanceLeast" | "hits" | "bytesPerCell";
+    atLeast: boolean;
+    bound: number;
+    found: number;
+    plain: number;
+    kept: boolean;
+  }[];
+}
+
+/** What `paperRoad` measures. `parkade` only, not `parkade/core`, as the next one. */
+export function paperRoadRows(): RoadRow[];
+/** Plans a scene of the road manuscript in several ways, the fastest of some rounds (1) for the time, with the risk of each. */
+export function paperRoad(options: { row: string; rounds?: number }): RoadTable;
+
 export class Planner {
   /** Checks scene and settings and prepares the map, once. Throws ParkadeError. */
   constructor(planner: PlannerId, scene: Scenario, config?: Record<string, unknown>);

@@ -2,7 +2,10 @@ import { words } from "../i18n/words";
 
 export const say = words({
   title: ["Paper tables", "论文表格"],
-  lead: ["Tables 3 and 4 of the risk-field paper and the claims of the 16-neighbour paper, measured here on seeded maps.", "在按种子生成的地图上重新测量风险场论文的表 3、表 4 与 16 邻域论文的论断。"],
+  grid: ["Grid", "栅格"],
+  gridLead: ["Tables 3 and 4 of the risk-field paper and the claims of the 16-neighbour paper, measured here on seeded maps.", "在按种子生成的地图上重新测量风险场论文的表 3、表 4 与 16 邻域论文的论断。"],
+  road: ["Road", "道路"],
+  roadLead: ["Section 4 of the road manuscript, measured here on scenes built to what it says of its own.", "按论文描述重建场景，重新测量道路论文第 4 节。"],
   close: ["Close", "关闭"],
   seeds: ["Seeds", "种子"],
   from: ["First seed", "起始种子"],
@@ -45,5 +48,5 @@ export const say = words({
   ratios: ["Ratios, map by map", "逐图比值"],
   ratio: ["Ratio", "比值"],
   over: ["{planner} over {over}, {figure}", "{planner} / {over}，{figure}"],
-  waiting: ["The first maps are being measured.", "正在测量第一批地图。"],
+  waiting: ["The first figures are being measured.", "正在测量第一批数据。"],
 });

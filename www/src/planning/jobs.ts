@@ -1,6 +1,6 @@
 /** What workers of the complete module do beside planning. */
-import type { Family, ImportOptions, Imported, PaperRow, PaperTable, PaperClaim, Scenario } from "parkade";
-import { generateScenario, importScene, init, packRuns, paperGrid, paperGridRows, paperGridSummary } from "parkade";
+import type { Family, ImportOptions, Imported, PaperRow, PaperTable, PaperClaim, RoadRow, RoadTable, Scenario } from "parkade";
+import { generateScenario, importScene, init, packRuns, paperGrid, paperGridRows, paperGridSummary, paperRoad, paperRoadRows } from "parkade";
 import type { Run } from "../scene/cells";
 import { failureOf } from "./failure";
 import type { Failure, Request } from "./protocol";
@@ -22,6 +22,8 @@ const JOBS = {
   rows: (): { rows: PaperRow[]; planners: string[]; columns: string[] } => paperGridRows(),
   paper: (slice: { row: string; from: number; to: number }): Float64Array => paperGrid(slice),
   summary: (measured: Record<string, Float64Array>): { tables: PaperTable[]; claims: PaperClaim[] } => paperGridSummary(measured),
+  roadRows: (): RoadRow[] => paperRoadRows(),
+  road: (options: { row: string }): RoadTable => paperRoad(options),
 };
 
 export type Jobs = typeof JOBS;
@@ -44,8 +46,8 @@ async function work({ id, module, name, input }: JobRequest): Promise<void> {
   try {
     await init({ wasm: module });
     const answer = (JOBS[name] as (given: unknown) => unknown)(input);
-    const cells = typeof answer === "object" && answer !== null && "cells" in answer ? (answer as Moved<unknown>).cells : [];
-    scope.postMessage({ kind: "job", id, answer }, cells.map(({ numbers }) => numbers.buffer as ArrayBuffer));
+    const { cells } = Object(answer) as Partial<Moved<unknown>>;
+    scope.postMessage({ kind: "job", id, answer }, !Array.isArray(cells) ? [] : cells.map(({ numbers }) => numbers.buffer as ArrayBuffer));
   } catch (error) {
     scope.postMessage({ kind: "job", id, error: failureOf(error) }, []);
   }

@@ -1,12 +1,12 @@
 /** Measures the papers' tables again in several workers, a few seeds at a time. */
 import type { PaperClaim, PaperRow, PaperTable } from "parkade";
+import { workersHere, type Progress } from "./crew";
 import { Helper } from "./helper";
 import type { Engine } from "./module";
 import { median } from "./planning";
 
 /** `times`: mean milliseconds per row and planner. */
 export interface Summary { tables: PaperTable[]; claims: PaperClaim[]; times: Record<string, number[]> }
-export interface Progress { done: number; of: number }
 export interface Seeds { from: number; to: number }
 
 interface Slice extends Seeds { row: PaperRow }
@@ -15,9 +15,6 @@ interface Slice extends Seeds { row: PaperRow }
 const SLICE_CELLS = 30_000;
 const SUMMARY_MS = 400;
 const CLOCK_STEP_MS = 0.1;
-
-/** At least two, for the bar to move; at most four, for the page to stay quick. */
-export const workersHere = (): number => Math.min(4, Math.max(2, navigator.hardwareConcurrency || 2));
 
 /** Figures are kept map by map: a wider range measures only what is missing. */
 export class Papers {

@@ -1,0 +1,86 @@
+import type { RoadTable } from "parkade";
+import { css, html, nothing, type TemplateResult } from "lit";
+import { workersHere, type Progress } from "../planning/crew";
+import { RoadPapers } from "../planning/papers-road";
+import { icon } from "./icons";
+import { cell, change, changeOf, FIGURES, flagOf, lineName, printedOf, promiseOf, promiseText, roadMarkdown, titleOf, type Figure } from "./papers-road-text";
+import { FLAGS, say } from "./papers-road-words";
+import { PapersTab } from "./papers-tab";
+
+/** What was measured stays while the page is open. */
+let papers: RoadPapers | null = null;
+let last: RoadTable[] | null = null;
+
+/** Section 4 of the road manuscript. */
+export class PapersRoad extends PapersTab<RoadTable[]> {
+  static override styles = [PapersTab.styles, css`
+    td small, th small { font-size: inherit; color: var(--parkade-t2); font-weight: 400; margin-left: 6px; } small:empty { display: none; }
+    .held { display: inline-flex; vertical-align: -2px; margin-left: 6px; } .held.missed { color: var(--parkade-err); } .held svg { width: 12px; height: 12px; }
+    .flags { margin: 6px 0 0; padding-left: 18px; font-size: 12.5px; line-height: 17px; color: var(--parkade-t2); } .flags li { padding: 3px 0; }
+    td .chip { margin-right: 0; }
+  `];
+
+  constructor() {
+    super();
+    this.summary = last;
+  }
+
+  leave(): void {
+    papers?.stop();
+  }
+
+  protected get running(): boolean {
+    return papers?.running ?? false;
+  }
+
+  protected override render(): TemplateResult {
+    const { lang } = this.state, { summary } = this;
+    return this.frame(this.button(), summary ? html`${summary.map((table) => this.table(table))}
+      <h3>${say(lang, "flags")}</h3><ul class="flags">${FLAGS.map((flag) => html`<li>${say(lang, flag)}</li>`)}</ul>` : nothing);
+  }
+
+  protected told({ done, of }: Progress): string {
+    return say(this.state.lang, "progress", { done, of, workers: workersHere() });
+  }
+
+  protected cancelled(done: number): string {
+    return say(this.state.lang, "cancelled", { done });
+  }
+
+  protected markdown(tables: RoadTable[]): string {
+    return roadMarkdown(this.state.lang, tables);
+  }
+
+  protected async work(): Promise<void> {
+    papers ??= new RoadPapers(await this.app.complete());
+    await papers.measure((progress, tables) => {
+      this.progress = progress;
+      if (tables.length > 0) this.summary = last = tables;
+    });
+  }
+
+  private table(table: RoadTable): TemplateResult {
+    const { lang } = this.state;
+    return html`<h3 id=${table.row.id}>${titleOf(lang, table)}</h3>
+      <div class="wide"><table><thead>
+        <tr class="over"><th></th><th class="first" colspan="2">${say(lang, "printedHead")}</th><th class="first" colspan=${table.lines.length}>${say(lang, "oursHead")}</th></tr>
+        <tr><th>${say(lang, "figure")}</th><th class="first">${say(lang, "plain")}</th><th>${say(lang, "improved")}</th>
+          ${table.lines.map((line, at) => html`<th class=${at === 0 ? "first" : ""}>${lineName(lang, line)}</th>`)}</tr></thead>
+        <tbody>${FIGURES.map((figure) => this.figure(table, figure))}
+          <tr><th scope="row">${say(lang, "verdict")}</th><td class="printed first">–</td><td class="printed">–</td>${table.lines.map((line, at) => html`
+            <td class=${at === 0 ? "first" : ""}><span class="chip ${line.verdict === "ok" ? "" : line.verdict === "collides" || line.verdict === "none" ? "err" : "warn"}">${icon(line.verdict === "ok" ? "check" : "warning", 12)}<span>${say(lang, line.verdict)}</span></span>${line.fellBack ? html` <small title=${say(lang, "fellBackTip")}>${say(lang, "fellBack")}</small>` : nothing}</td>`)}</tr></tbody></table></div>
+      ${table.lines.some(({ id, verdict }) => id === "literal" && verdict === "collides") ? html`<p class="note">${say(lang, "literalNote")}</p>` : nothing}`;
+  }
+
+  private figure(table: RoadTable, figure: Figure): TemplateResult {
+    const { lang } = this.state, printed = printedOf(table, figure), flag = flagOf(lang, table, figure), promise = promiseOf(table, figure);
+    const was = (value: number | undefined): string => (value === undefined ? "–" : this.num(value, Number.isInteger(value) ? 0 : 1));
+    const held = promise ? html`<span class="held ${promise.kept ? "" : "missed"}" role="img" title=${promiseText(lang, figure, promise)} aria-label=${promiseText(lang, figure, promise)}>${icon(promise.kept ? "check" : "close", 12)}</span>` : nothing;
+    return html`<tr><th scope="row" title=${figure.tip ? say(lang, figure.tip) : nothing}>${say(lang, figure.key)}</th>
+      <td class="printed first">${flag ? html`<span class="chip err" title=${flag}>${icon("warning", 12)}<span>${say(lang, "impossible")}</span></span> ` : nothing}${was(printed?.[0])}</td>
+      <td class="printed">${was(printed?.[1])}${printed ? html`<small>${change(lang, printed[1], printed[0])}</small>` : nothing}</td>
+      ${table.lines.map((line, at) => html`<td class=${at === 0 ? "first" : at === 1 ? "ours" : ""}>${cell(lang, figure, line, table)}${at > 0 ? html`<small>${changeOf(lang, figure, line, table)}</small>` : nothing}${at === 1 ? held : nothing}</td>`)}</tr>`;
+  }
+}
+
+customElements.define("parkade-papers-road", PapersRoad);
