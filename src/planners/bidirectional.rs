@@ -4,7 +4,7 @@
 //! goes on until nothing cheaper can exist. Estimates are the exact costs over an empty map.
 
 use super::grid_lattice::Grid;
-use super::heuristics::Heuristic;
+use super::heuristics::{Chosen, Estimate, Gauge16, Heuristic, Octile};
 use super::moves::Neighbourhood;
 use super::query::{GridReport, GridScratch, Query};
 use super::settings::Common;
@@ -78,7 +78,24 @@ pub fn plan<O: Observer<i64, ()>>(
     if let Some(report) = query.trivial() {
         return report;
     }
-    let grid = Grid::new(&query, config.neighbours, config.common.corner, Heuristic::Gauge, None);
+    match config.neighbours {
+        Neighbourhood::Eight => search(query, config, Octile, scratch, observer),
+        Neighbourhood::Sixteen | Neighbourhood::TwentyFour => search(query, config, Gauge16, scratch, observer),
+        neighbourhood => {
+            let gauge = Chosen { heuristic: Heuristic::Gauge, neighbourhood, weight: None };
+            search(query, config, gauge, scratch, observer)
+        }
+    }
+}
+
+fn search<E: Estimate, O: Observer<i64, ()>>(
+    query: Query,
+    config: &Config,
+    gauge: E,
+    scratch: &mut GridScratch,
+    observer: &mut O,
+) -> GridReport {
+    let grid = Grid::new(&query, config.neighbours, config.common.corner, gauge);
     let most = config.common.max_expansions;
     let found = both_ways(&grid, query.ends(), config.stop, most, &mut scratch.lattice, observer);
     GridReport::along(&query, &found, grid.los_calls())

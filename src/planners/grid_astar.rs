@@ -4,7 +4,7 @@
 //! whole rectangle. Without a weight and with an admissible heuristic the path is the cheapest one.
 
 use super::grid_lattice::Grid;
-use super::heuristics::{DistanceWeight, Heuristic};
+use super::heuristics::{Chosen, DistanceWeight, Estimate, Euclid, Gauge16, Heuristic, Manhattan, Octile};
 use super::moves::Neighbourhood;
 use super::query::{GridReport, GridScratch, Query};
 use super::settings::Common;
@@ -121,7 +121,29 @@ pub fn plan<O: Observer<i64, ()>>(
     }
     let (dx, dy) = (query.goal.x - query.start.x, query.goal.y - query.start.y);
     let weight = (config.weight == Weight::Distance).then(|| DistanceWeight::new(1000, dx, dy));
-    let grid = Grid::new(&query, neighbourhood, config.common.corner, config.heuristic, weight);
-    let found = one_way(&grid, query.ends(), config.common.max_expansions, &mut scratch.lattice, observer);
-    GridReport::along(&query, &found, grid.los_calls())
+    let search = Search { query, neighbourhood, common: config.common, scratch, observer };
+    match (config.heuristic, neighbourhood, weight) {
+        (Heuristic::Manhattan, _, None) => search.by(Manhattan),
+        (Heuristic::Euclid, _, None) => search.by(Euclid),
+        (Heuristic::Octile, _, None) => search.by(Octile),
+        (Heuristic::Gauge, Neighbourhood::Sixteen | Neighbourhood::TwentyFour, None) => search.by(Gauge16),
+        (heuristic, neighbourhood, weight) => search.by(Chosen { heuristic, neighbourhood, weight }),
+    }
+}
+
+struct Search<'a, O> {
+    query: Query<'a>,
+    neighbourhood: Neighbourhood,
+    common: Common,
+    scratch: &'a mut GridScratch,
+    observer: &'a mut O,
+}
+
+impl<O: Observer<i64, ()>> Search<'_, O> {
+    fn by<E: Estimate>(self, estimate: E) -> GridReport {
+        let Self { query, neighbourhood, common, scratch, observer } = self;
+        let grid = Grid::new(&query, neighbourhood, common.corner, estimate);
+        let found = one_way(&grid, query.ends(), common.max_expansions, &mut scratch.lattice, observer);
+        GridReport::along(&query, &found, grid.los_calls())
+    }
 }

@@ -2,8 +2,8 @@
 
 use std::cell::Cell as Counter;
 
-use super::heuristics::{DistanceWeight, Heuristic};
-use super::moves::{DIRECTIONS, Move, Neighbourhood, cost, legal_steps};
+use super::heuristics::Estimate;
+use super::moves::{D, DIRECTIONS, Move, Neighbourhood, R2, cost, legal_steps};
 use super::query::Query;
 use crate::map::{Cell, Corner, Occupancy, line_of_sight};
 use crate::search::NodeId;
@@ -22,32 +22,24 @@ struct Step {
     target: u64,
 }
 
-pub(super) struct Grid<'a> {
+pub(super) struct Grid<'a, E> {
     map: &'a Occupancy,
     start: Cell,
     goal: Cell,
-    neighbourhood: Neighbourhood,
+    estimate: E,
     steps: Vec<Step>,
     /// The single steps by their direction, those that there are not as well.
     single_steps: [Step; 8],
-    /// Directions of single steps that there are, as in [`Occupancy::free_around`].
-    single: u8,
-    /// Number of a single step from its direction: shift by this.
-    shift: u32,
+    /// Whether there are diagonal steps.
+    diagonals: bool,
     corner: Corner,
-    heuristic: Heuristic,
-    weight: Option<DistanceWeight>,
+    /// [`legal_steps`] by the free cells around.
+    legal: &'static [u8; 256],
     los_calls: Counter<u32>,
 }
 
-impl<'a> Grid<'a> {
-    pub(super) fn new(
-        query: &Query<'a>,
-        neighbourhood: Neighbourhood,
-        corner: Corner,
-        heuristic: Heuristic,
-        weight: Option<DistanceWeight>,
-    ) -> Self {
+impl<'a, E: Estimate> Grid<'a, E> {
+    pub(super) fn new(query: &Query<'a>, neighbourhood: Neighbourhood, corner: Corner, estimate: E) -> Self {
         let moves = neighbourhood.moves();
         let width = query.map.width() as i32;
         let step = |m: &Move| Step {
@@ -59,19 +51,16 @@ impl<'a> Grid<'a> {
             needs: crossed(m.dx, m.dy, corner),
             target: bit(m.dx, m.dy),
         };
-        let four = neighbourhood == Neighbourhood::Four;
         Self {
             map: query.map,
             start: query.start,
             goal: query.goal,
-            neighbourhood,
+            estimate,
             steps: moves.iter().map(step).collect(),
             single_steps: DIRECTIONS.map(|(dx, dy)| step(&Move { dx, dy, cost: cost(dx, dy) })),
-            single: if four { 0b0101_0101 } else { 0xff },
-            shift: u32::from(four),
+            diagonals: neighbourhood != Neighbourhood::Four,
             corner,
-            heuristic,
-            weight,
+            legal: &LEGAL[corner as usize],
             los_calls: Counter::new(0),
         }
     }
@@ -80,32 +69,32 @@ impl<'a> Grid<'a> {
         self.los_calls.get()
     }
 
+    #[inline(always)]
     fn offer<S: Sink>(&self, node: NodeId, last: Option<u32>, back: bool, sink: &mut S) {
         let cell = self.map.cell(node);
         let free = self.map.free_around(cell);
-        let legal = legal_steps(free, self.corner);
-        let mut left = self.single & free;
-        if let Some(number) = last.filter(|&number| number < 8) {
-            let direction = number << self.shift;
-            left &= unseen(free, if back { direction + 4 } else { direction }, self.shift == 0);
-        }
+        let row = self.map.width() as usize;
         // First look at all, then move: processors guess badly which steps are worth it.
-        let mut worth = 0_u32;
-        while left != 0 {
-            let direction = left.trailing_zeros() & 7;
-            left &= left - 1;
-            let step = &self.single_steps[direction as usize];
-            let better = sink.worth(node.wrapping_add_signed(step.offset), step.cost);
-            worth |= u32::from(better) << direction;
-        }
+        let mut worth = if self.diagonals {
+            let direction = last.filter(|&number| number < 8);
+            let unseen = match direction {
+                Some(direction) => UNSEEN[(if back { direction ^ 4 } else { direction }) as usize & 7][usize::from(free)],
+                None => 0xff,
+            };
+            u32::from(free & unseen) & sink.worth_around(node, row, D, R2)
+        } else {
+            let before = last.map_or(0, |number| 1 << (2 * number & 7 ^ if back { 0 } else { 4 }));
+            u32::from(free & 0b0101_0101) & !before & sink.worth_beside(node, row, D)
+        };
         let mut calls = worth.count_ones();
-        worth &= u32::from(legal);
+        worth &= u32::from(self.legal[usize::from(free)]);
         while worth != 0 {
             let direction = worth.trailing_zeros() & 7;
             worth &= worth - 1;
             let step = &self.single_steps[direction as usize];
             let h = self.ahead(cell.offset(step.dx, step.dy), back);
-            let number = if back { direction ^ 4 } else { direction } >> self.shift;
+            let number = if back { direction ^ 4 } else { direction };
+            let number = if self.diagonals { number } else { number >> 1 };
             sink.take(number, node.wrapping_add_signed(step.offset), step.cost, h);
         }
         if self.steps.len() > 8 {
@@ -136,25 +125,21 @@ impl<'a> Grid<'a> {
         calls
     }
 
-    #[inline]
-    fn estimate(&self, from: Cell, to: Cell) -> i64 {
-        self.heuristic.estimate(self.neighbourhood, to.x - from.x, to.y - from.y)
-    }
-
     /// The estimate from a cell to where the search goes.
     #[inline]
     fn ahead(&self, cell: Cell, back: bool) -> i64 {
-        if back {
-            return self.estimate(self.start, cell);
-        }
-        let h = self.estimate(cell, self.goal);
-        self.weight.map_or(h, |weight| weight.apply(h, self.goal.x - cell.x, self.goal.y - cell.y))
+        let to = if back { self.start } else { self.goal };
+        self.estimate.over(to.x - cell.x, to.y - cell.y)
     }
 }
 
-impl Lattice for Grid<'_> {
+impl<E: Estimate> Lattice for Grid<'_, E> {
     fn node_count(&self) -> usize {
         self.map.len()
+    }
+
+    fn rim(&self) -> usize {
+        self.map.width() as usize + 1
     }
 
     fn successors<S: Sink>(&self, node: NodeId, last: Option<u32>, sink: &mut S) {
@@ -182,15 +167,42 @@ impl Lattice for Grid<'_> {
     }
 }
 
-/// The single steps that may lead on from a cell whose free neighbours are `free` and which was reached in a direction:
-/// the cell before has been there at no higher cost where such a cell is also its neighbour. Without `diagonals`, that
-/// is only itself.
-fn unseen(free: u8, direction: u32, diagonals: bool) -> u8 {
+/// [`legal_steps`] by corner rule and free cells around.
+static LEGAL: [[u8; 256]; 3] =
+    [legal_by_free(Corner::Strict), legal_by_free(Corner::NoSqueeze), legal_by_free(Corner::Free)];
+
+/// [`unseen`] by the direction of the last step and the free cells around.
+static UNSEEN: [[u8; 256]; 8] = {
+    let mut table = [[0; 256]; 8];
+    let mut direction = 0;
+    while direction < 8 {
+        let mut free = 0;
+        while free < 256 {
+            table[direction][free] = unseen(free as u8, direction as u32);
+            free += 1;
+        }
+        direction += 1;
+    }
+    table
+};
+
+const fn legal_by_free(corner: Corner) -> [u8; 256] {
+    let mut table = [0; 256];
+    let mut free = 0;
+    while free < 256 {
+        table[free] = legal_steps(free as u8, corner);
+        free += 1;
+    }
+    table
+}
+
+/// The single steps that may lead on from a cell whose free neighbours are `free` and which was reached in a direction,
+/// where there are diagonals: the cell before has been there at no higher cost where such a cell is also its neighbour.
+const fn unseen(free: u8, direction: u32) -> u8 {
     let free = free.rotate_right(direction);
-    let seen = match (diagonals, direction % 2) {
-        (false, _) => 0b0001_0000,
-        (true, 0) => 0b0011_1000 | (free & 0b1000) >> 1 | (free & 0b10_0000) << 1,
-        (true, _) => 0b0011_1000,
+    let seen = match direction % 2 {
+        0 => 0b0011_1000 | (free & 0b1000) >> 1 | (free & 0b10_0000) << 1,
+        _ => 0b0011_1000,
     };
     (!seen).rotate_left(direction)
 }
@@ -238,21 +250,16 @@ mod tests {
                     continue;
                 }
                 let price = |from: Cell, to: Cell| if from.x == to.x || from.y == to.y { D } else { R2 };
-                for diagonals in [true, false] {
-                    if !diagonals && direction % 2 == 1 {
+                let out = free & !unseen(free, direction);
+                for c in (0..8).filter(|c| out >> c & 1 == 1) {
+                    let target = centre.offset(DIRECTIONS[c].0, DIRECTIONS[c].1);
+                    if target == before {
                         continue;
                     }
-                    let out = free & !unseen(free, direction, diagonals);
-                    for c in (0..8).filter(|c| out >> c & 1 == 1) {
-                        let target = centre.offset(DIRECTIONS[c].0, DIRECTIONS[c].1);
-                        if !diagonals && c % 2 == 1 || target == before {
-                            continue;
-                        }
-                        let near = (target.x - before.x).abs().max((target.y - before.y).abs()) == 1;
-                        assert!(near && diagonals, "{free:b} {direction} {c}");
-                        assert!(line_of_sight(&map, before, target, corner), "{free:b} {direction} {c}");
-                        assert!(price(before, target) <= price(before, centre) + price(centre, target));
-                    }
+                    let near = (target.x - before.x).abs().max((target.y - before.y).abs()) == 1;
+                    assert!(near, "{free:b} {direction} {c}");
+                    assert!(line_of_sight(&map, before, target, corner), "{free:b} {direction} {c}");
+                    assert!(price(before, target) <= price(before, centre) + price(centre, target));
                 }
             }
         }

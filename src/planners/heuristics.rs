@@ -49,6 +49,58 @@ impl Heuristic {
     }
 }
 
+/// An estimate chosen before a search, so that its loop has no choice to make.
+pub(super) trait Estimate {
+    /// The estimate over `dx` columns and `dy` rows.
+    fn over(&self, dx: i32, dy: i32) -> i64;
+}
+
+/// [`Heuristic::Manhattan`].
+pub(super) struct Manhattan;
+/// [`Heuristic::Euclid`].
+pub(super) struct Euclid;
+/// [`Heuristic::Octile`], which is the gauge of eight neighbours.
+pub(super) struct Octile;
+/// The gauge of 16 and of 24 neighbours.
+pub(super) struct Gauge16;
+/// Any heuristic, weighted or not.
+pub(super) struct Chosen {
+    pub(super) heuristic: Heuristic,
+    pub(super) neighbourhood: Neighbourhood,
+    pub(super) weight: Option<DistanceWeight>,
+}
+
+impl Estimate for Manhattan {
+    fn over(&self, dx: i32, dy: i32) -> i64 {
+        D * (i64::from(dx.abs()) + i64::from(dy.abs()))
+    }
+}
+
+impl Estimate for Euclid {
+    fn over(&self, dx: i32, dy: i32) -> i64 {
+        euclid(dx, dy)
+    }
+}
+
+impl Estimate for Octile {
+    fn over(&self, dx: i32, dy: i32) -> i64 {
+        octile(dx, dy)
+    }
+}
+
+impl Estimate for Gauge16 {
+    fn over(&self, dx: i32, dy: i32) -> i64 {
+        gauge(Neighbourhood::Sixteen, dx, dy)
+    }
+}
+
+impl Estimate for Chosen {
+    fn over(&self, dx: i32, dy: i32) -> i64 {
+        let h = self.heuristic.estimate(self.neighbourhood, dx, dy);
+        self.weight.map_or(h, |weight| weight.apply(h, dx, dy))
+    }
+}
+
 /// The larger and the smaller of the two absolute differences.
 fn ordered(dx: i32, dy: i32) -> (i64, i64) {
     let (x, y) = (i64::from(dx.abs()), i64::from(dy.abs()));

@@ -133,7 +133,7 @@ const fn gcd(a: u32, b: u32) -> u32 {
 
 /// Which of the eight single steps are legal where the cells of the mask `free` are free (bit c: direction c of
 /// [`DIRECTIONS`], see [`crate::map::Occupancy::free_around`]).
-pub fn legal_steps(free: u8, corner: Corner) -> u8 {
+pub const fn legal_steps(free: u8, corner: Corner) -> u8 {
     const DIAGONALS: u8 = 0b1010_1010;
     let (before, after) = (free.rotate_left(1), free.rotate_right(1));
     let sides = match corner {

@@ -30,7 +30,7 @@ pub fn both_ways<L: Lattice, O: Observer<i64, ()>>(
     let far = lattice.to_goal(start);
     let first = if stop == Stop::Optimal { (far, far) } else { (0, 0) };
     for (side, root) in memory.sides.iter_mut().zip([start, goal]) {
-        side.begin(lattice.node_count(), root, first, far);
+        side.begin(lattice, root, first, far);
     }
     let mut search = Search {
         lattice,

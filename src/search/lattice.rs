@@ -12,6 +12,11 @@ pub trait Lattice {
     /// Number of nodes.
     fn node_count(&self) -> usize;
 
+    /// How many numbers below 0 or from [`Lattice::node_count`] on its moves may name in [`Sink::worth_around`].
+    fn rim(&self) -> usize {
+        0
+    }
+
     /// Offers the legal moves out of the node to `sink`. `last` is the move that led to it, where there was one: what
     /// the node before has been offered at no higher cost need not be offered again.
     fn successors<S: Sink>(&self, node: NodeId, last: Option<u32>, sink: &mut S);
@@ -37,6 +42,11 @@ pub trait Lattice {
 pub trait Sink {
     /// Whether a move of this cost would improve what is known of `target`.
     fn worth(&self, target: NodeId, cost: i64) -> bool;
+    /// The same for steps to the eight nodes around one, where rows have `row` nodes: bit c for the c-th of E, NE, N, NW,
+    /// W, SW, S, SE. Nodes that there are not give either answer.
+    fn worth_around(&self, node: NodeId, row: usize, straight: i64, diagonal: i64) -> u32;
+    /// The same for steps to the east, north, west and south: bits 0, 2, 4 and 6.
+    fn worth_beside(&self, node: NodeId, row: usize, straight: i64) -> u32;
     /// Takes a move for which [`Sink::worth`] has just said yes, with the estimate beyond `target`.
     fn take(&mut self, number: u32, target: NodeId, cost: i64, h: i64);
 }
@@ -85,6 +95,8 @@ const UNKNOWN: i64 = (1 << 44) - 1;
 #[derive(Debug, Default)]
 pub(super) struct Side {
     records: Vec<Record>,
+    /// Records before the first node's.
+    rim: usize,
     /// The current generation in place, 0 before the first search.
     generation: Record,
     open: Queue,
@@ -97,42 +109,53 @@ const fn cost_of(record: Record) -> i64 {
 
 impl Side {
     /// Forgets everything and puts in the root; `origin` is the least f that is worth a bucket of its own.
-    pub(super) fn begin(&mut self, nodes: usize, root: NodeId, (f, h): (i64, i64), origin: i64) {
-        if self.generation <= GENERATION || self.records.len() < nodes {
+    pub(super) fn begin<L: Lattice>(&mut self, lattice: &L, root: NodeId, (f, h): (i64, i64), origin: i64) {
+        let records = lattice.node_count() + 2 * lattice.rim();
+        if self.generation <= GENERATION || self.records.len() < records {
             self.records.clear();
-            self.records.resize(nodes, Record::MAX);
+            self.records.resize(records, Record::MAX);
             self.generation = (GENERATIONS - 1) * GENERATION;
         }
+        self.rim = lattice.rim();
         self.generation -= GENERATION;
         self.open.reset(origin);
-        self.records[root as usize] = self.generation | OPEN | Record::from(ROOT);
+        *self.record_mut(root) = self.generation | OPEN | Record::from(ROOT);
         self.open.push(f, h, root);
         self.generated = 1;
+    }
+
+    fn record(&self, node: NodeId) -> Record {
+        self.records[node as usize + self.rim]
+    }
+
+    fn record_mut(&mut self, node: NodeId) -> &mut Record {
+        &mut self.records[node as usize + self.rim]
     }
 
     /// The node's cost, where this side has reached it.
     #[cfg(feature = "complete")]
     pub(super) fn known(&self, node: NodeId) -> Option<i64> {
-        let record = self.records[node as usize];
+        let record = self.record(node);
         let cost = cost_of(record);
         (record < self.generation + GENERATION && cost != UNKNOWN).then_some(cost)
     }
 
     /// The number of the move that led to the node, which this side must have reached; none at the root.
     pub(super) fn last(&self, node: NodeId) -> Option<u32> {
-        let number = (self.records[node as usize] & 63) as u32;
+        let number = (self.record(node) & 63) as u32;
         (number != ROOT).then_some(number)
     }
 
     pub(super) fn is_closed(&self, node: NodeId) -> bool {
-        self.records[node as usize] < self.generation | OPEN
+        self.record(node) < self.generation | OPEN
     }
 
     /// Takes the node out of the search, whether this side has reached it or not.
     pub(super) fn close(&mut self, node: NodeId) {
-        let record = &mut self.records[node as usize];
-        *record = if *record >= self.generation + GENERATION {
-            self.generation | (UNKNOWN as Record) << 6
+        let generation = self.generation;
+        let record = self.record_mut(node);
+        *record = if *record >= generation + GENERATION {
+            generation | (UNKNOWN as Record) << 6
         } else {
             *record & !OPEN
         };
@@ -180,15 +203,45 @@ impl<'a, O, N> Relaxing<'a, O, N> {
 
 impl<O: Observer<i64, ()>, N: FnMut(NodeId, i64)> Sink for Relaxing<'_, O, N> {
     fn worth(&self, target: NodeId, cost: i64) -> bool {
-        self.base + ((cost as Record) << 6) < self.side.records[target as usize]
+        self.base + ((cost as Record) << 6) < self.side.record(target)
+    }
+
+    #[inline(always)]
+    fn worth_around(&self, node: NodeId, row: usize, straight: i64, diagonal: i64) -> u32 {
+        let (straight, diagonal) =
+            (self.base + ((straight as Record) << 6), self.base + ((diagonal as Record) << 6));
+        let at = node as usize + self.side.rim;
+        let three = |middle: usize| <&[Record; 3]>::try_from(&self.side.records[middle - 1..middle + 2]).unwrap();
+        let (south, here, north) = (three(at - row), three(at), three(at + row));
+        u32::from(straight < here[2])
+            | u32::from(diagonal < north[2]) << 1
+            | u32::from(straight < north[1]) << 2
+            | u32::from(diagonal < north[0]) << 3
+            | u32::from(straight < here[0]) << 4
+            | u32::from(diagonal < south[0]) << 5
+            | u32::from(straight < south[1]) << 6
+            | u32::from(diagonal < south[2]) << 7
+    }
+
+    #[inline(always)]
+    fn worth_beside(&self, node: NodeId, row: usize, straight: i64) -> u32 {
+        let straight = self.base + ((straight as Record) << 6);
+        let at = node as usize + self.side.rim;
+        let records = &self.side.records;
+        u32::from(straight < records[at + 1])
+            | u32::from(straight < records[at + row]) << 2
+            | u32::from(straight < records[at - 1]) << 4
+            | u32::from(straight < records[at - row]) << 6
     }
 
     fn take(&mut self, number: u32, target: NodeId, cost: i64, h: i64) {
         let g = self.g + cost;
         let side = &mut *self.side;
-        let record = &mut side.records[target as usize];
-        side.generated += u32::from(*record >= side.generation + GENERATION);
-        *record = side.generation | OPEN | (g as Record) << 6 | Record::from(number);
+        let generation = side.generation;
+        let record = side.record_mut(target);
+        let fresh = *record >= generation + GENERATION;
+        *record = generation | OPEN | (g as Record) << 6 | Record::from(number);
+        side.generated += u32::from(fresh);
         side.open.push(g + h, h, target);
         self.observer.relaxed(target, self.from, (), g);
         (self.note)(target, g);
@@ -205,7 +258,7 @@ pub fn one_way<L: Lattice, O: Observer<i64, ()>>(
 ) -> Found {
     let side = &mut memory.sides[0];
     let h = lattice.to_goal(start);
-    side.begin(lattice.node_count(), start, (h, h), h);
+    side.begin(lattice, start, (h, h), h);
     let mut found = Found::nothing(start);
     let mut nearest = h;
     while let Some((node, _, h)) = side.pop() {
@@ -213,7 +266,7 @@ pub fn one_way<L: Lattice, O: Observer<i64, ()>>(
             found.end = End::BudgetSpent;
             break;
         }
-        let g = cost_of(side.records[node as usize]);
+        let g = cost_of(side.record(node));
         side.close(node);
         found.expanded += 1;
         observer.expanded(node, (), g);
