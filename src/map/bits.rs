@@ -1,4 +1,4 @@
-//! A map as bits, 64 cells a word, by rows and by columns: scanning a row looks at 63 cells at once.
+//! A map as bits, 64 cells a word, by rows and by columns: scanning a row looks at up to 64 cells at once.
 
 use super::{Cell, Occupancy};
 
@@ -17,65 +17,109 @@ pub struct Bits {
 struct Lines {
     /// Words of one line.
     words: usize,
-    bits: Vec<u64>,
+    bits: Vec<Word>,
+}
+
+/// 64 cells of a line.
+#[derive(Debug, Clone, Copy)]
+struct Word {
+    blocked: u64,
+    /// Where one who comes from lower numbers stops: blocked cells, and those beside which a wall ends.
+    rising: u64,
+    /// The same for one who comes from higher numbers.
+    falling: u64,
 }
 
 impl Lines {
     fn new(lines: u32, length: u32) -> Self {
         let words = (length as usize).div_ceil(64) + 3;
-        Self { words, bits: vec![u64::MAX; words * (lines as usize + 2)] }
+        let wall = Word { blocked: u64::MAX, rising: u64::MAX, falling: u64::MAX };
+        Self { words, bits: vec![wall; words * (lines as usize + 2)] }
     }
 
+    /// Blocks or frees a cell; stops are behind then.
     fn set(&mut self, line: i32, at: i32, blocked: bool) {
         let bit = at as usize + PAD;
-        let word = &mut self.bits[(line + 1) as usize * self.words + bit / 64];
+        let word = &mut self.bits[(line + 1) as usize * self.words + bit / 64].blocked;
         *word = if blocked { *word | 1 << (bit % 64) } else { *word & !(1 << (bit % 64)) };
     }
 
-    fn line(&self, line: i32) -> &[u64] {
-        let start = (line + 1) as usize * self.words;
-        &self.bits[start..start + self.words]
+    /// Brings the stops of all words up to date.
+    fn settle(&mut self) {
+        for index in self.words + 1..self.bits.len() - self.words - 1 {
+            self.settle_word(index);
+        }
+    }
+
+    /// Brings the stops around a cell up to date.
+    fn settle_around(&mut self, line: i32, at: i32) {
+        let (lines, bit) = ((self.bits.len() / self.words) as i32 - 2, at as usize + PAD);
+        for line in (line - 1).max(0)..=(line + 1).min(lines - 1) {
+            for word in (bit - 1) / 64..=(bit + 1) / 64 {
+                self.settle_word((line + 1) as usize * self.words + word);
+            }
+        }
+    }
+
+    fn settle_word(&mut self, index: usize) {
+        let here = self.bits[index].blocked;
+        let (mut rising, mut falling) = (here, here);
+        for beside in [index - self.words, index + self.words] {
+            let [before, wall, after] = [beside - 1, beside, beside + 1].map(|k| self.bits[k].blocked);
+            rising |= !wall & (wall << 1 | before >> 63);
+            falling |= !wall & (wall >> 1 | after << 63);
+        }
+        self.bits[index] = Word { blocked: here, rising, falling };
     }
 
     /// Goes along a line from the free cell `at` until the goal, a forced turn or a wall.
+    #[inline]
     fn scan(&self, line: i32, at: i32, forward: bool, goal: Option<i32>) -> Scan {
-        let lines = [line, line + 1, line - 1].map(|l| self.line(l));
-        let mut from = at;
-        loop {
-            let start = (if forward { from } else { from - 63 } + PAD as i32) as usize;
-            let [here, above, below] = lines.map(|l| window(l, start));
-            let end = if forward {
-                let stops = here | (!above & above << 1) | (!below & below << 1);
-                let first = (stops & !1).trailing_zeros() as i32;
-                (first < 64).then(|| (from + first, here >> first & 1 == 1))
-            } else {
-                let stops = here | (!above & above >> 1) | (!below & below >> 1);
-                let first = (stops & !(1 << 63)).leading_zeros() as i32;
-                (first < 64).then(|| (from - first, here << first >> 63 == 1))
-            };
-            let Some((end, wall)) = end else {
-                from += if forward { 63 } else { -63 };
-                continue;
-            };
-            let passes = |goal: &i32| {
-                let (before, after) =
-                    if forward { (*goal > at, *goal < end) } else { (*goal < at, *goal > end) };
-                before && (after || (*goal == end && !wall))
-            };
-            let cells = end.abs_diff(at);
-            return match goal.filter(passes) {
-                Some(goal) => Scan { jump: Some(goal), cells },
-                None => Scan { jump: (!wall).then_some(end), cells },
-            };
+        let start = (line + 1) as usize * self.words;
+        let line = &self.bits[start..start + self.words];
+        let end = if forward { rise(line, at) } else { fall(line, at) };
+        let wall = line[end / 64].blocked >> (end % 64) & 1 == 1;
+        let end = end as i32 - PAD as i32;
+        let cells = end.abs_diff(at);
+        let passes = |goal: &i32| {
+            let (before, after) = if forward { (*goal > at, *goal < end) } else { (*goal < at, *goal > end) };
+            before && (after || (*goal == end && !wall))
+        };
+        match goal.filter(passes) {
+            Some(goal) => Scan { jump: Some(goal), cells },
+            None => Scan { jump: (!wall).then_some(end), cells },
         }
     }
 }
 
-/// 64 cells of a line, from the one at `bit` − [`PAD`] on.
-fn window(line: &[u64], bit: usize) -> u64 {
-    let (low, high, shift) = (line[bit / 64], line[bit / 64 + 1], bit % 64);
-    // Two shifts, because one by 64 is none.
-    low >> shift | high << 1 << (63 - shift)
+/// The bit of the first stop after a cell.
+#[inline]
+fn rise(line: &[Word], at: i32) -> usize {
+    let from = at as usize + PAD + 1;
+    let first = line[from / 64].rising >> (from % 64);
+    if first != 0 {
+        return from + first.trailing_zeros() as usize;
+    }
+    let mut word = from / 64 + 1;
+    while line[word].rising == 0 {
+        word += 1;
+    }
+    64 * word + line[word].rising.trailing_zeros() as usize
+}
+
+/// The bit of the first stop before a cell.
+#[inline]
+fn fall(line: &[Word], at: i32) -> usize {
+    let from = at as usize + PAD - 1;
+    let first = line[from / 64].falling << (63 - from % 64);
+    if first != 0 {
+        return from - first.leading_zeros() as usize;
+    }
+    let mut word = from / 64 - 1;
+    while line[word].falling == 0 {
+        word -= 1;
+    }
+    64 * word + 63 - line[word].falling.leading_zeros() as usize
 }
 
 /// The end of a straight jump.
@@ -94,26 +138,33 @@ impl Bits {
         let mut bits = Self { rows: Lines::new(height, width), columns: Lines::new(width, height) };
         for y in 0..height {
             for (x, _) in map.row(y).iter().enumerate().filter(|&(_, &blocked)| blocked == 0) {
-                bits.set(Cell::new(x as i32, y as i32), false);
+                bits.rows.set(y as i32, x as i32, false);
+                bits.columns.set(x as i32, y as i32, false);
             }
         }
+        bits.rows.settle();
+        bits.columns.settle();
         bits
     }
 
     /// Blocks or frees a cell, which must be on the map.
     pub fn set(&mut self, cell: Cell, blocked: bool) {
         self.rows.set(cell.y, cell.x, blocked);
+        self.rows.settle_around(cell.y, cell.x);
         self.columns.set(cell.x, cell.y, blocked);
+        self.columns.settle_around(cell.x, cell.y);
     }
 
-    /// Goes straight, east or west by `step`, from a free cell.
-    pub(crate) fn along_row(&self, from: Cell, step: i32, goal: Cell) -> Scan {
-        self.rows.scan(from.y, from.x, step > 0, (goal.y == from.y).then_some(goal.x))
+    /// Goes straight, east or west, from a free cell.
+    #[inline]
+    pub(crate) fn along_row(&self, from: Cell, east: bool, goal: Cell) -> Scan {
+        self.rows.scan(from.y, from.x, east, (goal.y == from.y).then_some(goal.x))
     }
 
-    /// Goes straight, north or south by `step`, from a free cell.
-    pub(crate) fn along_column(&self, from: Cell, step: i32, goal: Cell) -> Scan {
-        self.columns.scan(from.x, from.y, step > 0, (goal.x == from.x).then_some(goal.y))
+    /// Goes straight, north or south, from a free cell.
+    #[inline]
+    pub(crate) fn along_column(&self, from: Cell, north: bool, goal: Cell) -> Scan {
+        self.columns.scan(from.x, from.y, north, (goal.x == from.x).then_some(goal.y))
     }
 }
 
@@ -151,7 +202,12 @@ mod tests {
             for _ in 0..map.len() as u32 * (round % 5) / 40 {
                 map.set(map.cell(random(map.len() as u32)), true);
             }
-            let bits = Bits::new(&map);
+            let mut bits = Bits::new(&map);
+            for _ in 0..random(100) {
+                let cell = map.cell(random(map.len() as u32));
+                map.set(cell, random(2) == 0);
+                bits.set(cell, map.blocked(cell));
+            }
             for _ in 0..500 {
                 let (from, goal) = (map.cell(random(map.len() as u32)), map.cell(random(map.len() as u32)));
                 if map.blocked(from) {
@@ -159,9 +215,10 @@ mod tests {
                 }
                 for goal in [goal, Cell::new(from.x, goal.y), Cell::new(goal.x, from.y)] {
                     for step in [1, -1] {
-                        let row = bits.along_row(from, step, goal).jump.map(|x| Cell::new(x, from.y));
+                        let row = bits.along_row(from, step > 0, goal).jump.map(|x| Cell::new(x, from.y));
                         assert_eq!(row, plain(&map, from, (step, 0), goal));
-                        let column = bits.along_column(from, step, goal).jump.map(|y| Cell::new(from.x, y));
+                        let column =
+                            bits.along_column(from, step > 0, goal).jump.map(|y| Cell::new(from.x, y));
                         assert_eq!(column, plain(&map, from, (0, step), goal));
                     }
                 }

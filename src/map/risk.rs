@@ -52,7 +52,14 @@ pub struct PotentialField<'a> {
     goal: Cell,
     settings: FieldSettings,
     sources: Vec<Source>,
+    /// Where the nearest repel and none is out of sight of [`Occupancy::window`]: its bits at each distance, nearest first.
+    rings: Vec<u64>,
+    /// The forces by those bits.
+    forces: Vec<(f64, f64)>,
 }
+
+/// How far [`Occupancy::window`] reaches.
+const SIGHT: i32 = 3;
 
 /// What a blocked cell at this offset does.
 #[derive(Debug, Clone, Copy)]
@@ -69,7 +76,21 @@ impl<'a> PotentialField<'a> {
         if settings.obstacle_set != ObstacleSet::Sum {
             sources = math::sorted_by(&sources, |s| f64::from(s.squared));
         }
-        Self { map, goal, settings, sources }
+        let (mut rings, mut forces) = (Vec::new(), Vec::new());
+        if settings.obstacle_set == ObstacleSet::NearestMean && settings.rho0 <= f64::from(SIGHT) {
+            forces = vec![(0.0, 0.0); 64];
+            let mut last = 0;
+            for source in &sources {
+                let bit = 8 * (source.offset.1 + SIGHT) + source.offset.0 + SIGHT;
+                if source.squared > last {
+                    last = source.squared;
+                    rings.push(0);
+                }
+                *rings.last_mut().expect("one has just been made") |= 1 << bit;
+                forces[bit as usize] = source.force;
+            }
+        }
+        Self { map, goal, settings, sources, rings, forces }
     }
 
     /// The force at a cell, east and north. Zero at the goal away from obstacles.
@@ -104,6 +125,12 @@ impl<'a> PotentialField<'a> {
 
     /// The obstacles' push at a cell, east and north.
     pub fn repulsion(&self, at: Cell) -> (f64, f64) {
+        let (width, height) = (self.map.width() as i32, self.map.height() as i32);
+        // What is outside is blocked there, but does not repel.
+        let inner = |x: i32, size: i32| x >= SIGHT && x + SIGHT < size;
+        if !self.rings.is_empty() && inner(at.x, width) && inner(at.y, height) {
+            return self.nearest(self.map.window(at));
+        }
         let (mut x, mut y, mut count, mut nearest) = (0.0, 0.0, 0_u32, i32::MAX);
         for source in &self.sources {
             if source.squared > nearest {
@@ -126,6 +153,24 @@ impl<'a> PotentialField<'a> {
         } else {
             (x, y)
         }
+    }
+}
+
+impl PotentialField<'_> {
+    /// The mean force of the nearest cells of a window; in the order of its bits, which is that of `sources`.
+    fn nearest(&self, window: u64) -> (f64, f64) {
+        let Some(mut hit) = self.rings.iter().map(|ring| window & ring).find(|&hit| hit != 0) else {
+            return (0.0, 0.0);
+        };
+        let count = f64::from(hit.count_ones());
+        let (mut x, mut y) = (0.0, 0.0);
+        while hit != 0 {
+            let force = self.forces[hit.trailing_zeros() as usize];
+            x += force.0;
+            y += force.1;
+            hit &= hit - 1;
+        }
+        (x / count, y / count)
     }
 }
 
@@ -169,6 +214,37 @@ mod tests {
         assert_eq!(force(".....\n.#.#.\n.....", ObstacleSet::NearestFirst, at), (4.0, 0.0));
         assert_eq!(force("..#..\n.#...\n.....", ObstacleSet::NearestMean, at), (2.0, -2.0));
         assert_eq!(force("..#..\n.#...\n.....", ObstacleSet::Sum, at), (4.0, -4.0));
+    }
+
+    /// In the middle of a map obstacles are found by its bits, near its border one by one: the same to the last bit.
+    #[test]
+    fn forces_do_not_depend_on_where_the_map_ends() {
+        let mut state = 5_u32;
+        let mut random = move |n: u32| {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (state >> 8) % n
+        };
+        for round in 0..300 {
+            let (mut small, mut large) = (Occupancy::new(7, 7), Occupancy::new(13, 13));
+            for _ in 0..round % 8 {
+                let cell = Cell::new(random(7) as i32, random(7) as i32);
+                if cell != Cell::new(3, 3) {
+                    small.set(cell, true);
+                    large.set(cell.offset(3, 3), true);
+                }
+            }
+            let rho0 = [1.5, 2.0, 3.0][round % 3];
+            let obstacle_set = ObstacleSet::NearestMean;
+            let settings =
+                FieldSettings { k1: 1.0, rho0, k2: 3.7, attraction: Attraction::Linear, obstacle_set };
+            let at = |map, x| {
+                PotentialField::new(map, Cell::new(9 + x, 5 + x), settings).force(Cell::new(3 + x, 3 + x))
+            };
+            let mut slow = PotentialField::new(&small, Cell::new(9, 5), settings);
+            slow.rings.clear();
+            assert_eq!(at(&large, 3), slow.force(Cell::new(3, 3)));
+            assert_eq!(at(&small, 0), slow.force(Cell::new(3, 3)));
+        }
     }
 
     #[test]

@@ -80,7 +80,9 @@ pub fn plan<O: Observer<i64, ()>>(
     }
     match config.neighbours {
         Neighbourhood::Eight => search(query, config, Octile, scratch, observer),
-        Neighbourhood::Sixteen | Neighbourhood::TwentyFour => search(query, config, Gauge16, scratch, observer),
+        Neighbourhood::Sixteen | Neighbourhood::TwentyFour => {
+            search(query, config, Gauge16, scratch, observer)
+        }
         neighbourhood => {
             let gauge = Chosen { heuristic: Heuristic::Gauge, neighbourhood, weight: None };
             search(query, config, gauge, scratch, observer)

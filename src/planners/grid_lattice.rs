@@ -3,11 +3,11 @@
 use std::cell::Cell as Counter;
 
 use super::heuristics::Estimate;
-use super::moves::{D, DIRECTIONS, Move, Neighbourhood, R2, cost, legal_steps};
+use super::moves::{D, DIRECTIONS, LEGAL, Move, Neighbourhood, R2, cost};
 use super::query::Query;
 use crate::map::{Cell, Corner, Occupancy, line_of_sight};
-use crate::search::NodeId;
 use crate::search::lattice::{Lattice, Sink};
+use crate::search::{NodeId, Short};
 
 struct Step {
     /// How much larger the target's number is.
@@ -33,7 +33,7 @@ pub(super) struct Grid<'a, E> {
     /// Whether there are diagonal steps.
     diagonals: bool,
     corner: Corner,
-    /// [`legal_steps`] by the free cells around.
+    /// The legal single steps by the free cells around.
     legal: &'static [u8; 256],
     los_calls: Counter<u32>,
 }
@@ -78,7 +78,9 @@ impl<'a, E: Estimate> Grid<'a, E> {
         let mut worth = if self.diagonals {
             let direction = last.filter(|&number| number < 8);
             let unseen = match direction {
-                Some(direction) => UNSEEN[(if back { direction ^ 4 } else { direction }) as usize & 7][usize::from(free)],
+                Some(direction) => {
+                    UNSEEN[(if back { direction ^ 4 } else { direction }) as usize & 7][usize::from(free)]
+                }
                 None => 0xff,
             };
             u32::from(free & unseen) & sink.worth_around(node, row, D, R2)
@@ -134,6 +136,8 @@ impl<'a, E: Estimate> Grid<'a, E> {
 }
 
 impl<E: Estimate> Lattice for Grid<'_, E> {
+    type Entry = Short;
+
     fn node_count(&self) -> usize {
         self.map.len()
     }
@@ -167,10 +171,6 @@ impl<E: Estimate> Lattice for Grid<'_, E> {
     }
 }
 
-/// [`legal_steps`] by corner rule and free cells around.
-static LEGAL: [[u8; 256]; 3] =
-    [legal_by_free(Corner::Strict), legal_by_free(Corner::NoSqueeze), legal_by_free(Corner::Free)];
-
 /// [`unseen`] by the direction of the last step and the free cells around.
 static UNSEEN: [[u8; 256]; 8] = {
     let mut table = [[0; 256]; 8];
@@ -185,16 +185,6 @@ static UNSEEN: [[u8; 256]; 8] = {
     }
     table
 };
-
-const fn legal_by_free(corner: Corner) -> [u8; 256] {
-    let mut table = [0; 256];
-    let mut free = 0;
-    while free < 256 {
-        table[free] = legal_steps(free as u8, corner);
-        free += 1;
-    }
-    table
-}
 
 /// The single steps that may lead on from a cell whose free neighbours are `free` and which was reached in a direction,
 /// where there are diagonals: the cell before has been there at no higher cost where such a cell is also its neighbour.

@@ -145,11 +145,14 @@ impl DistanceWeight {
     /// The weighted estimate `h` of a cell `dx` columns and `dy` rows from the goal; floor divisions, left to right.
     pub fn apply(&self, h: i64, dx: i32, dy: i32) -> i64 {
         let e = euclid(dx, dy);
-        let share = match h.checked_mul(e) {
-            Some(product) => product / self.start,
-            None => (i128::from(h) * i128::from(e) / i128::from(self.start)) as i64,
+        // Whether the product has 63 bits; asking for the overflow itself is slow in wasm.
+        let fits = h.unsigned_abs().leading_zeros() + e.leading_zeros() > 64;
+        let share = if fits {
+            h * e / self.start
+        } else {
+            (i128::from(h) * i128::from(e) / i128::from(self.start)) as i64
         };
-        h + self.permille * share / 1000
+        h + if self.permille == 1000 { share } else { self.permille * share / 1000 }
     }
 }
 

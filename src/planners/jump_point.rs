@@ -14,7 +14,8 @@ use super::settings::Common;
 use crate::error::Error;
 use crate::json;
 use crate::map::{Bits, Cell};
-use crate::search::{Domain, Finish, Limits, NodeId, Observer, Relax, Visit, best_first};
+use crate::search::lattice::{Lattice, Sink, one_way};
+use crate::search::{NodeId, Observer, Short};
 
 /// Settings of jump point search. Corners are strict.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -54,9 +55,6 @@ impl Config {
     }
 }
 
-/// The direction in which a node was reached, as in [`DIRECTIONS`]; at the start this one.
-const START: u8 = 8;
-
 struct Jumps<'a> {
     query: Query<'a>,
     bits: &'a Bits,
@@ -65,82 +63,96 @@ struct Jumps<'a> {
 }
 
 impl Jumps<'_> {
-    /// The straight jump from a cell: the number of steps, if it gets anywhere.
-    fn straight(&self, from: Cell, direction: u8) -> Option<(Cell, i64)> {
-        let (dx, dy) = DIRECTIONS[direction as usize];
+    /// The straight jump from a cell: where it gets and the number of steps, if it gets anywhere.
+    #[inline(always)]
+    fn straight(&self, from: Cell, direction: u32) -> Option<(Cell, i64)> {
         let goal = self.query.goal;
-        let (scan, to) = if dy == 0 {
-            let scan = self.bits.along_row(from, dx, goal);
+        let forward = direction < 4;
+        let (scan, to) = if direction.is_multiple_of(4) {
+            let scan = self.bits.along_row(from, forward, goal);
             (scan, scan.jump.map(|x| Cell::new(x, from.y)))
         } else {
-            let scan = self.bits.along_column(from, dy, goal);
+            let scan = self.bits.along_column(from, forward, goal);
             (scan, scan.jump.map(|y| Cell::new(from.x, y)))
         };
         self.scanned.set(self.scanned.get() + scan.cells);
         to.map(|to| (to, i64::from((to.x - from.x).abs() + (to.y - from.y).abs())))
     }
 
-    fn jump<S: Relax<i64, u8>>(&self, from: Cell, direction: u8, sink: &mut S) {
+    /// Offers a node that is reached in a direction.
+    fn emit<S: Sink>(&self, to: Cell, cost: i64, direction: u32, sink: &mut S) {
+        let node = self.query.map.index(to);
+        if sink.worth(node, cost) {
+            sink.take(direction, node, cost, self.ahead(to));
+        }
+    }
+
+    fn ahead(&self, at: Cell) -> i64 {
+        octile(self.query.goal.x - at.x, self.query.goal.y - at.y)
+    }
+
+    fn jump<S: Sink>(&self, from: Cell, direction: u32, sink: &mut S) {
         if direction.is_multiple_of(2) {
             if let Some((to, steps)) = self.straight(from, direction) {
-                sink.emit(self.query.map.index(to), steps * D, direction);
+                self.emit(to, steps * D, direction, sink);
             }
         } else {
             self.diagonal(from, direction, sink);
         }
     }
 
-    fn diagonal<S: Relax<i64, u8>>(&self, from: Cell, direction: u8, sink: &mut S) {
+    fn diagonal<S: Sink>(&self, from: Cell, direction: u32, sink: &mut S) {
         let map = self.query.map;
         let (dx, dy) = DIRECTIONS[direction as usize];
-        let sides = [(direction + 1) % 8, (direction + 7) % 8];
-        let needed = 1 << direction | 1 << sides[0] | 1 << sides[1];
+        let (left, right) = ((direction + 1) % 8, (direction + 7) % 8);
+        let needed = 1 << direction | 1 << left | 1 << right;
+        // The vertical jump first, as at an expansion.
+        let sides = if left % 4 == 2 { [left, right] } else { [right, left] };
         let (mut at, mut cost) = (from, 0);
         while map.free_around(at) & needed == needed {
             at = at.offset(dx, dy);
             cost += R2;
             self.scanned.set(self.scanned.get() + 1);
             if at == self.query.goal {
-                sink.emit(map.index(at), cost, direction);
+                self.emit(at, cost, direction, sink);
                 return;
             }
             let mut turns = false;
-            // The vertical jump first, as at an expansion.
-            let vertical = usize::from(DIRECTIONS[sides[0] as usize].0 != 0);
-            for side in [sides[vertical], sides[1 - vertical]] {
+            for side in sides {
                 if let Some((to, steps)) = self.straight(at, side) {
                     turns = true;
                     if self.prune {
-                        sink.emit(map.index(to), cost + steps * D, side);
+                        self.emit(to, cost + steps * D, side, sink);
                     } else {
                         break;
                     }
                 }
             }
             if turns && !self.prune {
-                sink.emit(map.index(at), cost, direction);
+                self.emit(at, cost, direction, sink);
                 return;
             }
         }
     }
 }
 
-impl Domain for Jumps<'_> {
-    type Cost = i64;
-    type Label = u8;
-    type Tail = ();
+impl Lattice for Jumps<'_> {
+    type Entry = Short;
+
+    /// A move's number is the direction in which the node was reached, as in [`DIRECTIONS`].
+    const JUMPS: bool = true;
 
     fn node_count(&self) -> usize {
         self.query.map.len()
     }
 
-    fn successors<S: Relax<i64, u8>>(&self, from: Visit<i64, u8>, sink: &mut S) {
-        let cell = self.query.map.cell(from.node);
-        let reached = from.label;
-        let turned = |by: u8| (reached + by) % 8;
-        if reached == START {
-            (0..8).for_each(|direction| self.jump(cell, direction, sink));
-        } else if reached % 2 == 1 {
+    fn successors<S: Sink>(&self, node: NodeId, last: Option<u32>, sink: &mut S) {
+        let cell = self.query.map.cell(node);
+        let Some(reached) = last else {
+            return (0..8).for_each(|direction| self.jump(cell, direction, sink));
+        };
+        let turned = |by: u32| (reached + by) % 8;
+        if reached % 2 == 1 {
             let (dx, _) = DIRECTIONS[turned(1) as usize];
             let (vertical, horizontal) =
                 if dx == 0 { (turned(1), turned(7)) } else { (turned(7), turned(1)) };
@@ -152,10 +164,11 @@ impl Domain for Jumps<'_> {
             self.jump(cell, reached, sink);
             // Without an obstacle behind, a turn to that side would have come earlier.
             let free = self.query.map.free_around(cell);
-            let forced = |side: &&u8| !self.prune || free >> turned(if **side == 2 { 3 } else { 5 }) & 1 == 0;
+            let forced =
+                |side: &&u32| !self.prune || free >> turned(if **side == 2 { 3 } else { 5 }) & 1 == 0;
             for side in sides.iter().filter(forced) {
                 // A diagonal jump asks for both cells beside it.
-                self.jump(cell, turned(if *side == 2 { 1 } else { 7 }), sink);
+                self.diagonal(cell, turned(if *side == 2 { 1 } else { 7 }), sink);
             }
             for side in sides.iter().filter(forced) {
                 self.jump(cell, turned(*side), sink);
@@ -163,13 +176,24 @@ impl Domain for Jumps<'_> {
         }
     }
 
-    fn heuristic(&self, node: NodeId, _: u8) -> i64 {
-        let at = self.query.map.cell(node);
-        octile(self.query.goal.x - at.x, self.query.goal.y - at.y)
+    fn predecessors<S: Sink>(&self, _: NodeId, _: Option<u32>, _: &mut S) {
+        unreachable!("jumps lead forwards");
     }
 
-    fn finish(&mut self, at: Visit<i64, u8>, _: i64) -> Option<Finish<i64, ()>> {
-        (at.node == self.query.map.index(self.query.goal)).then_some(Finish { cost: 0, tail: () })
+    fn after(&self, node: NodeId, _: u32) -> NodeId {
+        node
+    }
+
+    fn before(&self, node: NodeId, _: u32) -> NodeId {
+        node
+    }
+
+    fn to_goal(&self, node: NodeId) -> i64 {
+        self.ahead(self.query.map.cell(node))
+    }
+
+    fn to_start(&self, _: NodeId) -> i64 {
+        0
     }
 }
 
@@ -187,7 +211,7 @@ impl Domain for Jumps<'_> {
 /// let report = plan(query, &Bits::new(&map), &Config::default(), &mut GridScratch::new(), &mut ());
 /// assert_eq!(report.cost_micro, 5_000_000);
 /// ```
-pub fn plan<O: Observer<i64, u8>>(
+pub fn plan<O: Observer<i64, ()>>(
     query: Query,
     bits: &Bits,
     config: &Config,
@@ -197,13 +221,10 @@ pub fn plan<O: Observer<i64, u8>>(
     if let Some(report) = query.trivial() {
         return report;
     }
-    let prune = config.prune;
-    let mut jumps = Jumps { query, bits, prune, scanned: Counter::new(0) };
-    let limits = Limits { max_expansions: config.common.max_expansions, first: true };
-    let (start, _) = query.ends();
-    let search = best_first(&mut jumps, (start, START), limits, &mut scratch.jumps, observer);
-    let mut report = GridReport::of(&query, &search, &scratch.jumps, 0);
-    report.cost_micro = search.found.map_or(0, |found| found.1);
+    let jumps = Jumps { query, bits, prune: config.prune, scanned: Counter::new(0) };
+    let most = config.common.max_expansions;
+    let found = one_way(&jumps, query.ends(), most, &mut scratch.lattice, observer);
+    let mut report = GridReport::along(&query, &found, 0);
     report.cells = stepwise(&report.cells);
     report.cells_scanned = jumps.scanned.get();
     report

@@ -144,6 +144,20 @@ pub const fn legal_steps(free: u8, corner: Corner) -> u8 {
     free & (sides | !DIAGONALS)
 }
 
+/// [`legal_steps`] by corner rule and free cells around.
+pub(super) static LEGAL: [[u8; 256]; 3] =
+    [legal_by_free(Corner::Strict), legal_by_free(Corner::NoSqueeze), legal_by_free(Corner::Free)];
+
+const fn legal_by_free(corner: Corner) -> [u8; 256] {
+    let mut table = [0; 256];
+    let mut free = 0;
+    while free < 256 {
+        table[free] = legal_steps(free as u8, corner);
+        free += 1;
+    }
+    table
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,8 +1,10 @@
 //! What grid planners are asked and what they answer.
 
 use crate::map::{Cell, Occupancy};
-use crate::search::lattice::{Found, Memory};
-use crate::search::{Cost, End, NodeId, Report, Scratch};
+use crate::search::lattice::Found;
+use crate::search::{End, Memory, NodeId, Short, Wide};
+#[cfg(feature = "complete")]
+use crate::search::{Report, Scratch};
 
 /// A question to a grid planner.
 #[derive(Debug, Clone, Copy)]
@@ -87,12 +89,10 @@ pub struct GridReport {
 /// A grid search's memory, reused between queries.
 #[derive(Debug, Default)]
 pub struct GridScratch {
-    pub(super) cells: Scratch<i64, Cell>,
-    #[cfg(feature = "complete")]
-    pub(super) jumps: Scratch<i64, u8>,
+    pub(super) lattice: Memory<Short>,
+    pub(super) risk: Memory<Wide>,
     #[cfg(feature = "complete")]
     pub(super) lengths: Scratch<f64, Cell>,
-    pub(super) lattice: Memory,
 }
 
 impl GridScratch {
@@ -151,11 +151,12 @@ impl GridReport {
         }
     }
 
-    /// The answer of a search, still without its cost; `shot` is a goal that the last node sees without its having been opened.
-    pub(super) fn of<C: Cost, L: Copy + Default, T>(
+    /// The answer of a search by lengths, still without its cost.
+    #[cfg(feature = "complete")]
+    pub(super) fn of(
         query: &Query,
-        search: &Report<C, T>,
-        scratch: &Scratch<C, L>,
+        search: &Report<f64, ()>,
+        scratch: &Scratch<f64, Cell>,
         los_calls: u32,
     ) -> Self {
         let status = status(search.end);
@@ -163,18 +164,13 @@ impl GridReport {
             expanded: search.expanded,
             generated: search.generated,
             pushes: search.pushes,
-            deferred: search.deferred,
             los_calls,
             open_peak: search.open_peak,
             detail: (status == Status::NoPath).then_some(Detail::Unreachable),
             ..Self::empty(status, query.map.cell(search.closest.1))
         };
         if let (Status::Found, Some((last, ..))) = (status, &search.found) {
-            report.cells = scratch.chain(*last).into_iter().map(|(node, _)| query.map.cell(node)).collect();
-            if *report.cells.last().expect("a chain has its end") != query.goal {
-                report.generated += u32::from(scratch.cost(query.map.index(query.goal)).is_none());
-                report.cells.push(query.goal);
-            }
+            report.cells = scratch.chain(*last).into_iter().map(|(_, cell)| cell).collect();
         }
         report
     }
@@ -188,6 +184,7 @@ impl GridReport {
             expanded: found.expanded,
             generated: found.generated,
             pushes: found.pushes,
+            deferred: found.deferred,
             rejected: found.rejected,
             los_calls,
             open_peak: found.open_peak,

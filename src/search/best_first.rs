@@ -2,7 +2,7 @@
 
 use super::open::Kind;
 use super::table::NO_PARENT;
-use super::{Cost, Domain, End, Hold, NodeId, Observer, Relax, Scratch, Visit};
+use super::{Cost, Domain, End, NodeId, Observer, Relax, Scratch, Visit};
 
 /// When to stop short of the cheapest completion.
 #[derive(Debug, Clone, Copy)]
@@ -26,8 +26,6 @@ pub struct Report<C, T> {
     pub generated: u32,
     /// All insertions into the open list.
     pub pushes: u32,
-    /// Expansions of moves that were held back, at once or later.
-    pub deferred: u32,
     /// Largest size of the open list.
     pub open_peak: u32,
     /// The smallest heuristic value of an expanded node, and that node: how close the search came.
@@ -42,7 +40,6 @@ struct Sink<'a, D: Domain, O> {
     g: D::Cost,
     best: D::Cost,
     generated: u32,
-    improved: bool,
 }
 
 impl<D: Domain, O: Observer<D::Cost, D::Label>> Relax<D::Cost, D::Label> for Sink<'_, D, O> {
@@ -76,7 +73,6 @@ impl<D: Domain, O: Observer<D::Cost, D::Label>> Sink<'_, D, O> {
         if h >= D::Cost::MAX || g + h >= self.best {
             return;
         }
-        self.improved = true;
         self.generated += u32::from(self.scratch.improve(target, g, label, parent));
         self.observer.relaxed(target, parent, label, g);
         self.scratch.enter(D::ORDER, (g + h, h), target, Kind::Fresh);
@@ -106,7 +102,6 @@ pub fn best_first<D: Domain, O: Observer<D::Cost, D::Label>>(
         expanded: 0,
         generated: 1,
         pushes: 0,
-        deferred: 0,
         open_peak: 0,
         closest: (h, root),
     };
@@ -130,62 +125,28 @@ pub fn best_first<D: Domain, O: Observer<D::Cost, D::Label>>(
         let at = Visit { node: entry.node, label: slot.label, g: slot.g, parent };
         report.expanded += 1;
         observer.expanded(at.node, at.label, at.g);
-        if kind == Kind::Fresh {
-            if entry.h < report.closest.0 {
-                report.closest = (entry.h, at.node);
-            }
-            if let Some(finish) = domain.finish(at, best) {
-                let total = at.g + finish.cost;
-                if total < best {
-                    best = total;
-                    report.found = Some((at.node, total, finish.tail));
-                    if limits.first || total <= entry.f {
-                        report.end = End::Found;
-                        break;
-                    }
-                    scratch.open.push(D::ORDER, total, zero, at.node, Kind::Goal);
+        if entry.h < report.closest.0 {
+            report.closest = (entry.h, at.node);
+        }
+        if let Some(finish) = domain.finish(at, best) {
+            let total = at.g + finish.cost;
+            if total < best {
+                best = total;
+                report.found = Some((at.node, total, finish.tail));
+                if limits.first || total <= entry.f {
+                    report.end = End::Found;
+                    break;
                 }
+                scratch.open.push(D::ORDER, total, zero, at.node, Kind::Goal);
             }
         }
-        expand(domain, at, kind, best, scratch, observer, &mut report);
+        let mut sink = Sink { domain, scratch, observer, parent: at.node, g: at.g, best, generated: 0 };
+        domain.successors(at, &mut sink);
+        report.generated += sink.generated;
     }
     report.pushes = scratch.open.pushes();
     report.open_peak = scratch.open.peak() as u32;
     report
-}
-
-fn expand<D: Domain, O: Observer<D::Cost, D::Label>>(
-    domain: &D,
-    at: Visit<D::Cost, D::Label>,
-    kind: Kind,
-    best: D::Cost,
-    scratch: &mut Scratch<D::Cost, D::Label>,
-    observer: &mut O,
-    report: &mut Report<D::Cost, D::Tail>,
-) {
-    let mut sink =
-        Sink { domain, scratch, observer, parent: at.node, g: at.g, best, generated: 0, improved: false };
-    if kind == Kind::HeldBack {
-        report.deferred += 1;
-        domain.held_back(at, &mut sink);
-    } else {
-        domain.successors(at, &mut sink);
-        if D::HOLDS_BACK {
-            match (domain.hold(), sink.improved) {
-                (Hold::Forever, _) | (Hold::UntilStuck, true) => {}
-                (_, false) => {
-                    report.deferred += 1;
-                    domain.held_back(at, &mut sink);
-                    sink.scratch.slot_mut(at.node).stage = 2;
-                }
-                (Hold::Penalty(penalty), true) => {
-                    let h = domain.heuristic(at.node, at.label);
-                    sink.scratch.enter(D::ORDER, (at.g + h + penalty, h), at.node, Kind::HeldBack);
-                }
-            }
-        }
-    }
-    report.generated += sink.generated;
 }
 
 #[cfg(test)]

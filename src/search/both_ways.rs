@@ -3,7 +3,9 @@
 //! The backward side follows *forward* costs against their direction ([`Lattice::predecessors`]), so costs may depend
 //! on the direction of a move.
 
-use super::lattice::{Found, Lattice, Memory, Relaxing, Side};
+use super::lattice::{Found, Lattice};
+use super::queue::Entry;
+use super::side::{Memory, Relaxing, Side};
 use super::{End, NodeId, Observer};
 
 /// When a search from both ends stops.
@@ -24,7 +26,7 @@ pub fn both_ways<L: Lattice, O: Observer<i64, ()>>(
     (start, goal): (NodeId, NodeId),
     stop: Stop,
     max_expansions: u32,
-    memory: &mut Memory,
+    memory: &mut Memory<L::Entry>,
     observer: &mut O,
 ) -> Found {
     let far = lattice.to_goal(start);
@@ -41,7 +43,8 @@ pub fn both_ways<L: Lattice, O: Observer<i64, ()>>(
         last: [far; 2],
     };
     let mut turn = 0;
-    while let Some((node, f, h)) = memory.sides[turn].pop() {
+    while let Some(entry) = memory.sides[turn].pop(false) {
+        let (node, f, h) = (entry.node(), entry.f(), entry.h());
         if search.found.expanded >= max_expansions {
             search.found.end = End::BudgetSpent;
             break;
@@ -60,9 +63,9 @@ pub fn both_ways<L: Lattice, O: Observer<i64, ()>>(
     if best.0 < i64::MAX && found.end != End::BudgetSpent {
         found.end = End::Found;
         found.cost = best.0;
-        found.nodes = memory.sides[0].chain(best.1, |at, number| lattice.before(at, number));
+        found.nodes = memory.sides[0].chain(lattice, best.1, |at, number| lattice.before(at, number));
         found.nodes.reverse();
-        let back = memory.sides[1].chain(best.1, |at, number| lattice.after(at, number));
+        let back = memory.sides[1].chain(lattice, best.1, |at, number| lattice.after(at, number));
         found.nodes.extend(&back[1..]);
     }
     found.count(&memory.sides);
@@ -82,7 +85,13 @@ struct Search<'a, L, O> {
 
 impl<L: Lattice, O: Observer<i64, ()>> Search<'_, L, O> {
     /// One turn until the sides meet. Tells whether to go on.
-    fn meeting(&mut self, turn: usize, (node, h): (NodeId, i64), stop: Stop, sides: &mut [Side; 2]) -> bool {
+    fn meeting(
+        &mut self,
+        turn: usize,
+        (node, h): (NodeId, i64),
+        stop: Stop,
+        sides: &mut [Side<L::Entry>; 2],
+    ) -> bool {
         let (side, other) = pair(sides, turn);
         let g = side.known(node).unwrap_or_default();
         side.close(node);
@@ -99,7 +108,12 @@ impl<L: Lattice, O: Observer<i64, ()>> Search<'_, L, O> {
     }
 
     /// One turn of NBA*. Tells whether to go on.
-    fn bounded(&mut self, turn: usize, (node, f, h): (NodeId, i64, i64), sides: &mut [Side; 2]) -> bool {
+    fn bounded(
+        &mut self,
+        turn: usize,
+        (node, f, h): (NodeId, i64, i64),
+        sides: &mut [Side<L::Entry>; 2],
+    ) -> bool {
         let (side, other) = pair(sides, turn);
         let g = side.known(node).unwrap_or_default();
         self.last[turn] = f;
@@ -118,7 +132,7 @@ impl<L: Lattice, O: Observer<i64, ()>> Search<'_, L, O> {
         &mut self,
         turn: usize,
         (node, g, h): (NodeId, i64, i64),
-        sides: &mut [Side; 2],
+        sides: &mut [Side<L::Entry>; 2],
         connect: bool,
     ) {
         self.found.expanded += 1;
@@ -137,7 +151,7 @@ impl<L: Lattice, O: Observer<i64, ()>> Search<'_, L, O> {
             }
         };
         let last = side.last(node);
-        let mut sink = Relaxing::new(side, self.observer, (node, g), note);
+        let mut sink = Relaxing::new(lattice, side, self.observer, (node, g), note);
         if turn == 0 {
             lattice.successors(node, last, &mut sink);
         } else {
@@ -147,7 +161,7 @@ impl<L: Lattice, O: Observer<i64, ()>> Search<'_, L, O> {
 }
 
 /// The side whose turn it is and the other one.
-fn pair(sides: &mut [Side; 2], turn: usize) -> (&mut Side, &mut Side) {
+fn pair<E>(sides: &mut [Side<E>; 2], turn: usize) -> (&mut Side<E>, &mut Side<E>) {
     let [first, second] = sides;
     if turn == 0 { (first, second) } else { (second, first) }
 }
@@ -156,6 +170,7 @@ fn pair(sides: &mut [Side; 2], turn: usize) -> (&mut Side, &mut Side) {
 mod tests {
     use super::*;
     use crate::search::lattice::{Sink, one_way};
+    use crate::search::queue::Short;
 
     const SIDE: u32 = 12;
 
@@ -174,6 +189,8 @@ mod tests {
     }
 
     impl Lattice for Directed {
+        type Entry = Short;
+
         fn node_count(&self) -> usize {
             (SIDE * SIDE) as usize
         }

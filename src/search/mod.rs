@@ -7,6 +7,7 @@ pub mod lattice;
 mod observer;
 mod open;
 mod queue;
+mod side;
 mod table;
 
 pub use best_first::{Limits, Report, best_first};
@@ -14,6 +15,8 @@ pub use best_first::{Limits, Report, best_first};
 pub use both_ways::{Stop, both_ways};
 pub use observer::{Observer, Trace};
 pub use open::Order;
+pub use queue::{Entry, Short, Wide};
+pub use side::Memory;
 pub use table::Scratch;
 
 /// Index of a node. Indices are dense: the search's memory grows with the largest.
@@ -69,8 +72,6 @@ pub struct Visit<C, L> {
 }
 
 /// A graph to search, defined by its moves.
-///
-/// A domain may hold back part of a node's moves ([`Domain::HOLDS_BACK`]) until [`Domain::hold`] lets them go.
 pub trait Domain {
     /// The cost of a path.
     type Cost: Cost;
@@ -81,8 +82,6 @@ pub trait Domain {
 
     /// How equal priorities are ordered.
     const ORDER: Order = Order::Newest;
-    /// Whether [`Domain::held_back`] has anything to add.
-    const HOLDS_BACK: bool = false;
 
     /// Number of nodes known beforehand; a domain that names nodes as it meets them may emit larger ids.
     fn node_count(&self) -> usize;
@@ -97,20 +96,6 @@ pub trait Domain {
         sink: &mut S,
     );
 
-    /// Emits the moves that [`Domain::successors`] held back.
-    fn held_back<S: Relax<Self::Cost, Self::Label>>(
-        &self,
-        from: Visit<Self::Cost, Self::Label>,
-        sink: &mut S,
-    ) {
-        let _ = (from, sink);
-    }
-
-    /// When the moves that [`Domain::successors`] held back are tried.
-    fn hold(&self) -> Hold<Self::Cost> {
-        Hold::UntilStuck
-    }
-
     /// Estimate of the cost from the node to the target; [`Cost::MAX`] where the target cannot be reached.
     fn heuristic(&self, node: NodeId, label: Self::Label) -> Self::Cost;
 
@@ -120,18 +105,6 @@ pub trait Domain {
         at: Visit<Self::Cost, Self::Label>,
         bound: Self::Cost,
     ) -> Option<Finish<Self::Cost, Self::Tail>>;
-}
-
-/// When a node's held-back moves are tried.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Hold<C> {
-    /// Never.
-    Forever,
-    /// At once where the node's other moves improved nothing, else never.
-    UntilStuck,
-    /// At once where the node's other moves improved nothing, else when the node is popped a second time: its
-    /// priority is put back by this much.
-    Penalty(C),
 }
 
 /// Where a [`Domain`] emits its moves.

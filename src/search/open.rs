@@ -21,8 +21,6 @@ pub enum Order {
 pub(super) enum Kind {
     /// A node to expand.
     Fresh,
-    /// A node whose held-back moves are due.
-    HeldBack,
     /// A completed path.
     Goal,
 }
@@ -41,7 +39,6 @@ impl<C: Cost> Entry<C> {
     pub(super) fn kind(&self) -> Kind {
         match self.ticket & 3 {
             0 => Kind::Fresh,
-            1 => Kind::HeldBack,
             _ => Kind::Goal,
         }
     }

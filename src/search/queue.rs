@@ -7,15 +7,48 @@
 
 use super::NodeId;
 
-/// An entry in 16 bytes, whose costs must be below 2⁴⁸: f, then h, then the node, from the highest bit.
+/// What the open list keeps of a node: its f, then its h, then which node it is and whether its held-back moves are due.
+pub trait Entry: Copy {
+    /// The entry.
+    fn new(f: i64, h: i64, node: u32) -> Self;
+    /// The priority.
+    fn f(self) -> i64;
+    /// The estimate in it.
+    fn h(self) -> i64;
+    /// What [`Entry::open`] or [`Entry::held`] gave.
+    fn mark(self) -> u32;
+    /// Whether it comes before one that is older.
+    fn before(self, older: Self) -> bool;
+
+    /// What stands for an open node, of which there are less than 2³¹.
+    fn open(node: NodeId) -> u32 {
+        node
+    }
+    /// What stands for a node's held-back moves.
+    fn held(node: NodeId) -> u32 {
+        node | HELD
+    }
+    /// The node.
+    fn node(self) -> NodeId {
+        self.mark() & !HELD
+    }
+    /// Whether the node's held-back moves are due.
+    fn is_held(self) -> bool {
+        self.mark() & HELD != 0
+    }
+}
+
+const HELD: u32 = 1 << 31;
+
+/// An entry in 16 bytes, whose costs must be from 0 to below 2⁴⁸: f, then h, then the node, from the highest bit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Entry {
+pub struct Short {
     high: u64,
     low: u64,
 }
 
-impl Entry {
-    fn new(f: i64, h: i64, node: NodeId) -> Self {
+impl Entry for Short {
+    fn new(f: i64, h: i64, node: u32) -> Self {
         let (f, h) = (f as u64, h as u64);
         Self { high: f << 16 | h >> 32, low: h << 32 | u64::from(node) }
     }
@@ -28,26 +61,59 @@ impl Entry {
         ((self.high & 0xffff) << 32 | self.low >> 32) as i64
     }
 
-    /// Whether it comes before one that is older.
+    fn mark(self) -> u32 {
+        self.low as u32
+    }
+
     fn before(self, older: Self) -> bool {
         self.high < older.high || self.high == older.high && self.low >> 32 <= older.low >> 32
     }
 }
 
-#[derive(Debug, Default)]
-pub(super) struct Queue {
+/// An entry of any costs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Wide {
+    f: i64,
+    h: i64,
+    node: u32,
+}
+
+impl Entry for Wide {
+    fn new(f: i64, h: i64, node: u32) -> Self {
+        Self { f, h, node }
+    }
+
+    fn f(self) -> i64 {
+        self.f
+    }
+
+    fn h(self) -> i64 {
+        self.h
+    }
+
+    fn mark(self) -> u32 {
+        self.node
+    }
+
+    fn before(self, older: Self) -> bool {
+        self.f < older.f || self.f == older.f && self.h <= older.h
+    }
+}
+
+#[derive(Debug)]
+pub(super) struct Queue<E> {
     /// Entries up to the current bucket in order, the first one last.
-    stack: Vec<Entry>,
+    stack: Vec<E>,
     /// Unsorted entries of the buckets after the current one, up to the end of the next span; bucket `n` is at `n % RING`.
-    ring: Vec<Vec<Entry>>,
+    ring: Vec<Vec<E>>,
     /// A bit for each list of the ring that holds something.
     filled: [u64; WORDS],
     /// Unsorted entries of later spans, the last one without an end.
-    later: Vec<Vec<Entry>>,
+    later: Vec<Vec<E>>,
     /// Empty lists with room, the last used one last.
-    empty: Vec<Vec<Entry>>,
+    empty: Vec<Vec<E>>,
     /// Room for sorting.
-    spare: Vec<Entry>,
+    spare: Vec<E>,
     places: Vec<u32>,
     /// The current bucket, counted from `origin`.
     current: usize,
@@ -73,7 +139,27 @@ const FEW: usize = 16;
 /// How deep in the stack the place of an entry is looked for step by step.
 const NEAR: usize = 6;
 
-impl Queue {
+impl<E> Default for Queue<E> {
+    fn default() -> Self {
+        Self {
+            stack: Vec::new(),
+            ring: Vec::new(),
+            filled: [0; WORDS],
+            later: Vec::new(),
+            empty: Vec::new(),
+            spare: Vec::new(),
+            places: Vec::new(),
+            current: 0,
+            reach: 0,
+            origin: 0,
+            peak: 0,
+            pushes: 0,
+            pops: 0,
+        }
+    }
+}
+
+impl<E: Entry> Queue<E> {
     /// Empties the list; buckets count from `origin`, best the root's f.
     pub(super) fn reset(&mut self, origin: i64) {
         self.stack.clear();
@@ -99,9 +185,9 @@ impl Queue {
     }
 
     /// Adds an entry.
-    pub(super) fn push(&mut self, f: i64, h: i64, node: NodeId) {
+    pub(super) fn push(&mut self, f: i64, h: i64, node: u32) {
         self.pushes += 1;
-        let entry = Entry::new(f, h, node);
+        let entry = E::new(f, h, node);
         let bucket = self.bucket(f);
         if bucket <= self.current {
             self.insert(entry);
@@ -111,10 +197,10 @@ impl Queue {
     }
 
     fn bucket(&self, f: i64) -> usize {
-        ((f - self.origin).max(0) >> WIDTH) as usize
+        ((f - self.origin).max(0) >> WIDTH).min((SPANS * SPAN) as i64) as usize
     }
 
-    fn put(&mut self, entry: Entry, bucket: usize) {
+    fn put(&mut self, entry: E, bucket: usize) {
         if bucket < self.reach {
             let list = &mut self.ring[bucket % RING];
             if list.is_empty() {
@@ -128,7 +214,7 @@ impl Queue {
     }
 
     #[cold]
-    fn put_later(&mut self, entry: Entry, bucket: usize) {
+    fn put_later(&mut self, entry: E, bucket: usize) {
         let span = (bucket / SPAN).min(SPANS);
         if span >= self.later.len() {
             self.later.resize_with(span + 1, Vec::new);
@@ -136,19 +222,19 @@ impl Queue {
         self.later[span].push(entry);
     }
 
-    /// Takes the first entry of the order: its f, its h and the node.
-    pub(super) fn pop(&mut self) -> Option<(i64, i64, NodeId)> {
+    /// Takes the first entry of the order.
+    pub(super) fn pop(&mut self) -> Option<E> {
         self.peak = self.peak();
         if self.stack.is_empty() {
             self.advance();
         }
         let entry = self.stack.pop()?;
         self.pops += 1;
-        Some((entry.f(), entry.h(), entry.low as NodeId))
+        Some(entry)
     }
 
     /// Puts an entry among those of the current bucket.
-    fn insert(&mut self, entry: Entry) {
+    fn insert(&mut self, entry: E) {
         let near = self.stack.iter().rev().take(NEAR).take_while(|&&other| !entry.before(other)).count();
         let place = if near < NEAR {
             self.stack.len() - near
@@ -200,7 +286,7 @@ impl Queue {
     }
 
     /// Takes a bucket's list out of the ring.
-    fn take(&mut self, bucket: usize) -> Vec<Entry> {
+    fn take(&mut self, bucket: usize) -> Vec<E> {
         let slot = bucket % RING;
         self.filled[slot / 64] &= !(1 << (slot % 64));
         std::mem::take(&mut self.ring[slot])
@@ -223,7 +309,7 @@ impl Queue {
 
 /// Sorts entries so that the first one of the order comes last.
 #[inline(never)]
-fn sort(entries: &mut Vec<Entry>, spare: &mut Vec<Entry>, places: &mut Vec<u32>) {
+fn sort<E: Entry>(entries: &mut Vec<E>, spare: &mut Vec<E>, places: &mut Vec<u32>) {
     if entries.len() > FEW {
         let f = entries[0].f();
         if entries.iter().all(|entry| entry.f() == f) {
@@ -237,7 +323,7 @@ fn sort(entries: &mut Vec<Entry>, spare: &mut Vec<Entry>, places: &mut Vec<u32>)
 }
 
 /// Sorts short or nearly sorted entries.
-fn insertion(entries: &mut [Entry]) {
+fn insertion<E: Entry>(entries: &mut [E]) {
     for sorted in 1..entries.len() {
         let entry = entries[sorted];
         let mut hole = sorted;
@@ -250,8 +336,8 @@ fn insertion(entries: &mut [Entry]) {
 }
 
 /// Puts entries of one f nearly in order: by as many steps of h as there are entries.
-fn spread(entries: &mut Vec<Entry>, spare: &mut Vec<Entry>, places: &mut Vec<u32>) {
-    let (mut least, mut most) = (i64::MAX, 0);
+fn spread<E: Entry>(entries: &mut Vec<E>, spare: &mut Vec<E>, places: &mut Vec<u32>) {
+    let (mut least, mut most) = (i64::MAX, i64::MIN);
     for h in entries.iter().map(|entry| entry.h()) {
         (least, most) = (least.min(h), most.max(h));
     }
@@ -259,7 +345,7 @@ fn spread(entries: &mut Vec<Entry>, spare: &mut Vec<Entry>, places: &mut Vec<u32
     while (most - least) >> shift >= 2 * entries.len() as i64 {
         shift += 1;
     }
-    let step = |entry: Entry| ((most - entry.h()) >> shift) as usize;
+    let step = |entry: E| ((most - entry.h()) >> shift) as usize;
     places.clear();
     places.resize(((most - least) >> shift) as usize + 1, 0);
     for &entry in &*entries {
@@ -270,7 +356,7 @@ fn spread(entries: &mut Vec<Entry>, spare: &mut Vec<Entry>, places: &mut Vec<u32
         sum += std::mem::replace(place, sum);
     }
     spare.clear();
-    spare.resize(entries.len(), Entry { high: 0, low: 0 });
+    spare.extend_from_slice(entries);
     for &entry in &*entries {
         let place = &mut places[step(entry)];
         spare[*place as usize] = entry;
@@ -280,7 +366,7 @@ fn spread(entries: &mut Vec<Entry>, spare: &mut Vec<Entry>, places: &mut Vec<u32
 }
 
 /// Sorts entries in runs, which it merges.
-fn merge(entries: &mut Vec<Entry>, spare: &mut Vec<Entry>) {
+fn merge<E: Entry>(entries: &mut Vec<E>, spare: &mut Vec<E>) {
     entries.chunks_mut(FEW).for_each(insertion);
     let mut length = FEW;
     while length < entries.len() {
@@ -316,19 +402,19 @@ mod tests {
     #[test]
     fn entries_hold_what_they_are_given() {
         for (f, h) in [(0, 0), (3, 1 << 40), ((1 << 48) - 1, (1 << 48) - 1), (1 << 47, 1 << 32)] {
-            let entry = Entry::new(f, h, u32::MAX);
-            assert_eq!((entry.f(), entry.h(), entry.low as u32), (f, h, u32::MAX));
+            let entry = Short::new(f, h, u32::MAX);
+            assert_eq!((entry.f(), entry.h(), entry.mark()), (f, h, u32::MAX));
         }
     }
 
     #[test]
     fn equal_entries_come_out_newest_first() {
-        let mut queue = Queue::default();
+        let mut queue = Queue::<Short>::default();
         queue.reset(0);
         for node in 0..100 {
             queue.push(1_000_000, i64::from(node % 3), node);
         }
-        let order: Vec<_> = std::iter::from_fn(|| queue.pop()).map(|(_, h, node)| (h, node)).collect();
+        let order: Vec<_> = std::iter::from_fn(|| queue.pop()).map(|e| (e.h(), e.mark())).collect();
         let mut sorted = order.clone();
         sorted.sort_by_key(|&(h, node)| (h, std::cmp::Reverse(node)));
         assert_eq!(order, sorted);
@@ -339,8 +425,13 @@ mod tests {
     /// every second round many entries share few values of f, in some of them nothing is before what was popped.
     #[test]
     fn the_order_is_exact_whatever_is_pushed() {
+        exact::<Short>();
+        exact::<Wide>();
+    }
+
+    fn exact<E: Entry>() {
         let mut state = 7;
-        let mut queue = Queue::default();
+        let mut queue = Queue::<E>::default();
         for round in 0..60 {
             queue.reset(1_000_000);
             let mut held: Vec<(i64, i64, u32)> = Vec::new();
@@ -363,7 +454,7 @@ mod tests {
                     let first =
                         held.iter().enumerate().min_by_key(|(_, e)| (e.0, e.1, std::cmp::Reverse(e.2)));
                     let want = first.map(|(i, _)| i).map(|i| held.swap_remove(i));
-                    let got = queue.pop();
+                    let got = queue.pop().map(|e| (e.f(), e.h(), e.mark()));
                     assert_eq!(got, want, "round {round} step {step}");
                     last = got.map_or(last, |(f, ..)| f);
                 }

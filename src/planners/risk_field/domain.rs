@@ -7,9 +7,10 @@ use super::{Config, Heuristic, permille};
 use crate::map::risk::PotentialField;
 use crate::map::{Cell, Corner, line_of_sight};
 use crate::planners::heuristics::{DistanceWeight, octile};
-use crate::planners::moves::{D, DIRECTIONS, R2, cost, legal_steps};
+use crate::planners::moves::{D, DIRECTIONS, LEGAL, R2, cost};
 use crate::planners::query::Query;
-use crate::search::{Domain, Finish, Hold, NodeId, Relax, Visit};
+use crate::search::lattice::{Hold, Lattice, Sink};
+use crate::search::{NodeId, Wide};
 
 pub(super) struct RiskGrid<'a> {
     query: Query<'a>,
@@ -22,12 +23,15 @@ pub(super) struct RiskGrid<'a> {
     goal_side: bool,
     goal_shot: bool,
     corner: Corner,
-    hold: Hold<i64>,
+    hold: Hold,
+    /// How much larger the number of a neighbour is, by direction.
+    offsets: [i32; 8],
+    legal: &'static [u8; 256],
     los_calls: Counter<u32>,
 }
 
 impl<'a> RiskGrid<'a> {
-    pub(super) fn new(query: Query<'a>, config: &Config, weight: DistanceWeight, hold: Hold<i64>) -> Self {
+    pub(super) fn new(query: Query<'a>, config: &Config, weight: DistanceWeight, hold: Hold) -> Self {
         Self {
             query,
             field: config.field(&query),
@@ -39,6 +43,8 @@ impl<'a> RiskGrid<'a> {
             goal_shot: config.goal_shot,
             corner: config.common.corner,
             hold,
+            offsets: DIRECTIONS.map(|(dx, dy)| dy * query.map.width() as i32 + dx),
+            legal: &LEGAL[config.common.corner as usize],
             los_calls: Counter::new(0),
         }
     }
@@ -47,7 +53,7 @@ impl<'a> RiskGrid<'a> {
         self.los_calls.get()
     }
 
-    fn to_goal(&self, at: Cell) -> (i32, i32) {
+    fn from_goal(&self, at: Cell) -> (i32, i32) {
         (self.query.goal.x - at.x, self.query.goal.y - at.y)
     }
 
@@ -57,44 +63,58 @@ impl<'a> RiskGrid<'a> {
 
     /// The central direction at a cell.
     fn center(&self, at: Cell) -> usize {
-        let (dx, dy) = self.to_goal(at);
+        let (dx, dy) = self.from_goal(at);
         region(self.field.force(at), is_oblique(dx, dy))
     }
 
-    fn steps<S: Relax<i64, Cell>>(&self, at: Cell, directions: impl Iterator<Item = usize>, sink: &mut S) {
+    fn steps<S: Sink>(
+        &self,
+        (node, at): (NodeId, Cell),
+        directions: impl Iterator<Item = usize>,
+        sink: &mut S,
+    ) {
         let free = self.query.map.free_around(at);
-        let legal = legal_steps(free, self.corner);
+        let legal = self.legal[usize::from(free)];
         for c in directions.filter(|c| free >> c & 1 == 1) {
-            let to = at.offset(DIRECTIONS[c].0, DIRECTIONS[c].1);
-            let (node, step) = (self.query.map.index(to), step_cost(c));
-            if sink.worth(node, step) {
+            let to = node.wrapping_add_signed(self.offsets[c]);
+            if sink.worth(to, step_cost(c)) {
                 self.count_los();
                 if legal >> c & 1 == 1 {
-                    sink.emit(node, step, to);
+                    let (dx, dy) = DIRECTIONS[c];
+                    sink.take(c as u32, to, step_cost(c), self.ahead(at.offset(dx, dy)));
                 }
             }
         }
     }
 
-    fn extensions<S: Relax<i64, Cell>>(&self, at: Cell, c: usize, sink: &mut S) {
+    fn extensions<S: Sink>(&self, (node, at): (NodeId, Cell), c: usize, sink: &mut S) {
         let map = self.query.map;
         for k in 2..=self.ext_len + 1 {
             let to = at.offset(k * DIRECTIONS[c].0, k * DIRECTIONS[c].1);
             if map.blocked(to) {
                 continue;
             }
-            let (node, step) = (map.index(to), i64::from(k) * step_cost(c));
-            if sink.worth(node, step) {
+            let (target, step) = (node.wrapping_add_signed(k * self.offsets[c]), i64::from(k) * step_cost(c));
+            if sink.worth(target, step) {
                 self.count_los();
-                if line_of_sight(map, at, to, self.corner) {
-                    sink.emit(node, step, to);
+                if self.is_open(at, c, k) {
+                    sink.take((k - 1) as u32 * 8 + c as u32, target, step, self.ahead(to));
                 }
             }
         }
     }
 
+    /// Whether `count` single steps from a cell are legal, which is what sight along them asks.
+    fn is_open(&self, at: Cell, c: usize, count: i32) -> bool {
+        let (dx, dy) = DIRECTIONS[c];
+        (0..count).all(|k| {
+            let free = self.query.map.free_around(at.offset(k * dx, k * dy));
+            self.legal[usize::from(free)] >> c & 1 == 1
+        })
+    }
+
     fn leads_away(&self, at: Cell, c: usize) -> bool {
-        let (dx, dy) = self.to_goal(at);
+        let (dx, dy) = self.from_goal(at);
         DIRECTIONS[c].0 * dx < 0 || DIRECTIONS[c].1 * dy < 0
     }
 }
@@ -103,45 +123,10 @@ const fn step_cost(direction: usize) -> i64 {
     if direction.is_multiple_of(2) { D } else { R2 }
 }
 
-impl Domain for RiskGrid<'_> {
-    type Cost = i64;
-    type Label = Cell;
-    type Tail = ();
-
-    const HOLDS_BACK: bool = true;
-
-    fn node_count(&self) -> usize {
-        self.query.map.len()
-    }
-
-    fn successors<S: Relax<i64, Cell>>(&self, from: Visit<i64, Cell>, sink: &mut S) {
-        let at = from.label;
-        let (dx, dy) = self.to_goal(at);
-        let oblique = is_oblique(dx, dy);
-        let picked = primaries(region(self.field.force(at), oblique));
-        self.steps(at, picked.into_iter(), sink);
-        if oblique {
-            for c in picked.into_iter().filter(|c| c % 2 == 1) {
-                if !(self.goal_side && self.leads_away(at, c)) {
-                    self.extensions(at, c, sink);
-                }
-            }
-        } else {
-            self.extensions(at, picked[0], sink);
-        }
-    }
-
-    fn held_back<S: Relax<i64, Cell>>(&self, from: Visit<i64, Cell>, sink: &mut S) {
-        let picked = primaries(self.center(from.label));
-        self.steps(from.label, (0..8).filter(|c| !picked.contains(c)), sink);
-    }
-
-    fn hold(&self) -> Hold<i64> {
-        self.hold
-    }
-
-    fn heuristic(&self, _: NodeId, at: Cell) -> i64 {
-        let (dx, dy) = self.to_goal(at);
+impl RiskGrid<'_> {
+    /// The weighted estimate.
+    pub(super) fn ahead(&self, at: Cell) -> i64 {
+        let (dx, dy) = self.from_goal(at);
         let (x, y) = (i64::from(dx.abs()), i64::from(dy.abs()));
         let (far, near) = (x.max(y), x.min(y));
         let (diagonal, straight) =
@@ -155,17 +140,72 @@ impl Domain for RiskGrid<'_> {
         };
         self.weight.apply(h, dx, dy)
     }
+}
 
-    fn finish(&mut self, at: Visit<i64, Cell>, _: i64) -> Option<Finish<i64, ()>> {
-        if at.label == self.query.goal {
-            return Some(Finish { cost: 0, tail: () });
+impl Lattice for RiskGrid<'_> {
+    type Entry = Wide;
+
+    const HOLDS_BACK: bool = true;
+
+    fn node_count(&self) -> usize {
+        self.query.map.len()
+    }
+
+    fn successors<S: Sink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
+        let at = self.query.map.cell(node);
+        let (dx, dy) = self.from_goal(at);
+        let oblique = is_oblique(dx, dy);
+        let picked = primaries(region(self.field.force(at), oblique));
+        self.steps((node, at), picked.into_iter(), sink);
+        if oblique {
+            for c in picked.into_iter().filter(|c| c % 2 == 1) {
+                if !(self.goal_side && self.leads_away(at, c)) {
+                    self.extensions((node, at), c, sink);
+                }
+            }
+        } else {
+            self.extensions((node, at), picked[0], sink);
         }
+    }
+
+    fn predecessors<S: Sink>(&self, _: NodeId, _: Option<u32>, _: &mut S) {
+        unreachable!("the field leads forwards");
+    }
+
+    fn held_back<S: Sink>(&self, node: NodeId, sink: &mut S) {
+        let at = self.query.map.cell(node);
+        let picked = primaries(self.center(at));
+        self.steps((node, at), (0..8).filter(|c| !picked.contains(c)), sink);
+    }
+
+    fn hold(&self) -> Hold {
+        self.hold
+    }
+
+    /// The goal where it is in sight.
+    fn shot(&self, node: NodeId) -> Option<i64> {
         if !self.goal_shot {
             return None;
         }
         self.count_los();
-        let (dx, dy) = self.to_goal(at.label);
-        let seen = line_of_sight(self.query.map, at.label, self.query.goal, self.corner);
-        seen.then(|| Finish { cost: cost(dx, dy), tail: () })
+        let at = self.query.map.cell(node);
+        let (dx, dy) = self.from_goal(at);
+        line_of_sight(self.query.map, at, self.query.goal, self.corner).then(|| cost(dx, dy))
+    }
+
+    fn after(&self, node: NodeId, number: u32) -> NodeId {
+        node.wrapping_add_signed((number as i32 / 8 + 1) * self.offsets[number as usize % 8])
+    }
+
+    fn before(&self, node: NodeId, number: u32) -> NodeId {
+        node.wrapping_add_signed(-(number as i32 / 8 + 1) * self.offsets[number as usize % 8])
+    }
+
+    fn to_goal(&self, node: NodeId) -> i64 {
+        self.ahead(self.query.map.cell(node))
+    }
+
+    fn to_start(&self, _: NodeId) -> i64 {
+        0
     }
 }

@@ -9,7 +9,6 @@ use crate::map::{Cell, line_of_sight};
 use crate::planners::heuristics::DistanceWeight;
 use crate::planners::moves::DIRECTIONS;
 use crate::planners::query::Query;
-use crate::search::Domain;
 
 const NAMES: [&str; 8] = ["E", "NE", "N", "NW", "W", "SW", "S", "SE"];
 
@@ -93,7 +92,7 @@ pub fn explain(query: Query, config: &Config, at: Cell) -> Option<Explanation> {
     let (sx, sy) = (query.goal.x - query.start.x, query.goal.y - query.start.y);
     let estimate = |permille| {
         let weight = DistanceWeight::new(permille, sx, sy);
-        RiskGrid::new(query, config, weight, config.hold()).heuristic(query.map.index(at), at)
+        RiskGrid::new(query, config, weight, config.hold()).ahead(at)
     };
     Some(Explanation {
         cell: [at.x, at.y],

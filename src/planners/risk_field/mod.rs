@@ -18,9 +18,10 @@ use super::query::{Detail, GridReport, GridScratch, Query, Status};
 use super::settings::{Common, Post, within};
 use crate::error::{Error, ErrorCode};
 use crate::json;
+use crate::map::Corner;
 use crate::map::risk::{Attraction, FieldSettings, ObstacleSet, PotentialField};
-use crate::map::{Cell, Corner};
-use crate::search::{Hold, Limits, Observer, Trace, best_first};
+use crate::search::lattice::{Hold, one_way};
+use crate::search::{Observer, Trace};
 
 #[cfg(feature = "complete")]
 pub use explain::{Candidate, Explanation, explain};
@@ -188,7 +189,7 @@ impl Config {
         PotentialField::new(query.map, query.goal, settings)
     }
 
-    fn hold(&self) -> Hold<i64> {
+    fn hold(&self) -> Hold {
         match self.fallback {
             Fallback::Penalty => Hold::Penalty((self.penalty * 1e6).round() as i64),
             // Beyond every real priority, yet far from overflow.
@@ -214,7 +215,7 @@ impl Config {
 /// assert_eq!(report.cells.first(), Some(&query.start));
 /// assert_eq!(report.cost_micro, 8 * 1_414_214);
 /// ```
-pub fn plan<O: Observer<i64, Cell>>(
+pub fn plan<O: Observer<i64, ()>>(
     query: Query,
     config: &Config,
     scratch: &mut GridScratch,
@@ -225,12 +226,10 @@ pub fn plan<O: Observer<i64, Cell>>(
     }
     let (dx, dy) = (query.goal.x - query.start.x, query.goal.y - query.start.y);
     let weight = DistanceWeight::new(permille(config.wbar), dx, dy);
-    let mut grid = domain::RiskGrid::new(query, config, weight, config.hold());
-    let root = (query.map.index(query.start), query.start);
-    let limits = Limits { max_expansions: config.common.max_expansions, first: true };
-    let search = best_first(&mut grid, root, limits, &mut scratch.cells, observer);
-    let mut report = GridReport::of(&query, &search, &scratch.cells, grid.los_calls());
-    report.cost_micro = search.found.map_or(0, |found| found.1);
+    let grid = domain::RiskGrid::new(query, config, weight, config.hold());
+    let most = config.common.max_expansions;
+    let found = one_way(&grid, query.ends(), most, &mut scratch.risk, observer);
+    let mut report = GridReport::along(&query, &found, grid.los_calls());
     let incomplete = matches!(config.fallback, Fallback::StuckOnly | Fallback::None);
     if report.status == Status::NoPath && incomplete && is_reachable(query, config.common.corner, scratch) {
         report.detail = Some(Detail::Stranded);
