@@ -82,11 +82,11 @@ impl<'a> PotentialField<'a> {
             let mut last = 0;
             for source in &sources {
                 let bit = 8 * (source.offset.1 + SIGHT) + source.offset.0 + SIGHT;
-                if source.squared > last {
-                    last = source.squared;
-                    rings.push(0);
+                match rings.last_mut() {
+                    Some(ring) if source.squared == last => *ring |= 1 << bit,
+                    _ => rings.push(1_u64 << bit),
                 }
-                *rings.last_mut().expect("one has just been made") |= 1 << bit;
+                last = source.squared;
                 forces[bit as usize] = source.force;
             }
         }

@@ -69,7 +69,7 @@ impl<'a, E: Estimate> Grid<'a, E> {
         self.los_calls.get()
     }
 
-    #[inline(always)]
+    #[inline]
     fn offer<S: Sink>(&self, node: NodeId, last: Option<u32>, back: bool, sink: &mut S) {
         let cell = self.map.cell(node);
         let free = self.map.free_around(cell);
@@ -85,7 +85,8 @@ impl<'a, E: Estimate> Grid<'a, E> {
             };
             u32::from(free & unseen) & sink.worth_around(node, row, D, R2)
         } else {
-            let before = last.map_or(0, |number| 1 << (2 * number & 7 ^ if back { 0 } else { 4 }));
+            let behind = if back { 0 } else { 4 };
+            let before = last.map_or(0, |number| 1 << ((2 * number + behind) % 8));
             u32::from(free & 0b0101_0101) & !before & sink.worth_beside(node, row, D)
         };
         let mut calls = worth.count_ones();

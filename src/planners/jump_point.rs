@@ -64,7 +64,7 @@ struct Jumps<'a> {
 
 impl Jumps<'_> {
     /// The straight jump from a cell: where it gets and the number of steps, if it gets anywhere.
-    #[inline(always)]
+    #[inline]
     fn straight(&self, from: Cell, direction: u32) -> Option<(Cell, i64)> {
         let goal = self.query.goal;
         let forward = direction < 4;

@@ -179,7 +179,7 @@ impl<L: Lattice, O: Observer<i64, ()>, N: FnMut(NodeId, i64)> Sink for Relaxing<
         self.base + ((cost as Record) << MOVE) < self.side.record(target)
     }
 
-    #[inline(always)]
+    #[inline]
     fn worth_around(&self, node: NodeId, row: usize, straight: i64, diagonal: i64) -> u32 {
         let (straight, diagonal) =
             (self.base + ((straight as Record) << MOVE), self.base + ((diagonal as Record) << MOVE));
@@ -197,7 +197,7 @@ impl<L: Lattice, O: Observer<i64, ()>, N: FnMut(NodeId, i64)> Sink for Relaxing<
             | u32::from(diagonal < south[2]) << 7
     }
 
-    #[inline(always)]
+    #[inline]
     fn worth_beside(&self, node: NodeId, row: usize, straight: i64) -> u32 {
         let straight = self.base + ((straight as Record) << MOVE);
         let at = node as usize + self.side.rim;

@@ -53,7 +53,7 @@ impl<'a> RiskGrid<'a> {
         self.los_calls.get()
     }
 
-    fn from_goal(&self, at: Cell) -> (i32, i32) {
+    fn toward_goal(&self, at: Cell) -> (i32, i32) {
         (self.query.goal.x - at.x, self.query.goal.y - at.y)
     }
 
@@ -63,7 +63,7 @@ impl<'a> RiskGrid<'a> {
 
     /// The central direction at a cell.
     fn center(&self, at: Cell) -> usize {
-        let (dx, dy) = self.from_goal(at);
+        let (dx, dy) = self.toward_goal(at);
         region(self.field.force(at), is_oblique(dx, dy))
     }
 
@@ -114,7 +114,7 @@ impl<'a> RiskGrid<'a> {
     }
 
     fn leads_away(&self, at: Cell, c: usize) -> bool {
-        let (dx, dy) = self.from_goal(at);
+        let (dx, dy) = self.toward_goal(at);
         DIRECTIONS[c].0 * dx < 0 || DIRECTIONS[c].1 * dy < 0
     }
 }
@@ -126,7 +126,7 @@ const fn step_cost(direction: usize) -> i64 {
 impl RiskGrid<'_> {
     /// The weighted estimate.
     pub(super) fn ahead(&self, at: Cell) -> i64 {
-        let (dx, dy) = self.from_goal(at);
+        let (dx, dy) = self.toward_goal(at);
         let (x, y) = (i64::from(dx.abs()), i64::from(dy.abs()));
         let (far, near) = (x.max(y), x.min(y));
         let (diagonal, straight) =
@@ -153,7 +153,7 @@ impl Lattice for RiskGrid<'_> {
 
     fn successors<S: Sink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
         let at = self.query.map.cell(node);
-        let (dx, dy) = self.from_goal(at);
+        let (dx, dy) = self.toward_goal(at);
         let oblique = is_oblique(dx, dy);
         let picked = primaries(region(self.field.force(at), oblique));
         self.steps((node, at), picked.into_iter(), sink);
@@ -189,7 +189,7 @@ impl Lattice for RiskGrid<'_> {
         }
         self.count_los();
         let at = self.query.map.cell(node);
-        let (dx, dy) = self.from_goal(at);
+        let (dx, dy) = self.toward_goal(at);
         line_of_sight(self.query.map, at, self.query.goal, self.corner).then(|| cost(dx, dy))
     }
 
