@@ -1,3 +1,6 @@
+import { createHash } from "node:crypto";
+import { readdir, readFile, writeFile } from "node:fs/promises";
+import { join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
 import { defineConfig, type Plugin } from "vite";
 
@@ -13,6 +16,22 @@ const squeezeTemplates: Plugin = {
       const lines = text.replace(/\n\s+/g, tag === "css" ? "\n" : " ");
       return `${tag}\`${tag === "css" ? lines.replace(/\s*([{};,])\s*/g, "$1") : lines}\``;
     });
+  },
+};
+
+/** Writes the service worker with the names of all files and a version that changes with any of them. */
+const serviceWorker: Plugin = {
+  name: "service-worker",
+  // The files are on the disk then, also those that other plugins make last.
+  async closeBundle() {
+    const dist = here("dist"), hash = createHash("sha256");
+    const files = (await readdir(dist, { recursive: true, withFileTypes: true }))
+      .filter((file) => file.isFile() && file.name !== "sw.js").map((file) => relative(dist, join(file.parentPath, file.name)).replaceAll("\\", "/"))
+      .filter((file) => !file.startsWith(".vite/")).sort();
+    for (const file of files) hash.update(file).update(await readFile(join(dist, file)));
+    const text = await readFile(here("www/sw.js"), "utf8");
+    await writeFile(join(dist, "sw.js"), text.replace("const FILES = [];", `const FILES = ${JSON.stringify(files)};`)
+      .replace('const VERSION = "";', `const VERSION = "${hash.digest("hex").slice(0, 16)}";`));
   },
 };
 
@@ -39,7 +58,7 @@ const workersAlone: Plugin = {
 type Graph = { getModuleInfo(id: string): { isEntry: boolean; importers: readonly string[] } | null };
 
 export default defineConfig({
-  plugins: [squeezeTemplates, workersAlone],
+  plugins: [squeezeTemplates, workersAlone, serviceWorker],
   root: here("www"),
   base: "./",
   resolve: { alias: { "parkade/core": here("pkg/core/index.js"), parkade: here("pkg/index.js") } },

@@ -89,7 +89,7 @@ export interface State {
   canRedo: boolean;
   /** A drag is going on. */
   transient: boolean;
-  message: { tone: "err" | "warn" | "info"; text: string } | null;
+  message: { tone: "err" | "warn" | "info"; text: string; action?: { name: string; run(): void } } | null;
   live: ReadonlyMap<string, string> | null;
 }
 

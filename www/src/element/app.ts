@@ -52,6 +52,7 @@ export class App {
   planning: Planning | null = null;
   /** Id of the catalogue's scene last opened. */
   preset: string | null = null;
+  private stopSaving: (() => void) | null = null;
   private origin: Scene | null = null;
   private cachedTokens: Tokens | null = null;
 
@@ -74,6 +75,7 @@ export class App {
     await this.planning.whenSettled();
     this.player.driveIn();
     requestIdle(() => void this.complete().catch(() => undefined));
+    if (syncAddress) requestIdle(() => void this.remember());
   }
 
   /** Every planner and format, which the first picture does not wait for. */
@@ -87,7 +89,16 @@ export class App {
     return engine;
   }
 
+  /** What only the full page does: drawings survive, and so does the page without a network. */
+  private async remember(): Promise<void> {
+    const [{ startAutosave }, { workOffline }] = await Promise.all([import("./autosave"), import("./offline")]);
+    void workOffline();
+    // Storage may be refused; nothing depends on it.
+    this.stopSaving = await startAutosave(this).catch(() => null);
+  }
+
   stop(): void {
+    this.stopSaving?.();
     this.player.pause();
     this.links.stop();
     this.planning?.stop();

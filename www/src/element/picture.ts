@@ -5,14 +5,14 @@ import type { App } from "./app";
 
 const TITLE = 28;
 
-/** A PNG of the maps as they are on screen, each under its planner's name and answer. */
-export async function picture(app: App, views: readonly SceneView[]): Promise<Blob | null> {
+/** A PNG of the maps as they are on screen, `scale` pixels for each of the page's, each under its planner's name and answer. */
+export async function picture(app: App, views: readonly SceneView[], scale = 2): Promise<Blob | null> {
   const shown = views.filter((view) => view.canvas && view.clientWidth > 0);
   if (shown.length === 0) return null;
   const boxes = shown.map((view) => view.getBoundingClientRect());
   const left = Math.min(...boxes.map((box) => box.left)), top = Math.min(...boxes.map((box) => box.top)) - TITLE;
   const right = Math.max(...boxes.map((box) => box.right)), bottom = Math.max(...boxes.map((box) => box.bottom));
-  const ratio = Math.max(2, devicePixelRatio);
+  const ratio = scale;
   const canvas = document.createElement("canvas");
   canvas.width = Math.round((right - left) * ratio);
   canvas.height = Math.round((bottom - top) * ratio);
@@ -24,7 +24,8 @@ export async function picture(app: App, views: readonly SceneView[]): Promise<Bl
   shown.forEach((view, i) => {
     const box = boxes[i]!;
     const x = box.left - left, y = box.top - top;
-    ctx.drawImage(view.canvas!, x, y, box.width, box.height);
+    const drawn = view.snapshot(ratio);
+    if (drawn) ctx.drawImage(drawn, x, y, box.width, box.height);
     ctx.fillStyle = colour.t1;
     ctx.font = `600 13px ${font}`;
     ctx.fillText(titleOf(app, view), x + 12, y - 9);

@@ -180,9 +180,10 @@ export class Playground extends LitElement {
       <parkade-presets .app=${this.app}></parkade-presets>
       <parkade-keys .app=${this.app}></parkade-keys>
       <parkade-papers .app=${this.app}></parkade-papers>
+      <parkade-image .app=${this.app}></parkade-image>
       <parkade-context .app=${this.app}></parkade-context>
       <parkade-import .app=${this.app}></parkade-import>
-      <input class="file" type="file" hidden multiple accept=".json,.map,.scen,.yaml,.yml,.pgm,.csv" aria-label=${this.app.t("bar.open")} @change=${this.onFile}>
+      <input class="file" type="file" hidden multiple accept=".json,.map,.scen,.yaml,.yml,.pgm,.csv,.svg,.png,.jpg,.jpeg,.webp" aria-label=${this.app.t("bar.open")} @change=${this.onFile}>
     </div>`;
   }
 
@@ -268,9 +269,10 @@ export class Playground extends LitElement {
     await this.renderRoot.querySelector<HTMLElement & { show(request: MenuRequest): Promise<void> }>("parkade-context")?.show(detail);
   };
 
-  private readonly savePicture = async (): Promise<void> => {
-    const blob = await this.toBlob();
-    if (blob) download(blob, "parkade.png");
+  private readonly savePicture = async ({ detail }: CustomEvent<number>): Promise<void> => {
+    const { picture } = await import("./picture");
+    const blob = await picture(this.app, this.views(), detail);
+    if (blob) download(blob, `parkade${detail > 1 ? `@${detail}x` : ""}.png`);
   };
 
   private readonly onFile = (event: Event): void => {

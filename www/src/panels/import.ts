@@ -28,6 +28,18 @@ const say = words({
   close: ["Close", "关闭"],
 });
 
+const IMAGE = /\.(png|jpe?g|webp|gif|bmp)$/i;
+
+const ENTITIES: Record<string, string> = { amp: "&", lt: "<", gt: ">", quot: '"', apos: "'", "#39": "'" };
+
+/** The scene that a drawing of ours carries; the drawing itself is not looked at, nor its styles. */
+async function sceneInside(file: File): Promise<readonly [string, Uint8Array<ArrayBuffer>]> {
+  const found = /<metadata\b[^>]*>([^<]*)<\/metadata>/.exec(await file.text())?.[1]?.trim();
+  if (!found) throw new Error("this drawing holds no scene; only those saved here do.");
+  const text = found.replace(/&(\w+|#39);/g, (whole, name: string) => ENTITIES[name] ?? whole);
+  return [file.name.replace(/\.svg$/i, ".json"), new TextEncoder().encode(text)];
+}
+
 interface Opened { name: string; scenes: Scene[]; queries: readonly ImportedQuery[] }
 
 /** Opens files of many kinds, and offers the questions or scenes that come with them. */
@@ -68,6 +80,7 @@ export class ImportBar extends AppElement {
 
   /** Opens files that belong together; bad ones leave everything as it was. */
   async openFiles(files: readonly File[]): Promise<void> {
+    if (files.length === 1 && IMAGE.test(files[0]!.name)) return this.openImage(files[0]!);
     const turn = ++this.turn, name = files.map((file) => file.name).join(", ");
     const { lang } = this.state;
     const reading = { tone: "info" as const, text: say(lang, "reading", { name }) };
@@ -91,10 +104,18 @@ export class ImportBar extends AppElement {
     }
   }
 
+  /** A picture is asked about before it is a map. */
+  private async openImage(file: File): Promise<void> {
+    this.turn++;
+    await import("./image-import");
+    const root = this.getRootNode() as ShadowRoot;
+    await root.querySelector<HTMLElement & { ask(file: File): Promise<void> }>("parkade-image")?.ask(file);
+  }
+
   private async read(files: readonly File[], name: string): Promise<Opened & { notes: string[] }> {
     const engine = await this.app.complete();
     this.helper ??= new Helper(engine);
-    const contents = await Promise.all(files.map(async (file) => [file.name, new Uint8Array(await file.arrayBuffer())] as const));
+    const contents = await Promise.all(files.map(async (file) => (/\.svg$/i.test(file.name) ? sceneInside(file) : [file.name, new Uint8Array(await file.arrayBuffer())] as const)));
     const [moved, { prepare }] = await Promise.all([this.helper.call("import", { files: Object.fromEntries(contents), options: {} }), vast.load()]);
     const scenes = (await joined(moved, moved.value.scenes)).map(ensureIds);
     this.app.catalog?.geometry(scenes[0]!);

@@ -43,6 +43,7 @@ export class Notices extends AppElement {
     if (results !== this.lastResults) this.speakLater(results);
     return html`
       <div role="alert">${message ? html`<div class="notice ${message.tone}">${icon(message.tone === "info" ? "check" : "warning")}<span>${message.text}</span>
+        ${message.action ? html`<button class="button outline" @click=${() => { this.app.store.set({ message: null }); message.action?.run(); }}>${message.action.name}</button>` : nothing}
         <button class="icon small" aria-label=${this.t("error.dismiss")} @click=${() => this.app.store.set({ message: null })}>${icon("close", 14)}</button></div>` : nothing}</div>
       <output class="sr" aria-live="polite">${this.spoken}</output>`;
   }
@@ -50,7 +51,7 @@ export class Notices extends AppElement {
   private keep(message: State["message"]): void {
     this.lastMessage = message;
     clearTimeout(this.fade);
-    if (message?.tone !== "info") return;
+    if (message?.tone !== "info" || message.action) return;
     this.fade = setTimeout(() => {
       if (this.state.message === message) this.app.store.set({ message: null });
     }, INFO_MS);

@@ -31,7 +31,12 @@ export class SceneView extends LitElement {
     return this.scene?.view ?? null;
   }
 
-  /** The drawn canvas, for exports. */
+  /** The picture drawn anew at `ratio` pixels for each of the page's. */
+  snapshot(ratio: number): HTMLCanvasElement | null {
+    return this.scene?.snapshot(ratio) ?? null;
+  }
+
+  /** The drawn canvas. */
   get canvas(): HTMLCanvasElement | null {
     return this.renderRoot.querySelector("canvas");
   }

@@ -1,5 +1,6 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import { LAYER_PRESETS, presetLayers, presetOf, sentence } from "../element/app";
+import type { ExportKind } from "../element/exports";
 import type { MessageKey } from "../i18n/index";
 import type { LayerKey, State, ToolId } from "../store";
 import { controls } from "../styles/controls";
@@ -182,7 +183,10 @@ export class Toolbar extends AppElement {
   private exports(): TemplateResult {
     return html`${this.item("file", "bar.save", () => void this.app.saveFile())}
       ${this.item("open", "bar.open", () => this.emit("open-file"))}
-      ${this.item("image", "bar.png", () => this.emit("png"))}
+      ${this.item("image", "bar.png", () => this.emit("png", 1))}
+      ${this.item("image", "bar.png2", () => this.emit("png", 2))}
+      ${this.item("image", "bar.svg", () => this.save("svg"))}
+      ${this.item("moving", "bar.csv", () => this.save("csv"))}
       ${this.item("cells", "bar.papers", () => this.emit("papers"))}
       <hr>${this.item("undo", "bar.reset", () => this.app.reset())}`;
   }
@@ -225,8 +229,12 @@ export class Toolbar extends AppElement {
     });
   };
 
-  private emit(name: "scenes" | "keys" | "open-file" | "png" | "papers"): void {
-    this.dispatchEvent(new CustomEvent(`parkade-${name}`, { bubbles: true, composed: true }));
+  private save(kind: ExportKind): void {
+    void import("../element/exports").then(({ saveAs }) => saveAs(this.app, kind));
+  }
+
+  private emit(name: "scenes" | "keys" | "open-file" | "png" | "papers", detail?: number): void {
+    this.dispatchEvent(new CustomEvent(`parkade-${name}`, { detail, bubbles: true, composed: true }));
   }
 }
 

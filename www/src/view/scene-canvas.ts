@@ -49,6 +49,16 @@ export class SceneCanvas {
     this.layers.draw(makeFrame({ ctx: this.ctx, view: this.viewOf(state), ratio, state, tokens, shown, draft: overlayDraft }));
   }
 
+  snapshot(ratio: number): HTMLCanvasElement | null {
+    const { last } = this, canvas = document.createElement("canvas"), ctx = canvas.getContext("2d");
+    if (!last || !ctx) return null;
+    canvas.width = Math.round(this.width * ratio);
+    canvas.height = Math.round(this.height * ratio);
+    const shown = last.planners.map((planner) => this.shownOf(last.state, planner));
+    new SceneLayers().draw(makeFrame({ ctx, view: this.viewOf(last.state), ratio, state: last.state, tokens: last.tokens, shown, draft: null }));
+    return canvas;
+  }
+
   dispose(): void {
     this.observer.disconnect();
     waiting.delete(this.redraw);
