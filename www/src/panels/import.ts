@@ -30,13 +30,13 @@ const say = words({
 
 const IMAGE = /\.(png|jpe?g|webp|gif|bmp)$/i;
 
-const ENTITIES: Record<string, string> = { amp: "&", lt: "<", gt: ">", quot: '"', apos: "'", "#39": "'" };
+const ENTITIES: Record<string, string> = { amp: "&", lt: "<", gt: ">", quot: '"', apos: "'" };
 
 /** The scene that a drawing of ours carries; the drawing itself is not looked at, nor its styles. */
 async function sceneInside(file: File): Promise<readonly [string, Uint8Array<ArrayBuffer>]> {
   const found = /<metadata\b[^>]*>([^<]*)<\/metadata>/.exec(await file.text())?.[1]?.trim();
   if (!found) throw new Error("this drawing holds no scene; only those saved here do.");
-  const text = found.replace(/&(\w+|#39);/g, (whole, name: string) => ENTITIES[name] ?? whole);
+  const text = found.replace(/&(?:#(\d+)|(\w+));/g, (whole, code?: string, name?: string) => (code ? String.fromCharCode(Number(code)) : ENTITIES[name ?? ""] ?? whole));
   return [file.name.replace(/\.svg$/i, ".json"), new TextEncoder().encode(text)];
 }
 
