@@ -1,4 +1,5 @@
 import { createHash } from "node:crypto";
+import { readFileSync, writeFileSync } from "node:fs";
 import { readdir, readFile, writeFile } from "node:fs/promises";
 import { join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -35,12 +36,25 @@ const serviceWorker: Plugin = {
   },
 };
 
+/** The loader imports by a name of its own: Vite's way would first fetch a helper, and the whole page with it. */
+const nameEmbedded: Plugin = {
+  name: "name-embedded",
+  writeBundle({ dir = "" }, bundle) {
+    const file = (name: string) => Object.values(bundle).find((one) => one.type === "chunk" && one.name === name)?.fileName ?? "";
+    const path = join(dir, file("parkade-playground")), code = readFileSync(path, "utf8");
+    if (!file("parkade-embedded") || code.split(EMBEDDED).length !== 2) throw new Error("the loader does not name what it loads, once");
+    writeFileSync(path, code.replace(EMBEDDED, `./${file("parkade-embedded")}`));
+  },
+};
+/** What stands in `loader.ts` for the file's name. */
+const EMBEDDED = "./embedded";
+
 /** Whether the page's entry imports a module before anything is asked for. */
 function isFirst(id: string, graph: Graph, seen = new Set<string>()): boolean {
   if (seen.has(id)) return false;
   seen.add(id);
   const info = graph.getModuleInfo(id);
-  return info !== null && (info.isEntry || info.importers.some((importer) => isFirst(importer, graph, seen)));
+  return info !== null && (id.endsWith("/index.html") || info.importers.some((importer) => isFirst(importer, graph, seen)));
 }
 
 /** The engines' files are also the workers' scripts, where the page's own code would not run. */
@@ -55,10 +69,10 @@ const workersAlone: Plugin = {
   },
 };
 
-type Graph = { getModuleInfo(id: string): { isEntry: boolean; importers: readonly string[] } | null };
+type Graph = { getModuleInfo(id: string): { importers: readonly string[] } | null };
 
 export default defineConfig({
-  plugins: [squeezeTemplates, workersAlone, serviceWorker],
+  plugins: [squeezeTemplates, workersAlone, nameEmbedded, serviceWorker],
   root: here("www"),
   base: "./",
   resolve: { alias: { "parkade/core": here("pkg/core/index.js"), parkade: here("pkg/index.js") } },
@@ -71,7 +85,18 @@ export default defineConfig({
     // A data: URL for the wasm file would lose streaming compilation, and the page's policy forbids it.
     assetsInlineLimit: 0,
     // What the page opens with is one file, also where a part fetched later uses it too: every request costs a round trip.
-    rolldownOptions: { output: { codeSplitting: { groups: [{ name: (id: string, graph: Graph) => (isFirst(id, graph) ? "page" : null) }] } } },
+    rolldownOptions: {
+      input: {
+        index: here("www/index.html"), embed: here("www/embed.html"),
+        "parkade-playground": here("www/src/element/loader.ts"), "parkade-embedded": here("www/src/element/embedded.ts"),
+      },
+      preserveEntrySignatures: "allow-extension",
+      output: {
+        // Other people's pages name this file.
+        entryFileNames: ({ name }) => (name === "parkade-playground" ? "[name].js" : "assets/[name]-[hash].js"),
+        codeSplitting: { groups: [{ name: (id: string, graph: Graph) => (isFirst(id, graph) ? "page" : null) }] },
+      },
+    },
     // Two scripts need no preloading.
     modulePreload: false,
   },

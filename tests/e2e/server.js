@@ -1,5 +1,5 @@
 // @ts-check
-// Serves dist/ below /sub/path/, as a project page of a static host would.
+// Serves dist/ below /sub/path/, as a project page of a static host would, and pages that embed it below /host/.
 import { readFile } from "node:fs/promises";
 import { createServer } from "node:http";
 import { extname } from "node:path";
@@ -7,6 +7,8 @@ import { pathToFileURL } from "node:url";
 
 const PREFIX = "/sub/path/";
 const DIST = new URL("../../dist/", import.meta.url);
+const HOST_PREFIX = "/host/";
+const HOST = new URL("pages/", import.meta.url);
 /** @type {Record<string, string>} */
 const TYPES = {
   ".css": "text/css",
@@ -27,9 +29,10 @@ const TYPES = {
 export async function serve(port) {
   const server = createServer(async (request, response) => {
     const { pathname } = new URL(request.url ?? "/", "http://localhost");
-    const file = new URL(pathname.slice(PREFIX.length) || "index.html", DIST);
+    const [prefix, folder] = pathname.startsWith(HOST_PREFIX) ? [HOST_PREFIX, HOST] : [PREFIX, DIST];
+    const file = new URL(pathname.slice(prefix.length) || "index.html", folder);
     try {
-      if (!pathname.startsWith(PREFIX) || !file.href.startsWith(DIST.href)) throw new Error("outside");
+      if (!pathname.startsWith(prefix) || !file.href.startsWith(folder.href)) throw new Error("outside");
       const body = await readFile(file);
       response.writeHead(200, { "content-type": TYPES[extname(file.pathname)] ?? "application/octet-stream" }).end(body);
     } catch {

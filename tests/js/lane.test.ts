@@ -1,6 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import type { Plan, Scenario } from "parkade";
 import { Lane, PATIENCE_MS, type WorkerLike } from "../../www/src/planning/lane";
+import { WorkerPool } from "../../www/src/planning/pool";
 import type { Reply, Request } from "../../www/src/planning/protocol";
 
 class FakeWorker implements WorkerLike {
@@ -29,11 +30,12 @@ class FakeWorker implements WorkerLike {
 function setup() {
   const workers: FakeWorker[] = [];
   const heard: string[] = [];
-  const lane = new Lane("four", {} as WebAssembly.Module, () => {
+  const pool = new WorkerPool(() => {
     const worker = new FakeWorker();
     workers.push(worker);
     return worker;
-  }, {
+  });
+  const lane = new Lane("four", {} as WebAssembly.Module, pool, {
     planned: (reply, waits) => heard.push(`planned ${reply.id}${waits ? ", newer waits" : ""}`),
     failed: (error) => heard.push(`failed ${error.code}`),
     restarted: () => heard.push("restarted"),

@@ -89,7 +89,9 @@ export interface State {
   canRedo: boolean;
   /** A drag is going on. */
   transient: boolean;
-  message: { tone: "err" | "warn" | "info"; text: string; action?: { name: string; run(): void } } | null;
+  /** What changed the scene last: "edit", "undo", "redo", or an edit's label. */
+  reason: string;
+  message: { tone: "err" | "warn" | "info"; text: string; code?: string; action?: { name: string; run(): void } } | null;
   live: ReadonlyMap<string, string> | null;
 }
 
@@ -154,6 +156,7 @@ export function initialState(): State {
     canUndo: false,
     canRedo: false,
     transient: false,
+    reason: "open",
     message: null,
     live: null,
   };
@@ -192,7 +195,7 @@ class SceneStore implements Store {
     const before = this.dragFrom ?? this.state.scene;
     if (options.transient) {
       this.dragFrom = before;
-      this.set({ scene: next, transient: true });
+      this.set({ scene: next, transient: true, reason: options.label ?? "edit" });
       return;
     }
     this.dragFrom = null;
@@ -201,34 +204,35 @@ class SceneStore implements Store {
       if (this.past.length > UNDO_STEPS) this.past.shift();
       this.future.length = 0;
     }
-    this.apply(next);
+    this.apply(next, options.label ?? "edit");
   }
 
   undo(): void {
     if (this.dragFrom) {
       const from = this.dragFrom;
       this.dragFrom = null;
-      this.apply(from);
+      this.apply(from, "undo");
       return;
     }
-    this.travel(this.past, this.future);
+    this.travel(this.past, this.future, "undo");
   }
 
   redo(): void {
-    if (!this.dragFrom) this.travel(this.future, this.past);
+    if (!this.dragFrom) this.travel(this.future, this.past, "redo");
   }
 
-  private travel(from: Scene[], to: Scene[]): void {
+  private travel(from: Scene[], to: Scene[], reason: string): void {
     const scene = from.pop();
     if (!scene) return;
     to.push(this.state.scene);
-    this.apply(scene);
+    this.apply(scene, reason);
   }
 
-  private apply(scene: Scene): void {
+  private apply(scene: Scene, reason: string): void {
     const { selection } = this.state;
     this.set({
       scene,
+      reason,
       transient: false,
       selection: stillThere(scene, selection),
       canUndo: this.past.length > 0,

@@ -21,6 +21,14 @@ export interface Catalog {
   geometry(scene: Scene): SceneGeometry;
 }
 
+export interface Beginning {
+  preset: string;
+  syncAddress: boolean;
+  drives: boolean;
+  given: Promise<Scene | null>;
+  loaded(): void;
+}
+
 export type LayerPreset = "clean" | "search" | "risk" | "drive";
 export const LAYER_PRESETS: readonly LayerPreset[] = ["clean", "search", "risk", "drive"];
 
@@ -30,7 +38,7 @@ const SHOWN: Record<LayerPreset, readonly LayerKey[]> = {
   risk: ["slots", "obstacles", "path", "car", "safety", "cost", "risk", "grid"],
   drive: ["slots", "obstacles", "path", "car", "sweep", "heat", "safety", "risk", "grid"],
 };
-const ALL_LAYERS: readonly LayerKey[] = [
+export const ALL_LAYERS: readonly LayerKey[] = [
   "slots", "obstacles", "safety", "redundant", "cost", "heat", "risk", "tree", "sweep", "path", "car", "ghosts", "difference", "grid",
 ];
 
@@ -58,12 +66,15 @@ export class App {
 
   constructor(private readonly host: HTMLElement) {}
 
-  /** Loads the planners and the first scene, the address's or else the preset's, and plans it; `loaded` comes before the plans. */
-  async start(preset: string, syncAddress: boolean, loaded: () => void): Promise<void> {
+  /**
+   * Loads the planners and the first scene, the address's or else the given one or the preset's, and plans it; `loaded` comes
+   * before the plans. `drives`: the car then parks once.
+   */
+  async start({ preset, syncAddress, drives, given, loaded }: Beginning): Promise<void> {
     const engine = await loadEngine(extentFor(this.store.state.planners));
     this.catalog = catalogOf(engine);
     this.dropUnknownPlanners();
-    const first = await this.firstScene(preset, syncAddress);
+    const first = (await given) ?? (await this.firstScene(preset, syncAddress));
     this.origin = first;
     this.store.set({ scene: first, camera: null });
     if (syncAddress) this.links.start();
@@ -73,7 +84,7 @@ export class App {
     void this.controller.fetchTools();
     void extras.load();
     await this.planning.whenSettled();
-    this.player.driveIn();
+    if (drives) this.player.driveIn();
     requestIdle(() => void this.complete().catch(() => undefined));
     if (syncAddress) requestIdle(() => void this.remember());
   }
@@ -123,7 +134,7 @@ export class App {
   }
 
   say(tone: "err" | "warn" | "info", key: MessageKey, values?: Values): void {
-    this.store.set({ message: { tone, text: this.t(key, values) } });
+    this.store.set({ message: { tone, text: this.t(key, values), code: key } });
   }
 
   private dropUnknownPlanners(): void {

@@ -4,20 +4,20 @@ const TYPING = "input:not([type=checkbox]):not([type=range]), textarea, [content
 /** Keys that move sliders, press buttons and pick options belong to the control that has the focus. */
 const CONTROL_KEYS = /^( |Enter|Tab|Arrow|Home|End|Page)/;
 
-/** Keys of the whole playground, while the focus is in it or nowhere in particular. */
-export function listenToKeys(host: HTMLElement, app: App, open: (dialog: "keys" | "papers") => void): () => void {
+/** Keys of the whole playground, while the focus is in it; of one that is alone on its page, also while it is nowhere in particular. */
+export function listenToKeys(host: HTMLElement & { alone: boolean; viewing: boolean }, app: App, open: (dialog: "keys" | "papers") => void): () => void {
   const listen = (event: KeyboardEvent): void => {
-    if (event.defaultPrevented || !isOurs(host, event)) return;
+    if (event.defaultPrevented || host.viewing || !isOurs(host, event)) return;
     if (ownKey(app, event, open) || app.controller.handleKey(event)) event.preventDefault();
   };
   document.addEventListener("keydown", listen);
   return () => document.removeEventListener("keydown", listen);
 }
 
-function isOurs(host: HTMLElement, event: KeyboardEvent): boolean {
+function isOurs(host: HTMLElement & { alone: boolean }, event: KeyboardEvent): boolean {
   const path = event.composedPath();
   const target = path[0];
-  if (target !== document.body && !path.includes(host)) return false;
+  if (!path.includes(host) && !(host.alone && target === document.body)) return false;
   if (!(target instanceof HTMLElement)) return true;
   if (target.matches(TYPING) || path.some((node) => node instanceof HTMLDialogElement)) return false;
   return !(CONTROL_KEYS.test(event.key) && target.matches("button, input, select, [role=region]"));

@@ -5,8 +5,8 @@ import type { App } from "./app";
 
 const TITLE = 28;
 
-/** A PNG of the maps as they are on screen, `scale` pixels for each of the page's, each under its planner's name and answer. */
-export async function picture(app: App, views: readonly SceneView[], scale = 2): Promise<Blob | null> {
+/** A picture of the maps as they are on screen, `scale` pixels for each of the page's, each under its planner's name and answer. */
+export async function picture(app: App, views: readonly SceneView[], { scale = 2, type = "image/png" } = {}): Promise<Blob | null> {
   const shown = views.filter((view) => view.canvas && view.clientWidth > 0);
   if (shown.length === 0) return null;
   const boxes = shown.map((view) => view.getBoundingClientRect());
@@ -30,7 +30,7 @@ export async function picture(app: App, views: readonly SceneView[], scale = 2):
     ctx.font = `600 13px ${font}`;
     ctx.fillText(titleOf(app, view), x + 12, y - 9);
   });
-  return new Promise((resolve) => canvas.toBlob(resolve, "image/png"));
+  return new Promise((resolve) => canvas.toBlob(resolve, type));
 }
 
 function titleOf(app: App, view: SceneView): string {

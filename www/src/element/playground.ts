@@ -8,7 +8,7 @@ import { controls } from "../styles/controls";
 import { tokens } from "../styles/tokens";
 import { layout } from "../styles/layout";
 import type { MenuRequest } from "../tools/controller";
-import { App, download } from "./app";
+import { App, download, type Beginning } from "./app";
 import { listenToKeys } from "./keyboard";
 import { recall, remember } from "./memory";
 import "../panels/notices";
@@ -25,11 +25,11 @@ const FIRST_SCENE = "perpendicular";
 const DIALOGS = { presets: () => import("../panels/presets"), keys: () => import("../panels/keys-dialog"), import: () => import("../panels/import"), papers: () => import("../panels/papers") };
 
 /**
- * Draws a scene and plans it with several planners at once.
+ * Draws a scene and plans it with several planners at once: the page. What other pages embed is `Embedded`.
  *
- * Attributes: `scene` (a preset's id), `planners` (ids, spaced), `layout` (grid, overlay, focus), `controls` (full, minimal),
- * `theme` (auto, light, dark), `lang` (en, zh), `permalink` (keeps the scene in the page's address).
- * Events: `ready`, `scene-change` { scene, transient }, `plan-result` { planner, plan }.
+ * Attributes: `scene` (a preset's id), `planners` (ids, spaced), `layout` (grid, overlay, focus), `theme` (auto, light, dark),
+ * `lang` (en, zh), `permalink` (keeps the scene in the page's address).
+ * Events: `ready`, `scene-change` { scene, reason, transient }, `plan-result` { planner, plan }.
  */
 export class Playground extends LitElement {
   static override properties = {
@@ -55,7 +55,9 @@ export class Playground extends LitElement {
 
   /** Resolves when the first scene is solved. */
   readonly ready: Promise<void>;
-  private readonly app = new App(this);
+  /** Whether nothing is edited by pointer or keys. */
+  declare viewing: boolean;
+  protected readonly app = new App(this);
   private becomeReady: () => void = () => {};
   private detach: (() => void)[] = [];
   private words: Promise<void> = Promise.resolve();
@@ -67,12 +69,17 @@ export class Playground extends LitElement {
     this.planners = "";
     this.layout = "grid";
     this.theme = "auto";
-    this.permalink = this.compact = this.short = this.loaded = this.folded = this.dropping = false;
+    this.viewing = this.permalink = this.compact = this.short = this.loaded = this.folded = this.dropping = false;
     this.takeEarly("sceneData");
   }
 
   get store(): Store {
     return this.app.store;
+  }
+
+  /** Alone on its page. */
+  get alone(): boolean {
+    return this.permalink;
   }
 
   get results(): Record<string, Plan | null> {
@@ -117,9 +124,9 @@ export class Playground extends LitElement {
     return this.app.links.address();
   }
 
-  async toBlob(): Promise<Blob | null> {
+  async toBlob({ type = "image/png" }: { type?: string } = {}): Promise<Blob | null> {
     const { picture } = await import("./picture");
-    return picture(this.app, this.views());
+    return picture(this.app, this.views(), { type });
   }
 
   override connectedCallback(): void {
@@ -159,7 +166,7 @@ export class Playground extends LitElement {
 
   protected override willUpdate(changed: PropertyValues): void {
     if (changed.has("theme")) this.store.set({ theme: this.theme });
-    if (changed.has("layout") && this.hasUpdated) this.store.set({ mode: this.layout });
+    if (changed.has("layout") && this.hasUpdated) this.arrange();
   }
 
   protected override updated(changed: PropertyValues): void {
@@ -172,8 +179,8 @@ export class Playground extends LitElement {
         @parkade-scenes=${() => void this.openDialog("presets")} @parkade-keys=${() => void this.openDialog("keys")} @parkade-papers=${() => void this.openDialog("papers")} @parkade-fold=${() => { this.folded = !this.folded; }}
         @parkade-menu=${this.showMenu} @parkade-open-file=${() => this.fileInput?.click()} @parkade-png=${this.savePicture}
         @dragover=${this.onDragOver} @dragleave=${() => { this.dropping = false; }} @drop=${this.onDrop}>
-      <parkade-toolbar part="toolbar" .app=${this.app} .ready=${this.loaded} ?compact=${this.compact}></parkade-toolbar>
-      <parkade-stage .app=${this.app} ?compact=${this.compact}></parkade-stage>
+      <parkade-toolbar part="toolbar" .app=${this.app} .ready=${this.loaded} ?compact=${this.compact}><slot name="toolbar-extra"></slot></parkade-toolbar>
+      <parkade-stage exportparts="panel, canvas" .app=${this.app} ?compact=${this.compact}></parkade-stage>
       ${this.compact ? this.phone() : this.desk()}
       <parkade-notices .app=${this.app}></parkade-notices>
       ${this.dropping ? html`<div class="dropping">${this.app.t("drop.here")}</div>` : nothing}
@@ -201,18 +208,22 @@ export class Playground extends LitElement {
   }
 
   /** Takes language, theme, arrangement and planners from attributes and from the last visit. */
-  private adopt(): void {
+  protected adopt(): void {
     const remembered = this.permalink ? recall("theme") : null;
     if (remembered === "light" || remembered === "dark") this.theme = remembered;
     // Ids that no planner has are dropped, with a word, when the planners are there.
     const ids = this.planners.split(/\s+/).filter(Boolean) as PlannerId[];
     this.store.set({
       theme: this.theme,
-      mode: this.layout,
       ...(ids.length > 0 ? { planners: ids, focus: ids.includes("hybrid") ? "hybrid" : ids.at(-1)! } : {}),
     });
+    this.arrange();
     this.words = this.app.setLang(pickLang((this.permalink ? recall("lang") : null) ?? this.getAttribute("lang")))
       .then(() => this.setAttribute("lang", this.store.state.lang));
+  }
+
+  protected arrange(): void {
+    this.store.set({ mode: this.layout });
   }
 
   /** Nothing is drawn before its words are there. */
@@ -227,10 +238,9 @@ export class Playground extends LitElement {
     this.short = height < SHORT_HEIGHT;
   }
 
-  private async begin(): Promise<void> {
+  protected async begin(): Promise<void> {
     try {
-      const solved = this.app.start(this.scene, this.permalink, () => { this.loaded = true; });
-      await solved;
+      await this.app.start({ ...this.beginning(), loaded: () => { this.loaded = true; } });
       this.becomeReady();
       this.emit("ready", {});
     } catch (error) {
@@ -238,7 +248,12 @@ export class Playground extends LitElement {
     }
   }
 
-  private onState(state: State, previous: State): void {
+  /** What is shown first. */
+  protected beginning(): Omit<Beginning, "loaded"> {
+    return { preset: this.scene, syncAddress: this.permalink, drives: true, given: Promise.resolve(null) };
+  }
+
+  protected onState(state: State, previous: State): void {
     if (state.theme !== previous.theme) {
       this.theme = state.theme;
       if (this.permalink) remember("theme", state.theme);
@@ -249,7 +264,7 @@ export class Playground extends LitElement {
       this.requestUpdate();
     }
     if (state.scene !== previous.scene || state.transient !== previous.transient) {
-      this.emit("scene-change", { scene: state.scene, transient: state.transient });
+      this.emit("scene-change", { scene: state.scene, reason: state.reason, transient: state.transient });
     }
     if (state.results === previous.results) return;
     for (const planner of state.planners) {
@@ -271,7 +286,7 @@ export class Playground extends LitElement {
 
   private readonly savePicture = async ({ detail }: CustomEvent<number>): Promise<void> => {
     const { picture } = await import("./picture");
-    const blob = await picture(this.app, this.views(), detail);
+    const blob = await picture(this.app, this.views(), { scale: detail });
     if (blob) download(blob, `parkade${detail > 1 ? `@${detail}x` : ""}.png`);
   };
 
@@ -299,7 +314,7 @@ export class Playground extends LitElement {
     await this.renderRoot.querySelector<HTMLElement & { openFiles(files: File[]): Promise<void> }>("parkade-import")?.openFiles(files);
   }
 
-  private views(): SceneView[] {
+  protected views(): SceneView[] {
     const stage = this.renderRoot.querySelector("parkade-stage")?.shadowRoot;
     if (!stage) return [];
     const panels = [...stage.querySelectorAll("parkade-panel")].flatMap((panel) => [...(panel.shadowRoot?.querySelectorAll<SceneView>("parkade-scene-view") ?? [])]);
@@ -321,9 +336,7 @@ export class Playground extends LitElement {
     this[name] = value;
   }
 
-  private emit(name: string, detail: object): void {
+  protected emit(name: string, detail: object): void {
     this.dispatchEvent(new CustomEvent(name, { detail, bubbles: true, composed: true }));
   }
 }
-
-customElements.define("parkade-playground", Playground);

@@ -10,7 +10,7 @@ const KEY = "hint.drag";
 /** One sentence beside the goal car, until the first drag. */
 export class Hint extends AppElement {
   static override styles = css`
-    :host { position: absolute; inset: 0; pointer-events: none; overflow: hidden; z-index: 3; }
+    :host { display: var(--parkade-hint, block); position: absolute; inset: 0; pointer-events: none; overflow: hidden; z-index: 3; }
     span { position: absolute; padding: 7px 12px; border-radius: calc(6px * var(--parkade-radius)); background: var(--parkade-t1); color: var(--parkade-panel); font-weight: 500; white-space: nowrap; transform: translateY(-50%); }
     span::after { content: ""; position: absolute; top: 50%; width: 8px; height: 8px; background: inherit; transform: translateY(-50%) rotate(45deg); }
     .left::after { right: -4px; } .right::after { left: -4px; }

@@ -33,7 +33,7 @@ export class PlannerPanel extends AppElement {
     :host([active])::before { content: ""; position: absolute; inset: 0 0 auto; height: 2px; background: var(--parkade-accent); z-index: 2; }
     header { display: flex; align-items: center; gap: 8px; padding: 0 8px 0 12px; border-bottom: 1px solid var(--parkade-hair); min-width: 0; cursor: default; user-select: none; -webkit-user-select: none; }
     h2 { margin: 0; font: inherit; font-weight: 600; white-space: nowrap; display: flex; align-items: center; gap: 8px; }
-    .time { color: var(--parkade-t2); white-space: nowrap; }
+    .time { color: var(--parkade-t2); white-space: nowrap; min-width: 58px; }
     .chip { flex: 0 1 auto; }
     .chip .short { display: none; }
     @container (max-width: 470px) { .chip .short { display: block; } .chip .long { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); } }
@@ -114,7 +114,7 @@ export class PlannerPanel extends AppElement {
       </header>
       <div class="body" @pointerdown=${this.takeFocus}>
         ${hidden ? html`<div class="veil">${this.t("panel.hidden")}</div>` : html`
-          <parkade-scene-view .app=${this.app} .planners=${[planner]} .label=${label}></parkade-scene-view>
+          <parkade-scene-view exportparts="canvas" .app=${this.app} .planners=${[planner]} .label=${label}></parkade-scene-view>
           ${state.focus === planner && !this.thumb ? html`<parkade-hint .app=${this.app}></parkade-hint>` : nothing}
           ${status.reason ? html`<div class="reason">${status.reason}</div>` : nothing}
           <div class="corner ${this.corner("left")}">${readoutOf(state, planner)}</div>

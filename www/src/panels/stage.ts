@@ -53,12 +53,12 @@ export class Stage extends AppElement {
     if (mode === "grid") return html`<div class="grid" data-n=${planners.length}>${planners.map((planner) => this.panel(planner))}</div>${options}`;
     const others = planners.filter((planner) => planner !== focus);
     return html`<div class="focus" .style=${`--thumbs:${Math.max(1, others.length)}`}>
-      <parkade-panel class="large" .app=${this.app} .planner=${focus}></parkade-panel>
-      ${others.map((planner) => html`<parkade-panel .app=${this.app} .planner=${planner} thumb></parkade-panel>`)}</div>${options}`;
+      <parkade-panel part="panel" exportparts="canvas" class="large" .app=${this.app} .planner=${focus}></parkade-panel>
+      ${others.map((planner) => html`<parkade-panel part="panel" exportparts="canvas" .app=${this.app} .planner=${planner} thumb></parkade-panel>`)}</div>${options}`;
   }
 
   private panel(planner: PlannerId): TemplateResult {
-    return html`<parkade-panel .app=${this.app} .planner=${planner}></parkade-panel>`;
+    return html`<parkade-panel part="panel" exportparts="canvas" .app=${this.app} .planner=${planner}></parkade-panel>`;
   }
 
   private overlay(): TemplateResult {
@@ -66,7 +66,7 @@ export class Stage extends AppElement {
     const shown = planners.filter((planner) => !hidden.has(planner) && planner !== focus);
     if (!hidden.has(focus)) shown.push(focus);
     return html`<div class="one">
-      <parkade-scene-view .app=${this.app} .planners=${shown} .label=${this.t("panel.overlay")}></parkade-scene-view>
+      <parkade-scene-view exportparts="canvas" .app=${this.app} .planners=${shown} .label=${this.t("panel.overlay")}></parkade-scene-view>
       <parkade-hint .app=${this.app}></parkade-hint>
       ${this.compact ? this.heading() : this.legend()}</div>`;
   }

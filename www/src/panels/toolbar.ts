@@ -100,7 +100,7 @@ export class Toolbar extends AppElement {
       ${this.plannersMenu()}
       ${this.layersMenu()}
       <div class="segmented modes" role="group" aria-label=${this.t("bar.mode")}>${MODES.map((mode) => this.mode(mode))}</div>
-      <span class="end">
+      <span class="end"><slot></slot>
         <span class="anchor rare">
           <button class="button menu" aria-expanded=${this.menus.open === "export"} aria-label=${this.t("bar.export")} @click=${(e: Event) => this.menus.toggle("export", e)}>
             ${icon("export")}<span class="label">${this.t("bar.export")}</span>${icon("down", 14)}</button>

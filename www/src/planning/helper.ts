@@ -21,7 +21,7 @@ export class Helper {
   private last = 0;
 
   constructor(private readonly engine: Engine) {
-    this.worker = new Worker(engine.api.script, { type: "module", name: "parkade jobs" });
+    this.worker = new Worker(engine.script, { type: "module", name: "parkade jobs" });
     this.worker.onmessage = ({ data }: MessageEvent<JobReply>) => {
       const job = this.waiting.get(data.id);
       this.waiting.delete(data.id);

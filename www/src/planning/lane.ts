@@ -1,7 +1,9 @@
 import type { Explanation, LayerName, PlannerId, Scenario } from "parkade";
+import type { Holder, WorkerPool } from "./pool";
 import type { Failure, Reply, Request, Waiting } from "./protocol";
 
-export interface Job { id: number; scene: Scenario; layers: LayerName[]; trace: boolean; waiting: Waiting | null }
+/** `budget`: milliseconds after which the plan is given up. */
+export interface Job { id: number; scene: Scenario; layers: LayerName[]; trace: boolean; waiting: Waiting | null; budget?: number | null }
 
 /** What a lane needs of a Worker; tests put their own in. */
 export interface WorkerLike {
@@ -20,12 +22,13 @@ export interface LaneEvents {
 /** A newer scene waits this long, then the running plan is given up. */
 export const PATIENCE_MS = 1000;
 
-/** One planner's worker: at most one plan running and one waiting, the newest wins. */
-export class Lane {
+/** One planner of one playground: at most one plan running and one waiting, the newest wins. */
+export class Lane implements Holder {
   private worker: WorkerLike | null = null;
   private running: Job | null = null;
   private waiting: Job | null = null;
   private patience: ReturnType<typeof setTimeout> | undefined;
+  private limit: ReturnType<typeof setTimeout> | undefined;
   private timing: { id: number; done: (samples: number[]) => void } | null = null;
   private timingId = 0;
   private asking: { id: number; done: (explanation: Explanation | null) => void } | null = null;
@@ -33,7 +36,7 @@ export class Lane {
   constructor(
     private readonly planner: PlannerId,
     readonly module: WebAssembly.Module,
-    private readonly spawn: () => WorkerLike,
+    private readonly pool: WorkerPool,
     private readonly events: LaneEvents,
   ) {}
 
@@ -70,12 +73,21 @@ export class Lane {
     });
   }
 
+  /** Ends what runs; the worker itself lives on where nothing runs. */
   stop(): void {
     clearTimeout(this.patience);
+    clearTimeout(this.limit);
     this.patience = undefined;
-    this.worker?.terminate();
-    this.worker = null;
+    const wasBusy = this.running !== null;
     this.running = this.waiting = null;
+    this.revoked();
+    if (wasBusy) this.pool.drop(this);
+    else this.pool.release(this);
+  }
+
+  revoked(): void {
+    if (this.worker) this.worker.onmessage = this.worker.onerror = null;
+    this.worker = null;
     this.timing?.done([]);
     this.asking?.done(null);
     this.timing = this.asking = null;
@@ -83,19 +95,28 @@ export class Lane {
 
   private send(job: Job): void {
     this.running = job;
-    this.worker ??= this.start();
-    this.worker.postMessage({ kind: "plan", ...job });
+    if (this.worker) this.post();
+    else this.pool.lease(this, (worker) => this.begin(worker));
   }
 
-  private start(): WorkerLike {
-    const worker = this.spawn();
+  private post(): void {
+    const job = this.running;
+    if (!job || !this.worker) return;
+    this.worker.postMessage({ kind: "plan", ...job });
+    clearTimeout(this.limit);
+    const { budget } = job;
+    if (budget) this.limit = setTimeout(() => this.interrupt(budget), budget);
+  }
+
+  private begin(worker: WorkerLike): void {
+    this.worker = worker;
     worker.onmessage = ({ data }) => this.receive(data);
     worker.onerror = (event) => {
       event.preventDefault();
       this.died(event.message || "the worker stopped");
     };
     worker.postMessage({ kind: "start", module: this.module, planner: this.planner });
-    return worker;
+    this.post();
   }
 
   private receive(reply: Reply): void {
@@ -113,25 +134,39 @@ export class Lane {
     if (reply.kind === "planned") this.events.planned(reply, next !== null);
     else this.events.failed(reply.error, next !== null);
     if (next) this.send(next);
+    else if (!this.running) this.pool.rested(this);
   }
 
   /** A trap leaves the module's memory in an unknown state: the worker is thrown away with it. */
   private died(message: string): void {
-    const next = this.finish();
-    this.stop();
+    const next = this.renew();
     this.events.restarted();
     this.events.failed({ code: "internal", path: "", message }, next !== null);
     if (next) this.send(next);
   }
 
   private giveUp(): void {
-    const next = this.finish();
-    this.stop();
+    const next = this.renew();
     if (next) this.send(next);
+  }
+
+  private interrupt(budget: number): void {
+    const next = this.renew();
+    this.events.failed({ code: "interrupted", path: "", message: String(budget) }, next !== null);
+    if (next) this.send(next);
+  }
+
+  /** Throws the worker away; returns the plan that waited. */
+  private renew(): Job | null {
+    const next = this.finish();
+    this.revoked();
+    this.pool.drop(this);
+    return next;
   }
 
   private finish(): Job | null {
     clearTimeout(this.patience);
+    clearTimeout(this.limit);
     this.patience = undefined;
     const next = this.waiting;
     this.running = this.waiting = null;

@@ -1,11 +1,16 @@
 import type { PlannerId } from "parkade";
+import type { WorkerLike } from "./lane";
+import { WorkerPool } from "./pool";
 import coreUrl from "../../../pkg/core/parkade_bg.wasm?url";
 import completeUrl from "../../../pkg/parkade_bg.wasm?url";
 
 type Api = typeof import("./engine");
 
-/** The planners' functions, ready to be called, and their compiled module for the workers. */
-export interface Engine { extent: Extent; api: Api; module: WebAssembly.Module }
+/** The planners' functions, ready to be called, their compiled module for the workers, and these; of all playgrounds of a page. */
+export interface Engine { extent: Extent; api: Api; module: WebAssembly.Module; pool: WorkerPool; script: string }
+
+/** Where worker scripts and modules are when not beside this script: pages of one host that embed another's need their own copies. */
+export const elsewhere: { worker: string | null; wasm: string | null } = { worker: null, wasm: null };
 
 /** `core` plans the first picture; `complete` has every planner and format and comes later, or at once where it is needed. */
 export type Extent = "core" | "complete";
@@ -32,13 +37,19 @@ export function loadEngine(extent: Extent): Promise<Engine> {
 
 async function load(extent: Extent): Promise<Engine> {
   const { url, script } = SOURCES[extent];
-  const [api, module] = await Promise.all([script(), compile(url)]);
+  const [api, module] = await Promise.all([script(), compile(beside(elsewhere.wasm, url))]);
   await api.init({ wasm: module });
-  return { extent, api, module };
+  const source = beside(elsewhere.worker, api.script);
+  const pool = new WorkerPool(() => new Worker(source, { type: "module", name: "parkade" }) as WorkerLike);
+  return { extent, api, module, pool, script: source };
 }
 
+/** The file of the same name in another folder. */
+const beside = (folder: string | null, url: string): string =>
+  folder === null ? new URL(url, import.meta.url).href : new URL(url.slice(url.lastIndexOf("/") + 1), new URL(folder.replace(/\/?$/, "/"), document.baseURI)).href;
+
 async function compile(url: string): Promise<WebAssembly.Module> {
-  const response = await fetch(new URL(url, import.meta.url));
+  const response = await fetch(url);
   if (!response.ok) throw new Error(`the server answered ${response.status} for the planners' module.`);
   const isWasm = response.headers.get("content-type")?.startsWith("application/wasm") ?? false;
   return isWasm ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());

@@ -3,7 +3,7 @@ import { translate } from "../i18n/index";
 import { identityOf, plannerName } from "../view/identity";
 import { forPlanners, isUnpacked, withoutCells } from "../scene/vast";
 import { emptyResult, type PanelResult, type Scene, type State, type Store } from "../store";
-import { Lane, type Job, type WorkerLike } from "./lane";
+import { Lane, type Job } from "./lane";
 import { extentFor, type Engine } from "./module";
 import type { Failure, Layers, Reply } from "./protocol";
 
@@ -19,6 +19,8 @@ export class Planning {
   private readonly lanes = new Map<PlannerId, Lane>();
   private unsubscribe: (() => void) | null = null;
   private job = 0;
+  /** Milliseconds after which a plan is given up; null: never. */
+  budget: number | null = null;
   private readonly held = new Map<PlannerId, Job>();
   /** Shown, but not in the module that is loaded so far. */
   private readonly absent = new Set<PlannerId>();
@@ -33,8 +35,6 @@ export class Planning {
     private engine: Engine,
     /** Loads the complete module and has it used here. */
     private readonly complete: () => Promise<Engine>,
-    private readonly spawn: (planner: PlannerId) => WorkerLike = (planner) =>
-      new Worker(this.engine.api.script, { type: "module", name: `parkade ${planner}` }) as WorkerLike,
   ) {}
 
   /** Planners run on this module from now on: at once, or with their next plan when they are at work. */
@@ -63,6 +63,28 @@ export class Planning {
     this.held.clear();
     for (const lane of this.lanes.values()) lane.stop();
     this.lanes.clear();
+  }
+
+  /** Plans the present scene again. */
+  again(): void {
+    this.replan(this.store.state.scene);
+  }
+
+  /** Gives up what runs; planners keep their last answers. */
+  cancel(): void {
+    clearTimeout(this.release);
+    this.release = undefined;
+    this.held.clear();
+    for (const lane of this.lanes.values()) if (lane.busy) lane.stop();
+    const { results } = this.store.state;
+    this.store.set({ results: Object.fromEntries(Object.entries(results).map(([planner, result]) => [planner, result.status === "planning" ? { ...result, status: "idle" as const } : result])) });
+    this.afterResult();
+  }
+
+  /** Out of sight nothing is timed, and workers are there for others. */
+  suspend(): void {
+    clearTimeout(this.quiet);
+    for (const lane of this.lanes.values()) if (!lane.busy) lane.stop();
   }
 
   /** Resolves when every planner has answered for the present scene. */
@@ -129,7 +151,7 @@ export class Planning {
     this.planWhenLoaded(state.planners.filter((planner) => !present.includes(planner)));
     for (const planner of present) {
       const waiting = state.transient ? null : state.waiting;
-      const job = { id: this.job, scene, layers: layersOf(planner, state), trace: isTraced(planner, state), waiting };
+      const job = { id: this.job, scene, layers: layersOf(planner, state), trace: isTraced(planner, state), waiting, budget: this.budget };
       if (state.transient && identityOf(planner).drives) this.hold(planner, job);
       else {
         this.held.delete(planner);
@@ -176,7 +198,7 @@ export class Planning {
         [planner, { ...(state.results[planner] ?? emptyResult), status: "error" as const, error: failure }]));
       const key = failure.path ? "error.sceneAt" : "error.scene";
       const text = translate(state.lang, key, { path: failure.path, reason: withoutPath(failure) });
-      this.store.set({ results, message: { tone: "err", text } });
+      this.store.set({ results, message: { tone: "err", text, code: failure.code } });
       return false;
     }
   }
@@ -188,7 +210,7 @@ export class Planning {
       lane = undefined;
     }
     if (!lane) {
-      lane = new Lane(planner, this.engine.module, () => this.spawn(planner), {
+      lane = new Lane(planner, this.engine.module, this.engine.pool, {
         planned: (reply, newerWaits) => this.planned(planner, reply, newerWaits),
         failed: (error, newerWaits) => this.failed(planner, error, newerWaits),
         restarted: () => this.sayRestarted(planner),
@@ -219,11 +241,11 @@ export class Planning {
     this.update(planner, { status: newerWaits ? "planning" : "error", error });
     if (newerWaits) return;
     if (error.code !== "internal") {
-      const { lang } = this.store.state;
-      const text = translate(lang, "error.config", {
-        planner: plannerName(lang, planner), path: error.path, reason: withoutPath(error),
-      });
-      this.store.set({ message: { tone: "err", text } });
+      const { lang } = this.store.state, name = plannerName(lang, planner);
+      const text = error.code === "interrupted"
+        ? translate(lang, "error.budget", { planner: name, ms: error.message })
+        : translate(lang, "error.config", { planner: name, path: error.path, reason: withoutPath(error) });
+      this.store.set({ message: { tone: "err", text, code: error.code } });
     }
     this.afterResult();
   }

@@ -21,6 +21,8 @@ export function serve(loaded: Api): void {
   api = loaded;
   scope.onmessage = ({ data }) => {
     if (data.kind === "start") {
+      current?.free();
+      current = null;
       planner = data.planner;
       ready = api.init({ wasm: data.module });
     } else void answer(data);

@@ -1,0 +1,266 @@
+import { expect, test, type Page } from "@playwright/test";
+import type { Plan, Scenario } from "parkade";
+import { complaintsOf } from "./playground";
+
+interface Embed extends HTMLElement {
+  ready: Promise<void>;
+  loaded: boolean;
+  results: Record<string, Plan | null>;
+  sceneData: Scenario;
+  params: Record<string, Record<string, unknown>>;
+  playhead: number;
+  camera: { x: number; y: number; scale: number } | null;
+  canUndo: boolean;
+  canRedo: boolean;
+  poster: string;
+  [method: string]: unknown;
+}
+
+const HOST = "/host/three.html";
+const wasm = (urls: string[]) => urls.filter((url) => url.endsWith(".wasm"));
+
+/** What the page asked for, and how far it moved by itself. */
+async function watch(page: Page): Promise<{ urls: string[]; shifted(): Promise<number> }> {
+  const urls: string[] = [];
+  page.on("request", (request) => urls.push(request.url()));
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await page.addInitScript(() => {
+    const shifts: number[] = [];
+    (window as unknown as { shifts: number[] }).shifts = shifts;
+    new PerformanceObserver((list) => {
+      for (const entry of list.getEntries()) shifts.push((entry as unknown as { value: number }).value);
+    }).observe({ type: "layout-shift", buffered: true });
+  });
+  return { urls, shifted: () => page.evaluate(() => (window as unknown as { shifts: number[] }).shifts.reduce((a, b) => a + b, 0)) };
+}
+
+const near = (page: Page, id: string) => page.evaluate(async (name) => {
+  const element = document.getElementById(name) as Embed;
+  element.scrollIntoView({ block: "center" });
+  await element.ready;
+}, id);
+
+test("nothing but the loader is fetched before a playground is near; then it moves nothing, and the second costs no byte", async ({ page }) => {
+  const complaints = complaintsOf(page);
+  const { urls, shifted } = await watch(page);
+  await page.goto(HOST);
+  await page.waitForLoadState("networkidle");
+  expect(urls.filter((url) => url.includes("/sub/path/"))).toEqual([expect.stringMatching(/parkade-playground\.js$/)]);
+
+  await near(page, "one");
+  await expect(page.locator("#one").locator("canvas")).toHaveCount(1);
+  await expect(page.locator("#one").locator(".poster")).toHaveCount(0);
+  expect(wasm(urls).filter((url) => url.includes("parkade_bg"))).not.toHaveLength(0);
+  expect(await shifted()).toBe(0);
+
+  await page.waitForLoadState("networkidle");
+  const before = urls.length;
+  await near(page, "two");
+  await page.waitForLoadState("networkidle");
+  // A worker's script comes from the cache; nothing is new.
+  expect(urls.slice(before).filter((url) => !urls.slice(0, before).includes(url))).toEqual([]);
+  const answers = await page.evaluate(() => Object.values((document.getElementById("two") as Embed).results).map((plan) => plan?.outcome));
+  expect(answers).toEqual(["found", "found"]);
+  expect(await shifted()).toBe(0);
+  expect(complaints).toEqual([]);
+});
+
+test("playgrounds share the workers of one pool", async ({ page }) => {
+  await watch(page);
+  await page.goto(HOST);
+  for (const id of ["one", "two"]) await near(page, id);
+  await page.evaluate(() => (document.getElementById("three") as unknown as { load(): Promise<unknown> }).load());
+  await near(page, "three");
+  expect(page.workers().length).toBeLessThanOrEqual(8);
+});
+
+test("what waits for a press fetches nothing until it is pressed, also by the keyboard, and then speaks its own language and colours", async ({ page }) => {
+  const { urls, shifted } = await watch(page);
+  await page.goto(HOST);
+  await page.locator("#three").scrollIntoViewIfNeeded();
+  await page.evaluate(() => document.getElementById("three")!.scrollIntoView({ block: "center" }));
+  await page.waitForTimeout(300);
+  const alone = urls.filter((url) => url.includes("/sub/path/"));
+  await page.evaluate(() => { for (const id of ["one", "two"]) document.getElementById(id)!.remove(); });
+  const poster = page.locator("#three").getByRole("button", { name: "A scene of its own" });
+  await poster.focus();
+  await page.keyboard.press("Enter");
+  await page.evaluate(() => (document.getElementById("three") as Embed).ready);
+  expect(alone.filter((url) => !url.endsWith("parkade-playground.js") && !/assets/.test(url))).toEqual([]);
+  const scene = await page.evaluate(() => (document.getElementById("three") as Embed).sceneData);
+  expect([scene.name, scene.goal]).toEqual(["Own", { x: 15, y: 7, heading: 0 }]);
+  await expect(page.locator("#three").getByRole("button", { name: "撤销" }).first()).toBeAttached();
+  expect(await page.locator("#three").locator("parkade-embedded").evaluate((element) => getComputedStyle(element).colorScheme)).toBe("dark");
+  expect(await shifted()).toBe(0);
+});
+
+test("the page's colours, parts and slots reach into the playground", async ({ page }) => {
+  await watch(page);
+  await page.goto(HOST);
+  await near(page, "one");
+  expect(await page.locator("#one").locator("parkade-stage").evaluate((element) => getComputedStyle(element).getPropertyValue("--parkade-accent").trim())).toBe("rgb(1, 2, 3)");
+  expect(await page.locator("#one").locator("parkade-timeline").evaluate((element) => getComputedStyle(element).opacity)).toBe("0.9");
+});
+
+test("the page keeps its wheel and its keys; a press on the chip begins editing, Ctrl and the wheel zoom", async ({ page }) => {
+  await watch(page);
+  await page.goto(HOST);
+  await near(page, "one");
+  const camera = () => page.evaluate(() => (document.getElementById("one") as Embed).camera);
+  const box = (await page.locator("#one").boundingBox())!;
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  const from = await page.evaluate(() => scrollY);
+  await page.mouse.wheel(0, 120);
+  await expect.poll(() => page.evaluate(() => scrollY)).toBeGreaterThan(from);
+  const scene = await page.evaluate(() => JSON.stringify((document.getElementById("one") as Embed).sceneData));
+  await page.keyboard.press("Delete");
+  await page.keyboard.press("b");
+  await page.mouse.move(box.x + 200, box.y + 100);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 300, box.y + 150, { steps: 4 });
+  await page.mouse.up();
+  expect(await page.evaluate(() => JSON.stringify((document.getElementById("one") as Embed).sceneData))).toBe(scene);
+
+  await page.locator("#one").getByRole("button", { name: "Tap to edit" }).click();
+  await expect(page.locator("#one").getByRole("button", { name: "Tap to edit" })).toHaveCount(0);
+  const now = await page.evaluate(() => scrollY);
+  const again = (await page.locator("#one").boundingBox())!;
+  await page.mouse.move(again.x + again.width / 2, again.y + again.height / 2);
+  await page.mouse.wheel(0, -60);
+  await expect.poll(() => page.evaluate(() => scrollY)).toBeLessThan(now);
+  expect(await camera()).toBeNull();
+  await page.keyboard.down("Control");
+  await page.mouse.wheel(0, -60);
+  await page.keyboard.up("Control");
+  await expect.poll(camera).not.toBeNull();
+});
+
+test("properties set before the element is there are kept", async ({ page }) => {
+  await watch(page);
+  await page.route("**/parkade-playground.js", async (route) => {
+    await page.evaluate(() => {
+      const element = document.getElementById("one") as Embed;
+      element.sceneData = { version: 1, name: "Early", map: { origin: [0, 0], width: 40, height: 30, resolution: 0.5 }, start: { x: 3, y: 7, heading: 0 }, goal: { x: 15, y: 7, heading: 0 } };
+    });
+    await route.continue();
+  });
+  await page.goto(HOST);
+  await near(page, "one");
+  await expect.poll(() => page.evaluate(() => (document.getElementById("one") as Embed).sceneData.name)).toBe("Early");
+});
+
+test("every method and event of the element does what it says", async ({ page }) => {
+  await watch(page);
+  await page.goto(HOST);
+  const said = await page.evaluate(async () => {
+    const element = document.getElementById("two") as Embed;
+    const heard: Record<string, unknown[]> = {};
+    const names = ["ready", "scene-change", "plan-start", "plan-progress", "plan-result", "plan-complete", "seek", "select", "error", "progress", "visibility"];
+    for (const name of names) element.addEventListener(name, (event) => (heard[name] ??= []).push((event as CustomEvent).detail));
+    const call = <T>(name: string, ...args: unknown[]) => (element[name] as (...given: unknown[]) => Promise<T>)(...args);
+    await call("settled");
+    element.scrollIntoView();
+    const first = await call<Scenario>("getScene");
+    const moved = { ...first, name: "Moved", start: { ...first.start, x: first.start.x + 0.5 } };
+    await call("setScene", moved);
+    const undone = element.canUndo;
+    await call("undo");
+    const back = (await call<Scenario>("getScene")).start.x === first.start.x && element.canRedo;
+    await call("redo");
+    element.params = { hybrid: { reverseCost: 3 } };
+    await call("plan");
+    const params = (await call<Scenario>("getScene")).planners?.hybrid;
+    await call("reset");
+    element.playhead = 0.25;
+    const playhead = element.playhead;
+    await call("seek", 0.5, { base: "drive" });
+    await call("play");
+    await call("pause");
+    element.camera = { x: 5, y: 5, scale: 20 };
+    const camera = element.camera;
+    await call("fit");
+    const svg = await call<string>("toSVG"), csv = await call<string>("toCSV"), blob = await call<Blob>("toBlob", { type: "image/webp" }), url = await call<string>("shareURL");
+    await call("cancel");
+    const refused = await call("setScene", { version: 1 }).then(() => "taken", (error: Error) => error.message);
+    await call("setScene", { ...moved, vehicle: { wheelbase: -1 } });
+    return { heard, undone, back, params, playhead, camera, fitted: element.camera, svg: svg.slice(0, 4), csv: csv.split("\n")[0], blob: blob.type, url, refused, loaded: element.loaded, moved: moved.start.x };
+  });
+  const { heard } = said;
+  expect(said).toMatchObject({ undone: true, back: true, params: { reverseCost: 3 }, playhead: 0.25, camera: { x: 5, y: 5, scale: 20 }, svg: "<svg", csv: "s,x,y,theta,kappa,clearance,v,direction", blob: "image/webp", loaded: true });
+  expect(said.url).toContain("#s=");
+  expect(said.refused).toContain("This scene has no map");
+  expect(Object.keys(heard).sort()).toEqual(["error", "plan-complete", "plan-progress", "plan-result", "plan-start", "progress", "ready", "scene-change", "seek", "visibility"]);
+  expect(heard["progress"]!.at(-1)).toEqual({ totalProgress: 1 });
+  expect((heard["scene-change"] as { reason: string; transient: boolean }[]).map(({ reason }) => reason)).toEqual(expect.arrayContaining(["open", "undo", "redo", "params"]));
+  expect((heard["plan-result"] as { planner: string }[]).map(({ planner }) => planner)).toEqual(expect.arrayContaining(["eight", "hybrid"]));
+  expect((heard["plan-progress"] as { expansions: number }[])[0]!.expansions).toBeGreaterThan(0);
+  expect(heard["plan-complete"]!.at(-1)).toMatchObject({ id: expect.any(Number), results: { hybrid: { outcome: "found" } } });
+  expect(heard["error"]!.at(-1)).toMatchObject({ code: "bad-scenario", message: expect.stringContaining("vehicle.width: missing field") });
+});
+
+test("a plan that takes longer than its budget is given up, in words", async ({ page }) => {
+  await watch(page);
+  await page.goto(HOST);
+  const message = await page.evaluate(async () => {
+    const element = document.getElementById("one") as Embed;
+    await (element["settled"] as () => Promise<void>)();
+    element.setAttribute("budget-ms", "1");
+    const stopped = new Promise<{ code: string; message: string }>((done) => element.addEventListener("error", (event) => done((event as unknown as CustomEvent).detail)));
+    const cells = Array.from({ length: 1200 }, (_, y) => [y % 2, y, 1]);
+    void (element["setScene"] as (scene: unknown) => Promise<void>)({ version: 1, map: { origin: [0, 0], width: 1200, height: 1200, resolution: 0.5 }, obstacles: [{ type: "cells", runs: cells }], start: { x: 30, y: 30, heading: 0 }, goal: { x: 560, y: 560, heading: 0 } });
+    return stopped;
+  });
+  expect(message).toEqual({ code: "interrupted", message: expect.stringContaining("took longer than 1 ms") });
+});
+
+test("a playground out of sight rests, and goes on when it is back", async ({ page }) => {
+  await watch(page);
+  await page.goto(HOST);
+  await near(page, "one");
+  const at = () => page.evaluate(() => (document.getElementById("one") as Embed).playhead);
+  await page.evaluate(async () => {
+    const element = document.getElementById("one") as Embed;
+    await (element["seek"] as (to: number) => Promise<void>)(0.01);
+    await (element["play"] as () => Promise<void>)();
+    scrollTo(0, document.body.scrollHeight);
+  });
+  await page.waitForTimeout(300);
+  const rest = await at();
+  await page.waitForTimeout(300);
+  expect(await at()).toBe(rest);
+  await near(page, "one");
+  await expect.poll(at).toBeGreaterThan(rest);
+});
+
+test.describe("in a frame of another origin", () => {
+  interface Host { heard: { type: string; [key: string]: unknown }[]; ask(name: string, rest?: object): Promise<{ result?: unknown; error?: string }> }
+
+  test("the same methods and events pass as messages, the frame tells its height, strangers are not heard", async ({ page }) => {
+    await page.goto("/host/frame.html");
+    const heard = () => page.evaluate(() => (window as unknown as Host).heard.map(({ type }) => type));
+    await expect.poll(heard, { timeout: 30_000 }).toContain("parkade:plan-complete");
+    expect(await heard()).toEqual(expect.arrayContaining(["parkade:height", "parkade:progress", "parkade:ready", "parkade:plan-result"]));
+    expect(await page.locator("iframe").getAttribute("height")).toBe("420");
+    const talked = await page.evaluate(async () => {
+      const { ask } = window as unknown as Host;
+      const scene = (await ask("getScene")).result as Scenario;
+      const set = await ask("setScene", { args: [{ ...scene, name: "From outside" }] });
+      const after = (await ask("getScene")).result as Scenario;
+      return { set, name: after.name, svg: String((await ask("toSVG")).result).slice(0, 4), bad: (await ask("setScene", { args: [{}] })).error, unknown: (await ask("constructor")).error };
+    });
+    expect(talked).toMatchObject({ name: "From outside", svg: "<svg", unknown: "there is no parkade:constructor" });
+    expect(talked.bad).toContain("version");
+  });
+
+  test("with an allow-list of others this page hears nothing", async ({ page }) => {
+    await page.goto(`/host/frame.html?hash=${encodeURIComponent("layout=single&controls=none&origins=https://example.org")}`);
+    await page.frameLocator("iframe").locator("parkade-playground canvas").waitFor();
+    await page.frames()[1]!.evaluate(() => (document.querySelector("parkade-playground") as Embed).ready);
+    const state = await page.evaluate(async () => {
+      const { ask, heard } = window as unknown as Host;
+      const answered = await Promise.race([ask("getScene").then(() => true), new Promise((done) => setTimeout(() => done(false), 500))]);
+      return { answered, heard: heard.length };
+    });
+    expect(state).toEqual({ answered: false, heard: 0 });
+  });
+});

@@ -1,0 +1,250 @@
+import type { PlannerId } from "parkade";
+import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
+import { elsewhere } from "../planning/module";
+import { checkScene } from "../scene/files";
+import { ensureIds } from "../scene/model";
+import type { Camera, LayerKey, Scene, State } from "../store";
+import { chip } from "../styles/chip";
+import { controls } from "../styles/controls";
+import { layout } from "../styles/layout";
+import { ALL_LAYERS, LAYER_PRESETS, presetLayers, sentence, type Beginning, type LayerPreset } from "./app";
+import { Playground } from "./playground";
+
+export { tokens } from "../styles/tokens";
+
+type Layout = State["mode"] | "single";
+
+/**
+ * A playground in somebody else's page: looked at until somebody wants to edit, quiet out of sight, and never in the way of
+ * the page's wheel and keys. `loader.ts` puts it into `<parkade-playground>` and passes its attributes on.
+ */
+export class Embedded extends Playground {
+  static override properties = {
+    ...Playground.properties, src: { type: String }, controls: { type: String, reflect: true }, editable: { type: String }, autoplay: { type: Boolean },
+    speed: { type: Number }, layers: { type: String }, wheel: { type: String }, budgetMs: { type: Number, attribute: "budget-ms" },
+    workerUrl: { type: String, attribute: "worker-url" }, wasmUrl: { type: String, attribute: "wasm-url" }, viewing: { type: Boolean, reflect: true },
+  };
+  /** The colours are the outer element's, where the page can change them. */
+  static override styles = [controls, layout, chip];
+
+  declare src: string | null;
+  declare controls: "full" | "minimal" | "none";
+  declare editable: string | null;
+  declare autoplay: boolean;
+  declare speed: number;
+  declare layers: string;
+  declare wheel: "ctrl" | "always" | "none";
+  declare budgetMs: number | null;
+  declare workerUrl: string | null;
+  declare wasmUrl: string | null;
+  declare viewing: boolean;
+  /** A scene written into the page. */
+  inline: string | null = null;
+  onStep: (share: number) => void = () => {};
+  onTheme: (theme: State["theme"]) => void = () => {};
+  private run = 0;
+  private running = false;
+  private readonly sight = new IntersectionObserver(([entry]) => this.seen(entry?.isIntersecting ?? false));
+  private wasPlaying = false;
+
+  constructor() {
+    super();
+    this.src = this.editable = this.budgetMs = this.workerUrl = this.wasmUrl = null;
+    this.controls = "full";
+    this.layers = "";
+    this.wheel = "ctrl";
+    this.speed = 1;
+    this.autoplay = false;
+    this.viewing = true;
+  }
+
+  override get alone(): boolean {
+    return false;
+  }
+
+  override connectedCallback(): void {
+    this.viewing = this.editable === null || this.editable === "false";
+    if (this.workerUrl) elsewhere.worker = this.workerUrl;
+    if (this.wasmUrl) elsewhere.wasm = this.wasmUrl;
+    super.connectedCallback();
+    this.sight.observe(this);
+    this.addEventListener("wheel", this.onWheel, { capture: true });
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.sight.disconnect();
+    this.removeEventListener("wheel", this.onWheel, { capture: true });
+  }
+
+  get params(): Scene["planners"] {
+    return this.store.state.scene.planners ?? {};
+  }
+
+  set params(planners: Scene["planners"]) {
+    this.later(() => this.store.edit({ ...this.store.state.scene, planners: planners ?? {} }, { label: "params" }));
+  }
+
+  get playhead(): number {
+    return this.store.state.playback.fraction;
+  }
+
+  set playhead(fraction: number) {
+    this.later(() => this.app.player.seek(fraction));
+  }
+
+  get camera(): Camera | null {
+    return this.store.state.camera;
+  }
+
+  set camera(camera: Camera | null) {
+    this.later(() => this.store.set({ camera }));
+  }
+
+  plan(): Promise<void> {
+    this.app.planning?.again();
+    return this.settled();
+  }
+
+  cancel(): void { this.app.planning?.cancel(); }
+  getScene(): Scene { return this.store.state.scene; }
+
+  /** Rejects what is no scene. */
+  setScene(scene: Scene): Promise<void> {
+    this.app.preset = null;
+    this.app.openScene(ensureIds(checkScene(scene)));
+    return this.settled();
+  }
+
+  /** Opens the scene of a share link, or of what follows its `#s=`. */
+  async openLink(link: string): Promise<void> {
+    const { decodeScene } = await import("../scene/link");
+    return this.setScene(await decodeScene(link.slice(link.lastIndexOf("#s=") + (link.includes("#s=") ? 3 : 1))));
+  }
+
+  /** The maps as on screen. */
+  async toSVG(): Promise<string> {
+    const [{ svgOf }] = await Promise.all([import("./vector"), this.app.complete()]);
+    return svgOf(this, this.views(), this.store.state);
+  }
+
+  /** The focused planner's path. */
+  async toCSV(): Promise<string> {
+    const [{ csvOf }] = await Promise.all([import("./vector"), this.app.complete()]);
+    return csvOf(this.store.state);
+  }
+
+  /** Resolves after a frame in which everything is drawn. */
+  async drawn(): Promise<void> {
+    await this.updateComplete;
+    for (let i = 0; i < 3; i++) await new Promise((done) => requestAnimationFrame(done));
+  }
+
+  protected override beginning(): Omit<Beginning, "loaded"> {
+    this.onStep(0.6);
+    return { preset: this.scene, syncAddress: false, drives: this.autoplay, given: this.given() };
+  }
+
+  protected override adopt(): void {
+    super.adopt();
+    this.store.set({
+      ...(this.layers ? { layers: layersOf(this.layers) } : {}),
+      playback: { ...this.store.state.playback, speed: this.speed > 0 ? this.speed : 1 },
+    });
+  }
+
+  protected override arrange(): void {
+    const asked = this.layout as Layout;
+    if (asked !== "single") return super.arrange();
+    const { planners } = this.store.state;
+    const one: PlannerId[] = planners.includes("hybrid") ? ["hybrid"] : planners.slice(-1);
+    this.store.set({ planners: one, focus: one[0]!, mode: "grid" });
+  }
+
+  override attributeChangedCallback(name: string, old: string | null, value: string | null): void {
+    super.attributeChangedCallback(name, old, value);
+    if (old === value || !this.isConnected) return;
+    if (["planners", "layers", "speed"].includes(name)) this.adopt();
+    else if (name === "editable") this.viewing = value === null || value === "false";
+    else if (name === "src" && value) void this.given().then((scene) => scene && this.setScene(scene)).catch((error: unknown) => this.app.refuse("error.load", { reason: sentence(error) }));
+  }
+
+  protected override updated(changed: PropertyValues): void {
+    super.updated(changed);
+    if (this.app.planning) this.app.planning.budget = this.budgetMs;
+    if (changed.has("loaded") && this.loaded) this.onStep(0.8);
+  }
+
+  protected override render(): TemplateResult {
+    return html`${super.render()}${this.viewing && this.loaded && this.editable !== "false" && this.controls !== "none"
+      ? html`<button class="edit" part="chip" @click=${this.edit}>${this.app.t("embed.edit")}</button>` : nothing}`;
+  }
+
+  protected override onState(state: State, previous: State): void {
+    super.onState(state, previous);
+    if (state.theme !== previous.theme) this.onTheme(state.theme);
+    if (state.playback.fraction !== previous.playback.fraction) this.emit("seek", { playhead: state.playback.fraction, base: state.playback.base });
+    if (state.selection !== previous.selection) this.emit("select", { selection: state.selection });
+    if (state.message !== previous.message && state.message?.tone === "err") this.emit("error", { code: state.message.code ?? "", message: state.message.text });
+    if (state.results !== previous.results) this.report(state, previous);
+  }
+
+  /** Says when planning begins, how far it is, and when it is over. */
+  private report(state: State, previous: State): void {
+    const busy = state.planners.some((planner) => state.results[planner]?.status === "planning");
+    if (busy && (!this.running || state.scene !== previous.scene)) this.emit("plan-start", { id: ++this.run });
+    for (const planner of state.planners) {
+      const plan = state.results[planner]?.plan;
+      if (plan && plan !== previous.results[planner]?.plan) this.emit("plan-progress", { planner, expansions: plan.stats.expanded });
+    }
+    if (this.running && !busy) this.emit("plan-complete", { results: this.results, id: this.run });
+    this.running = busy;
+  }
+
+  private readonly edit = (): void => {
+    this.viewing = false;
+    void this.updateComplete.then(() => this.views()[0]?.canvas?.focus());
+  };
+
+  /** The page's wheel stays the page's. */
+  private readonly onWheel = (event: WheelEvent): void => {
+    if (this.wheel === "none" || (this.wheel === "ctrl" && !event.ctrlKey && !event.metaKey)) event.stopPropagation();
+  };
+
+  private seen(visible: boolean): void {
+    this.emit("visibility", { visible });
+    if (visible) {
+      if (this.wasPlaying) this.app.player.play();
+      this.wasPlaying = false;
+      return;
+    }
+    this.wasPlaying = this.store.state.playback.playing;
+    this.app.player.pause();
+    this.app.planning?.suspend();
+  }
+
+  private later(run: () => void): void {
+    if (this.loaded) run();
+    else void this.ready.then(run).catch(() => undefined);
+  }
+
+  /** The scene from `src` or from the page; null leaves it to `scene`. */
+  private async given(): Promise<Scene | null> {
+    if (this.src) {
+      const response = await fetch(new URL(this.src, document.baseURI));
+      if (!response.ok) throw new Error(`${this.src}: the server answered ${response.status}.`);
+      return ensureIds(checkScene(await response.json()));
+    }
+    return this.inline === null ? null : ensureIds(checkScene(JSON.parse(this.inline)));
+  }
+}
+
+/** A preset's name or the layers themselves. */
+function layersOf(text: string): State["layers"] {
+  const names = text.trim().split(/\s+/);
+  const preset = LAYER_PRESETS.find((one) => names.length === 1 && one === names[0]) as LayerPreset | undefined;
+  if (preset) return presetLayers(preset);
+  return Object.fromEntries(ALL_LAYERS.map((key) => [key, names.includes(key)])) as Record<LayerKey, boolean>;
+}
+
+customElements.define("parkade-embedded", Embedded);

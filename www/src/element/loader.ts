@@ -1,0 +1,244 @@
+import type { Embedded } from "./embedded";
+import { ATTRIBUTES, METHODS, PARTS, READABLE, SETTABLE } from "./vocabulary";
+
+/** How near to the window a lazy playground begins to load. */
+const NEAR = "400px";
+
+/** The build puts the file's name here. */
+const EMBEDDED = "./embedded";
+
+const style = new CSSStyleSheet();
+style.replaceSync(`
+:host { display: block; position: relative; contain: content; aspect-ratio: 12 / 7; min-height: 280px; overflow: hidden; background: var(--parkade-bg, Canvas); }
+:host([hidden]) { display: none; }
+parkade-embedded, .poster { position: absolute; inset: 0; }
+parkade-embedded.covered { visibility: hidden; }
+.poster { display: block; width: 100%; height: 100%; z-index: 1; border: 0; padding: 0; margin: 0; background: none; font: inherit; color: inherit; cursor: default; }
+button.poster { cursor: pointer; }
+.poster img, ::slotted([slot=poster]) { display: block; width: 100%; height: 100%; object-fit: contain; object-position: top; }
+.bar { position: absolute; z-index: 2; inset: auto 0 0; height: 3px; background: var(--parkade-accent, Highlight); transform: scaleX(0); transform-origin: left; transition: transform .2s; }
+`);
+
+type Name = (typeof METHODS)[number];
+
+/** What is made from the lists in `vocabulary.ts`; every method gives a promise, because its code may have to come first. */
+export interface ParkadePlayground extends Record<Name, (...args: never[]) => Promise<unknown>> {
+  setScene(scene: import("parkade").Scenario): Promise<void>;
+  openLink(link: string): Promise<void>;
+  sceneData: import("parkade").Scenario | undefined;
+}
+
+/**
+ * `<parkade-playground>` in other people's pages. Until it is wanted it is a picture: nothing else is fetched. Its own
+ * attributes are `loading` (auto and lazy: when it comes near; eager: at once), `reveal` (auto; interaction: loads when
+ * pressed; manual: the poster stays until `dismissPoster()`), `poster` and `alt`; the others belong to `Embedded`.
+ */
+export class ParkadePlayground extends HTMLElement {
+  static readonly observedAttributes = [...ATTRIBUTES, "poster", "alt", "loading", "reveal"];
+
+  /** Resolves when the first scene is planned. */
+  readonly ready: Promise<void>;
+  private settle!: { ready(): void; failed(error: unknown): void };
+  private readonly root = this.attachShadow({ mode: "open" });
+  private inner: Embedded | null = null;
+  private starting: Promise<Embedded> | null = null;
+  private readonly early = new Map<string, unknown>();
+  private readonly observer = new IntersectionObserver((entries) => this.near(entries.some((entry) => entry.isIntersecting)), { rootMargin: NEAR });
+  private dismissed = false;
+
+  constructor() {
+    super();
+    this.ready = new Promise((ready, failed) => { this.settle = { ready, failed }; });
+    this.ready.catch(() => undefined);
+    this.root.adoptedStyleSheets = [style];
+    this.cover();
+    // What was set before this class was there hides its accessors.
+    for (const name of SETTABLE) {
+      if (!Object.hasOwn(this, name)) continue;
+      const value = (this as Record<string, unknown>)[name];
+      delete (this as Record<string, unknown>)[name];
+      (this as Record<string, unknown>)[name] = value;
+    }
+  }
+
+  get loaded(): boolean {
+    return this.inner?.loaded ?? false;
+  }
+
+  connectedCallback(): void {
+    if (this.mode("loading") === "eager" && this.mode("reveal") !== "interaction") void this.load();
+    else if (!this.starting) this.observer.observe(this);
+  }
+
+  disconnectedCallback(): void {
+    this.observer.disconnect();
+  }
+
+  attributeChangedCallback(name: string, old: string | null, value: string | null): void {
+    if (old === value) return;
+    if (name === "poster" || name === "alt" || name === "reveal") this.cover();
+    else if (name === "loading") { if (this.isConnected) this.connectedCallback(); }
+    else if (this.inner) this.pass(this.inner, name);
+  }
+
+  /** Shows what is alive, loading it if need be. */
+  dismissPoster(): Promise<void> {
+    this.dismissed = true;
+    return this.load().then(() => this.uncover());
+  }
+
+  /** The element that does the work, once its code is there. */
+  load(): Promise<Embedded> {
+    this.observer.disconnect();
+    return (this.starting ??= this.start().catch((error: unknown) => {
+      this.starting = null;
+      this.settle.failed(error);
+      this.emit("error", { code: "load", message: String(error instanceof Error ? error.message : error) });
+      throw error;
+    }));
+  }
+
+  private async start(): Promise<Embedded> {
+    this.progress(0.1);
+    const { Embedded, tokens } = (await import(/* @vite-ignore */ new URL(EMBEDDED, import.meta.url).href)) as typeof import("./embedded");
+    this.progress(0.4);
+    if (tokens.styleSheet) this.root.adoptedStyleSheets = [tokens.styleSheet, style];
+    const inner = new Embedded();
+    inner.className = "covered";
+    inner.setAttribute("exportparts", PARTS.join());
+    const extra = document.createElement("slot");
+    extra.name = extra.slot = "toolbar-extra";
+    inner.append(extra);
+    inner.inline = this.querySelector<HTMLScriptElement>('script[slot="scene"]')?.textContent ?? null;
+    inner.onStep = (share) => this.progress(share);
+    inner.onTheme = (theme) => this.setAttribute("theme", theme);
+    for (const name of ATTRIBUTES) this.pass(inner, name);
+    this.inner = inner;
+    inner.ready.then(() => this.live()).catch((error: unknown) => this.settle.failed(error));
+    this.root.append(inner);
+    for (const [name, value] of this.early) (inner as unknown as Record<string, unknown>)[name] = value;
+    this.early.clear();
+    return inner;
+  }
+
+  private live(): void {
+    this.progress(1);
+    this.settle.ready();
+    if (this.mode("reveal") !== "manual" || this.dismissed) this.uncover();
+  }
+
+  private near(isNear: boolean): void {
+    if (isNear && this.mode("reveal") !== "interaction") void this.load().catch(() => undefined);
+  }
+
+  private pass(inner: HTMLElement, name: string): void {
+    const value = this.getAttribute(name) ?? (name === "lang" ? this.closest("[lang]")?.getAttribute("lang") ?? null : null);
+    if (value === null) inner.removeAttribute(name);
+    else if (inner.getAttribute(name) !== value) inner.setAttribute(name, value);
+  }
+
+  /** The poster, from the slot or the attribute, over what loads behind it. */
+  private cover(): void {
+    if (this.loaded) return;
+    this.root.querySelector(".poster")?.remove();
+    const waits = this.mode("reveal") === "interaction";
+    const poster = document.createElement(waits ? "button" : "div");
+    poster.className = "poster";
+    poster.setAttribute("part", "poster");
+    const slot = document.createElement("slot");
+    slot.name = "poster";
+    const url = this.getAttribute("poster"), alt = this.getAttribute("alt") ?? "";
+    if (url) {
+      const image = document.createElement("img");
+      image.src = url;
+      image.alt = alt;
+      slot.append(image);
+    }
+    poster.append(slot);
+    if (waits) {
+      poster.ariaLabel = alt || "Parkade";
+      poster.onclick = () => void this.dismissPoster().then(() => this.inner?.focus()).catch(() => undefined);
+    }
+    this.root.append(poster);
+  }
+
+  private uncover(): void {
+    if (!this.inner) return;
+    const { inner } = this;
+    void inner.drawn().then(() => {
+      inner.className = "";
+      this.root.querySelectorAll(".poster, slot[name=progress]").forEach((node) => node.remove());
+    });
+  }
+
+  private progress(totalProgress: number): void {
+    let slot = this.root.querySelector<HTMLSlotElement>("slot[name=progress]");
+    if (!slot && totalProgress < 1) {
+      slot = document.createElement("slot");
+      slot.name = "progress";
+      const bar = document.createElement("div");
+      bar.className = "bar";
+      bar.setAttribute("part", "progress");
+      slot.append(bar);
+      this.root.append(slot);
+    }
+    slot?.querySelector<HTMLElement>(".bar")?.style.setProperty("transform", `scaleX(${totalProgress})`);
+    if (totalProgress >= 1) slot?.remove();
+    this.emit("progress", { totalProgress });
+  }
+
+  private mode(name: string): string {
+    return this.getAttribute(name) ?? "auto";
+  }
+
+  private emit(name: string, detail: object): void {
+    this.dispatchEvent(new CustomEvent(name, { detail, bubbles: true, composed: true }));
+  }
+
+  /** For what is known only when the work is done elsewhere. */
+  private static forward(): void {
+    const { prototype } = ParkadePlayground;
+    for (const name of METHODS) {
+      Object.defineProperty(prototype, name, {
+        configurable: true, writable: true,
+        value(this: ParkadePlayground, ...args: unknown[]) {
+          return this.load().then(async (inner) => {
+            await inner.ready;
+            return (inner[name as Name] as (...given: unknown[]) => unknown)(...args);
+          });
+        },
+      });
+    }
+    const read = (name: string) => function get(this: ParkadePlayground): unknown {
+      return this.early.get(name) ?? (this.inner as unknown as Record<string, unknown> | null)?.[name];
+    };
+    for (const name of READABLE) Object.defineProperty(prototype, name, { get: read(name) });
+    for (const name of SETTABLE) {
+      Object.defineProperty(prototype, name, {
+        get: read(name),
+        set(this: ParkadePlayground, value: unknown) {
+          if (this.inner) (this.inner as unknown as Record<string, unknown>)[name] = value;
+          else this.early.set(name, value);
+        },
+      });
+    }
+    for (const name of [...ATTRIBUTES, "poster", "alt", "loading", "reveal"]) {
+      const property = name.replace(/-(\w)/g, (_, letter: string) => letter.toUpperCase());
+      if (property in prototype && property !== "lang") continue;
+      if (property === "lang") continue;
+      Object.defineProperty(prototype, property, {
+        get(this: HTMLElement) { return ["editable", "autoplay"].includes(name) ? this.hasAttribute(name) : this.getAttribute(name); },
+        set(this: HTMLElement, value: unknown) {
+          if (value === null || value === undefined || value === false) this.removeAttribute(name);
+          else this.setAttribute(name, value === true ? "" : String(value));
+        },
+      });
+    }
+  }
+
+  static {
+    this.forward();
+  }
+}
+
+if (!customElements.get("parkade-playground")) customElements.define("parkade-playground", ParkadePlayground);
