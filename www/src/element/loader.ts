@@ -84,7 +84,7 @@ export class ParkadePlayground extends HTMLElement {
   /** Shows what is alive, loading it if need be. */
   dismissPoster(): Promise<void> {
     this.dismissed = true;
-    return this.load().then(() => this.uncover());
+    return this.load().then((inner) => inner.ready).then(() => this.uncover());
   }
 
   /** The element that does the work, once its code is there. */

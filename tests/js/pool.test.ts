@@ -1,0 +1,69 @@
+import { expect, it } from "vitest";
+import type { WorkerLike } from "../../www/src/planning/lane";
+import { WorkerPool, type Holder } from "../../www/src/planning/pool";
+
+class Fake implements WorkerLike {
+  onmessage = null;
+  onerror = null;
+  terminated = false;
+  postMessage(): void {}
+  terminate(): void { this.terminated = true; }
+}
+
+class Asker implements Holder {
+  busy = true;
+  worker: WorkerLike | null = null;
+  readonly take = (worker: WorkerLike): void => { this.worker = worker; };
+  revoked(): void { this.worker = null; }
+}
+
+function setup(most: number) {
+  const made: Fake[] = [];
+  const pool = new WorkerPool(() => {
+    const worker = new Fake();
+    made.push(worker);
+    return worker;
+  }, most);
+  const ask = (): Asker => {
+    const asker = new Asker();
+    pool.lease(asker, asker.take);
+    return asker;
+  };
+  return { pool, made, ask };
+}
+
+it("makes no more workers than it may, and takes one from whoever rests", () => {
+  const { made, ask } = setup(2);
+  const one = ask(), two = ask();
+  one.busy = false;
+  const three = ask();
+  expect([made.length, one.worker, two.worker, three.worker]).toEqual([2, null, made[1], made[0]]);
+});
+
+it("serves those that wait in turn, as soon as a holder rests", () => {
+  const { pool, made, ask } = setup(1);
+  const one = ask(), two = ask(), three = ask();
+  expect([two.worker, three.worker]).toEqual([null, null]);
+  one.busy = false;
+  pool.rested(one);
+  expect([one.worker, two.worker, three.worker]).toEqual([null, made[0], null]);
+  pool.release(two);
+  expect(three.worker).toBe(made[0]);
+});
+
+it("replaces a dropped worker for those that wait, and forgets who gave up waiting", () => {
+  const { pool, made, ask } = setup(1);
+  const one = ask(), two = ask(), three = ask();
+  pool.release(two);
+  pool.drop(one);
+  expect([made[0]!.terminated, two.worker, three.worker]).toEqual([true, null, made[1]]);
+});
+
+it("keeps workers at rest only while somebody is at work", () => {
+  const { pool, made, ask } = setup(4);
+  const one = ask(), two = ask();
+  pool.release(one);
+  expect([pool.size, made[0]!.terminated]).toEqual([2, false]);
+  pool.release(two);
+  expect([pool.size, made.every((worker) => worker.terminated)]).toEqual([0, true]);
+});
