@@ -1,6 +1,7 @@
 import type { Plan, PlannerId } from "parkade";
 import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { pickLang } from "../i18n/index";
+import type { Pane } from "../panels/splitter";
 import type { SceneView } from "../panels/scene-view";
 import { ensureIds } from "../scene/model";
 import type { Scene, State, Store } from "../store";
@@ -150,6 +151,7 @@ export class Playground extends LitElement {
     void import("../panels/inspector");
     void import("../panels/charts");
     void import("../panels/options");
+    void import("../panels/splitter");
   }
 
   override disconnectedCallback(): void {
@@ -198,7 +200,12 @@ export class Playground extends LitElement {
     return html`
       <parkade-timeline part="timeline" .app=${this.app} .folded=${this.folded}></parkade-timeline>
       <parkade-inspector .app=${this.app} .ready=${this.loaded}></parkade-inspector>
-      <div class="strip"><parkade-table part="table" .app=${this.app}></parkade-table><parkade-charts part="chart" .app=${this.app}></parkade-charts></div>`;
+      <div class="strip"><parkade-table part="table" .app=${this.app}></parkade-table><parkade-charts part="chart" .app=${this.app}></parkade-charts>${this.splitter("chart")}</div>
+      ${this.splitter("side")}${this.splitter("strip")}`;
+  }
+
+  private splitter(pane: Pane): TemplateResult {
+    return html`<parkade-splitter pane=${pane} lang=${this.store.state.lang}></parkade-splitter>`;
   }
 
   private phone(): TemplateResult {

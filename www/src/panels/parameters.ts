@@ -23,6 +23,7 @@ export class Parameters extends AppElement {
     .switch { display: flex; align-items: center; gap: 8px; margin: 4px 0; }
     .switch input { accent-color: var(--parkade-accent); margin: 0; }
     .segmented { margin: 4px 0; flex-wrap: wrap; }
+    .range { display: flex; justify-content: space-between; margin-top: -2px; color: var(--parkade-t3); font-size: 12px; line-height: 14px; }
     .more { margin-top: 6px; }
   `];
   protected override pace = 100;
@@ -87,7 +88,8 @@ export class Parameters extends AppElement {
     const read = (e: Event): number => Number((e.target as HTMLInputElement).value);
     return html`<input class="slider" type="range" min=${min} max=${max} step=${step} .value=${String(now)} .style=${`--at: ${at}%`}
       aria-labelledby="n-${info.name}" aria-valuetext=${this.valueText(info, value)}
-      @input=${(e: Event) => this.change(info, read(e), true)} @change=${(e: Event) => this.change(info, read(e), false)}>`;
+      @input=${(e: Event) => this.change(info, read(e), true)} @change=${(e: Event) => this.change(info, read(e), false)}>
+      <div class="range" aria-hidden="true"><span>${this.valueText(info, min)}</span><span>${this.valueText(info, max)}</span></div>`;
   }
 
   private valueText(info: ParameterInfo, value: unknown): string {

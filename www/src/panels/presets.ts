@@ -1,18 +1,25 @@
 import { css, html, nothing, type TemplateResult } from "lit";
-import type { ScenarioInfo } from "parkade";
+import type { Plan, PlannerId, ScenarioInfo } from "parkade";
 import { isMessage } from "../i18n/index";
 import { words } from "../i18n/words";
-import type { Scene, State } from "../store";
+import { Helper } from "../planning/helper";
+import { FIRST_PLANNERS, type Scene, type State } from "../store";
 import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
+import { plannerName } from "../view/identity";
 import { AppElement } from "./base";
-import { icon } from "./icons";
+import { CASES } from "./cases";
+import { icon, marker } from "./icons";
 import "./generate";
 import "./thumbnail";
 
 /** Groups whose words the page does not have. */
-const say = words({ generate: ["Generate", "生成"], moving: ["Moving", "移动"], road: ["Roads", "道路"] });
-const GENERATE = "generate";
+const say = words({ generate: ["Generate", "生成"], moving: ["Moving", "移动"], road: ["Roads", "道路"], cases: ["Best and worst", "最佳与最差"], best: ["Best case", "最佳情形"], worst: ["Worst case", "最差情形"], suits: ["Drawn by {planner}", "由 {planner} 规划"] });
+const GENERATE = "generate", CASE = "cases";
+/** Whose path a card shows. */
+const DRAWN: Record<string, PlannerId> = { grid: "risk-field", road: "cost-map" };
+/** Answers are kept while the page is open; null where there is none. */
+const solved = new Map<string, Plan | null>();
 
 /** The gallery of scenes, each asking a question. */
 export class Presets extends AppElement {
@@ -27,7 +34,8 @@ export class Presets extends AppElement {
     ul:not(:empty) + parkade-generate { margin-top: 16px; }
     parkade-thumbnail { height: 128px; border-bottom: 1px solid var(--parkade-hair); pointer-events: none; }
     .words { padding: 10px 12px 11px; display: block; }
-    b { display: block; font-weight: 600; }
+    b { display: flex; align-items: center; gap: 8px; font-weight: 600; } .by { margin-left: auto; }
+    h3 { margin: 18px 0 8px; font: inherit; font-weight: 600; display: flex; align-items: center; gap: 8px; } h3:first-child { margin-top: 0; }
     i { display: block; font-style: normal; font-size: 12.5px; line-height: 17px; color: var(--parkade-t2); }
     footer { display: flex; align-items: center; gap: 10px; padding: 12px 16px 12px 24px; border-top: 1px solid var(--parkade-hair); }
     footer p { margin: 0; color: var(--parkade-t2); } footer b { white-space: nowrap; }
@@ -39,6 +47,8 @@ export class Presets extends AppElement {
   declare group: string;
   declare shown: boolean;
   private readonly scenes = new Map<string, Scene>();
+  private helper: Helper | null = null;
+  private asked: [id: string, planner: PlannerId][] = [];
 
   constructor() {
     super();
@@ -56,13 +66,14 @@ export class Presets extends AppElement {
   }
 
   protected override render(): TemplateResult {
-    return html`<dialog aria-labelledby="title" @close=${() => { this.shown = false; }} @click=${this.onBackdrop}>
+    return html`<dialog aria-labelledby="title" @close=${this.closed} @click=${this.onBackdrop}>
       ${this.shown ? this.content() : nothing}</dialog>`;
   }
 
   private content(): TemplateResult {
     const all = this.app.catalog?.scenarios ?? [];
-    const groups = ["all", ...new Set(all.map((one) => one.group)), GENERATE];
+    const groups = ["all", ...new Set(all.map((one) => one.group)), CASE, GENERATE];
+    this.asked = [];
     const shown = all.filter((one) => this.group === "all" || one.group === this.group);
     return html`
       <div class="top"><h2 id="title">${this.t("scenes.title")}</h2><p>${this.t("scenes.lead")}</p>
@@ -70,18 +81,65 @@ export class Presets extends AppElement {
         <button class="icon" aria-label=${this.t("scenes.close")} @click=${this.close}>${icon("close")}</button></div>
       <div class="groups"><div class="segmented" role="group" aria-label=${this.t("scenes.title")}>${groups.map((group) => html`
           <button aria-pressed=${group === this.group} @click=${() => { this.group = group; }}>${this.groupName(group)}</button>`)}</div></div>
-      <div class="scroll"><ul>${shown.map((info) => this.card(info))}</ul>
+      <div class="scroll">${this.group === CASE ? this.cases(all) : html`<ul>${shown.map((info) => this.card(info, DRAWN[info.group] ?? "hybrid"))}</ul>`}
         ${["all", "grid", GENERATE].includes(this.group) ? html`<parkade-generate .app=${this.app} @opened=${this.close}></parkade-generate>` : nothing}</div>
       <footer>${icon("open")}<b>${this.t("scenes.own")}</b><p>${this.t("scenes.ownHelp")}</p>
         <button class="button outline" @click=${this.choose}>${this.t("scenes.choose")}</button></footer>`;
   }
 
-  private card(info: ScenarioInfo): TemplateResult {
-    const { lang } = this.state;
-    return html`<li><button aria-current=${info.id === this.app.preset} @click=${() => this.pick(info.id)}>
-      <parkade-thumbnail .app=${this.app} .scene=${this.sceneOf(info.id)} ?whole=${info.group === "grid"}></parkade-thumbnail>
-      <span class="words"><b>${info.title[lang]}</b><i>${info.question[lang]}</i></span></button></li>`;
+  private card(info: ScenarioInfo, planner: PlannerId, title = info.title[this.state.lang], question = info.question[this.state.lang], run = () => this.pick(info.id)): TemplateResult {
+    const key = `${info.id} ${planner}`, suits = say(this.state.lang, "suits", { planner: plannerName(this.state.lang, planner) });
+    if (!solved.has(key)) this.asked.push([info.id, planner]);
+    return html`<li><button aria-current=${info.id === this.app.preset} @click=${run}>
+      <parkade-thumbnail .app=${this.app} .scene=${this.sceneOf(info.id)} .plan=${solved.get(key)} ?whole=${info.group === "grid" || info.group === "road"}></parkade-thumbnail>
+      <span class="words"><b>${title}<span class="by" title=${suits}>${marker(planner)}<span class="sr">${suits}</span></span></b><i>${question}</i></span></button></li>`;
   }
+
+  /** Two scenes for each planner. */
+  private cases(all: readonly ScenarioInfo[]): TemplateResult {
+    const { lang } = this.state;
+    return html`${CASES.map(([planner, cases]) => html`<h3>${marker(planner)}${plannerName(lang, planner)}</h3>
+      <ul>${(["best", "worst"] as const).map((which) => {
+        const { scene, question } = cases[which], info = all.find((one) => one.id === scene);
+        return info ? this.card(info, planner, `${say(lang, which)}: ${info.title[lang]}`, question[lang === "zh" ? 1 : 0], () => void this.pickCase(scene, planner)) : nothing;
+      })}</ul>`)}`;
+  }
+
+  /** The planner beside those of the first picture. */
+  private async pickCase(scene: string, planner: PlannerId): Promise<void> {
+    await this.app.complete();
+    this.app.store.set({ planners: [...new Set([planner, ...FIRST_PLANNERS])].slice(0, 4), focus: planner });
+    this.pick(scene);
+  }
+
+  protected override updated(): void {
+    if (this.shown) void this.solveNext().catch(() => undefined);
+  }
+
+  /** One after the other, in a worker; what fails has no path to show. */
+  private async solveNext(): Promise<void> {
+    const [next] = this.asked;
+    if (!next || this.helper) return;
+    const helper = (this.helper = new Helper(await this.app.complete()));
+    try {
+      for (let ask: typeof next | undefined = next; ask && this.helper === helper; ask = this.asked.find(([id, planner]) => !solved.has(`${id} ${planner}`))) {
+        const [id, planner] = ask;
+        solved.set(`${id} ${planner}`, await helper.call("solve", { planner, scene: this.sceneOf(id) }).catch(() => null));
+        if (this.helper !== helper) solved.delete(`${id} ${planner}`);
+        this.requestUpdate();
+        await this.updateComplete;
+      }
+    } finally {
+      if (this.helper === helper) this.helper = null;
+      helper.stop();
+    }
+  }
+
+  private readonly closed = (): void => {
+    this.shown = false;
+    this.helper?.stop();
+    this.helper = null;
+  };
 
   private sceneOf(id: string): Scene {
     let scene = this.scenes.get(id);
@@ -93,7 +151,7 @@ export class Presets extends AppElement {
   }
 
   private groupName(group: string): string {
-    if (group === GENERATE || group === "moving" || group === "road") return say(this.state.lang, group);
+    if (group === GENERATE || group === CASE || group === "moving" || group === "road") return say(this.state.lang, group);
     const key = `scenes.${group}`;
     return isMessage(key) ? this.t(key) : group;
   }

@@ -13,7 +13,7 @@ const SMALL: readonly Column[] = ["length", "gears", "clearance", "plan"];
 export class MetricsTable extends AppElement {
   static override properties = { ...AppElement.properties, compact: { type: Boolean, reflect: true }, copied: { state: true }, benching: { state: true } };
   static override styles = [controls, css`
-    :host { display: grid; grid-template-rows: 1fr auto; min-height: 0; background: var(--parkade-panel); font-size: 12px; line-height: 16px; container-type: inline-size; }
+    :host { display: grid; grid-template: minmax(0, 1fr) auto / minmax(0, 1fr); min-width: 0; min-height: 0; background: var(--parkade-panel); font-size: 12px; line-height: 16px; container-type: inline-size; }
     .scroll { overflow: auto; min-height: 0; }
     table { border-collapse: collapse; width: 100%; }
     th, td { padding: 0 8px; text-align: right; white-space: nowrap; font-weight: 400; }
@@ -121,6 +121,9 @@ export class MetricsTable extends AppElement {
 
   private readonly bench = async (): Promise<void> => {
     this.benching = true;
+    // Planners that are still to be replaced by the complete module's would end it early.
+    await this.app.complete().catch(() => undefined);
+    await this.app.planning?.whenSettled();
     await this.app.planning?.measure(BENCH_RUNS);
     this.benching = false;
   };

@@ -1,18 +1,21 @@
 import { css, html, LitElement, type PropertyValues } from "lit";
 import type { App } from "../element/app";
-import { initialState, type Scene } from "../store";
+import type { Plan } from "parkade";
+import { presetLayers } from "../element/app";
+import { emptyResult, initialState, type Scene } from "../store";
 import { SceneCanvas } from "../view/scene-canvas";
 import { fit, fitMap } from "../view/camera";
 
-/** A small picture of a scene without any planner's answer. */
+/** A small picture of a scene, with a planner's answer where there is one. */
 export class Thumbnail extends LitElement {
-  static override properties = { app: { attribute: false }, scene: { attribute: false }, whole: { type: Boolean } };
+  static override properties = { app: { attribute: false }, scene: { attribute: false }, plan: { attribute: false }, whole: { type: Boolean } };
   static override styles = css`
     :host { display: block; position: relative; overflow: hidden; background: var(--parkade-out); }
     canvas { position: absolute; inset: 0; width: 100%; height: 100%; }
   `;
   declare app: App;
   declare scene: Scene;
+  declare plan: Plan | null | undefined;
   declare whole: boolean;
   private drawer: SceneCanvas | null = null;
 
@@ -39,8 +42,11 @@ export class Thumbnail extends LitElement {
     const { clientWidth: width, clientHeight: height } = canvas;
     const geometry = this.app.catalog!.geometry(scene);
     // Cars are lost in the picture of a whole lot; in one of a wide map they are not the point.
-    const camera = this.whole ? fitMap(scene, width, height) : fit(scene, geometry, width, height);
-    this.drawer.draw({ ...base, scene, geometry, camera, planners: [], tool: "hand" }, [], this.app.tokens(), null);
+    const { plan } = this, shown = plan ? [plan.planner] : [], swept = plan?.check.drivable ? [plan] : [];
+    const camera = this.whole ? fitMap(scene, width, height) : fit(scene, geometry, width, height, swept);
+    const results = plan ? { [plan.planner]: { ...emptyResult, plan, lastGood: plan.outcome === "found" ? plan : null, status: "done" as const } } : {};
+    const layers = { ...presetLayers("clean"), sweep: true, grid: false, car: !this.whole };
+    this.drawer.draw({ ...base, scene, geometry, camera, planners: shown, results, layers, focus: plan?.planner ?? base.focus, tool: "hand" }, shown, this.app.tokens(), null);
   }
 }
 

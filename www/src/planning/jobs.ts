@@ -1,6 +1,6 @@
 /** What workers of the complete module do beside planning. */
-import type { Family, ImportOptions, Imported, PaperRow, PaperTable, PaperClaim, RoadRow, RoadTable, Scenario } from "parkade";
-import { generateScenario, importScene, init, packRuns, paperGrid, paperGridRows, paperGridSummary, paperRoad, paperRoadRows } from "parkade";
+import type { Family, ImportOptions, Imported, PaperRow, PaperTable, Plan, PlannerId, PaperClaim, RoadRow, RoadTable, Scenario } from "parkade";
+import { Planner, generateScenario, importScene, init, packRuns, paperGrid, paperGridRows, paperGridSummary, paperRoad, paperRoadRows } from "parkade";
 import type { Run } from "../scene/cells";
 import { failureOf } from "./failure";
 import type { Failure, Request } from "./protocol";
@@ -13,6 +13,15 @@ export interface Cells { scene: number; obstacle: number; numbers: Int32Array; t
 export interface Moved<T> { value: T; cells: Cells[] }
 
 const JOBS = {
+  /** The answer alone, without its search. */
+  solve: ({ planner, scene }: { planner: PlannerId; scene: Scenario }): Plan => {
+    const made = new Planner(planner, scene);
+    try {
+      return made.plan({ trace: false });
+    } finally {
+      made.free();
+    }
+  },
   import: ({ files, options }: { files: Record<string, Uint8Array>; options: ImportOptions }): Moved<Omit<Imported, "scene">> => {
     const { format, scenes, queries, notes } = importScene(files, options);
     const { value, cells } = apart(scenes);

@@ -5,7 +5,7 @@ export const layout = css`
   :host { display: block; position: relative; min-height: 320px; overflow: hidden; container-type: inline-size; }
   .desk, .phone { position: absolute; inset: 0; display: grid; }
   .desk {
-    grid-template: "bar bar" 49px "stage side" minmax(0, 1fr) "time side" 44px "strip strip" 202px / minmax(0, 1fr) 280px;
+    grid-template: "bar bar" 49px "stage side" minmax(0, 1fr) "time side" 44px "strip strip" var(--pane-strip, 202px) / minmax(0, 1fr) var(--pane-side, 280px);
   }
   :host([folded]) .desk { grid-template-rows: 49px minmax(0, 1fr) 44px 0; }
   :host([folded]) .strip { visibility: hidden; }
@@ -13,20 +13,26 @@ export const layout = css`
   parkade-stage { grid-area: stage; }
   parkade-timeline { grid-area: time; }
   parkade-inspector { grid-area: side; min-height: 0; }
-  .strip { grid-area: strip; display: grid; grid-template-columns: minmax(0, 1fr) minmax(320px, 36%); border-top: 1px solid var(--parkade-hair); min-height: 0; overflow: hidden; background: var(--parkade-panel); }
+  .strip { grid-area: strip; display: grid; grid-template-columns: minmax(0, 1fr) var(--pane-chart, minmax(320px, 36%)); border-top: 1px solid var(--parkade-hair); min-height: 0; overflow: hidden; background: var(--parkade-panel); }
+  parkade-splitter[pane="side"] { grid-area: stage; justify-self: end; }
+  parkade-splitter[pane="strip"] { grid-area: strip; align-self: start; }
+  parkade-splitter[pane="chart"] { grid-area: 1 / 2; justify-self: start; }
+  .strip > * { grid-row: 1; min-width: 0; } .strip > parkade-table { grid-column: 1; } .strip > parkade-charts { grid-column: 2; }
+  parkade-splitter:focus-visible { outline: none; }
+  :host([folded]) parkade-splitter[pane="strip"] { display: none; }
   @container (max-width: 1180px) {
     .strip { grid-template-columns: minmax(0, 1fr); }
-    .strip parkade-charts { display: none; }
+    .strip :is(parkade-charts, parkade-splitter) { display: none; }
   }
   @container (max-width: 960px) {
     .desk { grid-template-columns: minmax(0, 1fr) 0; }
-    .desk parkade-inspector { display: none; }
+    .desk :is(parkade-inspector, parkade-splitter[pane="side"]) { display: none; }
   }
   @media (max-height: 640px) {
     .desk { grid-template-rows: 49px minmax(0, 1fr) 44px 130px; }
   }
   .phone { grid-template: "bar" 45px "stage" minmax(0, 1fr) "chips" auto "time" 48px "sheet" auto / minmax(0, 1fr); }
-  :host([short]) :is(.phone parkade-sheet, .strip) { display: none; }
+  :host([short]) :is(.phone parkade-sheet, .strip, parkade-splitter[pane="strip"]) { display: none; }
   :host([short]) .desk { grid-template-rows: 49px minmax(0, 1fr) 44px 0; }
   :host([short]) .phone { grid-template-rows: 45px minmax(0, 1fr) auto 48px 0; }
   parkade-chips { grid-area: chips; }
@@ -34,8 +40,8 @@ export const layout = css`
   :host([viewing]) parkade-stage { pointer-events: none; --parkade-hint: none; }
   :host([controls="minimal"]) .desk { grid-template: "stage" minmax(0, 1fr) "time" 44px / minmax(0, 1fr); }
   :host([controls="minimal"]) .phone { grid-template: "stage" minmax(0, 1fr) "time" 48px / minmax(0, 1fr); }
-  :host([controls="minimal"]) :is(parkade-toolbar, parkade-inspector, .strip, parkade-chips, parkade-sheet) { display: none; }
+  :host([controls="minimal"]) :is(parkade-toolbar, parkade-inspector, parkade-splitter, .strip, parkade-chips, parkade-sheet) { display: none; }
   :host([controls="none"]) :is(.desk, .phone) { grid-template: "stage" minmax(0, 1fr) / minmax(0, 1fr); }
-  :host([controls="none"]) :is(parkade-toolbar, parkade-inspector, .strip, parkade-chips, parkade-sheet, parkade-timeline) { display: none; }
+  :host([controls="none"]) :is(parkade-toolbar, parkade-inspector, parkade-splitter, .strip, parkade-chips, parkade-sheet, parkade-timeline) { display: none; }
   .dropping { position: absolute; inset: 12px; z-index: 40; display: grid; place-items: center; pointer-events: none; border: 2px dashed var(--parkade-accent); border-radius: calc(14px * var(--parkade-radius)); background: color-mix(in srgb, var(--parkade-accent-soft) 88%, transparent); color: var(--parkade-accent); font-size: 17px; line-height: 24px; font-weight: 600; }
 `;
