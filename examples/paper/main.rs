@@ -3,8 +3,10 @@
 //! ```sh
 //! cargo xtask paper grid [--seeds 200] [--json]
 //! cargo xtask paper road [--json]
+//! cargo xtask paper parking [--json]
 //! ```
 
+mod parking;
 mod road;
 
 use std::fmt::Write as _;
@@ -19,6 +21,8 @@ fn main() {
     let (mut seeds, mut as_json) = (200, false);
     match (words.next(), &arguments.get(1..).unwrap_or_default()) {
         (Some("grid"), _) => {}
+        (Some("parking"), []) => return parking::print(false),
+        (Some("parking"), [word]) if word == "--json" => return parking::print(true),
         (Some("road"), []) => return road::print(false),
         (Some("road"), [word]) if word == "--json" => return road::print(true),
         _ => return usage(),
@@ -47,7 +51,9 @@ fn main() {
 }
 
 fn usage() {
-    eprintln!("usage: cargo xtask paper grid [--seeds 200] [--json]\n       cargo xtask paper road [--json]");
+    eprintln!(
+        "usage: cargo xtask paper grid [--seeds 200] [--json]\n       cargo xtask paper road [--json]\n       cargo xtask paper parking [--json]"
+    );
     std::process::exit(2);
 }
 

@@ -2,6 +2,7 @@
 
 mod claims;
 pub mod grid;
+pub mod parking;
 pub mod road;
 mod sample;
 

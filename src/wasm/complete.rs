@@ -9,7 +9,7 @@ use crate::error::{Error, ErrorCode};
 use crate::geometry::Point;
 use crate::import::{self, Question};
 use crate::metrics::risk;
-use crate::papers::{claims, grid, road};
+use crate::papers::{claims, grid, parking, road};
 use crate::plan;
 use crate::scenario::{Obstacle, Scenario, generate, packed};
 
@@ -113,18 +113,31 @@ pub fn paper_grid_rows() -> JsValue {
 /// The figures of one row on the maps of some seeds; `clock` tells milliseconds.
 #[wasm_bindgen(js_name = paperGrid)]
 pub fn paper_grid(row: &str, from: f64, to: f64, clock: &js_sys::Function) -> JsResult {
-    let seed = |name: &str, value: f64| {
-        let whole = value.fract() == 0.0 && (0.0..9e15).contains(&value);
-        let rule =
-            || Error::new(ErrorCode::Input, name, format!("must be a whole number from 0, got {value}"));
-        whole.then_some(value as u64).ok_or_else(rule)
-    };
-    let mut clock = clock_of(clock);
-    let figures = seed("from", from).and_then(|from| {
-        let to = seed("to", to)?;
-        grid::measure(grid::row(row)?, from, to, &mut clock)
+    let figures = whole("from", from).and_then(|from| {
+        let to = whole("to", to)?;
+        grid::measure(grid::row(row)?, from, to, &mut clock_of(clock))
     });
     figures.map(|figures| codec::f64s(&figures)).map_err(|e| codec::js_error(&e))
+}
+
+/// The rows of the parking paper's tables.
+#[wasm_bindgen(js_name = paperParkingRows)]
+pub fn paper_parking_rows() -> JsValue {
+    codec::write(&parking::ROWS)
+}
+
+/// A row of the parking paper, planned; `clock` tells milliseconds.
+#[wasm_bindgen(js_name = paperParking)]
+pub fn paper_parking(row: &str, rounds: f64, clock: &js_sys::Function) -> JsResult {
+    let rounds = whole("rounds", rounds).map_err(|e| codec::js_error(&e))?;
+    let table = parking::measure(row, u32::try_from(rounds).unwrap_or(u32::MAX), &mut clock_of(clock));
+    table.map(|table| codec::write(&table)).map_err(|e| codec::js_error(&e))
+}
+
+fn whole(name: &str, value: f64) -> Result<u64, Error> {
+    let whole = value.fract() == 0.0 && (0.0..9e15).contains(&value);
+    let rule = || Error::new(ErrorCode::Input, name, format!("must be a whole number from 0, got {value}"));
+    whole.then_some(value as u64).ok_or_else(rule)
 }
 
 /// Tables and claims from the figures of rows, in the order of the rows' ids.

@@ -2,7 +2,7 @@ import { readFileSync } from "node:fs";
 import { beforeAll, describe, expect, test } from "vitest";
 import * as core from "parkade/core";
 import {
-  type Run, type Scenario, ParkadeError, Planner, generateScenario, importScene, init, packRuns, paperGrid, paperGridRows, paperGridSummary, planners, scenario, sceneGeometry, unpackRuns,
+  type Run, type Scenario, ParkadeError, Planner, generateScenario, importScene, init, packRuns, paperGrid, paperGridRows, paperGridSummary, paperParking, paperParkingRows, planners, scenario, sceneGeometry, unpackRuns,
 } from "parkade";
 
 beforeAll(() => Promise.all([init(), core.init()]));
@@ -189,6 +189,21 @@ describe("the paper's tables", () => {
     expect(failure(() => paperGrid({ row: "regular-30", from: 0.5, to: 1 }))).toEqual({ code: "bad-input", path: "from" });
     expect(failure(() => paperGridSummary({ "regular-30": new Float64Array(3) }))).toEqual({ code: "bad-input", path: "regular-30.figures" });
     expect(failure(() => paperGridSummary(untyped({ "regular-30": [1] })))).toEqual({ code: "bad-input", path: "regular-30" });
+  });
+
+  test("a row of the parking paper is planned in its rounding, impossible lengths are marked", () => {
+    const rows = paperParkingRows();
+    expect(rows.map((row) => row.id)).toEqual(["P0", "P1", "P2", "P3", "P4", "L0", "L1", "L2", "L3", "L4"]);
+    const table = paperParking({ row: "L3" });
+    expect(table.row).toEqual(rows[8]);
+    expect([table.impossible, table.kept, table.row.improved.length]).toEqual([[false, true], true, 20.2]);
+    expect(table.lines.map((line) => line.planner)).toEqual(["hybrid-forward", "hybrid", "hybrid-bidirectional", "hybrid-classic"]);
+    const ours = table.lines[1]!;
+    expect(ours).toMatchObject({ verdict: "ok", changes: 0, nodes: Math.round(ours.length * 10) + 1 });
+    expect(ours.time * 2).toBeCloseTo(ours.length, 9);
+    expect(ours.exact).toBeGreaterThanOrEqual(table.bound - 1e-6);
+    expect(failure(() => paperParking({ row: "L5" }))).toEqual({ code: "bad-input", path: "row" });
+    expect(failure(() => paperParking({ row: "L3", rounds: 0 }))).toEqual({ code: "bad-input", path: "rounds" });
   });
 });
 

@@ -31,7 +31,11 @@ const COMMANDS: &[Command] = &[
         about: "build, then measure how soon the page answers a drag",
         run: latency::latency,
     },
-    Command { name: "paper", about: "print a paper's tables beside ours: grid or road", run: paper::paper },
+    Command {
+        name: "paper",
+        about: "print a paper's tables beside ours: grid, road or parking",
+        run: paper::paper,
+    },
     Command {
         name: "bench",
         about: "build, then race the grid planners: bench grid [questions] [repeats]",

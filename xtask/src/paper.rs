@@ -1,4 +1,4 @@
-//! `cargo xtask paper grid` and `paper road`: the papers' tables beside ours.
+//! `cargo xtask paper grid`, `paper road` and `paper parking`: the papers' tables beside ours.
 
 use anyhow::Result;
 

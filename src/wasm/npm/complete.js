@@ -42,6 +42,13 @@ export const paperGridRows = () => call(() => raw.paperGridRows());
 export const paperGrid = ({ row, from, to }) =>
   call(() => raw.paperGrid(text(row, "row"), from, to, () => performance.now()));
 
+/** @type {typeof import("./index.js").paperParkingRows} */
+export const paperParkingRows = () => call(() => raw.paperParkingRows());
+
+/** @type {typeof import("./index.js").paperParking} */
+export const paperParking = ({ row, rounds = 1 }) =>
+  call(() => raw.paperParking(text(row, "row"), rounds, () => performance.now()));
+
 /** @type {typeof import("./index.js").paperGridSummary} */
 export function paperGridSummary(measured) {
   if (typeof measured !== "object" || measured === null) {

@@ -569,6 +569,52 @@ export function paperRoadRows(): RoadRow[];
 /** Plans a scene of the road manuscript in several ways, the fastest of some rounds (1) for the time, with the risk of each. */
 export function paperRoad(options: { row: string; rounds?: number }): RoadTable;
 
+/** A cell of the parking paper's tables: seconds of driving at 2 m/s, gear changes, nodes 0.1 m apart, metres. */
+export interface ParkingFigures { time: number; changes: number; nodes: number; length: number }
+
+/** A row of tables 2 to 11 of the parking paper. */
+export interface ParkingRow {
+  /** Of the scene. */
+  id: string;
+  /** First and last table. */
+  tables: [number, number];
+  /** Along the aisle, else across it. */
+  parallel: boolean;
+  traditional: ParkingFigures;
+  improved: ParkingFigures;
+  /** What "hybrid" is held to: metres, gear changes. */
+  reach: [number, number];
+  /** What is wrong with the printed row; may be empty. */
+  note: string;
+}
+
+export interface ParkingTable {
+  row: ParkingRow;
+  /** Length of the shortest path without obstacles, metres. */
+  bound: number;
+  /** Whether the printed lengths, traditional and improved, are below that. */
+  impossible: [boolean, boolean];
+  /** "hybrid-forward" (traditional), "hybrid" (improved), "hybrid-bidirectional", "hybrid-classic", in the paper's rounding. */
+  lines: (ParkingFigures & {
+    planner: PlannerId;
+    verdict: Check["verdict"];
+    /** Metres, not rounded. */
+    exact: number;
+    clearance: number;
+    expanded: number;
+    /** Of the whole plan with its check, the fastest round. */
+    milliseconds: number;
+  })[];
+  kept: boolean;
+  /** Driving time that the improved column saves, percent: printed, ours. */
+  saved: [number, number];
+}
+
+/** What `paperParking` measures. `parkade` only, not `parkade/core`, as the next one. */
+export function paperParkingRows(): ParkingRow[];
+/** Plans a row of the parking paper with its planners; the fastest of some rounds (1) counts for the time. */
+export function paperParking(options: { row: string; rounds?: number }): ParkingTable;
+
 export class Planner {
   /** Checks scene and settings and prepares the map, once. Throws ParkadeError. */
   constructor(planner: PlannerId, scene: Scenario, config?: Record<string, unknown>);
