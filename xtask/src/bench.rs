@@ -1,21 +1,41 @@
-//! `cargo xtask bench grid`: our grid planners against others, in one run.
+//! `cargo xtask bench grid`: our grid planners against others, in one run; `bench parking`: hybrid A* on public cases, natively
+//! and in WebAssembly, beside the best known.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::process::Command;
 use std::{env, fs};
 
-use anyhow::{Context as _, Result, ensure};
+use anyhow::{Context as _, Result, bail};
 
 use crate::site;
-use crate::tools::{WASM_TARGET, Workspace, cargo, node, npm, root, run};
+use crate::tools::{WASM_TARGET, Workspace, capture, cargo, node, npm, root, run};
 
 /// Packages to compare with; installed into a temporary folder, no part of the product.
 const PEERS: &[&str] = &["pathfinding@0.4.18", "ngraph.graph@20.1.2", "ngraph.path@1.6.1"];
 
 /// Prints figures with their floors and goals; never fails on slow ones, which say as much of the machine.
 pub(crate) fn bench(arguments: &[String]) -> Result<()> {
-    let [what, sizes @ ..] = arguments else { anyhow::bail!("bench what? There is `bench grid`") };
-    ensure!(what == "grid" && sizes.len() <= 2, "there is `bench grid [questions] [repeats]`");
     let data = env::var_os("PARKADE_DATA").map_or_else(|| root().join("../shared/data"), PathBuf::from);
+    match arguments {
+        [what, sizes @ ..] if what == "grid" && sizes.len() <= 2 => grid(&data, sizes),
+        [what] if what == "parking" => parking(&data),
+        _ => bail!("there are `bench grid [questions] [repeats]` and `bench parking`"),
+    }
+}
+
+/// Hybrid A* natively and in WebAssembly; without the public cases, on the built-in scenes alone.
+fn parking(data: &Path) -> Result<()> {
+    site::assemble()?;
+    run(cargo().args(["build", "--release", "--locked", "--example", "tpcap", "--example", "goals"]))?;
+    let examples = Workspace::load()?.target.join("release/examples");
+    let (native, file) = (examples.join("tpcap"), examples.join("tpcap-results.json"));
+    let results = capture(Command::new(&native).arg("json").env("PARKADE_DATA", data))?;
+    fs::write(&file, results).with_context(|| file.display().to_string())?;
+    run(node().arg("tests/bench/parking.mjs").args([&file, &native]).env("PARKADE_DATA", data))?;
+    run(Command::new(examples.join("goals")).env("PARKADE_DATA", data))
+}
+
+fn grid(data: &Path, sizes: &[String]) -> Result<()> {
     let maps = data.join("movingai");
     if !maps.join("Berlin_0_256.map").exists() {
         println!(

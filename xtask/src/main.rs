@@ -38,7 +38,7 @@ const COMMANDS: &[Command] = &[
     },
     Command {
         name: "bench",
-        about: "build, then race the grid planners: bench grid [questions] [repeats]",
+        about: "build, then measure: bench grid [questions] [repeats], bench parking",
         run: bench::bench,
     },
     Command {

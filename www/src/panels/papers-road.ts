@@ -1,14 +1,14 @@
 import type { RoadTable } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import { workersHere, type Progress } from "../planning/crew";
-import { RoadPapers } from "../planning/papers-road";
+import { RowPapers } from "../planning/papers-rows";
 import { icon } from "./icons";
 import { cell, change, changeOf, FIGURES, flagOf, lineName, printedOf, promiseOf, promiseText, roadMarkdown, titleOf, type Figure } from "./papers-road-text";
 import { FLAGS, say } from "./papers-road-words";
 import { PapersTab } from "./papers-tab";
 
 /** What was measured stays while the page is open. */
-let papers: RoadPapers | null = null;
+let papers: RowPapers<"road"> | null = null;
 let last: RoadTable[] | null = null;
 
 /** Section 4 of the road manuscript. */
@@ -52,7 +52,7 @@ export class PapersRoad extends PapersTab<RoadTable[]> {
   }
 
   protected async work(): Promise<void> {
-    papers ??= new RoadPapers(await this.app.complete());
+    papers ??= new RowPapers(await this.app.complete(), "road");
     await papers.measure((progress, tables) => {
       this.progress = progress;
       if (tables.length > 0) this.summary = last = tables;

@@ -4,6 +4,8 @@ export const say = words({
   title: ["Paper tables", "论文表格"],
   grid: ["Grid", "栅格"],
   gridLead: ["Tables 3 and 4 of the risk-field paper and the claims of the 16-neighbour paper, measured here on seeded maps.", "在按种子生成的地图上重新测量风险场论文的表 3、表 4 与 16 邻域论文的论断。"],
+  parking: ["Parking", "泊车"],
+  parkingLead: ["Tables 2 to 11 of the parking paper in its own rounding: steps of 0.1 m, driving at 2 m/s.", "按泊车论文自身的取整方式（步长 0.1 m，行驶速度 2 m/s）重新测量表 2 至表 11。"],
   road: ["Road", "道路"],
   roadLead: ["Section 4 of the road manuscript, measured here on scenes built to what it says of its own.", "按论文描述重建场景，重新测量道路论文第 4 节。"],
   close: ["Close", "关闭"],

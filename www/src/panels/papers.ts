@@ -12,6 +12,7 @@ type Tab = PapersTab<unknown>;
 /** A paper each; what its tables need is fetched when they are first shown. */
 const TABS = {
   grid: async (): Promise<Tab> => new (await import("./papers-grid")).PapersGrid(),
+  parking: async (): Promise<Tab> => new (await import("./papers-parking")).PapersParking(),
   road: async (): Promise<Tab> => new (await import("./papers-road")).PapersRoad(),
 } as const;
 type TabName = keyof typeof TABS;

@@ -1,6 +1,6 @@
 /** What workers of the complete module do beside planning. */
-import type { Family, ImportOptions, Imported, PaperRow, PaperTable, Plan, PlannerId, PaperClaim, RoadRow, RoadTable, Scenario } from "parkade";
-import { Planner, generateScenario, importScene, init, packRuns, paperGrid, paperGridRows, paperGridSummary, paperRoad, paperRoadRows } from "parkade";
+import type { Family, ImportOptions, Imported, PaperRow, ParkingRow, ParkingTable, PaperTable, Plan, PlannerId, PaperClaim, RoadRow, RoadTable, Scenario } from "parkade";
+import { Planner, generateScenario, importScene, init, packRuns, paperGrid, paperGridRows, paperGridSummary, paperParking, paperParkingRows, paperRoad, paperRoadRows } from "parkade";
 import type { Run } from "../scene/cells";
 import { failureOf } from "./failure";
 import type { Failure, Request } from "./protocol";
@@ -31,6 +31,8 @@ const JOBS = {
   rows: (): { rows: PaperRow[]; planners: string[]; columns: string[] } => paperGridRows(),
   paper: (slice: { row: string; from: number; to: number }): Float64Array => paperGrid(slice),
   summary: (measured: Record<string, Float64Array>): { tables: PaperTable[]; claims: PaperClaim[] } => paperGridSummary(measured),
+  parkingRows: (): ParkingRow[] => paperParkingRows(),
+  parking: (options: { row: string }): ParkingTable => paperParking(options),
   roadRows: (): RoadRow[] => paperRoadRows(),
   road: (options: { row: string }): RoadTable => paperRoad(options),
 };

@@ -1,30 +1,32 @@
-/** Measures the road manuscript's tables again, a scene per worker. */
-import type { RoadTable } from "parkade";
+/** Measures a paper's tables again, a row per worker. */
+import type { ParkingTable, RoadTable } from "parkade";
 import { workersHere, type Progress } from "./crew";
 import { Helper } from "./helper";
 import type { Engine } from "./module";
 
-export class RoadPapers {
+interface Tables { road: RoadTable; parking: ParkingTable }
+
+export class RowPapers<Name extends keyof Tables> {
   private helpers: Helper[] = [];
 
-  constructor(private readonly engine: Engine) {}
+  constructor(private readonly engine: Engine, private readonly name: Name) {}
 
   get running(): boolean {
     return this.helpers.length > 0;
   }
 
-  /** Measures every scene, telling those there are, in their order, whenever there is one more. */
-  async measure(told: (progress: Progress, tables: RoadTable[]) => void): Promise<void> {
+  /** Measures every row, telling those there are, in their order, whenever there is one more. */
+  async measure(told: (progress: Progress, tables: Tables[Name][]) => void): Promise<void> {
     this.stop();
     const helpers = (this.helpers = Array.from({ length: workersHere() }, () => new Helper(this.engine)));
     try {
-      const rows = await helpers[0]!.call("roadRows", undefined as never);
-      const order = rows.map(({ id }) => id), waiting = [...order], tables = new Map<string, RoadTable>();
+      const rows = await helpers[0]!.call(`${this.name}Rows`, undefined as never);
+      const order = rows.map(({ id }) => id), waiting = [...order], tables = new Map<string, Tables[Name]>();
       const tell = (): void => told({ done: tables.size, of: order.length }, order.flatMap((id) => tables.get(id) ?? []));
       tell();
       await Promise.all(helpers.map(async (helper) => {
         for (let row = waiting.shift(); row; row = waiting.shift()) {
-          tables.set(row, await helper.call("road", { row }));
+          tables.set(row, await helper.call(this.name, { row }) as Tables[Name]);
           if (this.helpers === helpers) tell();
         }
       }));

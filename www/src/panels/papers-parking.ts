@@ -1,0 +1,92 @@
+import type { ParkingTable } from "parkade";
+import { css, html, nothing, type TemplateResult } from "lit";
+import { workersHere, type Progress } from "../planning/crew";
+import { RowPapers } from "../planning/papers-rows";
+import { icon } from "./icons";
+import { FIGURES, lineName, noteOf, parkingMarkdown, printedOf, reachText, savings, titleOf, type Figure } from "./papers-parking-text";
+import { say } from "./papers-parking-words";
+import { PapersTab } from "./papers-tab";
+
+/** What was measured stays while the page is open. */
+let papers: RowPapers<"parking"> | null = null;
+let last: ParkingTable[] | null = null;
+
+/** Tables 2 to 11 of the parking paper. */
+export class PapersParking extends PapersTab<ParkingTable[]> {
+  static override styles = [PapersTab.styles, css`
+    .held { display: inline-flex; vertical-align: -2px; margin-left: 6px; } .held.missed { color: var(--parkade-err); } .held svg { width: 12px; height: 12px; }
+    td .chip { margin-right: 6px; } .saved { width: auto; }
+  `];
+
+  constructor() {
+    super();
+    this.summary = last;
+  }
+
+  leave(): void {
+    papers?.stop();
+  }
+
+  protected get running(): boolean {
+    return papers?.running ?? false;
+  }
+
+  protected override render(): TemplateResult {
+    const { summary } = this;
+    return this.frame(this.button(), summary ? html`${summary.map((table) => this.table(table))}${this.saved(summary)}` : nothing);
+  }
+
+  protected told({ done, of }: Progress): string {
+    return say(this.state.lang, "progress", { done, of, workers: workersHere() });
+  }
+
+  protected cancelled(done: number): string {
+    return say(this.state.lang, "cancelled", { done });
+  }
+
+  protected markdown(tables: ParkingTable[]): string {
+    return parkingMarkdown(this.state.lang, tables);
+  }
+
+  protected async work(): Promise<void> {
+    papers ??= new RowPapers(await this.app.complete(), "parking");
+    await papers.measure((progress, tables) => {
+      this.progress = progress;
+      if (tables.length > 0) this.summary = last = tables;
+    });
+  }
+
+  private table(table: ParkingTable): TemplateResult {
+    const { lang } = this.state, note = noteOf(lang, table);
+    return html`<h3 id=${table.row.id}>${titleOf(lang, table)}</h3>
+      <div class="wide"><table><thead>
+        <tr class="over"><th></th><th class="first" colspan="2">${say(lang, "printedHead")}</th><th class="first" colspan=${table.lines.length}>${say(lang, "oursHead")}</th></tr>
+        <tr><th>${say(lang, "figure")}</th><th class="first">${say(lang, "traditional")}</th><th>${say(lang, "improved")}</th>
+          ${table.lines.map((line, at) => html`<th class=${at === 0 ? "first" : ""}>${lineName(lang, line)}</th>`)}</tr></thead>
+        <tbody>${FIGURES.map((figure) => this.figure(table, figure))}
+          <tr><th scope="row">${say(lang, "verdict")}</th><td class="printed first">–</td><td class="printed">–</td>${table.lines.map(({ verdict }, at) => html`
+            <td class=${at === 0 ? "first" : ""}><span class="chip ${verdict === "ok" ? "" : "err"}">${icon(verdict === "ok" ? "check" : "warning", 12)}<span>${say(lang, verdict)}</span></span></td>`)}</tr></tbody></table></div>
+      ${note ? html`<p class="note">${note}</p>` : nothing}`;
+  }
+
+  private figure(table: ParkingTable, figure: Figure): TemplateResult {
+    const { lang } = this.state, printed = printedOf(table, figure), bound = this.num(table.bound, 2);
+    const cell = (at: 0 | 1): TemplateResult => html`<td class="printed ${at === 0 ? "first" : ""}">${figure.key === "length" && table.impossible[at]
+      ? html`<span class="chip err" title=${say(lang, "bound", { bound })}>${icon("warning", 12)}<span>${say(lang, "impossible", { bound })}</span></span>` : nothing}${printed ? this.num(printed[at], figure.digits) : "–"}</td>`;
+    const reach = reachText(lang, table);
+    const held = html`<span class="held ${table.kept ? "" : "missed"}" role="img" title=${reach} aria-label=${reach}>${icon(table.kept ? "check" : "close", 12)}</span>`;
+    return html`<tr><th scope="row">${say(lang, figure.key)}</th>${cell(0)}${cell(1)}
+      ${table.lines.map((line, at) => html`<td class=${at === 0 ? "first" : at === 1 ? "ours" : ""}>${this.num(line[figure.key], figure.digits)}${at === 1 && figure.key === "exact" ? held : nothing}</td>`)}</tr>`;
+  }
+
+  private saved(tables: readonly ParkingTable[]): TemplateResult | typeof nothing {
+    const { lang } = this.state, lines = savings(tables);
+    if (lines.length === 0) return nothing;
+    const percent = (value: number): string => `${this.num(value, 2)} %`;
+    return html`<h3>${say(lang, "saved")}</h3><div class="wide"><table class="saved"><thead><tr><th>${say(lang, "rows")}</th><th>${say(lang, "abstract")}</th><th>${say(lang, "ofRows")}</th><th>${say(lang, "ours")}</th></tr></thead>
+      <tbody>${lines.map(({ rows, said, printed, ours }) => html`<tr><th scope="row">${rows}</th><td class="printed">${percent(said)}</td><td class="printed">${percent(printed)}</td><td class="ours">${percent(ours)}</td></tr>`)}</tbody></table></div>
+      <p class="note">${say(lang, "sameNote")}</p>`;
+  }
+}
+
+customElements.define("parkade-papers-parking", PapersParking);
