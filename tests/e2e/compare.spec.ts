@@ -116,6 +116,33 @@ test("searches are scrubbed by percent and by expansions, all at once", async ({
   expect(fraction * most).toBeCloseTo(0.5 * most + 1, 3);
 });
 
+test("a shared link shows the scene as it was looked at", async ({ page }) => {
+  await open(page);
+  await page.waitForFunction(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.state.complete);
+  const looks = ({ mode, focus, planners, layers, playback, camera }: Record<string, any>) => ({ mode, focus, planners, layers, playback: { base: playback.base, fraction: playback.fraction }, camera });
+  await page.evaluate(() => {
+    const { store } = document.querySelector<PlaygroundElement>("parkade-playground")! as unknown as { store: { state: Record<string, any>; set(patch: object): void } };
+    store.set({ mode: "overlay", planners: ["eight", "any-angle", "hybrid"], focus: "any-angle", camera: { x: 12.5, y: 9.25, scale: 31.5 }, layers: { ...store.state["layers"], difference: true, risk: false }, playback: { ...store.state["playback"], base: "search", fraction: 0.375 } });
+  });
+  await settled(page);
+  const before = await page.evaluate<ReturnType<typeof looks>>(store(looks));
+  await page.getByRole("button", { name: "Share" }).click();
+  await expect.poll(() => page.evaluate(() => navigator.clipboard.readText())).toContain("&v=");
+  const link = await page.evaluate(() => navigator.clipboard.readText());
+  expect(link.length).toBeLessThan(1900);
+  await page.goto("about:blank");
+  await page.goto(link);
+  await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.ready);
+  await settled(page);
+  expect(await page.evaluate(store(looks))).toEqual(before);
+  // What comes of a damaged view is only the scene.
+  await page.goto("about:blank");
+  await page.goto(link.replace(/&v=.*/, "&v=7~nobody~%%~~9~x~1"));
+  await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.ready);
+  await settled(page);
+  expect(await page.evaluate(store((state) => [state["mode"], state["planners"].length]))).toEqual(["grid", 4]);
+});
+
 test("panes are resized by pointer and by keys, and stay so", async ({ page }) => {
   await open(page);
   const inspector = page.locator("parkade-inspector"), bar = page.locator("parkade-splitter[pane=side]");

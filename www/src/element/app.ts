@@ -55,7 +55,7 @@ export class App {
   readonly store: Store = createStore({ layers: presetLayers("drive") });
   readonly controller = new ToolController(this.store);
   readonly player = new Player(this.store);
-  readonly links = new LinkSync(this.store, (scene) => this.openLink(scene), (reason) => this.refuse("error.link", { reason }));
+  readonly links = new LinkSync(this.store, (scene, looks) => void this.openLink(scene, looks), (reason) => this.refuse("error.link", { reason }));
   catalog: Catalog | null = null;
   planning: Planning | null = null;
   /** Id of the catalogue's scene last opened. */
@@ -71,12 +71,14 @@ export class App {
    * before the plans. `drives`: the car then parks once.
    */
   async start({ preset, syncAddress, drives, given, loaded }: Beginning): Promise<void> {
+    const looks = syncAddress ? await this.links.looks() : {};
+    this.store.set(looks);
     const engine = await loadEngine(extentFor(this.store.state.planners));
     this.catalog = catalogOf(engine);
     this.dropUnknownPlanners();
     const first = (await given) ?? (await this.firstScene(preset, syncAddress));
     this.origin = first;
-    this.store.set({ scene: first, camera: null });
+    this.store.set({ scene: first, camera: looks.camera ?? null });
     if (syncAddress) this.links.start();
     this.planning = new Planning(this.store, engine, () => this.complete());
     this.planning.start();
@@ -84,7 +86,7 @@ export class App {
     void this.controller.fetchTools();
     void extras.load();
     await this.planning.whenSettled();
-    if (drives) this.player.driveIn();
+    if (drives && !looks.playback) this.player.driveIn();
     requestIdle(() => void this.complete().catch(() => undefined));
     if (syncAddress) requestIdle(() => void this.remember());
   }
@@ -181,9 +183,12 @@ export class App {
     this.store.edit(scene, { label: "open" });
   }
 
-  private openLink(scene: Scene): void {
+  private async openLink(scene: Scene, looks: Partial<State>): Promise<void> {
     this.preset = null;
     this.openScene(ensureIds(scene));
+    if (looks.planners) await this.complete();
+    this.store.set(looks);
+    this.dropUnknownPlanners();
   }
 
   reset(): void {
@@ -197,7 +202,8 @@ export class App {
   }
 
   async share(): Promise<boolean> {
-    const href = await this.links.write();
+    await this.links.write();
+    const href = await this.links.address(true);
     if (!href) {
       this.say("warn", "error.longLink");
       return false;

@@ -1,13 +1,14 @@
 import { fitsLink } from "../scene/vast";
-import type { Scene, Store } from "../store";
+import type { Scene, State, Store } from "../store";
 
-const PREFIX = "#s=";
+const PREFIX = "#s=", VIEW = "&v=";
 const SETTLE_MS = 500;
 /** Longer addresses are cut off by chats and mail. */
 export const LINK_LIMIT = 8000;
 
 /** Nothing of it is needed before the first picture, unless that comes by a link. */
 const linkFormat = () => import("../scene/link");
+const viewFormat = () => import("../scene/view-link");
 
 /** Keeps the address in step with the scene, and reads scenes from it. */
 export class LinkSync {
@@ -18,7 +19,7 @@ export class LinkSync {
 
   constructor(
     private readonly store: Store,
-    private readonly open: (scene: Scene) => void,
+    private readonly open: (scene: Scene, looks: Partial<State>) => void,
     private readonly refuse: (reason: string) => void,
   ) {}
 
@@ -37,12 +38,12 @@ export class LinkSync {
     clearTimeout(this.timer);
   }
 
-  /** The address that opens the present scene; null when it would be too long. */
-  async address(): Promise<string | null> {
+  /** The address that opens the present scene, if wanted as it is looked at; null when it would be too long. */
+  async address(looks = false): Promise<string | null> {
     const { scene } = this.store.state, url = new URL(location.href);
     if (!fitsLink(scene)) return null;
     const { encodeScene } = await linkFormat();
-    url.hash = PREFIX.slice(1) + (await encodeScene(scene));
+    url.hash = PREFIX.slice(1) + (await encodeScene(scene)) + (looks ? VIEW + (await viewFormat()).encodeView(this.store.state) : "");
     return url.href.length > LINK_LIMIT ? null : url.href;
   }
 
@@ -50,6 +51,12 @@ export class LinkSync {
   async read(): Promise<Scene | null> {
     const { hash } = location;
     return hash.startsWith(PREFIX) ? (await linkFormat()).decodeScene(hash.slice(PREFIX.length)) : null;
+  }
+
+  /** How the scene in the present address is looked at; nothing where it does not say. */
+  async looks(): Promise<Partial<State>> {
+    const at = location.hash.indexOf(VIEW);
+    return at < 0 ? {} : (await viewFormat()).decodeView(location.hash.slice(at + VIEW.length), this.store.state.playback);
   }
 
   async write(): Promise<string | null> {
@@ -72,7 +79,8 @@ export class LinkSync {
     this.written = location.hash;
     try {
       const scene = await this.read();
-      if (scene) this.open(scene);
+      if (!scene) return;
+      this.open(scene, await this.looks());
     } catch (error) {
       this.refuse(error instanceof Error ? error.message : String(error));
     }

@@ -37,14 +37,14 @@ export function imageMap(pixels: Pixels, { threshold, invert, perCell, metres }:
   }
   const runs = runsOf(grid, width, height);
   const blocked = runs.reduce((sum, run) => sum + run[2], 0);
-  const { start, goal, room } = places(grid, width, height), at = (cell: number): [number, number] =>
+  const car = vehicleOf("sedan"), needed = Math.hypot(car.rearToFront, car.width / 2) / resolution;
+  const { start, goal, room } = places(grid, width, height, needed), at = (cell: number): [number, number] =>
     [((cell % width) + 0.5) * resolution, (Math.floor(cell / width) + 0.5) * resolution];
   const [from, to] = [at(start), at(goal)], heading = start === goal ? 0 : towards(from, to);
   const pose = ([x, y]: [number, number]): Pose => ({ x, y, heading });
-  const car = vehicleOf("sedan");
   return {
     blocked, cells: width * height,
-    roomy: room * resolution > Math.hypot(car.rearToFront, car.width / 2),
+    roomy: room > needed,
     scene: {
       version: 1, name, map: { origin: [0, 0], width, height, resolution },
       obstacles: runs.length > 0 ? [{ type: "cells", id: "cells-1", runs }] : [], slots: [], vehicle: "sedan", start: pose(from), goal: pose(to),
@@ -65,12 +65,12 @@ function runsOf(grid: Uint8Array, width: number, height: number): Run[] {
   return runs;
 }
 
-/** The roomiest free cell, and the farthest one from it that is nearly as roomy; their least distance to a wall in cells. */
-function places(grid: Uint8Array, width: number, height: number): { start: number; goal: number; room: number } {
+/** The roomiest free cell, and the farthest one from it with the room needed, if there is one; their least distance to a wall. All in cells. */
+function places(grid: Uint8Array, width: number, height: number, needed: number): { start: number; goal: number; room: number } {
   const room = distances(grid, width, height);
   let start = 0;
   room.forEach((value, cell) => { if (value > room[start]!) start = cell; });
-  const enough = Math.min(room[start]!, Math.max(1, room[start]! * 0.5));
+  const enough = Math.min(room[start]!, Math.floor(needed) + 1);
   const seen = new Uint8Array(grid.length), queue = new Int32Array(grid.length);
   let end = 1, goal = start;
   queue[0] = start;

@@ -13,8 +13,9 @@ export async function encodeScene(scene: Scenario): Promise<string> {
   return VERSION + toBase64Url(await collect(stream(text).pipeThrough(new CompressionStream("deflate-raw")), Infinity));
 }
 
-/** Rejects with a sentence for people where the text is no scene. */
-export async function decodeScene(text: string): Promise<Scenario> {
+/** Rejects with a sentence for people where the text is no scene. What follows an `&` is not about the scene. */
+export async function decodeScene(link: string): Promise<Scenario> {
+  const text = link.split("&", 1)[0]!;
   if (!text.startsWith(VERSION)) throw new Error("This link was made by a version this page does not read.");
   let data: unknown;
   try {

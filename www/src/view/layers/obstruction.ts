@@ -61,8 +61,9 @@ function drawGap(frame: Frame, { x, y, width, needed }: Extract<Obstruction, { k
   }
   ctx.setLineDash([]);
   const text = `${fixed(width, 2)} m < ${fixed(needed, 2)} m`, wide = pillWidth(frame, text), reach = Math.max(5, (needed / 2) * view.camera.scale);
-  const left = px + reach + 8 + wide < view.width ? px + reach + 8 : px - reach - 8 - wide;
-  drawPill(frame, text, left, py - PILL_HEIGHT / 2);
+  const beside = px + reach + 8 + wide < view.width, fits = beside || px - reach - 8 - wide > 4;
+  const left = beside ? px + reach + 8 : fits ? px - reach - 8 - wide : Math.max(4, Math.min(px - wide / 2, view.width - wide - 4));
+  drawPill(frame, text, left, fits ? py - PILL_HEIGHT / 2 : py - reach - PILL_HEIGHT - 6);
 }
 
 function drawRegion(frame: Frame, { cell, runs }: Extract<Obstruction, { kind: "enclosed" }>): void {
