@@ -1,3 +1,5 @@
+import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
 import { expect, test, type Page } from "@playwright/test";
 import type { Plan, Scenario } from "parkade";
 import { complaintsOf } from "./playground";
@@ -227,6 +229,41 @@ test("a playground out of sight rests, and goes on when it is back", async ({ pa
   expect(await at()).toBe(rest);
   await near(page, "one");
   await expect.poll(at).toBeGreaterThan(rest);
+});
+
+test("the example page says what its playground found, also after an edit", async ({ page }) => {
+  const complaints: string[] = [];
+  page.on("console", (message) => { if (message.type() === "error") complaints.push(message.text()); });
+  await page.route("**/examples/html/**", async (route) => {
+    const path = new URL(route.request().url()).pathname.slice("/examples/html/".length);
+    if (path.startsWith("parkade/")) return route.fulfill({ response: await route.fetch({ url: new URL(`/sub/path/${path.slice("parkade/".length)}`, page.url()).href }) });
+    return route.fulfill({ path: fileURLToPath(new URL(`../../examples/html/${path || "index.html"}`, import.meta.url)) });
+  });
+  await page.goto("/host/three.html");
+  await page.goto("/examples/html/");
+  await expect(page.locator("#answer")).toHaveText(/^\d+\.\d\d$/, { timeout: 20_000 });
+  const before = await page.locator("#answer").textContent();
+  await page.evaluate(async () => {
+    const element = document.querySelector<Embed>("parkade-playground")!;
+    const scene = await (element["getScene"] as () => Promise<Scenario>)();
+    await (element["setScene"] as (next: Scenario) => Promise<void>)({ ...scene, start: { ...scene.start, x: scene.start.x + 1 } });
+  });
+  await expect(page.locator("#answer")).not.toHaveText(before!);
+  expect(complaints).toEqual([]);
+});
+
+test("the documentation's lines of HTML show a playground", async ({ page }) => {
+  const samples = [...readFileSync(new URL("../../docs/embed.md", import.meta.url), "utf8").matchAll(/```html\n([^]*?)```/g)].map((match) => match[1]!);
+  expect(samples.length).toBeGreaterThanOrEqual(4);
+  for (const sample of samples) {
+    await page.route("**/host/sample.html", (route) => route.fulfill({ contentType: "text/html", body: `<!doctype html><title>Sample</title>${sample.replaceAll("parkade/", "/sub/path/")}` }));
+    await page.goto("/host/sample.html");
+    const frame = sample.includes("<iframe") ? page.frameLocator("iframe") : page;
+    await frame.locator("parkade-playground .poster").first().waitFor({ state: "attached" });
+    if (sample.includes("interaction")) await frame.getByRole("button", { name: "A car beside a gap" }).click();
+    await frame.locator("parkade-playground canvas").first().waitFor();
+    await page.unroute("**/host/sample.html");
+  }
 });
 
 test.describe("in a frame of another origin", () => {

@@ -1,5 +1,6 @@
 // @ts-check
-// Serves dist/ below /sub/path/, as a project page of a static host would, and pages that embed it below /host/.
+// Serves dist/ below /sub/path/, as a project page of a static host would, and at the top; pages that embed it below /host/; the
+// documentation, where it is built, below /docs/.
 import { readFile } from "node:fs/promises";
 import { createServer } from "node:http";
 import { extname } from "node:path";
@@ -7,8 +8,13 @@ import { pathToFileURL } from "node:url";
 
 const PREFIX = "/sub/path/";
 const DIST = new URL("../../dist/", import.meta.url);
-const HOST_PREFIX = "/host/";
-const HOST = new URL("pages/", import.meta.url);
+/** @type {[string, URL][]} */
+const FOLDERS = [
+  [PREFIX, DIST],
+  ["/host/", new URL("pages/", import.meta.url)],
+  ["/docs/", new URL("../../docs/.vitepress/dist/", import.meta.url)],
+  ["/", DIST],
+];
 /** @type {Record<string, string>} */
 const TYPES = {
   ".css": "text/css",
@@ -29,10 +35,10 @@ const TYPES = {
 export async function serve(port) {
   const server = createServer(async (request, response) => {
     const { pathname } = new URL(request.url ?? "/", "http://localhost");
-    const [prefix, folder] = pathname.startsWith(HOST_PREFIX) ? [HOST_PREFIX, HOST] : [PREFIX, DIST];
-    const file = new URL(pathname.slice(prefix.length) || "index.html", folder);
+    const [prefix, folder] = FOLDERS.find(([start]) => pathname.startsWith(start)) ?? ["/", DIST];
+    const file = new URL(pathname.slice(prefix.length).replace(/(^|\/)$/, "$1index.html"), folder);
     try {
-      if (!pathname.startsWith(prefix) || !file.href.startsWith(folder.href)) throw new Error("outside");
+      if (!file.href.startsWith(folder.href)) throw new Error("outside");
       const body = await readFile(file);
       response.writeHead(200, { "content-type": TYPES[extname(file.pathname)] ?? "application/octet-stream" }).end(body);
     } catch {

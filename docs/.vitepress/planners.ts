@@ -1,0 +1,78 @@
+/** What the planners' pages are made of: the package's own words, settings and units, and DESIGN.md. */
+import { readFileSync } from "node:fs";
+import type { ParameterInfo, PlannerInfo } from "parkade";
+import { init, planners } from "../../pkg/node.js";
+import { WORDS } from "./words";
+
+export type Lang = "en" | "zh";
+
+export async function known(): Promise<PlannerInfo[]> {
+  await init();
+  const infos = planners();
+  const without = infos.filter(({ id }) => !(id in WORDS)).map(({ id }) => id);
+  if (without.length > 0) throw new Error(`docs/.vitepress/words.ts says nothing of ${without.join(", ")}`);
+  return infos;
+}
+
+const TEXT = {
+  en: { figure: "Drag the cars, draw a wall: it plans again.", parameters: "Settings", name: "Name", unit: "Unit", range: "Range", default: "Default", why: "What it does", paper: "After", use: "In code", formulas: "Formulas and choices", drawn: "Scene and path" },
+  zh: { figure: "拖动车辆、画一堵墙,路径随即重新规划。", parameters: "参数", name: "名称", unit: "单位", range: "范围", default: "默认", why: "作用", paper: "出处", use: "代码", formulas: "公式", drawn: "场景与路径" },
+};
+
+export async function pages(lang: Lang): Promise<{ params: { id: string; title: string }; content: string }[]> {
+  return (await known()).map((info) => ({ params: { id: info.id, title: info.title[lang] }, content: page(info, lang) }));
+}
+
+function page(info: PlannerInfo, lang: Lang): string {
+  const words = WORDS[info.id]!, t = TEXT[lang];
+  const design = lang === "en" ? `\n${section(words.design)}\n` : "";
+  return `# ${info.title[lang]}
+
+\`${info.id}\` · ${t.paper}: ${info.paper}
+
+${words[lang]}
+
+<parkade-playground scene="${words.scene}" planners="${info.id}" layout="single" controls="minimal" editable lang="${lang}" alt="${t.drawn}"></parkade-playground>
+
+*${t.figure}*
+
+## ${t.formulas}
+
+\`\`\`text
+${words.formulas}
+\`\`\`
+${design}
+## ${t.use}
+
+\`\`\`js
+import { init, Planner, scenario } from "parkade";
+
+await init();
+const planner = new Planner("${info.id}", scenario("${words.scene}"));
+const plan = planner.plan();
+console.log(plan.outcome, plan.metrics.length.toFixed(2));
+planner.free();
+\`\`\`
+
+## ${t.parameters}
+
+| ${t.name} | ${t.unit} | ${t.range} | ${t.default} | ${t.why} |
+| --- | --- | --- | --- | --- |
+${info.parameters.map((one) => row(one, lang)).join("\n")}
+`;
+}
+
+function row({ name, unit, min, max, choices, default: value, title, doc }: ParameterInfo, lang: Lang): string {
+  const range = choices ? choices.map((one) => `\`${one}\``).join(" ") : min !== undefined || max !== undefined ? `${min ?? ""} … ${max ?? ""}` : "";
+  return `| \`${name}\` | ${unit} | ${range} | \`${JSON.stringify(value)}\` | ${escaped(`${title[lang]}. ${doc[lang]}`)} |`;
+}
+
+const escaped = (text: string): string => text.replaceAll("|", "\\|").replaceAll("<", "&lt;").replaceAll("{", "&#123;");
+
+/** A planner's part of DESIGN.md, one level down. */
+function section(heading: string): string {
+  const text = readFileSync(new URL("../../DESIGN.md", import.meta.url), "utf8");
+  const part = text.split(/^## /m).find((one) => one.startsWith(heading));
+  if (!part) throw new Error(`DESIGN.md has no section "${heading}"`);
+  return part.slice(part.indexOf("\n")).replaceAll("<", "&lt;").replaceAll("{{", "{ {").trim();
+}

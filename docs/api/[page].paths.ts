@@ -1,0 +1,3 @@
+import { reference } from "../.vitepress/reference";
+
+export default { paths: () => [{ params: { page: "reference" }, content: reference() }] };

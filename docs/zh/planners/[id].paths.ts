@@ -1,0 +1,3 @@
+import { pages } from "../../.vitepress/planners";
+
+export default { paths: () => pages("zh") };

@@ -1,0 +1,66 @@
+import { execFileSync } from "node:child_process";
+import { existsSync, readdirSync, readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { expect, test } from "@playwright/test";
+import { complaintsOf } from "./playground";
+
+const SITE = fileURLToPath(new URL("../../docs/.vitepress/dist/", import.meta.url));
+const BASE = "/docs/";
+
+test.beforeAll(() => {
+  test.setTimeout(240_000);
+  // `cargo xtask test` has built it already.
+  if (!existsSync(SITE)) execFileSync(process.execPath, ["node_modules/vitepress/bin/vitepress.js", "build", "docs"], { stdio: "ignore" });
+});
+
+const pages = () => readdirSync(SITE, { recursive: true, encoding: "utf8" }).map((file) => file.replaceAll("\\", "/")).filter((file) => file.endsWith(".html") && file !== "404.html");
+
+test("every internal link leads to a page, and every fragment to a heading", () => {
+  const all = new Set(pages()), text = (file: string) => readFileSync(SITE + file, "utf8");
+  expect(all.size).toBeGreaterThan(35);
+  const dead: string[] = [];
+  for (const file of all) {
+    for (const [, href] of text(file).matchAll(/<a [^>]*href="([^"]+)"/g)) {
+      const url = new URL(href!.replaceAll("&amp;", "&"), `http://site${BASE}${file}`);
+      if (url.host !== "site") continue;
+      const target = url.pathname.slice(BASE.length).replace(/(^|\/)$/, "$1index.html");
+      const found = all.has(target) ? target : all.has(`${target}.html`) ? `${target}.html` : null;
+      const fragment = decodeURIComponent(url.hash.slice(1));
+      if (!found || (fragment && !text(found).includes(`id="${fragment}"`))) dead.push(`${file}: ${href}`);
+    }
+  }
+  expect(dead).toEqual([]);
+});
+
+for (const file of ["planners/hybrid.html", "planners/risk-field.html", "planners/jump-point.html", "papers/road.html", "zh/planners/hybrid.html", "zh/guide.html"]) {
+  test(`the figures of ${file} come alive when they are near, without a complaint`, async ({ page }) => {
+    const complaints = complaintsOf(page);
+    await page.emulateMedia({ reducedMotion: "reduce" });
+    await page.goto(BASE + file);
+    const outcomes = await page.evaluate(async () => {
+      await customElements.whenDefined("parkade-playground");
+      const found = [];
+      for (const figure of document.querySelectorAll<HTMLElement & { ready: Promise<void>; results: Record<string, { outcome: string } | null> }>("parkade-playground")) {
+        figure.scrollIntoView({ block: "center" });
+        await figure.ready;
+        found.push(...Object.values(figure.results).map((plan) => plan?.outcome));
+      }
+      return found;
+    });
+    expect(outcomes.length).toBeGreaterThan(0);
+    expect(new Set(outcomes)).toEqual(new Set(["found"]));
+    expect(complaints).toEqual([]);
+  });
+}
+
+test("every planner has a page in both languages, with its settings", () => {
+  const planners = pages().filter((file) => file.startsWith("planners/"));
+  expect(planners.length).toBeGreaterThanOrEqual(15);
+  for (const file of planners) {
+    for (const lang of ["", "zh/"]) {
+      const text = readFileSync(SITE + lang + file, "utf8");
+      expect(text).toContain("<parkade-playground");
+      expect(text).toMatch(/<td><code>(maxExpansions|heuristic)<\/code><\/td>/);
+    }
+  }
+});
