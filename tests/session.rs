@@ -158,3 +158,21 @@ fn redundant_space_is_closed_counted_and_drawn() {
     let error = Planner::new("eight", &scene, &config).err().unwrap();
     assert_eq!(error.to_string(), "minPassage: must be between 1 and 64, got 0");
 }
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn a_brush_reaches_the_corners_of_the_map() {
+    let scene = catalog::scenario("random-60").unwrap();
+    let last = [scene.map.width - 1, scene.map.height - 1];
+    for info in planners() {
+        let mut session = Planner::new(info.id, &scene, &Map::new()).unwrap();
+        let before = session.plan(Options::default()).hash();
+        for corner in [[0, 0, 1], [last[0], 0, 1], [0, last[1], 1], [last[0], last[1], 1]] {
+            let was = bytes(&session, "occupancy")[(corner[1] * scene.map.width + corner[0]) as usize] != 0;
+            session.brush(&[corner], !was).unwrap();
+            session.plan(Options::default());
+            session.brush(&[corner], was).unwrap();
+        }
+        assert_eq!(session.plan(Options::default()).hash(), before, "{}", info.id);
+    }
+}

@@ -3,6 +3,7 @@
 use parkade::error::ErrorCode;
 use parkade::plan::{Options, Outcome as Answer, Plan, Planner};
 use parkade::planners::registry::{Parameter, planners as all};
+use parkade::scenario::Scenario;
 use serde_json::{Map, Value, json};
 
 use crate::Outcome;
@@ -10,8 +11,16 @@ use crate::field::Field;
 use crate::random::Random;
 use crate::strewn;
 
-pub(crate) fn planners(seed: u64) -> Outcome {
-    let r = &mut Random::new(seed);
+/// A planner's id, a scene, and settings for it.
+pub(crate) struct Question {
+    pub(crate) planner: &'static str,
+    pub(crate) scene: Scenario,
+    pub(crate) settings: Map<String, Value>,
+    /// Whether every setting is one that it may have.
+    good: bool,
+}
+
+pub(crate) fn question(r: &mut Random, seed: u64) -> Question {
     let planners = all();
     let planner = r.pick(&planners);
     let scene = if r.one_in(3) { Field::random(r).scene() } else { strewn::scene(seed).0 };
@@ -25,22 +34,40 @@ pub(crate) fn planners(seed: u64) -> Outcome {
         }
     }
     settings.insert("maxExpansions".to_owned(), (1 + r.below(400)).into());
-    match Planner::new(planner.id, &scene, &settings) {
-        Ok(_) if !good => Err(format!("{} took {settings:?}", planner.id)),
-        Ok(mut ready) => answered(&ready.plan(Options { trace: r.one_in(4) }))
-            .map_err(|e| format!("{} {settings:?}: {e}", planner.id)),
-        Err(error) if good && error.path.is_empty() => {
-            Err(format!("{} {settings:?}: no field: {error}", planner.id))
-        }
+    Question { planner: planner.id, scene, settings, good }
+}
+
+pub(crate) fn planners(seed: u64) -> Outcome {
+    let r = &mut Random::new(seed);
+    let Question { planner, scene, settings, good } = question(r, seed);
+    let wrong = |what: String| Err(format!("{planner} {settings:?}: {what}"));
+    match Planner::new(planner, &scene, &settings) {
+        Ok(_) if !good => wrong("taken".to_owned()),
+        Ok(mut ready) => answered(&ready.plan(Options { trace: r.one_in(4) })).or_else(wrong),
+        Err(error) if good && error.path.is_empty() => wrong(format!("no field: {error}")),
         Err(error) if error.code == ErrorCode::Config => Ok("refused"),
-        Err(error) => Err(format!("{} {settings:?}: {:?}: {error}", planner.id, error.code)),
+        Err(error) => wrong(format!("{:?}: {error}", error.code)),
     }
+}
+
+/// A random question as JSON, with the hash of its plan or the error's words.
+pub(crate) fn asked(seed: u64) -> Value {
+    let Question { planner, scene, settings, .. } = question(&mut Random::new(seed), seed);
+    answer(planner, &scene, &settings)
+}
+
+pub(crate) fn answer(planner: &str, scene: &Scenario, settings: &Map<String, Value>) -> Value {
+    let answer = match Planner::new(planner, scene, settings) {
+        Ok(mut ready) => ready.plan(Options::default()).hash(),
+        Err(error) => error.to_string(),
+    };
+    json!({ "planner": planner, "scene": scene, "settings": settings, "answer": answer })
 }
 
 /// A value, and whether it alone is one that the setting may have.
 fn value(r: &mut Random, parameter: &Parameter) -> (Value, bool) {
     if r.one_in(12) {
-        let wrong = [json!(-1e9), json!(1e300), json!("?"), json!([]), json!({})];
+        let wrong = [json!(-1_000_000_000_i64), json!(1e300), json!("?"), json!([]), json!({})];
         return (r.pick(&wrong).clone(), false);
     }
     let (low, high) = (parameter.min.unwrap_or(0.0), parameter.max.unwrap_or(1.0));

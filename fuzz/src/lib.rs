@@ -14,7 +14,11 @@ mod soak;
 #[path = "../../tests/strewn/mod.rs"]
 mod strewn;
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
+use parkade::planners::registry::planners;
+use parkade::scenario::catalog::{scenario, scenes};
+use serde_json::{Map, Value};
+use std::cell::Cell;
+use std::panic::{self, AssertUnwindSafe, catch_unwind};
 
 /// Something that can be asked a million random questions.
 pub struct Target {
@@ -64,15 +68,32 @@ pub const TARGETS: &[Target] = &[
     Target { name: "lots", about: "mutated lots of lines and polygons", sample: 400, run: parsers::lots },
 ];
 
+/// Every planner on every built-in scene, then as many random questions: planner, scene, settings, and the hash of the
+/// plan or the error's words.
+pub fn questions(random: u64) -> impl Iterator<Item = Value> {
+    let none = Map::new();
+    let built_in = scenes().filter_map(|info| scenario(info.id).ok()).flat_map(move |scene| {
+        let none = none.clone();
+        planners().into_iter().map(move |planner| configs::answer(planner.id, &scene, &none))
+    });
+    built_in.chain((0..random).map(configs::asked))
+}
+
+thread_local! {
+    static LAST_PANIC: Cell<String> = const { Cell::new(String::new()) };
+}
+
+/// Keeps panics quiet: [`Target::ask`] reports them with their place.
+pub fn catch_panics() {
+    panic::set_hook(Box::new(|panic| LAST_PANIC.set(panic.to_string().replace('\n', " "))));
+}
+
 impl Target {
     /// Asks the question of a seed; a panic is an answer that is wrong.
     ///
     /// # Errors
     /// What is wrong with the answer.
     pub fn ask(&self, seed: u64) -> Outcome {
-        catch_unwind(AssertUnwindSafe(|| (self.run)(seed))).unwrap_or_else(|panic| {
-            let text = panic.downcast_ref::<String>().map(String::as_str);
-            Err(format!("panic: {}", text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("?")))
-        })
+        catch_unwind(AssertUnwindSafe(|| (self.run)(seed))).unwrap_or_else(|_| Err(LAST_PANIC.take()))
     }
 }

@@ -5,10 +5,10 @@ use std::io::{IsTerminal as _, Write as _};
 use std::path::PathBuf;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
-use std::{env, fs, panic, thread};
+use std::{env, fs, thread};
 
 use anyhow::{Context as _, Result, bail, ensure};
-use parkade_fuzz::{TARGETS, Target};
+use parkade_fuzz::{TARGETS, Target, catch_panics, questions};
 
 const USAGE: &str = "fuzz [TARGET...] [--count N (10000)] [--from SEED]\n\
     Without --from, each target goes on after the last seed that was asked. Targets:";
@@ -28,6 +28,8 @@ fn main() -> Result<()> {
         };
         match argument.as_str() {
             "--count" => count = number()?,
+            // What `cargo xtask everywhere` asks other engines.
+            "--print" => return print(number()?),
             "--from" => from = Some(number()?),
             name => match TARGETS.iter().find(|target| target.name == name) {
                 Some(target) => targets.push(target),
@@ -38,13 +40,20 @@ fn main() -> Result<()> {
     if targets.is_empty() {
         targets.extend(TARGETS);
     }
-    // Panics are answers here; they are reported with their seed.
-    panic::set_hook(Box::new(|_| ()));
+    catch_panics();
     let mut wrong = 0;
     for target in targets {
         wrong += ask(target, count, from)?;
     }
     ensure!(wrong == 0, "{wrong} answers are wrong");
+    Ok(())
+}
+
+fn print(random: u64) -> Result<()> {
+    let mut out = std::io::BufWriter::new(std::io::stdout().lock());
+    for question in questions(random) {
+        writeln!(out, "{question}")?;
+    }
     Ok(())
 }
 

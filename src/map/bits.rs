@@ -55,7 +55,8 @@ impl Lines {
     fn settle_around(&mut self, line: i32, at: i32) {
         let (lines, bit) = ((self.bits.len() / self.words) as i32 - 2, at as usize + PAD);
         for line in (line - 1).max(0)..=(line + 1).min(lines - 1) {
-            for word in (bit - 1) / 64..=(bit + 1) / 64 {
+            // The first word is all wall, as it was made.
+            for word in ((bit - 1) / 64).max(1)..=(bit + 1) / 64 {
                 self.settle_word((line + 1) as usize * self.words + word);
             }
         }

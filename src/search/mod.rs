@@ -37,7 +37,7 @@ impl Cost for i64 {
     const MAX: Self = Self::MAX;
 
     fn bucket(self) -> usize {
-        (self.max(0) >> 12) as usize
+        usize::try_from(self.max(0) >> 12).unwrap_or(usize::MAX)
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod bench;
 mod browser;
+mod everywhere;
 mod fuzz;
 mod latency;
 mod paper;
@@ -40,6 +41,11 @@ const COMMANDS: &[Command] = &[
         name: "bench",
         about: "build, then measure: bench grid [questions] [repeats], bench parking",
         run: bench::bench,
+    },
+    Command {
+        name: "everywhere",
+        about: "compare plans' hashes natively, in Node, Chromium and Firefox: everywhere [random scenes]",
+        run: everywhere::everywhere,
     },
     Command {
         name: "fuzz",
