@@ -114,6 +114,8 @@ test("searches are scrubbed by percent and by expansions, all at once", async ({
   await page.getByRole("button", { name: "On one step" }).click();
   const fraction = await page.evaluate<number>(store((state) => state["playback"].fraction));
   expect(fraction * most).toBeCloseTo(0.5 * most + 1, 3);
+  await page.getByRole("button", { name: "Back one step" }).click({ modifiers: ["Shift"] });
+  expect(await page.evaluate<number>(store((state) => state["playback"].fraction))).toBeCloseTo(fraction - 0.1, 6);
 });
 
 test("a shared link shows the scene as it was looked at", async ({ page }) => {

@@ -42,11 +42,12 @@ export class Player {
     this.patch({ fraction: Math.min(1, Math.max(0, fraction)) });
   }
 
-  step(sign: 1 | -1): void {
+  /** One step, or a tenth of the whole. */
+  step(sign: 1 | -1, far = false): void {
     const { state } = this.store;
     const { base, searchMode, fraction } = state.playback;
     const counted = base === "search" && searchMode === "expansions";
-    this.seek(fraction + sign * (counted ? 1 / mostExpanded(state) : STEP));
+    this.seek(fraction + sign * (far ? 0.1 : counted ? 1 / mostExpanded(state) : STEP));
   }
 
   set(patch: Partial<Playback>): void {

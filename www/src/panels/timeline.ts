@@ -61,9 +61,9 @@ export class Timeline extends AppElement {
     if (this.compact) return html`<div class="row" role="group" aria-label=${this.t("time.label")}>${play}${this.scrubber()}${this.bases()}</div>`;
     return html`<div class="row" role="group" aria-label=${this.t("time.label")}>
       ${this.button("first", "time.first", () => this.app.player.seek(0))}
-      ${this.button("back", "time.back", () => this.app.player.step(-1))}
+      ${this.button("back", "time.back", (e) => this.app.player.step(-1, e.shiftKey))}
       ${play}
-      ${this.button("next", "time.next", () => this.app.player.step(1))}
+      ${this.button("next", "time.next", (e) => this.app.player.step(1, e.shiftKey))}
       ${this.button("last", "time.last", () => this.app.player.seek(1))}
       ${this.bases()}
       ${this.scrubber()}
@@ -135,7 +135,7 @@ export class Timeline extends AppElement {
     </div>`;
   }
 
-  private button(name: IconName, key: "time.first" | "time.back" | "time.play" | "time.pause" | "time.next" | "time.last", run: () => void): TemplateResult {
+  private button(name: IconName, key: "time.first" | "time.back" | "time.play" | "time.pause" | "time.next" | "time.last", run: (event: MouseEvent) => void): TemplateResult {
     return html`<button class="icon" aria-label=${this.t(key)} title=${this.t(key)} @click=${run}>${icon(name)}</button>`;
   }
 }
