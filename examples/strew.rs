@@ -4,6 +4,7 @@
 //! ```sh
 //! cargo run --release --example strew [scenes, default 10 000] [first seed, default 0]
 //! cargo run --release --example strew hashes > tests/data/strewn-hashes.json
+//! cargo run --release --example strew lines 1000 | node tests/bench/strewn.mjs
 //! ```
 
 use std::collections::BTreeMap;
@@ -16,6 +17,18 @@ fn main() {
     if std::env::args().nth(1).as_deref() == Some("hashes") {
         let hashes: Vec<String> = (0..40).map(|seed| strewn::plan(seed).hash()).collect();
         println!("{:#}", serde_json::json!(hashes));
+        return;
+    }
+    if std::env::args().nth(1).as_deref() == Some("lines") {
+        let count = std::env::args().nth(2).map_or(1000, |n| n.parse().expect("a whole number"));
+        for seed in 0..count {
+            let (scene, config) = strewn::scene(seed);
+            let hash = strewn::plan(seed).hash();
+            println!(
+                "{}",
+                serde_json::json!({ "seed": seed, "scene": scene, "config": config, "hash": hash })
+            );
+        }
         return;
     }
     let mut arguments = std::env::args().skip(1).map(|a| a.parse::<u64>().expect("a whole number"));

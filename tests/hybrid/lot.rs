@@ -92,6 +92,7 @@ impl Lot {
         let [x, y, heading] = self.goal;
         assert!(math::hypot(at[0] - x, at[1] - y) < 1e-6, "{name} ends at {at:?}");
         assert!(math::wrap(at[2] - heading).abs() < 1e-6, "{name} ends at {at:?}");
+        assert_eq!(arcs::reversed(&arcs::reversed(path)), path, "{name}");
         let back = arcs::end(pose(self.goal), &arcs::reversed(path));
         assert!((back.point() - pose(self.start).point()).norm() < 1e-6, "{name} does not lead back");
     }

@@ -2,11 +2,12 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use parkade::geometry::{Point, Pose, arcs};
+use parkade::geometry::{Point, Pose, Vector, arcs};
 use parkade::planners::hybrid::{Config, Query, Scratch, SearchFrom, Status, plan};
+use parkade::vehicle::Vehicle;
 use parkade::vehicle::collision::{Edge, Obstacles, Solid};
 
-use crate::lot::{BORDER, CAR, Lot};
+use crate::lot::{BORDER, CAR, Lot, pose};
 
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
@@ -81,4 +82,69 @@ fn a_wall_is_no_solid_but_stops_the_car() {
     let around = ask(Pose::new(8.0, 4.0, FRAC_PI_2));
     assert_eq!(around.status, Status::Found);
     assert!(arcs::length(&around.arcs) > 36.0);
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn a_coarse_level_alone_ends_without_a_path() {
+    // More than a metre to move, so the car is not boxed in; but no primitive of 0.8 m fits.
+    let slot = Lot::paper(-8.0, -0.8, 3.0, [10.0, 8.0, PI], [-2.65, 3.5, PI]);
+    let report = slot.plan(&Config { ladder: false, ..Config::default() });
+    assert_eq!((report.status, report.level), (Status::NoPath, 0));
+    assert!(report.arcs.is_empty() && report.expanded < 100 && report.closest.is_some());
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn a_path_that_touches_between_two_checks_is_refused() {
+    // P1 starts on a wall, so it is planned without margin. A needle reaches 3 mm into what the outer front corner sweeps,
+    // which lasts less than the finest checks of a level are apart.
+    let lot = Lot::row("P1");
+    let plain = lot.plan(&Config::default()).arcs;
+    let turn = plain.iter().position(|arc| arc.curvature != 0.0 && arc.length.abs() > 4.0).expect("a bend");
+    let from = plain[..turn].iter().fold(pose(lot.start), |at, arc| at.advance(arc.curvature, arc.length));
+    let arc = plain[turn];
+    let mut refused = 0;
+    for k in 0..12_u32 {
+        let at = from.advance(arc.curvature, (2.0 + 0.031 * f64::from(k)).copysign(arc.length));
+        let centre = at.to_world(Point::new(0.0, 1.0 / arc.curvature));
+        let corner = at.to_world(Point::new(CAR.rear_to_front, -(CAR.width / 2.0).copysign(arc.curvature)));
+        let out = (corner - centre).normalize();
+        let across = Vector::new(-out.y, out.x) * 0.001;
+        let (tip, foot) = (corner - out * 0.003, corner + out * 0.2);
+        let needle = [tip, foot + across, foot - across].map(|p| [p.x, p.y]);
+        let config = Config { ladder: false, ..Config::default() };
+        let report = lot.clone().with(&needle).plan(&config);
+        match report.status {
+            Status::VerificationFailed => {
+                assert!(report.arcs.is_empty());
+                refused += 1;
+            }
+            // Seen in time, and passed.
+            status => assert_eq!(status, Status::Found, "{k}"),
+        }
+    }
+    assert!(refused > 0);
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn impossible_cars_are_refused_by_field() {
+    let cases: [(&str, fn(&mut Vehicle, f64)); 6] = [
+        ("wheelbase", |car, v| car.wheelbase = v),
+        ("width", |car, v| car.width = v),
+        ("rearToFront", |car, v| car.rear_to_front = v),
+        ("rearToBack", |car, v| car.rear_to_back = v),
+        ("maxSteer", |car, v| car.max_steer = v),
+        ("maxSteerRate", |car, v| car.max_steer_rate = v),
+    ];
+    for (field, set) in cases {
+        let beyond = if field == "maxSteer" { FRAC_PI_2 } else { f64::INFINITY };
+        for bad in [0.0, -1.0, f64::NAN, beyond] {
+            let mut car = CAR;
+            set(&mut car, bad);
+            let error = car.validate().unwrap_err();
+            assert_eq!((error.code.as_str(), error.path.as_str()), ("bad-vehicle", field), "{bad}");
+        }
+    }
 }
