@@ -130,7 +130,8 @@ fn a_path_that_touches_between_two_checks_is_refused() {
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn impossible_cars_are_refused_by_field() {
-    let cases: [(&str, fn(&mut Vehicle, f64)); 6] = [
+    type Setter = fn(&mut Vehicle, f64);
+    let cases: [(&str, Setter); 6] = [
         ("wheelbase", |car, v| car.wheelbase = v),
         ("width", |car, v| car.width = v),
         ("rearToFront", |car, v| car.rear_to_front = v),
