@@ -2,6 +2,7 @@
 
 mod bench;
 mod browser;
+mod docs;
 mod everywhere;
 mod fuzz;
 mod latency;
@@ -25,6 +26,7 @@ struct Command {
 
 const COMMANDS: &[Command] = &[
     Command { name: "build", about: "build the npm package (pkg/) and the page (dist/)", run: site::build },
+    Command { name: "docs", about: "build, then make the documentation site", run: docs::docs },
     Command { name: "serve", about: "build, then serve the page on this machine", run: serve::serve },
     Command { name: "test", about: "build, then check and test everything", run: test::test },
     Command {

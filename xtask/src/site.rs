@@ -13,6 +13,7 @@ const CORE_LIMIT: u64 = 200_000;
 const COMPLETE_LIMIT: u64 = 420_000;
 const PAGE_LIMIT: u64 = 80_000;
 const LATER_LIMIT: u64 = 120_000;
+const LOADER_LIMIT: u64 = 6_000;
 
 /// Prints, as a JSON array, the gzip sizes of the files named after it.
 const GZIP_SIZES: &str = "const { readFileSync } = require('node:fs'); const { gzipSync } = require('node:zlib'); \
@@ -20,6 +21,9 @@ const GZIP_SIZES: &str = "const { readFileSync } = require('node:fs'); const { g
 
 /// The chunks behind the first picture: the page, and the planners it loads at once.
 const FIRST_CHUNKS: [&str; 2] = ["index.html", "src/planning/engine.ts"];
+
+/// What other people's pages load.
+const LOADER: &str = "parkade-playground.js";
 
 const WASM_FILE: &str = "parkade_bg.wasm";
 
@@ -71,6 +75,7 @@ pub(crate) fn check_sizes() -> Result<()> {
         let (first, later) = page_files(&site)?;
         fits.push(report("page, to the first picture", &first, PAGE_LIMIT)?);
         fits.push(report("page, later", &later, LATER_LIMIT)?);
+        fits.push(report("embedded, before it is near", &[site.join(LOADER)], LOADER_LIMIT)?);
     }
     ensure!(fits.into_iter().all(|fits| fits), "the build is larger than its limit");
     Ok(())

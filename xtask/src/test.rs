@@ -10,7 +10,7 @@ use anyhow::{Context as _, Result, bail, ensure};
 use serde_json::Value;
 
 use crate::tools::{self, WASM_TARGET, Workspace, cargo, node_tool, tee};
-use crate::{browser, site};
+use crate::{browser, docs, site};
 
 /// Selects this program, in the profile in which it is built anyway.
 const TOOL: &[&str] = &["--package", "xtask", "--profile", "tool"];
@@ -55,6 +55,7 @@ pub(crate) fn test(arguments: &[String]) -> Result<()> {
     on_build("sizes", || check(site::check_sizes()));
     on_build("types, page", || type_check("www"));
     on_build("types, package and tests", || type_check("tests"));
+    on_build("documentation", || check(docs::generate()));
     on_build("JavaScript", vitest);
     on_build("page in a browser", playwright);
     let total = conclude(&suites);
