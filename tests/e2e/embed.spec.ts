@@ -1,8 +1,11 @@
-import { readFileSync } from "node:fs";
+import { execFileSync } from "node:child_process";
+import { readFileSync, rmSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { expect, test, type Page } from "@playwright/test";
 import type { Plan, Scenario } from "parkade";
-import { complaintsOf } from "./playground";
+import { installed } from "../js/pack";
+import { complaintsOf, hashesOf, open, sceneOf } from "./playground";
 
 interface Embed extends HTMLElement {
   ready: Promise<void>;
@@ -186,7 +189,7 @@ test("every method and event of the element does what it says", async ({ page })
   });
   const { heard } = said;
   expect(said).toMatchObject({ undone: true, back: true, params: { reverseCost: 3 }, playhead: 0.25, camera: { x: 5, y: 5, scale: 20 }, svg: "<svg", csv: "s,x,y,theta,kappa,clearance,v,direction", blob: "image/webp", loaded: true });
-  expect(said.url).toContain("#s=");
+  expect(said.url).toMatch(/\/sub\/path\/index\.html#s=/);
   expect(said.refused).toContain("This scene has no map");
   expect(Object.keys(heard).sort()).toEqual(["error", "plan-complete", "plan-progress", "plan-result", "plan-start", "progress", "ready", "scene-change", "seek", "visibility"]);
   expect(heard["progress"]!.at(-1)).toEqual({ totalProgress: 1 });
@@ -297,5 +300,44 @@ test.describe("in a frame of another origin", () => {
       return { answered, heard: heard.length };
     });
     expect(state).toEqual({ answered: false, heard: 0 });
+  });
+});
+
+test.describe("what the page copies to paste elsewhere", () => {
+  const copied = async (page: Page, name: string): Promise<string> => {
+    await page.getByRole("button", { name: "Export" }).click();
+    await page.getByRole("button", { name }).click();
+    await expect(page.getByRole("alert")).toContainText("Copied");
+    return page.evaluate(() => navigator.clipboard.readText());
+  };
+
+  test("code to embed, a Markdown link and a Node test work where they are pasted", async ({ page, context }) => {
+    await context.grantPermissions(["clipboard-read", "clipboard-write"]);
+    await open(page);
+    const name = 'A "name" </script> [x]';
+    await page.evaluate(async (given) => {
+      const element = document.querySelector("parkade-playground") as Embed;
+      element.sceneData = { ...element.sceneData, name: given };
+      await (element["settled"] as () => Promise<void>)();
+    }, name);
+    const code = await copied(page, "Copy code to embed"), link = await copied(page, "Copy Markdown link"), script = await copied(page, "Copy as Node test");
+    const hashes = await hashesOf(page);
+
+    const [, href] = /^\[A "name" <\/script> \\\[x\\\]\]\((.*)\)$/.exec(link)!;
+    await page.goto(href!);
+    await page.evaluate(() => (document.querySelector("parkade-playground") as Embed).ready);
+    expect((await sceneOf(page)).name).toBe(name);
+
+    await page.route("**/host/pasted.html", (route) => route.fulfill({ contentType: "text/html", body: `<!doctype html><title>Pasted</title>${code}` }));
+    await page.goto("/host/pasted.html");
+    await page.evaluate(() => (document.querySelector("parkade-playground") as Embed).ready);
+    expect(await page.evaluate(() => (document.querySelector("parkade-playground") as Embed).sceneData.name)).toBe(name);
+
+    const folder = installed();
+    writeFileSync(join(folder, "pasted.test.mjs"), script);
+    const out = execFileSync(process.execPath, ["--test", "--test-reporter=tap", "pasted.test.mjs"], { cwd: folder, encoding: "utf8" });
+    rmSync(folder, { recursive: true, force: true });
+    expect(out).toMatch(/^# pass 1$/m);
+    expect(script).toContain(hashes["hybrid"]!);
   });
 });

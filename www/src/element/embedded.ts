@@ -122,6 +122,11 @@ export class Embedded extends Playground {
     return this.setScene(await decodeScene(link.slice(link.lastIndexOf("#s=") + (link.includes("#s=") ? 3 : 1))));
   }
 
+  /** The scene on the page that comes with this element: the one around knows nothing of links. */
+  override shareURL(): Promise<string | null> {
+    return this.app.links.address(false, new URL(/* @vite-ignore */ "../index.html", import.meta.url).href);
+  }
+
   /** The maps as on screen. */
   async toSVG(): Promise<string> {
     const [{ svgOf }] = await Promise.all([import("./vector"), this.app.complete()]);

@@ -38,9 +38,9 @@ export class LinkSync {
     clearTimeout(this.timer);
   }
 
-  /** The address that opens the present scene, if wanted as it is looked at; null when it would be too long. */
-  async address(looks = false): Promise<string | null> {
-    const { scene } = this.store.state, url = new URL(location.href);
+  /** The address of `page` that opens the present scene, if wanted as it is looked at; null when it would be too long. */
+  async address(looks = false, page = location.href): Promise<string | null> {
+    const { scene } = this.store.state, url = new URL(page);
     if (!fitsLink(scene)) return null;
     const { encodeScene } = await linkFormat();
     url.hash = PREFIX.slice(1) + (await encodeScene(scene)) + (looks ? VIEW + (await viewFormat()).encodeView(this.store.state) : "");

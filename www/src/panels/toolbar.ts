@@ -1,6 +1,7 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import { LAYER_PRESETS, presetLayers, presetOf, sentence } from "../element/app";
 import type { ExportKind } from "../element/exports";
+import type { SnippetKind } from "../element/snippets";
 import type { MessageKey } from "../i18n/index";
 import type { LayerKey, State, ToolId } from "../store";
 import { controls } from "../styles/controls";
@@ -187,8 +188,11 @@ export class Toolbar extends AppElement {
       ${this.item("image", "bar.png2", () => this.emit("png", 2))}
       ${this.item("image", "bar.svg", () => this.save("svg"))}
       ${this.item("moving", "bar.csv", () => this.save("csv"))}
-      ${this.item("cells", "bar.papers", () => this.emit("papers"))}
-      <hr>${this.item("undo", "bar.reset", () => this.app.reset())}`;
+      <hr>${this.item("share", "bar.copyEmbed", () => this.copy("embed"))}
+      ${this.item("share", "bar.copyMarkdown", () => this.copy("markdown"))}
+      ${this.item("share", "bar.copyTest", () => this.copy("test"))}
+      <hr>${this.item("cells", "bar.papers", () => this.emit("papers"))}
+      ${this.item("undo", "bar.reset", () => this.app.reset())}`;
   }
 
   private moreMenu(name: string): TemplateResult {
@@ -231,6 +235,10 @@ export class Toolbar extends AppElement {
 
   private save(kind: ExportKind): void {
     void import("../element/exports").then(({ saveAs }) => saveAs(this.app, kind));
+  }
+
+  private copy(kind: SnippetKind): void {
+    void import("../element/snippets").then(({ copySnippet }) => copySnippet(this.app, kind));
   }
 
   private emit(name: "scenes" | "keys" | "open-file" | "png" | "papers", detail?: number): void {
