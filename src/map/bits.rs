@@ -73,23 +73,14 @@ impl Lines {
         self.bits[index] = Word { blocked: here, rising, falling };
     }
 
-    /// Goes along a line from the free cell `at` until the goal, a forced turn or a wall.
+    /// Goes along a line from the free cell `at` until a forced turn or a wall.
     #[inline]
-    fn scan(&self, line: i32, at: i32, forward: bool, goal: Option<i32>) -> Scan {
+    fn scan(&self, line: i32, at: i32, forward: bool) -> Stop {
         let start = (line + 1) as usize * self.words;
         let line = &self.bits[start..start + self.words];
         let end = if forward { rise(line, at) } else { fall(line, at) };
         let wall = line[end / 64].blocked >> (end % 64) & 1 == 1;
-        let end = end as i32 - PAD as i32;
-        let cells = end.abs_diff(at);
-        let passes = |goal: &i32| {
-            let (before, after) = if forward { (*goal > at, *goal < end) } else { (*goal < at, *goal > end) };
-            before && (after || (*goal == end && !wall))
-        };
-        match goal.filter(passes) {
-            Some(goal) => Scan { jump: Some(goal), cells },
-            None => Scan { jump: (!wall).then_some(end), cells },
-        }
+        Stop { at: end as i32 - PAD as i32, wall }
     }
 }
 
@@ -123,13 +114,13 @@ fn fall(line: &[Word], at: i32) -> usize {
     64 * word + 63 - line[word].falling.leading_zeros() as usize
 }
 
-/// The end of a straight jump.
+/// Where one who goes straight stops.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Scan {
-    /// The column (or row) of the goal or of the first cell with a forced turn, if there is one before a wall.
-    pub(crate) jump: Option<i32>,
-    /// Cells looked at.
-    pub(crate) cells: u32,
+pub(crate) struct Stop {
+    /// The column or row.
+    pub(crate) at: i32,
+    /// Whether the cell is blocked; else it has a forced turn.
+    pub(crate) wall: bool,
 }
 
 impl Bits {
@@ -158,14 +149,14 @@ impl Bits {
 
     /// Goes straight, east or west, from a free cell.
     #[inline]
-    pub(crate) fn along_row(&self, from: Cell, east: bool, goal: Cell) -> Scan {
-        self.rows.scan(from.y, from.x, east, (goal.y == from.y).then_some(goal.x))
+    pub(crate) fn along_row(&self, from: Cell, east: bool) -> Stop {
+        self.rows.scan(from.y, from.x, east)
     }
 
     /// Goes straight, north or south, from a free cell.
     #[inline]
-    pub(crate) fn along_column(&self, from: Cell, north: bool, goal: Cell) -> Scan {
-        self.columns.scan(from.x, from.y, north, (goal.x == from.x).then_some(goal.y))
+    pub(crate) fn along_column(&self, from: Cell, north: bool) -> Stop {
+        self.columns.scan(from.x, from.y, north)
     }
 }
 
@@ -174,18 +165,15 @@ mod tests {
     use super::*;
 
     /// The same, a cell at a time.
-    fn plain(map: &Occupancy, from: Cell, (dx, dy): (i32, i32), goal: Cell) -> Option<Cell> {
+    fn plain(map: &Occupancy, from: Cell, (dx, dy): (i32, i32)) -> (Cell, bool) {
         let mut at = from;
         loop {
             let next = at.offset(dx, dy);
-            if map.blocked(next) {
-                return None;
-            }
             let forced = [1, -1].iter().any(|&s| {
                 !map.blocked(next.offset(dy * s, dx * s)) && map.blocked(at.offset(dy * s, dx * s))
             });
-            if next == goal || forced {
-                return Some(next);
+            if map.blocked(next) || forced {
+                return (next, map.blocked(next));
             }
             at = next;
         }
@@ -210,18 +198,15 @@ mod tests {
                 bits.set(cell, map.blocked(cell));
             }
             for _ in 0..500 {
-                let (from, goal) = (map.cell(random(map.len() as u32)), map.cell(random(map.len() as u32)));
+                let from = map.cell(random(map.len() as u32));
                 if map.blocked(from) {
                     continue;
                 }
-                for goal in [goal, Cell::new(from.x, goal.y), Cell::new(goal.x, from.y)] {
-                    for step in [1, -1] {
-                        let row = bits.along_row(from, step > 0, goal).jump.map(|x| Cell::new(x, from.y));
-                        assert_eq!(row, plain(&map, from, (step, 0), goal));
-                        let column =
-                            bits.along_column(from, step > 0, goal).jump.map(|y| Cell::new(from.x, y));
-                        assert_eq!(column, plain(&map, from, (0, step), goal));
-                    }
+                for step in [1, -1] {
+                    let row = bits.along_row(from, step > 0);
+                    assert_eq!((Cell::new(row.at, from.y), row.wall), plain(&map, from, (step, 0)));
+                    let column = bits.along_column(from, step > 0);
+                    assert_eq!((Cell::new(from.x, column.at), column.wall), plain(&map, from, (0, step)));
                 }
             }
         }

@@ -118,7 +118,7 @@ fn empty() -> Check {
 
 /// The circular arc from one pose to the next: curvature and signed length.
 fn arc_between(a: Pose, b: Pose, direction: i8) -> (f64, f64) {
-    let chord = (b.point() - a.point()).norm();
+    let chord = (b.point() - a.point()).norm_squared().sqrt();
     let turn = math::turn(a.heading, b.heading);
     let half = turn / 2.0;
     let length = if half.abs() < 1e-6 { chord } else { chord * half / math::sin(half) };
@@ -132,7 +132,7 @@ fn check_motion(check: &mut Check, path: &[Pose], directions: &[i8], min_radius:
         let (a, b) = (pair[0], pair[1]);
         let turn = math::turn(a.heading, b.heading).abs();
         let shift = b.point() - a.point();
-        let distance = shift.norm();
+        let distance = shift.norm_squared().sqrt();
         if distance < 1e-9 && turn < 1e-9 {
             continue;
         }
@@ -151,19 +151,32 @@ fn check_motion(check: &mut Check, path: &[Pose], directions: &[i8], min_radius:
     }
 }
 
+/// More than rounding adds to a distance, metres.
+const ROUNDING: f64 = 1e-6;
+
 fn check_body(check: &mut Check, body: &Body, path: &[Pose], directions: &[i8]) {
-    let mut sum = 0.0;
+    let (mut sum, mut room) = (0.0, 0.0);
     check.min_clearance = f64::INFINITY;
     for (i, &pose) in path.iter().enumerate() {
         let way = i.checked_sub(1).map(|p| (path[p], directions.get(p).copied().unwrap_or(1)));
-        let hit = way
-            .and_then(|(from, gear)| hit_between(body, from, pose, gear))
-            .or_else(|| body.hit(pose).map(|owner| (owner, pose)));
+        let moved = way.map_or(0.0, |(from, gear)| {
+            let (_, length) = arc_between(from, pose, gear);
+            body.sweep(length, math::turn(from.heading, pose.heading))
+        });
+        // A body that moves less than the room around it hits nothing.
+        let hit = if room > moved + ROUNDING {
+            None
+        } else {
+            way.and_then(|(from, gear)| hit_between(body, from, pose, gear))
+                .or_else(|| body.hit(pose).map(|owner| (owner, pose)))
+        };
         if let Some(hit) = hit {
             check.hit_poses.push(i as u32);
             check.first_hit.get_or_insert(hit);
         }
-        let clearance = if hit.is_some() { 0.0 } else { body.clearance(pose) };
+        let guess = if room > 0.0 { room + moved + ROUNDING } else { body.buckets.side };
+        let clearance = if hit.is_some() { 0.0 } else { body.room(pose, guess) };
+        room = clearance;
         check.min_clearance = check.min_clearance.min(clearance);
         sum += clearance;
         check.clearances.push(clearance);

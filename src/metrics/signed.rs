@@ -43,7 +43,7 @@ impl Body {
     /// otherwise that of the deepest of points of the outline at most 0.24 m apart, of a ship's a 64th of it.
     pub fn signed_clearance(&self, pose: Pose) -> f64 {
         if self.hit(pose).is_none() {
-            return self.clearance(pose);
+            return self.room(pose, self.buckets.side);
         }
         let corners = self.outline(pose, 0.0).map(|p| p + self.origin.coords);
         let around = 2.0 * ((corners[1] - corners[0]).norm() + (corners[2] - corners[1]).norm());

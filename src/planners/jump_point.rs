@@ -68,15 +68,23 @@ impl Jumps<'_> {
     fn straight(&self, from: Cell, direction: u32) -> Option<(Cell, i64)> {
         let goal = self.query.goal;
         let forward = direction < 4;
-        let (scan, to) = if direction.is_multiple_of(4) {
-            let scan = self.bits.along_row(from, forward, goal);
-            (scan, scan.jump.map(|x| Cell::new(x, from.y)))
+        let row = direction.is_multiple_of(4);
+        let (stop, at, same, to) = if row {
+            (self.bits.along_row(from, forward), from.x, from.y == goal.y, goal.x)
         } else {
-            let scan = self.bits.along_column(from, forward, goal);
-            (scan, scan.jump.map(|y| Cell::new(from.x, y)))
+            (self.bits.along_column(from, forward), from.y, from.x == goal.x, goal.y)
         };
-        self.scanned.set(self.scanned.get() + scan.cells);
-        to.map(|to| (to, i64::from((to.x - from.x).abs() + (to.y - from.y).abs())))
+        self.scanned.set(self.scanned.get() + stop.at.abs_diff(at));
+        // The goal is free, so it is before a wall.
+        let end = if same && (at.min(stop.at)..=at.max(stop.at)).contains(&to) && to != at {
+            to
+        } else if stop.wall {
+            return None;
+        } else {
+            stop.at
+        };
+        let cell = if row { Cell::new(end, from.y) } else { Cell::new(from.x, end) };
+        Some((cell, i64::from(end.abs_diff(at))))
     }
 
     /// Offers a node that is reached in a direction.

@@ -311,13 +311,17 @@ impl<E: Entry> Queue<E> {
 #[inline(never)]
 fn sort<E: Entry>(entries: &mut Vec<E>, spare: &mut Vec<E>, places: &mut Vec<u32>) {
     if entries.len() > FEW {
-        let f = entries[0].f();
-        if entries.iter().all(|entry| entry.f() == f) {
-            spread(entries, spare, places);
-        } else {
+        let (f, h) = (entries[0].f(), entries[0].h());
+        let (mut same, mut least, mut most) = (true, h, h);
+        for entry in &*entries {
+            same &= entry.f() == f;
+            (least, most) = (least.min(entry.h()), most.max(entry.h()));
+        }
+        if !same {
             merge(entries, spare);
             return;
         }
+        spread(entries, (least, most), spare, places);
     }
     insertion(entries);
 }
@@ -335,12 +339,13 @@ fn insertion<E: Entry>(entries: &mut [E]) {
     }
 }
 
-/// Puts entries of one f nearly in order: by as many steps of h as there are entries.
-fn spread<E: Entry>(entries: &mut Vec<E>, spare: &mut Vec<E>, places: &mut Vec<u32>) {
-    let (mut least, mut most) = (i64::MAX, i64::MIN);
-    for h in entries.iter().map(|entry| entry.h()) {
-        (least, most) = (least.min(h), most.max(h));
-    }
+/// Puts entries of one f nearly in order: by as many steps of h, which has these bounds, as there are entries.
+fn spread<E: Entry>(
+    entries: &mut Vec<E>,
+    (least, most): (i64, i64),
+    spare: &mut Vec<E>,
+    places: &mut Vec<u32>,
+) {
     let mut shift = 0;
     while (most - least) >> shift >= 2 * entries.len() as i64 {
         shift += 1;
@@ -355,8 +360,8 @@ fn spread<E: Entry>(entries: &mut Vec<E>, spare: &mut Vec<E>, places: &mut Vec<u
     for place in &mut *places {
         sum += std::mem::replace(place, sum);
     }
-    spare.clear();
-    spare.extend_from_slice(entries);
+    // What it holds is overwritten.
+    spare.resize(entries.len(), entries[0]);
     for &entry in &*entries {
         let place = &mut places[step(entry)];
         spare[*place as usize] = entry;
