@@ -1,5 +1,5 @@
-//! What the grid planners promise over many seeded maps, as figures: `cargo test --test acceptance -- --nocapture`.
-//! Item 1, the golden vectors, is `golden.rs`.
+//! What the grid planners promise over many seeded maps, as figures:
+//! `cargo test --test golden --test acceptance -- --nocapture`. Item 1, the golden vectors, is `golden.rs`.
 //!
 //! 200 maps per row natively, fewer in wasm, where the same numbers come out of the same code.
 

@@ -1,5 +1,8 @@
 //! The numbers that two independent programs agree on: maps, costs and counters to the last integer.
 
+use std::cell::Cell as Counter;
+use std::rc::Rc;
+
 use parkade::map::{Bits, Cell, Corner, Occupancy, RedundantSettings, inflation, redundant};
 use parkade::metrics::any_angle_length;
 use parkade::metrics::grid::length;
@@ -23,6 +26,8 @@ struct Golden {
     record: Value,
     name: String,
     family: Family,
+    /// How many values have been compared.
+    compared: Rc<Counter<u32>>,
 }
 
 impl Golden {
@@ -41,55 +46,81 @@ impl Golden {
 
     /// Compares an integer with the field at `path`.
     fn equal(&self, path: &str, got: impl TryInto<i64>) {
+        self.compared.set(self.compared.get() + 1);
         let want = self.record.pointer(path).unwrap_or_else(|| panic!("{path}"));
         assert_eq!(got.try_into().ok(), want.as_i64(), "{} {path}", self.name);
     }
 
     /// Compares a length with the field at `path`.
     fn near(&self, path: &str, got: f64) {
+        self.compared.set(self.compared.get() + 1);
         let want = self.record.pointer(path).unwrap().as_f64().unwrap();
         assert!((got - want).abs() <= 1e-6, "{} {path}: {got} against {want}", self.name);
     }
 
     fn hash(&self, path: &str, map: &Occupancy) {
+        self.compared.set(self.compared.get() + 1);
         let want = self.record.pointer(path).unwrap().as_str().unwrap();
         assert_eq!(format!("{:016x}", map.fnv1a64()), want, "{} {path}", self.name);
     }
 }
 
-fn maps() -> Vec<Golden> {
+/// The golden maps; says at the end how many values were compared with theirs.
+struct Maps {
+    maps: std::vec::IntoIter<Golden>,
+    compared: Rc<Counter<u32>>,
+}
+
+impl Iterator for Maps {
+    type Item = Golden;
+
+    fn next(&mut self) -> Option<Golden> {
+        self.maps.next()
+    }
+}
+
+impl Drop for Maps {
+    fn drop(&mut self) {
+        if self.compared.get() > 0 {
+            println!("item 1: {} golden values compared", self.compared.get());
+        }
+    }
+}
+
+fn maps() -> Maps {
+    let compared = Rc::new(Counter::new(0));
     let file: Value = serde_json::from_str(GOLDEN).unwrap();
     let records = file["maps"].as_array().unwrap();
-    records
-        .iter()
-        .map(|record| {
-            let number = |key: &str| record["params"][key].as_u64().unwrap() as u32;
-            let family = match record["family"].as_str().unwrap() {
-                "random" => Family::Random {
-                    density_permille: number("density_permille"),
-                    block_min: number("block_min"),
-                    block_max: number("block_max"),
-                },
-                "regular" => Family::Regular,
-                _ => Family::Trap,
-            };
-            let (size, seed) = (record["n"].as_u64().unwrap() as u32, record["seed"].as_u64().unwrap());
-            let map = generate::occupancy(family, size, seed).unwrap();
-            Golden {
-                map,
-                record: record.clone(),
-                name: format!("{} {size} seed {seed}", record["family"]),
-                family,
-            }
-        })
-        .collect()
+    let golden = |record: &Value| {
+        let number = |key: &str| record["params"][key].as_u64().unwrap() as u32;
+        let family = match record["family"].as_str().unwrap() {
+            "random" => Family::Random {
+                density_permille: number("density_permille"),
+                block_min: number("block_min"),
+                block_max: number("block_max"),
+            },
+            "regular" => Family::Regular,
+            _ => Family::Trap,
+        };
+        let (size, seed) = (record["n"].as_u64().unwrap() as u32, record["seed"].as_u64().unwrap());
+        let map = generate::occupancy(family, size, seed).unwrap();
+        Golden {
+            map,
+            record: record.clone(),
+            name: format!("{} {size} seed {seed}", record["family"]),
+            family,
+            compared: compared.clone(),
+        }
+    };
+    let maps = records.iter().map(golden).collect::<Vec<_>>().into_iter();
+    Maps { maps, compared }
 }
 
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn maps_are_drawn_bit_for_bit() {
     let maps = maps();
-    assert_eq!(maps.len(), 11);
+    assert_eq!(maps.maps.len(), 11);
     for golden in maps {
         golden.equal("/blocked_cells", golden.map.blocked_cells());
         golden.hash("/map_fnv1a64", &golden.map);

@@ -5,10 +5,11 @@
 // has a process of its own and is asked in turn: one's garbage is not another's time.
 import { execFileSync, fork } from "node:child_process";
 import { once } from "node:events";
-import { existsSync, readFileSync } from "node:fs";
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
+import { availableParallelism, cpus, loadavg } from "node:os";
 import { join } from "node:path";
-import { importScene, init, Planner } from "../../pkg/node.js";
+import { generateScenario, importScene, init, Planner } from "../../pkg/node.js";
 import { agrees, load, sample, walk } from "./movingai.mjs";
 
 const [maps, peers, native, count = "20", repeats = "3", role] = process.argv.slice(2);
@@ -149,7 +150,7 @@ function report(goal, map, what, value, floor, aim, unit, less = false) {
   const meets = (bound) => (less ? value <= bound : value >= bound);
   const verdict = meets(aim) ? "goal" : meets(floor) ? "floor" : "BELOW";
   const line = `${goal.padEnd(4)} ${map.padEnd(16)} ${what.padEnd(58)} ${value.toPrecision(3).padStart(8)}${unit}  floor ${floor}, goal ${aim}: ${verdict}`;
-  rows.push(line);
+  rows.push({ goal, map, what, value: `${value.toPrecision(3)}${unit}`, floor, aim, verdict });
   console.log(line);
 }
 
@@ -212,6 +213,31 @@ if (existsSync(join(maps, "London_1_1024.map"))) {
     report("G11", map.name, `${id}, per expanded cell`, median(each.slice(4)), bound, bound, " ns", true);
   }
 }
+{
+  // A drag moves the goal a quarter of a cell a step; everything that the page shows is computed, check and figures too.
+  const scene = generateScenario({ family: "random", size: 200, seed: 1 });
+  const ids = ["four", "eight", "risk-field", "hybrid"];
+  const planners = ids.map((id) => new Planner(id, scene));
+  const grids = [];
+  const hybrid = [];
+  for (let step = 0; step < 60; step++) {
+    const goal = { ...scene.goal, x: scene.goal.x - 0.25 * (step % 30) };
+    const spent = planners.map((planner) => {
+      const start = cpu();
+      if (planner.plan({ goal, trace: false }).outcome !== "found") throw new Error(`no path in drag step ${step}`);
+      return cpu() - start;
+    });
+    // The first half compiles.
+    if (step >= 30) {
+      grids.push(spent[0] + spent[1] + spent[2]);
+      hybrid.push(spent[3]);
+    }
+  }
+  const p95 = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length * 0.95)];
+  report("G12", "random 200, seed 1", "a drag step, four + eight + risk-field, all of the plan, median", median(grids), 16, 16, " ms", true);
+  report("G12", "random 200, seed 1", "a drag step, hybrid, median", median(hybrid), 60, 60, " ms", true);
+  report("G12", "random 200, seed 1", "a drag step, hybrid, 95th percentile", p95(hybrid), 100, 100, " ms", true);
+}
 for (const [name, bounds] of Object.entries(BOUNDS)) {
   const map = load(maps, name);
   const questions = sample(map.questions, Number(count));
@@ -257,4 +283,24 @@ for (const [name, bounds] of Object.entries(BOUNDS)) {
   }
 }
 
-console.log(`\n${rows.length} figures, ${rows.filter((r) => r.endsWith("BELOW")).length} below their floor`);
+const below = rows.filter((row) => row.verdict === "BELOW");
+const last = `${rows.length} figures, ${below.length} below their floor`;
+console.log(`\n${last}`);
+
+const cells = (values) => `| ${values.join(" | ")} |`;
+const analysis = JSON.parse(readFileSync(new URL("analysis.json", import.meta.url), "utf8"));
+const goals = [...new Set(rows.map((row) => row.goal))].sort((a, b) => a.slice(1) - b.slice(1));
+const sections = goals.map((goal) => {
+  const own = rows.filter((row) => row.goal === goal);
+  const table = own.map((row) => cells([row.map, row.what, row.value, row.floor, row.aim, row.verdict]));
+  return [`## ${goal}`, "", analysis[goal] ?? "", "", cells(["map", "what", "measured", "floor", "goal", ""]), cells(["---", "---", "---:", "---:", "---:", "---"]), ...table].join("\n");
+});
+const head = `# Grid planners against others
+
+Written by \`cargo xtask bench grid\` (${count} + ${count} questions a map, ${repeats} repeats) on ${availableParallelism()} × ${cpus()[0].model.trim()},
+Node.js ${process.versions.node}, load ${loadavg()[1].toFixed(1)}. CPU times, all rivals interleaved in one run, every answer checked: ratios count, not
+milliseconds. "x" is the other's time over ours. Peers: npm pathfinding 0.4.18, ngraph.path 1.6.1; crates pathfinding 4.16,
+grid_pathfinding 0.3.0 in wasm. ${last}.`;
+const folder = new URL("../../benches/", import.meta.url);
+mkdirSync(folder, { recursive: true });
+writeFileSync(new URL("RESULTS.md", folder), `${[head, ...sections].join("\n\n")}\n`);
