@@ -246,11 +246,8 @@ pub(super) fn inside(outline: &[Point], p: Point) -> bool {
     (0..outline.len()).fold(false, |odd, i| odd ^ passes(outline[i], outline[(i + 1) % outline.len()], p))
 }
 
-pub(super) fn point_to_segment(p: Point, a: Point, b: Point) -> f64 {
-    squared_to_segment(p, a, b).sqrt()
-}
-
-fn squared_to_segment(p: Point, a: Point, b: Point) -> f64 {
+/// The square of a point's distance from a segment.
+pub(super) fn squared_to_segment(p: Point, a: Point, b: Point) -> f64 {
     let ab = b - a;
     let length2 = ab.norm_squared();
     let t = if length2 > 0.0 { ((p - a).dot(&ab) / length2).clamp(0.0, 1.0) } else { 0.0 };

@@ -1,7 +1,7 @@
 //! Distances that go on below zero where something is overlapped.
 
 use super::Body;
-use super::body::{FAR, inside, point_to_segment};
+use super::body::{FAR, inside, squared_to_segment};
 use crate::geometry::{Point, Pose};
 
 /// Points of the body's outline are at most this far apart where it overlaps something, metres; farther on bodies so large
@@ -23,7 +23,7 @@ impl Body {
                 for &i in &self.buckets.edges[bucket] {
                     let edge = &self.edges[i as usize];
                     if edge.apart_from(at, at) < best * best {
-                        best = best.min(point_to_segment(at, edge.a, edge.b));
+                        best = best.min(squared_to_segment(at, edge.a, edge.b).sqrt());
                     }
                 }
             }
