@@ -305,10 +305,13 @@ test.describe("in a frame of another origin", () => {
 
 test.describe("what the page copies to paste elsewhere", () => {
   const copied = async (page: Page, name: string): Promise<string> => {
+    const read = () => page.evaluate(() => navigator.clipboard.readText());
+    await page.evaluate(() => navigator.clipboard.writeText(""));
     await page.getByRole("button", { name: "Export" }).click();
     await page.getByRole("button", { name }).click();
+    await expect.poll(read).not.toBe("");
     await expect(page.getByRole("alert")).toContainText("Copied");
-    return page.evaluate(() => navigator.clipboard.readText());
+    return read();
   };
 
   test("code to embed, a Markdown link and a Node test work where they are pasted", async ({ page, context }) => {
