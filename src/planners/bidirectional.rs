@@ -4,7 +4,7 @@
 //! goes on until nothing cheaper can exist. Estimates are the exact costs over an empty map.
 
 use super::grid_lattice::Grid;
-use super::heuristics::{Chosen, Estimate, Gauge16, Heuristic, Octile};
+use super::heuristics::{Chosen, Estimate, Heuristic, Octile};
 use super::moves::Neighbourhood;
 use super::query::{GridReport, GridScratch, Query};
 use super::settings::Common;
@@ -80,9 +80,6 @@ pub fn plan<O: Observer<i64, ()>>(
     }
     match config.neighbours {
         Neighbourhood::Eight => search(query, config, Octile, scratch, observer),
-        Neighbourhood::Sixteen | Neighbourhood::TwentyFour => {
-            search(query, config, Gauge16, scratch, observer)
-        }
         neighbourhood => {
             let gauge = Chosen { heuristic: Heuristic::Gauge, neighbourhood, weight: None };
             search(query, config, gauge, scratch, observer)
