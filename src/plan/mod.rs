@@ -297,7 +297,8 @@ pub fn check_path(geometry: &Geometry, path: &[f64], directions: Option<&[i8]>) 
 #[cfg(feature = "complete")]
 pub fn road_figures(scenario: &Scenario, path: &[f64]) -> Result<Figures, Error> {
     let (geometry, poses) = (scenario.geometry()?, path::some_poses(path)?);
-    Ok(figures(&geometry, &Body::new(&geometry), &scenario.lanes, &poses))
+    let lanes = scenario.lanes_between(geometry.start.point(), geometry.goal.point());
+    Ok(figures(&geometry, &Body::new(&geometry), &lanes, &poses))
 }
 
 /// How often any path ends in a collision when nobody drives exactly along it: x, y, heading, ….

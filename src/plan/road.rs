@@ -14,13 +14,15 @@ use crate::planners::cost_map::{
     Config, Curves, Ground, Query, Report, Scratch, Smoothing, Status, corners, costs, dense, paper_spline,
     plan, smooth,
 };
-use crate::scenario::Scenario;
+use crate::scenario::{Lane, Scenario, SpeedLimit};
 use crate::search::Trace;
 
 /// A path of more poses than this is sampled less often.
 const MAX_POSES: f64 = 50_000.0;
 /// The body is tested at places of a curve this far apart, metres.
 const STATION: f64 = 0.25;
+/// What is longer than this is smoothed at its own scale, metres.
+const LARGEST_CAR: f64 = 10.0;
 /// Nearer to the ends of a curve only its raster clearance counts, metres.
 const ENDS: f64 = 5.0;
 
@@ -57,13 +59,14 @@ impl Engine {
 
     /// Per cell, what a metre costs beyond its length.
     pub(super) fn costs(&self, scenario: &Scenario, world: &World) -> Vec<f32> {
-        costs(&self.query(scenario, world), &self.config)
+        costs(&self.query(&traffic(scenario, world), world), &self.config)
     }
 
     pub(super) fn plan(&mut self, scenario: &Scenario, world: &World, options: Options) -> Plan {
         let mut trace = options.trace.then(|| Trace::new(TRACE));
         let mut scratch = std::mem::take(&mut self.scratch);
-        let query = self.query(scenario, world);
+        let traffic = traffic(scenario, world);
+        let query = self.query(&traffic, world);
         let report = plan(&query, &self.config, &mut scratch, &mut trace);
         let found = report.status == Status::Found;
         let line = self.line(world, &report);
@@ -78,7 +81,7 @@ impl Engine {
         plan.raw_path = report.cells.iter().map(|&c| world.frame.center(c)).collect();
         plan.stats = stats(&report);
         if found {
-            let figures = road::figures(&world.geometry, &world.body, &scenario.lanes, &plan.path);
+            let figures = road::figures(&world.geometry, &world.body, &traffic.0, &plan.path);
             plan.metrics.road = Some(RoadMetrics {
                 cost: report.cost,
                 turns_raw: corners(&report.cells).len() as u32,
@@ -94,16 +97,16 @@ impl Engine {
         plan
     }
 
-    fn query<'a>(&'a self, scenario: &'a Scenario, world: &'a World) -> Query<'a> {
-        let (geometry, vehicle) = (&world.geometry, &world.geometry.vehicle);
-        let middle = |pose: Pose| pose.advance(0.0, vehicle.middle()).point();
+    fn query<'a>(&'a self, (lanes, limits): &'a Traffic, world: &'a World) -> Query<'a> {
+        let vehicle = &world.geometry.vehicle;
+        let [start, goal] = middles(world);
         Query {
             ground: &self.ground,
-            lanes: &scenario.lanes,
-            limits: &scenario.speed_limits,
+            lanes,
+            limits,
             radius: vehicle.width / 2.0 + self.config.margin,
-            start: middle(geometry.start),
-            goal: middle(geometry.goal),
+            start,
+            goal,
         }
     }
 
@@ -122,6 +125,7 @@ impl Engine {
                     // Of the middle, where the rear axle's is at its limit.
                     max_curvature: limit / (1.0 + lever * lever * limit * limit).sqrt(),
                     radius: world.geometry.vehicle.width / 2.0 + self.config.margin,
+                    scale: (world.geometry.vehicle.length() / LARGEST_CAR).max(1.0),
                 };
                 let smooth = smooth(&self.ground, &chords, &how, |spline| clear(world, spline));
                 (smooth.spline, smooth.fell_back)
@@ -129,6 +133,20 @@ impl Engine {
         };
         Line { chords, curve, fell_back }
     }
+}
+
+/// Lanes to keep to, and speed limits.
+type Traffic = (Vec<Lane>, Vec<SpeedLimit>);
+
+fn traffic(scenario: &Scenario, world: &World) -> Traffic {
+    let [start, goal] = middles(world);
+    (scenario.lanes_between(start, goal), scenario.all_speed_limits())
+}
+
+/// Where the car's middle starts and shall go.
+fn middles(world: &World) -> [Point; 2] {
+    let lever = world.geometry.vehicle.middle();
+    [world.geometry.start, world.geometry.goal].map(|pose| pose.advance(0.0, lever).point())
 }
 
 fn ground(scenario: &Scenario, world: &World) -> Ground {

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 
 use crate::geometry::Pose;
 use crate::vehicle::Vehicle;
+pub use drawn::Road;
 #[cfg(feature = "complete")]
 pub use moving::MovingObstacle;
 #[cfg(feature = "complete")]
@@ -13,6 +14,7 @@ pub use road::{Lane, LanePiece, SpeedLimit};
 pub mod catalog;
 #[cfg(feature = "complete")]
 mod crossing;
+mod drawn;
 pub mod generate;
 #[cfg(feature = "complete")]
 mod moving;
@@ -136,6 +138,9 @@ pub enum Obstacle {
         /// Its dimensions.
         vehicle: VehicleSpec,
     },
+    /// A road: its kerbs block, its lanes are to be kept to.
+    #[serde(untagged)]
+    Road(Road),
 }
 
 /// A parking slot. `(x, y)` is the middle of its open side, `heading` points from the aisle into the slot, at right

@@ -5,7 +5,7 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 
 use super::packed;
-use super::{Entry, Goal, Lean, MapFrame, Obstacle, Scenario, Slot, SlotGoal, SlotKind, VehicleSpec};
+use super::{Entry, Goal, Lean, MapFrame, Obstacle, Road, Scenario, Slot, SlotGoal, SlotKind, VehicleSpec};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::Pose;
 use crate::json::{Fields, bad, count, exactly, flag, list, number, object, owned, text, word};
@@ -86,12 +86,18 @@ fn obstacle(value: &Value) -> Result<Obstacle> {
                 heading: f.maybe("heading", number)?.unwrap_or(0.0),
             }
         }
+        "road" => Obstacle::Road(Road::read(value)?),
         "car" => {
             let f = Fields::of(value, &["type", "id", "pose", "vehicle"])?;
             let vehicle = f.maybe("vehicle", vehicle)?.unwrap_or_default();
             Obstacle::Car { id: id(f)?, pose: f.need("pose", pose)?, vehicle }
         }
-        _ => return bad("type", format!("must be cells, wall, polygon, rectangle or car, got \"{kind}\"")),
+        _ => {
+            return bad(
+                "type",
+                format!("must be cells, wall, polygon, rectangle, road or car, got \"{kind}\""),
+            );
+        }
     })
 }
 

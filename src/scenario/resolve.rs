@@ -1,6 +1,7 @@
 //! A scene as plain geometry in metres.
 
-use super::{Entry, Goal, MAX_CELLS, Obstacle, Scenario, Slot};
+use super::drawn::kerbs;
+use super::{Entry, Goal, MAX_CELLS, Obstacle, Road, Scenario, Slot};
 use crate::error::Error;
 use crate::geometry::math;
 use crate::geometry::{Point, Pose, Vector};
@@ -83,6 +84,17 @@ impl Scenario {
         for (i, obstacle) in self.obstacles.iter().enumerate() {
             self.forms(obstacle, |form| shapes.push(Shape { owner: Owner::Obstacle(i), form }));
         }
+        let roads: Vec<(usize, &Road)> = self
+            .obstacles
+            .iter()
+            .enumerate()
+            .filter_map(|(i, o)| if let Obstacle::Road(road) = o { Some((i, road)) } else { None })
+            .collect();
+        let all: Vec<&Road> = roads.iter().map(|r| r.1).collect();
+        for (k, (i, _)) in roads.iter().enumerate() {
+            let kerb = |(a, b)| Shape { owner: Owner::Obstacle(*i), form: Form::Segment(a, b) };
+            shapes.extend(kerbs(&all, k).into_iter().map(kerb));
+        }
         let parked: Vec<_> = self
             .slots
             .iter()
@@ -106,6 +118,7 @@ impl Scenario {
                 Some(Obstacle::Wall { id, .. }) => (id.as_deref(), "wall"),
                 Some(Obstacle::Polygon { id, .. }) => (id.as_deref(), "polygon"),
                 Some(Obstacle::Rectangle { id, .. }) => (id.as_deref(), "rectangle"),
+                Some(Obstacle::Road(road)) => (road.id.as_deref(), "kerb"),
                 Some(Obstacle::Car { id, .. }) => (id.as_deref(), "parked car"),
                 None => (None, "obstacle"),
             },
@@ -146,6 +159,8 @@ impl Scenario {
                 let corners = [(a, b), (-a, b), (-a, -b), (a, -b)];
                 emit(Form::Polygon(corners.map(|(x, y)| frame.to_world(Point::new(x, y))).to_vec()));
             }
+            // Kerbs depend on other roads.
+            Obstacle::Road(_) => {}
             Obstacle::Car { pose, vehicle, .. } => {
                 let vehicle = vehicle.resolve().unwrap_or(PARKED);
                 emit(Form::Polygon(vehicle.outline(*pose).to_vec()));

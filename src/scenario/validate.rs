@@ -132,6 +132,7 @@ impl Obstacle {
                 positive("size[1]", size[1])?;
                 finite("heading", *heading)
             }
+            Self::Road(road) => road.validate(),
             Self::Car { pose, vehicle, .. } => {
                 finite_pose(*pose).map_err(|e| e.within("pose"))?;
                 vehicle.resolve().map(|_| ()).map_err(|e| e.within("vehicle"))

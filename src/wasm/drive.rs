@@ -36,7 +36,7 @@ impl Question {
         let scene = read_scene(scene)?;
         let geometry = js(scene.geometry())?;
         let route = js(plan::route(&geometry, path, directions, curvatures).map_err(|e| e.within("plan")))?;
-        let route = route.with_speed_limits(&scene.speed_limits);
+        let route = route.with_speed_limits(&scene.all_speed_limits());
         Ok(Self { scene, geometry, route, options: optional(options, ErrorCode::Config)? })
     }
 }

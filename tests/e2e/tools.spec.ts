@@ -25,6 +25,7 @@ const TOOLS: Record<string, Tool> = {
   car: { key: "c", way: [[20, 15]], made: (scene) => expect(only(scene, "car").vehicle).toBe("sedan") },
   slot: { key: "p", way: [[14, 18], [25.5, 18]], made: (scene) => expect(scene.slots).toHaveLength(4) },
   moving: { key: "m", way: [[14, 12], [26, 12]], made: (scene) => expect(scene.moving![0]!.points).toEqual([[14, 12], [26, 12]]) },
+  road: { key: "d", corners: true, way: [[14, 12], [26, 12]], made: (scene) => expect(kinds(scene)).toEqual(["road"]) },
   eraser: { key: "e", way: [[17, 15], [23, 15]], before: { obstacles: [BOX] }, made: (scene) => expect(kinds(scene)).toEqual([]) },
 };
 
@@ -55,7 +56,7 @@ test("each tool draws by mouse", async ({ page }) => {
 });
 
 test("each tool draws by touch", async ({ page }) => {
-  const order = ["v", "b", "l", "r", "g", "c", "p", "m", "e"];
+  const order = ["v", "b", "l", "r", "g", "c", "p", "m", "d", "e"];
   await withEach(page, async (_, tool) => {
     await page.locator("parkade-toolbar .tool").nth(order.indexOf(tool.key)).click();
     if (!tool.corners) return fingers(page, [tool.way]);

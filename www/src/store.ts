@@ -1,7 +1,7 @@
-import type { Drive, Encounter, Explanation, Layer, LayerName, Plan, PlannerId, Scenario, SceneGeometry } from "parkade";
+import type { Drive, Encounter, Explanation, Layer, LayerName, Plan, PlannerId, Road, Scenario, SceneGeometry } from "parkade";
 
 export type Scene = Scenario;
-export type ToolId = "select" | "brush" | "wall" | "rectangle" | "polygon" | "car" | "slot" | "moving" | "eraser" | "hand";
+export type ToolId = "select" | "brush" | "wall" | "rectangle" | "polygon" | "car" | "slot" | "moving" | "road" | "eraser" | "hand";
 export type Selection =
   | { kind: "start" | "goal" }
   | { kind: "obstacle" | "slot" | "moving"; id: string }
@@ -41,7 +41,7 @@ export interface Playback {
 export interface ToolOptions {
   brushRadius: number;
   wallThickness: number;
-  carProfile: "paper" | "sedan";
+  carProfile: "paper" | "sedan" | "cone";
   slot: {
     kind: "perpendicular" | "parallel" | "angled";
     angle: number;
@@ -51,6 +51,7 @@ export interface ToolOptions {
     /** Drawn beside the row, not part of it. */
     aisle: number;
   };
+  road: Required<Pick<Road, "lanes" | "laneWidth" | "radius" | "kerbs">>;
   locked: boolean;
   snap: boolean;
   /** Where a pen is used, fingers move the view. */
@@ -131,7 +132,7 @@ export function initialState(): State {
     selection: null,
     tool: "select",
     toolOptions: {
-      brushRadius: 0.5, wallThickness: 0.2, carProfile: "sedan",
+      brushRadius: 0.5, wallThickness: 0.2, carProfile: "sedan", road: { lanes: [1, 1], laneWidth: 3.5, radius: 20, kerbs: true },
       slot: { kind: "perpendicular", angle: Math.PI / 4, lean: "right", width: 2.8, length: 5.4, aisle: 6 },
       locked: false, snap: true, penDraws: true,
     },

@@ -31,7 +31,14 @@ impl Ground {
         let kerb = distances(&road, &frame, open);
         for shape in &geometry.shapes {
             match &shape.form {
-                Form::Polygon(outline) => fill(&frame, outline, |cell| road.set(cell, true)),
+                Form::Polygon(outline) => {
+                    fill(&frame, outline, |cell| road.set(cell, true));
+                    // Centres can miss what is thinner than a cell.
+                    if width(outline) < frame.resolution - EDGE {
+                        let around: Vec<Point> = outline.iter().chain(outline.first()).copied().collect();
+                        raster::wall(&mut road, &frame, &around);
+                    }
+                }
                 Form::Segment(a, b) => raster::wall(&mut road, &frame, &[*a, *b]),
             }
         }
@@ -64,6 +71,15 @@ fn fill(frame: &Frame, outline: &[Point], mut each: impl FnMut(Cell)) {
             }
         }
     }
+}
+
+/// How thin a polygon is, metres: across the edge on which it lies flattest.
+fn width(outline: &[Point]) -> f64 {
+    let across = |(i, a): (usize, &Point)| {
+        let edge = outline[(i + 1) % outline.len()] - a;
+        outline.iter().fold(0.0, |most: f64, p| most.max((edge.perp(&(p - a)) / edge.norm()).abs()))
+    };
+    outline.iter().enumerate().map(across).fold(f64::INFINITY, f64::min)
 }
 
 /// From the exact distances between centres, half a cell less.

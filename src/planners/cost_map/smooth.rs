@@ -26,6 +26,8 @@ pub struct Smoothing {
     pub max_curvature: f64,
     /// Half the car's width, metres.
     pub radius: f64,
+    /// How many times as large as a car; its points are that much farther apart.
+    pub scale: f64,
 }
 
 /// A curve, or the chords where none was good enough.
@@ -50,10 +52,10 @@ pub fn smooth(ground: &Ground, line: &[Point], how: &Smoothing, accept: impl Fn(
         let clearance = points.iter().fold(f64::INFINITY, |least, &p| least.min(room(p)));
         Smooth { points, curvatures: Vec::new(), spline: None, clearance, fell_back: true }
     };
-    let data = dense(line, DATA);
+    let data = dense(line, DATA * how.scale);
     let length = data.windows(2).fold(0.0, |sum, w| sum + (w[1] - w[0]).norm());
-    let places = (f64::from(how.places)).max((length * 2.0).ceil()).max(1.0) as u32;
-    if line.len() < 3 || length < SPACINGS[0] {
+    let places = (f64::from(how.places)).max((length * 2.0 / how.scale).ceil()).max(1.0) as u32;
+    if line.len() < 3 || length < SPACINGS[0] * how.scale {
         let points = dense(line, length / f64::from(places).max(1.0));
         return Smooth { curvatures: vec![0.0; points.len()], fell_back: line.len() > 2, ..chords(points) };
     }
@@ -64,7 +66,7 @@ pub fn smooth(ground: &Ground, line: &[Point], how: &Smoothing, accept: impl Fn(
     let least = dense(line, 0.5).iter().fold(f64::INFINITY, |least, &p| least.min(room(p)));
     let target = (least.min(0.8) - 0.02).max(0.25);
     for spacing in SPACINGS {
-        let count = ((length / spacing).ceil() as usize + 3).max(6);
+        let count = ((length / (spacing * how.scale)).ceil() as usize + 3).max(6);
         let (mut weights, mut sigma) = (vec![1.0_f64; data.len()], how.sigma);
         let mut best: Option<(f64, Spline)> = None;
         for _ in 0..ROUNDS {

@@ -28,7 +28,29 @@ export type Obstacle =
   | { type: "polygon"; id?: string; points: [number, number][] }
   /** size = [along heading, across]. */
   | { type: "rectangle"; id?: string; center: [number, number]; size: [number, number]; heading?: number }
-  | { type: "car"; id?: string; pose: Pose; vehicle?: VehicleSpec };
+  | { type: "car"; id?: string; pose: Pose; vehicle?: VehicleSpec }
+  | Road;
+
+/**
+ * A road along a line with rounded corners. Its kerbs block; its ends are open, and so are its sides where other roads meet
+ * it. Traffic keeps to the right: `cost-map` to the lanes in the direction from start to goal.
+ */
+export interface Road {
+  type: "road";
+  id?: string;
+  /** Corners of its middle line, metres. */
+  points: [number, number][];
+  /** Of the middle line at corners, metres; default 20, smaller where ways are short. */
+  radius?: number;
+  /** Along the line, against it; default [1, 1], at most 8 each. */
+  lanes?: [number, number];
+  /** Metres; default 3.5. */
+  laneWidth?: number;
+  /** Speed limit, m/s. */
+  speed?: number;
+  /** Whether its sides are kerbs; default true. */
+  kerbs?: boolean;
+}
 
 /** (x, y): middle of the open side; heading: from the aisle into the slot, at right angles to the aisle. */
 export interface Slot {
@@ -768,11 +790,7 @@ export interface Encounter extends Drive {
   freeDuration: number;
 }
 
-/**
- * Figures of any path on a scene's road, along the line of the car's middle. `parkade` only, not `parkade/core`. What they
- * are: `Metrics`.
- */
-export function roadFigures(scene: Scenario, plan: { path: Float64Array | number[] }): {
+export interface RoadFigures {
   middleLength: number;
   bodyClearanceMin: number;
   bodyClearanceMean: number;
@@ -782,7 +800,13 @@ export function roadFigures(scene: Scenario, plan: { path: Float64Array | number
   middleCurvature: number;
   laneDeviationMax: number | null;
   laneDeviationMean: number | null;
-};
+}
+
+/**
+ * Figures of any path on a scene's road, along the line of the car's middle. `parkade` only, not `parkade/core`. What they
+ * are: `Metrics`.
+ */
+export function roadFigures(scene: Scenario, plan: { path: Float64Array | number[] }): RoadFigures;
 /**
  * How often a path ends in a collision when the car is beside it by chance: in each trial by 0.10 m throughout and 0.12 m
  * along the way (standard deviations). Trials `from` to `from + trials` of a seed; slices add up. Defaults: 1000 trials from 0,

@@ -4,6 +4,7 @@ import { controls } from "../styles/controls";
 import { AppElement } from "./base";
 import "./objects";
 import "./parameters";
+import "./road-card";
 import "./selection";
 import "./vehicle-card";
 
@@ -13,7 +14,7 @@ export class Inspector extends AppElement {
   static override styles = [controls, css`
     :host { display: block; overflow-y: auto; overflow-x: hidden; background: var(--parkade-panel); border-left: 1px solid var(--parkade-hair); scrollbar-width: thin; scrollbar-color: var(--parkade-hair2) transparent; }
     section { padding: 14px; border-top: 1px solid var(--parkade-hair); }
-    section:first-child { border-top: 0; }
+    section:first-child { border-top: 0; } section:has(> [hidden]) { display: none; }
   `];
   declare ready: boolean;
 
@@ -32,6 +33,7 @@ export class Inspector extends AppElement {
       <section><parkade-selection .app=${this.app}></parkade-selection></section>
       <section><parkade-vehicle .app=${this.app}></parkade-vehicle></section>
       <section><parkade-parameters .app=${this.app}></parkade-parameters></section>
+      <section><parkade-road-card .app=${this.app}></parkade-road-card></section>
       <section><parkade-objects .app=${this.app}></parkade-objects></section>`;
   }
 }

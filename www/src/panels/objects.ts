@@ -13,7 +13,7 @@ import { icon, type IconName } from "./icons";
 interface Item { key: string; icon: IconName; name: string; detail: string; selection: NonNullable<Selection> }
 
 const ICONS: Record<Obstacle["type"], IconName> = {
-  cells: "brush", wall: "wall", polygon: "polygon", rectangle: "rectangle", car: "car",
+  cells: "brush", wall: "wall", polygon: "polygon", rectangle: "rectangle", car: "car", road: "road",
 };
 
 /** Everything in the scene by name: the way to it without a pointer. */
@@ -87,6 +87,7 @@ function itemsOf({ scene, lang }: State): Item[] {
 function detailOf(lang: Lang, obstacle: Obstacle): string {
   switch (obstacle.type) {
     case "cells": return translate(lang, "thing.cellCount", { n: cellsOf(obstacle.runs) });
+    case "road":
     case "wall":
     case "polygon": return translate(lang, "thing.corners", { n: obstacle.points.length });
     case "rectangle": return `${number(lang, obstacle.size[0], 2)} × ${number(lang, obstacle.size[1], 2)} m`;

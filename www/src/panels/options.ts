@@ -12,7 +12,16 @@ const SIZES: Record<ToolOptions["slot"]["kind"], { width: number; length: number
   perpendicular: { width: 2.8, length: 5.4, aisle: 6 }, parallel: { width: 2.5, length: 7.2, aisle: 3.5 }, angled: { width: 2.8, length: 5.4, aisle: 4.6 },
 };
 
+const LANES = ["1+0", "1+1", "2+2"] as const;
+
 const say = words({
+  cone: ["Cone", "锥桶"],
+  "1+0": ["One way", "单行"],
+  "1+1": ["1 + 1 lanes", "1 + 1 车道"],
+  "2+2": ["2 + 2 lanes", "2 + 2 车道"],
+  laneWidth: ["Lane", "车道宽"],
+  bend: ["Bend", "弯道半径"],
+  kerbs: ["Kerbs", "路缘"],
   aisle: ["Aisle", "通道"],
   snap: ["Snap", "吸附"],
   snapHelp: ["To corners, lines and cells; Ctrl inverts", "吸附到角点、对齐线与栅格；按住 Ctrl 反转"],
@@ -46,8 +55,9 @@ export class ToolOptionsBar extends AppElement {
       case "brush":
       case "eraser": return this.metres(this.t("option.radius"), options.brushRadius, 0.1, (brushRadius) => ({ brushRadius }));
       case "wall": return this.metres(this.t("option.thickness"), options.wallThickness, 0, (wallThickness) => ({ wallThickness }));
-      case "car": return this.choice(["sedan", "paper"] as const, options.carProfile, (name) => this.t(`vehicle.${name}`), (carProfile) => ({ carProfile }));
+      case "car": return this.choice(["sedan", "paper", "cone"] as const, options.carProfile, (name) => (name === "cone" ? say(this.state.lang, "cone") : this.t(`vehicle.${name}`)), (carProfile) => ({ carProfile }));
       case "slot": return this.slotRow(options.slot);
+      case "road": return this.road(options.road);
       default: return nothing;
     }
   }
@@ -62,6 +72,15 @@ export class ToolOptionsBar extends AppElement {
       ${this.metres(this.t("option.width"), slot.width, 1, (width) => put({ width }))}
       ${this.metres(this.t("option.depth"), slot.length, 1, (length) => put({ length }))}
       ${this.metres(say(this.state.lang, "aisle"), slot.aisle, 0, (aisle) => put({ aisle }))}`;
+  }
+
+  private road(road: ToolOptions["road"]): TemplateResult {
+    const { lang } = this.state, put = (patch: Partial<ToolOptions["road"]>): Partial<ToolOptions> => ({ road: { ...road, ...patch } });
+    return html`
+      ${this.choice(LANES, road.lanes.join("+") as "1+1", (one) => say(lang, one), (one) => put({ lanes: one.split("+").map(Number) as [number, number] }))}
+      ${this.metres(say(lang, "laneWidth"), road.laneWidth, 2, (laneWidth) => put({ laneWidth }))}
+      ${this.metres(say(lang, "bend"), road.radius, 1, (radius) => put({ radius }))}
+      <label><input type="checkbox" .checked=${road.kerbs} @change=${(e: Event) => this.set(put({ kerbs: (e.target as HTMLInputElement).checked }))}>${say(lang, "kerbs")}</label>`;
   }
 
   private choice<T extends string | number>(all: readonly T[], now: T, name: (one: T) => string, put: (one: T) => Partial<ToolOptions>): TemplateResult {

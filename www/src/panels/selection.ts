@@ -1,9 +1,11 @@
-import type { MovingObstacle, Obstacle, Pose, Slot } from "parkade";
+import type { MovingObstacle, Obstacle, Pose, Road, Slot } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
+import { words } from "../i18n/words";
 import {
   findMoving, findObstacle, findSlot, flipGoal, goalPose, movePose, removeMoving, removeObstacle, removeSlot, setGoalFromSlot, updateMoving,
   updateObstacle, updateSlot,
 } from "../scene/model";
+import { laneWidthOf, lanesOf } from "../scene/road-width";
 import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";
@@ -12,9 +14,19 @@ import { icon } from "./icons";
 import "./group-card";
 import { objectName } from "./objects";
 
+const say = words({
+  along: ["Lanes →", "车道 →"],
+  against: ["Lanes ←", "车道 ←"],
+  laneWidth: ["Lane", "车道宽"],
+  bend: ["Bend", "弯道半径"],
+  limit: ["Limit", "限速"],
+  kerbs: ["Kerbs", "路缘"],
+  vertices: ["Drag the corners. Double-click an edge for one more, a corner to take it away. Limit 0 is none.", "可拖动角点；双击边添加角点，双击角点删除。限速 0 表示无。"],
+});
+
 const DEGREES = 180 / Math.PI;
 
-interface Field { label: string; unit: string; value: number; digits: number; step: number; min?: number; apply: (value: number) => Scene }
+interface Field { label: string; unit: string; value: number; digits: number; step: number; min?: number; max?: number; apply: (value: number) => Scene }
 
 /** The numbers of what is selected; typing them is one undo step each. */
 export class SelectionCard extends AppElement {
@@ -65,7 +77,7 @@ export class SelectionCard extends AppElement {
   }
 
   private obstacle(obstacle: Obstacle): TemplateResult {
-    return html`${this.heading(objectName(this.state.lang, obstacle.type))}${this.fields(this.obstacleFields(obstacle))}
+    return html`${this.heading(objectName(this.state.lang, obstacle.type))}${obstacle.type === "road" ? this.road(obstacle) : this.fields(this.obstacleFields(obstacle))}
       ${this.deleteRow(() => this.edit(removeObstacle(this.state.scene, obstacle.id!)))}`;
   }
 
@@ -84,6 +96,21 @@ export class SelectionCard extends AppElement {
       metres("↔", size[0], (along) => apply({ ...obstacle, size: [along, size[1]] }), 0.05),
       metres("↕", size[1], (across) => apply({ ...obstacle, size: [size[0], across] }), 0.05),
     ];
+  }
+
+  private road(road: Road): TemplateResult {
+    const { lang } = this.state, apply = (patch: Partial<Road>): Scene => updateObstacle(this.state.scene, road.id!, { ...road, ...patch });
+    const [along, against] = lanesOf(road);
+    const lanes = (label: string, value: number, put: (n: number) => [number, number]): Field =>
+      ({ label, unit: "", value, digits: 0, step: 1, min: value === along + against ? 1 : 0, max: 8, apply: (n) => apply({ lanes: put(Math.round(n)) }) });
+    return html`${this.fields([
+        lanes(say(lang, "along"), along, (n) => [n, against]), lanes(say(lang, "against"), against, (n) => [along, n]),
+        metres(say(lang, "laneWidth"), laneWidthOf(road), (laneWidth) => apply({ laneWidth }), 1),
+        metres(say(lang, "bend"), road.radius ?? 20, (radius) => apply({ radius }), 1),
+        { label: say(lang, "limit"), unit: "m/s", value: road.speed ?? 0, digits: 2, step: 0.5, min: 0, apply: (speed) => withoutSpeed(this.state.scene, { ...road, speed }) },
+      ])}
+      <div class="row"><label class="check"><input type="checkbox" .checked=${road.kerbs ?? true} @change=${(e: Event) => this.edit(apply({ kerbs: (e.target as HTMLInputElement).checked }))}>${say(lang, "kerbs")}</label></div>
+      <p>${say(lang, "vertices")}</p>`;
   }
 
   private moving(one: MovingObstacle): TemplateResult {
@@ -125,12 +152,12 @@ export class SelectionCard extends AppElement {
     return html`${rows.map((row) => html`<div class="row">${row.map((field) => this.field(field))}</div>`)}`;
   }
 
-  private field({ label, unit, value, digits, step, min, apply }: Field): TemplateResult {
-    return html`<label class="field"><span>${label}</span><input type="number" step=${step} min=${min ?? nothing} .value=${value.toFixed(digits)}
+  private field({ label, unit, value, digits, step, min, max, apply }: Field): TemplateResult {
+    return html`<label class="field"><span>${label}</span><input type="number" step=${step} min=${min ?? nothing} max=${max ?? nothing} .value=${value.toFixed(digits)}
       @change=${(e: Event) => {
         const input = e.target as HTMLInputElement;
         const typed = Number(input.value);
-        if (input.value === "" || !Number.isFinite(typed) || (min !== undefined && typed < min)) input.value = value.toFixed(digits);
+        if (input.value === "" || !Number.isFinite(typed) || (min !== undefined && typed < min) || (max !== undefined && typed > max)) input.value = value.toFixed(digits);
         else this.edit(apply(typed));
       }}><span>${unit}</span></label>`;
   }
@@ -142,6 +169,11 @@ export class SelectionCard extends AppElement {
   private edit(scene: Scene): void {
     this.app.store.edit(scene);
   }
+}
+
+/** A limit of 0 is none. */
+function withoutSpeed(scene: Scene, { speed, ...road }: Road): Scene {
+  return updateObstacle(scene, road.id!, speed ? { ...road, speed } : road);
 }
 
 function poseFields(pose: Pose, move: (patch: Partial<Pose>) => Scene): Field[] {

@@ -47,7 +47,14 @@ function ofPlan(state: State, plan: Plan): Status {
   const { check } = plan;
   if (check.verdict === "ok") return say(state, { name: "ok" }, "ok", "check");
   if (check.verdict === "arrives-turned") return say(state, turned(state, check), "warn", "turned");
-  return say(state, check.verdict === "collides" ? hits(state, check) : tight(state, check), "err", "warning");
+  return say(state, check.verdict === "collides" ? hits(state, check) : tight(state, check), "err", "warning", literally(state, plan));
+}
+
+/** Why the road manuscript's own smoothing or chords fail. */
+function literally({ lang, scene }: State, { planner }: Plan): string | null {
+  const { pruning, smoothing } = scene.planners?.[planner] ?? {};
+  if (planner !== "cost-map" || (smoothing !== "paper" && pruning !== "los")) return null;
+  return translate(lang, smoothing === "paper" ? "reason.stray" : "reason.los");
 }
 
 /** What the mark on the map says. */

@@ -18,6 +18,7 @@ export const TOOLS: readonly { id: ToolId; icon: IconName; key: string; digit: s
   { id: "car", icon: "car", key: "C", digit: "6" },
   { id: "slot", icon: "slot", key: "P", digit: "7" },
   { id: "moving", icon: "moving", key: "M", digit: "8" },
+  { id: "road", icon: "road", key: "D", digit: "" },
   { id: "eraser", icon: "eraser", key: "E", digit: "9" },
   { id: "hand", icon: "hand", key: "H", digit: "" },
 ];

@@ -1,9 +1,10 @@
 /** What workers of the complete module do beside planning. */
-import type { Family, ImportOptions, Imported, PaperRow, ParkingRow, ParkingTable, PaperTable, Plan, PlannerId, PaperClaim, RoadRow, RoadTable, Scenario } from "parkade";
-import { Planner, generateScenario, importScene, init, packRuns, paperGrid, paperGridRows, paperGridSummary, paperParking, paperParkingRows, paperRoad, paperRoadRows } from "parkade";
+import type { Family, ImportOptions, Imported, PaperRow, ParkingRow, ParkingTable, PaperTable, Plan, PlannerId, PaperClaim, RoadFigures, RoadRow, RoadTable, Scenario } from "parkade";
+import { Planner, collisionRisk, generateScenario, importScene, init, packRuns, paperGrid, paperGridRows, paperGridSummary, paperParking, paperParkingRows, paperRoad, paperRoadRows, roadFigures } from "parkade";
 import type { Run } from "../scene/cells";
 import { failureOf } from "./failure";
 import type { Failure, Request } from "./protocol";
+import type { Risk } from "./risk";
 
 /** Lists of cells longer than this travel as numbers and as a text. */
 const MANY = 2000;
@@ -34,6 +35,8 @@ const JOBS = {
   parkingRows: (): ParkingRow[] => paperParkingRows(),
   parking: (options: { row: string }): ParkingTable => paperParking(options),
   roadRows: (): RoadRow[] => paperRoadRows(),
+  roadFigures: ({ scene, path }: { scene: Scenario; path: Float64Array }): RoadFigures => roadFigures(scene, { path }),
+  risk: ({ scene, path, ...trials }: { scene: Scenario; path: Float64Array; from: number; trials: number }): Risk => collisionRisk(scene, { path }, trials),
   road: (options: { row: string }): RoadTable => paperRoad(options),
 };
 

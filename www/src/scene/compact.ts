@@ -64,6 +64,7 @@ function packObstacle(o: Obstacle): Item[] {
   switch (o.type) {
     case "cells": return ["k", id, packRuns(o.runs)];
     case "wall": return ["w", id, packPoints(o.points), cm(o.thickness ?? 0)];
+    case "road": return ["a", id, packPoints(o.points), [cm(o.radius ?? 20), ...(o.lanes ?? [1, 1]), cm(o.laneWidth ?? 3.5), cm(o.speed ?? 0), o.kerbs === false ? 0 : 1]];
     case "polygon": return ["p", id, packPoints(o.points)];
     case "rectangle": return ["r", id, [...packPoints([o.center]), cm(o.size[0]), cm(o.size[1]), tenths(o.heading ?? 0)]];
     case "car": return ["c", id, packPose(o.pose), packVehicle(o.vehicle)];
@@ -77,6 +78,7 @@ function unpackObstacle(item: Item): Obstacle {
   switch (type) {
     case "k": return { type: "cells", ...id, runs: unpackRuns(data) };
     case "w": return { type: "wall", ...id, points: unpackPoints(data), thickness: metres(extra) };
+    case "a": return unpackRoad(id, unpackPoints(data), list(extra));
     case "p": return { type: "polygon", ...id, points: unpackPoints(data) };
     case "r": return {
       type: "rectangle", ...id, center: [metres(data[0]), metres(data[1])], size: [metres(data[2]), metres(data[3])], heading: angle(data[4]),
@@ -84,6 +86,13 @@ function unpackObstacle(item: Item): Obstacle {
     case "c": return { type: "car", ...id, pose: unpackPose(data), ...unpackVehicle(extra) };
     default: throw new Error("This link is damaged: an obstacle of an unknown type.");
   }
+}
+
+function unpackRoad(id: { id?: string }, points: Point[], [radius, along, against, width, speed, kerbs]: Item[]): Obstacle {
+  return {
+    type: "road", ...id, points, radius: metres(radius), lanes: [number(along), number(against)], laneWidth: metres(width),
+    ...(speed ? { speed: metres(speed) } : {}), kerbs: kerbs === 1,
+  };
 }
 
 const packVehicle = (vehicle: VehicleSpec | undefined): Item =>

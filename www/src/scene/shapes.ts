@@ -3,6 +3,7 @@ import type { MapFrame, Obstacle } from "parkade";
 import {
   boxOf, distance, distanceToPolyline, fromPose, insidePolygon, intoPose, rotateAbout, wrapAngle, type Point,
 } from "./plane";
+import { halfOf } from "./road-width";
 import { footprint, vehicleOf } from "./vehicle";
 
 export type Shape = Exclude<Obstacle, { type: "cells" }>;
@@ -23,7 +24,8 @@ export function cornersOf(shape: Shape): Point[] {
 /** Metres from `p` to the shape; 0 inside. */
 export function distanceToShape(p: Point, shape: Shape): number {
   const corners = cornersOf(shape);
-  if (shape.type === "wall") return Math.max(0, distanceToPolyline(p, corners) - (shape.thickness ?? 0) / 2);
+  const half = shape.type === "wall" ? (shape.thickness ?? 0) / 2 : shape.type === "road" ? halfOf(shape) : null;
+  if (half !== null) return Math.max(0, distanceToPolyline(p, corners) - half);
   return insidePolygon(p, corners) ? 0 : distanceToPolyline(p, corners, true);
 }
 

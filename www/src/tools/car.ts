@@ -1,12 +1,14 @@
-/** Parked cars: a click places one, a drag aims it, the wheel turns it. */
+/** Parked cars: a click places one, a drag aims it, the wheel turns it. Cones are placed likewise. */
 import type { Pose } from "parkade";
-import { addObstacle } from "../scene/model";
+import { addObstacle, nextId, type Scene } from "../scene/model";
 import { distance, radians, towards, wrapAngle, type Point } from "../scene/plane";
 import { poseAround, vehicleOf } from "../scene/vehicle";
 import { snapAngle } from "./snap";
 import { metresOf, type Bench, type Input, type Tool } from "./tool";
 
 const AIM_PX = 14;
+/** Half of a cone's foot, metres. */
+const CONE = 0.2;
 
 export class CarTool implements Tool {
   private heading = 0;
@@ -40,8 +42,9 @@ export class CarTool implements Tool {
     bench.show(null);
     if (!placed) return;
     const { carProfile } = bench.store.state.toolOptions;
-    const { scene, id } = addObstacle(bench.store.state.scene, { type: "car", pose: this.pose(bench, placed), vehicle: carProfile });
-    bench.commit(scene, "car");
+    const { scene, id } = carProfile === "cone" ? addCone(bench.store.state.scene, placed)
+      : addObstacle(bench.store.state.scene, { type: "car", pose: this.pose(placed, carProfile), vehicle: carProfile });
+    bench.commit(scene, carProfile === "cone" ? "cone" : "car");
     bench.store.set({ selection: { kind: "obstacle", id } });
     bench.done();
   }
@@ -60,11 +63,21 @@ export class CarTool implements Tool {
     return true;
   }
 
-  private pose(bench: Bench, at: Point): Pose {
-    return poseAround(at, this.heading, vehicleOf(bench.store.state.toolOptions.carProfile));
+  private pose(at: Point, profile: "paper" | "sedan"): Pose {
+    return poseAround(at, this.heading, vehicleOf(profile));
   }
 
   private show(bench: Bench, at: Point | null): void {
-    bench.show(at && { preview: { kind: "car", pose: this.pose(bench, at), vehicle: bench.store.state.toolOptions.carProfile } });
+    const { carProfile } = bench.store.state.toolOptions;
+    if (!at) bench.show(null);
+    else if (carProfile === "cone") bench.show({ preview: { kind: "brush", at, radius: CONE, erase: false } });
+    else bench.show({ preview: { kind: "car", pose: this.pose(at, carProfile), vehicle: carProfile } });
   }
+}
+
+/** An octagon of a cone's foot. */
+function addCone(scene: Scene, [x, y]: Point): { scene: Scene; id: string } {
+  const id = nextId(scene, "cone"), round = (value: number): number => Math.round(value * 1000) / 1000;
+  const points = Array.from({ length: 8 }, (_, k): Point => [round(x + CONE * Math.cos((k * Math.PI) / 4)), round(y + CONE * Math.sin((k * Math.PI) / 4))]);
+  return { scene: { ...scene, obstacles: [...(scene.obstacles ?? []), { type: "polygon", id, points }] }, id };
 }

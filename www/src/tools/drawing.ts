@@ -2,7 +2,7 @@
 import type { ToolId } from "../store";
 import { BrushTool, EraserTool } from "./brush";
 import { CarTool } from "./car";
-import { MovingTool, PolygonTool, WallTool } from "./line";
+import { MovingTool, PolygonTool, RoadTool, WallTool } from "./line";
 import { PlaceTool } from "./place";
 import { RectangleTool } from "./rectangle";
 import { SlotTool } from "./slot";
@@ -19,7 +19,7 @@ export interface Drawing {
 export const makeDrawing = (): Drawing => ({
   tools: {
     brush: new BrushTool(), wall: new WallTool(), rectangle: new RectangleTool(), polygon: new PolygonTool(), car: new CarTool(),
-    slot: new SlotTool(), moving: new MovingTool(), eraser: new EraserTool(),
+    slot: new SlotTool(), moving: new MovingTool(), road: new RoadTool(), eraser: new EraserTool(),
   },
   eraser: new EraserTool(),
   place: { start: new PlaceTool("start"), goal: new PlaceTool("goal") },

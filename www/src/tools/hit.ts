@@ -83,7 +83,9 @@ function hitPose({ scene, selection }: State, at: Point): Selection {
 function hitObstacle(bench: Bench, input: Input): Selection {
   const slack = metresOf(bench, input.touch ? 12 : 4);
   const touched = (o: Obstacle): boolean => o.type !== "cells" && distanceToShape(input.at, o) <= slack;
-  const found = [...(bench.store.state.scene.obstacles ?? [])].reverse().find(touched);
+  const all = [...(bench.store.state.scene.obstacles ?? [])].reverse();
+  // What stands on a road comes before it.
+  const found = all.find((o) => o.type !== "road" && touched(o)) ?? all.find(touched);
   return found?.id === undefined ? null : { kind: "obstacle", id: found.id };
 }
 

@@ -7,7 +7,7 @@ import type { State, Store, ToolId } from "../store";
 
 const TOOL_KEYS: Record<string, ToolId> = {
   v: "select", 1: "select", b: "brush", 2: "brush", l: "wall", 3: "wall", r: "rectangle", 4: "rectangle", g: "polygon", 5: "polygon",
-  c: "car", 6: "car", p: "slot", 7: "slot", m: "moving", 8: "moving", e: "eraser", 9: "eraser", h: "hand",
+  c: "car", 6: "car", p: "slot", 7: "slot", m: "moving", 8: "moving", d: "road", e: "eraser", 9: "eraser", h: "hand",
 };
 
 const ARROWS: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };

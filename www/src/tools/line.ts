@@ -1,6 +1,8 @@
-/** Walls and polygons: corner after corner. */
+/** Walls, roads and polygons: corner after corner. */
+import type { Road } from "parkade";
 import { addMoving, addObstacle } from "../scene/model";
 import { canExtend, crossesItself, distance, type Point } from "../scene/plane";
+import { tooTight } from "../scene/road";
 import { fixed } from "../view/text";
 import type { Draft } from "./draft";
 import { constrainAngle, snapPoint, type Snapped } from "./snap";
@@ -158,6 +160,33 @@ export class WallTool extends LineTool {
     const thickness = bench.store.state.toolOptions.wallThickness;
     const { scene, id } = addObstacle(bench.store.state.scene, { type: "wall", points, thickness });
     bench.commit(scene, "wall");
+    bench.store.set({ selection: { kind: "obstacle", id } });
+    bench.done();
+    return true;
+  }
+}
+
+/** The middle line of a road. */
+export class RoadTool extends LineTool {
+  protected override readonly closed = false;
+
+  protected override width(bench: Bench): { thickness: number } {
+    const { lanes, laneWidth } = bench.store.state.toolOptions.road;
+    return { thickness: (lanes[0] + lanes[1]) * laneWidth };
+  }
+
+  protected override finish(bench: Bench): boolean {
+    const { points } = this, { scene: before, toolOptions: { road: options } } = bench.store.state;
+    const road: Road = { type: "road", points, ...options };
+    if (points.length >= 2 && tooTight(road) > 0) {
+      bench.store.set({ message: { tone: "err", text: word(bench.store.state, "tight") } });
+      this.points = points.slice(0, tooTight(road) + 1);
+      return true;
+    }
+    this.reset(bench);
+    if (points.length < 2) return false;
+    const { scene, id } = addObstacle(before, road);
+    bench.commit(scene, "road");
     bench.store.set({ selection: { kind: "obstacle", id } });
     bench.done();
     return true;

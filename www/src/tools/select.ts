@@ -88,7 +88,7 @@ export class SelectTool implements Tool {
   /** On an edge of the selected polygon or wall: a new vertex; on a vertex: without it. */
   doubleClick(bench: Bench, input: Input): void {
     const shape = selectedShape(bench.store.state);
-    if (!shape || (shape.type !== "polygon" && shape.type !== "wall")) return;
+    if (!shape || !("points" in shape)) return;
     const points = withoutVertex(shape, input.at, metresOf(bench, 10)) ?? withVertex(shape, input.at, metresOf(bench, 8));
     if (points) bench.commit(updateObstacle(bench.store.state.scene, shape.id, { ...shape, points }), "vertex");
   }

@@ -82,7 +82,7 @@ function marksOf(scene: Scene, skip: readonly string[]): Point[] {
   const marks: Point[] = [...boundary, [start.x, start.y], [goal.x, goal.y]];
   for (const one of scene.obstacles ?? []) {
     if (one.type === "cells" || skip.includes(one.id ?? "") || marks.length > MOST_MARKS) continue;
-    marks.push(...(one.type === "car" ? cornersOf(one) : verticesOf(one)), ...(one.type === "wall" ? [] : [middleOf(one)]));
+    marks.push(...(one.type === "car" ? cornersOf(one) : verticesOf(one)), ...(one.type === "wall" || one.type === "road" ? [] : [middleOf(one)]));
   }
   for (const { slot, outline } of slots) if (!skip.includes(slot.id ?? "")) marks.push(...outline);
   return marks;

@@ -29,7 +29,7 @@ export class SceneLayers {
   draw(frame: Frame): void {
     const { layers, scene } = frame.state;
     drawFloor(frame);
-    if (scene.lanes?.length || scene.speedLimits?.length) extras()?.drawLanes(frame);
+    extras()?.drawLanes(frame);
     this.drawRasters(frame);
     if (layers.slots) drawSlots(frame);
     drawBorder(frame);

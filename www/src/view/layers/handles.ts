@@ -129,7 +129,7 @@ function pathOfThing({ state: { scene } }: Frame, id: string): Path2D | null {
   if (found.kind === "moving") return linePath(found.thing.points);
   const { thing } = found;
   if (thing.type === "cells") return cellPaths(thing.runs, scene.map).edge;
-  return thing.type === "wall" ? linePath(thing.points) : polygonPath(cornersOf(thing));
+  return thing.type === "wall" || thing.type === "road" ? linePath(thing.points) : polygonPath(cornersOf(thing));
 }
 
 function drawShapeGrips(frame: Frame, id: string): void {

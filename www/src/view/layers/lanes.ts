@@ -1,6 +1,8 @@
 /** Roads: each lane's floor, its edges and its middle; areas with a speed limit. */
-import type { Lane } from "parkade";
+import type { Lane, Road } from "parkade";
 import type { Point } from "../../scene/plane";
+import { beside, placesOf } from "../../scene/road";
+import { halfOf, laneWidthOf, lanesOf } from "../../scene/road-width";
 import { inMetres, linePath, pixels, polygonPath, type Frame } from "../frame";
 import { fade } from "../tokens";
 
@@ -18,6 +20,7 @@ export function drawLanes(frame: Frame): void {
     ctx.fillStyle = fade(colour.accent, 0.06);
     ctx.fill(polygonPath(points));
   }
+  drawRoads(frame);
   for (const lane of scene.lanes ?? []) {
     const { middle, edges, floor } = pathsOf(lane);
     ctx.fillStyle = fade(colour.t3, 0.1);
@@ -30,6 +33,50 @@ export function drawLanes(frame: Frame): void {
     ctx.stroke(middle);
     ctx.setLineDash([]);
   }
+}
+
+interface Surface { floor: Path2D; sides: Path2D; between: Path2D; middle: Path2D }
+
+const surfaces = new WeakMap<Road, Surface>();
+
+/** Kerbs first, so that surfaces open them where roads meet; then the lines between lanes, the one between the directions whole. */
+function drawRoads(frame: Frame): void {
+  const { ctx, tokens: { colour }, state: { scene } } = frame;
+  const roads = (scene.obstacles ?? []).filter((one): one is Road => one.type === "road" && one.points.length > 1);
+  ctx.lineJoin = "round";
+  for (const road of roads) {
+    ctx.strokeStyle = road.kerbs ?? true ? colour["obs-edge"] : colour.slot;
+    ctx.lineWidth = pixels(frame, road.kerbs ?? true ? 3.5 : 2);
+    ctx.stroke(surfaceOf(road).sides);
+  }
+  for (const road of roads) {
+    ctx.fillStyle = colour.floor;
+    ctx.fill(surfaceOf(road).floor);
+  }
+  for (const road of roads) {
+    const { floor, between, middle } = surfaceOf(road);
+    ctx.fillStyle = fade(colour.t3, 0.1);
+    ctx.fill(floor);
+    ctx.strokeStyle = colour.slot;
+    ctx.lineWidth = pixels(frame, 1.25);
+    ctx.stroke(middle);
+    ctx.setLineDash([3, 3]);
+    ctx.stroke(between);
+    ctx.setLineDash([]);
+  }
+}
+
+function surfaceOf(road: Road): Surface {
+  const known = surfaces.get(road);
+  if (known) return known;
+  const places = placesOf(road), half = halfOf(road), width = laneWidthOf(road), [along, against] = lanesOf(road);
+  const right = beside(places, -half), left = beside(places, half), between = new Path2D();
+  for (let k = 1; k < along + against; k++) if (k !== along) linePath(beside(places, k * width - half), between);
+  const middle = new Path2D();
+  if (along > 0 && against > 0) linePath(beside(places, along * width - half), middle);
+  const made = { sides: linePath(right, linePath(left)), floor: polygonPath([...left, ...right.reverse()]), between, middle };
+  surfaces.set(road, made);
+  return made;
 }
 
 function pathsOf(lane: Lane): Drawn {

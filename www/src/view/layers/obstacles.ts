@@ -10,7 +10,7 @@ import { cellPaths, type CellPaths } from "../outline";
 
 const drawn = new WeakMap<Obstacle, CellPaths>();
 
-function pathsOf(obstacle: Exclude<Obstacle, { type: "car" }>, map: MapFrame): CellPaths {
+function pathsOf(obstacle: Exclude<Obstacle, { type: "car" | "road" }>, map: MapFrame): CellPaths {
   const known = drawn.get(obstacle);
   if (known) return known;
   const made = makePaths(obstacle, map);
@@ -18,7 +18,7 @@ function pathsOf(obstacle: Exclude<Obstacle, { type: "car" }>, map: MapFrame): C
   return made;
 }
 
-function makePaths(obstacle: Exclude<Obstacle, { type: "car" }>, map: MapFrame): CellPaths {
+function makePaths(obstacle: Exclude<Obstacle, { type: "car" | "road" }>, map: MapFrame): CellPaths {
   if (obstacle.type !== "cells") {
     const path = obstacle.type === "wall" ? linePath(obstacle.points) : polygonPath(cornersOf(obstacle));
     return { fill: path, edge: path };
@@ -47,12 +47,12 @@ export function drawObstacles(frame: Frame): void {
   for (const obstacle of state.scene.obstacles ?? []) {
     if (obstacle.type === "car") drawCar(frame, obstacle.pose, vehicleOf(obstacle.vehicle), 0, parkedStyle(frame));
     else if (obstacle.type === "wall") drawWall(frame, obstacle);
-    else drawSolid(frame, obstacle);
+    else if (obstacle.type !== "road") drawSolid(frame, obstacle);
   }
   for (const { pose, vehicle } of resolved.parked) drawCar(frame, pose, vehicle, 0, parkedStyle(frame));
 }
 
-function drawSolid(frame: Frame, obstacle: Exclude<Obstacle, { type: "car" }>): void {
+function drawSolid(frame: Frame, obstacle: Exclude<Obstacle, { type: "car" | "road" }>): void {
   const { ctx, tokens: { colour } } = frame;
   if (obstacle.type === "cells" && obstacle.runs.length > MANY && vast()?.drawCells(frame, obstacle)) return;
   const { fill, edge } = pathsOf(obstacle, frame.state.scene.map);
