@@ -40,7 +40,7 @@ export class Toolbar extends AppElement {
     :host { display: block; container-type: inline-size; background: var(--parkade-panel); border-bottom: 1px solid var(--parkade-hair); position: relative; z-index: 20; }
     .bar { display: flex; align-items: center; height: 48px; padding: 0 12px; gap: 5px; }
     .brand { display: flex; align-items: center; gap: 8px; font-size: 14px; line-height: 18px; font-weight: 650; margin: 0 8px 0 0; }
-    .scene { max-width: 176px; justify-content: space-between; }
+    .scene { max-width: 140px; justify-content: space-between; }
     .scene span { overflow: hidden; text-overflow: ellipsis; font-weight: 500; }
     .scene svg, .menu svg:last-child { color: var(--parkade-t2); }
     .rule { width: 1px; height: 20px; background: var(--parkade-hair); margin: 0 3px; flex: none; }
