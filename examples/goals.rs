@@ -109,6 +109,7 @@ fn far(scene: &Scenario) -> Option<Scenario> {
                 points.iter_mut().for_each(shift);
             }
             Obstacle::Rectangle { center, .. } => shift(center),
+            Obstacle::Road(road) => road.points.iter_mut().for_each(shift),
             Obstacle::Car { pose, .. } => shift_pose(pose),
             Obstacle::Cells { .. } => {}
         }

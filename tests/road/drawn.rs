@@ -3,7 +3,7 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use parkade::geometry::{Point, Pose};
+use parkade::geometry::{Point, Pose, math};
 use parkade::metrics::{Body, Verdict};
 use parkade::plan::{Options, Outcome, Plan, Planner};
 use parkade::scenario::Scenario;
@@ -37,7 +37,7 @@ fn planned(value: &Value, id: &str) -> Plan {
 
 fn cone(x: f64, y: f64) -> Value {
     let corner = |k: u32| {
-        let (sin, cos) = (f64::from(k) * std::f64::consts::FRAC_PI_4).sin_cos();
+        let (sin, cos) = math::sin_cos(f64::from(k) * math::FRAC_PI_4);
         json!([x + 0.2 * cos, y + 0.2 * sin])
     };
     json!({ "type": "polygon", "points": (0..8).map(corner).collect::<Vec<_>>() })
