@@ -27,12 +27,11 @@ test("the hybrid search's failed connections and the place where there is no way
   // The gap is marked where it is, in the colour of errors.
   const { x, y } = gap as { x: number; y: number };
   await page.evaluate(([cx, cy]) => document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ camera: { x: cx, y: cy, scale: 30 } }), [x, y]);
-  await page.waitForTimeout(200);
-  const redness = await large.locator("canvas").evaluate((canvas: HTMLCanvasElement) => {
+  const redness = () => large.locator("canvas").evaluate((canvas: HTMLCanvasElement) => {
     const [r, , b] = canvas.getContext("2d")!.getImageData(canvas.width / 2, canvas.height / 2, 1, 1).data;
     return r! - b!;
   });
-  expect(redness).toBeGreaterThan(30);
+  await expect.poll(redness).toBeGreaterThan(30);
 
   await openPreset(page, "par-8.0");
   const trace = await page.evaluate(() => {

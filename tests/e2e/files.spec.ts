@@ -107,7 +107,11 @@ test("a drawing is offered again after its tab is closed, and each open tab keep
   await second.waitForFunction(() => sessionStorage.getItem("parkade.tab") !== null);
   await expect(second.locator("parkade-notices .notice")).toHaveCount(0);
   await draw(second, 16.75);
-  await first.close({ runBeforeUnload: true });
+  await Promise.all([first.waitForEvent("close"), first.close({ runBeforeUnload: true })]);
+  await second.waitForFunction(async () => {
+    const { held = [] } = await navigator.locks.query();
+    return held.filter(({ name }) => name?.startsWith("parkade.tab.")).length === 1;
+  });
   const third = await visit();
   await third.getByRole("button", { name: "Bring it back" }).click();
   expect((await sceneOf(third)).start.x).toBe(17.25);

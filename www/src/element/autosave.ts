@@ -21,7 +21,6 @@ interface Kept { at: number; scene: Scene }
 /** Starts keeping this tab's drawing. */
 export async function startAutosave(app: App): Promise<() => void> {
   const own = await nameOf();
-  await offer(app, own);
   let timer: ReturnType<typeof setTimeout> | undefined;
   const save = (): void => {
     clearTimeout(timer);
@@ -36,6 +35,7 @@ export async function startAutosave(app: App): Promise<() => void> {
     clearTimeout(timer);
     timer = setTimeout(save, SETTLE_MS);
   });
+  await offer(app, own);
   return () => {
     leaving();
     removeEventListener("pagehide", leaving);
