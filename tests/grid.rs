@@ -345,7 +345,7 @@ fn distances_and_inflation_are_exact() {
         }
         let blocked: Vec<Cell> =
             (0..map.len() as u32).map(|i| map.cell(i)).filter(|&c| map.blocked(c)).collect();
-        let (centers, squares) = (distance::to_centers(&map), distance::to_squares(&map));
+        let (centers, squares) = (distance::to_centers(&map, |d| d as f32), distance::to_squares(&map));
         let inflated = inflation::necessary(&map, 1.3);
         for index in 0..map.len() as u32 {
             let at = map.cell(index);
@@ -354,7 +354,7 @@ fn distances_and_inflation_are_exact() {
                     |b: &Cell| side(i64::from(b.x - at.x)).pow(2) + side(i64::from(b.y - at.y)).pow(2);
                 blocked.iter().map(square).min().unwrap_or(distance::NONE)
             };
-            assert_eq!(centers.get(at), Some(nearest(|d| 2 * d)));
+            assert_eq!(centers.get(at), Some(nearest(|d| 2 * d) as f32));
             assert_eq!(squares.get(at), Some(nearest(|d| (2 * d.abs() - 1).max(0))));
             assert_eq!(
                 inflated.blocked(at),

@@ -8,25 +8,29 @@ use super::{Layer, Occupancy};
 /// The value of a cell on a map where nothing is blocked; larger than any squared distance.
 pub const NONE: i64 = i64::MAX / 4;
 
-/// Four times the squared distance, in cells, from each cell's centre to the nearest blocked cell's centre; [`NONE`]
-/// where the map has no blocked cell.
-pub fn to_centers(map: &Occupancy) -> Layer<i64> {
-    let mut columns = column_distances(map, |d| 4 * d * d);
+/// `value` of four times the squared distance, in cells, from each cell's centre to the nearest blocked cell's centre;
+/// of [`NONE`] where the map has no blocked cell. Takes no more room than its result.
+pub fn to_centers(map: &Occupancy, value: impl Fn(i64) -> f32) -> Layer<f32> {
+    let mut columns = column_distances(map, u32::MAX, |d| d);
     let width = map.width() as usize;
     let mut envelope = Envelope::default();
     let mut source = vec![NONE; width];
     for row in columns.data.chunks_mut(width.max(1)) {
-        source.copy_from_slice(row);
+        for (square, &d) in source.iter_mut().zip(&*row) {
+            *square = if d == u32::MAX { NONE } else { 4 * i64::from(d) * i64::from(d) };
+        }
         envelope.build(source.iter().enumerate().map(|(x, &v)| (2 * x as i64, v)));
-        envelope.sample(row, |known, _| known);
+        envelope.sample(row, |known, _| value(known).to_bits());
     }
-    columns
+    let data = columns.data.into_iter().map(f32::from_bits).collect();
+    Layer { width: columns.width, height: columns.height, data }
 }
 
 /// Four times the squared distance, in cells, from each cell's centre to the nearest blocked cell's closed square: 0
 /// in a blocked cell, 1 beside one; [`NONE`] where the map has no blocked cell.
 pub fn to_squares(map: &Occupancy) -> Layer<i64> {
-    let mut columns = column_distances(map, |d| if d == 0 { 0 } else { (2 * d - 1) * (2 * d - 1) });
+    let square = |d: u32| if d == 0 { 0 } else { (2 * i64::from(d) - 1) * (2 * i64::from(d) - 1) };
+    let mut columns = column_distances(map, NONE, square);
     let width = map.width() as usize;
     let mut envelope = Envelope::default();
     let mut edges = vec![NONE; width + 1];
@@ -52,26 +56,25 @@ pub fn clearance(map: &Occupancy, resolution: f64) -> Layer<f32> {
     Layer { width: squares.width, height: squares.height, data: squares.data.iter().map(metres).collect() }
 }
 
-/// `cost(distance)` to the nearest blocked cell in the same column.
-fn column_distances(map: &Occupancy, cost: impl Fn(i64) -> i64) -> Layer<i64> {
+/// `cost(distance)`, which grows with it, to the nearest blocked cell in the same column; `none` where there is none.
+fn column_distances<T: Copy + Ord>(map: &Occupancy, none: T, cost: impl Fn(u32) -> T) -> Layer<T> {
     let (width, height) = (map.width() as usize, map.height() as usize);
-    let mut steps = Layer::filled(map.width(), map.height(), i64::MAX);
-    let mut near = vec![i64::MAX; width];
+    let mut costs = Layer::filled(map.width(), map.height(), none);
+    let mut near = vec![u32::MAX; width];
     for upward in [true, false] {
-        near.fill(i64::MAX);
+        near.fill(u32::MAX);
         for k in 0..height {
             let y = if upward { k } else { height - 1 - k };
             let row = map.row(y as u32);
-            for (x, step) in steps.data[y * width..][..width].iter_mut().enumerate() {
+            for (x, least) in costs.data[y * width..][..width].iter_mut().enumerate() {
                 near[x] = if row[x] != 0 { 0 } else { near[x].saturating_add(1) };
-                *step = near[x].min(*step);
+                if near[x] != u32::MAX {
+                    *least = cost(near[x]).min(*least);
+                }
             }
         }
     }
-    for step in &mut steps.data {
-        *step = if *step == i64::MAX { NONE } else { cost(*step) };
-    }
-    steps
+    costs
 }
 
 /// The lower envelope of parabolas `(x - p)² + v`.
@@ -100,7 +103,7 @@ impl Envelope {
     }
 
     /// Writes `combine(envelope, old value)` to each cell of a row, cell x at position 2x.
-    fn sample(&self, row: &mut [i64], combine: impl Fn(i64, i64) -> i64) {
+    fn sample<T: Copy>(&self, row: &mut [T], combine: impl Fn(i64, T) -> T) {
         let mut k = 0;
         for (x, value) in row.iter_mut().enumerate() {
             let x = 2 * x as i64;

@@ -210,7 +210,7 @@ impl Planner {
                 return Err(Error::new(ErrorCode::Input, "name", message));
             }
             #[cfg(feature = "complete")]
-            ("cost", Engine::Road(engine)) => LayerData::Floats(engine.costs(&self.scenario, &self.world)),
+            ("cost", Engine::Road(engine)) => LayerData::Floats(engine.costs()),
             #[cfg(feature = "complete")]
             ("cost", _) => {
                 let message = format!("{} has no cost map; cost-map has", self.kind.id());

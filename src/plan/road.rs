@@ -11,10 +11,10 @@ use crate::geometry::bspline::{Place, Spline};
 use crate::geometry::{Point, Pose, Vector};
 use crate::metrics::road::{self, RoadMetrics};
 use crate::planners::cost_map::{
-    Config, Curves, Ground, Query, Report, Scratch, Smoothing, Status, corners, costs, dense, paper_spline,
-    plan, smooth,
+    Config, CostMap, Curves, Ground, Query, Report, Scratch, Smoothing, Status, Traffic, corners, dense,
+    kerb_distances, paper_spline, plan, smooth,
 };
-use crate::scenario::{Lane, Scenario, SpeedLimit};
+use crate::scenario::Scenario;
 use crate::search::Trace;
 
 /// A path of more poses than this is sampled less often.
@@ -30,6 +30,8 @@ const ENDS: f64 = 5.0;
 pub(super) struct Engine {
     config: Config,
     ground: Ground,
+    traffic: Traffic,
+    costs: CostMap,
     scratch: Scratch,
 }
 
@@ -49,24 +51,38 @@ impl Engine {
     ) -> Result<Self, Error> {
         let config = Config::default().with(config)?;
         config.validate()?;
-        Ok(Self { config, ground: ground(scenario, world), scratch: Scratch::default() })
+        let ground = ground(scenario, world);
+        let traffic = traffic(scenario, world);
+        let costs = costs(scenario, world, &ground, &traffic, &config);
+        Ok(Self { config, ground, traffic, costs, scratch: Scratch::default() })
     }
 
     /// The obstacles have changed.
     pub(super) fn change(&mut self, scenario: &Scenario, world: &World) {
         self.ground = ground(scenario, world);
+        self.traffic = traffic(scenario, world);
+        self.costs = costs(scenario, world, &self.ground, &self.traffic, &self.config);
+    }
+
+    /// Other ends can have other lanes.
+    fn turn(&mut self, scenario: &Scenario, world: &World) {
+        let traffic = traffic(scenario, world);
+        if traffic != self.traffic {
+            self.costs = costs(scenario, world, &self.ground, &traffic, &self.config);
+            self.traffic = traffic;
+        }
     }
 
     /// Per cell, what a metre costs beyond its length.
-    pub(super) fn costs(&self, scenario: &Scenario, world: &World) -> Vec<f32> {
-        costs(&self.query(&traffic(scenario, world), world), &self.config)
+    pub(super) fn costs(&self) -> Vec<f32> {
+        self.costs.layer()
     }
 
     pub(super) fn plan(&mut self, scenario: &Scenario, world: &World, options: Options) -> Plan {
         let mut trace = options.trace.then(|| Trace::new(TRACE));
         let mut scratch = std::mem::take(&mut self.scratch);
-        let traffic = traffic(scenario, world);
-        let query = self.query(&traffic, world);
+        self.turn(scenario, world);
+        let query = self.query(world);
         let report = plan(&query, &self.config, &mut scratch, &mut trace);
         let found = report.status == Status::Found;
         let line = self.line(world, &report);
@@ -81,7 +97,7 @@ impl Engine {
         plan.raw_path = report.cells.iter().map(|&c| world.frame.center(c)).collect();
         plan.stats = stats(&report);
         if found {
-            let figures = road::figures(&world.geometry, &world.body, &traffic.0, &plan.path);
+            let figures = road::figures(&world.geometry, &world.body, &self.traffic.lanes, &plan.path);
             plan.metrics.road = Some(RoadMetrics {
                 cost: report.cost,
                 turns_raw: corners(&report.cells).len() as u32,
@@ -97,17 +113,10 @@ impl Engine {
         plan
     }
 
-    fn query<'a>(&'a self, (lanes, limits): &'a Traffic, world: &'a World) -> Query<'a> {
-        let vehicle = &world.geometry.vehicle;
+    fn query(&self, world: &World) -> Query<'_> {
         let [start, goal] = middles(world);
-        Query {
-            ground: &self.ground,
-            lanes,
-            limits,
-            radius: vehicle.width / 2.0 + self.config.margin,
-            start,
-            goal,
-        }
+        let radius = radius(world, &self.config);
+        Query { ground: &self.ground, costs: &self.costs, radius, start, goal }
     }
 
     fn line(&self, world: &World, report: &Report) -> Line {
@@ -124,7 +133,7 @@ impl Engine {
                     places: self.config.smooth_points,
                     // Of the middle, where the rear axle's is at its limit.
                     max_curvature: limit / (1.0 + lever * lever * limit * limit).sqrt(),
-                    radius: world.geometry.vehicle.width / 2.0 + self.config.margin,
+                    radius: radius(world, &self.config),
                     scale: (world.geometry.vehicle.length() / LARGEST_CAR).max(1.0),
                 };
                 let smooth = smooth(&self.ground, &chords, &how, |spline| clear(world, spline));
@@ -135,12 +144,24 @@ impl Engine {
     }
 }
 
-/// Lanes to keep to, and speed limits.
-type Traffic = (Vec<Lane>, Vec<SpeedLimit>);
-
 fn traffic(scenario: &Scenario, world: &World) -> Traffic {
     let [start, goal] = middles(world);
-    (scenario.lanes_between(start, goal), scenario.all_speed_limits())
+    Traffic { lanes: scenario.lanes_between(start, goal), limits: scenario.all_speed_limits() }
+}
+
+/// What the car needs to either side, metres.
+fn radius(world: &World, config: &Config) -> f64 {
+    world.geometry.vehicle.width / 2.0 + config.margin
+}
+
+/// Where the map ends a road goes on, a lot has a wall.
+fn is_open(scenario: &Scenario) -> bool {
+    !scenario.lanes.is_empty()
+}
+
+fn costs(scenario: &Scenario, world: &World, ground: &Ground, traffic: &Traffic, config: &Config) -> CostMap {
+    let kerb = kerb_distances(&world.frame, &world.geometry, is_open(scenario));
+    CostMap::new(ground, &kerb, traffic, radius(world, config), config)
 }
 
 /// Where the car's middle starts and shall go.
@@ -150,7 +171,7 @@ fn middles(world: &World) -> [Point; 2] {
 }
 
 fn ground(scenario: &Scenario, world: &World) -> Ground {
-    Ground::new(world.frame, &world.geometry, !scenario.lanes.is_empty())
+    Ground::new(world.frame, &world.geometry, is_open(scenario))
 }
 
 /// Places of a curve about `step` apart, and the direction there.

@@ -1,7 +1,7 @@
 //! A* and its kin: one loop for every planner.
 
 use super::open::Kind;
-use super::table::NO_PARENT;
+use super::table::{NO_PARENT, Slot};
 use super::{Cost, Domain, End, NodeId, Observer, Relax, Scratch, Visit};
 
 /// When to stop short of the cheapest completion.
@@ -45,11 +45,11 @@ struct Sink<'a, D: Domain, O> {
 impl<D: Domain, O: Observer<D::Cost, D::Label>> Relax<D::Cost, D::Label> for Sink<'_, D, O> {
     fn worth(&self, target: NodeId, cost: D::Cost) -> bool {
         let g = self.g + cost;
-        g < self.best && self.scratch.get(target).is_none_or(|s| s.stage == 0 && g < s.g)
+        g < self.best && self.scratch.get(target).is_none_or(|s| !s.is_closed() && g < s.g)
     }
 
     fn is_closed(&self, target: NodeId) -> bool {
-        self.scratch.get(target).is_some_and(|slot| slot.stage > 0)
+        self.scratch.get(target).is_some_and(Slot::is_closed)
     }
 
     fn emit_past(&mut self, target: NodeId, cost: D::Cost, label: D::Label) {
@@ -73,9 +73,8 @@ impl<D: Domain, O: Observer<D::Cost, D::Label>> Sink<'_, D, O> {
         if h >= D::Cost::MAX || g + h >= self.best {
             return;
         }
-        self.generated += u32::from(self.scratch.improve(target, g, label, parent));
+        self.generated += u32::from(self.scratch.enter(D::ORDER, (g + h, h), target, (g, label, parent)));
         self.observer.relaxed(target, parent, label, g);
-        self.scratch.enter(D::ORDER, (g + h, h), target, Kind::Fresh);
     }
 }
 
@@ -91,11 +90,9 @@ pub fn best_first<D: Domain, O: Observer<D::Cost, D::Label>>(
     observer: &mut O,
 ) -> Report<D::Cost, D::Tail> {
     let zero = D::Cost::default();
-    scratch.begin(domain.node_count());
     let h = domain.heuristic(root, label);
-    scratch.open.reset(h);
-    scratch.improve(root, zero, label, NO_PARENT);
-    scratch.enter(D::ORDER, (h, h), root, Kind::Fresh);
+    scratch.begin(domain.node_count(), h);
+    scratch.enter(D::ORDER, (h, h), root, (zero, label, NO_PARENT));
     let mut report = Report {
         end: End::Exhausted,
         found: None,
@@ -113,14 +110,14 @@ pub fn best_first<D: Domain, O: Observer<D::Cost, D::Label>>(
             break;
         }
         let slot = scratch.slot_mut(entry.node);
-        if slot.ticket != entry.ticket {
+        if !slot.is_current(entry.ticket) {
             continue;
         }
         if report.expanded >= limits.max_expansions {
             report.end = End::BudgetSpent;
             break;
         }
-        slot.stage += 1;
+        slot.close();
         let parent = (slot.parent != NO_PARENT).then_some(slot.parent);
         let at = Visit { node: entry.node, label: slot.label, g: slot.g, parent };
         report.expanded += 1;

@@ -31,7 +31,7 @@ pub(super) struct Entry<C> {
     pub(super) f: C,
     pub(super) h: C,
     pub(super) node: NodeId,
-    /// Number of the push, then two bits of [`Kind`]: a later push has a larger ticket.
+    /// Number of the push, counted on from search to search, then two bits of [`Kind`]: a later push has a larger ticket.
     pub(super) ticket: u32,
 }
 
@@ -55,7 +55,7 @@ impl<C: Cost> Entry<C> {
     }
 }
 
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct OpenList<C> {
     /// Entries up to the current bucket, as a 4-ary heap: the four children of an entry are neighbours in memory.
     heap: Vec<Entry<C>>,
@@ -75,9 +75,16 @@ pub(super) struct OpenList<C> {
     origin: C,
     len: usize,
     peak: usize,
-    pushes: u32,
+    /// Of the next entry.
+    ticket: u32,
+    /// The first one since the last reset.
+    first: u32,
 }
 
+/// Tickets begin here, so that 0 is none.
+pub(super) const FIRST: u32 = TICKET;
+/// From one ticket to the next: below are the bits of [`Kind`].
+const TICKET: u32 = 4;
 const ARITY: usize = 4;
 /// How deep into the stack an entry may be put.
 const DEPTH: usize = 6;
@@ -88,6 +95,25 @@ const LAST_BUCKET: usize = FINE * (1 << 16) - 1;
 /// Runs of this many entries are sorted by insertion, and then merged.
 const RUN: usize = 12;
 
+impl<C: Cost> Default for OpenList<C> {
+    fn default() -> Self {
+        Self {
+            heap: Vec::new(),
+            stack: Vec::new(),
+            spare: Vec::new(),
+            fine: std::array::from_fn(|_| Vec::new()),
+            later: Vec::new(),
+            current: 0,
+            highest: 0,
+            origin: C::default(),
+            len: 0,
+            peak: 0,
+            ticket: FIRST,
+            first: FIRST,
+        }
+    }
+}
+
 impl<C: Cost> OpenList<C> {
     /// Empties the list; buckets count from `origin`, best the root's f.
     pub(super) fn reset(&mut self, origin: C) {
@@ -96,7 +122,8 @@ impl<C: Cost> OpenList<C> {
         self.fine.iter_mut().for_each(Vec::clear);
         let used = self.later.len().min(self.highest + 1);
         self.later[..used].iter_mut().skip(self.current / FINE).for_each(Vec::clear);
-        (self.current, self.highest, self.len, self.peak, self.pushes) = (0, 0, 0, 0, 0);
+        (self.current, self.highest, self.len, self.peak) = (0, 0, 0, 0);
+        self.first = self.ticket;
         self.origin = origin;
     }
 
@@ -107,14 +134,19 @@ impl<C: Cost> OpenList<C> {
 
     /// Number of insertions so far.
     pub(super) fn pushes(&self) -> u32 {
-        self.pushes
+        (self.ticket - self.first) / TICKET
+    }
+
+    /// The ticket of the next entry: larger than all before.
+    pub(super) fn ticket(&self) -> u32 {
+        self.ticket
     }
 
     /// Adds an entry and returns its ticket.
     pub(super) fn push(&mut self, order: Order, f: C, h: C, node: NodeId, kind: Kind) -> u32 {
-        let ticket = self.pushes << 2 | kind as u32;
+        let ticket = self.ticket | kind as u32;
         let entry = Entry { f, h, node, ticket };
-        self.pushes += 1;
+        self.ticket += TICKET;
         self.len += 1;
         self.peak = self.peak.max(self.len);
         let bucket = self.bucket(f);
@@ -285,7 +317,7 @@ mod tests {
         for &(f, h) in entries {
             push(&mut open, order, f, h);
         }
-        std::iter::from_fn(|| open.pop(order)).map(|e| e.ticket >> 2).collect()
+        std::iter::from_fn(|| open.pop(order)).map(|e| e.ticket / TICKET - 1).collect()
     }
 
     #[test]
@@ -309,6 +341,7 @@ mod tests {
         let mut open = OpenList::default();
         for round in 0..20 {
             open.reset(1_000_000);
+            let begin = open.ticket();
             let mut held: Vec<(i64, i64, u32)> = Vec::new();
             let mut number = 0;
             let steps = if round % 2 == 0 { 2000 } else { 300 };
@@ -327,7 +360,7 @@ mod tests {
                     let first =
                         held.iter().enumerate().min_by_key(|(_, e)| (e.0, e.1, std::cmp::Reverse(e.2)));
                     let want = first.map(|(i, _)| i).map(|i| held.swap_remove(i));
-                    let got = open.pop(Order::Newest).map(|e| (e.f, e.h, e.ticket >> 2));
+                    let got = open.pop(Order::Newest).map(|e| (e.f, e.h, (e.ticket - begin) / TICKET));
                     assert_eq!(got, want);
                 }
             }

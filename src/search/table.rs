@@ -1,6 +1,6 @@
 //! Per-node state, reused between searches by generation stamps.
 
-use super::open::{Kind, OpenList, Order};
+use super::open::{self, Kind, OpenList, Order};
 use super::{Cost, NodeId};
 
 pub(super) const NO_PARENT: NodeId = NodeId::MAX;
@@ -10,11 +10,26 @@ pub(super) struct Slot<C, L> {
     pub(super) g: C,
     pub(super) label: L,
     pub(super) parent: NodeId,
-    stamp: u32,
-    /// The ticket of the node's latest entry in the open list; earlier entries are stale.
-    pub(super) ticket: u32,
-    /// 0 open, 1 expanded once, 2 fully expanded.
-    pub(super) stage: u8,
+    /// The ticket of the node's latest entry in the open list, which also tells the search; [`CLOSED`] once it was expanded.
+    ticket: u32,
+}
+
+/// Tickets end in two bits of [`Kind`], of which nodes' have none.
+const CLOSED: u32 = 1;
+
+impl<C, L> Slot<C, L> {
+    pub(super) const fn is_closed(&self) -> bool {
+        self.ticket & CLOSED != 0
+    }
+
+    /// Whether an entry of the open list is the node's latest, and that not yet expanded.
+    pub(super) const fn is_current(&self, ticket: u32) -> bool {
+        self.ticket == ticket
+    }
+
+    pub(super) const fn close(&mut self) {
+        self.ticket |= CLOSED;
+    }
 }
 
 /// The memory of a search. One value serves any number of searches, of any size, one after another: nothing is
@@ -22,13 +37,14 @@ pub(super) struct Slot<C, L> {
 #[derive(Debug)]
 pub struct Scratch<C, L> {
     slots: Vec<Slot<C, L>>,
-    stamp: u32,
+    /// Whatever has an earlier ticket was left by an earlier search.
+    since: u32,
     pub(super) open: OpenList<C>,
 }
 
 impl<C: Cost, L: Copy + Default> Default for Scratch<C, L> {
     fn default() -> Self {
-        Self { slots: Vec::new(), stamp: 0, open: OpenList::default() }
+        Self { slots: Vec::new(), since: open::FIRST, open: OpenList::default() }
     }
 }
 
@@ -38,53 +54,56 @@ impl<C: Cost, L: Copy + Default> Scratch<C, L> {
         Self::default()
     }
 
-    pub(super) fn begin(&mut self, node_count: usize) {
-        if self.stamp == u32::MAX {
+    /// Forgets everything; the open list's buckets count from `origin`.
+    pub(super) fn begin(&mut self, node_count: usize, origin: C) {
+        if self.open.ticket() > u32::MAX / 2 {
             self.slots.clear();
-            self.stamp = 0;
+            self.open = OpenList::default();
         }
-        self.stamp += 1;
+        self.since = self.open.ticket();
+        self.open.reset(origin);
         self.grow(node_count);
     }
 
     fn grow(&mut self, node_count: usize) {
         if self.slots.len() < node_count {
-            let empty =
-                Slot { g: C::MAX, label: L::default(), parent: NO_PARENT, stamp: 0, ticket: 0, stage: 0 };
+            let empty = Slot { g: C::MAX, label: L::default(), parent: NO_PARENT, ticket: 0 };
             self.slots.resize(node_count, empty);
         }
     }
 
     /// The node's state in this search, or `None` where it was not reached yet.
     pub(super) fn get(&self, node: NodeId) -> Option<&Slot<C, L>> {
-        self.slots.get(node as usize).filter(|slot| slot.stamp == self.stamp)
+        self.slots.get(node as usize).filter(|slot| slot.ticket >= self.since)
     }
 
     pub(super) fn slot_mut(&mut self, node: NodeId) -> &mut Slot<C, L> {
         &mut self.slots[node as usize]
     }
 
-    /// Records a better way to `node`; tells whether it was reached for the first time.
-    pub(super) fn improve(&mut self, node: NodeId, g: C, label: L, parent: NodeId) -> bool {
+    /// Records a better way to `node` and puts it into the open list, with priority `(f, h)`: its earlier entries become
+    /// stale. Tells whether it was reached for the first time.
+    pub(super) fn enter(
+        &mut self,
+        order: Order,
+        (f, h): (C, C),
+        node: NodeId,
+        (g, label, parent): (C, L, NodeId),
+    ) -> bool {
         if node as usize >= self.slots.len() {
             self.grow((node as usize + 1).next_power_of_two());
         }
-        let stamp = self.stamp;
+        let ticket = self.open.push(order, f, h, node, Kind::Fresh);
         let slot = &mut self.slots[node as usize];
-        let fresh = slot.stamp != stamp;
-        *slot = Slot { g, label, parent, stamp, ticket: 0, stage: 0 };
+        let fresh = slot.ticket < self.since;
+        *slot = Slot { g, label, parent, ticket };
         fresh
     }
 
-    /// Puts a reached node into the open list, with priority `(f, h)`; its earlier entries become stale.
-    pub(super) fn enter(&mut self, order: Order, (f, h): (C, C), node: NodeId, kind: Kind) {
-        self.slots[node as usize].ticket = self.open.push(order, f, h, node, kind);
-    }
-
-    /// Bytes that a search of this many nodes needs, but for the open list's.
+    /// Bytes that a search of this many nodes needs whose open list holds `open_peak` entries at most.
     #[cfg(feature = "complete")]
-    pub const fn bytes(node_count: usize) -> usize {
-        node_count * size_of::<Slot<C, L>>()
+    pub const fn bytes(node_count: usize, open_peak: u32) -> usize {
+        node_count * size_of::<Slot<C, L>>() + open_peak as usize * size_of::<open::Entry<C>>()
     }
 
     /// The best cost found for `node` in the last search.

@@ -10,7 +10,9 @@ mod search;
 use parkade::geometry::{Point, Pose};
 use parkade::map::{Cell, Frame};
 use parkade::plan::{Options, Plan, Planner};
-use parkade::planners::cost_map::{Config, Ground, Query, Report, Scratch, Status, plan};
+use parkade::planners::cost_map::{
+    Config, CostMap, Ground, Query, Report, Scratch, Status, Traffic, kerb_distances, plan,
+};
 use parkade::scenario::{Scenario, catalog};
 use serde_json::json;
 
@@ -19,6 +21,7 @@ pub(crate) const IDS: [&str; 4] = ["road-straight", "road-curve", "road-crossing
 pub(crate) struct Scene {
     pub(crate) scenario: Scenario,
     pub(crate) ground: Ground,
+    pub(crate) kerb: Vec<f32>,
     pub(crate) start: Point,
     pub(crate) goal: Point,
 }
@@ -41,19 +44,17 @@ impl Scene {
         let car = geometry.vehicle;
         let middle = |pose: Pose| pose.advance(0.0, (car.rear_to_front - car.rear_to_back) / 2.0).point();
         let (start, goal) = (middle(geometry.start), middle(geometry.goal));
-        Self { ground: Ground::new(frame, &geometry, true), scenario, start, goal }
+        let kerb = kerb_distances(&frame, &geometry, true);
+        Self { ground: Ground::new(frame, &geometry, true), kerb, scenario, start, goal }
     }
 
     pub(crate) fn plan(&self, config: &Config) -> Report {
         config.validate().unwrap();
-        let query = Query {
-            ground: &self.ground,
-            lanes: &self.scenario.lanes,
-            limits: &self.scenario.speed_limits,
-            radius: 0.95,
-            start: self.start,
-            goal: self.goal,
-        };
+        let traffic =
+            Traffic { lanes: self.scenario.lanes.clone(), limits: self.scenario.speed_limits.clone() };
+        let costs = CostMap::new(&self.ground, &self.kerb, &traffic, 0.95, config);
+        let query =
+            Query { ground: &self.ground, costs: &costs, radius: 0.95, start: self.start, goal: self.goal };
         plan(&query, config, &mut Scratch::default(), &mut None)
     }
 }

@@ -15,7 +15,7 @@ use crate::{IDS, plain, planned};
 #[test]
 fn plans_keep_what_the_table_promises() {
     // Turning points, least and mean distance of the body, curvature's changes over those of plain A*.
-    let promised = [(2, 0.79, 0.79), (136, 0.5, 0.8), (13, 0.5, 0.8), (11, 0.5, 0.8)];
+    let promised = [(2, 0.79, 0.79), (140, 0.5, 0.8), (13, 0.5, 0.8), (11, 0.5, 0.8)];
     for (id, (turns, least, mean)) in IDS.into_iter().zip(promised) {
         let before = planned(id, &plain());
         let old = before.metrics.road.unwrap();
@@ -59,11 +59,12 @@ fn plain_cells_and_the_manuscripts_curves_fail_as_measured() {
 
 #[test]
 fn memory_is_told() {
-    for (id, most) in IDS.into_iter().zip([24.0, 16.0, 16.0, 33.0]) {
+    for id in IDS {
         let map = catalog::scenario(id).unwrap().map;
         let bytes = planned(id, &json!({})).metrics.road.unwrap().bytes as f64;
         let share = bytes / f64::from(map.width * map.height);
-        assert!(share <= most, "{id}: {share:.1} bytes a cell");
+        println!("{id}: {share:.1} bytes a cell");
+        assert!(share <= 16.0, "{id}: {share:.1} bytes a cell");
     }
 }
 
@@ -183,5 +184,5 @@ fn curves_forgive_what_cells_do_not() {
 #[test]
 fn plans_have_the_same_hash_everywhere() {
     let hashes = IDS.map(|id| planned(id, &json!({})).hash());
-    assert_eq!(hashes, ["1e68c3d1f5c948a6", "1e896ca1cf21572d", "5cc29e19a9ae5e6e", "6a517c09afd6faaf"]);
+    assert_eq!(hashes, ["4b39f0b8b905357c", "7f9dd1f80ff73de1", "8111683cf8987588", "2ee149191f95c1cc"]);
 }

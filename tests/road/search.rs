@@ -13,15 +13,15 @@ use crate::{IDS, Scene, length, sound};
 
 #[test]
 fn plain_paths_are_as_long_as_measured() {
-    // Length and turning points; the latter depend on the order of equal cells, and on how far the map goes on.
-    let measured = [(1000.0, 2), (816.7, 315), (720.8, 29), (506.6, 21)];
+    // Length and turning points. The curve's depend on where its road ends: 315 where it goes on to the map's edge.
+    let measured = [(1000.0, 2), (816.7, 313), (720.8, 29), (506.6, 21)];
     for (id, (metres, turns)) in IDS.into_iter().zip(measured) {
         let scene = Scene::new(id);
         let report = scene.plan(&Config::plain());
         sound(&scene, &report);
         assert!((length(&report.cells) - metres).abs() <= 0.3, "{id}: {}", length(&report.cells));
-        let got = corners(&report.cells).len() as i32;
-        assert!((got - turns).abs() <= turns / 14 + 1, "{id}: {got}");
+        let got = corners(&report.cells).len();
+        assert_eq!(got, turns, "{id}");
         assert!((report.cost - length(&report.cells)).abs() < 1e-6);
     }
 }
@@ -90,8 +90,8 @@ fn clearance_is_to_the_border_of_what_is_no_road() {
     let scene = Scene::new("road-narrow");
     let at = |x: f64, y: f64| scene.ground.at(scene.ground.frame.cell_at(Point::new(x, y)).unwrap());
     let kerb = |x: f64, y: f64| {
-        let ground = &scene.ground;
-        f64::from(ground.kerb[ground.frame.index(ground.frame.cell_at(Point::new(x, y)).unwrap())])
+        let frame = &scene.ground.frame;
+        f64::from(scene.kerb[frame.index(frame.cell_at(Point::new(x, y)).unwrap())])
     };
     assert_eq!((at(10.25, 3.25), at(10.25, 0.25), at(10.25, -0.25)), (3.25, 0.25, 0.0));
     // Beside the first obstacle, 3 m high: the gap's middle; inside it; its kerb.

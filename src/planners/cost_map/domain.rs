@@ -1,7 +1,8 @@
 //! The road as a graph of cells.
 
 use super::ground::{lane_at, legs, limit_at};
-use super::{Base, Config, Costs, Query};
+use super::numbers::Numbers;
+use super::{Base, Config, Costs, Ground, Traffic};
 use crate::geometry::math;
 use crate::map::{Cell, Frame};
 use crate::search::{Domain, Finish, NodeId, Order, Relax, Visit};
@@ -12,115 +13,112 @@ const PACE: f64 = 10.0;
 const LATERAL: f64 = 2.0;
 /// The lane term counts no more than this.
 const LANE_MOST: f64 = 1.5;
-/// Cells without room for the car.
-const CLOSED: f64 = f64::INFINITY;
-/// The number of a cell without room.
-const NOWHERE: u32 = u32::MAX;
+/// Plain A* measures in this part of a metre.
+const STEPS: f64 = 4_294_967_296.0;
 
 /// West, east, south, north, south-west, south-east, north-west, north-east.
 const AROUND: [(i32, i32); 8] = [(-1, 0), (1, 0), (0, -1), (0, 1), (-1, -1), (1, -1), (-1, 1), (1, 1)];
 
-/// What a metre of every cell costs beyond its length; with the manuscript's costs, the cell. [`CLOSED`] where there is no
-/// room.
-pub(super) fn surcharges<'a>(query: &'a Query<'a>, config: &'a Config) -> impl Fn(usize) -> f64 + 'a {
-    let frame = &query.ground.frame;
-    let legs = legs(query.lanes);
-    let paper = config.costs == Costs::Paper;
-    let base = move |d: f64| match (config.base, paper) {
-        (Base::Inverse, false) => config.factor / (d + config.epsilon),
-        (Base::Exponential, false) => config.amplitude * math::exp(-config.decay * d),
-        (Base::Inverse, true) => config.paper_factor / (d + config.paper_epsilon),
-        (Base::Exponential, true) => config.paper_amplitude * math::exp(-config.paper_decay * d),
-    };
-    move |index| {
-        let clearance = f64::from(query.ground.clearance[index]);
-        if clearance < query.radius {
-            return CLOSED;
-        }
-        match config.costs {
-            Costs::Steps => 0.0,
-            Costs::Paper => base(clearance),
-            Costs::Metre => {
-                let point = frame.center(frame.cell(index));
-                let near = (f64::from(query.ground.kerb[index]) - query.radius).clamp(0.0, 1.0);
-                let (off, bend) =
-                    lane_at(&legs, point).map_or((0.0, 0.0), |(off, half, bend)| (off / half, bend));
-                let pace = limit_at(query.limits, point).min((LATERAL / bend.abs()).sqrt()).min(PACE);
-                base(clearance - query.radius)
-                    + config.lane_weight * (off * off).min(LANE_MOST)
-                    + config.kerb_weight * (1.0 - near) * (1.0 - near)
-                    + config.speed_weight * (PACE / pace - 1.0)
-            }
-        }
-    }
-}
-
-/// The cells with room, numbered row by row.
-pub(super) struct Road<'a> {
-    frame: &'a Frame,
-    goal: Cell,
+/// The cells with room for the car, numbered row by row, and what a metre costs there.
+#[derive(Debug, Clone)]
+pub struct CostMap {
+    frame: Frame,
     costs: Costs,
-    /// Per cell of the map: its number, [`NOWHERE`] without room.
-    numbers: Vec<u32>,
-    /// Per number: the cell and what a metre of it costs beyond its length.
-    cells: Vec<(u32, f64)>,
+    numbers: Numbers,
+    /// Per number: what a metre costs beyond its length; with the manuscript's costs, what the cell costs.
+    surcharges: Vec<f32>,
 }
 
-impl<'a> Road<'a> {
-    pub(super) fn new(query: &Query<'a>, config: &Config, goal: Cell) -> Self {
-        let frame = &query.ground.frame;
-        let surcharge = surcharges(query, config);
-        let mut cells = Vec::new();
-        let number = |index: usize| {
-            let extra = surcharge(index);
-            if extra == CLOSED {
-                return NOWHERE;
-            }
-            cells.push((index as u32, extra));
-            cells.len() as u32 - 1
+impl CostMap {
+    /// Of a road for cars that need `radius` metres to either side. `kerb` has the distance of every cell to what is no
+    /// road.
+    pub fn new(ground: &Ground, kerb: &[f32], traffic: &Traffic, radius: f64, config: &Config) -> Self {
+        let frame = ground.frame;
+        let numbers = Numbers::new(ground.clearance.iter().map(|&d| f64::from(d) >= radius));
+        let legs = legs(&traffic.lanes);
+        let paper = config.costs == Costs::Paper;
+        let base = |d: f64| match (config.base, paper) {
+            (Base::Inverse, false) => config.factor / (d + config.epsilon),
+            (Base::Exponential, false) => config.amplitude * math::exp(-config.decay * d),
+            (Base::Inverse, true) => config.paper_factor / (d + config.paper_epsilon),
+            (Base::Exponential, true) => config.paper_amplitude * math::exp(-config.paper_decay * d),
         };
-        let numbers = (0..frame.len()).map(number).collect();
-        Self { frame, goal, costs: config.costs, numbers, cells }
+        let surcharge = |index: usize| {
+            let clearance = f64::from(ground.clearance[index]);
+            match config.costs {
+                Costs::Steps => 0.0,
+                Costs::Paper => base(clearance),
+                Costs::Metre => {
+                    let point = frame.center(frame.cell(index));
+                    let near = (f64::from(kerb[index]) - radius).clamp(0.0, 1.0);
+                    let (off, bend) =
+                        lane_at(&legs, point).map_or((0.0, 0.0), |(off, half, bend)| (off / half, bend));
+                    let pace = limit_at(&traffic.limits, point).min((LATERAL / bend.abs()).sqrt()).min(PACE);
+                    base(clearance - radius)
+                        + config.lane_weight * (off * off).min(LANE_MOST)
+                        + config.kerb_weight * (1.0 - near) * (1.0 - near)
+                        + config.speed_weight * (PACE / pace - 1.0)
+                }
+            }
+        };
+        let mut surcharges = Vec::with_capacity(numbers.len());
+        surcharges.extend((0..frame.len()).filter(|&i| numbers.has(i)).map(|i| surcharge(i) as f32));
+        Self { frame, costs: config.costs, numbers, surcharges }
+    }
+
+    /// Per cell of the map: what a metre there costs beyond its length (with the manuscript's costs, what the cell
+    /// costs); infinity where there is no room.
+    pub fn layer(&self) -> Vec<f32> {
+        let cost = |index| self.numbers.of(index).map_or(f32::INFINITY, |n| self.surcharges[n as usize]);
+        (0..self.frame.len()).map(cost).collect()
     }
 
     /// Number of cells with room.
     pub(super) fn len(&self) -> usize {
-        self.cells.len()
+        self.surcharges.len()
     }
 
     /// Bytes held.
     pub(super) fn bytes(&self) -> usize {
-        size_of_val(&self.numbers[..]) + size_of_val(&self.cells[..])
-    }
-
-    pub(super) fn node(&self, cell: Cell) -> NodeId {
-        self.numbers[self.frame.index(cell)]
+        self.numbers.bytes() + size_of_val(&self.surcharges[..])
     }
 
     pub(super) fn cell(&self, node: NodeId) -> Cell {
-        self.frame.cell(self.cells[node as usize].0 as usize)
+        self.frame.cell(self.numbers.place(node))
     }
 
-    fn open(&self, cell: Cell) -> Option<NodeId> {
+    /// The cell's number, if it has room.
+    pub(super) fn node(&self, cell: Cell) -> Option<NodeId> {
         let inside = self.frame.contains(cell);
-        inside.then(|| self.node(cell)).filter(|&node| node != NOWHERE)
+        inside.then(|| self.numbers.of(self.frame.index(cell))).flatten()
     }
+}
 
+/// The cells with room as a graph, towards a goal.
+#[derive(Clone, Copy)]
+pub(super) struct Road<'a> {
+    pub(super) map: &'a CostMap,
+    pub(super) goal: (Cell, NodeId),
+}
+
+impl Road<'_> {
     fn moves<S: Relax<f64, ()>>(&self, node: NodeId, sink: &mut S) {
-        let from = self.cell(node);
-        let own = self.cells[node as usize].1;
+        let map = self.map;
+        let from = map.cell(node);
+        let surcharge = |node: NodeId| f64::from(map.surcharges[node as usize]);
+        let own = surcharge(node);
         for (dx, dy) in AROUND {
-            let Some(target) = self.open(from.offset(dx, dy)) else { continue };
+            let Some(target) = map.node(from.offset(dx, dy)) else { continue };
             let diagonal = dx != 0 && dy != 0;
-            if diagonal
-                && (self.open(from.offset(dx, 0)).is_none() || self.open(from.offset(0, dy)).is_none())
+            if diagonal && (map.node(from.offset(dx, 0)).is_none() || map.node(from.offset(0, dy)).is_none())
             {
                 continue;
             }
-            let step = self.frame.resolution * if diagonal { core::f64::consts::SQRT_2 } else { 1.0 };
-            let other = self.cells[target as usize].1;
-            let cost = match self.costs {
-                Costs::Steps => step,
+            let step = map.frame.resolution * if diagonal { core::f64::consts::SQRT_2 } else { 1.0 };
+            let other = surcharge(target);
+            let cost = match map.costs {
+                // Sums of these are exact, so that equally long ways are equally good.
+                Costs::Steps => (step * STEPS).round() / STEPS,
                 Costs::Paper => step + other,
                 Costs::Metre => step * (1.0 + f64::midpoint(own, other)),
             };
@@ -129,10 +127,11 @@ impl<'a> Road<'a> {
     }
 
     fn estimate(&self, node: NodeId) -> f64 {
-        let cell = self.cell(node);
-        let (dx, dy) = (f64::from((cell.x - self.goal.x).abs()), f64::from((cell.y - self.goal.y).abs()));
-        self.frame.resolution
-            * if self.costs == Costs::Metre {
+        let (map, (goal, _)) = (self.map, self.goal);
+        let cell = map.cell(node);
+        let (dx, dy) = (f64::from((cell.x - goal.x).abs()), f64::from((cell.y - goal.y).abs()));
+        map.frame.resolution
+            * if map.costs == Costs::Metre {
                 dx.max(dy) + (core::f64::consts::SQRT_2 - 1.0) * dx.min(dy)
             } else {
                 (dx * dx + dy * dy).sqrt()
@@ -155,7 +154,7 @@ macro_rules! domain {
             const ORDER: Order = $order;
 
             fn node_count(&self) -> usize {
-                self.0.len()
+                self.0.map.len()
             }
 
             fn successors<S: Relax<f64, ()>>(&self, from: Visit<f64, ()>, sink: &mut S) {
@@ -167,7 +166,7 @@ macro_rules! domain {
             }
 
             fn finish(&mut self, at: Visit<f64, ()>, _: f64) -> Option<Finish<f64, ()>> {
-                (at.node == self.0.node(self.0.goal)).then_some(Finish { cost: 0.0, tail: () })
+                (at.node == self.0.goal.1).then_some(Finish { cost: 0.0, tail: () })
             }
         }
     };

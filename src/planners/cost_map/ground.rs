@@ -16,19 +16,12 @@ pub struct Ground {
     /// Per cell: metres from its centre to the border of the nearest cell that is no road or holds an obstacle; 0 in
     /// one.
     pub clearance: Vec<f32>,
-    /// The same to the nearest cell that is no road.
-    pub kerb: Vec<f32>,
 }
 
 impl Ground {
     /// Of a scene's geometry. Where the map ends a road goes on if it is `open`; otherwise there is a wall.
     pub fn new(frame: Frame, geometry: &Geometry, open: bool) -> Self {
-        let mut road = Occupancy::new(frame.width, frame.height);
-        for index in 0..frame.len() {
-            road.set(frame.cell(index), true);
-        }
-        fill(&frame, &geometry.boundary, |cell| road.set(cell, false));
-        let kerb = distances(&road, &frame, open);
+        let mut road = surface(&frame, geometry);
         for shape in &geometry.shapes {
             match &shape.form {
                 Form::Polygon(outline) => {
@@ -42,13 +35,28 @@ impl Ground {
                 Form::Segment(a, b) => raster::wall(&mut road, &frame, &[*a, *b]),
             }
         }
-        Self { frame, clearance: distances(&road, &frame, open), kerb }
+        Self { frame, clearance: distances(&road, &frame, open) }
     }
 
     /// The clearance at a cell, metres; 0 off the map.
     pub fn at(&self, cell: Cell) -> f64 {
         if self.frame.contains(cell) { f64::from(self.clearance[self.frame.index(cell)]) } else { 0.0 }
     }
+}
+
+/// Per cell: metres to the border of the nearest cell that is no road, whatever stands on the road.
+pub fn kerb_distances(frame: &Frame, geometry: &Geometry, open: bool) -> Vec<f32> {
+    distances(&surface(frame, geometry), frame, open)
+}
+
+/// Blocked is what is no road.
+fn surface(frame: &Frame, geometry: &Geometry) -> Occupancy {
+    let mut road = Occupancy::new(frame.width, frame.height);
+    for index in 0..frame.len() {
+        road.set(frame.cell(index), true);
+    }
+    fill(frame, &geometry.boundary, |cell| road.set(cell, false));
+    road
 }
 
 /// Calls `each` with every cell whose centre is inside a simple polygon or on its outline; some more than once.
@@ -87,14 +95,16 @@ fn distances(map: &Occupancy, frame: &Frame, open: bool) -> Vec<f32> {
     let (w, h) = (f64::from(frame.width), f64::from(frame.height));
     let far = (w * w + h * h).sqrt() * frame.resolution;
     let metres = |d: i64| if d >= distance::NONE { far } else { (d as f64).sqrt() / 2.0 * frame.resolution };
-    let to_wall = |index: usize| {
-        let cell = frame.cell(index);
-        let (x, y) = (f64::from(cell.x) + 0.5, f64::from(cell.y) + 0.5);
-        if open { far } else { x.min(y).min(w - x).min(h - y) * frame.resolution }
-    };
-    let clearance =
-        |(index, &d): (usize, &i64)| (metres(d) - frame.resolution / 2.0).max(0.0).min(to_wall(index)) as f32;
-    distance::to_centers(map).data.iter().enumerate().map(clearance).collect()
+    let mut clearance =
+        distance::to_centers(map, |d| (metres(d) - frame.resolution / 2.0).max(0.0) as f32).data;
+    if !open {
+        for (index, d) in clearance.iter_mut().enumerate() {
+            let cell = frame.cell(index);
+            let (x, y) = (f64::from(cell.x) + 0.5, f64::from(cell.y) + 0.5);
+            *d = d.min((x.min(y).min(w - x).min(h - y) * frame.resolution) as f32);
+        }
+    }
+    clearance
 }
 
 /// How far a point is from the nearest lane's middle, half that lane's width, and the middle's curvature there.

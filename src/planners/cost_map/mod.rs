@@ -6,11 +6,13 @@
 mod config;
 mod domain;
 mod ground;
+mod numbers;
 mod prune;
 mod smooth;
 
 pub use config::{Base, Config, Costs, Curves, Pruning};
-pub use ground::Ground;
+pub use domain::CostMap;
+pub use ground::{Ground, kerb_distances};
 pub(crate) use ground::{lane_at, legs, limit_at};
 pub use prune::{corners, prune};
 pub use smooth::{Smooth, Smoothing, dense, paper_spline, smooth};
@@ -18,21 +20,28 @@ pub use smooth::{Smooth, Smoothing, dense, paper_spline, smooth};
 use crate::geometry::{Point, math};
 use crate::map::Cell;
 use crate::scenario::{Lane, SpeedLimit};
-use crate::search::{End, Limits, Trace, best_first};
-use domain::{Eager, Fair, Road, surcharges};
+use crate::search::{End, Limits, NodeId, Trace, best_first};
+use domain::{Eager, Fair, Road};
 
 /// How far a start or goal without room may be moved to one with room, metres.
 const SNAP: f64 = 1.5;
 
+/// What the costs of places depend on beside the room there.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Traffic {
+    /// Lanes to keep to; none means that no lane counts.
+    pub lanes: Vec<Lane>,
+    /// Areas with a speed limit.
+    pub limits: Vec<SpeedLimit>,
+}
+
 /// What is asked.
 #[derive(Debug, Clone, Copy)]
 pub struct Query<'a> {
-    /// The road's rasters.
+    /// The road's raster.
     pub ground: &'a Ground,
-    /// Lanes to keep to; none means that no lane counts.
-    pub lanes: &'a [Lane],
-    /// Areas with a speed limit.
-    pub limits: &'a [SpeedLimit],
+    /// Costs on it.
+    pub costs: &'a CostMap,
     /// Half the car's width, metres.
     pub radius: f64,
     /// The car's middle at first.
@@ -79,7 +88,7 @@ pub struct Report {
     pub open_peak: u32,
     /// Cells with room for the car.
     pub free: u32,
-    /// Bytes of the arrays that planning holds, those of the road included.
+    /// Bytes of the arrays that the search holds in the end: rasters, nodes and open list.
     pub bytes: usize,
 }
 
@@ -87,17 +96,10 @@ pub struct Report {
 #[derive(Debug, Default)]
 pub struct Scratch(crate::search::Scratch<f64, ()>);
 
-/// Per cell: what a metre there costs beyond its length (with the manuscript's costs, what the cell costs); infinity where
-/// there is no room.
-pub fn costs(query: &Query, config: &Config) -> Vec<f32> {
-    let surcharge = surcharges(query, config);
-    (0..query.ground.frame.len()).map(|index| surcharge(index) as f32).collect()
-}
-
 /// Plans a way over cells and prunes it; `trace` is told of every cell expanded.
 pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, trace: &mut Option<Trace>) -> Report {
     let ground = query.ground;
-    let free = ground.clearance.iter().filter(|&&d| f64::from(d) >= query.radius).count() as u32;
+    let map = query.costs;
     let mut report = Report {
         status: Status::NoPath,
         cells: Vec::new(),
@@ -108,27 +110,24 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, trace: &mut O
         generated: 0,
         pushes: 0,
         open_peak: 0,
-        free,
+        free: map.len() as u32,
         bytes: 0,
     };
-    let Some((start, away)) = snapped(query, query.start) else {
+    let Some((_, root, away)) = snapped(query, query.start) else {
         return Report { status: Status::StartBlocked, ..report };
     };
     report.moved[0] = away;
-    let Some((goal, away)) = snapped(query, query.goal) else {
+    let Some((goal, last, away)) = snapped(query, query.goal) else {
         return Report { status: Status::GoalBlocked, ..report };
     };
     report.moved[1] = away;
-    let road = Road::new(query, config, goal);
-    let root = (road.node(start), ());
+    let road = Road { map, goal: (goal, last) };
     let limits = Limits { max_expansions: config.max_expansions, first: false };
     let memory = &mut scratch.0;
-    let (found, road) = if config.costs == Costs::Steps {
-        let mut road = Fair(road);
-        (best_first(&mut road, root, limits, memory, trace), road.0)
+    let found = if config.costs == Costs::Steps {
+        best_first(&mut Fair(road), (root, ()), limits, memory, trace)
     } else {
-        let mut road = Eager(road);
-        (best_first(&mut road, root, limits, memory, trace), road.0)
+        best_first(&mut Eager(road), (root, ()), limits, memory, trace)
     };
     report.status = match found.end {
         End::Found => Status::Found,
@@ -140,30 +139,29 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, trace: &mut O
     report.pushes = found.pushes;
     report.open_peak = found.open_peak;
     report.bytes = size_of_val(&ground.clearance[..])
-        + size_of_val(&ground.kerb[..])
-        + road.bytes()
-        + crate::search::Scratch::<f64, ()>::bytes(road.len());
+        + map.bytes()
+        + crate::search::Scratch::<f64, ()>::bytes(map.len(), found.open_peak);
     if let Some((last, cost, ())) = found.found {
-        report.cells = memory.chain(last).into_iter().map(|(node, ())| road.cell(node)).collect();
+        report.cells = memory.chain(last).into_iter().map(|(node, ())| map.cell(node)).collect();
         report.cost = cost;
         report.pruned = prune(ground, &report.cells, query.radius, config);
     }
     if let Some(trace) = trace {
-        trace.expanded.iter_mut().for_each(|node| *node = ground.frame.index(road.cell(*node)) as u32);
+        trace.expanded.iter_mut().for_each(|node| *node = ground.frame.index(map.cell(*node)) as u32);
     }
     report
 }
 
-/// The cell of a place, or the nearest one with room.
-fn snapped(query: &Query, place: Point) -> Option<(Cell, f64)> {
+/// The cell of a place, or the nearest one with room, and its number.
+fn snapped(query: &Query, place: Point) -> Option<(Cell, NodeId, f64)> {
     let ground = query.ground;
     let cell = ground.frame.cell_at(place)?;
-    let room = |cell: Cell| ground.at(cell) >= query.radius;
     if ground.at(cell) <= 0.0 {
         return None;
     }
-    if room(cell) {
-        return Some((cell, 0.0));
+    let room = |cell: Cell| query.costs.node(cell).map(|node| (cell, node));
+    if let Some((cell, node)) = room(cell) {
+        return Some((cell, node, 0.0));
     }
     let reach = (SNAP / ground.frame.resolution) as i32;
     let around = (-reach..=reach).flat_map(|y| (-reach..=reach).map(move |x| cell.offset(x, y)));
@@ -171,9 +169,11 @@ fn snapped(query: &Query, place: Point) -> Option<(Cell, f64)> {
         let shift = ground.frame.center(cell) - place;
         math::hypot(shift.x, shift.y)
     };
-    let near = around.filter(|&c| room(c)).map(|c| (c, away(c))).filter(|c| c.1 <= SNAP);
+    let near = around.filter_map(room).map(|(c, node)| (c, node, away(c))).filter(|c| c.2 <= SNAP);
     near.fold(
         None,
-        |best: Option<(Cell, f64)>, next| if best.is_none_or(|b| next.1 < b.1) { Some(next) } else { best },
+        |best: Option<(Cell, NodeId, f64)>, next| {
+            if best.is_none_or(|b| next.2 < b.2) { Some(next) } else { best }
+        },
     )
 }
