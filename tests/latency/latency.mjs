@@ -20,10 +20,11 @@ const browser = await chromium.launch({
 });
 try {
   const page = await browser.newPage({ viewport: { width: 1400, height: 900 }, reducedMotion: "reduce" });
+  const metrics = await meter(page);
   await page.goto(server.url);
   await page.evaluate(installProbe);
   console.log(`\n${await page.evaluate(() => navigator.userAgent)}; ${availableParallelism()} processors, load ${loadavg()[0]?.toFixed(1)}`);
-  await calm(page);
+  await calm(page, metrics);
   await fast(page, "default scene, fast drag");
   await open(page, "narrow-gap");
   await fast(page, "narrow-gap, which hybrid searches long, fast drag");
@@ -33,19 +34,30 @@ try {
 }
 
 /** Each step waits until the one before is drawn. */
-async function calm(page) {
+async function calm(page, metrics) {
   const at = await grab(page);
   const steps = [];
+  const before = await metrics();
   for (let i = 1; i <= STEPS; i++) {
     await page.evaluate(() => window.probe.expect());
     await page.mouse.move(...at(i / STEPS));
     steps.push(await page.evaluate((patience) => window.probe.drawn(patience), PATIENCE_MS));
   }
+  const after = await metrics();
   await page.mouse.up();
   console.log(`\ndefault scene, goal dragged by ${steps.length} moves, each after the last was drawn (${steps.filter((one) => one.found).length} with a hybrid path)`);
   row("pointer to all grid planners drawn", steps.map((one) => one.grid), TARGET.grid);
   row("pointer to hybrid drawn", steps.map((one) => one.hybrid), TARGET.hybrid);
   for (const planner of Object.keys(steps[0]?.plans ?? {})) row(`  planning alone, ${planner}`, steps.map((one) => one.plans[planner] ?? NaN));
+  const each = (name) => ((1000 * (after[name] - before[name])) / steps.length).toFixed(1);
+  console.log(`main thread, CPU time a step         ${each("TaskDuration")} ms: scripts ${each("ScriptDuration")}, style and layout ${(Number(each("RecalcStyleDuration")) + Number(each("LayoutDuration"))).toFixed(1)}`);
+}
+
+/** Sums of the main thread's CPU time by kind (s), which other programs disturb little. */
+async function meter(page) {
+  const session = await page.context().newCDPSession(page);
+  await session.send("Performance.enable", { timeDomain: "threadTicks" });
+  return async () => Object.fromEntries((await session.send("Performance.getMetrics")).metrics.map(({ name, value }) => [name, value]));
 }
 
 /** Moves as fast as a mouse reports them, whatever the page does. */

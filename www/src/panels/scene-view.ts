@@ -1,13 +1,20 @@
 import type { PlannerId } from "parkade";
 import { css, html, LitElement, type PropertyValues } from "lit";
 import type { App } from "../element/app";
-import type { State } from "../store";
+import type { PanelResult, State } from "../store";
 import type { View } from "../view/camera";
 import type { PoseRequest } from "../view/pose-label";
 import { SceneCanvas } from "../view/scene-canvas";
 
 /** Parts of the state that never show on a canvas. */
 const UNSEEN: readonly (keyof State)[] = ["message", "live", "canUndo", "canRedo"];
+/** What a drag changes; the camera rests. */
+const DRAGGED: readonly (keyof State)[] = ["scene", "geometry", "results", "hover", "explained", "reason"];
+/** How long (ms) a map may stand still while another is dragged on. */
+const FOLLOW_WITHIN = 50;
+
+const isAnswer = (now: PanelResult | undefined, before: PanelResult | undefined): boolean =>
+  now?.plan !== before?.plan || now?.error !== before?.error;
 
 /** One canvas of the scene with one planner's answer, or several over another; every tool works on it. */
 export class SceneView extends LitElement {
@@ -25,6 +32,7 @@ export class SceneView extends LitElement {
   private scene: SceneCanvas | null = null;
   private detach: (() => void)[] = [];
   private frame = 0;
+  private late: ReturnType<typeof setTimeout> | undefined;
 
   /** Camera and size last drawn with. */
   get view(): View | null {
@@ -70,24 +78,36 @@ export class SceneView extends LitElement {
     const { store, controller } = this.app;
     this.detach = [
       controller.attach(canvas),
-      store.subscribe((state, previous) => {
-        const keys = Object.keys(state) as (keyof State)[];
-        const changed = keys.filter((key) => state[key] !== previous[key] && !UNSEEN.includes(key));
-        if (changed.length > 0 && !(changed.length === 1 && changed[0] === "results" && this.isElsewhere(state, previous))) this.schedule();
-      }),
-      controller.onDraft(this.schedule),
+      store.subscribe((state, previous) => this.follow(state, previous)),
+      controller.onDraft(() => (store.state.transient ? this.trail() : this.schedule())),
     ];
     this.schedule();
   }
 
-  /** During a drag the camera rests, so that other planners' answers change nothing here. */
-  private isElsewhere(state: State, { results }: State): boolean {
-    if (!state.transient || state.layers.ghosts || state.playback.base === "search") return false;
-    return this.planners.every((planner) => state.results[planner] === results[planner]);
+  /**
+   * A drag redraws the map under the pointer at once, the others together with their planners' answers: painting each map
+   * twice a step would keep those answers waiting.
+   */
+  private follow(state: State, previous: State): void {
+    const keys = Object.keys(state) as (keyof State)[];
+    const changed = keys.filter((key) => state[key] !== previous[key] && !UNSEEN.includes(key));
+    if (changed.length === 0) return;
+    const isDrag = state.transient && !state.layers.ghosts && state.playback.base !== "search" && changed.every((key) => DRAGGED.includes(key));
+    const answered = this.planners.some((planner) => isAnswer(state.results[planner], previous.results[planner]));
+    if (!isDrag || answered) this.schedule();
+    else if (changed.length === 1 && changed[0] === "results") return;
+    else this.trail();
+  }
+
+  private trail(): void {
+    if (this.app.controller.isAt(this.canvas)) this.schedule();
+    else this.late ??= setTimeout(this.schedule, FOLLOW_WITHIN);
   }
 
   private end(): void {
     cancelAnimationFrame(this.frame);
+    clearTimeout(this.late);
+    this.late = undefined;
     this.frame = 0;
     for (const stop of this.detach) stop();
     this.detach = [];
@@ -106,6 +126,8 @@ export class SceneView extends LitElement {
 
   private paint(): void {
     this.frame = 0;
+    clearTimeout(this.late);
+    this.late = undefined;
     this.scene?.draw(this.app.store.state, this.planners, this.app.tokens(), this.app.controller.draft);
   }
 }

@@ -70,6 +70,11 @@ export class ToolController {
     return () => this.listeners.delete(listener);
   }
 
+  /** Whether this is the canvas that the pointer, or else the focus, is on. */
+  isAt(canvas: HTMLElement | null): boolean {
+    return canvas === this.canvas;
+  }
+
   attach(canvas: HTMLElement): () => void {
     const events = new AbortController();
     this.canvas ??= canvas;

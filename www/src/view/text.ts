@@ -1,5 +1,5 @@
 /** Words on the canvas: pills and small numbers. */
-import { inPixels, type Frame } from "./frame";
+import { inPixels, type Context, type Frame } from "./frame";
 import type { Box } from "../scene/plane";
 
 export const PILL_HEIGHT = 22;
@@ -9,13 +9,24 @@ export type PillTone = "plain" | "editing" | "solid";
 
 const widths = new Map<string, number>();
 
-/** Setting a canvas's font makes the browser settle the page's style first, so known widths do without; digits are all as wide as 0. */
+/** Fonts as we write them, and as canvases answer. */
+const answered = new Map<string, string>();
+
+/** Setting a canvas's font makes the browser settle the page's style first, so a font that is already there stays. */
+export function useFont(ctx: Context, font: string): void {
+  if (ctx.font === answered.get(font)) return;
+  ctx.font = font;
+  if (answered.size > 100) answered.clear();
+  answered.set(font, ctx.font);
+}
+
+/** Digits are all as wide as 0. */
 function measure(frame: Frame, text: string): number {
   const font = labelFont(frame), like = text.replace(/\d/g, "0"), key = `${font}|${like}`;
   const known = widths.get(key);
   if (known !== undefined) return known;
   if (widths.size > 2000) widths.clear();
-  frame.ctx.font = font;
+  useFont(frame.ctx, font);
   const { width } = frame.ctx.measureText(like);
   widths.set(key, width);
   return width;
@@ -43,7 +54,7 @@ export function drawPill(frame: Frame, text: string, x: number, y: number, tone:
     ctx.stroke();
   }
   ctx.fillStyle = tone === "solid" ? colour.panel : colour.t1;
-  ctx.font = labelFont(frame);
+  useFont(ctx, labelFont(frame));
   ctx.textAlign = "left";
   ctx.textBaseline = "middle";
   ctx.fillText(text, left + PAD - 0.5, top + PILL_HEIGHT / 2);

@@ -7,7 +7,7 @@ import type { Point } from "../../scene/plane";
 import type { Aisle, Guide, Preview } from "../../tools/draft";
 import { word } from "../../tools/words";
 import { drawCar, parkedStyle } from "../car";
-import { drawPill, fixed, labelFont, PILL_HEIGHT, pillWidth } from "../text";
+import { drawPill, fixed, labelFont, PILL_HEIGHT, pillWidth, useFont } from "../text";
 import { fade } from "../tokens";
 import { drawPoseCar } from "./cars";
 
@@ -229,7 +229,7 @@ function outerSide([nearLeft, nearRight, farRight, farLeft]: Point[], neighbour:
 function numberBays(frame: Frame, outlines: readonly Point[][]): void {
   const { ctx, tokens: { colour } } = frame;
   inPixels(frame);
-  ctx.font = labelFont(frame, 600);
+  useFont(ctx, labelFont(frame, 600));
   ctx.textAlign = "center";
   ctx.textBaseline = "middle";
   ctx.fillStyle = colour.accent;

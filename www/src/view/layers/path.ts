@@ -3,7 +3,7 @@ import type { Plan } from "parkade";
 import type { Point } from "../../scene/plane";
 import { cuspsOf, segmentDirections } from "../drive";
 import { inPixels, toScreen, type Frame, type Shown } from "../frame";
-import { labelFont } from "../text";
+import { labelFont, useFont } from "../text";
 import { plannerStyle, type PlannerStyle } from "../tokens";
 
 /** Pixels between two points of a drawn path. */
@@ -136,7 +136,7 @@ export function drawCusps(frame: Frame, shown: Shown, alpha: number): void {
   ctx.save();
   inPixels(frame);
   ctx.globalAlpha = alpha;
-  ctx.font = labelFont(frame, 700);
+  useFont(ctx, labelFont(frame, 700));
   ctx.textAlign = "center";
   ctx.textBaseline = "middle";
   cusps.forEach((at, i) => {

@@ -54,15 +54,15 @@ const SAMPLES = 4000;
 
 /** The 95th percentile of the force, of a sample: single steep cells must not shorten all other arrows. */
 function peakOf(risk: Layer): number {
-  const forces: number[] = [], cells = risk.width * risk.height;
+  const forces = new Float32Array(2 * SAMPLES), cells = risk.width * risk.height;
+  let count = 0;
   // An odd step does not fall in with the columns.
   const step = Math.floor(cells / SAMPLES) | 1;
   for (let i = 0; i < cells; i += step) {
     const force = Math.hypot(risk.data[2 * i]!, risk.data[2 * i + 1]!);
-    if (force > 1e-9) forces.push(force);
+    if (force > 1e-9) forces[count++] = force;
   }
-  forces.sort((a, b) => a - b);
-  return forces[Math.floor(forces.length * 0.95)] ?? 1;
+  return forces.subarray(0, count).sort()[Math.floor(count * 0.95)] ?? 1;
 }
 
 /** Cells on a lattice fixed to the map, so that arrows do not swim when the camera pans. */

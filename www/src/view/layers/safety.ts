@@ -36,12 +36,16 @@ export class SafetyLayer {
 
   private areaOf(safety: Layer, clearance: Layer | undefined, map: MapFrame): Path2D {
     const known = this.zone;
-    if (known?.safety === safety && known.clearance === clearance && known.map === map) return known.area;
-    const area = clearance ? byDistance(safety, clearance, map) : byCells(safety, map);
+    const same = known?.map === map && isSame(known.safety, safety) && isSame(known.clearance, clearance);
+    const area = same ? known.area : clearance ? byDistance(safety, clearance, map) : byCells(safety, map);
     this.zone = { safety, clearance, map, area };
     return area;
   }
 }
+
+/** Every plan brings its own layers, though a moved start or goal leaves them as they were. */
+const isSame = (a: Layer | undefined, b: Layer | undefined): boolean =>
+  a === b || (a !== undefined && b !== undefined && a.width === b.width && a.data.length === b.data.length && a.data.every((value, i) => value === b.data[i]));
 
 /** The farthest hatched cell says at which distance the space ends. */
 function byDistance(safety: Layer, clearance: Layer, map: MapFrame): Path2D {
