@@ -106,6 +106,7 @@ export class App {
   private async remember(): Promise<void> {
     const [{ startAutosave }, { workOffline }] = await Promise.all([import("./autosave"), import("./offline")]);
     void workOffline();
+    void import("../panels/next-hints");
     // Storage may be refused; nothing depends on it.
     this.stopSaving = await startAutosave(this).catch(() => null);
   }

@@ -184,6 +184,7 @@ export class Playground extends LitElement {
       <parkade-toolbar part="toolbar" .app=${this.app} .ready=${this.loaded} ?compact=${this.compact}><slot name="toolbar-extra"></slot></parkade-toolbar>
       <parkade-stage exportparts="panel, canvas" .app=${this.app} ?compact=${this.compact}></parkade-stage>
       ${this.compact ? this.phone() : this.desk()}
+      <parkade-next-hints .app=${this.app}></parkade-next-hints>
       <parkade-notices .app=${this.app}></parkade-notices>
       ${this.dropping ? html`<div class="dropping">${this.app.t("drop.here")}</div>` : nothing}
       <parkade-presets .app=${this.app}></parkade-presets>

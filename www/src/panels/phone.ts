@@ -104,7 +104,7 @@ export class Sheet extends AppElement {
         <div class="body" id="body" role="tabpanel" tabindex="0" aria-label=${this.t(`sheet.${this.tab}`)} .style=${`height:${this.height()}`}>${this.size > 0 ? this.content() : nothing}</div>
       </div>
       <div class="tools" role="toolbar" aria-label=${this.t("tools.label")}>${TOOLS.map((tool) => html`
-        <button aria-pressed=${tool.id === this.state.tool} aria-label=${this.t(`tool.${tool.id}`)} @click=${() => this.app.store.set({ tool: tool.id })}>${icon(tool.icon, 20)}</button>`)}</div>`;
+        <button data-tool=${tool.id} aria-pressed=${tool.id === this.state.tool} aria-label=${this.t(`tool.${tool.id}`)} @click=${() => this.app.store.set({ tool: tool.id })}>${icon(tool.icon, 20)}</button>`)}</div>`;
   }
 
   private height(): string {

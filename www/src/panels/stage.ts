@@ -11,6 +11,8 @@ import "./hint";
 import "./panel";
 import "./scene-view";
 
+const SWIPE_PX = 24;
+
 /** The maps: side by side, one over another, or one large. */
 export class Stage extends AppElement {
   static override properties = { ...AppElement.properties, compact: { type: Boolean, reflect: true } };
@@ -34,8 +36,10 @@ export class Stage extends AppElement {
     .legend .off { color: var(--parkade-t3); }
     .title { position: absolute; left: 10px; top: 10px; display: flex; align-items: center; gap: 8px; height: 28px; padding: 0 10px; pointer-events: none; background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair); border-radius: calc(8px * var(--parkade-radius)); font-weight: 600; }
     .title span { font-weight: 400; color: var(--parkade-t2); }
+    :host([compact]) .title { pointer-events: auto; touch-action: none; user-select: none; -webkit-user-select: none; cursor: ew-resize; }
   `];
   declare compact: boolean;
+  private grabbed = 0;
 
   constructor() {
     super();
@@ -74,9 +78,22 @@ export class Stage extends AppElement {
   private heading(): TemplateResult {
     const { focus, results, lang } = this.state;
     const plan = results[focus]?.plan;
-    return html`<div class="title">${marker(focus)}${plannerName(lang, focus)}
+    return html`<div class="title" @pointerdown=${this.grab} @pointerup=${this.flip}>${marker(focus)}${plannerName(lang, focus)}
       <span>${plan?.outcome === "found" ? `${this.num(plan.metrics.length, 2)} m` : statusOf(this.state, focus).brief}</span></div>`;
   }
+
+  private readonly grab = (event: PointerEvent): void => {
+    (event.currentTarget as HTMLElement).setPointerCapture(event.pointerId);
+    this.grabbed = event.clientX;
+  };
+
+  /** A swipe brings the planner beside to the front; chips and keys do the same. */
+  private readonly flip = (event: PointerEvent): void => {
+    const { planners, focus } = this.state, way = event.clientX - this.grabbed;
+    if (Math.abs(way) < SWIPE_PX) return;
+    const next = planners.indexOf(focus) + (way < 0 ? 1 : -1);
+    this.app.store.set({ focus: planners.at(next % planners.length)! });
+  };
 
   private legend(): TemplateResult {
     const { state } = this;

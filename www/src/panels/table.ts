@@ -83,7 +83,7 @@ export class MetricsTable extends AppElement {
   private row(row: Row, columns: readonly Column[]): TemplateResult {
     const { focus } = this.state;
     const tone = row.status.tone === "err" ? "err" : "";
-    return html`<tr class="${row.planner === focus ? "chosen" : ""} ${row.drivable ? "" : "grey"}" @click=${() => this.app.store.set({ focus: row.planner })}>
+    return html`<tr data-planner=${row.planner} class="${row.planner === focus ? "chosen" : ""} ${row.drivable ? "" : "grey"}" @click=${() => this.app.store.set({ focus: row.planner })}>
       <th scope="row"><button aria-pressed=${row.planner === focus}>${marker(row.planner)}${this.compact ? shortName(this.state.lang, row.planner) : row.name}</button></th>
       ${row.hidden ? html`<td></td>${columns.map(() => html`<td></td>`)}` : html`
         <td class=${tone}>${this.compact ? row.status.tiny : row.status.brief}</td>

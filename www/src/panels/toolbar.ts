@@ -136,7 +136,7 @@ export class Toolbar extends AppElement {
   private tool(tool: (typeof TOOLS)[number]): TemplateResult {
     const name = this.t(`tool.${tool.id}`);
     const keys = tool.digit ? `${tool.key} / ${tool.digit}` : tool.key;
-    return html`<button class="tool" aria-pressed=${this.state.tool === tool.id} aria-label=${name} aria-keyshortcuts=${tool.key} title="${name} · ${keys}"
+    return html`<button class="tool" data-tool=${tool.id} aria-pressed=${this.state.tool === tool.id} aria-label=${name} aria-keyshortcuts=${tool.key} title="${name} · ${keys}"
       @click=${() => this.app.store.set({ tool: tool.id })}>${icon(tool.icon, 18)}<kbd aria-hidden="true">${tool.key}</kbd></button>`;
   }
 

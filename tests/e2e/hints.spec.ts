@@ -1,0 +1,54 @@
+import { expect, test } from "@playwright/test";
+import { complaintsOf, look, open, settled, type PlaygroundElement } from "./playground.js";
+import { drag } from "./hands.js";
+
+const hint = "parkade-next-hints span";
+
+test("one sentence after another leads from the first drag to a wall and to a planner that fails", async ({ page }) => {
+  await page.setViewportSize({ width: 1400, height: 900 });
+  const complaints = complaintsOf(page);
+  await open(page);
+  await expect(page.locator("parkade-hint")).toContainText("Drag me");
+  const { x, y } = await page.evaluate(() => (document.querySelector<PlaygroundElement>("parkade-playground")!.store as any).state.geometry.goal as { x: number; y: number });
+  await look(page, x, y, 14);
+  await drag(page, [[x, y], [x + 0.8, y + 0.4]]);
+  await settled(page);
+  await expect(page.locator("parkade-hint span")).toHaveCount(0);
+  await expect(page.locator(hint)).toHaveText("Draw a wall: every planner follows.");
+  await page.keyboard.press("l");
+  await expect(page.locator(hint)).toHaveText(/Why does .* fail/);
+  const row = page.locator("parkade-table tr[data-planner]", { has: page.locator("td.err") }).first();
+  await row.click();
+  await expect(page.locator(hint)).toHaveCount(0);
+  // Seen once, each stays away.
+  await page.reload();
+  await settled(page);
+  await page.waitForFunction(() => customElements.get("parkade-next-hints"));
+  await expect(page.locator(hint)).toHaveCount(0);
+  await expect(page.locator("parkade-hint span")).toHaveCount(0);
+  expect(complaints).toEqual([]);
+});
+
+test.describe("on a phone", () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true });
+
+  test("a swipe over the map's title brings the next planner to the front", async ({ page }) => {
+    await open(page);
+    const title = page.locator("parkade-stage .title");
+    const focus = () => page.evaluate(() => (document.querySelector<PlaygroundElement>("parkade-playground")!.store.state as any).focus as string);
+    expect(await focus()).toBe("hybrid");
+    const box = (await title.boundingBox())!, middle = box.y + box.height / 2;
+    const swipe = async (from: number, to: number): Promise<void> => {
+      await page.mouse.move(box.x + from, middle);
+      await page.mouse.down();
+      await page.mouse.move(box.x + to, middle, { steps: 4 });
+      await page.mouse.up();
+    };
+    await swipe(100, 40);
+    expect(await focus()).toBe("four");
+    await swipe(40, 100);
+    expect(await focus()).toBe("hybrid");
+    await swipe(40, 50);
+    expect(await focus()).toBe("hybrid");
+  });
+});
