@@ -77,14 +77,37 @@ describe("a planner's lane", () => {
     expect(workers[0]!.terminated).toBe(false);
   });
 
-  it("starts a dead worker again and says so, without repeating what killed it", () => {
+  it("starts a dead worker again, says so, and tries its plan once more", () => {
     const { workers, heard, plan } = setup();
     plan(1);
     workers[0]!.onerror?.({ message: "boom", preventDefault() {} } as ErrorEvent);
-    expect(heard).toEqual(["restarted", "failed internal"]);
-    expect(workers).toHaveLength(1);
+    expect(heard).toEqual(["restarted"]);
+    expect(workers[1]!.plans).toEqual([1]);
+    workers[1]!.answer(1);
+    expect(heard).toEqual(["restarted", "planned 1"]);
+  });
+
+  it("keeps the answer of a worker that dies at rest", () => {
+    const { workers, heard, plan } = setup();
+    plan(1);
+    workers[0]!.answer(1);
+    workers[0]!.onerror?.({ message: "boom", preventDefault() {} } as ErrorEvent);
+    expect(heard).toEqual(["planned 1", "restarted"]);
     plan(2);
     expect(workers[1]!.plans).toEqual([2]);
+  });
+
+  it("gives a plan up that its second worker dies of, and takes the next", () => {
+    const { workers, heard, plan } = setup();
+    const die = (worker: number): void => workers[worker]!.onerror?.({ message: "boom", preventDefault() {} } as ErrorEvent);
+    plan(1);
+    die(0);
+    die(1);
+    expect(heard).toEqual(["restarted", "restarted", "failed internal"]);
+    expect(workers).toHaveLength(2);
+    plan(2);
+    die(2);
+    expect(workers[3]!.plans).toEqual([2]);
   });
 
   it("times nothing while it plans", async () => {

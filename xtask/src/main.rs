@@ -3,6 +3,7 @@
 mod bench;
 mod browser;
 mod docs;
+mod endure;
 mod everywhere;
 mod fuzz;
 mod latency;
@@ -33,6 +34,11 @@ const COMMANDS: &[Command] = &[
         name: "latency",
         about: "build, then measure how soon the page answers a drag",
         run: latency::latency,
+    },
+    Command {
+        name: "endure",
+        about: "build, then kill workers or edit for hours: endure kills [count] [seed], endure soak [minutes] [seed]",
+        run: endure::endure,
     },
     Command {
         name: "paper",

@@ -31,6 +31,8 @@ export class Lane implements Holder {
   private limit: ReturnType<typeof setTimeout> | undefined;
   private timing: { id: number; done: (samples: number[]) => void } | null = null;
   private timingId = 0;
+  /** The plan whose worker died last. */
+  private tried: number | null = null;
   private asking: { id: number; done: (explanation: Explanation | null) => void } | null = null;
 
   constructor(
@@ -137,12 +139,17 @@ export class Lane implements Holder {
     else if (!this.running) this.pool.rested(this);
   }
 
-  /** A trap leaves the module's memory in an unknown state: the worker is thrown away with it. */
+  /**
+   * A trap leaves the module's memory in an unknown state: the worker is thrown away with it. Its plan is tried once more,
+   * as what filled the memory may have come before it.
+   */
   private died(message: string): void {
-    const next = this.renew();
+    const lost = this.running, next = this.renew();
+    const again = next ?? (lost?.id === this.tried ? null : lost);
+    this.tried = lost?.id ?? null;
     this.events.restarted();
-    this.events.failed({ code: "internal", path: "", message }, next !== null);
-    if (next) this.send(next);
+    if (again) this.send(again);
+    else if (lost) this.events.failed({ code: "internal", path: "", message }, false);
   }
 
   private giveUp(): void {

@@ -1,0 +1,61 @@
+// A page of dist/ in headless Chromium, for what takes longer than a test may.
+import { chromium } from "@playwright/test";
+import { findBrowser } from "../e2e/browser.js";
+import { serve } from "../e2e/server.js";
+
+/** A module's memory is reachable only where it is made: workers are told to keep theirs. */
+const KEEP_MEMORIES = `globalThis.memories = []; const instantiate = WebAssembly.instantiate;
+WebAssembly.instantiate = async (...all) => { const made = await instantiate(...all); memories.push((made.instance ?? made).exports.memory); return made; };`;
+
+/** Calls `use` with the loaded page; closes everything after it. */
+export async function withPage(use, prepare) {
+  const server = await serve(0);
+  const unsandboxed = process.getuid?.() === 0 || process.env["CI"] !== undefined;
+  const browser = await chromium.launch({
+    executablePath: findBrowser(),
+    args: ["--disable-gpu", "--no-first-run", "--js-flags=--expose-gc", ...(unsandboxed ? ["--no-sandbox"] : [])],
+  });
+  try {
+    const page = await browser.newPage({ viewport: { width: 1400, height: 900 }, reducedMotion: "reduce", serviceWorkers: "block" });
+    await page.route(/worker.*\.js$/, async (route) => {
+      const response = await route.fetch();
+      await route.fulfill({ response, body: `${KEEP_MEMORIES}\n${await response.text()}` });
+    });
+    const complaints = [];
+    page.on("console", (message) => { if (message.type() === "error") complaints.push(message.text()); });
+    page.on("pageerror", (error) => complaints.push(error.message));
+    if (prepare) await page.addInitScript(prepare);
+    await page.goto(server.url);
+    await page.evaluate(async () => {
+      await customElements.whenDefined("parkade-playground");
+      const element = document.querySelector("parkade-playground");
+      await element.ready;
+      await element.app.complete();
+      await element.settled();
+    });
+    await use(page, browser.version());
+    for (const text of new Set(complaints)) console.log(`the page complained: ${text}`);
+    return complaints.length === 0;
+  } finally {
+    await browser.close();
+    server.close();
+  }
+}
+
+/** The value at a share of the sorted values. */
+export function quantile(values, share) {
+  const sorted = [...values].sort((a, b) => a - b);
+  return sorted[Math.max(0, Math.ceil(share * sorted.length) - 1)] ?? NaN;
+}
+
+/** Whole numbers by seed (mulberry32). */
+export function random(seed) {
+  let state = seed >>> 0;
+  return (below) => {
+    state = (state + 0x6d2b79f5) >>> 0;
+    let t = state;
+    t = Math.imul(t ^ (t >>> 15), t | 1);
+    t ^= t + Math.imul(t ^ (t >>> 7), t | 61);
+    return ((t ^ (t >>> 14)) >>> 0) % below;
+  };
+}

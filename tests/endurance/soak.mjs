@@ -1,0 +1,78 @@
+// Random edits for hours: `cargo xtask endure soak [minutes] [seed]`. Memory must stay flat after the first tenth, and edits quick.
+import { quantile, random, withPage } from "./page.mjs";
+
+const minutes = Number(process.argv[2] ?? 120), seed = Number(process.argv[3] ?? 1);
+const next = random(seed);
+const PER_SECOND = 30, GROWTH = 1.05;
+const warm = Math.min(10, minutes / 4);
+
+const quiet = await withPage(async (page, version) => {
+  console.log(`Chromium ${version}, ${minutes} minutes of ${PER_SECOND} edits a second, seed ${seed}`);
+  const session = await page.context().newCDPSession(page);
+  await session.send("Performance.enable");
+  await session.send("HeapProfiler.enable");
+  const from = performance.now();
+  const samples = [];
+  let edits = 0, latencies = [], due = 1;
+  const elapsed = () => (performance.now() - from) / 60_000;
+  while (elapsed() < minutes) {
+    const started = performance.now();
+    const batch = Array.from({ length: PER_SECOND }, () => [next(100), next(1 << 30), next(1 << 30)]);
+    latencies.push(...await page.evaluate(([orders, pause]) => editMany(orders, pause), [batch, 1000 / PER_SECOND]));
+    edits += batch.length;
+    if (elapsed() >= due || elapsed() >= minutes) {
+      const memory = await measure(page, session);
+      samples.push({ minute: elapsed(), p50: quantile(latencies, 0.5), p95: quantile(latencies, 0.95), ...memory });
+      const { minute, heap, wasm, nodes, p50, p95 } = samples.at(-1);
+      console.log(`minute ${minute.toFixed(1)}: ${edits} edits, heap ${heap.toFixed(1)} MB, wasm ${wasm.toFixed(1)} MB in ${memory.workers} workers, ${nodes} nodes, edit to settled p50 ${p50.toFixed(0)}, p95 ${p95.toFixed(0)} ms`);
+      latencies = [];
+      due = Math.ceil(elapsed() + 1e-9);
+    }
+    await new Promise((done) => setTimeout(done, Math.max(0, started + 1000 - performance.now())));
+  }
+  const calm = samples.filter(({ minute }) => minute >= warm), half = Math.ceil(calm.length / 2);
+  for (const [name, unit] of [["heap", "MB"], ["wasm", "MB"], ["nodes", ""], ["p95", "ms"]]) {
+    const median = (part) => quantile(part.map((one) => one[name]), 0.5);
+    const early = median(calm.slice(0, half)), late = median(calm.slice(half));
+    const judged = name !== "p95";
+    const flat = late <= early * GROWTH;
+    console.log(`${name}: ${early.toFixed(1)} ${unit} in the first half after minute ${warm}, ${late.toFixed(1)} ${unit} in the second: ${flat ? "flat" : "GROWN"}`);
+    // Times depend on what else the machine does.
+    if (judged && !flat) process.exitCode = 1;
+  }
+}, prepare);
+if (!quiet) process.exitCode = 1;
+
+/** After a collection: the page's heap, and the modules' memories in its workers and itself. */
+async function measure(page, session) {
+  await page.evaluate(() => document.querySelector("parkade-playground").settled());
+  await session.send("HeapProfiler.collectGarbage");
+  const { metrics } = await session.send("Performance.getMetrics");
+  const of = (name) => metrics.find((one) => one.name === name).value;
+  const bytes = await Promise.all(page.workers().map((worker) => worker.evaluate(() => globalThis.memories?.reduce((sum, memory) => sum + memory.buffer.byteLength, 0) ?? 0).catch(() => 0)));
+  return { heap: of("JSHeapUsedSize") / 1e6, nodes: of("Nodes"), wasm: bytes.reduce((a, b) => a + b, 0) / 1e6, workers: bytes.length };
+}
+
+/** Runs in the page before anything else. */
+function prepare() {
+  window.editMany = async (orders, pause) => {
+    const element = document.querySelector("parkade-playground"), took = [];
+    for (const [kind, a, b] of orders) {
+      const { store } = element, { scene } = store.state;
+      const x = 1 + (a % 3000) / 100, y = 1 + (b % 2000) / 100, heading = ((a % 628) - 314) / 100;
+      const from = performance.now();
+      const obstacles = scene.obstacles ?? [];
+      if (kind < 30) store.edit({ ...scene, goal: { x, y, heading } });
+      else if (kind < 45) store.edit({ ...scene, start: { x, y, heading } });
+      else if (kind < 65) store.edit({ ...scene, obstacles: [...obstacles, { type: "rectangle", id: `s${a}-${b}`, center: [x, y], size: [0.5 + (a % 20) / 10, 0.5 + (b % 20) / 10], heading }] });
+      else if (kind < 85 && obstacles.length > 4) store.edit({ ...scene, obstacles: obstacles.toSpliced(a % obstacles.length, 1) });
+      else if (kind < 93) store.undo();
+      else store.redo();
+      if (obstacles.length > 24) store.edit({ ...scene, obstacles: obstacles.slice(0, 8) });
+      const settled = element.settled().then(() => took.push(performance.now() - from));
+      await Promise.race([settled, new Promise((done) => setTimeout(done, pause))]);
+    }
+    await element.settled();
+    return took;
+  };
+}

@@ -1,0 +1,20 @@
+//! `cargo xtask endure`: what takes longer than a test may, on the built page in a real browser.
+
+use anyhow::{Result, ensure};
+
+use crate::tools::{node, run};
+use crate::{browser, site};
+
+const TRIALS: [&str; 2] = ["kills", "soak"];
+
+/// Fails where the page does not recover from a killed worker, or its memory grows.
+pub(crate) fn endure(arguments: &[String]) -> Result<()> {
+    let (trial, rest) = arguments.split_first().map_or(("", &[][..]), |(first, rest)| (first.as_str(), rest));
+    ensure!(
+        TRIALS.contains(&trial) && rest.len() <= 2 && rest.iter().all(|one| one.parse::<u32>().is_ok()),
+        "say `endure kills [count] [seed]` or `endure soak [minutes] [seed]`"
+    );
+    site::assemble()?;
+    let script = format!("tests/endurance/{trial}.mjs");
+    run(node().arg(script).args(rest).env("CHROME_PATH", browser::find_or_install()?))
+}
