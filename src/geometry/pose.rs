@@ -34,7 +34,11 @@ impl Pose {
 
     /// A point of the vehicle's frame (x ahead, y to the left) in the world.
     pub fn to_world(self, local: Point) -> Point {
-        let (sin, cos) = math::sin_cos(self.heading);
+        self.turned(math::sin_cos(self.heading), local)
+    }
+
+    /// [`Pose::to_world`] by a pose whose heading has this sine and cosine.
+    pub(crate) fn turned(self, (sin, cos): (f64, f64), local: Point) -> Point {
         Point::new(self.x + local.x * cos - local.y * sin, self.y + local.x * sin + local.y * cos)
     }
 

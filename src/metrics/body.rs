@@ -3,7 +3,9 @@
 //! The checker's own code path: the planners' separating axes, discs and rasters are not used here. Two outlines meet
 //! when edges cross or one holds a corner of the other; that is exact for concave polygons too.
 
-use crate::geometry::{Point, Pose};
+use std::cell::Cell;
+
+use crate::geometry::{Point, Pose, math};
 use crate::scenario::resolve::{Form, Geometry, Owner};
 use crate::vehicle::Vehicle;
 
@@ -51,6 +53,8 @@ pub struct Body {
     pub(super) buckets: Buckets,
     /// The boundary's edges by the buckets' rows.
     bands: Vec<Vec<u32>>,
+    /// The last heading with its sine and cosine: paths go straight a lot.
+    turn: Cell<(f64, (f64, f64))>,
 }
 
 /// Edges by the square of the plane that their bounding box touches.
@@ -133,7 +137,15 @@ impl Body {
                 .iter_mut()
                 .for_each(|b| b.push(i as u32));
         }
-        Self { vehicle: geometry.vehicle, origin, edges, solids, buckets, bands }
+        Self {
+            vehicle: geometry.vehicle,
+            origin,
+            edges,
+            solids,
+            buckets,
+            bands,
+            turn: Cell::new((0.0, (0.0, 1.0))),
+        }
     }
 
     /// Whether a point, relative to the local origin, is within the boundary.
@@ -218,7 +230,12 @@ impl Body {
             ..*v
         };
         let at = pose.point() - self.origin;
-        small.outline(Pose::new(at.x, at.y, pose.heading))
+        let (mut heading, mut turn) = self.turn.get();
+        if heading != pose.heading {
+            (heading, turn) = (pose.heading, math::sin_cos(pose.heading));
+            self.turn.set((heading, turn));
+        }
+        small.outline_turned(Pose::new(at.x, at.y, heading), turn)
     }
 }
 

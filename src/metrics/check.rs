@@ -189,10 +189,13 @@ fn hit_between(body: &Body, from: Pose, to: Pose, gear: i8) -> Option<(Owner, Po
     let (curvature, length) = arc_between(from, to, gear);
     let turn = math::turn(from.heading, to.heading);
     let steps = (length.abs() / STEP).max(turn.abs() / STEP).ceil().min(1e4) as u32;
+    let straight = (curvature == 0.0 && steps > 1).then(|| from.direction());
     (1..steps).find_map(|k| {
         let t = f64::from(k) / f64::from(steps);
         let pose = if length == 0.0 {
             Pose::new(from.x, from.y, from.heading + turn * t)
+        } else if let Some(ahead) = straight {
+            Pose::new(from.x + length * t * ahead.x, from.y + length * t * ahead.y, from.heading)
         } else {
             from.advance(curvature, length * t)
         };

@@ -63,9 +63,14 @@ struct Jumps<'a> {
 }
 
 impl Jumps<'_> {
-    /// The straight jump from a cell: where it gets and the number of steps, if it gets anywhere.
+    /// The straight jump from a cell with these free neighbours: where it gets and the number of steps, if it gets
+    /// anywhere.
     #[inline]
-    fn straight(&self, from: Cell, direction: u32) -> Option<(Cell, i64)> {
+    fn straight(&self, from: Cell, free: u8, direction: u32) -> Option<(Cell, i64)> {
+        if free >> direction & 1 == 0 {
+            self.scanned.set(self.scanned.get() + 1);
+            return None;
+        }
         let goal = self.query.goal;
         let forward = direction < 4;
         let row = direction.is_multiple_of(4);
@@ -101,7 +106,8 @@ impl Jumps<'_> {
 
     fn jump<S: Sink>(&self, from: Cell, direction: u32, sink: &mut S) {
         if direction.is_multiple_of(2) {
-            if let Some((to, steps)) = self.straight(from, direction) {
+            let free = self.query.map.free_around(from);
+            if let Some((to, steps)) = self.straight(from, free, direction) {
                 self.emit(to, steps * D, direction, sink);
             }
         } else {
@@ -117,8 +123,10 @@ impl Jumps<'_> {
         // The vertical jump first, as at an expansion.
         let sides = if left % 4 == 2 { [left, right] } else { [right, left] };
         let (mut at, mut cost) = (from, 0);
-        while map.free_around(at) & needed == needed {
+        let mut free = map.free_around(at);
+        while free & needed == needed {
             at = at.offset(dx, dy);
+            free = map.free_around(at);
             cost += R2;
             self.scanned.set(self.scanned.get() + 1);
             if at == self.query.goal {
@@ -127,7 +135,7 @@ impl Jumps<'_> {
             }
             let mut turns = false;
             for side in sides {
-                if let Some((to, steps)) = self.straight(at, side) {
+                if let Some((to, steps)) = self.straight(at, free, side) {
                     turns = true;
                     if self.prune {
                         self.emit(to, cost + steps * D, side, sink);

@@ -5,7 +5,7 @@
 
 use super::lattice::{Found, Lattice};
 use super::queue::Entry;
-use super::side::{Memory, Relaxing, Side};
+use super::side::{Memory, Record, Relaxing, cost_of, move_of};
 use super::{End, NodeId, Observer};
 
 /// When a search from both ends stops.
@@ -31,8 +31,9 @@ pub fn both_ways<L: Lattice, O: Observer<i64, ()>>(
 ) -> Found {
     let far = lattice.to_goal(start);
     let first = if stop == Stop::Optimal { (far, far) } else { (0, 0) };
-    for (side, root) in memory.sides.iter_mut().zip([start, goal]) {
-        side.begin(lattice, root, first, far);
+    memory.begin::<L, 2>(lattice);
+    for (turn, root) in [start, goal].into_iter().enumerate() {
+        memory.root::<2>(turn, root, first, far);
     }
     let mut search = Search {
         lattice,
@@ -43,16 +44,16 @@ pub fn both_ways<L: Lattice, O: Observer<i64, ()>>(
         last: [far; 2],
     };
     let mut turn = 0;
-    while let Some(entry) = memory.sides[turn].pop(false) {
+    while let Some((entry, record)) = memory.pop::<2>(turn, false) {
         let (node, f, h) = (entry.node(), entry.f(), entry.h());
         if search.found.expanded >= max_expansions {
             search.found.end = End::BudgetSpent;
             break;
         }
         let goes_on = if stop == Stop::Optimal {
-            search.bounded(turn, (node, f, h), &mut memory.sides)
+            search.bounded(turn, (node, f, h), record, memory)
         } else {
-            search.meeting(turn, (node, h), stop, &mut memory.sides)
+            search.meeting(turn, (node, h), record, stop, memory)
         };
         if !goes_on {
             break;
@@ -63,9 +64,9 @@ pub fn both_ways<L: Lattice, O: Observer<i64, ()>>(
     if best.0 < i64::MAX && found.end != End::BudgetSpent {
         found.end = End::Found;
         found.cost = best.0;
-        found.nodes = memory.sides[0].chain(lattice, best.1, |at, number| lattice.before(at, number));
+        found.nodes = memory.chain::<L, 2>(lattice, 0, best.1, |at, number| lattice.before(at, number));
         found.nodes.reverse();
-        let back = memory.sides[1].chain(lattice, best.1, |at, number| lattice.after(at, number));
+        let back = memory.chain::<L, 2>(lattice, 1, best.1, |at, number| lattice.after(at, number));
         found.nodes.extend(&back[1..]);
     }
     found.count(&memory.sides);
@@ -89,21 +90,21 @@ impl<L: Lattice, O: Observer<i64, ()>> Search<'_, L, O> {
         &mut self,
         turn: usize,
         (node, h): (NodeId, i64),
+        record: Record,
         stop: Stop,
-        sides: &mut [Side<L::Entry>; 2],
+        memory: &mut Memory<L::Entry>,
     ) -> bool {
-        let (side, other) = pair(sides, turn);
-        let g = side.known(node).unwrap_or_default();
-        side.close(node);
-        if other.is_closed(node) {
+        memory.close::<2>(turn, node, record);
+        if memory.is_closed(1 - turn, node) {
+            let g = cost_of(record);
             self.found.expanded += 1;
             self.observer.expanded(node, (), g);
             if stop == Stop::First {
-                self.best = (g + other.known(node).unwrap_or_default(), node);
+                self.best = (g + memory.known(1 - turn, node).unwrap_or_default(), node);
             }
             return false;
         }
-        self.expand(turn, (node, g, h), sides, stop == Stop::Best);
+        self.expand(turn, (node, h), record, stop == Stop::Best, memory);
         true
     }
 
@@ -112,58 +113,45 @@ impl<L: Lattice, O: Observer<i64, ()>> Search<'_, L, O> {
         &mut self,
         turn: usize,
         (node, f, h): (NodeId, i64, i64),
-        sides: &mut [Side<L::Entry>; 2],
+        record: Record,
+        memory: &mut Memory<L::Entry>,
     ) -> bool {
-        let (side, other) = pair(sides, turn);
-        let g = side.known(node).unwrap_or_default();
+        let g = cost_of(record);
         self.last[turn] = f;
-        side.close(node);
-        other.close(node);
+        memory.close::<2>(turn, node, record);
+        memory.exclude(1 - turn, node);
         let back = if turn == 0 { self.lattice.to_start(node) } else { self.lattice.to_goal(node) };
         if g + h >= self.best.0 || g + self.last[1 - turn] - back >= self.best.0 {
             self.found.rejected += 1;
             return f < self.best.0;
         }
-        self.expand(turn, (node, g, h), sides, true);
+        self.expand(turn, (node, h), record, true, memory);
         true
     }
 
     fn expand(
         &mut self,
         turn: usize,
-        (node, g, h): (NodeId, i64, i64),
-        sides: &mut [Side<L::Entry>; 2],
+        (node, h): (NodeId, i64),
+        record: Record,
         connect: bool,
+        memory: &mut Memory<L::Entry>,
     ) {
+        let (g, last) = (cost_of(record), move_of(record));
         self.found.expanded += 1;
         self.observer.expanded(node, (), g);
         if turn == 0 && h < self.nearest {
             (self.nearest, self.found.closest) = (h, node);
         }
-        let (side, other) = pair(sides, turn);
-        let (lattice, best) = (self.lattice, &mut self.best);
-        let note = |target: NodeId, g: i64| {
-            if connect
-                && let Some(rest) = other.known(target)
-                && g + rest < best.0
-            {
-                *best = (g + rest, target);
-            }
-        };
-        let last = side.last(node);
-        let mut sink = Relaxing::new(lattice, side, self.observer, (node, g), note);
+        let best = connect.then_some(&mut self.best);
+        let mut sink: Relaxing<L, O, 2> =
+            Relaxing::new(self.lattice, (memory, turn), self.observer, (node, g), best);
         if turn == 0 {
-            lattice.successors(node, last, &mut sink);
+            self.lattice.successors(node, last, &mut sink);
         } else {
-            lattice.predecessors(node, last, &mut sink);
+            self.lattice.predecessors(node, last, &mut sink);
         }
     }
-}
-
-/// The side whose turn it is and the other one.
-fn pair<E>(sides: &mut [Side<E>; 2], turn: usize) -> (&mut Side<E>, &mut Side<E>) {
-    let [first, second] = sides;
-    if turn == 0 { (first, second) } else { (second, first) }
 }
 
 #[cfg(test)]

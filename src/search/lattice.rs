@@ -7,7 +7,7 @@
 //! A lattice may hold back part of a node's moves ([`Lattice::HOLDS_BACK`]) until [`Lattice::hold`] lets them go.
 
 use super::queue::Entry;
-use super::side::{Memory, Relaxing, Side};
+use super::side::{Memory, Relaxing, Side, cost_of, move_of};
 use super::{End, NodeId, Observer};
 
 /// A graph whose nodes have numbered moves, at most 255, the same at each.
@@ -124,26 +124,26 @@ pub fn one_way<L: Lattice, O: Observer<i64, ()>>(
     memory: &mut Memory<L::Entry>,
     observer: &mut O,
 ) -> Found {
-    let side = &mut memory.sides[0];
     let h = lattice.to_goal(start);
-    side.begin(lattice, start, (h, h), h);
+    memory.begin::<L, 1>(lattice);
+    // Estimates that are no lower bounds let f fall.
+    memory.root::<1>(0, start, (h, h), if L::HOLDS_BACK { 0 } else { h });
     let mut found = Found::nothing(start);
     let mut nearest = h;
-    while let Some(entry) = side.pop(L::HOLDS_BACK) {
+    while let Some((entry, record)) = memory.pop::<1>(0, L::HOLDS_BACK) {
         if found.expanded >= max_expansions {
             found.end = End::BudgetSpent;
             break;
         }
-        let (node, h) = (entry.node(), entry.h());
-        let g = side.cost(node);
+        let (node, h, g) = (entry.node(), entry.h(), cost_of(record));
         found.expanded += 1;
         observer.expanded(node, (), g);
         if L::HOLDS_BACK && entry.is_held() {
             found.deferred += 1;
-            lattice.held_back(node, &mut Relaxing::new(lattice, side, observer, (node, g), |_, _| ()));
+            lattice.held_back(node, &mut only(lattice, memory, observer, (node, g)));
             continue;
         }
-        side.close(node);
+        memory.close::<1>(0, node, record);
         if h < nearest {
             (nearest, found.closest) = (h, node);
         }
@@ -151,30 +151,40 @@ pub fn one_way<L: Lattice, O: Observer<i64, ()>>(
         if let Some(rest) = rest {
             found.end = End::Found;
             found.cost = g + rest;
-            found.nodes = side.chain(lattice, node, |at, number| lattice.before(at, number));
+            found.nodes = memory.chain::<L, 1>(lattice, 0, node, |at, number| lattice.before(at, number));
             found.nodes.reverse();
             if node != goal {
                 found.nodes.push(goal);
-                found.generated += u32::from(!side.is_known(goal));
+                found.generated += u32::from(!memory.is_known(goal));
             }
             break;
         }
-        let (last, pushes) = (side.last(node), side.open.pushes());
-        lattice.successors(node, last, &mut Relaxing::new(lattice, side, observer, (node, g), |_, _| ()));
+        let pushes = memory.sides[0].open.pushes();
+        lattice.successors(node, move_of(record), &mut only(lattice, memory, observer, (node, g)));
         if L::HOLDS_BACK {
-            match (lattice.hold(), side.open.pushes() > pushes) {
+            let open = &mut memory.sides[0].open;
+            match (lattice.hold(), open.pushes() > pushes) {
                 (Hold::Forever, _) | (Hold::UntilStuck, true) => {}
                 (_, false) => {
                     found.deferred += 1;
-                    lattice
-                        .held_back(node, &mut Relaxing::new(lattice, side, observer, (node, g), |_, _| ()));
+                    lattice.held_back(node, &mut only(lattice, memory, observer, (node, g)));
                 }
-                (Hold::Penalty(penalty), true) => side.open.push(g + h + penalty, h, L::Entry::held(node)),
+                (Hold::Penalty(penalty), true) => open.push(g + h + penalty, h, L::Entry::held(node)),
             }
         }
     }
     found.count(&memory.sides[..1]);
     found
+}
+
+/// Relaxing in a search of one side.
+fn only<'a, L: Lattice, O>(
+    lattice: &L,
+    memory: &'a mut Memory<L::Entry>,
+    observer: &'a mut O,
+    at: (NodeId, i64),
+) -> Relaxing<'a, L, O, 1> {
+    Relaxing::new(lattice, (memory, 0), observer, at, None)
 }
 
 impl Found {

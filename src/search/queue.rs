@@ -9,6 +9,9 @@ use super::NodeId;
 
 /// What the open list keeps of a node: its f, then its h, then which node it is and whether its held-back moves are due.
 pub trait Entry: Copy {
+    /// A bucket of the open list is 2 to this power wide.
+    const WIDTH: u32;
+
     /// The entry.
     fn new(f: i64, h: i64, node: u32) -> Self;
     /// The priority.
@@ -48,6 +51,8 @@ pub struct Short {
 }
 
 impl Entry for Short {
+    const WIDTH: u32 = 12;
+
     fn new(f: i64, h: i64, node: u32) -> Self {
         let (f, h) = (f as u64, h as u64);
         Self { high: f << 16 | h >> 32, low: h << 32 | u64::from(node) }
@@ -70,7 +75,7 @@ impl Entry for Short {
     }
 }
 
-/// An entry of any costs.
+/// An entry of any costs, whose f is taken to be spread widely.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Wide {
     f: i64,
@@ -79,6 +84,8 @@ pub struct Wide {
 }
 
 impl Entry for Wide {
+    const WIDTH: u32 = 16;
+
     fn new(f: i64, h: i64, node: u32) -> Self {
         Self { f, h, node }
     }
@@ -102,7 +109,7 @@ impl Entry for Wide {
 
 #[derive(Debug)]
 pub(super) struct Queue<E> {
-    /// Entries up to the current bucket in order, the first one last.
+    /// The entries of the current bucket in order, the first one last.
     stack: Vec<E>,
     /// Unsorted entries of the buckets after the current one, up to the end of the next span; bucket `n` is at `n % RING`.
     ring: Vec<Vec<E>>,
@@ -126,8 +133,6 @@ pub(super) struct Queue<E> {
     pops: u32,
 }
 
-/// A bucket is 2 to this power wide.
-const WIDTH: u32 = 12;
 /// Buckets in a span: more than a step of eight neighbours adds to f.
 const SPAN: usize = 1024;
 const RING: usize = 2 * SPAN;
@@ -189,15 +194,61 @@ impl<E: Entry> Queue<E> {
         self.pushes += 1;
         let entry = E::new(f, h, node);
         let bucket = self.bucket(f);
-        if bucket <= self.current {
-            self.insert(entry);
-        } else {
+        // Most go where others are already; that way is kept short.
+        if bucket > self.current && bucket < self.reach {
+            let list = &mut self.ring[bucket % RING];
+            if !list.is_empty() {
+                return list.push(entry);
+            }
+        }
+        self.place(entry, bucket);
+    }
+
+    #[inline(never)]
+    fn place(&mut self, entry: E, bucket: usize) {
+        if bucket > self.current {
             self.put(entry, bucket);
+        } else {
+            if bucket < self.current {
+                self.go_back(bucket);
+            }
+            self.insert(entry);
+        }
+    }
+
+    /// Makes an empty bucket before the current one the current one.
+    fn go_back(&mut self, bucket: usize) {
+        if !self.stack.is_empty() {
+            let slot = self.current % RING;
+            let room = self.empty.pop().unwrap_or_default();
+            self.ring[slot] = std::mem::replace(&mut self.stack, room);
+            self.filled[slot / 64] |= 1 << (slot % 64);
+        }
+        self.current = bucket;
+        let (reach, last) = ((bucket / SPAN + 2).min(SPANS), self.reach / SPAN);
+        for span in reach.max(last - RING / SPAN)..last {
+            self.send(span);
+        }
+        self.reach = reach * SPAN;
+    }
+
+    /// Takes the entries of a span out of the ring.
+    fn send(&mut self, span: usize) {
+        if span >= self.later.len() {
+            self.later.resize_with(span + 1, Vec::new);
+        }
+        let first = span * SPAN % RING / 64;
+        for word in first..first + SPAN / 64 {
+            while self.filled[word] != 0 {
+                let mut list = self.take(64 * word + self.filled[word].trailing_zeros() as usize);
+                self.later[span].append(&mut list);
+                self.empty.push(list);
+            }
         }
     }
 
     fn bucket(&self, f: i64) -> usize {
-        ((f - self.origin).max(0) >> WIDTH).min((SPANS * SPAN) as i64) as usize
+        ((f - self.origin).max(0) >> E::WIDTH).min((SPANS * SPAN) as i64) as usize
     }
 
     fn put(&mut self, entry: E, bucket: usize) {

@@ -1,4 +1,4 @@
-//! One side of a [`lattice`](super::lattice) search: what it knows of each node, and its open list.
+//! What a [`lattice`](super::lattice) search remembers: what it knows of each node, and its open lists.
 
 use std::marker::PhantomData;
 
@@ -6,22 +6,10 @@ use super::lattice::{Lattice, Sink};
 use super::queue::{Entry, Queue};
 use super::{NodeId, Observer};
 
-/// The memory of these searches, reused between them: nothing is cleared, so a query costs what it touches.
-#[derive(Debug)]
-pub struct Memory<E> {
-    pub(super) sides: [Side<E>; 2],
-}
-
-impl<E> Default for Memory<E> {
-    fn default() -> Self {
-        Self { sides: [Side::default(), Side::default()] }
-    }
-}
-
 /// One node: from the lowest bit, 8 bits of the move that led to it, 44 of its cost, 1 set while it is open, 11 of the
 /// generation, which counts down. So whatever is closed, cheaper or blocked is a smaller number than a candidate, and
 /// whatever is left from an earlier search a larger one: one comparison tells.
-type Record = u64;
+pub(super) type Record = u64;
 
 const MOVE: u32 = 8;
 const OPEN: Record = 1 << 52;
@@ -31,34 +19,49 @@ const GENERATIONS: u64 = 1 << 11;
 const ROOT: u32 = 255;
 const UNKNOWN: i64 = (1 << 44) - 1;
 
+/// The memory of these searches, reused between them: nothing is cleared, so a query costs what it touches.
 #[derive(Debug)]
-pub(super) struct Side<E> {
+pub struct Memory<E> {
+    /// One per node or, where two sides search, two side by side: who looks at one needs the other.
     records: Vec<Record>,
     /// Where the way to a node came from, where moves do not tell.
     parents: Vec<NodeId>,
-    /// Records before the first node's.
+    /// Nodes before the first one.
     rim: usize,
     /// The current generation in place, 0 before the first search.
     generation: Record,
+    pub(super) sides: [Side<E>; 2],
+}
+
+/// What each side has of its own.
+#[derive(Debug)]
+pub(super) struct Side<E> {
     pub(super) open: Queue<E>,
     pub(super) generated: u32,
 }
 
-impl<E> Default for Side<E> {
+impl<E> Default for Memory<E> {
     fn default() -> Self {
-        let (records, parents, open) = (Vec::new(), Vec::new(), Queue::default());
-        Self { records, parents, rim: 0, generation: 0, open, generated: 0 }
+        let side = || Side { open: Queue::default(), generated: 0 };
+        Self { records: Vec::new(), parents: Vec::new(), rim: 0, generation: 0, sides: [side(), side()] }
     }
 }
 
-const fn cost_of(record: Record) -> i64 {
+pub(super) const fn cost_of(record: Record) -> i64 {
     (record >> MOVE) as i64 & UNKNOWN
 }
 
-impl<E: Entry> Side<E> {
-    /// Forgets everything and puts in the root; `origin` is the least f that is worth a bucket of its own.
-    pub(super) fn begin<L: Lattice>(&mut self, lattice: &L, root: NodeId, (f, h): (i64, i64), origin: i64) {
-        let records = lattice.node_count() + 2 * lattice.rim();
+/// The number of the move that led to a node that was reached; none at the root.
+pub(super) fn move_of(record: Record) -> Option<u32> {
+    let number = (record & Record::from(ROOT)) as u32;
+    (number != ROOT).then_some(number)
+}
+
+/// `SIDES` is how many search: one or two.
+impl<E: Entry> Memory<E> {
+    /// Forgets everything.
+    pub(super) fn begin<L: Lattice, const SIDES: usize>(&mut self, lattice: &L) {
+        let records = (lattice.node_count() + 2 * lattice.rim()) * SIDES;
         if self.generation <= GENERATION || self.records.len() < records {
             self.records.clear();
             self.records.resize(records, Record::MAX);
@@ -69,42 +72,59 @@ impl<E: Entry> Side<E> {
         }
         self.rim = lattice.rim();
         self.generation -= GENERATION;
-        self.open.reset(origin);
-        *self.record_mut(root) = self.generation | OPEN | Record::from(ROOT);
-        self.open.push(f, h, root);
-        self.generated = 1;
     }
 
-    fn record(&self, node: NodeId) -> Record {
-        self.records[node as usize + self.rim]
+    /// Puts in a side's root; `origin` is the least f that is worth a bucket of its own.
+    pub(super) fn root<const SIDES: usize>(
+        &mut self,
+        turn: usize,
+        root: NodeId,
+        (f, h): (i64, i64),
+        origin: i64,
+    ) {
+        let at = self.place::<SIDES>(turn, root);
+        self.records[at] = self.generation | OPEN | Record::from(ROOT);
+        let side = &mut self.sides[turn];
+        side.open.reset(origin);
+        side.open.push(f, h, root);
+        side.generated = 1;
     }
 
-    fn record_mut(&mut self, node: NodeId) -> &mut Record {
-        &mut self.records[node as usize + self.rim]
+    fn place<const SIDES: usize>(&self, turn: usize, node: NodeId) -> usize {
+        (node as usize + self.rim) * SIDES + turn
+    }
+
+    fn record<const SIDES: usize>(&self, turn: usize, node: NodeId) -> Record {
+        self.records[self.place::<SIDES>(turn, node)]
     }
 
     /// The node's cost, where this side has reached it.
     #[cfg(feature = "complete")]
-    pub(super) fn known(&self, node: NodeId) -> Option<i64> {
-        let record = self.record(node);
+    pub(super) fn known(&self, turn: usize, node: NodeId) -> Option<i64> {
+        self.cost_known(self.record::<2>(turn, node))
+    }
+
+    fn cost_known(&self, record: Record) -> Option<i64> {
         let cost = cost_of(record);
         (record < self.generation + GENERATION && cost != UNKNOWN).then_some(cost)
     }
 
-    /// The number of the move that led to the node, which this side must have reached; none at the root.
-    pub(super) fn last(&self, node: NodeId) -> Option<u32> {
-        let number = (self.record(node) & Record::from(ROOT)) as u32;
-        (number != ROOT).then_some(number)
+    #[cfg(feature = "complete")]
+    pub(super) fn is_closed(&self, turn: usize, node: NodeId) -> bool {
+        self.record::<2>(turn, node) < self.generation | OPEN
     }
 
-    pub(super) fn is_closed(&self, node: NodeId) -> bool {
-        self.record(node) < self.generation | OPEN
+    /// Closes a node with its record, as it was popped.
+    pub(super) fn close<const SIDES: usize>(&mut self, turn: usize, node: NodeId, record: Record) {
+        let at = self.place::<SIDES>(turn, node);
+        self.records[at] = record & !OPEN;
     }
 
-    /// Takes the node out of the search, whether this side has reached it or not.
-    pub(super) fn close(&mut self, node: NodeId) {
-        let generation = self.generation;
-        let record = self.record_mut(node);
+    /// Takes the node out of a side's search, whether that side has reached it or not.
+    #[cfg(feature = "complete")]
+    pub(super) fn exclude(&mut self, turn: usize, node: NodeId) {
+        let at = self.place::<2>(turn, node);
+        let (record, generation) = (&mut self.records[at], self.generation);
         *record = if *record >= generation + GENERATION {
             generation | (UNKNOWN as Record) << MOVE
         } else {
@@ -112,80 +132,81 @@ impl<E: Entry> Side<E> {
         };
     }
 
-    /// The cost of a node that this side has reached.
-    pub(super) fn cost(&self, node: NodeId) -> i64 {
-        cost_of(self.record(node))
-    }
-
-    /// Whether this side has reached the node or taken it out.
+    /// Whether the only side has reached the node.
     pub(super) fn is_known(&self, node: NodeId) -> bool {
-        self.record(node) < self.generation + GENERATION
+        self.record::<1>(0, node) < self.generation + GENERATION
     }
 
-    /// The next entry of a node that is still open, or, with `held`, of held-back moves.
-    pub(super) fn pop(&mut self, held: bool) -> Option<E> {
+    /// The next entry of a node that is still open, or, with `held`, of held-back moves; with the node's record.
+    pub(super) fn pop<const SIDES: usize>(&mut self, turn: usize, held: bool) -> Option<(E, Record)> {
         loop {
-            let entry = self.open.pop()?;
-            if held && entry.is_held() || !self.is_closed(entry.node()) {
-                return Some(entry);
+            let entry = self.sides[turn].open.pop()?;
+            let record = self.record::<SIDES>(turn, entry.node());
+            if record >= self.generation | OPEN || held && entry.is_held() {
+                return Some((entry, record));
             }
         }
     }
 
-    /// The nodes from `node` to the root of this side, `node` first.
-    pub(super) fn chain<L: Lattice>(
+    /// The nodes from `node` to the root of a side, `node` first.
+    pub(super) fn chain<L: Lattice, const SIDES: usize>(
         &self,
         _: &L,
+        turn: usize,
         node: NodeId,
         step: impl Fn(NodeId, u32) -> NodeId,
     ) -> Vec<NodeId> {
         let mut chain = vec![node];
         let mut at = node;
-        loop {
-            let Some(number) = self.last(at) else { return chain };
+        while let Some(number) = move_of(self.record::<SIDES>(turn, at)) {
             at = if L::JUMPS { self.parents[at as usize] } else { step(at, number) };
             chain.push(at);
         }
+        chain
     }
 }
 
-/// What happens to a move that improves a node, and what else is to be noted.
-pub(super) struct Relaxing<'a, L: Lattice, O, N> {
+/// What happens to a move that improves a node.
+pub(super) struct Relaxing<'a, L: Lattice, O, const SIDES: usize> {
     lattice: PhantomData<L>,
-    side: &'a mut Side<L::Entry>,
+    memory: &'a mut Memory<L::Entry>,
+    turn: usize,
     observer: &'a mut O,
     g: i64,
     /// What a record would be at no cost of a step, whatever the step.
     base: Record,
     from: NodeId,
-    note: N,
+    /// The cheapest connection with the other side so far and the node that it leads through, where it is wanted.
+    best: Option<&'a mut (i64, NodeId)>,
 }
 
-impl<'a, L: Lattice, O, N> Relaxing<'a, L, O, N> {
+impl<'a, L: Lattice, O, const SIDES: usize> Relaxing<'a, L, O, SIDES> {
     pub(super) fn new(
         _: &L,
-        side: &'a mut Side<L::Entry>,
+        (memory, turn): (&'a mut Memory<L::Entry>, usize),
         observer: &'a mut O,
         (from, g): (NodeId, i64),
-        note: N,
+        best: Option<&'a mut (i64, NodeId)>,
     ) -> Self {
-        let base = side.generation | OPEN | (g as Record) << MOVE | Record::from(ROOT);
-        Self { lattice: PhantomData, side, observer, g, base, from, note }
+        let base = memory.generation | OPEN | (g as Record) << MOVE | Record::from(ROOT);
+        Self { lattice: PhantomData, memory, turn, observer, g, base, from, best }
     }
 }
 
-impl<L: Lattice, O: Observer<i64, ()>, N: FnMut(NodeId, i64)> Sink for Relaxing<'_, L, O, N> {
+impl<L: Lattice, O: Observer<i64, ()>, const SIDES: usize> Sink for Relaxing<'_, L, O, SIDES> {
     fn worth(&self, target: NodeId, cost: i64) -> bool {
-        self.base + ((cost as Record) << MOVE) < self.side.record(target)
+        self.base + ((cost as Record) << MOVE) < self.memory.record::<SIDES>(self.turn, target)
     }
 
     #[inline]
     fn worth_around(&self, node: NodeId, row: usize, straight: i64, diagonal: i64) -> u32 {
         let (straight, diagonal) =
             (self.base + ((straight as Record) << MOVE), self.base + ((diagonal as Record) << MOVE));
-        let at = node as usize + self.side.rim;
-        let three =
-            |middle: usize| <&[Record; 3]>::try_from(&self.side.records[middle - 1..middle + 2]).unwrap();
+        let (at, row) = (self.memory.place::<SIDES>(self.turn, node), row * SIDES);
+        let three = |middle: usize| {
+            let line = &self.memory.records[middle - SIDES..=middle + SIDES];
+            [line[0], line[SIDES], line[2 * SIDES]]
+        };
         let (south, here, north) = (three(at - row), three(at), three(at + row));
         u32::from(straight < here[2])
             | u32::from(diagonal < north[2]) << 1
@@ -200,27 +221,34 @@ impl<L: Lattice, O: Observer<i64, ()>, N: FnMut(NodeId, i64)> Sink for Relaxing<
     #[inline]
     fn worth_beside(&self, node: NodeId, row: usize, straight: i64) -> u32 {
         let straight = self.base + ((straight as Record) << MOVE);
-        let at = node as usize + self.side.rim;
-        let records = &self.side.records;
-        u32::from(straight < records[at + 1])
+        let (at, row) = (self.memory.place::<SIDES>(self.turn, node), row * SIDES);
+        let records = &self.memory.records;
+        u32::from(straight < records[at + SIDES])
             | u32::from(straight < records[at + row]) << 2
-            | u32::from(straight < records[at - 1]) << 4
+            | u32::from(straight < records[at - SIDES]) << 4
             | u32::from(straight < records[at - row]) << 6
     }
 
     fn take(&mut self, number: u32, target: NodeId, cost: i64, h: i64) {
         let g = self.g + cost;
-        let side = &mut *self.side;
-        let generation = side.generation;
-        let record = side.record_mut(target);
-        let fresh = *record >= generation + GENERATION;
-        *record = generation | OPEN | (g as Record) << MOVE | Record::from(number);
-        side.generated += u32::from(fresh);
+        let memory = &mut *self.memory;
+        let at = memory.place::<SIDES>(self.turn, target);
+        let record = &mut memory.records[at];
+        let fresh = *record >= memory.generation + GENERATION;
+        *record = memory.generation | OPEN | (g as Record) << MOVE | Record::from(number);
         if L::JUMPS {
-            side.parents[target as usize] = self.from;
+            memory.parents[target as usize] = self.from;
         }
+        let side = &mut memory.sides[self.turn];
+        side.generated += u32::from(fresh);
         side.open.push(g + h, h, L::Entry::open(target));
         self.observer.relaxed(target, self.from, (), g);
-        (self.note)(target, g);
+        if SIDES == 2
+            && let Some(best) = &mut self.best
+            && let Some(rest) = memory.cost_known(memory.records[at ^ 1])
+            && g + rest < best.0
+        {
+            **best = (g + rest, target);
+        }
     }
 }

@@ -97,9 +97,14 @@ impl Vehicle {
 
     /// The corners of the body at `pose`: front left, rear left, rear right, front right.
     pub fn outline(&self, pose: Pose) -> [Point; 4] {
+        self.outline_turned(pose, math::sin_cos(pose.heading))
+    }
+
+    /// [`Vehicle::outline`] at a pose whose heading has this sine and cosine.
+    pub(crate) fn outline_turned(&self, pose: Pose, turn: (f64, f64)) -> [Point; 4] {
         let (front, back, side) = (self.rear_to_front, -self.rear_to_back, self.width / 2.0);
         [(front, side), (back, side), (back, -side), (front, -side)]
-            .map(|(x, y)| pose.to_world(Point::new(x, y)))
+            .map(|(x, y)| pose.turned(turn, Point::new(x, y)))
     }
 
     /// Checks every dimension.
