@@ -197,7 +197,9 @@ impl Body {
             for bucket in self.buckets.range(low - margin, high + margin) {
                 for &i in &self.buckets.edges[bucket] {
                     let edge = &self.edges[i as usize];
-                    if edge.apart_from(low, high) >= best * best {
+                    // What is beyond reach is no answer yet.
+                    let least = best.min(reach);
+                    if edge.apart_from(low, high) >= least * least {
                         continue;
                     }
                     let squared = (0..4).fold(f64::INFINITY, |least, k| {

@@ -43,9 +43,14 @@ pub trait Lattice {
     /// The node that the move comes from.
     fn before(&self, node: NodeId, number: u32) -> NodeId;
 
-    /// Offers the moves that [`Lattice::successors`] held back.
-    fn held_back<S: Sink>(&self, node: NodeId, sink: &mut S) {
-        let _ = (node, sink);
+    /// Offers the moves that [`Lattice::successors`] held back, with the node's [`Lattice::note`].
+    fn held_back<S: Sink>(&self, node: NodeId, note: u32, sink: &mut S) {
+        let _ = (node, note, sink);
+    }
+
+    /// What [`Lattice::held_back`] shall be told of the node whose successors were offered last, from 0 to 7.
+    fn note(&self) -> u32 {
+        0
     }
 
     /// When the moves that [`Lattice::successors`] held back are tried.
@@ -140,7 +145,7 @@ pub fn one_way<L: Lattice, O: Observer<i64, ()>>(
         observer.expanded(node, (), g);
         if L::HOLDS_BACK && entry.is_held() {
             found.deferred += 1;
-            lattice.held_back(node, &mut only(lattice, memory, observer, (node, g)));
+            lattice.held_back(node, entry.note(), &mut only(lattice, memory, observer, (node, g)));
             continue;
         }
         memory.close::<1>(0, node, record);
@@ -167,9 +172,11 @@ pub fn one_way<L: Lattice, O: Observer<i64, ()>>(
                 (Hold::Forever, _) | (Hold::UntilStuck, true) => {}
                 (_, false) => {
                     found.deferred += 1;
-                    lattice.held_back(node, &mut only(lattice, memory, observer, (node, g)));
+                    lattice.held_back(node, lattice.note(), &mut only(lattice, memory, observer, (node, g)));
                 }
-                (Hold::Penalty(penalty), true) => open.push(g + h + penalty, h, L::Entry::held(node)),
+                (Hold::Penalty(penalty), true) => {
+                    open.push(g + h + penalty, h, L::Entry::held(node, lattice.note()));
+                }
             }
         }
     }

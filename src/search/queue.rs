@@ -23,17 +23,21 @@ pub trait Entry: Copy {
     /// Whether it comes before one that is older.
     fn before(self, older: Self) -> bool;
 
-    /// What stands for an open node, of which there are less than 2³¹.
+    /// What stands for an open node, of which there are less than 2²⁸.
     fn open(node: NodeId) -> u32 {
         node
     }
-    /// What stands for a node's held-back moves.
-    fn held(node: NodeId) -> u32 {
-        node | HELD
+    /// What stands for a node's held-back moves, with a note from 0 to 7.
+    fn held(node: NodeId, note: u32) -> u32 {
+        node | note << NOTE | HELD
     }
     /// The node.
     fn node(self) -> NodeId {
-        self.mark() & !HELD
+        self.mark() & ((1 << NOTE) - 1)
+    }
+    /// The note on a node's held-back moves.
+    fn note(self) -> u32 {
+        (self.mark() & !HELD) >> NOTE
     }
     /// Whether the node's held-back moves are due.
     fn is_held(self) -> bool {
@@ -42,6 +46,7 @@ pub trait Entry: Copy {
 }
 
 const HELD: u32 = 1 << 31;
+const NOTE: u32 = 28;
 
 /// An entry in 16 bytes, whose costs must be from 0 to below 2⁴⁸: f, then h, then the node, from the highest bit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -28,6 +28,8 @@ pub(super) struct RiskGrid<'a> {
     offsets: [i32; 8],
     legal: &'static [u8; 256],
     los_calls: Counter<u32>,
+    /// The central direction at the cell that was expanded last.
+    center: Counter<usize>,
 }
 
 impl<'a> RiskGrid<'a> {
@@ -46,6 +48,7 @@ impl<'a> RiskGrid<'a> {
             offsets: DIRECTIONS.map(|(dx, dy)| dy * query.map.width() as i32 + dx),
             legal: &LEGAL[config.common.corner as usize],
             los_calls: Counter::new(0),
+            center: Counter::new(0),
         }
     }
 
@@ -59,12 +62,6 @@ impl<'a> RiskGrid<'a> {
 
     fn count_los(&self) {
         self.los_calls.set(self.los_calls.get() + 1);
-    }
-
-    /// The central direction at a cell.
-    fn center(&self, at: Cell) -> usize {
-        let (dx, dy) = self.toward_goal(at);
-        region(self.field.force(at), is_oblique(dx, dy))
     }
 
     fn steps<S: Sink>(
@@ -155,7 +152,9 @@ impl Lattice for RiskGrid<'_> {
         let at = self.query.map.cell(node);
         let (dx, dy) = self.toward_goal(at);
         let oblique = is_oblique(dx, dy);
-        let picked = primaries(region(self.field.force(at), oblique));
+        let center = region(self.field.force(at), oblique);
+        self.center.set(center);
+        let picked = primaries(center);
         self.steps((node, at), picked.into_iter(), sink);
         if oblique {
             for c in picked.into_iter().filter(|c| c % 2 == 1) {
@@ -172,9 +171,14 @@ impl Lattice for RiskGrid<'_> {
         unreachable!("the field leads forwards");
     }
 
-    fn held_back<S: Sink>(&self, node: NodeId, sink: &mut S) {
+    /// The central direction: the force at a cell is not computed twice.
+    fn note(&self) -> u32 {
+        self.center.get() as u32
+    }
+
+    fn held_back<S: Sink>(&self, node: NodeId, note: u32, sink: &mut S) {
         let at = self.query.map.cell(node);
-        let picked = primaries(self.center(at));
+        let picked = primaries(note as usize);
         self.steps((node, at), (0..8).filter(|c| !picked.contains(c)), sink);
     }
 
