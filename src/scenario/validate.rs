@@ -1,5 +1,7 @@
 //! What a scene must satisfy before anything is built from it.
 
+use std::collections::BTreeMap;
+
 use super::{Goal, MAX_CELLS, MapFrame, Obstacle, Scenario, Slot, SlotKind, VehicleSpec};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::math::FRAC_PI_2;
@@ -28,9 +30,10 @@ impl Scenario {
         for (i, obstacle) in self.obstacles.iter().enumerate() {
             obstacle.validate(&self.map).map_err(|e| e.within(&format!("obstacles[{i}]")))?;
         }
+        let mut known = BTreeMap::new();
         for (i, slot) in self.slots.iter().enumerate() {
             slot.validate().map_err(|e| e.within(&format!("slots[{i}]")))?;
-            let twin = self.slots[..i].iter().position(|s| s.id.is_some() && s.id == slot.id);
+            let twin = slot.id.as_ref().and_then(|id| known.insert(id, i));
             if let (Some(twin), Some(id)) = (twin, &slot.id) {
                 return bad(
                     &format!("slots[{i}].id"),
