@@ -2,7 +2,7 @@
 //!
 //! ```sh
 //! cargo xtask paper grid [--seeds 200] [--json]
-//! cargo xtask paper road [--json]
+//! cargo xtask paper road [--json] [--wasm FILE]
 //! cargo xtask paper parking [--json]
 //! ```
 
@@ -23,8 +23,14 @@ fn main() {
         (Some("grid"), _) => {}
         (Some("parking"), []) => return parking::print(false),
         (Some("parking"), [word]) if word == "--json" => return parking::print(true),
-        (Some("road"), []) => return road::print(false),
-        (Some("road"), [word]) if word == "--json" => return road::print(true),
+        (Some("road"), words) => {
+            let file = words.iter().position(|word| word == "--wasm").and_then(|at| words.get(at + 1));
+            let as_json = words.first().is_some_and(|word| word == "--json");
+            if words.len() != usize::from(as_json) + 2 * usize::from(file.is_some()) {
+                return usage();
+            }
+            std::process::exit(i32::from(!road::print(as_json, file.map(String::as_str))));
+        }
         _ => return usage(),
     }
     while let Some(word) = words.next() {

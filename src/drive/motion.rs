@@ -51,9 +51,12 @@ pub struct Limits {
     pub deceleration: f64,
     /// Largest lateral acceleration v²·|κ|, m/s², 0.01 to 100.
     pub lateral_acceleration: f64,
-    /// Largest jerk, m/s³, 0.01 to 1000; no limit where absent. Each run then has one peak of speed, below the lowest limit
-    /// along it; goes with `preview` only.
+    /// Largest jerk, m/s³, 0.01 to 1000; no limit where absent.
     pub jerk: Option<f64>,
+    /// Speed at the beginning of the first run, m/s, 0 to 100.
+    pub start_speed: f64,
+    /// Speed at the end of the last run, m/s, 0 to 100.
+    pub goal_speed: f64,
     /// What happens where the curvature steps inside a run.
     pub steps: Steps,
     /// Whether the wheel is turned at standstill at the start and at gear changes.
@@ -71,6 +74,8 @@ impl Default for Limits {
             deceleration: 1.5,
             lateral_acceleration: 1.5,
             jerk: None,
+            start_speed: 0.0,
+            goal_speed: 0.0,
             steps: Steps::Preview,
             dwell: true,
             dt: 0.05,
@@ -86,6 +91,8 @@ json::settings! {
     "deceleration" = deceleration,
     "lateralAcceleration" = lateral_acceleration,
     "jerk" = jerk,
+    "startSpeed" = start_speed,
+    "goalSpeed" = goal_speed,
     "steps" = steps,
     "dwell" = dwell,
     "dt" = dt,
@@ -105,13 +112,14 @@ impl Limits {
         Self { profile: Profile::Constant, dwell: false, ..Self::default() }
     }
 
-    /// On roads: 10 m/s, 2 m/s² sideways, no stop to turn the wheel.
+    /// On roads: 10 m/s, 2 m/s² sideways, a jerk of 2 m/s³, no stop to turn the wheel.
     pub fn road() -> Self {
         Self {
             speed: 10.0,
             acceleration: 1.5,
             deceleration: 2.0,
             lateral_acceleration: 2.0,
+            jerk: Some(2.0),
             dwell: false,
             ..Self::default()
         }
@@ -127,13 +135,8 @@ impl Limits {
         within("deceleration", self.deceleration, 0.01, 100.0)?;
         within("lateralAcceleration", self.lateral_acceleration, 0.01, 100.0)?;
         within("jerk", self.jerk.unwrap_or(1.0), 0.01, 1000.0)?;
-        if self.jerk.is_some() && self.steps == Steps::Slow {
-            return Err(Error::new(
-                ErrorCode::Config,
-                "steps",
-                "must be preview where there is a jerk limit",
-            ));
-        }
+        within("startSpeed", self.start_speed, 0.0, 100.0)?;
+        within("goalSpeed", self.goal_speed, 0.0, 100.0)?;
         within("dt", self.dt, 0.001, 10.0)
     }
 }
@@ -173,37 +176,46 @@ impl Motion {
     /// Drives `route` within `limits`; the wheel is straight at first.
     ///
     /// # Errors
-    /// As [`Limits::validate`].
+    /// As [`Limits::validate`]; [`ErrorCode::Config`] for a start or goal speed for which the way or its limits leave no
+    /// room.
     pub fn new(vehicle: &Vehicle, route: &Route, limits: &Limits) -> Result<Self, Error> {
         limits.validate()?;
         let mut motion = Self { phases: Vec::new(), runs: Vec::new(), duration: 0.0, dwell: 0.0 };
         let mut steering = 0.0;
         for (index, run) in route.runs.iter().enumerate() {
             let wanted = angle(vehicle, route.legs[run.first].curvature);
-            if limits.dwell && (wanted - steering).abs() > 1e-9 {
+            let speeds = [
+                if index == 0 { limits.start_speed } else { 0.0 },
+                if index + 1 == route.runs.len() { limits.goal_speed } else { 0.0 },
+            ];
+            if limits.dwell && speeds[0] == 0.0 && (wanted - steering).abs() > 1e-9 {
                 let duration = (wanted - steering).abs() / vehicle.max_steer_rate;
                 motion.push(index, &[Phase { duration, station: run.from, ..Phase::default() }]);
                 motion.dwell += duration;
             }
             steering = angle(vehicle, route.legs[run.end - 1].curvature);
             let from = motion.duration;
-            let at = (from, run.from);
-            match (limits.profile, limits.jerk) {
-                (Profile::Constant, _) => {
-                    let duration = (run.to - run.from) / limits.speed;
-                    let phase =
-                        Phase { duration, station: run.from, speed: limits.speed, ..Phase::default() };
-                    motion.push(index, &[phase]);
+            let phases = if limits.profile == Profile::Constant {
+                let duration = (run.to - run.from) / limits.speed;
+                let steady = Phase { duration, station: run.from, speed: limits.speed, ..Phase::default() };
+                Some(vec![steady])
+            } else {
+                let zones = zones(vehicle, route, run, limits);
+                match limits.jerk {
+                    Some(jerk) => {
+                        let ends = [(run.from, speeds[0]), (run.to, speeds[1])];
+                        scurve::phases(limits, jerk, &gathered(&zones, run.from), ends)
+                    }
+                    None => passes(&zones, limits, run, speeds),
                 }
-                (Profile::Limited, Some(jerk)) => {
-                    let top =
-                        zones(vehicle, route, run, limits).iter().fold(limits.speed, |top, z| top.min(z.1));
-                    motion.push(index, &scurve::phases(limits, jerk, top, run.to - run.from, at));
-                }
-                (Profile::Limited, None) => {
-                    motion.push(index, &passes(&zones(vehicle, route, run, limits), limits, run));
-                }
-            }
+            };
+            let Some(phases) = phases else {
+                let (path, speed) =
+                    if speeds[0] > 0.0 { ("startSpeed", speeds[0]) } else { ("goalSpeed", speeds[1]) };
+                let message = format!("must leave room to keep the limits of the way, got {speed}");
+                return Err(Error::new(ErrorCode::Config, path, message));
+            };
+            motion.push(index, &phases);
             motion.runs.push((from, motion.duration));
         }
         Ok(motion)
@@ -290,20 +302,42 @@ fn lowered(zones: &[(f64, f64)], start: f64, (from, to): (f64, f64), speed: f64)
     parts
 }
 
-/// The fastest speeds from rest to rest through the zones: a forward pass, a backward pass, then at most three phases in
-/// each zone.
-fn passes(zones: &[(f64, f64)], limits: &Limits, run: &Run) -> Vec<Phase> {
+/// Zones at least [`SAMPLE`] long, with the lowest limit in each.
+fn gathered(zones: &[(f64, f64)], start: f64) -> Vec<(f64, f64)> {
+    let mut parts: Vec<(f64, f64)> = Vec::new();
+    let mut begin = start;
+    for &(end, limit) in zones {
+        match parts.last_mut() {
+            Some(last) if last.0 - begin < SAMPLE || last.1 == limit => *last = (end, last.1.min(limit)),
+            last => {
+                begin = last.map_or(start, |last| last.0);
+                parts.push((end, limit));
+            }
+        }
+    }
+    parts
+}
+
+/// The fastest speeds through the zones from one speed to another: a forward pass, a backward pass, then at most three
+/// phases in each zone. `None` where a limit comes too soon for the one or the other.
+fn passes(zones: &[(f64, f64)], limits: &Limits, run: &Run, speeds: [f64; 2]) -> Option<Vec<Phase>> {
     let (up, down) = (limits.acceleration, limits.deceleration);
     let length = |i: usize| zones[i].0 - if i == 0 { run.from } else { zones[i - 1].0 };
     // Squared speeds at the ends of the zones.
-    let mut square = vec![0.0; zones.len() + 1];
+    let ends = speeds.map(|speed| speed * speed);
+    let mut square = vec![ends[0]; zones.len() + 1];
     for i in 0..zones.len() {
-        let next = zones.get(i + 1).map_or(0.0, |z| z.1);
+        let next = zones.get(i + 1).map_or(speeds[1], |z| z.1);
         let top = zones[i].1.min(next);
         square[i + 1] = (square[i] + 2.0 * up * length(i)).min(top * top);
     }
+    let reached = square[zones.len()] >= ends[1] - 1e-9;
     for i in (0..zones.len()).rev() {
         square[i] = (square[i + 1] + 2.0 * down * length(i)).min(square[i]);
+    }
+    let first = zones.first().map_or(f64::INFINITY, |z| z.1);
+    if !reached || square[0] < ends[0] - 1e-9 || speeds[0] > first {
+        return None;
     }
     let mut phases = Vec::new();
     for (i, &(end, limit)) in zones.iter().enumerate() {
@@ -326,5 +360,5 @@ fn passes(zones: &[(f64, f64)], limits: &Limits, run: &Run) -> Vec<Phase> {
             }
         }
     }
-    phases
+    Some(phases)
 }

@@ -20,6 +20,9 @@ const PASS: [f64; 3] = [0.10, 0.10, 0.05];
 /// Every so many steps a row is kept.
 const KEPT: u32 = 10;
 
+/// Gain of Stanley's rule, 1/s: more makes wheels of limited rate swing.
+const STANLEY: f64 = 1.5;
+
 /// What turns the wheel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Controller {
@@ -203,7 +206,7 @@ fn command(
         Controller::Stanley => {
             let pace = speed.max(0.3);
             if run.gear < 0.0 {
-                return angle(vehicle, ahead) + errors.heading - math::atan(errors.lateral / pace);
+                return angle(vehicle, ahead) + errors.heading - math::atan(STANLEY * errors.lateral / pace);
             }
             let pose = route.pose_in(run, car.station);
             let wheel = angle(vehicle, route.curvature_in(run, car.station));
@@ -211,7 +214,7 @@ fn command(
             let way = Pose { heading: pose.heading + wheel, ..pose };
             let off = car.pose.to_world(axle) - pose.to_world(axle);
             let lateral = way.direction().perp(&off);
-            angle(vehicle, ahead) - errors.heading - math::atan(lateral / pace)
+            angle(vehicle, ahead) - errors.heading - math::atan(STANLEY * lateral / pace)
         }
     }
 }

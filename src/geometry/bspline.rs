@@ -36,10 +36,24 @@ impl Place {
 
 impl Spline {
     /// The smoothest spline with `count` (at least 4) control points whose root mean square distance from `points` is at
-    /// most `sigma` metres, ends met exactly; the closest one where none is as close. `at[i]` is the u of point i.
-    pub fn fit(points: &[Point], at: &[f64], weights: &[f64], count: usize, sigma: f64) -> Self {
+    /// most `sigma` metres, ends met exactly; the closest one where none is as close. `at[i]` is the u of point i, `slopes`
+    /// derivatives by u to have at the ends.
+    pub fn fit(
+        points: &[Point],
+        at: &[f64],
+        weights: &[f64],
+        count: usize,
+        sigma: f64,
+        slopes: [Option<Vector>; 2],
+    ) -> Self {
         let rows: Vec<(usize, [f64; 4])> = at.iter().map(|&u| basis(count, u)).collect();
-        let solve = |power: f64| Self { controls: controls(points, &rows, weights, count, power10(power)) };
+        let ends = [points[0].coords, points[points.len() - 1].coords];
+        let third = 1.0 / (3.0 * (count - 3) as f64);
+        let mut fixed = vec![(0, ends[0]), (count - 1, ends[1])];
+        fixed.extend(slopes[0].map(|slope| (1, ends[0] + slope * third)));
+        fixed.extend(slopes[1].map(|slope| (count - 2, ends[1] - slope * third)));
+        let solve =
+            |power: f64| Self { controls: controls(points, &rows, weights, &fixed, count, power10(power)) };
         let (mut low, mut high) = POWERS;
         let mut best = solve(high);
         if best.residual(points, at) <= sigma {
@@ -122,11 +136,12 @@ fn bases(n: usize, u: f64, degree: usize) -> (usize, [f64; 4]) {
     (span - 3, values)
 }
 
-/// Solves for the inner control points; the outer two are the ends.
+/// Solves for the control points that are not fixed.
 fn controls(
     points: &[Point],
     rows: &[(usize, [f64; 4])],
     weights: &[f64],
+    fixed: &[(usize, Vector)],
     n: usize,
     lambda: f64,
 ) -> Vec<Point> {
@@ -147,8 +162,7 @@ fn controls(
     for first in 0..n - 3 {
         add(first, &[-1.0, 3.0, -3.0, 1.0], lambda, Vector::zeros());
     }
-    let ends = [(0, points[0].coords), (n - 1, points[points.len() - 1].coords)];
-    for (fixed, value) in ends {
+    for &(fixed, value) in fixed {
         let around = fixed.saturating_sub(3)..(fixed + 4).min(n);
         for (other, sum) in right.iter_mut().enumerate().take(around.end).skip(around.start) {
             let (high, low) = (fixed.max(other), fixed.min(other));
@@ -199,7 +213,7 @@ mod tests {
             .iter()
             .map(|u| Point::new(100.0 * u, 2.0 * math::sin(9.0 * u) + 0.1 * math::sin(400.0 * u)))
             .collect();
-        let spline = Spline::fit(&points, &at, &[1.0; 101], 30, sigma);
+        let spline = Spline::fit(&points, &at, &[1.0; 101], 30, sigma, [None; 2]);
         (points, at, spline)
     }
 
@@ -218,7 +232,7 @@ mod tests {
     fn a_line_stays_a_line() {
         let at: Vec<f64> = (0..=20).map(|i| f64::from(i) / 20.0).collect();
         let points: Vec<Point> = at.iter().map(|u| Point::new(7.0 * u, 1.0 + u)).collect();
-        let spline = Spline::fit(&points, &at, &[1.0; 21], 6, 0.1);
+        let spline = Spline::fit(&points, &at, &[1.0; 21], 6, 0.1, [None; 2]);
         for u in [0.0, 0.13, 0.5, 1.0] {
             let place = spline.at(u);
             assert!((place.point.y - 1.0 - place.point.x / 7.0).abs() < 1e-9, "{place:?}");
@@ -241,11 +255,35 @@ mod tests {
     }
 
     #[test]
+    fn the_second_derivative_does_not_jump() {
+        let (_, _, spline) = wave(0.1);
+        for i in 4..30 {
+            let (u, near) = (knot(30, i), 1e-9);
+            let (before, after) = (spline.at(u - near), spline.at(u + near));
+            assert!((before.point - after.point).norm() < 1e-5, "{u}");
+            assert!((before.first - after.first).norm() < 1e-4 * before.first.norm(), "{u}");
+            assert!((before.second - after.second).norm() < 1e-4 * (1.0 + before.second.norm()), "{u}");
+        }
+    }
+
+    #[test]
+    fn slopes_at_the_ends_are_kept() {
+        let (points, at, free) = wave(0.3);
+        let slopes = [Vector::new(80.0, -40.0), Vector::new(60.0, 60.0)];
+        let bent = Spline::fit(&points, &at, &[1.0; 101], 30, 0.3, slopes.map(Some));
+        for (u, slope) in [0.0, 1.0].into_iter().zip(slopes) {
+            assert!((bent.at(u).first - slope).norm() < 1e-9, "{}", bent.at(u).first);
+            assert!((free.at(u).first - slope).norm() > 10.0);
+            assert!((bent.at(u).point - free.at(u).point).norm() < 1e-9);
+        }
+    }
+
+    #[test]
     fn heavy_points_are_passed_closer() {
         let (points, at, _) = wave(1.0);
         let mut weights = [1.0; 101];
         weights[50] = 1e4;
-        let heavy = Spline::fit(&points, &at, &weights, 30, 1.0);
+        let heavy = Spline::fit(&points, &at, &weights, 30, 1.0, [None; 2]);
         assert!((heavy.at(0.5).point - points[50]).norm() < 0.05);
     }
 }

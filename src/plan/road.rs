@@ -128,12 +128,19 @@ impl Engine {
             Curves::Spline => {
                 let limit = world.geometry.vehicle.max_curvature();
                 let lever = world.geometry.vehicle.middle();
+                let ends = [world.geometry.start, world.geometry.goal];
                 let how = Smoothing {
                     sigma: self.config.residual,
                     places: self.config.smooth_points,
                     // Of the middle, where the rear axle's is at its limit.
                     max_curvature: limit / (1.0 + lever * lever * limit * limit).sqrt(),
                     radius: radius(world, &self.config),
+                    margin: self.config.margin,
+                    ways: self
+                        .config
+                        .headings
+                        .then(|| ends.map(|end| Some(end.direction())))
+                        .unwrap_or_default(),
                     scale: (world.geometry.vehicle.length() / LARGEST_CAR).max(1.0),
                 };
                 let smooth = smooth(&self.ground, &chords, &how, |spline| clear(world, spline));

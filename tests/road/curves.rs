@@ -5,8 +5,12 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use parkade::geometry::bspline::Spline;
 use parkade::geometry::{Point, Pose, math};
-use parkade::metrics::Body;
+use parkade::metrics::{Body, Verdict};
+use parkade::plan::{Options, Outcome, Planner};
 use parkade::planners::cost_map::{Config, Report, Smooth, Smoothing, smooth};
+
+use parkade::scenario::catalog;
+use serde_json::json;
 
 use crate::{IDS, Scene};
 
@@ -20,8 +24,15 @@ fn poses(points: &[Point]) -> Vec<Pose> {
     points.iter().enumerate().map(pose).collect()
 }
 
-const SMOOTHING: Smoothing =
-    Smoothing { sigma: 0.12, places: 100, max_curvature: 1.0 / 5.5, radius: 0.95, scale: 1.0 };
+const SMOOTHING: Smoothing = Smoothing {
+    sigma: 0.12,
+    places: 100,
+    max_curvature: 1.0 / 5.5,
+    radius: 0.95,
+    margin: 0.0,
+    scale: 1.0,
+    ways: [None; 2],
+};
 
 impl Scene {
     fn curve(&self, report: &Report, how: &Smoothing) -> (Smooth, Body) {
@@ -80,4 +91,22 @@ fn where_no_curve_is_good_the_chords_stay() {
     for corner in corners {
         assert!(straight.points.iter().any(|p| (p - corner).norm() < 1e-9));
     }
+}
+
+#[test]
+fn headings_are_kept_where_that_is_asked() {
+    let mut scene = catalog::scenario("road-narrow").unwrap();
+    scene.start.heading = 0.15;
+    let first = |headings: bool| {
+        let settings = json!({ "headings": headings });
+        let mut planner = Planner::new("cost-map", &scene, settings.as_object().unwrap()).unwrap();
+        let plan = planner.plan(Options::default());
+        assert_eq!((plan.outcome, plan.detail), (Outcome::Found, None));
+        assert_eq!(plan.check.verdict, Verdict::Ok);
+        let middle = |pose: Pose| pose.advance(0.0, 1.4).point();
+        let way = middle(plan.path[3]) - middle(plan.path[0]);
+        math::atan2(way.y, way.x)
+    };
+    let (kept, free) = (first(true), first(false));
+    assert!((kept - 0.15).abs() < 0.02 && free.abs() < 0.05, "{kept} {free}");
 }

@@ -40,14 +40,41 @@ fn speeds_keep_to_limits_and_a_car_can_follow() {
             }
         }
         assert!(driven.duration > driven.length / 10.0 && driven.duration >= free.duration - 1e-9);
+        for i in 1..rows.t.len() {
+            let jerk = (rows.acceleration[i] - rows.acceleration[i - 1]) / (rows.t[i] - rows.t[i - 1]);
+            assert!(jerk.abs() <= 2.0 + 1e-4, "{id}: {jerk} at {}", rows.t[i]);
+        }
+        // What the jerk's limit costs.
+        let hasty = trajectory(&geometry.vehicle, &route, &Limits { jerk: None, ..Limits::road() }).unwrap();
+        println!("{id}: {:.1} s without a limit of jerk", hasty.duration);
+        assert!(driven.duration >= hasty.duration && driven.duration <= 1.1 * hasty.duration, "{id}");
         let body = Body::new(&geometry);
-        // Stanley has nothing ahead in view and comes late into the crossing's bend.
-        let late = if id == "road-crossing" { 0.30 } else { 0.25 };
-        for (controller, most) in [(Controller::Stanley, late), (Controller::Feedback, 0.25)] {
+        for controller in [Controller::Stanley, Controller::Feedback] {
             let got = track(&geometry.vehicle, &body, &route, &Limits::road(), controller).unwrap();
             println!("{id}: {controller:?} followed within {:.3} m", got.max_lateral);
-            assert!(got.max_lateral <= most && got.hit.is_none(), "{id} {controller:?}: {}", got.max_lateral);
+            assert!(got.max_lateral <= 0.25 && got.hit.is_none(), "{id} {controller:?}: {}", got.max_lateral);
         }
+    }
+}
+
+#[test]
+fn a_drive_begins_and_ends_as_fast_as_asked() {
+    let scene = catalog::scenario("road-crossing").unwrap();
+    let vehicle = scene.geometry().unwrap().vehicle;
+    let plan = planned("road-crossing", &json!({}));
+    let route = Route::new(&vehicle, &plan.path, &plan.directions, Some(&plan.curvatures)).unwrap();
+    let route = route.with_speed_limits(&scene.speed_limits);
+    for jerk in [None, Some(2.0)] {
+        let with = |start_speed, goal_speed| {
+            trajectory(&vehicle, &route, &Limits { jerk, start_speed, goal_speed, ..Limits::road() })
+        };
+        let driven = with(8.0, 5.0).unwrap();
+        let speeds = &driven.rows.speed;
+        assert!((speeds[0] - 8.0).abs() < 1e-9 && (speeds[speeds.len() - 1] - 5.0).abs() < 1e-6);
+        assert!(driven.duration < with(0.0, 0.0).unwrap().duration);
+        assert_eq!(with(11.0, 0.0).unwrap_err().path, "startSpeed");
+        assert_eq!(with(0.0, 11.0).unwrap_err().path, "goalSpeed");
+        assert_eq!(with(-1.0, 0.0).unwrap_err().path, "startSpeed");
     }
 }
 

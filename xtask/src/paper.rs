@@ -1,9 +1,22 @@
 //! `cargo xtask paper grid`, `paper road` and `paper parking`: the papers' tables beside ours.
 
-use anyhow::Result;
+use std::fs;
 
-use crate::tools::{cargo, run};
+use anyhow::{Context as _, Result};
+
+use crate::site;
+use crate::tools::{Workspace, capture, cargo, node, run};
 
 pub(crate) fn paper(arguments: &[String]) -> Result<()> {
-    run(cargo().args(["run", "--quiet", "--release", "--locked", "--example", "paper", "--"]).args(arguments))
+    let mut example = cargo();
+    example.args(["run", "--quiet", "--release", "--locked", "--example", "paper", "--"]).args(arguments);
+    if arguments.first().is_some_and(|word| word == "road") {
+        // The same figures in WebAssembly, which the example prints beside its own.
+        site::package()?;
+        let file = Workspace::load()?.target.join("paper-road-wasm.json");
+        fs::write(&file, capture(node().arg("tests/bench/road.mjs"))?)
+            .with_context(|| file.display().to_string())?;
+        example.arg("--wasm").arg(file);
+    }
+    run(&mut example)
 }

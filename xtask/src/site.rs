@@ -52,15 +52,20 @@ pub(crate) fn build(arguments: &[String]) -> Result<()> {
 
 /// Builds the package and the page.
 pub(crate) fn assemble() -> Result<()> {
-    tools::check_node()?;
-    tools::ensure_wasm_target()?;
-    tools::ensure_node_modules()?;
-    build_package(&Workspace::load()?)?;
+    package()?;
     if root().join("www/index.html").exists() {
         run(node_tool("vite/bin/vite.js").arg("build"))?;
         copy(&root().join("src/scenario").join(SCHEMA), &root().join("dist").join(SCHEMA))?;
     }
     Ok(())
+}
+
+/// Builds the package alone.
+pub(crate) fn package() -> Result<()> {
+    tools::check_node()?;
+    tools::ensure_wasm_target()?;
+    tools::ensure_node_modules()?;
+    build_package(&Workspace::load()?)
 }
 
 /// Prints what visitors download; too much of it is an error.

@@ -101,6 +101,8 @@ pub struct Config {
     pub smoothing: Curves,
     /// Root mean square distance that a curve may keep from the chords, metres.
     pub residual: f64,
+    /// Whether the curve begins and ends in the car's headings at start and goal.
+    pub headings: bool,
     /// Places of the curve, at least.
     pub smooth_points: u32,
     /// Expansions after which the search gives up.
@@ -129,6 +131,7 @@ impl Default for Config {
             prune_cap: 0.8,
             smoothing: Curves::Spline,
             residual: 0.12,
+            headings: false,
             smooth_points: 100,
             max_expansions: 20_000_000,
         }
@@ -156,6 +159,7 @@ json::settings! {
     "pruneCap" = prune_cap,
     "smoothing" = smoothing,
     "residual" = residual,
+    "headings" = headings,
     "smoothPoints" = smooth_points,
     "maxExpansions" = max_expansions,
 }

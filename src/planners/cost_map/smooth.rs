@@ -1,8 +1,8 @@
 //! From chords to a curve: a penalised spline, drawn closer to the chords where it comes too near to something.
 
 use super::Ground;
-use crate::geometry::Point;
 use crate::geometry::bspline::{Place, Spline};
+use crate::geometry::{Point, Vector};
 
 /// Points of the chords are this far apart at most, metres.
 const DATA: f64 = 1.0;
@@ -26,8 +26,13 @@ pub struct Smoothing {
     pub max_curvature: f64,
     /// Half the car's width, metres.
     pub radius: f64,
+    /// Part of `radius` that is no body. Cells with room for the chords' line need not have it for the line itself; a curve
+    /// has to keep as much of it as that.
+    pub margin: f64,
     /// How many times as large as a car; its points are that much farther apart.
     pub scale: f64,
+    /// Unit vectors in which the curve begins and ends, where that is asked.
+    pub ways: [Option<Vector>; 2],
 }
 
 /// A curve, or the chords where none was good enough.
@@ -55,7 +60,8 @@ pub fn smooth(ground: &Ground, line: &[Point], how: &Smoothing, accept: impl Fn(
     let data = dense(line, DATA * how.scale);
     let length = data.windows(2).fold(0.0, |sum, w| sum + (w[1] - w[0]).norm());
     let places = (f64::from(how.places)).max((length * 2.0 / how.scale).ceil()).max(1.0) as u32;
-    if line.len() < 3 || length < SPACINGS[0] * how.scale {
+    let is_straight = line.len() < 3 && how.ways == [None; 2];
+    if is_straight || length < SPACINGS[0] * how.scale {
         let points = dense(line, length / f64::from(places).max(1.0));
         return Smooth { curvatures: vec![0.0; points.len()], fell_back: line.len() > 2, ..chords(points) };
     }
@@ -64,13 +70,15 @@ pub fn smooth(ground: &Ground, line: &[Point], how: &Smoothing, accept: impl Fn(
         at.push(at[at.len() - 1] + (pair[1] - pair[0]).norm() / length);
     }
     let least = dense(line, 0.5).iter().fold(f64::INFINITY, |least, &p| least.min(room(p)));
-    let target = (least.min(0.8) - 0.02).max(0.25);
+    let lowest = |room: f64| least.max(room - how.margin).min(room);
+    let target = (least.min(0.8) - 0.02).max(lowest(0.25));
+    let slopes = how.ways.map(|way| way.map(|way| way * length));
     for spacing in SPACINGS {
         let count = ((length / (spacing * how.scale)).ceil() as usize + 3).max(6);
         let (mut weights, mut sigma) = (vec![1.0_f64; data.len()], how.sigma);
         let mut best: Option<(f64, Spline)> = None;
         for _ in 0..ROUNDS {
-            let spline = Spline::fit(&data, &at, &weights, count, sigma);
+            let spline = Spline::fit(&data, &at, &weights, count, sigma, slopes);
             let rooms: Vec<f64> = at.iter().map(|&u| room(spline.at(u).point)).collect();
             let worst = rooms.iter().fold(f64::INFINITY, |least, &r| least.min(r));
             if best.as_ref().is_none_or(|b| worst > b.0) {
@@ -92,7 +100,7 @@ pub fn smooth(ground: &Ground, line: &[Point], how: &Smoothing, accept: impl Fn(
         let curvatures: Vec<f64> = curve.iter().map(Place::curvature).collect();
         let clearance = points.iter().fold(f64::INFINITY, |least, &p| least.min(room(p)));
         let bends = curvatures.iter().all(|k| k.abs() <= how.max_curvature);
-        if clearance >= LEAST && bends && accept(&spline) {
+        if clearance >= lowest(LEAST) && bends && accept(&spline) {
             return Smooth { points, curvatures, spline: Some(spline), clearance, fell_back: false };
         }
     }
@@ -115,7 +123,7 @@ pub fn paper_spline(line: &[Point]) -> Option<Spline> {
         at.push(at[at.len() - 1] + (pair[1] - pair[0]).norm() / length);
     }
     let weights = vec![1.0; points.len()];
-    let fit = |count: usize| Spline::fit(&points, &at, &weights, count, PAPER_RESIDUAL);
+    let fit = |count: usize| Spline::fit(&points, &at, &weights, count, PAPER_RESIDUAL, [None; 2]);
     let near = |count: &usize| fit(*count).residual(&points, &at) <= PAPER_RESIDUAL;
     Some(fit((4..points.len()).find(near).unwrap_or(points.len())))
 }

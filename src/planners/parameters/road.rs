@@ -3,7 +3,7 @@
 use super::{EXPANSIONS, Form, Row, row};
 
 /// Settings of cost-map A*.
-pub(in crate::planners) const ROAD: [Row; 21] = [
+pub(in crate::planners) const ROAD: [Row; 22] = [
     row(
         "costs",
         Form::Choice(&["metre", "paper", "steps"]),
@@ -135,6 +135,17 @@ pub(in crate::planners) const ROAD: [Row; 21] = [
         false,
         ["Residual σ", "残差 σ"],
         ["Root mean square distance of the curve from the chords.", "曲线与弦的均方根距离。"],
+    ),
+    row(
+        "headings",
+        Form::Flag,
+        "1",
+        false,
+        ["Keep headings", "保持朝向"],
+        [
+            "The curve begins and ends in the car's headings at start and goal.",
+            "曲线在起点和终点与车辆朝向一致。",
+        ],
     ),
     row(
         "smoothPoints",

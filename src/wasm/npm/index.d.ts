@@ -689,8 +689,12 @@ export interface Limits {
   deceleration?: number;
   /** v²·|κ|, m/s²; default 1.5. */
   lateralAcceleration?: number;
-  /** m/s³; none where absent. Needs `steps: "preview"`. */
+  /** m/s³; none where absent. */
   jerk?: number | null;
+  /** Speed at the beginning, m/s; default 0. */
+  startSpeed?: number;
+  /** Speed at the end, m/s; default 0. */
+  goalSpeed?: number;
   /**
    * Where the curvature steps, which the wheel cannot. "preview" (default): the speed is kept and the wheel begins to turn
    * before the step. "slow": 0.5 m/s near steps, and everywhere slow enough for the wheel.
