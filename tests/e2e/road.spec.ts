@@ -52,6 +52,7 @@ test("a road is drawn, edited and coned off with the mouse, and its risk is told
   expect((await obstacles(page)).map(({ id, type }) => [id, type])).toEqual([["road-1", "road"], ["cone-1", "polygon"], ["cone-2", "polygon"]]);
   expect(await verdict(page)).toBe("ok");
 
+  await expect(page.locator("parkade-objects").getByRole("button", { name: "Cone 2" })).toContainText("33.00, 17.00");
   const card = page.locator("parkade-road-card");
   await expect(card.locator("dd").first()).toContainText(/\d\.\d\d \/ \d\.\d\d m/);
   await card.getByRole("button", { name: "Drive 1000 times" }).click();
@@ -118,7 +119,31 @@ test.describe("by touch", () => {
     await settled(page);
     const [road] = await obstacles(page);
     expect(road?.type === "road" && Math.round(road.points[1]![0] - road.points[0]![0])).toBe(40);
+    // What the path is worth stands below the results.
+    await page.getByRole("tab", { name: "Results" }).click();
+    await expect(page.locator("parkade-road-card").locator("dd").first()).toContainText(/\d\.\d\d \/ \d\.\d\d m/);
   });
+});
+
+test("every term of the costs follows its slider at once", async ({ page }) => {
+  await open(page);
+  await page.evaluate(() => {
+    const playground = document.querySelector<PlaygroundElement>("parkade-playground")!;
+    playground.scene = "road-crossing";
+    playground.store.set({ planners: ["eight", "cost-map"], focus: "cost-map" });
+  });
+  await expect.poll(async () => (await sceneOf(page)).map.width).toBe(810);
+  await settled(page);
+  const hash = () => page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.results["cost-map"]?.hash);
+  for (const [name, value] of [["K", "2"], ["Lane α", "0"], ["Kerb β", "3"], ["Speed γ", "0"]] as const) {
+    const before = await hash();
+    // A drag that has not ended: input, no change.
+    await page.getByRole("slider", { name, exact: true }).evaluate((slider: HTMLInputElement, to) => {
+      slider.value = to;
+      slider.dispatchEvent(new InputEvent("input", { bubbles: true, composed: true }));
+    }, value);
+    await expect.poll(hash, { message: name }).not.toBe(before);
+  }
 });
 
 test("what fails when the manuscript is taken literally is explained beside the plan", async ({ page }) => {
@@ -128,6 +153,7 @@ test("what fails when the manuscript is taken literally is explained beside the 
     playground.scene = "road-narrow";
     playground.store.set({ planners: ["eight", "cost-map"], focus: "cost-map" });
   });
+  await expect.poll(async () => (await sceneOf(page)).map.width).toBe(1021);
   await settled(page);
   await expect(page.locator("parkade-road-card")).not.toContainText("a metre");
   await page.evaluate(() => {

@@ -169,7 +169,9 @@ export class App {
     try {
       scene = this.catalog.scenario(id);
     } catch (error) {
-      this.refuse("error.load", { reason: sentence(error) });
+      // The module of the first picture knows the first scenes only.
+      if (this.store.state.complete) this.refuse("error.load", { reason: sentence(error) });
+      else void this.complete().then(() => this.openPreset(id), (cause: unknown) => this.refuse("error.load", { reason: sentence(cause) }));
       return;
     }
     void this.links.mark();

@@ -1,6 +1,7 @@
 import type { Obstacle, Pose } from "parkade";
 import { css, html, type TemplateResult } from "lit";
 import { number, translate, type Lang } from "../i18n/index";
+import { words } from "../i18n/words";
 import { countCells, type Run } from "../scene/cells";
 import { goalPose } from "../scene/model";
 import { idsOf } from "../scene/things";
@@ -9,6 +10,8 @@ import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";
 import { AppElement } from "./base";
 import { icon, type IconName } from "./icons";
+
+const say = words({ cone: ["Cone", "锥桶"] });
 
 interface Item { key: string; icon: IconName; name: string; detail: string; selection: NonNullable<Selection> }
 
@@ -56,8 +59,11 @@ export class ObjectList extends AppElement {
   }
 }
 
-export function objectName(lang: Lang, type: Obstacle["type"]): string {
-  return translate(lang, `thing.${type}Name`);
+/** Cones are polygons to the planners; their ids tell them apart here. */
+const isCone = ({ type, id }: Obstacle): boolean => type === "polygon" && /^cone-\d+$/.test(id ?? "");
+
+export function objectName(lang: Lang, obstacle: Obstacle): string {
+  return isCone(obstacle) ? say(lang, "cone") : translate(lang, `thing.${obstacle.type}Name`);
 }
 
 function itemsOf({ scene, lang }: State): Item[] {
@@ -68,11 +74,11 @@ function itemsOf({ scene, lang }: State): Item[] {
   }));
   const counts = new Map<string, number>();
   const obstacles = (scene.obstacles ?? []).map((obstacle): Item => {
-    const n = (counts.get(obstacle.type) ?? 0) + 1;
-    counts.set(obstacle.type, n);
+    const kind = objectName(lang, obstacle), n = (counts.get(kind) ?? 0) + 1;
+    counts.set(kind, n);
     return {
       key: obstacle.id!, icon: ICONS[obstacle.type], selection: { kind: "obstacle", id: obstacle.id! },
-      name: `${objectName(lang, obstacle.type)} ${n}`, detail: detailOf(lang, obstacle),
+      name: `${kind} ${n}`, detail: detailOf(lang, obstacle),
     };
   });
   const moving = (scene.moving ?? []).map((one, i): Item => ({
@@ -89,11 +95,14 @@ function detailOf(lang: Lang, obstacle: Obstacle): string {
     case "cells": return translate(lang, "thing.cellCount", { n: cellsOf(obstacle.runs) });
     case "road":
     case "wall":
-    case "polygon": return translate(lang, "thing.corners", { n: obstacle.points.length });
+    case "polygon": return isCone(obstacle) ? conePlace(lang, obstacle.points) : translate(lang, "thing.corners", { n: obstacle.points.length });
     case "rectangle": return `${number(lang, obstacle.size[0], 2)} × ${number(lang, obstacle.size[1], 2)} m`;
     case "car": return poseText(lang, obstacle.pose);
   }
 }
+
+const conePlace = (lang: Lang, points: readonly (readonly number[])[]): string =>
+  [0, 1].map((k) => number(lang, points.reduce((sum, point) => sum + point[k]!, 0) / points.length, 2)).join(", ");
 
 const counted = new WeakMap<readonly Run[], number>();
 

@@ -35,7 +35,7 @@ export class Parameters extends AppElement {
   }
 
   protected watches(): readonly (keyof State)[] {
-    return ["focus", "scene"];
+    return ["focus", "scene", "complete"];
   }
 
   protected override render(): TemplateResult {

@@ -79,6 +79,7 @@ export class Sheet extends AppElement {
     .tools button { flex: 1 0 44px; height: 48px; max-width: 52px; color: var(--parkade-t1); }
     .tools button[aria-pressed="true"] { background: var(--parkade-accent-soft); color: var(--parkade-accent); box-shadow: inset 0 0 0 1px var(--parkade-accent); }
     .draw { padding: 10px 14px; color: var(--parkade-t2); }
+    .road { padding: 14px; border-top: 1px solid var(--parkade-hair); } .road:has(> [hidden]) { display: none; }
   `];
   declare ready: boolean;
   declare tab: (typeof TABS)[number];
@@ -112,7 +113,7 @@ export class Sheet extends AppElement {
   }
 
   private content(): TemplateResult {
-    if (this.tab === "results") return html`<parkade-table .app=${this.app} compact></parkade-table>`;
+    if (this.tab === "results") return html`<parkade-table .app=${this.app} compact></parkade-table>${this.ready ? html`<div class="road"><parkade-road-card .app=${this.app}></parkade-road-card></div>` : nothing}`;
     if (this.tab === "params") return html`<parkade-inspector .app=${this.app} .ready=${this.ready}></parkade-inspector>`;
     return html`<parkade-options .app=${this.app} flat></parkade-options>${this.ready ? html`<div class="draw"><parkade-selection .app=${this.app}></parkade-selection></div>` : nothing}`;
   }

@@ -77,7 +77,7 @@ export class SelectionCard extends AppElement {
   }
 
   private obstacle(obstacle: Obstacle): TemplateResult {
-    return html`${this.heading(objectName(this.state.lang, obstacle.type))}${obstacle.type === "road" ? this.road(obstacle) : this.fields(this.obstacleFields(obstacle))}
+    return html`${this.heading(objectName(this.state.lang, obstacle))}${obstacle.type === "road" ? this.road(obstacle) : this.fields(this.obstacleFields(obstacle))}
       ${this.deleteRow(() => this.edit(removeObstacle(this.state.scene, obstacle.id!)))}`;
   }
 
