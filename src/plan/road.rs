@@ -136,11 +136,7 @@ impl Engine {
                     max_curvature: limit / (1.0 + lever * lever * limit * limit).sqrt(),
                     radius: radius(world, &self.config),
                     margin: self.config.margin,
-                    ways: self
-                        .config
-                        .headings
-                        .then(|| ends.map(|end| Some(end.direction())))
-                        .unwrap_or_default(),
+                    ways: ends.map(|end| self.config.headings.then(|| end.direction())),
                     scale: (world.geometry.vehicle.length() / LARGEST_CAR).max(1.0),
                 };
                 let smooth = smooth(&self.ground, &chords, &how, |spline| clear(world, spline));
