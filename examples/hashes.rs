@@ -1,7 +1,8 @@
-//! Prints the hash of every planner's plan on every preset: `tests/data/plan-hashes.json`.
+//! Prints the hash of every planner's plan on every preset, `tests/data/plan-hashes.json`, or those of random scenes.
 //!
 //! ```sh
 //! cargo run --release --example hashes > tests/data/plan-hashes.json
+//! cargo run --release --example hashes strewn > tests/data/strewn-hashes.json
 //! ```
 
 use parkade::plan::{Options, Planner};
@@ -9,7 +10,15 @@ use parkade::planners::registry::planners;
 use parkade::scenario::catalog;
 use serde_json::{Map, json};
 
+#[path = "../tests/strewn/mod.rs"]
+mod strewn;
+
 fn main() {
+    if std::env::args().nth(1).as_deref() == Some("strewn") {
+        let hashes: Vec<String> = (0..40).map(|seed| strewn::plan(seed).hash()).collect();
+        println!("{:#}", json!(hashes));
+        return;
+    }
     let mut scenes = Map::new();
     for info in catalog::scenes().filter(|s| s.group == "parking" || s.group == "grid") {
         let scene = catalog::scenario(info.id).expect("a scene of the catalog");

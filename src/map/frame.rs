@@ -68,7 +68,7 @@ impl Frame {
 
     /// The cell that a point (metres) lies in; a point on a common edge belongs to the eastern, northern cell.
     pub fn cell_at(&self, point: Point) -> Option<Cell> {
-        let [x, y] = self.lattice(point).map(f64::floor);
+        let [x, y] = self.lattice(point);
         let inside = x >= 0.0 && y >= 0.0 && x < f64::from(self.width) && y < f64::from(self.height);
         inside.then(|| Cell::new(x as i32, y as i32))
     }

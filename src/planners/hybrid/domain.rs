@@ -98,7 +98,8 @@ impl<'a> Lattice<'a> {
     pub(super) fn node(&self, pose: Pose, gear: i8) -> NodeId {
         let roomy = self.level.shuffle && self.probe.roomy(pose, ROOM);
         let (xy, yaw) = if roomy { ROOMY } else { (self.level.xy, self.level.yaw) };
-        let cell = |v: f64| ((v / xy).floor() as i64 + (1 << 20)) as u64 & 0x1f_ffff;
+        // The offset keeps what lies left of or below the origin positive.
+        let cell = |v: f64| (v / xy + f64::from(1 << 20)) as u64 & 0x1f_ffff;
         let bins = (math::TAU / yaw).ceil() as u64;
         let yaw = ((pose.heading + math::PI) / yaw) as u64 % bins;
         let key = (cell(pose.x) << 43) | (cell(pose.y) << 22) | (yaw << 3) | (gear + 1) as u64;

@@ -1,4 +1,4 @@
-//! The way around obstacles for a disc: a lower bound on the car's way, from one flood of the lattice.
+//! The way around obstacles for a disc, from one flood of the lattice: an estimate of the car's way.
 
 use crate::geometry::{Point, Pose, Vector};
 use crate::map::{Cell, Frame};
@@ -14,6 +14,10 @@ const DIAGONAL: u32 = 7;
 const UNREACHED: u32 = u32::MAX;
 /// Poses that touch something are free; so is their disc, metres.
 const TOLERANCE: f64 = 1e-4;
+/// Places where the disc has less room than this on either side are narrow, metres: a car meets them hardly ever, …
+const EASE: f64 = 0.05;
+/// … so a way through them counts this often.
+const NARROW: u32 = 2;
 
 /// Closed cells are told apart from narrow open ones by quartering them this often.
 const QUARTERINGS: u32 = 2;
@@ -22,36 +26,57 @@ const QUARTERINGS: u32 = 2;
 ///
 /// The body holds a disc as wide as itself. Where no place in a cell has room for that disc, the car cannot go; and the
 /// disc's way is hardly longer than the rear axle's.
+#[derive(Debug)]
 pub(super) struct Flood {
-    frame: Frame,
+    ground: Ground,
+    source: Option<Cell>,
     steps: Vec<u32>,
     scale: f64,
     /// Centre of the disc, metres ahead of the rear axle.
     ahead: f64,
 }
 
+/// What each cell costs to enter, for one disc among some obstacles.
+#[derive(Debug)]
+struct Ground {
+    fingerprint: u64,
+    radius: f64,
+    frame: Frame,
+    /// 0 where the disc cannot go; so are the outermost cells, which lie off the floor.
+    costs: Vec<u8>,
+}
+
 impl Flood {
-    /// Floods from `target`, for a body grown by `margin`.
-    pub(super) fn new(obstacles: &Obstacles, vehicle: &Vehicle, target: Pose, margin: f64) -> Self {
-        let frame = *obstacles.frame();
+    /// Floods from `target`, for a body grown by `margin`. What `old` has of it is taken over.
+    pub(super) fn new(
+        obstacles: &Obstacles,
+        vehicle: &Vehicle,
+        target: Pose,
+        margin: f64,
+        old: Option<Self>,
+    ) -> Self {
         let radius = (vehicle.width / 2.0).min(vehicle.length() / 2.0);
         let ahead = 0.0_f64.clamp(radius - vehicle.rear_to_back, vehicle.rear_to_front - radius);
         let swing = vehicle.max_curvature() * ahead;
         let stretch = (1.0 + swing * swing).sqrt();
+        let scale = obstacles.frame().resolution * DETOUR / f64::from(STRAIGHT) / stretch;
+        let source = obstacles.frame().cell_at(target.to_world(Point::new(ahead, 0.0)));
         let room = Room { obstacles, radius: radius + margin - TOLERANCE };
-        let open = room.cells();
-        let mut flood = Self {
-            frame,
-            steps: Vec::new(),
-            scale: frame.resolution * DETOUR / f64::from(STRAIGHT) / stretch,
-            ahead,
+        let ground = match old {
+            Some(old) if old.ground.serves(&room) => {
+                if old.source == source {
+                    return Self { scale, ahead, ..old };
+                }
+                old.ground
+            }
+            _ => room.ground(),
         };
-        flood.steps = flood.cell(target).map_or_else(Vec::new, |cell| spread(&frame, &open, cell));
-        flood
+        let steps = source.map_or_else(Vec::new, |cell| spread(&ground, cell));
+        Self { ground, source, steps, scale, ahead }
     }
 
     fn cell(&self, at: Pose) -> Option<Cell> {
-        self.frame.cell_at(at.to_world(Point::new(self.ahead, 0.0)))
+        self.ground.frame.cell_at(at.to_world(Point::new(self.ahead, 0.0)))
     }
 
     /// Squares of the lattice that the flood reached.
@@ -61,25 +86,32 @@ impl Flood {
 
     /// Where the flood came.
     pub(super) fn region(&self) -> Region {
+        let frame = &self.ground.frame;
         let mut runs: Vec<(Point, u32)> = Vec::new();
-        let half = Vector::new(0.5, 0.5) * self.frame.resolution;
+        let half = Vector::new(0.5, 0.5) * frame.resolution;
         let reached = |i: usize| self.steps[i] != UNREACHED;
         for i in (0..self.steps.len()).filter(|&i| reached(i)) {
-            let cell = self.frame.cell(i);
+            let cell = frame.cell(i);
             match runs.last_mut() {
                 Some(run) if cell.x > 0 && reached(i - 1) => run.1 += 1,
-                _ => runs.push((self.frame.center(cell) - half, 1)),
+                _ => runs.push((frame.center(cell) - half, 1)),
             }
         }
-        Region { cell: self.frame.resolution, runs }
+        Region { cell: frame.resolution, runs }
     }
 
-    /// A lower bound on the way from a pose, metres; infinite where there is no way.
+    /// The way from a pose, metres: less than the car needs, but for narrow places; infinite where there is no way.
     pub(super) fn distance(&self, at: Pose) -> f64 {
-        match self.cell(at).and_then(|c| self.steps.get(self.frame.index(c))) {
+        match self.cell(at).and_then(|c| self.steps.get(self.ground.frame.index(c))) {
             None | Some(&UNREACHED) => f64::INFINITY,
             Some(&steps) => f64::from(steps) * self.scale,
         }
+    }
+}
+
+impl Ground {
+    fn serves(&self, room: &Room) -> bool {
+        self.fingerprint == room.obstacles.fingerprint() && self.radius.to_bits() == room.radius.to_bits()
     }
 }
 
@@ -90,71 +122,93 @@ struct Room<'a> {
 }
 
 impl Room<'_> {
-    fn cells(&self) -> Vec<bool> {
-        let frame = self.obstacles.frame();
+    fn ground(&self) -> Ground {
+        let frame = *self.obstacles.frame();
         let half_diagonal = frame.resolution * core::f64::consts::FRAC_1_SQRT_2;
         // The field is too small by up to the diagonal of the blocked square.
-        let (open, closed) = (self.radius as f32, (self.radius - 3.0 * half_diagonal) as f32);
+        let easy = (self.radius + EASE) as f32;
+        let closed = (self.radius - 3.0 * half_diagonal) as f32;
         let field = self.obstacles.field().data.iter();
-        field
-            .enumerate()
-            .map(|(i, &d)| {
-                d >= open
-                    || (d > closed && self.fits(frame.center(frame.cell(i)), half_diagonal, QUARTERINGS))
-            })
-            .collect()
+        let cost = |(i, &d): (usize, &f32)| {
+            if d >= easy {
+                return 1;
+            }
+            let center = frame.center(frame.cell(i));
+            if d > closed { self.cost(center, half_diagonal) } else { 0 }
+        };
+        let mut costs: Vec<u8> = field.enumerate().map(cost).collect();
+        let (width, height) = (frame.width as usize, frame.height as usize);
+        costs[..width].fill(0);
+        costs[(height - 1) * width..].fill(0);
+        for row in costs.chunks_exact_mut(width) {
+            (row[0], row[width - 1]) = (0, 0);
+        }
+        Ground { fingerprint: self.obstacles.fingerprint(), radius: self.radius, frame, costs }
     }
 
-    /// Whether the disc may have room somewhere in the square around a point.
-    fn fits(&self, center: Point, half_diagonal: f64, quarterings: u32) -> bool {
-        let distance = self.obstacles.distance(center, self.radius);
-        if distance >= self.radius {
-            return true;
+    /// What a cell costs whose middle may be near something.
+    fn cost(&self, center: Point, half_diagonal: f64) -> u8 {
+        let distance = self.obstacles.distance(center, self.radius + EASE);
+        match () {
+            () if distance >= self.radius + EASE => 1,
+            () if distance >= self.radius || self.fits(center, distance, half_diagonal, QUARTERINGS) => {
+                NARROW as u8
+            }
+            () => 0,
         }
+    }
+
+    /// Whether the disc, which has no room in the middle of a square, `distance` away from something, may have it elsewhere
+    /// in there.
+    fn fits(&self, center: Point, distance: f64, half_diagonal: f64, quarterings: u32) -> bool {
         if distance < self.radius - half_diagonal {
             return false;
         }
         let quarter = half_diagonal * core::f64::consts::FRAC_1_SQRT_2 / 2.0;
-        let corner = |dx: f64, dy: f64| center + Vector::new(dx * quarter, dy * quarter);
         quarterings == 0
-            || [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)]
-                .iter()
-                .any(|&(dx, dy)| self.fits(corner(dx, dy), half_diagonal / 2.0, quarterings - 1))
+            || [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)].iter().any(|&(dx, dy)| {
+                let center = center + Vector::new(dx * quarter, dy * quarter);
+                let distance = self.obstacles.distance(center, self.radius);
+                distance >= self.radius || self.fits(center, distance, half_diagonal / 2.0, quarterings - 1)
+            })
     }
 }
 
-/// Dijkstra with a ring of buckets: no step costs more than [`DIAGONAL`].
-fn spread(frame: &Frame, open: &[bool], from: Cell) -> Vec<u32> {
-    let mut steps = vec![UNREACHED; open.len()];
-    let mut ring: [Vec<u32>; DIAGONAL as usize + 1] = Default::default();
-    let source = frame.index(from);
+/// Dijkstra with a ring of buckets: no step costs more than a narrow diagonal one.
+fn spread(ground: &Ground, from: Cell) -> Vec<u32> {
+    const RING: usize = (DIAGONAL * NARROW) as usize + 1;
+    let width = ground.frame.width as usize;
+    let mut steps = vec![UNREACHED; ground.costs.len()];
+    let mut ring: [Vec<u32>; RING] = Default::default();
+    let source = ground.frame.index(from);
     steps[source] = 0;
     ring[0].push(source as u32);
     let (mut now, mut waiting) = (0_u32, 1_usize);
-    let width = frame.width as i32;
+    let around = [1, width, width.wrapping_neg(), 1_usize.wrapping_neg()].map(|by| (by, STRAIGHT));
+    let corners = [width + 1, width - 1, 1_usize.wrapping_sub(width), 0_usize.wrapping_sub(width + 1)];
+    let around: [(usize, u32); 8] =
+        core::array::from_fn(|i| if i < 4 { around[i] } else { (corners[i - 4], DIAGONAL) });
     while waiting > 0 {
-        let slot = now as usize % ring.len();
-        let batch = core::mem::take(&mut ring[slot]);
+        let slot = now as usize % RING;
+        let mut batch = core::mem::take(&mut ring[slot]);
         waiting -= batch.len();
         for &at in &batch {
             if steps[at as usize] != now {
                 continue;
             }
-            let cell = frame.cell(at as usize);
-            for (dx, dy) in [(1, 0), (0, 1), (-1, 0), (0, -1), (1, 1), (-1, 1), (-1, -1), (1, -1)] {
-                let next = cell.offset(dx, dy);
-                if !frame.contains(next) {
-                    continue;
-                }
-                let index = (next.y * width + next.x) as usize;
-                let cost = now + if dx != 0 && dy != 0 { DIAGONAL } else { STRAIGHT };
-                if open[index] && cost < steps[index] {
-                    steps[index] = cost;
-                    ring[cost as usize % ring.len()].push(index as u32);
+            for (by, length) in around {
+                let index = (at as usize).wrapping_add(by);
+                let Some(&cost) = ground.costs.get(index) else { continue };
+                let reached = now + u32::from(cost) * length;
+                if cost > 0 && reached < steps[index] {
+                    steps[index] = reached;
+                    ring[reached as usize % RING].push(index as u32);
                     waiting += 1;
                 }
             }
         }
+        batch.clear();
+        ring[slot] = batch;
         now += 1;
     }
     steps

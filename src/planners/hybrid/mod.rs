@@ -144,6 +144,7 @@ pub struct Report {
 pub struct Scratch {
     search: crate::search::Scratch<f64, State>,
     keys: RefCell<Keys>,
+    flood: Option<Flood>,
 }
 
 /// Keeps the arcs that led to expanded states.
@@ -235,7 +236,7 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, trace: bool) 
     let mirrored =
         config.search_from != SearchFrom::Start && (from_start >= STUCK || from_start >= from_goal);
     let (root, target) = if mirrored { (goal, start) } else { (start, goal) };
-    let flood = Flood::new(query.obstacles, query.vehicle, target, report.margin);
+    let flood = Flood::new(query.obstacles, query.vehicle, target, report.margin, scratch.flood.take());
     let search = Search {
         query,
         config,
@@ -254,15 +255,17 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, trace: bool) 
             Status::TooNarrow(gap) => Obstruction::Gap(gap),
             _ => obstruction::enclosed(query, [start, goal], report.margin),
         });
+        scratch.flood = Some(flood);
         return report;
     }
     search.climb(0, &mut report, scratch, trace);
     if report.arcs.is_empty() && report.level as usize >= FINE && report.margin > HAIR {
         // The margin is what keeps the car in.
         (report.margin, report.status) = (HAIR, Status::NoPath);
-        let flood = Flood::new(query.obstacles, query.vehicle, target, HAIR);
+        let flood = Flood::new(query.obstacles, query.vehicle, target, HAIR, None);
         Search { flood: &flood, ..search }.climb(FINE, &mut report, scratch, trace);
     }
+    scratch.flood = Some(flood);
     report.collision_checks = probe.checks();
     let least = from_start.min(from_goal);
     if report.status == Status::NoPath && least < STUCK {

@@ -12,7 +12,7 @@ const TOUCH: f64 = 0.01;
 
 /// The smaller of the regions around start and goal that no way joins; local poses.
 pub(super) fn enclosed(query: &Query, [start, goal]: [Pose; 2], margin: f64) -> Obstruction {
-    let flood = |pose| Flood::new(query.obstacles, query.vehicle, pose, margin);
+    let flood = |pose| Flood::new(query.obstacles, query.vehicle, pose, margin, None);
     let (from_start, from_goal) = (flood(start), flood(goal));
     let at_start = from_start.reached() <= from_goal.reached();
     let Region { cell, runs } = if at_start { from_start } else { from_goal }.region();

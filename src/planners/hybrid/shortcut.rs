@@ -14,6 +14,8 @@ const GAIN: f64 = 1e-3;
 /// Collision checks after which shortcutting ends: work, not time, so that the result is the same everywhere.
 const WORK: u32 = 400_000;
 const PASSES: u32 = 6;
+/// Pairs of knots that a round looks at, at most: on a long way hardly any curve is free over more than a short stretch.
+const PAIRS: usize = 6000;
 
 /// How a replacement is tested.
 #[derive(Clone, Copy)]
@@ -55,6 +57,8 @@ fn split(path: &[Arc], knot: f64) -> Vec<Arc> {
 /// One round over all pairs of knots.
 struct Pass<'a> {
     rules: Rules<'a>,
+    /// Knots that a replaced stretch has, at most.
+    reach: usize,
     knots: Vec<Arc>,
     /// Before each knot's arc, and at the end.
     poses: Vec<Pose>,
@@ -64,7 +68,8 @@ struct Pass<'a> {
 
 impl<'a> Pass<'a> {
     fn new(rules: Rules<'a>, start: Pose, knots: Vec<Arc>) -> Self {
-        let mut pass = Self { rules, knots, poses: vec![start], spent: vec![0.0] };
+        let reach = PAIRS / knots.len().max(1);
+        let mut pass = Self { rules, reach, knots, poses: vec![start], spent: vec![0.0] };
         pass.measure(0);
         pass
     }
@@ -95,7 +100,7 @@ impl<'a> Pass<'a> {
         let mut improved = false;
         let mut i = 0;
         while i < self.knots.len() {
-            for j in (i + 2..=self.knots.len()).rev() {
+            for j in (i + 2..=self.knots.len().min(i + self.reach)).rev() {
                 if self.rules.probe.checks() >= limit {
                     return improved;
                 }

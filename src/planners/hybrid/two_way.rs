@@ -206,7 +206,7 @@ pub(super) fn search(
     let driven = CostModel::driven(search.config, vehicle.min_turning_radius());
     let keys = [RefCell::new(Keys::default()), RefCell::new(Keys::default())];
     let floods = [search.goal, search.start]
-        .map(|target| Flood::new(search.query.obstacles, vehicle, target, report.margin));
+        .map(|target| Flood::new(search.query.obstacles, vehicle, target, report.margin, None));
     let ends = [search.start, search.goal];
     let mut sides = [false, true].map(|mirrored| {
         let i = usize::from(mirrored);

@@ -46,6 +46,7 @@ pub struct Obstacles {
     frame: Frame,
     /// From cell centres to blocked squares, metres.
     field: Layer<f32>,
+    fingerprint: u64,
 }
 
 impl Obstacles {
@@ -70,6 +71,7 @@ impl Obstacles {
         let (columns, rows) = ((size.x / bucket) as usize + 1, (size.y / bucket) as usize + 1);
         let frame = lattice(size, FIELD_CELL, FIELD_CELLS);
         let field = field(&edges, &frame);
+        let fingerprint = fingerprint(&edges);
         let mut obstacles = Self {
             origin: low,
             edges,
@@ -82,6 +84,7 @@ impl Obstacles {
             members: Vec::new(),
             frame,
             field,
+            fingerprint,
         };
         obstacles.fill_buckets();
         obstacles
@@ -190,6 +193,19 @@ impl Obstacles {
     pub(super) fn field_at(&self, x: f64, y: f64) -> f64 {
         self.frame.cell_at(Point::new(x, y)).map_or(0.0, |c| f64::from(self.field.data[self.frame.index(c)]))
     }
+
+    /// The same for equal edges in the same order, another one for others: tells whether what was derived still holds.
+    pub fn fingerprint(&self) -> u64 {
+        self.fingerprint
+    }
+}
+
+fn fingerprint(edges: &[Edge]) -> u64 {
+    let numbers = edges.iter().flat_map(|e| [e.a.x, e.a.y, e.b.x, e.b.y]);
+    numbers.fold(0xcbf2_9ce4_8422_2325, |hash: u64, number| {
+        let mixed = (hash ^ number.to_bits()).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        mixed ^ mixed >> 32
+    })
 }
 
 fn lattice(size: Vector, cell: f64, most: f64) -> Frame {

@@ -10,6 +10,8 @@ use crate::vehicle::Vehicle;
 
 /// Overlaps shallower than this are contact, which is free, metres.
 const CONTACT: f64 = 1e-6;
+/// Poses of a long arc that are looked at first are this far apart, in spacings.
+const STRIDE: u32 = 16;
 
 /// A place of the body: the rear axle's middle and the heading's sine and cosine.
 #[derive(Clone, Copy)]
@@ -81,17 +83,34 @@ impl<'a> Probe<'a> {
         let (turn_sin, turn_cos) = math::sin_cos(turn);
         let radius = self.disc_radius(margin);
         let pace = part.abs() * self.pace(arc.curvature);
-        let mut k = steps as u32;
-        let (mut sin, mut cos) = math::sin_cos(from.heading + turn * f64::from(k));
-        let mut checks = 0;
-        let free = loop {
+        let at = |k: u32, sin: f64, cos: f64| {
             let (x, y) = if arc.curvature == 0.0 {
                 let along = part * f64::from(k);
                 (start.x + along * start.cos, start.y + along * start.sin)
             } else {
                 (start.x + (sin - start.sin) / arc.curvature, start.y - (cos - start.cos) / arc.curvature)
             };
-            let place = Place { x, y, sin, cos };
+            Place { x, y, sin, cos }
+        };
+        let mut k = steps as u32;
+        let mut checks = 0;
+        let (mut sin, mut cos) = math::sin_cos(from.heading + turn * f64::from(k));
+        // What is in the way of a long arc is found soonest by looking at places far apart.
+        let mut far = k;
+        while far > STRIDE {
+            far -= STRIDE;
+            let (sin, cos) = math::sin_cos(from.heading + turn * f64::from(far));
+            checks += 1;
+            let place = at(far, sin, cos);
+            let spare = self.room(place) - radius;
+            if spare <= 0.0 && self.exact(place, margin - CONTACT).is_some() {
+                self.checks.set(self.checks.get() + checks);
+                return false;
+            }
+            far = far.saturating_sub((spare.max(0.0) / pace) as u32);
+        }
+        let free = loop {
+            let place = at(k, sin, cos);
             checks += 1;
             let spare = self.room(place) - radius;
             if spare <= 0.0 && self.exact(place, margin - CONTACT).is_some() {
