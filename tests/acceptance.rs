@@ -1,5 +1,5 @@
-//! What the grid planners promise over many seeded maps, as figures:
-//! `cargo test --test golden --test acceptance -- --nocapture`. Item 1, the golden vectors, is `golden.rs`.
+//! What the grid planners promise over many seeded maps, as figures, items 1 to 10:
+//! `cargo test --release --test golden --test acceptance -- --nocapture`. Item 1, the golden vectors, is `golden.rs`.
 //!
 //! 200 maps per row natively, fewer in wasm, where the same numbers come out of the same code.
 
@@ -18,8 +18,14 @@ use parkade::scenario::generate::{self, Family};
 use parkade::search::Stop;
 
 const SEEDS: u64 = if cfg!(target_arch = "wasm32") { 20 } else { 200 };
-/// Maps per row on which the any-angle yardstick, which is slow, is computed.
-const YARDSTICK_SEEDS: u64 = if cfg!(target_arch = "wasm32") { 2 } else { 12 };
+/// Maps per row on which the any-angle yardstick is computed, which is slow without optimisation.
+const YARDSTICK_SEEDS: u64 = if cfg!(target_arch = "wasm32") {
+    2
+} else if cfg!(debug_assertions) {
+    12
+} else {
+    SEEDS
+};
 const STRICT: Corner = Corner::Strict;
 
 fn map(family: Family, size: u32, seed: u64) -> Occupancy {
@@ -162,7 +168,10 @@ fn risk_field_plus_is_near_the_any_angle_optimum() {
             length(&prune_dp(&map, &plus.cells, STRICT)) / yardstick(&map)
         };
         let ratios = Sample::of((1..=YARDSTICK_SEEDS).map(ratio).collect());
-        println!("item 6, {:?} {}: plus over the yardstick {ratios}", row.family, row.size);
+        println!(
+            "item 6, {:?} {}: plus over the yardstick {ratios}, {YARDSTICK_SEEDS} maps",
+            row.family, row.size
+        );
         // Two maps have no median worth the name.
         assert!(ratios.0[0] > 0.998 && (SEEDS < 200 || ratios.median() <= 1.012));
     }
@@ -183,27 +192,42 @@ fn risk_field_never_loses_the_way() {
     println!("item 7: risk and risk plus found a path on all {} maps", SEEDS * 12);
 }
 
+/// What is kept of a map's searches by sixteen neighbours: over eight, and from both ends over from one.
+struct BesideSixteen {
+    length: f64,
+    turning: f64,
+    first: [f64; 2],
+    best: f64,
+    optimal: f64,
+}
+
 /// What must hold of the costs on every map: of the neighbourhoods, of searches from both ends, of jump points.
-fn costs_agree(map: &Occupancy, scratch: &mut GridScratch) -> [GridReport; 2] {
+fn costs_agree(map: &Occupancy, scratch: &mut GridScratch) -> BesideSixteen {
     use Neighbourhood::{Eight, FortyEight, Four, Sixteen, TwentyFour};
     let all = [Four, Eight, Sixteen, TwentyFour, FortyEight];
     let reports = all.map(|n| astar(map, n, Weight::None, scratch));
     let [four, eight, sixteen, more, most] = [0, 1, 2, 3, 4].map(|k: usize| reports[k].cost_micro);
     assert_eq!(more, sixteen);
     assert!(most <= sixteen && sixteen <= eight && eight <= four);
-    for (neighbours, report) in all.into_iter().zip(&reports) {
-        let both = |stop, scratch: &mut GridScratch| {
-            let config = bidirectional::Config { neighbours, stop, ..bidirectional::Config::default() };
-            let both = bidirectional::plan(query(map), &config, scratch, &mut ());
-            assert_eq!(both.status, Status::Found);
-            assert_eq!(both.cost_micro, walked(map, &both.cells));
-            both.cost_micro
-        };
-        let first = both(Stop::First, scratch);
-        let best = both(Stop::Best, scratch);
-        assert_eq!(both(Stop::Optimal, scratch), report.cost_micro);
-        assert!(report.cost_micro <= best && best <= first);
-    }
+    let both_ways: Vec<[GridReport; 3]> = all
+        .into_iter()
+        .zip(&reports)
+        .map(|(neighbours, report)| {
+            let both = [Stop::First, Stop::Best, Stop::Optimal].map(|stop| {
+                let config = bidirectional::Config { neighbours, stop, ..bidirectional::Config::default() };
+                let both = bidirectional::plan(query(map), &config, scratch, &mut ());
+                assert_eq!(both.status, Status::Found);
+                assert_eq!(both.cost_micro, walked(map, &both.cells));
+                both
+            });
+            let [first, best, optimal] = [0, 1, 2].map(|k: usize| both[k].cost_micro);
+            assert_eq!(optimal, report.cost_micro);
+            assert!(report.cost_micro <= best && best <= first);
+            assert_eq!(both[0].expanded, both[1].expanded);
+            both
+        })
+        .collect();
+    let [first, best, optimal] = &both_ways[2];
     let bits = Bits::new(map);
     for prune in [false, true] {
         let config = jump_point::Config { prune, ..jump_point::Config::default() };
@@ -211,7 +235,15 @@ fn costs_agree(map: &Occupancy, scratch: &mut GridScratch) -> [GridReport; 2] {
         assert_eq!((jumps.cost_micro, walked(map, &jumps.cells)), (eight, eight));
     }
     let [_, eight, sixteen, ..] = reports;
-    [eight, sixteen]
+    let over = |report: &GridReport| length(&report.cells) / length(&sixteen.cells);
+    let work = |report: &GridReport| f64::from(report.expanded) / f64::from(sixteen.expanded);
+    BesideSixteen {
+        length: length(&sixteen.cells) / length(&eight.cells),
+        turning: turns(&sixteen.cells).angle_deg / turns(&eight.cells).angle_deg,
+        first: [over(first), work(first)],
+        best: over(best),
+        optimal: work(optimal),
+    }
 }
 
 /// What a path costs, every move of it checked.
@@ -225,24 +257,35 @@ fn walked(map: &Occupancy, path: &[Cell]) -> i64 {
 fn costs_agree_on_every_map() {
     let mut scratch = GridScratch::new();
     for row in rows() {
-        let (mut lengths, mut angles) = (Vec::new(), Vec::new());
-        for seed in 1..=SEEDS {
-            let map = map(row.family, row.size, seed);
-            let [eight, sixteen] = costs_agree(&map, &mut scratch);
-            lengths.push(length(&sixteen.cells) / length(&eight.cells));
-            angles.push(turns(&sixteen.cells).angle_deg / turns(&eight.cells).angle_deg);
-        }
-        let (lengths, angles) = (Sample::of(lengths), Sample::of(angles));
+        let all: Vec<BesideSixteen> =
+            (1..=SEEDS).map(|seed| costs_agree(&map(row.family, row.size, seed), &mut scratch)).collect();
+        let sample = |figure: fn(&BesideSixteen) -> f64| Sample::of(all.iter().map(figure).collect());
+        let (lengths, angles) = (sample(|f| f.length), sample(|f| f.turning));
         println!("item 9, {:?} {}: 16 against 8, length {lengths}, turning {angles}", row.family, row.size);
         assert!(lengths.median() <= 0.975);
         assert!(angles.median() <= 0.6);
+        let (first, work) = (sample(|f| f.first[0]), sample(|f| f.first[1]));
+        println!(
+            "Y3 and Y4, {:?} {}: 16 from both ends against from one, a path on all of {SEEDS} maps; first: length {first}, \
+             longer on {}, expanded {work}; best: length {}; nba: equal, expanded {}",
+            row.family,
+            row.size,
+            first.0.iter().filter(|ratio| **ratio > 1.0 + 1e-9).count(),
+            sample(|f| f.best),
+            sample(|f| f.optimal)
+        );
+        // The quality is kept in the median, not on every map.
+        assert!(first.median() <= 1.006 && first.worst() <= 1.08 && (SEEDS < 200 || work.median() < 1.0));
     }
     // Traps and dense maps, where detours are long.
     let dense = Family::Random { density_permille: 300, block_min: 1, block_max: 3 };
     for (family, seed) in [Family::Trap, dense].into_iter().flat_map(|f| (1..=SEEDS).map(move |s| (f, s))) {
         costs_agree(&map(family, 60, seed), &mut scratch);
     }
-    println!("item 8: nba = a*, 24 = 16, jump-point = 8, 48 ≤ 16 ≤ 8 ≤ 4 on {} maps", SEEDS * 8);
+    println!(
+        "item 8: nba = a*, 24 = 16, jump-point = 8, 48 ≤ 16 ≤ 8 ≤ 4, nba ≤ best ≤ first on {} maps",
+        SEEDS * 8
+    );
 }
 
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]

@@ -304,6 +304,48 @@ fn plans_report_the_golden_figures() {
     }
 }
 
+/// What only some planners count.
+#[cfg(feature = "complete")]
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn plans_count_what_was_rejected_and_scanned() {
+    let stats = |id, scene: &_, settings: &[(&str, Value)]| {
+        let settings = settings.iter().map(|(key, value)| ((*key).to_owned(), value.clone())).collect();
+        let plan = Planner::new(id, scene, &settings).unwrap().plan(Options::default());
+        serde_json::to_value(&plan.stats).unwrap()
+    };
+    let mut rejected = 0;
+    for golden in maps() {
+        let seed = golden.record["seed"].as_u64().unwrap();
+        let scene = generate::generate(golden.family, golden.map.width(), seed).unwrap();
+        let number = |stats: &Value, key: &str| stats[key].as_u64().unwrap();
+        for stop in ["first", "best"] {
+            assert!(stats("sixteen-bidirectional", &scene, &[("stop", stop.into())])["rejected"].is_null());
+        }
+        let optimal = stats("sixteen-bidirectional", &scene, &[("stop", "nba".into())]);
+        // Both sides took each cell once at most, and either expanded or rejected it.
+        assert!(number(&optimal, "expanded") + number(&optimal, "rejected") <= number(&optimal, "pushes"));
+        rejected += number(&optimal, "rejected");
+
+        let eight = stats("eight", &scene, &[]);
+        assert!(eight["rejected"].is_null() && eight["cellsScanned"].is_null());
+        for prune in [false, true] {
+            let jumps = stats("jump-point", &scene, &[("prune", prune.into())]);
+            assert!(number(&jumps, "expanded") < number(&eight, "expanded"));
+            assert!(number(&jumps, "cellsScanned") > number(&eight, "expanded"));
+        }
+    }
+    assert!(rejected > 0);
+    // Along a corridor: every cell from the start to the wall behind the goal, and the three walls beside the start.
+    for length in [5, 50, 130] {
+        let map = Occupancy::new(length, 1);
+        let query = Query { map: &map, start: Cell::new(0, 0), goal: Cell::new(length as i32 - 1, 0) };
+        let config = jump_point::Config::default();
+        let report = jump_point::plan(query, &Bits::new(&map), &config, &mut GridScratch::new(), &mut ());
+        assert_eq!(report.cells_scanned, length + 3);
+    }
+}
+
 /// The planner's own defaults, not only its list of them.
 #[cfg(feature = "complete")]
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]

@@ -140,6 +140,7 @@ fn long_moves_that_short_ones_add_up_to_save_nothing() {
         assert_eq!(cost(&some), cost(&all));
         assert_eq!(cost(&Neighbourhood::Sixteen.moves()), cost(&Neighbourhood::TwentyFour.moves()));
     }
+    println!("item 8: 24 = 16 and 48 = its 32 primitive moves, by plain Dijkstra on 1000 random maps");
 }
 
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]

@@ -112,8 +112,11 @@ fn broken_maps_are_refused_by_line() {
         (map("height 3", "height 0"), "room.map:2: height must be 1 to 4096, got 0"),
         (map("width 4", "width 40000"), "room.map:3: width must be 1 to 4096, got 40000"),
         (map("width 4", "width 4 4"), "room.map:3: must be \"height\", \"width\" or \"map\""),
-        (map("width 4\n", ""), "room.map: must say its width"),
-        (map("height 3", "height 4000"), "room.map: must hold 4000 rows of 4 characters, has only 15 bytes"),
+        (map("width 4\n", ""), "room.map:3: must come after the map's width"),
+        (map("height 3\n", ""), "room.map:3: must come after the map's height"),
+        (map("height 3", "height 4000"), "room.map:8: must be row 4 of 4000, got the end of the file"),
+        (map("\nO..W\n", ""), "room.map:7: must be row 3 of 3, got the end of the file"),
+        (map("width 4", "width 4096"), "room.map:5: must have 4096 characters, got 4"),
         (map("S...", "S.x."), "room.map:6: column 3: must be one of .GS@OTW, got 'x'"),
         (map("S...\n", "S..\n."), "room.map:6: must have 4 characters, got 3"),
         (map("O..W\n", "O..W\n\n....\n"), "room.map:9: must be the end, after 3 rows"),
@@ -146,7 +149,7 @@ fn broken_maps_are_refused_by_line() {
 fn junk_is_refused_by_its_size() {
     let junk = vec![b'.'; MAX_BYTES + 1];
     let error = import(&[File { name: "junk.map", bytes: &junk }], &Options::default()).unwrap_err();
-    assert_eq!((error.code, error.path.as_str()), (ErrorCode::Import, "junk.map"));
+    assert_eq!((error.code, error.path.as_str()), (ErrorCode::Import, "junk.map:1"));
     for name in ["junk.map", "junk.pgm", "junk.yaml"] {
         let files = [File { name, bytes: &junk[1..] }];
         assert_eq!(import(&files, &Options::default()).unwrap_err().code, ErrorCode::Import);

@@ -36,11 +36,6 @@ impl<'a> Lines<'a> {
         let number = self.number + 1;
         self.next().ok_or_else(|| at(self.file, number, format!("must be {what}, got the end of the file")))
     }
-
-    /// Bytes that have not been read.
-    pub(super) fn left(&self) -> usize {
-        self.rest.len()
-    }
 }
 
 impl<'a> Iterator for Lines<'a> {

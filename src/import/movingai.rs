@@ -62,33 +62,34 @@ fn read_map(file: File) -> Result<Occupancy, Error> {
         _ => return Err(first.error(format!("must be \"type octile\", got {}", quoted(first.text()?)))),
     }
     let (mut width, mut height) = (None, None);
-    loop {
+    let body = loop {
         let line = lines.need("\"height\", \"width\" or \"map\"")?;
         let words: Vec<&str> = line.text()?.split_ascii_whitespace().collect();
         match words[..] {
             ["height", text] => height = Some(side(&line, "height", text)?),
             ["width", text] => width = Some(side(&line, "width", text)?),
-            ["map"] => break,
+            ["map"] => break line,
             _ => {
                 let rule = format!("must be \"height\", \"width\" or \"map\", got {}", quoted(line.text()?));
                 return Err(line.error(rule));
             }
         }
-    }
+    };
     let (Some(width), Some(height)) = (width, height) else {
         let missing = if width.is_none() { "width" } else { "height" };
-        return Err(Error::new(ErrorCode::Import, file.name, format!("must say its {missing}")));
+        return Err(body.error(format!("must come after the map's {missing}")));
     };
-    if lines.left() < width as usize * height as usize {
-        let rule = format!("must hold {height} rows of {width} characters, has only {} bytes", lines.left());
-        return Err(Error::new(ErrorCode::Import, file.name, rule));
-    }
-    let mut map = Occupancy::new(width, height);
-    for y in (0..height).rev() {
-        let line = lines.need("a row of the map")?;
-        if line.bytes.len() != width as usize {
-            return Err(line.error(format!("must have {width} characters, got {}", line.bytes.len())));
+    // Room for the map is made once all of its rows are known to be there.
+    let row = |number: u32| {
+        let line = lines.need(&format!("row {number} of {height}"))?;
+        if line.bytes.len() == width as usize {
+            return Ok(line);
         }
+        Err(line.error(format!("must have {width} characters, got {}", line.bytes.len())))
+    };
+    let rows = (1..=height).map(row).collect::<Result<Vec<_>, Error>>()?;
+    let mut map = Occupancy::new(width, height);
+    for (y, line) in (0..height).rev().zip(&rows) {
         for (x, &terrain) in line.bytes.iter().enumerate() {
             match terrain {
                 b'.' | b'G' | b'S' => {}

@@ -58,7 +58,12 @@ describe("importScene", () => {
     for (const files of [undefined, null, 7, "map", [MAP]]) {
       expect(failure(() => importScene(untyped(files)))).toEqual({ code: "bad-input", path: "files" });
     }
-    expect(failure(() => importScene({ "junk.map": new Uint8Array(100_000_000) }))).toEqual({ code: "bad-import", path: "junk.map" });
+    const junk = new Uint8Array(100_000_000).fill(46);
+    expect(failure(() => importScene({ "junk.map": junk }))).toEqual({ code: "bad-import", path: "junk.map:1" });
+    expect(failure(() => importScene({ "junk.map": "@".repeat(100_000_000) }))).toEqual({ code: "bad-import", path: "junk.map:1" });
+    junk[7] = junk[79_999_999] = junk[80_000_001] = 10;
+    expect(failure(() => importScene({ "junk.map": junk }))).toEqual({ code: "bad-import", path: "junk.map:3" });
+    expect(failure(() => importScene({ "junk.map": junk.subarray(0, 80_000_000) }))).toEqual({ code: "bad-import", path: "junk.map:1" });
   });
 });
 

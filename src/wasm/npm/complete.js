@@ -88,9 +88,14 @@ function line(plan) {
  */
 function bytes(name, content) {
   const view = content instanceof ArrayBuffer ? new Uint8Array(content) : content;
-  const size = view instanceof Uint8Array ? view.length : text(view, `files[${JSON.stringify(name)}]`).length;
+  const whole = view instanceof Uint8Array ? view : text(view, `files[${JSON.stringify(name)}]`);
+  const size = whole.length;
   if (size > MAX_BYTES) {
-    throw new ParkadeError(`${name}: must have at most ${MAX_BYTES} bytes, got ${size}`, "bad-import", name);
+    /** @param {number} from */
+    const lineEnd = (from) => (typeof whole === "string" ? whole.indexOf("\n", from) : whole.indexOf(10, from));
+    let line = 1;
+    for (let end = lineEnd(0); end >= 0 && end < MAX_BYTES; end = lineEnd(end + 1)) line++;
+    throw new ParkadeError(`${name}:${line}: must end the file, which may have ${MAX_BYTES} bytes and has ${size}`, "bad-import", `${name}:${line}`);
   }
-  return view instanceof Uint8Array ? view : new TextEncoder().encode(/** @type {string} */ (view));
+  return typeof whole === "string" ? new TextEncoder().encode(whole) : whole;
 }
