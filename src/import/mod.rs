@@ -80,7 +80,7 @@ pub fn import(files: &[File], options: &Options) -> Result<Imported, Error> {
     const MAIN: [&[&str]; 4] = [&["map", "scen"], &["yaml", "yml", "pgm"], &["csv"], &["json"]];
     for file in files {
         if file.bytes.len() > MAX_BYTES {
-            let line = 1 + file.bytes[..MAX_BYTES].iter().filter(|&&b| b == b'\n').count();
+            let line = file.bytes[..MAX_BYTES].split(|&b| b == b'\n').count();
             let rule =
                 format!("must end the file, which may have {MAX_BYTES} bytes and has {}", file.bytes.len());
             return Err(lines::at(file.name, line, rule));

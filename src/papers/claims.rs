@@ -44,12 +44,7 @@ pub fn claims(tables: &[Table]) -> Vec<Claim> {
     let timed = time16.1 != 1.0;
     let word = |yes: bool| if yes { "yes" } else { "no" };
     let slower = |holds: bool| if timed { word(holds) } else { "unknown" };
-    let parts = |hold: &[bool]| match hold.iter().filter(|part| **part).count() {
-        _ if !timed => "unknown",
-        0 => "no",
-        count if count == hold.len() => "yes",
-        _ => "partly",
-    };
+    let parts = |hold: &[bool]| if timed { share_of(hold) } else { "unknown" };
     let longest = worst(tables, "lengthRaw", "sixteen-bidirectional");
     vec![
         judged(
@@ -121,6 +116,15 @@ pub fn claims(tables: &[Table]) -> Vec<Claim> {
             "no",
         ),
     ]
+}
+
+/// How much of a claim of several parts holds.
+fn share_of(hold: &[bool]) -> &'static str {
+    match hold.iter().filter(|part| **part).count() {
+        0 => "no",
+        count if count == hold.len() => "yes",
+        _ => "partly",
+    }
 }
 
 /// The worst of a planner's figures over sixteen neighbours', on any map.

@@ -2,6 +2,7 @@
 import { words } from "../i18n/words";
 import { checkScene } from "../scene/files";
 import { ensureIds } from "../scene/model";
+import { countRuns } from "../scene/vast";
 import type { Scene } from "../store";
 import type { App } from "./app";
 
@@ -14,6 +15,8 @@ const KEY = "parkade.tab.";
 const SETTLE_MS = 1000;
 /** Characters; browsers keep about five million for all tabs together. */
 const LARGEST = 1_500_000;
+/** Characters that a run takes at least. */
+const RUN = 8;
 const MOST_KEPT = 5;
 
 interface Kept { at: number; scene: Scene }
@@ -59,6 +62,8 @@ async function openTabs(): Promise<Set<string>> {
 }
 
 function keep(key: string, scene: Scene): void {
+  // Making the text of a huge map would hold up the page for nothing.
+  if (countRuns(scene) * RUN > LARGEST) return;
   const text = JSON.stringify({ at: Date.now(), scene } satisfies Kept);
   if (text.length > LARGEST) return;
   try {

@@ -19,6 +19,8 @@ const WIDTH = 1000;
 const HEIGHT = 160;
 /** Points closer than this fall on one pixel. */
 const MIN_STEP = 2.5;
+/** Steps closer than this fall on one line: of those only the peaks show. */
+const MIN_GAP = 0.5;
 const HOVER_REACH = 1.5;
 
 /** Curvature, clearance and speed over the way driven, marked where the pointer is on the map. */
@@ -167,8 +169,8 @@ function plotsOf(lines: readonly Line[]): Plot[] {
   const limit = lines[0]!.plan.metrics.curvatureLimit;
   const clearances = lines.map(({ plan }) => plan.clearances.reduce((most, value) => Math.max(most, value), 0.5));
   const high = Math.max(...clearances);
-  const speeds = lines.flatMap(({ drive }) => (drive ? [...drive.speeds] : []));
-  if (speeds.length === 0) {
+  const drives = lines.flatMap(({ drive }) => drive ?? []);
+  if (drives.length === 0) {
     return [
       { quantity: "curvature", top: 6, height: 62, low: -limit, high: limit },
       { quantity: "clearance", top: 88, height: 62, low: 0, high },
@@ -177,9 +179,12 @@ function plotsOf(lines: readonly Line[]): Plot[] {
   return [
     { quantity: "curvature", top: 6, height: 40, low: -limit, high: limit },
     { quantity: "clearance", top: 60, height: 40, low: 0, high },
-    { quantity: "speed", top: 114, height: 40, low: Math.min(0, ...speeds), high: Math.max(0.5, ...speeds) },
+    { quantity: "speed", top: 114, height: 40, low: extreme(drives, Math.min, 0), high: extreme(drives, Math.max, 0.5) },
   ];
 }
+
+const extreme = (drives: readonly Drive[], of: (a: number, b: number) => number, from: number): number =>
+  drives.reduce((far, { speeds }) => speeds.reduce((so, speed) => of(so, speed), far), from);
 
 const yOf = (plot: Plot, value: number): number => {
   const part = (value - plot.low) / (plot.high - plot.low);
@@ -191,13 +196,21 @@ function pathOf(plot: Plot, plan: Plan, total: number): string {
   const along = distancesOf(plan);
   const values = plot.quantity === "curvature" ? plan.curvatures : plan.clearances;
   const steps = plot.quantity === "curvature";
-  let text = "", before: number | null = null, lastX = -MIN_STEP;
+  let text = "", before: number | null = null, lastX = -MIN_STEP, peak = 0;
   for (let i = 0; i < along.length; i++) {
     const value = values[i]!;
     const x = (along[i]! / total) * WIDTH;
     const unseen = steps ? value === before && i < along.length - 1 : x - lastX < MIN_STEP && i < along.length - 1;
     if (!Number.isFinite(value) || unseen) continue;
     const y = yOf(plot, value).toFixed(1);
+    if (steps && before !== null && x - lastX < MIN_GAP && i < along.length - 1) {
+      before = value;
+      if (Math.abs(value) <= peak) continue;
+      peak = Math.abs(value);
+      text += `V${y}`;
+      continue;
+    }
+    peak = Math.abs(value);
     if (before === null) text += `M${x.toFixed(1)} ${y}`;
     else text += steps ? `H${x.toFixed(1)}V${y}` : `L${x.toFixed(1)} ${y}`;
     before = value;
@@ -211,8 +224,10 @@ function speedPath(plot: Plot, drive: Drive | null, total: number): string {
   if (!drive) return "";
   let text = "", lastX = -MIN_STEP, lastY = "";
   drive.stations.forEach((station, i) => {
-    const x = (station / total) * WIDTH, y = yOf(plot, drive.speeds[i]!).toFixed(1);
-    if (i > 0 && i < drive.stations.length - 1 && x - lastX < MIN_STEP && y === lastY) return;
+    const x = (station / total) * WIDTH, inside = i > 0 && i < drive.stations.length - 1;
+    if (inside && x - lastX < MIN_GAP) return;
+    const y = yOf(plot, drive.speeds[i]!).toFixed(1);
+    if (inside && x - lastX < MIN_STEP && y === lastY) return;
     text += `${text ? "L" : "M"}${x.toFixed(1)} ${y}`;
     [lastX, lastY] = [x, y];
   });

@@ -37,8 +37,9 @@ export const isUnpacked = (scene: Scenario): boolean =>
 /** The scene without many cells, for questions whose answer does not depend on them. */
 export const withoutCells = (scene: Scenario): Scenario => withCells(scene, () => []);
 
-export const fitsLink = (scene: Scenario): boolean =>
-  (scene.obstacles ?? []).reduce((sum, one) => sum + (one.type === "cells" ? one.runs.length : 0), 0) <= LINKABLE;
+export const countRuns = (scene: Scenario): number => (scene.obstacles ?? []).reduce((sum, one) => sum + (one.type === "cells" ? one.runs.length : 0), 0);
+
+export const fitsLink = (scene: Scenario): boolean => countRuns(scene) <= LINKABLE;
 
 function withCells(scene: Scenario, change: (runs: Run[]) => string | Run[]): Scenario {
   if (!scene.obstacles?.some((one) => one.type === "cells" && one.runs.length > MANY)) return scene;

@@ -9,27 +9,40 @@ import { plannerStyle, type PlannerStyle } from "../tokens";
 /** Pixels between two points of a drawn path. */
 const FINEST = 0.7;
 
-interface Leg { points: Point[]; headings: number[]; reverse: boolean }
+/** Pixels beyond the view where a path still shows. */
+const BESIDE = 24;
 
-/** Stretches of one direction of travel, in pixels. */
+/** `from`: pixels of the way since the last gear change, where dashes begin. */
+interface Leg { points: Point[]; headings: number[]; reverse: boolean; from: number }
+
+/** The stretches in view, each of one direction of travel, in pixels. */
 function legsOf(frame: Frame, plan: Plan): Leg[] {
   const { path } = plan;
+  const { view: { width, height } } = frame;
   const sense = segmentDirections(plan);
+  const sides = ([x, y]: Point): number => (x < -BESIDE ? 1 : x > width + BESIDE ? 2 : 0) | (y < -BESIDE ? 4 : y > height + BESIDE ? 8 : 0);
   const legs: Leg[] = [];
-  let leg: Leg | null = null, lastX = 0, lastY = 0;
+  let leg: Leg | null = null, from = 0;
+  let last = toScreen(frame, [path[0]!, path[1]!]), out = sides(last);
   for (let i = 0; i < sense.length; i++) {
     const reverse = sense[i]! < 0;
-    if (!leg || leg.reverse !== reverse) {
-      leg = { points: [toScreen(frame, [path[3 * i]!, path[3 * i + 1]!])], headings: [path[3 * i + 2]!], reverse };
-      [lastX, lastY] = leg.points[0]!;
-      legs.push(leg);
+    if (i > 0 && reverse !== sense[i - 1]! < 0) {
+      leg = null;
+      from = 0;
     }
     const point = toScreen(frame, [path[3 * i + 3]!, path[3 * i + 4]!]);
     // Long paths seen from afar have many poses to a pixel.
-    if (Math.abs(point[0] - lastX) + Math.abs(point[1] - lastY) < FINEST && sense[i + 1] === sense[i]) continue;
-    [lastX, lastY] = point;
-    leg.points.push(point);
-    leg.headings.push(path[3 * i + 5]!);
+    if (Math.abs(point[0] - last[0]) + Math.abs(point[1] - last[1]) < FINEST && sense[i + 1] === sense[i]) continue;
+    const beside = sides(point);
+    // Both ends to the same side of the view: nothing to see between them.
+    if (out & beside) leg = null;
+    else {
+      if (!leg) legs.push(leg = { points: [last], headings: [path[3 * i + 2]!], reverse, from });
+      leg.points.push(point);
+      leg.headings.push(path[3 * i + 5]!);
+    }
+    from += Math.hypot(point[0] - last[0], point[1] - last[1]);
+    [last, out] = [point, beside];
   }
   return legs;
 }
@@ -61,6 +74,7 @@ function setDash({ ctx }: Frame, leg: Leg, style: PlannerStyle): void {
   const dots = dotted(leg, style);
   ctx.lineCap = dots ? "round" : "butt";
   ctx.setLineDash(dots ? [0.1, 6.5] : [...style.dash]);
+  ctx.lineDashOffset = leg.from;
 }
 
 /** Dots get a casing of dots: a full band would look like a road. */
@@ -109,9 +123,9 @@ function drawChevrons(frame: Frame, leg: Leg, style: PlannerStyle): void {
   ctx.stroke();
 }
 
-function marksAlong({ points, headings }: Leg, every: number): { x: number; y: number; heading: number }[] {
+function marksAlong({ points, headings, from }: Leg, every: number): { x: number; y: number; heading: number }[] {
   const marks = [];
-  let due = every * 0.6;
+  let due = (every * 1.6 - (from % every)) % every;
   for (let i = 1; i < points.length; i++) {
     const [x0, y0] = points[i - 1]!, [x1, y1] = points[i]!;
     const length = Math.hypot(x1 - x0, y1 - y0);
