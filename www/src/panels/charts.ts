@@ -95,7 +95,7 @@ export class Charts extends AppElement {
     const rule = (value: number, name: string): SVGTemplateResult =>
       svg`<line class=${name} x1="0" x2=${WIDTH} y1=${yOf(plot, value)} y2=${yOf(plot, value)}/>`;
     return svg`${plot.quantity === "curvature" ? [rule(limit, "limit"), rule(-limit, "limit"), rule(0, "zero")] : [rule(0, "zero"), plot.quantity === "clearance" && margin ? rule(margin, "limit") : nothing]}
-      ${lines.map(({ planner, plan, drive }) => svg`<path class="line" d=${plot.quantity === "speed" ? speedPath(plot, drive, total) : pathOf(plot, plan, total)} stroke=${plannerColour(planner)} stroke-dasharray=${identityOf(planner).dash.join(" ") || "none"}/>`)}`;
+      ${lines.map(({ planner, plan, drive }) => svg`<path class="line" d=${lineOf(plot, plan, drive, total)} stroke=${plannerColour(planner)} stroke-dasharray=${identityOf(planner).dash.join(" ") || "none"}/>`)}`;
   }
 
   private reverse(total: number): SVGTemplateResult | typeof nothing {
@@ -179,12 +179,38 @@ function plotsOf(lines: readonly Line[]): Plot[] {
   return [
     { quantity: "curvature", top: 6, height: 40, low: -limit, high: limit },
     { quantity: "clearance", top: 60, height: 40, low: 0, high },
-    { quantity: "speed", top: 114, height: 40, low: extreme(drives, Math.min, 0), high: extreme(drives, Math.max, 0.5) },
+    { quantity: "speed", top: 114, height: 40, low: Math.min(...drives.map((drive) => extremesOf(drive)[0])), high: Math.max(...drives.map((drive) => extremesOf(drive)[1])) },
   ];
 }
 
-const extreme = (drives: readonly Drive[], of: (a: number, b: number) => number, from: number): number =>
-  drives.reduce((far, { speeds }) => speeds.reduce((so, speed) => of(so, speed), far), from);
+const extremes = new WeakMap<Drive, readonly [low: number, high: number]>();
+
+/** The lowest and the highest speed; ways of kilometres have very many. */
+function extremesOf(drive: Drive): readonly [low: number, high: number] {
+  let known = extremes.get(drive);
+  if (!known) {
+    let low = 0, high = 0.5;
+    for (const speed of drive.speeds) {
+      if (speed < low) low = speed;
+      if (speed > high) high = speed;
+    }
+    extremes.set(drive, known = [low, high]);
+  }
+  return known;
+}
+
+const drawn = new WeakMap<object, Map<Quantity, { key: string; text: string }>>();
+
+/** A plan's line, drawn again only where the axes or the answer have changed: one planner's answer leaves the others' lines. */
+function lineOf(plot: Plot, plan: Plan, drive: Drive | null, total: number): string {
+  const of = plot.quantity === "speed" ? drive : plan;
+  if (!of) return "";
+  const key = [total, plot.top, plot.height, plot.low, plot.high].join(" "), lines = drawn.get(of) ?? new Map<Quantity, { key: string; text: string }>();
+  drawn.set(of, lines);
+  let line = lines.get(plot.quantity);
+  if (line?.key !== key) lines.set(plot.quantity, line = { key, text: of === drive ? speedPath(plot, drive, total) : pathOf(plot, plan, total) });
+  return line.text;
+}
 
 const yOf = (plot: Plot, value: number): number => {
   const part = (value - plot.low) / (plot.high - plot.low);
@@ -220,17 +246,18 @@ function pathOf(plot: Plot, plan: Plan, total: number): string {
 }
 
 /** Speed over the way driven, negative in reverse. */
-function speedPath(plot: Plot, drive: Drive | null, total: number): string {
-  if (!drive) return "";
+function speedPath(plot: Plot, drive: Drive, total: number): string {
   let text = "", lastX = -MIN_STEP, lastY = "";
-  drive.stations.forEach((station, i) => {
-    const x = (station / total) * WIDTH, inside = i > 0 && i < drive.stations.length - 1;
-    if (inside && x - lastX < MIN_GAP) return;
-    const y = yOf(plot, drive.speeds[i]!).toFixed(1);
-    if (inside && x - lastX < MIN_STEP && y === lastY) return;
+  const { stations, speeds } = drive;
+  for (let i = 0; i < stations.length; i++) {
+    const x = (stations[i]! / total) * WIDTH, inside = i > 0 && i < stations.length - 1;
+    if (inside && x - lastX < MIN_GAP) continue;
+    const y = yOf(plot, speeds[i]!).toFixed(1);
+    if (inside && x - lastX < MIN_STEP && y === lastY) continue;
     text += `${text ? "L" : "M"}${x.toFixed(1)} ${y}`;
-    [lastX, lastY] = [x, y];
-  });
+    lastX = x;
+    lastY = y;
+  }
   return text;
 }
 

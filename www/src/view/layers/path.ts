@@ -20,29 +20,33 @@ function legsOf(frame: Frame, plan: Plan): Leg[] {
   const { path } = plan;
   const { view: { width, height } } = frame;
   const sense = segmentDirections(plan);
-  const sides = ([x, y]: Point): number => (x < -BESIDE ? 1 : x > width + BESIDE ? 2 : 0) | (y < -BESIDE ? 4 : y > height + BESIDE ? 8 : 0);
+  const sides = (x: number, y: number): number => (x < -BESIDE ? 1 : x > width + BESIDE ? 2 : 0) | (y < -BESIDE ? 4 : y > height + BESIDE ? 8 : 0);
   const legs: Leg[] = [];
   let leg: Leg | null = null, from = 0;
-  let last = toScreen(frame, [path[0]!, path[1]!]), out = sides(last);
+  let [lastX, lastY] = toScreen(frame, [path[0]!, path[1]!]), out = sides(lastX, lastY);
+  // Pixels of a metre; nothing is made for each of very many poses.
+  const startX = lastX, startY = lastY, scale = frame.view.camera.scale;
   for (let i = 0; i < sense.length; i++) {
     const reverse = sense[i]! < 0;
     if (i > 0 && reverse !== sense[i - 1]! < 0) {
       leg = null;
       from = 0;
     }
-    const point = toScreen(frame, [path[3 * i + 3]!, path[3 * i + 4]!]);
+    const x = startX + (path[3 * i + 3]! - path[0]!) * scale, y = startY - (path[3 * i + 4]! - path[1]!) * scale;
     // Long paths seen from afar have many poses to a pixel.
-    if (Math.abs(point[0] - last[0]) + Math.abs(point[1] - last[1]) < FINEST && sense[i + 1] === sense[i]) continue;
-    const beside = sides(point);
+    if (Math.abs(x - lastX) + Math.abs(y - lastY) < FINEST && sense[i + 1] === sense[i]) continue;
+    const beside = sides(x, y);
     // Both ends to the same side of the view: nothing to see between them.
     if (out & beside) leg = null;
     else {
-      if (!leg) legs.push(leg = { points: [last], headings: [path[3 * i + 2]!], reverse, from });
-      leg.points.push(point);
+      if (!leg) legs.push(leg = { points: [[lastX, lastY]], headings: [path[3 * i + 2]!], reverse, from });
+      leg.points.push([x, y]);
       leg.headings.push(path[3 * i + 5]!);
     }
-    from += Math.hypot(point[0] - last[0], point[1] - last[1]);
-    [last, out] = [point, beside];
+    from += Math.sqrt((x - lastX) ** 2 + (y - lastY) ** 2);
+    lastX = x;
+    lastY = y;
+    out = beside;
   }
   return legs;
 }
