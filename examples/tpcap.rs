@@ -47,6 +47,10 @@ const BEST: [(&str, f64, u32, f64); 18] = [
     ("slot12_parallel", 33.5, 1, 40.2),
 ];
 
+/// A batch of queries lasts this long, milliseconds, or has `MOST` of them.
+const BATCH: f64 = 40.0;
+const MOST: u32 = 1024;
+
 /// The best known come from programs that keep no margin: as near as this, metres, and as dear a gear change, metres, one
 /// setting has both short paths and few gear changes.
 const NEAR: (f64, f64) = (0.03, 1.5);
@@ -223,21 +227,19 @@ fn now() -> f64 {
 
 static BEGIN: LazyLock<Instant> = LazyLock::new(Instant::now);
 
-/// The least of some batches, each long enough for a coarse clock.
+/// The least of some batches, each long enough for a coarse clock: the system may tell a thread's time only when it
+/// interrupts it, every few milliseconds.
 fn least<T>(mut run: impl FnMut() -> T) -> (T, f64) {
     let mut value = run();
-    let mut once = || {
-        let begin = Instant::now();
-        value = run();
-        begin.elapsed().as_secs_f64() * 1e3
-    };
-    let first = once().min(once());
-    let runs = (40.0 / first).ceil().clamp(1.0, 400.0) as u32;
-    let batch = |_: u32| {
+    let mut batch = |runs: u32| {
         let begin = now();
         (0..runs).for_each(|_| value = run());
-        (now() - begin) / f64::from(runs)
+        now() - begin
     };
-    let best = (0..3).map(batch).fold(f64::INFINITY, f64::min);
+    let mut runs = 1;
+    while batch(runs) < BATCH && runs < MOST {
+        runs *= 2;
+    }
+    let best = (0..3).map(|_| batch(runs)).fold(f64::INFINITY, f64::min) / f64::from(runs);
     (value, best)
 }

@@ -102,6 +102,24 @@ fn without_questions_the_way_leads_through_the_largest_room() {
 }
 
 #[test]
+fn without_questions_the_car_stands_free_where_there_is_room() {
+    let yaml = "image: hall.pgm\nresolution: 0.5\norigin: [-10.0, -5.0, 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+    let turned = yaml.replace("-5.0, 0.0]", "-5.0, 0.4]");
+    // A hall of 40 m × 30 m with a wall into it from below.
+    let wall = |x: u32, y: u32| x == 0 || y == 0 || x == 79 || y == 59 || (x / 4 == 9 && y > 30);
+    let pixels: Vec<&str> =
+        (0..60).flat_map(|y| (0..80).map(move |x| if wall(x, y) { "0" } else { "254" })).collect();
+    let pgm = format!("P2\n80 60\n255\n{}\n", pixels.join(" "));
+    for yaml in [yaml, &turned] {
+        let scene = read(&[("hall.yaml", yaml), ("hall.pgm", &pgm)]).scenes.remove(0);
+        let mut planner = parkade::plan::Planner::new("hybrid", &scene, &serde_json::Map::new()).unwrap();
+        let plan = planner.plan(parkade::plan::Options::default());
+        assert_eq!(plan.outcome, parkade::plan::Outcome::Found, "{:?}", plan.reason);
+        assert!(plan.metrics.length > 15.0, "{}", plan.metrics.length);
+    }
+}
+
+#[test]
 fn broken_maps_are_refused_by_line() {
     let map = |from: &str, to: &str| refused(&[("room.map", &MAP.replacen(from, to, 1))]);
     let scen =

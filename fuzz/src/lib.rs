@@ -16,7 +16,7 @@ mod strewn;
 
 use parkade::planners::registry::planners;
 use parkade::scenario::catalog::{scenario, scenes};
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 use std::cell::Cell;
 use std::panic::{self, AssertUnwindSafe, catch_unwind};
 
@@ -77,6 +77,14 @@ pub fn questions(random: u64) -> impl Iterator<Item = Value> {
         planners().into_iter().map(move |planner| configs::answer(planner.id, &scene, &none))
     });
     built_in.chain((0..random).map(configs::asked))
+}
+
+/// Hybrid A* in its random scenes of these seeds, each answer held against what is promised, as [`questions`] are.
+pub fn parking(seeds: core::ops::Range<u64>) -> impl Iterator<Item = Value> {
+    seeds.map(|seed| {
+        let (scene, settings) = strewn::scene(seed);
+        json!({ "planner": "hybrid", "scene": scene, "settings": settings, "answer": strewn::plan(seed).hash() })
+    })
 }
 
 thread_local! {

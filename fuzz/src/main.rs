@@ -8,7 +8,8 @@ use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::{env, fs, thread};
 
 use anyhow::{Context as _, Result, bail, ensure};
-use parkade_fuzz::{TARGETS, Target, catch_panics, questions};
+use parkade_fuzz::{TARGETS, Target, catch_panics, parking, questions};
+use serde_json::Value;
 
 const USAGE: &str = "fuzz [TARGET...] [--count N (10000)] [--from SEED]\n\
     Without --from, each target goes on after the last seed that was asked. Targets:";
@@ -29,7 +30,11 @@ fn main() -> Result<()> {
         match argument.as_str() {
             "--count" => count = number()?,
             // What `cargo xtask everywhere` asks other engines.
-            "--print" => return print(number()?),
+            "--print" => return print(questions(number()?)),
+            "--print-parking" => {
+                let first = number()?;
+                return print(parking(first..first + number()?));
+            }
             "--from" => from = Some(number()?),
             name => match TARGETS.iter().find(|target| target.name == name) {
                 Some(target) => targets.push(target),
@@ -49,9 +54,9 @@ fn main() -> Result<()> {
     Ok(())
 }
 
-fn print(random: u64) -> Result<()> {
+fn print(questions: impl Iterator<Item = Value>) -> Result<()> {
     let mut out = std::io::BufWriter::new(std::io::stdout().lock());
-    for question in questions(random) {
+    for question in questions {
         writeln!(out, "{question}")?;
     }
     Ok(())

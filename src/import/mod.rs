@@ -16,7 +16,7 @@ use serde_json::Value;
 
 use crate::error::{Error, ErrorCode};
 use crate::geometry::{Point, Pose, math};
-use crate::map::{Cell, Frame, Occupancy, raster};
+use crate::map::{Cell, Frame, Occupancy, distance, raster};
 use crate::scenario::{Goal, MapFrame, Obstacle, Scenario, VehicleSpec};
 
 pub use options::{Options, Unknown};
@@ -193,12 +193,17 @@ impl Raster {
     /// The scene that goes from one cell to another, or along the farthest way of the largest room when none are given.
     fn scene(self, ends: Option<[Cell; 2]>, file: &str) -> Result<Scenario, Error> {
         let frame = lattice(&self.frame);
+        let car = self.vehicle.resolve()?;
         let room = || {
-            let Some(outline) = &self.frame.boundary else { return largest_room(&self.map) };
             let mut inside = self.map.clone();
-            let outline: Vec<Point> = outline.iter().map(|&[x, y]| Point::new(x, y)).collect();
-            raster::fill_outside(&mut inside, &frame, &outline);
-            largest_room(&inside)
+            if let Some(outline) = &self.frame.boundary {
+                let outline: Vec<Point> = outline.iter().map(|&[x, y]| Point::new(x, y)).collect();
+                raster::fill_outside(&mut inside, &frame, &outline);
+            }
+            // Where the car can stand in every direction, if there is such a place.
+            let reach = math::hypot(car.rear_to_front.max(car.rear_to_back), car.width / 2.0);
+            let roomy = largest_room(&inner(&inside, reach / frame.resolution));
+            roomy.filter(|[start, goal]| start != goal).or_else(|| largest_room(&inside))
         };
         let Some([start, goal]) = ends.or_else(room) else {
             return Err(Error::new(ErrorCode::Import, file, "must have a free cell"));
@@ -237,6 +242,22 @@ fn poses(frame: &Frame, start: Cell, goal: Cell) -> [Pose; 2] {
         let at = frame.center(cell);
         Pose::new(at.x, at.y, heading)
     })
+}
+
+/// The map without the cells that lie less than `reach` cells from a blocked cell or the border.
+fn inner(map: &Occupancy, reach: f64) -> Occupancy {
+    let mut inner = map.clone();
+    // From centre to centre; a cell's corner may be that much nearer.
+    let apart = distance::to_centers(map, |d| (d as f64).sqrt() as f32 / 2.0);
+    let (far, edge) = (reach + core::f64::consts::FRAC_1_SQRT_2, reach.ceil() as i32);
+    for (index, &d) in apart.data.iter().enumerate() {
+        let Cell { x, y } = map.cell(index as u32);
+        let border = x.min(y).min(map.width() as i32 - 1 - x).min(map.height() as i32 - 1 - y);
+        if border < edge || f64::from(d) < far {
+            inner.set(Cell { x, y }, true);
+        }
+    }
+    inner
 }
 
 /// The first and the last cell of the largest set of free cells that share edges, row by row.

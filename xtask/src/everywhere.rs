@@ -1,6 +1,6 @@
 //! `cargo xtask everywhere`: the same plans, byte by byte, wherever they are made.
 
-use anyhow::{Context as _, Result, ensure};
+use anyhow::{Context as _, Result, bail};
 
 use crate::tools::{Workspace, capture, cargo, node, run};
 use crate::{browser, site};
@@ -10,13 +10,23 @@ const RANDOM: &str = "2000";
 
 /// Fails where an answer differs from the native one.
 pub(crate) fn everywhere(arguments: &[String]) -> Result<()> {
-    ensure!(arguments.len() <= 1, "there is `everywhere [random scenes]`");
-    let random = arguments.first().map_or(RANDOM, String::as_str);
-    random.parse::<u32>().with_context(|| format!("must be a whole number, got {random}"))?;
+    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let asked = match words[..] {
+        [] => vec!["--print", RANDOM],
+        ["parking"] => vec!["--print-parking", "0", RANDOM],
+        ["parking", count] => vec!["--print-parking", "0", count],
+        ["parking", count, first] => vec!["--print-parking", first, count],
+        [count] => vec!["--print", count],
+        _ => bail!(
+            "there are `everywhere [random scenes]` and `everywhere parking [random scenes [first seed]]`"
+        ),
+    };
+    for number in &asked[1..] {
+        number.parse::<u32>().with_context(|| format!("must be a whole number, got {number}"))?;
+    }
     site::assemble()?;
     let questions = Workspace::load()?.target.join("everywhere.jsonl");
-    let package =
-        ["run", "--quiet", "--release", "--locked", "--package", "parkade-fuzz", "--", "--print", random];
-    std::fs::write(&questions, capture(cargo().args(package))?)?;
+    let package = ["run", "--quiet", "--release", "--locked", "--package", "parkade-fuzz", "--"];
+    std::fs::write(&questions, capture(cargo().args(package).args(asked))?)?;
     run(node().arg("tests/everywhere/run.js").arg(&questions).env("CHROME_PATH", browser::find_or_install()?))
 }

@@ -2,7 +2,7 @@ import type { Drive, Plan, PlannerId } from "parkade";
 import { css, html, nothing, svg, type SVGTemplateResult, type TemplateResult } from "lit";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
-import { drivenAt, rowAt } from "../view/clock";
+import { clockOf, drivenAt, rowAt } from "../view/clock";
 import { cuspsOf, distancesOf, nearestPose, poseAtDistance } from "../view/drive";
 import { identityOf } from "../view/identity";
 import { AppElement } from "./base";
@@ -11,6 +11,7 @@ import { drivablePlan } from "./status";
 import { focusedPlan, reverseSpans } from "./timeline";
 
 type Quantity = "curvature" | "clearance" | "speed";
+interface Position { at: number; clock: number | null }
 interface Line { planner: PlannerId; plan: Plan; drive: Drive | null }
 interface Content { lines: Line[]; total: number; plots: Plot[]; drawn: SVGTemplateResult }
 interface Plot { quantity: Quantity; top: number; height: number; low: number; high: number }
@@ -59,7 +60,7 @@ export class Charts extends AppElement {
   protected override render(): TemplateResult {
     const { lines, total, plots, drawn } = this.content();
     if (lines.length === 0) return html`<p class="none">${this.t("chart.none")}</p>`;
-    const at = this.position();
+    const position = this.position(), at = position && position.at;
     const percent = (y: number): string => `top:calc((100% - 20px) * ${y / HEIGHT})`;
     return html`
       <div class="left" aria-hidden="true">${plots.map((plot) => [plot.high, plot.low].map((value) => html`
@@ -71,10 +72,10 @@ export class Charts extends AppElement {
           ${at === null ? nothing : svg`<line class="cursor" x1=${(at / total) * WIDTH} x2=${(at / total) * WIDTH} y1="0" y2=${HEIGHT}/>`}
         </svg>
         ${this.cusps(total).map((x) => html`<svg class="diamond" .style=${`left:${x * 100}%`} viewBox="0 0 10 10" aria-hidden="true"><path d="M5 0l5 5-5 5-5-5z"/></svg>`)}
-        ${at === null ? nothing : plots.map((plot) => this.dot(plot, at, total, percent))}
+        ${at === null ? nothing : plots.map((plot) => this.dot(plot, position!, total, percent))}
         <div class="axis" aria-hidden="true">${ticks(total).map((tick, i, all) => html`<span .style=${`left:${(tick / total) * 100}%`}>${this.num(tick, 0)}${i === all.length - 1 ? " m" : ""}</span>`)}</div>
       </div>
-      <div class="right" aria-hidden="true">${plots.map((plot) => html`<div .style=${percent(plot.top + plot.height / 2)}>${this.t(`chart.${plot.quantity}`)}<b>${this.value(plot.quantity, at)}</b></div>`)}</div>`;
+      <div class="right" aria-hidden="true">${plots.map((plot) => html`<div .style=${percent(plot.top + plot.height / 2)}>${this.t(`chart.${plot.quantity}`)}<b>${this.value(plot.quantity, position)}</b></div>`)}</div>`;
   }
 
   /** The lines change with the answers only, the cursor with every frame. */
@@ -113,39 +114,45 @@ export class Charts extends AppElement {
     return plan ? cuspsOf(plan).map((index) => distancesOf(plan)[index]! / total) : [];
   }
 
-  /** Metres along the focused path: of the point nearest to the pointer, else of the moving car. */
-  private position(): number | null {
+  /** Metres along the focused path: of the point nearest to the pointer, else of the moving car, with its clock. */
+  private position(): Position | null {
     const { hover, playback } = this.state;
     const plan = focusedPlan(this.state);
     if (!plan) return null;
     const along = distancesOf(plan);
     const index = hover ? nearestPose(plan, hover.x, hover.y, HOVER_REACH) : null;
-    if (index !== null) return along[index] ?? null;
+    if (index !== null) return { at: along[index]!, clock: null };
     if (playback.base !== "drive") return null;
-    return drivenAt(this.state, plan, this.state.results[this.state.focus], 1)?.along ?? null;
+    const car = drivenAt(this.state, plan, this.state.results[this.state.focus], 1);
+    // Without moving obstacles the car is played at one speed, not at its own.
+    return car && { at: car.along, clock: this.state.scene.moving?.length ? clockOf(this.state) : null };
   }
 
   /** The focused line's value at the cursor. */
-  private dot(plot: Plot, at: number, total: number, percent: (y: number) => string): TemplateResult | typeof nothing {
-    const plan = focusedPlan(this.state), pose = plan && poseAtDistance(plan, at), drive = this.state.results[this.state.focus]?.drive;
+  private dot(plot: Plot, position: Position, total: number, percent: (y: number) => string): TemplateResult | typeof nothing {
+    const { at } = position, plan = focusedPlan(this.state), pose = plan && poseAtDistance(plan, at);
     if (!pose) return nothing;
-    const value = plot.quantity === "speed" ? drive?.speeds[rowAt(drive.stations, at)] : pose[plot.quantity];
+    const value = plot.quantity === "speed" ? this.speed(position) : pose[plot.quantity];
     if (value === undefined || !Number.isFinite(value)) return nothing;
     return html`<i class="dot" .style=${`left:${(at / total) * 100}%;${percent(yOf(plot, value))};border-color:${plannerColour(this.state.focus)}`}></i>`;
   }
 
-  private value(quantity: Quantity, at: number | null): string {
+  private value(quantity: Quantity, position: Position | null): string {
     const plan = focusedPlan(this.state);
-    const pose = plan && at !== null ? poseAtDistance(plan, at) : null;
+    const pose = plan && position ? poseAtDistance(plan, position.at) : null;
     if (!pose) return "–";
-    if (quantity === "speed") return this.speedAt(at!);
+    if (quantity === "speed") {
+      const speed = this.speed(position!);
+      return speed === undefined ? "–" : `${this.num(speed, 2)} m/s`;
+    }
     if (quantity === "clearance") return `${this.num(pose.clearance, 2)} m`;
     return Number.isFinite(pose.curvature) ? `${this.num(pose.curvature, 3)} 1/m` : this.t("table.corner");
   }
 
-  private speedAt(station: number): string {
+  /** A car that waits is at one place for a while: its clock tells whether it stands. */
+  private speed({ at, clock }: Position): number | undefined {
     const drive = this.state.results[this.state.focus]?.drive;
-    return drive ? `${this.num(drive.speeds[rowAt(drive.stations, station)] ?? 0, 2)} m/s` : "–";
+    return drive?.speeds[clock === null ? rowAt(drive.stations, at) : rowAt(drive.t, clock)];
   }
 
   private point(event: PointerEvent, total: number): void {

@@ -40,8 +40,9 @@ function ofPlan(state: State, plan: Plan): Status {
   if (plan.outcome !== "found") {
     const key = `reason.${plan.outcome}`;
     const own = isMessage(key) ? translate(state.lang, key) : null;
-    const why = placeOf(state, plan);
-    const reason = state.lang === "en" && plan.reason ? [plan.reason, ["gap", "contact"].includes(plan.obstruction?.kind ?? "") ? "" : why ?? ""].join(" ").trim() : why ?? own;
+    const why = [placeOf(state, plan), small(state, plan)], named = ["gap", "contact"].includes(plan.obstruction?.kind ?? "");
+    const words = state.lang === "en" && plan.reason ? [plan.reason, ...why.slice(named ? 1 : 0)] : why[0] ? why : [own];
+    const reason = words.filter(Boolean).join(" ") || null;
     return say(state, { name: plan.outcome }, "err", "warning", reason);
   }
   const { check } = plan;
@@ -62,6 +63,17 @@ function placeOf({ lang }: State, { obstruction, outcome }: Plan): string | null
   if (!obstruction || (obstruction.kind === "nearest" && outcome === "budget-spent")) return null;
   const values: Values = obstruction.kind === "gap" ? { width: number(lang, obstruction.width, 2), needed: number(lang, obstruction.needed, 2) } : {};
   return translate(lang, `why.${obstruction.kind}`, values);
+}
+
+/** That the car is larger than the slot it shall stand in. */
+function small({ lang, scene, geometry }: State, { obstruction }: Plan): string | null {
+  const { goal } = scene, slot = "slot" in goal ? scene.slots?.find(({ id }) => id === goal.slot) : undefined;
+  const car = geometry?.vehicle;
+  if (!slot || !car || obstruction?.kind !== "contact" || obstruction.end !== "goal") return null;
+  const length = car.rearToFront + car.rearToBack;
+  if (slot.length >= length && slot.width >= car.width) return null;
+  const size = (along: number, across: number): string => `${number(lang, along, 2)} × ${number(lang, across, 2)}`;
+  return translate(lang, "why.small", { slot: size(slot.length, slot.width), car: size(length, car.width) });
 }
 
 function turned({ lang }: State, check: Check): Word {

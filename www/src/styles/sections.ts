@@ -9,6 +9,6 @@ export const sections = css`
   p { margin: 0; color: var(--parkade-t2); font-size: 12px; line-height: 16px; }
   .row { display: flex; gap: 6px; align-items: center; }
   .row + .row, .row + p, p + .row { margin-top: 8px; }
-  .row .field { flex: 1; }
+  .row .field { flex: 1; gap: 3px; padding: 0 5px; }
   .push { margin-left: auto; }
 `;
