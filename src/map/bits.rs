@@ -1,168 +1,131 @@
-//! A map as bits, 64 cells a word, by rows and by columns: scanning a row looks at up to 64 cells at once.
+//! What jump point search asks of a map: where straight jumps stop, 64 cells a look, and in which directions jumps lead
+//! anywhere.
 
+use super::ways::Ways;
 use super::{Cell, Occupancy};
 
-/// Blocked bits before the first cell of a line.
-const PAD: usize = 64;
-
-/// Which cells are blocked, as bits. Everything outside counts as blocked.
+/// Where jumps over a map lead. Everything outside is a wall.
 #[derive(Debug, Clone)]
 pub struct Bits {
-    rows: Lines,
-    columns: Lines,
+    /// Going east, north, west and south.
+    lines: [Lines; 4],
+    ways: Ways,
 }
 
-/// Parallel lines of cells.
+/// The rows or columns of a map in one direction.
 #[derive(Debug, Clone)]
 struct Lines {
+    /// Cells of one line.
+    length: u32,
     /// Words of one line.
     words: usize,
-    bits: Vec<Word>,
-}
-
-/// 64 cells of a line.
-#[derive(Debug, Clone, Copy)]
-struct Word {
-    blocked: u64,
-    /// Where one who comes from lower numbers stops: blocked cells, and those beside which a wall ends.
-    rising: u64,
-    /// The same for one who comes from higher numbers.
-    falling: u64,
+    /// Where one stops who goes along a line: at blocked cells and those beside which a wall ends, and after the last cell.
+    stops: Vec<u64>,
 }
 
 impl Lines {
     fn new(lines: u32, length: u32) -> Self {
-        let words = (length as usize).div_ceil(64) + 3;
-        let wall = Word { blocked: u64::MAX, rising: u64::MAX, falling: u64::MAX };
-        Self { words, bits: vec![wall; words * (lines as usize + 2)] }
+        let words = length as usize / 64 + 1;
+        Self { length, words, stops: vec![u64::MAX; words * lines as usize] }
     }
 
-    /// Blocks or frees a cell; stops are behind then.
-    fn set(&mut self, line: i32, at: i32, blocked: bool) {
-        let bit = at as usize + PAD;
-        let word = &mut self.bits[(line + 1) as usize * self.words + bit / 64].blocked;
-        *word = if blocked { *word | 1 << (bit % 64) } else { *word & !(1 << (bit % 64)) };
+    fn set(&mut self, line: u32, at: u32, stops: bool) {
+        let word = &mut self.stops[line as usize * self.words + at as usize / 64];
+        let bit = 1 << (at % 64);
+        *word = if stops { *word | bit } else { *word & !bit };
     }
 
-    /// Brings the stops of all words up to date.
-    fn settle(&mut self) {
-        for index in self.words + 1..self.bits.len() - self.words - 1 {
-            self.settle_word(index);
-        }
-    }
-
-    /// Brings the stops around a cell up to date.
-    fn settle_around(&mut self, line: i32, at: i32) {
-        let (lines, bit) = ((self.bits.len() / self.words) as i32 - 2, at as usize + PAD);
-        for line in (line - 1).max(0)..=(line + 1).min(lines - 1) {
-            // The first word is all wall, as it was made.
-            for word in ((bit - 1) / 64).max(1)..=(bit + 1) / 64 {
-                self.settle_word((line + 1) as usize * self.words + word);
+    /// The number of steps along a line from a cell to the first stop.
+    #[inline]
+    fn scan(&self, line: u32, at: u32) -> u32 {
+        let next = at + 1;
+        let mut word = line as usize * self.words + next as usize / 64;
+        let mut stops = self.stops[word] >> (next % 64);
+        let mut steps = 1;
+        if stops == 0 {
+            steps += 64 - next % 64;
+            word += 1;
+            stops = self.stops[word];
+            while stops == 0 {
+                steps += 64;
+                word += 1;
+                stops = self.stops[word];
             }
         }
+        steps + stops.trailing_zeros()
     }
-
-    fn settle_word(&mut self, index: usize) {
-        let here = self.bits[index].blocked;
-        let (mut rising, mut falling) = (here, here);
-        for beside in [index - self.words, index + self.words] {
-            let [before, wall, after] = [beside - 1, beside, beside + 1].map(|k| self.bits[k].blocked);
-            rising |= !wall & (wall << 1 | before >> 63);
-            falling |= !wall & (wall >> 1 | after << 63);
-        }
-        self.bits[index] = Word { blocked: here, rising, falling };
-    }
-
-    /// Goes along a line from the free cell `at` until a forced turn or a wall.
-    #[inline]
-    fn scan(&self, line: i32, at: i32, forward: bool) -> Stop {
-        let start = (line + 1) as usize * self.words;
-        let line = &self.bits[start..start + self.words];
-        let end = if forward { rise(line, at) } else { fall(line, at) };
-        let wall = line[end / 64].blocked >> (end % 64) & 1 == 1;
-        Stop { at: end as i32 - PAD as i32, wall }
-    }
-}
-
-/// The bit of the first stop after a cell.
-#[inline]
-fn rise(line: &[Word], at: i32) -> usize {
-    let from = at as usize + PAD + 1;
-    let first = line[from / 64].rising >> (from % 64);
-    if first != 0 {
-        return from + first.trailing_zeros() as usize;
-    }
-    let mut word = from / 64 + 1;
-    while line[word].rising == 0 {
-        word += 1;
-    }
-    64 * word + line[word].rising.trailing_zeros() as usize
-}
-
-/// The bit of the first stop before a cell.
-#[inline]
-fn fall(line: &[Word], at: i32) -> usize {
-    let from = at as usize + PAD - 1;
-    let first = line[from / 64].falling << (63 - from % 64);
-    if first != 0 {
-        return from - first.leading_zeros() as usize;
-    }
-    let mut word = from / 64 - 1;
-    while line[word].falling == 0 {
-        word -= 1;
-    }
-    64 * word + 63 - line[word].falling.leading_zeros() as usize
-}
-
-/// Where one who goes straight stops.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Stop {
-    /// The column or row.
-    pub(crate) at: i32,
-    /// Whether the cell is blocked; else it has a forced turn.
-    pub(crate) wall: bool,
 }
 
 impl Bits {
     /// The bits of a map.
     pub fn new(map: &Occupancy) -> Self {
         let (width, height) = (map.width(), map.height());
-        let mut bits = Self { rows: Lines::new(height, width), columns: Lines::new(width, height) };
-        for y in 0..height {
-            for (x, _) in map.row(y).iter().enumerate().filter(|&(_, &blocked)| blocked == 0) {
-                bits.rows.set(y as i32, x as i32, false);
-                bits.columns.set(x as i32, y as i32, false);
-            }
+        let (rows, columns) = (Lines::new(height, width), Lines::new(width, height));
+        let lines = [rows.clone(), columns.clone(), rows, columns];
+        let mut bits = Self { lines, ways: Ways::new(map) };
+        for index in 0..map.len() as u32 {
+            bits.settle(map, map.cell(index));
         }
-        bits.rows.settle();
-        bits.columns.settle();
         bits
     }
 
-    /// Blocks or frees a cell, which must be on the map.
-    pub fn set(&mut self, cell: Cell, blocked: bool) {
-        self.rows.set(cell.y, cell.x, blocked);
-        self.rows.settle_around(cell.y, cell.x);
-        self.columns.set(cell.x, cell.y, blocked);
-        self.columns.settle_around(cell.x, cell.y);
+    /// Brings all up to date after a cell of the map was blocked or freed.
+    pub fn follow(&mut self, map: &Occupancy, changed: Cell) {
+        for (dx, dy) in (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (dx, dy))) {
+            let cell = changed.offset(dx, dy);
+            if map.contains(cell) {
+                self.settle(map, cell);
+            }
+        }
+        self.ways.follow(map, changed);
     }
 
-    /// Goes straight, east or west, from a free cell.
-    #[inline]
-    pub(crate) fn along_row(&self, from: Cell, east: bool) -> Stop {
-        self.rows.scan(from.y, from.x, east)
+    /// Brings the stops at a cell up to date.
+    fn settle(&mut self, map: &Occupancy, cell: Cell) {
+        let stops = if map.blocked(cell) { u8::MAX } else { ends(map.free_around(cell)) };
+        for quarter in 0..4 {
+            let (line, at) = self.place(cell, quarter);
+            self.lines[quarter as usize].set(line, at, stops >> (2 * quarter) & 1 == 1);
+        }
     }
 
-    /// Goes straight, north or south, from a free cell.
+    /// The line of a cell, and its place there, as seen in a direction: 0 east, 1 north, 2 west, 3 south.
     #[inline]
-    pub(crate) fn along_column(&self, from: Cell, north: bool) -> Stop {
-        self.columns.scan(from.x, from.y, north)
+    fn place(&self, cell: Cell, quarter: u32) -> (u32, u32) {
+        let (x, y) = (cell.x as u32, cell.y as u32);
+        let (line, at) = if quarter % 2 == 0 { (y, x) } else { (x, y) };
+        let last = self.lines[quarter as usize % 4].length - 1;
+        (line, if quarter < 2 { at } else { last - at })
     }
+
+    /// The directions in which a jump from a cell leads anywhere, the goal aside: bit c for the c-th of E, NE, N, NW, W,
+    /// SW, S, SE.
+    #[inline]
+    pub(crate) fn ways(&self, from: Cell) -> u8 {
+        self.ways.at(from)
+    }
+
+    /// The number of steps straight from a cell to the first wall or forced turn: 0 east, 1 north, 2 west, 3 south.
+    #[inline]
+    pub(crate) fn straight(&self, from: Cell, quarter: u32) -> u32 {
+        let (line, at) = self.place(from, quarter);
+        self.lines[quarter as usize % 4].scan(line, at)
+    }
+}
+
+/// The directions in which one who comes to a free cell with these free neighbours has just passed the end of a wall.
+const fn ends(free: u8) -> u8 {
+    let (left, right) = (free.rotate_right(2), free.rotate_left(2));
+    let (left_behind, right_behind) = (free.rotate_right(3), free.rotate_left(3));
+    left & !left_behind | right & !right_behind
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    const DIRECTIONS: [(i32, i32); 8] =
+        [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)];
 
     /// The same, a cell at a time.
     fn plain(map: &Occupancy, from: Cell, (dx, dy): (i32, i32)) -> (Cell, bool) {
@@ -195,18 +158,25 @@ mod tests {
             for _ in 0..random(100) {
                 let cell = map.cell(random(map.len() as u32));
                 map.set(cell, random(2) == 0);
-                bits.set(cell, map.blocked(cell));
+                bits.follow(&map, cell);
             }
             for _ in 0..500 {
                 let from = map.cell(random(map.len() as u32));
                 if map.blocked(from) {
                     continue;
                 }
-                for step in [1, -1] {
-                    let row = bits.along_row(from, step > 0);
-                    assert_eq!((Cell::new(row.at, from.y), row.wall), plain(&map, from, (step, 0)));
-                    let column = bits.along_column(from, step > 0);
-                    assert_eq!((Cell::new(from.x, column.at), column.wall), plain(&map, from, (0, step)));
+                for (direction, &step) in DIRECTIONS.iter().enumerate() {
+                    let leads = bits.ways(from) >> direction & 1 == 1;
+                    let (dx, dy) = step;
+                    let legal = !map.blocked(from.offset(dx, 0))
+                        && !map.blocked(from.offset(0, dy))
+                        && !map.blocked(from.offset(dx, dy));
+                    let free = if dx * dy == 0 { !plain(&map, from, step).1 } else { legal };
+                    assert_eq!(leads, free, "{from:?} {step:?}");
+                }
+                for (quarter, (dx, dy)) in [(1, 0), (0, 1), (-1, 0), (0, -1)].into_iter().enumerate() {
+                    let steps = bits.straight(from, quarter as u32) as i32;
+                    assert_eq!(from.offset(dx * steps, dy * steps), plain(&map, from, (dx, dy)).0);
                 }
             }
         }

@@ -82,7 +82,7 @@ pub fn update(
             || around().any(|(x, y)| near(x, y) && map.is_obstacle(cell.offset(x, y)));
         inflated.set(cell, value);
         if let Some(bits) = &mut bits {
-            bits.set(cell, value);
+            bits.follow(inflated, cell);
         }
     }
 }

@@ -12,6 +12,8 @@ pub mod raster;
 #[cfg(feature = "complete")]
 mod redundant;
 pub mod risk;
+#[cfg(feature = "complete")]
+mod ways;
 
 #[cfg(feature = "complete")]
 pub use bits::Bits;

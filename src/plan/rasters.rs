@@ -106,7 +106,7 @@ impl Rasters {
         if let (Some(inflated), Some(radius)) = (&mut self.inflated, extra.radius) {
             inflation::update(&world.occupancy, inflated, radius, cell, extra.bits.as_mut());
         } else if let Some(bits) = &mut extra.bits {
-            bits.set(cell, world.occupancy.blocked(cell));
+            bits.follow(&world.occupancy, cell);
         }
         if extra.closed.take().is_some() {
             extra.bits = None;

@@ -63,36 +63,42 @@ struct Jumps<'a> {
 }
 
 impl Jumps<'_> {
-    /// The straight jump from a cell with these free neighbours: where it gets and the number of steps, if it gets
+    /// The directions in which a jump from a cell leads anywhere, or might lead to the goal.
+    #[inline]
+    fn ways(&self, from: Cell) -> u32 {
+        let mut ways = self.bits.ways(from);
+        let goal = self.query.goal;
+        if from.x == goal.x || from.y == goal.y {
+            let straight = if from.x == goal.x { 0b0100_0100 } else { 0b0001_0001 };
+            ways |= self.query.map.free_around(from) & straight;
+        }
+        u32::from(ways)
+    }
+
+    /// The straight jump from a cell in one of its [`Jumps::ways`]: where it gets and the number of steps, if it gets
     /// anywhere.
     #[inline]
-    fn straight(&self, from: Cell, free: u8, direction: u32) -> Option<(Cell, i64)> {
-        if free >> direction & 1 == 0 {
-            self.scanned.set(self.scanned.get() + 1);
-            return None;
-        }
+    fn straight(&self, from: Cell, direction: u32) -> Option<(Cell, i64)> {
         let goal = self.query.goal;
-        let forward = direction < 4;
-        let row = direction.is_multiple_of(4);
-        let (stop, at, same, to) = if row {
-            (self.bits.along_row(from, forward), from.x, from.y == goal.y, goal.x)
-        } else {
-            (self.bits.along_column(from, forward), from.y, from.x == goal.x, goal.y)
-        };
-        self.scanned.set(self.scanned.get() + stop.at.abs_diff(at));
-        // The goal is free, so it is before a wall.
-        let end = if same && (at.min(stop.at)..=at.max(stop.at)).contains(&to) && to != at {
-            to
-        } else if stop.wall {
-            return None;
-        } else {
-            stop.at
-        };
-        let cell = if row { Cell::new(end, from.y) } else { Cell::new(from.x, end) };
-        Some((cell, i64::from(end.abs_diff(at))))
+        let (dx, dy) = DIRECTIONS[direction as usize % 8];
+        let mut steps = self.bits.straight(from, direction / 2) as i32;
+        let (x, y) = (goal.x - from.x, goal.y - from.y);
+        let scanned = self.scanned.get() + steps as u32;
+        self.scanned.set(scanned);
+        if x * dy == y * dx {
+            // The goal is free, so it is before a wall.
+            let far = x * dx + y * dy;
+            if (1..=steps).contains(&far) {
+                steps = far;
+            } else if self.bits.ways(from) >> direction & 1 == 0 {
+                return None;
+            }
+        }
+        Some((from.offset(dx * steps, dy * steps), i64::from(steps)))
     }
 
     /// Offers a node that is reached in a direction.
+    #[inline]
     fn emit<S: Sink>(&self, to: Cell, cost: i64, direction: u32, sink: &mut S) {
         let node = self.query.map.index(to);
         if sink.worth(node, cost) {
@@ -104,51 +110,52 @@ impl Jumps<'_> {
         octile(self.query.goal.x - at.x, self.query.goal.y - at.y)
     }
 
+    /// Jumps in one of a cell's [`Jumps::ways`].
     fn jump<S: Sink>(&self, from: Cell, direction: u32, sink: &mut S) {
-        if direction.is_multiple_of(2) {
-            let free = self.query.map.free_around(from);
-            if let Some((to, steps)) = self.straight(from, free, direction) {
-                self.emit(to, steps * D, direction, sink);
-            }
-        } else {
+        if direction % 2 == 1 {
             self.diagonal(from, direction, sink);
+        } else if let Some((to, steps)) = self.straight(from, direction) {
+            self.emit(to, steps * D, direction, sink);
         }
     }
 
     fn diagonal<S: Sink>(&self, from: Cell, direction: u32, sink: &mut S) {
-        let map = self.query.map;
-        let (dx, dy) = DIRECTIONS[direction as usize];
+        let goal = self.query.goal;
+        let (dx, dy) = DIRECTIONS[direction as usize % 8];
         let (left, right) = ((direction + 1) % 8, (direction + 7) % 8);
-        let needed = 1 << direction | 1 << left | 1 << right;
         // The vertical jump first, as at an expansion.
         let sides = if left % 4 == 2 { [left, right] } else { [right, left] };
-        let (mut at, mut cost) = (from, 0);
-        let mut free = map.free_around(at);
-        while free & needed == needed {
+        let turns = 1 << left | 1 << right;
+        let (mut at, mut cost, mut scanned) = (from, 0, 0);
+        let mut goes_on = true;
+        while goes_on {
             at = at.offset(dx, dy);
-            free = map.free_around(at);
             cost += R2;
-            self.scanned.set(self.scanned.get() + 1);
-            if at == self.query.goal {
+            scanned += 1;
+            let ways = self.ways(at);
+            goes_on = ways >> direction & 1 == 1;
+            if at == goal {
                 self.emit(at, cost, direction, sink);
-                return;
+                break;
             }
-            let mut turns = false;
+            if ways & turns == 0 {
+                continue;
+            }
             for side in sides {
-                if let Some((to, steps)) = self.straight(at, free, side) {
-                    turns = true;
+                if ways >> side & 1 == 1
+                    && let Some((to, steps)) = self.straight(at, side)
+                {
                     if self.prune {
                         self.emit(to, cost + steps * D, side, sink);
                     } else {
+                        self.emit(at, cost, direction, sink);
+                        goes_on = false;
                         break;
                     }
                 }
             }
-            if turns && !self.prune {
-                self.emit(at, cost, direction, sink);
-                return;
-            }
         }
+        self.scanned.set(self.scanned.get() + scanned);
     }
 }
 
@@ -164,30 +171,36 @@ impl Lattice for Jumps<'_> {
 
     fn successors<S: Sink>(&self, node: NodeId, last: Option<u32>, sink: &mut S) {
         let cell = self.query.map.cell(node);
+        let ways = self.ways(cell);
+        let mut go = |direction: u32| {
+            if ways >> direction & 1 == 1 {
+                self.jump(cell, direction, sink);
+            }
+        };
         let Some(reached) = last else {
-            return (0..8).for_each(|direction| self.jump(cell, direction, sink));
+            return (0..8).for_each(go);
         };
         let turned = |by: u32| (reached + by) % 8;
         if reached % 2 == 1 {
-            let (dx, _) = DIRECTIONS[turned(1) as usize];
             let (vertical, horizontal) =
-                if dx == 0 { (turned(1), turned(7)) } else { (turned(7), turned(1)) };
-            for direction in [vertical, horizontal, reached] {
-                self.jump(cell, direction, sink);
-            }
+                if turned(1) % 4 == 2 { (turned(1), turned(7)) } else { (turned(7), turned(1)) };
+            [vertical, horizontal, reached].into_iter().for_each(go);
         } else {
-            let sides = if reached == 0 || reached == 6 { [2, 6] } else { [6, 2] };
-            self.jump(cell, reached, sink);
+            go(reached);
             // Without an obstacle behind, a turn to that side would have come earlier.
-            let free = self.query.map.free_around(cell);
-            let forced =
-                |side: &&u32| !self.prune || free >> turned(if **side == 2 { 3 } else { 5 }) & 1 == 0;
-            for side in sides.iter().filter(forced) {
-                // A diagonal jump asks for both cells beside it.
-                self.diagonal(cell, turned(if *side == 2 { 1 } else { 7 }), sink);
+            let free = self.query.map.free_around(cell).rotate_right(reached);
+            let [left, right] = [3, 5].map(|behind| !self.prune || free >> behind & 1 == 0);
+            let sides = [(left, 1, 2), (right, 7, 6)];
+            let sides = if reached == 0 || reached == 6 { sides } else { [sides[1], sides[0]] };
+            for (forced, diagonal, _) in sides {
+                if forced {
+                    go(turned(diagonal));
+                }
             }
-            for side in sides.iter().filter(forced) {
-                self.jump(cell, turned(*side), sink);
+            for (forced, _, straight) in sides {
+                if forced {
+                    go(turned(straight));
+                }
             }
         }
     }
