@@ -93,7 +93,7 @@ impl Bits {
     #[inline]
     fn place(&self, cell: Cell, quarter: u32) -> (u32, u32) {
         let (x, y) = (cell.x as u32, cell.y as u32);
-        let (line, at) = if quarter % 2 == 0 { (y, x) } else { (x, y) };
+        let (line, at) = if quarter.is_multiple_of(2) { (y, x) } else { (x, y) };
         let last = self.lines[quarter as usize % 4].length - 1;
         (line, if quarter < 2 { at } else { last - at })
     }
