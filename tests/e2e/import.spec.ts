@@ -77,10 +77,29 @@ test("a bad file says its line, and the scene stays", async ({ page }) => {
   expect(await sceneOf(page)).toEqual(before);
 });
 
+/** Milliseconds that half of the frames take at most while the view moves, near and far. */
+const frameOf = (page: Page): Promise<number> => page.evaluate(async () => {
+  const { store } = document.querySelector<PlaygroundElement>("parkade-playground")!;
+  const times: number[] = [];
+  for (const scale of [0.3, 1, 8]) {
+    for (let i = 0; i < 10; i++) {
+      store.set({ camera: { x: 200 + i, y: 1800 + i, scale } });
+      await new Promise(requestAnimationFrame);
+      const from = performance.now();
+      await new Promise((done) => setTimeout(done));
+      times.push(performance.now() - from);
+    }
+  }
+  return times.sort((a, b) => a - b)[times.length >> 1]!;
+});
+
 test("a map of 2048 × 2048 cells opens, moves smoothly, takes a brush stroke and is too long for a link", async ({ page }) => {
   test.slow();
   const complaints = complaintsOf(page);
   await open(page);
+  await settled(page);
+  const small = await frameOf(page);
+  await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ camera: null }));
   const n = 2048;
   let seed = 1;
   const random = (): number => (seed = (seed * 48271) % 2147483647) / 2147483647;
@@ -96,22 +115,8 @@ test("a map of 2048 × 2048 cells opens, moves smoothly, takes a brush stroke an
   });
   const opened = await runs();
   expect(opened).toBeGreaterThan(500_000);
-  const frames = await page.evaluate(async () => {
-    const { store } = document.querySelector<PlaygroundElement>("parkade-playground")!;
-    const times: number[] = [];
-    for (const scale of [0.3, 1, 8]) {
-      for (let i = 0; i < 10; i++) {
-        store.set({ camera: { x: 200 + i, y: 1800 + i, scale } });
-        await new Promise(requestAnimationFrame);
-        const from = performance.now();
-        await new Promise((done) => setTimeout(done));
-        times.push(performance.now() - from);
-      }
-    }
-    return times.sort((a, b) => a - b);
-  });
-  // A machine that does much else may stumble; half of the frames may not.
-  expect(frames[frames.length >> 1]).toBeLessThan(50);
+  // On a busy machine every frame takes long: those of a small scene say how long.
+  expect(await frameOf(page)).toBeLessThan(3 * small + 20);
   await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ camera: { x: 1000.5, y: 800.5, scale: 20 }, tool: "brush" }));
   await page.mouse.move(250, 200);
   await page.mouse.down();

@@ -31,3 +31,26 @@ test("redundant space is drawn for the planner that closes it, with its counts",
   await expect(page.locator("parkade-panel").first().locator(".legend")).not.toContainText("too narrow");
   expect(complaints).toEqual([]);
 });
+
+test("the shortest way at any angle is measured beside a grid planner's path", async ({ page }) => {
+  const complaints = complaintsOf(page);
+  await open(page);
+  await page.evaluate(() => {
+    const element = document.querySelector<PlaygroundElement>("parkade-playground")!;
+    element.sceneData = {
+      version: 1, map: { origin: [0, 0], width: 40, height: 30, resolution: 1 }, obstacles: [{ type: "cells", runs: [] }],
+      vehicle: { wheelbase: 1, width: 0.8, rearToFront: 1.25, rearToBack: 0.25, maxSteer: 0.6 },
+      start: { x: 5.5, y: 5.5, heading: 0 }, goal: { x: 35.5, y: 20.5, heading: 0 }, planners: { eight: { post: "none" } },
+    };
+    element.store.set({ focus: "eight" });
+  });
+  await settled(page);
+  const yardstick = page.locator("parkade-yardstick");
+  await yardstick.getByRole("button", { name: "Measure" }).click();
+  // A straight line of 30 by 15 cells; eight neighbours take 15 steps straight and 15 diagonal.
+  await expect(yardstick.locator("output")).toHaveText("33.54 m");
+  await expect(yardstick).toContainText("+8.0 %");
+  await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ focus: "hybrid" }));
+  await expect(yardstick).toBeHidden();
+  expect(complaints).toEqual([]);
+});

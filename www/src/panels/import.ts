@@ -116,7 +116,7 @@ export class ImportBar extends AppElement {
     const engine = await this.app.complete();
     this.helper ??= new Helper(engine);
     const contents = await Promise.all(files.map(async (file) => (/\.svg$/i.test(file.name) ? sceneInside(file) : [file.name, new Uint8Array(await file.arrayBuffer())] as const)));
-    const [moved, { prepare }] = await Promise.all([this.helper.call("import", { files: Object.fromEntries(contents), options: {} }), vast.load()]);
+    const [moved, { prepare }] = await Promise.all([this.helper.call("import", { files: Object.fromEntries(contents), options: {} }, contents.map(([, { buffer }]) => buffer)), vast.load()]);
     const scenes = (await joined(moved, moved.value.scenes)).map(ensureIds);
     this.app.catalog?.geometry(scenes[0]!);
     await prepare(scenes[0]!, this.app.tokens());

@@ -7,6 +7,7 @@ import "./parameters";
 import "./road-card";
 import "./selection";
 import "./vehicle-card";
+import "./yardstick";
 
 /** The column at the right: what is selected, the car, the focused planner's settings, every object. */
 export class Inspector extends AppElement {
@@ -33,6 +34,7 @@ export class Inspector extends AppElement {
       <section><parkade-selection .app=${this.app}></parkade-selection></section>
       <section><parkade-vehicle .app=${this.app}></parkade-vehicle></section>
       <section><parkade-parameters .app=${this.app}></parkade-parameters></section>
+      <section><parkade-yardstick .app=${this.app}></parkade-yardstick></section>
       <section><parkade-road-card .app=${this.app}></parkade-road-card></section>
       <section><parkade-objects .app=${this.app}></parkade-objects></section>`;
   }

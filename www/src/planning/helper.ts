@@ -34,12 +34,12 @@ export class Helper {
     };
   }
 
-  call<Name extends JobName>(name: Name, input: Parameters<Jobs[Name]>[0]): Promise<ReturnType<Jobs[Name]>> {
+  call<Name extends JobName>(name: Name, input: Parameters<Jobs[Name]>[0], transfer: Transferable[] = []): Promise<ReturnType<Jobs[Name]>> {
     const id = ++this.last;
     return new Promise((resolve, reject) => {
       this.waiting.set(id, { resolve: (answer) => resolve(answer as ReturnType<Jobs[Name]>), reject });
       const request: JobRequest = { kind: "job", id, module: this.engine.module, name, input };
-      this.worker.postMessage(request);
+      this.worker.postMessage(request, transfer);
     });
   }
 

@@ -23,6 +23,15 @@ const JOBS = {
       made.free();
     }
   },
+  /** The length of the shortest path at any angle, on the map of this planner. */
+  anyAngle: ({ planner, scene }: { planner: PlannerId; scene: Scenario }): number | null => {
+    const made = new Planner(planner, scene);
+    try {
+      return made.anyAngleLength();
+    } finally {
+      made.free();
+    }
+  },
   import: ({ files, options }: { files: Record<string, Uint8Array>; options: ImportOptions }): Moved<Omit<Imported, "scene">> => {
     const { format, scenes, queries, notes } = importScene(files, options);
     const { value, cells } = apart(scenes);

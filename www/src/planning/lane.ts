@@ -21,6 +21,8 @@ export interface LaneEvents {
 
 /** A newer scene waits this long, then the running plan is given up. */
 export const PATIENCE_MS = 1000;
+/** … or as many times longer than the plan before: a new worker reads a huge map all over again. */
+const PATIENCE_TIMES = 3;
 
 /** One planner of one playground: at most one plan running and one waiting, the newest wins. */
 export class Lane implements Holder {
@@ -29,6 +31,9 @@ export class Lane implements Holder {
   private waiting: Job | null = null;
   private patience: ReturnType<typeof setTimeout> | undefined;
   private limit: ReturnType<typeof setTimeout> | undefined;
+  /** When the running plan was sent, and how long the one before took, milliseconds. */
+  private since = 0;
+  private took = 0;
   private timing: { id: number; done: (samples: number[]) => void } | null = null;
   private timingId = 0;
   /** The plan whose worker died last. */
@@ -49,7 +54,7 @@ export class Lane implements Holder {
   plan(job: Job): void {
     if (!this.running) return this.send(job);
     this.waiting = job;
-    this.patience ??= setTimeout(() => this.giveUp(), PATIENCE_MS);
+    this.patience ??= setTimeout(() => this.giveUp(), Math.max(PATIENCE_MS, PATIENCE_TIMES * this.took));
   }
 
   /** Milliseconds of silent plans of the last scene; fewer than `runs` when the budget is spent. */
@@ -105,6 +110,7 @@ export class Lane implements Holder {
     const job = this.running;
     if (!job || !this.worker) return;
     this.worker.postMessage({ kind: "plan", ...job });
+    this.since = performance.now();
     clearTimeout(this.limit);
     const { budget } = job;
     if (budget) this.limit = setTimeout(() => this.interrupt(budget), budget);
@@ -132,6 +138,7 @@ export class Lane implements Holder {
     }
     if (reply.id !== this.running?.id) return;
     if (reply.kind === "failed" && reply.error.code === "internal") return this.died(reply.error.message);
+    this.took = performance.now() - this.since;
     const next = this.finish();
     if (reply.kind === "planned") this.events.planned(reply, next !== null);
     else this.events.failed(reply.error, next !== null);

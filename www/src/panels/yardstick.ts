@@ -1,0 +1,76 @@
+import { css, html, nothing, type TemplateResult } from "lit";
+import { words } from "../i18n/words";
+import { Helper } from "../planning/helper";
+import type { Scene, State } from "../store";
+import { controls } from "../styles/controls";
+import { sections } from "../styles/sections";
+import { AppElement } from "./base";
+
+const say = words({
+  title: ["Shortest at any angle, L_aa", "任意角度最短，L_aa"],
+  measure: ["Measure", "测量"],
+  measuring: ["Measuring …", "正在测量……"],
+  none: ["There is no way.", "没有通路。"],
+  large: ["Only on maps of up to {n} cells: it looks along very many lines.", "仅适用于不超过 {n} 格的地图：需检查大量视线。"],
+  path: ["This planner's path: {share} %.", "此规划器的路径：{share} %。"],
+  doc: ["Over cell centres, without the car. A smoothed path swings inside the corners and can be shorter.", "以格中心为点，不计车辆。平滑路径在拐角内侧通过，可能更短。"],
+});
+
+/** Cells of the largest map that is measured: some seconds. */
+const MOST = 40_000;
+
+/** How much longer a grid planner's path is than any over cell centres must be. */
+export class Yardstick extends AppElement {
+  static override styles = [controls, sections, css`
+    h2 + button, h2 + output { margin-left: auto; }
+    p { margin-top: 4px; }
+  `];
+  private helper: Helper | null = null;
+  /** The scene and planner that were asked about, and metres; undefined while they are measured. */
+  private asked: { scene: Scene; planner: string; metres: number | null | undefined } | null = null;
+
+  protected watches(): readonly (keyof State)[] {
+    return ["focus", "scene", "results"];
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.helper?.stop();
+    this.helper = null;
+    this.asked = null;
+  }
+
+  protected override render(): TemplateResult | typeof nothing {
+    const { focus, lang, scene, results } = this.state;
+    this.hidden = this.app.catalog?.planners.find((one) => one.id === focus)?.family !== "grid";
+    if (this.hidden) return nothing;
+    const asked = this.asked?.scene === scene && this.asked.planner === focus ? this.asked : null;
+    const large = scene.map.width * scene.map.height > MOST;
+    const plan = results[focus]?.plan, found = plan?.outcome === "found" ? plan.metrics.length : null;
+    const metres = asked?.metres;
+    return html`<div class="head"><h2>${say(lang, "title")}</h2>
+      ${typeof metres === "number" ? html`<output>${this.num(metres, 2)} m</output>`
+        : html`<button class="link" ?disabled=${large || asked !== null} @click=${() => void this.measure()}>${say(lang, asked && metres === undefined ? "measuring" : "measure")}</button>`}</div>
+      ${large ? html`<p>${say(lang, "large", { n: this.num(MOST, 0) })}</p>` : nothing}
+      ${metres === null ? html`<p>${say(lang, "none")}</p>` : nothing}
+      ${metres && found !== null ? html`<p>${say(lang, "path", { share: `${found < metres ? "−" : "+"}${this.num(Math.abs(found / metres - 1) * 100, 1)}` })}</p>` : nothing}
+      <p>${say(lang, "doc")}</p>`;
+  }
+
+  private async measure(): Promise<void> {
+    const { focus: planner, scene } = this.state;
+    const asked: NonNullable<Yardstick["asked"]> = { scene, planner, metres: undefined };
+    this.asked = asked;
+    this.requestUpdate();
+    try {
+      this.helper ??= new Helper(await this.app.complete());
+      asked.metres = await this.helper.call("anyAngle", { planner, scene });
+    } catch (error) {
+      if (this.asked === asked) this.asked = null;
+      this.app.store.set({ message: { tone: "err", text: (error as Error).message } });
+    }
+    this.requestUpdate();
+  }
+}
+
+customElements.define("parkade-yardstick", Yardstick);
