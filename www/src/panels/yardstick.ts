@@ -7,13 +7,13 @@ import { sections } from "../styles/sections";
 import { AppElement } from "./base";
 
 const say = words({
-  title: ["Shortest at any angle, L_aa", "任意角度最短，L_aa"],
+  title: ["Any-angle optimum", "任意角度最优"],
   measure: ["Measure", "测量"],
   measuring: ["Measuring …", "正在测量……"],
   none: ["There is no way.", "没有通路。"],
   large: ["Only on maps of up to {n} cells: it looks along very many lines.", "仅适用于不超过 {n} 格的地图：需检查大量视线。"],
   path: ["This planner's path: {share} %.", "此规划器的路径：{share} %。"],
-  doc: ["Over cell centres, without the car. A smoothed path swings inside the corners and can be shorter.", "以格中心为点，不计车辆。平滑路径在拐角内侧通过，可能更短。"],
+  doc: ["L_aa, over cell centres, without the car. A smoothed path swings inside the corners and can be shorter.", "L_aa：以格中心为点，不计车辆。平滑路径在拐角内侧通过，可能更短。"],
 });
 
 /** Cells of the largest map that is measured: some seconds. */
@@ -22,7 +22,7 @@ const MOST = 40_000;
 /** How much longer a grid planner's path is than any over cell centres must be. */
 export class Yardstick extends AppElement {
   static override styles = [controls, sections, css`
-    h2 + button, h2 + output { margin-left: auto; }
+    h2 + button, h2 + output { margin-left: auto; white-space: nowrap; }
     p { margin-top: 4px; }
   `];
   private helper: Helper | null = null;
