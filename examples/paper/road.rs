@@ -51,12 +51,17 @@ pub(crate) fn print(as_json: bool, wasm: Option<&str>) -> bool {
         print!("{}", markdown(&tables, wasm.as_ref(), &printed["flags"]));
     }
     let same = |t: usize, p: usize, found: f64| {
-        wasm.as_ref()
-            .is_none_or(|wasm| wasm.found(t, p).is_some_and(|other| other.to_bits() == found.to_bits()))
+        wasm.as_ref().is_none_or(|wasm| wasm.found(t, p).is_some_and(|other| is_same(other, found)))
     };
     tables.iter().enumerate().all(|(t, table)| {
         table.promises.iter().enumerate().all(|(p, promise)| promise.kept && same(t, p, promise.found))
     })
+}
+
+/// Whether a number that was read is the one found here; the reader of JSON can miss by a unit in the last place.
+fn is_same(read: f64, found: f64) -> bool {
+    serde_json::from_str::<f64>(&json!(found).to_string())
+        .is_ok_and(|found| found.to_bits() == read.to_bits())
 }
 
 fn markdown(tables: &[Table], wasm: Option<&Other>, flags: &Value) -> String {
@@ -73,7 +78,7 @@ fn markdown(tables: &[Table], wasm: Option<&Other>, flags: &Value) -> String {
         {
             let sign = if *at_least { '≥' } else { '≤' };
             let other = wasm.map(|wasm| wasm.found(t, p));
-            let same = other.is_none_or(|other| other.is_some_and(|v| v.to_bits() == found.to_bits()));
+            let same = other.is_none_or(|other| other.is_some_and(|other| is_same(other, *found)));
             let _ = writeln!(
                 text,
                 "| {} | {figure} | {sign} {bound:.2} | {found:.2} | {} | {plain:.2} | {} |",

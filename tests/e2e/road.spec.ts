@@ -146,6 +146,18 @@ test("every term of the costs follows its slider at once", async ({ page }) => {
   }
 });
 
+test("cars drive on roads, and do not creep", async ({ page }) => {
+  await open(page);
+  await page.evaluate(() => {
+    const playground = document.querySelector<PlaygroundElement>("parkade-playground")!;
+    playground.scene = "road-narrow";
+    playground.store.set({ planners: ["eight", "cost-map"], focus: "cost-map" });
+  });
+  await expect.poll(async () => (await sceneOf(page)).map.width).toBe(1021);
+  // 500 m at 10 m/s at most, from rest to rest.
+  await expect(page.locator("parkade-timeline")).toContainText(/\/ [56]\d\.\d s/);
+});
+
 test("what fails when the manuscript is taken literally is explained beside the plan", async ({ page }) => {
   await open(page);
   await page.evaluate(() => {

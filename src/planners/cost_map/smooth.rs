@@ -73,8 +73,18 @@ pub fn smooth(ground: &Ground, line: &[Point], how: &Smoothing, accept: impl Fn(
     let lowest = |room: f64| least.max(room - how.margin).min(room);
     let target = (least.min(0.8) - 0.02).max(lowest(0.25));
     let slopes = how.ways.map(|way| way.map(|way| way * length));
+    let count = |spacing: f64| ((length / (spacing * how.scale)).ceil() as usize + 3).max(6);
+    let finish = |spline: Spline| {
+        let curve: Vec<Place> = (0..=places).map(|k| spline.at(f64::from(k) / f64::from(places))).collect();
+        let points: Vec<Point> = curve.iter().map(|p| p.point).collect();
+        let curvatures: Vec<f64> = curve.iter().map(Place::curvature).collect();
+        let clearance = points.iter().fold(f64::INFINITY, |least, &p| least.min(room(p)));
+        let bends = curvatures.iter().all(|k| k.abs() <= how.max_curvature);
+        let is_good = clearance >= lowest(LEAST) && bends && accept(&spline);
+        is_good.then(|| Smooth { points, curvatures, spline: Some(spline), clearance, fell_back: false })
+    };
     for spacing in SPACINGS {
-        let count = ((length / (spacing * how.scale)).ceil() as usize + 3).max(6);
+        let count = count(spacing);
         let (mut weights, mut sigma) = (vec![1.0_f64; data.len()], how.sigma);
         let mut best: Option<(f64, Spline)> = None;
         for _ in 0..ROUNDS {
@@ -94,15 +104,33 @@ pub fn smooth(ground: &Ground, line: &[Point], how: &Smoothing, accept: impl Fn(
             }
             sigma *= 0.7;
         }
-        let Some((_, spline)) = best else { continue };
-        let curve: Vec<Place> = (0..=places).map(|k| spline.at(f64::from(k) / f64::from(places))).collect();
-        let points: Vec<Point> = curve.iter().map(|p| p.point).collect();
-        let curvatures: Vec<f64> = curve.iter().map(Place::curvature).collect();
-        let clearance = points.iter().fold(f64::INFINITY, |least, &p| least.min(room(p)));
-        let bends = curvatures.iter().all(|k| k.abs() <= how.max_curvature);
-        if clearance >= lowest(LEAST) && bends && accept(&spline) {
-            return Smooth { points, curvatures, spline: Some(spline), clearance, fell_back: false };
+        if let Some(curve) = best.and_then(|(_, spline)| finish(spline)) {
+            return curve;
         }
+    }
+    // Chords can turn where no car does. The points near such corners count less, until the curve is wide enough.
+    let count = count(SPACINGS[0]);
+    let reach = (0.5 / (how.max_curvature * DATA * how.scale)).ceil() as usize;
+    let (mut weights, mut sigma) = (vec![1.0_f64; data.len()], how.sigma);
+    for _ in 0..2 * ROUNDS {
+        let spline = Spline::fit(&data, &at, &weights, count, sigma, slopes);
+        let met: Vec<Place> = at.iter().map(|&u| spline.at(u)).collect();
+        let around = |i: usize, by: usize| i.saturating_sub(by)..(i + by + 1).min(data.len());
+        let mut factors = vec![1.0; data.len()];
+        for i in (0..data.len()).filter(|&i| met[i].curvature().abs() > 0.95 * how.max_curvature) {
+            factors[around(i, reach)].fill(0.25);
+        }
+        let is_tight = factors.contains(&0.25);
+        for i in (0..data.len()).filter(|&i| room(met[i].point) < lowest(LEAST)) {
+            factors[around(i, 3)].fill(4.0);
+        }
+        if let Some(curve) = finish(spline) {
+            return curve;
+        }
+        for (weight, factor) in weights.iter_mut().zip(factors) {
+            *weight = (*weight * factor).clamp(1e-4, 1e4);
+        }
+        sigma *= if is_tight { 1.3 } else { 0.7 };
     }
     chords(dense(line, length / f64::from(places)))
 }

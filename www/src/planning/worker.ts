@@ -1,4 +1,4 @@
-import type { Drive, Encounter, Plan, Planner, PlannerId, Scenario } from "parkade";
+import type { Drive, Encounter, Limits, Plan, Planner, PlannerId, Scenario } from "parkade";
 import { failureOf } from "./failure";
 import type { Layers, Reply, Request, Waiting } from "./protocol";
 
@@ -64,7 +64,14 @@ function plan({ id, scene, layers: names, trace, waiting }: Extract<Request, { k
 /** The plan in time, among moving obstacles where there are some; null where no car drives it, or without the complete module. */
 function driveOf(scene: Scenario, plan: Plan, rule: Waiting): Drive | Encounter | null {
   if (plan.outcome !== "found" || !plan.check.drivable) return null;
-  return (scene.moving?.length ? api.stopWaitGo?.(scene, plan, { rule }) : api.trajectory?.(scene, plan)) ?? null;
+  return (scene.moving?.length ? api.stopWaitGo?.(scene, plan, { rule }) : api.trajectory?.(scene, plan, hasRoad(scene) ? ROAD : {})) ?? null;
+}
+
+/** On roads cars are driven, not parked. */
+const ROAD: Limits = { speed: 10, acceleration: 1.5, deceleration: 2, lateralAcceleration: 2, jerk: 2 };
+
+function hasRoad({ lanes, obstacles }: Scenario): boolean {
+  return Boolean(lanes?.length) || (obstacles ?? []).some(({ type }) => type === "road");
 }
 
 function time(runs: number, budget: number): number[] {
