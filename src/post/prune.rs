@@ -28,37 +28,44 @@ fn goes_straight(a: Cell, b: Cell, c: Cell) -> bool {
 
 /// The shortest way over the path's own cells, every cell of its long moves included.
 ///
-/// Takes time quadratic in the length of the path. What hid a cell from another one mostly hides it from the next one
-/// too: that cell is looked at first, and only where it is out of the way the whole line.
+/// Takes time quadratic in the length of the path at worst. What hid a cell from another one mostly hides it from the next
+/// one too: that is looked at first, and only where it is out of the way the whole line.
 pub fn prune_dp(map: &Occupancy, path: &[Cell], corner: Corner) -> Vec<Cell> {
     let points = unit_steps(path);
     let mut best = vec![(f64::INFINITY, 0_usize); points.len()];
-    let mut screens: Vec<Option<Cell>> = vec![None; points.len()];
+    let mut screens: Vec<Option<Screen>> = vec![None; points.len()];
     if let Some(first) = best.first_mut() {
         first.0 = 0.0;
     }
+    let ends = straight_ends(&points);
     for j in 1..points.len() {
-        let mut latest = None;
-        for i in 0..j {
-            let length = best[i].0 + distance(points[i], points[j]);
+        let (mut latest, mut i) = (None, 0);
+        while i < j {
+            let at = i;
+            i += 1;
+            let length = best[at].0 + distance(points[at], points[j]);
             if length >= best[j].0 - 1e-12 {
                 continue;
             }
-            let hidden = |screen: Option<Cell>| screen.is_some_and(|c| passes(points[j], points[i], c));
-            if hidden(screens[i]) {
+            let hides = |i: usize, screen: Screen| screen.hides(points[j], points[i]);
+            let known = [screens[at], latest].into_iter().flatten().find(|&screen| hides(at, screen));
+            if let Some(screen) = known {
+                screens[at] = known;
+                // A screen that hides both ends of a straight way hides all of it.
+                let mut end = ends[at].min(j - 1);
+                while end > at && !hides(end, screen) {
+                    end = usize::midpoint(at, end);
+                }
+                i = end + 1;
                 continue;
             }
-            if hidden(latest) {
-                screens[i] = latest;
-                continue;
-            }
-            let screen = first_in_sight(map, points[j], points[i], corner);
+            let screen = first_in_sight(map, points[j], points[at], corner);
             if screen.is_none() {
-                best[j] = (length, i);
+                best[j] = (length, at);
             } else {
                 // A free cell stands for a corner that no other line passes.
-                latest = screen.filter(|&c| map.blocked(c));
-                screens[i] = latest;
+                latest = screen.filter(|&c| map.blocked(c)).map(|c| Screen::around(map, c));
+                screens[at] = latest;
             }
         }
     }
@@ -72,16 +79,55 @@ pub fn prune_dp(map: &Occupancy, path: &[Cell], corner: Corner) -> Vec<Cell> {
     kept
 }
 
-/// Whether the segment between two cell centres passes through the inside of a third cell's square.
-fn passes(from: Cell, to: Cell, cell: Cell) -> bool {
-    let within = |v: i32, a: i32, b: i32| v >= a.min(b) && v <= a.max(b);
-    if !within(cell.x, from.x, to.x) || !within(cell.y, from.y, to.y) {
-        return false;
+/// Per point, the last one straight ahead.
+fn straight_ends(points: &[Cell]) -> Vec<usize> {
+    let mut ends: Vec<usize> = (0..points.len()).collect();
+    for i in (0..points.len().saturating_sub(1)).rev() {
+        let goes_on = points.get(i + 2).is_some_and(|&c| goes_straight(points[i], points[i + 1], c));
+        ends[i] = if goes_on { ends[i + 1] } else { i + 1 };
     }
-    let (dx, dy) = (to.x - from.x, to.y - from.y);
-    // Twice the cell's centre's distance from the line, against the farthest one of its corners.
-    let aside = 2 * (dx * (cell.y - from.y) - dy * (cell.x - from.x));
-    aside.abs() < dx.abs() + dy.abs()
+    ends
+}
+
+/// How far a screen reaches from its first cell, cells.
+const REACH: i32 = 32;
+
+/// Blocked cells in a row or column.
+#[derive(Debug, Clone, Copy)]
+struct Screen {
+    low: Cell,
+    high: Cell,
+}
+
+impl Screen {
+    /// The longer of the blocked row and the blocked column that a blocked cell is in.
+    fn around(map: &Occupancy, cell: Cell) -> Self {
+        let along = |dx: i32, dy: i32| {
+            let far = |sign: i32| {
+                let steps =
+                    (1..=REACH).take_while(|k| map.blocked(cell.offset(sign * k * dx, sign * k * dy)));
+                steps.count() as i32 * sign
+            };
+            let (back, ahead) = (far(-1), far(1));
+            Self { low: cell.offset(back * dx, back * dy), high: cell.offset(ahead * dx, ahead * dy) }
+        };
+        let (row, column) = (along(1, 0), along(0, 1));
+        if row.high.x - row.low.x >= column.high.y - column.low.y { row } else { column }
+    }
+
+    /// Whether the segment between two cell centres passes through the inside of one of the squares.
+    fn hides(self, from: Cell, to: Cell) -> bool {
+        let clip = |low: i32, high: i32, a: i32, b: i32| (low.max(a.min(b)), high.min(a.max(b)));
+        let (left, right) = clip(self.low.x, self.high.x, from.x, to.x);
+        let (bottom, top) = clip(self.low.y, self.high.y, from.y, to.y);
+        if left > right || bottom > top {
+            return false;
+        }
+        let (dx, dy) = (to.x - from.x, to.y - from.y);
+        // Twice the middle's distance from the line, against the farthest corner's.
+        let aside = dx * (bottom + top - 2 * from.y) - dy * (left + right - 2 * from.x);
+        aside.abs() < dx.abs() * (top - bottom + 1) + dy.abs() * (right - left + 1)
+    }
 }
 
 /// The path with every move that passes over cell centres cut there.
@@ -136,10 +182,11 @@ mod tests {
             let (to, cell) = (map.cell(to), map.cell(index));
             map.set(cell, true);
             let seen = line_of_sight(&map, from, to, corner);
-            assert!(!(passes(from, to, cell) && seen), "{to:?} {cell:?}");
+            let passes = Screen { low: cell, high: cell }.hides(from, to);
+            assert!(!(passes && seen), "{to:?} {cell:?}");
             // Without corners to touch, the two are the same.
             let hidden = !line_of_sight(&map, from, to, Corner::Free);
-            assert!(from == to || passes(from, to, cell) == hidden);
+            assert!(from == to || passes == hidden);
         }
     }
 
@@ -183,6 +230,30 @@ mod tests {
                 }
                 assert_eq!(prune_dp(&map, &path, corner), plain_dp(&map, &path, corner));
             }
+        }
+    }
+
+    /// A corridor with blocks to both sides in turn, and straight ways between them.
+    #[test]
+    fn straight_ways_behind_blocks_are_left_out_rightly() {
+        let mut map = Occupancy::new(300, 14);
+        let mut path = vec![Cell::new(0, 7)];
+        let mut walk = |to: Cell| {
+            while let Some(&at) = path.last().filter(|&&at| at != to) {
+                path.push(at.offset((to.x - at.x).signum(), (to.y - at.y).signum()));
+            }
+        };
+        for k in 0..9 {
+            let (x, low) = (20 + 30 * k, k % 2 == 0);
+            let rows = if low { 0..8 } else { 6..14 };
+            let block = rows.flat_map(|y| (x..x + 6).map(move |x| Cell::new(x, y)));
+            block.for_each(|cell| map.set(cell, true));
+            let y = if low { 9 } else { 4 };
+            walk(Cell::new(x - 2, y));
+            walk(Cell::new(x + 8, y));
+        }
+        for corner in [Corner::Strict, Corner::NoSqueeze, Corner::Free] {
+            assert_eq!(prune_dp(&map, &path, corner), plain_dp(&map, &path, corner));
         }
     }
 

@@ -81,7 +81,7 @@ pub fn smooth(ground: &Ground, line: &[Point], how: &Smoothing, accept: impl Fn(
         let clearance = points.iter().fold(f64::INFINITY, |least, &p| least.min(room(p)));
         let bends = curvatures.iter().all(|k| k.abs() <= how.max_curvature);
         let is_good = clearance >= lowest(LEAST) && bends && accept(&spline);
-        is_good.then(|| Smooth { points, curvatures, spline: Some(spline), clearance, fell_back: false })
+        is_good.then_some(Smooth { points, curvatures, spline: Some(spline), clearance, fell_back: false })
     };
     for spacing in SPACINGS {
         let count = count(spacing);

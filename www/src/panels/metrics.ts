@@ -3,7 +3,7 @@ import { millis, number, translate, type Lang, type MessageKey } from "../i18n/i
 import { plannerName } from "../view/identity";
 import type { PanelResult, State } from "../store";
 import { drivablePlan, statusOf, type Status } from "./status";
-import { DRIVE_SPEED } from "../view/clock";
+import { paceOn } from "../scene/pace";
 
 export const COLUMNS = ["length", "drive", "gears", "curvature", "clearance", "heading", "expanded", "open", "plan"] as const;
 export type Column = (typeof COLUMNS)[number];
@@ -38,7 +38,7 @@ function rowOf(state: State, planner: PlannerId): Row {
   const result = state.results[planner];
   const drivable = drivablePlan(result) !== null;
   const cells = Object.fromEntries(COLUMNS.map((column) => {
-    const value = valueOf(result, column, drivable);
+    const value = valueOf(result, column, drivable, paceOn(state.scene));
     return [column, { value, text: textOf(state.lang, result, column, value), best: false, title: titleOf(state.lang, result, column) }];
   })) as Record<Column, Cell>;
   return {
@@ -50,20 +50,20 @@ function rowOf(state: State, planner: PlannerId): Row {
   };
 }
 
-function valueOf(result: PanelResult | undefined, column: Column, drivable: boolean): number | null {
+function valueOf(result: PanelResult | undefined, column: Column, drivable: boolean, pace: number): number | null {
   const plan = result?.plan;
   if (!plan) return null;
   if (column === "expanded") return plan.stats.expanded;
   if (column === "open") return plan.stats.openPeak;
   if (column === "plan") return result.millis;
   if (plan.outcome !== "found") return null;
-  return pathValue(plan, column, drivable);
+  return pathValue(plan, column, drivable, pace);
 }
 
-function pathValue({ metrics, check }: Plan, column: Column, drivable: boolean): number | null {
+function pathValue({ metrics, check }: Plan, column: Column, drivable: boolean, pace: number): number | null {
   switch (column) {
     case "length": return metrics.length;
-    case "drive": return drivable ? metrics.length / DRIVE_SPEED : null;
+    case "drive": return drivable ? metrics.length / pace : null;
     case "gears": return drivable ? metrics.directionChanges : null;
     case "curvature": return metrics.maxCurvature;
     case "clearance": return metrics.minClearance;

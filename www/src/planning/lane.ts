@@ -1,9 +1,9 @@
-import type { Explanation, LayerName, PlannerId, Scenario } from "parkade";
+import type { Explanation, LayerName, Limits, PlannerId, Scenario } from "parkade";
 import type { Holder, WorkerPool } from "./pool";
 import type { Failure, Reply, Request, Waiting } from "./protocol";
 
 /** `budget`: milliseconds after which the plan is given up. */
-export interface Job { id: number; scene: Scenario; layers: LayerName[]; trace: boolean; waiting: Waiting | null; budget?: number | null }
+export interface Job { id: number; scene: Scenario; layers: LayerName[]; trace: boolean; waiting: Waiting | null; limits?: Limits; budget?: number | null }
 
 /** What a lane needs of a Worker; tests put their own in. */
 export interface WorkerLike {

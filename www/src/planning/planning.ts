@@ -1,6 +1,7 @@
 import type { LayerName, PlannerId } from "parkade";
 import { translate } from "../i18n/index";
 import { identityOf, plannerName } from "../view/identity";
+import { limitsOn } from "../scene/pace";
 import { forPlanners, isUnpacked, withoutCells } from "../scene/vast";
 import { emptyResult, type PanelResult, type Scene, type State, type Store } from "../store";
 import { Lane, type Job } from "./lane";
@@ -151,7 +152,7 @@ export class Planning {
     this.planWhenLoaded(state.planners.filter((planner) => !present.includes(planner)));
     for (const planner of present) {
       const waiting = state.transient ? null : state.waiting;
-      const job = { id: this.job, scene, layers: layersOf(planner, state), trace: isTraced(planner, state), waiting, budget: this.budget };
+      const job = { id: this.job, scene, layers: layersOf(planner, state), trace: isTraced(planner, state), waiting, limits: limitsOn(scene), budget: this.budget };
       if (state.transient && identityOf(planner).drives) this.hold(planner, job);
       else {
         this.held.delete(planner);

@@ -1,9 +1,9 @@
-import type { Drive, Encounter, Explanation, Layer, LayerName, Plan, PlannerId, Scenario } from "parkade";
+import type { Drive, Encounter, Explanation, Layer, LayerName, Limits, Plan, PlannerId, Scenario } from "parkade";
 
 /** What a planner's worker is asked. */
 export type Request =
   | { kind: "start"; module: WebAssembly.Module; planner: PlannerId }
-  | { kind: "plan"; id: number; scene: Scenario; layers: LayerName[]; trace: boolean; waiting: Waiting | null }
+  | { kind: "plan"; id: number; scene: Scenario; layers: LayerName[]; trace: boolean; waiting: Waiting | null; limits?: Limits }
   /** Plans the last scene again, silently, until `runs` are made or `budget` milliseconds are spent. */
   | { kind: "time"; id: number; runs: number; budget: number }
   | Explain;

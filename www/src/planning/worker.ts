@@ -48,7 +48,7 @@ function answerTo(request: Exclude<Request, { kind: "start" }>): Reply {
   }
 }
 
-function plan({ id, scene, layers: names, trace, waiting }: Extract<Request, { kind: "plan" }>): Extract<Reply, { kind: "planned" }> {
+function plan({ id, scene, layers: names, trace, waiting, limits }: Extract<Request, { kind: "plan" }>): Extract<Reply, { kind: "planned" }> {
   current?.free();
   current = null;
   const next = new api.Planner(planner, scene);
@@ -58,20 +58,13 @@ function plan({ id, scene, layers: names, trace, waiting }: Extract<Request, { k
   const millis = performance.now() - from;
   const layers: Layers = {};
   for (const name of names) layers[name] = next.layer(name);
-  return { kind: "planned", id, plan: found, layers, drive: waiting && driveOf(scene, found, waiting), millis };
+  return { kind: "planned", id, plan: found, layers, drive: waiting && driveOf(scene, found, waiting, limits), millis };
 }
 
 /** The plan in time, among moving obstacles where there are some; null where no car drives it, or without the complete module. */
-function driveOf(scene: Scenario, plan: Plan, rule: Waiting): Drive | Encounter | null {
+function driveOf(scene: Scenario, plan: Plan, rule: Waiting, limits?: Limits): Drive | Encounter | null {
   if (plan.outcome !== "found" || !plan.check.drivable) return null;
-  return (scene.moving?.length ? api.stopWaitGo?.(scene, plan, { rule }) : api.trajectory?.(scene, plan, hasRoad(scene) ? ROAD : {})) ?? null;
-}
-
-/** On roads cars are driven, not parked. */
-const ROAD: Limits = { speed: 10, acceleration: 1.5, deceleration: 2, lateralAcceleration: 2, jerk: 2 };
-
-function hasRoad({ lanes, obstacles }: Scenario): boolean {
-  return Boolean(lanes?.length) || (obstacles ?? []).some(({ type }) => type === "road");
+  return (scene.moving?.length ? api.stopWaitGo?.(scene, plan, { rule }) : api.trajectory?.(scene, plan, limits)) ?? null;
 }
 
 function time(runs: number, budget: number): number[] {

@@ -1,17 +1,16 @@
 /** What moves when, while the drive plays: cars among moving obstacles share one clock, others arrive together. */
 import type { Drive, Encounter, MovingObstacle, Plan, Pose } from "parkade";
+import { paceOn } from "../scene/pace";
 import { distance, towards, wrapAngle } from "../scene/plane";
 import type { PanelResult, State } from "../store";
 import { distancesOf, poseAtDistance, poseAtFraction, steerAngle } from "./drive";
 
 const SEARCH_SECONDS = 4;
-/** Metres a second at which drive times are reckoned. */
-export const DRIVE_SPEED = 2;
 
 /** Seconds the playback's time base lasts at speed 1. */
 export function durationOf(state: State): number {
   if (state.playback.base === "search") return SEARCH_SECONDS;
-  return Math.max(1, longestPath(state) / DRIVE_SPEED, state.scene.moving?.length ? lastOf(state) : 0);
+  return Math.max(1, longestPath(state) / paceOn(state.scene), state.scene.moving?.length ? lastOf(state) : 0);
 }
 
 /** Metres of the longest path in sight. */
@@ -45,7 +44,7 @@ export function drivenAt(state: State, plan: Plan, result: PanelResult | null | 
   }
   const drive = result?.plan === plan ? result.drive : null;
   if (drive) return atTime(drive, clockOf(state));
-  const pose = poseAtDistance(plan, Math.min(distancesOf(plan).at(-1) ?? 0, DRIVE_SPEED * clockOf(state)));
+  const pose = poseAtDistance(plan, Math.min(distancesOf(plan).at(-1) ?? 0, paceOn(state.scene) * clockOf(state)));
   return pose && { pose, steering: steerAngle(pose.curvature, wheelbase), along: pose.distance };
 }
 
