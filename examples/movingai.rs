@@ -12,11 +12,13 @@ use std::path::Path;
 use std::time::Instant;
 
 use parkade::map::{Bits, Cell, Occupancy};
+use parkade::planners::bidirectional;
 use parkade::planners::grid_astar::{self, Config};
 use parkade::planners::heuristics::Heuristic;
 use parkade::planners::jump_point;
 use parkade::planners::moves::Neighbourhood;
 use parkade::planners::query::{GridReport, GridScratch, Query};
+use parkade::search::Stop;
 
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -55,6 +57,10 @@ impl Maze {
             return jump_point::plan(query, &self.bits, &config, &mut self.scratch, &mut ());
         }
         let eight = Neighbourhood::Eight;
+        if id == "both-ends" {
+            let config = bidirectional::Config { neighbours: eight, stop: Stop::Optimal, ..Default::default() };
+            return bidirectional::plan(query, &config, &mut self.scratch, &mut ());
+        }
         let config = Config { heuristic: Heuristic::Octile, ..Config::new(eight) };
         grid_astar::plan(query, eight, &config, &mut self.scratch, &mut ())
     }
