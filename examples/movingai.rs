@@ -58,7 +58,8 @@ impl Maze {
         }
         let eight = Neighbourhood::Eight;
         if id == "both-ends" {
-            let config = bidirectional::Config { neighbours: eight, stop: Stop::Optimal, ..Default::default() };
+            let config =
+                bidirectional::Config { neighbours: eight, stop: Stop::Optimal, ..Default::default() };
             return bidirectional::plan(query, &config, &mut self.scratch, &mut ());
         }
         let config = Config { heuristic: Heuristic::Octile, ..Config::new(eight) };

@@ -120,11 +120,14 @@ fn print_time(scenes: &[Scenario], name: &str) {
 fn entry(group: &str, name: &str, scene: &Scenario) -> Value {
     let (plan, report, prepare, query) = run(scene, &Map::new());
     let best = BEST.iter().find(|b| b.0 == name);
-    let near = best.map(|_| {
+    let near = (best.is_some() || group == "tpcap").then(|| {
         let settings = [("margin", NEAR.0), ("directionChangeCost", NEAR.1)];
         let settings = settings.into_iter().map(|(name, value)| (name.to_owned(), json!(value))).collect();
-        let plan = Planner::new("hybrid", scene, &settings).expect("valid settings").plan(Options::default());
-        json!({ "verdict": plan.check.verdict.as_str(), "length": plan.metrics.length, "changes": plan.metrics.direction_changes })
+        let (plan, _, _, query) = run(scene, &settings);
+        json!({
+            "verdict": plan.check.verdict.as_str(), "length": plan.metrics.length, "changes": plan.metrics.direction_changes,
+            "query": query,
+        })
     });
     json!({
         "group": group, "name": name, "scene": scene, "hash": plan.hash(),

@@ -332,17 +332,17 @@ fn plans_count_what_was_rejected_and_scanned() {
         for prune in [false, true] {
             let jumps = stats("jump-point", &scene, &[("prune", prune.into())]);
             assert!(number(&jumps, "expanded") < number(&eight, "expanded"));
-            assert!(number(&jumps, "cellsScanned") > number(&eight, "expanded"));
+            assert!(number(&jumps, "cellsScanned") > number(&jumps, "expanded"));
         }
     }
     assert!(rejected > 0);
-    // Along a corridor: every cell from the start to the wall behind the goal, and the three walls beside the start.
+    // Along a corridor: every cell from the start to the wall behind the goal.
     for length in [5, 50, 130] {
         let map = Occupancy::new(length, 1);
         let query = Query { map: &map, start: Cell::new(0, 0), goal: Cell::new(length as i32 - 1, 0) };
         let config = jump_point::Config::default();
         let report = jump_point::plan(query, &Bits::new(&map), &config, &mut GridScratch::new(), &mut ());
-        assert_eq!(report.cells_scanned, length + 3);
+        assert_eq!(report.cells_scanned, length);
     }
 }
 
