@@ -24,8 +24,8 @@ struct Step {
 
 pub(super) struct Grid<'a, E> {
     map: &'a Occupancy,
-    start: Cell,
-    goal: Cell,
+    /// Where the search from the start goes, and the one from the goal.
+    aims: [Cell; 2],
     estimate: E,
     steps: Vec<Step>,
     /// The single steps by their direction, those that there are not as well.
@@ -53,8 +53,7 @@ impl<'a, E: Estimate> Grid<'a, E> {
         };
         Self {
             map: query.map,
-            start: query.start,
-            goal: query.goal,
+            aims: [query.goal, query.start],
             estimate,
             steps: moves.iter().map(step).collect(),
             single_steps: DIRECTIONS.map(|(dx, dy)| step(&Move { dx, dy, cost: cost(dx, dy) })),
@@ -71,6 +70,8 @@ impl<'a, E: Estimate> Grid<'a, E> {
 
     #[inline]
     fn offer<S: Sink>(&self, node: NodeId, last: Option<u32>, back: bool, sink: &mut S) {
+        // The search from the goal takes steps against their direction.
+        let turned = if back { 4 } else { 0 };
         let cell = self.map.cell(node);
         let free = self.map.free_around(cell);
         let row = self.map.width() as usize;
@@ -78,15 +79,12 @@ impl<'a, E: Estimate> Grid<'a, E> {
         let mut worth = if self.diagonals {
             let direction = last.filter(|&number| number < 8);
             let unseen = match direction {
-                Some(direction) => {
-                    UNSEEN[(if back { direction ^ 4 } else { direction }) as usize & 7][usize::from(free)]
-                }
+                Some(direction) => UNSEEN[(direction ^ turned) as usize & 7][usize::from(free)],
                 None => 0xff,
             };
             u32::from(free & unseen) & sink.worth_around(node, row, D, R2)
         } else {
-            let behind = if back { 0 } else { 4 };
-            let before = last.map_or(0, |number| 1 << ((2 * number + behind) % 8));
+            let before = last.map_or(0, |number| 1 << ((2 * number) & 7 ^ 4 ^ turned));
             u32::from(free & 0b0101_0101) & !before & sink.worth_beside(node, row, D)
         };
         let mut calls = worth.count_ones();
@@ -96,8 +94,7 @@ impl<'a, E: Estimate> Grid<'a, E> {
             worth &= worth - 1;
             let step = &self.single_steps[direction as usize];
             let h = self.ahead(cell.offset(step.dx, step.dy), back);
-            let number = if back { direction ^ 4 } else { direction };
-            let number = if self.diagonals { number } else { number >> 1 };
+            let number = (direction ^ turned) >> u32::from(!self.diagonals);
             sink.take(number, node.wrapping_add_signed(step.offset), step.cost, h);
         }
         if self.steps.len() > 8 {
@@ -131,7 +128,7 @@ impl<'a, E: Estimate> Grid<'a, E> {
     /// The estimate from a cell to where the search goes.
     #[inline]
     fn ahead(&self, cell: Cell, back: bool) -> i64 {
-        let to = if back { self.start } else { self.goal };
+        let to = self.aims[usize::from(back)];
         self.estimate.over(to.x - cell.x, to.y - cell.y)
     }
 }

@@ -3,8 +3,8 @@
 //! The backward side follows *forward* costs against their direction ([`Lattice::predecessors`]), so costs may depend
 //! on the direction of a move.
 
+use super::entry::Entry;
 use super::lattice::{Found, Lattice};
-use super::queue::Entry;
 use super::side::{Memory, Record, Relaxing, cost_of, move_of};
 use super::{End, NodeId, Observer};
 
@@ -118,12 +118,13 @@ impl<L: Lattice, O: Observer<i64, ()>> Search<'_, L, O> {
     ) -> bool {
         let g = cost_of(record);
         self.last[turn] = f;
-        memory.close::<2>(turn, node, record);
-        memory.exclude(1 - turn, node);
-        let back = if turn == 0 { self.lattice.to_start(node) } else { self.lattice.to_goal(node) };
-        if g + h >= self.best.0 || g + self.last[1 - turn] - back >= self.best.0 {
-            self.found.rejected += 1;
-            return f < self.best.0;
+        memory.settle(turn, node, record);
+        if self.best.0 < i64::MAX {
+            let back = if turn == 0 { self.lattice.to_start(node) } else { self.lattice.to_goal(node) };
+            if g + h >= self.best.0 || g + self.last[1 - turn] - back >= self.best.0 {
+                self.found.rejected += 1;
+                return f < self.best.0;
+            }
         }
         self.expand(turn, (node, h), record, true, memory);
         true
@@ -157,8 +158,8 @@ impl<L: Lattice, O: Observer<i64, ()>> Search<'_, L, O> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::search::entry::Short;
     use crate::search::lattice::{Sink, one_way};
-    use crate::search::queue::Short;
 
     const SIDE: u32 = 12;
 

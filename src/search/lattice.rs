@@ -6,7 +6,7 @@
 //!
 //! A lattice may hold back part of a node's moves ([`Lattice::HOLDS_BACK`]) until [`Lattice::hold`] lets them go.
 
-use super::queue::Entry;
+use super::entry::Entry;
 use super::side::{Memory, Relaxing, Side, cost_of, move_of};
 use super::{End, NodeId, Observer};
 

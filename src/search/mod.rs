@@ -3,19 +3,21 @@
 mod best_first;
 #[cfg(feature = "complete")]
 mod both_ways;
+mod entry;
 pub mod lattice;
 mod observer;
 mod open;
 mod queue;
 mod side;
+mod sorting;
 mod table;
 
 pub use best_first::{Limits, Report, best_first};
 #[cfg(feature = "complete")]
 pub use both_ways::{Stop, both_ways};
+pub use entry::{Entry, Short, Wide};
 pub use observer::{Observer, Trace};
 pub use open::Order;
-pub use queue::{Entry, Short, Wide};
 pub use side::Memory;
 pub use table::Scratch;
 

@@ -1,116 +1,12 @@
 //! The open list of [`lattice`](super::lattice) searches: smaller f first, then smaller h, then the newest.
 //!
 //! Costs are whole numbers there, so that most entries share their f with many others. Entries lie unsorted in buckets
-//! of f, as in [`OpenList`](super::open::OpenList), but near ones at once in a bucket of their own, and a bucket whose
-//! entries all have one f is sorted by spreading them over h. Nothing tells the newest entry but its place: whatever
+//! of f, as in [`OpenList`](super::open::OpenList), but near ones at once in a bucket of their own, which is
+//! [sorted](super::sorting) when its turn comes. Nothing tells the newest entry but its place: whatever
 //! is done to a bucket keeps equal entries in the order in which they came.
 
-use super::NodeId;
-
-/// What the open list keeps of a node: its f, then its h, then which node it is and whether its held-back moves are due.
-pub trait Entry: Copy {
-    /// A bucket of the open list is 2 to this power wide.
-    const WIDTH: u32;
-
-    /// The entry.
-    fn new(f: i64, h: i64, node: u32) -> Self;
-    /// The priority.
-    fn f(self) -> i64;
-    /// The estimate in it.
-    fn h(self) -> i64;
-    /// What [`Entry::open`] or [`Entry::held`] gave.
-    fn mark(self) -> u32;
-    /// Whether it comes before one that is older.
-    fn before(self, older: Self) -> bool;
-
-    /// What stands for an open node, of which there are less than 2²⁸.
-    fn open(node: NodeId) -> u32 {
-        node
-    }
-    /// What stands for a node's held-back moves, with a note from 0 to 7.
-    fn held(node: NodeId, note: u32) -> u32 {
-        node | note << NOTE | HELD
-    }
-    /// The node.
-    fn node(self) -> NodeId {
-        self.mark() & ((1 << NOTE) - 1)
-    }
-    /// The note on a node's held-back moves.
-    fn note(self) -> u32 {
-        (self.mark() & !HELD) >> NOTE
-    }
-    /// Whether the node's held-back moves are due.
-    fn is_held(self) -> bool {
-        self.mark() & HELD != 0
-    }
-}
-
-const HELD: u32 = 1 << 31;
-const NOTE: u32 = 28;
-
-/// An entry in 16 bytes, whose costs must be from 0 to below 2⁴⁸: f, then h, then the node, from the highest bit.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Short {
-    high: u64,
-    low: u64,
-}
-
-impl Entry for Short {
-    const WIDTH: u32 = 12;
-
-    fn new(f: i64, h: i64, node: u32) -> Self {
-        let (f, h) = (f as u64, h as u64);
-        Self { high: f << 16 | h >> 32, low: h << 32 | u64::from(node) }
-    }
-
-    fn f(self) -> i64 {
-        (self.high >> 16) as i64
-    }
-
-    fn h(self) -> i64 {
-        ((self.high & 0xffff) << 32 | self.low >> 32) as i64
-    }
-
-    fn mark(self) -> u32 {
-        self.low as u32
-    }
-
-    fn before(self, older: Self) -> bool {
-        self.high < older.high || self.high == older.high && self.low >> 32 <= older.low >> 32
-    }
-}
-
-/// An entry of any costs, whose f is taken to be spread widely.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Wide {
-    f: i64,
-    h: i64,
-    node: u32,
-}
-
-impl Entry for Wide {
-    const WIDTH: u32 = 16;
-
-    fn new(f: i64, h: i64, node: u32) -> Self {
-        Self { f, h, node }
-    }
-
-    fn f(self) -> i64 {
-        self.f
-    }
-
-    fn h(self) -> i64 {
-        self.h
-    }
-
-    fn mark(self) -> u32 {
-        self.node
-    }
-
-    fn before(self, older: Self) -> bool {
-        self.f < older.f || self.f == older.f && self.h <= older.h
-    }
-}
+use super::entry::Entry;
+use super::sorting::Sorter;
 
 #[derive(Debug)]
 pub(super) struct Queue<E> {
@@ -124,9 +20,7 @@ pub(super) struct Queue<E> {
     later: Vec<Vec<E>>,
     /// Empty lists with room, the last used one last.
     empty: Vec<Vec<E>>,
-    /// Room for sorting.
-    spare: Vec<E>,
-    places: Vec<u32>,
+    sorter: Sorter<E>,
     /// The current bucket, counted from `origin`.
     current: usize,
     /// The buckets before this one have their place in the ring.
@@ -144,8 +38,6 @@ const RING: usize = 2 * SPAN;
 const WORDS: usize = RING / 64;
 /// Number of spans.
 const SPANS: usize = 1024;
-/// So many entries are sorted by insertion.
-const FEW: usize = 16;
 /// How deep in the stack the place of an entry is looked for step by step.
 const NEAR: usize = 6;
 
@@ -157,8 +49,7 @@ impl<E> Default for Queue<E> {
             filled: [0; WORDS],
             later: Vec::new(),
             empty: Vec::new(),
-            spare: Vec::new(),
-            places: Vec::new(),
+            sorter: Sorter::default(),
             current: 0,
             reach: 0,
             origin: 0,
@@ -195,22 +86,24 @@ impl<E: Entry> Queue<E> {
     }
 
     /// Adds an entry.
+    #[inline(always)]
     pub(super) fn push(&mut self, f: i64, h: i64, node: u32) {
         self.pushes += 1;
         let entry = E::new(f, h, node);
-        let bucket = self.bucket(f);
-        // Most go where others are already; that way is kept short.
-        if bucket > self.current && bucket < self.reach {
-            let list = &mut self.ring[bucket % RING];
+        // Most go where others are already; that way is kept short. The ring holds nothing of the current bucket.
+        let bucket = ((f - self.origin) >> E::WIDTH) as u64;
+        if bucket.wrapping_sub(self.current as u64) < (self.reach - self.current) as u64 {
+            let list = &mut self.ring[bucket as usize % RING];
             if !list.is_empty() {
                 return list.push(entry);
             }
         }
-        self.place(entry, bucket);
+        self.place(entry);
     }
 
     #[inline(never)]
-    fn place(&mut self, entry: E, bucket: usize) {
+    fn place(&mut self, entry: E) {
+        let bucket = self.bucket(entry.f());
         if bucket > self.current {
             self.put(entry, bucket);
         } else {
@@ -338,7 +231,7 @@ impl<E: Entry> Queue<E> {
         }
         let next = self.take(self.current);
         self.empty.push(std::mem::replace(&mut self.stack, next));
-        sort(&mut self.stack, &mut self.spare, &mut self.places);
+        self.sorter.sort(&mut self.stack);
     }
 
     /// Takes a bucket's list out of the ring.
@@ -363,109 +256,14 @@ impl<E: Entry> Queue<E> {
     }
 }
 
-/// Sorts entries so that the first one of the order comes last.
-#[inline(never)]
-fn sort<E: Entry>(entries: &mut Vec<E>, spare: &mut Vec<E>, places: &mut Vec<u32>) {
-    if entries.len() > FEW {
-        let (f, h) = (entries[0].f(), entries[0].h());
-        let (mut same, mut least, mut most) = (true, h, h);
-        for entry in &*entries {
-            same &= entry.f() == f;
-            (least, most) = (least.min(entry.h()), most.max(entry.h()));
-        }
-        if !same {
-            merge(entries, spare);
-            return;
-        }
-        spread(entries, (least, most), spare, places);
-    }
-    insertion(entries);
-}
-
-/// Sorts short or nearly sorted entries.
-fn insertion<E: Entry>(entries: &mut [E]) {
-    for sorted in 1..entries.len() {
-        let entry = entries[sorted];
-        let mut hole = sorted;
-        while hole > 0 && !entry.before(entries[hole - 1]) {
-            entries[hole] = entries[hole - 1];
-            hole -= 1;
-        }
-        entries[hole] = entry;
-    }
-}
-
-/// Puts entries of one f nearly in order: by as many steps of h, which has these bounds, as there are entries.
-fn spread<E: Entry>(
-    entries: &mut Vec<E>,
-    (least, most): (i64, i64),
-    spare: &mut Vec<E>,
-    places: &mut Vec<u32>,
-) {
-    let mut shift = 0;
-    while (most - least) >> shift >= 2 * entries.len() as i64 {
-        shift += 1;
-    }
-    let step = |entry: E| ((most - entry.h()) >> shift) as usize;
-    places.clear();
-    places.resize(((most - least) >> shift) as usize + 1, 0);
-    for &entry in &*entries {
-        places[step(entry)] += 1;
-    }
-    let mut sum = 0;
-    for place in &mut *places {
-        sum += std::mem::replace(place, sum);
-    }
-    // What it holds is overwritten.
-    spare.resize(entries.len(), entries[0]);
-    for &entry in &*entries {
-        let place = &mut places[step(entry)];
-        spare[*place as usize] = entry;
-        *place += 1;
-    }
-    std::mem::swap(entries, spare);
-}
-
-/// Sorts entries in runs, which it merges.
-fn merge<E: Entry>(entries: &mut Vec<E>, spare: &mut Vec<E>) {
-    entries.chunks_mut(FEW).for_each(insertion);
-    let mut length = FEW;
-    while length < entries.len() {
-        spare.clear();
-        for pair in entries.chunks(2 * length) {
-            let (mut a, mut b) = pair.split_at(length.min(pair.len()));
-            while let ([first, rest @ ..], [second, others @ ..]) = (a, b) {
-                if second.before(*first) {
-                    spare.push(*first);
-                    a = rest;
-                } else {
-                    spare.push(*second);
-                    b = others;
-                }
-            }
-            spare.extend_from_slice(a);
-            spare.extend_from_slice(b);
-        }
-        std::mem::swap(entries, spare);
-        length *= 2;
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::search::{Short, Wide};
 
     fn random(state: &mut u64, n: u64) -> u64 {
         *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
         (*state >> 33) % n
-    }
-
-    #[test]
-    fn entries_hold_what_they_are_given() {
-        for (f, h) in [(0, 0), (3, 1 << 40), ((1 << 48) - 1, (1 << 48) - 1), (1 << 47, 1 << 32)] {
-            let entry = Short::new(f, h, u32::MAX);
-            assert_eq!((entry.f(), entry.h(), entry.mark()), (f, h, u32::MAX));
-        }
     }
 
     #[test]

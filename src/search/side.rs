@@ -1,9 +1,8 @@
 //! What a [`lattice`](super::lattice) search remembers: what it knows of each node, and its open lists.
 
-use std::marker::PhantomData;
-
+use super::entry::Entry;
 use super::lattice::{Lattice, Sink};
-use super::queue::{Entry, Queue};
+use super::queue::Queue;
 use super::{NodeId, Observer};
 
 /// One node: from the lowest bit, 8 bits of the move that led to it, 44 of its cost, 1 set while it is open, 11 of the
@@ -101,10 +100,7 @@ impl<E: Entry> Memory<E> {
     /// The node's cost, where this side has reached it.
     #[cfg(feature = "complete")]
     pub(super) fn known(&self, turn: usize, node: NodeId) -> Option<i64> {
-        self.cost_known(self.record::<2>(turn, node))
-    }
-
-    fn cost_known(&self, record: Record) -> Option<i64> {
+        let record = self.record::<2>(turn, node);
         let cost = cost_of(record);
         (record < self.generation + GENERATION && cost != UNKNOWN).then_some(cost)
     }
@@ -120,15 +116,18 @@ impl<E: Entry> Memory<E> {
         self.records[at] = record & !OPEN;
     }
 
-    /// Takes the node out of a side's search, whether that side has reached it or not.
+    /// Closes a node of one of two sides with its record, as it was popped, and takes it out of the other side's search,
+    /// whether that one has reached it or not.
     #[cfg(feature = "complete")]
-    pub(super) fn exclude(&mut self, turn: usize, node: NodeId) {
-        let at = self.place::<2>(turn, node);
-        let (record, generation) = (&mut self.records[at], self.generation);
-        *record = if *record >= generation + GENERATION {
-            generation | (UNKNOWN as Record) << MOVE
+    pub(super) fn settle(&mut self, turn: usize, node: NodeId, record: Record) {
+        let at = self.place::<2>(0, node);
+        let both = &mut self.records[at..at + 2];
+        both[turn] = record & !OPEN;
+        let other = &mut both[1 - turn];
+        *other = if *other >= self.generation + GENERATION {
+            self.generation | (UNKNOWN as Record) << MOVE
         } else {
-            *record & !OPEN
+            *other & !OPEN
         };
     }
 
@@ -168,13 +167,17 @@ impl<E: Entry> Memory<E> {
 
 /// What happens to a move that improves a node.
 pub(super) struct Relaxing<'a, L: Lattice, O, const SIDES: usize> {
-    lattice: PhantomData<L>,
-    memory: &'a mut Memory<L::Entry>,
-    turn: usize,
+    records: &'a mut [Record],
+    parents: &'a mut [NodeId],
+    side: &'a mut Side<L::Entry>,
     observer: &'a mut O,
+    /// Where this side's record of node 0 is.
+    first: usize,
     g: i64,
     /// What a record would be at no cost of a step, whatever the step.
     base: Record,
+    /// Nodes whose records are not below it have not been reached.
+    fresh: Record,
     from: NodeId,
     /// The cheapest connection with the other side so far and the node that it leads through, where it is wanted.
     best: Option<&'a mut (i64, NodeId)>,
@@ -188,23 +191,41 @@ impl<'a, L: Lattice, O, const SIDES: usize> Relaxing<'a, L, O, SIDES> {
         (from, g): (NodeId, i64),
         best: Option<&'a mut (i64, NodeId)>,
     ) -> Self {
-        let base = memory.generation | OPEN | (g as Record) << MOVE | Record::from(ROOT);
-        Self { lattice: PhantomData, memory, turn, observer, g, base, from, best }
+        Self {
+            base: memory.generation | OPEN | (g as Record) << MOVE | Record::from(ROOT),
+            fresh: memory.generation + GENERATION,
+            first: memory.place::<SIDES>(turn, 0),
+            records: &mut memory.records,
+            parents: &mut memory.parents,
+            side: &mut memory.sides[turn],
+            observer,
+            g,
+            from,
+            best,
+        }
+    }
+
+    fn place(&self, node: NodeId) -> usize {
+        self.first + node as usize * SIDES
+    }
+
+    /// What the record of a node reached by a step of this cost must exceed to be worth it.
+    fn limit(&self, cost: i64) -> Record {
+        self.base + ((cost as Record) << MOVE)
     }
 }
 
 impl<L: Lattice, O: Observer<i64, ()>, const SIDES: usize> Sink for Relaxing<'_, L, O, SIDES> {
     fn worth(&self, target: NodeId, cost: i64) -> bool {
-        self.base + ((cost as Record) << MOVE) < self.memory.record::<SIDES>(self.turn, target)
+        self.limit(cost) < self.records[self.place(target)]
     }
 
     #[inline]
     fn worth_around(&self, node: NodeId, row: usize, straight: i64, diagonal: i64) -> u32 {
-        let (straight, diagonal) =
-            (self.base + ((straight as Record) << MOVE), self.base + ((diagonal as Record) << MOVE));
-        let (at, row) = (self.memory.place::<SIDES>(self.turn, node), row * SIDES);
+        let (straight, diagonal) = (self.limit(straight), self.limit(diagonal));
+        let (at, row) = (self.place(node), row * SIDES);
         let three = |middle: usize| {
-            let line = &self.memory.records[middle - SIDES..=middle + SIDES];
+            let line = &self.records[middle - SIDES..][..=2 * SIDES];
             [line[0], line[SIDES], line[2 * SIDES]]
         };
         let (south, here, north) = (three(at - row), three(at), three(at + row));
@@ -220,35 +241,35 @@ impl<L: Lattice, O: Observer<i64, ()>, const SIDES: usize> Sink for Relaxing<'_,
 
     #[inline]
     fn worth_beside(&self, node: NodeId, row: usize, straight: i64) -> u32 {
-        let straight = self.base + ((straight as Record) << MOVE);
-        let (at, row) = (self.memory.place::<SIDES>(self.turn, node), row * SIDES);
-        let records = &self.memory.records;
+        let straight = self.limit(straight);
+        let (at, row) = (self.place(node), row * SIDES);
+        let records = &self.records;
         u32::from(straight < records[at + SIDES])
             | u32::from(straight < records[at + row]) << 2
             | u32::from(straight < records[at - SIDES]) << 4
             | u32::from(straight < records[at - row]) << 6
     }
 
+    #[inline(always)]
     fn take(&mut self, number: u32, target: NodeId, cost: i64, h: i64) {
         let g = self.g + cost;
-        let memory = &mut *self.memory;
-        let at = memory.place::<SIDES>(self.turn, target);
-        let record = &mut memory.records[at];
-        let fresh = *record >= memory.generation + GENERATION;
-        *record = memory.generation | OPEN | (g as Record) << MOVE | Record::from(number);
+        let at = self.place(target);
+        let record = self.limit(cost) - Record::from(ROOT - number);
+        let fresh = std::mem::replace(&mut self.records[at], record) >= self.fresh;
         if L::JUMPS {
-            memory.parents[target as usize] = self.from;
+            self.parents[target as usize] = self.from;
         }
-        let side = &mut memory.sides[self.turn];
-        side.generated += u32::from(fresh);
-        side.open.push(g + h, h, L::Entry::open(target));
+        self.side.generated += u32::from(fresh);
+        self.side.open.push(g + h, h, L::Entry::open(target));
         self.observer.relaxed(target, self.from, (), g);
         if SIDES == 2
             && let Some(best) = &mut self.best
-            && let Some(rest) = memory.cost_known(memory.records[at ^ 1])
-            && g + rest < best.0
         {
-            **best = (g + rest, target);
+            let other = self.records[at ^ 1];
+            let there = g + cost_of(other);
+            if other < self.fresh && there < best.0 && cost_of(other) != UNKNOWN {
+                **best = (there, target);
+            }
         }
     }
 }

@@ -1,0 +1,122 @@
+//! Entries of the [open list](super::queue) of lattice searches.
+
+use super::NodeId;
+
+/// What the open list keeps of a node: its f, then its h, then which node it is and whether its held-back moves are due.
+pub trait Entry: Copy {
+    /// A bucket of the open list is 2 to this power wide.
+    const WIDTH: u32;
+
+    /// The entry.
+    fn new(f: i64, h: i64, node: u32) -> Self;
+    /// The priority.
+    fn f(self) -> i64;
+    /// The estimate in it.
+    fn h(self) -> i64;
+    /// What [`Entry::open`] or [`Entry::held`] gave.
+    fn mark(self) -> u32;
+    /// Whether it comes before one that is older.
+    fn before(self, older: Self) -> bool;
+
+    /// What stands for an open node, of which there are less than 2²⁸.
+    fn open(node: NodeId) -> u32 {
+        node
+    }
+    /// What stands for a node's held-back moves, with a note from 0 to 7.
+    fn held(node: NodeId, note: u32) -> u32 {
+        node | note << NOTE | HELD
+    }
+    /// The node.
+    fn node(self) -> NodeId {
+        self.mark() & ((1 << NOTE) - 1)
+    }
+    /// The note on a node's held-back moves.
+    fn note(self) -> u32 {
+        (self.mark() & !HELD) >> NOTE
+    }
+    /// Whether the node's held-back moves are due.
+    fn is_held(self) -> bool {
+        self.mark() & HELD != 0
+    }
+}
+
+const HELD: u32 = 1 << 31;
+const NOTE: u32 = 28;
+
+/// An entry in 16 bytes, whose costs must be from 0 to below 2⁴⁸: f, then h, then the node, from the highest bit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Short {
+    high: u64,
+    low: u64,
+}
+
+impl Entry for Short {
+    const WIDTH: u32 = 12;
+
+    fn new(f: i64, h: i64, node: u32) -> Self {
+        let (f, h) = (f as u64, h as u64);
+        Self { high: f << 16 | h >> 32, low: h << 32 | u64::from(node) }
+    }
+
+    fn f(self) -> i64 {
+        (self.high >> 16) as i64
+    }
+
+    fn h(self) -> i64 {
+        ((self.high & 0xffff) << 32 | self.low >> 32) as i64
+    }
+
+    fn mark(self) -> u32 {
+        self.low as u32
+    }
+
+    fn before(self, older: Self) -> bool {
+        let whole = |entry: Self| u128::from(entry.high) << 64 | u128::from(entry.low);
+        whole(self) <= whole(older) | u128::from(u32::MAX)
+    }
+}
+
+/// An entry of any costs, whose f is taken to be spread widely.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Wide {
+    f: i64,
+    h: i64,
+    node: u32,
+}
+
+impl Entry for Wide {
+    const WIDTH: u32 = 16;
+
+    fn new(f: i64, h: i64, node: u32) -> Self {
+        Self { f, h, node }
+    }
+
+    fn f(self) -> i64 {
+        self.f
+    }
+
+    fn h(self) -> i64 {
+        self.h
+    }
+
+    fn mark(self) -> u32 {
+        self.node
+    }
+
+    fn before(self, older: Self) -> bool {
+        self.f < older.f || self.f == older.f && self.h <= older.h
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn entries_hold_what_they_are_given() {
+        for (f, h) in [(0, 0), (3, 1 << 40), ((1 << 48) - 1, (1 << 48) - 1), (1 << 47, 1 << 32)] {
+            let entry = Short::new(f, h, u32::MAX);
+            assert_eq!((entry.f(), entry.h(), entry.mark()), (f, h, u32::MAX));
+        }
+    }
+}
