@@ -14,7 +14,7 @@ fn settings(value: &Value) -> Map<String, Value> {
 }
 
 fn bytes(planner: &Planner, name: &str) -> Vec<u8> {
-    match planner.layer(name).unwrap().data {
+    match planner.layer(name, 1).unwrap().data {
         LayerData::Bytes(bytes) => bytes,
         LayerData::Floats(_) => panic!("{name} has bytes"),
     }
@@ -39,6 +39,65 @@ fn other_ends_give_the_plan_of_another_scene() {
         let error = session.plan_between(nowhere, Options::default()).unwrap_err();
         assert_eq!((error.code, error.path.as_str()), (ErrorCode::Input, "goal.heading"));
     }
+}
+
+fn floats(planner: &Planner, name: &str, every: u32) -> (u32, u32, Vec<f32>) {
+    let layer = planner.layer(name, every).unwrap();
+    match layer.data {
+        LayerData::Floats(floats) => (layer.width, layer.height, floats),
+        LayerData::Bytes(_) => panic!("{name} has floats"),
+    }
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn rasters_and_explanations_are_between_the_last_ends() {
+    let scene = catalog::scenario("random-60").unwrap();
+    let Goal::Pose(goal) = scene.goal.clone() else { panic!("a pose") };
+    let (start, goal) = (Pose { x: goal.x - 3.0, ..goal }, scene.start);
+    let moved = Scenario { start, goal: Goal::Pose(goal), ..scene.clone() };
+    let closing = settings(&json!({ "minPassage": 2, "trapMouth": 5 }));
+    let ends = Ends { start: Some(start), goal: Some(goal) };
+    let mut session = Planner::new("risk-field", &scene, &closing).unwrap();
+    let mut anew = Planner::new("risk-field", &moved, &closing).unwrap();
+    let at = scene.start.point();
+    let all = |planner: &Planner| {
+        (
+            floats(planner, "risk", 1),
+            bytes(planner, "redundant"),
+            planner.any_angle_length(),
+            json!(planner.explain(at.x, at.y).unwrap()),
+        )
+    };
+    session.plan(Options::default());
+    let own = all(&session);
+    session.plan_between(ends, Options::default()).unwrap();
+    anew.plan(Options::default());
+    assert!(all(&session) == all(&anew));
+    assert!(all(&session).0 != own.0);
+    session.plan(Options::default());
+    assert!(all(&session) == own);
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn a_sampled_field_has_the_values_of_the_whole() {
+    let planner = Planner::new("risk-field", &catalog::scenario("random-60").unwrap(), &Map::new()).unwrap();
+    let (width, height, whole) = floats(&planner, "risk", 1);
+    for every in [2, 3, 7, 64, 1000] {
+        let (columns, rows, some) = floats(&planner, "risk", every);
+        assert_eq!((columns, rows), (width / every, height / every));
+        let cells = (0..rows).flat_map(|y| (0..columns).map(move |x| (x, y)));
+        let middle = |i: u32| i * every + every / 2;
+        let same: Vec<f32> = cells
+            .map(|(x, y)| 2 * (middle(y) * width + middle(x)) as usize)
+            .flat_map(|i| [whole[i], whole[i + 1]])
+            .collect();
+        assert_eq!(some, same, "every {every}");
+    }
+    let error = planner.layer("risk", 0).unwrap_err();
+    assert_eq!((error.code, error.path.as_str()), (ErrorCode::Input, "every"));
+    assert_eq!(planner.layer("clearance", 2).unwrap_err().path, "every");
 }
 
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]

@@ -99,11 +99,13 @@ impl<'a> PotentialField<'a> {
         (pull.0 + push.0, pull.1 + push.1)
     }
 
-    /// The force at every cell, (0, 0) in blocked ones.
-    pub fn layer(&self) -> Layer<[f32; 2]> {
-        let mut layer = Layer::filled(self.map.width(), self.map.height(), [0.0; 2]);
-        for (index, value) in layer.data.iter_mut().enumerate() {
-            let cell = self.map.cell(index as u32);
+    /// The force at the middle cell of each whole square of `every` cells (at least 1), (0, 0) in blocked ones.
+    pub fn layer(&self, every: u32) -> Layer<[f32; 2]> {
+        let mut layer = Layer::filled(self.map.width() / every, self.map.height() / every, [0.0; 2]);
+        let (width, middle) = (layer.width, every / 2);
+        for (index, value) in (0..).zip(&mut layer.data) {
+            let at = [index % width, index / width].map(|i| (i * every + middle) as i32);
+            let cell = Cell::new(at[0], at[1]);
             if !self.map.blocked(cell) {
                 let (x, y) = self.force(cell);
                 *value = [x as f32, y as f32];

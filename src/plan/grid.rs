@@ -84,13 +84,13 @@ impl Engine {
         )
     }
 
-    /// The risk field's force at every cell: east, north, …; `None` without a risk field.
-    pub(super) fn field(&self, world: &World) -> Option<Vec<f32>> {
+    /// The risk field's force at the middle cells of squares of `every` cells: east, north, …; `None` without a risk field.
+    pub(super) fn field(&self, world: &World, every: u32) -> Option<Vec<f32>> {
         let Search::RiskField(config) = &self.search else { return None };
         let map = self.rasters.map(world);
         let start = cell_of(&world.frame, world.geometry.start);
         let goal = cell_of(&world.frame, world.geometry.goal);
-        Some(config.field(&Query { map, start, goal }).layer().data.into_iter().flatten().collect())
+        Some(config.field(&Query { map, start, goal }).layer(every).data.into_iter().flatten().collect())
     }
 }
 
@@ -124,13 +124,13 @@ impl Engine {
         }
     }
 
-    /// Each cell's safety between the scene's start and goal, as a number.
+    /// Each cell's safety between start and goal, as a number.
     pub(super) fn safety(&self, world: &World) -> Vec<u8> {
         let [start, goal] = [world.geometry.start, world.geometry.goal].map(|p| cell_of(&world.frame, p));
         self.rasters.layer(world, start, goal).data
     }
 
-    /// The any-angle yardstick between the scene's start and goal, metres.
+    /// The any-angle yardstick between start and goal, metres.
     pub(super) fn any_angle_length(&self, world: &World) -> Option<f64> {
         let [start, goal] = [world.geometry.start, world.geometry.goal].map(|p| cell_of(&world.frame, p));
         let cells = any_angle_length(self.rasters.solid(world), start, goal)?;

@@ -92,7 +92,10 @@ enum Engine {
 pub struct Planner {
     kind: Kind,
     scenario: Scenario,
+    /// Its `geometry` has the ends of the last plan.
     world: World,
+    /// The scene's start and goal.
+    own_ends: [Pose; 2],
     engine: Engine,
     #[cfg(feature = "complete")]
     brush: Option<brush::Brush>,
@@ -128,6 +131,7 @@ impl Planner {
         Ok(Self {
             kind,
             scenario: scenario.clone(),
+            own_ends: [world.geometry.start, world.geometry.goal],
             world,
             engine,
             #[cfg(feature = "complete")]
@@ -147,8 +151,13 @@ impl Planner {
 
     /// Plans, and checks the answer.
     pub fn plan(&mut self, options: Options) -> Plan {
+        self.between(self.own_ends, options)
+    }
+
+    fn between(&mut self, ends: [Pose; 2], options: Options) -> Plan {
         #[cfg(feature = "complete")]
         self.settle();
+        [self.world.geometry.start, self.world.geometry.goal] = ends;
         let mut plan = match &mut self.engine {
             Engine::Grid(engine) => engine.plan(&self.world, options),
             Engine::Hybrid(engine) => engine.plan(&self.scenario, &self.world, options),
@@ -187,12 +196,19 @@ impl Planner {
     }
 
     /// A raster: `occupancy`, `safety`, `redundant` (safety under this planner's own settings), `clearance`, `risk` or
-    /// `cost`.
+    /// `cost`; the ends are those of the last plan.
+    ///
+    /// `every` is 1, or for `risk` the side of squares of cells whose middle ones alone are told; squares that the map's
+    /// border cuts through are left out.
     ///
     /// # Errors
     /// [`ErrorCode::Input`] for another name, for `risk` of a planner without a field, for `redundant` of one that is
-    /// not a grid planner, and for `cost` of one without a cost map.
-    pub fn layer(&self, name: &str) -> Result<Layer, Error> {
+    /// not a grid planner, for `cost` of one without a cost map, and for another `every`.
+    pub fn layer(&self, name: &str, every: u32) -> Result<Layer, Error> {
+        if every == 0 || (every > 1 && name != "risk") {
+            let rule = if name == "risk" { "a whole number from 1" } else { "1 but for risk" };
+            return Err(Error::new(ErrorCode::Input, "every", format!("must be {rule}, got {every}")));
+        }
         let map = &self.world.occupancy;
         let data = match (name, &self.engine) {
             ("occupancy", _) => LayerData::Bytes(cells(&self.world)),
@@ -217,7 +233,8 @@ impl Planner {
                 return Err(Error::new(ErrorCode::Input, "name", message));
             }
             ("risk", engine) => {
-                let field = if let Engine::Grid(engine) = engine { engine.field(&self.world) } else { None };
+                let field =
+                    if let Engine::Grid(engine) = engine { engine.field(&self.world, every) } else { None };
                 let message = || format!("{} has no risk field; risk-field has", self.kind.id());
                 LayerData::Floats(field.ok_or_else(|| Error::new(ErrorCode::Input, "name", message()))?)
             }
@@ -227,7 +244,7 @@ impl Planner {
                 return Err(Error::new(ErrorCode::Input, "name", message));
             }
         };
-        Ok(Layer { width: map.width(), height: map.height(), data })
+        Ok(Layer { width: map.width() / every, height: map.height() / every, data })
     }
 }
 

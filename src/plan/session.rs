@@ -36,21 +36,16 @@ fn checked(path: &str, pose: Pose) -> Result<Pose, Error> {
 }
 
 impl Planner {
-    /// [`Planner::plan`] between other poses than the scene's.
+    /// [`Planner::plan`] between other poses than the scene's. Rasters and explanations are between these, too, until the
+    /// next plan.
     ///
     /// # Errors
     /// [`ErrorCode::Input`] when a coordinate is not a finite number, within the range of scenes.
     pub fn plan_between(&mut self, ends: Ends, options: Options) -> Result<Plan, Error> {
         let start = ends.start.map(|pose| checked("start", pose)).transpose()?;
         let goal = ends.goal.map(|pose| checked("goal", pose)).transpose()?;
-        #[cfg(feature = "complete")]
-        self.settle();
-        let geometry = &mut self.world.geometry;
-        let own = (geometry.start, geometry.goal);
-        (geometry.start, geometry.goal) = (start.unwrap_or(own.0), goal.unwrap_or(own.1));
-        let plan = self.plan(options);
-        (self.world.geometry.start, self.world.geometry.goal) = own;
-        Ok(plan)
+        let own = self.own_ends;
+        Ok(self.between([start.unwrap_or(own[0]), goal.unwrap_or(own[1])], options))
     }
 
     /// The search of a grid planner between two points, and nothing else: no car follows the path, nothing is checked
@@ -76,8 +71,8 @@ impl Planner {
         })
     }
 
-    /// Length of the shortest any-angle path between the centres of the scene's start and goal cells, metres, with
-    /// this grid planner's safety space: what no path over cells is shorter than, but for rounded corners. `None` where
+    /// Length of the shortest any-angle path between the centres of the last plan's start and goal cells (before any plan,
+    /// the scene's), metres, with this grid planner's safety space: what no path over cells is shorter than, but for rounded corners. `None` where
     /// there is no path, and for planners other than grid planners.
     #[cfg(feature = "complete")]
     pub fn any_angle_length(&self) -> Option<f64> {

@@ -118,12 +118,17 @@ fn index(owner: Owner) -> i32 {
     }
 }
 
-pub(super) fn layer(layer: &Layer) -> JsValue {
+pub(super) fn layer(layer: &Layer, every: u32) -> JsValue {
     let data = match &layer.data {
         LayerData::Bytes(bytes) => u8s(bytes),
         LayerData::Floats(floats) => f32s(floats),
     };
-    object(&[("width", layer.width.into()), ("height", layer.height.into()), ("data", data)])
+    object(&[
+        ("width", layer.width.into()),
+        ("height", layer.height.into()),
+        ("every", every.into()),
+        ("data", data),
+    ])
 }
 
 fn vehicle(vehicle: &Vehicle) -> Value {

@@ -138,7 +138,18 @@ impl RawPlanner {
     }
 
     /// A raster for drawing.
-    pub fn layer(&mut self, name: &str) -> JsResult {
-        self.planner.layer(name).map(|layer| answer::layer(&layer)).map_err(|e| codec::js_error(&e))
+    pub fn layer(&mut self, name: &str, options: JsValue) -> JsResult {
+        let mut every = 1;
+        for (option, value) in optional(options, ErrorCode::Input)? {
+            if option != "every" {
+                return Err(refused(&option, "no option of layer; there is every"));
+            }
+            let rule = || refused(&option, &format!("must be a whole number from 1, got {value}"));
+            every = value.as_u64().and_then(|n| u32::try_from(n).ok()).filter(|&n| n > 0).ok_or_else(rule)?;
+        }
+        self.planner
+            .layer(name, every)
+            .map(|layer| answer::layer(&layer, every))
+            .map_err(|e| codec::js_error(&e))
     }
 }

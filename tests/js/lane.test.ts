@@ -27,6 +27,9 @@ class FakeWorker implements WorkerLike {
   }
 }
 
+const pose = { x: 0, y: 0, heading: 0 };
+const scene = { start: pose, goal: pose } as Scenario;
+
 function setup() {
   const workers: FakeWorker[] = [];
   const heard: string[] = [];
@@ -40,7 +43,7 @@ function setup() {
     failed: (error) => heard.push(`failed ${error.code}`),
     restarted: () => heard.push("restarted"),
   });
-  const plan = (id: number) => lane.plan({ id, scene: {} as Scenario, layers: [], trace: true, waiting: null });
+  const plan = (id: number) => lane.plan({ id, scene, layers: [], every: 1, trace: true, waiting: null });
   return { workers, heard, lane, plan };
 }
 
@@ -85,6 +88,23 @@ describe("a planner's lane", () => {
     expect(workers[1]!.plans).toEqual([1]);
     workers[1]!.answer(1);
     expect(heard).toEqual(["restarted", "planned 1"]);
+  });
+
+  it("sends all of the scene to a new worker and only its ends to one that has it", () => {
+    const { workers, plan } = setup();
+    const scenes = (worker: number): unknown[] => workers[worker]!.asked.flatMap((request) => (request.kind === "plan" ? [request.scene] : []));
+    plan(1);
+    workers[0]!.answer(1);
+    plan(2);
+    expect(scenes(0)).toEqual([scene, null]);
+    workers[0]!.onerror?.({ message: "boom", preventDefault() {} } as ErrorEvent);
+    expect(scenes(1)).toEqual([scene]);
+    workers[1]!.answer(2);
+    plan(3);
+    expect(scenes(1)).toEqual([scene, null]);
+    plan(4);
+    vi.advanceTimersByTime(PATIENCE_MS + 1);
+    expect(scenes(2)).toEqual([scene]);
   });
 
   it("keeps the answer of a worker that dies at rest", () => {

@@ -72,7 +72,7 @@ fn memory_is_told() {
 fn the_cost_map_can_be_drawn() {
     let scene = catalog::scenario("road-narrow").unwrap();
     let planner = Planner::new("cost-map", &scene, &Map::new()).unwrap();
-    let layer = planner.layer("cost").unwrap();
+    let layer = planner.layer("cost", 1).unwrap();
     let LayerData::Floats(costs) = layer.data else { panic!("bytes") };
     let at = |x: f64, y: f64| {
         let [x0, y0] = scene.map.origin;
@@ -83,7 +83,7 @@ fn the_cost_map_can_be_drawn() {
     // 2.3 m beside the body in the road's middle: 0.8/(2.3 + 0.2).
     assert!((at(10.25, 3.25) - 0.32).abs() < 1e-6, "{}", at(10.25, 3.25));
     assert!(at(10.25, 1.25) > 1.0);
-    let error = Planner::new("eight", &scene, &Map::new()).unwrap().layer("cost").unwrap_err();
+    let error = Planner::new("eight", &scene, &Map::new()).unwrap().layer("cost", 1).unwrap_err();
     assert_eq!(error.message, "eight has no cost map; cost-map has");
 }
 

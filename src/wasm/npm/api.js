@@ -89,8 +89,8 @@ export class Planner {
   }
 
   /** @type {import("./index.js").Planner["layer"]} */
-  layer(name) {
-    return this.#call((planner) => planner.layer(text(name, "name")));
+  layer(name, options = {}) {
+    return this.#call((planner) => planner.layer(text(name, "name"), options));
   }
 
   /** @type {import("./index.js").Planner["explain"]} */

@@ -338,6 +338,8 @@ export type LayerName = "occupancy" | "safety" | "redundant" | "clearance" | "ri
 export interface Layer {
   width: number;
   height: number;
+  /** Cells of the map from one value to the next, in both directions; the value is that of the middle (floor(every / 2)) cell. */
+  every: number;
   /**
    * Row-major from the south-western cell. occupancy: 0 free, 1 blocked. safety: 0 free, 1 obstacle, 2 necessary
    * safety space (half the car's width). redundant: the same for this grid planner's own settings, and 3 where
@@ -640,7 +642,10 @@ export function paperParking(options: { row: string; rounds?: number }): Parking
 export class Planner {
   /** Checks scene and settings and prepares the map, once. Throws ParkadeError. */
   constructor(planner: PlannerId, scene: Scenario, config?: Record<string, unknown>);
-  /** `start` and `goal` take the place of the scene's in this plan; a second plan on the same map prepares nothing anew. */
+  /**
+   * `start` and `goal` take the place of the scene's in this plan, and in `layer`, `explain` and `anyAngleLength` until the next
+   * one; a second plan on the same map prepares nothing anew.
+   */
   plan(options?: { trace?: boolean; start?: Pose; goal?: Pose }): Plan;
   /**
    * The search of a grid planner alone, between two points: its cells, neither followed by a car nor checked nor
@@ -657,7 +662,11 @@ export class Planner {
    * block stays blocked. Costs what the runs touch, not the size of the map. Not in `parkade/core`.
    */
   brush(runs: [number, number, number][], blocked: boolean): void;
-  layer(name: LayerName): Layer;
+  /**
+   * A raster of this planner's map, between the ends of the last plan. `every`, of `risk` only: a value for each square of so
+   * many cells in each direction, without those that the map's border cuts through; default 1.
+   */
+  layer(name: LayerName, options?: { every?: number }): Layer;
   /**
    * What the risk field does at the cell of a point (metres); null off the map and in blocked cells. Throws for planners
    * without a risk field. `parkade` only, not `parkade/core`.

@@ -90,7 +90,7 @@ export class PlannerPanel extends AppElement {
   protected override pace = 100;
 
   protected watches(): readonly (keyof State)[] {
-    return ["results", "hidden", "focus", "hover", "mode", "layers", "scene"];
+    return ["results", "hidden", "focus", "hover", "explained", "mode", "layers", "scene"];
   }
 
   protected override willUpdate(changed: PropertyValues): void {

@@ -3,6 +3,7 @@ import { css, html, nothing, type TemplateResult } from "lit";
 import { workersHere, type Progress } from "../planning/crew";
 import { Papers, type Summary } from "../planning/papers";
 import { icon, type IconName } from "./icons";
+import { claimIn } from "./papers-claims";
 import { figureName, lineName, papersMarkdown, SHOWN, titleOf } from "./papers-text";
 import { PapersTab } from "./papers-tab";
 import { say } from "./papers-words";
@@ -89,9 +90,13 @@ export class PapersGrid extends PapersTab<Summary> {
 
   private claims(claims: readonly PaperClaim[]): TemplateResult {
     const { lang } = this.state;
-    return html`<h3>${say(lang, "claims")}</h3><ul class="claims">${claims.map(({ id, text, found, holds }) => html`
-      <li id=${id}><span class="chip ${VERDICT[holds].tone}">${icon(VERDICT[holds].icon, 12)}<span>${say(lang, holds)}</span></span><div>${text}<p>${found}</p></div></li>`)}</ul>
+    return html`<h3>${say(lang, "claims")}</h3><ul class="claims">${claims.map((claim) => this.claim(claim))}</ul>
       ${crossOriginIsolated ? nothing : html`<p class="note">${say(lang, "coarse")}</p>`}`;
+  }
+
+  private claim(claim: PaperClaim): TemplateResult {
+    const { lang } = this.state, { tone, icon: name } = VERDICT[claim.holds], { text, found } = claimIn(lang, claim);
+    return html`<li id=${claim.id}><span class="chip ${tone}">${icon(name, 12)}<span>${say(lang, claim.holds)}</span></span><div>${text}<p>${found}</p></div></li>`;
   }
 
   private table(table: PaperTable): TemplateResult {

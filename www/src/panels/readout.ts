@@ -58,7 +58,7 @@ function entriesOf(state: State, planner: PlannerId): Entry[] {
   const risk = result.layers.risk, { explained } = state;
   if (risk && explained && explained.cell[1] * state.scene.map.width + explained.cell[0] === cell.index) {
     entries.push(...fieldEntries(state, explained));
-  } else if (risk) entries.push([text("read.risk"), number(state.lang, Math.hypot(at(risk, cell.index * 2), at(risk, cell.index * 2 + 1)), 2)]);
+  } else if (risk?.every === 1) entries.push([text("read.risk"), number(state.lang, Math.hypot(at(risk, cell.index * 2), at(risk, cell.index * 2 + 1)), 2)]);
   const cost = state.layers.cost ? result.layers.cost : undefined;
   if (cost) {
     const value = at(cost, cell.index);

@@ -1,9 +1,9 @@
 import type { Explanation, LayerName, Limits, PlannerId, Scenario } from "parkade";
 import type { Holder, WorkerPool } from "./pool";
-import type { Failure, Reply, Request, Waiting } from "./protocol";
+import type { Ends, Failure, Layers, Reply, Request, Waiting } from "./protocol";
 
-/** `budget`: milliseconds after which the plan is given up. */
-export interface Job { id: number; scene: Scenario; layers: LayerName[]; trace: boolean; waiting: Waiting | null; limits?: Limits; budget?: number | null }
+/** `every`: cells from one force of the layer `risk` to the next; `budget`: milliseconds after which the plan is given up. */
+export interface Job { id: number; scene: Scenario; layers: LayerName[]; every: number; trace: boolean; waiting: Waiting | null; limits?: Limits; budget?: number | null }
 
 /** What a lane needs of a Worker; tests put their own in. */
 export interface WorkerLike {
@@ -27,6 +27,9 @@ const PATIENCE_TIMES = 3;
 /** One planner of one playground: at most one plan running and one waiting, the newest wins. */
 export class Lane implements Holder {
   private worker: WorkerLike | null = null;
+  /** What the worker has a planner for, and what it has brought of it that does not depend on start and goal. */
+  private held: Scenario | null = null;
+  private fixed: Layers = {};
   private running: Job | null = null;
   private waiting: Job | null = null;
   private patience: ReturnType<typeof setTimeout> | undefined;
@@ -94,7 +97,7 @@ export class Lane implements Holder {
 
   revoked(): void {
     if (this.worker) this.worker.onmessage = this.worker.onerror = null;
-    this.worker = null;
+    this.worker = this.held = null;
     this.timing?.done([]);
     this.asking?.done(null);
     this.timing = this.asking = null;
@@ -109,10 +112,13 @@ export class Lane implements Holder {
   private post(): void {
     const job = this.running;
     if (!job || !this.worker) return;
-    this.worker.postMessage({ kind: "plan", ...job });
+    const { scene, layers, budget, ...rest } = job;
+    const known = this.held !== null && differInEnds(this.held, scene);
+    if (!known) this.fixed = {};
+    this.held = scene;
+    this.worker.postMessage({ kind: "plan", ...rest, scene: known ? null : scene, ends: endsOf(scene), layers: layers.filter((name) => !this.fixed[name]) });
     this.since = performance.now();
     clearTimeout(this.limit);
-    const { budget } = job;
     if (budget) this.limit = setTimeout(() => this.interrupt(budget), budget);
   }
 
@@ -140,10 +146,22 @@ export class Lane implements Holder {
     if (reply.kind === "failed" && reply.error.code === "internal") return this.died(reply.error.message);
     this.took = performance.now() - this.since;
     const next = this.finish();
-    if (reply.kind === "planned") this.events.planned(reply, next !== null);
-    else this.events.failed(reply.error, next !== null);
+    if (reply.kind === "planned") this.events.planned(this.withFixed(reply), next !== null);
+    else {
+      // Settings that are refused leave no planner behind.
+      this.held = null;
+      this.events.failed(reply.error, next !== null);
+    }
     if (next) this.send(next);
     else if (!this.running) this.pool.rested(this);
+  }
+
+  private withFixed(reply: Extract<Reply, { kind: "planned" }>): Extract<Reply, { kind: "planned" }> {
+    for (const name of FIXED) {
+      const layer = reply.layers[name];
+      if (layer) this.fixed[name] = layer;
+    }
+    return { ...reply, layers: { ...this.fixed, ...reply.layers } };
   }
 
   /**
@@ -186,4 +204,15 @@ export class Lane implements Holder {
     this.running = this.waiting = null;
     return next;
   }
+}
+
+/** Layers that a planner's map has wherever start and goal are. */
+const FIXED: readonly LayerName[] = ["safety", "clearance"];
+
+const endsOf = ({ start, goal }: Scenario): Ends => ("slot" in goal ? { start } : { start, goal });
+
+/** Whether nothing else differs, so that a planner of one scene can answer for the other; a slot as goal is emptied for it. */
+function differInEnds(a: Scenario, b: Scenario): boolean {
+  const isSame = (key: keyof Scenario): boolean => a[key] === b[key] || key === "start" || (key === "goal" && !("slot" in a.goal || "slot" in b.goal));
+  return (Object.keys({ ...a, ...b }) as (keyof Scenario)[]).every(isSame);
 }

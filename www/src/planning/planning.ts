@@ -14,6 +14,8 @@ const SLICE_MS = 40;
 const TOO_LONG_MS = 400;
 const QUIET_MS = 350;
 const HOLD_MS = 12;
+/** Of the risk field, that a step of a drag brings. */
+const MOST_FORCES = 1 << 18;
 
 /** Keeps `results` and `geometry` of the store in step with its scene. */
 export class Planning {
@@ -49,7 +51,7 @@ export class Planning {
     this.unsubscribe ??= this.store.subscribe((state, previous) => {
       if (state.scene !== previous.scene || state.planners !== previous.planners || state.waiting !== previous.waiting) this.replan(previous.scene);
       else if (previous.transient && !state.transient) this.replan(state.scene); // A drag leaves its slower layers behind.
-      else if ((["redundant", "cost"] as const).some((name) => state.layers[name] && !previous.layers[name])) this.replan(state.scene);
+      else if ((["redundant", "cost", "risk"] as const).some((name) => state.layers[name] && !previous.layers[name])) this.replan(state.scene);
       if (state.hover !== previous.hover) void this.explain(state);
     });
     this.replan(null);
@@ -152,7 +154,7 @@ export class Planning {
     this.planWhenLoaded(state.planners.filter((planner) => !present.includes(planner)));
     for (const planner of present) {
       const waiting = state.transient ? null : state.waiting;
-      const job = { id: this.job, scene, layers: layersOf(planner, state), trace: isTraced(planner, state), waiting, limits: limitsOn(scene), budget: this.budget };
+      const job = { id: this.job, scene, layers: layersOf(planner, state), every: forceEvery(state), trace: isTraced(planner, state), waiting, limits: limitsOn(scene), budget: this.budget };
       if (state.transient && identityOf(planner).drives) this.hold(planner, job);
       else {
         this.held.delete(planner);
@@ -267,6 +269,7 @@ export class Planning {
     if (planners.some((planner) => results[planner]?.status === "planning")) return;
     this.settled?.resolve();
     this.settled = null;
+    void this.explain(this.store.state);
     this.whenQuiet();
   }
 
@@ -292,12 +295,17 @@ export function median(values: readonly number[]): number {
 
 /** The arrows and hatching of the risk planner follow a drag; the hover's clearance can wait for its end. */
 function layersOf(planner: PlannerId, state: State): LayerName[] {
-  const names: LayerName[] = hasField(planner) ? ["safety", "risk"] : [];
+  const names: LayerName[] = hasField(planner) ? ["safety"] : [];
+  if (state.layers.risk && hasField(planner)) names.push("risk");
   if (state.layers.redundant && state.complete && closes(state.scene.planners?.[planner])) names.push("redundant");
   if (state.layers.cost && hasCosts(planner)) names.push("cost");
   if (!state.transient) names.push("clearance");
   return names;
 }
+
+/** A drag over a huge map moves as many arrows as are drawn of all of it. */
+const forceEvery = ({ transient, scene: { map: { width, height } } }: State): number =>
+  transient ? Math.max(1, Math.ceil(Math.sqrt((width * height) / MOST_FORCES))) : 1;
 
 /** A drag's plans bring no more than is drawn of them. */
 const isTraced = (planner: PlannerId, { transient, layers, playback }: State): boolean =>

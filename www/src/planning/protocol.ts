@@ -1,12 +1,29 @@
-import type { Drive, Encounter, Explanation, Layer, LayerName, Limits, Plan, PlannerId, Scenario } from "parkade";
+import type { Drive, Encounter, Explanation, Layer, LayerName, Limits, Plan, PlannerId, Pose, Scenario } from "parkade";
 
 /** What a planner's worker is asked. */
 export type Request =
   | { kind: "start"; module: WebAssembly.Module; planner: PlannerId }
-  | { kind: "plan"; id: number; scene: Scenario; layers: LayerName[]; trace: boolean; waiting: Waiting | null; limits?: Limits }
+  | PlanRequest
   /** Plans the last scene again, silently, until `runs` are made or `budget` milliseconds are spent. */
   | { kind: "time"; id: number; runs: number; budget: number }
   | Explain;
+
+export interface PlanRequest {
+  kind: "plan";
+  id: number;
+  /** null: the scene before, but for its ends. */
+  scene: Scenario | null;
+  ends: Ends;
+  layers: LayerName[];
+  /** Cells from one force of the layer `risk` to the next. */
+  every: number;
+  trace: boolean;
+  waiting: Waiting | null;
+  limits?: Limits;
+}
+
+/** Where a plan begins and ends; without a goal, in the scene's slot. */
+export interface Ends { start: Pose; goal?: Pose }
 
 /** How moving obstacles are waited for. */
 export type Waiting = "predictive" | "reactive";

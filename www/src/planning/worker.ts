@@ -1,6 +1,6 @@
 import type { Drive, Encounter, Limits, Plan, Planner, PlannerId, Scenario } from "parkade";
 import { failureOf } from "./failure";
-import type { Layers, Reply, Request, Waiting } from "./protocol";
+import type { Ends, Layers, PlanRequest, Reply, Request, Waiting } from "./protocol";
 
 const scope = self as unknown as {
   onmessage: ((event: MessageEvent<Request>) => void) | null;
@@ -14,15 +14,15 @@ type Api = Pick<Package, "Planner" | "init"> & Partial<Pick<Package, "stopWaitGo
 let api: Api;
 let planner: PlannerId = "hybrid";
 let ready: Promise<void> | null = null;
-let current: Planner | null = null;
+/** The planner of the last scene that came, that scene as far as drives need it, and where the last plan was. */
+let held: { planner: Planner; scene: Scenario; ends: Ends } | null = null;
 
 /** Answers the page's requests; called in workers only. */
 export function serve(loaded: Api): void {
   api = loaded;
   scope.onmessage = ({ data }) => {
     if (data.kind === "start") {
-      current?.free();
-      current = null;
+      letGo();
       planner = data.planner;
       ready = api.init({ wasm: data.module });
     } else void answer(data);
@@ -44,22 +44,32 @@ function answerTo(request: Exclude<Request, { kind: "start" }>): Reply {
   switch (request.kind) {
     case "plan": return plan(request);
     case "time": return { kind: "timed", id, samples: time(request.runs, request.budget) };
-    case "explain": return { kind: "explained", id, explanation: current?.explain(request) ?? null };
+    case "explain": return { kind: "explained", id, explanation: held?.planner.explain(request) ?? null };
   }
 }
 
-function plan({ id, scene, layers: names, trace, waiting, limits }: Extract<Request, { kind: "plan" }>): Extract<Reply, { kind: "planned" }> {
-  current?.free();
-  current = null;
-  const next = new api.Planner(planner, scene);
-  current = next;
+function letGo(): void {
+  held?.planner.free();
+  held = null;
+}
+
+function plan({ id, scene, ends, layers: names, every, trace, waiting, limits }: PlanRequest): Extract<Reply, { kind: "planned" }> {
+  if (scene) {
+    letGo();
+    held = { planner: new api.Planner(planner, scene), scene: withoutCells(scene), ends };
+  }
+  if (!held) throw new Error("This worker has no scene.");
+  held.ends = ends;
   const from = performance.now();
-  const found = next.plan({ trace });
+  const found = held.planner.plan({ trace, ...ends });
   const millis = performance.now() - from;
   const layers: Layers = {};
-  for (const name of names) layers[name] = next.layer(name);
-  return { kind: "planned", id, plan: found, layers, drive: waiting && driveOf(scene, found, waiting, limits), millis };
+  for (const name of names) layers[name] = held.planner.layer(name, name === "risk" ? { every } : {});
+  return { kind: "planned", id, plan: found, layers, drive: waiting && driveOf({ ...held.scene, ...ends }, found, waiting, limits), millis };
 }
+
+/** Times depend on the path alone, and reading a huge map takes longer than planning. */
+const withoutCells = (scene: Scenario): Scenario => ({ ...scene, obstacles: (scene.obstacles ?? []).filter(({ type }) => type !== "cells") });
 
 /** The plan in time, among moving obstacles where there are some; null where no car drives it, or without the complete module. */
 function driveOf(scene: Scenario, plan: Plan, rule: Waiting, limits?: Limits): Drive | Encounter | null {
@@ -70,9 +80,9 @@ function driveOf(scene: Scenario, plan: Plan, rule: Waiting, limits?: Limits): D
 function time(runs: number, budget: number): number[] {
   const samples: number[] = [];
   const end = performance.now() + budget;
-  while (current && samples.length < runs && (samples.length === 0 || performance.now() < end)) {
+  while (held && samples.length < runs && (samples.length === 0 || performance.now() < end)) {
     const from = performance.now();
-    current.plan({ trace: false });
+    held.planner.plan({ trace: false, ...held.ends });
     samples.push(performance.now() - from);
   }
   return samples;

@@ -1,5 +1,5 @@
 /** Scenes of very many cells: what is sent, checked and kept of them must not grow with every edit. */
-import type { Scenario } from "parkade";
+import type { Obstacle, Scenario } from "parkade";
 import type { Run } from "./cells";
 
 /** Runs of one obstacle beyond which it is handled as a whole. */
@@ -10,23 +10,22 @@ const SLOW = 20_000;
 const LINKABLE = 20_000;
 
 const texts = new WeakMap<readonly Run[], string>();
-const sent = new WeakMap<Scenario, Scenario>();
+const sent = new WeakMap<readonly Obstacle[], Obstacle[]>();
 
 /** Remembers what `pack` would make of these runs. */
 export const rememberPacked = (runs: readonly Run[], text: string): void => void texts.set(runs, text);
 
-/** The scene for planners: many cells as a text, which is copied to a worker far faster. */
+/** The scene for planners: many cells as a text, which is copied to a worker far faster; the same list for the same obstacles. */
 export function forPlanners(scene: Scenario, pack: (runs: readonly Run[]) => string): Scenario {
-  let packed = sent.get(scene);
-  if (!packed) {
-    packed = withCells(scene, (runs) => {
-      const text = texts.get(runs) ?? pack(runs);
-      texts.set(runs, text);
-      // Only runs that make no sense give an empty text: the planners shall refuse them themselves.
-      return text || runs;
-    });
-    sent.set(scene, packed);
-  }
+  const { obstacles = [] } = scene, known = sent.get(obstacles);
+  if (known) return { ...scene, obstacles: known };
+  const packed = withCells(scene, (runs) => {
+    const text = texts.get(runs) ?? pack(runs);
+    texts.set(runs, text);
+    // Only runs that make no sense give an empty text: the planners shall refuse them themselves.
+    return text || runs;
+  });
+  if (packed !== scene) sent.set(obstacles, packed.obstacles!);
   return packed;
 }
 

@@ -174,12 +174,15 @@ export class ToolController {
   }
 
   private pointerUp(canvas: HTMLElement, event: PointerEvent): void {
+    const tapped = event.type === "pointerup" && this.store.state.tool === "select" && this.fingers.rests(event.pointerId);
     if (this.fingers.release(event.pointerId, event.timeStamp)) this.store.undo();
     if (this.press?.pointer !== event.pointerId) return;
     // A cancelled pointer carries no position worth drawing to.
     if (event.type === "pointerup") this.press.input = inputOf(canvas, this.store.state, event);
+    const [x, y] = this.press.input.at;
     this.endPress();
-    if (event.pointerType === "touch") this.store.set({ hover: null });
+    // A finger does not hover: a tap tells what is there.
+    if (event.pointerType === "touch") this.store.set({ hover: tapped ? { x, y } : null });
   }
 
   private endPress(): void {

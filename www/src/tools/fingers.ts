@@ -35,6 +35,11 @@ export class Fingers {
     this.long = { pointer, from, timer: setTimeout(run, LONG_MS) };
   }
 
+  /** Whether a finger has stayed where it was put, not for long. */
+  rests(pointer: number): boolean {
+    return this.long?.pointer === pointer;
+  }
+
   move(pointer: number, at: Point): void {
     if (this.down.has(pointer)) this.down.set(pointer, at);
     if (this.long?.pointer === pointer && distance(this.long.from, at) > LONG_PX) this.forgetLong();

@@ -37,13 +37,13 @@ export class RiskLayer {
     if (this.cached?.risk === risk && this.cached.key === key) return this.cached.body;
     const peak = this.peaks.get(risk) ?? peakOf(risk);
     this.peaks.set(risk, peak);
-    const body = new Path2D();
-    for (const [column, row] of sampled(view, map.resolution, risk, map.origin)) {
-      const cell = row * risk.width + column;
-      const east = risk.data[2 * cell]!, north = risk.data[2 * cell + 1]!, force = Math.hypot(east, north);
-      if (force < peak * 0.015 || blocked?.data[cell] === 1) continue;
+    const body = new Path2D(), { every } = risk, middle = Math.floor(every / 2);
+    for (const [x, y] of sampled(view, map.resolution * every, risk, map.origin)) {
+      const force = y * risk.width + x, east = risk.data[2 * force]!, north = risk.data[2 * force + 1]!, strength = Math.hypot(east, north);
+      const column = x * every + middle, row = y * every + middle;
+      if (strength < peak * 0.015 || blocked?.data[row * map.width + column] === 1) continue;
       const at = toScreen(frame, [map.origin[0] + (column + 0.5) * map.resolution, map.origin[1] + (row + 0.5) * map.resolution]);
-      addArrow(body, at[0], at[1], east / force, -north / force, LENGTH.short + (LENGTH.long - LENGTH.short) * Math.sqrt(Math.min(1, force / peak)));
+      addArrow(body, at[0], at[1], east / strength, -north / strength, LENGTH.short + (LENGTH.long - LENGTH.short) * Math.sqrt(Math.min(1, strength / peak)));
     }
     this.cached = { key, risk, body };
     return body;
@@ -65,7 +65,7 @@ function peakOf(risk: Layer): number {
   return forces.subarray(0, count).sort()[Math.floor(count * 0.95)] ?? 1;
 }
 
-/** Cells on a lattice fixed to the map, so that arrows do not swim when the camera pans. */
+/** Places of forces on a lattice fixed to the map, so that arrows do not swim when the camera pans. */
 function* sampled(view: View, resolution: number, layer: Layer, origin: readonly [number, number]): Iterable<[number, number]> {
   const inView = (view.width * view.height) / (SPACING * SPACING);
   const spacing = SPACING * Math.max(1, Math.sqrt(inView / MOST));

@@ -1,0 +1,118 @@
+import { expect, it } from "vitest";
+import {
+  Planner, init, planners, scenario, stopWaitGo, trajectory, type LayerName, type PlannerId, type Pose, type Scenario,
+} from "parkade";
+import { Lane, type WorkerLike } from "../../www/src/planning/lane";
+import { WorkerPool } from "../../www/src/planning/pool";
+import type { Reply, Request } from "../../www/src/planning/protocol";
+
+type Planned = Extract<Reply, { kind: "planned" }>;
+
+interface Scope { onmessage: ((event: { data: Request }) => void) | null; postMessage(reply: Reply): void }
+const scope: Scope = { onmessage: null, postMessage: () => {} };
+(globalThis as unknown as { self: Scope }).self = scope;
+const { serve } = await import("../../www/src/planning/worker");
+serve({ Planner, init: () => init(), stopWaitGo, trajectory } as unknown as Parameters<typeof serve>[0]);
+
+/** A lane with the worker's own script on this thread, and what that is asked. */
+function setup(planner: PlannerId) {
+  const asked: Request[] = [];
+  const worker: WorkerLike = {
+    onmessage: null, onerror: null, terminate() {},
+    postMessage(request) { asked.push(request); scope.onmessage?.({ data: structuredClone(request) }); },
+  };
+  scope.postMessage = (reply) => worker.onmessage?.({ data: reply } as MessageEvent<Reply>);
+  let told: (reply: Planned | { failed: string }) => void = () => {};
+  const lane = new Lane(planner, null as unknown as WebAssembly.Module, new WorkerPool(() => worker), {
+    planned: (reply) => told(reply),
+    failed: ({ message }) => told({ failed: message }),
+    restarted: () => told({ failed: "restarted" }),
+  });
+  let id = 0;
+  const plan = (scene: Scenario, layers: LayerName[], every = 1): Promise<Planned | { failed: string }> => new Promise((done) => {
+    told = done;
+    lane.plan({ id: ++id, scene, layers, every, trace: true, waiting: "predictive" });
+  });
+  return { asked, lane, plan };
+}
+
+const extra = (planner: PlannerId): LayerName[] => (planner.startsWith("risk-field") ? ["risk"] : planner === "cost-map" ? ["cost"] : []);
+
+const moved = (scene: Scenario, x: number, y: number): Scenario => {
+  const goal = scene.goal as Pose;
+  return { ...scene, start: { ...scene.start, x: scene.start.x + x / 2 }, goal: { ...goal, x: goal.x - x, y: goal.y - y } };
+};
+
+it.each(planners().map(({ id }) => id))("answers %s between other ends, without the scene, as a planner of the scene with them", async (planner) => {
+  await init();
+  const { asked, plan } = setup(planner);
+  const first = scenario(planner === "cost-map" ? "road-narrow" : planner.startsWith("hybrid") ? "perpendicular" : "random-60");
+  const own: Scenario = { ...first, goal: "slot" in first.goal ? { ...first.start, x: first.start.x + 6 } : first.goal };
+  const names: LayerName[] = ["safety", "clearance", ...extra(planner)];
+  await plan(own, names);
+  // The last ones are off the map.
+  for (const [x, y] of [[1, 0.5], [2, -1], [1e4, 0], [0, 0]] as const) {
+    const scene = moved(own, x, y);
+    const reply = await plan(scene, names);
+    expect(asked.at(-1)).toMatchObject({ kind: "plan", scene: null, ends: { start: scene.start, goal: scene.goal }, layers: extra(planner) });
+    if ("failed" in reply) throw new Error(reply.failed);
+    const anew = new Planner(planner, scene), found = anew.plan({ trace: true });
+    expect(reply.plan).toEqual(found);
+    for (const name of names) expect(reply.layers[name], name).toEqual(anew.layer(name));
+    expect(reply.drive).toEqual(found.outcome === "found" && found.check.drivable ? (scene.moving?.length ? stopWaitGo : trajectory)(scene, found) : null);
+    anew.free();
+  }
+});
+
+it("sends the scene again after every change but that of its ends, and when the worker has changed hands", async () => {
+  await init();
+  const { asked, lane, plan } = setup("risk-field");
+  const scene = scenario("random-60");
+  const whole = (): boolean => { const last = asked.at(-1)!; return last.kind === "plan" && last.scene !== null; };
+  await plan(scene, []);
+  expect(whole()).toBe(true);
+  await plan(moved(scene, 1, 0), []);
+  expect(whole()).toBe(false);
+  for (const changed of [
+    { ...scene, obstacles: [...scene.obstacles!] }, { ...scene, map: { ...scene.map } }, { ...scene, planners: {} }, { ...scene, vehicle: "sedan" as const },
+  ]) {
+    await plan(changed, []);
+    expect(whole()).toBe(true);
+  }
+  expect(await plan({ ...scene, planners: { "risk-field": { w1: -1 } } }, [])).toMatchObject({ failed: expect.stringContaining("w1") });
+  await plan({ ...scene }, []);
+  expect(whole()).toBe(true);
+  await plan({ ...scene }, []);
+  expect(whole()).toBe(false);
+  lane.stop();
+  await plan({ ...scene }, []);
+  expect(whole()).toBe(true);
+});
+
+it("keeps a slot as goal, and reads the map anew where the goal is or was one", async () => {
+  await init();
+  const { asked, plan } = setup("hybrid");
+  const scene = scenario("perpendicular");
+  if (!("slot" in scene.goal)) throw new Error("This test needs a slot as goal.");
+  const start = { ...scene.start, x: scene.start.x - 0.5 }, pose = { ...scene.start, x: scene.start.x - 2 };
+  await plan(scene, []);
+  const reply = await plan({ ...scene, start }, []);
+  expect(asked.at(-1)).toMatchObject({ scene: null, ends: { start } });
+  if ("failed" in reply) throw new Error(reply.failed);
+  expect(reply.plan.hash).toBe(new Planner("hybrid", { ...scene, start }).plan().hash);
+  for (const goal of [pose, scene.goal, { ...scene.goal }]) {
+    await plan({ ...scene, goal }, []);
+    expect(asked.at(-1)).toMatchObject({ scene: { goal } });
+  }
+});
+
+it("brings a sample of the field where that is enough", async () => {
+  await init();
+  const { plan } = setup("risk-field");
+  const scene = scenario("random-60");
+  await plan(scene, []);
+  const reply = await plan(moved(scene, 1, 1), ["risk", "clearance"], 4);
+  if ("failed" in reply) throw new Error(reply.failed);
+  const { risk, clearance } = reply.layers;
+  expect([risk?.every, risk?.width, risk?.data.length, clearance?.every, clearance?.width]).toEqual([4, 15, 15 * 15 * 2, 1, 60]);
+});
