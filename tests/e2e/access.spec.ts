@@ -109,3 +109,29 @@ test("the language changes everywhere at once", async ({ page }) => {
   });
   expect(english).toEqual([]);
 });
+
+test.describe("with a finger", () => {
+  test.use({ viewport: PHONE, hasTouch: true });
+
+  test("a tap on a phone writes out force, slope and region of the cell", async ({ page }) => {
+    await open(page);
+    await page.waitForFunction(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.state.complete);
+    await page.evaluate(() => {
+      const playground = document.querySelector<PlaygroundElement>("parkade-playground")!;
+      playground.scene = "random-60";
+      playground.store.set({ focus: "risk-field" });
+      return playground.settled();
+    });
+    const { x, y, width, height } = (await page.locator("parkade-scene-view").boundingBox())!;
+    const readout = page.locator("parkade-stage .readout");
+    await expect(readout).toHaveCount(0);
+    // The first cells may be blocked.
+    let at = 0.3;
+    await expect(async () => {
+      await page.touchscreen.tap(x + width * (at += 0.03), y + height * 0.45);
+      await expect(readout).toContainText(/F[\d.]+.*k.*Table [12], region.*[1-8A-D]/, { timeout: 2000 });
+    }).toPass();
+    await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ hover: null }));
+    await expect(readout).toHaveCount(0);
+  });
+});

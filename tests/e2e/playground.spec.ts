@@ -247,3 +247,37 @@ test("a moving obstacle is drawn, waited for, and kept by a link", async ({ page
   expect(kept[0]!.speed).toBeCloseTo(drawn[0]!.speed, 2);
   await page.keyboard.press("Control+z");
 });
+
+test("a dragged goal sends the planners nothing else, and they answer as for the whole scene", async ({ page }) => {
+  await page.addInitScript(() => {
+    const sent: boolean[] = [], post = Worker.prototype.postMessage;
+    Object.assign(window, { sent });
+    Worker.prototype.postMessage = function (this: Worker, ...args: unknown[]) {
+      const request = args[0] as { kind: string; scene?: unknown };
+      if (request.kind === "plan") sent.push(request.scene !== null);
+      return (post as (...all: unknown[]) => void).apply(this, args);
+    };
+  });
+  const sent = (): Promise<boolean[]> => page.evaluate(() => (window as unknown as { sent: boolean[] }).sent.splice(0));
+  await open(page);
+  await page.evaluate(() => { document.querySelector<PlaygroundElement>("parkade-playground")!.scene = "random-60"; });
+  await page.waitForFunction(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.state.complete);
+  await settled(page);
+  const { x, y } = (await sceneOf(page)).goal as { x: number; y: number };
+  await look(page, x, y, 12);
+  await sent();
+  await dragWorld(page, [x, y], [x - 6, y - 3]);
+  await settled(page);
+  const messages = await sent();
+  expect(messages.length).toBeGreaterThan(4);
+  expect(messages).not.toContain(true);
+  expect((await sceneOf(page)).goal).not.toMatchObject({ x, y });
+  const hashes = await hashesOf(page);
+  await page.evaluate(() => {
+    const playground = document.querySelector<PlaygroundElement>("parkade-playground")!;
+    playground.sceneData = structuredClone(playground.sceneData);
+  });
+  await settled(page);
+  expect(await sent()).toContain(true);
+  expect(await hashesOf(page)).toEqual(hashes);
+});

@@ -86,7 +86,7 @@ export class ToolController {
     on("pointerup", (event) => this.pointerUp(canvas, event));
     on("pointercancel", (event) => this.pointerUp(canvas, event));
     on("lostpointercapture", (event) => this.pointerUp(canvas, event));
-    on("pointerleave", () => this.leave());
+    on("pointerleave", (event) => this.leave(event.pointerType === "touch"));
     on("dblclick", (event) => {
       // The second press may have ended a shape and handed over to another tool.
       if (this.pressed === this.tool()) this.pressed.doubleClick?.(this.bench(), inputOf(canvas, this.store.state, event));
@@ -194,11 +194,11 @@ export class ToolController {
     this.setCursor(this.tool(), this.last);
   }
 
-  private leave(): void {
+  private leave(lifted: boolean): void {
     if (this.press) return;
     this.last = null;
     this.tool().hover?.(this.bench(), null);
-    this.store.set({ hover: null });
+    if (!lifted) this.store.set({ hover: null });
   }
 
   private beginPinch(now: number): void {
