@@ -39,6 +39,12 @@ async function watch(page: Page): Promise<{ urls: string[]; shifted(): Promise<n
   return { urls, shifted: () => page.evaluate(() => (window as unknown as { shifts: number[] }).shifts.reduce((a, b) => a + b, 0)) };
 }
 
+/** Waits until a second has passed without a request: pages load parts when they have nothing else to do. */
+const quiet = async (urls: string[]) => {
+  let seen = -1;
+  await expect.poll(() => seen === (seen = urls.length), { intervals: [1000], timeout: 30_000 }).toBe(true);
+};
+
 const near = (page: Page, id: string) => page.evaluate(async (name) => {
   const element = document.getElementById(name) as Embed;
   element.scrollIntoView({ block: "center" });
@@ -58,14 +64,14 @@ test("nothing but the loader is fetched before a playground is near; then it mov
   expect(wasm(urls).filter((url) => url.includes("parkade_bg"))).not.toHaveLength(0);
   expect(await shifted()).toBe(0);
 
-  await page.waitForLoadState("networkidle");
+  await quiet(urls);
   const before = urls.length;
   await near(page, "two");
-  await page.waitForLoadState("networkidle");
+  await quiet(urls);
   // A worker's script comes from the cache; nothing is new.
   expect(urls.slice(before).filter((url) => !urls.slice(0, before).includes(url))).toEqual([]);
-  const answers = await page.evaluate(() => Object.values((document.getElementById("two") as Embed).results).map((plan) => plan?.outcome));
-  expect(answers).toEqual(["found", "found"]);
+  const answers = () => page.evaluate(() => Object.values((document.getElementById("two") as Embed).results).map((plan) => plan?.outcome));
+  await expect.poll(answers).toEqual(["found", "found"]);
   expect(await shifted()).toBe(0);
   expect(complaints).toEqual([]);
 });
