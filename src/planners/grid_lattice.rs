@@ -89,11 +89,13 @@ impl<'a, E: Estimate> Grid<'a, E> {
         };
         let mut calls = worth.count_ones();
         worth &= u32::from(self.legal[usize::from(free)]);
+        let aim = self.aims[usize::from(back)];
+        let (columns, rows) = (aim.x - cell.x, aim.y - cell.y);
         while worth != 0 {
             let direction = worth.trailing_zeros() & 7;
             worth &= worth - 1;
             let step = &self.single_steps[direction as usize];
-            let h = self.ahead(cell.offset(step.dx, step.dy), back);
+            let h = self.estimate.over(columns - step.dx, rows - step.dy);
             let number = (direction ^ turned) >> u32::from(!self.diagonals);
             sink.take(number, node.wrapping_add_signed(step.offset), step.cost, h);
         }

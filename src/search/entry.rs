@@ -71,8 +71,8 @@ impl Entry for Short {
     }
 
     fn before(self, older: Self) -> bool {
-        let whole = |entry: Self| u128::from(entry.high) << 64 | u128::from(entry.low);
-        whole(self) <= whole(older) | u128::from(u32::MAX)
+        // As one number of 128 bits this would be shorter natively and slower in wasm.
+        self.high < older.high || self.high == older.high && self.low >> 32 <= older.low >> 32
     }
 }
 
