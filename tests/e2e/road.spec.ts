@@ -22,6 +22,17 @@ async function floor(page: Page): Promise<void> {
   await look(page, 45, 48, 6);
 }
 
+/** A built-in road of so many columns under the cost map. */
+async function road(page: Page, id: string, width: number): Promise<void> {
+  await open(page);
+  await page.evaluate((scene) => {
+    const playground = document.querySelector<PlaygroundElement>("parkade-playground")!;
+    playground.scene = scene;
+    playground.store.set({ planners: ["eight", "cost-map"], focus: "cost-map" });
+  }, id);
+  await expect.poll(async () => (await sceneOf(page)).map.width).toBe(width);
+}
+
 async function press(page: Page, x: number, y: number): Promise<void> {
   const at = await onScreen(page, x, y);
   await page.mouse.move(at.x, at.y);
@@ -126,13 +137,7 @@ test.describe("by touch", () => {
 });
 
 test("every term of the costs follows its slider at once", async ({ page }) => {
-  await open(page);
-  await page.evaluate(() => {
-    const playground = document.querySelector<PlaygroundElement>("parkade-playground")!;
-    playground.scene = "road-crossing";
-    playground.store.set({ planners: ["eight", "cost-map"], focus: "cost-map" });
-  });
-  await expect.poll(async () => (await sceneOf(page)).map.width).toBe(810);
+  await road(page, "road-crossing", 810);
   await settled(page);
   const hash = () => page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.results["cost-map"]?.hash);
   for (const [name, value] of [["K", "2"], ["Lane α", "0"], ["Kerb β", "3"], ["Speed γ", "0"]] as const) {
@@ -147,25 +152,13 @@ test("every term of the costs follows its slider at once", async ({ page }) => {
 });
 
 test("cars drive on roads, and do not creep", async ({ page }) => {
-  await open(page);
-  await page.evaluate(() => {
-    const playground = document.querySelector<PlaygroundElement>("parkade-playground")!;
-    playground.scene = "road-narrow";
-    playground.store.set({ planners: ["eight", "cost-map"], focus: "cost-map" });
-  });
-  await expect.poll(async () => (await sceneOf(page)).map.width).toBe(1021);
+  await road(page, "road-narrow", 1021);
   // 500 m at 10 m/s at most, from rest to rest.
   await expect(page.locator("parkade-timeline")).toContainText(/\/ [56]\d\.\d s/);
 });
 
 test("what fails when the manuscript is taken literally is explained beside the plan", async ({ page }) => {
-  await open(page);
-  await page.evaluate(() => {
-    const playground = document.querySelector<PlaygroundElement>("parkade-playground")!;
-    playground.scene = "road-narrow";
-    playground.store.set({ planners: ["eight", "cost-map"], focus: "cost-map" });
-  });
-  await expect.poll(async () => (await sceneOf(page)).map.width).toBe(1021);
+  await road(page, "road-narrow", 1021);
   await settled(page);
   await expect(page.locator("parkade-road-card")).not.toContainText("a metre");
   await page.evaluate(() => {
