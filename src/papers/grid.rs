@@ -20,7 +20,7 @@ use crate::planners::settings::SmoothMode;
 use crate::planners::{bidirectional, risk_field};
 use crate::post::{prune, prune_dp, smooth};
 use crate::scenario::generate::{Family, occupancy};
-use crate::search::Stop;
+use crate::search::{Stop, Trace};
 
 /// Figures kept of each planner on each map, in this order.
 pub const COLUMNS: [&str; 9] = [
@@ -146,12 +146,14 @@ pub fn measure(row: &Row, from: u64, to: u64, clock: &mut dyn FnMut() -> f64) ->
 
 fn run(planner: &str, map: &Occupancy, scratch: &mut GridScratch) -> GridReport {
     use Neighbourhood::{Eight, FortyEight, Four, Sixteen, TwentyFour};
+    // As planners on scenes are called: a search for `()` would be the same code a second time.
+    let mut silent: Option<Trace> = None;
     let end = map.width() as i32 - 1;
     let query = Query { map, start: Cell::new(0, 0), goal: Cell::new(end, end) };
     let mut around = |neighbourhood, change: fn(&mut grid_astar::Config)| {
         let mut config = grid_astar::Config::new(neighbourhood);
         change(&mut config);
-        grid_astar::plan(query, neighbourhood, &config, scratch, &mut ())
+        grid_astar::plan(query, neighbourhood, &config, scratch, &mut silent)
     };
     match planner {
         "four" => around(Four, |_| ()),
@@ -162,14 +164,14 @@ fn run(planner: &str, map: &Occupancy, scratch: &mut GridScratch) -> GridReport 
         "twenty-four" => around(TwentyFour, |_| ()),
         "forty-eight" => around(FortyEight, |_| ()),
         "sixteen-bidirectional" => {
-            bidirectional::plan(query, &bidirectional::Config::default(), scratch, &mut ())
+            bidirectional::plan(query, &bidirectional::Config::default(), scratch, &mut silent)
         }
         "sixteen-nba" => {
             let config = bidirectional::Config { stop: Stop::Optimal, ..bidirectional::Config::default() };
-            bidirectional::plan(query, &config, scratch, &mut ())
+            bidirectional::plan(query, &config, scratch, &mut silent)
         }
-        "risk-field" => risk_field::plan(query, &risk_field::Config::PAPER, scratch, &mut ()),
-        _ => risk_field::plan(query, &risk_field::Config::PLUS, scratch, &mut ()),
+        "risk-field" => risk_field::plan(query, &risk_field::Config::PAPER, scratch, &mut silent),
+        _ => risk_field::plan(query, &risk_field::Config::PLUS, scratch, &mut silent),
     }
 }
 

@@ -1,4 +1,5 @@
 /** What the export menu saves. */
+import "../i18n/later";
 import { focusedPlan } from "../panels/timeline";
 import { fileName } from "../scene/files";
 import { download, sentence, type App } from "./app";

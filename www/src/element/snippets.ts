@@ -1,4 +1,5 @@
 /** What the export menu copies: the scene as something to paste. */
+import "../i18n/later";
 import { forPlanners } from "../scene/vast";
 import { sentence, type App } from "./app";
 

@@ -1,19 +1,26 @@
 import en from "./en.json";
+import type later from "./en-later.json";
 import zhUrl from "./zh.json?url";
 
 export type Lang = "en" | "zh";
-export type MessageKey = keyof typeof en;
+export type MessageKey = keyof typeof en | keyof typeof later;
 export type Values = Record<string, string | number>;
 export type Translate = (key: MessageKey, values?: Values) => string;
 
-/** English is part of the page; other languages are fetched when they are wanted. */
-const tables: Partial<Record<Lang, Record<MessageKey, string>>> & { en: Record<MessageKey, string> } = { en };
+type Table = Record<string, string>;
+
+/** English is part of the page and of its pieces; other languages are fetched when they are wanted. */
+const english: Table = { ...en };
+const tables: Partial<Record<Lang, Table>> = { en: english };
 const urls: Partial<Record<Lang, string>> = { zh: zhUrl };
 const plurals: Record<Lang, Intl.PluralRules> = { en: new Intl.PluralRules("en"), zh: new Intl.PluralRules("zh") };
 const formats = new Map<string, Intl.NumberFormat>();
 
 /** `{name}` is a value; `{n|pose|poses}` picks a word by the number `n`. */
-export const translate = (lang: Lang, key: MessageKey, values: Values = {}): string => fill(lang, (tables[lang] ?? en)[key], values);
+export const translate = (lang: Lang, key: MessageKey, values: Values = {}): string => fill(lang, (tables[lang] ?? english)[key] ?? "", values);
+
+/** Words that come with a piece of the page. */
+export const addEnglish = (words: Table): void => void Object.assign(english, words);
 
 /** A text with its values in their places. */
 export function fill(lang: Lang, text: string, values: Values): string {
@@ -30,7 +37,7 @@ export async function loadLang(lang: Lang): Promise<Lang> {
   if (tables[lang] || !url) return lang;
   try {
     const response = await fetch(new URL(url, import.meta.url));
-    tables[lang] = (await response.json()) as Record<MessageKey, string>;
+    tables[lang] = (await response.json()) as Table;
     return lang;
   } catch {
     return "en";
@@ -38,7 +45,7 @@ export async function loadLang(lang: Lang): Promise<Lang> {
 }
 
 export function isMessage(key: string): key is MessageKey {
-  return key in en;
+  return key in english;
 }
 
 export function number(lang: Lang, value: number, digits: number): string {

@@ -1,5 +1,6 @@
 import type { Drive, Plan, PlannerId } from "parkade";
 import { css, html, nothing, svg, type SVGTemplateResult, type TemplateResult } from "lit";
+import "../i18n/later";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { clockOf, drivenAt, rowAt } from "../view/clock";

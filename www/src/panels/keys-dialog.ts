@@ -1,6 +1,7 @@
 import { css, html, type TemplateResult } from "lit";
 import type { MessageKey } from "../i18n/index";
 import { words } from "../i18n/words";
+import "../i18n/later";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";

@@ -19,8 +19,8 @@ export class Menus<Name extends string> implements ReactiveController {
     this.host.removeEventListener("keydown", this.onKey);
   }
 
-  toggle(name: Name, event: Event): void {
-    this.opener = event.currentTarget as HTMLElement;
+  toggle(name: Name, opener: HTMLElement): void {
+    this.opener = opener;
     this.open = this.open === name ? null : name;
     this.host.requestUpdate();
     if (this.open) void this.host.updateComplete.then(() => this.items()[0]?.focus());

@@ -1,5 +1,5 @@
 import type { Plan, PlannerId } from "parkade";
-import { millis, number, translate, type Lang, type MessageKey } from "../i18n/index";
+import { millis, number, translate, type Lang } from "../i18n/index";
 import { plannerName } from "../view/identity";
 import type { PanelResult, State } from "../store";
 import { drivablePlan, statusOf, type Status } from "./status";
@@ -110,44 +110,7 @@ function markBest(rows: Row[], column: Column): void {
   for (const row of ranked) row.cells[column].best = read(row.cells[column]) === text;
 }
 
-export type TableFormat = "markdown" | "csv" | "json";
-
-export function formatTable(state: State, format: TableFormat): string {
-  const rows = rowsOf(state);
-  if (format === "json") return JSON.stringify(rows.map((row) => plain(row, state)), null, 2);
-  const heads = ["table.planner", "table.status", ...COLUMNS.map((column) => `table.${column}`)]
-    .map((key) => translate(state.lang, key as MessageKey));
-  const units = COLUMNS.map((column) => translate(state.lang, `unit.${column}`, unitValues(state)));
-  const titles = heads.map((head, i) => (i < 2 ? head : `${head} (${units[i - 2]})`));
-  if (format === "csv") return csv(rows, titles);
-  const lines = rows.map((row) => [row.name, row.status.brief, ...COLUMNS.map((column) => markdownCell(row.cells[column]))]);
-  const rule = titles.map((_, i) => (i < 2 ? "---" : "---:"));
-  return [titles.map((title) => title.replaceAll("|", "\\|")), rule, ...lines].map((line) => `| ${line.join(" | ")} |`).join("\n");
-}
-
 export function unitValues(state: State): { limit: string; n: number } {
   const plan = state.planners.map((planner) => state.results[planner]?.plan).find((one) => one);
   return { limit: plan ? number(state.lang, plan.metrics.curvatureLimit, 3) : "–", n: runsOf(state) };
-}
-
-const markdownCell = ({ text, best }: Cell): string => (best ? `★ **${text}**` : text);
-
-function csv(rows: Row[], titles: string[]): string {
-  const quote = (text: string): string => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
-  const lines = rows.map((row) => [row.name, row.status.brief, ...COLUMNS.map((column) => String(row.cells[column].value ?? ""))]);
-  return [titles, ...lines].map((line) => line.map(quote).join(",")).join("\n");
-}
-
-function plain(row: Row, state: State): Record<string, unknown> {
-  const plan = state.results[row.planner]?.plan;
-  return {
-    planner: row.planner,
-    outcome: plan?.outcome ?? null,
-    verdict: plan?.check.verdict ?? null,
-    drivable: row.drivable,
-    hash: plan?.hash ?? null,
-    ...Object.fromEntries(COLUMNS.map((column) => [column, row.cells[column].value])),
-    samples: state.results[row.planner]?.samples ?? [],
-    best: COLUMNS.filter((column) => row.cells[column].best),
-  };
 }

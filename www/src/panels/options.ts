@@ -1,5 +1,6 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import { words } from "../i18n/words";
+import "../i18n/later";
 import type { State, ToolOptions } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";

@@ -5,11 +5,11 @@ import { plannerName } from "../view/identity";
 import { goalPose, vehicleOf } from "../scene/model";
 import type { PanelResult, State } from "../store";
 import { isEncounter } from "../view/clock";
+import { extras, waiting } from "../view/pieces";
 import { controls } from "../styles/controls";
 import { cameraFor, worldToScreen } from "../view/camera";
 import { AppElement } from "./base";
 import { icon, marker } from "./icons";
-import { legendOf, readoutOf } from "./readout";
 import { statusOf, type Status } from "./status";
 import "./hint";
 import "./scene-view";
@@ -80,14 +80,17 @@ export class PlannerPanel extends AppElement {
   override connectedCallback(): void {
     super.connectedCallback();
     this.observer.observe(this);
+    waiting.add(this.drawAgain);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.observer.disconnect();
+    waiting.delete(this.drawAgain);
   }
 
   protected override pace = 100;
+  private readonly drawAgain = (): void => this.requestUpdate();
 
   protected watches(): readonly (keyof State)[] {
     return ["results", "hidden", "focus", "hover", "explained", "mode", "layers", "scene"];
@@ -117,8 +120,8 @@ export class PlannerPanel extends AppElement {
           <parkade-scene-view exportparts="canvas" .app=${this.app} .planners=${[planner]} .label=${label}></parkade-scene-view>
           ${state.focus === planner && !this.thumb ? html`<parkade-hint .app=${this.app}></parkade-hint>` : nothing}
           ${status.reason ? html`<div class="reason">${status.reason}</div>` : nothing}
-          <div class="corner ${this.corner("left")}">${readoutOf(state, planner)}</div>
-          <div class="corner right ${this.corner("right")}">${legendOf(state, planner)}</div>`}
+          <div class="corner ${this.corner("left")}">${extras()?.readoutOf(state, planner)}</div>
+          <div class="corner right ${this.corner("right")}">${extras()?.legendOf(state, planner)}</div>`}
       </div>`;
   }
 

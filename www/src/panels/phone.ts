@@ -1,5 +1,6 @@
 import type { PlannerId } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
+import "../i18n/later";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";

@@ -1,3 +1,4 @@
+import "../i18n/later";
 import { css, html, nothing, type TemplateResult } from "lit";
 import type { Plan, PlannerId, ScenarioInfo } from "parkade";
 import { isMessage } from "../i18n/index";

@@ -1,8 +1,9 @@
 import type { Explanation, Layer, Plan, PlannerId } from "parkade";
 import { html, nothing, type TemplateResult } from "lit";
+import "../i18n/later";
 import { number, translate, type MessageKey } from "../i18n/index";
 import type { Scene, State } from "../store";
-import { extras } from "../view/pieces";
+import { costRange } from "../view/layers/cost";
 import { hasField } from "../planning/planning";
 import { distancesOf, nearestPose } from "../view/drive";
 
@@ -28,7 +29,7 @@ function rampOf(state: State, planner: PlannerId): TemplateResult | typeof nothi
   const expanded = plan?.stats.expanded ?? 0;
   const drawn = planner.startsWith("hybrid") ? state.layers.tree : state.layers.heat;
   const cost = state.layers.cost ? state.results[planner]?.layers.cost : undefined;
-  const range = cost && !state.layers.heat ? extras()?.costRange(cost) : undefined;
+  const range = cost && !state.layers.heat ? costRange(cost) : undefined;
   if (range) {
     const { low, high } = range;
     return html`<div class="pill legend" title=${translate(state.lang, "layer.cost")}>

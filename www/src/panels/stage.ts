@@ -4,9 +4,9 @@ import { millis } from "../i18n/index";
 import { plannerName } from "../view/identity";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
+import { extras } from "../view/pieces";
 import { AppElement } from "./base";
 import { lineSample, marker } from "./icons";
-import { readoutOf } from "./readout";
 import { statusOf } from "./status";
 import "./hint";
 import "./panel";
@@ -75,7 +75,7 @@ export class Stage extends AppElement {
     return html`<div class="one">
       <parkade-scene-view exportparts="canvas" .app=${this.app} .planners=${shown} .label=${this.t("panel.overlay")}></parkade-scene-view>
       <parkade-hint .app=${this.app}></parkade-hint>
-      ${this.compact ? [this.heading(), readoutOf(this.state, focus)] : this.legend()}</div>`;
+      ${this.compact ? [this.heading(), extras()?.readoutOf(this.state, focus)] : this.legend()}</div>`;
   }
 
   private heading(): TemplateResult {

@@ -5,7 +5,8 @@ import { AppElement } from "./base";
 import { shortName } from "../view/identity";
 import { icon, marker } from "./icons";
 import { Menus } from "./menu";
-import { BENCH_RUNS, COLUMNS, formatTable, rowsOf, unitValues, type Column, type Row, type TableFormat } from "./metrics";
+import { BENCH_RUNS, COLUMNS, rowsOf, unitValues, type Column, type Row } from "./metrics";
+import type { TableFormat } from "./table-format";
 
 const SMALL: readonly Column[] = ["length", "gears", "clearance", "plan"];
 
@@ -97,10 +98,10 @@ export class MetricsTable extends AppElement {
   private footer(): TemplateResult {
     return html`<footer><span title=${this.t("table.rule")}>★ ${this.t("table.rule")}</span>
       <span class="end">${this.hash()}
-        <button class="button" aria-expanded=${this.menus.open === "copy"} @click=${(e: Event) => this.menus.toggle("copy", e)}>
+        <button class="button" aria-expanded=${this.menus.open === "copy"} @click=${(e: Event) => this.menus.toggle("copy", e.currentTarget as HTMLElement)}>
           ${icon(this.copied ? "check" : "copy", 14)}${this.t(this.copied ? "table.copied" : "table.copy")}${icon("down", 14)}</button>
         ${this.menus.open === "copy" ? html`<div class="popover">${(["markdown", "csv", "json"] as const).map((format) => html`
-          <button class="item" @click=${() => this.copy(format)}>${this.t(`table.${format}`)}</button>`)}</div>` : nothing}
+          <button class="item" @click=${() => void this.copy(format)}>${this.t(`table.${format}`)}</button>`)}</div>` : nothing}
         <button class="button" ?disabled=${this.benching} @click=${this.bench}>${this.t(this.benching ? "table.benching" : "table.bench")}</button>
       </span></footer>`;
   }
@@ -111,12 +112,11 @@ export class MetricsTable extends AppElement {
     return hash ? html`<button class="button hash" title="${this.t("table.hash")} ${hash}" @click=${() => void this.app.copy(hash)}>${marker(this.state.focus, 9)}${this.t("table.hashName")} ${hash.slice(0, 8)}</button>` : nothing;
   }
 
-  private copy(format: TableFormat): void {
+  private async copy(format: TableFormat): Promise<void> {
     this.menus.close();
-    void this.app.copy(formatTable(this.state, format)).then((done) => {
-      this.copied = done;
-      if (done) setTimeout(() => { this.copied = false; }, 2000);
-    });
+    const { formatTable } = await import("./table-format");
+    this.copied = await this.app.copy(formatTable(this.state, format));
+    if (this.copied) setTimeout(() => { this.copied = false; }, 2000);
   }
 
   private readonly bench = async (): Promise<void> => {

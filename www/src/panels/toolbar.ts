@@ -1,12 +1,10 @@
 import { css, html, nothing, type TemplateResult } from "lit";
-import { LAYER_PRESETS, presetLayers, presetOf, sentence } from "../element/app";
-import type { ExportKind } from "../element/exports";
-import type { SnippetKind } from "../element/snippets";
-import type { MessageKey } from "../i18n/index";
-import type { LayerKey, State, ToolId } from "../store";
+import { sentence } from "../element/app";
+import type { State, ToolId } from "../store";
 import { controls } from "../styles/controls";
+import { menus } from "../view/pieces";
 import { AppElement } from "./base";
-import { icon, logo, marker, type IconName } from "./icons";
+import { icon, logo, type IconName } from "./icons";
 import { Menus } from "./menu";
 
 export const TOOLS: readonly { id: ToolId; icon: IconName; key: string; digit: string }[] = [
@@ -25,10 +23,6 @@ export const TOOLS: readonly { id: ToolId; icon: IconName; key: string; digit: s
 
 const MODES: readonly { id: State["mode"]; icon: IconName }[] = [
   { id: "grid", icon: "grid" }, { id: "overlay", icon: "overlay" }, { id: "focus", icon: "focus" },
-];
-
-export const LAYER_ORDER: readonly LayerKey[] = [
-  "path", "car", "sweep", "ghosts", "difference", "heat", "tree", "risk", "cost", "safety", "redundant", "obstacles", "slots", "grid",
 ];
 
 type MenuName = "planners" | "layers" | "export" | "more";
@@ -75,7 +69,7 @@ export class Toolbar extends AppElement {
   declare ready: boolean;
   declare shared: boolean;
   protected override pace = 100;
-  private readonly menus = new Menus<MenuName>(this);
+  readonly menus = new Menus<MenuName>(this);
 
   constructor() {
     super();
@@ -104,9 +98,9 @@ export class Toolbar extends AppElement {
       <div class="segmented modes" role="group" aria-label=${this.t("bar.mode")}>${MODES.map((mode) => this.mode(mode))}</div>
       <span class="end"><slot></slot>
         <span class="anchor rare">
-          <button class="button menu" aria-expanded=${this.menus.open === "export"} aria-label=${this.t("bar.export")} @click=${(e: Event) => this.menus.toggle("export", e)}>
+          <button class="button menu" aria-expanded=${this.menus.open === "export"} aria-label=${this.t("bar.export")} @click=${(e: Event) => this.toggle("export", e)}>
             ${icon("export")}<span class="label">${this.t("bar.export")}</span>${icon("down", 14)}</button>
-          ${this.menus.open === "export" ? html`<div class="popover right">${this.exports()}</div>` : nothing}
+          ${this.menus.open === "export" ? html`<div class="popover right">${menus()?.exports(this)}</div>` : nothing}
         </span>
         ${this.button("theme", this.themeName(), this.nextTheme, "rare")}
         <button class="button lang rare" aria-label=${this.t("bar.language")} title=${this.t("bar.language")} @click=${this.nextLang}>
@@ -149,100 +143,56 @@ export class Toolbar extends AppElement {
   private plannersMenu(): TemplateResult {
     const open = (event: Event): void => {
       void this.app.complete().catch((error: unknown) => this.app.refuse("error.load", { reason: sentence(error) }));
-      this.menus.toggle("planners", event);
+      this.toggle("planners", event);
     };
     return html`<span class="anchor">
       <button class="button menu" aria-expanded=${this.menus.open === "planners"} aria-label=${this.t("bar.planners")} title=${this.t("bar.planners")} ?disabled=${!this.ready} @click=${open}>
         ${icon("planners")}<span class="label">${this.t("bar.planners")}</span>${icon("down", 14)}</button>
-      ${this.menus.open === "planners" ? html`<div class="popover planners">${this.planners()}</div>` : nothing}</span>`;
-  }
-
-  private planners(): TemplateResult {
-    const { planners } = this.state;
-    return html`${this.app.catalog?.planners.map(({ id, title, paper }) => html`<label class="check" title=${paper}>
-      <input type="checkbox" .checked=${planners.includes(id)} ?disabled=${planners.length === 1 && planners[0] === id} @change=${() => this.app.togglePlanner(id)}>
-      ${marker(id)}${title[this.state.lang]}</label>`)}
-      <hr><button class="item" @click=${() => { this.menus.close(); this.app.showFirstPlanners(); }}>${icon("undo")}${this.t("planners.first")}</button>`;
+      ${this.menus.open === "planners" ? html`<div class="popover planners">${menus()?.planners(this)}</div>` : nothing}</span>`;
   }
 
   private layersMenu(): TemplateResult {
     return html`<span class="anchor">
-      <button class="button menu" aria-expanded=${this.menus.open === "layers"} aria-label=${this.t("bar.layers")} title="${this.t("bar.layers")} · , ." @click=${(e: Event) => this.menus.toggle("layers", e)}>
+      <button class="button menu" aria-expanded=${this.menus.open === "layers"} aria-label=${this.t("bar.layers")} title="${this.t("bar.layers")} · , ." @click=${(e: Event) => this.toggle("layers", e)}>
         ${icon("layers")}<span class="label">${this.t("bar.layers")}</span>${icon("down", 14)}</button>
-      ${this.menus.open === "layers" ? html`<div class="popover">${this.layers()}</div>` : nothing}</span>`;
-  }
-
-  private layers(): TemplateResult {
-    const { layers } = this.state;
-    const now = presetOf(layers);
-    return html`<div class="segmented" role="group" aria-label=${this.t("layers.presets")}>
-        ${LAYER_PRESETS.map((preset) => html`<button aria-pressed=${preset === now} @click=${() => this.app.store.set({ layers: presetLayers(preset) })}>${this.t(`layers.${preset}`)}</button>`)}
-      </div>
-      ${LAYER_ORDER.map((key) => html`<label class="check"><input type="checkbox" .checked=${layers[key]}
-        @change=${() => this.app.store.set({ layers: { ...this.state.layers, [key]: !this.state.layers[key] } })}>${this.t(`layer.${key}`)}</label>`)}`;
-  }
-
-  private exports(): TemplateResult {
-    return html`${this.item("file", "bar.save", () => void this.app.saveFile())}
-      ${this.item("open", "bar.open", () => this.emit("open-file"))}
-      ${this.item("image", "bar.png", () => this.emit("png", 1))}
-      ${this.item("image", "bar.png2", () => this.emit("png", 2))}
-      ${this.item("image", "bar.svg", () => this.save("svg"))}
-      ${this.item("moving", "bar.csv", () => this.save("csv"))}
-      <hr>${this.item("share", "bar.copyEmbed", () => this.copy("embed"))}
-      ${this.item("share", "bar.copyMarkdown", () => this.copy("markdown"))}
-      ${this.item("share", "bar.copyTest", () => this.copy("test"))}
-      <hr>${this.item("cells", "bar.papers", () => this.emit("papers"))}
-      ${this.item("undo", "bar.reset", () => this.app.reset())}`;
+      ${this.menus.open === "layers" ? html`<div class="popover">${menus()?.layers(this)}</div>` : nothing}</span>`;
   }
 
   private moreMenu(name: string): TemplateResult {
     return html`<span class="anchor ${name}">
-      ${this.button("more", this.t("bar.more"), (e: Event) => this.menus.toggle("more", e), "")}
-      ${this.menus.open === "more" ? html`<div class="popover right">
-        ${this.compact ? html`${this.planners()}<hr>${this.layers()}` : nothing}${this.compact ? html`<hr>${this.item("share", "bar.share", this.share)}` : nothing}
-        ${this.item("fit", "bar.fit", () => this.app.controller.fit())}<hr>
-        ${this.exports()}<hr>
-        <button class="item" @click=${this.nextTheme}>${icon("theme")}${this.themeName()}</button>
-        <button class="item" @click=${this.nextLang}>${icon("language")}${this.t("bar.language")}</button>
-        ${this.item("help", "bar.help", () => this.emit("keys"))}</div>` : nothing}</span>`;
+      ${this.button("more", this.t("bar.more"), (e: Event) => this.toggle("more", e), "")}
+      ${this.menus.open === "more" ? html`<div class="popover right">${menus()?.more(this)}</div>` : nothing}</span>`;
   }
 
-  private item(name: IconName, key: MessageKey, run: () => void): TemplateResult {
-    return html`<button class="item" @click=${() => { this.menus.close(); run(); }}>${icon(name)}${this.t(key)}</button>`;
+  /** What a menu holds is fetched after the first picture. */
+  private toggle(name: MenuName, { currentTarget }: Event): void {
+    const opener = currentTarget as HTMLElement;
+    void menus.load().then(() => this.menus.toggle(name, opener), (error: unknown) => this.app.refuse("error.load", { reason: sentence(error) }));
   }
 
   private button(name: IconName, label: string, run: (event: Event) => void, kind: string, disabled = false): TemplateResult {
     return html`<button class="icon ${kind}" ?disabled=${disabled} aria-label=${label} title=${label} @click=${run}>${icon(name)}</button>`;
   }
 
-  private themeName(): string {
+  themeName(): string {
     return this.t("bar.theme", { theme: this.t(`theme.${this.state.theme}`) });
   }
 
-  private readonly nextTheme = (): void => {
+  readonly nextTheme = (): void => {
     const order = ["auto", "light", "dark"] as const;
     this.app.store.set({ theme: order[(order.indexOf(this.state.theme) + 1) % 3]! });
   };
 
-  private readonly nextLang = (): void => void this.app.setLang(this.state.lang === "en" ? "zh" : "en");
+  readonly nextLang = (): void => void this.app.setLang(this.state.lang === "en" ? "zh" : "en");
 
-  private readonly share = (): void => {
+  readonly share = (): void => {
     void this.app.share().then((copied) => {
       this.shared = copied;
       if (copied) setTimeout(() => { this.shared = false; }, 2000);
     });
   };
 
-  private save(kind: ExportKind): void {
-    void import("../element/exports").then(({ saveAs }) => saveAs(this.app, kind));
-  }
-
-  private copy(kind: SnippetKind): void {
-    void import("../element/snippets").then(({ copySnippet }) => copySnippet(this.app, kind));
-  }
-
-  private emit(name: "scenes" | "keys" | "open-file" | "png" | "papers", detail?: number): void {
+  emit(name: "scenes" | "keys" | "open-file" | "png" | "papers", detail?: number): void {
     this.dispatchEvent(new CustomEvent(`parkade-${name}`, { detail, bubbles: true, composed: true }));
   }
 }

@@ -1,4 +1,5 @@
-/** The layers that the first picture does without. */
+/** The layers that the first picture does without, and what is told of the cell under the pointer. */
+export { legendOf, readoutOf } from "../panels/readout";
 export { costRange, drawCost } from "./layers/cost";
 export { drawDifference } from "./layers/difference";
 export { drawDraft } from "./layers/draft";

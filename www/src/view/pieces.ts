@@ -26,5 +26,7 @@ function piece<T>(fetch: () => Promise<T>): Piece<T> {
 
 /** Maps of very many cells. */
 export const vast = piece(() => import("./vast"));
+/** What the toolbar's menus hold. */
+export const menus = piece(() => import("../panels/menus"));
 /** What comes with drawing, roads, moving obstacles and a closer look at searches. */
 export const extras = piece(() => import("./extras"));

@@ -1,0 +1,44 @@
+import { readdirSync, readFileSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { describe, expect, it } from "vitest";
+import en from "../../www/src/i18n/en.json";
+import later from "../../www/src/i18n/en-later.json";
+import zh from "../../www/src/i18n/zh.json";
+
+const ROOT = join(import.meta.dirname, "../../www/src");
+const sources = new Map(readdirSync(ROOT, { recursive: true, encoding: "utf8" }).filter((name) => name.endsWith(".ts"))
+  .map((name) => [join(ROOT, name), readFileSync(join(ROOT, name), "utf8")]));
+const english: Record<string, string> = { ...en, ...later };
+
+/** The modules that come with the page's first script. */
+function first(file: string, seen = new Set<string>()): Set<string> {
+  if (seen.has(file)) return seen;
+  seen.add(file);
+  for (const [, name] of sources.get(file)!.matchAll(/^(?:import|export) (?!type)(?:[^"';]*? from )?"(\.[^"]+)"/gm)) {
+    const next = join(dirname(file), `${name}.ts`);
+    if (sources.has(next)) first(next, seen);
+  }
+  return seen;
+}
+
+describe("the page's words", () => {
+  it("are all there in Chinese, with the same values", () => {
+    expect(Object.keys(zh).sort()).toEqual(Object.keys(english).sort());
+    const values = (text: string): string[] => [...new Set([...text.matchAll(/\{(\w+)/g)].map(([, name]) => name!))].sort();
+    for (const [key, text] of Object.entries(zh)) expect(values(text), key).toEqual(values(english[key]!));
+    expect(Object.keys(later).filter((key) => key in en)).toEqual([]);
+  });
+
+  it("come with the script that says them", () => {
+    const files = first(join(ROOT, "main.ts"));
+    expect(files.size).toBeGreaterThan(50);
+    const text = [...files].map((file) => sources.get(file)).join("\n");
+    expect(Object.keys(later).filter((key) => text.includes(`"${key}"`))).toEqual([]);
+  });
+
+  it("are all said", () => {
+    const text = [...sources.values()].join("\n");
+    const said = (key: string): boolean => text.includes(`"${key}"`) || /^(status|brief)\./.test(key) || text.includes(`\`${key.split(".")[0]}.\${`);
+    expect(Object.keys(english).filter((key) => !said(key))).toEqual([]);
+  });
+});

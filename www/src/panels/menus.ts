@@ -1,0 +1,61 @@
+/** What the toolbar's menus hold. */
+import { html, nothing, type TemplateResult } from "lit";
+import { LAYER_PRESETS, presetLayers, presetOf } from "../element/app";
+import { saveAs } from "../element/exports";
+import { copySnippet } from "../element/snippets";
+import "../i18n/later";
+import { translate, type MessageKey } from "../i18n/index";
+import type { LayerKey } from "../store";
+import { icon, marker, type IconName } from "./icons";
+import type { Toolbar } from "./toolbar";
+
+const LAYER_ORDER: readonly LayerKey[] = [
+  "path", "car", "sweep", "ghosts", "difference", "heat", "tree", "risk", "cost", "safety", "redundant", "obstacles", "slots", "grid",
+];
+
+export function planners(bar: Toolbar): TemplateResult {
+  const { app } = bar, { planners, lang } = app.store.state;
+  return html`${app.catalog?.planners.map(({ id, title, paper }) => html`<label class="check" title=${paper}>
+    <input type="checkbox" .checked=${planners.includes(id)} ?disabled=${planners.length === 1 && planners[0] === id} @change=${() => app.togglePlanner(id)}>
+    ${marker(id)}${title[lang]}</label>`)}
+    <hr>${item(bar, "undo", "planners.first", () => app.showFirstPlanners())}`;
+}
+
+export function layers({ app }: Toolbar): TemplateResult {
+  const { store } = app, { lang, layers } = store.state, now = presetOf(layers);
+  return html`<div class="segmented" role="group" aria-label=${translate(lang, "layers.presets")}>
+      ${LAYER_PRESETS.map((preset) => html`<button aria-pressed=${preset === now} @click=${() => store.set({ layers: presetLayers(preset) })}>${translate(lang, `layers.${preset}`)}</button>`)}
+    </div>
+    ${LAYER_ORDER.map((key) => html`<label class="check"><input type="checkbox" .checked=${layers[key]}
+      @change=${() => store.set({ layers: { ...store.state.layers, [key]: !store.state.layers[key] } })}>${translate(lang, `layer.${key}`)}</label>`)}`;
+}
+
+export function exports(bar: Toolbar): TemplateResult {
+  const { app } = bar;
+  return html`${item(bar, "file", "bar.save", () => void app.saveFile())}
+    ${item(bar, "open", "bar.open", () => bar.emit("open-file"))}
+    ${item(bar, "image", "bar.png", () => bar.emit("png", 1))}
+    ${item(bar, "image", "bar.png2", () => bar.emit("png", 2))}
+    ${item(bar, "image", "bar.svg", () => void saveAs(app, "svg"))}
+    ${item(bar, "moving", "bar.csv", () => void saveAs(app, "csv"))}
+    <hr>${item(bar, "share", "bar.copyEmbed", () => void copySnippet(app, "embed"))}
+    ${item(bar, "share", "bar.copyMarkdown", () => void copySnippet(app, "markdown"))}
+    ${item(bar, "share", "bar.copyTest", () => void copySnippet(app, "test"))}
+    <hr>${item(bar, "cells", "bar.papers", () => bar.emit("papers"))}
+    ${item(bar, "undo", "bar.reset", () => app.reset())}`;
+}
+
+export function more(bar: Toolbar): TemplateResult {
+  const { app, compact } = bar;
+  return html`
+    ${compact ? html`${planners(bar)}<hr>${layers(bar)}<hr>${item(bar, "share", "bar.share", bar.share)}` : nothing}
+    ${item(bar, "fit", "bar.fit", () => app.controller.fit())}<hr>
+    ${exports(bar)}<hr>
+    <button class="item" @click=${bar.nextTheme}>${icon("theme")}${bar.themeName()}</button>
+    <button class="item" @click=${bar.nextLang}>${icon("language")}${translate(app.store.state.lang, "bar.language")}</button>
+    ${item(bar, "help", "bar.help", () => bar.emit("keys"))}`;
+}
+
+function item(bar: Toolbar, name: IconName, key: MessageKey, run: () => void): TemplateResult {
+  return html`<button class="item" @click=${() => { bar.menus.close(); run(); }}>${icon(name)}${translate(bar.app.store.state.lang, key)}</button>`;
+}
