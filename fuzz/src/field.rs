@@ -52,6 +52,13 @@ impl Field {
         Self { start: self.goal, goal: self.start, ..self.clone() }
     }
 
+    /// Start and goal so many metres further east.
+    pub(crate) fn ahead(&self, by: f64) -> Self {
+        let cells = (0.5 + by / self.resolution).floor() as i32;
+        let ahead = |(x, y): Cell| (x + cells, y);
+        Self { start: ahead(self.start), goal: ahead(self.goal), ..self.clone() }
+    }
+
     pub(crate) fn moved(&self, by: f64) -> Self {
         Self { origin: self.origin.map(|at| at + by), ..self.clone() }
     }

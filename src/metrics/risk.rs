@@ -28,10 +28,13 @@ const NEAR: f64 = 0.2;
 /// Offsets at which room is measured, a tenth of a metre apart.
 const OFFSETS: usize = 21;
 
+/// Metres that all trials together may drive.
+pub const MAX_DRIVEN: f64 = 1e9;
+
 /// Which trials to run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
-    /// How many, 1 to 1 000 000.
+    /// How many, 1 to 1 000 000, and so few that together they drive no more than [`MAX_DRIVEN`].
     pub trials: u32,
     /// The number of the first one: slices of trials add up.
     pub from: u32,

@@ -138,8 +138,8 @@ pub fn measure(id: &str, rounds: u32, clock: &mut dyn FnMut() -> f64) -> Result<
         let ids = ROWS.map(|row| row.id).join(", ");
         Error::new(ErrorCode::Input, "row", format!("must be one of {ids}, got {id:?}"))
     })?;
-    if rounds == 0 {
-        return Err(Error::new(ErrorCode::Input, "rounds", "must be at least 1, got 0"));
+    if !(1..=1000).contains(&rounds) {
+        return Err(Error::new(ErrorCode::Input, "rounds", format!("must be 1 to 1000, got {rounds}")));
     }
     let scene = catalog::scenario(id)?;
     let (mut lines, mut bound) = (Vec::new(), 0.0);
@@ -227,6 +227,6 @@ mod tests {
             refused("P9", 1),
             "row: must be one of P0, P1, P2, P3, P4, L0, L1, L2, L3, L4, got \"P9\""
         );
-        assert_eq!(refused("P0", 0), "rounds: must be at least 1, got 0");
+        assert_eq!(refused("P0", 0), "rounds: must be 1 to 1000, got 0");
     }
 }

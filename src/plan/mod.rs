@@ -321,9 +321,14 @@ pub fn road_figures(scenario: &Scenario, path: &[f64]) -> Result<Figures, Error>
 /// How often any path ends in a collision when nobody drives exactly along it: x, y, heading, ….
 ///
 /// # Errors
-/// [`ErrorCode::Input`] when the numbers are not poses, or none.
+/// [`ErrorCode::Input`] when the numbers are not poses, or none, or too many metres would be driven.
 #[cfg(feature = "complete")]
 pub fn collision_risk(scenario: &Scenario, path: &[f64], options: &risk::Options) -> Result<Risk, Error> {
     let (geometry, poses) = (scenario.geometry()?, path::some_poses(path)?);
+    let driven = f64::from(options.trials) * path::length(&poses);
+    if driven > risk::MAX_DRIVEN {
+        let message = format!("must drive at most {} m together, got {driven} m", risk::MAX_DRIVEN);
+        return Err(Error::new(ErrorCode::Input, "trials", message));
+    }
     Ok(risk::collision_risk(&geometry, &Body::new(&geometry), &poses, options))
 }

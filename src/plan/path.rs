@@ -18,10 +18,30 @@ pub(super) fn poses(path: &[f64]) -> Result<Vec<Pose>, Error> {
     Ok(path.chunks_exact(3).map(|p| Pose::new(p[0], p[1], p[2])).collect())
 }
 
-/// The poses of x, y, heading, …, at least one.
+/// Metres of the longest path that is driven or measured along its way: time and memory grow with it.
+#[cfg(feature = "complete")]
+const MAX_LENGTH: f64 = 100_000.0;
+
+#[cfg(feature = "complete")]
+pub(super) fn length(poses: &[Pose]) -> f64 {
+    poses.windows(2).map(|pair| (pair[1].point() - pair[0].point()).norm()).sum()
+}
+
+/// The poses of x, y, heading, …, along a way that is not too long.
+#[cfg(feature = "complete")]
+fn way(path: &[f64]) -> Result<Vec<Pose>, Error> {
+    let poses = poses(path)?;
+    let length = length(&poses);
+    if length > MAX_LENGTH {
+        return refused("path", format!("must be at most {MAX_LENGTH} m long, got {length} m"));
+    }
+    Ok(poses)
+}
+
+/// The same, at least one.
 #[cfg(feature = "complete")]
 pub(super) fn some_poses(path: &[f64]) -> Result<Vec<Pose>, Error> {
-    let poses = poses(path)?;
+    let poses = way(path)?;
     if poses.is_empty() {
         return refused("path", "must have poses; there is nothing to measure".to_owned());
     }
@@ -52,11 +72,24 @@ pub fn route(
     directions: Option<&[i8]>,
     curvatures: Option<&[f64]>,
 ) -> Result<crate::drive::Route, Error> {
-    let poses = poses(path)?;
+    let poses = way(path)?;
     let directions = gears(directions, poses.len())?;
     if let Some(curvatures) = curvatures.filter(|k| k.len() != poses.len()) {
         let message = format!("must be one per pose ({}), got {}", poses.len(), curvatures.len());
         return refused("curvatures", message);
     }
     crate::drive::Route::new(&geometry.vehicle, &poses, &directions, curvatures)
+}
+
+#[cfg(all(test, feature = "complete"))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ways_without_end_are_refused() {
+        let refused = |path: &[f64]| some_poses(path).unwrap_err().to_string();
+        assert_eq!(refused(&[0.0, 0.0, 0.0, 1e6, 0.0, 0.0]), "path: must be at most 100000 m long, got 1000000 m");
+        assert_eq!(refused(&[1e308, 0.0, 0.0, -1e308, 0.0, 0.0]), "path: must be at most 100000 m long, got inf m");
+        assert!(some_poses(&[0.0, 0.0, 0.0, 1e5, 0.0, 0.0]).is_ok());
+    }
 }

@@ -1,20 +1,15 @@
 import fc from "fast-check";
 import { beforeAll, expect, test } from "vitest";
-import {
-  ParkadeError,
-  Planner,
-  checkPath,
-  defaultConfig,
-  init,
-  planners,
-  scenario,
-  scenarios,
-  sceneGeometry,
-  type Scenario,
-} from "parkade";
+import * as parkade from "parkade";
+import { ParkadeError, Planner, defaultConfig, init, planners, scenario, scenarios, sceneGeometry, type Scenario } from "parkade";
+
+/** More of it, with another seed: `PARKADE_FUZZ=100000:7 vitest run tests/js/fuzz.test.ts`. */
+const [times = "300", seed = "20260101"] = (process.env["PARKADE_FUZZ"] ?? "").split(":").filter(Boolean);
+const HOURS = 3_600_000;
+const options = { numRuns: Number(times), seed: Number(seed) };
 
 /** Errors that callers can cause; "internal" is none of them. */
-const CODES = ["bad-config", "bad-scenario", "bad-vehicle", "bad-input", "unknown-planner", "unknown-scenario"];
+const CODES = ["bad-config", "bad-scenario", "bad-vehicle", "bad-input", "bad-import", "unknown-planner", "unknown-scenario", "not-drivable", "freed"];
 
 /** An answer, or a ParkadeError that says whose fault it is. */
 function answersOrExplains(run: () => unknown) {
@@ -25,6 +20,7 @@ function answersOrExplains(run: () => unknown) {
     expect(CODES).toContain((error as ParkadeError).code);
     expect((error as ParkadeError).message).not.toBe("");
   }
+  expect(Object.keys(Object.prototype)).toEqual([]);
 }
 
 const untyped = (value: unknown) => value as never;
@@ -33,10 +29,11 @@ const number = fc.oneof(
   fc.double({ min: -100, max: 100 }),
   fc.constantFrom(0, -0, 1e-300, 1e9, 1e300, -1, 2 ** 31, 2 ** 53, Infinity, -Infinity, NaN),
 );
-const value = fc.oneof(number, fc.constantFrom(null, undefined, true, "", "hybrid", 10n, () => 0), fc.anything());
+const POLLUTING = JSON.parse('{"__proto__":{"polluted":1},"constructor":{"prototype":{"polluted":1}}}') as unknown;
+const value = fc.oneof(number, fc.constantFrom(null, undefined, true, "", "hybrid", 10n, () => 0, [], {}, POLLUTING), fc.anything());
 
 /** A copy of `whole` with one of its fields, at any depth, replaced. */
-function damaged(whole: object, choices: number[], by: unknown): object {
+function damaged<T extends object>(whole: T, choices: number[], by: unknown): T {
   const copy = structuredClone(whole);
   let at = copy as Record<string, unknown>;
   for (const [depth, choice] of choices.entries()) {
@@ -44,7 +41,7 @@ function damaged(whole: object, choices: number[], by: unknown): object {
     const key = keys[choice % keys.length];
     if (key === undefined) break;
     const inner = at[key];
-    if (typeof inner !== "object" || inner === null || depth === choices.length - 1) {
+    if (typeof inner !== "object" || inner === null || ArrayBuffer.isView(inner) || depth === choices.length - 1) {
       at[key] = by;
       break;
     }
@@ -63,56 +60,73 @@ function smallest(): Scenario {
     .reduce((best, other) => (cells(other) < cells(best) ? other : best));
 }
 
-beforeAll(() => init());
-
-test("any value for a scene is geometry or an explained error", () => {
-  fc.assert(fc.property(value, (scene) => answersOrExplains(() => sceneGeometry(untyped(scene)))), { numRuns: 500 });
+let small: Scenario;
+beforeAll(async () => {
+  await init();
+  small = smallest();
 });
 
-test("a preset with one damaged field is geometry or an explained error", () => {
+test("any value for a scene, and a preset with one damaged field, is geometry or an explained error", () => {
   const scenes = scenarios().map(({ id }) => scenario(id));
-  fc.assert(
-    fc.property(fc.constantFrom(...scenes), choices, value, (scene, path, by) =>
-      answersOrExplains(() => sceneGeometry(damaged(scene, path, by) as Scenario)),
-    ),
-    { numRuns: 2000 },
-  );
-});
+  const scene = fc.oneof(value, fc.tuple(fc.constantFrom(...scenes), choices, value).map(([whole, path, by]) => damaged(whole, path, by)));
+  fc.assert(fc.property(scene, (any) => answersOrExplains(() => sceneGeometry(untyped(any)))), options);
+}, HOURS);
 
 test("settings with one damaged field prepare a planner or are explained", () => {
-  const scene = smallest();
   const ids = planners().map(({ id }) => id);
   fc.assert(
     fc.property(fc.constantFrom(...ids), choices, value, (id, path, by) =>
-      answersOrExplains(() => new Planner(id, scene, untyped(damaged(defaultConfig(id), path, by))).free()),
+      answersOrExplains(() => new Planner(id, small, untyped(damaged(defaultConfig(id), path, by))).free()),
     ),
-    { numRuns: 500 },
+    options,
   );
-});
+}, HOURS);
 
-test("any path is checked or explained", () => {
-  const scene = smallest();
-  const path = fc.oneof(fc.array(number, { maxLength: 30 }), value);
-  const directions = fc.oneof(fc.constant(undefined), fc.array(fc.constantFrom(-1, 1, 0, 128)), value);
-  fc.assert(
-    fc.property(path, directions, (poses, signs) =>
-      answersOrExplains(() => checkPath(scene, untyped(poses), untyped(signs))),
-    ),
-    { numRuns: 1000 },
-  );
-});
+/** Every function that takes something, with arguments that it accepts. */
+function calls(): [name: string, run: (...args: never[]) => unknown, args: unknown[]][] {
+  const plan = new Planner("hybrid", small).plan(), road = scenario("road-narrow");
+  const four = new Planner("four", small), risk = new Planner("risk-field", small);
+  const cells = Array.from({ length: 300 }, (_, i) => [2 * (i % 20), Math.floor(i / 20), 1]);
+  const files = { "a.map": "type octile\nheight 2\nwidth 2\nmap\n..\n..\n", "a.map.scen": "version 1\n0\ta.map\t2\t2\t0\t0\t1\t1\t1.41\n" };
+  const rows = Object.fromEntries(parkade.paperGridRows().rows.map(({ id }) => [id, new Float64Array(12)]));
+  return [
+    ["defaultConfig", defaultConfig, ["hybrid"]],
+    ["scenario", scenario, [small.name]],
+    ["checkPath", parkade.checkPath, [small, [...plan.path], [...plan.directions]]],
+    ["sceneGeometry of many cells", sceneGeometry, [{ ...small, obstacles: [{ type: "cells", runs: cells }] }]],
+    ["packRuns", parkade.packRuns, [cells]],
+    ["unpackRuns", parkade.unpackRuns, ["AABB"]],
+    ["importScene", parkade.importScene, [files, {}]],
+    ["generateScenario", parkade.generateScenario, [{ family: "random", size: 15, seed: 1, densityPermille: 150, blockMin: 1, blockMax: 3 }]],
+    ["paperGrid", parkade.paperGrid, [{ row: "regular-20", from: 1, to: 1 }]],
+    ["paperGridSummary", parkade.paperGridSummary, [rows]],
+    ["paperRoad", parkade.paperRoad, [{ row: "none", rounds: 1 }]],
+    ["paperParking", parkade.paperParking, [{ row: "none", rounds: 1 }]],
+    ["roadFigures", parkade.roadFigures, [road, { path: [0, 0, 0, 1, 0, 0] }]],
+    ["collisionRisk", parkade.collisionRisk, [small, { path: [...plan.path] }, { trials: 2, from: 0, seed: 1 }]],
+    ["toSVG", parkade.toSVG, [small, plan, { width: 100, height: 100, theme: "dark", title: "t" }]],
+    ["toCSV", parkade.toCSV, [small, plan]],
+    ["trajectory", parkade.trajectory, [small, plan, { maxSpeed: 2 }]],
+    ["track", parkade.track, [small, plan, { controller: "stanley" }]],
+    ["stopWaitGo", parkade.stopWaitGo, [small, plan, {}]],
+    ["Planner", (...args) => new Planner(...(args as unknown as ConstructorParameters<typeof Planner>)).free(), ["eight", small, {}]],
+    ["plan", (given) => four.plan(given), [{ trace: true, start: small.start, goal: small.goal }]],
+    ["search", (from, to) => four.search(from, to), [small.start, small.goal]],
+    ["brush", (runs, blocked) => four.brush(runs, blocked), [[[1, 1, 2]], true]],
+    ["layer", (name, given) => risk.layer(name, given), ["risk", { every: 2 }]],
+    ["explain", (at) => risk.explain(at), [small.start]],
+  ];
+}
 
-test("options, layers and ids of any kind are answered or explained", () => {
-  const planner = new Planner("four", smallest());
-  fc.assert(
-    fc.property(value, (any) => {
-      answersOrExplains(() => planner.plan(untyped(any)));
-      answersOrExplains(() => planner.layer(untyped(any)));
-      answersOrExplains(() => scenario(untyped(any)));
-      answersOrExplains(() => defaultConfig(untyped(any)));
-      answersOrExplains(() => new Planner(untyped(any), smallest()).free());
-    }),
-    { numRuns: 100 },
-  );
-  planner.free();
-});
+test("arguments of every function, one damaged at any depth or another altogether, are answered or explained", () => {
+  const all = calls(), tried = new Set(all.map(([, run]) => run));
+  for (const [name, run] of Object.entries(parkade)) {
+    expect(tried.has(run as never) || run.length === 0 || ["init", "Planner", "ParkadeError"].includes(name), name).toBe(true);
+  }
+  for (const [name, run, args] of all) {
+    answersOrExplains(() => run(...(args as never[])));
+    const given = fc.tuple(choices, value).map(([path, by]) => damaged(args, path, by));
+    const any = fc.oneof({ weight: 5, arbitrary: given }, fc.array(value, { maxLength: 3 }));
+    expect(() => fc.assert(fc.property(any, (some) => answersOrExplains(() => run(...(some as never[])))), options), name).not.toThrow();
+  }
+}, HOURS);

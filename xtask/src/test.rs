@@ -17,12 +17,14 @@ const TOOL: &[&str] = &["--package", "xtask", "--profile", "tool"];
 const FUZZ: &[&str] = &["--package", "parkade-fuzz"];
 
 /// Tests of one suite; a check without tests of its own counts as one.
-#[derive(Clone, Copy, Default)]
+#[derive(Default)]
 struct Counts {
     passed: u64,
     failed: u64,
     skipped: u64,
     repeated: u64,
+    /// What failed, a line each: the end of a long log is often all that is kept of it.
+    failures: Vec<String>,
 }
 
 struct Suite {
@@ -79,12 +81,13 @@ fn suite(name: &'static str, run: impl FnOnce() -> Result<Counts>) -> Suite {
     Suite { name, counts, time: start.elapsed(), remark }
 }
 
-/// Prints a line per suite and, as the very last one, the totals.
+/// Prints a line per suite, what failed and, as the very last line, the totals.
 fn conclude(suites: &[Suite]) -> Counts {
     println!();
     let mut total = Counts::default();
     for suite in suites {
         println!("{suite}");
+        suite.counts.failures.iter().for_each(|failure| println!("  failed: {failure}"));
         total.passed += suite.counts.passed;
         total.failed += suite.counts.failed;
         total.skipped += suite.counts.skipped;
@@ -175,11 +178,33 @@ fn libtest_counts(output: &str) -> Counts {
             }
         }
     }
+    // `test a::b ... FAILED`, and `FAIL` in wasm
+    let failed = |line: &str| Some(line.strip_prefix("test ")?.split_once(" ... FAIL")?.0.to_owned());
+    counts.failures = output.lines().filter_map(failed).collect();
     counts
 }
 
+/// The first line of a message, without the codes that colour it.
+fn first_line(message: &Value) -> String {
+    let mut plain = String::new();
+    let mut rest = message.as_str().unwrap_or_default().lines().next().unwrap_or_default();
+    while let Some((text, code)) = rest.split_once('\u{1b}') {
+        plain.push_str(text);
+        rest = code.split_once('m').map_or("", |(_, after)| after);
+    }
+    plain + rest
+}
+
 fn vitest_counts(report: &Value) -> Option<Counts> {
+    let tests = report["testResults"].as_array()?.iter().flat_map(|file| {
+        file["assertionResults"].as_array().into_iter().flatten().map(move |test| (&file["name"], test))
+    });
+    let failed = tests.filter(|(_, test)| test["status"] == "failed").map(|(file, test)| {
+        let file = file.as_str().map_or("", |name| name.rsplit('/').next().unwrap_or(name));
+        format!("{file}: {}: {}", test["fullName"].as_str().unwrap_or_default(), first_line(&test["failureMessages"][0]))
+    });
     Some(Counts {
+        failures: failed.collect(),
         passed: report["numPassedTests"].as_u64()?,
         failed: report["numFailedTests"].as_u64()?,
         skipped: report["numPendingTests"].as_u64()? + report["numTodoTests"].as_u64()?,
@@ -191,7 +216,13 @@ fn vitest_counts(report: &Value) -> Option<Counts> {
 fn playwright_counts(report: &Value) -> Option<Counts> {
     let stats = &report["stats"];
     let repeated = stats["flaky"].as_u64()?;
+    let specs = report["suites"].as_array()?.iter().flat_map(|file| file["specs"].as_array().into_iter().flatten());
+    let failed = specs.filter(|spec| spec["ok"] == false).map(|spec| {
+        let [file, title] = ["file", "title"].map(|key| spec[key].as_str().unwrap_or_default());
+        format!("{file}: {title}: {}", first_line(&spec["tests"][0]["results"][0]["errors"][0]["message"]))
+    });
     Some(Counts {
+        failures: failed.collect(),
         passed: stats["expected"].as_u64()? + repeated,
         failed: stats["unexpected"].as_u64()?,
         skipped: stats["skipped"].as_u64()?,
@@ -230,9 +261,30 @@ mod tests {
     fn adds_up_libtest_summaries() {
         let output = "running 3 tests\n\
             test result: ok. 2 passed; 0 failed; 1 ignored; 0 measured; 0 filtered out; finished in 0.02s\n\
+            test a::b ... ok\n\
+            test a::c ... FAILED\n\
             test result: FAILED. 4 passed; 3 failed; 0 ignored; 0 filtered out; finished in 1.50s\n";
         let counts = libtest_counts(output);
         assert_eq!((counts.passed, counts.failed, counts.skipped), (6, 3, 1));
+        assert_eq!(counts.failures, ["a::c"]);
+    }
+
+    #[test]
+    fn names_what_failed_in_javascript() {
+        let report = serde_json::json!({
+            "numPassedTests": 1, "numFailedTests": 1, "numPendingTests": 0, "numTodoTests": 0,
+            "testResults": [{ "name": "/a/b/pool.test.ts", "assertionResults": [
+                { "status": "passed", "fullName": "works", "failureMessages": [] },
+                { "status": "failed", "fullName": "waits", "failureMessages": ["\u{1b}[31mexpected 1\u{1b}[39m to be 2\nat"] },
+            ] }],
+        });
+        assert_eq!(vitest_counts(&report).unwrap().failures, ["pool.test.ts: waits: expected 1 to be 2"]);
+        let report = serde_json::json!({
+            "stats": { "expected": 0, "unexpected": 1, "flaky": 0, "skipped": 0 },
+            "suites": [{ "specs": [{ "ok": false, "file": "grid.spec.ts", "title": "drags",
+                "tests": [{ "results": [{ "errors": [{ "message": "Timeout\nmore" }] }] }] }] }],
+        });
+        assert_eq!(playwright_counts(&report).unwrap().failures, ["grid.spec.ts: drags: Timeout"]);
     }
 
     #[test]

@@ -2,7 +2,7 @@
 // The API over the raw wasm exports; `index.d.ts` documents it. Only what both modules have: the complete one and `core`.
 import { packedScene } from "./cells.js";
 import * as raw from "./parkade.js";
-import { ParkadeError, call, isRunning, kind, numbers, text } from "./runtime.js";
+import { ParkadeError, call, isRunning, kind, number, numbers, text } from "./runtime.js";
 
 export { packRuns, unpackRuns } from "./cells.js";
 export { ParkadeError };
@@ -59,7 +59,7 @@ export class Planner {
   search(start, goal) {
     const found = this.#call((planner) => {
       if (planner.search === undefined) throw missing("search");
-      return planner.search(start?.x, start?.y, goal?.x, goal?.y);
+      return planner.search(...point(start, "start"), ...point(goal, "goal"));
     });
     const [outcome = 0, costMicro = 0, expanded = 0, generated = 0] = found;
     return { outcome: /** @type {import("./index.js").Outcome} */ (OUTCOMES[outcome]), path: found.subarray(4), costMicro, expanded, generated };
@@ -97,7 +97,7 @@ export class Planner {
   explain(at) {
     return this.#call((planner) => {
       if (typeof planner.explain !== "function") throw new ParkadeError("`parkade/core` does not explain", "bad-input");
-      return planner.explain(at.x, at.y);
+      return planner.explain(...point(at, "at"));
     });
   }
 
@@ -127,6 +127,13 @@ export class Planner {
 const OUTCOMES = [
   "found", "no-path", "budget-spent", "start-blocked", "goal-blocked", "start-outside", "goal-outside",
 ];
+
+/**
+ * @param {{ x: number, y: number }} at
+ * @param {string} name
+ * @returns {[number, number]}
+ */
+const point = (at, name) => [number(at?.x, `${name}.x`), number(at?.y, `${name}.y`)];
 
 /** @param {string} method */
 const missing = (method) => new ParkadeError(`${method}: not in parkade/core, but in parkade`, "bad-input");

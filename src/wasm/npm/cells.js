@@ -1,6 +1,8 @@
 // @ts-check
 // Brushed cells as text: scenes of many cells cross into the module as one string instead of a million numbers.
 
+import { ParkadeError, text } from "./runtime.js";
+
 /** @typedef {[number, number, number]} Run */
 
 const DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -10,15 +12,16 @@ const COLUMNS = 4096;
 const MANY = 200;
 
 /** @type {typeof import("./index.js").packRuns} */
-export const packRuns = (runs) => pack(apart(runs)) ?? "";
+export const packRuns = (runs) => (Array.isArray(runs) && runs.every(isRun) ? pack(apart(runs)) : undefined) ?? "";
 
 /** @type {typeof import("./index.js").unpackRuns} */
-export function unpackRuns(text) {
+export function unpackRuns(packed) {
   /** @type {Run[]} */
   const runs = [];
   let value = 0, factor = 1, gap = -1, at = 0;
-  for (let i = 0; i < text.length; i++) {
-    const digit = DIGITS.indexOf(text[i] ?? "");
+  for (const letter of text(packed, "text")) {
+    const digit = DIGITS.indexOf(letter);
+    if (digit < 0 || factor > COLUMNS * COLUMNS) throw unreadable();
     value += (digit & 31) * factor;
     if (digit > 31) {
       factor *= 32;
@@ -28,6 +31,7 @@ export function unpackRuns(text) {
       gap = value;
     } else {
       const start = at + gap;
+      if (value < 1 || (start % COLUMNS) + value > COLUMNS || start >= COLUMNS * COLUMNS) throw unreadable();
       runs.push([start % COLUMNS, Math.floor(start / COLUMNS), value]);
       at = start + value;
       gap = -1;
@@ -35,8 +39,11 @@ export function unpackRuns(text) {
     value = 0;
     factor = 1;
   }
+  if (gap >= 0 || factor > 1) throw unreadable();
   return runs;
 }
+
+const unreadable = () => new ParkadeError("text: must be runs as `packRuns` writes them", "bad-input", "text");
 
 /**
  * The scene with long lists of cells packed; what is no scene stays what it is, for the module to refuse.
@@ -82,15 +89,18 @@ function mapCells(scene, change) {
 function pack(runs) {
   let text = "", at = 0;
   for (const run of runs) {
-    if (!Array.isArray(run) || run.length !== 3) return undefined;
+    if (!isRun(run)) return undefined;
     const [x, y, count] = run;
-    const start = y * COLUMNS + x, whole = Number.isInteger(x) && Number.isInteger(y) && Number.isInteger(count);
-    if (!whole || x < 0 || y < 0 || y >= COLUMNS || count < 1 || x + count > COLUMNS || start < at) return undefined;
+    const start = y * COLUMNS + x;
+    if (x < 0 || y < 0 || y >= COLUMNS || count < 1 || x + count > COLUMNS || start < at) return undefined;
     text += digits(start - at) + digits(count);
     at = start + count;
   }
   return text;
 }
+
+/** @param {unknown} run */
+const isRun = (run) => Array.isArray(run) && run.length === 3 && [0, 1, 2].every((i) => Number.isInteger(run[i]));
 
 /** @param {number} n */
 function digits(n) {

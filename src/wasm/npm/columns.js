@@ -1,10 +1,13 @@
 // @ts-check
 // A plan as columns of text; in the complete module only.
 import { trajectory } from "./drive.js";
+import { numbers, object } from "./runtime.js";
 
 /** @type {typeof import("./index.js").toCSV} */
 export function toCSV(scene, plan) {
-  const { path, directions, curvatures, clearances } = plan;
+  object(plan, "plan");
+  const [path, curvatures, clearances] = /** @type {const} */ (["path", "curvatures", "clearances"]).map((name) => numbers(Float64Array, plan[name], `plan.${name}`));
+  const directions = numbers(Int8Array, plan.directions, "plan.directions");
   const rows = ["s,x,y,theta,kappa,clearance,v,direction"];
   const speedAt = speeds(scene, plan);
   let s = 0;
@@ -26,7 +29,7 @@ const cell = (value) => (typeof value === "string" || Number.isFinite(value) ? S
  * @returns {(s: number) => number | undefined}
  */
 function speeds(scene, plan) {
-  if (plan.outcome !== "found" || !plan.check.drivable) return () => undefined;
+  if (plan.outcome !== "found" || !plan.check?.drivable) return () => undefined;
   const drive = trajectory(scene, plan);
   let i = 0;
   return (s) => {

@@ -2,7 +2,7 @@
 // What the complete module has and `core` lacks.
 import { packedScene, unpackedScene } from "./cells.js";
 import * as raw from "./parkade.js";
-import { ParkadeError, call, kind, numbers, text } from "./runtime.js";
+import { ParkadeError, call, kind, number, numbers, object, text } from "./runtime.js";
 
 export * from "./columns.js";
 export * from "./drive.js";
@@ -39,22 +39,23 @@ export const collisionRisk = (scene, plan, options = {}) =>
 export const paperGridRows = () => call(() => raw.paperGridRows());
 
 /** @type {typeof import("./index.js").paperGrid} */
-export const paperGrid = ({ row, from, to }) =>
-  call(() => raw.paperGrid(text(row, "row"), from, to, () => performance.now()));
+export const paperGrid = (slice) => {
+  const { row, from, to } = object(slice, "slice");
+  return call(() => raw.paperGrid(text(row, "row"), number(from, "from"), number(to, "to"), () => performance.now()));
+};
 
 /** @type {typeof import("./index.js").paperParkingRows} */
 export const paperParkingRows = () => call(() => raw.paperParkingRows());
 
 /** @type {typeof import("./index.js").paperParking} */
-export const paperParking = ({ row, rounds = 1 }) =>
-  call(() => raw.paperParking(text(row, "row"), rounds, () => performance.now()));
+export const paperParking = (options) => {
+  const { row, rounds = 1 } = object(options, "options");
+  return call(() => raw.paperParking(text(row, "row"), number(rounds, "rounds"), () => performance.now()));
+};
 
 /** @type {typeof import("./index.js").paperGridSummary} */
 export function paperGridSummary(measured) {
-  if (typeof measured !== "object" || measured === null) {
-    throw new ParkadeError(`measured: must be figures by row, got ${kind(measured)}`, "bad-input", "measured");
-  }
-  const rows = Object.keys(measured);
+  const rows = Object.keys(object(measured, "measured"));
   const figures = rows.map((row) => {
     const values = measured[row];
     if (values instanceof Float64Array) return values;
@@ -67,18 +68,17 @@ export function paperGridSummary(measured) {
 export const paperRoadRows = () => call(() => raw.paperRoadRows());
 
 /** @type {typeof import("./index.js").paperRoad} */
-export const paperRoad = ({ row, rounds = 1 }) =>
-  call(() => raw.paperRoad(text(row, "row"), rounds, () => performance.now()));
+export const paperRoad = (options) => {
+  const { row, rounds = 1 } = object(options, "options");
+  return call(() => raw.paperRoad(text(row, "row"), number(rounds, "rounds"), () => performance.now()));
+};
 
 /**
  * A plan's path.
  * @param {{ path: Float64Array | number[] }} plan
  */
 function line(plan) {
-  if (typeof plan !== "object" || plan === null) {
-    throw new ParkadeError(`plan: must be an object with a path, got ${kind(plan)}`, "bad-input", "plan");
-  }
-  return numbers(Float64Array, plan.path, "plan.path");
+  return numbers(Float64Array, object(plan, "plan").path, "plan.path");
 }
 
 /**

@@ -2,7 +2,7 @@
 // Driving in time; in the complete module only.
 import { packedScene } from "./cells.js";
 import * as raw from "./parkade.js";
-import { ParkadeError, call, kind, numbers } from "./runtime.js";
+import { call, numbers, object } from "./runtime.js";
 
 /** @type {typeof import("./index.js").trajectory} */
 export const trajectory = (scene, plan, options = {}) => call(() => raw.trajectory(packedScene(scene), ...columns(plan), options));
@@ -18,10 +18,7 @@ export const stopWaitGo = (scene, plan, options = {}) => call(() => raw.stopWait
  * @returns {[Float64Array, Int8Array | undefined, Float64Array | undefined]}
  */
 function columns(plan) {
-  if (typeof plan !== "object" || plan === null) {
-    throw new ParkadeError(`plan: must be an object with a path, got ${kind(plan)}`, "bad-input", "plan");
-  }
-  const { path, directions, curvatures } = plan;
+  const { path, directions, curvatures } = object(plan, "plan");
   return [
     numbers(Float64Array, path, "plan.path"),
     directions === undefined ? undefined : numbers(Int8Array, directions, "plan.directions"),

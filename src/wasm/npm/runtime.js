@@ -96,6 +96,27 @@ export function text(value, path) {
   throw new ParkadeError(`${path}: must be a string, got ${kind(value)}`, "bad-input", path);
 }
 
+/**
+ * Neither does it check numbers: big integers, for one, do not become any.
+ * @param {unknown} value
+ * @param {string} path
+ */
+export function number(value, path) {
+  if (typeof value === "number") return value;
+  throw new ParkadeError(`${path}: must be a number, got ${kind(value)}`, "bad-input", path);
+}
+
+/**
+ * @template T
+ * @param {T} value
+ * @param {string} path
+ * @returns {T & object}
+ */
+export function object(value, path) {
+  if (typeof value === "object" && value !== null) return value;
+  throw new ParkadeError(`${path}: must be an object, got ${kind(value)}`, "bad-input", path);
+}
+
 /** @param {unknown} value */
 export function kind(value) {
   return value === null ? "null" : typeof value;
