@@ -7,6 +7,8 @@ use crate::geometry::math;
 use crate::json;
 use crate::vehicle::Vehicle;
 
+/// The longest drive, seconds: time and memory grow with it.
+const MAX_DURATION: f64 = 100_000.0;
 /// Neighbouring legs up to this length are samples of a changing curvature, not steps of it, metres.
 const SAMPLE: f64 = 0.25;
 /// `slow` keeps to this speed, m/s, …
@@ -177,7 +179,7 @@ impl Motion {
     ///
     /// # Errors
     /// As [`Limits::validate`]; [`ErrorCode::Config`] for a start or goal speed for which the way or its limits leave no
-    /// room.
+    /// room, and for drives of more than 100 000 s.
     pub fn new(vehicle: &Vehicle, route: &Route, limits: &Limits) -> Result<Self, Error> {
         limits.validate()?;
         let mut motion = Self { phases: Vec::new(), runs: Vec::new(), duration: 0.0, dwell: 0.0 };
@@ -217,6 +219,11 @@ impl Motion {
             };
             motion.push(index, &phases);
             motion.runs.push((from, motion.duration));
+        }
+        if motion.duration > MAX_DURATION {
+            let message =
+                format!("must be driven within {MAX_DURATION} s, takes {:.0} s", motion.duration);
+            return Err(Error::new(ErrorCode::Config, "path", message));
         }
         Ok(motion)
     }

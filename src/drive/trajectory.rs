@@ -2,7 +2,7 @@
 
 use super::motion::{Limits, Motion, angle, preview};
 use super::route::Route;
-use crate::error::Error;
+use crate::error::{Error, ErrorCode};
 use crate::geometry::Pose;
 use crate::vehicle::Vehicle;
 
@@ -60,6 +60,9 @@ impl Rows {
     }
 }
 
+/// Rows of one trajectory, about.
+const MAX_TICKS: f64 = 1e6;
+
 /// FNV-1a-64 of numbers, as 16 hex digits.
 pub(super) fn hash(values: impl Iterator<Item = f64>) -> String {
     let bytes = values.flat_map(|v| v.to_bits().to_le_bytes());
@@ -103,7 +106,7 @@ pub struct Trajectory {
 /// Gives a route times: speeds within limits, standstill to turn the wheel at gear changes.
 ///
 /// # Errors
-/// As [`Limits::validate`].
+/// As [`Motion::new`]; [`ErrorCode::Config`] where `dt` would make more than a million rows.
 ///
 /// # Examples
 /// ```
@@ -120,6 +123,11 @@ pub struct Trajectory {
 /// ```
 pub fn trajectory(vehicle: &Vehicle, route: &Route, limits: &Limits) -> Result<Trajectory, Error> {
     let motion = Motion::new(vehicle, route, limits)?;
+    if motion.duration > MAX_TICKS * limits.dt {
+        let message =
+            format!("must be at least {} for {:.0} s, got {}", motion.duration / MAX_TICKS, motion.duration, limits.dt);
+        return Err(Error::new(ErrorCode::Config, "dt", message));
+    }
     let (mut rows, mut wheel, mut lateral) = (Rows::default(), Wheel::default(), 0.0_f64);
     let mut tick = 0.0;
     let mut add = |phase: &super::motion::Phase, after: f64| {

@@ -9,6 +9,7 @@ use parkade::drive::{
     Ending, Limits, Profile, Route, Steps, Trajectory, WaitOptions, stop_wait_go, trajectory,
 };
 use parkade::geometry::{Pose, math};
+use parkade::vehicle::Vehicle;
 use serde_json::{Value, json};
 
 use crate::row::{CAR, Row, drive, rows};
@@ -236,4 +237,20 @@ fn wrong_limits_are_named() {
     ] {
         assert_eq!(wait(fields).unwrap_err().path, path);
     }
+}
+
+#[test]
+fn drives_without_end_are_refused() {
+    let poses: Vec<Pose> = [0.0, 2000.0].map(|x| Pose::new(x, 0.0, 0.0)).into();
+    let route = Route::new(&CAR, &poses, &[1, 1], None).unwrap();
+    let refused = |limits: Limits| trajectory(&CAR, &route, &limits).unwrap_err().to_string();
+    let slow = Limits { speed: 0.01, ..Limits::default() };
+    assert!(refused(slow.clone()).starts_with("path: must be driven within 100000 s, takes 2000"));
+    let fine = Limits { speed: 0.5, dt: 0.001, ..Limits::default() };
+    assert!(refused(fine).starts_with("dt: must be at least 0.004"));
+    let idle = Vehicle { max_steer_rate: 1e-9, ..CAR };
+    let bent: Vec<Pose> = [0.0, 1.0, 2.0].map(|s| Pose::new(0.0, 0.0, 0.0).advance(0.1, s)).into();
+    let route = Route::new(&idle, &bent, &[1; 3], None).unwrap();
+    let error = trajectory(&idle, &route, &Limits::default()).unwrap_err();
+    assert_eq!(error.path, "path");
 }

@@ -5,8 +5,9 @@ import { numbers, object } from "./runtime.js";
 
 /** @type {typeof import("./index.js").toCSV} */
 export function toCSV(scene, plan) {
-  object(plan, "plan");
-  const [path, curvatures, clearances] = /** @type {const} */ (["path", "curvatures", "clearances"]).map((name) => numbers(Float64Array, plan[name], `plan.${name}`));
+  /** @param {"path" | "curvatures" | "clearances"} name */
+  const column = (name) => numbers(Float64Array, object(plan, "plan")[name], `plan.${name}`);
+  const path = column("path"), curvatures = column("curvatures"), clearances = column("clearances");
   const directions = numbers(Int8Array, plan.directions, "plan.directions");
   const rows = ["s,x,y,theta,kappa,clearance,v,direction"];
   const speedAt = speeds(scene, plan);

@@ -1,7 +1,7 @@
 // @ts-check
 // A scene and its plans as an SVG picture; in the complete module only.
 import { sceneGeometry, unpackRuns } from "./api.js";
-import { ParkadeError } from "./runtime.js";
+import { ParkadeError, numbers, object, text } from "./runtime.js";
 
 /** @typedef {readonly [number, number]} Point */
 /** @typedef {import("./index.js").Pose} Pose */
@@ -20,13 +20,14 @@ const EVERY = 2;
 
 /** @type {typeof import("./index.js").toSVG} */
 export function toSVG(scene, plans = [], options = {}) {
-  const { width = 720, height = 420, theme = "auto", title = scene?.name ?? "" } = options;
+  const { width = 720, height = 420, theme = "auto" } = object(options, "options");
   for (const [name, value] of Object.entries({ width, height })) {
-    if (typeof value !== "number" || !(value >= 16 && value <= 8192)) throw new ParkadeError(`${name}: must be 16 to 8192 pixels, got ${value}`, "bad-input", name);
+    if (typeof value !== "number" || !(value >= 16 && value <= 8192)) throw new ParkadeError(`${name}: must be 16 to 8192 pixels, got ${String(value)}`, "bad-input", name);
   }
-  if (!["auto", "light", "dark"].includes(theme)) throw new ParkadeError(`theme: must be auto, light or dark, got ${theme}`, "bad-input", "theme");
-  const geometry = sceneGeometry(scene);
-  const found = (Array.isArray(plans) ? plans : [plans]).filter((plan) => plan.outcome === "found");
+  if (!["auto", "light", "dark"].includes(theme)) throw new ParkadeError(`theme: must be auto, light or dark, got ${String(theme)}`, "bad-input", "theme");
+  const geometry = sceneGeometry(scene), title = text(options.title ?? scene.name ?? "", "title");
+  const found = (Array.isArray(plans) ? plans : [plans]).filter((plan, i) => object(plan, `plans[${i}]`).outcome === "found");
+  found.forEach(checkPlan);
   const lead = found.find((plan) => plan.planner === "hybrid") ?? found[found.length - 1];
   const view = viewOf(geometry, found.filter((plan) => plan.check.drivable), width, height);
   const px = 1 / view.scale;
@@ -47,6 +48,13 @@ export function toSVG(scene, plans = [], options = {}) {
   return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" role="img">`
     + `<title>${escaped(title)}</title><metadata>${escaped(JSON.stringify(scene))}</metadata><style>${styles(theme)}</style>`
     + `<rect class="pk-out" width="${width}" height="${height}"/><g transform="${move}">${parts.join("")}</g></svg>\n`;
+}
+
+/** What a picture needs of a plan. @param {import("./index.js").Plan} plan */
+function checkPlan({ planner, path, check }) {
+  text(planner, "plan.planner");
+  object(check, "plan.check");
+  if (numbers(Float64Array, path, "plan.path").length < 3) throw new ParkadeError("plan.path: must have poses", "bad-input", "plan.path");
 }
 
 /** @param {string} theme */
@@ -91,10 +99,11 @@ function viewOf({ start, goal, vehicle, boundary }, plans, width, height) {
  * @param {number} height
  */
 function grid({ x, y, scale }, boundary, width, height) {
-  const step = scale > 40 ? 1 : scale > 4 ? 5 : scale > 0.8 ? 25 : 250;
   const floor = boxOf(boundary);
   const left = Math.max(floor.left, x - width / 2 / scale), right = Math.min(floor.right, x + width / 2 / scale);
   const bottom = Math.max(floor.bottom, y - height / 2 / scale), top = Math.min(floor.top, y + height / 2 / scale);
+  let step = scale > 40 ? 1 : scale > 4 ? 5 : scale > 0.8 ? 25 : 250;
+  while (step * scale < 4) step *= 10;
   let d = "";
   for (let at = Math.ceil(left / step) * step; at <= right; at += step) d += `M${n(at)} ${n(bottom)}V${n(top)}`;
   for (let at = Math.ceil(bottom / step) * step; at <= top; at += step) d += `M${n(left)} ${n(at)}H${n(right)}`;
@@ -179,7 +188,7 @@ function path(plan, px) {
 }
 
 /** @param {string} planner @returns {[string, string]} */
-const styleOf = (planner) => LINES[planner] ?? ["#8C6D00", "4 4"];
+const styleOf = (planner) => (Object.hasOwn(LINES, planner) ? sure(LINES[planner]) : ["#8C6D00", "4 4"]);
 
 /** @param {Float64Array} path @param {number} i @returns {Pose} */
 const poseAt = (path, i) => ({ x: sure(path[3 * i]), y: sure(path[3 * i + 1]), heading: sure(path[3 * i + 2]) });
