@@ -221,8 +221,7 @@ impl Motion {
             motion.runs.push((from, motion.duration));
         }
         if motion.duration > MAX_DURATION {
-            let message =
-                format!("must be driven within {MAX_DURATION} s, takes {:.0} s", motion.duration);
+            let message = format!("must be driven within {MAX_DURATION} s, takes {:.0} s", motion.duration);
             return Err(Error::new(ErrorCode::Config, "path", message));
         }
         Ok(motion)

@@ -124,8 +124,12 @@ pub struct Trajectory {
 pub fn trajectory(vehicle: &Vehicle, route: &Route, limits: &Limits) -> Result<Trajectory, Error> {
     let motion = Motion::new(vehicle, route, limits)?;
     if motion.duration > MAX_TICKS * limits.dt {
-        let message =
-            format!("must be at least {} for {:.0} s, got {}", motion.duration / MAX_TICKS, motion.duration, limits.dt);
+        let message = format!(
+            "must be at least {} for {:.0} s, got {}",
+            motion.duration / MAX_TICKS,
+            motion.duration,
+            limits.dt
+        );
         return Err(Error::new(ErrorCode::Config, "dt", message));
     }
     let (mut rows, mut wheel, mut lateral) = (Rows::default(), Wheel::default(), 0.0_f64);

@@ -88,8 +88,14 @@ mod tests {
     #[test]
     fn ways_without_end_are_refused() {
         let refused = |path: &[f64]| some_poses(path).unwrap_err().to_string();
-        assert_eq!(refused(&[0.0, 0.0, 0.0, 1e6, 0.0, 0.0]), "path: must be at most 100000 m long, got 1000000 m");
-        assert_eq!(refused(&[1e308, 0.0, 0.0, -1e308, 0.0, 0.0]), "path: must be at most 100000 m long, got inf m");
+        assert_eq!(
+            refused(&[0.0, 0.0, 0.0, 1e6, 0.0, 0.0]),
+            "path: must be at most 100000 m long, got 1000000 m"
+        );
+        assert_eq!(
+            refused(&[1e308, 0.0, 0.0, -1e308, 0.0, 0.0]),
+            "path: must be at most 100000 m long, got inf m"
+        );
         assert!(some_poses(&[0.0, 0.0, 0.0, 1e5, 0.0, 0.0]).is_ok());
     }
 }

@@ -201,7 +201,11 @@ fn vitest_counts(report: &Value) -> Option<Counts> {
     });
     let failed = tests.filter(|(_, test)| test["status"] == "failed").map(|(file, test)| {
         let file = file.as_str().map_or("", |name| name.rsplit('/').next().unwrap_or(name));
-        format!("{file}: {}: {}", test["fullName"].as_str().unwrap_or_default(), first_line(&test["failureMessages"][0]))
+        format!(
+            "{file}: {}: {}",
+            test["fullName"].as_str().unwrap_or_default(),
+            first_line(&test["failureMessages"][0])
+        )
     });
     Some(Counts {
         failures: failed.collect(),
@@ -216,7 +220,8 @@ fn vitest_counts(report: &Value) -> Option<Counts> {
 fn playwright_counts(report: &Value) -> Option<Counts> {
     let stats = &report["stats"];
     let repeated = stats["flaky"].as_u64()?;
-    let specs = report["suites"].as_array()?.iter().flat_map(|file| file["specs"].as_array().into_iter().flatten());
+    let specs =
+        report["suites"].as_array()?.iter().flat_map(|file| file["specs"].as_array().into_iter().flatten());
     let failed = specs.filter(|spec| spec["ok"] == false).map(|spec| {
         let [file, title] = ["file", "title"].map(|key| spec[key].as_str().unwrap_or_default());
         format!("{file}: {title}: {}", first_line(&spec["tests"][0]["results"][0]["errors"][0]["message"]))
