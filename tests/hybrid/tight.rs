@@ -52,14 +52,14 @@ fn the_margin_falls_where_it_alone_keeps_the_car_in() {
     lot.solids.push(vec![[-9.0, 0.7], [-4.85, 0.7], [-4.85, 3.3], [-9.0, 3.3]]);
     let report = lot.plan(&Config::default());
     assert!(matches!(report.status, Status::Suboptimal), "{:?}", report.status);
-    assert_eq!((report.margin, report.level), (0.002, 3));
+    assert_eq!((report.margin, report.level), (0.01, 3));
     lot.check("between two cars", &report.arcs);
     let kept = lot.plan(&Config { finest_level: 2, ..Config::default() });
     assert_eq!((kept.status, kept.margin), (Status::BoxedIn { at_start: false, travel: 0.5 }, 0.1));
     // The other way round, the tree grows from the start, which is now the tight end.
     let out = Lot { start: lot.goal, goal: lot.start, ..lot };
     let report = out.plan(&Config::default());
-    assert_eq!((report.status, report.margin), (Status::Suboptimal, 0.002));
+    assert_eq!((report.status, report.margin), (Status::Suboptimal, 0.01));
     out.check("out between two cars", &report.arcs);
     let kept = out.plan(&Config { finest_level: 2, ..Config::default() });
     assert!(matches!(kept.status, Status::BoxedIn { at_start: true, .. }) && kept.expanded < 100);

@@ -39,6 +39,8 @@ use crate::vehicle::collision::{Edge, Obstacles, Probe, Solid};
 const STUCK: f64 = 1.0;
 /// The least margin where start and goal have it, metres: what passes unseen between two checks.
 const HAIR: f64 = 0.002;
+/// Margins tried in turn where the one asked for keeps the car in, metres.
+const LESS: [f64; 3] = [0.03, 0.01, HAIR];
 /// Less clearance than this at start or goal is tight, metres.
 const TIGHT: f64 = 0.4;
 /// Levels from this one on are for cars that can hardly move.
@@ -114,8 +116,8 @@ pub struct Report {
     pub rs_bound: f64,
     /// Level of the resolution ladder that gave the path, or the last one tried.
     pub level: u32,
-    /// The margin planned with, metres: less than asked where start or goal have less, and 2 mm where it alone keeps the
-    /// car in.
+    /// The margin planned with, metres: less than asked where start or goal have less, and 3 cm, 1 cm or 2 mm where it
+    /// alone keeps the car in.
     pub margin: f64,
     /// Expansions, over all levels.
     pub expanded: u32,
@@ -259,11 +261,16 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, trace: bool) 
         return report;
     }
     search.climb(0, &mut report, scratch, trace);
-    if report.arcs.is_empty() && report.level as usize >= FINE && report.margin > HAIR {
-        // The margin is what keeps the car in.
-        (report.margin, report.status) = (HAIR, Status::NoPath);
-        let flood = Flood::new(query.obstacles, query.vehicle, target, HAIR, None);
-        Search { flood: &flood, ..search }.climb(FINE, &mut report, scratch, trace);
+    for margin in LESS {
+        if !report.arcs.is_empty() || (report.level as usize) < FINE {
+            break;
+        }
+        if report.margin > margin {
+            // The margin is what keeps the car in.
+            (report.margin, report.status) = (margin, Status::NoPath);
+            let flood = Flood::new(query.obstacles, query.vehicle, target, margin, None);
+            Search { flood: &flood, ..search }.climb(FINE, &mut report, scratch, trace);
+        }
     }
     scratch.flood = Some(flood);
     report.collision_checks = probe.checks();
