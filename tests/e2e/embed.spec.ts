@@ -143,6 +143,31 @@ test("the page keeps its wheel and its keys; a press on the chip begins editing,
   await expect.poll(camera).not.toBeNull();
 });
 
+test("keys that the playground uses do not reach the page's own", async ({ page }) => {
+  await watch(page);
+  await page.goto(HOST);
+  await near(page, "one");
+  await page.locator("#one").getByRole("button", { name: "Tap to edit" }).click();
+  await page.evaluate(() => {
+    const heard: string[] = [];
+    (window as unknown as { heard: string[] }).heard = heard;
+    document.addEventListener("keydown", (event) => heard.push(event.key));
+  });
+  const heard = () => page.evaluate(() => (window as unknown as { heard: string[] }).heard.splice(0));
+  const slider = page.locator("#one").locator("parkade-timeline").getByRole("slider").first();
+  await slider.focus();
+  await page.keyboard.press("ArrowRight");
+  expect(await heard()).toEqual([]);
+  await page.keyboard.press("j");
+  expect(await heard()).toEqual(["j"]);
+  await page.locator("#one").locator("canvas").first().click({ position: { x: 40, y: 40 } });
+  await page.keyboard.press("b");
+  expect(await heard()).toEqual([]);
+  await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
+  await page.keyboard.press("b");
+  expect(await heard()).toEqual(["b"]);
+});
+
 test("properties set before the element is there are kept", async ({ page }) => {
   await watch(page);
   await page.route("**/parkade-playground.js", async (route) => {
@@ -278,12 +303,15 @@ test("the documentation's lines of HTML show a playground", async ({ page }) => 
 test.describe("in a frame of another origin", () => {
   interface Host { heard: { type: string; [key: string]: unknown }[]; ask(name: string, rest?: object): Promise<{ result?: unknown; error?: string }> }
 
-  test("the same methods and events pass as messages, the frame tells its height, strangers are not heard", async ({ page }) => {
+  test("the same methods and events pass as messages, the frame tells its height, nothing moves, strangers are not heard", async ({ page }) => {
+    const { shifted } = await watch(page);
     await page.goto("/host/frame.html");
     const heard = () => page.evaluate(() => (window as unknown as Host).heard.map(({ type }) => type));
     await expect.poll(heard, { timeout: 30_000 }).toContain("parkade:plan-complete");
     expect(await heard()).toEqual(expect.arrayContaining(["parkade:height", "parkade:progress", "parkade:ready", "parkade:plan-result"]));
     expect(await page.locator("iframe").getAttribute("height")).toBe("420");
+    const inside = await page.frames()[1]!.evaluate(() => (window as unknown as { shifts: number[] }).shifts.reduce((a, b) => a + b, 0));
+    expect([await shifted(), inside]).toEqual([0, 0]);
     const talked = await page.evaluate(async () => {
       const { ask } = window as unknown as Host;
       const scene = (await ask("getScene")).result as Scenario;

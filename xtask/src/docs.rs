@@ -1,9 +1,15 @@
 //! `cargo xtask docs`: the documentation site in `docs/.vitepress/dist/`, around the package and the page as built.
 
+use std::fs;
+use std::path::Path;
+
 use anyhow::{Result, ensure};
 
 use crate::site;
-use crate::tools::{node_tool, run};
+use crate::tools::{Workspace, cargo, command, node_tool, root, run};
+
+/// Makes the example book; nothing else needs it, so it is installed beside what is built.
+const MDBOOK: &str = "0.5.4";
 
 pub(crate) fn docs(arguments: &[String]) -> Result<()> {
     ensure!(arguments.is_empty(), "`docs` takes no arguments");
@@ -13,7 +19,33 @@ pub(crate) fn docs(arguments: &[String]) -> Result<()> {
     Ok(())
 }
 
-/// Builds the site from a package that is there. A dead link is an error.
+/// Builds the site, and the example book around the page, from a package and a page that are there. A dead link is an error.
 pub(crate) fn generate() -> Result<()> {
-    run(node_tool("vitepress/bin/vitepress.js").args(["build", "docs"]))
+    run(node_tool("vitepress/bin/vitepress.js").args(["build", "docs"]))?;
+    book(&Workspace::load()?.target.join("tools"))
+}
+
+fn book(tools: &Path) -> Result<()> {
+    let program = tools.join("bin").join(format!("mdbook{}", std::env::consts::EXE_SUFFIX));
+    if !program.exists() {
+        let version = ["install", "mdbook", "--version", MDBOOK, "--locked", "--no-default-features"];
+        run(cargo().args(version).arg("--root").arg(tools))?;
+    }
+    let example = root().join("examples/mdbook");
+    let page = example.join("src/parkade");
+    if page.exists() {
+        fs::remove_dir_all(&page)?;
+    }
+    copy_folder(&root().join("dist"), &page)?;
+    run(command(program).arg("build").arg(example))
+}
+
+fn copy_folder(from: &Path, to: &Path) -> Result<()> {
+    fs::create_dir_all(to)?;
+    for entry in fs::read_dir(from)? {
+        let entry = entry?;
+        let (path, target) = (entry.path(), to.join(entry.file_name()));
+        if path.is_dir() { copy_folder(&path, &target)? } else { fs::copy(&path, &target).map(drop)? }
+    }
+    Ok(())
 }

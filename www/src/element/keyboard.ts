@@ -11,16 +11,30 @@ export function listenToKeys(host: HTMLElement & { alone: boolean; viewing: bool
     if (ownKey(app, event, open) || app.controller.handleKey(event)) event.preventDefault();
   };
   document.addEventListener("keydown", listen);
-  return () => document.removeEventListener("keydown", listen);
+  // Pages have keys of their own: arrows that turn to the next chapter, a letter that opens a search.
+  const shield = (event: KeyboardEvent): void => {
+    listen(event);
+    if (!host.alone && !event.ctrlKey && !event.metaKey && !event.altKey && (event.defaultPrevented || isControls(event))) event.stopPropagation();
+  };
+  host.addEventListener("keydown", shield);
+  return () => {
+    document.removeEventListener("keydown", listen);
+    host.removeEventListener("keydown", shield);
+  };
 }
 
 function isOurs(host: HTMLElement & { alone: boolean }, event: KeyboardEvent): boolean {
   const path = event.composedPath();
   const target = path[0];
   if (!path.includes(host) && !(host.alone && target === document.body)) return false;
-  if (!(target instanceof HTMLElement)) return true;
-  if (target.matches(TYPING) || path.some((node) => node instanceof HTMLDialogElement)) return false;
-  return !(CONTROL_KEYS.test(event.key) && target.matches("button, input, select, [role=region]"));
+  return !isControls(event) && !path.some((node) => node instanceof HTMLDialogElement);
+}
+
+/** Whether the key does something to the control that has the focus. */
+function isControls(event: KeyboardEvent): boolean {
+  const [target] = event.composedPath();
+  if (!(target instanceof HTMLElement)) return false;
+  return target.matches(TYPING) || (CONTROL_KEYS.test(event.key) && target.matches("button, input, select, [role=region]"));
 }
 
 function ownKey(app: App, event: KeyboardEvent, open: (dialog: "keys" | "papers") => void): boolean {

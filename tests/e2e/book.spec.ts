@@ -1,0 +1,45 @@
+import { expect, test } from "@playwright/test";
+import type { Plan } from "parkade";
+import { complaintsOf } from "./playground";
+
+interface Embed extends HTMLElement {
+  ready: Promise<void>;
+  results: Record<string, Plan | null>;
+}
+
+test("in the example book playgrounds come alive, move nothing, and leave the book its keys", async ({ page }) => {
+  const complaints = complaintsOf(page);
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await page.addInitScript(() => {
+    const shifts: number[] = [];
+    (window as unknown as { shifts: number[] }).shifts = shifts;
+    new PerformanceObserver((list) => {
+      for (const entry of list.getEntries()) shifts.push((entry as unknown as { value: number }).value);
+    }).observe({ type: "layout-shift", buffered: true });
+  });
+  await page.goto("/book/parking.html");
+  const outcomes = () => page.evaluate(async () => {
+    const found: (string | undefined)[] = [];
+    for (const element of document.querySelectorAll<Embed>("parkade-playground")) {
+      element.scrollIntoView({ block: "center" });
+      await element.ready;
+      found.push(...Object.values(element.results).map((plan) => plan?.outcome));
+    }
+    return found;
+  });
+  await expect.poll(outcomes).toEqual(["found", "found"]);
+  const shown = await page.locator("parkade-playground").boundingBox();
+  expect(shown!.width).toBeGreaterThan(400);
+
+  await page.getByRole("button", { name: "Tap to edit" }).click();
+  await page.locator("parkade-playground canvas").first().click({ position: { x: 30, y: 30 } });
+  await page.keyboard.press("ArrowRight");
+  expect(page.url()).toContain("parking.html");
+  await page.locator("main h1").click();
+  await page.keyboard.press("ArrowRight");
+  await page.waitForURL("**/grids.html");
+  await expect.poll(outcomes).toEqual(["found", "found", "found", "found", "no-path"]);
+  // The book's own fonts move its text by a few thousandths when they arrive.
+  expect(Math.max(0, ...await page.evaluate(() => (window as unknown as { shifts: number[] }).shifts))).toBeLessThan(0.01);
+  expect(complaints).toEqual([]);
+});
