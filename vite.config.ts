@@ -61,10 +61,15 @@ function isFirst(id: string, graph: Graph, seen = new Set<string>()): boolean {
 const workersAlone: Plugin = {
   name: "workers-alone",
   generateBundle(_, bundle) {
-    for (const chunk of Object.values(bundle)) {
-      if (chunk.type !== "chunk" || !/\/planning\/engine(-complete)?\.ts$/.test(chunk.facadeModuleId ?? "")) continue;
-      const page = chunk.imports.find((file) => { const other = bundle[file]; return other?.type === "chunk" && other.isEntry; });
-      if (page) this.error(`${chunk.fileName} imports the page's ${page}: a module that the page and the workers share must not be imported by both.`);
+    const chunkOf = (file: string) => { const chunk = bundle[file]; return chunk?.type === "chunk" ? chunk : undefined; };
+    const pageIn = (file: string, seen = new Set<string>()): string | undefined => {
+      if (seen.has(file)) return undefined;
+      seen.add(file);
+      return chunkOf(file)?.isEntry ? file : chunkOf(file)?.imports.map((next) => pageIn(next, seen)).find(Boolean);
+    };
+    for (const { fileName, facadeModuleId } of Object.keys(bundle).flatMap((file) => chunkOf(file) ?? [])) {
+      const page = /\/planning\/engine(-complete)?\.ts$/.test(facadeModuleId ?? "") && pageIn(fileName);
+      if (page) this.error(`${fileName} imports the page's ${page}, by itself or through others: a module that the page and the workers share must not be imported by both.`);
     }
   },
 };

@@ -19,13 +19,16 @@ const GRIP = 1.8;
 const EVERY = 2;
 
 /** @type {typeof import("./index.js").toSVG} */
-export function toSVG(scene, plans = [], options = {}) {
+export function toSVG(given, plans = [], options = {}) {
   const { width = 720, height = 420, theme = "auto" } = object(options, "options");
   for (const [name, value] of Object.entries({ width, height })) {
     if (typeof value !== "number" || !(value >= 16 && value <= 8192)) throw new ParkadeError(`${name}: must be 16 to 8192 pixels, got ${String(value)}`, "bad-input", name);
   }
   if (!["auto", "light", "dark"].includes(theme)) throw new ParkadeError(`theme: must be auto, light or dark, got ${String(theme)}`, "bad-input", "theme");
-  const geometry = sceneGeometry(scene), title = text(options.title ?? scene.name ?? "", "title");
+  const geometry = sceneGeometry(given), data = JSON.stringify(given, (_, value) => (typeof value === "bigint" ? Number(value) : value));
+  /** @type {import("./index.js").Scenario} */
+  const scene = JSON.parse(data);
+  const title = text(options.title ?? scene.name ?? "", "title");
   const found = (Array.isArray(plans) ? plans : [plans]).filter((plan, i) => object(plan, `plans[${i}]`).outcome === "found");
   found.forEach(checkPlan);
   const lead = found.find((plan) => plan.planner === "hybrid") ?? found[found.length - 1];
@@ -46,7 +49,7 @@ export function toSVG(scene, plans = [], options = {}) {
   const { scale, x, y } = view;
   const move = `matrix(${n(scale)} 0 0 ${n(-scale)} ${n(width / 2 - x * scale)} ${n(height / 2 + y * scale)})`;
   return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" role="img">`
-    + `<title>${escaped(title)}</title><metadata>${escaped(JSON.stringify(scene))}</metadata><style>${styles(theme)}</style>`
+    + `<title>${escaped(title)}</title><metadata>${escaped(data)}</metadata><style>${styles(theme)}</style>`
     + `<rect class="pk-out" width="${width}" height="${height}"/><g transform="${move}">${parts.join("")}</g></svg>\n`;
 }
 
