@@ -5,6 +5,7 @@ const planners = await known();
 const list = (lang: "en" | "zh", root: string) => planners.map(({ id, title }) => ({ text: title[lang], link: `${root}/planners/${id}` }));
 const papers = [
   { text: "Risk field, 2024", link: "/papers/risk-field" },
+  { text: "Sixteen neighbours from both ends", link: "/papers/sixteen" },
   { text: "Parking by reverse search, 2025", link: "/papers/parking" },
   { text: "Roads, manuscript", link: "/papers/road" },
 ];

@@ -32,7 +32,7 @@ test("every internal link leads to a page, and every fragment to a heading", () 
   expect(dead).toEqual([]);
 });
 
-for (const file of ["planners/hybrid.html", "planners/risk-field.html", "planners/jump-point.html", "papers/road.html", "zh/planners/hybrid.html", "zh/guide.html"]) {
+for (const file of ["planners/hybrid.html", "planners/risk-field.html", "planners/jump-point.html", "papers/road.html", "papers/sixteen.html", "zh/planners/hybrid.html", "zh/guide.html"]) {
   test(`the figures of ${file} come alive when they are near, without a complaint`, async ({ page }) => {
     const complaints = complaintsOf(page);
     await page.emulateMedia({ reducedMotion: "reduce" });
