@@ -18,6 +18,7 @@ use parkade::planners::heuristics::Heuristic;
 use parkade::planners::jump_point;
 use parkade::planners::moves::Neighbourhood;
 use parkade::planners::query::{GridReport, GridScratch, Query};
+use parkade::planners::risk_field;
 use parkade::search::Stop;
 
 fn main() {
@@ -61,6 +62,9 @@ impl Maze {
             let config =
                 bidirectional::Config { neighbours: eight, stop: Stop::Optimal, ..Default::default() };
             return bidirectional::plan(query, &config, &mut self.scratch, &mut ());
+        }
+        if id == "risk-field" {
+            return risk_field::plan(query, &risk_field::Config::PAPER, &mut self.scratch, &mut ());
         }
         let config = Config { heuristic: Heuristic::Octile, ..Config::new(eight) };
         grid_astar::plan(query, eight, &config, &mut self.scratch, &mut ())

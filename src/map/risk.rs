@@ -1,5 +1,6 @@
 //! The artificial potential field of the risk-field planner: the goal attracts, the nearest obstacle repels.
 
+use super::occupancy::AROUND;
 use super::{Cell, Layer, Occupancy};
 use crate::geometry::math;
 use crate::json;
@@ -56,10 +57,15 @@ pub struct PotentialField<'a> {
     rings: Vec<u64>,
     /// The forces by those bits.
     forces: Vec<(f64, f64)>,
+    /// The forces of the cells around, by the bits of [`Occupancy::free_around`].
+    near: [(f64, f64); 8],
 }
 
 /// How far [`Occupancy::window`] reaches.
 const SIGHT: i32 = 3;
+
+/// The bits of the cells to the east, north, west and south.
+const STRAIGHT: u8 = 0b0101_0101;
 
 /// What a blocked cell at this offset does.
 #[derive(Debug, Clone, Copy)]
@@ -76,7 +82,7 @@ impl<'a> PotentialField<'a> {
         if settings.obstacle_set != ObstacleSet::Sum {
             sources = math::sorted_by(&sources, |s| f64::from(s.squared));
         }
-        let (mut rings, mut forces) = (Vec::new(), Vec::new());
+        let (mut rings, mut forces, mut near) = (Vec::new(), Vec::new(), [(0.0, 0.0); 8]);
         if settings.obstacle_set == ObstacleSet::NearestMean && settings.rho0 <= f64::from(SIGHT) {
             forces = vec![(0.0, 0.0); 64];
             let mut last = 0;
@@ -88,9 +94,12 @@ impl<'a> PotentialField<'a> {
                 }
                 last = source.squared;
                 forces[bit as usize] = source.force;
+                if let Some(c) = AROUND.iter().position(|&offset| offset == source.offset) {
+                    near[c] = source.force;
+                }
             }
         }
-        Self { map, goal, settings, sources, rings, forces }
+        Self { map, goal, settings, sources, rings, forces, near }
     }
 
     /// The force at a cell, east and north. Zero at the goal away from obstacles.
@@ -131,7 +140,13 @@ impl<'a> PotentialField<'a> {
         // What is outside is blocked there, but does not repel.
         let inner = |x: i32, size: i32| x >= SIGHT && x + SIGHT < size;
         if !self.rings.is_empty() && inner(at.x, width) && inner(at.y, height) {
-            return self.nearest(self.map.window(at));
+            let blocked = !self.map.free_around(at);
+            return match (blocked & STRAIGHT, blocked) {
+                (0, 0) if self.map.is_clear(at) => (0.0, 0.0),
+                (0, 0) => self.nearest(self.map.window(at)),
+                (0, diagonal) => mean(diagonal.into(), &self.near),
+                (straight, _) => mean(straight.into(), &self.near),
+            };
         }
         let (mut x, mut y, mut count, mut nearest) = (0.0, 0.0, 0_u32, i32::MAX);
         for source in &self.sources {
@@ -161,19 +176,22 @@ impl<'a> PotentialField<'a> {
 impl PotentialField<'_> {
     /// The mean force of the nearest cells of a window; in the order of its bits, which is that of `sources`.
     fn nearest(&self, window: u64) -> (f64, f64) {
-        let Some(mut hit) = self.rings.iter().map(|ring| window & ring).find(|&hit| hit != 0) else {
-            return (0.0, 0.0);
-        };
-        let count = f64::from(hit.count_ones());
-        let (mut x, mut y) = (0.0, 0.0);
-        while hit != 0 {
-            let force = self.forces[hit.trailing_zeros() as usize];
-            x += force.0;
-            y += force.1;
-            hit &= hit - 1;
-        }
-        (x / count, y / count)
+        let hit = self.rings.iter().map(|ring| window & ring).find(|&hit| hit != 0);
+        hit.map_or((0.0, 0.0), |hit| mean(hit, &self.forces))
     }
+}
+
+/// The mean of the forces at the bits set, of which there is one at least.
+fn mean(mut bits: u64, forces: &[(f64, f64)]) -> (f64, f64) {
+    let count = f64::from(bits.count_ones());
+    let (mut x, mut y) = (0.0, 0.0);
+    while bits != 0 {
+        let force = forces[bits.trailing_zeros() as usize];
+        x += force.0;
+        y += force.1;
+        bits &= bits - 1;
+    }
+    (x / count, y / count)
 }
 
 /// All offsets within reach, row by row from the south-west: the order in which forces are added.

@@ -6,8 +6,18 @@ use super::heuristics::Estimate;
 use super::moves::{D, DIRECTIONS, LEGAL, Move, Neighbourhood, R2, cost};
 use super::query::Query;
 use crate::map::{Cell, Corner, Occupancy, line_of_sight};
-use crate::search::lattice::{Lattice, Sink};
+use crate::search::lattice::{Lattice, Leg, Sink};
 use crate::search::{NodeId, Short};
+
+/// A step to one of the cells around.
+struct Single {
+    /// How much larger the target's number is.
+    offset: i32,
+    dx: i32,
+    dy: i32,
+    /// As the search from the start takes it, and the one from the goal, which goes against its direction.
+    legs: [Leg; 2],
+}
 
 struct Step {
     /// How much larger the target's number is.
@@ -29,7 +39,7 @@ pub(super) struct Grid<'a, E> {
     estimate: E,
     steps: Vec<Step>,
     /// The single steps by their direction, those that there are not as well.
-    single_steps: [Step; 8],
+    single_steps: [Single; 8],
     /// Whether there are diagonal steps.
     diagonals: bool,
     corner: Corner,
@@ -51,13 +61,19 @@ impl<'a, E: Estimate> Grid<'a, E> {
             needs: crossed(m.dx, m.dy, corner),
             target: bit(m.dx, m.dy),
         };
+        let diagonals = neighbourhood != Neighbourhood::Four;
+        let single = |direction: usize| {
+            let (dx, dy) = DIRECTIONS[direction];
+            let leg = |number: usize| Leg::new(number as u32 >> u32::from(!diagonals), cost(dx, dy));
+            Single { offset: dy * width + dx, dx, dy, legs: [leg(direction), leg(direction ^ 4)] }
+        };
         Self {
             map: query.map,
             aims: [query.goal, query.start],
             estimate,
             steps: moves.iter().map(step).collect(),
-            single_steps: DIRECTIONS.map(|(dx, dy)| step(&Move { dx, dy, cost: cost(dx, dy) })),
-            diagonals: neighbourhood != Neighbourhood::Four,
+            single_steps: std::array::from_fn(single),
+            diagonals,
             corner,
             legal: &LEGAL[corner as usize],
             los_calls: Counter::new(0),
@@ -72,8 +88,7 @@ impl<'a, E: Estimate> Grid<'a, E> {
     fn offer<S: Sink>(&self, node: NodeId, last: Option<u32>, back: bool, sink: &mut S) {
         // The search from the goal takes steps against their direction.
         let turned = if back { 4 } else { 0 };
-        let cell = self.map.cell(node);
-        let free = self.map.free_around(cell);
+        let free = self.map.free_around_index(node);
         let row = self.map.width() as usize;
         // First look at all, then move: processors guess badly which steps are worth it.
         let mut worth = if self.diagonals {
@@ -89,23 +104,24 @@ impl<'a, E: Estimate> Grid<'a, E> {
         };
         let mut calls = worth.count_ones();
         worth &= u32::from(self.legal[usize::from(free)]);
-        let aim = self.aims[usize::from(back)];
-        let (columns, rows) = (aim.x - cell.x, aim.y - cell.y);
-        while worth != 0 {
-            let direction = worth.trailing_zeros() & 7;
-            worth &= worth - 1;
-            let step = &self.single_steps[direction as usize];
-            let h = self.estimate.over(columns - step.dx, rows - step.dy);
-            let number = (direction ^ turned) >> u32::from(!self.diagonals);
-            sink.take(number, node.wrapping_add_signed(step.offset), step.cost, h);
+        if worth != 0 {
+            let (cell, aim) = (self.map.cell(node), self.aims[usize::from(back)]);
+            let (columns, rows) = (aim.x - cell.x, aim.y - cell.y);
+            while worth != 0 {
+                let step = &self.single_steps[worth.trailing_zeros() as usize & 7];
+                worth &= worth - 1;
+                let h = self.estimate.over(columns - step.dx, rows - step.dy);
+                sink.take(step.legs[usize::from(back)], node.wrapping_add_signed(step.offset), h);
+            }
         }
         if self.steps.len() > 8 {
-            calls += self.offer_long(node, cell, back, sink);
+            calls += self.offer_long(node, back, sink);
         }
         self.los_calls.set(self.los_calls.get() + calls);
     }
 
-    fn offer_long<S: Sink>(&self, node: NodeId, cell: Cell, back: bool, sink: &mut S) -> u32 {
+    fn offer_long<S: Sink>(&self, node: NodeId, back: bool, sink: &mut S) -> u32 {
+        let cell = self.map.cell(node);
         let window = self.map.window(cell);
         let mut calls = 0;
         for (number, step) in self.steps.iter().enumerate().skip(8) {
@@ -120,7 +136,7 @@ impl<'a, E: Estimate> Grid<'a, E> {
                     && (self.corner != Corner::NoSqueeze || line_of_sight(self.map, cell, to(), self.corner))
                 {
                     let number = if back { step.opposite } else { number as u32 };
-                    sink.take(number, target, step.cost, self.ahead(to(), back));
+                    sink.take(Leg::new(number, step.cost), target, self.ahead(to(), back));
                 }
             }
         }

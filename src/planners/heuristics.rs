@@ -1,5 +1,7 @@
 //! Estimates of the cost between cells, in micro-cells.
 
+use std::num::NonZeroU64;
+
 use super::moves::{D, Neighbourhood, R2, R5, R10, R13, euclid};
 use crate::json;
 
@@ -109,8 +111,9 @@ fn ordered(dx: i32, dy: i32) -> (i64, i64) {
 
 /// Straight and diagonal steps over an empty map.
 pub fn octile(dx: i32, dy: i32) -> i64 {
-    let (a, b) = ordered(dx, dy);
-    D * (a - b) + R2 * b
+    // D (a - b) + R2 b, without the smaller of the two.
+    let (x, y) = (i64::from(dx.abs()), i64::from(dy.abs()));
+    (R2 - D) * (x + y) + (2 * D - R2) * x.max(y)
 }
 
 /// The exact cost over an empty map with the moves of a neighbourhood.
@@ -133,24 +136,27 @@ pub fn gauge(neighbourhood: Neighbourhood, dx: i32, dy: i32) -> i64 {
 pub struct DistanceWeight {
     /// Thousandths: 1000 is the paper, w = 1 + d(n)/d(s).
     permille: i64,
-    start: i64,
+    start: NonZeroU64,
 }
 
 impl DistanceWeight {
     /// The weight for a query over `dx` columns and `dy` rows.
     pub fn new(permille: i64, dx: i32, dy: i32) -> Self {
-        Self { permille, start: euclid(dx, dy).max(1) }
+        let start = NonZeroU64::new(euclid(dx, dy) as u64).unwrap_or(NonZeroU64::MIN);
+        Self { permille, start }
     }
 
     /// The weighted estimate `h` of a cell `dx` columns and `dy` rows from the goal; floor divisions, left to right.
     pub fn apply(&self, h: i64, dx: i32, dy: i32) -> i64 {
         let e = euclid(dx, dy);
-        // Whether the product has 63 bits; asking for the overflow itself is slow in wasm.
-        let fits = h.unsigned_abs().leading_zeros() + e.leading_zeros() > 64;
-        let share = if fits {
-            h * e / self.start
+        // Most products of numbers without a sign fit at a glance; whether one has 63 bits is asked of the others, because
+        // asking for the overflow itself is slow in wasm.
+        let share = if (h | e) as u64 >> 31 == 0 {
+            (h as u64 * e as u64 / self.start) as i64
+        } else if h.unsigned_abs().leading_zeros() + e.leading_zeros() > 64 {
+            h * e / self.start.get() as i64
         } else {
-            (i128::from(h) * i128::from(e) / i128::from(self.start)) as i64
+            (i128::from(h) * i128::from(e) / i128::from(self.start.get())) as i64
         };
         h + if self.permille == 1000 { share } else { self.permille * share / 1000 }
     }

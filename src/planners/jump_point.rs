@@ -14,7 +14,7 @@ use super::settings::Common;
 use crate::error::Error;
 use crate::json;
 use crate::map::{Bits, Cell};
-use crate::search::lattice::{Lattice, Sink, one_way};
+use crate::search::lattice::{Lattice, Leg, Sink, one_way};
 use crate::search::{NodeId, Observer, Short};
 
 /// Settings of jump point search. Corners are strict.
@@ -102,7 +102,7 @@ impl Jumps<'_> {
     fn emit<S: Sink>(&self, to: Cell, cost: i64, direction: u32, sink: &mut S) {
         let node = self.query.map.index(to);
         if sink.worth(node, cost) {
-            sink.take(direction, node, cost, self.ahead(to));
+            sink.take(Leg::new(direction, cost), node, self.ahead(to));
         }
     }
 
@@ -261,13 +261,18 @@ pub fn plan<O: Observer<i64, ()>>(
 
 /// The cells between jump points: diagonal steps first, as they were found.
 fn stepwise(jumps: &[Cell]) -> Vec<Cell> {
-    let mut cells: Vec<Cell> = jumps.iter().take(1).copied().collect();
+    let between = |pair: &[Cell]| (pair[1].x - pair[0].x, pair[1].y - pair[0].y);
+    let steps = |(dx, dy): (i32, i32)| dx.abs().max(dy.abs()) as usize;
+    let mut cells = Vec::with_capacity(1 + jumps.windows(2).map(|pair| steps(between(pair))).sum::<usize>());
+    cells.extend(jumps.first());
     for pair in jumps.windows(2) {
-        let mut at = pair[0];
-        while at != pair[1] {
-            at = at.offset((pair[1].x - at.x).signum(), (pair[1].y - at.y).signum());
-            cells.push(at);
-        }
+        let (dx, dy) = between(pair);
+        let diagonal = dx.abs().min(dy.abs());
+        cells.extend((1..=diagonal).map(|k| pair[0].offset(k * dx.signum(), k * dy.signum())));
+        let (corner, rest) =
+            (pair[0].offset(diagonal * dx.signum(), diagonal * dy.signum()), steps((dx, dy)));
+        let (right, up) = if dx.abs() > dy.abs() { (dx.signum(), 0) } else { (0, dy.signum()) };
+        cells.extend((1..=rest as i32 - diagonal).map(|k| corner.offset(k * right, k * up)));
     }
     cells
 }

@@ -38,28 +38,14 @@ pub fn both_ways<L: Lattice, O: Observer<i64, ()>>(
     let mut search = Search {
         lattice,
         observer,
+        stop,
+        max_expansions,
         found: Found::nothing(start),
         best: (i64::MAX, start),
         nearest: far,
         last: [far; 2],
     };
-    let mut turn = 0;
-    while let Some((entry, record)) = memory.pop::<2>(turn, false) {
-        let (node, f, h) = (entry.node(), entry.f(), entry.h());
-        if search.found.expanded >= max_expansions {
-            search.found.end = End::BudgetSpent;
-            break;
-        }
-        let goes_on = if stop == Stop::Optimal {
-            search.bounded(turn, (node, f, h), record, memory)
-        } else {
-            search.meeting(turn, (node, h), record, stop, memory)
-        };
-        if !goes_on {
-            break;
-        }
-        turn = 1 - turn;
-    }
+    while search.turn::<0>(memory) && search.turn::<1>(memory) {}
     let Search { mut found, best, .. } = search;
     if best.0 < i64::MAX && found.end != End::BudgetSpent {
         found.end = End::Found;
@@ -76,6 +62,8 @@ pub fn both_ways<L: Lattice, O: Observer<i64, ()>>(
 struct Search<'a, L, O> {
     lattice: &'a L,
     observer: &'a mut O,
+    stop: Stop,
+    max_expansions: u32,
     found: Found,
     /// The cheapest connection so far, and the node that it leads through.
     best: (i64, NodeId),
@@ -84,70 +72,87 @@ struct Search<'a, L, O> {
     last: [i64; 2],
 }
 
+/// Whose turn it is, is known when this is compiled: what differs is not looked up for every node.
 impl<L: Lattice, O: Observer<i64, ()>> Search<'_, L, O> {
-    /// One turn until the sides meet. Tells whether to go on.
-    fn meeting(
+    /// Takes up the side's next node. Tells whether to go on.
+    #[inline]
+    fn turn<const TURN: usize>(&mut self, memory: &mut Memory<L::Entry>) -> bool {
+        let Some((entry, record)) = memory.pop::<2>(TURN, false) else { return false };
+        if self.found.expanded >= self.max_expansions {
+            self.found.end = End::BudgetSpent;
+            return false;
+        }
+        let (node, h) = (entry.node(), entry.h());
+        let goes_on = if self.stop == Stop::Optimal {
+            self.bounded::<TURN>((node, entry.f(), h), record, memory)
+        } else {
+            self.meeting::<TURN>(node, record, memory)
+        };
+        if goes_on == Some(true) {
+            self.expand::<TURN>((node, h), record, memory);
+        }
+        goes_on.is_some()
+    }
+
+    /// One turn until the sides meet. Tells whether to go on, and whether with an expansion.
+    #[inline]
+    fn meeting<const TURN: usize>(
         &mut self,
-        turn: usize,
-        (node, h): (NodeId, i64),
+        node: NodeId,
         record: Record,
-        stop: Stop,
         memory: &mut Memory<L::Entry>,
-    ) -> bool {
-        memory.close::<2>(turn, node, record);
-        if memory.is_closed(1 - turn, node) {
+    ) -> Option<bool> {
+        memory.close::<2>(TURN, node, record);
+        if memory.is_closed(1 - TURN, node) {
             let g = cost_of(record);
             self.found.expanded += 1;
             self.observer.expanded(node, (), g);
-            if stop == Stop::First {
-                self.best = (g + memory.known(1 - turn, node).unwrap_or_default(), node);
+            if self.stop == Stop::First {
+                self.best = (g + memory.known(1 - TURN, node).unwrap_or_default(), node);
             }
-            return false;
+            return None;
         }
-        self.expand(turn, (node, h), record, stop == Stop::Best, memory);
-        true
+        Some(true)
     }
 
-    /// One turn of NBA*. Tells whether to go on.
-    fn bounded(
+    /// One turn of NBA*. Tells whether to go on, and whether with an expansion.
+    #[inline]
+    fn bounded<const TURN: usize>(
         &mut self,
-        turn: usize,
         (node, f, h): (NodeId, i64, i64),
         record: Record,
         memory: &mut Memory<L::Entry>,
-    ) -> bool {
+    ) -> Option<bool> {
         let g = cost_of(record);
-        self.last[turn] = f;
-        memory.settle(turn, node, record);
+        self.last[TURN] = f;
+        memory.settle(TURN, node, record);
         if self.best.0 < i64::MAX {
-            let back = if turn == 0 { self.lattice.to_start(node) } else { self.lattice.to_goal(node) };
-            if g + h >= self.best.0 || g + self.last[1 - turn] - back >= self.best.0 {
+            let back = if TURN == 0 { self.lattice.to_start(node) } else { self.lattice.to_goal(node) };
+            if g + h >= self.best.0 || g + self.last[1 - TURN] - back >= self.best.0 {
                 self.found.rejected += 1;
-                return f < self.best.0;
+                return (f < self.best.0).then_some(false);
             }
         }
-        self.expand(turn, (node, h), record, true, memory);
-        true
+        Some(true)
     }
 
-    fn expand(
+    #[inline]
+    fn expand<const TURN: usize>(
         &mut self,
-        turn: usize,
         (node, h): (NodeId, i64),
         record: Record,
-        connect: bool,
         memory: &mut Memory<L::Entry>,
     ) {
         let (g, last) = (cost_of(record), move_of(record));
         self.found.expanded += 1;
         self.observer.expanded(node, (), g);
-        if turn == 0 && h < self.nearest {
+        if TURN == 0 && h < self.nearest {
             (self.nearest, self.found.closest) = (h, node);
         }
-        let best = connect.then_some(&mut self.best);
-        let mut sink: Relaxing<L, O, 2> =
-            Relaxing::new(self.lattice, (memory, turn), self.observer, (node, g), best);
-        if turn == 0 {
+        let best = (self.stop != Stop::First).then_some(&mut self.best);
+        let mut sink: Relaxing<L, O, 2, TURN> =
+            Relaxing::new(self.lattice, memory, self.observer, (node, g), best);
+        if TURN == 0 {
             self.lattice.successors(node, last, &mut sink);
         } else {
             self.lattice.predecessors(node, last, &mut sink);
@@ -159,7 +164,7 @@ impl<L: Lattice, O: Observer<i64, ()>> Search<'_, L, O> {
 mod tests {
     use super::*;
     use crate::search::entry::Short;
-    use crate::search::lattice::{Sink, one_way};
+    use crate::search::lattice::{Leg, Sink, one_way};
 
     const SIDE: u32 = 12;
 
@@ -187,7 +192,7 @@ mod tests {
             for number in 0..4 {
                 let (to, cost) = (Self::neighbour(node, number), self.costs[node as usize][number as usize]);
                 if sink.worth(to, cost) {
-                    sink.take(number, to, cost, 0);
+                    sink.take(Leg::new(number, cost), to, 0);
                 }
             }
         }
@@ -196,7 +201,7 @@ mod tests {
                 let from = self.before(node, number);
                 let cost = self.costs[from as usize][number as usize];
                 if sink.worth(from, cost) {
-                    sink.take(number, from, cost, 0);
+                    sink.take(Leg::new(number, cost), from, 0);
                 }
             }
         }

@@ -17,6 +17,10 @@ pub trait Entry: Copy {
     fn mark(self) -> u32;
     /// Whether it comes before one that is older.
     fn before(self, older: Self) -> bool;
+    /// Whether their [`Entry::rank`]s tell which comes first: they have the same f, and an h of nearly the same size.
+    fn is_like(self, other: Self) -> bool;
+    /// The lower half of h: the smaller it is, the earlier the entry comes among those that are like it.
+    fn rank(self) -> u32;
 
     /// What stands for an open node, of which there are less than 2²⁸.
     fn open(node: NodeId) -> u32 {
@@ -74,6 +78,14 @@ impl Entry for Short {
         // As one number of 128 bits this would be shorter natively and slower in wasm.
         self.high < older.high || self.high == older.high && self.low >> 32 <= older.low >> 32
     }
+
+    fn is_like(self, other: Self) -> bool {
+        self.high == other.high
+    }
+
+    fn rank(self) -> u32 {
+        (self.low >> 32) as u32
+    }
 }
 
 /// An entry of any costs, whose f is taken to be spread widely.
@@ -85,7 +97,7 @@ pub struct Wide {
 }
 
 impl Entry for Wide {
-    const WIDTH: u32 = 16;
+    const WIDTH: u32 = 18;
 
     fn new(f: i64, h: i64, node: u32) -> Self {
         Self { f, h, node }
@@ -105,6 +117,14 @@ impl Entry for Wide {
 
     fn before(self, older: Self) -> bool {
         self.f < older.f || self.f == older.f && self.h <= older.h
+    }
+
+    fn is_like(self, other: Self) -> bool {
+        self.f == other.f && self.h >> 32 == other.h >> 32
+    }
+
+    fn rank(self) -> u32 {
+        self.h as u32
     }
 }
 

@@ -7,7 +7,7 @@
 //! A lattice may hold back part of a node's moves ([`Lattice::HOLDS_BACK`]) until [`Lattice::hold`] lets them go.
 
 use super::entry::Entry;
-use super::side::{Memory, Relaxing, Side, cost_of, move_of};
+use super::side::{MOVE, Memory, Relaxing, Side, cost_of, move_of};
 use super::{End, NodeId, Observer};
 
 /// A graph whose nodes have numbered moves, at most 255, the same at each.
@@ -48,6 +48,11 @@ pub trait Lattice {
         let _ = (node, note, sink);
     }
 
+    /// Offers them right after [`Lattice::successors`] of the same node, which improved nothing.
+    fn held_back_at_once<S: Sink>(&self, node: NodeId, sink: &mut S) {
+        let _ = (node, sink);
+    }
+
     /// What [`Lattice::held_back`] shall be told of the node whose successors were offered last, from 0 to 7.
     fn note(&self) -> u32 {
         0
@@ -83,6 +88,23 @@ pub enum Hold {
     Penalty(i64),
 }
 
+/// A move as a search keeps it.
+#[derive(Debug, Clone, Copy)]
+pub struct Leg {
+    /// What it costs.
+    pub(super) cost: i64,
+    /// The cost and, in the lowest bits, the number.
+    pub(super) code: u64,
+}
+
+impl Leg {
+    /// The move of a number, at most 254, and a cost.
+    #[inline]
+    pub const fn new(number: u32, cost: i64) -> Self {
+        Self { cost, code: (cost as u64) << MOVE | number as u64 }
+    }
+}
+
 /// Where a [`Lattice`] offers its moves.
 pub trait Sink {
     /// Whether a move of this cost would improve what is known of `target`.
@@ -93,7 +115,7 @@ pub trait Sink {
     /// The same for steps to the east, north, west and south: bits 0, 2, 4 and 6.
     fn worth_beside(&self, node: NodeId, row: usize, straight: i64) -> u32;
     /// Takes a move for which [`Sink::worth`] has just said yes, with the estimate beyond `target`.
-    fn take(&mut self, number: u32, target: NodeId, cost: i64, h: i64);
+    fn take(&mut self, leg: Leg, target: NodeId, h: i64);
 }
 
 /// What a search found and what it did.
@@ -172,7 +194,7 @@ pub fn one_way<L: Lattice, O: Observer<i64, ()>>(
                 (Hold::Forever, _) | (Hold::UntilStuck, true) => {}
                 (_, false) => {
                     found.deferred += 1;
-                    lattice.held_back(node, lattice.note(), &mut only(lattice, memory, observer, (node, g)));
+                    lattice.held_back_at_once(node, &mut only(lattice, memory, observer, (node, g)));
                 }
                 (Hold::Penalty(penalty), true) => {
                     open.push(g + h + penalty, h, L::Entry::held(node, lattice.note()));
@@ -190,8 +212,8 @@ fn only<'a, L: Lattice, O>(
     memory: &'a mut Memory<L::Entry>,
     observer: &'a mut O,
     at: (NodeId, i64),
-) -> Relaxing<'a, L, O, 1> {
-    Relaxing::new(lattice, (memory, 0), observer, at, None)
+) -> Relaxing<'a, L, O, 1, 0> {
+    Relaxing::new(lattice, memory, observer, at, None)
 }
 
 impl Found {

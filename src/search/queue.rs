@@ -104,6 +104,15 @@ impl<E: Entry> Queue<E> {
     #[inline(never)]
     fn place(&mut self, entry: E) {
         let bucket = self.bucket(entry.f());
+        if bucket == self.current && self.stack.last().is_none_or(|&first| entry.before(first)) {
+            self.stack.push(entry);
+        } else {
+            self.place_further(entry, bucket);
+        }
+    }
+
+    #[inline(never)]
+    fn place_further(&mut self, entry: E, bucket: usize) {
         if bucket > self.current {
             self.put(entry, bucket);
         } else {
@@ -171,9 +180,15 @@ impl<E: Entry> Queue<E> {
         self.later[span].push(entry);
     }
 
-    /// Takes the first entry of the order.
-    pub(super) fn pop(&mut self) -> Option<E> {
+    /// Notes how many entries there are: to be called between pushes and the next pop.
+    #[inline]
+    pub(super) fn measure(&mut self) {
         self.peak = self.peak();
+    }
+
+    /// Takes the first entry of the order.
+    #[inline]
+    pub(super) fn pop(&mut self) -> Option<E> {
         if self.stack.is_empty() {
             self.advance();
         }
@@ -273,6 +288,7 @@ mod tests {
         for node in 0..100 {
             queue.push(1_000_000, i64::from(node % 3), node);
         }
+        queue.measure();
         let order: Vec<_> = std::iter::from_fn(|| queue.pop()).map(|e| (e.h(), e.mark())).collect();
         let mut sorted = order.clone();
         sorted.sort_by_key(|&(h, node)| (h, std::cmp::Reverse(node)));

@@ -1,7 +1,7 @@
 //! What a [`lattice`](super::lattice) search remembers: what it knows of each node, and its open lists.
 
 use super::entry::Entry;
-use super::lattice::{Lattice, Sink};
+use super::lattice::{Lattice, Leg, Sink};
 use super::queue::Queue;
 use super::{NodeId, Observer};
 
@@ -10,7 +10,7 @@ use super::{NodeId, Observer};
 /// whatever is left from an earlier search a larger one: one comparison tells.
 pub(super) type Record = u64;
 
-const MOVE: u32 = 8;
+pub(super) const MOVE: u32 = 8;
 const OPEN: Record = 1 << 52;
 const GENERATION: Record = 1 << 53;
 const GENERATIONS: u64 = 1 << 11;
@@ -81,20 +81,20 @@ impl<E: Entry> Memory<E> {
         (f, h): (i64, i64),
         origin: i64,
     ) {
-        let at = self.place::<SIDES>(turn, root);
-        self.records[at] = self.generation | OPEN | Record::from(ROOT);
+        self.at::<SIDES>(root)[turn] = self.generation | OPEN | Record::from(ROOT);
         let side = &mut self.sides[turn];
         side.open.reset(origin);
         side.open.push(f, h, root);
         side.generated = 1;
     }
 
-    fn place<const SIDES: usize>(&self, turn: usize, node: NodeId) -> usize {
-        (node as usize + self.rim) * SIDES + turn
+    /// What is known of a node, by side.
+    fn at<const SIDES: usize>(&mut self, node: NodeId) -> &mut [Record; SIDES] {
+        &mut self.records.as_chunks_mut().0[node as usize + self.rim]
     }
 
     fn record<const SIDES: usize>(&self, turn: usize, node: NodeId) -> Record {
-        self.records[self.place::<SIDES>(turn, node)]
+        self.records.as_chunks::<SIDES>().0[node as usize + self.rim][turn]
     }
 
     /// The node's cost, where this side has reached it.
@@ -112,20 +112,19 @@ impl<E: Entry> Memory<E> {
 
     /// Closes a node with its record, as it was popped.
     pub(super) fn close<const SIDES: usize>(&mut self, turn: usize, node: NodeId, record: Record) {
-        let at = self.place::<SIDES>(turn, node);
-        self.records[at] = record & !OPEN;
+        self.at::<SIDES>(node)[turn] = record & !OPEN;
     }
 
     /// Closes a node of one of two sides with its record, as it was popped, and takes it out of the other side's search,
     /// whether that one has reached it or not.
     #[cfg(feature = "complete")]
     pub(super) fn settle(&mut self, turn: usize, node: NodeId, record: Record) {
-        let at = self.place::<2>(0, node);
-        let both = &mut self.records[at..at + 2];
+        let generation = self.generation;
+        let both = self.at::<2>(node);
         both[turn] = record & !OPEN;
         let other = &mut both[1 - turn];
-        *other = if *other >= self.generation + GENERATION {
-            self.generation | (UNKNOWN as Record) << MOVE
+        *other = if *other >= generation + GENERATION {
+            generation | (UNKNOWN as Record) << MOVE
         } else {
             *other & !OPEN
         };
@@ -137,7 +136,9 @@ impl<E: Entry> Memory<E> {
     }
 
     /// The next entry of a node that is still open, or, with `held`, of held-back moves; with the node's record.
+    #[inline]
     pub(super) fn pop<const SIDES: usize>(&mut self, turn: usize, held: bool) -> Option<(E, Record)> {
+        self.sides[turn].open.measure();
         loop {
             let entry = self.sides[turn].open.pop()?;
             let record = self.record::<SIDES>(turn, entry.node());
@@ -165,16 +166,16 @@ impl<E: Entry> Memory<E> {
     }
 }
 
-/// What happens to a move that improves a node.
-pub(super) struct Relaxing<'a, L: Lattice, O, const SIDES: usize> {
-    records: &'a mut [Record],
+/// What happens to a move that improves a node, in the search of one of one or two sides.
+pub(super) struct Relaxing<'a, L: Lattice, O, const SIDES: usize, const TURN: usize> {
+    records: &'a mut [[Record; SIDES]],
     parents: &'a mut [NodeId],
     side: &'a mut Side<L::Entry>,
     observer: &'a mut O,
-    /// Where this side's record of node 0 is.
-    first: usize,
+    /// Nodes before the first one.
+    rim: usize,
     g: i64,
-    /// What a record would be at no cost of a step, whatever the step.
+    /// What the record of an open node of this cost is before a move is added.
     base: Record,
     /// Nodes whose records are not below it have not been reached.
     fresh: Record,
@@ -183,21 +184,21 @@ pub(super) struct Relaxing<'a, L: Lattice, O, const SIDES: usize> {
     best: Option<&'a mut (i64, NodeId)>,
 }
 
-impl<'a, L: Lattice, O, const SIDES: usize> Relaxing<'a, L, O, SIDES> {
+impl<'a, L: Lattice, O, const SIDES: usize, const TURN: usize> Relaxing<'a, L, O, SIDES, TURN> {
     pub(super) fn new(
         _: &L,
-        (memory, turn): (&'a mut Memory<L::Entry>, usize),
+        memory: &'a mut Memory<L::Entry>,
         observer: &'a mut O,
         (from, g): (NodeId, i64),
         best: Option<&'a mut (i64, NodeId)>,
     ) -> Self {
         Self {
-            base: memory.generation | OPEN | (g as Record) << MOVE | Record::from(ROOT),
+            base: memory.generation | OPEN | (g as Record) << MOVE,
             fresh: memory.generation + GENERATION,
-            first: memory.place::<SIDES>(turn, 0),
-            records: &mut memory.records,
+            rim: memory.rim,
+            records: memory.records.as_chunks_mut().0,
             parents: &mut memory.parents,
-            side: &mut memory.sides[turn],
+            side: &mut memory.sides[TURN],
             observer,
             g,
             from,
@@ -206,27 +207,29 @@ impl<'a, L: Lattice, O, const SIDES: usize> Relaxing<'a, L, O, SIDES> {
     }
 
     fn place(&self, node: NodeId) -> usize {
-        self.first + node as usize * SIDES
+        node as usize + self.rim
     }
 
     /// What the record of a node reached by a step of this cost must exceed to be worth it.
     fn limit(&self, cost: i64) -> Record {
-        self.base + ((cost as Record) << MOVE)
+        self.base + Leg::new(ROOT, cost).code
     }
 }
 
-impl<L: Lattice, O: Observer<i64, ()>, const SIDES: usize> Sink for Relaxing<'_, L, O, SIDES> {
+impl<L: Lattice, O: Observer<i64, ()>, const SIDES: usize, const TURN: usize> Sink
+    for Relaxing<'_, L, O, SIDES, TURN>
+{
     fn worth(&self, target: NodeId, cost: i64) -> bool {
-        self.limit(cost) < self.records[self.place(target)]
+        self.limit(cost) < self.records[self.place(target)][TURN]
     }
 
     #[inline]
     fn worth_around(&self, node: NodeId, row: usize, straight: i64, diagonal: i64) -> u32 {
         let (straight, diagonal) = (self.limit(straight), self.limit(diagonal));
-        let (at, row) = (self.place(node), row * SIDES);
+        let at = self.place(node);
         let three = |middle: usize| {
-            let line = &self.records[middle - SIDES..][..=2 * SIDES];
-            [line[0], line[SIDES], line[2 * SIDES]]
+            let line = &self.records[middle - 1..][..3];
+            [line[0][TURN], line[1][TURN], line[2][TURN]]
         };
         let (south, here, north) = (three(at - row), three(at), three(at + row));
         u32::from(straight < here[2])
@@ -242,34 +245,32 @@ impl<L: Lattice, O: Observer<i64, ()>, const SIDES: usize> Sink for Relaxing<'_,
     #[inline]
     fn worth_beside(&self, node: NodeId, row: usize, straight: i64) -> u32 {
         let straight = self.limit(straight);
-        let (at, row) = (self.place(node), row * SIDES);
-        let records = &self.records;
-        u32::from(straight < records[at + SIDES])
-            | u32::from(straight < records[at + row]) << 2
-            | u32::from(straight < records[at - SIDES]) << 4
-            | u32::from(straight < records[at - row]) << 6
+        let (at, records) = (self.place(node), &self.records);
+        u32::from(straight < records[at + 1][TURN])
+            | u32::from(straight < records[at + row][TURN]) << 2
+            | u32::from(straight < records[at - 1][TURN]) << 4
+            | u32::from(straight < records[at - row][TURN]) << 6
     }
 
     #[inline(always)]
-    fn take(&mut self, number: u32, target: NodeId, cost: i64, h: i64) {
-        let g = self.g + cost;
-        let at = self.place(target);
-        let record = self.limit(cost) - Record::from(ROOT - number);
-        let fresh = std::mem::replace(&mut self.records[at], record) >= self.fresh;
+    fn take(&mut self, leg: Leg, target: NodeId, h: i64) {
+        let g = self.g + leg.cost;
+        let known = &mut self.records[target as usize + self.rim];
+        let fresh = std::mem::replace(&mut known[TURN], self.base + leg.code) >= self.fresh;
+        if SIDES == 2
+            && let Some(best) = &mut self.best
+        {
+            let other = known[SIDES - 1 - TURN];
+            let there = g + cost_of(other);
+            if other < self.fresh && there < best.0 && cost_of(other) != UNKNOWN {
+                **best = (there, target);
+            }
+        }
         if L::JUMPS {
             self.parents[target as usize] = self.from;
         }
         self.side.generated += u32::from(fresh);
         self.side.open.push(g + h, h, L::Entry::open(target));
         self.observer.relaxed(target, self.from, (), g);
-        if SIDES == 2
-            && let Some(best) = &mut self.best
-        {
-            let other = self.records[at ^ 1];
-            let there = g + cost_of(other);
-            if other < self.fresh && there < best.0 && cost_of(other) != UNKNOWN {
-                **best = (there, target);
-            }
-        }
     }
 }

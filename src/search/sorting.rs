@@ -32,7 +32,7 @@ impl<E: Entry> Sorter<E> {
             return;
         }
         if entries.len() <= FEW {
-            return insertion(entries, end);
+            return insertion(entries, end, E::before);
         }
         self.places.clear();
         self.places.push(end as u32);
@@ -43,7 +43,7 @@ impl<E: Entry> Sorter<E> {
         if end < entries.len() {
             // Runs are short.
             if self.spread(entries) {
-                return insertion(entries, 1);
+                return;
             }
             while end < entries.len() {
                 end += run(&mut entries[end..]);
@@ -81,21 +81,21 @@ impl<E: Entry> Sorter<E> {
         }
     }
 
-    /// Puts entries nearly in order where all have one f: by about as many steps of h as there are entries. Tells
-    /// whether it has.
+    /// Sorts entries that are like each other: by about as many steps of their ranks as there are entries, then within
+    /// these. Tells whether it has.
     fn spread(&mut self, entries: &mut Vec<E>) -> bool {
-        let (f, h) = (entries[0].f(), entries[0].h());
-        let (mut same, mut least, mut most) = (true, h, h);
+        let first = entries[0];
+        let (mut like, mut least, mut most) = (true, first.rank(), first.rank());
         for entry in &*entries {
-            same &= entry.f() == f;
-            (least, most) = (least.min(entry.h()), most.max(entry.h()));
+            like &= entry.is_like(first);
+            (least, most) = (least.min(entry.rank()), most.max(entry.rank()));
         }
-        if !same {
+        if !like {
             return false;
         }
-        let bits = |number: u64| u64::BITS - number.leading_zeros();
-        let shift = bits((most - least) as u64).saturating_sub(bits(entries.len() as u64));
-        let step = |entry: E| ((most - entry.h()) >> shift) as usize;
+        let bits = |number: u32| u32::BITS - number.leading_zeros();
+        let shift = bits(most - least).saturating_sub(bits(entries.len() as u32));
+        let step = |entry: E| ((most - entry.rank()) >> shift) as usize;
         self.places.clear();
         self.places.resize(((most - least) >> shift) as usize + 1, 0);
         for &entry in &*entries {
@@ -106,13 +106,16 @@ impl<E: Entry> Sorter<E> {
             sum += std::mem::replace(place, sum);
         }
         // What it holds is overwritten.
-        self.spare.resize(entries.len(), entries[0]);
+        self.spare.resize(entries.len(), first);
         for &entry in &*entries {
             let place = &mut self.places[step(entry)];
             self.spare[*place as usize] = entry;
             *place += 1;
         }
         std::mem::swap(entries, &mut self.spare);
+        if shift > 0 {
+            insertion(entries, 1, |entry, older| entry.rank() <= older.rank());
+        }
         true
     }
 }
@@ -129,11 +132,11 @@ fn run<E: Entry>(entries: &mut [E]) -> usize {
 }
 
 /// Sorts short or nearly sorted entries, the first ones of which are sorted.
-fn insertion<E: Entry>(entries: &mut [E], sorted: usize) {
+fn insertion<E: Entry>(entries: &mut [E], sorted: usize, before: impl Fn(E, E) -> bool) {
     for place in sorted..entries.len() {
         let entry = entries[place];
         let mut hole = place;
-        while hole > 0 && !entry.before(entries[hole - 1]) {
+        while hole > 0 && !before(entry, entries[hole - 1]) {
             entries[hole] = entries[hole - 1];
             hole -= 1;
         }

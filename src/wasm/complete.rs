@@ -55,14 +55,16 @@ impl RawPlanner {
     pub fn search(&mut self, x0: f64, y0: f64, x1: f64, y1: f64) -> Result<Vec<f64>, JsValue> {
         let found =
             self.planner.search(Point::new(x0, y0), Point::new(x1, y1)).map_err(|e| codec::js_error(&e))?;
-        let mut numbers = Vec::with_capacity(4 + 2 * found.path.len());
-        numbers.extend([
+        let mut numbers = vec![0.0; 4 + 2 * found.path.len()];
+        numbers[..4].copy_from_slice(&[
             f64::from(found.outcome as u8),
             found.cost_micro as f64,
             f64::from(found.expanded),
             f64::from(found.generated),
         ]);
-        numbers.extend(found.path.iter().flat_map(|p| [p.x, p.y]));
+        for (place, point) in numbers[4..].chunks_exact_mut(2).zip(&found.path) {
+            place.copy_from_slice(&[point.x, point.y]);
+        }
         Ok(numbers)
     }
 

@@ -17,9 +17,9 @@ const PEERS: &[&str] = &["pathfinding@0.4.18", "ngraph.graph@20.1.2", "ngraph.pa
 pub(crate) fn bench(arguments: &[String]) -> Result<()> {
     let data = env::var_os("PARKADE_DATA").map_or_else(|| root().join("../shared/data"), PathBuf::from);
     match arguments {
-        [what, sizes @ ..] if what == "grid" && sizes.len() <= 2 => grid(&data, sizes),
+        [what, sizes @ ..] if what == "grid" && sizes.len() <= 3 => grid(&data, sizes),
         [what] if what == "parking" => parking(&data),
-        _ => bail!("there are `bench grid [questions] [repeats]` and `bench parking`"),
+        _ => bail!("there are `bench grid [questions] [repeats] [goals, as G6,G8]` and `bench parking`"),
     }
 }
 

@@ -9,7 +9,7 @@ use crate::map::{Cell, Corner, line_of_sight};
 use crate::planners::heuristics::{DistanceWeight, octile};
 use crate::planners::moves::{D, DIRECTIONS, LEGAL, R2, cost};
 use crate::planners::query::Query;
-use crate::search::lattice::{Hold, Lattice, Sink};
+use crate::search::lattice::{Hold, Lattice, Leg, Sink};
 use crate::search::{NodeId, Wide};
 
 pub(super) struct RiskGrid<'a> {
@@ -17,8 +17,10 @@ pub(super) struct RiskGrid<'a> {
     field: PotentialField<'a>,
     weight: DistanceWeight,
     heuristic: Heuristic,
-    /// w1 and w2, thousandths.
+    /// w1 and w2 times `unit`.
     weights: (i64, i64),
+    /// 1 where both are whole, else 1000.
+    unit: i64,
     ext_len: i32,
     goal_side: bool,
     goal_shot: bool,
@@ -30,16 +32,21 @@ pub(super) struct RiskGrid<'a> {
     los_calls: Counter<u32>,
     /// The central direction at the cell that was expanded last.
     center: Counter<usize>,
+    /// The steps held back there that would improve what is known of their targets, and the legal ones of all.
+    others: Counter<(u32, u32)>,
 }
 
 impl<'a> RiskGrid<'a> {
     pub(super) fn new(query: Query<'a>, config: &Config, weight: DistanceWeight, hold: Hold) -> Self {
+        let (w1, w2) = (permille(config.w1), permille(config.w2));
+        let unit = if w1 % 1000 == 0 && w2 % 1000 == 0 { 1 } else { 1000 };
         Self {
             query,
             field: config.field(&query),
             weight,
             heuristic: config.heuristic,
-            weights: (permille(config.w1), permille(config.w2)),
+            weights: (w1 * unit / 1000, w2 * unit / 1000),
+            unit,
             ext_len: config.ext_len as i32,
             goal_side: config.goal_side,
             goal_shot: config.goal_shot,
@@ -49,6 +56,7 @@ impl<'a> RiskGrid<'a> {
             legal: &LEGAL[config.common.corner as usize],
             los_calls: Counter::new(0),
             center: Counter::new(0),
+            others: Counter::new((0, 0)),
         }
     }
 
@@ -60,60 +68,59 @@ impl<'a> RiskGrid<'a> {
         (self.query.goal.x - at.x, self.query.goal.y - at.y)
     }
 
-    fn count_los(&self) {
-        self.los_calls.set(self.los_calls.get() + 1);
+    fn count_los(&self, calls: u32) {
+        self.los_calls.set(self.los_calls.get() + calls);
     }
 
-    fn steps<S: Sink>(
-        &self,
-        (node, at): (NodeId, Cell),
-        directions: impl Iterator<Item = usize>,
-        sink: &mut S,
-    ) {
-        let free = self.query.map.free_around(at);
-        let legal = self.legal[usize::from(free)];
-        for c in directions.filter(|c| free >> c & 1 == 1) {
-            let to = node.wrapping_add_signed(self.offsets[c]);
-            if sink.worth(to, step_cost(c)) {
-                self.count_los();
-                if legal >> c & 1 == 1 {
-                    let (dx, dy) = DIRECTIONS[c];
-                    sink.take(c as u32, to, step_cost(c), self.ahead(at.offset(dx, dy)));
-                }
-            }
-        }
+    /// The steps from a cell that lead to free cells and would improve what is known of them, and those of all that are
+    /// legal.
+    #[inline]
+    fn look<S: Sink>(&self, node: NodeId, sink: &S) -> (u32, u32) {
+        let free = self.query.map.free_around_index(node);
+        let worth = sink.worth_around(node, self.query.map.width() as usize, D, R2);
+        (worth & u32::from(free), u32::from(self.legal[usize::from(free)]))
     }
 
+    #[inline]
+    fn step<S: Sink>(&self, (node, at): (NodeId, Cell), c: usize, sink: &mut S) {
+        let (dx, dy) = DIRECTIONS[c % 8];
+        let to = node.wrapping_add_signed(self.offsets[c % 8]);
+        sink.take(Leg::new(c as u32, step_cost(c)), to, self.ahead(at.offset(dx, dy)));
+    }
+
+    /// Offers the steps of two and more cells in one direction.
     fn extensions<S: Sink>(&self, (node, at): (NodeId, Cell), c: usize, sink: &mut S) {
-        let map = self.query.map;
-        for k in 2..=self.ext_len + 1 {
-            let to = at.offset(k * DIRECTIONS[c].0, k * DIRECTIONS[c].1);
+        let (map, (dx, dy), offset) = (self.query.map, DIRECTIONS[c % 8], self.offsets[c % 8]);
+        let is_legal = |from: NodeId| self.legal[usize::from(map.free_around_index(from))] >> c & 1 == 1;
+        let (mut before, mut to, mut is_open) = (node, at.offset(dx, dy), true);
+        for count in 1..=self.ext_len {
+            // Sight along the line asks whether each step is legal.
+            is_open = is_open && is_legal(before);
+            (before, to) = (before.wrapping_add_signed(offset), to.offset(dx, dy));
             if map.blocked(to) {
                 continue;
             }
-            let (target, step) = (node.wrapping_add_signed(k * self.offsets[c]), i64::from(k) * step_cost(c));
-            if sink.worth(target, step) {
-                self.count_los();
-                if self.is_open(at, c, k) {
-                    sink.take((k - 1) as u32 * 8 + c as u32, target, step, self.ahead(to));
+            let (target, cost) = (before.wrapping_add_signed(offset), i64::from(count + 1) * step_cost(c));
+            if sink.worth(target, cost) {
+                self.count_los(1);
+                if is_open && is_legal(before) {
+                    sink.take(Leg::new(count as u32 * 8 + c as u32, cost), target, self.ahead(to));
                 }
             }
         }
-    }
-
-    /// Whether `count` single steps from a cell are legal, which is what sight along them asks.
-    fn is_open(&self, at: Cell, c: usize, count: i32) -> bool {
-        let (dx, dy) = DIRECTIONS[c];
-        (0..count).all(|k| {
-            let free = self.query.map.free_around(at.offset(k * dx, k * dy));
-            self.legal[usize::from(free)] >> c & 1 == 1
-        })
     }
 
     fn leads_away(&self, at: Cell, c: usize) -> bool {
         let (dx, dy) = self.toward_goal(at);
         DIRECTIONS[c].0 * dx < 0 || DIRECTIONS[c].1 * dy < 0
     }
+}
+
+const DIAGONALS: u32 = 0b1010_1010;
+
+/// A bit for each of some directions.
+const fn mask(directions: [usize; 3]) -> u32 {
+    1 << directions[0] | 1 << directions[1] | 1 << directions[2]
 }
 
 const fn step_cost(direction: usize) -> i64 {
@@ -129,13 +136,33 @@ impl RiskGrid<'_> {
         let (diagonal, straight) =
             if is_oblique(dx, dy) { self.weights } else { (self.weights.1, self.weights.0) };
         let h = match self.heuristic {
-            Heuristic::Corrected => (diagonal * R2 * near + straight * D * (far - near)) / 1000,
+            Heuristic::Corrected => self.weighted(diagonal * R2 * near + straight * D * (far - near)),
             Heuristic::Printed => {
-                (diagonal * 2 * D * near + straight * (D * (far + near) - 2 * R2 * near)) / 1000
+                self.weighted(diagonal * 2 * D * near + straight * (D * (far + near) - 2 * R2 * near))
             }
             Heuristic::Octile => octile(dx, dy),
         };
         self.weight.apply(h, dx, dy)
+    }
+}
+
+impl RiskGrid<'_> {
+    /// A product with a weight without the weight's unit.
+    fn weighted(&self, product: i64) -> i64 {
+        if self.unit == 1 { product } else { product / self.unit }
+    }
+
+    /// Takes the steps of which a bit each is set.
+    #[inline]
+    fn take_all<S: Sink>(&self, node: NodeId, mut steps: u32, sink: &mut S) {
+        if steps == 0 {
+            return;
+        }
+        let at = self.query.map.cell(node);
+        while steps != 0 {
+            self.step((node, at), steps.trailing_zeros() as usize, sink);
+            steps &= steps - 1;
+        }
     }
 }
 
@@ -148,6 +175,10 @@ impl Lattice for RiskGrid<'_> {
         self.query.map.len()
     }
 
+    fn rim(&self) -> usize {
+        self.query.map.width() as usize + 1
+    }
+
     fn successors<S: Sink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
         let at = self.query.map.cell(node);
         let (dx, dy) = self.toward_goal(at);
@@ -155,15 +186,19 @@ impl Lattice for RiskGrid<'_> {
         let center = region(self.field.force(at), oblique);
         self.center.set(center);
         let picked = primaries(center);
-        self.steps((node, at), picked.into_iter(), sink);
-        if oblique {
-            for c in picked.into_iter().filter(|c| c % 2 == 1) {
-                if !(self.goal_side && self.leads_away(at, c)) {
-                    self.extensions((node, at), c, sink);
-                }
+        let (worth, legal) = self.look(node, sink);
+        self.others.set((worth & !mask(picked), legal));
+        self.count_los((worth & mask(picked)).count_ones());
+        for c in picked {
+            if (worth & legal) >> c & 1 == 1 {
+                self.step((node, at), c, sink);
             }
-        } else {
-            self.extensions((node, at), picked[0], sink);
+        }
+        let stretched = if oblique { mask(picked) & DIAGONALS } else { 1 << center };
+        for c in picked {
+            if stretched >> c & 1 == 1 && !(oblique && self.goal_side && self.leads_away(at, c)) {
+                self.extensions((node, at), c, sink);
+            }
         }
     }
 
@@ -177,9 +212,16 @@ impl Lattice for RiskGrid<'_> {
     }
 
     fn held_back<S: Sink>(&self, node: NodeId, note: u32, sink: &mut S) {
-        let at = self.query.map.cell(node);
-        let picked = primaries(note as usize);
-        self.steps((node, at), (0..8).filter(|c| !picked.contains(c)), sink);
+        let (worth, legal) = self.look(node, sink);
+        let worth = worth & !mask(primaries(note as usize));
+        self.count_los(worth.count_ones());
+        self.take_all(node, worth & legal, sink);
+    }
+
+    fn held_back_at_once<S: Sink>(&self, node: NodeId, sink: &mut S) {
+        let (worth, legal) = self.others.get();
+        self.count_los(worth.count_ones());
+        self.take_all(node, worth & legal, sink);
     }
 
     fn hold(&self) -> Hold {
@@ -191,7 +233,7 @@ impl Lattice for RiskGrid<'_> {
         if !self.goal_shot {
             return None;
         }
-        self.count_los();
+        self.count_los(1);
         let at = self.query.map.cell(node);
         let (dx, dy) = self.toward_goal(at);
         line_of_sight(self.query.map, at, self.query.goal, self.corner).then(|| cost(dx, dy))
