@@ -10,6 +10,7 @@ import { ToolController } from "../tools/controller";
 import { extras } from "../view/pieces";
 import { readTokens, type Tokens } from "../view/tokens";
 import { LinkSync } from "./link-sync";
+import { persistently } from "./persistently";
 import { Player } from "./player";
 
 /** What the planners' module knows, once it is loaded. */
@@ -61,6 +62,7 @@ export class App {
   /** Id of the catalogue's scene last opened. */
   preset: string | null = null;
   private stopSaving: (() => void) | null = null;
+  private given = { up: true };
   private origin: Scene | null = null;
   private cachedTokens: Tokens | null = null;
 
@@ -71,9 +73,16 @@ export class App {
    * before the plans. `drives`: the car then parks once.
    */
   async start({ preset, syncAddress, drives, given, loaded }: Beginning): Promise<void> {
+    const attempts = (this.given = { up: false });
     const looks = syncAddress ? await this.links.looks() : {};
     this.store.set(looks);
-    const engine = await loadEngine(extentFor(this.store.state.planners));
+    let missed = false;
+    const engine = await persistently(() => loadEngine(extentFor(this.store.state.planners)), (error) => {
+      missed = true;
+      this.refuse("app.unsupported", { reason: sentence(error) });
+    }, attempts);
+    if (!engine) return;
+    if (missed) this.store.set({ message: null });
     this.catalog = catalogOf(engine);
     this.dropUnknownPlanners();
     const first = (await given) ?? (await this.firstScene(preset, syncAddress));
@@ -111,7 +120,13 @@ export class App {
     this.stopSaving = await startAutosave(this).catch(() => null);
   }
 
+  /** Fetches code that the first picture does without. Browsers remember which scripts did not come: only another visit fetches them. */
+  async fetchPart(part: () => Promise<unknown>): Promise<void> {
+    await part().catch(() => this.refuse("error.part", {}));
+  }
+
   stop(): void {
+    this.given.up = true;
     this.stopSaving?.();
     this.player.pause();
     this.links.stop();

@@ -23,6 +23,7 @@ const PHONE_WIDTH = 640;
 const SHORT_HEIGHT = 560;
 const FIRST_SCENE = "perpendicular";
 /** What the first picture does without is fetched when it is opened. */
+const PARTS = [() => import("../panels/inspector"), () => import("../panels/charts"), () => import("../panels/options"), () => import("../panels/splitter")];
 const DIALOGS = { presets: () => import("../panels/presets"), keys: () => import("../panels/keys-dialog"), import: () => import("../panels/import"), papers: () => import("../panels/papers") };
 
 /**
@@ -148,10 +149,7 @@ export class Playground extends LitElement {
     ];
     this.measure(this.getBoundingClientRect());
     void this.begin();
-    void import("../panels/inspector");
-    void import("../panels/charts");
-    void import("../panels/options");
-    void import("../panels/splitter");
+    for (const part of PARTS) void this.app.fetchPart(part);
   }
 
   override disconnectedCallback(): void {
@@ -242,13 +240,14 @@ export class Playground extends LitElement {
 
   private measure({ width, height }: { width: number; height: number }): void {
     this.compact = width <= PHONE_WIDTH;
-    if (this.compact) void import("../panels/phone");
+    if (this.compact) void this.app.fetchPart(() => import("../panels/phone"));
     this.short = height < SHORT_HEIGHT;
   }
 
   protected async begin(): Promise<void> {
     try {
       await this.app.start({ ...this.beginning(), loaded: () => { this.loaded = true; } });
+      if (!this.loaded) return;
       this.becomeReady();
       this.emit("ready", {});
     } catch (error) {

@@ -9,6 +9,9 @@ export interface Piece<T> {
   load(): Promise<T>;
 }
 
+/** After a failure, before it is fetched again. */
+const PAUSE_MS = 2000;
+
 function piece<T>(fetch: () => Promise<T>): Piece<T> {
   let loaded: T | null = null;
   let loading: Promise<T> | null = null;
@@ -16,9 +19,12 @@ function piece<T>(fetch: () => Promise<T>): Piece<T> {
     loaded = got;
     for (const draw of waiting) draw();
     return got;
+  }, (error: unknown) => {
+    setTimeout(() => { loading = null; }, PAUSE_MS);
+    throw error;
   }));
   const get = (): T | null => {
-    if (!loaded) void load();
+    if (!loaded) load().catch(() => undefined);
     return loaded;
   };
   return Object.assign(get, { load });

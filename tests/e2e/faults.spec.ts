@@ -1,0 +1,96 @@
+import { expect, test, type Page } from "@playwright/test";
+import { complaintsOf, hashesOf, open, sceneOf, settled, type PlaygroundElement } from "./playground";
+
+test.use({ serviceWorkers: "block" });
+
+const outcomes = (page: Page) => page.evaluate(() => Object.values(document.querySelector<PlaygroundElement>("parkade-playground")!.results).map((plan) => plan?.outcome));
+const FOUND = ["found", "found", "found", "found"];
+
+for (const [state, prepare] of [
+  ["refused", () => {
+    for (const name of ["localStorage", "sessionStorage", "indexedDB", "caches"]) {
+      Object.defineProperty(window, name, { get() { throw new DOMException("denied", "SecurityError"); } });
+    }
+  }],
+  ["full", () => {
+    Storage.prototype.setItem = IDBObjectStore.prototype.put = () => { throw new DOMException("full", "QuotaExceededError"); };
+  }],
+] as const) {
+  test(`with its storage ${state} the page plans, edits and takes back as ever`, async ({ page }) => {
+    const complaints = complaintsOf(page);
+    await page.addInitScript(prepare);
+    await open(page);
+    await settled(page);
+    expect(await outcomes(page)).toEqual(FOUND);
+    const before = await sceneOf(page);
+    await page.evaluate(() => {
+      const element = document.querySelector<PlaygroundElement>("parkade-playground")!;
+      element.sceneData = { ...element.sceneData, start: { ...element.sceneData.start, x: 19 } };
+    });
+    await settled(page);
+    await page.keyboard.press("Control+z");
+    await settled(page);
+    expect(await sceneOf(page)).toEqual(before);
+    expect(complaints.filter((text) => !text.startsWith("Service Worker registration blocked"))).toEqual([]);
+  });
+}
+
+test("where modules are forbidden the page says so", async ({ page }) => {
+  await page.addInitScript(() => {
+    const refuse = () => Promise.reject(new WebAssembly.CompileError("forbidden by the policy"));
+    Object.assign(WebAssembly, { instantiate: refuse, instantiateStreaming: refuse, compile: refuse, compileStreaming: refuse });
+  });
+  await page.goto("./");
+  await expect(page.getByRole("alert")).toContainText("The planners could not be loaded: forbidden by the policy");
+});
+
+test("where workers are forbidden the page says so", async ({ page }) => {
+  await page.addInitScript(() => {
+    window.Worker = class { constructor() { throw new DOMException("workers are forbidden", "SecurityError"); } } as unknown as typeof Worker;
+  });
+  await page.goto("./");
+  await expect(page.getByRole("alert")).toContainText("The planners could not be loaded: workers are forbidden");
+});
+
+test("a network that goes while the page loads is said, and the page goes on by itself when it is back", async ({ page }) => {
+  let down = true;
+  await page.route("**/*.wasm", (route) => (down ? route.abort() : route.continue()));
+  await page.goto("./");
+  await expect(page.getByRole("alert")).toContainText("The planners could not be loaded");
+  down = false;
+  await page.evaluate(() => dispatchEvent(new Event("online")));
+  await expect.poll(() => outcomes(page), { timeout: 30_000 }).toEqual(FOUND);
+  await expect(page.getByRole("alert")).not.toContainText("loaded");
+});
+
+test("a part of the page that does not arrive is said; everything else works", async ({ page }) => {
+  await page.route("**/assets/inspector-*.js", (route) => route.abort());
+  await open(page);
+  await expect(page.getByRole("alert")).toContainText("A part of the page did not arrive.");
+  await expect.poll(() => outcomes(page)).toEqual(FOUND);
+});
+
+test("a trap inside a planner is said, and a new worker answers; the scene stays", async ({ page }) => {
+  let asked = 0;
+  await page.route("**/assets/engine-*.js", async (route) => {
+    const mine = ++asked, response = await route.fetch(), text = await response.text();
+    // The page's own copy comes first, then that of each worker: the first worker's planners trap.
+    const trap = mine === 2 ? `
+      const real = WebAssembly.instantiate;
+      WebAssembly.instantiate = async (module, imports) => {
+        const { exports } = await real(module, imports), trap = () => { throw new WebAssembly.RuntimeError("unreachable"); };
+        return { module, instance: { exports: { ...exports, ...Object.fromEntries(Object.keys(exports).filter((name) => /plan$/.test(name)).map((name) => [name, trap])) } } };
+      };` : "";
+    await route.fulfill({ response, body: trap + text });
+  });
+  await open(page);
+  const scene = await sceneOf(page);
+  await expect.poll(() => outcomes(page), { timeout: 30_000 }).toEqual(FOUND);
+  expect(asked).toBeGreaterThan(2);
+  expect(await sceneOf(page)).toEqual(scene);
+  const hashes = await hashesOf(page);
+  await page.reload();
+  await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.ready);
+  await settled(page);
+  expect(await hashesOf(page)).toEqual(hashes);
+});
