@@ -191,7 +191,8 @@ fn mean(mut bits: u64, forces: &[(f64, f64)]) -> (f64, f64) {
         y += force.1;
         bits &= bits - 1;
     }
-    (x / count, y / count)
+    // Most often there is one.
+    if count == 1.0 { (x, y) } else { (x / count, y / count) }
 }
 
 /// All offsets within reach, row by row from the south-west: the order in which forces are added.

@@ -133,8 +133,13 @@ fn run<E: Entry>(entries: &mut [E]) -> usize {
 
 /// Sorts short or nearly sorted entries, the first ones of which are sorted.
 fn insertion<E: Entry>(entries: &mut [E], sorted: usize, before: impl Fn(E, E) -> bool) {
+    let mut last = entries[sorted - 1];
     for place in sorted..entries.len() {
         let entry = entries[place];
+        if before(entry, last) {
+            last = entry;
+            continue;
+        }
         let mut hole = place;
         while hole > 0 && !before(entry, entries[hole - 1]) {
             entries[hole] = entries[hole - 1];
