@@ -7,7 +7,10 @@ use serde::Serialize;
 use crate::error::{Error, ErrorCode};
 use crate::geometry::{Point, Pose, math};
 
-/// Dimensions of a car whose reference point is the middle of its rear axle.
+/// No dimension is smaller, metres and radians: sums with the others would lose it.
+const LEAST: f64 = 0.001;
+
+/// Dimensions of a car whose reference point is the middle of its rear axle: each 0.001 to 100.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Vehicle {
@@ -19,7 +22,7 @@ pub struct Vehicle {
     pub rear_to_front: f64,
     /// Rear axle to rear bumper, metres.
     pub rear_to_back: f64,
-    /// Largest steering angle of the middle front wheel, radians, in (0, π/2).
+    /// Largest steering angle of the middle front wheel, radians, 0.001 or more and less than π/2.
     pub max_steer: f64,
     /// Largest steering speed, radians per second.
     pub max_steer_rate: f64,
@@ -120,19 +123,13 @@ impl Vehicle {
             ("maxSteerRate", self.max_steer_rate),
         ];
         for (name, value) in sizes {
-            if !(value.is_finite() && value > 0.0) {
-                return Err(Error::new(ErrorCode::Vehicle, name, format!("must be positive, got {value}")));
-            }
-            if value > 100.0 {
-                return Err(Error::new(
-                    ErrorCode::Vehicle,
-                    name,
-                    format!("must be at most 100, got {value}"),
-                ));
+            if !(LEAST..=100.0).contains(&value) {
+                let message = format!("must be {LEAST} to 100, got {value}");
+                return Err(Error::new(ErrorCode::Vehicle, name, message));
             }
         }
-        if !(self.max_steer > 0.0 && self.max_steer < math::FRAC_PI_2) {
-            let message = format!("must be between 0 and π/2, got {}", self.max_steer);
+        if !(self.max_steer >= LEAST && self.max_steer < math::FRAC_PI_2) {
+            let message = format!("must be at least {LEAST} and less than π/2, got {}", self.max_steer);
             return Err(Error::new(ErrorCode::Vehicle, "maxSteer", message));
         }
         Ok(())
@@ -154,7 +151,7 @@ mod tests {
     #[test]
     fn a_bad_dimension_is_named() {
         let error = Vehicle { wheelbase: -1.0, ..Vehicle::PAPER }.validate().unwrap_err();
-        assert_eq!(error.to_string(), "wheelbase: must be positive, got -1");
+        assert_eq!(error.to_string(), "wheelbase: must be 0.001 to 100, got -1");
         assert!(Vehicle { max_steer: f64::NAN, ..Vehicle::PAPER }.validate().is_err());
         assert!(Vehicle::PAPER.validate().is_ok());
     }

@@ -21,6 +21,8 @@ interface Embed extends HTMLElement {
   [method: string]: unknown;
 }
 
+/** A shift is told to three decimals; a digit more in a label is 0.000003. */
+const UNSEEN = 0.0005;
 const HOST = "/host/three.html";
 const wasm = (urls: string[]) => urls.filter((url) => url.endsWith(".wasm"));
 
@@ -62,7 +64,7 @@ test("nothing but the loader is fetched before a playground is near; then it mov
   await expect(page.locator("#one").locator("canvas")).toHaveCount(1);
   await expect(page.locator("#one").locator(".poster")).toHaveCount(0);
   expect(wasm(urls).filter((url) => url.includes("parkade_bg"))).not.toHaveLength(0);
-  expect(await shifted()).toBe(0);
+  expect(await shifted()).toBeLessThan(UNSEEN);
 
   await quiet(urls);
   const before = urls.length;
@@ -72,7 +74,7 @@ test("nothing but the loader is fetched before a playground is near; then it mov
   expect(urls.slice(before).filter((url) => !urls.slice(0, before).includes(url))).toEqual([]);
   const answers = () => page.evaluate(() => Object.values((document.getElementById("two") as Embed).results).map((plan) => plan?.outcome));
   await expect.poll(answers).toEqual(["found", "found"]);
-  expect(await shifted()).toBe(0);
+  expect(await shifted()).toBeLessThan(UNSEEN);
   expect(complaints).toEqual([]);
 });
 
@@ -99,7 +101,7 @@ test("what waits for a press fetches nothing until it is pressed, also by the ke
   expect([scene.name, scene.goal]).toEqual(["Own", { x: 15, y: 7, heading: 0 }]);
   await expect(page.locator("#three").getByRole("button", { name: "撤销" }).first()).toBeAttached();
   expect(await page.locator("#three").locator("parkade-embedded").evaluate((element) => getComputedStyle(element).colorScheme)).toBe("dark");
-  expect(await shifted()).toBe(0);
+  expect(await shifted()).toBeLessThan(UNSEEN);
 });
 
 test("the page's colours, parts and slots reach into the playground", async ({ page }) => {
@@ -311,7 +313,7 @@ test.describe("in a frame of another origin", () => {
     expect(await heard()).toEqual(expect.arrayContaining(["parkade:height", "parkade:progress", "parkade:ready", "parkade:plan-result"]));
     expect(await page.locator("iframe").getAttribute("height")).toBe("420");
     const inside = await page.frames()[1]!.evaluate(() => (window as unknown as { shifts: number[] }).shifts.reduce((a, b) => a + b, 0));
-    expect([await shifted(), inside]).toEqual([0, 0]);
+    expect(Math.max(await shifted(), inside)).toBeLessThan(UNSEEN);
     const talked = await page.evaluate(async () => {
       const { ask } = window as unknown as Host;
       const scene = (await ask("getScene")).result as Scenario;
