@@ -151,7 +151,7 @@ impl<L: Lattice, O: Observer<i64, ()>> Search<'_, L, O> {
         }
         let best = (self.stop != Stop::First).then_some(&mut self.best);
         let mut sink: Relaxing<L, O, 2, TURN> =
-            Relaxing::new(self.lattice, memory, self.observer, (node, g), best);
+            Relaxing::new(self.lattice, memory, self.observer, (node, record), best);
         if TURN == 0 {
             self.lattice.successors(node, last, &mut sink);
         } else {

@@ -7,7 +7,7 @@
 //! A lattice may hold back part of a node's moves ([`Lattice::HOLDS_BACK`]) until [`Lattice::hold`] lets them go.
 
 use super::entry::Entry;
-use super::side::{MOVE, Memory, Relaxing, Side, cost_of, move_of};
+use super::side::{MOVE, Memory, Record, Relaxing, Side, cost_of, move_of};
 use super::{End, NodeId, Observer};
 
 /// A graph whose nodes have numbered moves, at most 255, the same at each.
@@ -167,7 +167,7 @@ pub fn one_way<L: Lattice, O: Observer<i64, ()>>(
         observer.expanded(node, (), g);
         if L::HOLDS_BACK && entry.is_held() {
             found.deferred += 1;
-            lattice.held_back(node, entry.note(), &mut only(lattice, memory, observer, (node, g)));
+            lattice.held_back(node, entry.note(), &mut only(lattice, memory, observer, (node, record)));
             continue;
         }
         memory.close::<1>(0, node, record);
@@ -187,14 +187,14 @@ pub fn one_way<L: Lattice, O: Observer<i64, ()>>(
             break;
         }
         let pushes = memory.sides[0].open.pushes();
-        lattice.successors(node, move_of(record), &mut only(lattice, memory, observer, (node, g)));
+        lattice.successors(node, move_of(record), &mut only(lattice, memory, observer, (node, record)));
         if L::HOLDS_BACK {
             let open = &mut memory.sides[0].open;
             match (lattice.hold(), open.pushes() > pushes) {
                 (Hold::Forever, _) | (Hold::UntilStuck, true) => {}
                 (_, false) => {
                     found.deferred += 1;
-                    lattice.held_back_at_once(node, &mut only(lattice, memory, observer, (node, g)));
+                    lattice.held_back_at_once(node, &mut only(lattice, memory, observer, (node, record)));
                 }
                 (Hold::Penalty(penalty), true) => {
                     open.push(g + h + penalty, h, L::Entry::held(node, lattice.note()));
@@ -211,7 +211,7 @@ fn only<'a, L: Lattice, O>(
     lattice: &L,
     memory: &'a mut Memory<L::Entry>,
     observer: &'a mut O,
-    at: (NodeId, i64),
+    at: (NodeId, Record),
 ) -> Relaxing<'a, L, O, 1, 0> {
     Relaxing::new(lattice, memory, observer, at, None)
 }

@@ -185,15 +185,17 @@ pub(super) struct Relaxing<'a, L: Lattice, O, const SIDES: usize, const TURN: us
 }
 
 impl<'a, L: Lattice, O, const SIDES: usize, const TURN: usize> Relaxing<'a, L, O, SIDES, TURN> {
+    /// The moves out of a node, with its record.
     pub(super) fn new(
         _: &L,
         memory: &'a mut Memory<L::Entry>,
         observer: &'a mut O,
-        (from, g): (NodeId, i64),
+        (from, record): (NodeId, Record),
         best: Option<&'a mut (i64, NodeId)>,
     ) -> Self {
+        let g = cost_of(record);
         Self {
-            base: memory.generation | OPEN | (g as Record) << MOVE,
+            base: record & !Record::from(ROOT) | OPEN,
             fresh: memory.generation + GENERATION,
             rim: memory.rim,
             records: memory.records.as_chunks_mut().0,
