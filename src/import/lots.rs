@@ -77,6 +77,7 @@ impl Lot {
             map: self.frame(),
             obstacles: self.lines.iter().map(wall).chain(self.polygons.iter().map(polygon)).collect(),
             slots: Vec::new(),
+            costs: Vec::new(),
             moving: Vec::new(),
             lanes: Vec::new(),
             speed_limits: Vec::new(),

@@ -215,6 +215,7 @@ impl Raster {
             map: self.frame,
             obstacles: vec![Obstacle::Cells { id: None, runs: raster::to_runs(&self.map) }],
             slots: Vec::new(),
+            costs: Vec::new(),
             moving: Vec::new(),
             lanes: Vec::new(),
             speed_limits: Vec::new(),

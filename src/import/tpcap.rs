@@ -75,6 +75,7 @@ pub fn scene(name: &str, text: &str) -> Result<Scenario, Error> {
         map: frame([start, goal]),
         obstacles,
         slots: Vec::new(),
+        costs: Vec::new(),
         moving: Vec::new(),
         lanes: Vec::new(),
         speed_limits: Vec::new(),

@@ -12,6 +12,13 @@ pub struct Bits {
     ways: Ways,
 }
 
+impl Bits {
+    /// Bytes held.
+    pub fn bytes(&self) -> usize {
+        self.lines.iter().map(|lines| size_of_val(&lines.stops[..])).sum::<usize>() + self.ways.bytes()
+    }
+}
+
 /// The rows or columns of a map in one direction.
 #[derive(Debug, Clone)]
 struct Lines {

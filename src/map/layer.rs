@@ -3,7 +3,7 @@
 use super::Cell;
 
 /// A value for every cell of a map.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Layer<T> {
     /// Columns.
     pub width: u32,

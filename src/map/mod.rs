@@ -14,6 +14,7 @@ mod redundant;
 pub mod risk;
 #[cfg(feature = "complete")]
 mod ways;
+mod weights;
 
 #[cfg(feature = "complete")]
 pub use bits::Bits;
@@ -23,3 +24,4 @@ pub use los::{Corner, first_in_sight, line_of_sight};
 pub use occupancy::Occupancy;
 #[cfg(feature = "complete")]
 pub use redundant::{Redundant, RedundantSettings, redundant};
+pub use weights::{Paint, Weights};

@@ -1,6 +1,8 @@
-//! Which cells are blocked.
+//! Which cells are blocked, and what it costs to cross the others.
 
-use super::{Cell, Layer};
+use std::sync::Arc;
+
+use super::{Cell, Layer, Weights};
 
 /// Blocked cells around the map, so that the cells around a cell need no range checks of their own.
 const RIM: usize = 3;
@@ -20,6 +22,8 @@ pub struct Occupancy {
     rimmed: Vec<u8>,
     /// Per cell in the order of their numbers, a bit for each free neighbour: searches know numbers.
     around: Vec<u8>,
+    /// What cells cost, where they do not all cost the same.
+    weights: Option<Arc<Weights>>,
 }
 
 /// The cells around one, in the order of [`Occupancy::free_around`]'s bits.
@@ -50,7 +54,7 @@ impl Occupancy {
         }
         let exact = w > 0 && (w * w * h) as u64 <= 1 << 40;
         let reciprocal = if exact { (1_u64 << 40).div_ceil(u64::from(width)) } else { 0 };
-        Self { width, height, stride, reciprocal, rimmed, around }
+        Self { width, height, stride, reciprocal, rimmed, around, weights: None }
     }
 
     /// A map drawn with characters: the first line is the northern row, `.` and blanks are free, the rest blocked.
@@ -66,6 +70,17 @@ impl Occupancy {
         map
     }
 
+    /// The same map with these costs of its cells.
+    #[must_use]
+    pub fn weighing(self, weights: Weights) -> Self {
+        Self { weights: Some(Arc::new(weights)), ..self }
+    }
+
+    /// What the cells cost, where they do not all cost the same.
+    pub fn weights(&self) -> Option<&Arc<Weights>> {
+        self.weights.as_ref()
+    }
+
     /// Columns.
     pub fn width(&self) -> u32 {
         self.width
@@ -74,6 +89,12 @@ impl Occupancy {
     /// Rows.
     pub fn height(&self) -> u32 {
         self.height
+    }
+
+    /// Bytes held, weights included.
+    pub fn bytes(&self) -> usize {
+        let weights = if self.weights.is_some() { self.len() } else { 0 };
+        self.rimmed.len() + self.around.len() + weights
     }
 
     /// Number of cells.

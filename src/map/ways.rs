@@ -14,6 +14,12 @@ pub(super) struct Ways {
     ways: Vec<u8>,
 }
 
+impl Ways {
+    pub(super) fn bytes(&self) -> usize {
+        self.ways.len()
+    }
+}
+
 /// By the free cells around a cell: the ways that it has whatever lies beyond, and those that it has where the next
 /// cell has them.
 static LOCAL: [(u8, u8); 256] = {

@@ -8,7 +8,7 @@ use super::outcome::{GridMetrics, Outcome, Plan, PlanTrace, Stats};
 use super::rasters::Rasters;
 use super::world::World;
 use super::{NEAR, Options, STEP, TRACE, measured};
-use crate::error::Error;
+use crate::error::{Error, ErrorCode};
 use crate::geometry::{Point, Pose};
 use crate::map::{Cell, Frame};
 #[cfg(feature = "complete")]
@@ -43,6 +43,10 @@ impl Engine {
         let search = Search::new(kind, config)?;
         let settings = search.common();
         settings.validate()?;
+        if world.occupancy.weights().is_some() && !kind.weighs() {
+            let rule = format!("must be empty for {}, for which all free cells cost the same", kind.id());
+            return Err(Error::new(ErrorCode::Config, "costs", rule));
+        }
         let rasters = Rasters::new(world, &settings);
         Ok(Self { search, settings, rasters, scratch: GridScratch::new() })
     }
@@ -176,6 +180,7 @@ impl Finish<'_> {
         }
         plan.raw_path = report.cells.iter().map(|&c| world.frame.center(c)).collect();
         plan.stats = stats(report);
+        plan.stats.memory_bytes = report.bytes + self.rasters.bytes(world) as u64;
         if report.status == Status::Found {
             plan.metrics.grid = Some(self.metrics(&pruned, &shortest, &smoothed, &pieces));
         }

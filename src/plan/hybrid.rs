@@ -36,14 +36,14 @@ impl Engine {
         };
         let config = defaults.with(config)?;
         config.validate()?;
-        let obstacles = obstacles(&world.geometry);
+        let obstacles = obstacles(&world.geometry).painted(world.paint());
         Ok(Self { config, obstacles, scratch: Scratch::default() })
     }
 
     /// The obstacles have changed.
     #[cfg(feature = "complete")]
     pub(super) fn change(&mut self, world: &World) {
-        self.obstacles = obstacles(&world.geometry);
+        self.obstacles = obstacles(&world.geometry).painted(world.paint());
     }
 
     pub(super) fn plan(&mut self, scenario: &Scenario, world: &World, options: Options) -> Plan {
@@ -156,6 +156,7 @@ fn stats(report: &Report) -> Stats {
         generated: report.generated,
         pushes: report.pushes,
         open_peak: report.open_peak,
+        memory_bytes: report.bytes,
         expansions: Some(report.expanded),
         collision_checks: Some(report.collision_checks),
         level: Some(report.level),

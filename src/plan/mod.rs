@@ -274,6 +274,9 @@ fn measured(world: &World, outcome: Outcome, driven: Driven, near: f64) -> Plan 
         curvature_limit: world.geometry.vehicle.max_curvature(),
         min_clearance: check.min_clearance,
         mean_clearance: check.mean_clearance,
+        weighted_length: world.paint().map(|paint| {
+            poses.windows(2).fold(0.0, |sum, pair| sum + paint.along(pair[0].point(), pair[1].point()))
+        }),
         grid: None,
         hybrid: None,
         #[cfg(feature = "complete")]

@@ -53,6 +53,10 @@ pub struct Stats {
     pub pushes: u32,
     /// Largest size of the open list.
     pub open_peak: u32,
+    /// Bytes of the arrays that the planner held: what it kept of each node, its open list at its largest, and the rasters
+    /// that it searched; not the scene. No part of the hash.
+    #[serde(skip)]
+    pub memory_bytes: u64,
     /// Grid planners: second expansions.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub deferred: Option<u32>,
@@ -104,6 +108,10 @@ pub struct Metrics {
     pub min_clearance: f64,
     /// Mean distance over the poses, metres.
     pub mean_clearance: f64,
+    /// Where cells have weights: the length with every part of it times the weight under the path (the middle of the
+    /// rear axle, for `cost-map` of the car), metres.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub weighted_length: Option<f64>,
     /// Grid planners.
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     pub grid: Option<GridMetrics>,

@@ -38,6 +38,15 @@ impl Rasters {
         }
     }
 
+    /// Bytes of what is searched.
+    pub(super) fn bytes(&self, world: &World) -> usize {
+        let map = self.map(world).bytes();
+        #[cfg(feature = "complete")]
+        return map + self.extra.bits.as_ref().map_or(0, Bits::bytes);
+        #[cfg(not(feature = "complete"))]
+        map
+    }
+
     /// Real obstacles and necessary safety space.
     pub(super) fn solid<'a>(&'a self, world: &'a World) -> &'a Occupancy {
         self.inflated.as_ref().unwrap_or(&world.occupancy)

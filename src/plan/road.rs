@@ -23,6 +23,8 @@ const MAX_POSES: f64 = 50_000.0;
 const STATION: f64 = 0.25;
 /// What is longer than this is smoothed at its own scale, metres.
 const LARGEST_CAR: f64 = 10.0;
+/// How much more a curve may cost by weights than its chords.
+const DEARER: f64 = 1.05;
 /// Nearer to the ends of a curve only its raster clearance counts, metres.
 const ENDS: f64 = 5.0;
 
@@ -92,6 +94,10 @@ impl Engine {
         if line.curve.is_none() && line.chords.len() > 2 {
             plan.metrics.max_curvature = None;
         }
+        plan.metrics.weighted_length = world.paint().map(|paint| {
+            let middle = |pose: &Pose| pose.advance(0.0, world.geometry.vehicle.middle()).point();
+            plan.path.windows(2).fold(0.0, |sum, w| sum + paint.along(middle(&w[0]), middle(&w[1])))
+        });
         plan.detail = line.fell_back.then_some("smoothing-fell-back");
         plan.reason = reason(&query, &report);
         plan.raw_path = report.cells.iter().map(|&c| world.frame.center(c)).collect();
@@ -139,7 +145,8 @@ impl Engine {
                     ways: ends.map(|end| self.config.headings.then(|| end.direction())),
                     scale: (world.geometry.vehicle.length() / LARGEST_CAR).max(1.0),
                 };
-                let smooth = smooth(&self.ground, &chords, &how, |spline| clear(world, spline));
+                let accept = |spline: &Spline| clear(world, spline) && is_cheap(world, &chords, spline);
+                let smooth = smooth(&self.ground, &chords, &how, accept);
                 (smooth.spline, smooth.fell_back)
             }
         };
@@ -174,7 +181,8 @@ fn middles(world: &World) -> [Point; 2] {
 }
 
 fn ground(scenario: &Scenario, world: &World) -> Ground {
-    Ground::new(world.frame, &world.geometry, is_open(scenario))
+    let ground = Ground::new(world.frame, &world.geometry, is_open(scenario));
+    Ground { weights: world.occupancy.weights().cloned(), ..ground }
 }
 
 /// Places of a curve about `step` apart, and the direction there.
@@ -188,6 +196,14 @@ fn along(spline: &Spline, step: f64) -> Vec<(Point, Vector)> {
         (point, first)
     };
     (0..=count).map(place).collect()
+}
+
+/// Whether the curve costs hardly more than the chords, where cells have weights: it strays from them by decimetres.
+fn is_cheap(world: &World, chords: &[Point], spline: &Spline) -> bool {
+    let Some(paint) = world.paint() else { return true };
+    let cost = |points: &[Point]| points.windows(2).fold(0.0, |sum, w| sum + paint.along(w[0], w[1]));
+    let places: Vec<Point> = along(spline, STATION).into_iter().map(|place| place.0).collect();
+    cost(&places) <= DEARER * cost(chords)
 }
 
 /// Whether the towed car touches nothing but at the ends.
@@ -258,6 +274,7 @@ fn stats(report: &Report) -> Stats {
         generated: report.generated,
         pushes: report.pushes,
         open_peak: report.open_peak,
+        memory_bytes: report.bytes as u64,
         ..Stats::default()
     }
 }

@@ -1,6 +1,6 @@
 //! A scene as the planners need it: exact for the car, rasters for the grid.
 
-use crate::map::{Frame, Occupancy, raster};
+use crate::map::{Frame, Occupancy, Paint, Weights, raster};
 use crate::metrics::Body;
 use crate::scenario::resolve::{Form, Geometry, Owner};
 use crate::scenario::{Obstacle, Scenario};
@@ -30,7 +30,21 @@ impl World {
         for runs in brushed(scenario) {
             raster::runs(&mut occupancy, runs);
         }
+        if scenario.costs.iter().any(|area| area.weight > 1) {
+            let mut weights = Weights::new(frame.width, frame.height);
+            for area in &scenario.costs {
+                weights.paint(&area.runs, area.weight);
+            }
+            occupancy = occupancy.weighing(weights);
+        }
         Ok(Self { body: Body::new(&geometry), geometry, frame, occupancy })
+    }
+}
+
+impl World {
+    /// What the floor costs, where it does not cost the same everywhere.
+    pub(super) fn paint(&self) -> Option<Paint> {
+        self.occupancy.weights().map(|weights| Paint { frame: self.frame, weights: weights.clone() })
     }
 }
 

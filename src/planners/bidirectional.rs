@@ -8,6 +8,7 @@ use super::heuristics::{Chosen, Estimate, Heuristic, Octile};
 use super::moves::Neighbourhood;
 use super::query::{GridReport, GridScratch, Query};
 use super::settings::Common;
+use super::weighted::Weighted;
 use crate::error::Error;
 use crate::json;
 use crate::search::{Observer, Stop, both_ways};
@@ -77,6 +78,14 @@ pub fn plan<O: Observer<i64, ()>>(
 ) -> GridReport {
     if let Some(report) = query.trivial() {
         return report;
+    }
+    if query.map.weights().is_some() {
+        let estimate = Chosen { heuristic: Heuristic::Gauge, neighbourhood: config.neighbours, weight: None };
+        let grid =
+            Weighted::new(Grid::new(&query, config.neighbours, config.common.corner, estimate), &query);
+        let most = config.common.max_expansions;
+        let found = both_ways(&grid, query.ends(), config.stop, most, &mut scratch.lattice, observer);
+        return GridReport::along(&query, &found, grid.lattice.los_calls());
     }
     match config.neighbours {
         Neighbourhood::Eight => search(query, config, Octile, scratch, observer),

@@ -8,6 +8,7 @@ use super::heuristics::{Chosen, DistanceWeight, Estimate, Euclid, Gauge16, Heuri
 use super::moves::Neighbourhood;
 use super::query::{GridReport, GridScratch, Query};
 use super::settings::Common;
+use super::weighted::Weighted;
 use crate::error::{Error, ErrorCode};
 use crate::json;
 use crate::search::Observer;
@@ -122,6 +123,9 @@ pub fn plan<O: Observer<i64, ()>>(
     let (dx, dy) = (query.goal.x - query.start.x, query.goal.y - query.start.y);
     let weight = (config.weight == Weight::Distance).then(|| DistanceWeight::new(1000, dx, dy));
     let search = Search { query, neighbourhood, common: config.common, scratch, observer };
+    if query.map.weights().is_some() {
+        return search.by_weights(Chosen { heuristic: config.heuristic, neighbourhood, weight });
+    }
     match (config.heuristic, neighbourhood, weight) {
         (Heuristic::Manhattan, _, None) => search.by(Manhattan),
         (Heuristic::Euclid, _, None) => search.by(Euclid),
@@ -145,5 +149,14 @@ impl<O: Observer<i64, ()>> Search<'_, O> {
         let grid = Grid::new(&query, neighbourhood, common.corner, estimate);
         let found = one_way(&grid, query.ends(), common.max_expansions, &mut scratch.lattice, observer);
         GridReport::along(&query, &found, grid.los_calls())
+    }
+
+    /// The map has weights.
+    fn by_weights(self, estimate: Chosen) -> GridReport {
+        let Self { query, neighbourhood, common, scratch, observer } = self;
+        let lattice = Grid::new(&query, neighbourhood, common.corner, estimate);
+        let grid = Weighted::new(lattice, &query);
+        let found = one_way(&grid, query.ends(), common.max_expansions, &mut scratch.lattice, observer);
+        GridReport::along(&query, &found, grid.lattice.los_calls())
     }
 }

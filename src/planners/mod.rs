@@ -19,5 +19,7 @@ pub mod query;
 pub mod registry;
 pub mod risk_field;
 pub mod settings;
+mod weighted;
 
 pub use obstruction::{Gap, Obstruction, Region};
+pub(crate) use weighted::weighted_cost;

@@ -84,6 +84,8 @@ pub struct GridReport {
     pub open_peak: u32,
     /// The expanded cell with the smallest estimate: how near the search came. The start where nothing was searched.
     pub closest: Cell,
+    /// Bytes of what the search kept of its cells, and of its open list at its largest.
+    pub bytes: u64,
 }
 
 /// A grid search's memory, reused between queries.
@@ -148,6 +150,7 @@ impl GridReport {
             cells_scanned: 0,
             open_peak: 0,
             closest,
+            bytes: 0,
         }
     }
 
@@ -166,6 +169,7 @@ impl GridReport {
             pushes: search.pushes,
             los_calls,
             open_peak: search.open_peak,
+            bytes: Scratch::<f64, Cell>::bytes(query.map.len(), search.open_peak) as u64,
             detail: (status == Status::NoPath).then_some(Detail::Unreachable),
             ..Self::empty(status, query.map.cell(search.closest.1))
         };
@@ -188,6 +192,7 @@ impl GridReport {
             rejected: found.rejected,
             los_calls,
             open_peak: found.open_peak,
+            bytes: found.bytes,
             detail: (status == Status::NoPath).then_some(Detail::Unreachable),
             ..Self::empty(status, query.map.cell(found.closest))
         }

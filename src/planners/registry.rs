@@ -169,6 +169,14 @@ impl Kind {
         self.id().starts_with("hybrid")
     }
 
+    /// Whether it knows that cells can cost more than others.
+    pub fn weighs(self) -> bool {
+        #[cfg(feature = "complete")]
+        return !matches!(self, Self::JumpPoint | Self::AnyAngle);
+        #[cfg(not(feature = "complete"))]
+        true
+    }
+
     /// The neighbourhood of plain grid A*.
     pub fn neighbourhood(self) -> Option<Neighbourhood> {
         Some(match self {

@@ -1,19 +1,27 @@
 //! Leaving out cells that a path does not need.
 
 use crate::map::{Cell, Corner, Occupancy, first_in_sight, line_of_sight};
+use crate::planners::weighted_cost;
 
 /// Leaves out, in one pass, every cell that the last kept one need not pass to see the next (Hu et al. 2024, 5.1).
 ///
-/// Start and goal stay; the path never gets longer.
+/// Start and goal stay; the path never gets longer, nor dearer where cells have weights.
 pub fn prune(map: &Occupancy, path: &[Cell], corner: Corner) -> Vec<Cell> {
     let [first, .., last] = path else { return path.to_vec() };
     let mut kept = vec![*first];
     let mut anchor = *first;
+    let step = |a, b| map.weights().map_or(0, |weights| weighted_cost(weights, a, b));
+    // What the path costs from the anchor on.
+    let mut spent = step(anchor, path[1]);
     for pair in path[1..].windows(2) {
         let (b, c) = (pair[0], pair[1]);
-        if !goes_straight(anchor, b, c) && !line_of_sight(map, anchor, c, corner) {
+        let on = step(b, c);
+        let direct = || line_of_sight(map, anchor, c, corner) && step(anchor, c) <= spent + on;
+        if goes_straight(anchor, b, c) || direct() {
+            spent += on;
+        } else {
             kept.push(b);
-            anchor = b;
+            (anchor, spent) = (b, on);
         }
     }
     kept.push(*last);
@@ -26,7 +34,7 @@ fn goes_straight(a: Cell, b: Cell, c: Cell) -> bool {
     ux * vy == uy * vx && ux * vx + uy * vy > 0
 }
 
-/// The shortest way over the path's own cells, every cell of its long moves included.
+/// The shortest way over the path's own cells, every cell of its long moves included; the cheapest where cells have weights.
 ///
 /// Takes time quadratic in the length of the path at worst. What hid a cell from another one mostly hides it from the next
 /// one too: that is looked at first, and only where it is out of the way the whole line.
@@ -38,12 +46,18 @@ pub fn prune_dp(map: &Occupancy, path: &[Cell], corner: Corner) -> Vec<Cell> {
         first.0 = 0.0;
     }
     let ends = straight_ends(&points);
+    let mean = |a, b| {
+        map.weights().map_or(1.0, |weights| {
+            let (above, below) = weights.mean(a, b);
+            above as f64 / below as f64
+        })
+    };
     for j in 1..points.len() {
         let (mut latest, mut i) = (None, 0);
         while i < j {
             let at = i;
             i += 1;
-            let length = best[at].0 + distance(points[at], points[j]);
+            let length = best[at].0 + distance(points[at], points[j]) * mean(points[at], points[j]);
             if length >= best[j].0 - 1e-12 {
                 continue;
             }

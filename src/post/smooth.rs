@@ -26,7 +26,8 @@ pub struct Smoothed {
     pub min_radius: Option<f64>,
 }
 
-/// Rounds the corners of a path with arcs of at least `min_radius` cells that stay in free cells.
+/// Rounds the corners of a path with arcs of at least `min_radius` cells that stay in free cells and, where cells have weights,
+/// cost no more.
 pub fn smooth(map: &Occupancy, path: &[Cell], min_radius: f64, mode: SmoothMode) -> Smoothed {
     let points: Vec<[f64; 2]> = path.iter().map(|c| [f64::from(c.x), f64::from(c.y)]).collect();
     let mut smoothed = Smoothed { pieces: Vec::new(), length: 0.0, arcs: 0, sharp: 0, min_radius: None };
@@ -125,12 +126,21 @@ impl Bend {
                 return None;
             }
             let arc = self.arc(tangent, radius);
-            if is_free(map, &arc) {
+            if is_free(map, &arc) && self.is_cheap(map, tangent, &arc) {
                 return Some((tangent, arc));
             }
             tangent *= 0.8;
         }
         None
+    }
+
+    /// Whether the arc costs no more than the corner, where cells have weights.
+    fn is_cheap(&self, map: &Occupancy, tangent: f64, arc: &Piece) -> bool {
+        let Some(weights) = map.weights() else { return true };
+        let along =
+            |points: &[[f64; 2]]| -> f64 { points.windows(2).map(|p| weights.along(p[0], p[1])).sum() };
+        let start = [self.corner[0] + self.back[0] * tangent, self.corner[1] + self.back[1] * tangent];
+        along(&Piece::polyline(&[*arc], STEP)) <= along(&[start, self.corner, self.leave(tangent)])
     }
 
     fn arc(&self, tangent: f64, radius: f64) -> Piece {

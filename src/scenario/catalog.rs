@@ -231,6 +231,7 @@ fn lot(x0: f64, x1: f64, depth: f64, start: [f64; 3], goal: [f64; 3]) -> Scenari
         map,
         obstacles: Vec::new(),
         slots: Vec::new(),
+        costs: Vec::new(),
         #[cfg(feature = "complete")]
         moving: Vec::new(),
         #[cfg(feature = "complete")]

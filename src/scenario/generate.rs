@@ -112,6 +112,7 @@ pub fn generate(family: Family, size: u32, seed: u64) -> Result<Scenario, Error>
         map: MapFrame { origin: [-0.5, -0.5], width: size, height: size, resolution: 1.0, boundary: None },
         obstacles: vec![Obstacle::Cells { id: None, runs: raster::to_runs(&map) }],
         slots: Vec::new(),
+        costs: Vec::new(),
         #[cfg(feature = "complete")]
         moving: Vec::new(),
         #[cfg(feature = "complete")]

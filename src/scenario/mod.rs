@@ -46,6 +46,9 @@ pub struct Scenario {
     pub obstacles: Vec<Obstacle>,
     /// Parking slots; an occupied one holds a parked car.
     pub slots: Vec<Slot>,
+    /// Cells that cost more than their length.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub costs: Vec<CostArea>,
     /// What moves. Planners leave it out; a drive along a path has to wait for it.
     #[cfg(feature = "complete")]
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -141,6 +144,19 @@ pub enum Obstacle {
     /// A road: its kerbs block, its lanes are to be kept to.
     #[serde(untagged)]
     Road(Road),
+}
+
+/// Cells that cost more to cross than others. Where areas overlap the heaviest counts.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct CostArea {
+    /// Name for messages and selection.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub id: Option<String>,
+    /// Runs of cells: x of the first, y, number of cells eastward.
+    pub runs: Vec<[u32; 3]>,
+    /// What a metre costs there, in metres: 1 to 10.
+    pub weight: u32,
 }
 
 /// A parking slot. `(x, y)` is the middle of its open side, `heading` points from the aisle into the slot, at right

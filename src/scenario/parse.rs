@@ -5,7 +5,9 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 
 use super::packed;
-use super::{Entry, Goal, Lean, MapFrame, Obstacle, Road, Scenario, Slot, SlotGoal, SlotKind, VehicleSpec};
+use super::{
+    CostArea, Entry, Goal, Lean, MapFrame, Obstacle, Road, Scenario, Slot, SlotGoal, SlotKind, VehicleSpec,
+};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::Pose;
 use crate::json::{Fields, bad, count, exactly, flag, list, number, object, owned, text, word};
@@ -101,6 +103,11 @@ fn obstacle(value: &Value) -> Result<Obstacle> {
     })
 }
 
+fn cost_area(value: &Value) -> Result<CostArea> {
+    let f = Fields::of(value, &["id", "runs", "weight"])?;
+    Ok(CostArea { id: f.maybe("id", owned)?, runs: f.need("runs", runs)?, weight: f.need("weight", count)? })
+}
+
 fn slot(value: &Value) -> Result<Slot> {
     let known = ["id", "kind", "x", "y", "heading", "width", "length", "angle", "lean", "occupied"];
     let f = Fields::of(value, &known)?;
@@ -156,6 +163,7 @@ impl Scenario {
             "map",
             "obstacles",
             "slots",
+            "costs",
             "moving",
             "lanes",
             "speedLimits",
@@ -178,6 +186,7 @@ impl Scenario {
             map: f.need("map", map)?,
             obstacles: f.maybe("obstacles", list(obstacle))?.unwrap_or_default(),
             slots: f.maybe("slots", list(slot))?.unwrap_or_default(),
+            costs: f.maybe("costs", list(cost_area))?.unwrap_or_default(),
             // No planner of `core` sees these: it leaves them to the complete module.
             #[cfg(feature = "complete")]
             moving: f.maybe("moving", super::moving::read_all)?.unwrap_or_default(),

@@ -82,6 +82,7 @@ fn scene(origin: [f64; 2], cells: [u32; 2], boundary: Vec<[f64; 2]>, start: Pose
         map: MapFrame { origin, width, height, resolution: RESOLUTION, boundary: Some(boundary) },
         obstacles: Vec::new(),
         slots: Vec::new(),
+        costs: Vec::new(),
         moving: Vec::new(),
         lanes: Vec::new(),
         speed_limits: Vec::new(),

@@ -2,16 +2,19 @@
 
 use std::collections::BTreeMap;
 
-use super::{Goal, MAX_CELLS, MapFrame, Obstacle, Scenario, Slot, SlotKind, VehicleSpec};
+use super::{CostArea, Goal, MAX_CELLS, MapFrame, Obstacle, Scenario, Slot, SlotKind, VehicleSpec};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::math::FRAC_PI_2;
 use crate::geometry::{Point, Pose};
+use crate::map::Weights;
 use crate::vehicle::Vehicle;
 
 /// Largest coordinate, metres: beyond it neighbouring numbers are more than a tenth of a millimetre apart.
 const MAX_COORDINATE: f64 = 1e11;
 /// Most corners of one polygon or wall: the test for self-intersection is quadratic.
 const MAX_CORNERS: usize = 2000;
+/// Most that all cells of a painted map cost together, in cells: searches count to 2⁴⁴ millionths of one.
+const MAX_COSTS: u64 = 12_000_000;
 
 pub(super) fn bad<T>(path: &str, message: String) -> Result<T, Error> {
     Err(Error::new(ErrorCode::Scenario, path, message))
@@ -30,6 +33,7 @@ impl Scenario {
         for (i, obstacle) in self.obstacles.iter().enumerate() {
             obstacle.validate(&self.map).map_err(|e| e.within(&format!("obstacles[{i}]")))?;
         }
+        costs(&self.costs, &self.map)?;
         let mut known = BTreeMap::new();
         for (i, slot) in self.slots.iter().enumerate() {
             slot.validate().map_err(|e| e.within(&format!("slots[{i}]")))?;
@@ -110,17 +114,7 @@ impl MapFrame {
 impl Obstacle {
     pub(crate) fn validate(&self, map: &MapFrame) -> Result<(), Error> {
         match self {
-            Self::Cells { runs, .. } => {
-                for (i, &[x, y, count]) in runs.iter().enumerate() {
-                    let end = u64::from(x) + u64::from(count);
-                    if count == 0 || end > u64::from(map.width) || y >= map.height {
-                        let (w, h) = (map.width, map.height);
-                        let message = format!("must lie on the {w} × {h} map, got [{x}, {y}, {count}]");
-                        return bad(&format!("runs[{i}]"), message);
-                    }
-                }
-                Ok(())
-            }
+            Self::Cells { runs, .. } => on_map(runs, map),
             Self::Wall { points, thickness, .. } => {
                 corners("points", points, 2)?;
                 if !(*thickness >= 0.0 && *thickness <= 1000.0) {
@@ -142,6 +136,35 @@ impl Obstacle {
             }
         }
     }
+}
+
+fn on_map(runs: &[[u32; 3]], map: &MapFrame) -> Result<(), Error> {
+    for (i, &[x, y, count]) in runs.iter().enumerate() {
+        let end = u64::from(x) + u64::from(count);
+        if count == 0 || end > u64::from(map.width) || y >= map.height {
+            let (w, h) = (map.width, map.height);
+            let message = format!("must lie on the {w} × {h} map, got [{x}, {y}, {count}]");
+            return bad(&format!("runs[{i}]"), message);
+        }
+    }
+    Ok(())
+}
+
+fn costs(areas: &[CostArea], map: &MapFrame) -> Result<(), Error> {
+    let mut all = u64::from(map.width) * u64::from(map.height);
+    for (i, area) in areas.iter().enumerate() {
+        on_map(&area.runs, map).map_err(|e| e.within(&format!("costs[{i}]")))?;
+        if !(1..=Weights::MOST).contains(&area.weight) {
+            let message = format!("must be 1 to {}, got {}", Weights::MOST, area.weight);
+            return bad(&format!("costs[{i}].weight"), message);
+        }
+        all += area.runs.iter().map(|run| u64::from(run[2]) * u64::from(area.weight - 1)).sum::<u64>();
+    }
+    if !areas.is_empty() && all > MAX_COSTS {
+        let message = format!("all cells times their weights must be at most {MAX_COSTS}, are {all}");
+        return bad("costs", message);
+    }
+    Ok(())
 }
 
 impl Slot {

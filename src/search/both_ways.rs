@@ -55,7 +55,7 @@ pub fn both_ways<L: Lattice, O: Observer<i64, ()>>(
         let back = memory.chain::<L, 2>(lattice, 1, best.1, |at, number| lattice.after(at, number));
         found.nodes.extend(&back[1..]);
     }
-    found.count(&memory.sides);
+    found.count(lattice, &memory.sides);
     found
 }
 

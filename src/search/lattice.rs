@@ -141,6 +141,8 @@ pub struct Found {
     pub open_peak: u32,
     /// The expanded node with the smallest estimate to the goal.
     pub closest: NodeId,
+    /// Bytes of the nodes' records and of the open lists at their largest.
+    pub bytes: u64,
 }
 
 /// Searches the cheapest path from `start` to `goal`; with an inconsistent estimate, some path.
@@ -202,7 +204,7 @@ pub fn one_way<L: Lattice, O: Observer<i64, ()>>(
             }
         }
     }
-    found.count(&memory.sides[..1]);
+    found.count(lattice, &memory.sides[..1]);
     found
 }
 
@@ -229,14 +231,19 @@ impl Found {
             rejected: 0,
             open_peak: 0,
             closest: start,
+            bytes: 0,
         }
     }
 
-    pub(super) fn count<E: Entry>(&mut self, sides: &[Side<E>]) {
+    pub(super) fn count<L: Lattice>(&mut self, lattice: &L, sides: &[Side<L::Entry>]) {
         for side in sides {
             self.generated += side.generated;
             self.pushes += side.open.pushes();
             self.open_peak += side.open.peak();
         }
+        let nodes = lattice.node_count();
+        let records = (nodes + 2 * lattice.rim()) * sides.len() * size_of::<Record>();
+        let parents = if L::JUMPS { nodes * size_of::<NodeId>() } else { 0 };
+        self.bytes = (records + parents + self.open_peak as usize * size_of::<L::Entry>()) as u64;
     }
 }

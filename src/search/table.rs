@@ -101,7 +101,6 @@ impl<C: Cost, L: Copy + Default> Scratch<C, L> {
     }
 
     /// Bytes that a search of this many nodes needs whose open list holds `open_peak` entries at most.
-    #[cfg(feature = "complete")]
     pub const fn bytes(node_count: usize, open_peak: u32) -> usize {
         node_count * size_of::<Slot<C, L>>() + open_peak as usize * size_of::<open::Entry<C>>()
     }

@@ -6,7 +6,7 @@ use wasm_bindgen::JsValue;
 use super::codec::{f32s, f64s, i8s, i32s, object, set, u8s, u32s, write};
 use crate::geometry::{Point, Pose};
 use crate::metrics::Check;
-use crate::plan::{Layer, LayerData, Plan, PlanTrace};
+use crate::plan::{Layer, LayerData, Plan, PlanTrace, Stats};
 use crate::planners::{Gap, Obstruction};
 use crate::scenario::Scenario;
 use crate::scenario::resolve::{Geometry, Owner, PARKED};
@@ -25,13 +25,19 @@ pub(super) fn plan(scene: &Scenario, geometry: &Geometry, plan: &Plan) -> JsValu
         ("curvatures", f64s(&plan.curvatures)),
         ("clearances", f64s(&plan.check.clearances)),
         ("rawPath", f64s(&raw)),
-        ("stats", write(&plan.stats)),
+        ("stats", stats(&plan.stats)),
         ("metrics", write(&plan.metrics)),
         ("check", check(scene, geometry, &plan.check)),
         ("obstruction", write(&plan.obstruction.as_ref().map(|o| obstruction(scene, geometry, o)))),
         ("trace", plan.trace.as_ref().map_or(JsValue::NULL, |t| trace(geometry, t))),
         ("hash", plan.hash().into()),
     ])
+}
+
+fn stats(stats: &Stats) -> JsValue {
+    let answer = write(stats);
+    set(&answer, "memoryBytes", &(stats.memory_bytes as f64).into());
+    answer
 }
 
 fn obstruction(scene: &Scenario, geometry: &Geometry, obstruction: &Obstruction) -> Value {

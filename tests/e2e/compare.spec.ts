@@ -179,6 +179,32 @@ test("every planner has a best and a worst case in the gallery, drawn with its p
   await expect(page.locator("parkade-panel[active]")).toContainText("Jump point");
 });
 
+test("the drive plays and rests by its key, and what the car sweeps is drawn", async ({ page }) => {
+  await open(page);
+  await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ mode: "focus", focus: "hybrid" }));
+  const fraction = () => page.evaluate(store((state) => state["playback"].fraction as number));
+  const playing = () => page.evaluate(store((state) => state["playback"].playing as boolean));
+  await page.evaluate(() => (document.querySelector("parkade-playground") as unknown as { seek(at: number, how: object): void }).seek(0, { base: "drive" }));
+  await page.locator("body").press("a");
+  await expect.poll(fraction).toBeGreaterThan(0);
+  await page.locator("body").press("a");
+  await expect.poll(playing).toBe(false);
+  const rest = await fraction();
+  expect(rest).toBeLessThan(1);
+  const canvas = page.locator("parkade-panel.large canvas");
+  const picture = () => canvas.evaluate((element: HTMLCanvasElement) => element.toDataURL());
+  const layer = (on: boolean) => page.evaluate((sweep) => {
+    const { store } = document.querySelector<PlaygroundElement>("parkade-playground")!;
+    store.set({ layers: { ...(store.state as unknown as { layers: object }).layers, sweep } });
+  }, on);
+  await layer(false);
+  await page.waitForFunction(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(true)))));
+  const without = await picture();
+  await layer(true);
+  await expect.poll(picture).not.toBe(without);
+  expect(await fraction()).toBe(rest);
+});
+
 test("a newcomer draws a wall and a row of slots, parks in the third, and learns why the eight-neighbour path fails", async ({ page }) => {
   const lot: Partial<Scenario> = { start: { x: 8, y: 20, heading: 0 }, goal: { x: 30, y: 20, heading: 0 } };
   await openLot(page, lot);

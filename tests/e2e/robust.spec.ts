@@ -13,6 +13,11 @@ test("500 mutated links and files never break the page", async ({ page }) => {
   page.on("pageerror", (error) => errors.push(error.message));
   await open(page);
   await page.waitForFunction(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.state.complete);
+  await page.evaluate(() => {
+    const element = document.querySelector<PlaygroundElement>("parkade-playground")!;
+    element.sceneData = { ...element.sceneData, costs: [{ id: "cost-1", runs: [[20, 20, 9], [20, 21, 9]], weight: 4 }] };
+  });
+  await settled(page);
   const before = await sceneOf(page), hashes = await hashesOf(page);
   const link = new URL((await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.shareURL()))!).hash;
   const tally = await page.evaluate(async ([hash, text]) => {

@@ -26,6 +26,12 @@ const TOOLS: Record<string, Tool> = {
   slot: { key: "p", way: [[14, 18], [25.5, 18]], made: (scene) => expect(scene.slots).toHaveLength(4) },
   moving: { key: "m", way: [[14, 12], [26, 12]], made: (scene) => expect(scene.moving![0]!.points).toEqual([[14, 12], [26, 12]]) },
   road: { key: "d", corners: true, way: [[14, 12], [26, 12]], made: (scene) => expect(kinds(scene)).toEqual(["road"]) },
+  cost: { key: "k", way: [[16, 12], [24, 18]], made: (scene) => {
+    expect(scene.costs).toHaveLength(1);
+    expect(scene.costs![0]!.weight).toBe(5);
+    expect(scene.costs![0]!.runs.reduce((sum, run) => sum + run[2], 0)).toBeGreaterThan(30);
+    expect(scene.obstacles).toEqual([]);
+  } },
   eraser: { key: "e", way: [[17, 15], [23, 15]], before: { obstacles: [BOX] }, made: (scene) => expect(kinds(scene)).toEqual([]) },
 };
 
@@ -56,7 +62,7 @@ test("each tool draws by mouse", async ({ page }) => {
 });
 
 test("each tool draws by touch", async ({ page }) => {
-  const order = ["v", "b", "l", "r", "g", "c", "p", "m", "d", "e"];
+  const order = ["v", "b", "l", "r", "g", "c", "p", "m", "d", "k", "e"];
   await withEach(page, async (_, tool) => {
     await page.locator("parkade-toolbar .tool").nth(order.indexOf(tool.key)).click();
     if (!tool.corners) return fingers(page, [tool.way]);
@@ -82,6 +88,52 @@ test("each tool draws by keys", async ({ page }) => {
     }
     if (tool.corners || name === "moving") await page.keyboard.press("Enter");
   });
+});
+
+test("painted cells cost what is painted, in every planner's answer; erased, undone and by a link they are as they were", async ({ page }) => {
+  const complaints = complaintsOf(page);
+  await openLot(page, { start: { x: 6, y: 15.25, heading: 0 }, goal: { x: 34, y: 15.25, heading: 0 } });
+  const plans = (): Promise<{ outcome: string; length: number; weighted: number | undefined }[]> => page.evaluate(() => {
+    const { results } = document.querySelector<PlaygroundElement>("parkade-playground")!;
+    return Object.values(results).map((plan) => ({ outcome: plan!.outcome, length: plan!.metrics.length, weighted: plan!.metrics.weightedLength }));
+  });
+  for (const { length } of await plans()) expect(length).toBeCloseTo(28, 1);
+  await page.keyboard.press("k");
+  for (let n = 0; n < 5; n++) await page.keyboard.press("}");
+  await drag(page, [[20, 13], [20, 20]]);
+  await settled(page);
+  const painted = await sceneOf(page);
+  expect(painted.costs!.map(({ weight }) => weight)).toEqual([10]);
+  for (const { outcome, length, weighted } of await plans()) {
+    expect(outcome).toBe("found");
+    expect(length).toBeGreaterThan(28.2);
+    expect(weighted).toBeLessThan(28 + 9);
+  }
+  await expect(page.locator("parkade-objects li", { hasText: "Painted cost ×10" })).toHaveCount(1);
+
+  // The eraser and a weight of 1 take paint away.
+  await page.keyboard.press("e");
+  await drag(page, [[20, 12], [20, 14]]);
+  await page.keyboard.press("k");
+  for (let n = 0; n < 9; n++) await page.keyboard.press("{");
+  await drag(page, [[20, 16], [20, 21]]);
+  await settled(page);
+  const left = (scene: Scenario): number => (scene.costs ?? []).reduce((sum, { runs }) => sum + runs.reduce((all, run) => all + run[2], 0), 0);
+  expect(left(await sceneOf(page))).toBeLessThan(left(painted));
+  await page.keyboard.press("Control+z");
+  await page.keyboard.press("Control+z");
+  expect(await sceneOf(page)).toEqual(painted);
+
+  const link = await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.shareURL());
+  await page.goto("about:blank");
+  await page.goto(link!);
+  await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.ready);
+  expect((await sceneOf(page)).costs).toEqual(painted.costs);
+
+  // A planner for which all cells cost the same says so; the others go on.
+  await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ planners: ["eight", "jump-point"], focus: "jump-point", mode: "grid" }));
+  await expect(page.locator("parkade-panel", { hasText: "cannot plan this scene" })).toContainText("all free cells cost the same");
+  expect(complaints).toEqual([]);
 });
 
 test("a stroke at 3000 px/s leaves no holes", async ({ page }) => {
@@ -246,12 +298,12 @@ test("200 mixed edits are taken back to the very scene, and made again", async (
   while (seen.length <= 200) {
     const how = random(0, 1);
     if (how < 0.2) {
-      await page.keyboard.press(pick(["b", "r", "m", "p", "e", "v"]));
+      await page.keyboard.press(pick(["b", "r", "m", "p", "e", "v", "k", "k"]));
       await drag(page, [spot(), spot()], { steps: 1 });
     } else if (how < 0.3) {
       await page.keyboard.press("c");
       await click(page, spot());
-    } else await page.keyboard.press(pick(["ArrowUp", "ArrowRight", "Shift+ArrowDown", "Control+ArrowLeft", "Control+d", "Control+a", "x", "Delete"]));
+    } else await page.keyboard.press(pick(["ArrowUp", "ArrowRight", "Shift+ArrowDown", "Control+ArrowLeft", "Control+d", "Control+a", "x", "Delete", "}", "{"]));
     await page.keyboard.press("v");
     const now = await fingerprint(page);
     if (now !== seen.at(-1)) seen.push(now);

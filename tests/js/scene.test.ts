@@ -7,7 +7,9 @@ import { capsuleRuns, countCells, subtractRuns, unionRuns, type Run } from "../.
 import { sceneFromText, sceneToFile } from "../../www/src/scene/files";
 import { decodeScene, encodeScene } from "../../www/src/scene/link";
 import * as model from "../../www/src/scene/model";
-import { moveThings, turnThings } from "../../www/src/scene/things";
+import { moveThings, removeThings, turnThings } from "../../www/src/scene/things";
+import { paintCosts, reweigh, weightAt } from "../../www/src/scene/costs";
+import { steerAngle } from "../../www/src/view/drive";
 import { canExtend, crossesItself, type Point } from "../../www/src/scene/plane";
 import { slotRow } from "../../www/src/scene/slots";
 import { fit, screenToWorld, worldToScreen, zoomAt } from "../../www/src/view/camera";
@@ -84,6 +86,62 @@ describe("brush strokes", () => {
     const stroke = capsuleRuns(frame, [-3, -2], [5, 6], 0.6), dot = capsuleRuns(frame, [1, 1], [1, 1], 1);
     expect(subtractRuns(unionRuns(stroke, dot), stroke)).toEqual(subtractRuns(dot, stroke));
     expect(subtractRuns(stroke, stroke)).toEqual([]);
+  });
+});
+
+describe("painted cells", () => {
+  const weights = (of: Scenario): Map<string, number> => new Map((of.costs ?? []).flatMap(({ runs, weight }) => [...cellsOf(runs)].map((cell) => [cell, weight] as const)));
+
+  it("have the weight of the last stroke over them, each in one area, and an area for each weight", () => {
+    const stroke = fc.tuple(inside, inside, fc.double({ min: 0.2, max: 2, noNaN: true }), fc.integer({ min: 1, max: 10 }));
+    fc.assert(fc.property(fc.array(stroke, { maxLength: 8 }), (strokes) => {
+      const wanted = new Map<string, number>();
+      const painted = strokes.reduce((before, [from, to, radius, weight]) => {
+        const runs = capsuleRuns(frame, from, to, radius);
+        for (const cell of cellsOf(runs)) weight > 1 ? wanted.set(cell, weight) : wanted.delete(cell);
+        return paintCosts(before, runs, weight);
+      }, scene);
+      expect(weights(painted)).toEqual(wanted);
+      const areas = painted.costs ?? [];
+      expect(areas.reduce((sum, { runs }) => sum + countCells(runs), 0)).toBe(wanted.size);
+      expect(new Set(areas.map(({ weight }) => weight)).size).toBe(areas.length);
+      expect(new Set(areas.map(({ id }) => id)).size).toBe(areas.length);
+      expect("costs" in painted).toBe(areas.length > 0);
+    }));
+  });
+
+  it("change nothing twice, are told by cell, and change weight as a whole", () => {
+    const runs = capsuleRuns(frame, [0, 0], [4, 0], 1), once = paintCosts(scene, runs, 5);
+    expect(paintCosts(once, runs, 5)).toBe(once);
+    expect(paintCosts(scene, runs, 1)).toBe(scene);
+    expect(weightAt(once, 20 * 80 + 44)).toBe(5);
+    expect(weightAt(once, 0)).toBe(1);
+    const id = once.costs![0]!.id!;
+    expect(reweigh(once, id, 7).costs).toEqual([{ ...once.costs![0], weight: 7 }]);
+    const two = paintCosts(once, [[0, 0, 3]], 7);
+    expect(reweigh(two, id, 7).costs).toHaveLength(1);
+    expect(reweigh(once, id, 1).costs).toBeUndefined();
+  });
+
+  it("travel in links as they are", async () => {
+    const painted = paintCosts(paintCosts(scene, capsuleRuns(frame, [0, 0], [4, 3], 1), 5), [[0, 0, 3]], 10);
+    const link = await encodeScene(painted);
+    expect((await decodeScene(link)).costs).toEqual(painted.costs);
+    expect(link.length).toBeLessThan(1900);
+  });
+
+  it("move by whole cells and go by their ids", () => {
+    const painted = paintCosts(scene, [[10, 10, 4]], 5), [{ id }] = painted.costs as [{ id: string }];
+    expect(moveThings(painted, [id], 0.5, 0.25).costs![0]!.runs).toEqual([[12, 11, 4]]);
+    expect(removeThings(painted, [id]).costs).toBeUndefined();
+  });
+});
+
+describe("a car's front wheels", () => {
+  it("point along the circle that its rear axle is on, and straight ahead at corners", () => {
+    expect(Math.tan(steerAngle(0.2, 2.8))).toBeCloseTo(0.56, 12);
+    expect(steerAngle(-0.2, 2.8)).toBe(-steerAngle(0.2, 2.8));
+    expect(steerAngle(NaN, 2.8)).toBe(0);
   });
 });
 

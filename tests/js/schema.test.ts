@@ -22,6 +22,14 @@ describe("the published schema", () => {
     for (const { id } of scenarios()) expect(validate(scenario(id)), id).toBe(true);
   });
 
+  it("accepts painted cells, in runs and packed", () => {
+    for (const runs of [[[0, 0, 4]], "AE"]) {
+      const painted = { ...scenario("perpendicular"), costs: [{ id: "cost-1", runs, weight: 3 }] };
+      expect(validate(painted)).toBe(true);
+      expect(accepted(painted)).toBe(true);
+    }
+  });
+
   it("refuses what the planners refuse for its form", () => {
     const scene = scenario("perpendicular");
     const broken: unknown[] = [
@@ -35,6 +43,10 @@ describe("the published schema", () => {
       { ...scene, obstacles: [{ type: "polygon", points: [[0, 0], [1, 1]] }] },
       { ...scene, obstacles: [{ type: "hole" }] },
       { ...scene, slots: [{ ...scene.slots![0], width: 0 }] },
+      { ...scene, costs: [{ runs: [[0, 0, 1]], weight: 11 }] },
+      { ...scene, costs: [{ runs: [[0, 0, 1]], weight: 1.5 }] },
+      { ...scene, costs: [{ runs: [[0, 0, 1]] }] },
+      { ...scene, costs: [{ runs: "?", weight: 2 }] },
     ];
     for (const candidate of broken) {
       expect(validate(candidate), JSON.stringify(candidate).slice(0, 80)).toBe(false);

@@ -92,6 +92,7 @@ pub(crate) fn scene(seed: u64) -> (Scenario, Map<String, Value>) {
         goal: Goal::Pose(goal),
         vehicle: VehicleSpec::Custom(car),
         slots: Vec::new(),
+        costs: Vec::new(),
         moving: Vec::new(),
         lanes: Vec::new(),
         speed_limits: Vec::new(),

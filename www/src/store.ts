@@ -1,12 +1,15 @@
 import type { Drive, Encounter, Explanation, Layer, LayerName, Plan, PlannerId, Road, Scenario, SceneGeometry } from "parkade";
 
 export type Scene = Scenario;
-export type ToolId = "select" | "brush" | "wall" | "rectangle" | "polygon" | "car" | "slot" | "moving" | "road" | "eraser" | "hand";
+export type ToolId = "select" | "brush" | "wall" | "rectangle" | "polygon" | "car" | "slot" | "moving" | "road" | "cost" | "eraser" | "hand";
 export type Selection =
   | { kind: "start" | "goal" }
-  | { kind: "obstacle" | "slot" | "moving"; id: string }
+  | { kind: "obstacle" | "slot" | "moving" | "cost"; id: string }
   | { kind: "group"; ids: readonly string[] }
   | null;
+
+/** Everything in a scene that has an id. */
+export const thingsOf = ({ obstacles = [], slots = [], costs = [], moving = [] }: Scene) => [...obstacles, ...slots, ...costs, ...moving];
 
 export const isPose = (selection: Selection | undefined): selection is { kind: "start" | "goal" } =>
   selection?.kind === "start" || selection?.kind === "goal";
@@ -40,6 +43,8 @@ export interface Playback {
 
 export interface ToolOptions {
   brushRadius: number;
+  /** What the cost brush paints, 1 to 10. */
+  costWeight: number;
   wallThickness: number;
   carProfile: "paper" | "sedan" | "cone";
   slot: {
@@ -132,7 +137,7 @@ export function initialState(): State {
     selection: null,
     tool: "select",
     toolOptions: {
-      brushRadius: 0.5, wallThickness: 0.2, carProfile: "sedan", road: { lanes: [1, 1], laneWidth: 3.5, radius: 20, kerbs: true },
+      brushRadius: 0.5, costWeight: 5, wallThickness: 0.2, carProfile: "sedan", road: { lanes: [1, 1], laneWidth: 3.5, radius: 20, kerbs: true },
       slot: { kind: "perpendicular", angle: Math.PI / 4, lean: "right", width: 2.8, length: 5.4, aisle: 6 },
       locked: false, snap: true, penDraws: true,
     },
@@ -245,7 +250,7 @@ class SceneStore implements Store {
 /** What is left of a selection in another scene. */
 function stillThere(scene: Scene, selection: Selection): Selection {
   if (selection === null || !("id" in selection || "ids" in selection)) return selection;
-  const known = new Set([...(scene.obstacles ?? []), ...(scene.slots ?? []), ...(scene.moving ?? [])].map((one) => one.id));
+  const known = new Set(thingsOf(scene).map((one) => one.id));
   if ("id" in selection) return known.has(selection.id) ? selection : null;
   const ids = selection.ids.filter((id) => known.has(id));
   return ids.length === selection.ids.length ? selection : ids.length > 1 ? { kind: "group", ids } : null;

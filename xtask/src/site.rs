@@ -94,7 +94,8 @@ fn build_package(workspace: &Workspace) -> Result<()> {
     let sources = root().join("src/wasm/npm");
     build_module(workspace, &package.join(CORE), &["--no-default-features"], &["-C", "opt-level=s"])?;
     copy(&sources.join(CORE).join(COMPLETE_SOURCE), &package.join(CORE).join(COMPLETE_SOURCE))?;
-    build_module(workspace, &package, &[], &[])?;
+    // What the searches' loops need is marked to be inlined; the usual threshold copies much that they do not.
+    build_module(workspace, &package, &[], &["-C", "llvm-args=--inline-threshold=200"])?;
     for name in [COMPLETE_SOURCE].iter().chain(COMPLETE_PARTS) {
         copy(&sources.join(name), &package.join(name))?;
     }

@@ -1,10 +1,12 @@
 //! The road as a graph of cells.
 
+use std::sync::Arc;
+
 use super::ground::{lane_at, legs, limit_at};
 use super::numbers::Numbers;
 use super::{Base, Config, Costs, Ground, Traffic};
 use crate::geometry::math;
-use crate::map::{Cell, Frame};
+use crate::map::{Cell, Frame, Weights};
 use crate::search::{Domain, Finish, NodeId, Order, Relax, Visit};
 
 /// Speed at which no place is slow, m/s.
@@ -27,6 +29,8 @@ pub struct CostMap {
     numbers: Numbers,
     /// Per number: what a metre costs beyond its length; with the manuscript's costs, what the cell costs.
     surcharges: Vec<f32>,
+    /// Per number: how many times all that counts, where that is not once everywhere.
+    weights: Vec<u8>,
 }
 
 impl CostMap {
@@ -63,13 +67,23 @@ impl CostMap {
         };
         let mut surcharges = Vec::with_capacity(numbers.len());
         surcharges.extend((0..frame.len()).filter(|&i| numbers.has(i)).map(|i| surcharge(i) as f32));
-        Self { frame, costs: config.costs, numbers, surcharges }
+        let weighed = |weights: &Arc<Weights>| {
+            (0..frame.len()).filter(|&i| numbers.has(i)).map(|i| weights.at(frame.cell(i))).collect()
+        };
+        let weights = ground.weights.as_ref().map(weighed).unwrap_or_default();
+        Self { frame, costs: config.costs, numbers, surcharges, weights }
     }
 
     /// Per cell of the map: what a metre there costs beyond its length (with the manuscript's costs, what the cell
     /// costs); infinity where there is no room.
     pub fn layer(&self) -> Vec<f32> {
-        let cost = |index| self.numbers.of(index).map_or(f32::INFINITY, |n| self.surcharges[n as usize]);
+        let own = u8::from(self.costs != Costs::Paper);
+        let cost = |index| {
+            self.numbers.of(index).map_or(f32::INFINITY, |n| {
+                let (surcharge, weight) = (self.surcharges[n as usize], self.weight(n));
+                f32::from(weight) * surcharge + f32::from((weight - 1) * own)
+            })
+        };
         (0..self.frame.len()).map(cost).collect()
     }
 
@@ -80,7 +94,11 @@ impl CostMap {
 
     /// Bytes held.
     pub(super) fn bytes(&self) -> usize {
-        self.numbers.bytes() + size_of_val(&self.surcharges[..])
+        self.numbers.bytes() + size_of_val(&self.surcharges[..]) + size_of_val(&self.weights[..])
+    }
+
+    fn weight(&self, node: NodeId) -> u8 {
+        self.weights.get(node as usize).copied().unwrap_or(1)
     }
 
     pub(super) fn cell(&self, node: NodeId) -> Cell {
@@ -106,7 +124,7 @@ impl Road<'_> {
         let map = self.map;
         let from = map.cell(node);
         let surcharge = |node: NodeId| f64::from(map.surcharges[node as usize]);
-        let own = surcharge(node);
+        let (own, weight) = (surcharge(node), map.weight(node));
         for (dx, dy) in AROUND {
             let Some(target) = map.node(from.offset(dx, dy)) else { continue };
             let diagonal = dx != 0 && dy != 0;
@@ -122,7 +140,7 @@ impl Road<'_> {
                 Costs::Paper => step + other,
                 Costs::Metre => step * (1.0 + f64::midpoint(own, other)),
             };
-            sink.emit(target, cost, ());
+            sink.emit(target, cost * f64::midpoint(f64::from(weight), f64::from(map.weight(target))), ());
         }
     }
 

@@ -1,7 +1,9 @@
 //! Rasters of a road: cells count by their centres.
 
+use std::sync::Arc;
+
 use crate::geometry::{Point, Pose, Vector, math};
-use crate::map::{Cell, Frame, Occupancy, distance, raster};
+use crate::map::{Cell, Frame, Occupancy, Weights, distance, raster};
 use crate::scenario::resolve::{Form, Geometry};
 use crate::scenario::{Lane, SpeedLimit};
 
@@ -16,6 +18,8 @@ pub struct Ground {
     /// Per cell: metres from its centre to the border of the nearest cell that is no road or holds an obstacle; 0 in
     /// one.
     pub clearance: Vec<f32>,
+    /// What its cells cost, where they do not all cost the same.
+    pub weights: Option<Arc<Weights>>,
 }
 
 impl Ground {
@@ -35,7 +39,7 @@ impl Ground {
                 Form::Segment(a, b) => raster::wall(&mut road, &frame, &[*a, *b]),
             }
         }
-        Self { frame, clearance: distances(&road, &frame, open) }
+        Self { frame, clearance: distances(&road, &frame, open), weights: None }
     }
 
     /// The clearance at a cell, metres; 0 off the map.

@@ -2,6 +2,7 @@
 
 use super::{Config, Ground, Pruning};
 use crate::map::Cell;
+use crate::planners::weighted_cost;
 
 /// Around each corner of the cells this many to either side may become corners of the chords.
 const AROUND: usize = 4;
@@ -32,7 +33,25 @@ fn needed(config: &Config, radius: f64, least: f64) -> f64 {
     }
 }
 
+/// Per cell what the way to it costs by weights; empty where all cells cost the same.
+fn spent(ground: &Ground, cells: &[Cell]) -> Vec<i64> {
+    let Some(weights) = &ground.weights else { return Vec::new() };
+    let mut spent = vec![0];
+    spent.extend(cells.windows(2).scan(0, |sum, pair| {
+        *sum += weighted_cost(weights, pair[0], pair[1]);
+        Some(*sum)
+    }));
+    spent
+}
+
+/// Whether a chord between two of the cells costs no more than the cells do.
+fn is_cheap(ground: &Ground, cells: &[Cell], spent: &[i64], (a, b): (usize, usize)) -> bool {
+    let dearer = |weights| weighted_cost(weights, cells[a], cells[b]) > spent[b] - spent[a];
+    !ground.weights.as_deref().is_some_and(dearer)
+}
+
 fn greedy(ground: &Ground, cells: &[Cell], radius: f64, config: &Config) -> Vec<Cell> {
+    let spent = spent(ground, cells);
     let mut kept = vec![cells[0]];
     let mut from = 0;
     while from + 1 < cells.len() {
@@ -40,7 +59,9 @@ fn greedy(ground: &Ground, cells: &[Cell], radius: f64, config: &Config) -> Vec<
         let mut to = from + 1;
         while to + 1 < cells.len() {
             least = least.min(ground.at(cells[to + 1]));
-            if !clear(ground, cells[from], cells[to + 1], needed(config, radius, least)) {
+            if !clear(ground, cells[from], cells[to + 1], needed(config, radius, least))
+                || !is_cheap(ground, cells, &spent, (from, to + 1))
+            {
                 break;
             }
             to += 1;
@@ -64,6 +85,7 @@ fn fewest(ground: &Ground, cells: &[Cell], radius: f64, config: &Config) -> Opti
     if places.len() > MOST {
         return None;
     }
+    let spent = spent(ground, cells);
     // Per place: chords so far, their length, the place before.
     let mut best = vec![(u32::MAX, f64::INFINITY, 0); places.len()];
     best[0] = (0, 0.0, 0);
@@ -78,6 +100,7 @@ fn fewest(ground: &Ground, cells: &[Cell], radius: f64, config: &Config) -> Opti
             if chords != u32::MAX
                 && (chords + 1, total) < (best[b].0, best[b].1)
                 && (places[b] == places[a] + 1 || clear(ground, from, to, needed(config, radius, least)))
+                && is_cheap(ground, cells, &spent, (places[a], places[b]))
             {
                 best[b] = (chords + 1, total, a);
             }

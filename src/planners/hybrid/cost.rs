@@ -6,7 +6,7 @@ use crate::geometry::arcs::Arc;
 use crate::geometry::reeds_shepp::Word;
 use crate::vehicle::collision::Probe;
 
-/// Clearance is looked at this often along an arc, metres.
+/// Places are looked at this often along an arc, metres.
 const CLEARANCE_STEP: f64 = 0.5;
 
 /// The cost model of one plan.
@@ -76,34 +76,47 @@ impl CostModel {
         })
     }
 
-    /// Cost of being near obstacles along a word from `from`.
-    pub(super) fn word_nearness(&self, probe: &Probe, from: Pose, word: &Word) -> f64 {
-        if self.obstacle == 0.0 {
+    /// What a word from `from` costs for where it leads.
+    pub(super) fn word_places(&self, probe: &Probe, from: Pose, word: &Word) -> f64 {
+        if !self.minds_places(probe) {
             return 0.0;
         }
         let mut pose = from;
         word.arcs(self.radius).fold(0.0, |cost, arc| {
-            let cost = cost + self.nearness(probe, pose, &arc);
+            let cost = cost + self.places(probe, pose, &arc);
             pose = pose.advance(arc.curvature, arc.length);
             cost
         })
     }
 
-    /// Cost of being near obstacles along `arc` from `from`.
-    pub(super) fn nearness(&self, probe: &Probe, from: Pose, arc: &Arc) -> f64 {
-        if self.obstacle == 0.0 {
+    fn minds_places(&self, probe: &Probe) -> bool {
+        self.obstacle != 0.0 || probe.paint().is_some()
+    }
+
+    /// What `arc` from `from` costs for where it leads: near obstacles, and with the middle of the rear axle over cells
+    /// whose weight is above 1.
+    pub(super) fn places(&self, probe: &Probe, from: Pose, arc: &Arc) -> f64 {
+        if !self.minds_places(probe) {
             return 0.0;
         }
         let steps = (arc.length.abs() / CLEARANCE_STEP).ceil().max(1.0);
         let part = arc.length / steps;
-        let sum: f64 = (1..=steps as u32)
-            .map(|k| {
-                let pose = from.advance(arc.curvature, part * f64::from(k));
-                let near = 1.0 - probe.clearance(pose, self.obstacle_distance) / self.obstacle_distance;
-                near.max(0.0) * near.max(0.0)
-            })
-            .sum();
-        self.obstacle * sum * part.abs()
+        let (mut near, mut painted) = (0.0, 0.0);
+        let mut last = from;
+        for k in 1..=steps as u32 {
+            let pose = from.advance(arc.curvature, part * f64::from(k));
+            if self.obstacle != 0.0 {
+                let room = probe.clearance(pose, self.obstacle_distance) / self.obstacle_distance;
+                near += (1.0 - room).max(0.0) * (1.0 - room).max(0.0);
+            }
+            if let Some(paint) = probe.paint() {
+                let chord = (pose.point() - last.point()).norm();
+                painted += (paint.along(last.point(), pose.point()) - chord).max(0.0);
+            }
+            last = pose;
+        }
+        let gear = if arc.length < 0.0 { self.reverse } else { self.forward };
+        self.obstacle * near * part.abs() + gear * painted
     }
 
     /// Cost of a whole path from `start`, coming in with `before`.
@@ -111,7 +124,7 @@ impl CostModel {
         let mut pose = start;
         let mut cost = 0.0;
         for arc in arcs {
-            cost += self.arc(before, arc) + self.nearness(probe, pose, arc);
+            cost += self.arc(before, arc) + self.places(probe, pose, arc);
             before = Motion::after(arc);
             pose = pose.advance(arc.curvature, arc.length);
         }

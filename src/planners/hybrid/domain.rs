@@ -153,7 +153,7 @@ impl Domain for Lattice<'_> {
                 if !sink.worth(node, cost) || !(self.level.shuffle || self.free(pose, &arc)) {
                     continue;
                 }
-                cost += self.costs.nearness(self.probe, pose, &arc);
+                cost += self.costs.places(self.probe, pose, &arc);
                 sink.emit(node, cost, State { pose: end, motion: after, length: arc.length });
             }
         }
@@ -189,19 +189,20 @@ impl Domain for Lattice<'_> {
                 found.push((cost, word));
             }
         });
-        let mut missed = None;
-        let best = core::iter::from_fn(|| take_cheapest(&mut found))
-            .find(|(_, word)| {
-                let free = self.word_free(pose, word);
-                if !free {
-                    missed.get_or_insert(*word);
-                }
-                free
-            })
-            .and_then(|(cost, word)| {
-                let near = self.costs.word_nearness(self.probe, pose, &word);
-                (at.g + cost + near < bound).then_some(Finish { cost: cost + near, tail: word })
-            });
+        let (mut missed, mut best) = (None, None::<Finish<f64, Word>>);
+        while let Some((cost, word)) = take_cheapest(&mut found) {
+            if best.as_ref().is_some_and(|best| cost >= best.cost) {
+                break;
+            }
+            if !self.word_free(pose, &word) {
+                missed.get_or_insert(word);
+                continue;
+            }
+            let cost = cost + self.costs.word_places(self.probe, pose, &word);
+            if at.g + cost < bound && best.as_ref().is_none_or(|best| cost < best.cost) {
+                best = Some(Finish { cost, tail: word });
+            }
+        }
         self.words = found;
         if let Some(watch) = self.watch {
             let rules = (self.costs.radius, self.level.spacing, self.margin);

@@ -47,6 +47,11 @@ struct Ground {
 }
 
 impl Flood {
+    /// Bytes held.
+    pub(super) fn bytes(&self) -> u64 {
+        (size_of_val(&self.steps[..]) + self.ground.costs.len()) as u64
+    }
+
     /// Floods from `target`, for a body grown by `margin`. What `old` has of it is taken over.
     pub(super) fn new(
         obstacles: &Obstacles,

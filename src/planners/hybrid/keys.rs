@@ -1,5 +1,8 @@
 //! Names for states: a dense number for every lattice key that the search meets.
 
+/// Slots of the smallest table.
+const SMALLEST: u32 = 4096;
+
 /// Open addressing, insertion only; the numbers follow the order of first meeting, so nothing depends on the hash.
 #[derive(Debug, Default)]
 pub(super) struct Keys {
@@ -27,6 +30,12 @@ impl Keys {
         self.count = 0;
     }
 
+    /// Bytes that this many keys take.
+    pub(super) fn bytes(&self) -> u64 {
+        let slots = (2 * self.count).next_power_of_two().max(SMALLEST);
+        u64::from(slots) * size_of::<Slot>() as u64
+    }
+
     /// The number of a key.
     pub(super) fn id(&mut self, key: u64) -> u32 {
         if self.count as usize * 2 >= self.slots.len() {
@@ -51,7 +60,7 @@ impl Keys {
 
     fn grow(&mut self) {
         self.stamp = self.stamp.max(1);
-        let size = (self.slots.len() * 2).max(4096);
+        let size = (self.slots.len() * 2).max(SMALLEST as usize);
         let old = core::mem::replace(&mut self.slots, vec![Slot::default(); size]);
         for slot in old.into_iter().filter(|slot| slot.stamp == self.stamp) {
             let at = self.find(slot.key);

@@ -157,6 +157,8 @@ impl Search<'_> {
         report.generated += found.generated;
         report.pushes += found.pushes;
         report.open_peak = report.open_peak.max(found.open_peak);
+        let nodes = crate::search::Scratch::<f64, State>::bytes(found.generated as usize, found.open_peak);
+        report.bytes = report.bytes.max(nodes as u64 + scratch.keys.borrow().bytes());
         let closest = scratch.search.label(found.closest.1).map(|s| s.pose);
         report.closest = closest.map(|p| self.world(p));
         let Some((last, _, tail)) = found.found else {

@@ -127,6 +127,9 @@ pub struct Report {
     pub pushes: u32,
     /// Largest size of the open list.
     pub open_peak: u32,
+    /// Bytes of the obstacles' rasters and buckets, the estimate's raster, and of the level that kept most of its nodes and open
+    /// list.
+    pub bytes: u64,
     /// Poses tested for collision.
     pub collision_checks: u32,
     /// The expanded pose with the least estimate to go: how near the search came.
@@ -257,6 +260,7 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, trace: bool) 
             Status::TooNarrow(gap) => Obstruction::Gap(gap),
             _ => obstruction::enclosed(query, [start, goal], report.margin),
         });
+        report.bytes = flood.bytes() + query.obstacles.bytes();
         scratch.flood = Some(flood);
         return report;
     }
@@ -273,6 +277,7 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, trace: bool) 
         }
     }
     scratch.flood = Some(flood);
+    report.bytes += scratch.flood.as_ref().map_or(0, Flood::bytes) + query.obstacles.bytes();
     report.collision_checks = probe.checks();
     let least = from_start.min(from_goal);
     if report.status == Status::NoPath && least < STUCK {
@@ -309,6 +314,7 @@ fn empty(rs_bound: f64) -> Report {
         generated: 0,
         pushes: 0,
         open_peak: 0,
+        bytes: 0,
         collision_checks: 0,
         closest: None,
         obstruction: None,

@@ -81,7 +81,7 @@ impl<'a> Pass<'a> {
         for k in from..self.knots.len() {
             let (arc, pose) = (self.knots[k], self.poses[k]);
             let cost = self.rules.costs.arc(self.before(k), &arc)
-                + self.rules.costs.nearness(self.rules.probe, pose, &arc);
+                + self.rules.costs.places(self.rules.probe, pose, &arc);
             self.poses.push(pose.advance(arc.curvature, arc.length));
             self.spent.push(self.spent[k] + cost);
         }
@@ -142,7 +142,7 @@ impl<'a> Pass<'a> {
             }
         });
         core::iter::from_fn(|| take_cheapest(&mut found))
-            .find(|(cost, word)| self.free(from, word) && cost + costs.word_nearness(probe, from, word) < old)
+            .find(|(cost, word)| self.free(from, word) && cost + costs.word_places(probe, from, word) < old)
             .map(|found| found.1)
     }
 

@@ -221,7 +221,7 @@ pub(super) fn search(
         side
     });
     let mut best = Best { search, costs: driven, cost: f64::INFINITY, arcs: Vec::new() };
-    let mut expanded = 0;
+    let (mut expanded, mut waiting) = (0, 0);
     let spent = loop {
         let [least_a, least_b] = [&sides[0], &sides[1]].map(|s| s.open.peek().map_or(f64::INFINITY, |e| e.f));
         let done = least_a.max(least_b) >= best.cost && best.cost.is_finite();
@@ -229,6 +229,7 @@ pub(super) fn search(
             break false;
         }
         let [a, b] = [sides[0].open.len(), sides[1].open.len()];
+        waiting = waiting.max(a + b);
         let smaller = usize::from(a == 0 || (b > 0 && b < a));
         if a == 0 && b == 0 {
             break false;
@@ -256,6 +257,10 @@ pub(super) fn search(
         own.expand(id, at, best.cost);
     };
     report.expanded += expanded;
+    let kept =
+        sides.iter().map(|s| s.nodes.len() * size_of::<Node>()).sum::<usize>() + waiting * size_of::<Entry>();
+    let named: u64 = keys.iter().map(|keys| keys.borrow().bytes()).sum();
+    report.bytes = report.bytes.max(kept as u64 + named + floods.iter().map(Flood::bytes).sum::<u64>());
     for side in &sides {
         report.generated += side.generated;
         report.pushes += side.pushes;

@@ -16,6 +16,7 @@ use super::heuristics::{DistanceWeight, Heuristic as GridHeuristic};
 use super::moves::Neighbourhood;
 use super::query::{Detail, GridReport, GridScratch, Query, Status};
 use super::settings::{Common, Post, within};
+use super::weighted::Weighted;
 use crate::error::{Error, ErrorCode};
 use crate::json;
 use crate::map::Corner;
@@ -228,8 +229,14 @@ pub fn plan<O: Observer<i64, ()>>(
     let weight = DistanceWeight::new(permille(config.wbar), dx, dy);
     let grid = domain::RiskGrid::new(query, config, weight, config.hold());
     let most = config.common.max_expansions;
-    let found = one_way(&grid, query.ends(), most, &mut scratch.risk, observer);
-    let mut report = GridReport::along(&query, &found, grid.los_calls());
+    let mut report = if query.map.weights().is_some() {
+        let grid = Weighted::new(grid, &query);
+        let found = one_way(&grid, query.ends(), most, &mut scratch.risk, observer);
+        GridReport::along(&query, &found, grid.lattice.los_calls())
+    } else {
+        let found = one_way(&grid, query.ends(), most, &mut scratch.risk, observer);
+        GridReport::along(&query, &found, grid.los_calls())
+    };
     let incomplete = matches!(config.fallback, Fallback::StuckOnly | Fallback::None);
     if report.status == Status::NoPath && incomplete && is_reachable(query, config.common.corner, scratch) {
         report.detail = Some(Detail::Stranded);

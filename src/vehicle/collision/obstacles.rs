@@ -1,7 +1,7 @@
 //! Everything that blocks, sorted into buckets, and how far each place is from it.
 
 use crate::geometry::{Point, Pose, Vector, math};
-use crate::map::{Frame, Layer, Occupancy, distance, raster};
+use crate::map::{Frame, Layer, Occupancy, Paint, distance, raster};
 
 /// Side of a broad-phase bucket, metres.
 const BUCKET: f64 = 2.0;
@@ -47,6 +47,8 @@ pub struct Obstacles {
     /// From cell centres to blocked squares, metres.
     field: Layer<f32>,
     fingerprint: u64,
+    /// What the floor costs, where it does not cost the same everywhere.
+    paint: Option<Paint>,
 }
 
 impl Obstacles {
@@ -85,9 +87,32 @@ impl Obstacles {
             frame,
             field,
             fingerprint,
+            paint: None,
         };
         obstacles.fill_buckets();
         obstacles
+    }
+
+    /// The same world on a floor with these costs, placed in world coordinates.
+    #[must_use]
+    pub fn painted(self, paint: Option<Paint>) -> Self {
+        let low = self.origin;
+        let local = |paint: Paint| {
+            let frame = Frame { origin: Point::from(paint.frame.origin - low), ..paint.frame };
+            Paint { frame, ..paint }
+        };
+        Self { paint: paint.map(local), ..self }
+    }
+
+    /// Bytes of the distance field, the edges and their buckets.
+    pub fn bytes(&self) -> u64 {
+        let arrays = size_of_val(&self.field.data[..]) + size_of_val(&self.edges[..]);
+        (arrays + size_of_val(&self.first[..]) + size_of_val(&self.members[..])) as u64
+    }
+
+    /// What the floor costs, in the frame of all queries, where it does not cost the same everywhere.
+    pub fn paint(&self) -> Option<&Paint> {
+        self.paint.as_ref()
     }
 
     /// Another lattice over the same world and its distance field, as [`Obstacles::field`]: cells of `cell` metres, larger

@@ -6,6 +6,7 @@ use super::Obstacles;
 use super::obstacles::segment_distance;
 use crate::geometry::arcs::Arc;
 use crate::geometry::{Point, Pose, math};
+use crate::map::Paint;
 use crate::vehicle::Vehicle;
 
 /// Overlaps shallower than this are contact, which is free, metres.
@@ -48,6 +49,11 @@ pub struct Probe<'a> {
 }
 
 impl<'a> Probe<'a> {
+    /// What the floor costs, in local coordinates, where it does not cost the same everywhere.
+    pub fn paint(&self) -> Option<&'a Paint> {
+        self.obstacles.paint()
+    }
+
     /// Queries of `vehicle` among `obstacles`.
     pub fn new(obstacles: &'a Obstacles, vehicle: &Vehicle) -> Self {
         let length = vehicle.length();

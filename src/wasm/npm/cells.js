@@ -72,14 +72,18 @@ export function unpackedScene(scene) {
  * @returns {T}
  */
 function mapCells(scene, change) {
-  const obstacles = /** @type {any} */ (scene)?.obstacles;
-  if (!Array.isArray(obstacles)) return scene;
-  const changed = obstacles.map((obstacle) => {
-    if (obstacle?.type !== "cells") return obstacle;
-    const runs = change(obstacle.runs);
-    return runs === obstacle.runs ? obstacle : { ...obstacle, runs };
-  });
-  return changed.some((obstacle, i) => obstacle !== obstacles[i]) ? { ...scene, obstacles: changed } : scene;
+  let all = /** @type {any} */ (scene);
+  for (const key of ["obstacles", "costs"]) {
+    const list = all?.[key];
+    if (!Array.isArray(list)) continue;
+    const changed = list.map((one) => {
+      if (key === "obstacles" && one?.type !== "cells") return one;
+      const runs = change(one?.runs);
+      return runs === one?.runs ? one : { ...one, runs };
+    });
+    if (changed.some((one, i) => one !== list[i])) all = { ...all, [key]: changed };
+  }
+  return all;
 }
 
 /**

@@ -117,12 +117,21 @@ export type Goal = Pose | { slot: string; entry: "reverse-in" | "head-in" };
 /** Runs of brushed cells: x of the first, y, number of cells eastward. */
 export type Run = [number, number, number];
 
+/** Cells that cost more to cross: their length times `weight`, 1 to 10. Where areas overlap the heaviest counts. */
+export interface CostArea {
+  id?: string;
+  runs: Run[];
+  weight: number;
+}
+
 export interface Scenario {
   version: 1;
   name?: string;
   map: MapFrame;
   obstacles?: Obstacle[];
   slots?: Slot[];
+  /** `jump-point` and `any-angle`, for which all free cells cost the same, refuse scenes with weights above 1. */
+  costs?: CostArea[];
   /** Left out by planners; `parkade/core` does not even check it. */
   moving?: MovingObstacle[];
   /** For planners that keep to lanes; `parkade/core` leaves lanes and limits out. */
@@ -141,10 +150,15 @@ export interface Stats {
   pushes: number;
   /** Largest size of the open list. */
   openPeak: number;
+  /**
+   * Bytes of the arrays that the planner held: what it kept of each node, its open list at its largest, and the rasters that it
+   * searched; not the scene. No part of the hash.
+   */
+  memoryBytes: number;
   /** Grid planners: second expansions (risk-field). */
   deferred?: number;
   losCalls?: number;
-  /** Grid planners: exact integer cost in millionths of a cell. */
+  /** Grid planners: exact integer cost in millionths of a cell, weights included. */
   costMicro?: number;
   /** Jump points: cells looked at along jumps. */
   cellsScanned?: number;
@@ -172,6 +186,8 @@ export interface Metrics {
   /** Of the car's body along `path`, metres. */
   minClearance: number;
   meanClearance: number;
+  /** Where the scene has `costs`: the length, every part of it times the weight under the rear axle (`cost-map`: the car's middle), metres. */
+  weightedLength?: number;
   /** Grid planners, lengths in cells: as searched, after greedy pruning, along the shortest way over its cells, smoothed. */
   lengthRaw?: number;
   lengthPruned?: number;

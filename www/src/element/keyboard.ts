@@ -52,7 +52,7 @@ function ownKey(app: App, event: KeyboardEvent, open: (dialog: "keys" | "papers"
     case ".": app.cycleLayers(1); return true;
     case "?": open("keys"); return true;
     case "y": open("papers"); return true;
-    case "k": app.player.toggle(); return true;
+    case "a": app.player.toggle(); return true;
     case "0": app.controller.fit(); return true;
     default: return false;
   }

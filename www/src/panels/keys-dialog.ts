@@ -27,7 +27,7 @@ const say = words<Own>(OWN);
 const EDIT: readonly Entry[] = [
   ["keys.undo", "Ctrl Z, Ctrl Shift Z"], ["keys.delete", "Del"], ["keys.escape", "Esc"], ["keys.nudge", "↑ ↓ ← →, Shift"],
   ["copy", "Ctrl D, Alt"], ["all", "Ctrl A, Shift"], ["turn", "Ctrl ← →, Shift"], ["type", "Enter"], ["place", "S, T"],
-  ["draw", "↑ ↓ ← →, Enter"], ["snap", "Ctrl, Shift"], ["keys.flip", "X"], ["keys.lock", "Q"], ["keys.radius", "[ ]"],
+  ["draw", "↑ ↓ ← →, Enter"], ["snap", "Ctrl, Shift"], ["keys.flip", "X"], ["keys.lock", "Q"], ["keys.radius", "[ ]"], ["keys.weight", "{ }"],
 ];
 const VIEW: readonly Entry[] = [
   ["keys.mode", "\\"], ["keys.layers", ", ."], ["keys.fit", "0"], ["bar.papers", "Y"], ["tens", "Shift"],
@@ -53,7 +53,7 @@ export class KeysDialog extends AppElement {
 
   protected override render(): TemplateResult {
     const tools = TOOLS.map((tool): Entry => [`tool.${tool.id}`, tool.digit ? `${tool.key}, ${tool.digit}` : tool.key]);
-    const view: readonly Entry[] = [["keys.play", "K"], ...VIEW, ["keys.pan", `H, ${this.t("keys.space")}`], ["keys.zoom", this.t("keys.zoomKeys")]];
+    const view: readonly Entry[] = [["keys.play", "A"], ...VIEW, ["keys.pan", `H, ${this.t("keys.space")}`], ["keys.zoom", this.t("keys.zoomKeys")]];
     return html`<dialog aria-labelledby="title" @click=${(e: Event) => { if (e.target === this.dialog) this.dialog?.close(); }}>
       <div class="top"><h2 id="title">${this.t("keys.title")}</h2>
         <button class="icon" aria-label=${this.t("scenes.close")} @click=${() => this.dialog?.close()}>${icon("close")}</button></div>

@@ -5,7 +5,7 @@ import type { PanelResult, State } from "../store";
 import { drivablePlan, statusOf, type Status } from "./status";
 import { paceOn } from "../scene/pace";
 
-export const COLUMNS = ["length", "drive", "gears", "curvature", "clearance", "heading", "expanded", "open", "plan"] as const;
+export const COLUMNS = ["length", "drive", "gears", "curvature", "clearance", "heading", "expanded", "open", "plan", "memory"] as const;
 export type Column = (typeof COLUMNS)[number];
 
 export interface Cell { value: number | null; text: string; best: boolean; title: string }
@@ -20,7 +20,7 @@ export interface Row {
 }
 
 const DIGITS: Record<Column, number> = {
-  length: 2, drive: 1, gears: 0, curvature: 3, clearance: 2, heading: 1, expanded: 0, open: 0, plan: 2,
+  length: 2, drive: 1, gears: 0, curvature: 3, clearance: 2, heading: 1, expanded: 0, open: 0, plan: 2, memory: 0,
 };
 
 export function rowsOf(state: State): Row[] {
@@ -56,6 +56,7 @@ function valueOf(result: PanelResult | undefined, column: Column, drivable: bool
   if (column === "expanded") return plan.stats.expanded;
   if (column === "open") return plan.stats.openPeak;
   if (column === "plan") return result.millis;
+  if (column === "memory") return plan.stats.memoryBytes / 1000 || null;
   if (plan.outcome !== "found") return null;
   return pathValue(plan, column, drivable, pace);
 }

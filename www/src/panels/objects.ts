@@ -85,9 +85,13 @@ function itemsOf({ scene, lang }: State): Item[] {
     key: one.id!, icon: "moving", selection: { kind: "moving", id: one.id! },
     name: `${translate(lang, "thing.movingName")} ${i + 1}`, detail: `${number(lang, one.speed, 2)} m/s`,
   }));
+  const costs = (scene.costs ?? []).map((area): Item => ({
+    key: area.id!, icon: "cost", selection: { kind: "cost", id: area.id! },
+    name: `${translate(lang, "thing.costName")} ×${area.weight}`, detail: translate(lang, "thing.cellCount", { n: cellsOf(area.runs) }),
+  }));
   const pose = (kind: "start" | "goal", at: Pose): Item =>
     ({ key: kind, icon: "car", selection: { kind }, name: translate(lang, `inspect.${kind}`), detail: poseText(lang, at) });
-  return [pose("start", scene.start), pose("goal", goalPose(scene)), ...slots, ...obstacles, ...moving];
+  return [pose("start", scene.start), pose("goal", goalPose(scene)), ...slots, ...obstacles, ...costs, ...moving];
 }
 
 function detailOf(lang: Lang, obstacle: Obstacle): string {

@@ -35,6 +35,8 @@ export class ToolOptionsBar extends AppElement {
     .bar { pointer-events: auto; display: flex; align-items: center; flex-wrap: wrap; gap: 6px 12px; padding: 6px 12px; background: var(--parkade-raise); border: 1px solid var(--parkade-hair); border-radius: calc(10px * var(--parkade-radius)); box-shadow: var(--parkade-float); }
     b { font-weight: 600; }
     label { display: flex; align-items: center; gap: 6px; color: var(--parkade-t2); }
+    .weight { min-width: 26px; color: var(--parkade-t1); }
+    input[type="range"] { width: 96px; accent-color: var(--parkade-accent); }
     .field { width: 78px; color: var(--parkade-t1); }
     .lock[aria-pressed="true"] { color: var(--parkade-accent); }
     :host([flat]) { position: static; justify-items: start; }
@@ -55,6 +57,7 @@ export class ToolOptionsBar extends AppElement {
     switch (this.state.tool) {
       case "brush":
       case "eraser": return this.metres(this.t("option.radius"), options.brushRadius, 0.1, (brushRadius) => ({ brushRadius }));
+      case "cost": return html`${this.metres(this.t("option.radius"), options.brushRadius, 0.1, (brushRadius) => ({ brushRadius }))}${this.weight(options.costWeight)}`;
       case "wall": return this.metres(this.t("option.thickness"), options.wallThickness, 0, (wallThickness) => ({ wallThickness }));
       case "car": return this.choice(["sedan", "paper", "cone"] as const, options.carProfile, (name) => (name === "cone" ? say(this.state.lang, "cone") : this.t(`vehicle.${name}`)), (carProfile) => ({ carProfile }));
       case "slot": return this.slotRow(options.slot);
@@ -98,10 +101,15 @@ export class ToolOptionsBar extends AppElement {
       }}><span>m</span></span></label>`;
   }
 
+  private weight(value: number): TemplateResult {
+    return html`<label>${this.t("option.weight")}<input type="range" min="1" max="10" step="1" .value=${String(value)} aria-valuetext="×${value}"
+      @input=${(e: Event) => this.set({ costWeight: Number((e.target as HTMLInputElement).value) })}><b class="weight">×${value}</b></label>`;
+  }
+
   private lock(): TemplateResult {
     const { locked } = this.state.toolOptions;
     const { snap } = this.state.toolOptions, { lang, tool } = this.state;
-    const snaps = tool !== "brush" && tool !== "eraser" && tool !== "car";
+    const snaps = tool !== "brush" && tool !== "cost" && tool !== "eraser" && tool !== "car";
     return html`${snaps ? html`<button class="button lock" aria-pressed=${snap} title=${say(lang, "snapHelp")} @click=${() => this.set({ snap: !snap })}>${icon("fit", 14)}${say(lang, "snap")}</button>` : nothing}
       <button class="button lock" aria-pressed=${locked} title="${this.t("option.lock")} · Q" @click=${() => this.set({ locked: !locked })}>${icon("lock", 14)}${this.t("option.lock")}<span class="keys">Q</span></button>`;
   }

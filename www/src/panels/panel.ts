@@ -50,6 +50,8 @@ export class PlannerPanel extends AppElement {
       border-radius: calc(5px * var(--parkade-radius)); font-size: 12px; line-height: 16px; color: var(--parkade-t2); white-space: nowrap; }
     .pill b { font-weight: 500; color: var(--parkade-t1); margin-left: 4px; }
     .legend { gap: 6px; }
+    .weights { gap: 6px; }
+    .weights i { width: 18px; height: 14px; border: 1px solid var(--parkade-warn); }
     .ramp { width: 72px; height: 6px; border-radius: 1px; background: linear-gradient(to right, #00224e, #123570, #3b496c, #575d6d, #707173, #8a8678, #a59c74, #c3b369, #e1cc55, #fde838); }
     .reason { position: absolute; top: 8px; left: 8px; right: 8px; width: fit-content; max-width: calc(100% - 16px); padding: 5px 10px; pointer-events: none;
       background: color-mix(in srgb, var(--parkade-err-soft) 94%, transparent); color: var(--parkade-err);

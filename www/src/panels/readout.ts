@@ -3,7 +3,9 @@ import { html, nothing, type TemplateResult } from "lit";
 import "../i18n/later";
 import { number, translate, type MessageKey } from "../i18n/index";
 import type { Scene, State } from "../store";
+import { weightAt } from "../scene/costs";
 import { costRange } from "../view/layers/cost";
+import { spacingOf } from "../view/layers/costs";
 import { hasField } from "../planning/planning";
 import { distancesOf, nearestPose } from "../view/drive";
 
@@ -16,7 +18,19 @@ export function readoutOf(state: State, planner: PlannerId): TemplateResult | ty
   return html`<div class="pill readout">${entries.map(([label, value]) => html`<span>${label}<b>${value}</b></span>`)}</div>`;
 }
 
-export function legendOf(state: State, planner: PlannerId): TemplateResult | typeof nothing {
+export function legendOf(state: State, planner: PlannerId): TemplateResult {
+  return html`${weightsOf(state)}${countsOf(state, planner)}`;
+}
+
+/** The weights that are painted, hatched as on the map. */
+export function weightsOf({ scene: { costs = [] }, lang }: State): TemplateResult | typeof nothing {
+  if (costs.length === 0) return nothing;
+  const weights = [...new Set(costs.map(({ weight }) => weight))].sort((a, b) => a - b);
+  return html`<div class="pill weights" title=${translate(lang, "read.weights")}><span class="sr">${translate(lang, "read.weights")}</span>${weights.map((weight) => html`
+    <i .style=${`background:repeating-linear-gradient(135deg,var(--parkade-warn) 0 1.25px,color-mix(in srgb,var(--parkade-warn) ${Math.round(4 + 2.2 * weight)}%,transparent) 0 ${spacingOf(weight)}px)`}></i><span>×${weight}</span>`)}</div>`;
+}
+
+function countsOf(state: State, planner: PlannerId): TemplateResult | typeof nothing {
   const { narrow, pocket, restored } = state.results[planner]?.plan?.stats ?? {};
   if (!state.layers.redundant || narrow === undefined) return rampOf(state, planner);
   const counts = translate(state.lang, "read.redundant", { narrow, pocket: pocket ?? 0, restored: restored ?? 0 });
@@ -60,6 +74,8 @@ function entriesOf(state: State, planner: PlannerId): Entry[] {
   if (risk && explained && explained.cell[1] * state.scene.map.width + explained.cell[0] === cell.index) {
     entries.push(...fieldEntries(state, explained));
   } else if (risk?.every === 1) entries.push([text("read.risk"), number(state.lang, Math.hypot(at(risk, cell.index * 2), at(risk, cell.index * 2 + 1)), 2)]);
+  const weight = weightAt(state.scene, cell.index);
+  if (weight > 1) entries.push([text("read.weight"), `×${weight}`]);
   const cost = state.layers.cost ? result.layers.cost : undefined;
   if (cost) {
     const value = at(cost, cell.index);

@@ -1,10 +1,11 @@
-import type { MovingObstacle, Obstacle, Pose, Road, Slot } from "parkade";
+import type { CostArea, MovingObstacle, Obstacle, Pose, Road, Slot } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import { words } from "../i18n/words";
 import {
-  findMoving, findObstacle, findSlot, flipGoal, goalPose, movePose, removeMoving, removeObstacle, removeSlot, setGoalFromSlot, updateMoving,
+  findCost, findMoving, findObstacle, findSlot, flipGoal, goalPose, movePose, removeCost, removeMoving, removeObstacle, removeSlot, setGoalFromSlot, updateMoving,
   updateObstacle, updateSlot,
 } from "../scene/model";
+import { reweigh } from "../scene/costs";
 import { laneWidthOf, lanesOf } from "../scene/road-width";
 import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
@@ -15,6 +16,7 @@ import "./group-card";
 import { objectName } from "./objects";
 
 const say = words({
+  cost: ["What a metre costs here, in metres. 1 is no paint.", "此处每米折算的米数；1 表示无涂色。"],
   along: ["Lanes →", "车道 →"],
   against: ["Lanes ←", "车道 ←"],
   laneWidth: ["Lane", "车道宽"],
@@ -52,6 +54,8 @@ export class SelectionCard extends AppElement {
     if (obstacle) return this.obstacle(obstacle);
     const moving = selection?.kind === "moving" ? findMoving(scene, selection.id) : undefined;
     if (moving) return this.moving(moving);
+    const cost = selection?.kind === "cost" ? findCost(scene, selection.id) : undefined;
+    if (cost) return this.cost(cost);
     const slot = selection?.kind === "slot" ? findSlot(scene, selection.id) : undefined;
     if (slot) return this.slotCard(slot);
     return html`<div class="head"><h2>${this.t("inspect.none")}</h2></div><p>${this.t("inspect.noneHelp")}</p>`;
@@ -124,6 +128,14 @@ export class SelectionCard extends AppElement {
         metres("\u2195", width, (to) => patch({ size: [length, to] }), 0.05),
       ])}
       ${this.deleteRow(() => this.edit(removeMoving(this.state.scene, one.id!)))}`;
+  }
+
+  private cost({ id, weight }: CostArea): TemplateResult {
+    const apply = (typed: number): Scene => reweigh(this.state.scene, id!, Math.round(typed));
+    return html`${this.heading(this.t("thing.costName"))}
+      ${this.fields([{ label: this.t("option.weight"), unit: "×", value: weight, digits: 0, step: 1, min: 1, max: 10, apply }])}
+      <p>${say(this.state.lang, "cost")}</p>
+      ${this.deleteRow(() => this.edit(removeCost(this.state.scene, id!)))}`;
   }
 
   private slotCard(slot: Slot): TemplateResult {

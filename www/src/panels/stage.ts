@@ -38,6 +38,9 @@ export class Stage extends AppElement {
     .title { position: absolute; left: 10px; top: 10px; display: flex; align-items: center; gap: 8px; height: 28px; padding: 0 10px; pointer-events: none; background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair); border-radius: calc(8px * var(--parkade-radius)); font-weight: 600; }
     .title span { font-weight: 400; color: var(--parkade-t2); }
     .readout { position: absolute; left: 10px; bottom: 10px; max-width: calc(100% - 40px); display: flex; flex-wrap: wrap; gap: 0 10px; padding: 4px 10px; pointer-events: none; font-size: 12px; line-height: 18px; color: var(--parkade-t2); background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair); border-radius: calc(8px * var(--parkade-radius)); }
+    .weights { position: absolute; left: 10px; bottom: 10px; display: flex; align-items: center; gap: 6px; padding: 4px 10px; pointer-events: none; font-size: 12px; line-height: 18px; color: var(--parkade-t2); background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair); border-radius: calc(8px * var(--parkade-radius)); }
+    .weights i { width: 18px; height: 14px; border: 1px solid var(--parkade-warn); }
+    :host([compact]) .weights { left: auto; right: 10px; bottom: auto; top: 10px; }
     .readout b { font-weight: 500; color: var(--parkade-t1); margin-left: 4px; }
     :host([compact]) .title { pointer-events: auto; touch-action: none; user-select: none; -webkit-user-select: none; cursor: ew-resize; }
   `];
@@ -75,7 +78,7 @@ export class Stage extends AppElement {
     return html`<div class="one">
       <parkade-scene-view exportparts="canvas" .app=${this.app} .planners=${shown} .label=${this.t("panel.overlay")}></parkade-scene-view>
       <parkade-hint .app=${this.app}></parkade-hint>
-      ${this.compact ? [this.heading(), extras()?.readoutOf(this.state, focus)] : this.legend()}</div>`;
+      ${this.compact ? [this.heading(), extras()?.readoutOf(this.state, focus)] : this.legend()}${this.state.scene.costs ? extras()?.weightsOf(this.state) : nothing}</div>`;
   }
 
   private heading(): TemplateResult {

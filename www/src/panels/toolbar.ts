@@ -15,8 +15,9 @@ export const TOOLS: readonly { id: ToolId; icon: IconName; key: string; digit: s
   { id: "polygon", icon: "polygon", key: "G", digit: "5" },
   { id: "car", icon: "car", key: "C", digit: "6" },
   { id: "slot", icon: "slot", key: "P", digit: "7" },
-  { id: "moving", icon: "moving", key: "M", digit: "8" },
+  { id: "moving", icon: "moving", key: "M", digit: "" },
   { id: "road", icon: "road", key: "D", digit: "" },
+  { id: "cost", icon: "cost", key: "K", digit: "8" },
   { id: "eraser", icon: "eraser", key: "E", digit: "9" },
   { id: "hand", icon: "hand", key: "H", digit: "" },
 ];
@@ -59,6 +60,7 @@ export class Toolbar extends AppElement {
     .lang { padding: 0 8px; color: var(--parkade-t3); font-weight: 400; }
     .lang b { font-weight: 600; color: var(--parkade-t1); }
     .wide { display: none; }
+    @container (max-width: 1440px) { .rare .label { display: none; } }
     @container (max-width: 1240px) { .label { display: none; } .menu { padding: 0 8px; } .scene { max-width: 160px; } }
     @container (max-width: 1060px) { .tool { width: 32px; padding: 0; } .tool kbd, .brand span { display: none; } .bar { gap: 4px; padding: 0 10px; } .rule { margin: 0 2px; } }
     @container (max-width: 900px) { .rare { display: none; } .wide { display: flex; } .scene { max-width: 130px; } .tool { width: 28px; } }

@@ -1,5 +1,5 @@
 /** The short form of a scene behind a link: whole centimetres, tenths of a degree, lists instead of names. */
-import type { Goal, Lane, MovingObstacle, Obstacle, Pose, Scenario, Slot, SpeedLimit, VehicleSpec } from "parkade";
+import type { CostArea, Goal, Lane, MovingObstacle, Obstacle, Pose, Scenario, Slot, SpeedLimit, VehicleSpec } from "parkade";
 import type { Point } from "./plane";
 
 type Item = number | string | Item[] | Record<string, unknown> | null;
@@ -151,6 +151,12 @@ function unpackLimit(item: Item): SpeedLimit {
   return { points: unpackPoints(list(points)), speed: metres(speed) };
 }
 
+const packCosts = ({ runs, weight, id }: CostArea): Item[] => [weight, packRuns(runs), ownName(id)];
+function unpackCosts(item: Item): CostArea {
+  const [weight, runs, name] = list(item);
+  return { ...(name ? { id: String(name) } : {}), runs: unpackRuns(list(runs)), weight: number(weight) };
+}
+
 function packGoal(scene: Scenario): Item[] {
   const { goal } = scene;
   if (!("slot" in goal)) return packPose(goal);
@@ -173,6 +179,7 @@ export function pack(scene: Scenario): Record<string, unknown> {
     ...(scene.name ? { n: scene.name } : {}),
     ...(scene.obstacles?.length ? { o: scene.obstacles.map(packObstacle) } : {}),
     ...(scene.slots?.length ? { l: scene.slots.map(packSlot) } : {}),
+    ...(scene.costs?.length ? { c: scene.costs.map(packCosts) } : {}),
     ...(scene.lanes?.length ? { r: scene.lanes.map(packLane) } : {}),
     ...(scene.speedLimits?.length ? { q: scene.speedLimits.map(packLimit) } : {}),
     ...(scene.moving?.length ? { d: scene.moving.map(packMoving) } : {}),
@@ -194,6 +201,7 @@ export function unpack(data: Record<string, unknown>, name: (scene: Scenario) =>
     },
     obstacles: list(data["o"] ?? []).map(unpackObstacle),
     slots: list(data["l"] ?? []).map(unpackSlot),
+    ...(data["c"] ? { costs: list(data["c"]).map(unpackCosts) } : {}),
     ...(data["r"] ? { lanes: list(data["r"]).map(unpackLane) } : {}),
     ...(data["q"] ? { speedLimits: list(data["q"]).map(unpackLimit) } : {}),
     ...(data["d"] ? { moving: list(data["d"]).map(unpackMoving) } : {}),

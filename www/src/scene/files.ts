@@ -35,7 +35,7 @@ export function checkScene(value: unknown): Scenario {
   if (!isPose(goal) && !(isRecord(goal) && typeof goal["slot"] === "string")) {
     throw new Error("This scene has no goal: a pose or a slot is expected.");
   }
-  for (const key of ["obstacles", "slots"]) {
+  for (const key of ["obstacles", "slots", "costs"]) {
     if (value[key] !== undefined && !Array.isArray(value[key])) throw new Error(`This scene's ${key} are not a list.`);
   }
   return value as unknown as Scenario;

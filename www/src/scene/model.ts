@@ -1,9 +1,10 @@
 /** The scene as the page edits it: every edit gives a new scene and leaves the old one as it was. */
-import type { MovingObstacle, Obstacle, Pose, Scenario, Slot, VehicleSpec } from "parkade";
+import type { CostArea, MovingObstacle, Obstacle, Pose, Scenario, Slot, VehicleSpec } from "parkade";
 import { convexRuns, sameRuns, subtractRuns, unionRuns, type Run } from "./cells";
 import { wrapAngle, type Point } from "./plane";
 import { slotOutline, parkedPose, poseInSlot, type Entry } from "./slots";
 import type { Shape } from "./shapes";
+import { thingsOf } from "../store";
 import { footprint, vehicleOf, type ResolvedVehicle } from "./vehicle";
 
 export { vehicleOf, footprint } from "./vehicle";
@@ -14,7 +15,7 @@ export type CellsObstacle = Extract<Obstacle, { type: "cells" }>;
 
 /** The smallest free `prefix-n`. */
 export function nextId(scene: Scene, prefix: string): string {
-  const taken = new Set([...(scene.obstacles ?? []), ...(scene.slots ?? []), ...(scene.moving ?? [])].map((thing) => thing.id));
+  const taken = new Set(thingsOf(scene).map((thing) => thing.id));
   for (let n = 1; ; n++) {
     const id = `${prefix}-${n}`;
     if (!taken.has(id)) return id;
@@ -25,11 +26,11 @@ export function nextId(scene: Scene, prefix: string): string {
 export function ensureIds(scene: Scene): Scene {
   const seen = new Set<string>();
   const keep = (id: string | undefined): boolean => id !== undefined && !seen.has(id) && seen.add(id) !== undefined;
-  const all = [...(scene.obstacles ?? []), ...(scene.slots ?? []), ...(scene.moving ?? [])];
-  const missing = new Set(all.filter((thing) => !keep(thing.id)));
+  const all = thingsOf(scene);
+  const missing = new Set<object>(all.filter((thing) => !keep(thing.id)));
   if (missing.size === 0 && scene.obstacles && scene.slots) return scene;
   const name = <T extends { id?: string }>(thing: T, prefix: string): T => {
-    if (!missing.has(thing as unknown as Obstacle)) return thing;
+    if (!missing.has(thing)) return thing;
     let n = 1;
     while (seen.has(`${prefix}-${n}`)) n++;
     seen.add(`${prefix}-${n}`);
@@ -39,6 +40,7 @@ export function ensureIds(scene: Scene): Scene {
     ...scene,
     obstacles: (scene.obstacles ?? []).map((obstacle) => name(obstacle, obstacle.type)),
     slots: (scene.slots ?? []).map((slot) => name(slot, "slot")),
+    ...(scene.costs ? { costs: scene.costs.map((one) => name(one, "cost")) } : {}),
     ...(scene.moving ? { moving: scene.moving.map((one) => name(one, "moving")) } : {}),
   };
 }
@@ -55,6 +57,11 @@ export function addMoving(scene: Scene, one: Omit<MovingObstacle, "id">): { scen
 
 export const updateMoving = (scene: Scene, id: string, patch: Partial<MovingObstacle>): Scene =>
   ({ ...scene, moving: (scene.moving ?? []).map((m) => (m.id === id ? { ...m, ...patch, id } : m)) });
+
+/** Without painted cells the scene holds no list of them. */
+export const withCosts = ({ costs: _, ...scene }: Scene, costs: CostArea[]): Scene => (costs.length > 0 ? { ...scene, costs } : scene);
+export const findCost = (scene: Scene, id: string): CostArea | undefined => scene.costs?.find((one) => one.id === id);
+export const removeCost = (scene: Scene, id: string): Scene => withCosts(scene, (scene.costs ?? []).filter((one) => one.id !== id));
 
 /** Without the last one the scene holds no list of them. */
 export function removeMoving({ moving = [], ...scene }: Scene, id: string): Scene {

@@ -1,13 +1,13 @@
 /** Obstacles, slots and moving obstacles by their ids, whatever they are. */
-import type { MovingObstacle, Obstacle, Slot } from "parkade";
-import type { Selection } from "../store";
-import { type Run } from "./cells";
-import { addMoving, addObstacle, addSlots, findMoving, findObstacle, findSlot, removeMoving, removeObstacle, removeSlot, updateMoving, updateObstacle, updateSlot, type Scene } from "./model";
+import type { CostArea, MovingObstacle, Obstacle, Slot } from "parkade";
+import { thingsOf, type Selection } from "../store";
+import type { Run } from "./cells";
+import { addMoving, addObstacle, addSlots, findCost, findMoving, findObstacle, findSlot, removeCost, removeMoving, removeObstacle, removeSlot, updateMoving, updateObstacle, updateSlot, withCosts, type Scene } from "./model";
 import { boxOf, rotateAbout, wrapAngle, type Box, type Point } from "./plane";
 import { cornersOf, moveShape, turnShape } from "./shapes";
 import { slotOutline } from "./slots";
 
-type Thing = { kind: "obstacle"; thing: Obstacle } | { kind: "slot"; thing: Slot } | { kind: "moving"; thing: MovingObstacle };
+type Thing = { kind: "obstacle"; thing: Obstacle } | { kind: "slot"; thing: Slot } | { kind: "moving"; thing: MovingObstacle } | { kind: "cost"; thing: CostArea };
 
 export function findThing(scene: Scene, id: string): Thing | null {
   const obstacle = findObstacle(scene, id);
@@ -15,7 +15,9 @@ export function findThing(scene: Scene, id: string): Thing | null {
   const slot = findSlot(scene, id);
   if (slot) return { kind: "slot", thing: slot };
   const moving = findMoving(scene, id);
-  return moving ? { kind: "moving", thing: moving } : null;
+  if (moving) return { kind: "moving", thing: moving };
+  const cost = findCost(scene, id);
+  return cost ? { kind: "cost", thing: cost } : null;
 }
 
 /** Ids of what is chosen; none for start and goal. */
@@ -30,7 +32,7 @@ export function selectionOf(scene: Scene, ids: readonly string[]): Selection {
 }
 
 export const allIds = (scene: Scene): string[] =>
-  [...(scene.obstacles ?? []), ...(scene.slots ?? []), ...(scene.moving ?? [])].map((one) => one.id!);
+  thingsOf(scene).map((one) => one.id!);
 
 /** Corners of a thing; of brushed cells those of their extent. */
 export function outlineOfThing(scene: Scene, id: string): Point[] {
@@ -38,6 +40,7 @@ export function outlineOfThing(scene: Scene, id: string): Point[] {
   if (!found) return [];
   if (found.kind === "slot") return slotOutline(found.thing);
   if (found.kind === "moving") return found.thing.points;
+  if (found.kind === "cost") return extentOf(found.thing.runs, scene.map);
   return found.thing.type === "cells" ? extentOf(found.thing.runs, scene.map) : cornersOf(found.thing);
 }
 
@@ -54,7 +57,7 @@ export const boxOfThings = (scene: Scene, ids: readonly string[]): Box => boxOf(
 
 /** What lies wholly inside a box; brushed cells are drawn on, not picked up. */
 export function thingsWithin(scene: Scene, { minX, minY, maxX, maxY }: Box): string[] {
-  const cells = new Set((scene.obstacles ?? []).filter((one) => one.type === "cells").map((one) => one.id));
+  const cells = new Set(thingsOf(scene).filter((one) => "runs" in one).map((one) => one.id));
   return allIds(scene).filter((id) => !cells.has(id) && outlineOfThing(scene, id).every(([x, y]) => x >= minX && x <= maxX && y >= minY && y <= maxY));
 }
 
@@ -64,6 +67,7 @@ export function moveThings(scene: Scene, ids: readonly string[], dx: number, dy:
     const found = findThing(next, id);
     if (found?.kind === "slot") return updateSlot(next, id, { x: found.thing.x + dx, y: found.thing.y + dy });
     if (found?.kind === "moving") return updateMoving(next, id, { points: found.thing.points.map(([x, y]) => [x + dx, y + dy]) });
+    if (found?.kind === "cost") return withCosts(next, next.costs!.map((one) => (one.id === id ? { ...one, runs: movedRuns(one.runs, next.map, dx, dy) } : one)));
     if (found?.kind !== "obstacle") return next;
     const { thing } = found;
     return updateObstacle(next, id, thing.type === "cells" ? { ...thing, runs: movedRuns(thing.runs, next.map, dx, dy) } : moveShape(thing, dx, dy));
@@ -100,7 +104,7 @@ function middleOf(points: readonly Point[]): Point {
 }
 
 export function removeThings(scene: Scene, ids: readonly string[]): Scene {
-  const remove = { obstacle: removeObstacle, slot: removeSlot, moving: removeMoving };
+  const remove = { obstacle: removeObstacle, slot: removeSlot, moving: removeMoving, cost: removeCost };
   return ids.reduce((next, id) => {
     const found = findThing(next, id);
     return found ? remove[found.kind](next, id) : next;
@@ -112,8 +116,8 @@ export function copyThings(scene: Scene, ids: readonly string[]): { scene: Scene
   const copies: string[] = [];
   const next = ids.reduce((before, id) => {
     const found = findThing(before, id);
-    if (!found || (found.kind === "obstacle" && found.thing.type === "cells")) return before;
-    const made = found.kind === "slot" ? addSlots(before, [found.thing]) : found.kind === "moving" ? addMoving(before, found.thing) : addObstacle(before, found.thing);
+    if (!found || "runs" in found.thing) return before;
+    const made = found.kind === "slot" ? addSlots(before, [found.thing]) : found.kind === "moving" ? addMoving(before, found.thing) : addObstacle(before, found.thing as Obstacle);
     copies.push("ids" in made ? made.ids[0]! : made.id);
     return made.scene;
   }, scene);

@@ -1,8 +1,10 @@
 /** Freehand walls of map cells, and the eraser. */
 import { capsuleRuns } from "../scene/cells";
+import { paintCosts } from "../scene/costs";
 import { brushCells, removeObstacle, removeSlot, resolve, updateSlot, type Scene } from "../scene/model";
 import { distance, insidePolygon, type Point } from "../scene/plane";
 import { distanceToShape } from "../scene/shapes";
+import type { Draft } from "./draft";
 import type { Bench, Input, Tool } from "./tool";
 
 abstract class StrokeTool implements Tool {
@@ -58,8 +60,13 @@ abstract class StrokeTool implements Tool {
     if (scene !== before) bench.preview(scene);
   }
 
-  private disc(bench: Bench, at: Point): { preview: { kind: "brush"; at: Point; radius: number; erase: boolean } } {
-    return { preview: { kind: "brush", at, radius: bench.store.state.toolOptions.brushRadius, erase: this.erase } };
+  /** What is said beside the disc. */
+  protected label(_: Bench): string {
+    return "";
+  }
+
+  private disc(bench: Bench, at: Point): Draft {
+    return { preview: { kind: "brush", at, radius: bench.store.state.toolOptions.brushRadius, erase: this.erase, label: this.label(bench) } };
   }
 }
 
@@ -70,6 +77,22 @@ export class BrushTool extends StrokeTool {
 
   protected override apply(bench: Bench, scene: Scene, from: Point, to: Point): Scene {
     return brushCells(scene, capsuleRuns(scene.map, from, to, bench.store.state.toolOptions.brushRadius), "add");
+  }
+}
+
+/** Gives cells a weight; 1 takes it away. */
+export class CostTool extends StrokeTool {
+  constructor() {
+    super(false);
+  }
+
+  protected override apply(bench: Bench, scene: Scene, from: Point, to: Point): Scene {
+    const { brushRadius, costWeight } = bench.store.state.toolOptions;
+    return paintCosts(scene, capsuleRuns(scene.map, from, to, brushRadius), costWeight);
+  }
+
+  protected override label(bench: Bench): string {
+    return `×${bench.store.state.toolOptions.costWeight}`;
   }
 }
 
@@ -87,7 +110,8 @@ export class EraserTool extends StrokeTool {
 
   protected override apply(bench: Bench, scene: Scene, from: Point, to: Point): Scene {
     const radius = bench.store.state.toolOptions.brushRadius;
-    let next = brushCells(scene, capsuleRuns(scene.map, from, to, radius), "erase");
+    const cells = capsuleRuns(scene.map, from, to, radius);
+    let next = paintCosts(brushCells(scene, cells, "erase"), cells, 1);
     for (const obstacle of scene.obstacles ?? []) {
       if (obstacle.type === "cells" || obstacle.id === undefined) continue;
       const touched = along(from, to, radius).some((p) => distanceToShape(p, obstacle) <= radius);

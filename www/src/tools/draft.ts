@@ -4,7 +4,7 @@ import type { Point } from "../scene/plane";
 import type { Selection } from "../store";
 
 export type Preview =
-  | { kind: "brush"; at: Point; radius: number; erase: boolean }
+  | { kind: "brush"; at: Point; radius: number; erase: boolean; label?: string }
   | { kind: "line"; points: Point[]; cursor: Point | null; thickness: number; closing: boolean; refused: boolean; closed: boolean }
   | { kind: "rectangle"; center: Point; size: Point; heading: number; from: Point; to: Point }
   | { kind: "car"; pose: Pose; vehicle: VehicleSpec }

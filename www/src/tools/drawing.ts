@@ -1,6 +1,6 @@
 /** The tools that draw; the first picture does without them. */
 import type { ToolId } from "../store";
-import { BrushTool, EraserTool } from "./brush";
+import { BrushTool, CostTool, EraserTool } from "./brush";
 import { CarTool } from "./car";
 import { MovingTool, PolygonTool, RoadTool, WallTool } from "./line";
 import { PlaceTool } from "./place";
@@ -18,7 +18,7 @@ export interface Drawing {
 
 export const makeDrawing = (): Drawing => ({
   tools: {
-    brush: new BrushTool(), wall: new WallTool(), rectangle: new RectangleTool(), polygon: new PolygonTool(), car: new CarTool(),
+    brush: new BrushTool(), cost: new CostTool(), wall: new WallTool(), rectangle: new RectangleTool(), polygon: new PolygonTool(), car: new CarTool(),
     slot: new SlotTool(), moving: new MovingTool(), road: new RoadTool(), eraser: new EraserTool(),
   },
   eraser: new EraserTool(),

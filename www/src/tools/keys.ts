@@ -7,7 +7,7 @@ import type { State, Store, ToolId } from "../store";
 
 const TOOL_KEYS: Record<string, ToolId> = {
   v: "select", 1: "select", b: "brush", 2: "brush", l: "wall", 3: "wall", r: "rectangle", 4: "rectangle", g: "polygon", 5: "polygon",
-  c: "car", 6: "car", p: "slot", 7: "slot", m: "moving", 8: "moving", d: "road", e: "eraser", 9: "eraser", h: "hand",
+  c: "car", 6: "car", p: "slot", 7: "slot", m: "moving", k: "cost", 8: "cost", d: "road", e: "eraser", 9: "eraser", h: "hand",
 };
 
 const ARROWS: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
@@ -28,6 +28,8 @@ export function editByKey(store: Store, event: KeyboardEvent): boolean {
     case "Delete": case "Backspace": return removeSelected(store);
     case "[": return setRadius(store, state.toolOptions.brushRadius / RADIUS.step);
     case "]": return setRadius(store, state.toolOptions.brushRadius * RADIUS.step);
+    case "{": return setWeight(store, -1);
+    case "}": return setWeight(store, 1);
     case "x": case "X": store.edit(flipGoal(state.scene), { label: "flip" }); return true;
     case "q": case "Q": store.set({ toolOptions: { ...state.toolOptions, locked: !state.toolOptions.locked } }); return true;
     default: return false;
@@ -47,6 +49,12 @@ function editWithCtrl(store: Store, event: KeyboardEvent): boolean {
 function setRadius(store: Store, radius: number): boolean {
   const brushRadius = Math.min(RADIUS.most, Math.max(RADIUS.least, Math.round(radius * 100) / 100));
   store.set({ toolOptions: { ...store.state.toolOptions, brushRadius } });
+  return true;
+}
+
+function setWeight(store: Store, step: number): boolean {
+  const { toolOptions } = store.state;
+  store.set({ toolOptions: { ...toolOptions, costWeight: Math.min(10, Math.max(1, toolOptions.costWeight + step)) } });
   return true;
 }
 

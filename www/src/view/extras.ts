@@ -1,6 +1,7 @@
 /** The layers that the first picture does without, and what is told of the cell under the pointer. */
-export { legendOf, readoutOf } from "../panels/readout";
+export { legendOf, readoutOf, weightsOf } from "../panels/readout";
 export { costRange, drawCost } from "./layers/cost";
+export { drawCosts } from "./layers/costs";
 export { drawDifference } from "./layers/difference";
 export { drawDraft } from "./layers/draft";
 export { drawExplained } from "./layers/explained";

@@ -31,6 +31,7 @@ export class SceneLayers {
     drawFloor(frame);
     extras()?.drawLanes(frame);
     this.drawRasters(frame);
+    if (scene.costs) extras()?.drawCosts(frame);
     if (layers.slots) drawSlots(frame);
     drawBorder(frame);
     if (layers.obstacles) drawObstacles(frame);

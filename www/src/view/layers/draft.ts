@@ -74,7 +74,7 @@ function drawMarquee(frame: Frame, { from, to }: Extract<Preview, { kind: "marqu
   ctx.strokeRect(Math.round(x0) + 0.5, Math.round(y0) + 0.5, Math.round(x1 - x0), Math.round(y1 - y0));
 }
 
-function drawBrush(frame: Frame, { at, radius, erase }: Extract<Preview, { kind: "brush" }>): void {
+function drawBrush(frame: Frame, { at, radius, erase, label }: Extract<Preview, { kind: "brush" }>): void {
   const { ctx, tokens: { colour }, view } = frame;
   const [x, y] = toScreen(frame, at);
   inPixels(frame);
@@ -87,6 +87,7 @@ function drawBrush(frame: Frame, { at, radius, erase }: Extract<Preview, { kind:
   if (erase) ctx.setLineDash([3, 3]);
   ctx.stroke();
   ctx.setLineDash([]);
+  if (label) drawPill(frame, label, x + Math.max(2, radius * view.camera.scale) + 6, y - 11);
 }
 
 /** Corners set so far, the edge to the pointer, in the colour of errors where it is refused. */

@@ -127,6 +127,7 @@ function pathOfThing({ state: { scene } }: Frame, id: string): Path2D | null {
   if (!found) return null;
   if (found.kind === "slot") return polygonPath(slotOutline(found.thing));
   if (found.kind === "moving") return linePath(found.thing.points);
+  if (found.kind === "cost") return cellPaths(found.thing.runs, scene.map).edge;
   const { thing } = found;
   if (thing.type === "cells") return cellPaths(thing.runs, scene.map).edge;
   return thing.type === "wall" || thing.type === "road" ? linePath(thing.points) : polygonPath(cornersOf(thing));

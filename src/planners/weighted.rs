@@ -1,0 +1,141 @@
+//! A lattice of cells whose moves cost their length times the weight of the cells that they cross.
+//!
+//! Weights are at least 1, so every estimate that never exceeds the plain cost stays one, and a consistent one consistent.
+
+use super::moves::{D, DIRECTIONS, R2, cost};
+use super::query::Query;
+use crate::map::{Cell, Occupancy, Weights};
+use crate::search::NodeId;
+use crate::search::lattice::{Hold, Lattice, Sink};
+
+/// The cost of a straight move between two cells, every part of it times the weight of its cell, rounded up. Micro-cells.
+pub(crate) fn weighted_cost(weights: &Weights, from: Cell, to: Cell) -> i64 {
+    let (dx, dy) = ((to.x - from.x).abs(), (to.y - from.y).abs());
+    if dx.max(dy) == 1 {
+        // Half of a single step lies in each of its cells.
+        let half = if dx == dy { R2 / 2 } else { D / 2 };
+        return half * i64::from(weights.at(from) + weights.at(to));
+    }
+    let (above, below) = weights.mean(from, to);
+    (cost(dx, dy) * above + below - 1) / below
+}
+
+/// `lattice` over a map's cells, by their weights.
+pub(super) struct Weighted<'a, L> {
+    pub(super) lattice: L,
+    map: &'a Occupancy,
+    weights: &'a Weights,
+    goal: Cell,
+}
+
+/// Passes moves on at their weighted costs.
+struct Weighing<'a, S> {
+    sink: &'a mut S,
+    map: &'a Occupancy,
+    weights: &'a Weights,
+    from: Cell,
+}
+
+impl<'a, L> Weighted<'a, L> {
+    /// The query's map must have weights.
+    pub(super) fn new(lattice: L, query: &Query<'a>) -> Self {
+        let weights = query.map.weights().expect("only maps with weights are searched by them");
+        Self { lattice, map: query.map, weights, goal: query.goal }
+    }
+
+    fn weighing<'s, S>(&self, node: NodeId, sink: &'s mut S) -> Weighing<'s, S>
+    where
+        'a: 's,
+    {
+        Weighing { sink, map: self.map, weights: self.weights, from: self.map.cell(node) }
+    }
+}
+
+impl<S: Sink> Weighing<'_, S> {
+    /// Those of the eight directions, every `stride`-th, that would improve what is known there.
+    fn worth_in(&self, stride: usize) -> u32 {
+        let worth = |c: usize| {
+            let to = self.from.offset(DIRECTIONS[c].0, DIRECTIONS[c].1);
+            let cost = || weighted_cost(self.weights, self.from, to);
+            self.map.contains(to) && self.sink.worth(self.map.index(to), cost())
+        };
+        (0..8).step_by(stride).fold(0, |bits, c| bits | u32::from(worth(c)) << c)
+    }
+}
+
+impl<S: Sink> Sink for Weighing<'_, S> {
+    fn worth(&self, target: NodeId, _: i64) -> bool {
+        self.sink.worth(target, weighted_cost(self.weights, self.from, self.map.cell(target)))
+    }
+
+    fn worth_around(&self, _: NodeId, _: usize, _: i64, _: i64) -> u32 {
+        self.worth_in(1)
+    }
+
+    fn worth_beside(&self, _: NodeId, _: usize, _: i64) -> u32 {
+        self.worth_in(2)
+    }
+
+    fn take(&mut self, number: u32, target: NodeId, _: i64, h: i64) {
+        let cost = weighted_cost(self.weights, self.from, self.map.cell(target));
+        self.sink.take(number, target, cost, h);
+    }
+}
+
+impl<L: Lattice> Lattice for Weighted<'_, L> {
+    type Entry = L::Entry;
+
+    const JUMPS: bool = L::JUMPS;
+    const HOLDS_BACK: bool = L::HOLDS_BACK;
+
+    fn node_count(&self) -> usize {
+        self.lattice.node_count()
+    }
+
+    fn rim(&self) -> usize {
+        self.lattice.rim()
+    }
+
+    /// What the cell before could have been offered is not cheaper from there any more, so all moves are.
+    fn successors<S: Sink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
+        self.lattice.successors(node, None, &mut self.weighing(node, sink));
+    }
+
+    fn predecessors<S: Sink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
+        self.lattice.predecessors(node, None, &mut self.weighing(node, sink));
+    }
+
+    fn after(&self, node: NodeId, number: u32) -> NodeId {
+        self.lattice.after(node, number)
+    }
+
+    fn before(&self, node: NodeId, number: u32) -> NodeId {
+        self.lattice.before(node, number)
+    }
+
+    fn held_back<S: Sink>(&self, node: NodeId, note: u32, sink: &mut S) {
+        self.lattice.held_back(node, note, &mut self.weighing(node, sink));
+    }
+
+    fn note(&self) -> u32 {
+        self.lattice.note()
+    }
+
+    fn hold(&self) -> Hold {
+        self.lattice.hold()
+    }
+
+    /// Straight to the goal where nothing heavier is on the way: a way around may be cheaper otherwise.
+    fn shot(&self, node: NodeId) -> Option<i64> {
+        let straight = |&cost: &i64| weighted_cost(self.weights, self.map.cell(node), self.goal) == cost;
+        self.lattice.shot(node).filter(straight)
+    }
+
+    fn to_goal(&self, node: NodeId) -> i64 {
+        self.lattice.to_goal(node)
+    }
+
+    fn to_start(&self, node: NodeId) -> i64 {
+        self.lattice.to_start(node)
+    }
+}
