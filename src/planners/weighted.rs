@@ -6,7 +6,7 @@ use super::moves::{D, DIRECTIONS, R2, cost};
 use super::query::Query;
 use crate::map::{Cell, Occupancy, Weights};
 use crate::search::NodeId;
-use crate::search::lattice::{Hold, Lattice, Sink};
+use crate::search::lattice::{Hold, Lattice, Leg, Sink};
 
 /// The cost of a straight move between two cells, every part of it times the weight of its cell, rounded up. Micro-cells.
 pub(crate) fn weighted_cost(weights: &Weights, from: Cell, to: Cell) -> i64 {
@@ -76,9 +76,9 @@ impl<S: Sink> Sink for Weighing<'_, S> {
         self.worth_in(2)
     }
 
-    fn take(&mut self, number: u32, target: NodeId, _: i64, h: i64) {
+    fn take(&mut self, leg: Leg, target: NodeId, h: i64) {
         let cost = weighted_cost(self.weights, self.from, self.map.cell(target));
-        self.sink.take(number, target, cost, h);
+        self.sink.take(leg.at(cost), target, h);
     }
 }
 
@@ -115,6 +115,10 @@ impl<L: Lattice> Lattice for Weighted<'_, L> {
 
     fn held_back<S: Sink>(&self, node: NodeId, note: u32, sink: &mut S) {
         self.lattice.held_back(node, note, &mut self.weighing(node, sink));
+    }
+
+    fn held_back_at_once<S: Sink>(&self, node: NodeId, sink: &mut S) {
+        self.lattice.held_back_at_once(node, &mut self.weighing(node, sink));
     }
 
     fn note(&self) -> u32 {

@@ -103,6 +103,12 @@ impl Leg {
     pub const fn new(number: u32, cost: i64) -> Self {
         Self { cost, code: (cost as u64) << MOVE | number as u64 }
     }
+
+    /// The same move at another cost.
+    #[must_use]
+    pub const fn at(self, cost: i64) -> Self {
+        Self::new((self.code & ((1 << MOVE) - 1)) as u32, cost)
+    }
 }
 
 /// Where a [`Lattice`] offers its moves.
