@@ -95,7 +95,7 @@ fn build_package(workspace: &Workspace) -> Result<()> {
     build_module(workspace, &package.join(CORE), &["--no-default-features"], &["-C", "opt-level=s"])?;
     copy(&sources.join(CORE).join(COMPLETE_SOURCE), &package.join(CORE).join(COMPLETE_SOURCE))?;
     // What the searches' loops need is marked to be inlined; the usual threshold copies much that they do not.
-    build_module(workspace, &package, &[], &["-C", "llvm-args=--inline-threshold=200"])?;
+    build_module(workspace, &package, &[], &["-C", "llvm-args=--inline-threshold=150"])?;
     for name in [COMPLETE_SOURCE].iter().chain(COMPLETE_PARTS) {
         copy(&sources.join(name), &package.join(name))?;
     }
