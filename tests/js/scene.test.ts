@@ -131,7 +131,7 @@ describe("painted cells", () => {
   });
 
   it("move by whole cells and go by their ids", () => {
-    const painted = paintCosts(scene, [[10, 10, 4]], 5), [{ id }] = painted.costs as [{ id: string }];
+    const painted = paintCosts(scene, [[10, 10, 4]], 5), id = painted.costs![0]!.id!;
     expect(moveThings(painted, [id], 0.5, 0.25).costs![0]!.runs).toEqual([[12, 11, 4]]);
     expect(removeThings(painted, [id]).costs).toBeUndefined();
   });
