@@ -68,6 +68,24 @@ pub const TARGETS: &[Target] = &[
     Target { name: "lots", about: "mutated lots of lines and polygons", sample: 400, run: parsers::lots },
 ];
 
+/// Asks one of the parsers what a fuzzer that watches the program made up.
+///
+/// # Panics
+/// With what is wrong with the answer, and for names that are none of a parser's.
+pub fn guided(parser: &str, bytes: &[u8]) {
+    let outcome = match parser {
+        "scene" => parsers::guided_scene(bytes),
+        "movingai" => parsers::guided(&["room.map", "room.map.scen"], bytes),
+        "rosmap" => parsers::guided(&["lot.yaml", "lot.pgm"], bytes),
+        "tpcap" => parsers::guided(&["case.csv"], bytes),
+        "lots" => parsers::guided(&["lot.json"], bytes),
+        _ => Err(format!("{parser}: no parser")),
+    };
+    if let Err(wrong) = outcome {
+        panic!("{wrong}");
+    }
+}
+
 /// Every planner on every built-in scene, then as many random questions: planner, scene, settings, and the hash of the
 /// plan or the error's words.
 pub fn questions(random: u64) -> impl Iterator<Item = Value> {

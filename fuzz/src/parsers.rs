@@ -69,6 +69,22 @@ pub(crate) fn lots(seed: u64) -> Outcome {
     read(r, &[("lot.json", lot.to_string().as_bytes())])
 }
 
+/// What a guided fuzzer found, as these files; where there are two, the first byte 1 parts them.
+pub(crate) fn guided(names: &[&str], bytes: &[u8]) -> Outcome {
+    let mut parts = bytes.splitn(names.len(), |&byte| byte == 1);
+    let files: Vec<(&str, &[u8])> = names.iter().map(|&name| (name, parts.next().unwrap_or_default())).collect();
+    read(&mut Random::new(bytes.len() as u64), &files)
+}
+
+/// The same of a scene.
+pub(crate) fn guided_scene(bytes: &[u8]) -> Outcome {
+    let Ok(value) = serde_json::from_slice::<Value>(bytes) else { return Ok("no JSON") };
+    match Scenario::from_json(&value) {
+        Ok(scene) => taken(&mut Random::new(bytes.len() as u64), &scene),
+        Err(error) => said(&error.path, &error.message),
+    }
+}
+
 fn read(r: &mut Random, files: &[(&str, &[u8])]) -> Outcome {
     let files: Vec<File> = files.iter().map(|&(name, bytes)| File { name, bytes }).collect();
     match import(&files, &Reading::default()) {
