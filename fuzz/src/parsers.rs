@@ -72,7 +72,8 @@ pub(crate) fn lots(seed: u64) -> Outcome {
 /// What a guided fuzzer found, as these files; where there are two, the first byte 1 parts them.
 pub(crate) fn guided(names: &[&str], bytes: &[u8]) -> Outcome {
     let mut parts = bytes.splitn(names.len(), |&byte| byte == 1);
-    let files: Vec<(&str, &[u8])> = names.iter().map(|&name| (name, parts.next().unwrap_or_default())).collect();
+    let files: Vec<(&str, &[u8])> =
+        names.iter().map(|&name| (name, parts.next().unwrap_or_default())).collect();
     read(&mut Random::new(bytes.len() as u64), &files)
 }
 
