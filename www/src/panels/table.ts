@@ -37,7 +37,7 @@ export class MetricsTable extends AppElement {
     footer .end { margin-left: auto; display: flex; gap: 4px; flex: none; position: relative; }
     footer .button { height: 26px; font-size: 12px; min-height: 0; color: var(--parkade-t1); }
     .popover { bottom: calc(100% + 4px); right: 0; min-width: 150px; font-size: 13px; line-height: 18px; }
-    @container (max-width: 760px) { th, td { padding: 0 5px; } }
+    @container (max-width: 960px) { th, td { padding: 0 5px; } }
     :host([compact]) tbody tr { height: 29px; }
     :host([compact]) thead th { height: 26px; }
     :host([compact]) th, :host([compact]) td { padding: 0 4px; }
