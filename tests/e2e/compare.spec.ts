@@ -224,5 +224,5 @@ test("a newcomer draws a wall and a row of slots, parks in the third, and learns
   const rows = page.locator("parkade-table tbody tr");
   await expect(rows.filter({ hasText: "8-neighbour" }).locator("td").first()).toHaveText(/Turns on the spot|Hits at|Too tight|Starts/);
   await page.getByRole("button", { name: "Share" }).click();
-  expect(await page.evaluate(() => navigator.clipboard.readText())).toContain("#s=1");
+  await expect.poll(() => page.evaluate(() => navigator.clipboard.readText())).toContain("#s=1");
 });
