@@ -219,7 +219,7 @@ if (wanted("G11")) {
   const map = load(maps, "brc202d");
   const questions = sample(map.questions, 10);
   // The risk field has the eight and one double step, or two.
-  const kinds = [["eight", 8, OCTILE], ["sixteen", 16, {}], ["twenty-four", 24, {}], ["forty-eight", 48, {}], ["risk-field", 9, {}]];
+  const kinds = [["eight", 8, OCTILE], ["sixteen", 16, {}], ["twenty-four", 24, {}], ["forty-eight", 48, {}], ["risk-field", 8, {}]];
   for (const [id, around, config] of kinds) {
     const { ask } = ours(map, id, config);
     const expanded = questions.reduce((sum, q) => sum + ask(q).expanded, 0);
