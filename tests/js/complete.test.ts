@@ -163,7 +163,7 @@ describe("explain", () => {
     expect(told.candidates).toHaveLength(9);
     expect(planner.explain({ x: 3, y: 3 })).toBeNull();
     expect(planner.explain({ x: -9, y: 3 })).toBeNull();
-    expect(failure(() => planner.explain(untyped({ x: "a", y: 3 })))).toEqual({ code: "bad-input", path: "x" });
+    expect(failure(() => planner.explain(untyped({ x: "a", y: 3 })))).toEqual({ code: "bad-input", path: "at.x" });
     planner.free();
     const eight = new Planner("eight", scenario("regular-60"));
     expect(failure(() => eight.explain({ x: 0, y: 0 }))).toEqual({ code: "bad-input", path: "planner" });

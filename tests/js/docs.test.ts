@@ -47,9 +47,11 @@ test.each(written.filter(({ language }) => language === "sh").flatMap(({ code })
 
 test("every sample is of a kind that is run or only shown", () => {
   const kinds = new Set(written.map(({ language }) => language));
-  // html runs in the browser's tests, rust in cargo's; text, toml, yaml and python belong to other programs.
-  expect([...kinds].filter((kind) => !["js", "sh", "html", "rust", "text", "toml", "yaml", "python"].includes(kind))).toEqual([]);
+  // html runs in the browser's tests, rust in cargo's; css is the example book's; text, toml, yaml and python belong to other programs.
+  expect([...kinds].filter((kind) => !["js", "sh", "html", "rust", "css", "text", "toml", "yaml", "python"].includes(kind))).toEqual([]);
   expect(readFileSync(new URL("../../README.md", import.meta.url), "utf8")).toContain(written.find(({ language }) => language === "rust")!.code);
+  const book = readFileSync(new URL("../../examples/mdbook/parkade.css", import.meta.url), "utf8");
+  expect(book.replace(/\s+/g, " ")).toContain(written.find(({ language }) => language === "css")!.code.trim());
 });
 
 test("the reference has every exported name, each declaration whole", () => {
