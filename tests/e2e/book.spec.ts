@@ -1,6 +1,6 @@
 import { expect, test } from "@playwright/test";
 import type { Plan } from "parkade";
-import { complaintsOf } from "./playground";
+import { complaintsOf, watchShifts } from "./playground";
 
 interface Embed extends HTMLElement {
   ready: Promise<void>;
@@ -10,13 +10,7 @@ interface Embed extends HTMLElement {
 test("in the example book playgrounds come alive, move nothing, and leave the book its keys", async ({ page }) => {
   const complaints = complaintsOf(page);
   await page.emulateMedia({ reducedMotion: "reduce" });
-  await page.addInitScript(() => {
-    const shifts: number[] = [];
-    (window as unknown as { shifts: number[] }).shifts = shifts;
-    new PerformanceObserver((list) => {
-      for (const entry of list.getEntries()) shifts.push((entry as unknown as { value: number }).value);
-    }).observe({ type: "layout-shift", buffered: true });
-  });
+  const shifts = await watchShifts(page);
   await page.goto("/book/parking.html");
   const outcomes = () => page.evaluate(async () => {
     const found: (string | undefined)[] = [];
@@ -40,6 +34,6 @@ test("in the example book playgrounds come alive, move nothing, and leave the bo
   await page.waitForURL("**/grids.html");
   await expect.poll(outcomes).toEqual(["found", "found", "found", "found", "no-path"]);
   // The book's own fonts move its text by a few thousandths when they arrive.
-  expect(Math.max(0, ...await page.evaluate(() => (window as unknown as { shifts: number[] }).shifts))).toBeLessThan(0.01);
+  expect(Math.max(0, ...await shifts())).toBeLessThan(0.01);
   expect(complaints).toEqual([]);
 });

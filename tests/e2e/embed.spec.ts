@@ -5,7 +5,7 @@ import { fileURLToPath } from "node:url";
 import { expect, test, type Page } from "@playwright/test";
 import type { Plan, Scenario } from "parkade";
 import { installed } from "../js/pack";
-import { complaintsOf, hashesOf, open, sceneOf } from "./playground";
+import { complaintsOf, hashesOf, open, sceneOf, watchShifts } from "./playground";
 
 interface Embed extends HTMLElement {
   ready: Promise<void>;
@@ -31,14 +31,8 @@ async function watch(page: Page): Promise<{ urls: string[]; shifted(): Promise<n
   const urls: string[] = [];
   page.on("request", (request) => urls.push(request.url()));
   await page.emulateMedia({ reducedMotion: "reduce" });
-  await page.addInitScript(() => {
-    const shifts: number[] = [];
-    (window as unknown as { shifts: number[] }).shifts = shifts;
-    new PerformanceObserver((list) => {
-      for (const entry of list.getEntries()) shifts.push((entry as unknown as { value: number }).value);
-    }).observe({ type: "layout-shift", buffered: true });
-  });
-  return { urls, shifted: () => page.evaluate(() => (window as unknown as { shifts: number[] }).shifts.reduce((a, b) => a + b, 0)) };
+  const shifts = await watchShifts(page);
+  return { urls, shifted: async () => (await shifts()).reduce((a, b) => a + b, 0) };
 }
 
 /** Waits until a second has passed without a request: pages load parts when they have nothing else to do. */

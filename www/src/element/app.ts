@@ -62,7 +62,7 @@ export class App {
   /** Id of the catalogue's scene last opened. */
   preset: string | null = null;
   private stopSaving: (() => void) | null = null;
-  private given = { up: true };
+  private starting = new AbortController();
   private origin: Scene | null = null;
   private cachedTokens: Tokens | null = null;
 
@@ -73,14 +73,14 @@ export class App {
    * before the plans. `drives`: the car then parks once.
    */
   async start({ preset, syncAddress, drives, given, loaded }: Beginning): Promise<void> {
-    const attempts = (this.given = { up: false });
+    const { signal } = (this.starting = new AbortController());
     const looks = syncAddress ? await this.links.looks() : {};
     this.store.set(looks);
     let missed = false;
     const engine = await persistently(() => loadEngine(extentFor(this.store.state.planners)), (error) => {
       missed = true;
       this.refuse("app.unsupported", { reason: sentence(error) });
-    }, attempts);
+    }, signal);
     if (!engine) return;
     if (missed) this.store.set({ message: null });
     this.catalog = catalogOf(engine);
@@ -126,7 +126,7 @@ export class App {
   }
 
   stop(): void {
-    this.given.up = true;
+    this.starting.abort();
     this.stopSaving?.();
     this.player.pause();
     this.links.stop();
