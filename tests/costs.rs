@@ -18,13 +18,6 @@ use parkade::scenario::{Scenario, catalog};
 use parkade::search::Stop;
 use serde_json::{Value, json};
 
-const NEIGHBOURHOODS: [Neighbourhood; 5] = [
-    Neighbourhood::Four,
-    Neighbourhood::Eight,
-    Neighbourhood::Sixteen,
-    Neighbourhood::TwentyFour,
-    Neighbourhood::FortyEight,
-];
 const CORNERS: [Corner; 3] = [Corner::Strict, Corner::NoSqueeze, Corner::Free];
 
 /// A map with cells blocked and painted at random, start and goal free.
@@ -93,7 +86,7 @@ fn paths_are_the_cheapest_by_weights() {
     for round in 0..400_usize {
         let (map, start, goal) = random_map(&mut random);
         let query = Query { map: &map, start, goal };
-        let (neighbourhood, corner) = (NEIGHBOURHOODS[round % 5], CORNERS[round / 5 % 3]);
+        let (neighbourhood, corner) = (Neighbourhood::ALL[round % 5], CORNERS[round / 5 % 3]);
         let mut config = Config::new(neighbourhood);
         config.common.corner = corner;
         if round % 2 == 0 && neighbourhood != Neighbourhood::Four {
@@ -146,7 +139,7 @@ fn nothing_after_the_search_makes_a_path_dearer() {
     for round in 0..400_usize {
         let (map, start, goal) = random_map(&mut random);
         let query = Query { map: &map, start, goal };
-        let neighbourhood = NEIGHBOURHOODS[round % 5];
+        let neighbourhood = Neighbourhood::ALL[round % 5];
         let report =
             grid_astar::plan(query, neighbourhood, &Config::new(neighbourhood), &mut scratch, &mut ());
         if report.status != Status::Found {

@@ -17,13 +17,6 @@ use parkade::post::{prune, prune_dp, smooth};
 use parkade::scenario::generate::SplitMix64;
 use parkade::search::{Stop, Trace};
 
-const NEIGHBOURHOODS: [Neighbourhood; 5] = [
-    Neighbourhood::Four,
-    Neighbourhood::Eight,
-    Neighbourhood::Sixteen,
-    Neighbourhood::TwentyFour,
-    Neighbourhood::FortyEight,
-];
 const CORNERS: [Corner; 3] = [Corner::Strict, Corner::NoSqueeze, Corner::Free];
 
 /// A map with every cell blocked at random, start and goal free.
@@ -102,7 +95,7 @@ fn grid_searches_find_the_cheapest_path_or_none() {
     for _ in 0..150 {
         let (map, start, goal) = random_map(&mut random);
         let query = Query { map: &map, start, goal };
-        for (neighbourhood, corner) in NEIGHBOURHOODS.iter().flat_map(|&n| CORNERS.map(|c| (n, c))) {
+        for (neighbourhood, corner) in Neighbourhood::ALL.iter().flat_map(|&n| CORNERS.map(|c| (n, c))) {
             let cheapest = dijkstra(query, neighbourhood, corner);
             for heuristic in [Heuristic::Manhattan, Heuristic::Euclid, Heuristic::Octile, Heuristic::Gauge] {
                 let config =
@@ -152,7 +145,7 @@ fn searches_from_both_ends_and_jumps_find_the_cheapest_path_or_none() {
     for _ in 0..1000 {
         let (map, start, goal) = random_map(&mut random);
         let query = Query { map: &map, start, goal };
-        for (neighbours, corner) in NEIGHBOURHOODS.iter().flat_map(|&n| CORNERS.map(|c| (n, c))) {
+        for (neighbours, corner) in Neighbourhood::ALL.iter().flat_map(|&n| CORNERS.map(|c| (n, c))) {
             let cheapest = grid_astar::plan(
                 query,
                 neighbours,

@@ -21,7 +21,7 @@ pub use bits::Bits;
 pub use frame::{Cell, Frame};
 pub use layer::Layer;
 pub use los::{Corner, first_in_sight, line_of_sight};
-pub use occupancy::Occupancy;
+pub use occupancy::{DIRECTIONS, Occupancy};
 #[cfg(feature = "complete")]
 pub use redundant::{Redundant, RedundantSettings, redundant};
 pub use weights::{Paint, Weights};

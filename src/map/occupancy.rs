@@ -26,8 +26,8 @@ pub struct Occupancy {
     weights: Option<Arc<Weights>>,
 }
 
-/// The cells around one, in the order of [`Occupancy::free_around`]'s bits.
-pub(super) const AROUND: [(i32, i32); 8] =
+/// The eight directions E, NE, N, NW, W, SW, S, SE, in the order of [`Occupancy::free_around`]'s bits.
+pub const DIRECTIONS: [(i32, i32); 8] =
     [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)];
 
 impl Occupancy {
@@ -147,7 +147,7 @@ impl Occupancy {
         if std::mem::replace(&mut self.rimmed[slot], value) == value {
             return;
         }
-        for (direction, (dx, dy)) in AROUND.into_iter().enumerate() {
+        for (direction, (dx, dy)) in DIRECTIONS.into_iter().enumerate() {
             let neighbour = cell.offset(dx, dy);
             if self.contains(neighbour) {
                 let index = self.index(neighbour) as usize;
@@ -284,7 +284,7 @@ mod tests {
             if (3..6).contains(&cell.x) && (3..map.height() as i32 - 3).contains(&cell.y) {
                 assert_eq!(map.is_clear(cell), window == 0, "{cell:?}");
             }
-            for (c, (dx, dy)) in AROUND.into_iter().enumerate() {
+            for (c, (dx, dy)) in DIRECTIONS.into_iter().enumerate() {
                 assert_eq!(map.free_around(cell) >> c & 1 == 0, map.blocked(cell.offset(dx, dy)));
             }
         }

@@ -1,6 +1,6 @@
 //! The artificial potential field of the risk-field planner: the goal attracts, the nearest obstacle repels.
 
-use super::occupancy::AROUND;
+use super::occupancy::DIRECTIONS;
 use super::{Cell, Layer, Occupancy};
 use crate::geometry::math;
 use crate::json;
@@ -94,7 +94,7 @@ impl<'a> PotentialField<'a> {
                 }
                 last = source.squared;
                 forces[bit as usize] = source.force;
-                if let Some(c) = AROUND.iter().position(|&offset| offset == source.offset) {
+                if let Some(c) = DIRECTIONS.iter().position(|&offset| offset == source.offset) {
                     near[c] = source.force;
                 }
             }

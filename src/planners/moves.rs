@@ -5,6 +5,7 @@
 
 use crate::json;
 use crate::map::Corner;
+pub use crate::map::DIRECTIONS;
 
 /// Micro-cells per cell: the cost of a straight step.
 pub const D: i64 = 1_000_000;
@@ -16,10 +17,6 @@ pub const R5: i64 = 2_236_068;
 pub const R10: i64 = 3_162_278;
 /// The cost of a (3, 2) move, √13.
 pub const R13: i64 = 3_605_552;
-
-/// The eight directions E, NE, N, NW, W, SW, S, SE.
-pub const DIRECTIONS: [(i32, i32); 8] =
-    [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)];
 
 /// Which cells a planner may step to from a cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -50,6 +47,9 @@ pub struct Move {
 }
 
 impl Neighbourhood {
+    /// Every one, from few cells to many.
+    pub const ALL: [Self; 5] = [Self::Four, Self::Eight, Self::Sixteen, Self::TwentyFour, Self::FortyEight];
+
     /// The moves in the order in which they are tried: counter-clockwise from the east, inner ring first.
     pub fn moves(self) -> Vec<Move> {
         let rings = match self {
