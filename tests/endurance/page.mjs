@@ -7,8 +7,8 @@ import { serve } from "../e2e/server.js";
 const KEEP_MEMORIES = `globalThis.memories = []; const instantiate = WebAssembly.instantiate;
 WebAssembly.instantiate = async (...all) => { const made = await instantiate(...all); memories.push((made.instance ?? made).exports.memory); return made; };`;
 
-/** Calls `use` with the loaded page; closes everything after it. */
-export async function withPage(use, prepare) {
+/** Calls `use` with the loaded page of that size; closes everything after it. */
+export async function withPage(use, prepare, viewport = { width: 1400, height: 900 }) {
   const server = await serve(0);
   const unsandboxed = process.getuid?.() === 0 || process.env["CI"] !== undefined;
   const browser = await chromium.launch({
@@ -16,7 +16,7 @@ export async function withPage(use, prepare) {
     args: ["--disable-gpu", "--no-first-run", "--js-flags=--expose-gc", ...(unsandboxed ? ["--no-sandbox"] : [])],
   });
   try {
-    const page = await browser.newPage({ viewport: { width: 1400, height: 900 }, reducedMotion: "reduce", serviceWorkers: "block" });
+    const page = await browser.newPage({ viewport, reducedMotion: "reduce", serviceWorkers: "block" });
     await page.route(/worker.*\.js$/, async (route) => {
       const response = await route.fetch();
       await route.fulfill({ response, body: `${KEEP_MEMORIES}\n${await response.text()}` });
