@@ -1,12 +1,13 @@
 // @ts-check
-// Plans the questions of a file in Node, Chromium and Firefox, and compares with the native answers in it.
+// Plans the questions of a file in Node, with vector instructions and without, in Chromium and Firefox, and compares with the
+// native answers in it.
 import { spawn } from "node:child_process";
 import { mkdtemp, readFile, rm } from "node:fs/promises";
 import { createServer } from "node:http";
 import { tmpdir } from "node:os";
 import { delimiter, extname, join } from "node:path";
 import { existsSync } from "node:fs";
-import * as api from "../../pkg/node.js";
+import { pathToFileURL } from "node:url";
 import { ask } from "./ask.js";
 
 const ROOT = new URL("../../", import.meta.url);
@@ -14,8 +15,8 @@ const SERVED = ["pkg/", "tests/everywhere/"];
 const TYPES = /** @type {Record<string, string>} */ ({ ".html": "text/html", ".js": "text/javascript", ".wasm": "application/wasm" });
 const PATIENCE_MS = 30 * 60_000;
 
-const [file] = process.argv.slice(2);
-if (!file) throw new Error("usage: run.js questions.jsonl");
+const [file, vectorised] = process.argv.slice(2);
+if (!file || !vectorised) throw new Error("usage: run.js questions.jsonl FOLDER, of the package compiled to vector instructions");
 const questions = await readFile(file, "utf8");
 
 /** @typedef {{ asked: number, different: string[], agent: string }} Answers */
@@ -99,8 +100,15 @@ function report(where, { asked, different, agent }) {
   if (!ok) wrong++;
 }
 
-await api.init();
-report("Node", { ...ask(/** @type {any} */ (api), questions), agent: `Node ${process.version}` });
+/** @param {string} where @param {string | URL} folder of a package */
+async function inNode(where, folder) {
+  const api = await import(new URL("node.js", folder).href);
+  await api.init();
+  report(where, { ...ask(api, questions), agent: `Node ${process.version}` });
+}
+
+await inNode("Node", new URL("pkg/", ROOT));
+await inNode("Node, simd", pathToFileURL(`${vectorised}/`));
 for (const { name, path, options } of BROWSERS) {
   if (path) report(name, await inBrowser(path, options));
   else console.log(`${name.padEnd(10)} skipped: not found; install it, or name it in ${name === "Firefox" ? "FIREFOX_PATH" : "CHROME_PATH"}`);

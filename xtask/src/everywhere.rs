@@ -28,5 +28,9 @@ pub(crate) fn everywhere(arguments: &[String]) -> Result<()> {
     let questions = Workspace::load()?.target.join("everywhere.jsonl");
     let package = ["run", "--quiet", "--release", "--locked", "--package", "parkade-fuzz", "--"];
     std::fs::write(&questions, capture(cargo().args(package).args(asked))?)?;
-    run(node().arg("tests/everywhere/run.js").arg(&questions).env("CHROME_PATH", browser::find_or_install()?))
+    let vectorised = site::vectorised()?;
+    run(node()
+        .arg("tests/everywhere/run.js")
+        .args([&questions, &vectorised])
+        .env("CHROME_PATH", browser::find_or_install()?))
 }

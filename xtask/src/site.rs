@@ -27,6 +27,11 @@ const LOADER: &str = "parkade-playground.js";
 
 const WASM_FILE: &str = "parkade_bg.wasm";
 
+/// What the searches' loops need is marked to be inlined; the usual threshold copies much that they do not.
+const COMPLETE_FLAGS: &[&str] = &["-C", "llvm-args=--inline-threshold=150"];
+/// Lets the compiler use WebAssembly's vectors, which the package does without.
+const VECTORS: &[&str] = &["-C", "target-feature=+simd128"];
+
 /// What stands in the package's manifest for the crate's version.
 const NO_VERSION: &str = r#""version": "0.0.0""#;
 
@@ -86,6 +91,15 @@ pub(crate) fn check_sizes() -> Result<()> {
     Ok(())
 }
 
+/// The package once more, compiled to vector instructions: its folder.
+pub(crate) fn vectorised() -> Result<PathBuf> {
+    let workspace = Workspace::load()?;
+    let package = workspace.target.join("vectorised");
+    copy_folder(&root().join("pkg"), &package)?;
+    build_module(&workspace, &package, &[], &[COMPLETE_FLAGS, VECTORS].concat())?;
+    Ok(package)
+}
+
 fn build_package(workspace: &Workspace) -> Result<()> {
     let package = root().join("pkg");
     if package.exists() {
@@ -94,8 +108,7 @@ fn build_package(workspace: &Workspace) -> Result<()> {
     let sources = root().join("src/wasm/npm");
     build_module(workspace, &package.join(CORE), &["--no-default-features"], &["-C", "opt-level=s"])?;
     copy(&sources.join(CORE).join(COMPLETE_SOURCE), &package.join(CORE).join(COMPLETE_SOURCE))?;
-    // What the searches' loops need is marked to be inlined; the usual threshold copies much that they do not.
-    build_module(workspace, &package, &[], &["-C", "llvm-args=--inline-threshold=150"])?;
+    build_module(workspace, &package, &[], COMPLETE_FLAGS)?;
     for name in [COMPLETE_SOURCE].iter().chain(COMPLETE_PARTS) {
         copy(&sources.join(name), &package.join(name))?;
     }
@@ -158,7 +171,12 @@ fn copy_folder(from: &Path, to: &Path) -> Result<()> {
     fs::create_dir_all(to)?;
     for entry in fs::read_dir(from).with_context(|| from.display().to_string())? {
         let entry = entry?;
-        copy(&entry.path(), &to.join(entry.file_name()))?;
+        let target = to.join(entry.file_name());
+        if entry.file_type()?.is_dir() {
+            copy_folder(&entry.path(), &target)?;
+        } else {
+            copy(&entry.path(), &target)?;
+        }
     }
     Ok(())
 }
