@@ -49,6 +49,18 @@ const nameEmbedded: Plugin = {
 /** What stands in `loader.ts` for the file's name. */
 const EMBEDDED = "./embedded";
 
+/** Our pages link their stylesheets themselves: a part fetched later must not bring them into other people's. */
+const keepStylesheets: Plugin = {
+  name: "keep-stylesheets",
+  writeBundle({ dir = "" }, bundle) {
+    for (const { fileName } of Object.values(bundle).filter((one) => one.type === "chunk")) {
+      const path = join(dir, fileName), code = readFileSync(path, "utf8");
+      const kept = code.replace(/^const __vite__mapDeps=.*?\["[^\]]*\.css"\].*?;\n/m, "");
+      if (kept !== code) writeFileSync(path, kept.replace(/__vite__mapDeps\(\[\d+\]\)/g, "[]"));
+    }
+  },
+};
+
 /** Whether the page's entry imports a module before anything is asked for. */
 function isFirst(id: string, graph: Graph, seen = new Set<string>()): boolean {
   if (seen.has(id)) return false;
@@ -77,10 +89,16 @@ const workersAlone: Plugin = {
 type Graph = { getModuleInfo(id: string): { importers: readonly string[] } | null };
 
 export default defineConfig({
-  plugins: [squeezeTemplates, workersAlone, nameEmbedded, serviceWorker],
+  plugins: [squeezeTemplates, workersAlone, nameEmbedded, keepStylesheets, serviceWorker],
   root: here("www"),
   base: "./",
-  resolve: { alias: { "parkade/core": here("pkg/core/index.js"), parkade: here("pkg/index.js") } },
+  resolve: {
+    alias: [
+      { find: "parkade/core", replacement: here("pkg/core/index.js") }, { find: "parkade", replacement: here("pkg/index.js") },
+      // The package brings the page's drawing, which is here.
+      { find: "./drawing.js", replacement: here("www/src/picture/draw.ts") },
+    ],
+  },
   worker: { format: "es" },
   build: {
     outDir: here("dist"),

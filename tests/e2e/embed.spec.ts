@@ -224,6 +224,7 @@ test("every method and event of the element does what it says", async ({ page })
   expect((heard["plan-result"] as { planner: string }[]).map(({ planner }) => planner)).toEqual(expect.arrayContaining(["eight", "hybrid"]));
   expect((heard["plan-progress"] as { expansions: number }[])[0]!.expansions).toBeGreaterThan(0);
   expect(heard["plan-complete"]!.at(-1)).toMatchObject({ id: expect.any(Number), results: { hybrid: { outcome: "found" } } });
+  expect(await page.evaluate(() => [...document.styleSheets].map(({ href }) => href))).toEqual([expect.stringMatching(/\/host\/page\.css$/)]);
   expect(heard["error"]!.at(-1)).toMatchObject({ code: "bad-scenario", message: expect.stringContaining("vehicle.width: missing field") });
 });
 

@@ -89,21 +89,32 @@ test("the SVG picture is well formed, holds the scene, and draws each planner's 
   expect(svg).toContain("#CC79A7");
   expect(svg).not.toMatch(/NaN|undefined|<with>/);
   expect(() => toSVG(scene, plans, { width: 0 })).toThrow("width: must be 16 to 8192 pixels, got 0");
+  expect(() => toSVG(scene, plans, { controls: "full" as "none" })).toThrow("controls: must be none or minimal, got full");
+  expect(() => toSVG(scene, plans, { camera: { x: 0, y: 0, scale: 0 } })).toThrow("camera.scale: must be a positive number, got 0");
   const { status, out } = run(["plan", "perpendicular", "--format", "svg", "--size", "300x200"]);
   expect([status, out.slice(0, 4), out.includes('width="300" height="200"')]).toEqual([0, "<svg", true]);
+});
+
+test("a picture is a playground's poster where its layout is given, of one planner or several", () => {
+  const { status, out } = run(["plan", "perpendicular", "--planner", "eight,hybrid", "--format", "svg", "--layout", "single", "--controls", "minimal", "--theme", "light"]);
+  expect([status, /<svg y="(\d+)" width="(\d+)" height="(\d+)">/.exec(out)?.slice(1)]).toEqual([0, ["32", "720", "344"]]);
+  expect(out).toMatch(/stroke:#D55E00[^]*stroke:#CC79A7/);
+  expect(run(["plan", "perpendicular", "--format", "svg", "--planner", "risk-field", "--theme", "light"]).out).toMatch(/<pattern/);
 });
 
 test("every kind of obstacle is drawn, also paths that no car drives", () => {
   const cells = generateScenario({ family: "random", size: 21, seed: 3 });
   const plan = new Planner("eight", cells).plan();
-  expect(toSVG(cells, plan).match(/class="pk-obs"/g)).toHaveLength(1);
+  const filled = (svg: string, colour: string) => [...svg.matchAll(/\.(k\w+)\{fill:(#\w+)\}/g)].filter(([, , fill]) => fill === colour)
+    .reduce((sum, [, name]) => sum + svg.split(`class="${name}"`).length - 1, 0);
+  expect(filled(toSVG(cells, plan, { theme: "light" }), "#B4B8BE")).toBe(1);
   expect(toCSV(cells, plan).split("\n")[1]!.split(",")[6]).toBe("");
   const scene = { ...scenario("perpendicular"), obstacles: [
     { type: "wall", points: [[1, 1], [3, 1]], thickness: 0.2 }, { type: "polygon", points: [[1, 2], [2, 2], [2, 3]] },
     { type: "rectangle", center: [3, 3], size: [1, 2], heading: 0.3 }, { type: "car", pose: { x: 3, y: 8, heading: 1 }, vehicle: "sedan" },
   ] } as ReturnType<typeof scenario>;
-  const svg = toSVG(scene);
-  expect([svg.match(/class="pk-wall"/g)?.length, svg.match(/class="pk-obs"/g)?.length]).toEqual([1, 2]);
+  const svg = toSVG(scene, [], { theme: "light" });
+  expect([svg.split('stroke-linejoin="round"').length > 5, filled(svg, "#B4B8BE"), filled(svg, "#D5D8DC")]).toEqual([true, 2, 1 + scene.slots!.filter(({ occupied }) => occupied).length]);
 });
 
 test.each([

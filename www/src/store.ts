@@ -1,4 +1,5 @@
 import type { Drive, Encounter, Explanation, Layer, LayerName, Plan, PlannerId, Road, Scenario, SceneGeometry } from "parkade";
+import { presetLayers } from "./view/layer-sets";
 
 export type Scene = Scenario;
 export type ToolId = "select" | "brush" | "wall" | "rectangle" | "polygon" | "car" | "slot" | "moving" | "road" | "cost" | "eraser" | "hand";
@@ -152,10 +153,7 @@ export function initialState(): State {
     explained: null,
     waiting: "predictive",
     playback: { base: "drive", searchMode: "percent", fraction: 1, playing: false, speed: 1 },
-    layers: {
-      slots: true, obstacles: true, safety: false, redundant: false, cost: false, heat: true, risk: true, tree: false,
-      sweep: true, path: true, car: true, ghosts: false, difference: false, grid: true,
-    },
+    layers: presetLayers("drive"),
     results: {},
     theme: "auto",
     lang: "en",

@@ -118,6 +118,8 @@ fn build_package(workspace: &Workspace) -> Result<()> {
     for name in PACKAGE_PAPERS {
         copy(&root().join(name), &package.join(name))?;
     }
+    // The page's drawing, for pictures made without a page.
+    run(node_tool("vite/bin/vite.js").args(["build", "--config", "vite.picture.config.ts"]))?;
     write_manifest(&workspace.version, &package)
 }
 

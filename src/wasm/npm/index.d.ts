@@ -853,11 +853,30 @@ export interface PictureOptions {
   theme?: "auto" | "light" | "dark";
   /** For screen readers; the scene's name where absent. */
   title?: string;
+  /**
+   * Where they are given, the picture is a playground of this size with these attributes, to the pixel where its map is: a
+   * poster. Others are drawn by the playground's own `toSVG`.
+   */
+  layout?: "single" | "overlay";
+  controls?: "none" | "minimal";
+  /** What is seen; start, goal and the cars' way where absent. */
+  camera?: Camera | null;
+  /** Rasters of the plan that leads (hybrid's, or else the last): `safety` and `risk` are drawn. */
+  layers?: Partial<Record<LayerName, Layer>>;
+  /** CSS colours and the font in place of the page's, by the names of its `--parkade-…` properties without that. */
+  colours?: Readonly<Record<string, string>>;
+}
+
+/** The world's point in the middle of a picture (m), and pixels of a metre. */
+export interface Camera {
+  x: number;
+  y: number;
+  scale: number;
 }
 
 /**
- * A picture of a scene and its plans, seen as the page sees it first; the scene itself is in the picture's `metadata`.
- * `parkade` only, not `parkade/core`.
+ * A picture of a scene and its plans, drawn as the page draws it first, to the pixel; the scene itself is in the picture's
+ * `metadata`. Plans with a trace show their search. `parkade` only, not `parkade/core`.
  */
 export function toSVG(scene: Scenario, plans?: Plan | readonly Plan[], options?: PictureOptions): string;
 /**

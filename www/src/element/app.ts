@@ -1,11 +1,12 @@
 import type { PlannerId, PlannerInfo, ScenarioInfo, SceneGeometry } from "parkade";
 import { loadLang, translate, type Lang, type MessageKey, type Values } from "../i18n/index";
 import { introduce } from "../view/identity";
+import { LAYER_PRESETS, presetLayers, presetOf } from "../view/layer-sets";
 import { extentFor, loadEngine, type Engine } from "../planning/module";
 import { Planning } from "../planning/planning";
 import { ensureIds } from "../scene/model";
 import { forPlanners, withoutCells } from "../scene/vast";
-import { createStore, FIRST_PLANNERS, type LayerKey, type Scene, type State, type Store } from "../store";
+import { createStore, FIRST_PLANNERS, type Scene, type State, type Store } from "../store";
 import { ToolController } from "../tools/controller";
 import { extras } from "../view/pieces";
 import { readTokens, type Tokens } from "../view/tokens";
@@ -30,30 +31,9 @@ export interface Beginning {
   loaded(): void;
 }
 
-export type LayerPreset = "clean" | "search" | "risk" | "drive";
-export const LAYER_PRESETS: readonly LayerPreset[] = ["clean", "search", "risk", "drive"];
-
-const SHOWN: Record<LayerPreset, readonly LayerKey[]> = {
-  clean: ["slots", "obstacles", "path", "car", "grid"],
-  search: ["slots", "obstacles", "path", "heat", "tree", "grid"],
-  risk: ["slots", "obstacles", "path", "car", "safety", "cost", "risk", "grid"],
-  drive: ["slots", "obstacles", "path", "car", "sweep", "heat", "safety", "risk", "grid"],
-};
-export const ALL_LAYERS: readonly LayerKey[] = [
-  "slots", "obstacles", "safety", "redundant", "cost", "heat", "risk", "tree", "sweep", "path", "car", "ghosts", "difference", "grid",
-];
-
-export function presetLayers(preset: LayerPreset): Record<LayerKey, boolean> {
-  return Object.fromEntries(ALL_LAYERS.map((key) => [key, SHOWN[preset].includes(key)])) as Record<LayerKey, boolean>;
-}
-
-export function presetOf(layers: State["layers"]): LayerPreset | null {
-  return LAYER_PRESETS.find((preset) => ALL_LAYERS.every((key) => layers[key] === SHOWN[preset].includes(key))) ?? null;
-}
-
 /** Everything behind one playground: the store, its planners, its tools, and what the bar's buttons do. */
 export class App {
-  readonly store: Store = createStore({ layers: presetLayers("drive") });
+  readonly store: Store = createStore();
   readonly controller = new ToolController(this.store);
   readonly player = new Player(this.store);
   readonly links = new LinkSync(this.store, (scene, looks) => void this.openLink(scene, looks), (reason) => this.refuse("error.link", { reason }));

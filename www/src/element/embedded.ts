@@ -7,7 +7,8 @@ import type { Camera, LayerKey, Scene, State } from "../store";
 import { chip } from "../styles/chip";
 import { controls } from "../styles/controls";
 import { layout } from "../styles/layout";
-import { ALL_LAYERS, LAYER_PRESETS, presetLayers, sentence, type Beginning, type LayerPreset } from "./app";
+import { ALL_LAYERS, LAYER_PRESETS, presetLayers, type LayerPreset } from "../view/layer-sets";
+import { sentence, type Beginning } from "./app";
 import { Playground } from "./playground";
 
 export { tokens } from "../styles/tokens";
@@ -130,7 +131,7 @@ export class Embedded extends Playground {
   /** The maps as on screen. */
   async toSVG(): Promise<string> {
     const [{ svgOf }] = await Promise.all([import("./vector"), this.app.complete()]);
-    return svgOf(this, this.views(), this.store.state);
+    return svgOf(this, this.views(), this.store.state, this.app.tokens());
   }
 
   /** The focused planner's path. */

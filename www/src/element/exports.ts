@@ -21,17 +21,17 @@ export async function saveAs(app: App, kind: ExportKind): Promise<void> {
 
 /** A drawing with the scene inside: it opens here again. */
 async function pictureFile(app: App): Promise<Blob> {
-  const api = await pieces(app), { scene, planners, hidden, results, theme } = app.store.state;
+  const { toSVG } = await formats(app), { scene, planners, hidden, results, theme } = app.store.state;
   const plans = planners.flatMap((planner) => (hidden.has(planner) ? [] : results[planner]?.plan ?? []));
-  return new Blob([api.toSVG(scene, plans, { width: 1200, height: 700, theme })], { type: "image/svg+xml" });
+  return new Blob([toSVG(scene, plans, { width: 1200, height: 700, theme })], { type: "image/svg+xml" });
 }
 
 async function pathFile(app: App): Promise<Blob | null> {
   const plan = focusedPlan(app.store.state);
-  return plan && new Blob([(await pieces(app)).toCSV(app.store.state.scene, plan)], { type: "text/csv" });
+  return plan && new Blob([(await formats(app)).toCSV(app.store.state.scene, plan)], { type: "text/csv" });
 }
 
-async function pieces(app: App): Promise<typeof import("../planning/engine-complete")> {
+async function formats(app: App): Promise<typeof import("./vector")> {
   await app.complete();
-  return import("../planning/engine-complete");
+  return import("./vector");
 }

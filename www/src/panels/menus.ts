@@ -1,6 +1,6 @@
 /** What the toolbar's menus hold. */
 import { html, nothing, type TemplateResult } from "lit";
-import { LAYER_PRESETS, presetLayers, presetOf } from "../element/app";
+import { LAYER_PRESETS, presetLayers, presetOf } from "../view/layer-sets";
 import { saveAs } from "../element/exports";
 import { copySnippet } from "../element/snippets";
 import "../i18n/later";

@@ -6,8 +6,8 @@ import type { Scene, State } from "../store";
 import { weightAt } from "../scene/costs";
 import { costRange } from "../view/layers/cost";
 import { spacingOf } from "../view/layers/costs";
-import { hasField } from "../planning/planning";
 import { distancesOf, nearestPose } from "../view/drive";
+import { hasField } from "../view/identity";
 
 type Entry = [label: string, value: string];
 

@@ -1,7 +1,7 @@
 import { css, html, LitElement, type PropertyValues } from "lit";
 import type { App } from "../element/app";
 import type { Plan } from "parkade";
-import { presetLayers } from "../element/app";
+import { presetLayers } from "../view/layer-sets";
 import { emptyResult, initialState, type Scene } from "../store";
 import { SceneCanvas } from "../view/scene-canvas";
 import { fit, fitMap } from "../view/camera";

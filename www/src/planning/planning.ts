@@ -1,6 +1,6 @@
 import type { LayerName, PlannerId } from "parkade";
 import { translate } from "../i18n/index";
-import { identityOf, plannerName } from "../view/identity";
+import { hasField, identityOf, plannerName } from "../view/identity";
 import { limitsOn } from "../scene/pace";
 import { forPlanners, isUnpacked, withoutCells } from "../scene/vast";
 import { emptyResult, type PanelResult, type Scene, type State, type Store } from "../store";
@@ -312,8 +312,6 @@ const isTraced = (planner: PlannerId, { transient, layers, playback }: State): b
   !transient || playback.base === "search" || (identityOf(planner).drives ? layers.tree : layers.heat);
 
 const hasCosts = (planner: PlannerId): boolean => planner === "cost-map";
-
-export const hasField = (planner: PlannerId): boolean => planner.startsWith("risk-field");
 
 /** Whether a grid planner's settings close free cells. */
 const closes = ({ minPassage = 1, trapMouth = 1 }: Record<string, unknown> = {}): boolean => Number(minPassage) > 1 || Number(trapMouth) > 1;

@@ -2,19 +2,20 @@
 import type { Pose, Vehicle } from "parkade";
 import { inMetres, pixels, type Frame } from "./frame";
 import { fade, mix } from "./tokens";
+import { newPath, perSurface } from "./surface";
 
 interface Parts { body: Path2D; glass: Path2D; lines: Path2D; mirrors: Path2D; bumper: Path2D }
 
-const parts = new Map<string, Parts>();
+const parts = perSurface(() => new Map<string, Parts>());
 
 /** Outlines in the car's frame: x ahead of the rear axle, y to the left. */
 function partsOf(v: Vehicle): Parts {
   const key = `${v.rearToFront},${v.rearToBack},${v.width},${v.wheelbase}`;
-  const known = parts.get(key);
+  const known = parts().get(key);
   if (known) return known;
   const made = makeParts(v);
-  if (parts.size > 64) parts.clear();
-  parts.set(key, made);
+  if (parts().size > 64) parts().clear();
+  parts().set(key, made);
   return made;
 }
 
@@ -33,7 +34,7 @@ function makeParts(v: Vehicle): Parts {
 /** A little rounder at the nose than at the tail, so that the drawing fills its collision box but shows its front. */
 function bodyPath(back: number, front: number, half: number): Path2D {
   const nose = Math.min(0.62, half * 0.6), tail = Math.min(0.4, half * 0.4);
-  const path = new Path2D();
+  const path = newPath();
   path.moveTo(back + tail, -half);
   path.lineTo(front - nose * 1.15, -half);
   path.bezierCurveTo(front - nose * 0.35, -half, front, -half + nose * 0.45, front, -half + nose);
@@ -48,7 +49,7 @@ function bodyPath(back: number, front: number, half: number): Path2D {
 }
 
 function glassPath(at: (share: number) => number, half: number): Path2D {
-  const path = new Path2D();
+  const path = newPath();
   pane(path, at(0.6), at(0.715), half * 0.68, half * 0.82, at(0.03) - at(0));
   pane(path, at(0.2), at(0.115), half * 0.68, half * 0.78, at(0) - at(0.018));
   return path;
@@ -65,7 +66,7 @@ function pane(path: Path2D, x0: number, x1: number, half0: number, half1: number
 
 /** Side windows and the roof's edges. */
 function linesPath(at: (share: number) => number, half: number): Path2D {
-  const path = new Path2D();
+  const path = newPath();
   for (const side of [-1, 1]) {
     path.moveTo(at(0.2), side * half * 0.7);
     path.lineTo(at(0.6), side * half * 0.7);
@@ -76,14 +77,14 @@ function linesPath(at: (share: number) => number, half: number): Path2D {
 }
 
 function mirrorPath(x: number, half: number): Path2D {
-  const path = new Path2D();
+  const path = newPath();
   for (const side of [-1, 1]) path.roundRect(x - 0.1, side > 0 ? half - 0.05 : -half - 0.15, 0.15, 0.2, 0.06);
   return path;
 }
 
 /** The lamps: short strokes at the corners of the nose. */
 function bumperPath(front: number, half: number): Path2D {
-  const path = new Path2D();
+  const path = newPath();
   for (const side of [-1, 1]) {
     path.moveTo(front - 0.12, side * half * 0.62);
     path.quadraticCurveTo(front - 0.16, side * half * 0.86, front - 0.42, side * half * 0.9);

@@ -6,6 +6,7 @@ import { resolve, type Resolved } from "../scene/model";
 import type { Point } from "../scene/plane";
 import { worldToScreen, type View } from "./camera";
 import type { Tokens } from "./tokens";
+import { newPath } from "./surface";
 
 export type Context = CanvasRenderingContext2D;
 
@@ -61,13 +62,13 @@ export const pixels = (frame: { view: View }, px: number): number => px / frame.
 
 export const toScreen = (frame: { view: View }, p: Point): Point => worldToScreen(frame.view, p[0], p[1]);
 
-export function polygonPath(points: readonly Point[], path: Path2D = new Path2D()): Path2D {
+export function polygonPath(points: readonly Point[], path: Path2D = newPath()): Path2D {
   points.forEach(([x, y], i) => (i === 0 ? path.moveTo(x, y) : path.lineTo(x, y)));
   path.closePath();
   return path;
 }
 
-export function linePath(points: readonly Point[], path: Path2D = new Path2D()): Path2D {
+export function linePath(points: readonly Point[], path: Path2D = newPath()): Path2D {
   points.forEach(([x, y], i) => (i === 0 ? path.moveTo(x, y) : path.lineTo(x, y)));
   return path;
 }

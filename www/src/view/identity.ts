@@ -33,6 +33,9 @@ export function identityOf(planner: string): Identity {
   return { colour: COLOURS[at % 2]!, dash: DASHES[at % 3]!, shape: SHAPES[at % 5]!, drives };
 }
 
+/** Whether a planner looks at a field of risk. */
+export const hasField = (planner: string): boolean => planner.startsWith("risk-field");
+
 export function plannerName(lang: Lang, planner: string): string {
   const key = `planner.${planner}`;
   return isMessage(key) ? translate(lang, key) : catalogue.find((info) => info.id === planner)?.title[lang] ?? planner;

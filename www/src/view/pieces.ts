@@ -1,5 +1,7 @@
 /** Pieces of the drawing that the first picture does without: each is fetched when something asks for it. */
 
+import { onScreen } from "./surface";
+
 /** What is called when a piece has come: whoever drew without it draws again. */
 export const waiting = new Set<() => void>();
 
@@ -31,7 +33,9 @@ function piece<T>(fetch: () => Promise<T>): Piece<T> {
 }
 
 /** Maps of very many cells. */
-export const vast = piece(() => import("./vast"));
+const vastPiece = piece(() => import("./vast"));
+/** Null for files, too: every cell and pose is drawn into those. */
+export const vast: Piece<typeof import("./vast")> = Object.assign(() => (onScreen() ? vastPiece() : null), { load: () => vastPiece.load() });
 /** What the toolbar's menus hold. */
 export const menus = piece(() => import("../panels/menus"));
 /** What comes with drawing, roads, moving obstacles and a closer look at searches. */

@@ -6,7 +6,7 @@ import { drawObstacles, drawSlots } from "./layers/obstacles";
 import { drawCusps, drawPath } from "./layers/path";
 import { drawCollisions, drawFirstHit } from "./layers/collisions";
 import { drawDrivingCar, drawStartAndGoal } from "./layers/cars";
-import { hasField } from "../planning/planning";
+import { hasField } from "./identity";
 import { drawHandles, drawSelection } from "./layers/handles";
 import { drawHover } from "./layers/hover";
 import { RiskLayer } from "./layers/risk";

@@ -3,6 +3,7 @@ import type { Plan, Vehicle } from "parkade";
 import { boxOf, convexHull, wrapAngle, type Box, type Point } from "../scene/plane";
 import { footprint } from "../scene/vehicle";
 import { poseAt, segmentDirections } from "./drive";
+import { newPath, perSurface } from "./surface";
 
 /** With these, a corner between two kept poses strays from its arc by about a millimetre. */
 const MOST_TURN = 0.035;
@@ -21,13 +22,13 @@ export interface Swept {
 /** `sides`: inward normal and offset of each side. */
 export interface Convex { corners: Point[]; box: Box; sides: Float64Array }
 
-const areas = new WeakMap<Plan, { vehicle: Vehicle; swept: Swept }>();
+const areas = perSurface(() => new WeakMap<Plan, { vehicle: Vehicle; swept: Swept }>());
 
 export function sweptArea(plan: Plan, vehicle: Vehicle): Swept {
-  const known = areas.get(plan);
+  const known = areas().get(plan);
   if (known?.vehicle === vehicle) return known.swept;
   const hulls = hullsAlong(plan, vehicle);
-  const swept = { fill: new Path2D(), edge: new Path2D() };
+  const swept = { fill: newPath(), edge: newPath() };
   for (const { corners } of hulls) {
     corners.forEach(([x, y], i) => (i === 0 ? swept.fill.moveTo(x, y) : swept.fill.lineTo(x, y)));
     swept.fill.closePath();
@@ -36,7 +37,7 @@ export function sweptArea(plan: Plan, vehicle: Vehicle): Swept {
     swept.edge.moveTo(...a);
     swept.edge.lineTo(...b);
   }
-  areas.set(plan, { vehicle, swept });
+  areas().set(plan, { vehicle, swept });
   return swept;
 }
 

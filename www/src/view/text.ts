@@ -1,13 +1,14 @@
 /** Words on the canvas: pills and small numbers. */
 import { inPixels, type Context, type Frame } from "./frame";
 import type { Box } from "../scene/plane";
+import { perSurface } from "./surface";
 
 export const PILL_HEIGHT = 22;
 const PAD = 8;
 
 export type PillTone = "plain" | "editing" | "solid";
 
-const widths = new Map<string, number>();
+const widths = perSurface(() => new Map<string, number>());
 
 /** Fonts as we write them, and as canvases answer. */
 const answered = new Map<string, string>();
@@ -23,12 +24,12 @@ export function useFont(ctx: Context, font: string): void {
 /** Digits are all as wide as 0. */
 function measure(frame: Frame, text: string): number {
   const font = labelFont(frame), like = text.replace(/\d/g, "0"), key = `${font}|${like}`;
-  const known = widths.get(key);
+  const known = widths().get(key);
   if (known !== undefined) return known;
-  if (widths.size > 2000) widths.clear();
+  if (widths().size > 2000) widths().clear();
   useFont(frame.ctx, font);
   const { width } = frame.ctx.measureText(like);
-  widths.set(key, width);
+  widths().set(key, width);
   return width;
 }
 

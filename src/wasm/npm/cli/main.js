@@ -26,15 +26,16 @@ const COMMANDS = {
   plan: {
     about: `usage: parkade plan SCENE [options]
 
-  --planner ID         default: hybrid
+  --planner ID         default: hybrid; several, with commas, in one svg
   --set NAME=VALUE     a setting of the planner; may be repeated
   --format json|csv|svg  default: json. NaN and infinities are null in JSON, empty in CSV
   --out FILE           default: standard output
-  --trace              with the expansions (json)
+  --trace              with the expansions (json; an svg has them)
   --size WIDTHxHEIGHT  of the svg, pixels; default: 720x420
   --theme auto|light|dark  of the svg; default: auto
+  --layout single|overlay, --controls none|minimal  an svg that is the poster of a playground with these attributes
 `,
-    options: { planner: { type: "string" }, set: { type: "string", multiple: true }, format: { type: "string" }, out: { type: "string" }, trace: { type: "boolean" }, size: { type: "string" }, theme: { type: "string" } },
+    options: { planner: { type: "string" }, set: { type: "string", multiple: true }, format: { type: "string" }, out: { type: "string" }, trace: { type: "boolean" }, size: { type: "string" }, theme: { type: "string" }, layout: { type: "string" }, controls: { type: "string" } },
     load: async () => (await import("./plan.js")).plan,
   },
   check: {

@@ -4,22 +4,34 @@ import { Planner, toCSV, toSVG } from "../node.js";
 import { Refused, choice, plannerIds, scene as read, settings } from "./input.js";
 import { toJSON, write } from "./output.js";
 
+/** @typedef {import("../index.js").Layer} Layer */
+
 /** @type {import("./main.js").Run} */
 export async function plan(places, values) {
   const format = choice("format", values.format, ["json", "csv", "svg"]);
   const theme = choice("theme", values.theme, ["auto", "light", "dark"]);
   const [width, height] = size(values.size);
+  const element = values.layout !== undefined || values.controls !== undefined;
+  const place = element ? { layout: choice("layout", values.layout, ["single", "overlay"]), controls: choice("controls", values.controls, ["none", "minimal"]) } : {};
   const scene = await read(places);
-  const [planner, ...more] = plannerIds(values.planner, "hybrid");
-  if (planner === undefined || more.length > 0) throw new Refused("--planner: one planner at a time");
-  const prepared = new Planner(planner, scene, settings(values.set));
-  const found = prepared.plan({ trace: values.trace ?? false });
-  prepared.free();
-  const text = format === "json" ? toJSON(found) : format === "csv" ? toCSV(scene, found) : toSVG(scene, found, { width, height, theme });
+  const planners = plannerIds(values.planner, "hybrid");
+  if (planners.length > 1 && format !== "svg") throw new Refused("--planner: one planner at a time");
+  /** @type {Partial<Record<import("../index.js").LayerName, Layer>>} */
+  let layers = {};
+  const plans = planners.map((planner) => {
+    const prepared = new Planner(planner, scene, settings(values.set));
+    const found = prepared.plan({ trace: values.trace ?? format === "svg" });
+    if (format === "svg" && planner.startsWith("risk-field")) layers = Object.fromEntries(/** @type {const} */ (["safety", "clearance", "risk"]).map((name) => [name, prepared.layer(name)]));
+    prepared.free();
+    return found;
+  });
+  const [first] = plans;
+  if (!first) throw new Refused("--planner: needs a planner");
+  const text = format === "json" ? toJSON(first) : format === "csv" ? toCSV(scene, first) : toSVG(scene, plans, { width, height, theme, layers, ...place });
   await write(text, values.out);
-  if (found.outcome === "found") return 0;
-  process.stderr.write(`parkade: ${found.outcome}: ${found.reason ?? ""}\n`);
-  return 1;
+  const failed = plans.filter((one) => one.outcome !== "found");
+  for (const { planner, outcome, reason } of failed) process.stderr.write(`parkade: ${plans.length > 1 ? `${planner}: ` : ""}${outcome}: ${reason ?? ""}\n`);
+  return failed.length > 0 ? 1 : 0;
 }
 
 /** @param {string} [text] @returns {[number, number]} */

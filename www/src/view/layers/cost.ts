@@ -2,11 +2,12 @@
 import type { Layer } from "parkade";
 import { inPixels, toScreen, type Frame } from "../frame";
 import { RAMP_SIZE, RAMP_WORDS } from "../ramp";
+import { newCanvas, perSurface } from "../surface";
 
 export interface CostRange { low: number; high: number }
 
 const ranges = new WeakMap<Layer, CostRange>();
-const pictures = new WeakMap<Layer, HTMLCanvasElement>();
+const pictures = perSurface(() => new WeakMap<Layer, HTMLCanvasElement>());
 const SAMPLES = 20_000;
 
 /** Smallest value and 98th percentile, of a sample: the few cells beside walls must not flatten all others. */
@@ -34,13 +35,12 @@ export function drawCost(frame: Frame, layer: Layer): void {
 }
 
 function pictureOf(layer: Layer): HTMLCanvasElement {
-  const known = pictures.get(layer);
+  const known = pictures().get(layer);
   if (known) return known;
   const { width, height, data } = layer, { low, high } = costRange(layer);
-  const canvas = document.createElement("canvas");
-  canvas.width = width;
-  canvas.height = height;
-  const image = new ImageData(width, height), words = new Uint32Array(image.data.buffer);
+  const canvas = newCanvas(width, height), pen = canvas.getContext("2d");
+  if (!pen) return canvas;
+  const image = pen.createImageData(width, height), words = new Uint32Array(image.data.buffer);
   const step = (RAMP_SIZE - 1) / Math.max(1e-9, high - low);
   for (let y = 0; y < height; y++) {
     for (let x = 0; x < width; x++) {
@@ -48,7 +48,7 @@ function pictureOf(layer: Layer): HTMLCanvasElement {
       if (Number.isFinite(value)) words[(height - 1 - y) * width + x] = RAMP_WORDS[Math.min(RAMP_SIZE - 1, Math.max(0, ((value - low) * step) | 0))]!;
     }
   }
-  canvas.getContext("2d")?.putImageData(image, 0, 0);
-  pictures.set(layer, canvas);
+  pen.putImageData(image, 0, 0);
+  pictures().set(layer, canvas);
   return canvas;
 }

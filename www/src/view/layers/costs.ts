@@ -4,8 +4,9 @@ import { cellPaths, type CellPaths } from "../outline";
 import { inMetres, inPixels, pixels, type Frame } from "../frame";
 import { hatchPattern } from "../hatch";
 import { fade } from "../tokens";
+import { perSurface } from "../surface";
 
-const drawn = new WeakMap<CostArea, CellPaths>();
+const drawn = perSurface(() => new WeakMap<CostArea, CellPaths>());
 
 /** Pixels between two lines of the hatching: 12 for a weight of 2, 4 for one of 10. */
 export const spacingOf = (weight: number): number => 14 - weight;
@@ -13,8 +14,8 @@ export const spacingOf = (weight: number): number => 14 - weight;
 export function drawCosts(frame: Frame): void {
   const { ctx, state: { scene }, tokens: { colour }, view } = frame;
   for (const area of scene.costs ?? []) {
-    let paths = drawn.get(area);
-    if (!paths) drawn.set(area, (paths = cellPaths(area.runs, scene.map)));
+    let paths = drawn().get(area);
+    if (!paths) drawn().set(area, (paths = cellPaths(area.runs, scene.map)));
     ctx.save();
     inMetres(frame);
     ctx.fillStyle = fade(colour.warn, 0.04 + 0.022 * area.weight);

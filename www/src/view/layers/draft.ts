@@ -10,6 +10,7 @@ import { drawCar, parkedStyle } from "../car";
 import { drawPill, fixed, labelFont, PILL_HEIGHT, pillWidth, useFont } from "../text";
 import { fade } from "../tokens";
 import { drawPoseCar } from "./cars";
+import { newPath } from "../surface";
 
 export function drawDraft(frame: Frame): void {
   const { draft } = frame;
@@ -172,7 +173,7 @@ function drawSlotRow(frame: Frame, { slots, from, to, aisle }: Extract<Preview, 
   const { ctx, tokens: { colour } } = frame;
   const outlines = slots.map((slot) => slotOutline(slot));
   inMetres(frame);
-  const dividers = new Path2D();
+  const dividers = newPath();
   outlines.forEach((outline, i) => {
     const [nearLeft, nearRight, farRight, farLeft] = outline as [Point, Point, Point, Point];
     ctx.fillStyle = fade(colour.accent, i === outlines.length - 1 ? 0.04 : 0.09);

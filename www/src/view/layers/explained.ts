@@ -2,6 +2,7 @@
 import type { Explanation } from "parkade";
 import { inPixels, toScreen, type Frame } from "../frame";
 import { fade } from "../tokens";
+import { newPath } from "../surface";
 
 type Cell = readonly [number, number];
 
@@ -51,7 +52,7 @@ function cross(ctx: CanvasRenderingContext2D, x: number, y: number, half: number
 
 function arrow({ ctx, tokens: { colour } }: Frame, [x, y]: readonly [number, number], [dx, dy]: readonly [number, number]): void {
   const tipX = x + dx * FORCE, tipY = y + dy * FORCE, head = 8;
-  const body = new Path2D();
+  const body = newPath();
   body.moveTo(x, y);
   body.lineTo(tipX, tipY);
   body.moveTo(tipX - head * (dx - dy * 0.6), tipY - head * (dy + dx * 0.6));

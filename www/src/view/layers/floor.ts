@@ -1,6 +1,7 @@
 /** The floor inside its border, the ground outside, the metre grid. */
 import { screenToWorld } from "../camera";
 import { inMetres, inPixels, pixels, polygonPath, toScreen, type Frame } from "../frame";
+import { newPath } from "../surface";
 
 export function drawFloor(frame: Frame): void {
   const { ctx, view, tokens: { colour }, resolved } = frame;
@@ -45,7 +46,7 @@ export function drawBorder(frame: Frame): void {
   inMetres(frame);
   const floor = polygonPath(resolved.boundary);
   ctx.save();
-  const outside = new Path2D();
+  const outside = newPath();
   outside.rect(-1e5, -1e5, 2e5, 2e5);
   outside.addPath(floor);
   ctx.clip(outside, "evenodd");

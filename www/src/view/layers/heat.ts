@@ -4,6 +4,7 @@ import type { State } from "../../store";
 import { vast } from "../pieces";
 import { inPixels, toScreen, type Frame, type Shown } from "../frame";
 import { RAMP_SIZE, RAMP_WORDS } from "../ramp";
+import { newCanvas } from "../surface";
 
 /** Cells of which a whole picture is too slow to paint again and again. */
 const TOO_MANY = 500_000;
@@ -64,9 +65,7 @@ export class HeatLayer {
 }
 
 function blank(width: number, height: number): Painted {
-  const canvas = document.createElement("canvas");
-  canvas.width = width;
-  canvas.height = height;
+  const canvas = newCanvas(width, height);
   const ctx = canvas.getContext("2d");
   if (!ctx) throw new Error("This browser gives no 2D canvas.");
   const image = ctx.createImageData(width, height);

@@ -5,13 +5,14 @@ import { beside, placesOf } from "../../scene/road";
 import { halfOf, laneWidthOf, lanesOf } from "../../scene/road-width";
 import { inMetres, linePath, pixels, polygonPath, type Frame } from "../frame";
 import { fade } from "../tokens";
+import { newPath, perSurface } from "../surface";
 
 /** A chord of this length strays from the tightest roads' arcs by millimetres. */
 const STEP = 1;
 
 interface Drawn { middle: Path2D; edges: Path2D; floor: Path2D }
 
-const drawn = new WeakMap<Lane, Drawn>();
+const drawn = perSurface(() => new WeakMap<Lane, Drawn>());
 
 export function drawLanes(frame: Frame): void {
   const { ctx, tokens: { colour }, state: { scene } } = frame;
@@ -37,7 +38,7 @@ export function drawLanes(frame: Frame): void {
 
 interface Surface { floor: Path2D; sides: Path2D; between: Path2D; middle: Path2D }
 
-const surfaces = new WeakMap<Road, Surface>();
+const surfaces = perSurface(() => new WeakMap<Road, Surface>());
 
 /** Kerbs first, so that surfaces open them where roads meet; then the lines between lanes, the one between the directions whole. */
 function drawRoads(frame: Frame): void {
@@ -67,20 +68,20 @@ function drawRoads(frame: Frame): void {
 }
 
 function surfaceOf(road: Road): Surface {
-  const known = surfaces.get(road);
+  const known = surfaces().get(road);
   if (known) return known;
   const places = placesOf(road), half = halfOf(road), width = laneWidthOf(road), [along, against] = lanesOf(road);
-  const right = beside(places, -half), left = beside(places, half), between = new Path2D();
+  const right = beside(places, -half), left = beside(places, half), between = newPath();
   for (let k = 1; k < along + against; k++) if (k !== along) linePath(beside(places, k * width - half), between);
-  const middle = new Path2D();
+  const middle = newPath();
   if (along > 0 && against > 0) linePath(beside(places, along * width - half), middle);
   const made = { sides: linePath(right, linePath(left)), floor: polygonPath([...left, ...right.reverse()]), between, middle };
-  surfaces.set(road, made);
+  surfaces().set(road, made);
   return made;
 }
 
 function pathsOf(lane: Lane): Drawn {
-  const known = drawn.get(lane);
+  const known = drawn().get(lane);
   if (known) return known;
   const middle: Point[] = [], left: Point[] = [], right: Point[] = [];
   let { x, y, heading } = lane.start;
@@ -102,6 +103,6 @@ function pathsOf(lane: Lane): Drawn {
     }
   }
   const made = { middle: linePath(middle), edges: linePath(right, linePath(left)), floor: polygonPath([...left, ...right.reverse()]) };
-  drawn.set(lane, made);
+  drawn().set(lane, made);
   return made;
 }

@@ -7,14 +7,15 @@ import { inMetres, linePath, pixels, polygonPath, type Frame } from "../frame";
 import { MANY } from "../../scene/vast";
 import { vast } from "../pieces";
 import { cellPaths, type CellPaths } from "../outline";
+import { perSurface } from "../surface";
 
-const drawn = new WeakMap<Obstacle, CellPaths>();
+const drawn = perSurface(() => new WeakMap<Obstacle, CellPaths>());
 
 function pathsOf(obstacle: Exclude<Obstacle, { type: "car" | "road" }>, map: MapFrame): CellPaths {
-  const known = drawn.get(obstacle);
+  const known = drawn().get(obstacle);
   if (known) return known;
   const made = makePaths(obstacle, map);
-  drawn.set(obstacle, made);
+  drawn().set(obstacle, made);
   return made;
 }
 

@@ -5,6 +5,7 @@ import { hatchPattern } from "../hatch";
 import { drawPill, fixed, PILL_HEIGHT, pillWidth } from "../text";
 import { fade } from "../tokens";
 import { drawHatchedPose } from "./collisions";
+import { newPath } from "../surface";
 
 type Point = readonly [number, number];
 
@@ -67,7 +68,7 @@ function drawGap(frame: Frame, { x, y, width, needed }: Extract<Obstruction, { k
 }
 
 function drawRegion(frame: Frame, { cell, runs }: Extract<Obstruction, { kind: "enclosed" }>): void {
-  const { ctx, tokens: { colour } } = frame, area = new Path2D();
+  const { ctx, tokens: { colour } } = frame, area = newPath();
   for (const [x, y, count] of runs) area.rect(x, y, count * cell, cell);
   ctx.save();
   inMetres(frame);

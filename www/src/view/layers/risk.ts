@@ -2,6 +2,7 @@
 import type { Layer } from "parkade";
 import { screenToWorld, type View } from "../camera";
 import { inPixels, toScreen, type Frame, type Shown } from "../frame";
+import { newPath } from "../surface";
 
 const MOST = 1500;
 const SPACING = 20;
@@ -37,7 +38,7 @@ export class RiskLayer {
     if (this.cached?.risk === risk && this.cached.key === key) return this.cached.body;
     const peak = this.peaks.get(risk) ?? peakOf(risk);
     this.peaks.set(risk, peak);
-    const body = new Path2D(), { every } = risk, middle = Math.floor(every / 2);
+    const body = newPath(), { every } = risk, middle = Math.floor(every / 2);
     for (const [x, y] of sampled(view, map.resolution * every, risk, map.origin)) {
       const force = y * risk.width + x, east = risk.data[2 * force]!, north = risk.data[2 * force + 1]!, strength = Math.hypot(east, north);
       const column = x * every + middle, row = y * every + middle;

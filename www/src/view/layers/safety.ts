@@ -5,6 +5,7 @@ import { vast } from "../pieces";
 import { inMetres, inPixels, pixels, polygonPath, type Frame, type Shown } from "../frame";
 import { hatchPattern } from "../hatch";
 import { fade } from "../tokens";
+import { newPath } from "../surface";
 
 const NECESSARY = 2;
 /** Cells whose contour would take long to follow. */
@@ -70,7 +71,7 @@ function byCells(safety: Layer, map: MapFrame): Path2D {
 }
 
 function toPath(loops: readonly number[][], { origin, resolution }: MapFrame): Path2D {
-  const path = new Path2D();
+  const path = newPath();
   for (const loop of loops) {
     for (let i = 0; i < loop.length; i += 2) {
       const x = origin[0] + (loop[i]! + 0.5) * resolution, y = origin[1] + (loop[i + 1]! + 0.5) * resolution;

@@ -4,6 +4,7 @@ import { inMetres, inPixels, pixels, toScreen, type Frame, type Shown } from "..
 import { RAMP_STOPS } from "../ramp";
 import { fade } from "../tokens";
 import { expansionsShown } from "./heat";
+import { newPath } from "../surface";
 
 const FIELDS = 5;
 /** Connections drawn at once, evenly picked: thousands would be a carpet. */
@@ -56,7 +57,7 @@ export class TreeLayer {
     const known = this.built;
     if (known?.trace === trace && known.count === count) return known;
     const { arcs } = trace, total = Math.max(1, arcs.length / FIELDS);
-    const forward = RAMP_STOPS.map(() => new Path2D()), reverse = RAMP_STOPS.map(() => new Path2D());
+    const forward = RAMP_STOPS.map(() => newPath()), reverse = RAMP_STOPS.map(() => newPath());
     for (let i = 0; i < count; i++) {
       const arc = arcs.subarray(i * FIELDS, i * FIELDS + FIELDS);
       addArc((arc[4]! < 0 ? reverse : forward)[Math.floor((i * RAMP_STOPS.length) / total)]!, arc);
@@ -75,7 +76,7 @@ function strokeBands({ ctx }: Frame, bands: readonly Path2D[]): void {
 
 /** The failed connections tried within the first `count` expansions, and where each hit. */
 function shotsUpTo({ shots }: Arcs, count: number): Pick<Built, "shots" | "hits"> {
-  const path = new Path2D(), hits: number[] = [];
+  const path = newPath(), hits: number[] = [];
   const tried = shots.expansions.filter((before) => before <= count).length, step = Math.max(1, tried / MOST_SHOTS);
   for (let k = tried - 1; k >= 0; k -= step) {
     const i = Math.round(k), from = shots.first[i]!, to = shots.first[i + 1] ?? shots.arcs.length / FIELDS;

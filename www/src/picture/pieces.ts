@@ -1,0 +1,12 @@
+/** The pieces of the drawing that pictures need, at hand at once. */
+import { drawCost } from "../view/layers/cost";
+import { drawCosts } from "../view/layers/costs";
+import { drawLanes } from "../view/layers/lanes";
+import { drawContact, drawMoving } from "../view/layers/moving";
+import { drawObstruction } from "../view/layers/obstruction";
+
+const held = { drawContact, drawCost, drawCosts, drawLanes, drawMoving, drawObstruction };
+
+export const extras = (): typeof held => held;
+/** Files draw every cell and pose. */
+export const vast = (): null => null;
