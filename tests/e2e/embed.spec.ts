@@ -72,6 +72,41 @@ test("nothing but the loader is fetched before a playground is near; then it mov
   expect(complaints).toEqual([]);
 });
 
+test("a playground shows its first plans once, and the next one begins on the module that is there", async ({ page }) => {
+  await watch(page);
+  await page.addInitScript(() => {
+    const counts = { modules: new Set<unknown>(), heard: [] as string[] };
+    Object.assign(window, { counts });
+    window.Worker = class extends Worker {
+      override postMessage(message: { kind: string; module?: unknown }): void {
+        if (message.kind === "start") counts.modules.add(message.module);
+        super.postMessage(message);
+      }
+    };
+    for (const name of ["plan-start", "plan-result"]) document.addEventListener(name, (event) => counts.heard.push(`${(event.target as Element).id} ${name}`));
+  });
+  const counts = () => page.evaluate(() => {
+    const { modules, heard } = (window as unknown as { counts: { modules: Set<unknown>; heard: string[] } }).counts;
+    return { modules: modules.size, heard: heard.sort() };
+  });
+  await page.goto(HOST);
+  await near(page, "one");
+  // The first two begin on the small module; the whole one takes over without a word.
+  await expect.poll(async () => (await counts()).modules).toBe(2);
+  for (const id of ["one", "two"]) await page.evaluate((name) => (document.getElementById(name) as unknown as { settled(): Promise<void> }).settled(), id);
+  expect((await counts()).heard).toEqual(["one plan-result", "one plan-start", "two plan-result", "two plan-result", "two plan-start"]);
+  await page.evaluate(async () => {
+    const third = document.getElementById("three") as Embed & { load(): Promise<unknown>; toCSV(): Promise<string> };
+    third.setAttribute("planners", "eight hybrid");
+    third.scrollIntoView();
+    await third.load();
+    await third.toCSV();
+  });
+  const after = await counts();
+  expect(after.modules).toBe(2);
+  expect(after.heard.filter((one) => one.startsWith("three"))).toEqual(["three plan-result", "three plan-result", "three plan-start"]);
+});
+
 test("playgrounds share the workers of one pool", async ({ page }) => {
   await watch(page);
   await page.goto(HOST);

@@ -93,4 +93,6 @@ test("a trap inside a planner is said, and a new worker answers; the scene stays
   await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.ready);
   await settled(page);
   expect(await hashesOf(page)).toEqual(hashes);
+  // The whole module's workers may still be coming.
+  await page.unrouteAll({ behavior: "ignoreErrors" });
 });

@@ -1,6 +1,6 @@
-import { expect, it } from "vitest";
+import { expect, it, vi } from "vitest";
 import type { WorkerLike } from "../../www/src/planning/lane";
-import { WorkerPool, type Holder } from "../../www/src/planning/pool";
+import { KEPT_MS, WorkerPool, type Holder } from "../../www/src/planning/pool";
 
 class Fake implements WorkerLike {
   onmessage = null;
@@ -59,11 +59,20 @@ it("replaces a dropped worker for those that wait, and forgets who gave up waiti
   expect([made[0]!.terminated, two.worker, three.worker]).toEqual([true, null, made[1]]);
 });
 
-it("keeps workers at rest only while somebody is at work", () => {
+it("keeps workers at rest while somebody is at work, and a little longer for who comes next", () => {
+  vi.useFakeTimers();
   const { pool, made, ask } = setup(4);
   const one = ask(), two = ask();
   pool.release(one);
   expect([pool.size, made[0]!.terminated]).toEqual([2, false]);
   pool.release(two);
+  vi.advanceTimersByTime(KEPT_MS - 1);
+  expect(pool.size).toBe(2);
+  const three = ask();
+  vi.advanceTimersByTime(KEPT_MS);
+  expect([pool.size, made.includes(three.worker as Fake)]).toEqual([2, true]);
+  pool.release(three);
+  vi.advanceTimersByTime(KEPT_MS);
   expect([pool.size, made.every((worker) => worker.terminated)]).toEqual([0, true]);
+  vi.useRealTimers();
 });

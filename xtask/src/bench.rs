@@ -1,5 +1,5 @@
 //! `cargo xtask bench grid`: our grid planners against others, in one run; `bench parking`: hybrid A* on public cases, natively
-//! and in WebAssembly, beside the best known.
+//! and in WebAssembly, beside the best known; `bench batch`: the command over generated scenes, on two threads and on one.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -19,7 +19,10 @@ pub(crate) fn bench(arguments: &[String]) -> Result<()> {
     match arguments {
         [what, sizes @ ..] if what == "grid" && sizes.len() <= 3 => grid(&data, sizes),
         [what] if what == "parking" => parking(&data),
-        _ => bail!("there are `bench grid [questions] [repeats] [goals, as G6,G8]` and `bench parking`"),
+        [what] if what == "batch" => batch(),
+        _ => bail!(
+            "there are `bench grid [questions] [repeats] [goals, as G6,G8]`, `bench parking` and `bench batch`"
+        ),
     }
 }
 
@@ -35,6 +38,12 @@ fn parking(data: &Path) -> Result<()> {
     let said = capture(Command::new(examples.join("goals")).env("PARKADE_DATA", data))?;
     fs::write(&hopeless, said).with_context(|| hopeless.display().to_string())?;
     run(node().arg("tests/bench/parking.mjs").args([&file, &native, &hopeless]).env("PARKADE_DATA", data))
+}
+
+/// `parkade batch` with two jobs against one.
+fn batch() -> Result<()> {
+    site::package()?;
+    run(node().arg("tests/bench/batch.mjs"))
 }
 
 fn grid(data: &Path, sizes: &[String]) -> Result<()> {

@@ -47,7 +47,7 @@ const COMMANDS: &[Command] = &[
     },
     Command {
         name: "bench",
-        about: "build, then measure: bench grid [questions] [repeats], bench parking",
+        about: "build, then measure: bench grid [questions] [repeats], bench parking, bench batch",
         run: bench::bench,
     },
     Command {

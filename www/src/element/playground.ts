@@ -171,7 +171,8 @@ export class Playground extends LitElement {
 
   protected override updated(changed: PropertyValues): void {
     if (changed.has("theme")) this.themeChanged();
-    if (changed.has("scene") && this.loaded) this.app.openPreset(this.scene);
+    // The first update may come after the first scene, which need not be a preset.
+    if (changed.get("scene") !== undefined && this.loaded) this.app.openPreset(this.scene);
   }
 
   protected override render(): TemplateResult {

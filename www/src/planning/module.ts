@@ -27,8 +27,11 @@ const loading: Partial<Record<Extent, Promise<Engine>>> = {};
 export const extentFor = (planners: readonly PlannerId[]): Extent =>
   planners.every((planner) => CORE.includes(planner)) ? "core" : "complete";
 
-/** Loads and compiles the planners once, however many playgrounds there are. */
+let whole: Engine | null = null;
+
+/** Loads and compiles the planners once, however many playgrounds there are; where all of them are there, nobody begins with fewer. */
 export function loadEngine(extent: Extent): Promise<Engine> {
+  if (whole) return Promise.resolve(whole);
   return (loading[extent] ??= load(extent).catch((error: unknown) => {
     delete loading[extent];
     throw error;
@@ -41,7 +44,9 @@ async function load(extent: Extent): Promise<Engine> {
   await api.init({ wasm: module });
   const source = beside(elsewhere.worker, api.script);
   const pool = new WorkerPool(() => new Worker(source, { type: "module", name: "parkade" }) as WorkerLike);
-  return { extent, api, module, pool, script: source };
+  const engine = { extent, api, module, pool, script: source };
+  if (extent === "complete") whole = engine;
+  return engine;
 }
 
 /** The file of the same name in another folder. */

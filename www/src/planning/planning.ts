@@ -40,11 +40,12 @@ export class Planning {
     private readonly complete: () => Promise<Engine>,
   ) {}
 
-  /** Planners run on this module from now on: at once, or with their next plan when they are at work. */
+  /** Planners run on this module from now on: at once, unseen where their answers stay, or with their next plan when they are at work. */
   use(engine: Engine): void {
+    if (engine === this.engine) return;
     this.engine = engine;
     const waited = this.absent.size > 0;
-    if (waited || (!this.isBusy() && !this.store.state.transient)) this.replan(this.store.state.scene);
+    if (waited || (!this.isBusy() && !this.store.state.transient)) this.replan(this.store.state.scene, !waited);
   }
 
   start(): void {
@@ -78,6 +79,7 @@ export class Planning {
     clearTimeout(this.release);
     this.release = undefined;
     this.held.clear();
+    this.absent.clear();
     for (const lane of this.lanes.values()) if (lane.busy) lane.stop();
     const { results } = this.store.state;
     this.store.set({ results: Object.fromEntries(Object.entries(results).map(([planner, result]) => [planner, result.status === "planning" ? { ...result, status: "idle" as const } : result])) });
@@ -129,7 +131,7 @@ export class Planning {
     return this.held.size + this.absent.size > 0 || [...this.lanes.values()].some((lane) => lane.busy);
   }
 
-  private replan(previous: Scene | null): void {
+  private replan(previous: Scene | null, unseen = false): void {
     clearTimeout(this.quiet);
     const { state } = this.store;
     this.job++;
@@ -141,7 +143,7 @@ export class Planning {
     const results: Record<string, PanelResult> = {};
     for (const planner of state.planners) {
       const old = fresh ? emptyResult : state.results[planner] ?? emptyResult;
-      results[planner] = { ...old, status: "planning", error: null };
+      results[planner] = unseen && old.status === "done" ? old : { ...old, status: "planning", error: null };
     }
     this.store.set({ results });
     for (const [planner, lane] of this.lanes) {
@@ -226,9 +228,10 @@ export class Planning {
   private planned(planner: PlannerId, reply: Extract<Reply, { kind: "planned" }>, newerWaits: boolean): void {
     const { plan, layers, drive, millis } = reply;
     const old = this.store.state.results[planner] ?? emptyResult;
+    const same = old.status === "done" && old.plan?.hash === plan.hash;
     this.update(planner, {
-      plan,
-      drive,
+      plan: same ? old.plan : plan,
+      drive: same ? old.drive : drive,
       lastGood: plan.outcome === "found" ? plan : old.lastGood,
       layers: withOld(layers, old.layers, this.store.state.transient),
       // The answer may be to a scene before one that no planner can take.
@@ -265,8 +268,7 @@ export class Planning {
   }
 
   private afterResult(): void {
-    const { results, planners } = this.store.state;
-    if (planners.some((planner) => results[planner]?.status === "planning")) return;
+    if (this.isBusy()) return;
     this.settled?.resolve();
     this.settled = null;
     void this.explain(this.store.state);

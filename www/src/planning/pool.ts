@@ -10,11 +10,15 @@ export interface Holder {
 /** Enough for every planner of a comparison at once, few enough for a page of many playgrounds. */
 export const MOST_WORKERS = 8;
 
+/** How long workers are kept when nobody has one. */
+export const KEPT_MS = 5000;
+
 interface Member { worker: WorkerLike; holder: Holder | null }
 
 /** The workers of all playgrounds of a page that plan with one module. */
 export class WorkerPool {
   private members: Member[] = [];
+  private leaving: ReturnType<typeof setTimeout> | undefined;
   private waiting: { holder: Holder; give: (worker: WorkerLike) => void }[] = [];
 
   constructor(private readonly spawn: () => WorkerLike, private readonly most = MOST_WORKERS) {}
@@ -59,10 +63,14 @@ export class WorkerPool {
     this.serve();
   }
 
-  /** Workers at rest are kept only while some playground is at work. */
+  /** Workers at rest are kept while some playground is at work, and a little longer: a reader scrolls on to the next. */
   private empty(): void {
-    for (const { worker } of this.members) worker.terminate();
-    this.members = [];
+    clearTimeout(this.leaving);
+    this.leaving = setTimeout(() => {
+      if (this.members.some((one) => one.holder !== null)) return;
+      for (const { worker } of this.members) worker.terminate();
+      this.members = [];
+    }, KEPT_MS);
   }
 
   private forget(holder: Holder): void {
