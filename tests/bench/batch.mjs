@@ -7,7 +7,7 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { generateScenario, init } from "../../pkg/node.js";
 
-const SCENES = 1000, ROUNDS = 5;
+const SCENES = 1000, ROUNDS = 3;
 const COMMAND = fileURLToPath(new URL("../../pkg/cli/main.js", import.meta.url));
 /** Writes the seconds of all threads of a run to standard error when it ends. */
 const METER = 'data:text/javascript,import{isMainThread}from"node:worker_threads";if(isMainThread)process.on("exit",()=>{const{userCPUTime:u,systemCPUTime:s}=process.resourceUsage();console.error(`cpu ${(u+s)/1e6}`)})';

@@ -34,6 +34,30 @@ test.each(written.filter(({ language }) => language === "js").map(({ where, code
   expect(printed).toEqual(expected);
 });
 
+/** A page without its words: headings' levels, figures' attributes but their language, and code. */
+const skeletonOf = (text: string): string[] => [...text.matchAll(/^#+ |<parkade-playground [^>]*>|```\w+\n[^]*?```/gm)]
+  .map(([one]) => one.replace(/ (lang|alt)="[^"]*"/g, ""));
+
+test("the Chinese guide has the sections, figures and scripts of the English one", () => {
+  const [en, zh] = ["guide.md", "zh/guide.md"].map((file) => skeletonOf(readFileSync(join(DOCS, file), "utf8")));
+  expect(en!.length).toBeGreaterThan(10);
+  expect(zh).toEqual(en);
+});
+
+test("every planner's Chinese page has the figure, formulas, script and settings of the English one", async () => {
+  const [en, zh] = await Promise.all([pages("en"), pages("zh")]);
+  // The English pages quote a chapter of DESIGN.md, too, which is English alone.
+  const kept = (content: string) => skeletonOf(content).filter((one) => !one.startsWith("#"));
+  const settings = (content: string) => [...content.matchAll(/^\| `(\w+)`/gm)].map(([, name]) => name);
+  expect(zh.map(({ params }) => params.id)).toEqual(en.map(({ params }) => params.id));
+  en.forEach(({ params, content }, i) => {
+    const own = kept(zh[i]!.content);
+    expect([params.id, own.length, settings(zh[i]!.content)]).toEqual([params.id, 3, settings(content)]);
+    expect(kept(content)).toEqual(expect.arrayContaining(own));
+    expect(zh[i]!.content.match(/[\u4e00-\u9fff]/g)!.length).toBeGreaterThan(60);
+  });
+});
+
 test("every planner's script finds a path", async () => {
   const scripts = (await pages("en")).flatMap(({ params, content }) => samplesOf(params.id, content).filter(({ language }) => language === "js"));
   expect(scripts.length).toBeGreaterThanOrEqual(15);

@@ -205,12 +205,12 @@ export class Playground extends LitElement {
   }
 
   private splitter(pane: Pane): TemplateResult {
-    return html`<parkade-splitter pane=${pane} lang=${this.store.state.lang}></parkade-splitter>`;
+    return html`<parkade-splitter part="handle" pane=${pane} lang=${this.store.state.lang}></parkade-splitter>`;
   }
 
   private phone(): TemplateResult {
     return html`<parkade-chips .app=${this.app}></parkade-chips>
-      <parkade-timeline .app=${this.app} compact></parkade-timeline>
+      <parkade-timeline part="timeline" .app=${this.app} compact></parkade-timeline>
       <parkade-sheet .app=${this.app} .ready=${this.loaded}></parkade-sheet>`;
   }
 

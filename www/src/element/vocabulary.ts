@@ -20,4 +20,4 @@ export const EVENTS = [
 ] as const;
 
 /** Parts that can be styled from outside. */
-export const PARTS = ["toolbar", "canvas", "panel", "table", "chart", "timeline", "chip"] as const;
+export const PARTS = ["toolbar", "canvas", "panel", "table", "chart", "timeline", "handle", "chip"] as const;

@@ -1,0 +1,163 @@
+import { expect, test, type Page } from "@playwright/test";
+import { PARTS } from "../../www/src/element/vocabulary";
+
+interface Embed extends HTMLElement { ready: Promise<void>; dismissPoster(): Promise<void>; settled(): Promise<void> }
+
+/** A page with one playground, and how it is dressed. */
+async function visit(page: Page, attributes: string, css: string, inside = ""): Promise<void> {
+  await page.emulateMedia({ reducedMotion: attributes.includes("autoplay") ? "no-preference" : "reduce", colorScheme: "light" });
+  await page.setViewportSize({ width: 1300, height: 800 });
+  await page.route("**/host/styled.html", (route) => route.fulfill({ contentType: "text/html", body: `<!doctype html><title>Styled</title><style>parkade-playground { width: 1280px; height: 760px } ${css}</style>
+    <script type="module" src="../sub/path/parkade-playground.js"></script><parkade-playground ${attributes}>${inside}</parkade-playground>` }));
+  await page.goto("/host/styled.html");
+}
+
+const ready = (page: Page) => page.evaluate(async () => {
+  const element = document.querySelector("parkade-playground") as Embed;
+  await element.ready;
+  await element.settled();
+});
+
+test("every part takes the page's style", async ({ page }) => {
+  await visit(page, 'controls="full" layout="grid"', PARTS.map((part, i) => `parkade-playground::part(${part}) { scroll-margin: ${i + 1}px }`).join(" "));
+  await ready(page);
+  const found = () => page.evaluate(() => {
+    const margins = new Set<string>();
+    const look = (root: ParentNode): void => {
+      for (const element of root.querySelectorAll("*")) {
+        margins.add(getComputedStyle(element).scrollMarginTop);
+        if (element.shadowRoot) look(element.shadowRoot);
+      }
+    };
+    look(document);
+    return [...margins];
+  });
+  await expect.poll(found).toEqual(expect.arrayContaining(PARTS.map((_, i) => `${i + 1}px`)));
+});
+
+test("the poster's and the progress bar's parts and slots are there until the playground is", async ({ page }) => {
+  await visit(page, 'reveal="interaction" alt="A car"', "parkade-playground::part(poster) { scroll-margin: 5px } parkade-playground::part(progress) { scroll-margin: 6px }",
+    '<b slot="poster">Before</b><i slot="toolbar-extra">Mine</i>');
+  await expect(page.getByText("Before")).toBeVisible();
+  const root = page.locator("parkade-playground");
+  expect(await root.locator(".poster").evaluate((element) => getComputedStyle(element).scrollMarginTop)).toBe("5px");
+  const seen = await page.evaluate(async () => {
+    const element = document.querySelector("parkade-playground") as Embed, margins: string[] = [];
+    element.addEventListener("progress", () => {
+      const bar = element.shadowRoot!.querySelector(".bar");
+      if (bar) margins.push(getComputedStyle(bar).scrollMarginTop);
+    });
+    await element.dismissPoster();
+    return margins;
+  });
+  expect(seen).toContain("6px");
+  await expect(page.getByText("Before")).toBeHidden();
+  await expect(page.getByText("Mine")).toBeVisible();
+});
+
+test("a progress bar of the page's own stands in the slot", async ({ page }) => {
+  await visit(page, 'reveal="interaction"', "", '<b slot="progress">Wait</b>');
+  const visible = await page.evaluate(async () => {
+    const element = document.querySelector("parkade-playground") as Embed, seen: boolean[] = [];
+    element.addEventListener("progress", () => seen.push(element.querySelector("b")!.checkVisibility()));
+    await element.dismissPoster();
+    return seen;
+  });
+  expect(visible[0]).toBe(true);
+  expect(visible.at(-1)).toBe(false);
+});
+
+test("every colour, the radius and the font are the page's", async ({ page }) => {
+  const colours: Record<string, string> = { bg: "#fffbe6", obstacle: "#123456", "planner-1": "#ff0000", "planner-2": "#00aa00", "planner-3": "#0000ff", "planner-4": "#aa00aa", "planner-5": "#009999", "planner-6": "#664400", accent: "#ff8800", fg: "#220022" };
+  await visit(page, 'controls="full" layout="grid" planners="four eight risk-field hybrid hybrid-forward sixteen" layers="clean"',
+    `parkade-playground { ${Object.entries(colours).map(([name, value]) => `--parkade-${name}: ${value}`).join("; ")}; --parkade-radius: 3; --parkade-font: monospace }`);
+  await ready(page);
+  const drawn = () => page.evaluate((wanted) => {
+    const found = new Set<string>();
+    const look = (root: ParentNode): void => {
+      for (const element of root.querySelectorAll("*")) {
+        if (element instanceof HTMLCanvasElement && element.width > 0) {
+          const { data } = element.getContext("2d")!.getImageData(0, 0, element.width, element.height);
+          for (let i = 0; i < data.length; i += 4) found.add(`#${[data[i]!, data[i + 1]!, data[i + 2]!].map((part) => part.toString(16).padStart(2, "0")).join("")}`);
+        }
+        if (element.shadowRoot) look(element.shadowRoot);
+      }
+    };
+    look(document);
+    return wanted.filter((value) => !found.has(value));
+  }, Object.values(colours));
+  await expect.poll(drawn).toEqual([]);
+  const title = page.locator("parkade-panel h2").first();
+  expect(await title.evaluate((element) => getComputedStyle(element).fontFamily)).toBe("monospace");
+  const radius = () => page.locator("parkade-toolbar button").first().evaluate((element) => parseFloat(getComputedStyle(element).borderTopLeftRadius));
+  const wide = await radius();
+  await page.evaluate(() => document.querySelector<HTMLElement>("parkade-playground")!.style.setProperty("--parkade-radius", "1"));
+  expect(wide).toBeGreaterThan(0);
+  expect(await radius()).toBe(wide / 3);
+});
+
+test("attributes are properties, and do what they say before and after the playground is there", async ({ page }) => {
+  await visit(page, 'layout="single" controls="minimal" autoplay speed="0.01" layers="clean" wheel="always" editable', "");
+  await ready(page);
+  const read = () => page.evaluate(() => {
+    const element = document.querySelector("parkade-playground") as Embed & Record<string, unknown>;
+    return { layout: element["layout"], autoplay: element["autoplay"], speed: element["speed"], wheel: element["wheel"], budgetMs: element["budgetMs"], camera: element["camera"], playhead: element["playhead"] as number };
+  });
+  expect(await read()).toMatchObject({ layout: "single", autoplay: true, speed: "0.01", wheel: "always", budgetMs: null, camera: null });
+  // It drives in, slowly.
+  await expect.poll(async () => (await read()).playhead).toBeLessThan(0.5);
+  await expect.poll(async () => (await read()).playhead).toBeGreaterThan(0);
+  const canvas = page.locator("parkade-playground canvas").first();
+  const wheel = async () => {
+    await canvas.hover();
+    await page.mouse.wheel(0, -60);
+  };
+  await wheel();
+  await expect.poll(async () => (await read()).camera).not.toBeNull();
+  await page.evaluate(() => Object.assign(document.querySelector("parkade-playground")!, { wheel: "none" }));
+  const { camera } = await read();
+  await page.keyboard.down("Control");
+  await wheel();
+  await page.keyboard.up("Control");
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  expect((await read()).camera).toEqual(camera);
+  // A scene's address, a link, another scene: each in its turn; selecting is told.
+  await page.route("**/host/own.json", (route) => route.fulfill({ json: { version: 1, name: "Own", map: { origin: [0, 0], width: 40, height: 30, resolution: 0.5 }, start: { x: 3, y: 7, heading: 0 }, goal: { x: 15, y: 7, heading: 0 } } }));
+  const names = await page.evaluate(async () => {
+    const element = document.querySelector("parkade-playground") as Embed & { getScene(): Promise<{ name?: string }>; openLink(link: string): Promise<void>; shareURL(): Promise<string>; src: string; scene: string };
+    const name = async () => (await element.getScene()).name;
+    const changed = () => new Promise((done) => element.addEventListener("scene-change", done, { once: true }));
+    const seen: (string | undefined)[] = [await name()];
+    let next = changed();
+    element.src = "own.json";
+    await next;
+    seen.push(await name());
+    const link = await element.shareURL();
+    next = changed();
+    element.scene = "parallel";
+    await next;
+    seen.push(await name());
+    await element.openLink(link);
+    seen.push(await name());
+    return seen;
+  });
+  expect(names).toEqual(["perpendicular", "Own", "parallel", "Own"]);
+  const selected = page.evaluate(() => new Promise((done) => document.addEventListener("select", (event) => { if (event instanceof CustomEvent) done(event.detail); })));
+  await page.evaluate(() => (document.querySelector("parkade-playground") as Embed & { fit(): Promise<void> }).fit());
+  const box = (await canvas.boundingBox())!;
+  await page.mouse.click(box.x + box.width * 0.17, box.y + box.height / 2);
+  expect(await selected).toEqual({ selection: { kind: "start" } });
+});
+
+test("workers and modules come from the folders that are named", async ({ page }) => {
+  const asked: string[] = [];
+  await page.route("**/host/copies/**", async (route) => {
+    const name = new URL(route.request().url()).pathname.split("/").at(-1)!;
+    asked.push(name);
+    await route.fulfill({ response: await route.fetch({ url: new URL(`/sub/path/assets/${name}`, page.url()).href }) });
+  });
+  await visit(page, 'layout="single" worker-url="copies" wasm-url="copies/"', "");
+  await ready(page);
+  expect(asked).toEqual(expect.arrayContaining([expect.stringMatching(/^engine-.*\.js$/), expect.stringMatching(/^parkade_bg-.*\.wasm$/)]));
+  await page.unrouteAll({ behavior: "ignoreErrors" });
+});
