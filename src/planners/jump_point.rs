@@ -77,7 +77,7 @@ impl Jumps<'_> {
 
     /// The straight jump from a cell in one of its [`Jumps::ways`]: where it gets and the number of steps, if it gets
     /// anywhere.
-    #[inline]
+    #[inline(always)]
     fn straight(&self, from: Cell, direction: u32) -> Option<(Cell, i64)> {
         let goal = self.query.goal;
         let (dx, dy) = DIRECTIONS[direction as usize % 8];
@@ -98,7 +98,7 @@ impl Jumps<'_> {
     }
 
     /// Offers a node that is reached in a direction.
-    #[inline]
+    #[inline(always)]
     fn emit<S: Sink>(&self, to: Cell, cost: i64, direction: u32, sink: &mut S) {
         let node = self.query.map.index(to);
         if sink.worth(node, cost) {
@@ -125,26 +125,23 @@ impl Jumps<'_> {
         let (left, right) = ((direction + 1) % 8, (direction + 7) % 8);
         // The vertical jump first, as at an expansion.
         let sides = if left % 4 == 2 { [left, right] } else { [right, left] };
-        let turns = 1 << left | 1 << right;
         let (mut at, mut cost, mut scanned) = (from, 0, 0);
         let mut goes_on = true;
         while goes_on {
             at = at.offset(dx, dy);
             cost += R2;
             scanned += 1;
-            let ways = self.ways(at);
-            goes_on = ways >> direction & 1 == 1;
             if at == goal {
                 self.emit(at, cost, direction, sink);
                 break;
             }
-            if ways & turns == 0 {
-                continue;
-            }
-            for side in sides {
-                if ways >> side & 1 == 1
-                    && let Some((to, steps)) = self.straight(at, side)
-                {
+            let ways = self.ways(at);
+            goes_on = ways >> direction & 1 == 1;
+            let mut open = ways >> sides[0] & 1 | (ways >> sides[1] & 1) << 1;
+            while open != 0 {
+                let side = sides[open.trailing_zeros() as usize % 2];
+                open &= open - 1;
+                if let Some((to, steps)) = self.straight(at, side) {
                     if self.prune {
                         self.emit(to, cost + steps * D, side, sink);
                     } else {
@@ -172,36 +169,21 @@ impl Lattice for Jumps<'_> {
     fn successors<S: Sink>(&self, node: NodeId, last: Option<u32>, sink: &mut S) {
         let cell = self.query.map.cell(node);
         let ways = self.ways(cell);
-        let mut go = |direction: u32| {
-            if ways >> direction & 1 == 1 {
-                self.jump(cell, direction, sink);
-            }
-        };
         let Some(reached) = last else {
-            return (0..8).for_each(go);
+            return (0..8).filter(|&c| ways >> c & 1 == 1).for_each(|c| self.jump(cell, c, sink));
         };
-        let turned = |by: u32| (reached + by) % 8;
-        if reached % 2 == 1 {
-            let (vertical, horizontal) =
-                if turned(1) % 4 == 2 { (turned(1), turned(7)) } else { (turned(7), turned(1)) };
-            [vertical, horizontal, reached].into_iter().for_each(go);
-        } else {
-            go(reached);
+        let mut open = (ways as u8).rotate_right(reached);
+        if reached % 2 == 0 && self.prune {
             // Without an obstacle behind, a turn to that side would have come earlier.
             let free = self.query.map.free_around(cell).rotate_right(reached);
-            let [left, right] = [3, 5].map(|behind| !self.prune || free >> behind & 1 == 0);
-            let sides = [(left, 1, 2), (right, 7, 6)];
-            let sides = if reached == 0 || reached == 6 { sides } else { [sides[1], sides[0]] };
-            for (forced, diagonal, _) in sides {
-                if forced {
-                    go(turned(diagonal));
-                }
-            }
-            for (forced, _, straight) in sides {
-                if forced {
-                    go(turned(straight));
-                }
-            }
+            let [left, right] = [3, 5].map(|behind| free >> behind & 1);
+            open &= !(left * 0b110 + right * 0b1100_0000);
+        }
+        // A list of what is open, instead of a question for each: processors guess badly which ones are.
+        let mut turns = TURNS[reached as usize % 8][usize::from(open & 7 | open >> 3 & 0b1_1000)];
+        while turns != 0 {
+            self.jump(cell, (reached + turns) % 8, sink);
+            turns >>= 4;
         }
     }
 
@@ -225,6 +207,37 @@ impl Lattice for Jumps<'_> {
         0
     }
 }
+
+/// The turns to try at a node, in their order: four bits each, the highest one set. By the direction in which the node was
+/// reached, and by which turns are open: from the lowest bit those by 0, 1, 2, 6 and 7 eighths.
+static TURNS: [[u32; 32]; 8] = {
+    let mut table = [[0; 32]; 8];
+    let mut reached = 0;
+    while reached < 8 {
+        // To where one comes diagonally, the vertical way is first.
+        let order: [u32; 5] = match reached {
+            1 | 5 => [1, 7, 0, 8, 8],
+            3 | 7 => [7, 1, 0, 8, 8],
+            0 | 6 => [0, 1, 7, 2, 6],
+            _ => [0, 7, 1, 6, 2],
+        };
+        let mut open = 0;
+        while open < 32 {
+            let (mut place, mut k) = (0, 0);
+            while k < 5 {
+                let bit = if order[k] < 3 { order[k] } else { order[k] - 3 };
+                if order[k] < 8 && open >> bit & 1 == 1 {
+                    table[reached][open] |= (8 | order[k]) << (4 * place);
+                    place += 1;
+                }
+                k += 1;
+            }
+            open += 1;
+        }
+        reached += 1;
+    }
+    table
+};
 
 /// Searches the cheapest path over the cells of a map, given as bits, too. The report's path has every cell.
 ///
