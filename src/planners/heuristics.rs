@@ -147,6 +147,7 @@ impl DistanceWeight {
     }
 
     /// The weighted estimate `h` of a cell `dx` columns and `dy` rows from the goal; floor divisions, left to right.
+    #[inline(always)]
     pub fn apply(&self, h: i64, dx: i32, dy: i32) -> i64 {
         let e = euclid(dx, dy);
         // Most products of numbers without a sign fit at a glance; whether one has 63 bits is asked of the others, because

@@ -113,10 +113,13 @@ fn micro_sqrt(n: i64) -> i64 {
     // wrapping arithmetic gives it exactly.
     let square = n.wrapping_mul(1_000_000_000_000);
     let mut root = ((n as f64).sqrt() * 1e6) as i64;
-    while square.wrapping_sub(root.wrapping_mul(root)) < 0 {
+    let mut rest = square.wrapping_sub(root.wrapping_mul(root));
+    while rest < 0 {
         root -= 1;
+        rest += 2 * root + 1;
     }
-    while square.wrapping_sub((root + 1).wrapping_mul(root + 1)) >= 0 {
+    while rest > 2 * root {
+        rest -= 2 * root + 1;
         root += 1;
     }
     root

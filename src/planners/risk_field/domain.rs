@@ -74,7 +74,7 @@ impl<'a> RiskGrid<'a> {
 
     /// The steps from a cell that lead to free cells and would improve what is known of them, and those of all that are
     /// legal.
-    #[inline]
+    #[inline(always)]
     fn look<S: Sink>(&self, node: NodeId, sink: &S) -> (u32, u32) {
         let free = self.query.map.free_around_index(node);
         let worth = sink.worth_around(node, self.query.map.width() as usize, D, R2);
@@ -88,14 +88,14 @@ impl<'a> RiskGrid<'a> {
         sink.take(Leg::new(c as u32, step_cost(c)), to, self.ahead(at.offset(dx, dy)));
     }
 
-    /// Offers the steps of two and more cells in one direction.
-    fn extensions<S: Sink>(&self, (node, at): (NodeId, Cell), c: usize, sink: &mut S) {
+    /// Offers the steps of two and more cells in one direction, where a step of one is legal or not.
+    fn extensions<S: Sink>(&self, (node, at): (NodeId, Cell), c: usize, mut is_open: bool, sink: &mut S) {
         let (map, (dx, dy), offset) = (self.query.map, DIRECTIONS[c % 8], self.offsets[c % 8]);
         let is_legal = |from: NodeId| self.legal[usize::from(map.free_around_index(from))] >> c & 1 == 1;
-        let (mut before, mut to, mut is_open) = (node, at.offset(dx, dy), true);
+        let (mut before, mut to) = (node, at.offset(dx, dy));
         for count in 1..=self.ext_len {
             // Sight along the line asks whether each step is legal.
-            is_open = is_open && is_legal(before);
+            is_open = is_open && (count == 1 || is_legal(before));
             (before, to) = (before.wrapping_add_signed(offset), to.offset(dx, dy));
             if map.blocked(to) {
                 continue;
@@ -185,19 +185,23 @@ impl Lattice for RiskGrid<'_> {
         let oblique = is_oblique(dx, dy);
         let center = region(self.field.force(at), oblique);
         self.center.set(center);
-        let picked = primaries(center);
+        let picked = mask(primaries(center));
         let (worth, legal) = self.look(node, sink);
-        self.others.set((worth & !mask(picked), legal));
-        self.count_los((worth & mask(picked)).count_ones());
-        for c in picked {
-            if (worth & legal) >> c & 1 == 1 {
-                self.step((node, at), c, sink);
-            }
+        self.others.set((worth & !picked, legal));
+        self.count_los((worth & picked).count_ones());
+        // As seen in the central direction: itself, its left neighbour, and its right one last.
+        let turned = |directions: u32| u32::from((directions as u8).rotate_right(center as u32));
+        let mut steps = turned(worth & legal & picked);
+        while steps != 0 {
+            self.step((node, at), (center + steps.trailing_zeros() as usize) % 8, sink);
+            steps &= steps - 1;
         }
-        let stretched = if oblique { mask(picked) & DIAGONALS } else { 1 << center };
-        for c in picked {
-            if stretched >> c & 1 == 1 && !(oblique && self.goal_side && self.leads_away(at, c)) {
-                self.extensions((node, at), c, sink);
+        let mut stretched = if oblique { turned(picked & DIAGONALS) } else { 1 };
+        while stretched != 0 {
+            let c = (center + stretched.trailing_zeros() as usize) % 8;
+            stretched &= stretched - 1;
+            if !(oblique && self.goal_side && self.leads_away(at, c)) {
+                self.extensions((node, at), c, legal >> c & 1 == 1, sink);
             }
         }
     }
