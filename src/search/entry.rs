@@ -6,6 +6,8 @@ use super::NodeId;
 pub trait Entry: Copy {
     /// A bucket of the open list is 2 to this power wide.
     const WIDTH: u32;
+    /// Whether many entries share their f, so that one often comes before all others.
+    const TIES: bool;
 
     /// The entry.
     fn new(f: i64, h: i64, node: u32) -> Self;
@@ -56,6 +58,7 @@ pub struct Short {
 
 impl Entry for Short {
     const WIDTH: u32 = 12;
+    const TIES: bool = true;
 
     fn new(f: i64, h: i64, node: u32) -> Self {
         let (f, h) = (f as u64, h as u64);
@@ -98,6 +101,7 @@ pub struct Wide {
 
 impl Entry for Wide {
     const WIDTH: u32 = 18;
+    const TIES: bool = false;
 
     fn new(f: i64, h: i64, node: u32) -> Self {
         Self { f, h, node }

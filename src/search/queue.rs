@@ -90,9 +90,15 @@ impl<E: Entry> Queue<E> {
     pub(super) fn push(&mut self, f: i64, h: i64, node: u32) {
         self.pushes += 1;
         let entry = E::new(f, h, node);
-        // Most go where others are already; that way is kept short. The ring holds nothing of the current bucket.
+        // Most go where others are already or, with many ties, before all; these ways are kept short. The ring holds nothing
+        // of the current bucket.
         let bucket = ((f - self.origin) >> E::WIDTH) as u64;
-        if bucket.wrapping_sub(self.current as u64) < (self.reach - self.current) as u64 {
+        let further = bucket.wrapping_sub(self.current as u64);
+        if E::TIES && further == 0 {
+            if self.stack.last().is_none_or(|&first| entry.before(first)) {
+                return self.stack.push(entry);
+            }
+        } else if further < (self.reach - self.current) as u64 {
             let list = &mut self.ring[bucket as usize % RING];
             if !list.is_empty() {
                 return list.push(entry);
