@@ -7,7 +7,7 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { generateScenario, init } from "../../pkg/node.js";
 
-const SCENES = 1000, ROUNDS = 3;
+const SCENES = 1000, ROUNDS = 5;
 const COMMAND = fileURLToPath(new URL("../../pkg/cli/main.js", import.meta.url));
 /** Writes the seconds of all threads of a run to standard error when it ends. */
 const METER = 'data:text/javascript,import{isMainThread}from"node:worker_threads";if(isMainThread)process.on("exit",()=>{const{userCPUTime:u,systemCPUTime:s}=process.resourceUsage();console.error(`cpu ${(u+s)/1e6}`)})';
@@ -21,7 +21,7 @@ writeFileSync(join(folder, "scenes.jsonl"), scenes.join("\n"));
 function run(jobs) {
   rmSync(join(folder, "out.jsonl"), { force: true });
   const from = performance.now();
-  const { status, stdout, stderr } = spawnSync(process.execPath, ["--import", METER, COMMAND, "batch", "scenes.jsonl", "--planner", "eight,hybrid", "--jobs", String(jobs), "--out", "out.jsonl", "--quiet"], { cwd: folder, encoding: "utf8" });
+  const { status, stdout, stderr } = spawnSync(process.execPath, ["--import", METER, COMMAND, "batch", "scenes.jsonl", "--planner", "eight,risk-field", "--jobs", String(jobs), "--out", "out.jsonl", "--quiet"], { cwd: folder, encoding: "utf8" });
   const wall = (performance.now() - from) / 1000, cpu = Number(/^cpu (.*)$/m.exec(stderr)?.[1]), digest = /digest (\w+)/.exec(stdout)?.[1];
   if (status !== 0 || !(cpu > 0) || digest === undefined) throw new Error(`--jobs ${jobs} ended with ${status}: ${stderr}`);
   return { wall, cpu, digest, lines: readFileSync(join(folder, "out.jsonl"), "utf8").split("\n").length - 1 };
