@@ -52,7 +52,7 @@ const COMMANDS: &[Command] = &[
     },
     Command {
         name: "everywhere",
-        about: "compare plans' hashes natively, in Node, Chromium and Firefox: everywhere [parking] [random scenes]",
+        about: "compare plans' hashes natively, in Node with vector instructions and without, Chromium and Firefox: everywhere [parking] [random scenes]",
         run: everywhere::everywhere,
     },
     Command {
