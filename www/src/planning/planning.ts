@@ -231,7 +231,8 @@ export class Planning {
     const same = old.status === "done" && old.plan?.hash === plan.hash;
     this.update(planner, {
       plan: same ? old.plan : plan,
-      drive: same ? old.drive : drive,
+      // The first module has no drives.
+      drive: (same && old.drive) || drive,
       lastGood: plan.outcome === "found" ? plan : old.lastGood,
       layers: withOld(layers, old.layers, this.store.state.transient),
       // The answer may be to a scene before one that no planner can take.
