@@ -161,3 +161,36 @@ test("workers and modules come from the folders that are named", async ({ page }
   expect(asked).toEqual(expect.arrayContaining([expect.stringMatching(/^engine-.*\.js$/), expect.stringMatching(/^parkade_bg-.*\.wasm$/)]));
   await page.unrouteAll({ behavior: "ignoreErrors" });
 });
+
+test("at every width the toolbar ends inside the playground, and what it has no room for is in its menu", async ({ page }) => {
+  await visit(page, 'controls="full" layout="focus"', "");
+  await ready(page);
+  await expect(page.getByRole("button", { name: "One large" })).toHaveAttribute("aria-pressed", "true");
+  await expect(page.locator("parkade-stage .focus")).toBeVisible();
+  // The loader's bar, or one that has just been redrawn, is measured until it stays.
+  const beyond = (width: number) => page.evaluate(async (width) => {
+    document.querySelector<HTMLElement>("parkade-playground")!.style.width = `${width}px`;
+    const inner = document.querySelector("parkade-playground")!.shadowRoot!;
+    const all = (root: ParentNode): Element[] => [...root.querySelectorAll("*")].flatMap((one) => [one, ...(one.shadowRoot ? all(one.shadowRoot) : [])]);
+    const bar = all(inner).find((one) => one.localName === "parkade-toolbar")!;
+    await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+    const right = bar.getBoundingClientRect().right;
+    return { width: bar.getBoundingClientRect().width, beyond: [...bar.shadowRoot!.querySelectorAll("*")].filter((one) => one.checkVisibility() && one.getBoundingClientRect().right > right + 0.5).map((one) => one.getAttribute("aria-label") ?? one.className) };
+  }, width);
+  for (const lang of ["en", "zh"]) {
+    await page.evaluate((lang) => document.querySelector("parkade-playground")!.setAttribute("lang", lang), lang);
+    for (const width of [320, 480, 640, 641, 718, 800, 830, 831, 900, 925, 926, 1000, 1140, 1141, 1200, 1230, 1231, 1280, 1390, 1391, 1400]) {
+      await expect.poll(() => beyond(width), `${lang}, ${width} px`).toEqual({ width, beyond: [] });
+    }
+  }
+  await beyond(718);
+  const menu = page.getByRole("button", { name: "更多", exact: true });
+  await menu.click();
+  await expect(page.getByRole("checkbox", { name: "跳点搜索" })).toBeVisible();
+  await expect(page.getByRole("checkbox", { name: "扫掠包络" })).toHaveCount(1);
+  await menu.click();
+  await beyond(1000);
+  await menu.click();
+  await expect(page.getByRole("button", { name: "导出", exact: true })).toBeHidden();
+  await expect(page.getByRole("checkbox", { name: "跳点搜索" })).toHaveCount(0);
+});

@@ -47,8 +47,10 @@ export function exports(bar: Toolbar): TemplateResult {
 
 export function more(bar: Toolbar): TemplateResult {
   const { app, compact } = bar;
+  // What the bar has no room for.
+  const folded = !bar.shadowRoot?.querySelector<HTMLElement>(".fold")?.offsetParent;
   return html`
-    ${compact ? html`${planners(bar)}<hr>${layers(bar)}<hr>${item(bar, "share", "bar.share", bar.share)}` : nothing}
+    ${folded ? html`${planners(bar)}<hr>${layers(bar)}<hr>` : nothing}${compact ? item(bar, "share", "bar.share", bar.share) : nothing}
     ${item(bar, "fit", "bar.fit", () => app.controller.fit())}<hr>
     ${exports(bar)}<hr>
     <button class="item" @click=${bar.nextTheme}>${icon("theme")}${bar.themeName()}</button>

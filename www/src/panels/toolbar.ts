@@ -35,7 +35,7 @@ export class Toolbar extends AppElement {
     :host { display: block; container-type: inline-size; background: var(--parkade-panel); border-bottom: 1px solid var(--parkade-hair); position: relative; z-index: 20; }
     .bar { display: flex; align-items: center; height: 48px; padding: 0 12px; gap: 5px; }
     .brand { display: flex; align-items: center; gap: 8px; font-size: 14px; line-height: 18px; font-weight: 650; margin: 0 8px 0 0; }
-    .scene { max-width: 140px; justify-content: space-between; }
+    .scene { min-width: 64px; max-width: 140px; justify-content: space-between; }
     .scene span { overflow: hidden; text-overflow: ellipsis; font-weight: 500; }
     .scene svg, .menu svg:last-child { color: var(--parkade-t2); }
     .rule { width: 1px; height: 20px; background: var(--parkade-hair); margin: 0 3px; flex: none; }
@@ -50,7 +50,7 @@ export class Toolbar extends AppElement {
     .modes button { padding: 0 8px; }
     .anchor { position: relative; display: flex; }
     .popover { top: calc(100% + 6px); left: 0; }
-    .popover { max-height: calc(100vh - 72px); overflow-y: auto; }
+    .popover { max-height: min(100vh - 72px, 100cqh - 54px); overflow-y: auto; }
     .popover.right { left: auto; right: 0; }
     .popover .segmented { display: flex; margin: 2px 4px 6px; }
     .popover .segmented button { flex: 1; }
@@ -60,10 +60,13 @@ export class Toolbar extends AppElement {
     .lang { padding: 0 8px; color: var(--parkade-t3); font-weight: 400; }
     .lang b { font-weight: 600; color: var(--parkade-t1); }
     .wide { display: none; }
+    /* Each stands where what is above would no longer fit in English; a longer scene's title gives way. */
     @container (max-width: 1440px) { .rare .label { display: none; } }
-    @container (max-width: 1240px) { .label { display: none; } .menu { padding: 0 8px; } .scene { max-width: 160px; } }
-    @container (max-width: 1060px) { .tool { width: 32px; padding: 0; } .tool kbd, .brand span { display: none; } .bar { gap: 4px; padding: 0 10px; } .rule { margin: 0 2px; } }
-    @container (max-width: 900px) { .rare { display: none; } .wide { display: flex; } .scene { max-width: 130px; } .tool { width: 28px; } }
+    @container (max-width: 1390px) { .label { display: none; } .menu { padding: 0 8px; } }
+    @container (max-width: 1230px) { .tool { padding: 0; } .tool kbd, .brand span { display: none; } .bar { gap: 4px; padding: 0 10px; } .rule { margin: 0 2px; } }
+    @container (max-width: 1140px) { .rare { display: none; } .wide { display: flex; } .tool { width: 28px; } }
+    @container (max-width: 925px) { .fold { display: none; } }
+    @container (max-width: 830px) { .brand, .rule { display: none; } .tools { gap: 0; } .tool { width: 25px; } .modes button { padding: 0 5px; } }
     :host([compact]) .bar { height: 44px; padding: 0 4px 0 6px; gap: 0; }
     :host([compact]) .scene { border: 0; background: none; font-weight: 600; max-width: 230px; height: 44px; }
   `];
@@ -147,14 +150,14 @@ export class Toolbar extends AppElement {
       void this.app.complete().catch((error: unknown) => this.app.refuse("error.load", { reason: sentence(error) }));
       this.toggle("planners", event);
     };
-    return html`<span class="anchor">
+    return html`<span class="anchor fold">
       <button class="button menu" aria-expanded=${this.menus.open === "planners"} aria-label=${this.t("bar.planners")} title=${this.t("bar.planners")} ?disabled=${!this.ready} @click=${open}>
         ${icon("planners")}<span class="label">${this.t("bar.planners")}</span>${icon("down", 14)}</button>
       ${this.menus.open === "planners" ? html`<div class="popover planners">${menus()?.planners(this)}</div>` : nothing}</span>`;
   }
 
   private layersMenu(): TemplateResult {
-    return html`<span class="anchor">
+    return html`<span class="anchor fold">
       <button class="button menu" aria-expanded=${this.menus.open === "layers"} aria-label=${this.t("bar.layers")} title="${this.t("bar.layers")} · , ." @click=${(e: Event) => this.toggle("layers", e)}>
         ${icon("layers")}<span class="label">${this.t("bar.layers")}</span>${icon("down", 14)}</button>
       ${this.menus.open === "layers" ? html`<div class="popover">${menus()?.layers(this)}</div>` : nothing}</span>`;

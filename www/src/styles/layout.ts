@@ -2,7 +2,7 @@ import { css } from "lit";
 
 /** Where the pieces stand: a desk with columns, or a phone's stack. */
 export const layout = css`
-  :host { display: block; position: relative; min-height: 320px; overflow: hidden; container-type: inline-size; }
+  :host { display: block; position: relative; min-height: 320px; overflow: hidden; container-type: size; }
   .desk, .phone { position: absolute; inset: 0; display: grid; }
   .desk {
     grid-template: "bar bar" 49px "stage side" minmax(0, 1fr) "time side" 44px "strip strip" var(--pane-strip, 202px) / minmax(0, 1fr) var(--pane-side, 280px);
