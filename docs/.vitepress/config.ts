@@ -17,7 +17,7 @@ export default defineConfig({
   // The page around may lie anywhere; figures take the element from the folder above this one.
   base: BASE,
   head: [["link", { rel: "icon", href: "data:," }]],
-  srcExclude: ["**/README.md"],
+  srcExclude: ["**/README.md", "zh/design.md"],
   vue: { template: { compilerOptions: { isCustomElement: (tag) => tag === "parkade-playground" } } },
   themeConfig: {
     search: { provider: "local" },

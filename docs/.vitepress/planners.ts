@@ -25,7 +25,6 @@ export async function pages(lang: Lang): Promise<{ params: { id: string; title: 
 
 function page(info: PlannerInfo, lang: Lang): string {
   const words = WORDS[info.id]!, t = TEXT[lang];
-  const design = lang === "en" ? `\n${section(words.design)}\n` : "";
   return `# ${info.title[lang]}
 
 \`${info.id}\` · ${t.paper}: ${info.paper}
@@ -41,7 +40,9 @@ ${words[lang]}
 \`\`\`text
 ${words.formulas}
 \`\`\`
-${design}
+
+${chapter(info.id, lang)}
+
 ## ${t.use}
 
 \`\`\`js
@@ -69,10 +70,12 @@ function row({ name, unit, min, max, choices, default: value, title, doc }: Para
 
 const escaped = (text: string): string => text.replaceAll("|", "\\|").replaceAll("<", "&lt;").replaceAll("{", "&#123;");
 
-/** A planner's part of DESIGN.md, one level down. */
-function section(heading: string): string {
-  const text = readFileSync(new URL("../../DESIGN.md", import.meta.url), "utf8");
-  const part = text.split(/^## /m).find((one) => one.startsWith(heading));
-  if (!part) throw new Error(`DESIGN.md has no section "${heading}"`);
+const DESIGN = { en: "../../DESIGN.md", zh: "../zh/design.md" };
+
+/** A planner's chapter, which names it in its heading, one level down. */
+export function chapter(id: string, lang: Lang): string {
+  const text = readFileSync(new URL(DESIGN[lang], import.meta.url), "utf8");
+  const part = text.split(/^## /m).find((one) => one.slice(0, one.indexOf("\n")).includes(`\`${id}\``));
+  if (!part) throw new Error(`${DESIGN[lang]} has no chapter on ${id}`);
   return part.slice(part.indexOf("\n")).replaceAll("<", "&lt;").replaceAll("{{", "{ {").trim();
 }
