@@ -316,6 +316,8 @@ test("the example page says what its playground found, also after an edit", asyn
   });
   await expect(page.locator("#answer")).not.toHaveText(before!);
   expect(complaints).toEqual([]);
+  // Workers may still be on their way.
+  await page.unrouteAll({ behavior: "ignoreErrors" });
 });
 
 test("the documentation's lines of HTML show a playground", async ({ page }) => {
