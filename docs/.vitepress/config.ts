@@ -12,6 +12,14 @@ const papers = [
 
 const BASE = process.env["PARKADE_DOCS_BASE"] ?? "/docs/";
 
+const SEARCH_IN_CHINESE = {
+  button: { buttonText: "搜索", buttonAriaLabel: "搜索" },
+  modal: {
+    displayDetails: "显示详细列表", resetButtonTitle: "清除", backButtonTitle: "返回", noResultsText: "没有结果",
+    footer: { selectText: "选择", navigateText: "移动", closeText: "关闭" },
+  },
+};
+
 export default defineConfig({
   title: "Parkade",
   // The page around may lie anywhere; figures take the element from the folder above this one.
@@ -20,7 +28,7 @@ export default defineConfig({
   srcExclude: ["**/README.md", "zh/design.md"],
   vue: { template: { compilerOptions: { isCustomElement: (tag) => tag === "parkade-playground" } } },
   themeConfig: {
-    search: { provider: "local" },
+    search: { provider: "local", options: { locales: { zh: { translations: SEARCH_IN_CHINESE } } } },
     // Not every page is there in every language.
     i18nRouting: false,
   },
@@ -44,6 +52,9 @@ export default defineConfig({
       themeConfig: {
         nav: [{ text: "指南", link: "/zh/guide" }, { text: "规划器", link: "/zh/planners/hybrid" }],
         sidebar: [{ text: "开始", items: [{ text: "五分钟第一个场景", link: "/zh/guide" }] }, { text: "规划器", items: list("zh", "/zh") }],
+        outline: { label: "本页内容" }, docFooter: { prev: "上一页", next: "下一页" },
+        sidebarMenuLabel: "目录", returnToTopLabel: "回到顶部", langMenuLabel: "语言", darkModeSwitchLabel: "外观",
+        lightModeSwitchTitle: "切换到浅色", darkModeSwitchTitle: "切换到深色", skipToContentLabel: "跳到正文",
       },
     },
   },
