@@ -5,6 +5,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { Planner, generateScenario, init, scenario } from "parkade";
+import { pathToFileURL } from "node:url";
 import { PACKAGE, parkade } from "./pack";
 
 const SCENES = 1000;
@@ -96,4 +97,41 @@ test("a file that holds something else is refused before anything is planned", (
   const { status, err } = run("batch", "few", "--out", "other.jsonl");
   expect([status, err]).toEqual([2, "parkade: other.jsonl:1: is no result of `parkade batch`\n"]);
   expect(lines("other.jsonl")).toEqual(['{"a":1}']);
+});
+
+test("after a trap threads are replaced: what failed is tried once more, and nothing else is lost, repeated or blamed", async () => {
+  const { planned } = (await import(/* @vite-ignore */ pathToFileURL(join(PACKAGE, "cli/batch.js")).href)) as { planned(...args: unknown[]): Promise<boolean> };
+  type Done = { line: string; result: { key: string; error?: { code: string } } };
+  const TRAPS = new Map([["7", 1], ["23", 2], ["24", 1]]); // by task: how often its plan traps
+  let dead = false, recycled = 0;
+  const pool = {
+    async run(group: { key: string }[]) {
+      await Promise.resolve();
+      const done: Done[] = [];
+      for (const { key } of group) {
+        if (dead) break;
+        const traps = TRAPS.get(key) ?? 0;
+        if (traps > 0) TRAPS.set(key, traps - 1);
+        dead = traps > 0;
+        done.push({ line: `${key}\n`, result: { key, ...(dead && { error: { code: "internal" } }) } });
+      }
+      return { done, ms: done.length };
+    },
+    async recycleWorkers() {
+      await Promise.resolve();
+      dead = false;
+      recycled++;
+    },
+  };
+  const written: Done["result"][] = [];
+  let text = "";
+  const stopped = await planned(pool, Array.from({ length: 100 }, (_, key) => ({ key: `${key}` })), 2, (lines: string, results: Done["result"][]) => {
+    text += lines;
+    written.push(...results);
+  });
+  expect(stopped).toBe(false);
+  expect(written.map(({ key }) => Number(key)).sort((a, b) => a - b)).toEqual(Array.from({ length: 100 }, (_, i) => i));
+  expect(text).toBe(written.map(({ key }) => `${key}\n`).join(""));
+  expect(written.filter(({ error }) => error !== undefined).map(({ key }) => key)).toEqual(["23"]);
+  expect(recycled).toBe(4);
 });

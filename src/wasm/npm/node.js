@@ -2,7 +2,7 @@
 // Node.js, which cannot fetch files: the module is read from disk.
 import { readFile } from "node:fs/promises";
 import { initializer } from "./runtime.js";
-import load from "./parkade.js";
+import load, { initSync } from "./parkade.js";
 
 export * from "./api.js";
 export * from "./complete.js";
@@ -10,7 +10,13 @@ export * from "./complete.js";
 const BESIDE = new URL("parkade_bg.wasm", import.meta.url);
 
 /** @type {typeof import("./index.js").init} */
-export const init = initializer(async (wasm = BESIDE) => load({ module_or_path: await source(wasm) }));
+export const init = initializer(async (wasm = BESIDE) => {
+  const given = await source(wasm);
+  const isBytes = given instanceof ArrayBuffer || ArrayBuffer.isView(given);
+  const module = isBytes ? await WebAssembly.compile(/** @type {BufferSource} */ (given)) : given;
+  // `load` asks whether it was given a `Response`, for which Node.js reads in its HTTP client: tens of milliseconds.
+  return module instanceof WebAssembly.Module ? initSync({ module }) : load({ module_or_path: /** @type {any} */ (module) });
+});
 
 /** @param {unknown} wasm bytes, a module, a URL or a path */
 async function source(wasm) {
@@ -19,5 +25,5 @@ async function source(wasm) {
     const url = new URL(wasm);
     return url.protocol === "file:" ? readFile(url) : url;
   }
-  return typeof wasm === "string" ? readFile(wasm) : /** @type {BufferSource} */ (wasm);
+  return typeof wasm === "string" ? readFile(wasm) : wasm;
 }

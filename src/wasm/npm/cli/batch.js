@@ -1,24 +1,25 @@
 // @ts-check
 // `parkade batch`.
-import { createReadStream } from "node:fs";
-import { open, readFile, readdir, stat } from "node:fs/promises";
+import { appendFileSync } from "node:fs";
+import { stat } from "node:fs/promises";
 import { availableParallelism } from "node:os";
-import { join, relative } from "node:path";
-import { createInterface } from "node:readline";
 import { Tinypool } from "tinypool";
 import { version } from "../node.js";
-import { Refused, count, plannerIds, reason, settings } from "./input.js";
-import { digest, hashOf, mend, read } from "./results.js";
+import { Refused, count, plannerIds, settings } from "./input.js";
+import { digest, hashOf, mend, outline, read } from "./results.js";
+import { scenes } from "./scenes.js";
 
 /** @typedef {import("./results.js").Result} Result */
-/** @typedef {{ key: string, scene: string, text: string, planner: import("../index.js").PlannerId, config: Record<string, unknown> }} Task */
+/** @typedef {{ key: string, scene: import("./scenes.js").Scene, content: string, planner: import("../index.js").PlannerId }} Task */
 
-/** Tasks read ahead for each thread. */
-const AHEAD = 8;
+/** Time a thread should be away with a group of tasks: far above what a message costs, and no result waits long to be written. */
+const GROUP_MS = 50;
+/** Tasks in a group at most. */
+const GROUP = 256;
 const TICK_MS = 200;
 
 /** @type {import("./main.js").Run} */
-export async function batch([place, ...more], values) {
+export async function batch([place, ...more], values, module) {
   if (place === undefined || more.length > 0) throw new Refused("which folder of scenes? One folder, or one .jsonl file");
   const jobs = count("jobs", values.jobs, availableParallelism(), 1024);
   const shard = shardOf(values.shard);
@@ -26,23 +27,34 @@ export async function batch([place, ...more], values) {
   const ids = plannerIds(values.planner, "hybrid"), config = settings(values.set);
   if (!(await stat(place).catch(() => null))) throw new Refused(`${place}: there is no such folder`);
 
-  await mend(out);
-  /** @type {Map<string, Result>} */
-  const done = new Map();
-  if (await stat(out).catch(() => null)) for await (const result of read(out)) done.set(result.key, result);
+  // Threads start while the scenes are listed.
+  const filename = new URL("./worker.js", import.meta.url).href;
+  const pool = new Tinypool({ filename, minThreads: jobs, maxThreads: jobs, workerData: { module, config }, isolateWorkers: false });
+  try {
+    await mend(out);
+    /** @type {Map<string, Result>} */
+    const done = new Map();
+    if (await stat(out).catch(() => null)) for await (const result of read(out)) done.set(result.key, outline(result));
+    const tasks = await listed(place, ids, config, shard);
+    const open = tasks.filter(({ key }) => !done.has(key));
+    const results = tasks.flatMap(({ key }) => done.get(key) ?? []);
+    const progress = new Progress(tasks.length, results.length, values.quiet === true);
+    const stopped = await planned(pool, open, jobs, (lines, more) => {
+      appendFileSync(out, lines);
+      results.push(...more);
+      progress.step(more.length);
+    });
+    progress.end();
+    return told(results, tasks.length, open.length, out, stopped);
+  } finally {
+    await pool.destroy();
+  }
+}
 
-  const tasks = await listed(place, ids, config, shard);
-  const open_ = tasks.filter(({ key }) => !done.has(key));
-  const results = new Map(tasks.flatMap(({ key }) => (done.has(key) ? [[key, /** @type {Result} */ (done.get(key))]] : [])));
-  const progress = new Progress(tasks.length, tasks.length - open_.length, values.quiet === true);
-  const stopped = await planned(open_, jobs, out, (result) => {
-    results.set(result.key, result);
-    progress.step();
-  });
-  progress.end();
-  const all = [...results.values()];
+/** @param {Result[]} all @param {number} tasks @param {number} open @param {string} out @param {boolean} stopped */
+function told(all, tasks, open, out, stopped) {
   const found = all.filter(({ outcome }) => outcome === "found").length, failed = all.filter(({ error }) => error !== undefined);
-  process.stdout.write(`${all.length} of ${tasks.length} planned (${open_.length - (tasks.length - all.length)} now): ${found} found, ${all.length - found - failed.length} without a path, ${failed.length} refused; digest ${digest(all)}\n`);
+  process.stdout.write(`${all.length} of ${tasks} planned (${open - (tasks - all.length)} now): ${found} found, ${all.length - found - failed.length} without a path, ${failed.length} refused; digest ${digest(all)}\n`);
   for (const { scene, planner, error } of failed.slice(0, 10)) process.stderr.write(`parkade: ${scene} (${planner}): ${error?.message}\n`);
   if (failed.length > 10) process.stderr.write(`parkade: … and ${failed.length - 10} more in ${out}\n`);
   if (stopped) process.stderr.write(`parkade: stopped; the same command goes on from here\n`);
@@ -67,77 +79,57 @@ function shardOf(text = "1/1") {
 async function listed(place, ids, config, { at, of }) {
   /** @type {Map<string, Task>} */
   const tasks = new Map();
-  for await (const { scene, text } of scenes(place)) {
-    const content = hashOf(text);
+  const by = version(), under = JSON.stringify(Object.entries(config).sort());
+  for await (const { scene, content } of scenes(place)) {
     if (parseInt(content.slice(0, 8), 16) % of !== at - 1) continue;
     for (const planner of ids) {
-      const key = hashOf([version(), planner, JSON.stringify(Object.entries(config).sort()), content].join("\n"));
-      if (!tasks.has(key)) tasks.set(key, { key, scene, text, planner, config });
+      const key = hashOf([by, planner, under, content].join("\n"));
+      if (!tasks.has(key)) tasks.set(key, { key, scene, content, planner });
     }
   }
   if (tasks.size === 0 && of === 1) throw new Refused(`${place}: holds no .json scenes`);
   return [...tasks.values()];
 }
 
-/** @param {string} place @returns {AsyncGenerator<{ scene: string, text: string }>} */
-async function* scenes(place) {
-  if (place.endsWith(".jsonl")) {
-    let at = 0;
-    for await (const line of createInterface({ input: createReadStream(place), crlfDelay: Infinity })) {
-      at++;
-      if (line.trim() !== "") yield { scene: `${place}:${at}`, text: line };
-    }
-    return;
-  }
-  const entries = await readdir(place, { recursive: true, withFileTypes: true }).catch((error) => {
-    throw new Refused(`${place}: ${reason(error)}`);
-  });
-  const files = entries.filter((entry) => entry.isFile() && entry.name.endsWith(".json")).map((entry) => join(entry.parentPath ?? entry.path, entry.name)).sort();
-  for (const file of files) yield { scene: relative(place, file).replaceAll("\\", "/"), text: await readFile(file, "utf8") };
-}
-
 /**
- * Plans on as many threads, appending each result as one write. Returns whether it was interrupted.
+ * Plans in groups, which grow and shrink with the time they take. Returns whether it was interrupted.
+ * @param {Pick<Tinypool, "run" | "recycleWorkers">} pool
  * @param {Task[]} tasks
  * @param {number} jobs
- * @param {string} out
- * @param {(result: Result) => void} each
+ * @param {(lines: string, results: Result[]) => void} each
  */
-async function planned(tasks, jobs, out, each) {
-  if (tasks.length === 0) return false;
-  const module = await WebAssembly.compile(await readFile(new URL("../parkade_bg.wasm", import.meta.url)));
-  const pool = new Tinypool({ filename: new URL("./worker.js", import.meta.url).href, minThreads: jobs, maxThreads: jobs, workerData: module, isolateWorkers: false });
-  const file = await open(out, "a");
+export async function planned(pool, tasks, jobs, each) {
   let stopped = false;
   const stop = () => {
     stopped = true;
   };
   process.once("SIGINT", stop).once("SIGTERM", stop);
-  try {
-    let next = 0;
-    const lane = async () => {
-      while (next < tasks.length && !stopped) {
-        const { key, scene, ...task } = /** @type {Task} */ (tasks[next++]);
-        const result = { key, scene, planner: task.planner, ...(await run(pool, task)) };
-        await file.appendFile(`${JSON.stringify(result)}\n`);
-        each(result);
+  /** What was in work when a thread's module trapped, to be tried once more in a new one. @type {Set<Task>} */
+  const again = new Set();
+  const left = tasks.toReversed();
+  let size = 1;
+  const lane = async () => {
+    while (left.length > 0 && !stopped) {
+      const group = left.splice(-Math.min(size, Math.ceil(left.length / (4 * jobs)))).reverse();
+      /** @type {Awaited<ReturnType<typeof import("./worker.js").default>>} */
+      const { done, ms } = await pool.run(group);
+      const failed = done.at(-1)?.result.error?.code === "internal" ? group[done.length - 1] : undefined;
+      if (failed !== undefined && !again.has(failed)) {
+        again.add(failed);
+        done.pop();
       }
-    };
-    await Promise.all(Array.from({ length: Math.min(tasks.length, jobs + AHEAD) }, lane));
+      if (done.length > 0) each(done.map(({ line }) => line).join(""), done.map(({ result }) => result));
+      left.push(...group.slice(done.length).reverse());
+      if (failed !== undefined) await pool.recycleWorkers();
+      else if (done.length > 0) size = Math.max(1, Math.min(GROUP, 2 * size, Math.floor((GROUP_MS * done.length) / ms)));
+    }
+  };
+  try {
+    await Promise.all(Array.from({ length: Math.min(tasks.length, 2 * jobs) }, lane));
   } finally {
     process.off("SIGINT", stop).off("SIGTERM", stop);
-    await file.close();
-    await pool.destroy();
   }
   return stopped;
-}
-
-/** After a trap a thread's module is of no more use: all threads are replaced, and what failed with it is tried once more. @param {Tinypool} pool @param {object} task */
-async function run(pool, task) {
-  const first = await pool.run(task);
-  if (first.error?.code !== "internal") return first;
-  await pool.recycleWorkers();
-  return pool.run(task);
 }
 
 /** A bar on a terminal; elsewhere a line at every tenth. */
@@ -153,11 +145,13 @@ class Progress {
     if (done > 0 && !quiet) process.stderr.write(`${done} of ${total} are there already\n`);
   }
 
-  step() {
-    this.done++;
+  /** @param {number} more */
+  step(more) {
+    const before = this.done;
+    this.done += more;
     if (this.quiet) return;
-    const now = performance.now(), tenth = Math.floor((this.done * 10) / this.total);
-    if (this.live ? now - this.last < TICK_MS : tenth === Math.floor(((this.done - 1) * 10) / this.total)) return;
+    const now = performance.now(), tenth = (/** @type {number} */ done) => Math.floor((done * 10) / this.total);
+    if (this.live ? now - this.last < TICK_MS : tenth(this.done) === tenth(before)) return;
     this.last = now;
     this.show(now);
   }

@@ -1,6 +1,7 @@
 #!/usr/bin/env node
 // @ts-check
 // The command `parkade`.
+import { readFile } from "node:fs/promises";
 import { parseArgs } from "node:util";
 import { ParkadeError, init, version } from "../node.js";
 import { Refused } from "./input.js";
@@ -82,7 +83,7 @@ const COMMANDS = {
 
 /** @typedef {import("node:util").ParseArgsConfig["options"]} Options */
 /** @typedef {Record<string, string | boolean | (string | boolean)[] | undefined>} Values */
-/** @typedef {(places: string[], values: any) => Promise<number>} Run */
+/** @typedef {(places: string[], values: any, module: WebAssembly.Module) => Promise<number>} Run */
 /** @typedef {{ about: string, options: Options, load(): Promise<Run> }} Command */
 
 /** @param {string[]} args @returns {Promise<number>} */
@@ -91,7 +92,8 @@ async function main([name = "", ...rest]) {
     (name === "" ? process.stderr : process.stdout).write(HELP);
     return name === "" ? 2 : 0;
   }
-  await init();
+  const module = await WebAssembly.compile(await readFile(new URL("../parkade_bg.wasm", import.meta.url)));
+  await init({ wasm: module });
   if (["version", "--version", "-v"].includes(name)) {
     process.stdout.write(`${version()}\n`);
     return 0;
@@ -103,7 +105,7 @@ async function main([name = "", ...rest]) {
     process.stdout.write(command.about);
     return 0;
   }
-  return (await command.load())(positionals, values);
+  return (await command.load())(positionals, values, module);
 }
 
 /** @param {string[]} args @param {Options} options */

@@ -11,7 +11,10 @@ import { Refused, reason } from "./input.js";
  * @typedef {{ key: string, scene: string, planner: string, outcome?: string, verdict?: string, hash?: string, error?: { code: string, path: string, message: string }, [figure: string]: unknown }} Result
  */
 
-/** @param {string} text */
+/** What is kept of a result that has been written. @param {Result} result @returns {Result} */
+export const outline = ({ key, scene, planner, outcome, hash, error }) => ({ key, scene, planner, outcome, hash, error });
+
+/** @param {string | Uint8Array} text */
 export const hashOf = (text) => createHash("sha256").update(text).digest("hex").slice(0, 32);
 
 /** @param {string} file @returns {AsyncGenerator<Result>} */

@@ -1,16 +1,45 @@
 // @ts-check
-// A thread of `parkade batch`.
+// A thread of `parkade batch`: reads scenes, plans them, and writes what comes of it as lines.
+import { closeSync, openSync, readSync } from "node:fs";
 import Tinypool from "tinypool";
 import { ParkadeError, Planner, init } from "../node.js";
+import { reason } from "./input.js";
+import { hashOf, outline } from "./results.js";
+
+/** @typedef {import("./results.js").Result} Result */
+/** @typedef {import("./scenes.js").Scene} Scene */
+
+const { module, config } = Tinypool.workerData;
+await init({ wasm: module });
+
+/** Whether the module has trapped, after which this thread is of no more use. */
+let stopped = false;
+
+/** The scene read last: each is planned by one planner after another. @type {{ of?: string, scene?: unknown }} */
+let last = {};
 
 /**
- * @param {{ text: string, planner: import("../index.js").PlannerId, config: Record<string, unknown> }} task
- * @returns {Promise<Pick<import("./results.js").Result, "outcome" | "error">>}
+ * Plans one after another, up to a trap.
+ * @param {import("./batch.js").Task[]} tasks
  */
-export default async function run({ text, planner, config }) {
+export default function run(tasks) {
+  const from = performance.now();
+  /** @type {{ line: string, result: Result }[]} */
+  const done = [];
+  for (const task of tasks) {
+    if (stopped) break;
+    const result = { key: task.key, scene: task.scene.name, planner: task.planner, ...planned(task) };
+    stopped = result.error?.code === "internal";
+    done.push({ line: `${JSON.stringify(result)}\n`, result: outline(result) });
+  }
+  return { done, ms: performance.now() - from };
+}
+
+/** @param {import("./batch.js").Task} task @returns {Pick<Result, "outcome" | "error">} */
+function planned({ scene, planner, content }) {
   try {
-    await init({ wasm: Tinypool.workerData });
-    const prepared = new Planner(planner, parsed(text), config);
+    if (last.of !== content) last = { of: content, scene: parsed(scene, content) };
+    const prepared = new Planner(planner, /** @type {any} */ (last.scene), config);
     try {
       const { outcome, detail, reason, metrics, stats, check, hash } = prepared.plan();
       const { verdict, drivable } = check;
@@ -24,11 +53,29 @@ export default async function run({ text, planner, config }) {
   }
 }
 
-/** @param {string} text */
-function parsed(text) {
+/** @param {Scene} scene @param {string} content */
+function parsed(scene, content) {
+  const bytes = read(scene);
+  if (hashOf(bytes) !== content) throw new ParkadeError("was changed while the batch ran", "bad-input");
   try {
-    return JSON.parse(text);
+    return JSON.parse(bytes.toString("utf8"));
   } catch (error) {
-    throw new ParkadeError(`is not JSON: ${error instanceof Error ? error.message : error}`, "bad-scenario");
+    throw new ParkadeError(`is not JSON: ${reason(error)}`, "bad-scenario");
   }
+}
+
+/** @param {Scene} scene */
+function read({ file, from, length }) {
+  const bytes = Buffer.allocUnsafe(length);
+  try {
+    const handle = openSync(file, "r");
+    try {
+      for (let at = 0, read = 1; at < length && read > 0; at += read) read = readSync(handle, bytes, at, length - at, from + at);
+    } finally {
+      closeSync(handle);
+    }
+  } catch (error) {
+    throw new ParkadeError(reason(error), "bad-input");
+  }
+  return bytes;
 }
