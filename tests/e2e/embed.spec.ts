@@ -107,6 +107,31 @@ test("a playground shows its first plans once, and the next one begins on the mo
   expect(after.heard.filter((one) => one.startsWith("three"))).toEqual(["three plan-result", "three plan-result", "three plan-start"]);
 });
 
+test("another playground plans with the workers that rest at those before it, and starts none", async ({ page }) => {
+  const { urls } = await watch(page);
+  let started = 0;
+  page.on("worker", () => started++);
+  await page.goto(HOST);
+  for (const id of ["one", "two"]) await near(page, id);
+  await quiet(urls);
+  const again = () => page.evaluate(() => Promise.all(["one", "two"].map((id) => (document.getElementById(id) as unknown as { plan(): Promise<void> }).plan())));
+  await again();
+  const before = started;
+  expect(before).toBeGreaterThanOrEqual(3);
+  const hashes = () => page.evaluate(async () => {
+    const other = document.createElement("parkade-playground") as Embed;
+    for (const [name, value] of [["planners", "four eight hybrid"], ["layout", "overlay"], ["loading", "eager"]]) other.setAttribute(name!, value!);
+    document.getElementById("two")!.before(other);
+    await other.ready;
+    return Object.values(other.results).map((plan) => plan?.hash);
+  });
+  expect((await hashes()).filter((hash) => hash?.length === 16)).toHaveLength(3);
+  expect(started).toBe(before);
+  // What was lent comes back.
+  await again();
+  expect(started).toBe(before);
+});
+
 test("playgrounds share the workers of one pool", async ({ page }) => {
   await watch(page);
   await page.goto(HOST);

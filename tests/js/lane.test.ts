@@ -37,8 +37,8 @@ function setup() {
     const worker = new FakeWorker();
     workers.push(worker);
     return worker;
-  });
-  const lane = new Lane("four", {} as WebAssembly.Module, pool, {
+  }, 2);
+  const lane = new Lane("four", {}, {} as WebAssembly.Module, pool, {
     planned: (reply, waits) => heard.push(`planned ${reply.id}${waits ? ", newer waits" : ""}`),
     failed: (error) => heard.push(`failed ${error.code}`),
     restarted: () => heard.push("restarted"),

@@ -1,6 +1,6 @@
 import { expect, it, vi } from "vitest";
 import type { WorkerLike } from "../../www/src/planning/lane";
-import { KEPT_MS, WorkerPool, type Holder } from "../../www/src/planning/pool";
+import { KEPT_MS, WorkerPool, mostWorkers, type Holder } from "../../www/src/planning/pool";
 
 class Fake implements WorkerLike {
   onmessage = null;
@@ -13,6 +13,7 @@ class Fake implements WorkerLike {
 class Asker implements Holder {
   busy = true;
   worker: WorkerLike | null = null;
+  constructor(readonly of: object) {}
   readonly take = (worker: WorkerLike): void => { this.worker = worker; };
   revoked(): void { this.worker = null; }
 }
@@ -24,13 +25,31 @@ function setup(most: number) {
     made.push(worker);
     return worker;
   }, most);
-  const ask = (): Asker => {
-    const asker = new Asker();
+  const page = {};
+  const ask = (of: object = page): Asker => {
+    const asker = new Asker(of);
     pool.lease(asker, asker.take);
     return asker;
   };
   return { pool, made, ask };
 }
+
+it("has as many workers as there are processors, within what a comparison needs and a page can bear", () => {
+  expect([1, 2, 7, 64].map(mostWorkers)).toEqual([6, 6, 7, 8]);
+});
+
+it("lends what rests at one playground to another before it makes more, and leaves a playground's own planners theirs", () => {
+  const { made, ask } = setup(8);
+  const here = {}, there = {};
+  const one = ask(here), two = ask(here);
+  one.busy = two.busy = false;
+  const own = ask(here);
+  expect([made.length, one.worker, own.worker]).toEqual([3, made[0], made[2]]);
+  const lent = [ask(there), ask(there), ask(there)];
+  expect([made.length, one.worker, two.worker]).toEqual([4, null, null]);
+  expect(lent.map(({ worker }) => made.indexOf(worker as Fake))).toEqual([0, 1, 3]);
+  expect(own.worker).toBe(made[2]);
+});
 
 it("makes no more workers than it may, and takes one from whoever rests", () => {
   const { made, ask } = setup(2);

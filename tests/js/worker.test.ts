@@ -24,7 +24,7 @@ function setup(planner: PlannerId) {
   };
   scope.postMessage = (reply) => worker.onmessage?.({ data: reply } as MessageEvent<Reply>);
   let told: (reply: Planned | { failed: string }) => void = () => {};
-  const lane = new Lane(planner, null as unknown as WebAssembly.Module, new WorkerPool(() => worker), {
+  const lane = new Lane(planner, {}, null as unknown as WebAssembly.Module, new WorkerPool(() => worker, 1), {
     planned: (reply) => told(reply),
     failed: ({ message }) => told({ failed: message }),
     restarted: () => told({ failed: "restarted" }),

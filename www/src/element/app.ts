@@ -252,15 +252,23 @@ export class App {
   }
 }
 
-function catalogOf({ api }: Engine): Catalog {
-  const planners = api.planners();
-  introduce(planners);
-  return {
-    planners,
-    scenarios: api.scenarios(),
-    scenario: (id) => ensureIds(api.scenario(id)),
-    geometry: (scene) => api.sceneGeometry(withoutCells(scene)),
-  };
+/** Told once, however many playgrounds there are. */
+const catalogs = new WeakMap<Engine, Catalog>();
+
+function catalogOf(engine: Engine): Catalog {
+  let catalog = catalogs.get(engine);
+  if (!catalog) {
+    const { api } = engine;
+    catalog = {
+      planners: api.planners(),
+      scenarios: api.scenarios(),
+      scenario: (id) => ensureIds(api.scenario(id)),
+      geometry: (scene) => api.sceneGeometry(withoutCells(scene)),
+    };
+    introduce(catalog.planners);
+    catalogs.set(engine, catalog);
+  }
+  return catalog;
 }
 
 /** Safari has no requestIdleCallback. */

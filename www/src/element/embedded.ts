@@ -78,6 +78,10 @@ export class Embedded extends Playground {
     this.removeEventListener("wheel", this.onWheel, { capture: true });
   }
 
+  protected override get isFull(): boolean {
+    return this.controls !== "minimal" && this.controls !== "none";
+  }
+
   get params(): Scene["planners"] {
     return this.store.state.scene.planners ?? {};
   }
@@ -178,6 +182,7 @@ export class Embedded extends Playground {
   protected override updated(changed: PropertyValues): void {
     super.updated(changed);
     if (this.app.planning) this.app.planning.budget = this.budgetMs;
+    if (changed.has("controls")) this.fetchParts();
     if (changed.has("loaded") && this.loaded) this.onStep(0.8);
   }
 

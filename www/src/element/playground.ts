@@ -63,6 +63,7 @@ export class Playground extends LitElement {
   private becomeReady: () => void = () => {};
   private detach: (() => void)[] = [];
   private words: Promise<void> = Promise.resolve();
+  private hasParts = false;
 
   constructor() {
     super();
@@ -149,7 +150,7 @@ export class Playground extends LitElement {
     ];
     this.measure(this.getBoundingClientRect());
     void this.begin();
-    for (const part of PARTS) void this.app.fetchPart(part);
+    this.fetchParts();
   }
 
   override disconnectedCallback(): void {
@@ -162,6 +163,18 @@ export class Playground extends LitElement {
   override attributeChangedCallback(name: string, old: string | null, value: string | null): void {
     super.attributeChangedCallback(name, old, value);
     if (name === "lang" && this.isConnected && value && value !== this.store.state.lang) void this.app.setLang(pickLang(value));
+  }
+
+  /** Whether there is more than the map and the timeline. */
+  protected get isFull(): boolean {
+    return true;
+  }
+
+  /** Fetches what the first picture does without, where it is going to be shown. */
+  protected fetchParts(): void {
+    if (!this.isFull || this.hasParts) return;
+    this.hasParts = true;
+    for (const part of PARTS) void this.app.fetchPart(part);
   }
 
   protected override willUpdate(changed: PropertyValues): void {
@@ -180,7 +193,7 @@ export class Playground extends LitElement {
         @parkade-scenes=${() => void this.openDialog("presets")} @parkade-keys=${() => void this.openDialog("keys")} @parkade-papers=${() => void this.openDialog("papers")} @parkade-fold=${() => { this.folded = !this.folded; }}
         @parkade-menu=${this.showMenu} @parkade-open-file=${() => this.fileInput?.click()} @parkade-png=${this.savePicture}
         @dragover=${this.onDragOver} @dragleave=${() => { this.dropping = false; }} @drop=${this.onDrop}>
-      <parkade-toolbar part="toolbar" .app=${this.app} .ready=${this.loaded} ?compact=${this.compact}><slot name="toolbar-extra"></slot></parkade-toolbar>
+      ${this.isFull ? html`<parkade-toolbar part="toolbar" .app=${this.app} .ready=${this.loaded} ?compact=${this.compact}><slot name="toolbar-extra"></slot></parkade-toolbar>` : nothing}
       <parkade-stage exportparts="panel, canvas" .app=${this.app} ?compact=${this.compact}></parkade-stage>
       ${this.compact ? this.phone() : this.desk()}
       <parkade-next-hints .app=${this.app}></parkade-next-hints>
@@ -199,6 +212,11 @@ export class Playground extends LitElement {
   private desk(): TemplateResult {
     return html`
       <parkade-timeline part="timeline" .app=${this.app} .folded=${this.folded}></parkade-timeline>
+      ${this.isFull ? this.around() : nothing}`;
+  }
+
+  private around(): TemplateResult {
+    return html`
       <parkade-inspector .app=${this.app} .ready=${this.loaded}></parkade-inspector>
       <div class="strip"><parkade-table part="table" .app=${this.app}></parkade-table><parkade-charts part="chart" .app=${this.app}></parkade-charts>${this.splitter("chart")}</div>
       ${this.splitter("side")}${this.splitter("strip")}`;
@@ -209,9 +227,9 @@ export class Playground extends LitElement {
   }
 
   private phone(): TemplateResult {
-    return html`<parkade-chips .app=${this.app}></parkade-chips>
+    return html`${this.isFull ? html`<parkade-chips .app=${this.app}></parkade-chips>` : nothing}
       <parkade-timeline part="timeline" .app=${this.app} compact></parkade-timeline>
-      <parkade-sheet .app=${this.app} .ready=${this.loaded}></parkade-sheet>`;
+      ${this.isFull ? html`<parkade-sheet .app=${this.app} .ready=${this.loaded}></parkade-sheet>` : nothing}`;
   }
 
   /** Takes language, theme, arrangement and planners from attributes and from the last visit. */

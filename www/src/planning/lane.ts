@@ -45,6 +45,7 @@ export class Lane implements Holder {
 
   constructor(
     private readonly planner: PlannerId,
+    readonly of: object,
     readonly module: WebAssembly.Module,
     private readonly pool: WorkerPool,
     private readonly events: LaneEvents,

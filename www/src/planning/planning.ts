@@ -215,7 +215,7 @@ export class Planning {
       lane = undefined;
     }
     if (!lane) {
-      lane = new Lane(planner, this.engine.module, this.engine.pool, {
+      lane = new Lane(planner, this, this.engine.module, this.engine.pool, {
         planned: (reply, newerWaits) => this.planned(planner, reply, newerWaits),
         failed: (error, newerWaits) => this.failed(planner, error, newerWaits),
         restarted: () => this.sayRestarted(planner),

@@ -3,15 +3,17 @@ import type { WorkerLike } from "./lane";
 /** Who has a worker for as long as it wants, but gives it up at rest when others wait. */
 export interface Holder {
   readonly busy: boolean;
+  /** The playground whose planner it is. */
+  readonly of: object;
   /** The worker is another's from now on. */
   revoked(): void;
 }
 
-/** Enough for every planner of a comparison at once, few enough for a page of many playgrounds. */
-export const MOST_WORKERS = 8;
+/** The workers of a page at most: as many as there are processors, but enough for every planner of a comparison and few for any page. */
+export const mostWorkers = (processors: number): number => Math.min(8, Math.max(6, processors));
 
-/** How long workers are kept when nobody has one. */
-export const KEPT_MS = 5000;
+/** How long workers are kept when nobody has one: a reader comes to the next figure in this time. */
+export const KEPT_MS = 60_000;
 
 interface Member { worker: WorkerLike; holder: Holder | null }
 
@@ -21,15 +23,18 @@ export class WorkerPool {
   private leaving: ReturnType<typeof setTimeout> | undefined;
   private waiting: { holder: Holder; give: (worker: WorkerLike) => void }[] = [];
 
-  constructor(private readonly spawn: () => WorkerLike, private readonly most = MOST_WORKERS) {}
+  constructor(private readonly spawn: () => WorkerLike, private readonly most = mostWorkers(navigator.hardwareConcurrency || 1)) {}
 
   get size(): number {
     return this.members.length;
   }
 
-  /** Gives a worker now or as soon as one is free. */
+  /**
+   * Gives a worker now or as soon as one is free: one that nobody has, or that another playground has at rest, sooner than a new
+   * one, which takes longer to start than most plans take. A playground's own planners keep theirs, with the scene they hold.
+   */
   lease(holder: Holder, give: (worker: WorkerLike) => void): void {
-    const member = this.members.find((one) => one.holder === null) ?? this.grow() ?? this.take();
+    const member = this.members.find((one) => one.holder === null) ?? this.take((other) => other.of !== holder.of) ?? this.grow() ?? this.take(() => true);
     if (!member) {
       this.waiting.push({ holder, give });
       return;
@@ -91,8 +96,8 @@ export class WorkerPool {
     return member;
   }
 
-  private take(): Member | undefined {
-    const member = this.members.find((one) => one.holder && !one.holder.busy);
+  private take(from: (holder: Holder) => boolean): Member | undefined {
+    const member = this.members.find(({ holder }) => holder && !holder.busy && from(holder));
     member?.holder?.revoked();
     return member;
   }

@@ -40,8 +40,7 @@ export const layout = css`
   :host([viewing]) parkade-stage { pointer-events: none; --parkade-hint: none; }
   :host([controls="minimal"]) .desk { grid-template: "stage" minmax(0, 1fr) "time" 44px / minmax(0, 1fr); }
   :host([controls="minimal"]) .phone { grid-template: "stage" minmax(0, 1fr) "time" 48px / minmax(0, 1fr); }
-  :host([controls="minimal"]) :is(parkade-toolbar, parkade-inspector, parkade-splitter, .strip, parkade-chips, parkade-sheet) { display: none; }
   :host([controls="none"]) :is(.desk, .phone) { grid-template: "stage" minmax(0, 1fr) / minmax(0, 1fr); }
-  :host([controls="none"]) :is(parkade-toolbar, parkade-inspector, parkade-splitter, .strip, parkade-chips, parkade-sheet, parkade-timeline) { display: none; }
+  :host([controls="none"]) parkade-timeline { display: none; }
   .dropping { position: absolute; inset: 12px; z-index: 40; display: grid; place-items: center; pointer-events: none; border: 2px dashed var(--parkade-accent); border-radius: calc(14px * var(--parkade-radius)); background: color-mix(in srgb, var(--parkade-accent-soft) 88%, transparent); color: var(--parkade-accent); font-size: 17px; line-height: 24px; font-weight: 600; }
 `;
