@@ -18,8 +18,9 @@ export class SceneCanvas {
   private readonly layers = new SceneLayers();
   private readonly observer: ResizeObserver;
   private last: Drawing | null = null;
-  private width: number;
-  private height: number;
+  /** The observer's first word, which comes before the first frame is shown, gives the size: asking for it lays the page out twice. */
+  private width = 0;
+  private height = 0;
   /** Since when each planner has shown the same answer while at work. */
   private readonly since = new Map<PlannerId, { plan: Plan | null; at: number }>();
   private staleTimer: ReturnType<typeof setTimeout> | undefined;
@@ -28,8 +29,6 @@ export class SceneCanvas {
     const ctx = canvas.getContext("2d");
     if (!ctx) throw new Error("This browser gives no 2D canvas.");
     this.ctx = ctx;
-    this.width = canvas.clientWidth;
-    this.height = canvas.clientHeight;
     this.observer = new ResizeObserver(() => this.resized());
     this.observer.observe(canvas);
     waiting.add(this.redraw);
@@ -37,7 +36,7 @@ export class SceneCanvas {
 
   /** The camera and size last drawn with. */
   get view(): View | null {
-    return this.last ? this.viewOf(this.last.state) : null;
+    return this.last && this.width > 0 ? this.viewOf(this.last.state) : null;
   }
 
   draw(state: State, planners: PlannerId[], tokens: Tokens, overlayDraft: Draft | null): void {
