@@ -172,7 +172,7 @@ fn nearest(route: &Route, run: &Run, car: &mut Car) -> Errors {
     let mut pose = route.pose_in(run, car.station);
     for _ in 0..4 {
         let ahead = (car.pose.point() - pose.point()).dot(&pose.direction()) * run.gear;
-        let station = (car.station + ahead).clamp(car.station, run.to);
+        let station = (car.station + ahead).min(run.to).max(car.station);
         if station - car.station < 1e-9 {
             break;
         }

@@ -5,7 +5,7 @@ use serde_json::{Map, Value};
 use super::outcome::{HybridMetrics, Outcome, Plan, PlanTrace, Stats};
 use super::world::World;
 use super::{Driven, NEAR, Options, STEP, measured};
-use crate::error::Error;
+use crate::error::{Error, ErrorCode};
 use crate::geometry::arcs;
 use crate::metrics::Verdict;
 use crate::planners::hybrid::{Config, Query, Report, Scratch, Status, obstacles, plan};
@@ -14,6 +14,8 @@ use crate::scenario::Scenario;
 use crate::scenario::resolve::Geometry;
 use crate::vehicle::collision::Obstacles;
 
+/// Metres of the longest side of a map: a way over it is checked every few centimetres.
+const MAX_SIDE: f64 = 100_000.0;
 /// Speed of the parking paper's driving times, m/s.
 const PAPER_SPEED: f64 = 2.0;
 
@@ -26,6 +28,14 @@ pub(super) struct Engine {
 
 impl Engine {
     pub(super) fn new(world: &World, kind: Kind, config: &Map<String, Value>) -> Result<Self, Error> {
+        let frame = &world.frame;
+        let side = f64::from(frame.width.max(frame.height)) * frame.resolution;
+        if side > MAX_SIDE {
+            let message = format!(
+                "must be at most {MAX_SIDE} m wide and high where a car is to drive, got {side} m"
+            );
+            return Err(Error::new(ErrorCode::Input, "map", message));
+        }
         let defaults = match kind {
             Kind::HybridForward => Config::forward(),
             #[cfg(feature = "complete")]

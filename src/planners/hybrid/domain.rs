@@ -1,6 +1,6 @@
 //! The search space: poses on a lattice of position, heading and gear, joined by arcs.
 
-use core::cell::RefCell;
+use core::cell::{Cell, RefCell};
 
 use super::config::{Config, Heuristic, Level};
 use super::cost::{CostModel, Motion};
@@ -18,6 +18,10 @@ use crate::vehicle::collision::Probe;
 const ROOM: f64 = 0.1;
 /// … states are told apart no finer than this: metres and radians.
 const ROOMY: (f64, f64) = (0.5, math::PI / 36.0);
+/// Collision checks that a word may take on average …
+const WORK: u32 = 1000;
+/// … when so many have been spent: what is longer, in a world of which nothing is known between two checks, is not tried.
+const SPARE: u32 = 1_000_000;
 /// Moves while shuffling are at least this long, metres.
 const SHORTEST: f64 = 0.01;
 
@@ -45,6 +49,8 @@ pub(super) struct Lattice<'a> {
     watch: Option<&'a RefCell<Watch>>,
     primitives: Vec<Arc>,
     words: Vec<(f64, Word)>,
+    /// Words tried so far, and the checks that they took.
+    tried: Cell<(u32, u32)>,
 }
 
 /// What a lattice is made of.
@@ -91,6 +97,7 @@ impl<'a> Lattice<'a> {
             watch: setting.watch,
             primitives,
             words: Vec::new(),
+            tried: Cell::new((0, 0)),
         }
     }
 
@@ -120,13 +127,21 @@ impl<'a> Lattice<'a> {
         [far, far / 2.0].map(|far| if far < SHORTEST { 0.0 } else { far.copysign(arc.length) })
     }
 
+    /// Whether a word can be driven; not, too, where words have taken too much work.
     pub(super) fn word_free(&self, from: Pose, word: &Word) -> bool {
-        let mut pose = from;
-        word.arcs(self.costs.radius).all(|arc| {
+        let (words, checks) = self.tried.get();
+        if checks > SPARE.saturating_add(words.saturating_mul(WORK)) {
+            self.tried.set((words + 1, checks));
+            return false;
+        }
+        let (before, mut pose) = (self.probe.checks(), from);
+        let free = word.arcs(self.costs.radius).all(|arc| {
             let free = self.free(pose, &arc);
             pose = pose.advance(arc.curvature, arc.length);
             free
-        })
+        });
+        self.tried.set((words + 1, checks.saturating_add(self.probe.checks() - before)));
+        free
     }
 }
 

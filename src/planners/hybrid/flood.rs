@@ -61,7 +61,8 @@ impl Flood {
         old: Option<Self>,
     ) -> Self {
         let radius = (vehicle.width / 2.0).min(vehicle.length() / 2.0);
-        let ahead = 0.0_f64.clamp(radius - vehicle.rear_to_back, vehicle.rear_to_front - radius);
+        // In a car as wide as it is long the two bounds are the same but for rounding, which may swap them.
+        let ahead = (radius - vehicle.rear_to_back).max(0.0).min(vehicle.rear_to_front - radius);
         let swing = vehicle.max_curvature() * ahead;
         let stretch = (1.0 + swing * swing).sqrt();
         let scale = obstacles.frame().resolution * DETOUR / f64::from(STRAIGHT) / stretch;
