@@ -57,8 +57,8 @@ pub struct PotentialField<'a> {
     rings: Vec<u64>,
     /// The forces by those bits.
     forces: Vec<(f64, f64)>,
-    /// The forces of the cells around, by the bits of [`Occupancy::free_around`].
-    near: [(f64, f64); 8],
+    /// The push of the cells around that are blocked, by [`Occupancy::free_around`].
+    near: Vec<(f64, f64)>,
 }
 
 /// How far [`Occupancy::window`] reaches.
@@ -82,9 +82,10 @@ impl<'a> PotentialField<'a> {
         if settings.obstacle_set != ObstacleSet::Sum {
             sources = math::sorted_by(&sources, |s| f64::from(s.squared));
         }
-        let (mut rings, mut forces, mut near) = (Vec::new(), Vec::new(), [(0.0, 0.0); 8]);
+        let (mut rings, mut forces, mut near) = (Vec::new(), Vec::new(), Vec::new());
         if settings.obstacle_set == ObstacleSet::NearestMean && settings.rho0 <= f64::from(SIGHT) {
             forces = vec![(0.0, 0.0); 64];
+            let mut around = [(0.0, 0.0); 8];
             let mut last = 0;
             for source in &sources {
                 let bit = 8 * (source.offset.1 + SIGHT) + source.offset.0 + SIGHT;
@@ -95,9 +96,16 @@ impl<'a> PotentialField<'a> {
                 last = source.squared;
                 forces[bit as usize] = source.force;
                 if let Some(c) = DIRECTIONS.iter().position(|&offset| offset == source.offset) {
-                    near[c] = source.force;
+                    around[c] = source.force;
                 }
             }
+            // All of them are within reach of a field that reaches the diagonal ones.
+            let push = |free: u8| match (!free & STRAIGHT, !free) {
+                (0, 0) => (0.0, 0.0),
+                (0, diagonal) => mean(diagonal.into(), &around),
+                (straight, _) => mean(straight.into(), &around),
+            };
+            near = (0..=u8::MAX).map(push).collect();
         }
         Self { map, goal, settings, sources, rings, forces, near }
     }
@@ -140,12 +148,13 @@ impl<'a> PotentialField<'a> {
         // What is outside is blocked there, but does not repel.
         let inner = |x: i32, size: i32| x >= SIGHT && x + SIGHT < size;
         if !self.rings.is_empty() && inner(at.x, width) && inner(at.y, height) {
-            let blocked = !self.map.free_around(at);
-            return match (blocked & STRAIGHT, blocked) {
-                (0, 0) if self.map.is_clear(at) => (0.0, 0.0),
-                (0, 0) => self.nearest(self.map.window(at)),
-                (0, diagonal) => mean(diagonal.into(), &self.near),
-                (straight, _) => mean(straight.into(), &self.near),
+            let free = self.map.free_around(at);
+            return if free != u8::MAX {
+                self.near[usize::from(free)]
+            } else if self.map.is_clear(at) {
+                (0.0, 0.0)
+            } else {
+                self.nearest(self.map.window(at))
             };
         }
         let (mut x, mut y, mut count, mut nearest) = (0.0, 0.0, 0_u32, i32::MAX);
@@ -176,8 +185,10 @@ impl<'a> PotentialField<'a> {
 impl PotentialField<'_> {
     /// The mean force of the nearest cells of a window; in the order of its bits, which is that of `sources`.
     fn nearest(&self, window: u64) -> (f64, f64) {
-        let hit = self.rings.iter().map(|ring| window & ring).find(|&hit| hit != 0);
-        hit.map_or((0.0, 0.0), |hit| mean(hit, &self.forces))
+        // From the farthest to the nearest, all of them: at which one to stop is hard for a processor to guess.
+        let nearer = |hit, ring: &u64| if window & ring != 0 { window & ring } else { hit };
+        let hit = self.rings.iter().rev().fold(0, nearer);
+        if hit == 0 { (0.0, 0.0) } else { mean(hit, &self.forces) }
     }
 }
 

@@ -31,9 +31,8 @@ impl Engine {
         let frame = &world.frame;
         let side = f64::from(frame.width.max(frame.height)) * frame.resolution;
         if side > MAX_SIDE {
-            let message = format!(
-                "must be at most {MAX_SIDE} m wide and high where a car is to drive, got {side} m"
-            );
+            let message =
+                format!("must be at most {MAX_SIDE} m wide and high where a car is to drive, got {side} m");
             return Err(Error::new(ErrorCode::Input, "map", message));
         }
         let defaults = match kind {

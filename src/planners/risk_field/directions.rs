@@ -16,25 +16,13 @@ pub(super) fn is_oblique(dx: i32, dy: i32) -> bool {
 /// ±3, which the paper's table leaves open, belong to the diagonal regions.
 pub(super) fn region((x, y): (f64, f64), oblique: bool) -> usize {
     let (ax, ay) = (x.abs(), y.abs());
-    let (horizontal, vertical) = (if x >= 0.0 { 0 } else { 4 }, if y >= 0.0 { 2 } else { 6 });
-    if oblique {
-        if 3.0 * ay < ax {
-            horizontal
-        } else if ay > 3.0 * ax {
-            vertical
-        } else {
-            match (x >= 0.0, y >= 0.0) {
-                (true, true) => 1,
-                (false, true) => 3,
-                (false, false) => 5,
-                (true, false) => 7,
-            }
-        }
-    } else if ay <= ax {
-        horizontal
-    } else {
-        vertical
-    }
+    // Searches ask at every cell, and processors guess badly: the region in the first quadrant is counted, then turned over.
+    let steep = [1.0, 3.0][usize::from(oblique)];
+    let first = usize::from(steep * ay > ax)
+        + usize::from(ay > steep * ax)
+        + (usize::from(steep * ay == ax) & usize::from(oblique));
+    let north = if x >= 0.0 { first } else { 4 - first };
+    if y >= 0.0 { north } else { (8 - north) % 8 }
 }
 
 /// The three directions of a region: the central one, its left and its right neighbour.

@@ -6,7 +6,7 @@ use super::directions::{is_oblique, primaries, region};
 use super::{Config, Heuristic, permille};
 use crate::map::risk::PotentialField;
 use crate::map::{Cell, Corner, line_of_sight};
-use crate::planners::heuristics::{DistanceWeight, octile};
+use crate::planners::heuristics::DistanceWeight;
 use crate::planners::moves::{D, DIRECTIONS, LEGAL, R2, cost};
 use crate::planners::query::Query;
 use crate::search::lattice::{Hold, Lattice, Leg, Sink};
@@ -16,10 +16,10 @@ pub(super) struct RiskGrid<'a> {
     query: Query<'a>,
     field: PotentialField<'a>,
     weight: DistanceWeight,
-    heuristic: Heuristic,
-    /// w1 and w2 times `unit`.
-    weights: (i64, i64),
-    /// 1 where both are whole, else 1000.
+    /// What a column or row of the larger and one of the smaller difference add to `unit` times the estimate, where the
+    /// way is mostly straight and where it is mostly diagonal.
+    estimates: [(i64, i64); 2],
+    /// 1 where the weights are whole, else 1000.
     unit: i64,
     ext_len: i32,
     goal_side: bool,
@@ -44,8 +44,7 @@ impl<'a> RiskGrid<'a> {
             query,
             field: config.field(&query),
             weight,
-            heuristic: config.heuristic,
-            weights: (w1 * unit / 1000, w2 * unit / 1000),
+            estimates: estimates(config.heuristic, (w1 * unit / 1000, w2 * unit / 1000), unit),
             unit,
             ext_len: config.ext_len as i32,
             goal_side: config.goal_side,
@@ -93,7 +92,9 @@ impl<'a> RiskGrid<'a> {
         let (map, (dx, dy), offset) = (self.query.map, DIRECTIONS[c % 8], self.offsets[c % 8]);
         let is_legal = |from: NodeId| self.legal[usize::from(map.free_around_index(from))] >> c & 1 == 1;
         let (mut before, mut to) = (node, at.offset(dx, dy));
-        for count in 1..=self.ext_len {
+        let mut count = 0;
+        while count < self.ext_len {
+            count += 1;
             // Sight along the line asks whether each step is legal.
             is_open = is_open && (count == 1 || is_legal(before));
             (before, to) = (before.wrapping_add_signed(offset), to.offset(dx, dy));
@@ -116,6 +117,15 @@ impl<'a> RiskGrid<'a> {
     }
 }
 
+/// [`RiskGrid::estimates`] of w1 and w2 times `unit`: w1 is the weight of the kind of steps that prevail.
+fn estimates(heuristic: Heuristic, (w1, w2): (i64, i64), unit: i64) -> [(i64, i64); 2] {
+    [(w2, w1), (w1, w2)].map(|(diagonal, straight)| match heuristic {
+        Heuristic::Corrected => (straight * D, diagonal * R2 - straight * D),
+        Heuristic::Printed => (straight * D, diagonal * 2 * D + straight * (D - 2 * R2)),
+        Heuristic::Octile => (unit * D, unit * (R2 - D)),
+    })
+}
+
 const DIAGONALS: u32 = 0b1010_1010;
 
 /// A bit for each of some directions.
@@ -132,24 +142,9 @@ impl RiskGrid<'_> {
     pub(super) fn ahead(&self, at: Cell) -> i64 {
         let (dx, dy) = self.toward_goal(at);
         let (x, y) = (i64::from(dx.abs()), i64::from(dy.abs()));
-        let (far, near) = (x.max(y), x.min(y));
-        let (diagonal, straight) =
-            if is_oblique(dx, dy) { self.weights } else { (self.weights.1, self.weights.0) };
-        let h = match self.heuristic {
-            Heuristic::Corrected => self.weighted(diagonal * R2 * near + straight * D * (far - near)),
-            Heuristic::Printed => {
-                self.weighted(diagonal * 2 * D * near + straight * (D * (far + near) - 2 * R2 * near))
-            }
-            Heuristic::Octile => octile(dx, dy),
-        };
-        self.weight.apply(h, dx, dy)
-    }
-}
-
-impl RiskGrid<'_> {
-    /// A product with a weight without the weight's unit.
-    fn weighted(&self, product: i64) -> i64 {
-        if self.unit == 1 { product } else { product / self.unit }
+        let (by_far, by_near) = self.estimates[usize::from(is_oblique(dx, dy))];
+        let h = by_far * x.max(y) + by_near * x.min(y);
+        self.weight.apply(if self.unit == 1 { h } else { h / self.unit }, dx, dy)
     }
 
     /// Takes the steps of which a bit each is set.
@@ -196,11 +191,11 @@ impl Lattice for RiskGrid<'_> {
             self.step((node, at), (center + steps.trailing_zeros() as usize) % 8, sink);
             steps &= steps - 1;
         }
-        let mut stretched = if oblique { turned(picked & DIAGONALS) } else { 1 };
+        let mut stretched = [1, turned(picked & DIAGONALS)][usize::from(oblique)];
         while stretched != 0 {
             let c = (center + stretched.trailing_zeros() as usize) % 8;
             stretched &= stretched - 1;
-            if !(oblique && self.goal_side && self.leads_away(at, c)) {
+            if !(self.goal_side && oblique && self.leads_away(at, c)) {
                 self.extensions((node, at), c, legal >> c & 1 == 1, sink);
             }
         }
