@@ -1,12 +1,12 @@
 // `cargo xtask bench grid`: grid planners through the built package against others, interleaved in one run.
 //
 // Usage: node grid.mjs MAPS PEERS NATIVE [count] [repeats] [goals], where MAPS holds the MovingAI files, PEERS the
-// installed peers, NATIVE is the built example `movingai`, and goals, `G6,G8`, are measured alone and not written down.
+// installed peers, NATIVE is the built example `movingai`; of goals, `G6,G8`, the others are kept as they were written last.
 // Times are CPU times; ratios count, not milliseconds. Each rival
 // has a process of its own and is asked in turn: one's garbage is not another's time.
 import { execFileSync, fork } from "node:child_process";
 import { once } from "node:events";
-import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { availableParallelism, cpus, loadavg } from "node:os";
 import { join } from "node:path";
@@ -320,24 +320,27 @@ for (const [name, bounds] of Object.entries(BOUNDS)) {
 }
 
 const below = rows.filter((row) => row.verdict === "BELOW");
-const last = `${rows.length} figures, ${below.length} below their floor`;
-console.log(`\n${last}`);
-if (goals !== "") process.exit();
+console.log(`\n${rows.length} figures, ${below.length} below their floor`);
 
+const file = new URL("../../benches/RESULTS.md", import.meta.url);
+const load1 = loadavg()[1].toFixed(1);
 const cells = (values) => `| ${values.join(" | ")} |`;
 const analysis = JSON.parse(readFileSync(new URL("analysis.json", import.meta.url), "utf8"));
-const measured = [...new Set(rows.map((row) => row.goal))].sort((a, b) => a.slice(1) - b.slice(1));
-const sections = measured.map((goal) => {
+const [oldHead, ...oldSections] = goals === "" ? [] : readFileSync(file, "utf8").trim().split(/\n\n(?=## )/);
+const sections = new Map(oldSections.map((section) => [/^## (G\d+)/.exec(section)[1], section]));
+for (const goal of new Set(rows.map((row) => row.goal))) {
   const own = rows.filter((row) => row.goal === goal);
   const table = own.map((row) => cells([row.map, row.what, row.value, row.floor, row.aim, row.verdict]));
-  return [`## ${goal}`, "", analysis[goal] ?? "", "", cells(["map", "what", "measured", "floor", "goal", ""]), cells(["---", "---", "---:", "---:", "---:", "---"]), ...table].join("\n");
-});
-const head = `# Grid planners against others
+  const alone = goals === "" ? "" : ` Measured without the other goals, load ${load1}.`;
+  sections.set(goal, [`## ${goal}`, "", `${analysis[goal]}${alone}`, "", cells(["map", "what", "measured", "floor", "goal", ""]), cells(["---", "---", "---:", "---:", "---:", "---"]), ...table].join("\n"));
+}
+const body = [...sections].sort(([a], [b]) => a.slice(1) - b.slice(1)).map(([, section]) => section).join("\n\n");
+const verdicts = body.match(/\| (goal|floor|BELOW) \|$/gm);
+const tally = `${verdicts.length} figures, ${verdicts.filter((one) => one.includes("BELOW")).length} below their floor.`;
+const head = oldHead?.replace(/\d+ figures, \d+ below their floor\./, tally) ?? `# Grid planners against others
 
 Written by \`cargo xtask bench grid\` (${count} + ${count} questions a map, ${repeats} repeats) on ${availableParallelism()} × ${cpus()[0].model.trim()},
-Node.js ${process.versions.node}, load ${loadavg()[1].toFixed(1)}. CPU times, all rivals interleaved in one run, every answer checked: ratios count, not
+Node.js ${process.versions.node}, load ${load1}. CPU times, all rivals interleaved in one run, every answer checked: ratios count, not
 milliseconds. "x" is the other's time over ours; of G8, G10, G11 and G12 the fastest of several rounds counts. Peers: npm pathfinding 0.4.18, ngraph.path 1.6.1; crates pathfinding 4.16,
-grid_pathfinding 0.3.0 in wasm. ${last}.`;
-const folder = new URL("../../benches/", import.meta.url);
-mkdirSync(folder, { recursive: true });
-writeFileSync(new URL("RESULTS.md", folder), `${[head, ...sections].join("\n\n")}\n`);
+grid_pathfinding 0.3.0 in wasm. ${tally}`;
+writeFileSync(file, `${head}\n\n${body}\n`);

@@ -22,8 +22,8 @@ pub(in crate::planners) const HYBRID: [Row; 21] = [
         Form::Integer(0.0, 5.0),
         "1",
         true,
-        ["Gear changes", "换挡次数"],
-        ["Longer chains of switches are not tried.", "更长的换挡序列不再尝试。"],
+        ["Changes per connection", "每次连接的换挡"],
+        ["How often the curve that ends the search may switch gears.", "结束搜索的曲线最多换挡几次。"],
     ),
     row(
         "motionPrimitiveLength",
