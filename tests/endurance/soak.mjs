@@ -31,12 +31,14 @@ const quiet = await withPage(async (page, version) => {
     }
   }
   const calm = samples.filter(({ minute }) => minute >= warm), half = Math.ceil(calm.length / 2);
-  for (const [name, unit] of [["heap", "MB"], ["wasm", "MB"], ["nodes", ""], ["p95", "ms"]]) {
-    const median = (part) => quantile(part.map((one) => one[name]), 0.5);
-    const early = median(calm.slice(0, half)), late = median(calm.slice(half));
-    const judged = name !== "p95";
+  // A module gives its memory back only with its worker: what the hardest of the last plans took comes and goes, and a leak
+  // lifts the floor.
+  for (const [name, unit, part, judged] of [["heap", "MB", 0.5, true], ["wasm", "MB", 0.1, true], ["nodes", "", 0.5, true], ["p95", "ms", 0.5, false]]) {
+    const level = (half) => quantile(half.map((one) => one[name]), part);
+    const early = level(calm.slice(0, half)), late = level(calm.slice(half));
     const flat = late <= early * GROWTH;
-    console.log(`${name}: ${early.toFixed(1)} ${unit} in the first half after minute ${warm}, ${late.toFixed(1)} ${unit} in the second: ${flat ? "flat" : "GROWN"}`);
+    const most = Math.max(...calm.map((one) => one[name])).toFixed(1);
+    console.log(`${name}: ${part === 0.5 ? "median" : "lowest tenth"} ${early.toFixed(1)} ${unit} in the first half after minute ${warm}, ${late.toFixed(1)} ${unit} in the second, ${most} ${unit} at most: ${flat ? "flat" : "GROWN"}`);
     // Times depend on what else the machine does.
     if (judged && !flat) process.exitCode = 1;
   }
