@@ -99,7 +99,7 @@ impl<'a> PotentialField<'a> {
                     around[c] = source.force;
                 }
             }
-            // All of them are within reach of a field that reaches the diagonal ones.
+            // Diagonal cells out of the field's reach push with nothing, and then so does all that is farther.
             let push = |free: u8| match (!free & STRAIGHT, !free) {
                 (0, 0) => (0.0, 0.0),
                 (0, diagonal) => mean(diagonal.into(), &around),

@@ -3,6 +3,7 @@
 use serde_json::{Map, Value};
 
 use super::outcome::{HybridMetrics, Outcome, Plan, PlanTrace, Stats};
+use super::path::MAX_LENGTH;
 use super::world::World;
 use super::{Driven, NEAR, Options, STEP, measured};
 use crate::error::{Error, ErrorCode};
@@ -14,8 +15,6 @@ use crate::scenario::Scenario;
 use crate::scenario::resolve::Geometry;
 use crate::vehicle::collision::Obstacles;
 
-/// Metres of the longest side of a map: a way over it is checked every few centimetres.
-const MAX_SIDE: f64 = 100_000.0;
 /// Speed of the parking paper's driving times, m/s.
 const PAPER_SPEED: f64 = 2.0;
 
@@ -30,9 +29,9 @@ impl Engine {
     pub(super) fn new(world: &World, kind: Kind, config: &Map<String, Value>) -> Result<Self, Error> {
         let frame = &world.frame;
         let side = f64::from(frame.width.max(frame.height)) * frame.resolution;
-        if side > MAX_SIDE {
+        if side > MAX_LENGTH {
             let message =
-                format!("must be at most {MAX_SIDE} m wide and high where a car is to drive, got {side} m");
+                format!("must be at most {MAX_LENGTH} m wide and high where a car is to drive, got {side} m");
             return Err(Error::new(ErrorCode::Input, "map", message));
         }
         let defaults = match kind {

@@ -18,9 +18,9 @@ pub(super) fn poses(path: &[f64]) -> Result<Vec<Pose>, Error> {
     Ok(path.chunks_exact(3).map(|p| Pose::new(p[0], p[1], p[2])).collect())
 }
 
-/// Metres of the longest path that is driven or measured along its way: time and memory grow with it.
-#[cfg(feature = "complete")]
-const MAX_LENGTH: f64 = 100_000.0;
+/// Metres of the longest path that is driven or measured along its way, and of the longest side of a map on which a car's way is
+/// looked for: time and memory grow with it.
+pub(super) const MAX_LENGTH: f64 = 100_000.0;
 
 #[cfg(feature = "complete")]
 pub(super) fn length(poses: &[Pose]) -> f64 {

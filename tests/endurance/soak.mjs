@@ -34,7 +34,7 @@ const quiet = await withPage(async (page, version) => {
   // A module gives its memory back only with its worker: what the hardest of the last plans took comes and goes, and a leak
   // lifts the floor.
   for (const [name, unit, part, judged] of [["heap", "MB", 0.5, true], ["wasm", "MB", 0.1, true], ["nodes", "", 0.5, true], ["p95", "ms", 0.5, false]]) {
-    const level = (half) => quantile(half.map((one) => one[name]), part);
+    const level = (some) => quantile(some.map((one) => one[name]), part);
     const early = level(calm.slice(0, half)), late = level(calm.slice(half));
     const flat = late <= early * GROWTH;
     const most = Math.max(...calm.map((one) => one[name])).toFixed(1);
