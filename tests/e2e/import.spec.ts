@@ -56,6 +56,22 @@ test("a ROS map and a parking case open by dropping them", async ({ page }) => {
   await drop([["floor.yaml", [...Buffer.from("image: floor.pgm\nresolution: 0.5\norigin: [-10.0, -5.0, 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n")]], ["floor.pgm", [...pgm]]]);
   await expect(page.locator("parkade-notices .notice.info")).toContainText("40 × 30 cells of 0.5 m");
   expect((await sceneOf(page)).map).toMatchObject({ origin: [-10, -5], width: 40, height: 30, resolution: 0.5 });
+  const { obstacles, map } = await sceneOf(page);
+  const png = (clear: boolean): Promise<number[]> => page.evaluate(async (clear) => {
+    const canvas = new OffscreenCanvas(40, 30), ctx = canvas.getContext("2d")!;
+    for (const [light, y, rows] of [[254, 0, 29], [0, 29, 1]] as const) {
+      ctx.fillStyle = `rgb(${light} ${light} ${light})`;
+      ctx.fillRect(0, y, clear ? 20 : 40, rows);
+    }
+    return [...new Uint8Array(await (await canvas.convertToBlob()).arrayBuffer())];
+  }, clear);
+  const yaml = [...Buffer.from("image: yard.png\nresolution: 0.5\norigin: [-10.0, -5.0, 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n")];
+  await drop([["yard.yaml", yaml], ["yard.png", await png(false)]]);
+  await expect(page.locator("parkade-notices .notice.info")).toContainText("Opened yard.yaml, yard.png");
+  expect(await sceneOf(page)).toMatchObject({ name: "yard", obstacles, map });
+  await drop([["yard.yaml", yaml], ["yard.png", await png(true)]]);
+  await expect(page.locator("parkade-notices .notice.err")).toContainText("yard.png has see-through pixels");
+  expect((await sceneOf(page)).name).toBe("yard");
   const tpcap = [-8, 2, 0, 8, 2, 0, 1, 4, -2, -8, 2, -8, 2, -3, -2, -3];
   await drop([["Case.csv", [...Buffer.from(tpcap.join(","))]]]);
   await expect(page.locator("parkade-notices .notice.info")).toContainText("Opened Case.csv");

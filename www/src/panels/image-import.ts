@@ -2,6 +2,7 @@ import { css, html, nothing, type TemplateResult } from "lit";
 import { sentence } from "../element/app";
 import { words } from "../i18n/words";
 import { imageMap, MOST_CELLS, type ImageMap, type ImageOptions, type Pixels } from "../scene/image";
+import { pixelsOf } from "../scene/pixels";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
@@ -19,13 +20,10 @@ const say = words({
   tight: ["No place has room for the car; give more metres per pixel or another threshold.", "没有可容纳车辆的位置；请增大每像素米数或调整阈值。"],
   bad: ["Metres per pixel: more than 0 and at most 100.", "每像素米数须大于 0 且不超过 100。"],
   broken: ["{name} could not be read as a picture: {reason} The scene stays as it was.", "无法将 {name} 读取为图片：{reason} 场景保持不变。"],
-  large: ["it has {width} × {height} pixels; 8192 a side are the most.", "其像素为 {width} × {height}；每边最多 8192。"],
   open: ["Open", "打开"],
   close: ["Close", "关闭"],
   preview: ["The map: walls dark, free floor light", "地图：深色为墙，浅色为空地"],
 });
-
-const MOST_PIXELS = 8192;
 
 /** Asks how a picture is to be read, and shows the map that comes of it. */
 export class ImageDialog extends AppElement {
@@ -59,7 +57,7 @@ export class ImageDialog extends AppElement {
 
   async ask(file: File): Promise<void> {
     try {
-      this.pixels = await this.decode(file);
+      this.pixels = await pixelsOf(file, this.state.lang);
     } catch (error) {
       this.app.store.set({ message: { tone: "err", text: say(this.state.lang, "broken", { name: file.name, reason: sentence(error) }) } });
       return;
@@ -70,18 +68,6 @@ export class ImageDialog extends AppElement {
     this.app.store.set({ message: null });
     await this.updateComplete;
     this.dialog?.showModal();
-  }
-
-  private async decode(file: File): Promise<Pixels> {
-    const bitmap = await createImageBitmap(file), { width, height } = bitmap;
-    if (Math.max(width, height) > MOST_PIXELS) throw new Error(say(this.state.lang, "large", { width, height }));
-    const canvas = document.createElement("canvas");
-    canvas.width = width;
-    canvas.height = height;
-    const ctx = canvas.getContext("2d", { willReadFrequently: true })!;
-    ctx.drawImage(bitmap, 0, 0);
-    bitmap.close();
-    return ctx.getImageData(0, 0, width, height);
   }
 
   protected override render(): TemplateResult {

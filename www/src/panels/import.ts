@@ -115,12 +115,20 @@ export class ImportBar extends AppElement {
   private async read(files: readonly File[], name: string): Promise<Opened & { notes: string[] }> {
     const engine = await this.app.complete();
     this.helper ??= new Helper(engine);
-    const contents = await Promise.all(files.map(async (file) => (/\.svg$/i.test(file.name) ? sceneInside(file) : [file.name, new Uint8Array(await file.arrayBuffer())] as const)));
+    const described = files.some((file) => /\.ya?ml$/i.test(file.name));
+    const contents = await Promise.all(files.map((file) => this.contents(file, described)));
     const [moved, { prepare }] = await Promise.all([this.helper.call("import", { files: Object.fromEntries(contents), options: {} }, contents.map(([, { buffer }]) => buffer)), vast.load()]);
     const scenes = (await joined(moved, moved.value.scenes)).map(ensureIds);
     this.app.catalog?.geometry(scenes[0]!);
     await prepare(scenes[0]!, this.app.tokens());
     return { name, scenes, queries: moved.value.queries, notes: moved.value.notes };
+  }
+
+  /** What importing reads of a file; a picture that a map server's description comes with is one in another form. */
+  private async contents(file: File, described: boolean): Promise<readonly [string, Uint8Array<ArrayBuffer>]> {
+    if (/\.svg$/i.test(file.name)) return sceneInside(file);
+    if (described && IMAGE.test(file.name)) return (await import("../scene/pixels")).pgmOf(file, this.state.lang);
+    return [file.name, new Uint8Array(await file.arrayBuffer())];
   }
 
   private complaint(error: unknown, name: string): string {
