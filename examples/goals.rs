@@ -127,7 +127,7 @@ fn query(scene: &Scenario) -> (Report, f64) {
     let vehicle = &geometry.vehicle;
     let query = Query { obstacles: &obstacles, vehicle, start: geometry.start, goal: geometry.goal };
     let mut scratch = Scratch::default();
-    least(|| plan(&query, &Config::default(), &mut scratch, false))
+    least(|| plan(&query, &Config::default(), &mut scratch, false, &mut None))
 }
 
 fn least<T>(mut run: impl FnMut() -> T) -> (T, f64) {

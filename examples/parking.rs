@@ -33,7 +33,7 @@ fn main() {
             goal: geometry.goal,
         };
         let mut scratch = Scratch::default();
-        let (report, millis) = least(|| plan(&query, &config, &mut scratch, false));
+        let (report, millis) = least(|| plan(&query, &config, &mut scratch, false, &mut None));
         println!(
             "| {} | {:.2} | {} | {:.2} | {} | {} | {} | {prepare:.2} | {millis:.2} |{}",
             info.id,

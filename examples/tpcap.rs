@@ -170,7 +170,7 @@ fn run(scene: &Scenario, config: &Map<String, Value>) -> (Plan, Report, f64, f64
     let vehicle = &geometry.vehicle;
     let query = Query { obstacles: &obstacles, vehicle, start: geometry.start, goal: geometry.goal };
     // Nothing is known from a query before.
-    let (report, millis) = least(|| plan(&query, &settings, &mut Scratch::default(), false));
+    let (report, millis) = least(|| plan(&query, &settings, &mut Scratch::default(), false, &mut None));
     (whole, report, prepare, millis)
 }
 

@@ -24,7 +24,7 @@ fn plans_have_the_same_hash_everywhere() {
             let mut session = Planner::new(planner, &scene, &Map::new()).unwrap();
             let plan = session.plan(Options::default());
             assert_eq!(hash.as_str(), Some(plan.hash().as_str()), "{planner} on {id}");
-            let again = session.plan(Options { trace: true });
+            let again = session.plan(Options { trace: true, ..Options::default() });
             assert_eq!(again.hash(), plan.hash(), "{planner} on {id}, a second time and traced");
             assert_eq!(plan.check.clearances.len(), plan.path.len());
         }

@@ -1,11 +1,13 @@
 //! A planner used more than once: other ends, edits with a brush, the search alone. Every answer is that of a planner
 //! made anew.
 
+use std::ops::ControlFlow;
+
 use parkade::error::ErrorCode;
 use parkade::geometry::{Point, Pose};
 use parkade::plan::{Ends, LayerData, Options, Outcome, Planner};
-use parkade::planners::registry::planners;
-use parkade::scenario::generate::SplitMix64;
+use parkade::planners::registry::{Info, planners};
+use parkade::scenario::generate::{Family, SplitMix64, generate};
 use parkade::scenario::{Goal, Obstacle, Scenario, catalog};
 use serde_json::{Map, Value, json};
 
@@ -246,4 +248,54 @@ fn a_map_too_large_for_a_car_is_refused_and_says_so() {
     assert!(error.message.contains("at most 100000 m") && error.message.contains("got 101000 m"), "{error}");
     (scene.map.width, scene.map.height) = (100, 100);
     assert!(Planner::new("hybrid", &scene, &Map::new()).is_ok());
+}
+
+/// A planner that takes long, and how often it tells: noise with a wall across it, where every cell that can be reached is
+/// searched, or a tight slot.
+fn slow(info: &Info) -> (Planner, u32) {
+    let (scene, config, every) = if info.family == "hybrid" {
+        (catalog::scenario("par-8.0").unwrap(), settings(&json!({ "maxExpansions": 1500 })), 256)
+    } else {
+        let noise = Family::Random { density_permille: 330, block_min: 1, block_max: 1 };
+        let mut scene = generate(noise, 480, 7).unwrap();
+        edit(&mut scene, &(0..480).map(|y| [380, y, 1]).collect::<Vec<_>>(), true);
+        (scene, Map::new(), 16_384)
+    };
+    (Planner::new(info.id, &scene, &config).unwrap(), every)
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn progress_is_told_at_fixed_counts_and_changes_nothing() {
+    for info in planners() {
+        let (mut planner, every) = slow(&info);
+        let mut told = Vec::new();
+        let mut tell = |expanded| {
+            told.push(expanded);
+            ControlFlow::Continue(())
+        };
+        let plan = planner.plan(Options { progress: Some(&mut tell), ..Options::default() });
+        let (times, expanded) = (told.len() as u32, plan.stats.expanded);
+        assert!(told.into_iter().eq((1..=times).map(|k| k * every)), "{}", info.id);
+        // None is told of the last node of all.
+        assert!(
+            times >= 2 && (times == expanded / every || times == (expanded - 1) / every),
+            "{}: {times}",
+            info.id
+        );
+
+        let mut left = 2;
+        let mut stop = |_| {
+            left -= 1;
+            if left == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let stopped = planner.plan(Options { progress: Some(&mut stop), ..Options::default() });
+        assert_eq!((stopped.stats.expanded, left), (2 * every, 0), "{}", info.id);
+        // Hybrid A* may know a way before it is the best.
+        let ended = if info.id == "hybrid" { Outcome::Found } else { Outcome::BudgetSpent };
+        assert_eq!(stopped.outcome, ended, "{}", info.id);
+
+        let silent = planner.plan(Options::default());
+        assert_eq!((plan.hash(), expanded), (silent.hash(), silent.stats.expanded), "{}", info.id);
+    }
 }

@@ -43,7 +43,9 @@ pub(crate) fn planners(seed: u64) -> Outcome {
     let wrong = |what: String| Err(format!("{planner} {settings:?}: {what}"));
     match Planner::new(planner, &scene, &settings) {
         Ok(_) if !good => wrong("taken".to_owned()),
-        Ok(mut ready) => answered(&ready.plan(Options { trace: r.one_in(4) })).or_else(wrong),
+        Ok(mut ready) => {
+            answered(&ready.plan(Options { trace: r.one_in(4), ..Options::default() })).or_else(wrong)
+        }
         Err(error) if good && error.path.is_empty() => wrong(format!("no field: {error}")),
         Err(error) if error.code == ErrorCode::Config => Ok("refused"),
         Err(error) => wrong(format!("{:?}: {error}", error.code)),

@@ -20,7 +20,7 @@ use crate::planners::settings::SmoothMode;
 use crate::planners::{bidirectional, risk_field};
 use crate::post::{prune, prune_dp, smooth};
 use crate::scenario::generate::{Family, occupancy};
-use crate::search::{Stop, Trace};
+use crate::search::{Stop, Watch};
 
 /// Figures kept of each planner on each map, in this order.
 pub const COLUMNS: [&str; 9] = [
@@ -147,7 +147,7 @@ pub fn measure(row: &Row, from: u64, to: u64, clock: &mut dyn FnMut() -> f64) ->
 fn run(planner: &str, map: &Occupancy, scratch: &mut GridScratch) -> GridReport {
     use Neighbourhood::{Eight, FortyEight, Four, Sixteen, TwentyFour};
     // As planners on scenes are called: a search for `()` would be the same code a second time.
-    let mut silent: Option<Trace> = None;
+    let mut silent = Watch::default();
     let end = map.width() as i32 - 1;
     let query = Query { map, start: Cell::new(0, 0), goal: Cell::new(end, end) };
     let mut around = |neighbourhood, change: fn(&mut grid_astar::Config)| {

@@ -7,7 +7,7 @@ use super::grid_search::Search;
 use super::outcome::{GridMetrics, Outcome, Plan, PlanTrace, Stats};
 use super::rasters::Rasters;
 use super::world::World;
-use super::{NEAR, Options, STEP, TRACE, measured};
+use super::{NEAR, STEP, measured};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::{Point, Pose};
 use crate::map::{Cell, Frame};
@@ -23,7 +23,7 @@ use crate::planners::settings::{Common, Inflation, Post};
 use crate::post::{Piece, Smoothed, prune, prune_dp, smooth};
 #[cfg(feature = "complete")]
 use crate::search::Stop;
-use crate::search::Trace;
+use crate::search::Watch;
 
 /// A path of more poses than this is sampled less often.
 const MAX_POSES: f64 = 50_000.0;
@@ -51,25 +51,18 @@ impl Engine {
         Ok(Self { search, settings, rasters, scratch: GridScratch::new() })
     }
 
-    pub(super) fn plan(&mut self, world: &World, options: Options) -> Plan {
-        let mut trace = options.trace.then(|| Trace::new(TRACE));
-        let report = self.search(world, world.geometry.start, world.geometry.goal, &mut trace);
+    pub(super) fn plan(&mut self, world: &World, mut watch: Watch) -> Plan {
+        let report = self.search(world, world.geometry.start, world.geometry.goal, &mut watch);
         let finish = Finish { world, rasters: &self.rasters, settings: self.settings, report: &report };
         let mut plan = finish.plan();
         #[cfg(feature = "complete")]
         self.count(&report, &mut plan.stats);
-        plan.trace = trace.map(|t| PlanTrace::Cells { cells: t.expanded, dropped: t.dropped });
+        plan.trace = watch.0.map(|t| PlanTrace::Cells { cells: t.expanded, dropped: t.dropped });
         plan
     }
 
     /// The search alone.
-    pub(super) fn search(
-        &mut self,
-        world: &World,
-        start: Pose,
-        goal: Pose,
-        trace: &mut Option<Trace>,
-    ) -> GridReport {
+    pub(super) fn search(&mut self, world: &World, start: Pose, goal: Pose, watch: &mut Watch) -> GridReport {
         let [start, goal] = [start, goal].map(|pose| cell_of(&world.frame, pose));
         #[cfg(feature = "complete")]
         {
@@ -84,7 +77,7 @@ impl Engine {
             #[cfg(feature = "complete")]
             &self.rasters,
             &mut self.scratch,
-            trace,
+            watch,
         )
     }
 

@@ -12,7 +12,7 @@ use crate::planners::settings::Common;
 #[cfg(feature = "complete")]
 use crate::planners::{any_angle, bidirectional, jump_point};
 use crate::planners::{grid_astar, risk_field};
-use crate::search::Trace;
+use crate::search::Watch;
 
 pub(super) enum Search {
     Neighbours(Neighbourhood, grid_astar::Config),
@@ -77,20 +77,20 @@ impl Search {
         query: Query,
         #[cfg(feature = "complete")] rasters: &Rasters,
         scratch: &mut GridScratch,
-        trace: &mut Option<Trace>,
+        watch: &mut Watch,
     ) -> GridReport {
         match self {
-            Self::Neighbours(around, config) => grid_astar::plan(query, *around, config, scratch, trace),
-            Self::RiskField(config) => risk_field::plan(query, config, scratch, trace),
+            Self::Neighbours(around, config) => grid_astar::plan(query, *around, config, scratch, watch),
+            Self::RiskField(config) => risk_field::plan(query, config, scratch, watch),
             #[cfg(feature = "complete")]
-            Self::Bidirectional(config) => bidirectional::plan(query, config, scratch, trace),
+            Self::Bidirectional(config) => bidirectional::plan(query, config, scratch, watch),
             #[cfg(feature = "complete")]
             Self::JumpPoint(config) => {
                 let bits = rasters.bits().expect("prepared before the search");
-                jump_point::plan(query, bits, config, scratch, trace)
+                jump_point::plan(query, bits, config, scratch, watch)
             }
             #[cfg(feature = "complete")]
-            Self::AnyAngle(config) => any_angle::plan(query, config, scratch, trace),
+            Self::AnyAngle(config) => any_angle::plan(query, config, scratch, watch),
         }
     }
 }

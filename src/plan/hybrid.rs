@@ -5,7 +5,7 @@ use serde_json::{Map, Value};
 use super::outcome::{HybridMetrics, Outcome, Plan, PlanTrace, Stats};
 use super::path::MAX_LENGTH;
 use super::world::World;
-use super::{Driven, NEAR, Options, STEP, measured};
+use super::{Driven, NEAR, STEP, measured};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::arcs;
 use crate::metrics::Verdict;
@@ -13,6 +13,7 @@ use crate::planners::hybrid::{Config, Query, Report, Scratch, Status, obstacles,
 use crate::planners::registry::Kind;
 use crate::scenario::Scenario;
 use crate::scenario::resolve::Geometry;
+use crate::search::Progress;
 use crate::vehicle::collision::Obstacles;
 
 /// Speed of the parking paper's driving times, m/s.
@@ -54,11 +55,17 @@ impl Engine {
         self.obstacles = obstacles(&world.geometry).painted(world.paint());
     }
 
-    pub(super) fn plan(&mut self, scenario: &Scenario, world: &World, options: Options) -> Plan {
+    pub(super) fn plan(
+        &mut self,
+        scenario: &Scenario,
+        world: &World,
+        trace: bool,
+        progress: &mut Option<Progress>,
+    ) -> Plan {
         let geometry = &world.geometry;
         let (obstacles, vehicle) = (&self.obstacles, &geometry.vehicle);
         let query = Query { obstacles, vehicle, start: geometry.start, goal: geometry.goal };
-        let mut report = plan(&query, &self.config, &mut self.scratch, options.trace);
+        let mut report = plan(&query, &self.config, &mut self.scratch, trace, progress);
         let mut found = matches!(report.status, Status::Found | Status::Suboptimal);
         let driven = if found { drive(&query, &report) } else { Driven::default() };
         let mut plan = measured(world, outcome(report.status), driven, NEAR);
@@ -75,7 +82,7 @@ impl Engine {
             plan.metrics.hybrid = Some(metrics(&report));
         }
         plan.obstruction = report.obstruction;
-        plan.trace = options.trace.then_some(PlanTrace::Arcs {
+        plan.trace = trace.then_some(PlanTrace::Arcs {
             arcs: report.tree,
             dropped: report.tree_dropped,
             shots: report.shots,

@@ -20,7 +20,10 @@ pub use outcome::{GridMetrics, HybridMetrics, Metrics, Outcome, Plan, PlanTrace,
 #[cfg(feature = "complete")]
 pub use path::route;
 
+pub use crate::search::Tell;
 pub use session::{Ends, Found};
+
+use std::num::NonZeroU32;
 
 use serde_json::{Map, Value};
 
@@ -35,6 +38,7 @@ use crate::metrics::{Body, Check, check};
 use crate::planners::registry::{Kind, default_config};
 use crate::scenario::Scenario;
 use crate::scenario::resolve::Geometry;
+use crate::search::{Progress, Trace};
 #[cfg(feature = "complete")]
 use crate::{geometry::Point, planners::risk_field::Explanation};
 use world::World;
@@ -43,14 +47,22 @@ use world::World;
 const STEP: f64 = 0.1;
 /// Events that a trace keeps.
 const TRACE: usize = 1_000_000;
+/// Expansions of cells from one [`Options::progress`] to the next.
+const CELLS: NonZeroU32 = NonZeroU32::new(1 << 14).unwrap();
+/// The same of a car's poses, which take longer.
+const POSES: NonZeroU32 = NonZeroU32::new(1 << 8).unwrap();
 /// How far from the goal a car's path may end, metres.
 const NEAR: f64 = 1e-3;
 
 /// What is asked besides the path.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct Options {
+#[derive(Default)]
+pub struct Options<'a> {
     /// Whether to keep where the search went.
     pub trace: bool,
+    /// Told of the expansions so far each 16 384 cells, or 256 poses of a car, and never of more than
+    /// [`Stats::expanded`]. The plan is the same with and without; where it breaks, the search ends as if its budget were
+    /// spent.
+    pub progress: Option<Tell<'a>>,
 }
 
 /// A raster for drawing, row-major from the south-western cell.
@@ -158,11 +170,14 @@ impl Planner {
         #[cfg(feature = "complete")]
         self.settle();
         [self.world.geometry.start, self.world.geometry.goal] = ends;
+        let every = if self.kind.is_hybrid() { POSES } else { CELLS };
+        let mut progress = options.progress.map(|tell| Progress::new(every, tell));
+        let trace = || options.trace.then(|| Trace::new(TRACE));
         let mut plan = match &mut self.engine {
-            Engine::Grid(engine) => engine.plan(&self.world, options),
-            Engine::Hybrid(engine) => engine.plan(&self.scenario, &self.world, options),
+            Engine::Grid(engine) => engine.plan(&self.world, (trace(), progress)),
+            Engine::Hybrid(engine) => engine.plan(&self.scenario, &self.world, options.trace, &mut progress),
             #[cfg(feature = "complete")]
-            Engine::Road(engine) => engine.plan(&self.scenario, &self.world, options),
+            Engine::Road(engine) => engine.plan(&self.scenario, &self.world, (trace(), progress)),
         };
         plan.planner = self.kind.id();
         plan

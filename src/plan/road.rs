@@ -5,7 +5,7 @@ use serde_json::{Map, Value};
 use super::outcome::{Outcome, Plan, PlanTrace, Stats};
 use super::tow::tow;
 use super::world::World;
-use super::{Driven, NEAR, Options, STEP, TRACE, measured};
+use super::{Driven, NEAR, STEP, measured};
 use crate::error::Error;
 use crate::geometry::bspline::{Place, Spline};
 use crate::geometry::{Point, Pose, Vector};
@@ -15,7 +15,7 @@ use crate::planners::cost_map::{
     kerb_distances, paper_spline, plan, smooth,
 };
 use crate::scenario::Scenario;
-use crate::search::Trace;
+use crate::search::Watch;
 
 /// A path of more poses than this is sampled less often.
 const MAX_POSES: f64 = 50_000.0;
@@ -80,12 +80,11 @@ impl Engine {
         self.costs.layer()
     }
 
-    pub(super) fn plan(&mut self, scenario: &Scenario, world: &World, options: Options) -> Plan {
-        let mut trace = options.trace.then(|| Trace::new(TRACE));
+    pub(super) fn plan(&mut self, scenario: &Scenario, world: &World, mut watch: Watch) -> Plan {
         let mut scratch = std::mem::take(&mut self.scratch);
         self.turn(scenario, world);
         let query = self.query(world);
-        let report = plan(&query, &self.config, &mut scratch, &mut trace);
+        let report = plan(&query, &self.config, &mut scratch, &mut watch);
         let found = report.status == Status::Found;
         let line = self.line(world, &report);
         let driven = if found { drive(world, &line) } else { Driven::default() };
@@ -115,7 +114,7 @@ impl Engine {
             });
         }
         self.scratch = scratch;
-        plan.trace = trace.map(|t| PlanTrace::Cells { cells: t.expanded, dropped: t.dropped });
+        plan.trace = watch.0.map(|t| PlanTrace::Cells { cells: t.expanded, dropped: t.dropped });
         plan
     }
 

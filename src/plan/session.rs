@@ -6,6 +6,8 @@ use super::{Options, Outcome, Plan, Planner};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::{Point, Pose};
 use crate::scenario::validate::finite_pose;
+#[cfg(feature = "complete")]
+use crate::search::Watch;
 
 /// Where a plan begins and ends; the scene's poses where none are given.
 #[derive(Debug, Clone, Copy, Default)]
@@ -61,7 +63,7 @@ impl Planner {
             let message = format!("{} has no bare search; grid planners have", self.kind.id());
             return Err(Error::new(ErrorCode::Input, "", message));
         };
-        let report = engine.search(&self.world, start, goal, &mut None);
+        let report = engine.search(&self.world, start, goal, &mut Watch::default());
         Ok(Found {
             outcome: grid::outcome(report.status),
             path: report.cells.iter().map(|&cell| self.world.frame.center(cell)).collect(),

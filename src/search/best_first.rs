@@ -2,7 +2,7 @@
 
 use super::open::Kind;
 use super::table::{NO_PARENT, Slot};
-use super::{Cost, Domain, End, NodeId, Observer, Relax, Scratch, Visit};
+use super::{Budget, Cost, Domain, End, NodeId, Observer, Relax, Scratch, Visit};
 
 /// When to stop short of the cheapest completion.
 #[derive(Debug, Clone, Copy)]
@@ -103,6 +103,7 @@ pub fn best_first<D: Domain, O: Observer<D::Cost, D::Label>>(
         closest: (h, root),
     };
     let mut best = D::Cost::MAX;
+    let mut budget = Budget::new(limits.max_expansions, observer);
     while let Some(entry) = scratch.open.pop(D::ORDER) {
         let kind = entry.kind();
         if kind == Kind::Goal {
@@ -113,7 +114,7 @@ pub fn best_first<D: Domain, O: Observer<D::Cost, D::Label>>(
         if !slot.is_current(entry.ticket) {
             continue;
         }
-        if report.expanded >= limits.max_expansions {
+        if budget.is_spent(report.expanded, observer) {
             report.end = End::BudgetSpent;
             break;
         }

@@ -6,7 +6,7 @@
 use super::entry::Entry;
 use super::lattice::{Found, Lattice};
 use super::side::{Memory, Record, Relaxing, cost_of, move_of};
-use super::{End, NodeId, Observer};
+use super::{Budget, End, NodeId, Observer};
 
 /// When a search from both ends stops.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -37,9 +37,9 @@ pub fn both_ways<L: Lattice, O: Observer<i64, ()>>(
     }
     let mut search = Search {
         lattice,
+        budget: Budget::new(max_expansions, observer),
         observer,
         stop,
-        max_expansions,
         found: Found::nothing(start),
         best: (i64::MAX, start),
         nearest: far,
@@ -63,7 +63,7 @@ struct Search<'a, L, O> {
     lattice: &'a L,
     observer: &'a mut O,
     stop: Stop,
-    max_expansions: u32,
+    budget: Budget,
     found: Found,
     /// The cheapest connection so far, and the node that it leads through.
     best: (i64, NodeId),
@@ -78,7 +78,7 @@ impl<L: Lattice, O: Observer<i64, ()>> Search<'_, L, O> {
     #[inline]
     fn turn<const TURN: usize>(&mut self, memory: &mut Memory<L::Entry>) -> bool {
         let Some((entry, record)) = memory.pop::<2>(TURN, false) else { return false };
-        if self.found.expanded >= self.max_expansions {
+        if self.budget.is_spent(self.found.expanded, self.observer) {
             self.found.end = End::BudgetSpent;
             return false;
         }

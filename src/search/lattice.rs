@@ -8,7 +8,7 @@
 
 use super::entry::Entry;
 use super::side::{MOVE, Memory, Record, Relaxing, Side, cost_of, move_of};
-use super::{End, NodeId, Observer};
+use super::{Budget, End, NodeId, Observer};
 
 /// A graph whose nodes have numbered moves, at most 255, the same at each.
 pub trait Lattice {
@@ -165,8 +165,9 @@ pub fn one_way<L: Lattice, O: Observer<i64, ()>>(
     memory.root::<1>(0, start, (h, h), if L::HOLDS_BACK { 0 } else { h });
     let mut found = Found::nothing(start);
     let mut nearest = h;
+    let mut budget = Budget::new(max_expansions, observer);
     while let Some((entry, record)) = memory.pop::<1>(0, L::HOLDS_BACK) {
-        if found.expanded >= max_expansions {
+        if budget.is_spent(found.expanded, observer) {
             found.end = End::BudgetSpent;
             break;
         }

@@ -3,6 +3,7 @@
 mod best_first;
 #[cfg(feature = "complete")]
 mod both_ways;
+mod budget;
 mod entry;
 pub mod lattice;
 mod observer;
@@ -15,8 +16,9 @@ mod table;
 pub use best_first::{Limits, Report, best_first};
 #[cfg(feature = "complete")]
 pub use both_ways::{Stop, both_ways};
+pub(crate) use budget::Budget;
 pub use entry::{Entry, Short, Wide};
-pub use observer::{Observer, Trace};
+pub use observer::{Observer, Progress, Tell, Trace, Watch};
 pub use open::Order;
 pub use side::Memory;
 pub use table::Scratch;

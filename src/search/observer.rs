@@ -1,5 +1,8 @@
 //! Watching a search: `()` watches nothing at no cost.
 
+use std::num::NonZeroU32;
+use std::ops::ControlFlow;
+
 use super::NodeId;
 
 /// Told of every event of a search.
@@ -11,6 +14,12 @@ pub trait Observer<C, L> {
     /// A better way to `node` was found from `parent`.
     fn relaxed(&mut self, node: NodeId, parent: NodeId, label: L, g: C) {
         let _ = (node, parent, label, g);
+    }
+    /// Told how many nodes have been expanded: none, and then that many as it answered last, or sooner. The search ends as
+    /// if its budget were spent where the answer is no larger.
+    fn due(&mut self, expanded: u32) -> u32 {
+        let _ = expanded;
+        u32::MAX
     }
 }
 
@@ -29,7 +38,45 @@ impl<C, L, O: Observer<C, L>> Observer<C, L> for Option<O> {
             observer.relaxed(node, parent, label, g);
         }
     }
+
+    fn due(&mut self, expanded: u32) -> u32 {
+        self.as_mut().map_or(u32::MAX, |observer| observer.due(expanded))
+    }
 }
+
+impl<C, L, O: Observer<C, L>> Observer<C, L> for &mut O {
+    fn expanded(&mut self, node: NodeId, label: L, g: C) {
+        (**self).expanded(node, label, g);
+    }
+
+    fn relaxed(&mut self, node: NodeId, parent: NodeId, label: L, g: C) {
+        (**self).relaxed(node, parent, label, g);
+    }
+
+    fn due(&mut self, expanded: u32) -> u32 {
+        (**self).due(expanded)
+    }
+}
+
+/// Both watch.
+impl<C: Copy, L: Copy, A: Observer<C, L>, B: Observer<C, L>> Observer<C, L> for (A, B) {
+    fn expanded(&mut self, node: NodeId, label: L, g: C) {
+        self.0.expanded(node, label, g);
+        self.1.expanded(node, label, g);
+    }
+
+    fn relaxed(&mut self, node: NodeId, parent: NodeId, label: L, g: C) {
+        self.0.relaxed(node, parent, label, g);
+        self.1.relaxed(node, parent, label, g);
+    }
+
+    fn due(&mut self, expanded: u32) -> u32 {
+        self.0.due(expanded).min(self.1.due(expanded))
+    }
+}
+
+/// How plans are watched; of one type, so that each search is compiled once for all of them.
+pub type Watch<'a> = (Option<Trace>, Option<Progress<'a>>);
 
 /// Expanded nodes in order, up to a cap.
 #[derive(Debug, Clone)]
@@ -55,5 +102,47 @@ impl<C, L> Observer<C, L> for Trace {
         } else {
             self.dropped += 1;
         }
+    }
+}
+
+/// Who is told how many nodes have been expanded, and says whether to go on.
+pub type Tell<'a> = &'a mut dyn FnMut(u32) -> ControlFlow<()>;
+
+/// Tells how many nodes a plan's searches have expanded, each time that it is a multiple of some number.
+pub struct Progress<'a> {
+    every: NonZeroU32,
+    /// When it tells next.
+    next: u32,
+    /// Expansions of the plan's searches before this one.
+    before: u32,
+    stopped: bool,
+    tell: Tell<'a>,
+}
+
+impl<'a> Progress<'a> {
+    /// Tells after every so many expansions.
+    pub fn new(every: NonZeroU32, tell: Tell<'a>) -> Self {
+        Self { every, next: every.get(), before: 0, stopped: false, tell }
+    }
+
+    /// A search follows others that have expanded as many nodes.
+    pub fn follow(&mut self, before: u32) {
+        self.before = before;
+    }
+
+    /// Whether it was told not to go on.
+    pub fn is_stopped(&self) -> bool {
+        self.stopped
+    }
+}
+
+impl<C, L> Observer<C, L> for Progress<'_> {
+    fn due(&mut self, expanded: u32) -> u32 {
+        let expanded = self.before.saturating_add(expanded);
+        if expanded >= self.next && !self.stopped {
+            self.next = self.next.saturating_add(self.every.get());
+            self.stopped = (self.tell)(expanded).is_break();
+        }
+        if self.stopped { 0 } else { self.next - self.before }
     }
 }

@@ -8,6 +8,8 @@ mod complete;
 #[cfg(feature = "complete")]
 mod drive;
 
+use std::ops::ControlFlow;
+
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::*;
 
@@ -118,10 +120,17 @@ impl RawPlanner {
         Ok(Self { planner })
     }
 
-    /// Plans.
-    pub fn plan(&mut self, options: JsValue) -> JsResult {
+    /// Plans. `tell` is told of the expansions so far, and answers whether to go on; it must not throw.
+    pub fn plan(&mut self, options: JsValue, tell: Option<js_sys::Function>) -> JsResult {
         let fields = optional(options, ErrorCode::Input)?;
+        let mut told = tell.map(|tell| {
+            move |expanded: u32| match tell.call1(&JsValue::NULL, &expanded.into()) {
+                Ok(goes_on) if goes_on.is_truthy() => ControlFlow::Continue(()),
+                _ => ControlFlow::Break(()),
+            }
+        });
         let (mut options, mut ends) = (plan::Options::default(), plan::Ends::default());
+        options.progress = told.as_mut().map(|told| told as plan::Tell);
         for (name, value) in fields {
             match name.as_str() {
                 "trace" => {
@@ -130,7 +139,12 @@ impl RawPlanner {
                 }
                 "start" => ends.start = Some(pose(&name, &value)?),
                 "goal" => ends.goal = Some(pose(&name, &value)?),
-                _ => return Err(refused(&name, "no option of plan; there are trace, start, goal")),
+                _ => {
+                    return Err(refused(
+                        &name,
+                        "no option of plan; there are trace, start, goal, onProgress",
+                    ));
+                }
             }
         }
         let plan = self.planner.plan_between(ends, options).map_err(|e| codec::js_error(&e))?;

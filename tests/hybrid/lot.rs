@@ -63,7 +63,7 @@ impl Lot {
         let obstacles = self.obstacles();
         let query =
             Query { obstacles: &obstacles, vehicle: &CAR, start: pose(self.start), goal: pose(self.goal) };
-        plan(&query, config, &mut Scratch::default(), false)
+        plan(&query, config, &mut Scratch::default(), false, &mut None)
     }
 
     /// Plans and checks the path; its length and direction changes.

@@ -76,7 +76,7 @@ fn a_wall_is_no_solid_but_stops_the_car() {
     let obstacles = Obstacles::new(&[wall], &[], &floor);
     let ask = |start: Pose| {
         let query = Query { obstacles: &obstacles, vehicle: &CAR, start, goal: Pose::new(34.0, 4.0, 0.0) };
-        plan(&query, &Config::default(), &mut Scratch::default(), false)
+        plan(&query, &Config::default(), &mut Scratch::default(), false, &mut None)
     };
     assert_eq!(ask(Pose::new(18.0, 5.0, 0.0)).status, Status::StartInCollision(7));
     let around = ask(Pose::new(8.0, 4.0, FRAC_PI_2));

@@ -13,7 +13,7 @@ fn traced(lot: &Lot, config: &Config) -> Report {
     let obstacles = lot.obstacles();
     let (start, goal) = (pose(lot.start), pose(lot.goal));
     let query = Query { obstacles: &obstacles, vehicle: &CAR, start, goal };
-    plan(&query, config, &mut Scratch::default(), true)
+    plan(&query, config, &mut Scratch::default(), true, &mut None)
 }
 
 fn pose_of(numbers: &[f64]) -> Pose {

@@ -14,6 +14,7 @@ use parkade::planners::cost_map::{
     Config, CostMap, Ground, Query, Report, Scratch, Status, Traffic, kerb_distances, plan,
 };
 use parkade::scenario::{Scenario, catalog};
+use parkade::search::Watch;
 use serde_json::json;
 
 pub(crate) const IDS: [&str; 4] = ["road-straight", "road-curve", "road-crossing", "road-narrow"];
@@ -55,7 +56,7 @@ impl Scene {
         let costs = CostMap::new(&self.ground, &self.kerb, &traffic, 0.95, config);
         let query =
             Query { ground: &self.ground, costs: &costs, radius: 0.95, start: self.start, goal: self.goal };
-        plan(&query, config, &mut Scratch::default(), &mut None)
+        plan(&query, config, &mut Scratch::default(), &mut Watch::default())
     }
 }
 

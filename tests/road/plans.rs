@@ -92,7 +92,7 @@ fn any_scene_is_answered_and_every_setting_is_checked() {
     for info in catalog::scenes().filter(|s| s.group != "road") {
         let scene = catalog::scenario(info.id).unwrap();
         let mut planner = Planner::new("cost-map", &scene, &Map::new()).unwrap();
-        let plan = planner.plan(Options { trace: true });
+        let plan = planner.plan(Options { trace: true, ..Options::default() });
         assert_eq!(plan.outcome == Outcome::Found, !plan.path.is_empty(), "{}", info.id);
         assert_eq!(plan.outcome == Outcome::Found, plan.reason.is_none(), "{}", info.id);
         let Some(PlanTrace::Cells { cells, .. }) = &plan.trace else { panic!("no trace") };

@@ -90,6 +90,8 @@ export interface State {
   playback: Playback;
   layers: Record<LayerKey, boolean>;
   results: Record<string, PanelResult>;
+  /** Expansions so far, of planners at work on the present scene that have told them. */
+  progress: Record<string, number>;
   theme: "auto" | "light" | "dark";
   lang: "en" | "zh";
   canUndo: boolean;
@@ -155,6 +157,7 @@ export function initialState(): State {
     playback: { base: "drive", searchMode: "percent", fraction: 1, playing: false, speed: 1 },
     layers: presetLayers("drive"),
     results: {},
+    progress: {},
     theme: "auto",
     lang: "en",
     canUndo: false,

@@ -20,7 +20,7 @@ pub use smooth::{Smooth, Smoothing, dense, paper_spline, smooth};
 use crate::geometry::{Point, math};
 use crate::map::Cell;
 use crate::scenario::{Lane, SpeedLimit};
-use crate::search::{End, Limits, NodeId, Trace, best_first};
+use crate::search::{End, Limits, NodeId, Watch, best_first};
 use domain::{Eager, Fair, Road};
 
 /// How far a start or goal without room may be moved to one with room, metres.
@@ -96,8 +96,8 @@ pub struct Report {
 #[derive(Debug, Default)]
 pub struct Scratch(crate::search::Scratch<f64, ()>);
 
-/// Plans a way over cells and prunes it; `trace` is told of every cell expanded.
-pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, trace: &mut Option<Trace>) -> Report {
+/// Plans a way over cells and prunes it; `watch` is told of every cell expanded.
+pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, watch: &mut Watch) -> Report {
     let ground = query.ground;
     let map = query.costs;
     let mut report = Report {
@@ -125,9 +125,9 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, trace: &mut O
     let limits = Limits { max_expansions: config.max_expansions, first: false };
     let memory = &mut scratch.0;
     let found = if config.costs == Costs::Steps {
-        best_first(&mut Fair(road), (root, ()), limits, memory, trace)
+        best_first(&mut Fair(road), (root, ()), limits, memory, watch)
     } else {
-        best_first(&mut Eager(road), (root, ()), limits, memory, trace)
+        best_first(&mut Eager(road), (root, ()), limits, memory, watch)
     };
     report.status = match found.end {
         End::Found => Status::Found,
@@ -146,7 +146,7 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, trace: &mut O
         report.cost = cost;
         report.pruned = prune(ground, &report.cells, query.radius, config);
     }
-    if let Some(trace) = trace {
+    if let Some(trace) = &mut watch.0 {
         trace.expanded.iter_mut().for_each(|node| *node = ground.frame.index(map.cell(*node)) as u32);
     }
     report

@@ -12,7 +12,7 @@ use super::{Config, FINE, Query, Report, Scratch, Status, Tree, shortcut};
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::{Pose, math};
 use crate::planners::Gap;
-use crate::search::{End, Limits, best_first};
+use crate::search::{End, Limits, Progress, best_first};
 use crate::vehicle::collision::Probe;
 
 /// Spacing of the last check of a path, metres.
@@ -38,6 +38,8 @@ pub(super) struct Search<'a> {
     pub(super) goal: Pose,
     /// Whether start or goal have little room around them.
     pub(super) tight: bool,
+    /// Whether to keep the search tree and the connections that failed.
+    pub(super) trace: bool,
 }
 
 impl Search<'_> {
@@ -51,7 +53,13 @@ impl Search<'_> {
     }
 
     /// Tries the levels from one on in order until one gives a path.
-    pub(super) fn climb(&self, first: usize, report: &mut Report, scratch: &mut Scratch, trace: bool) {
+    pub(super) fn climb(
+        &self,
+        first: usize,
+        report: &mut Report,
+        scratch: &mut Scratch,
+        progress: &mut Option<Progress>,
+    ) {
         for (number, level) in self.config.levels().enumerate().skip(first) {
             // A level that spent its budget had room to move: finer steps would only spend more.
             if number >= FINE && matches!(report.status, Status::BudgetExhausted(_)) {
@@ -64,9 +72,9 @@ impl Search<'_> {
                 } else {
                     level.weight
                 });
-                self.coarse(Level { weight, ..level }, report, scratch, trace)
+                self.coarse(Level { weight, ..level }, report, scratch, progress)
             } else {
-                self.level(level, report, scratch, trace)
+                self.level(level, report, scratch, progress)
             };
             if found {
                 return;
@@ -76,9 +84,15 @@ impl Search<'_> {
 
     /// Searches the first level: soon with the plain estimate or, what is left of the budget, with a heavier one. On
     /// long cluttered ways the plain estimate spends its budget on detours of equal promise.
-    fn coarse(&self, level: Level, report: &mut Report, scratch: &mut Scratch, trace: bool) -> bool {
+    fn coarse(
+        &self,
+        level: Level,
+        report: &mut Report,
+        scratch: &mut Scratch,
+        progress: &mut Option<Progress>,
+    ) -> bool {
         let soon = Level { max_expansions: level.max_expansions.min(SOON), ..level };
-        let found = self.level(soon, report, scratch, trace);
+        let found = self.level(soon, report, scratch, progress);
         let unfinished = matches!(report.status, Status::Suboptimal | Status::BudgetExhausted(_));
         if !unfinished || soon.max_expansions == level.max_expansions {
             return found;
@@ -86,7 +100,7 @@ impl Search<'_> {
         let before = found.then(|| (core::mem::take(&mut report.arcs), report.cost));
         let weight = self.config.heuristic_weight.unwrap_or(PATIENCE);
         let patient = Level { weight, max_expansions: level.max_expansions - soon.max_expansions, ..level };
-        let again = self.level(patient, report, scratch, trace);
+        let again = self.level(patient, report, scratch, progress);
         match before {
             Some((arcs, cost)) if !again || cost < report.cost => {
                 (report.arcs, report.cost, report.status) = (arcs, cost, Status::Suboptimal);
@@ -97,10 +111,16 @@ impl Search<'_> {
     }
 
     /// Searches one level, with finer collision checks where verification fails; tells whether there is a path.
-    fn level(&self, level: Level, report: &mut Report, scratch: &mut Scratch, trace: bool) -> bool {
+    fn level(
+        &self,
+        level: Level,
+        report: &mut Report,
+        scratch: &mut Scratch,
+        progress: &mut Option<Progress>,
+    ) -> bool {
         for halvings in 0..3 {
             let level = Level { spacing: level.spacing / f64::from(1 << halvings), ..level };
-            let Some((arcs, status)) = self.search(level, report, scratch, trace) else { return false };
+            let Some((arcs, status)) = self.search(level, report, scratch, progress) else { return false };
             let arcs = self.improve(arcs, level, report.margin);
             if self.verified(&arcs) {
                 let costs = CostModel::driven(self.config, self.query.vehicle.min_turning_radius());
@@ -119,18 +139,25 @@ impl Search<'_> {
         level: Level,
         report: &mut Report,
         scratch: &mut Scratch,
-        trace: bool,
+        progress: &mut Option<Progress>,
     ) -> Option<(Vec<Arc>, Status)> {
-        let mut tree = trace.then(|| Tree {
+        if let Some(progress) = progress {
+            if progress.is_stopped() {
+                return None;
+            }
+            progress.follow(report.expanded);
+        }
+        let tree = self.trace.then(|| Tree {
             arcs: Vec::new(),
             dropped: 0,
             origin: self.origin(),
             mirrored: self.mirrored,
         });
-        let watch = trace.then(|| RefCell::new(Watch::new(self.origin())));
+        let watch = self.trace.then(|| RefCell::new(Watch::new(self.origin())));
         #[cfg(feature = "complete")]
         if self.config.search_from == super::SearchFrom::Both && !level.shuffle {
-            let found = super::two_way::search(self, level, report, (&mut tree, watch.as_ref()));
+            let mut tree = tree;
+            let found = super::two_way::search(self, level, report, (&mut tree, watch.as_ref()), progress);
             report.keep(tree, watch.as_ref());
             return found;
         }
@@ -151,8 +178,9 @@ impl Search<'_> {
             Limits { max_expansions: level.max_expansions, first: self.config.first_shot || level.shuffle };
         let state = State { pose: self.root, ..State::default() };
         let root = (lattice.node(self.root, 0), state);
-        let found = best_first(&mut lattice, root, limits, &mut scratch.search, &mut tree);
-        report.keep(tree, watch.as_ref());
+        let mut observer = (tree, progress.as_mut());
+        let found = best_first(&mut lattice, root, limits, &mut scratch.search, &mut observer);
+        report.keep(observer.0, watch.as_ref());
         report.expanded += found.expanded;
         report.generated += found.generated;
         report.pushes += found.pushes;

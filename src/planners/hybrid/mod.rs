@@ -31,7 +31,7 @@ use super::{Gap, Obstruction};
 use crate::geometry::arcs::Arc;
 use crate::geometry::{Pose, math, reeds_shepp};
 use crate::scenario::resolve::{Form, Geometry};
-use crate::search::{NodeId, Observer};
+use crate::search::{NodeId, Observer, Progress};
 use crate::vehicle::Vehicle;
 use crate::vehicle::collision::{Edge, Obstacles, Probe, Solid};
 
@@ -190,7 +190,7 @@ impl Report {
 ///
 /// Levels of the resolution ladder are tried in order until one gives a path that survives verification at 0.02 m.
 /// Deterministic: budgets count expansions and collision checks, never time. `trace` keeps the search tree and the
-/// connections that failed.
+/// connections that failed; `progress` is told of the expansions over all levels.
 ///
 /// # Examples
 /// ```
@@ -208,10 +208,16 @@ impl Report {
 ///     start: Pose::new(5.0, 5.0, 0.0),
 ///     goal: Pose::new(30.0, 20.0, 1.0),
 /// };
-/// let report = plan(&query, &Config::default(), &mut Scratch::default(), false);
+/// let report = plan(&query, &Config::default(), &mut Scratch::default(), false, &mut None);
 /// assert_eq!(report.status, Status::Found);
 /// ```
-pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, trace: bool) -> Report {
+pub fn plan(
+    query: &Query,
+    config: &Config,
+    scratch: &mut Scratch,
+    trace: bool,
+    progress: &mut Option<Progress>,
+) -> Report {
     let local = |pose| query.obstacles.local(pose);
     let (start, goal) = (local(query.start), local(query.goal));
     let probe = Probe::new(query.obstacles, query.vehicle);
@@ -253,6 +259,7 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, trace: bool) 
         start,
         goal,
         tight: clearance < TIGHT,
+        trace,
     };
     if flood.distance(root).is_infinite() {
         report.status = search.unreachable();
@@ -264,16 +271,17 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, trace: bool) 
         scratch.flood = Some(flood);
         return report;
     }
-    search.climb(0, &mut report, scratch, trace);
+    search.climb(0, &mut report, scratch, progress);
     for margin in LESS {
-        if !report.arcs.is_empty() || (report.level as usize) < FINE {
+        let stopped = progress.as_ref().is_some_and(Progress::is_stopped);
+        if !report.arcs.is_empty() || (report.level as usize) < FINE || stopped {
             break;
         }
         if report.margin > margin {
             // The margin is what keeps the car in.
             (report.margin, report.status) = (margin, Status::NoPath);
             let flood = Flood::new(query.obstacles, query.vehicle, target, margin, None);
-            Search { flood: &flood, ..search }.climb(FINE, &mut report, scratch, trace);
+            Search { flood: &flood, ..search }.climb(FINE, &mut report, scratch, progress);
         }
     }
     scratch.flood = Some(flood);

@@ -17,7 +17,7 @@ use super::shots::Watch;
 use super::{Report, Status, Tree};
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::reeds_shepp;
-use crate::search::{Domain, NodeId, Observer, Relax, Visit};
+use crate::search::{Budget, Domain, NodeId, Observer, Progress, Relax, Visit};
 
 /// What is known of a state.
 #[derive(Clone, Copy)]
@@ -201,6 +201,7 @@ pub(super) fn search(
     level: Level,
     report: &mut Report,
     (tree, watch): (&mut Option<Tree>, Option<&RefCell<Watch>>),
+    progress: &mut Option<Progress>,
 ) -> Option<(Vec<Arc>, Status)> {
     let vehicle = search.query.vehicle;
     let driven = CostModel::driven(search.config, vehicle.min_turning_radius());
@@ -222,6 +223,7 @@ pub(super) fn search(
     });
     let mut best = Best { search, costs: driven, cost: f64::INFINITY, arcs: Vec::new() };
     let (mut expanded, mut waiting) = (0, 0);
+    let mut budget = Budget::new::<f64, State, _>(level.max_expansions, progress);
     let spent = loop {
         let [least_a, least_b] = [&sides[0], &sides[1]].map(|s| s.open.peek().map_or(f64::INFINITY, |e| e.f));
         let done = least_a.max(least_b) >= best.cost && best.cost.is_finite();
@@ -234,7 +236,7 @@ pub(super) fn search(
         if a == 0 && b == 0 {
             break false;
         }
-        if expanded >= level.max_expansions {
+        if budget.is_spent::<f64, State, _>(expanded, progress) {
             break true;
         }
         let [first, second] = &mut sides;

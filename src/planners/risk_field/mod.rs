@@ -22,7 +22,7 @@ use crate::json;
 use crate::map::Corner;
 use crate::map::risk::{Attraction, FieldSettings, ObstacleSet, PotentialField};
 use crate::search::lattice::{Hold, one_way};
-use crate::search::{Observer, Trace};
+use crate::search::{Observer, Watch};
 
 #[cfg(feature = "complete")]
 pub use explain::{Candidate, Explanation, explain};
@@ -250,8 +250,8 @@ fn is_reachable(query: Query, corner: Corner, scratch: &mut GridScratch) -> bool
     let common = Common { corner, ..Common::PLAIN };
     let config =
         grid_astar::Config { heuristic: GridHeuristic::Octile, common, ..grid_astar::Config::new(eight) };
-    // A silent observer of the type that plans are traced with: a second copy of the search saves nothing.
-    grid_astar::plan(query, eight, &config, scratch, &mut None::<Trace>).status == Status::Found
+    // Silent, but of the type that plans are watched with: a second copy of the search saves nothing.
+    grid_astar::plan(query, eight, &config, scratch, &mut Watch::default()).status == Status::Found
 }
 
 fn permille(weight: f64) -> i64 {

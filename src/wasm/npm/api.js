@@ -43,6 +43,8 @@ export const checkPath = (scene, path, directions) =>
 export class Planner {
   /** @type {raw.RawPlanner | undefined} */
   #raw;
+  /** Whether it is planning, and its callback is called. */
+  #told = false;
 
   /** @param {ConstructorParameters<Api["Planner"]>} args */
   constructor(...args) {
@@ -52,7 +54,28 @@ export class Planner {
 
   /** @type {import("./index.js").Planner["plan"]} */
   plan(options = {}) {
-    return this.#call((planner) => planner.plan(options));
+    if (!Object.hasOwn(Object(options), "onProgress")) return this.#call((planner) => planner.plan(options));
+    const { onProgress, ...others } = options;
+    if (onProgress === undefined) return this.plan(others);
+    if (typeof onProgress !== "function") {
+      throw new ParkadeError(`onProgress: must be a function, got ${kind(onProgress)}`, "bad-input", "onProgress");
+    }
+    /** @type {{ error: unknown } | undefined} */
+    let thrown;
+    /** Nothing is thrown through the module. @param {number} expansions */
+    const tell = (expansions) => {
+      this.#told = true;
+      try {
+        onProgress(expansions);
+      } catch (error) {
+        thrown = { error };
+      }
+      this.#told = false;
+      return thrown === undefined;
+    };
+    const plan = this.#call((planner) => planner.plan(others, tell));
+    if (thrown !== undefined) throw thrown.error;
+    return plan;
   }
 
   /** @type {import("./index.js").Planner["search"]} */
@@ -103,6 +126,7 @@ export class Planner {
 
   /** Gives the memory back; again, it does nothing. */
   free() {
+    this.#rest();
     const planner = this.#raw;
     this.#raw = undefined;
     if (planner !== undefined && isRunning()) call(() => planner.free());
@@ -117,9 +141,14 @@ export class Planner {
    * @param {(planner: raw.RawPlanner) => T} run
    */
   #call(run) {
+    this.#rest();
     const planner = this.#raw;
     if (planner === undefined) throw new ParkadeError("this planner has been freed", "freed");
     return call(() => run(planner));
+  }
+
+  #rest() {
+    if (this.#told) throw new ParkadeError("this planner is planning: its `onProgress` cannot use it", "bad-input");
   }
 }
 

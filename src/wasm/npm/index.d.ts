@@ -661,8 +661,12 @@ export class Planner {
   /**
    * `start` and `goal` take the place of the scene's in this plan, and in `layer`, `explain` and `anyAngleLength` until the next
    * one; a second plan on the same map prepares nothing anew.
+   *
+   * `onProgress` is called while the search goes on: each 16 384 cells, or each 256 poses of a car, with the expansions so far,
+   * at most the plan's `stats.expanded`. What it throws ends the search and is thrown by `plan`; the planner can be used again. It
+   * cannot use the planner that calls it.
    */
-  plan(options?: { trace?: boolean; start?: Pose; goal?: Pose }): Plan;
+  plan(options?: { trace?: boolean; start?: Pose; goal?: Pose; onProgress?: (expansions: number) => void }): Plan;
   /**
    * The search of a grid planner alone, between two points: its cells, neither followed by a car nor checked nor
    * measured. What `plan` does besides grows with the path and often takes longer. Not in `parkade/core`.

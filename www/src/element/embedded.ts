@@ -192,24 +192,26 @@ export class Embedded extends Playground {
   }
 
   protected override onState(state: State, previous: State): void {
+    const busy = state.planners.some((planner) => state.results[planner]?.status === "planning");
+    this.begun(state, previous, busy);
     super.onState(state, previous);
     if (state.theme !== previous.theme) this.onTheme(state.theme);
     if (state.playback.fraction !== previous.playback.fraction) this.emit("seek", { playhead: state.playback.fraction, base: state.playback.base });
     if (state.selection !== previous.selection) this.emit("select", { selection: state.selection });
     if (state.message !== previous.message && state.message?.tone === "err") this.emit("error", { code: state.message.code ?? "", message: state.message.text });
-    if (state.results !== previous.results) this.report(state, previous);
-  }
-
-  /** Says when planning begins, how far it is, and when it is over. */
-  private report(state: State, previous: State): void {
-    const busy = state.planners.some((planner) => state.results[planner]?.status === "planning");
-    if (busy && (!this.running || state.scene !== previous.scene)) this.emit("plan-start", { id: ++this.run });
-    for (const planner of state.planners) {
-      const plan = state.results[planner]?.plan;
-      if (plan && plan !== previous.results[planner]?.plan) this.emit("plan-progress", { planner, expansions: plan.stats.expanded });
-    }
     if (this.running && !busy) this.emit("plan-complete", { results: this.results, id: this.run });
     this.running = busy;
+  }
+
+  /** Says that planning begins, and how far it is. */
+  private begun(state: State, previous: State, busy: boolean): void {
+    if (state.results === previous.results && state.progress === previous.progress) return;
+    if (busy && (!this.running || state.scene !== previous.scene)) this.emit("plan-start", { id: ++this.run });
+    for (const planner of state.planners) {
+      const plan = state.results[planner]?.plan, answered = plan && plan !== previous.results[planner]?.plan;
+      const expansions = answered ? plan.stats.expanded : state.progress[planner];
+      if (expansions !== undefined && (answered || expansions !== previous.progress[planner])) this.emit("plan-progress", { planner, expansions });
+    }
   }
 
   private readonly edit = (): void => {

@@ -95,7 +95,7 @@ export class PlannerPanel extends AppElement {
   private readonly drawAgain = (): void => this.requestUpdate();
 
   protected watches(): readonly (keyof State)[] {
-    return ["results", "hidden", "focus", "hover", "explained", "mode", "layers", "scene"];
+    return ["results", "progress", "hidden", "focus", "hover", "explained", "mode", "layers", "scene"];
   }
 
   protected override willUpdate(changed: PropertyValues): void {
@@ -138,8 +138,9 @@ export class PlannerPanel extends AppElement {
   }
 
   private chip(status: Status): TemplateResult {
-    const updating = this.t("status.updating");
-    const busy = this.slow && this.state.results[this.planner]?.plan;
+    const told = this.state.progress[this.planner];
+    const updating = told === undefined ? this.t("status.updating") : `${this.num(told, 0)} ${this.t("unit.expanded")}`;
+    const busy = this.slow && (told !== undefined || this.state.results[this.planner]?.plan);
     const shown: Status = busy ? { ...status, tone: "quiet", icon: "clock", chip: updating, brief: updating, tiny: updating } : status;
     return html`<span class="chip ${shown.tone}" title=${shown.chip}>${icon(shown.icon, 12)}<span class="long">${shown.chip}</span><span class="short" aria-hidden="true">${this.thumb ? shown.tiny : shown.brief}</span></span>`;
   }

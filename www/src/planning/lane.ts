@@ -14,6 +14,7 @@ export interface WorkerLike {
 }
 
 export interface LaneEvents {
+  progressed(id: number, expansions: number): void;
   planned(reply: Extract<Reply, { kind: "planned" }>, newerWaits: boolean): void;
   failed(error: Failure, newerWaits: boolean): void;
   restarted(): void;
@@ -144,6 +145,7 @@ export class Lane implements Holder {
       return;
     }
     if (reply.id !== this.running?.id) return;
+    if (reply.kind === "progress") return this.events.progressed(reply.id, reply.expansions);
     if (reply.kind === "failed" && reply.error.code === "internal") return this.died(reply.error.message);
     this.took = performance.now() - this.since;
     const next = this.finish();

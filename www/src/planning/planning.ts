@@ -145,7 +145,7 @@ export class Planning {
       const old = fresh ? emptyResult : state.results[planner] ?? emptyResult;
       results[planner] = unseen && old.status === "done" ? old : { ...old, status: "planning", error: null };
     }
-    this.store.set({ results });
+    this.store.set({ results, progress: {} });
     for (const [planner, lane] of this.lanes) {
       if (state.planners.includes(planner)) continue;
       lane.stop();
@@ -216,6 +216,7 @@ export class Planning {
     }
     if (!lane) {
       lane = new Lane(planner, this, this.engine.module, this.engine.pool, {
+        progressed: (id, expansions) => this.progressed(planner, id, expansions),
         planned: (reply, newerWaits) => this.planned(planner, reply, newerWaits),
         failed: (error, newerWaits) => this.failed(planner, error, newerWaits),
         restarted: () => this.sayRestarted(planner),
@@ -223,6 +224,12 @@ export class Planning {
       this.lanes.set(planner, lane);
     }
     return lane;
+  }
+
+  /** Only of plans of the present scene that are waited for. */
+  private progressed(planner: PlannerId, id: number, expansions: number): void {
+    const { progress, results } = this.store.state;
+    if (id === this.job && results[planner]?.status === "planning") this.store.set({ progress: { ...progress, [planner]: expansions } });
   }
 
   private planned(planner: PlannerId, reply: Extract<Reply, { kind: "planned" }>, newerWaits: boolean): void {

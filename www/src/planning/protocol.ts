@@ -35,6 +35,8 @@ export interface Failure { code: string; path: string; message: string }
 export type Layers = Partial<Record<LayerName, Layer>>;
 
 export type Reply =
+  /** Expansions so far. */
+  | { kind: "progress"; id: number; expansions: number }
   | { kind: "planned"; id: number; plan: Plan; layers: Layers; drive: Drive | Encounter | null; millis: number }
   | { kind: "timed"; id: number; samples: number[] }
   | { kind: "explained"; id: number; explanation: Explanation | null }

@@ -61,7 +61,7 @@ function plan({ id, scene, ends, layers: names, every, trace, waiting, limits }:
   if (!held) throw new Error("This worker has no scene.");
   held.ends = ends;
   const from = performance.now();
-  const found = held.planner.plan({ trace, ...ends });
+  const found = held.planner.plan({ trace, ...ends, onProgress: (expansions) => scope.postMessage({ kind: "progress", id, expansions }, []) });
   const millis = performance.now() - from;
   const layers: Layers = {};
   for (const name of names) layers[name] = held.planner.layer(name, name === "risk" ? { every } : {});

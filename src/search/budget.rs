@@ -1,0 +1,31 @@
+//! How far a search may go.
+
+use super::Observer;
+
+/// The number of nodes that a search may expand, of which its observer is told now and then.
+///
+/// One comparison a node serves both.
+pub(crate) struct Budget {
+    most: u32,
+    stop: u32,
+}
+
+impl Budget {
+    /// A budget of as many nodes.
+    #[inline]
+    pub(crate) fn new<C, L, O: Observer<C, L>>(most: u32, observer: &mut O) -> Self {
+        Self { most, stop: observer.due(0).min(most) }
+    }
+
+    /// Whether a search that has expanded so many nodes is over.
+    #[inline(always)]
+    pub(crate) fn is_spent<C, L, O: Observer<C, L>>(&mut self, expanded: u32, observer: &mut O) -> bool {
+        expanded >= self.stop && self.asked(expanded, observer)
+    }
+
+    #[cold]
+    fn asked<C, L, O: Observer<C, L>>(&mut self, expanded: u32, observer: &mut O) -> bool {
+        self.stop = observer.due(expanded).min(self.most);
+        expanded >= self.stop
+    }
+}
