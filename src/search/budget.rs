@@ -12,7 +12,7 @@ pub(crate) struct Budget {
 
 impl Budget {
     /// A budget of as many nodes.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn new<C, L, O: Observer<C, L>>(most: u32, observer: &mut O) -> Self {
         Self { most, stop: observer.due(0).min(most) }
     }
@@ -20,11 +20,9 @@ impl Budget {
     /// Whether a search that has expanded so many nodes is over.
     #[inline(always)]
     pub(crate) fn is_spent<C, L, O: Observer<C, L>>(&mut self, expanded: u32, observer: &mut O) -> bool {
-        expanded >= self.stop && self.asked(expanded, observer)
-    }
-
-    #[cold]
-    fn asked<C, L, O: Observer<C, L>>(&mut self, expanded: u32, observer: &mut O) -> bool {
+        if expanded < self.stop {
+            return false;
+        }
         self.stop = observer.due(expanded).min(self.most);
         expanded >= self.stop
     }

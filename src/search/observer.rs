@@ -70,6 +70,9 @@ impl<C: Copy, L: Copy, A: Observer<C, L>, B: Observer<C, L>> Observer<C, L> for 
         self.1.relaxed(node, parent, label, g);
     }
 
+    // Apart from the searches' loops.
+    #[cold]
+    #[inline(never)]
     fn due(&mut self, expanded: u32) -> u32 {
         self.0.due(expanded).min(self.1.due(expanded))
     }
