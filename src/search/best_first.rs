@@ -82,6 +82,7 @@ impl<D: Domain, O: Observer<D::Cost, D::Label>> Sink<'_, D, O> {
 ///
 /// Nodes are expanded in the order of [`Domain::ORDER`] and never reopened, so with a consistent heuristic the
 /// completion is optimal. `scratch` is reused between calls; `observer` is `()` where nobody watches.
+#[inline(always)]
 pub fn best_first<D: Domain, O: Observer<D::Cost, D::Label>>(
     domain: &mut D,
     (root, label): (NodeId, D::Label),

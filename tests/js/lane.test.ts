@@ -22,6 +22,10 @@ class FakeWorker implements WorkerLike {
     this.onmessage?.({ data: { kind: "planned", id, plan: {} as Plan, layers: {}, millis: 1 } } as MessageEvent<Reply>);
   }
 
+  tell(id: number, expansions: number): void {
+    this.onmessage?.({ data: { kind: "progress", id, expansions } } as MessageEvent<Reply>);
+  }
+
   get plans(): number[] {
     return this.asked.flatMap((request) => (request.kind === "plan" ? [request.id] : []));
   }
@@ -39,6 +43,7 @@ function setup() {
     return worker;
   }, 2);
   const lane = new Lane("four", {}, {} as WebAssembly.Module, pool, {
+    progressed: (id, expansions) => heard.push(`${id} at ${expansions}`),
     planned: (reply, waits) => heard.push(`planned ${reply.id}${waits ? ", newer waits" : ""}`),
     failed: (error) => heard.push(`failed ${error.code}`),
     restarted: () => heard.push("restarted"),
@@ -71,6 +76,22 @@ describe("a planner's lane", () => {
     workers[0]!.answer(1);
     workers[1]!.answer(2);
     expect(heard).toEqual(["planned 2"]);
+  });
+
+  it("passes on how far the running plan is, and nothing of one that is over or given up", () => {
+    const { workers, heard, plan } = setup();
+    plan(1);
+    workers[0]!.tell(1, 256);
+    workers[0]!.answer(1);
+    workers[0]!.tell(1, 512);
+    plan(2);
+    workers[0]!.tell(1, 768);
+    workers[0]!.tell(2, 256);
+    plan(3);
+    vi.advanceTimersByTime(PATIENCE_MS + 1);
+    workers[0]!.tell(2, 512);
+    workers[1]!.tell(3, 256);
+    expect(heard).toEqual(["1 at 256", "planned 1", "2 at 256", "3 at 256"]);
   });
 
   it("lets a long plan run while nothing newer waits", () => {

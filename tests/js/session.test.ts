@@ -1,4 +1,4 @@
-import { init, Planner, scenario, type Pose } from "parkade";
+import { generateScenario, init, Planner, scenario, type PlannerId, type Pose, type Scenario } from "parkade";
 import * as core from "parkade/core";
 import { beforeAll, describe, expect, it } from "vitest";
 
@@ -17,7 +17,7 @@ describe("a planner used again", () => {
     expect(planner.plan().hash).toBe(own);
     expect(() => planner.plan({ start: { x: 0, y: 0 } as Pose })).toThrow(/start\.heading: missing field/);
     expect(() => planner.plan({ goal: { x: 0, y: Number.NaN, heading: 0 } })).toThrow(/goal\.y/);
-    expect(() => planner.plan({ gaol: start } as object)).toThrow(/there are trace, start, goal/);
+    expect(() => planner.plan({ gaol: start } as object)).toThrow(/there are trace, start, goal, onProgress/);
   });
 
   it("searches alone, with the plan's raw path", () => {
@@ -58,5 +58,59 @@ describe("a planner used again", () => {
     const { narrow = 0, pocket = 0, restored = 0 } = planner.plan().stats;
     const closed = Array.from(planner.layer("redundant").data).filter((v) => v === 3).length;
     expect(closed).toBe(narrow + pocket - restored);
+  });
+});
+
+/** Long searches: no way through noise, and a tight slot. */
+function slow(): Map<PlannerId, Scenario> {
+  const noise = generateScenario({ family: "random", size: 400, seed: 7, densityPermille: 250, blockMax: 1 });
+  const wall: Scenario = { ...noise, obstacles: [...noise.obstacles!, { type: "cells", runs: Array.from({ length: 400 }, (_, y) => [300, y, 1]) }] };
+  const tight: Scenario = { ...scenario("par-8.0"), planners: { hybrid: { maxExpansions: 1500 } } };
+  return new Map([["eight", wall], ["risk-field", wall], ["hybrid", tight]]);
+}
+
+describe.each([["parkade", { Planner }], ["parkade/core", core]])("a plan's progress, in %s", (_, api) => {
+  it("is told at fixed counts up to that of the plan, which is the same", () => {
+    for (const [id, scene] of slow()) {
+      const every = id === "hybrid" ? 256 : 16_384, planner = new api.Planner(id, scene), told: number[] = [];
+      const plan = planner.plan({ onProgress: (expansions) => told.push(expansions) });
+      expect(told.length).toBeGreaterThan(1);
+      expect(told).toEqual(Array.from({ length: Math.floor(plan.stats.expanded / every) }, (_, k) => every * (k + 1)));
+      expect(planner.plan({ onProgress: undefined }).hash).toBe(plan.hash);
+      planner.free();
+    }
+  });
+
+  it("ends where its function throws: the same error comes out, and the planner plans on", () => {
+    for (const [id, scene] of slow()) {
+      const planner = new api.Planner(id, scene), own = planner.plan().hash, error = new RangeError("enough");
+      for (const thrown of [error, undefined]) {
+        let times = 0;
+        const caught = ((): unknown => {
+          try {
+            return planner.plan({ onProgress: () => { times++; throw thrown; } });
+          } catch (reason) {
+            return { reason };
+          }
+        })();
+        expect(times).toBe(1);
+        expect(caught).toEqual({ reason: thrown });
+        expect(planner.plan().hash).toBe(own);
+      }
+      planner.free();
+    }
+  });
+
+  it("cannot use its own planner, but others", () => {
+    const tight = slow().get("hybrid")!, planner = new api.Planner("hybrid", tight), own = planner.plan().hash;
+    const other = new api.Planner("eight", scenario("perpendicular")), outcomes = new Set<string>();
+    for (const use of [() => planner.plan(), () => planner.layer("occupancy"), () => planner.free()]) {
+      expect(() => planner.plan({ onProgress: use })).toThrow(expect.objectContaining({ name: "ParkadeError", code: "bad-input", message: expect.stringContaining("is planning") }));
+    }
+    const plan = planner.plan({ onProgress: () => outcomes.add(other.plan().outcome) });
+    expect([plan.hash, [...outcomes]]).toEqual([own, ["found"]]);
+    for (const wrong of [null, 1, "log", {}]) {
+      expect(() => planner.plan({ onProgress: wrong as never })).toThrow(expect.objectContaining({ code: "bad-input", path: "onProgress" }));
+    }
   });
 });

@@ -23,8 +23,10 @@ function setup(planner: PlannerId) {
     postMessage(request) { asked.push(request); scope.onmessage?.({ data: structuredClone(request) }); },
   };
   scope.postMessage = (reply) => worker.onmessage?.({ data: reply } as MessageEvent<Reply>);
+  const progress: [id: number, expansions: number][] = [];
   let told: (reply: Planned | { failed: string }) => void = () => {};
   const lane = new Lane(planner, {}, null as unknown as WebAssembly.Module, new WorkerPool(() => worker, 1), {
+    progressed: (id, expansions) => progress.push([id, expansions]),
     planned: (reply) => told(reply),
     failed: ({ message }) => told({ failed: message }),
     restarted: () => told({ failed: "restarted" }),
@@ -34,7 +36,7 @@ function setup(planner: PlannerId) {
     told = done;
     lane.plan({ id: ++id, scene, layers, every, trace: true, waiting: "predictive" });
   });
-  return { asked, lane, plan };
+  return { asked, lane, plan, progress };
 }
 
 const extra = (planner: PlannerId): LayerName[] => (planner.startsWith("risk-field") ? ["risk"] : planner === "cost-map" ? ["cost"] : []);
@@ -112,4 +114,15 @@ it("brings a sample of the field where that is enough", async () => {
   if ("failed" in reply) throw new Error(reply.failed);
   const { risk, clearance } = reply.layers;
   expect([risk?.every, risk?.width, risk?.data.length, clearance?.every, clearance?.width]).toEqual([4, 15, 15 * 15 * 2, 1, 60]);
+});
+
+it("tells how far a plan is while it runs, but not when it only times it", async () => {
+  const { lane, plan, progress } = setup("hybrid");
+  const reply = await plan({ ...scenario("par-8.0"), planners: { hybrid: { maxExpansions: 1500 } } }, []);
+  if ("failed" in reply) throw new Error(reply.failed);
+  expect(reply.plan.stats.expanded).toBeGreaterThan(512);
+  const told = Array.from({ length: Math.floor(reply.plan.stats.expanded / 256) }, (_, k) => [1, 256 * (k + 1)]);
+  expect(progress).toEqual(told);
+  expect(await lane.time(1, 0)).toHaveLength(1);
+  expect(progress).toEqual(told);
 });
