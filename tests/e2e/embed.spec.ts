@@ -288,6 +288,52 @@ test("every method and event of the element does what it says", async ({ page })
   expect(heard["error"]!.at(-1)).toMatchObject({ code: "bad-scenario", message: expect.stringContaining("vehicle.width: missing field") });
 });
 
+test("planners tell how far they are while they search, and nothing of a scene that is no longer there", async ({ page }) => {
+  await watch(page);
+  await page.goto(HOST);
+  const heard = await page.evaluate(async () => {
+    type Told = { planner: string; expansions: number; plan?: Plan };
+    const element = document.getElementById("two") as Embed;
+    const call = <T>(name: string, ...args: unknown[]) => (element[name] as (...given: unknown[]) => Promise<T>)(...args);
+    element.setAttribute("planners", "four eight risk-field hybrid");
+    element.scrollIntoView();
+    await call("settled");
+    // A way out of a dead end to a narrow slot beside a narrow aisle: long for grids and for cars.
+    const slow = {
+      version: 1, vehicle: "paper", start: { x: 0, y: 20, heading: Math.PI / 2 }, goal: { x: -2.25, y: 3.5, heading: Math.PI },
+      map: { origin: [-25, 0], width: 500, height: 400, resolution: 0.1, boundary: [[-25, 5], [-8, 5], [-8, 2], [0, 2], [0, 5], [25, 5], [25, 40], [-25, 40]] },
+      obstacles: [{ type: "wall", points: [[-20, 34], [-20, 9], [20, 9], [20, 34]], thickness: 0.2 }], planners: { hybrid: { maxExpansions: 1500 } },
+    };
+    const quick = { version: 1, map: { origin: [0, 0], width: 40, height: 30, resolution: 0.5 }, start: { x: 3, y: 7, heading: 0 }, goal: { x: 15, y: 7, heading: 0 } };
+    const told: Record<string, number[]> = {}, expanded: Record<string, number> = {}, late: Told[] = [];
+    const note = (event: Event) => {
+      const { planner, expansions, plan } = (event as CustomEvent<Told>).detail;
+      if (plan) expanded[planner] = plan.stats.expanded;
+      else if (expanded[planner] !== undefined) late.push({ planner, expansions });
+      else (told[planner] ??= []).push(expansions);
+    };
+    for (const name of ["plan-progress", "plan-result"]) element.addEventListener(name, note);
+    await call("setScene", slow);
+    for (const name of ["plan-progress", "plan-result"]) element.removeEventListener(name, note);
+    const begun = new Promise((done) => element.addEventListener("plan-progress", done, { once: true }));
+    void call("setScene", { ...slow, start: { ...slow.start, x: 1 } });
+    await begun;
+    const after: number[] = [];
+    element.addEventListener("scene-change", () => element.addEventListener("plan-progress", (event) => after.push((event as CustomEvent<Told>).detail.expansions)), { once: true });
+    await call("setScene", quick);
+    return { told, expanded, late, after };
+  });
+  expect(Object.keys(heard.expanded).sort()).toEqual(["eight", "four", "hybrid", "risk-field"]);
+  for (const [planner, expanded] of Object.entries(heard.expanded)) {
+    const every = planner === "hybrid" ? 256 : 16_384, times = Math.floor(expanded / every);
+    expect(times).toBeGreaterThan(1);
+    expect(heard.told[planner]).toEqual([...Array.from({ length: times }, (_, k) => every * (k + 1)), expanded]);
+  }
+  expect(heard.late).toEqual([]);
+  expect(heard.after.length).toBeGreaterThan(3);
+  expect(Math.max(...heard.after)).toBeLessThan(16_384);
+});
+
 test("a plan that takes longer than its budget is given up, in words", async ({ page }) => {
   await watch(page);
   await page.goto(HOST);
