@@ -208,7 +208,9 @@ export class Embedded extends Playground {
     if (state.results === previous.results && state.progress === previous.progress) return;
     if (busy && (!this.running || state.scene !== previous.scene)) this.emit("plan-start", { id: ++this.run });
     for (const planner of state.planners) {
-      const plan = state.results[planner]?.plan, answered = plan && plan !== previous.results[planner]?.plan;
+      const { plan, status } = state.results[planner] ?? {};
+      // Answers to a scene that has changed since are no progress.
+      const answered = status === "done" && plan && plan !== previous.results[planner]?.plan;
       const expansions = answered ? plan.stats.expanded : state.progress[planner];
       if (expansions !== undefined && (answered || expansions !== previous.progress[planner])) this.emit("plan-progress", { planner, expansions });
     }
