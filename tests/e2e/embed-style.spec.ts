@@ -1,5 +1,6 @@
 import { expect, test, type Page } from "@playwright/test";
 import { PARTS } from "../../www/src/element/vocabulary";
+import { watchShifts } from "./playground";
 
 interface Embed extends HTMLElement { ready: Promise<void>; dismissPoster(): Promise<void>; settled(): Promise<void> }
 
@@ -53,6 +54,31 @@ test("the poster's and the progress bar's parts and slots are there until the pl
   expect(seen).toContain("6px");
   await expect(page.getByText("Before")).toBeHidden();
   await expect(page.getByText("Mine")).toBeVisible();
+});
+
+test("panels follow the map under the poster, where no press can miss them, and those without room are not built", async ({ page }) => {
+  const shifts = await watchShifts(page);
+  await visit(page, 'controls="full" layout="overlay" planners="eight hybrid" loading="lazy"', "parkade-playground { display: block; width: 720px; height: 420px }");
+  const seen = await page.evaluate(async () => {
+    const element = document.querySelector("parkade-playground") as Embed, root = element.shadowRoot!;
+    const built = () => {
+      const inner = root.querySelector("parkade-embedded")!.shadowRoot!;
+      const count = (piece: string) => inner.querySelector(`parkade-${piece}`)?.shadowRoot?.querySelectorAll("button, td").length ?? 0;
+      return { bar: count("toolbar") > 10, table: count("table") > 10, timeline: count("timeline") > 5, pressed: root.elementFromPoint(30, 30)!.className };
+    };
+    Object.assign(window, { built });
+    const first = new Promise((done) => element.addEventListener("ready", () => done(built()), { once: true }));
+    const shown = new Promise((done) => new MutationObserver(() => { if (!root.querySelector(".poster")) done(built()); }).observe(root, { childList: true }));
+    return { first: await first, shown: await shown };
+  });
+  expect(seen).toMatchObject({ first: { bar: false, table: false, pressed: "poster" }, shown: { bar: true, table: false, timeline: true } });
+  await page.getByRole("button", { name: "More", exact: true }).click();
+  await expect(page.getByRole("checkbox", { name: "Swept area" })).toBeVisible();
+  expect((await shifts()).reduce((a, b) => a + b, 0)).toBeLessThan(0.0005);
+  await page.addStyleTag({ content: "parkade-playground { width: 1280px !important; height: 760px !important }" });
+  const built = () => page.evaluate(() => (window as unknown as { built(): object }).built());
+  await expect.poll(built).toMatchObject({ bar: true, table: true });
+  await expect(page.locator("parkade-inspector parkade-vehicle")).toBeVisible();
 });
 
 test("a progress bar of the page's own stands in the slot", async ({ page }) => {

@@ -56,7 +56,7 @@ export class Embedded extends Playground {
     this.wheel = "ctrl";
     this.speed = 1;
     this.autoplay = false;
-    this.viewing = true;
+    this.viewing = this.bare = true;
   }
 
   override get alone(): boolean {
@@ -147,7 +147,9 @@ export class Embedded extends Playground {
   /** Resolves after a frame in which everything is drawn. */
   async drawn(): Promise<void> {
     await this.updateComplete;
-    for (let i = 0; i < 3; i++) await new Promise((done) => requestAnimationFrame(done));
+    await frames(1);
+    this.bare = false;
+    await frames(2);
   }
 
   protected override beginning(): Omit<Beginning, "loaded"> {
@@ -216,6 +218,12 @@ export class Embedded extends Playground {
     }
   }
 
+  /** Under its poster nothing is drawn twice: first without a scene, then with it. */
+  protected override async scheduleUpdate(): Promise<void> {
+    await this.drawable;
+    await super.scheduleUpdate();
+  }
+
   private readonly edit = (): void => {
     this.viewing = false;
     void this.updateComplete.then(() => this.views()[0]?.canvas?.focus());
@@ -252,6 +260,10 @@ export class Embedded extends Playground {
     }
     return this.inline === null ? null : ensureIds(checkScene(JSON.parse(this.inline)));
   }
+}
+
+async function frames(count: number): Promise<void> {
+  for (let i = 0; i < count; i++) await new Promise((done) => requestAnimationFrame(done));
 }
 
 /** A preset's name or the layers themselves. */

@@ -37,7 +37,7 @@ export class Playground extends LitElement {
   static override properties = {
     scene: { type: String }, planners: { type: String }, layout: { type: String }, theme: { type: String, reflect: true },
     permalink: { type: Boolean }, compact: { type: Boolean, reflect: true }, short: { type: Boolean, reflect: true }, loaded: { state: true }, folded: { type: Boolean, reflect: true },
-    dropping: { state: true },
+    dropping: { state: true }, bare: { state: true },
   };
   static override styles = [tokens, controls, layout];
   static override get observedAttributes(): string[] {
@@ -54,12 +54,17 @@ export class Playground extends LitElement {
   declare loaded: boolean;
   declare folded: boolean;
   declare dropping: boolean;
+  /** Whether the panels are still to come, into the boxes that are kept for them. */
+  declare bare: boolean;
 
   /** Resolves when the first scene is solved. */
   readonly ready: Promise<void>;
   /** Whether nothing is edited by pointer or keys. */
   declare viewing: boolean;
   protected readonly app = new App(this);
+  /** Resolves when there is a scene to draw, or none will come. */
+  protected readonly drawable: Promise<void>;
+  private becomeDrawable: () => void = () => {};
   private becomeReady: () => void = () => {};
   private detach: (() => void)[] = [];
   private words: Promise<void> = Promise.resolve();
@@ -68,11 +73,12 @@ export class Playground extends LitElement {
   constructor() {
     super();
     this.ready = new Promise((resolve) => { this.becomeReady = resolve; });
+    this.drawable = new Promise((resolve) => { this.becomeDrawable = resolve; });
     this.scene = FIRST_SCENE;
     this.planners = "";
     this.layout = "grid";
     this.theme = "auto";
-    this.viewing = this.permalink = this.compact = this.short = this.loaded = this.folded = this.dropping = false;
+    this.viewing = this.permalink = this.compact = this.short = this.loaded = this.folded = this.dropping = this.bare = false;
     this.takeEarly("sceneData");
   }
 
@@ -193,7 +199,7 @@ export class Playground extends LitElement {
         @parkade-scenes=${() => void this.openDialog("presets")} @parkade-keys=${() => void this.openDialog("keys")} @parkade-papers=${() => void this.openDialog("papers")} @parkade-fold=${() => { this.folded = !this.folded; }}
         @parkade-menu=${this.showMenu} @parkade-open-file=${() => this.fileInput?.click()} @parkade-png=${this.savePicture}
         @dragover=${this.onDragOver} @dragleave=${() => { this.dropping = false; }} @drop=${this.onDrop}>
-      ${this.isFull ? html`<parkade-toolbar part="toolbar" .app=${this.app} .ready=${this.loaded} ?compact=${this.compact}><slot name="toolbar-extra"></slot></parkade-toolbar>` : nothing}
+      ${this.isFull && !this.bare ? html`<parkade-toolbar part="toolbar" .app=${this.app} .ready=${this.loaded} ?compact=${this.compact}><slot name="toolbar-extra"></slot></parkade-toolbar>` : nothing}
       <parkade-stage exportparts="panel, canvas" .app=${this.app} ?compact=${this.compact}></parkade-stage>
       ${this.compact ? this.phone() : this.desk()}
       <parkade-next-hints .app=${this.app}></parkade-next-hints>
@@ -212,7 +218,7 @@ export class Playground extends LitElement {
   private desk(): TemplateResult {
     return html`
       <parkade-timeline part="timeline" .app=${this.app} .folded=${this.folded}></parkade-timeline>
-      ${this.isFull ? this.around() : nothing}`;
+      ${this.isFull && !this.bare ? this.around() : nothing}`;
   }
 
   private around(): TemplateResult {
@@ -229,7 +235,7 @@ export class Playground extends LitElement {
   private phone(): TemplateResult {
     return html`${this.isFull ? html`<parkade-chips .app=${this.app}></parkade-chips>` : nothing}
       <parkade-timeline part="timeline" .app=${this.app} compact></parkade-timeline>
-      ${this.isFull ? html`<parkade-sheet .app=${this.app} .ready=${this.loaded}></parkade-sheet>` : nothing}`;
+      ${this.isFull && !this.short ? html`<parkade-sheet .app=${this.app} .ready=${this.loaded}></parkade-sheet>` : nothing}`;
   }
 
   /** Takes language, theme, arrangement and planners from attributes and from the last visit. */
@@ -265,12 +271,16 @@ export class Playground extends LitElement {
 
   protected async begin(): Promise<void> {
     try {
-      await this.app.start({ ...this.beginning(), loaded: () => { this.loaded = true; } });
+      await this.app.start({ ...this.beginning(), loaded: () => {
+        this.loaded = true;
+        this.becomeDrawable();
+      } });
       if (!this.loaded) return;
       this.becomeReady();
       this.emit("ready", {});
     } catch (error) {
       this.app.refuse("app.unsupported", { reason: error instanceof Error ? error.message : String(error) });
+      this.becomeDrawable();
     }
   }
 

@@ -15,12 +15,26 @@ function nextFrame(): Promise<void> {
   return frame;
 }
 
+/** Resolves in the frame in which an element has a box, before that is painted. */
+export function boxed(element: Element): Promise<void> {
+  return new Promise((done) => {
+    const observer = new ResizeObserver(([entry]) => {
+      if (!entry || entry.contentRect.width === 0) return;
+      observer.disconnect();
+      done();
+    });
+    observer.observe(element);
+  });
+}
+
 /** A piece of the page: redraws when one of the state's parts it watches changes. */
 export abstract class AppElement extends LitElement {
   static override properties = { app: { attribute: false } };
   declare app: App;
   /** Least milliseconds between redraws during a drag, for what the eye does not follow. */
   protected pace = 0;
+  /** Whether it is only built when there is room for it: many an embedded playground never shows its panels. */
+  protected waits = false;
   private stop: (() => void) | null = null;
   private drawnAt = 0;
 
@@ -51,7 +65,7 @@ export abstract class AppElement extends LitElement {
       const wait = this.pace > 0 && this.state.transient ? this.drawnAt + this.pace - performance.now() : 0;
       if (wait > 0) await new Promise((done) => setTimeout(done, wait));
       await nextFrame();
-    }
+    } else if (this.waits) await boxed(this);
     this.drawnAt = performance.now();
     super.scheduleUpdate();
   }

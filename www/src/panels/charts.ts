@@ -52,6 +52,7 @@ export class Charts extends AppElement {
   `];
 
   protected override pace = 100;
+  protected override waits = true;
   private cached: (Pick<State, "results" | "focus" | "hidden"> & { content: Content }) | null = null;
 
   protected watches(): readonly (keyof State)[] {

@@ -19,6 +19,7 @@ export class Inspector extends AppElement {
     section:first-child { border-top: 0; } section:has(> [hidden]) { display: none; }
   `];
   declare ready: boolean;
+  protected override waits = true;
 
   constructor() {
     super();

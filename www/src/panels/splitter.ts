@@ -2,6 +2,7 @@ import { css, html, LitElement, type PropertyValues } from "lit";
 import { recall, remember } from "../element/memory";
 import { words } from "../i18n/words";
 import type { Lang } from "../i18n/index";
+import { boxed } from "./base";
 
 const say = words({
   side: ["Width of the inspector", "检查器宽度"],
@@ -43,7 +44,7 @@ export class Splitter extends LitElement {
   }
 
   protected override willUpdate(changed: PropertyValues): void {
-    if (changed.has("pane")) this.put(Number(recall(`pane.${this.pane}`)) || SIZES[this.pane][1]);
+    if (changed.has("pane")) this.lay(Number(recall(`pane.${this.pane}`)) || SIZES[this.pane][1]);
     const [least, , most] = SIZES[this.pane];
     this.ariaLabel = say(this.lang, this.pane);
     this.ariaOrientation = this.pane === "strip" ? "horizontal" : "vertical";
@@ -56,13 +57,22 @@ export class Splitter extends LitElement {
     return html`<i></i>`;
   }
 
+  protected override async scheduleUpdate(): Promise<void> {
+    if (!this.hasUpdated) await boxed(this);
+    super.scheduleUpdate();
+  }
+
   private put(size: number): void {
+    this.lay(size);
+    remember(`pane.${this.pane}`, String(Math.round(this.size)));
+  }
+
+  private lay(size: number): void {
     const [least, usual, most] = SIZES[this.pane];
     this.size = Math.min(most, Math.max(least, size));
     const { style } = this.closest<HTMLElement>(".desk") ?? this;
     if (this.size === usual) style.removeProperty(`--pane-${this.pane}`);
     else style.setProperty(`--pane-${this.pane}`, `${this.size}px`);
-    remember(`pane.${this.pane}`, String(Math.round(this.size)));
   }
 
   private readonly grab = (event: PointerEvent): void => {

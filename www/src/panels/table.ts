@@ -51,6 +51,7 @@ export class MetricsTable extends AppElement {
   declare copied: boolean;
   declare benching: boolean;
   protected override pace = 100;
+  protected override waits = true;
   private readonly menus = new Menus<"copy">(this);
 
   constructor() {

@@ -32,7 +32,7 @@ export const layout = css`
     .desk { grid-template-rows: 49px minmax(0, 1fr) 44px 130px; }
   }
   .phone { grid-template: "bar" 45px "stage" minmax(0, 1fr) "chips" auto "time" 48px "sheet" auto / minmax(0, 1fr); }
-  :host([short]) :is(.phone parkade-sheet, .strip, parkade-splitter[pane="strip"]) { display: none; }
+  :host([short]) :is(.strip, parkade-splitter[pane="strip"]) { display: none; }
   :host([short]) .desk { grid-template-rows: 49px minmax(0, 1fr) 44px 0; }
   :host([short]) .phone { grid-template-rows: 45px minmax(0, 1fr) auto 48px 0; }
   parkade-chips { grid-area: chips; }
