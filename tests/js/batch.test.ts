@@ -3,6 +3,7 @@ import { once } from "node:events";
 import { appendFileSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { Tinypool } from "tinypool";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { Planner, generateScenario, init, scenario } from "parkade";
 import { pathToFileURL } from "node:url";
@@ -90,6 +91,28 @@ test("scenes that cannot be planned are named, told by the exit code, and stop n
   expect(out).toContain("3 of 3 planned (3 now): 1 found, 0 without a path, 2 refused");
   expect(err).toContain("mixed.jsonl:1 (eight): start.x");
   expect(err).toContain("mixed.jsonl:2 (eight): is not JSON");
+});
+
+test("a scene that is edited, cut short or gone since it was listed is refused, and the others are planned", async () => {
+  mkdirSync(join(folder, "edited"));
+  const text = JSON.stringify(scenario("perpendicular")), files = ["edited", "cut", "gone", "kept"].map((name) => join(folder, `edited/${name}.json`));
+  files.forEach((file, i) => writeFileSync(file, `${text}${" ".repeat(i)}`));
+  const { scenes } = (await import(/* @vite-ignore */ pathToFileURL(join(PACKAGE, "cli/scenes.js")).href)) as { scenes(place: string): AsyncIterable<{ scene: { name: string }; content: string }> };
+  const tasks: object[] = [];
+  for await (const { scene, content } of scenes(join(folder, "edited"))) tasks.push({ key: scene.name, scene, content, planner: "eight" });
+  writeFileSync(files[0]!, text.replace('"name":"p', '"name":"P'));
+  writeFileSync(files[1]!, text.slice(0, -1));
+  rmSync(files[2]!);
+  const pool = new Tinypool({
+    filename: pathToFileURL(join(PACKAGE, "cli/worker.js")).href, minThreads: 1, maxThreads: 1,
+    workerData: { module: new WebAssembly.Module(readFileSync(join(PACKAGE, "parkade_bg.wasm"))), config: {} },
+  });
+  const { done } = (await pool.run(tasks).finally(() => pool.destroy())) as { done: { line: string }[] };
+  const written = done.map(({ line }) => JSON.parse(line) as { key: string; outcome?: string; error?: { code: string; message: string } });
+  const changed = { code: "bad-input", path: "", message: "was changed while the batch ran" };
+  expect(written.map(({ key, outcome, error }) => [key, outcome ?? error])).toEqual([
+    ["cut.json", changed], ["edited.json", changed], ["gone.json", { ...changed, message: expect.stringContaining("no such file") }], ["kept.json", "found"],
+  ]);
 });
 
 test("a file that holds something else is refused before anything is planned", () => {
