@@ -32,6 +32,7 @@ try {
   await browser.close();
   server.close();
 }
+await import("./second.mjs");
 
 /** Each step waits until the one before is drawn. */
 async function calm(page, metrics) {
