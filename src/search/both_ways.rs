@@ -30,10 +30,9 @@ pub fn both_ways<L: Lattice, O: Observer<i64, ()>>(
     observer: &mut O,
 ) -> Found {
     let far = lattice.to_goal(start);
-    let first = if stop == Stop::Optimal { (far, far) } else { (0, 0) };
     memory.begin::<L, 2>(lattice);
     for (turn, root) in [start, goal].into_iter().enumerate() {
-        memory.root::<2>(turn, root, first, far);
+        memory.root::<2>(turn, root, (far, far), far);
     }
     let mut search = Search {
         lattice,

@@ -143,4 +143,36 @@ mod tests {
             assert_eq!((entry.f(), entry.h(), entry.mark()), (f, h, u32::MAX));
         }
     }
+
+    #[test]
+    fn smaller_f_then_smaller_h_then_the_newer_comes_first() {
+        ordered::<Short>();
+        ordered::<Wide>();
+    }
+
+    fn ordered<E: Entry>() {
+        const FAR: i64 = 1 << 33;
+        let entry = |f, h| E::new(f, h, 1);
+        for (first, second) in
+            [((1, FAR), (2, 0)), ((1, 1), (1, 2)), ((1, 9), (1, FAR)), ((0, FAR), (0, FAR + 1))]
+        {
+            let (first, second) = (entry(first.0, first.1), entry(second.0, second.1));
+            assert!(first.before(second) && !second.before(first));
+        }
+        assert!(entry(3, FAR).before(entry(3, FAR)));
+        assert!(entry(5, FAR).is_like(entry(5, FAR + 7)) && entry(5, FAR + 7).rank() == 7);
+        assert!(!entry(5, FAR).is_like(entry(6, FAR)) && !entry(5, FAR).is_like(entry(5, 7)));
+    }
+
+    #[test]
+    fn a_mark_tells_node_note_and_whether_moves_are_held_back() {
+        for (mark, told) in [
+            (Short::open(77), (77, 0, false)),
+            (Short::held(77, 5), (77, 5, true)),
+            (Short::held((1 << 28) - 1, 0), ((1 << 28) - 1, 0, true)),
+        ] {
+            let entry = Short::new(0, 0, mark);
+            assert_eq!((entry.node(), entry.note(), entry.is_held()), told);
+        }
+    }
 }

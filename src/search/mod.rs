@@ -12,6 +12,8 @@ mod queue;
 mod side;
 mod sorting;
 mod table;
+#[cfg(all(test, feature = "complete"))]
+mod tests;
 
 pub use best_first::{Limits, Report, best_first};
 #[cfg(feature = "complete")]

@@ -149,3 +149,38 @@ impl<C, L> Observer<C, L> for Progress<'_> {
         if self.stopped { 0 } else { self.next - self.before }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// All that it is told.
+    #[derive(Default)]
+    struct Told(Vec<(NodeId, Option<NodeId>)>);
+
+    impl Observer<i64, ()> for Told {
+        fn expanded(&mut self, node: NodeId, (): (), _: i64) {
+            self.0.push((node, None));
+        }
+        fn relaxed(&mut self, node: NodeId, parent: NodeId, (): (), _: i64) {
+            self.0.push((node, Some(parent)));
+        }
+    }
+
+    #[test]
+    fn an_observer_that_is_there_is_told() {
+        let mut watch = Some(Told::default());
+        watch.expanded(5, (), 0);
+        watch.relaxed(6, 5, (), 1);
+        assert_eq!(watch.unwrap().0, [(5, None), (6, Some(5))]);
+    }
+
+    #[test]
+    fn a_trace_keeps_the_first_and_counts_the_rest() {
+        let mut trace = Trace::new(2);
+        for node in [5, 3, 8] {
+            Observer::<i64, ()>::expanded(&mut trace, node, (), 0);
+        }
+        assert_eq!((trace.expanded, trace.dropped), (vec![5, 3], 1));
+    }
+}
