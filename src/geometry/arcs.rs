@@ -125,4 +125,38 @@ mod tests {
         assert_eq!(points[points.len() - 1].pose, goal);
         assert_eq!((points[0].gear, points[31].gear), (1, -1));
     }
+
+    #[test]
+    fn the_least_difference_and_the_least_length_count() {
+        let arc = |curvature, length| Arc { curvature, length };
+        assert_eq!(merge([arc(0.0, 1.0), arc(SAME_CURVATURE, 1.0)]).len(), 2);
+        assert_eq!(merge([arc(0.0, 1.0), arc(0.9 * SAME_CURVATURE, 1.0)]).len(), 1);
+        assert_eq!(merge([arc(0.1, SHORTEST), arc(0.2, -0.9 * SHORTEST)]), [arc(0.1, SHORTEST)]);
+    }
+
+    #[test]
+    fn samples_tell_station_curvature_and_gear() {
+        let start = Pose::new(1.0, 2.0, 0.3);
+        let points = sample(start, &PATH, end(start, &PATH), 1.0);
+        let told: Vec<_> = points.iter().map(|p| (p.station, p.curvature, p.gear)).collect();
+        let forward = [(0.0, 0.2, 1), (1.0, 0.2, 1), (2.0, 0.2, 1)];
+        let back = [(3.0, 0.0, -1), (4.0, 0.0, -1), (5.0, -0.1, -1), (5.525, -0.1, -1), (6.05, -0.1, -1)];
+        assert_eq!(told, [&forward[..], &back].concat());
+        for (point, driven) in [(1, &[Arc { length: 1.0, ..PATH[0] }][..]), (3, &PATH[..1]), (5, &PATH[..2])]
+        {
+            let pose = end(start, driven);
+            assert!((points[point].pose.point() - pose.point()).norm() < 1e-12);
+            assert!((points[point].pose.heading - pose.heading).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn standing_is_no_reverse() {
+        let start = Pose::new(1.0, 2.0, 0.3);
+        let points = sample(start, &[Arc { curvature: 0.1, length: 0.0 }], start, 1.0);
+        assert_eq!(
+            points.iter().map(|p| (p.pose, p.gear, p.station)).collect::<Vec<_>>(),
+            [(start, 1, 0.0); 2]
+        );
+    }
 }

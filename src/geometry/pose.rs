@@ -84,4 +84,23 @@ mod tests {
         let p = Point::new(1.5, 0.25);
         assert!((pose.to_local(pose.to_world(p)) - p).norm() < 1e-12);
     }
+
+    #[test]
+    fn a_pose_is_finite_when_all_its_numbers_are() {
+        assert!(Pose::new(1.0, 2.0, 3.0).is_finite());
+        let bad = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
+        for v in bad {
+            let poses = [Pose::new(v, 0.0, 0.0), Pose::new(0.0, v, 0.0), Pose::new(0.0, 0.0, v)];
+            assert!(poses.iter().all(|pose| !pose.is_finite()), "{v}");
+        }
+    }
+
+    #[test]
+    fn the_frame_is_ahead_and_to_the_left() {
+        let pose = Pose::new(3.0, -2.0, math::FRAC_PI_2);
+        assert!((pose.to_world(Point::new(2.0, 0.5)) - Point::new(2.5, 0.0)).norm() < 1e-12);
+        assert!((pose.direction() - Vector::new(0.0, 1.0)).norm() < 1e-12);
+        let back = Pose::new(3.0, -2.0, math::PI).advance(0.0, -4.0);
+        assert!((back.point() - Point::new(7.0, -2.0)).norm() < 1e-12);
+    }
 }

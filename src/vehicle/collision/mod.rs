@@ -6,6 +6,8 @@
 
 mod obstacles;
 mod probe;
+#[cfg(test)]
+mod tests;
 
 pub use obstacles::{Edge, Obstacles, Solid};
 pub use probe::Probe;
