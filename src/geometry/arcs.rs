@@ -36,7 +36,7 @@ pub fn merge(arcs: impl IntoIterator<Item = Arc>) -> Vec<Arc> {
         match merged.last_mut() {
             Some(last)
                 if (last.curvature - arc.curvature).abs() < SAME_CURVATURE
-                    && (last.length > 0.0) == (arc.length > 0.0) =>
+                    && last.length.signum() == arc.length.signum() =>
             {
                 last.length += arc.length;
             }
@@ -54,7 +54,7 @@ pub fn length(arcs: &[Arc]) -> f64 {
 
 /// Sign changes between consecutive arcs.
 pub fn direction_changes(arcs: &[Arc]) -> u32 {
-    arcs.windows(2).filter(|w| (w[0].length > 0.0) != (w[1].length > 0.0)).count() as u32
+    arcs.windows(2).filter(|w| (w[0].length < 0.0) != (w[1].length < 0.0)).count() as u32
 }
 
 /// The pose at the end.

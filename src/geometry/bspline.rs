@@ -178,9 +178,7 @@ fn controls(
             let j = i - k;
             let mut sum = band[i][k];
             for m in i.saturating_sub(3)..j {
-                if j - m <= 3 {
-                    sum -= band[i][i - m] * band[j][j - m];
-                }
+                sum -= band[i][i - m] * band[j][j - m];
             }
             band[i][k] = if k == 0 { sum.max(1e-300).sqrt() } else { sum / band[j][0] };
         }

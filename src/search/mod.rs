@@ -12,7 +12,8 @@ mod queue;
 mod side;
 mod sorting;
 mod table;
-#[cfg(all(test, feature = "complete"))]
+#[cfg(test)]
+#[cfg(feature = "complete")]
 mod tests;
 
 pub use best_first::{Limits, Report, best_first};

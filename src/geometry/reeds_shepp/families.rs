@@ -206,9 +206,8 @@ impl Side {
             // sin u, cos u, sin 2u and cos 2u without another angle.
             let (sin, cos) = ((1.0 - rho * rho).sqrt(), rho);
             let lead = math::atan2(cos - (cos * cos - sin * sin) - 1.0, sin - 2.0 * sin * cos);
-            let other = 2.0 * ((cos * cos - sin * sin) - 2.0 * cos) + 3.0 < 0.0;
             for (flip, angle, phi) in self.ways(beta) {
-                let t = modulo(angle - lead + if other { PI } else { 0.0 });
+                let t = modulo(angle - lead);
                 let v = modulo(t - 2.0 * u - phi);
                 if t >= -EPS && v <= EPS {
                     to.take(Shape::Lrlr, flip, self.reflect, [t, u, -u, v, 0.0]);
@@ -219,9 +218,8 @@ impl Side {
         if (0.0..=1.0).contains(&rho) {
             let u = -math::acos(rho);
             let lead = math::atan2(rho - 2.0, -(1.0 - rho * rho).sqrt());
-            let other = 2.0 * (1.0 - 2.0 * rho) + 3.0 < 0.0;
             for (flip, angle, phi) in self.ways(beta) {
-                let t = modulo(angle - lead + if other { PI } else { 0.0 });
+                let t = modulo(angle - lead);
                 let v = modulo(t - phi);
                 if t >= -EPS && v >= -EPS {
                     to.take(Shape::Lrlr, flip, self.reflect, [t, u, u, v, 0.0]);
@@ -245,4 +243,17 @@ fn modulo(angle: f64) -> f64 {
         a += TAU;
     }
     a
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn angles_are_brought_to_half_a_turn_either_way() {
+        for (angle, want) in [(PI, PI), (-PI, -PI), (1.5 * PI, -0.5 * PI), (-4.5 * PI, -0.5 * PI), (0.5, 0.5)]
+        {
+            assert!((modulo(angle) - want).abs() < 1e-12, "{angle}");
+        }
+    }
 }

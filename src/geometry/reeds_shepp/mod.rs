@@ -131,6 +131,8 @@ pub fn distance_or(from: Pose, to: Pose, radius: f64, enough: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeMap;
+
     use super::*;
     use crate::geometry::arcs;
     use crate::geometry::math::{self, FRAC_PI_2, PI};
@@ -168,28 +170,103 @@ mod tests {
         }
     }
 
-    #[test]
-    fn every_word_ends_at_the_goal() {
+    fn random_poses() -> impl FnMut() -> Pose {
         let mut state = 1_u64;
-        let mut random = |low: f64, high: f64| {
+        let mut random = move |low: f64, high: f64| {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             low + (high - low) * (state >> 11) as f64 / (1_u64 << 53) as f64
         };
-        let mut families = 0;
+        move || Pose::new(random(-9.0, 9.0), random(-9.0, 9.0), random(-PI, PI))
+    }
+
+    /// The word's turns and gears, such as `L+R-L+`.
+    fn kind(word: Word) -> String {
+        let arc = |i: usize| format!("{:?}{}", word.turns[i], if word.lengths[i] < 0.0 { '-' } else { '+' });
+        (0..word.count).map(arc).collect()
+    }
+
+    #[test]
+    fn every_word_ends_at_the_goal() {
+        let mut random = random_poses();
+        let mut kinds = BTreeMap::new();
         for _ in 0..20_000 {
-            let from = Pose::new(random(-9.0, 9.0), random(-9.0, 9.0), random(-PI, PI));
-            let to = Pose::new(random(-9.0, 9.0), random(-9.0, 9.0), random(-PI, PI));
+            let (from, to) = (random(), random());
             words(from, to, RADIUS, |word| {
-                families += 1;
+                *kinds.entry(kind(word)).or_insert(0) += 1;
                 let path: Vec<Arc> = word.arcs(RADIUS).collect();
                 let end = arcs::end(from, &path);
                 assert!((end.point() - to.point()).norm() < 1e-6, "{word:?}");
                 assert!(math::turn(end.heading, to.heading).abs() < 1e-6, "{word:?}");
+                assert!((arcs::length(&path) - word.length(RADIUS)).abs() < 1e-6, "{word:?}");
             });
             let (there, back) = (distance(from, to, RADIUS), distance(to, from, RADIUS));
             assert!((there - back).abs() < 1e-6, "{there} {back}");
             assert!(there >= (to.point() - from.point()).norm() - 1e-9);
         }
-        assert!(families > 100_000, "{families}");
+        // The paper's, each in both directions and on both sides: 48.
+        let base = "L+S+L+ L+S+R+ L+R-L+ L+R-L- L-R-L+ L+R+L-R- L+R-L-R+ L+R-S-L- L+R-S-R- L+S+R+L- R+S+R+L- L+R-S-L-R+";
+        let swap = |kind: &str, a: char, b: char| -> String {
+            kind.chars()
+                .map(|c| {
+                    if c == a {
+                        b
+                    } else if c == b {
+                        a
+                    } else {
+                        c
+                    }
+                })
+                .collect()
+        };
+        let mut all: Vec<String> = Vec::new();
+        for kind in base.split(' ') {
+            let flipped = swap(kind, '+', '-');
+            all.extend([swap(kind, 'L', 'R'), swap(&flipped, 'L', 'R'), kind.to_owned(), flipped]);
+        }
+        all.sort_unstable();
+        assert_eq!(all.len(), 48);
+        assert_eq!(kinds.keys().collect::<Vec<_>>(), all.iter().collect::<Vec<_>>());
+        assert_eq!(kinds.values().sum::<u32>(), 148_835, "{kinds:?}");
+    }
+
+    #[test]
+    fn a_bound_leaves_out_what_is_not_shorter() {
+        let mut random = random_poses();
+        for radius in [0.3, RADIUS] {
+            for _ in 0..1000 {
+                let (from, to) = (random(), random());
+                let mut all = Vec::new();
+                words(from, to, radius, |word| all.push(word.length(radius)));
+                let sorted = math::sorted_by(&all, |&l| l);
+                assert_eq!(distance(from, to, radius), sorted[0]);
+                for bound in [sorted[0], sorted[1], sorted[sorted.len() / 2]].map(|length| length + 1e-9) {
+                    let mut below = Vec::new();
+                    words_below(from, to, radius, bound, |word| below.push(word.length(radius)));
+                    let want: Vec<f64> = sorted.iter().copied().filter(|&l| l < bound).collect();
+                    assert_eq!(math::sorted_by(&below, |&l| l), want);
+                    let enough = distance_or(from, to, radius, bound);
+                    assert!(enough <= bound && sorted.contains(&enough), "{enough} {bound}");
+                }
+                assert_eq!(distance_or(from, to, radius, 0.9 * sorted[0]), sorted[0]);
+            }
+        }
+    }
+
+    #[test]
+    fn where_families_meet_all_have_their_words() {
+        // Ahead, along the circle, turned on the spot, to the other lane and round to it; in radii.
+        for (x, y, turn, length, count) in [
+            (2.5, 0.0, 0.0, 2.5, 10),
+            (1.0, 1.0, FRAC_PI_2, FRAC_PI_2, 17),
+            (0.0, 0.0, PI, PI, 8),
+            (2.0, 2.0, 0.0, PI, 14),
+            (0.0, 2.0, PI, PI, 22),
+        ] {
+            let (from, to) = (Pose::default(), Pose::new(x, y, turn));
+            let mut found = 0;
+            words(from, to, 1.0, |_| found += 1);
+            assert_eq!(found, count, "{to:?}");
+            assert!((distance(from, to, 1.0) - length).abs() < 1e-12, "{to:?}");
+        }
     }
 }
