@@ -19,7 +19,7 @@ impl<const JUMPS: bool, const HOLDS: bool> Line<JUMPS, HOLDS> {
         Self { ends: (start, goal), hold: Hold::UntilStuck, shot: None }
     }
 
-    fn offer<S: Sink>(&self, to: NodeId, number: u32, h: i64, sink: &mut S) {
+    fn offer<S: Sink>(to: NodeId, number: u32, h: i64, sink: &mut S) {
         if to < NODES && sink.worth(to, 1) {
             sink.take(Leg::new(number, 1), to, h);
         }
@@ -42,14 +42,14 @@ impl<const JUMPS: bool, const HOLDS: bool> Lattice for Line<JUMPS, HOLDS> {
         3
     }
     fn successors<S: Sink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
-        self.offer(node + 1, 0, self.to_goal(node + 1), sink);
+        Self::offer(node + 1, 0, self.to_goal(node + 1), sink);
         if !HOLDS {
             self.held_back_at_once(node, sink);
         }
     }
     fn predecessors<S: Sink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
-        self.offer(node.wrapping_sub(1), 0, self.to_start(node.wrapping_sub(1)), sink);
-        self.offer(node + 1, 1, self.to_start(node + 1), sink);
+        Self::offer(node.wrapping_sub(1), 0, self.to_start(node.wrapping_sub(1)), sink);
+        Self::offer(node + 1, 1, self.to_start(node + 1), sink);
     }
     fn held_back<S: Sink>(&self, node: NodeId, note: u32, sink: &mut S) {
         assert_eq!(note, NOTE);
@@ -57,7 +57,7 @@ impl<const JUMPS: bool, const HOLDS: bool> Lattice for Line<JUMPS, HOLDS> {
     }
     fn held_back_at_once<S: Sink>(&self, node: NodeId, sink: &mut S) {
         let down = node.wrapping_sub(1);
-        self.offer(down, 1, self.to_goal(down), sink);
+        Self::offer(down, 1, self.to_goal(down), sink);
     }
     fn note(&self) -> u32 {
         NOTE

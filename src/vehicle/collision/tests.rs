@@ -4,7 +4,7 @@ use std::sync::Arc as Shared;
 
 use super::{Edge, Obstacles, Probe, Solid};
 use crate::geometry::arcs::Arc;
-use crate::geometry::{Point, Pose};
+use crate::geometry::{Point, Pose, Vector};
 use crate::map::{Frame, Paint, Weights};
 use crate::vehicle::Vehicle;
 
@@ -24,11 +24,11 @@ struct World {
     edges: Vec<Edge>,
 }
 
-/// A hall with short walls all over it, a few of them across its rim.
+/// A hall with short walls all over it, some of them across its rim or beyond.
 fn world(walls: u32) -> World {
     let wall = |k: u32| {
         let [x, y, dx, dy] = spread(k + 1);
-        let a = Point::new(x * (WIDE + 1.0) - 0.5, y * (HIGH + 1.0) - 0.5);
+        let a = Point::new(x * (WIDE + 10.0) - 5.0, y * (HIGH + 10.0) - 5.0);
         let b = Point::new(a.x + 2.0 * dx - 1.0, a.y + 2.0 * dy - 1.0);
         Edge { a, b, owner: k }
     };
@@ -76,10 +76,10 @@ fn sides(car: &Vehicle, margin: f64) -> [f64; 4] {
     [car.rear_to_front + margin, -car.rear_to_back - margin, side, -side]
 }
 
-/// Places in the hall, at its rim and a little outside.
+/// Places in the hall, at its rim and outside.
 fn pose(k: u32) -> Pose {
     let [x, y, turn, _] = spread(k);
-    Pose::new(x * (WIDE + 4.0) - 2.0, y * (HIGH + 4.0) - 2.0, turn * 6.28)
+    Pose::new(x * (WIDE + 8.0) - 4.0, y * (HIGH + 8.0) - 4.0, turn * std::f64::consts::TAU)
 }
 
 #[test]
@@ -123,7 +123,8 @@ fn clearance_is_the_distance_to_the_nearest_edge() {
         measured += u32::from(told > 0.0 && told < limit);
         // Room enough is what surely is free, and is seen where there is plenty.
         assert!(!probe.roomy(pose, 0.2) || told >= limit.min(0.2), "{pose:?}");
-        assert!(told < 1.5 || probe.roomy(pose, 0.2), "{pose:?}");
+        let within = world.obstacles.inside(pose.point()).is_none();
+        assert!(!within || told < 1.5 || probe.roomy(pose, 0.2), "{pose:?}");
     }
     assert!(measured > 500, "{measured}");
 }
@@ -133,7 +134,7 @@ fn points_are_as_far_as_the_nearest_edge() {
     let world = world(40);
     for k in 0..2000 {
         let [x, y, limit, _] = spread(k);
-        let (point, limit) = (Point::new(x * 34.0 - 2.0, y * 24.0 - 2.0), 3.0 * limit);
+        let (point, limit) = (Point::new(x * 40.0 - 5.0, y * 30.0 - 5.0), 3.0 * limit);
         let away = |e: &Edge| least(e.a, e.b, |p| (p - point).norm());
         let nearest = world.edges.iter().map(away).fold(limit, f64::min);
         let told = world.obstacles.distance(point, limit);
@@ -192,11 +193,11 @@ fn only_edges_nearby_are_asked() {
     for k in 0..200 {
         let [x, y, ..] = spread(k);
         let low = Point::new(2.0 + x * 25.0, 2.0 + y * 15.0);
-        let mut asked = 0;
-        world.obstacles.find(low, Point::new(low.x + 1.0, low.y + 1.0), |edge| {
+        let (mut asked, middle) = (0, low + Vector::new(0.5, 0.5));
+        world.obstacles.find(low, low + Vector::new(1.0, 1.0), |edge| {
             asked += 1;
-            // Buckets of 2 m, whose circles are a little larger, and edges of √2 m at most.
-            assert!((edge.a - low).norm() < 7.0);
+            // The circles around the buckets of 2 m that the box touches are a little wider than their diagonals.
+            assert!(least(edge.a, edge.b, |p| (p - middle).norm()) < 1.5 * 2.0_f64.sqrt() + 1.42);
             false
         });
         most = most.max(asked);
@@ -262,4 +263,40 @@ fn inside_is_told_of_outlines_with_dents() {
     ] {
         assert_eq!(obstacles.inside(Point::new(x, y)), owner, "{x} {y}");
     }
+}
+
+#[test]
+fn contact_is_free_along_the_way() {
+    let hall = world(0).obstacles;
+    let car = Vehicle::PAPER;
+    let probe = Probe::new(&hall, &car);
+    let along = |y: f64, length: f64| {
+        let (from, arc) = (Pose::new(5.0, y, 0.0), Arc { curvature: 0.0, length });
+        (probe.arc_free(from, &arc, 0.1, 0.0), probe.free_length(from, &arc, 0.1, 0.0))
+    };
+    let side = car.width / 2.0;
+    assert_eq!(along(side, 5.0), (true, 5.0));
+    assert_eq!(along(side - 0.01, 5.0), (false, 0.0));
+    let (free, length) = along(10.0, 22.0);
+    let front = WIDE - 5.0 - car.rear_to_front;
+    assert!(!free && length <= front + 1e-6 && length > front - 0.1 / 16.0, "{length}");
+}
+
+#[test]
+fn a_wall_may_be_a_point() {
+    let rim = [(0.0, 0.0), (WIDE, 0.0), (WIDE, HIGH), (0.0, HIGH)].map(|(x, y)| Point::new(x, y));
+    let post = Point::new(10.0, 10.0);
+    let boundary = Solid { outline: rim.to_vec(), owner: 9 };
+    let hall = Obstacles::new(&[Edge { a: post, b: post, owner: 1 }], &[], &boundary);
+    assert_eq!(hall.distance(Point::new(13.0, 14.0), 6.0), 5.0);
+    let probe = Probe::new(&hall, &Vehicle::PAPER);
+    assert_eq!(probe.hit(Pose::new(8.0, 10.0, 0.0), 0.0), Some(1));
+    assert!((probe.clearance(Pose::new(8.0, 12.0, 0.0), 3.0) - 0.7).abs() < 1e-12);
+}
+
+#[test]
+fn memory_is_told() {
+    // Cells of 0.25 m, four edges, buckets of 2 m: 16 × 11 and an end, of which 2·(16 + 11) hold an edge.
+    let bytes = 123 * 83 * 4 + 4 * size_of::<Edge>() + (16 * 11 + 1) * 4 + 54 * 4;
+    assert_eq!(world(0).obstacles.bytes(), bytes as u64);
 }
