@@ -33,24 +33,6 @@ for (const colorScheme of ["light", "dark"] as const) {
   });
 }
 
-test("a phone's page keeps room for what comes after its first picture", async ({ page }) => {
-  await page.setViewportSize(PHONE);
-  let release = (): void => {};
-  const held = new Promise<void>((done) => { release = done; });
-  await page.route(/\/phone-[^/]*\.js$/, async (route) => {
-    await held;
-    await route.continue();
-  });
-  await open(page);
-  const bounds = () => page.locator("parkade-timeline").boundingBox();
-  await expect(page.locator("parkade-sheet").getByRole("tab")).toHaveCount(0);
-  const before = await bounds();
-  release();
-  await expect(page.locator("parkade-sheet").getByRole("tab")).toHaveCount(3);
-  await expect(page.locator("parkade-chips button")).toHaveCount(4);
-  expect(await bounds()).toEqual(before);
-});
-
 test("a phone shows one map, nothing to scroll sideways, and the start pose in the open", async ({ page }) => {
   const complaints = complaintsOf(page);
   await page.setViewportSize(PHONE);

@@ -63,6 +63,22 @@ test("a network that goes while the page loads is said, and the page goes on by 
   await expect(page.getByRole("alert")).not.toContainText("loaded");
 });
 
+test("an embedded playground without its module says so in place of its poster, and goes on by itself", async ({ page }) => {
+  let down = true;
+  await page.route("**/*.wasm", (route) => (down ? route.abort() : route.continue()));
+  const figure = `<script type="module" src="./parkade-playground.js"></script>
+    <parkade-playground poster="data:," alt="a car park" style="width: 720px; height: 420px"></parkade-playground>`;
+  await page.route("**/figure.html", (route) => route.fulfill({ contentType: "text/html", body: `<!doctype html>${figure}` }));
+  await page.goto("./figure.html");
+  await expect(page.getByRole("alert")).toContainText("The planners could not be loaded");
+  await expect(page.locator("parkade-playground .poster")).toHaveCount(0);
+  await expect(page.getByRole("alert")).toBeVisible();
+  down = false;
+  await page.evaluate(() => dispatchEvent(new Event("online")));
+  await expect.poll(() => outcomes(page), { timeout: 30_000 }).toEqual(FOUND);
+  await expect(page.getByRole("alert")).not.toContainText("loaded");
+});
+
 test("a part of the page that does not arrive is said; everything else works", async ({ page }) => {
   await page.route("**/assets/inspector-*.js", (route) => route.abort());
   await open(page);

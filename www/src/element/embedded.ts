@@ -200,7 +200,10 @@ export class Embedded extends Playground {
     if (state.theme !== previous.theme) this.onTheme(state.theme);
     if (state.playback.fraction !== previous.playback.fraction) this.emit("seek", { playhead: state.playback.fraction, base: state.playback.base });
     if (state.selection !== previous.selection) this.emit("select", { selection: state.selection });
-    if (state.message !== previous.message && state.message?.tone === "err") this.emit("error", { code: state.message.code ?? "", message: state.message.text });
+    if (state.message !== previous.message && state.message?.tone === "err") {
+      this.becomeDrawable();
+      this.emit("error", { code: state.message.code ?? "", message: state.message.text });
+    }
     if (this.running && !busy) this.emit("plan-complete", { results: this.results, id: this.run });
     this.running = busy;
   }

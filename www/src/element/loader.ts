@@ -114,6 +114,8 @@ export class ParkadePlayground extends HTMLElement {
     inner.onTheme = (theme) => this.setAttribute("theme", theme);
     for (const name of ATTRIBUTES) this.pass(inner, name);
     this.inner = inner;
+    // What went wrong is said below the poster.
+    inner.addEventListener("error", () => this.uncover(), { once: true });
     inner.ready.then(() => this.live()).catch((error: unknown) => this.settle.failed(error));
     this.root.append(inner);
     for (const [name, value] of this.early) (inner as unknown as Record<string, unknown>)[name] = value;

@@ -62,9 +62,9 @@ export class Playground extends LitElement {
   /** Whether nothing is edited by pointer or keys. */
   declare viewing: boolean;
   protected readonly app = new App(this);
-  /** Resolves when there is a scene to draw, or none will come. */
+  /** Resolves when there is a scene to draw, or something to say in its place. */
   protected readonly drawable: Promise<void>;
-  private becomeDrawable: () => void = () => {};
+  protected becomeDrawable: () => void = () => {};
   private becomeReady: () => void = () => {};
   private detach: (() => void)[] = [];
   private words: Promise<void> = Promise.resolve();
@@ -280,7 +280,6 @@ export class Playground extends LitElement {
       this.emit("ready", {});
     } catch (error) {
       this.app.refuse("app.unsupported", { reason: error instanceof Error ? error.message : String(error) });
-      this.becomeDrawable();
     }
   }
 

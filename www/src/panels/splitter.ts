@@ -70,7 +70,7 @@ export class Splitter extends LitElement {
   private lay(size: number): void {
     const [least, usual, most] = SIZES[this.pane];
     this.size = Math.min(most, Math.max(least, size));
-    const { style } = (this.getRootNode() as ShadowRoot).host as HTMLElement;
+    const { style } = this.closest<HTMLElement>(".desk") ?? this;
     if (this.size === usual) style.removeProperty(`--pane-${this.pane}`);
     else style.setProperty(`--pane-${this.pane}`, `${this.size}px`);
   }

@@ -37,9 +37,6 @@ export const layout = css`
   :host([short]) .phone { grid-template-rows: 45px minmax(0, 1fr) auto 48px 0; }
   parkade-chips { grid-area: chips; }
   parkade-sheet { grid-area: sheet; }
-  /* As high as they will be: their code comes after the first picture. */
-  parkade-chips:not(:defined) { height: 57px; }
-  parkade-sheet:not(:defined) { height: 261px; }
   :host([viewing]) parkade-stage { pointer-events: none; --parkade-hint: none; }
   :host([controls="minimal"]) .desk { grid-template: "stage" minmax(0, 1fr) "time" 44px / minmax(0, 1fr); }
   :host([controls="minimal"]) .phone { grid-template: "stage" minmax(0, 1fr) "time" 48px / minmax(0, 1fr); }
