@@ -150,6 +150,8 @@ pub fn best_first<D: Domain, O: Observer<D::Cost, D::Label>>(
 
 #[cfg(test)]
 mod tests {
+    use std::cell::Cell;
+
     use super::*;
     use crate::search::Finish;
 
@@ -193,6 +195,7 @@ mod tests {
         let mut scratch = Scratch::new();
         let report = best_first(&mut Line { n: 10, target: 7 }, (3, ()), LIMITS, &mut scratch, &mut ());
         assert_eq!((report.end, report.expanded, report.generated), (End::Found, 5, 6));
+        assert_eq!((report.pushes, report.open_peak), (6, 2));
         assert_eq!(scratch.chain(7).iter().map(|n| n.0).collect::<Vec<_>>(), [3, 4, 5, 6, 7]);
     }
 
@@ -220,5 +223,110 @@ mod tests {
             assert_eq!(report.found.map(|f| f.1), Some(i64::from(target)));
             assert_eq!(scratch.cost(target), Some(i64::from(target)));
         }
+    }
+
+    /// Directed edges with costs, and by node an estimate and a completion. From node 2, edges lead past it.
+    struct Graph {
+        edges: Vec<(NodeId, NodeId, i64)>,
+        estimates: [i64; 5],
+        completions: [Option<i64>; 5],
+        asked: Cell<u32>,
+    }
+
+    impl Graph {
+        fn new(edges: &[(NodeId, NodeId, i64)], completions: [Option<i64>; 5]) -> Self {
+            Self { edges: edges.to_vec(), estimates: [0; 5], completions, asked: Cell::new(0) }
+        }
+
+        fn search(&mut self, root: NodeId, limits: Limits) -> (Report<i64, ()>, Vec<NodeId>) {
+            let mut scratch = Scratch::new();
+            let report = best_first(self, (root, ()), limits, &mut scratch, &mut ());
+            let chain = scratch.chain(report.found.map_or(root, |found| found.0));
+            (report, chain.iter().map(|at| at.0).collect())
+        }
+    }
+
+    impl Domain for Graph {
+        type Cost = i64;
+        type Label = ();
+        type Tail = ();
+
+        fn node_count(&self) -> usize {
+            5
+        }
+
+        fn successors<S: Relax<i64, ()>>(&self, from: Visit<i64, ()>, sink: &mut S) {
+            assert!(sink.is_closed(from.node) && !sink.worth(from.node, -100));
+            for &(_, to, cost) in self.edges.iter().filter(|edge| edge.0 == from.node) {
+                self.asked.set(self.asked.get() + u32::from(sink.worth(to, cost)));
+                if from.node == 2 {
+                    sink.emit_past(to, cost, ());
+                } else {
+                    sink.emit(to, cost, ());
+                }
+                assert!(!sink.is_closed(to) || !sink.worth(to, cost));
+            }
+        }
+
+        fn heuristic(&self, node: NodeId, (): ()) -> i64 {
+            self.estimates[node as usize]
+        }
+
+        fn finish(&mut self, at: Visit<i64, ()>, _: i64) -> Option<Finish<i64, ()>> {
+            self.completions[at.node as usize].map(|cost| Finish { cost, tail: () })
+        }
+    }
+
+    const AT_3: [Option<i64>; 5] = [None, None, None, Some(0), None];
+
+    #[test]
+    fn a_better_way_replaces_a_worse_one() {
+        let mut graph = Graph::new(&[(0, 1, 5), (0, 4, 1), (4, 1, 1), (1, 3, 1), (1, 0, 1), (4, 1, 9)], AT_3);
+        let (report, chain) = graph.search(0, LIMITS);
+        assert_eq!((report.found.unwrap().1, chain), (3, vec![0, 4, 1, 3]));
+        // The old entry of 1 is not expanded.
+        assert_eq!((report.expanded, report.generated, report.pushes), (4, 4, 5));
+        // Back to 0 and at 9 to 1 are no better.
+        assert_eq!(graph.asked.get(), 4);
+        assert_eq!(report.closest, (0, 0), "the first of the equally near");
+    }
+
+    #[test]
+    fn a_move_may_lead_past_the_node() {
+        let edges = |past| [(4, 0, 1), (0, 1, 5), (0, 2, 1), (2, 1, past), (1, 3, 1)];
+        let (report, chain) = Graph::new(&edges(3), AT_3).search(4, LIMITS);
+        assert_eq!((report.found.unwrap().1, report.pushes, chain), (5, 6, vec![4, 0, 1, 3]));
+        // As dear as what is known, or closed.
+        for past in [5, 6] {
+            let (report, chain) = Graph::new(&edges(past), AT_3).search(4, LIMITS);
+            assert_eq!((report.found.unwrap().1, report.pushes, chain), (7, 5, vec![4, 0, 1, 3]));
+        }
+        let (report, _) = Graph::new(&[(4, 0, 1), (0, 2, 1), (2, 0, -5)], [None; 5]).search(4, LIMITS);
+        assert_eq!((report.expanded, report.pushes), (3, 3));
+    }
+
+    #[test]
+    fn the_cheapest_completion_is_found_or_the_first() {
+        let edges = [(0, 1, 1), (0, 4, 2), (4, 3, 2)];
+        let completions = [Some(10), Some(2), None, Some(0), None];
+        let (report, chain) = Graph::new(&edges, completions).search(0, LIMITS);
+        assert_eq!((report.end, report.found.unwrap().1, chain), (End::Found, 3, vec![0, 1]));
+        // 3 would cost no less than what is known by then.
+        assert_eq!((report.expanded, report.generated), (3, 3));
+        let (report, chain) = Graph::new(&edges, completions).search(0, Limits { first: true, ..LIMITS });
+        assert_eq!(
+            (report.end, report.found.unwrap().1, report.expanded, chain),
+            (End::Found, 10, 1, vec![0])
+        );
+        let (report, _) = Graph::new(&edges, completions).search(0, Limits { max_expansions: 1, ..LIMITS });
+        assert_eq!((report.end, report.found.unwrap().1), (End::BudgetSpent, 10));
+    }
+
+    #[test]
+    fn what_cannot_reach_the_target_is_left_out() {
+        let mut graph = Graph::new(&[(0, 1, 1), (0, 4, 1), (1, 3, 5), (4, 3, 1)], AT_3);
+        graph.estimates[4] = i64::MAX;
+        let (report, chain) = graph.search(0, LIMITS);
+        assert_eq!((report.found.unwrap().1, report.generated, chain), (6, 3, vec![0, 1, 3]));
     }
 }

@@ -7,6 +7,7 @@ mod endure;
 mod everywhere;
 mod fuzz;
 mod latency;
+mod mutants;
 mod paper;
 mod serve;
 mod site;
@@ -59,6 +60,11 @@ const COMMANDS: &[Command] = &[
         name: "fuzz",
         about: "ask random questions, check the answers: fuzz [target] [--count N] [--from SEED]",
         run: fuzz::fuzz,
+    },
+    Command {
+        name: "mutants",
+        about: "change the code, see that a test fails: mutants [geometry|search|collision] [options of cargo-mutants]",
+        run: mutants::mutants,
     },
     Command {
         name: "wasm-test-runner",
