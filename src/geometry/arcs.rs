@@ -158,5 +158,8 @@ mod tests {
             points.iter().map(|p| (p.pose, p.gear, p.station)).collect::<Vec<_>>(),
             [(start, 1, 0.0); 2]
         );
+        let changes =
+            |lengths: [f64; 3]| direction_changes(&lengths.map(|length| Arc { curvature: 0.1, length }));
+        assert_eq!((changes([1.0, 0.0, 2.0]), changes([-1.0, 0.0, -2.0])), (0, 2));
     }
 }
