@@ -223,7 +223,7 @@ export class Embedded extends Playground {
 
   /** Under its poster nothing is drawn twice: first without a scene, then with it. */
   protected override async scheduleUpdate(): Promise<void> {
-    await this.drawable;
+    if (!this.hasUpdated) await this.drawable;
     await super.scheduleUpdate();
   }
 
