@@ -277,6 +277,37 @@ mod tests {
     }
 
     #[test]
+    fn discs_cover_the_grown_body_and_no_more_than_its_corners_need() {
+        let hall = hall(&[]);
+        for (vehicle, margin) in [(Vehicle::PAPER, 0.0), (Vehicle::PAPER, 0.3), (Vehicle::SEDAN, 0.1)] {
+            let probe = Probe::new(&hall, &vehicle);
+            let [front, back, left, right] = probe.sides(margin);
+            let mut needed = 0.0_f64;
+            for (i, j) in
+                (0..=60).flat_map(|i| (0..=20).map(move |j| (f64::from(i) / 60.0, f64::from(j) / 20.0)))
+            {
+                let (x, y) = (back + i * (front - back), right + j * (left - right));
+                let nearest = probe.discs.iter().map(|d| (x - d).hypot(y)).fold(f64::INFINITY, f64::min);
+                needed = needed.max(nearest);
+            }
+            assert!((probe.disc_radius(margin) - needed).abs() < 1e-9, "{needed} m");
+        }
+    }
+
+    #[test]
+    fn no_disc_moves_faster_than_the_pace_and_one_moves_at_it() {
+        let hall = hall(&[]);
+        let probe = Probe::new(&hall, &Vehicle::PAPER);
+        for curvature in [0.0, 0.05, -0.185] {
+            let (step, from) = (1e-5, Pose::new(0.0, 0.0, 0.0));
+            let to = Place::of(from.advance(curvature, step));
+            let moved = |d: &f64| (to.x + d * to.cos - d).hypot(to.y + d * to.sin) / step;
+            let fastest = probe.discs.iter().map(moved).fold(0.0, f64::max);
+            assert!((probe.pace(curvature) - fastest).abs() < 1e-4, "{curvature}: {fastest}");
+        }
+    }
+
+    #[test]
     fn a_free_arc_is_free_at_every_pose() {
         let square =
             [(12.0, 8.0), (13.0, 8.5), (12.6, 9.4), (11.8, 9.0)].map(|(x, y)| Point::new(x, y)).to_vec();
