@@ -35,6 +35,7 @@ export abstract class AppElement extends LitElement {
   protected pace = 0;
   /** Whether it is only built when there is room for it: many an embedded playground never shows its panels. */
   protected waits = false;
+  private room: Promise<void> | null = null;
   private stop: (() => void) | null = null;
   private drawnAt = 0;
 
@@ -59,13 +60,23 @@ export abstract class AppElement extends LitElement {
     if (changed.has("app") && !this.stop) this.watch();
   }
 
+  // Not the update waits: Lit gives an element that was there before its code the properties of then with the first one.
+  protected override shouldUpdate(): boolean {
+    if (!this.waits) return true;
+    this.room ??= boxed(this).then(() => {
+      this.waits = false;
+      this.requestUpdate("app");
+    });
+    return false;
+  }
+
   /** Answers of several planners within a frame are one redraw. */
   protected override async scheduleUpdate(): Promise<void> {
     if (this.hasUpdated) {
       const wait = this.pace > 0 && this.state.transient ? this.drawnAt + this.pace - performance.now() : 0;
       if (wait > 0) await new Promise((done) => setTimeout(done, wait));
       await nextFrame();
-    } else if (this.waits) await boxed(this);
+    }
     this.drawnAt = performance.now();
     super.scheduleUpdate();
   }

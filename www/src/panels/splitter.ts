@@ -30,6 +30,8 @@ export class Splitter extends LitElement {
   declare lang: Lang;
   declare size: number;
   private pulled = false;
+  private hasRoom = false;
+  private room: Promise<void> | null = null;
 
   override connectedCallback(): void {
     super.connectedCallback();
@@ -57,9 +59,13 @@ export class Splitter extends LitElement {
     return html`<i></i>`;
   }
 
-  protected override async scheduleUpdate(): Promise<void> {
-    if (!this.hasUpdated) await boxed(this);
-    super.scheduleUpdate();
+  protected override shouldUpdate(): boolean {
+    if (this.hasRoom) return true;
+    this.room ??= boxed(this).then(() => {
+      this.hasRoom = true;
+      this.requestUpdate("pane");
+    });
+    return false;
   }
 
   private put(size: number): void {
