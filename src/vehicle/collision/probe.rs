@@ -287,7 +287,11 @@ mod tests {
                 (0..=60).flat_map(|i| (0..=20).map(move |j| (f64::from(i) / 60.0, f64::from(j) / 20.0)))
             {
                 let (x, y) = (back + i * (front - back), right + j * (left - right));
-                let nearest = probe.discs.iter().map(|d| (x - d).hypot(y)).fold(f64::INFINITY, f64::min);
+                let nearest = probe
+                    .discs
+                    .iter()
+                    .map(|d| ((x - d) * (x - d) + y * y).sqrt())
+                    .fold(f64::INFINITY, f64::min);
                 needed = needed.max(nearest);
             }
             assert!((probe.disc_radius(margin) - needed).abs() < 1e-9, "{needed} m");
@@ -301,7 +305,10 @@ mod tests {
         for curvature in [0.0, 0.05, -0.185] {
             let (step, from) = (1e-5, Pose::new(0.0, 0.0, 0.0));
             let to = Place::of(from.advance(curvature, step));
-            let moved = |d: &f64| (to.x + d * to.cos - d).hypot(to.y + d * to.sin) / step;
+            let moved = |d: &f64| {
+                let (x, y) = (to.x + d * to.cos - d, to.y + d * to.sin);
+                (x * x + y * y).sqrt() / step
+            };
             let fastest = probe.discs.iter().map(moved).fold(0.0, f64::max);
             assert!((probe.pace(curvature) - fastest).abs() < 1e-4, "{curvature}: {fastest}");
         }
