@@ -257,6 +257,7 @@ mod tests {
 
         fn successors<S: Relax<i64, ()>>(&self, from: Visit<i64, ()>, sink: &mut S) {
             assert!(sink.is_closed(from.node) && !sink.worth(from.node, -100));
+            assert_eq!(from.parent.is_none(), from.g == 0);
             for &(_, to, cost) in self.edges.iter().filter(|edge| edge.0 == from.node) {
                 self.asked.set(self.asked.get() + u32::from(sink.worth(to, cost)));
                 if from.node == 2 {
@@ -281,14 +282,17 @@ mod tests {
 
     #[test]
     fn a_better_way_replaces_a_worse_one() {
-        let mut graph = Graph::new(&[(0, 1, 5), (0, 4, 1), (4, 1, 1), (1, 3, 1), (1, 0, 1), (4, 1, 9)], AT_3);
+        let mut graph =
+            Graph::new(&[(0, 1, 5), (0, 4, 1), (4, 1, 1), (1, 3, 1), (1, 0, 1), (4, 1, 1), (4, 1, 9)], AT_3);
         let (report, chain) = graph.search(0, LIMITS);
         assert_eq!((report.found.unwrap().1, chain), (3, vec![0, 4, 1, 3]));
         // The old entry of 1 is not expanded.
         assert_eq!((report.expanded, report.generated, report.pushes), (4, 4, 5));
-        // Back to 0 and at 9 to 1 are no better.
+        // Back to 0 and at 9 to 1 are no better, nor is as dear a way.
         assert_eq!(graph.asked.get(), 4);
         assert_eq!(report.closest, (0, 0), "the first of the equally near");
+        let (report, _) = Graph::new(&[(0, 1, 5), (0, 4, 1), (4, 1, 1)], [None; 5]).search(0, LIMITS);
+        assert_eq!((report.end, report.expanded, report.pushes), (End::Exhausted, 3, 4), "nor at the end");
     }
 
     #[test]
@@ -307,9 +311,12 @@ mod tests {
 
     #[test]
     fn the_cheapest_completion_is_found_or_the_first() {
-        let edges = [(0, 1, 1), (0, 4, 2), (4, 3, 2)];
-        let completions = [Some(10), Some(2), None, Some(0), None];
-        let (report, chain) = Graph::new(&edges, completions).search(0, LIMITS);
+        let edges = [(0, 1, 1), (0, 4, 2), (4, 3, 0)];
+        // From 4, as dear a way as from 1, and later.
+        let completions = [Some(10), Some(2), None, Some(1), Some(1)];
+        let mut graph = Graph::new(&edges, completions);
+        graph.estimates[3] = 1;
+        let (report, chain) = graph.search(0, LIMITS);
         assert_eq!((report.end, report.found.unwrap().1, chain), (End::Found, 3, vec![0, 1]));
         // 3 would cost no less than what is known by then.
         assert_eq!((report.expanded, report.generated), (3, 3));

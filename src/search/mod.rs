@@ -8,6 +8,9 @@ mod entry;
 pub mod lattice;
 mod observer;
 mod open;
+#[cfg(test)]
+#[cfg(feature = "complete")]
+mod plain;
 mod queue;
 mod side;
 mod sorting;

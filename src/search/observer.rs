@@ -183,4 +183,41 @@ mod tests {
         }
         assert_eq!((trace.expanded, trace.dropped), (vec![5, 3], 1));
     }
+
+    fn due(observer: &mut impl Observer<i64, ()>, expanded: u32) -> u32 {
+        observer.due(expanded)
+    }
+
+    const TEN: NonZeroU32 = NonZeroU32::new(10).unwrap();
+
+    #[test]
+    fn progress_is_told_every_so_often_over_all_searches() {
+        let mut told = Vec::new();
+        let mut tell = |expanded| {
+            told.push(expanded);
+            if expanded < 30 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        };
+        let mut progress = Progress::new(TEN, &mut tell);
+        assert_eq!([0, 9, 10, 17].map(|expanded| due(&mut progress, expanded)), [10, 10, 20, 20]);
+        progress.follow(17);
+        assert_eq!([0, 3, 9].map(|expanded| due(&mut progress, expanded)), [3, 13, 13]);
+        assert!(!progress.is_stopped());
+        assert_eq!([13, 13, 23].map(|expanded| due(&mut progress, expanded)), [0; 3]);
+        assert!(progress.is_stopped());
+        assert_eq!(told, [10, 20, 30], "and not again");
+    }
+
+    #[test]
+    fn both_watch_and_the_sooner_is_told() {
+        let (mut one, mut tell) = (Told::default(), |_| ControlFlow::Continue(()));
+        let mut progress = Some(Progress::new(TEN, &mut tell));
+        let mut both = ((&mut one, Told::default()), progress.as_mut());
+        both.expanded(5, (), 0);
+        both.relaxed(6, 5, (), 1);
+        assert_eq!([0, 10].map(|expanded| due(&mut both, expanded)), [10, 20]);
+        let (_, other) = both.0;
+        let all = [(5, None), (6, Some(5))];
+        assert_eq!((&one.0[..], &other.0[..]), (&all[..], &all[..]));
+        assert_eq!(due(&mut (None::<Told>, Told::default()), 10), u32::MAX);
+    }
 }

@@ -137,6 +137,12 @@ impl<C: Cost> OpenList<C> {
         (self.ticket - self.first) / TICKET
     }
 
+    /// An empty list whose next entry has this ticket.
+    #[cfg(test)]
+    pub(super) fn at(ticket: u32) -> Self {
+        Self { ticket, first: ticket, ..Self::default() }
+    }
+
     /// The ticket of the next entry: larger than all before.
     pub(super) fn ticket(&self) -> u32 {
         self.ticket
@@ -339,18 +345,21 @@ mod tests {
             (state >> 33) % n
         };
         let mut open = OpenList::default();
-        for round in 0..20 {
+        for round in 0..40 {
             open.reset(1_000_000);
             let begin = open.ticket();
             let mut held: Vec<(i64, i64, u32)> = Vec::new();
-            let mut number = 0;
+            let (mut number, mut last) = (0, 1_000_000);
             let steps = if round % 2 == 0 { 2000 } else { 300 };
             for _ in 0..steps {
                 if random(3) < 2 {
-                    let f = match random(50) {
-                        0 => 1 << 50,
-                        1 => -5,
-                        _ => random(40) as i64 * 100_003,
+                    let f = match (random(50), round / 2 % 4) {
+                        (0, _) => 1 << 50,
+                        (1, _) => -5,
+                        (_, 0) => random(40) as i64 * 100_003,
+                        (_, 1) => last + random(5) as i64 * 1_414_214,
+                        (_, 2) => last + random(70_000) as i64,
+                        _ => last + random(20) as i64,
                     };
                     let h = random(8) as i64;
                     push(&mut open, Order::Newest, f, h);
@@ -362,6 +371,7 @@ mod tests {
                     let want = first.map(|(i, _)| i).map(|i| held.swap_remove(i));
                     let got = open.pop(Order::Newest).map(|e| (e.f, e.h, (e.ticket - begin) / TICKET));
                     assert_eq!(got, want);
+                    last = got.map_or(last, |(f, ..)| f.clamp(1_000_000, 1 << 40));
                 }
             }
         }

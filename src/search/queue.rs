@@ -322,6 +322,8 @@ mod tests {
                     let f = match (random(&mut state, 50), round % 4) {
                         (0, _) => (1 << 45) + random(&mut state, 4) as i64,
                         (1, 0) => 5,
+                        // The same place in the ring, later.
+                        (1..3, _) => last + (1 + random(&mut state, 3) as i64) * ((RING as i64) << E::WIDTH),
                         (_, 0) => random(&mut state, 40) as i64 * 100_003,
                         (_, 1) => random(&mut state, 40) as i64 * 10_000_019,
                         (_, 2) => last + random(&mut state, 5) as i64 * 1_414_214,

@@ -16,7 +16,7 @@ const GENERATION: Record = 1 << 53;
 const GENERATIONS: u64 = 1 << 11;
 /// The move that leads to the root.
 const ROOT: u32 = 255;
-const UNKNOWN: i64 = (1 << 44) - 1;
+const COST: i64 = (1 << 44) - 1;
 
 /// The memory of these searches, reused between them: nothing is cleared, so a query costs what it touches.
 #[derive(Debug)]
@@ -47,7 +47,7 @@ impl<E> Default for Memory<E> {
 }
 
 pub(super) const fn cost_of(record: Record) -> i64 {
-    (record >> MOVE) as i64 & UNKNOWN
+    (record >> MOVE) as i64 & COST
 }
 
 /// The number of the move that led to a node that was reached; none at the root.
@@ -97,12 +97,11 @@ impl<E: Entry> Memory<E> {
         self.records.as_chunks::<SIDES>().0[node as usize + self.rim][turn]
     }
 
-    /// The node's cost, where this side has reached it.
+    /// The node's cost, where this side has reached it; not for nodes that [`Memory::settle`] took out of its search.
     #[cfg(feature = "complete")]
     pub(super) fn known(&self, turn: usize, node: NodeId) -> Option<i64> {
         let record = self.record::<2>(turn, node);
-        let cost = cost_of(record);
-        (record < self.generation + GENERATION && cost != UNKNOWN).then_some(cost)
+        (record < self.generation + GENERATION).then_some(cost_of(record))
     }
 
     #[cfg(feature = "complete")]
@@ -123,11 +122,7 @@ impl<E: Entry> Memory<E> {
         let both = self.at::<2>(node);
         both[turn] = record & !OPEN;
         let other = &mut both[1 - turn];
-        *other = if *other >= generation + GENERATION {
-            generation | (UNKNOWN as Record) << MOVE
-        } else {
-            *other & !OPEN
-        };
+        *other = if *other >= generation + GENERATION { generation } else { *other & !OPEN };
     }
 
     /// Whether the only side has reached the node.
@@ -264,7 +259,7 @@ impl<L: Lattice, O: Observer<i64, ()>, const SIDES: usize, const TURN: usize> Si
         {
             let other = known[SIDES - 1 - TURN];
             let there = g + cost_of(other);
-            if other < self.fresh && there < best.0 && cost_of(other) != UNKNOWN {
+            if other < self.fresh && there < best.0 {
                 **best = (there, target);
             }
         }

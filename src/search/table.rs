@@ -128,3 +128,44 @@ impl<C: Cost, L: Copy + Default> Scratch<C, L> {
         chain
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn enter(scratch: &mut Scratch<i64, char>, node: NodeId, g: i64) -> bool {
+        scratch.enter(Order::Newest, (g, 0), node, (g, 'l', NO_PARENT))
+    }
+
+    #[test]
+    fn tickets_start_anew_before_they_run_out() {
+        let mut scratch = Scratch::new();
+        let half = 1 << 31;
+        scratch.open = OpenList::at(half - 8);
+        scratch.begin(2, 0);
+        assert!(enter(&mut scratch, 0, 5) && !enter(&mut scratch, 0, 4));
+        assert_eq!((scratch.cost(0), scratch.open.ticket()), (Some(4), half));
+        scratch.begin(2, 0);
+        assert_eq!((scratch.cost(0), scratch.open.ticket()), (None, open::FIRST));
+        assert!(enter(&mut scratch, 1, 3));
+        // Tickets go on from one search to the next.
+        scratch.begin(2, 0);
+        assert_eq!((scratch.cost(1), scratch.open.ticket()), (None, 2 * open::FIRST));
+    }
+
+    #[test]
+    fn nodes_beyond_the_count_are_taken() {
+        let mut scratch = Scratch::new();
+        scratch.begin(0, 0);
+        for node in [0, 1, 6] {
+            assert!(scratch.cost(node).is_none() && enter(&mut scratch, node, 7));
+            assert_eq!((scratch.cost(node), scratch.label(node)), (Some(7), Some('l')));
+        }
+    }
+
+    #[test]
+    fn memory_is_told() {
+        // A node has its cost, parent and ticket, an entry two costs, its node and its ticket.
+        assert_eq!(Scratch::<i64, ()>::bytes(10, 3), 10 * 16 + 3 * 24);
+    }
+}

@@ -143,7 +143,10 @@ fn moves_that_are_held_back_wait() {
     let late = found(Hold::Penalty(1), 7, 5);
     assert_eq!((late.nodes, late.cost), (vec![7, 6, 5], 2));
     assert_eq!((late.expanded, late.generated, late.pushes, late.deferred), (4, 4, 5, 2));
-    // Put back by 4, it comes after the node 9, which is stuck.
+    // Put back by 4, it comes before the node 9 by its smaller h.
+    let tie = found(Hold::Penalty(4), 7, 5);
+    assert_eq!((tie.cost, tie.expanded, tie.generated, tie.pushes, tie.deferred), (2, 5, 5, 7, 2));
+    // Put back by 5, it comes after that one, which is stuck.
     let later = found(Hold::Penalty(5), 7, 5);
     assert_eq!((later.cost, later.expanded, later.generated, later.pushes, later.deferred), (2, 6, 5, 7, 3));
 }
@@ -186,4 +189,10 @@ fn a_memory_serves_more_searches_than_it_has_generations() {
             Line::<false, false>::new(line.ends.0, line.ends.1).one_way(100).generated
         );
     }
+}
+
+#[test]
+fn a_leg_at_another_cost_is_the_same_move() {
+    let (leg, other) = (Leg::new(200, 5).at(1 << 40), Leg::new(200, 1 << 40));
+    assert_eq!((leg.cost, leg.code), (other.cost, other.code));
 }
