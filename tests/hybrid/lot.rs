@@ -78,11 +78,16 @@ impl Lot {
 
     /// Drives `path` in steps of 2 cm: ends at the goal, turns within the limit, touches nothing.
     pub(crate) fn check(&self, name: &str, path: &[Arc]) {
+        self.check_every(name, path, 0.02);
+    }
+
+    /// Drives `path` in steps of so many metres.
+    pub(crate) fn check_every(&self, name: &str, path: &[Arc], spacing: f64) {
         let mut at = self.start;
         assert_eq!(self.hit(at), None, "{name}: at the start");
         for arc in path {
             assert!(arc.curvature.abs() <= CAR.max_curvature() + 1e-9, "{name}: {arc:?}");
-            let steps = (arc.length.abs() / 0.02).ceil();
+            let steps = (arc.length.abs() / spacing).ceil();
             let from = at;
             for k in 1..=steps as u32 {
                 at = drive(from, arc.curvature, arc.length * f64::from(k) / steps);

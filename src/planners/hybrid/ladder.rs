@@ -24,6 +24,13 @@ const PATIENCE: f64 = 1.3;
 /// The first level's weight then.
 const TIGHT_WEIGHT: f64 = 1.2;
 
+/// What the levels share: the answer so far, the memory, and who is told of the expansions.
+pub(super) struct Work<'a, 'p> {
+    pub(super) report: &'a mut Report,
+    pub(super) scratch: &'a mut Scratch,
+    pub(super) progress: &'a mut Option<Progress<'p>>,
+}
+
 /// One question at one margin.
 #[derive(Clone, Copy)]
 pub(super) struct Search<'a> {
@@ -53,28 +60,22 @@ impl Search<'_> {
     }
 
     /// Tries the levels from one on in order until one gives a path.
-    pub(super) fn climb(
-        &self,
-        first: usize,
-        report: &mut Report,
-        scratch: &mut Scratch,
-        progress: &mut Option<Progress>,
-    ) {
+    pub(super) fn climb(&self, first: usize, work: &mut Work) {
         for (number, level) in self.config.levels().enumerate().skip(first) {
             // A level that spent its budget had room to move: finer steps would only spend more.
-            if number >= FINE && matches!(report.status, Status::BudgetExhausted(_)) {
+            if number >= FINE && matches!(work.report.status, Status::BudgetExhausted(_)) {
                 return;
             }
-            report.level = number as u32;
+            work.report.level = number as u32;
             let found = if number == 0 {
                 let weight = self.config.heuristic_weight.unwrap_or(if self.tight {
                     TIGHT_WEIGHT
                 } else {
                     level.weight
                 });
-                self.coarse(Level { weight, ..level }, report, scratch, progress)
+                self.coarse(Level { weight, ..level }, work)
             } else {
-                self.level(level, report, scratch, progress)
+                self.level(level, work)
             };
             if found {
                 return;
@@ -84,26 +85,20 @@ impl Search<'_> {
 
     /// Searches the first level: soon with the plain estimate or, what is left of the budget, with a heavier one. On
     /// long cluttered ways the plain estimate spends its budget on detours of equal promise.
-    fn coarse(
-        &self,
-        level: Level,
-        report: &mut Report,
-        scratch: &mut Scratch,
-        progress: &mut Option<Progress>,
-    ) -> bool {
+    fn coarse(&self, level: Level, work: &mut Work) -> bool {
         let soon = Level { max_expansions: level.max_expansions.min(SOON), ..level };
-        let found = self.level(soon, report, scratch, progress);
-        let unfinished = matches!(report.status, Status::Suboptimal | Status::BudgetExhausted(_));
+        let found = self.level(soon, work);
+        let unfinished = matches!(work.report.status, Status::Suboptimal | Status::BudgetExhausted(_));
         if !unfinished || soon.max_expansions == level.max_expansions {
             return found;
         }
-        let before = found.then(|| (core::mem::take(&mut report.arcs), report.cost));
+        let before = found.then(|| (core::mem::take(&mut work.report.arcs), work.report.cost));
         let weight = self.config.heuristic_weight.unwrap_or(PATIENCE);
         let patient = Level { weight, max_expansions: level.max_expansions - soon.max_expansions, ..level };
-        let again = self.level(patient, report, scratch, progress);
+        let again = self.level(patient, work);
         match before {
-            Some((arcs, cost)) if !again || cost < report.cost => {
-                (report.arcs, report.cost, report.status) = (arcs, cost, Status::Suboptimal);
+            Some((arcs, cost)) if !again || cost < work.report.cost => {
+                (work.report.arcs, work.report.cost, work.report.status) = (arcs, cost, Status::Suboptimal);
                 true
             }
             _ => again,
@@ -111,37 +106,26 @@ impl Search<'_> {
     }
 
     /// Searches one level, with finer collision checks where verification fails; tells whether there is a path.
-    fn level(
-        &self,
-        level: Level,
-        report: &mut Report,
-        scratch: &mut Scratch,
-        progress: &mut Option<Progress>,
-    ) -> bool {
+    fn level(&self, level: Level, work: &mut Work) -> bool {
         for halvings in 0..3 {
             let level = Level { spacing: level.spacing / f64::from(1 << halvings), ..level };
-            let Some((arcs, status)) = self.search(level, report, scratch, progress) else { return false };
-            let arcs = self.improve(arcs, level, report.margin);
+            let Some((arcs, status)) = self.search(level, work) else { return false };
+            let arcs = self.improve(arcs, level, work.report.margin);
             if self.verified(&arcs) {
                 let costs = CostModel::driven(self.config, self.query.vehicle.min_turning_radius());
-                report.cost = costs.path(self.probe, self.start, Motion::default(), &arcs);
-                report.arcs = arcs;
-                report.status = status;
+                work.report.cost = costs.path(self.probe, self.start, Motion::default(), &arcs);
+                work.report.arcs = arcs;
+                work.report.status = status;
                 return true;
             }
-            report.status = Status::VerificationFailed;
+            work.report.status = Status::VerificationFailed;
         }
         false
     }
 
-    fn search(
-        &self,
-        level: Level,
-        report: &mut Report,
-        scratch: &mut Scratch,
-        progress: &mut Option<Progress>,
-    ) -> Option<(Vec<Arc>, Status)> {
-        if let Some(progress) = progress {
+    fn search(&self, level: Level, work: &mut Work) -> Option<(Vec<Arc>, Status)> {
+        let Work { report, scratch, progress } = work;
+        if let Some(progress) = progress.as_mut() {
             if progress.is_stopped() {
                 return None;
             }

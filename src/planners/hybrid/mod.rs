@@ -24,7 +24,7 @@ use core::cell::RefCell;
 use domain::State;
 use flood::Flood;
 use keys::Keys;
-use ladder::Search;
+use ladder::{Search, Work};
 use shots::Watch;
 
 use super::{Gap, Obstruction};
@@ -271,17 +271,18 @@ pub fn plan(
         scratch.flood = Some(flood);
         return report;
     }
-    search.climb(0, &mut report, scratch, progress);
+    let mut work = Work { report: &mut report, scratch, progress };
+    search.climb(0, &mut work);
     for margin in LESS {
-        let stopped = progress.as_ref().is_some_and(Progress::is_stopped);
-        if !report.arcs.is_empty() || (report.level as usize) < FINE || stopped {
+        let stopped = work.progress.as_ref().is_some_and(Progress::is_stopped);
+        if !work.report.arcs.is_empty() || (work.report.level as usize) < FINE || stopped {
             break;
         }
-        if report.margin > margin {
+        if work.report.margin > margin {
             // The margin is what keeps the car in.
-            (report.margin, report.status) = (margin, Status::NoPath);
+            (work.report.margin, work.report.status) = (margin, Status::NoPath);
             let flood = Flood::new(query.obstacles, query.vehicle, target, margin, None);
-            Search { flood: &flood, ..search }.climb(FINE, &mut report, scratch, progress);
+            Search { flood: &flood, ..search }.climb(FINE, &mut work);
         }
     }
     scratch.flood = Some(flood);
