@@ -154,7 +154,7 @@ pub(super) fn phases(
         let (up, down) = (ramp(a.1, peak), ramp(peak, b.1));
         phases.extend(up.phases(a.0));
         let cruise = b.0 - a.0 - up.length - down.length;
-        if cruise > 0.0 && peak > 0.0 {
+        if peak > 0.0 {
             let steady =
                 Phase { duration: cruise / peak, station: a.0 + up.length, speed: peak, ..Phase::default() };
             phases.push(steady);
@@ -163,4 +163,164 @@ pub(super) fn phases(
     }
     phases.retain(|phase| phase.duration > 1e-9);
     Some(phases)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const JERK: f64 = 2.0;
+    /// Metres a second.
+    const TOP: f64 = 3.0;
+
+    fn limits() -> Limits {
+        Limits { speed: TOP, acceleration: 1.0, deceleration: 1.5, ..Limits::default() }
+    }
+
+    /// Seconds and metres of a change of speed, once it is large enough for the whole acceleration.
+    fn change(from: f64, to: f64) -> (f64, f64) {
+        let most = if to > from { 1.0 } else { 1.5 };
+        let time = (to - from).abs() / most + most / JERK;
+        (time, time * (from + to) / 2.0)
+    }
+
+    /// Drives through zones; the time it takes. What it drives joins and keeps to all limits.
+    fn driven(zones: &[(f64, f64)], ends: [Place; 2]) -> Option<f64> {
+        let limits = limits();
+        let phases = phases(&limits, JERK, zones, ends)?;
+        let (mut at, mut time) = ((ends[0].0, ends[0].1, 0.0), 0.0);
+        let near = |a: (f64, f64, f64), b: (f64, f64, f64)| {
+            (a.0 - b.0).abs() < 1e-6 && (a.1 - b.1).abs() < 1e-6 && (a.2 - b.2).abs() < 1e-5
+        };
+        for phase in &phases {
+            assert!(near(at, (phase.station, phase.speed, phase.acceleration)), "{at:?} {phase:?}");
+            assert!(phase.duration > 0.0 && [0.0, JERK].contains(&phase.jerk.abs()), "{phase:?}");
+            for k in 0..=16 {
+                let (station, speed, acceleration) = phase.after(phase.duration * f64::from(k) / 16.0);
+                assert!((-1.5 - 1e-6..=1.0 + 1e-6).contains(&acceleration), "{phase:?}");
+                let limit =
+                    |station: f64| zones.iter().find(|zone| station <= zone.0).map_or(TOP, |zone| zone.1);
+                let most = limit(station - 1e-5).max(limit(station + 1e-5)).min(TOP);
+                assert!(speed <= most + 1e-6, "{speed} at {station}: {phase:?}");
+            }
+            at = phase.after(phase.duration);
+            time += phase.duration;
+        }
+        assert!(near(at, (ends[1].0, ends[1].1, 0.0)), "{at:?} {ends:?}");
+        Some(time)
+    }
+
+    fn takes(zones: &[(f64, f64)], ends: [Place; 2], wanted: f64) {
+        let time = driven(zones, ends).unwrap();
+        assert!((time - wanted).abs() < 1e-6, "{time} s, not {wanted} s");
+    }
+
+    #[test]
+    fn a_long_way_is_driven_at_the_limit() {
+        let (up, down) = (change(0.0, TOP), change(TOP, 0.0));
+        let steady = (100.0 - up.1 - down.1) / TOP;
+        takes(&[(105.0, 9.0)], [(5.0, 0.0), (105.0, 0.0)], up.0 + steady + down.0);
+        // Where one has not come to that speed yet, or no longer goes at it, a lower limit costs nothing.
+        takes(&[(5.1, 1.0), (105.0, 9.0)], [(5.0, 0.0), (105.0, 0.0)], up.0 + steady + down.0);
+        takes(&[(104.9, 9.0), (105.0, 1.0)], [(5.0, 0.0), (105.0, 0.0)], up.0 + steady + down.0);
+        // In two zones of one limit, and begun and ended in motion.
+        takes(&[(40.0, 9.0), (105.0, 9.0)], [(5.0, 0.0), (105.0, 0.0)], up.0 + steady + down.0);
+        let (up, down) = (change(1.0, TOP), change(TOP, 1.5));
+        takes(&[(60.0, TOP)], [(0.0, 1.0), (60.0, 1.5)], up.0 + (60.0 - up.1 - down.1) / TOP + down.0);
+        takes(&[(60.0, TOP)], [(0.0, TOP), (60.0, TOP)], 60.0 / TOP);
+    }
+
+    #[test]
+    fn it_may_begin_anywhere() {
+        let (up, down) = (change(0.0, TOP), change(TOP, 0.0));
+        let time = up.0 + (100.0 - up.1 - down.1) / TOP + down.0;
+        takes(&[(149.9, 9.0), (150.0, 1.0)], [(50.0, 0.0), (150.0, 0.0)], time);
+        // What begins where it ends does not matter.
+        takes(&[(60.0, TOP), (70.0, 0.5)], [(60.0 - up.1, 0.0), (60.0, TOP)], up.0);
+        assert!(driven(&[(60.0, TOP)], [(51.0, 2.0), (51.0 + change(2.0, 0.0).1 - 0.01, 0.0)]).is_none());
+    }
+
+    #[test]
+    fn a_short_way_lowers_the_peak() {
+        // Neither acceleration is reached: up and down are alike, each of p √(p / j) metres and 2 √(p / j) seconds.
+        for length in [0.001, 0.1, 0.3] {
+            let peak = (length * length * JERK / 4.0).cbrt();
+            takes(&[(length, TOP)], [(0.0, 0.0), (length, 0.0)], 4.0 * (peak / JERK).sqrt());
+        }
+        // Shorter than any speed could be found for.
+        takes(&[(1.0, TOP)], [(0.0, 0.0), (1e-30, 0.0)], 0.0);
+        // Just far enough to go from one speed to another.
+        let (time, length) = change(0.0, 2.0);
+        takes(&[(length, TOP)], [(0.0, 0.0), (length, 2.0)], time);
+        let (time, length) = change(2.0, 0.0);
+        takes(&[(7.0 + length, TOP)], [(7.0, 2.0), (7.0 + length, 0.0)], time);
+    }
+
+    #[test]
+    fn slow_zones_are_driven_at_their_limit() {
+        let ramps = [change(0.0, TOP), change(TOP, 1.0), change(1.0, TOP), change(TOP, 0.0)];
+        let (time, way) = ramps.iter().fold((0.0, 0.0), |sum, ramp| (sum.0 + ramp.0, sum.1 + ramp.1));
+        let zones = [(40.0, TOP), (45.0, 1.0), (90.0, TOP)];
+        takes(&zones, [(0.0, 0.0), (90.0, 0.0)], time + 5.0 + (85.0 - way) / TOP);
+        // The slower of two, and at either end.
+        let ramps = [change(0.0, 1.0), change(1.0, 2.0), change(2.0, 0.0)];
+        let ways = ramps.map(|ramp| ramp.1);
+        let wanted = ramps.iter().map(|ramp| ramp.0).sum::<f64>() + 20.0 - ways[0];
+        let wanted = wanted + (20.0 - ways[1] - ways[2]) / 2.0;
+        takes(&[(20.0, 1.0), (40.0, 2.0)], [(0.0, 0.0), (40.0, 0.0)], wanted);
+    }
+
+    #[test]
+    fn what_comes_too_soon_is_refused() {
+        let (_, length) = change(2.0, 0.0);
+        assert!(driven(&[(9.0, TOP)], [(0.0, 2.0), (length - 0.01, 0.0)]).is_none());
+        assert!(driven(&[(9.0, TOP)], [(0.0, 0.0), (1.0, 2.0)]).is_none());
+        for ends in [[(0.0, 2.0), (30.0, 0.0)], [(0.0, 2.0), (30.0, 2.0)]] {
+            assert!(driven(&[(1.0, 0.5), (30.0, TOP)], ends).is_none());
+            assert!(driven(&[(0.2, TOP), (1.0, 0.5), (30.0, TOP)], ends).is_none());
+        }
+        assert!(driven(&[(29.0, TOP), (30.0, 0.5)], [(0.0, 0.0), (30.0, 2.0)]).is_none());
+        assert!(driven(&[(29.0, TOP), (30.0, 2.0)], [(0.0, 0.0), (30.0, 2.0)]).is_some());
+    }
+
+    #[test]
+    fn a_slow_zone_is_come_to_slowly() {
+        // One slows down just before it, and speeds up just after it.
+        let (down, up) = (change(2.0, 0.5), change(0.5, 2.0));
+        let zones = [(10.0 + down.1, TOP), (30.0, 0.5), (30.0 + up.1, TOP)];
+        takes(&zones, [(10.0, 2.0), (30.0 + up.1, 2.0)], down.0 + (20.0 - down.1) / 0.5 + up.0);
+        // Too late, though there is room enough in it.
+        for ends in [[(10.01, 2.0), (30.0 + up.1, 2.0)], [(10.0, 2.0), (29.99 + up.1, 2.0)]] {
+            assert!(driven(&zones, ends).is_none());
+        }
+        assert!(driven(&zones[1..], [(15.0, 2.0), (25.0, 0.0)]).is_none());
+        assert!(driven(&zones[1..], [(15.0, 0.0), (25.0, 2.0)]).is_none());
+        // At its limit already, and too short to brake in it from there: no faster before it.
+        let stop = (2.0 * (1.0_f64 / JERK).sqrt(), (1.0_f64 / JERK).sqrt());
+        takes(&[(9.5, TOP), (10.0, 1.0)], [(0.0, 1.0), (10.0, 0.0)], 10.0 - stop.1 + stop.0);
+    }
+
+    #[test]
+    fn any_zones_are_kept_to() {
+        let mut state = 11_u64;
+        let mut random = move || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (state >> 33) as f64 / f64::from(1_u32 << 31)
+        };
+        for round in 0..300 {
+            let longest = [1.0, 4.0, 20.0][round % 3];
+            let mut end = 0.0;
+            let zones: Vec<_> = (0..=round % 7)
+                .map(|_| {
+                    end += 0.25 + longest * random();
+                    (end, 0.2 + 4.0 * random())
+                })
+                .collect();
+            let time = driven(&zones, [(0.0, 0.0), (end, 0.0)]).expect("from standstill to standstill");
+            let least = zones
+                .iter()
+                .fold((0.0, 0.0), |(from, time), zone| (zone.0, time + (zone.0 - from) / zone.1.min(TOP)));
+            assert!(time > least.1);
+        }
+    }
 }

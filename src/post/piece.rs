@@ -106,4 +106,23 @@ mod tests {
         assert!((arc.heading(1.0) + math::FRAC_PI_2).abs() < 1e-12);
         assert!(distance(arc.point(1.0), [2.0, 0.0]) < 1e-12);
     }
+
+    #[test]
+    fn pieces_become_points() {
+        let lines = Piece::lines(&[[0.0, 0.0], [3.0, 4.0], [3.0, 0.0]]);
+        assert_eq!(lines.iter().map(Piece::length).collect::<Vec<_>>(), [5.0, 4.0]);
+        let arc = Piece::Arc {
+            center: [3.0, 2.0],
+            radius: 2.0,
+            start_angle: -math::FRAC_PI_2,
+            sweep: math::FRAC_PI_2,
+        };
+        let points = Piece::polyline(&[lines[0], lines[1], arc], 0.9);
+        assert_eq!(points[..3], [[0.0, 0.0], [3.0, 4.0], [3.0, 0.0]]);
+        assert_eq!(points.len(), 3 + 4);
+        for (k, point) in points[2..].iter().enumerate() {
+            assert!(distance(*point, arc.point(k as f64 / 4.0)) < 1e-12);
+        }
+        assert!(Piece::polyline(&[], 0.9).is_empty());
+    }
 }

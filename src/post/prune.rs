@@ -167,6 +167,7 @@ fn distance(a: Cell, b: Cell) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::math;
 
     const STAIRS: [Cell; 5] =
         [Cell::new(0, 0), Cell::new(1, 0), Cell::new(1, 1), Cell::new(2, 1), Cell::new(2, 2)];
@@ -269,6 +270,41 @@ mod tests {
         for corner in [Corner::Strict, Corner::NoSqueeze, Corner::Free] {
             assert_eq!(prune_dp(&map, &path, corner), plain_dp(&map, &path, corner));
         }
+    }
+
+    #[test]
+    fn long_moves_are_cut_at_the_centres_they_pass() {
+        let cells = |row: &[(i32, i32)]| row.iter().map(|&(x, y)| Cell::new(x, y)).collect::<Vec<_>>();
+        let path = cells(&[(1, 1), (5, 3), (5, 0), (2, 3), (2, 3), (5, 5)]);
+        let ways = [(1, 1), (3, 2), (5, 3), (5, 2), (5, 1), (5, 0), (4, 1), (3, 2), (2, 3), (2, 3), (5, 5)];
+        assert_eq!(unit_steps(&path), cells(&ways));
+        assert_eq!(distance(Cell::new(1, 2), Cell::new(4, -2)), 5.0);
+        assert_eq!(straight_ends(&cells(&ways)), [2, 2, 5, 5, 5, 8, 8, 8, 9, 10, 10]);
+    }
+
+    #[test]
+    fn straight_on_is_one_direction() {
+        let moves = || (-3..=3).flat_map(|x| (-3..=3).map(move |y| (x, y)));
+        for ((ux, uy), (vx, vy)) in moves().flat_map(|u| moves().map(move |v| (u, v))) {
+            let a = Cell::new(5, -7);
+            let b = a.offset(ux, uy);
+            let still = (ux, uy) == (0, 0) || (vx, vy) == (0, 0);
+            let heading = |x: i32, y: i32| math::atan2(f64::from(y), f64::from(x));
+            let straight = !still && heading(ux, uy) == heading(vx, vy);
+            assert_eq!(goes_straight(a, b, b.offset(vx, vy)), straight, "{ux} {uy} {vx} {vy}");
+        }
+    }
+
+    #[test]
+    fn a_screen_is_the_longer_row_or_column() {
+        let map = Occupancy::parse("......\n.####.\n..#...\n..#...\n......");
+        let around = |x, y| {
+            let Screen { low, high } = Screen::around(&map, Cell::new(x, y));
+            [(low.x, low.y), (high.x, high.y)]
+        };
+        assert_eq!(around(2, 3), [(1, 3), (4, 3)]);
+        assert_eq!(around(4, 3), [(1, 3), (4, 3)]);
+        assert_eq!(around(2, 2), [(2, 1), (2, 3)]);
     }
 
     #[test]

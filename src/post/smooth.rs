@@ -177,7 +177,12 @@ fn is_free(map: &Occupancy, arc: &Piece) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use std::cell::Cell as Counter;
+
     use super::*;
+    use crate::geometry::{Point, Pose};
+    use crate::map::{Corner, line_of_sight};
+    use crate::scenario::generate::{Family, SplitMix64, occupancy};
 
     #[test]
     fn a_right_angle_becomes_a_quarter_circle() {
@@ -201,6 +206,108 @@ mod tests {
         }
         let sharp = smooth(&map, &path, 3.0, SmoothMode::Dynamic);
         assert_eq!((sharp.arcs, sharp.sharp, sharp.length), (0, 2, 6.0));
+    }
+
+    /// As specified, with other formulas: tangents and radii of the arcs, and how many corners stay. `None` where rounding
+    /// decides whether an arc is free.
+    fn plain(
+        map: &Occupancy,
+        points: &[Point],
+        least: f64,
+        mode: SmoothMode,
+    ) -> Option<(Vec<[f64; 2]>, u32)> {
+        let (mut arcs, mut sharp, mut used, unclear) = (Vec::new(), 0, 0.0, Counter::new(false));
+        for (i, p) in points.windows(3).enumerate() {
+            let (come, go) = (p[1] - p[0], p[2] - p[1]);
+            let share = if mode == SmoothMode::Paper || i + 3 == points.len() { 1.0 } else { 0.5 };
+            let longest = (come.norm() - used).min(share * go.norm());
+            let from = math::atan2(come.y, come.x);
+            let turn = math::turn(from, math::atan2(go.y, go.x));
+            used = 0.0;
+            if turn.abs() < 1e-9 {
+                continue;
+            }
+            let radius = |tangent: f64| tangent / math::tan(turn.abs() / 2.0);
+            let free = |tangent: f64| {
+                let (start, length) = (p[1] - come.normalize() * tangent, radius(tangent) * turn.abs());
+                let parts = (length / 0.1).ceil();
+                (0..=parts as i32).all(|k| {
+                    let along = length * f64::from(k) / parts;
+                    let at =
+                        Pose::new(start.x, start.y, from).advance(turn.signum() / radius(tangent), along);
+                    let near = [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)].map(|(x, y)| {
+                        let (x, y) = (at.x + 1e-9 * x, at.y + 1e-9 * y);
+                        map.blocked(Cell::new(x.round() as i32, y.round() as i32))
+                    });
+                    unclear.set(unclear.get() || near.contains(&!near[0]));
+                    !near[0]
+                })
+            };
+            let tries = if mode == SmoothMode::Paper { 1 } else { 16 };
+            let wanted = (0..tries).map(|k| longest * 0.8_f64.powi(k));
+            let mut long = wanted.take_while(|&tangent| radius(tangent) >= least && tangent >= 1e-6);
+            match long.find(|&tangent| turn.abs() <= math::PI - 1e-3 && free(tangent)) {
+                Some(tangent) => {
+                    arcs.push([tangent, radius(tangent)]);
+                    used = tangent;
+                }
+                None => sharp += 1,
+            }
+        }
+        (!unclear.get()).then_some((arcs, sharp))
+    }
+
+    #[test]
+    fn arcs_are_as_long_as_they_may_be() {
+        let mut random = SplitMix64::new(3);
+        let maps = [1, 2, 3].map(|seed| occupancy(Family::RANDOM, 20, seed).unwrap());
+        let (mut round, mut corners) = (0, 0);
+        for seed in 0..800 {
+            let map = &maps[seed % maps.len()];
+            let mut path = vec![Cell::new(0, 0)];
+            while path.len() < 7 {
+                let at = path[path.len() - 1];
+                let to = at.offset(random.below(13) as i32 - 6, random.below(13) as i32 - 6);
+                if to != at && line_of_sight(map, at, to, Corner::Strict) {
+                    path.push(to);
+                }
+            }
+            let points: Vec<Point> =
+                path.iter().map(|c| Point::new(f64::from(c.x), f64::from(c.y))).collect();
+            for (mode, least) in [
+                (SmoothMode::Paper, 0.0),
+                (SmoothMode::Paper, 1.5),
+                (SmoothMode::Dynamic, 0.0),
+                (SmoothMode::Dynamic, 1.0),
+            ] {
+                let smoothed = smooth(map, &path, least, mode);
+                let Some((arcs, sharp)) = plain(map, &points, least, mode) else { continue };
+                assert_eq!((smoothed.arcs as usize, smoothed.sharp), (arcs.len(), sharp), "{seed} {mode:?}");
+                let turned = smoothed.pieces.iter().filter_map(|piece| match *piece {
+                    Piece::Arc { radius, sweep, .. } => Some([radius * math::tan(sweep.abs() / 2.0), radius]),
+                    Piece::Line { .. } => None,
+                });
+                for (turned, arc) in turned.zip(&arcs) {
+                    assert!(distance(turned, *arc) < 1e-9 * arc[1].max(1.0), "{turned:?} {arc:?}");
+                }
+                let tightest = arcs.iter().map(|arc| arc[1]).reduce(f64::min);
+                assert!(smoothed.min_radius.zip(tightest).is_none_or(|(a, b)| (a - b).abs() < 1e-9));
+                assert_eq!(smoothed.min_radius.is_some(), tightest.is_some());
+                let length: f64 = smoothed.pieces.iter().map(Piece::length).sum();
+                assert!((smoothed.length - length).abs() < 1e-6);
+                let ends = [&smoothed.pieces[0], &smoothed.pieces[smoothed.pieces.len() - 1]];
+                let ends = [ends[0].point(0.0), ends[1].point(1.0)].map(|[x, y]| Point::new(x, y));
+                assert!((ends[0] - points[0]).norm() + (ends[1] - points[points.len() - 1]).norm() < 1e-9);
+                let mut kinks = 0;
+                for pair in smoothed.pieces.windows(2) {
+                    assert!(distance(pair[0].point(1.0), pair[1].point(0.0)) < 1e-8);
+                    kinks += u32::from(math::turn(pair[0].heading(1.0), pair[1].heading(0.0)).abs() > 1e-6);
+                }
+                assert_eq!(kinks, sharp);
+                (round, corners) = (round + arcs.len(), corners + sharp);
+            }
+        }
+        assert!(round > 3000 && corners > 500, "{round} {corners}");
     }
 
     #[test]
