@@ -52,7 +52,8 @@ impl Occupancy {
                 *last &= 0b0111_1100;
             }
         }
-        let exact = w > 0 && (w * w * h) as u64 <= 1 << 40;
+        let [wide, high] = [width, height].map(u64::from);
+        let exact = wide > 0 && (wide * wide).saturating_mul(high) <= 1 << 40;
         let reciprocal = if exact { (1_u64 << 40).div_ceil(u64::from(width)) } else { 0 };
         Self { width, height, stride, reciprocal, rimmed, around, weights: None }
     }
@@ -261,6 +262,18 @@ mod tests {
         assert_eq!((map.width(), map.height(), map.blocked_cells()), (3, 2, 1));
         assert!(map.blocked(Cell::new(0, 1)) && !map.blocked(Cell::new(0, 0)));
         assert!(map.blocked(Cell::new(-1, 0)) && !map.is_obstacle(Cell::new(-1, 0)));
+    }
+
+    #[test]
+    fn numbers_name_their_cells_however_wide_a_map_is() {
+        for (width, height) in [(1, 9), (3, 70_000), (4096, 4096), (65_000, 3), (600_000, 7), (2_000_000, 2)]
+        {
+            let map = Occupancy::new(width, height);
+            for index in (0..width * height).step_by(997).chain([width - 1, width * height - 1]) {
+                let cell = Cell::new((index % width) as i32, (index / width) as i32);
+                assert_eq!((map.cell(index), map.index(cell)), (cell, index), "{width} x {height}");
+            }
+        }
     }
 
     #[test]
