@@ -65,14 +65,18 @@ impl<'a> Probe<'a> {
         Self { obstacles, vehicle: *vehicle, discs, half_part: part / 2.0, slack, checks: Counter::new(0) }
     }
 
-    /// Poses asked about so far.
+    /// Poses asked about so far; stays at the largest number.
     pub fn checks(&self) -> u32 {
         self.checks.get()
     }
 
+    fn count(&self, checks: u32) {
+        self.checks.set(self.checks.get().saturating_add(checks));
+    }
+
     /// What the body, grown by `margin` metres on every side, overlaps.
     pub fn hit(&self, pose: Pose, margin: f64) -> Option<u32> {
-        self.checks.set(self.checks.get() + 1);
+        self.count(1);
         let place = Place::of(pose);
         if self.room(place) > self.disc_radius(margin) { None } else { self.exact(place, margin - CONTACT) }
     }
@@ -110,7 +114,7 @@ impl<'a> Probe<'a> {
             let place = at(far, sin, cos);
             let spare = self.room(place) - radius;
             if spare <= 0.0 && self.exact(place, margin - CONTACT).is_some() {
-                self.checks.set(self.checks.get() + checks);
+                self.count(checks);
                 return false;
             }
             far = far.saturating_sub((spare.max(0.0) / pace) as u32);
@@ -133,7 +137,7 @@ impl<'a> Probe<'a> {
                 math::sin_cos(from.heading + turn * f64::from(k))
             };
         };
-        self.checks.set(self.checks.get() + checks);
+        self.count(checks);
         free
     }
 
@@ -147,7 +151,7 @@ impl<'a> Probe<'a> {
         while reached < whole && step > spacing / 17.0 {
             let next = f64::min(reached + step, whole);
             let place = Place::of(from.advance(arc.curvature, next.copysign(arc.length)));
-            self.checks.set(self.checks.get() + 1);
+            self.count(1);
             let spare = self.room(place) - radius;
             if spare > 0.0 || self.exact(place, margin - CONTACT).is_none() {
                 reached = f64::min(next + spare.max(0.0) / pace, whole);
@@ -248,6 +252,17 @@ mod tests {
     use super::super::obstacles::tests::hall;
     use super::*;
 
+    fn hall_with_block() -> Obstacles {
+        let corners = [(12.0, 8.0), (13.0, 8.5), (12.6, 9.4), (11.8, 9.0)];
+        hall(&[Solid { outline: corners.map(|(x, y)| Point::new(x, y)).to_vec(), owner: 1 }])
+    }
+
+    /// The k-th of poses all over the hall.
+    fn somewhere(k: u32) -> Pose {
+        let t = f64::from(k);
+        Pose::new((t * 0.618).fract() * 30.0, (t * 0.414).fract() * 20.0, t * 0.1)
+    }
+
     #[test]
     fn touching_a_wall_is_free_and_a_margin_is_kept() {
         let hall = hall(&[]);
@@ -260,15 +275,26 @@ mod tests {
     }
 
     #[test]
+    fn more_checks_than_can_be_counted_are_the_largest_number() {
+        let hall = hall(&[]);
+        let probe = Probe::new(&hall, &Vehicle::PAPER);
+        let start = Pose::new(15.0, 10.0, 0.0);
+        probe.checks.set(u32::MAX - 1);
+        for _ in 0..3 {
+            assert_eq!(probe.hit(start, 0.0), None);
+            assert!(probe.arc_free(start, &Arc { curvature: 0.0, length: 1.0 }, 0.1, 0.0));
+            assert!(probe.free_length(start, &Arc { curvature: 0.0, length: 1.0 }, 0.1, 0.0) > 0.9);
+            assert_eq!(probe.checks(), u32::MAX);
+        }
+    }
+
+    #[test]
     fn the_filters_never_change_the_answer() {
-        let square =
-            [(12.0, 8.0), (13.0, 8.5), (12.6, 9.4), (11.8, 9.0)].map(|(x, y)| Point::new(x, y)).to_vec();
-        let hall = hall(&[Solid { outline: square, owner: 1 }]);
+        let hall = hall_with_block();
         let probe = Probe::new(&hall, &Vehicle::PAPER);
         let mut hits = 0;
         for k in 0..20_000_u32 {
-            let t = f64::from(k);
-            let pose = Pose::new((t * 0.618).fract() * 30.0, (t * 0.414).fract() * 20.0, t * 0.1);
+            let pose = somewhere(k);
             let exact = probe.exact(Place::of(pose), 0.1 - CONTACT);
             assert_eq!(probe.hit(pose, 0.1), exact, "{pose:?}");
             hits += u32::from(exact.is_some());
@@ -316,14 +342,12 @@ mod tests {
 
     #[test]
     fn a_free_arc_is_free_at_every_pose() {
-        let square =
-            [(12.0, 8.0), (13.0, 8.5), (12.6, 9.4), (11.8, 9.0)].map(|(x, y)| Point::new(x, y)).to_vec();
-        let hall = hall(&[Solid { outline: square, owner: 1 }]);
+        let hall = hall_with_block();
         let probe = Probe::new(&hall, &Vehicle::PAPER);
         let mut free = 0;
         for k in 0..4000_u32 {
             let t = f64::from(k);
-            let from = Pose::new((t * 0.618).fract() * 30.0, (t * 0.414).fract() * 20.0, t * 0.1);
+            let from = somewhere(k);
             let arc =
                 Arc { curvature: f64::from(k % 5) * 0.09 - 0.18, length: (t * 0.23).fract() * 16.0 - 8.0 };
             let steps = (arc.length.abs() / 0.1).ceil().max(1.0);
@@ -335,5 +359,33 @@ mod tests {
             free += u32::from(all);
         }
         assert!(free > 200, "{free}");
+    }
+
+    #[test]
+    fn a_free_length_is_free_all_along_and_ends_at_what_is_met() {
+        let hall = hall_with_block();
+        let probe = Probe::new(&hall, &Vehicle::PAPER);
+        let (spacing, margin) = (0.05, 0.1);
+        let mut met = 0;
+        for k in 0..6000_u32 {
+            let from = somewhere(k);
+            if probe.hit(from, margin).is_some() {
+                continue;
+            }
+            let arc = Arc { curvature: f64::from(k % 5) * 0.09 - 0.18, length: [-9.0, 9.0][k as usize % 2] };
+            let free = probe.free_length(from, &arc, spacing, margin);
+            let hit = |way: f64, margin: f64| {
+                probe.hit(from.advance(arc.curvature, way.copysign(arc.length)), margin).is_some()
+            };
+            // Between two places that are free a corner may come nearer, by less than the way between them.
+            let grazed = (0..(free / 0.02) as u32).find(|&i| hit(f64::from(i) * 0.02, margin - spacing));
+            assert_eq!(grazed, None, "{from:?} {arc:?}: {free}");
+            assert!(!hit(free, margin), "{from:?} {arc:?}: {free}");
+            if free < 9.0 {
+                assert!(hit(f64::min(free + spacing / 16.0, 9.0), margin), "{from:?} {arc:?}: {free}");
+                met += 1;
+            }
+        }
+        assert!(met > 1000, "{met}");
     }
 }
