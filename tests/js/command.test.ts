@@ -88,6 +88,13 @@ test("the SVG picture is well formed, holds the scene, and draws each planner's 
   expect(svg).toContain("#D55E00");
   expect(svg).toContain("#CC79A7");
   expect(svg).not.toMatch(/NaN|undefined|<with>/);
+  const [plan] = plans, plain = { ...plan!, path: [...plan!.path], curvatures: [...plan!.curvatures], clearances: [...plan!.clearances], trace: null };
+  expect(toSVG(scene, JSON.parse(JSON.stringify({ ...plain, check: { ...plan!.check, hitPoses: [...plan!.check.hitPoses] } })) as Plan)).toBe(toSVG(scene, { ...plan!, trace: null }));
+  const bad = (change: object) => () => toSVG(scene, { ...plan!, ...change } as Plan);
+  expect(bad({ check: { ...plan!.check, hitPoses: null } })).toThrow("plan.check.hitPoses: must be an array of numbers, got null");
+  expect(bad({ clearances: [1, "2"] })).toThrow("plan.clearances[1]: must be a number that fits, got 2");
+  expect(bad({ metrics: null })).toThrow("plan.metrics: must be an object, got null");
+  expect(bad({ outcome: "no-path", obstruction: { kind: "gap", x: 10n, y: 1, width: 2, needed: 3 } })).toThrow(/^plans: must be as planners answer them: .*BigInt/);
   expect(() => toSVG(scene, plans, { width: 0 })).toThrow("width: must be 16 to 8192 pixels, got 0");
   expect(() => toSVG(scene, plans, { controls: "full" as "none" })).toThrow("controls: must be none or minimal, got full");
   expect(() => toSVG(scene, plans, { camera: { x: 0, y: 0, scale: 0 } })).toThrow("camera.scale: must be a positive number, got 0");

@@ -32,7 +32,7 @@ const number = fc.oneof(
   fc.constantFrom(0, -0, 1e-300, 1e9, 1e300, -1, 2 ** 31, 2 ** 53, Infinity, -Infinity, NaN),
 );
 const POLLUTING = JSON.parse('{"__proto__":{"polluted":1},"constructor":{"prototype":{"polluted":1}}}') as unknown;
-const value = fc.oneof(number, fc.constantFrom(null, undefined, true, "", "hybrid", 10n, () => 0, [], {}, POLLUTING), fc.anything());
+const value = fc.oneof(number, fc.constantFrom(null, undefined, true, "", "hybrid", 10n, () => 0, [], {}, POLLUTING, { toString: 1, valueOf: 1 }, Object.create(null)), fc.anything());
 
 /** A copy of `whole` with one of its fields, at any depth, replaced. */
 function damaged<T extends object>(whole: T, choices: number[], by: unknown): T {

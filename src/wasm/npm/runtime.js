@@ -83,7 +83,7 @@ function converted(error) {
 
 /** @param {unknown} error */
 function describe(error) {
-  return error instanceof Error ? error.message : String(error);
+  return error instanceof Error ? error.message : shown(error);
 }
 
 /**
@@ -123,6 +123,14 @@ export function kind(value) {
 }
 
 /**
+ * A value in a message; objects may refuse to become a string.
+ * @param {unknown} value
+ */
+export function shown(value) {
+  return Object(value) === value ? kind(value) : String(value);
+}
+
+/**
  * The typed array itself, or an array's numbers in one; never another number than the given one.
  * @template {Float64Array | Int8Array | Uint32Array} T
  * @param {{ new (values: number[]): T }} Numbers
@@ -138,7 +146,7 @@ export function numbers(Numbers, values, path) {
   const changed = typed.findIndex((value, index) => value !== values[index] && !Number.isNaN(values[index]));
   if (changed >= 0) {
     const at = `${path}[${changed}]`;
-    throw new ParkadeError(`${at}: must be a number that fits, got ${String(values[changed])}`, "bad-input", at);
+    throw new ParkadeError(`${at}: must be a number that fits, got ${shown(values[changed])}`, "bad-input", at);
   }
   return typed;
 }
