@@ -1,10 +1,7 @@
 import { defineConfig } from "@playwright/test";
-import { findBrowser } from "./tests/e2e/browser.js";
+import { launchOptions } from "./tests/e2e/browser.js";
 
 const url = "http://127.0.0.1:4179/sub/path/";
-
-// Chromium's sandbox needs a user other than root; containers on build servers often have neither.
-const unsandboxed = process.getuid?.() === 0 || process.env["CI"] !== undefined;
 
 export default defineConfig({
   testDir: "tests/e2e",
@@ -16,18 +13,7 @@ export default defineConfig({
   use: {
     baseURL: url,
     trace: "on-first-retry",
-    launchOptions: {
-      executablePath: findBrowser(),
-      args: [
-        "--disable-gpu",
-        "--disable-quic",
-        "--no-first-run",
-        "--disable-background-networking",
-        "--disable-component-update",
-        "--disable-sync",
-        ...(unsandboxed ? ["--no-sandbox"] : []),
-      ],
-    },
+    launchOptions: launchOptions(),
   },
   webServer: { command: "node tests/e2e/server.js", url, reuseExistingServer: false },
 });

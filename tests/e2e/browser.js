@@ -1,9 +1,10 @@
 // @ts-check
-// Where is a Chromium? As a program: prints its path, or nothing.
+// A Chromium, and how it is started. As a program: prints its path, or nothing.
 import { accessSync, constants, existsSync, statSync } from "node:fs";
 import { delimiter, join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { chromium } from "@playwright/test";
+import { serve } from "./server.js";
 
 const COMMANDS = ["chromium", "chromium-browser", "google-chrome-stable", "google-chrome"];
 
@@ -37,6 +38,48 @@ export function findBrowser() {
     .flatMap((folder) => COMMANDS.map((command) => join(folder, command)));
   const platform = process.platform === "darwin" || process.platform === "win32" ? INSTALLED[process.platform] : [];
   return [chromium.executablePath(), ...onPath, ...platform].find(isExecutable);
+}
+
+/**
+ * @param {string[]} more
+ * @returns {import("@playwright/test").LaunchOptions}
+ */
+export function launchOptions(...more) {
+  // Chromium's sandbox needs a user other than root; containers on build servers often have neither.
+  const unsandboxed = process.getuid?.() === 0 || process.env["CI"] !== undefined;
+  return {
+    executablePath: findBrowser(),
+    args: [
+      "--disable-gpu",
+      "--disable-quic",
+      "--no-first-run",
+      "--disable-background-networking",
+      "--disable-component-update",
+      "--disable-sync",
+      ...(unsandboxed ? ["--no-sandbox"] : []),
+      ...more,
+    ],
+  };
+}
+
+/**
+ * Calls `use` with a browser and the address of what dist/ serves to it; closes both after it.
+ * @template T
+ * @param {(browser: import("@playwright/test").Browser, url: string) => Promise<T>} use
+ * @param {string[]} more arguments of the browser
+ */
+export async function withBrowser(use, ...more) {
+  const server = await serve(0);
+  try {
+    const browser = await chromium.launch(launchOptions(...more));
+    try {
+      return await use(browser, server.url);
+    } finally {
+      await browser.close();
+    }
+  } finally {
+    server.close();
+  }
 }
 
 /** @param {string} path */

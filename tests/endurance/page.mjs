@@ -1,7 +1,5 @@
 // A page of dist/ in headless Chromium, for what takes longer than a test may.
-import { chromium } from "@playwright/test";
-import { findBrowser } from "../e2e/browser.js";
-import { serve } from "../e2e/server.js";
+import { withBrowser } from "../e2e/browser.js";
 
 /** A module's memory is reachable only where it is made: workers are told to keep theirs. */
 const KEEP_MEMORIES = `globalThis.memories = []; const instantiate = WebAssembly.instantiate;
@@ -9,13 +7,7 @@ WebAssembly.instantiate = async (...all) => { const made = await instantiate(...
 
 /** Calls `use` with the loaded page of that size; closes everything after it. */
 export async function withPage(use, prepare, viewport = { width: 1400, height: 900 }) {
-  const server = await serve(0);
-  const unsandboxed = process.getuid?.() === 0 || process.env["CI"] !== undefined;
-  const browser = await chromium.launch({
-    executablePath: findBrowser(),
-    args: ["--disable-gpu", "--no-first-run", "--js-flags=--expose-gc", ...(unsandboxed ? ["--no-sandbox"] : [])],
-  });
-  try {
+  return withBrowser(async (browser, url) => {
     const page = await browser.newPage({ viewport, reducedMotion: "reduce", serviceWorkers: "block" });
     await page.route(/worker.*\.js$/, async (route) => {
       const response = await route.fetch();
@@ -25,7 +17,7 @@ export async function withPage(use, prepare, viewport = { width: 1400, height: 9
     page.on("console", (message) => { if (message.type() === "error") complaints.push(message.text()); });
     page.on("pageerror", (error) => complaints.push(error.message));
     if (prepare) await page.addInitScript(prepare);
-    await page.goto(server.url);
+    await page.goto(url);
     await page.evaluate(async () => {
       await customElements.whenDefined("parkade-playground");
       const element = document.querySelector("parkade-playground");
@@ -36,16 +28,7 @@ export async function withPage(use, prepare, viewport = { width: 1400, height: 9
     await use(page, browser.version());
     for (const text of new Set(complaints)) console.log(`the page complained: ${text}`);
     return complaints.length === 0;
-  } finally {
-    await browser.close();
-    server.close();
-  }
-}
-
-/** The value at a share of the sorted values. */
-export function quantile(values, share) {
-  const sorted = [...values].sort((a, b) => a - b);
-  return sorted[Math.max(0, Math.ceil(share * sorted.length) - 1)] ?? NaN;
+  }, "--js-flags=--expose-gc");
 }
 
 /** Whole numbers by seed (mulberry32). */

@@ -1,9 +1,8 @@
 // How soon does the page in dist/ answer a drag? `cargo xtask latency` builds it first. Nothing here fails on a slow machine:
 // times depend on the machine and on what else it does.
 import { loadavg, availableParallelism } from "node:os";
-import { chromium } from "@playwright/test";
-import { findBrowser } from "../e2e/browser.js";
-import { serve } from "../e2e/server.js";
+import { withBrowser } from "../e2e/browser.js";
+import { quantile } from "../quantile.mjs";
 
 const STEPS = 200;
 const TARGET = { grid: 60, hybrid: 150 };
@@ -12,26 +11,17 @@ const PACE_MS = 8;
 /** A step without an answer after this long counts as this long. */
 const PATIENCE_MS = 10_000;
 
-const server = await serve(0);
-const unsandboxed = process.getuid?.() === 0 || process.env["CI"] !== undefined;
-const browser = await chromium.launch({
-  executablePath: findBrowser(),
-  args: ["--disable-gpu", "--no-first-run", ...(unsandboxed ? ["--no-sandbox"] : [])],
-});
-try {
+await withBrowser(async (browser, url) => {
   const page = await browser.newPage({ viewport: { width: 1400, height: 900 }, reducedMotion: "reduce" });
   const metrics = await meter(page);
-  await page.goto(server.url);
+  await page.goto(url);
   await page.evaluate(installProbe);
   console.log(`\n${await page.evaluate(() => navigator.userAgent)}; ${availableParallelism()} processors, load ${loadavg()[0]?.toFixed(1)}`);
   await calm(page, metrics);
   await fast(page, "default scene, fast drag");
   await open(page, "narrow-gap");
   await fast(page, "narrow-gap, which hybrid searches long, fast drag");
-} finally {
-  await browser.close();
-  server.close();
-}
+});
 await import("./second.mjs");
 
 /** Each step waits until the one before is drawn. */
@@ -83,8 +73,7 @@ async function fast(page, title) {
 }
 
 function row(name, values, target) {
-  const sorted = [...values].sort((a, b) => a - b);
-  const at = (share) => sorted[Math.max(0, Math.ceil(share * sorted.length) - 1)] ?? NaN;
+  const at = (share) => quantile(values, share);
   const verdict = target === undefined ? "" : `; target ${target} ms at p95: ${at(0.95) <= target ? "met" : "missed"}`;
   console.log(`${name.padEnd(36)} p50 ${at(0.5).toFixed(1)}  p95 ${at(0.95).toFixed(1)}  max ${at(1).toFixed(1)} ms${verdict}`);
 }

@@ -3,9 +3,8 @@
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { chromium } from "@playwright/test";
-import { findBrowser } from "../e2e/browser.js";
-import { serve } from "../e2e/server.js";
+import { withBrowser } from "../e2e/browser.js";
+import { quantile } from "../quantile.mjs";
 
 const RUNS = 7;
 const TARGET = 30;
@@ -13,36 +12,32 @@ const STEPS = { frame: "first frame of the map", ready: "`ready`", shown: "poste
 /** The first one is planned, timed and complete by then. */
 const REST_MS = 4000;
 
-const server = await serve(0);
-const unsandboxed = process.getuid?.() === 0 || process.env["CI"] !== undefined;
-const browser = await chromium.launch({
-  executablePath: findBrowser(),
-  args: ["--disable-gpu", "--no-first-run", ...(unsandboxed ? ["--no-sandbox"] : [])],
-});
 const folder = mkdtempSync(join(tmpdir(), "parkade-"));
 try {
+  await withBrowser(measure);
+} finally {
+  rmSync(folder, { recursive: true });
+}
+
+async function measure(browser, url) {
   for (const [controls, width, height] of [["minimal", 720, 420], ["full", 720, 420], ["full", 1280, 720]]) {
     const runs = [];
-    while (runs.length < RUNS) runs.push(await second(controls, width, height));
+    while (runs.length < RUNS) runs.push(await second(browser, url, controls, width, height));
     console.log(`\nsecond playground, controls="${controls}", ${width} x ${height}: main thread's processor time from its insertion, medians of ${RUNS}`);
     for (const [step, name] of Object.entries(STEPS)) {
-      const [low, middle, high] = [0, RUNS >> 1, RUNS - 1].map((at) => runs.map((run) => run[step]).sort((a, b) => a - b)[at]);
+      const [low, middle, high] = [0, 0.5, 1].map((share) => quantile(runs.map((run) => run[step]), share));
       const verdict = step === "shown" ? "" : `; target ${TARGET} ms: ${middle <= TARGET ? "met" : "missed"}`;
       console.log(`  ${name.padEnd(28)} ${middle.toFixed(1)} ms (${low.toFixed(1)} to ${high.toFixed(1)})${verdict}`);
     }
   }
-} finally {
-  await browser.close();
-  server.close();
-  rmSync(folder, { recursive: true });
 }
 
 /** Milliseconds to each step. */
-async function second(controls, width, height) {
+async function second(browser, url, controls, width, height) {
   const page = await browser.newPage({ viewport: { width: width + 40, height: 2 * height + 60 }, reducedMotion: "reduce" });
   await page.route("**/second.html", (route) => route.fulfill({ contentType: "text/html", body: `<!doctype html><style>parkade-playground { width: ${width}px; height: ${height}px }</style>
     <script type="module" src="parkade-playground.js"></script><parkade-playground layout="overlay" controls="${controls}" loading="eager"></parkade-playground>` }));
-  await page.goto(`${server.url}second.html`);
+  await page.goto(`${url}second.html`);
   await page.evaluate(async (rest) => {
     await customElements.whenDefined("parkade-playground");
     await document.querySelector("parkade-playground").ready;
