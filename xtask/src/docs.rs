@@ -6,7 +6,7 @@ use std::path::Path;
 use anyhow::{Result, ensure};
 
 use crate::site;
-use crate::tools::{Workspace, cargo, command, node_tool, root, run};
+use crate::tools::{cargo_tool, command, node_tool, root, run};
 
 /// Makes the example book; nothing else needs it, so it is installed beside what is built.
 const MDBOOK: &str = "0.5.4";
@@ -22,15 +22,11 @@ pub(crate) fn docs(arguments: &[String]) -> Result<()> {
 /// Builds the site, and the example book around the page, from a package and a page that are there. A dead link is an error.
 pub(crate) fn generate() -> Result<()> {
     run(node_tool("vitepress/bin/vitepress.js").args(["build", "docs"]))?;
-    book(&Workspace::load()?.target.join("tools"))
+    book()
 }
 
-fn book(tools: &Path) -> Result<()> {
-    let program = tools.join("bin").join(format!("mdbook{}", std::env::consts::EXE_SUFFIX));
-    if !program.exists() {
-        let version = ["install", "mdbook", "--version", MDBOOK, "--locked", "--no-default-features"];
-        run(cargo().args(version).arg("--root").arg(tools))?;
-    }
+fn book() -> Result<()> {
+    let program = cargo_tool("mdbook", MDBOOK, &["--no-default-features"])?;
     let example = root().join("examples/mdbook");
     let page = example.join("src/parkade");
     if page.exists() {

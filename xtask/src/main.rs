@@ -63,7 +63,7 @@ const COMMANDS: &[Command] = &[
     },
     Command {
         name: "mutants",
-        about: "change the code, see that a test fails: mutants [geometry|search|collision] [options of cargo-mutants]",
+        about: "change the code, see that a test fails: mutants [geometry|search|collision|curves] [options of cargo-mutants]",
         run: mutants::mutants,
     },
     Command {

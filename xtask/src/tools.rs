@@ -83,6 +83,17 @@ pub(crate) fn tee(command: &mut Command) -> Result<(ExitStatus, String)> {
     Ok((child.wait()?, seen))
 }
 
+/// The program of a crate at this version, installed under `target/tools` where it is not there.
+pub(crate) fn cargo_tool(name: &str, version: &str, options: &[&str]) -> Result<PathBuf> {
+    let folder = Workspace::load()?.target.join("tools").join(format!("{name}-{version}"));
+    let program = folder.join("bin").join(format!("{name}{}", std::env::consts::EXE_SUFFIX));
+    if !program.exists() {
+        let install = ["install", "--locked", name, "--version", version];
+        run(cargo().args(install).args(options).arg("--root").arg(&folder))?;
+    }
+    Ok(program)
+}
+
 pub(crate) fn check_node() -> Result<()> {
     let version = capture(node().arg("--version"))?;
     let version = version.trim();
