@@ -1,6 +1,6 @@
 import { expect, test, type Page } from "@playwright/test";
 import type { Scenario } from "parkade";
-import { onScreen, open, sceneOf, settled, type PlaygroundElement } from "./playground.js";
+import { look, onScreen, open, sceneOf, settled, type PlaygroundElement } from "./playground.js";
 import { drag, openLot } from "./hands.js";
 
 test.use({ viewport: { width: 1400, height: 900 }, permissions: ["clipboard-read", "clipboard-write"] });
@@ -66,6 +66,21 @@ test("charts and map point at the same place, and gear changes are marked on bot
   expect(nearest).toBeLessThan(0.1);
   await expect(charts.locator(".dot")).toHaveCount(3);
   await expect(page.locator("parkade-panel[active] .readout")).toContainText("κ");
+});
+
+test("the charts keep their places while the car is dragged and has no speeds yet", async ({ page }) => {
+  await open(page);
+  const charts = page.locator("parkade-charts");
+  await expect(charts.locator(".right div")).toHaveText([/Curvature/, /Clearance/, /Speed.*m\/s/]);
+  const { x, y } = await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.sceneData.start);
+  await look(page, x, y, 20);
+  const at = await onScreen(page, x, y);
+  await page.mouse.move(at.x, at.y);
+  await page.mouse.down();
+  await page.mouse.move(at.x + 20, at.y, { steps: 5 });
+  await expect(charts.locator(".right div")).toHaveText([/Curvature/, /Clearance/, "Speed–"]);
+  await page.mouse.up();
+  await expect(charts.locator(".right div")).toHaveText([/Curvature/, /Clearance/, /Speed.*m\/s/]);
 });
 
 test("where paths differ is told apart, and other paths can stand behind", async ({ page }) => {

@@ -71,7 +71,7 @@ test("panels follow the map under the poster, where no press can miss them, and 
     const shown = new Promise((done) => new MutationObserver(() => { if (!root.querySelector(".poster")) done(built()); }).observe(root, { childList: true }));
     return { first: await first, shown: await shown };
   });
-  expect(seen).toMatchObject({ first: { bar: false, table: false, pressed: "poster" }, shown: { bar: true, table: false, timeline: true } });
+  expect(seen).toMatchObject({ first: { bar: false, table: false, timeline: false, pressed: "poster" }, shown: { bar: true, table: false, timeline: true } });
   await page.getByRole("button", { name: "More", exact: true }).click();
   await expect(page.getByRole("checkbox", { name: "Swept area" })).toBeVisible();
   expect((await shifts()).reduce((a, b) => a + b, 0)).toBeLessThan(0.0005);
@@ -80,6 +80,35 @@ test("panels follow the map under the poster, where no press can miss them, and 
   await expect.poll(built).toMatchObject({ bar: true, table: true });
   await expect(page.locator("parkade-inspector parkade-vehicle")).toBeVisible();
 });
+
+for (const [width, height, attributes] of [
+  [1280, 720, 'controls="full" layout="overlay"'], [1280, 720, 'controls="full" layout="grid"'], [720, 420, 'controls="full" layout="overlay"'],
+  [390, 700, 'controls="full" layout="overlay"'], [390, 420, 'controls="full" layout="overlay"'], [390, 420, 'controls="minimal" layout="single"'],
+] as const) {
+  test(`the first map is already where it stays: ${attributes}, ${width} × ${height}`, async ({ page }) => {
+    await page.addInitScript(() => {
+      const looks: unknown[] = [];
+      Object.assign(window, { looks });
+      document.addEventListener("plan-start", ({ target }) => {
+        const root = (target as Element).shadowRoot!, stage = () => root.querySelector("parkade-embedded")!.shadowRoot!.querySelector("parkade-stage")!;
+        const look = () => {
+          const views = [stage(), ...stage().shadowRoot!.querySelectorAll("parkade-panel")].flatMap(({ shadowRoot }) => [...shadowRoot!.querySelectorAll("parkade-scene-view")]);
+          looks.push({ maps: views.map((view) => view.getBoundingClientRect().toJSON()), covered: root.querySelector(".poster") !== null });
+        };
+        requestAnimationFrame(() => look());
+        new MutationObserver(() => { if (!root.querySelector(".poster")) look(); }).observe(root, { childList: true });
+      }, { once: true });
+    });
+    await visit(page, `${attributes} planners="four eight hybrid"`, `parkade-playground { width: ${width}px !important; height: ${height}px !important }`);
+    type Look = { maps: DOMRect[]; covered: boolean };
+    const looks = () => page.evaluate(() => (window as unknown as { looks: Look[] }).looks);
+    await expect.poll(async () => (await looks()).length, { timeout: 30_000 }).toBeGreaterThan(1);
+    const [first, shown] = await looks();
+    expect(first).toMatchObject({ covered: true });
+    expect(first!.maps[0]!.width).toBeGreaterThan(200);
+    expect(shown).toEqual({ maps: first!.maps, covered: false });
+  });
+}
 
 test("a progress bar of the page's own stands in the slot", async ({ page }) => {
   await visit(page, 'reveal="interaction"', "", '<b slot="progress">Wait</b>');

@@ -1,51 +1,11 @@
-import { execFileSync } from "node:child_process";
-import { readFileSync, rmSync, writeFileSync } from "node:fs";
-import { join } from "node:path";
+import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import { expect, test, type Page } from "@playwright/test";
-import type { Plan, Scenario } from "parkade";
-import { installed } from "../js/pack";
-import { complaintsOf, hashesOf, open, sceneOf, watchShifts } from "./playground";
+import { expect, test } from "@playwright/test";
+import type { Scenario } from "parkade";
+import { HOST, near, quiet, UNSEEN, watch, type Embed } from "./embed";
+import { complaintsOf } from "./playground";
 
-interface Embed extends HTMLElement {
-  ready: Promise<void>;
-  loaded: boolean;
-  results: Record<string, Plan | null>;
-  sceneData: Scenario;
-  params: Record<string, Record<string, unknown>>;
-  playhead: number;
-  camera: { x: number; y: number; scale: number } | null;
-  canUndo: boolean;
-  canRedo: boolean;
-  poster: string;
-  [method: string]: unknown;
-}
-
-/** A shift is told to three decimals; a digit more in a label is 0.000003. */
-const UNSEEN = 0.0005;
-const HOST = "/host/three.html";
 const wasm = (urls: string[]) => urls.filter((url) => url.endsWith(".wasm"));
-
-/** What the page asked for, and how far it moved by itself. */
-async function watch(page: Page): Promise<{ urls: string[]; shifted(): Promise<number> }> {
-  const urls: string[] = [];
-  page.on("request", (request) => urls.push(request.url()));
-  await page.emulateMedia({ reducedMotion: "reduce" });
-  const shifts = await watchShifts(page);
-  return { urls, shifted: async () => (await shifts()).reduce((a, b) => a + b, 0) };
-}
-
-/** Waits until a second has passed without a request: pages load parts when they have nothing else to do. */
-const quiet = async (urls: string[]) => {
-  let seen = -1;
-  await expect.poll(() => seen === (seen = urls.length), { intervals: [1000], timeout: 30_000 }).toBe(true);
-};
-
-const near = (page: Page, id: string) => page.evaluate(async (name) => {
-  const element = document.getElementById(name) as Embed;
-  element.scrollIntoView({ block: "center" });
-  await element.ready;
-}, id);
 
 test("nothing but the loader is fetched before a playground is near; then it moves nothing, and the second costs no byte", async ({ page }) => {
   const complaints = complaintsOf(page);
@@ -288,91 +248,6 @@ test("every method and event of the element does what it says", async ({ page })
   expect(heard["error"]!.at(-1)).toMatchObject({ code: "bad-scenario", message: expect.stringContaining("vehicle.width: missing field") });
 });
 
-test("planners tell how far they are while they search, and nothing of a scene that is no longer there", async ({ page }) => {
-  await watch(page);
-  await page.goto(HOST);
-  const heard = await page.evaluate(async () => {
-    type Told = { planner: string; expansions: number; plan?: Plan };
-    const element = document.getElementById("two") as Embed;
-    const call = <T>(name: string, ...args: unknown[]) => (element[name] as (...given: unknown[]) => Promise<T>)(...args);
-    element.setAttribute("planners", "four eight risk-field hybrid");
-    element.scrollIntoView();
-    await call("settled");
-    // A way out of a dead end to a narrow slot beside a narrow aisle: long for grids and for cars.
-    const slow = {
-      version: 1, vehicle: "paper", start: { x: 0, y: 20, heading: Math.PI / 2 }, goal: { x: -2.25, y: 3.5, heading: Math.PI },
-      map: { origin: [-25, 0], width: 500, height: 400, resolution: 0.1, boundary: [[-25, 5], [-8, 5], [-8, 2], [0, 2], [0, 5], [25, 5], [25, 40], [-25, 40]] },
-      obstacles: [{ type: "wall", points: [[-20, 34], [-20, 9], [20, 9], [20, 34]], thickness: 0.2 }], planners: { hybrid: { maxExpansions: 1500 } },
-    };
-    const quick = { version: 1, map: { origin: [0, 0], width: 40, height: 30, resolution: 0.5 }, start: { x: 3, y: 7, heading: 0 }, goal: { x: 15, y: 7, heading: 0 } };
-    const told: Record<string, number[]> = {}, expanded: Record<string, number> = {}, late: Told[] = [];
-    const note = (event: Event) => {
-      const { planner, expansions, plan } = (event as CustomEvent<Told>).detail;
-      if (plan) expanded[planner] = plan.stats.expanded;
-      else if (expanded[planner] !== undefined) late.push({ planner, expansions });
-      else (told[planner] ??= []).push(expansions);
-    };
-    for (const name of ["plan-progress", "plan-result"]) element.addEventListener(name, note);
-    await call("setScene", slow);
-    for (const name of ["plan-progress", "plan-result"]) element.removeEventListener(name, note);
-    const begun = new Promise((done) => element.addEventListener("plan-progress", done, { once: true }));
-    void call("setScene", { ...slow, start: { ...slow.start, x: 1 } });
-    await begun;
-    const after: number[] = [];
-    element.addEventListener("scene-change", () => element.addEventListener("plan-progress", (event) => after.push((event as CustomEvent<Told>).detail.expansions)), { once: true });
-    await call("setScene", quick);
-    return { told, expanded, late, after };
-  });
-  expect(Object.keys(heard.expanded).sort()).toEqual(["eight", "four", "hybrid", "risk-field"]);
-  for (const [planner, expanded] of Object.entries(heard.expanded)) {
-    const every = planner === "hybrid" ? 256 : 16_384, times = Math.floor(expanded / every);
-    expect(times).toBeGreaterThan(1);
-    expect(heard.told[planner]).toEqual([...Array.from({ length: times }, (_, k) => every * (k + 1)), expanded]);
-  }
-  expect(heard.late).toEqual([]);
-  expect(heard.after.length).toBeGreaterThan(3);
-  expect(Math.max(...heard.after)).toBeLessThan(16_384);
-});
-
-test("a plan that takes longer than its budget is given up, in words", async ({ page }) => {
-  await watch(page);
-  await page.goto(HOST);
-  const message = await page.evaluate(async () => {
-    const element = document.getElementById("one") as Embed;
-    await (element["settled"] as () => Promise<void>)();
-    element.setAttribute("budget-ms", "1");
-    const stopped = new Promise<{ code: string; message: string }>((done) => element.addEventListener("error", (event) => done((event as unknown as CustomEvent).detail)));
-    // The circle inside the car's fits round the corner, the car does not: the search looks everywhere, for seconds.
-    const walls = [[47, 29.5, 14, 1], [45.4, 36.2, 10.8, 8], [53.5, 36, 1, 12], [52.4, 42.5, 3.2, 1]];
-    void (element["setScene"] as (scene: unknown) => Promise<void>)({
-      version: 1, map: { origin: [0, 0], width: 120, height: 120, resolution: 0.5 }, vehicle: "sedan",
-      obstacles: walls.map(([x, y, ...size], k) => ({ type: "rectangle", id: `wall-${k}`, center: [x, y], size, heading: 0 })),
-      start: { x: 10, y: 10, heading: 0 }, goal: { x: 51.9, y: 36, heading: Math.PI / 2 },
-    });
-    return stopped;
-  });
-  expect(message).toEqual({ code: "interrupted", message: expect.stringContaining("took longer than 1 ms") });
-});
-
-test("a playground out of sight rests, and goes on when it is back", async ({ page }) => {
-  await watch(page);
-  await page.goto(HOST);
-  await near(page, "one");
-  const at = () => page.evaluate(() => (document.getElementById("one") as Embed).playhead);
-  await page.evaluate(async () => {
-    const element = document.getElementById("one") as Embed;
-    await (element["seek"] as (to: number) => Promise<void>)(0.01);
-    await (element["play"] as () => Promise<void>)();
-    scrollTo(0, document.body.scrollHeight);
-  });
-  await page.waitForTimeout(300);
-  const rest = await at();
-  await page.waitForTimeout(300);
-  expect(await at()).toBe(rest);
-  await near(page, "one");
-  await expect.poll(at).toBeGreaterThan(rest);
-});
-
 test("the example page says what its playground found, also after an edit", async ({ page }) => {
   const complaints: string[] = [];
   page.on("console", (message) => { if (message.type() === "error") complaints.push(message.text()); });
@@ -444,47 +319,5 @@ test.describe("in a frame of another origin", () => {
       return { answered, heard: heard.length };
     });
     expect(state).toEqual({ answered: false, heard: 0 });
-  });
-});
-
-test.describe("what the page copies to paste elsewhere", () => {
-  const copied = async (page: Page, name: string): Promise<string> => {
-    const read = () => page.evaluate(() => navigator.clipboard.readText());
-    await page.evaluate(() => navigator.clipboard.writeText(""));
-    await page.getByRole("button", { name: "Export" }).click();
-    await page.getByRole("button", { name }).click();
-    await expect.poll(read).not.toBe("");
-    await expect(page.getByRole("alert")).toContainText("Copied");
-    return read();
-  };
-
-  test("code to embed, a Markdown link and a Node test work where they are pasted", async ({ page, context }) => {
-    await context.grantPermissions(["clipboard-read", "clipboard-write"]);
-    await open(page);
-    const name = 'A "name" </script> [x]';
-    await page.evaluate(async (given) => {
-      const element = document.querySelector("parkade-playground") as Embed;
-      element.sceneData = { ...element.sceneData, name: given };
-      await (element["settled"] as () => Promise<void>)();
-    }, name);
-    const code = await copied(page, "Copy code to embed"), link = await copied(page, "Copy Markdown link"), script = await copied(page, "Copy as Node test");
-    const hashes = await hashesOf(page);
-
-    const [, href] = /^\[A "name" <\/script> \\\[x\\\]\]\((.*)\)$/.exec(link)!;
-    await page.goto(href!);
-    await page.evaluate(() => (document.querySelector("parkade-playground") as Embed).ready);
-    expect((await sceneOf(page)).name).toBe(name);
-
-    await page.route("**/host/pasted.html", (route) => route.fulfill({ contentType: "text/html", body: `<!doctype html><title>Pasted</title>${code}` }));
-    await page.goto("/host/pasted.html");
-    await page.evaluate(() => (document.querySelector("parkade-playground") as Embed).ready);
-    expect(await page.evaluate(() => (document.querySelector("parkade-playground") as Embed).sceneData.name)).toBe(name);
-
-    const folder = installed();
-    writeFileSync(join(folder, "pasted.test.mjs"), script);
-    const out = execFileSync(process.execPath, ["--test", "--test-reporter=tap", "pasted.test.mjs"], { cwd: folder, encoding: "utf8" });
-    rmSync(folder, { recursive: true, force: true });
-    expect(out).toMatch(/^# pass 1$/m);
-    expect(script).toContain(hashes["hybrid"]!);
   });
 });

@@ -4,6 +4,11 @@ import { complaintsOf, hashesOf, open, sceneOf, settled, type PlaygroundElement 
 test.use({ serviceWorkers: "block" });
 
 const outcomes = (page: Page) => page.evaluate(() => Object.values(document.querySelector<PlaygroundElement>("parkade-playground")!.results).map((plan) => plan?.outcome));
+const gate = () => {
+  let open = (): void => undefined;
+  const opened = new Promise<void>((done) => { open = done; });
+  return { open, opened };
+};
 const FOUND = ["found", "found", "found", "found"];
 
 for (const [state, prepare] of [
@@ -61,6 +66,25 @@ test("a network that goes while the page loads is said, and the page goes on by 
   await page.evaluate(() => dispatchEvent(new Event("online")));
   await expect.poll(() => outcomes(page), { timeout: 30_000 }).toEqual(FOUND);
   await expect(page.getByRole("alert")).not.toContainText("loaded");
+});
+
+test("an inspector whose code comes late, and its room later still, shows the scene of now", async ({ page }) => {
+  // First the page without its inspector's code, then that code, then the planners, then room.
+  const code = gate(), planners = gate();
+  await page.route("**/inspector-*.js", (route) => code.opened.then(() => route.continue()));
+  await page.route("**/*.wasm", (route) => planners.opened.then(() => route.continue()));
+  await page.setViewportSize({ width: 900, height: 800 });
+  await page.goto("./", { waitUntil: "commit" });
+  await page.locator("parkade-inspector").waitFor({ state: "attached" });
+  expect(await page.evaluate(() => customElements.get("parkade-inspector") === undefined)).toBe(true);
+  code.open();
+  await page.evaluate(() => customElements.whenDefined("parkade-inspector").then(() => undefined));
+  expect(await page.locator("parkade-inspector").evaluate((element) => (element as HTMLElement & { ready: boolean }).ready)).toBe(false);
+  planners.open();
+  await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.ready);
+  await expect(page.locator("parkade-inspector section")).toHaveCount(0);
+  await page.setViewportSize({ width: 1400, height: 900 });
+  await expect(page.locator("parkade-inspector").getByText("Wheelbase")).toBeVisible();
 });
 
 test("an embedded playground without its module says so in place of its poster, and goes on by itself", async ({ page }) => {

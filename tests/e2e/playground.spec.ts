@@ -1,6 +1,6 @@
 import { expect, test } from "@playwright/test";
 import type { Obstacle } from "parkade";
-import { complaintsOf, dragWorld, expectFourAnswers, hashesOf, look, onScreen, open, sceneOf, settled, type PlaygroundElement } from "./playground.js";
+import { complaintsOf, dragWorld, expectFourAnswers, hashesOf, look, onScreen, open, sceneOf, settled, watchShifts, type PlaygroundElement } from "./playground.js";
 
 test.use({ viewport: { width: 1400, height: 900 } });
 
@@ -15,6 +15,18 @@ test("the page opens solved by four planners, without a complaint", async ({ pag
   await expect(page.locator("parkade-table tr.grey td.best")).toHaveCount(0);
   expect(complaints).toEqual([]);
 });
+
+for (const [name, size, most] of [["desk", { width: 1400, height: 900 }, 0.003], ["phone", { width: 390, height: 844 }, 0.006]] as const) {
+  test(`what comes while the page loads moves nothing that is there: ${name}`, async ({ page }) => {
+    await page.setViewportSize(size);
+    const shifts = await watchShifts(page);
+    await open(page);
+    await settled(page);
+    await page.waitForFunction(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.state.complete);
+    await expect(page.locator("parkade-table tbody tr").first()).toContainText("22.50");
+    expect((await shifts()).reduce((a, b) => a + b, 0)).toBeLessThan(most);
+  });
+}
 
 test("a planner chosen before its module is there is planned when it comes", async ({ page }) => {
   let modules = 0, letGo = (): void => {};
@@ -112,6 +124,7 @@ test("a shared link opens the same scene with the same answers", async ({ page }
   await expectFourAnswers(page);
   // Links round to a centimetre and a tenth of a degree, once.
   expect(await again()).toEqual(first);
+  await expect(page.locator("parkade-toolbar .scene")).toHaveText("Perpendicular");
 });
 
 test("a broken link opens the first scene and says why", async ({ page }) => {

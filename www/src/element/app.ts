@@ -258,11 +258,15 @@ const catalogs = new WeakMap<Engine, Catalog>();
 function catalogOf(engine: Engine): Catalog {
   let catalog = catalogs.get(engine);
   if (!catalog) {
-    const { api } = engine;
+    const { api } = engine, opened = new Map<string, Scene>();
     catalog = {
       planners: api.planners(),
       scenarios: api.scenarios(),
-      scenario: (id) => ensureIds(api.scenario(id)),
+      scenario: (id) => {
+        const scene = opened.get(id) ?? ensureIds(api.scenario(id));
+        opened.set(id, scene);
+        return structuredClone(scene);
+      },
       geometry: (scene) => api.sceneGeometry(withoutCells(scene)),
     };
     introduce(catalog.planners);

@@ -54,7 +54,7 @@ export class Playground extends LitElement {
   declare loaded: boolean;
   declare folded: boolean;
   declare dropping: boolean;
-  /** Whether the panels are still to come, into the boxes that are kept for them. */
+  /** Whether all but the maps is still to come, into the boxes that are kept for it. */
   declare bare: boolean;
 
   /** Resolves when the first scene is solved. */
@@ -195,13 +195,19 @@ export class Playground extends LitElement {
   }
 
   protected override render(): TemplateResult {
-    return html`<div class=${this.compact ? "phone" : "desk"} role="region" aria-label=${this.app.t("app.label")}
+    return html`<div class="${this.compact ? "phone" : "desk"} ${this.bare ? "bare" : ""}" role="region" aria-label=${this.app.t("app.label")}
         @parkade-scenes=${() => void this.openDialog("presets")} @parkade-keys=${() => void this.openDialog("keys")} @parkade-papers=${() => void this.openDialog("papers")} @parkade-fold=${() => { this.folded = !this.folded; }}
         @parkade-menu=${this.showMenu} @parkade-open-file=${() => this.fileInput?.click()} @parkade-png=${this.savePicture}
         @dragover=${this.onDragOver} @dragleave=${() => { this.dropping = false; }} @drop=${this.onDrop}>
       ${this.isFull && !this.bare ? html`<parkade-toolbar part="toolbar" .app=${this.app} .ready=${this.loaded} ?compact=${this.compact}><slot name="toolbar-extra"></slot></parkade-toolbar>` : nothing}
-      <parkade-stage exportparts="panel, canvas" .app=${this.app} ?compact=${this.compact}></parkade-stage>
-      ${this.compact ? this.phone() : this.desk()}
+      <parkade-stage exportparts="panel, canvas" .app=${this.app} ?compact=${this.compact} .bare=${this.bare}></parkade-stage>
+      ${this.bare ? nothing : this.rest()}
+    </div>`;
+  }
+
+  /** What stands around the maps and over them. */
+  private rest(): TemplateResult {
+    return html`${this.compact ? this.phone() : this.desk()}
       <parkade-next-hints .app=${this.app}></parkade-next-hints>
       <parkade-notices .app=${this.app}></parkade-notices>
       ${this.dropping ? html`<div class="dropping">${this.app.t("drop.here")}</div>` : nothing}
@@ -211,14 +217,13 @@ export class Playground extends LitElement {
       <parkade-image .app=${this.app}></parkade-image>
       <parkade-context .app=${this.app}></parkade-context>
       <parkade-import .app=${this.app}></parkade-import>
-      <input class="file" type="file" hidden multiple accept=".json,.map,.scen,.yaml,.yml,.pgm,.csv,.svg,.png,.jpg,.jpeg,.webp" aria-label=${this.app.t("bar.open")} @change=${this.onFile}>
-    </div>`;
+      <input class="file" type="file" hidden multiple accept=".json,.map,.scen,.yaml,.yml,.pgm,.csv,.svg,.png,.jpg,.jpeg,.webp" aria-label=${this.app.t("bar.open")} @change=${this.onFile}>`;
   }
 
   private desk(): TemplateResult {
     return html`
       <parkade-timeline part="timeline" .app=${this.app} .folded=${this.folded}></parkade-timeline>
-      ${this.isFull && !this.bare ? this.around() : nothing}`;
+      ${this.isFull ? this.around() : nothing}`;
   }
 
   private around(): TemplateResult {

@@ -16,7 +16,7 @@ function nextFrame(): Promise<void> {
 }
 
 /** Resolves in the frame in which an element has a box, before that is painted. */
-export function boxed(element: Element): Promise<void> {
+function boxed(element: Element): Promise<void> {
   return new Promise((done) => {
     const observer = new ResizeObserver(([entry]) => {
       if (!entry || entry.contentRect.width === 0) return;

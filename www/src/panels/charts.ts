@@ -13,9 +13,11 @@ import { focusedPlan, reverseSpans } from "./timeline";
 
 type Quantity = "curvature" | "clearance" | "speed";
 interface Position { at: number; clock: number | null }
-interface Line { planner: PlannerId; plan: Plan; drive: Drive | null }
+/** `timed`: it has a drive, or will have one when the pointer rests. */
+interface Line { planner: PlannerId; plan: Plan; drive: Drive | null; timed: boolean }
 interface Content { lines: Line[]; total: number; plots: Plot[]; drawn: SVGTemplateResult }
-interface Plot { quantity: Quantity; top: number; height: number; low: number; high: number }
+/** `blank`: there is nothing to show yet. */
+interface Plot { quantity: Quantity; top: number; height: number; low: number; high: number; blank?: boolean }
 
 const WIDTH = 1000;
 const HEIGHT = 160;
@@ -65,7 +67,7 @@ export class Charts extends AppElement {
     const position = this.position(), at = position && position.at;
     const percent = (y: number): string => `top:calc((100% - 20px) * ${y / HEIGHT})`;
     return html`
-      <div class="left" aria-hidden="true">${plots.map((plot) => [plot.high, plot.low].map((value) => html`
+      <div class="left" aria-hidden="true">${plots.map((plot) => plot.blank ? nothing : [plot.high, plot.low].map((value) => html`
         <span .style=${percent(yOf(plot, value))}>${this.num(value, plot.quantity === "curvature" ? 3 : 1)}</span>`))}</div>
       <div class="plots" role="img" aria-label="${this.t("chart.label")}: ${plots.map(({ quantity }) => this.t(`chart.${quantity}`)).join(", ")}">
         <svg class="all" viewBox="0 0 ${WIDTH} ${HEIGHT}" preserveAspectRatio="none" @pointermove=${(e: PointerEvent) => this.point(e, total)} @pointerleave=${() => this.app.store.set({ hover: null })}>
@@ -168,9 +170,9 @@ export class Charts extends AppElement {
 /** The drivable paths in sight, and the focused one. */
 function linesOf(state: State): Line[] {
   return state.planners.filter((planner) => !state.hidden.has(planner)).flatMap((planner) => {
-    const plan = drivablePlan(state.results[planner]) ?? (planner === state.focus ? focusedPlan(state) : null);
-    const result = state.results[planner];
-    return plan ? [{ planner, plan, drive: result?.plan === plan ? result.drive : null }] : [];
+    const result = state.results[planner], drivable = drivablePlan(result);
+    const plan = drivable ?? (planner === state.focus ? focusedPlan(state) : null);
+    return plan ? [{ planner, plan, drive: result?.plan === plan ? result.drive : null, timed: drivable !== null }] : [];
   });
 }
 
@@ -179,7 +181,7 @@ function plotsOf(lines: readonly Line[]): Plot[] {
   const clearances = lines.map(({ plan }) => plan.clearances.reduce((most, value) => Math.max(most, value), 0.5));
   const high = Math.max(...clearances);
   const drives = lines.flatMap(({ drive }) => drive ?? []);
-  if (drives.length === 0) {
+  if (!lines.some(({ drive, timed }) => drive || timed)) {
     return [
       { quantity: "curvature", top: 6, height: 62, low: -limit, high: limit },
       { quantity: "clearance", top: 88, height: 62, low: 0, high },
@@ -188,7 +190,7 @@ function plotsOf(lines: readonly Line[]): Plot[] {
   return [
     { quantity: "curvature", top: 6, height: 40, low: -limit, high: limit },
     { quantity: "clearance", top: 60, height: 40, low: 0, high },
-    { quantity: "speed", top: 114, height: 40, low: Math.min(...drives.map((drive) => extremesOf(drive)[0])), high: Math.max(...drives.map((drive) => extremesOf(drive)[1])) },
+    { quantity: "speed", top: 114, height: 40, low: Math.min(0, ...drives.map((drive) => extremesOf(drive)[0])), high: Math.max(0.5, ...drives.map((drive) => extremesOf(drive)[1])), blank: drives.length === 0 },
   ];
 }
 

@@ -44,7 +44,7 @@ export class PlannerPanel extends AppElement {
     parkade-scene-view { position: absolute; inset: 0; }
     .corner { position: absolute; left: 8px; bottom: 8px; pointer-events: none; }
     .corner.right { left: auto; right: 8px; display: grid; gap: 4px; justify-items: end; }
-    .corner.top { bottom: auto; top: 8px; }
+    .corner.top { bottom: auto; top: 8px; } .reason ~ .corner.top { top: 56px; }
     .pill { display: flex; align-items: center; gap: 10px; height: 24px; padding: 0 8px;
       background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair);
       border-radius: calc(5px * var(--parkade-radius)); font-size: 12px; line-height: 16px; color: var(--parkade-t2); white-space: nowrap; }
@@ -113,7 +113,7 @@ export class PlannerPanel extends AppElement {
     return html`
       <header class="${hidden ? "off" : ""} ${result?.status === "planning" ? "stale" : ""}" @dblclick=${this.maximise} @pointerdown=${this.takeFocus}>
         <h2>${marker(planner)}<span>${plannerName(state.lang, planner)}</span></h2>
-        ${result?.millis != null ? html`<span class="time">${millis(state.lang, result.millis)} ms</span>` : nothing}
+        <span class="time">${result?.millis != null ? `${millis(state.lang, result.millis)} ms` : nothing}</span>
         ${this.chip(status)}${this.encounter(result)}
         <span class="end">${this.buttons(hidden)}</span>
       </header>

@@ -1,59 +1,34 @@
 import type { ParkingTable } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
-import { workersHere, type Progress } from "../planning/crew";
-import { RowPapers } from "../planning/papers-rows";
+import type { Values } from "../i18n/index";
 import { icon } from "./icons";
 import { FIGURES, lineName, noteOf, parkingMarkdown, printedOf, reachText, savings, titleOf, type Figure } from "./papers-parking-text";
 import { say } from "./papers-parking-words";
-import { PapersTab } from "./papers-tab";
+import { Measured, PapersRowsTab } from "./papers-rows-tab";
 
-/** What was measured stays while the page is open. */
-let papers: RowPapers<"parking"> | null = null;
-let last: ParkingTable[] | null = null;
+const measured = new Measured("parking");
 
 /** Tables 2 to 11 of the parking paper. */
-export class PapersParking extends PapersTab<ParkingTable[]> {
-  static override styles = [PapersTab.styles, css`
+export class PapersParking extends PapersRowsTab<"parking"> {
+  static override styles = [PapersRowsTab.styles, css`
     .held { display: inline-flex; vertical-align: -2px; margin-left: 6px; } .held.missed { color: var(--parkade-err); } .held svg { width: 12px; height: 12px; }
     td .chip { margin-right: 6px; } .saved { width: auto; }
   `];
 
   constructor() {
-    super();
-    this.summary = last;
+    super(measured);
   }
 
-  leave(): void {
-    papers?.stop();
+  protected say(key: "progress" | "cancelled", values: Values): string {
+    return say(this.state.lang, key, values);
   }
 
-  protected get running(): boolean {
-    return papers?.running ?? false;
-  }
-
-  protected override render(): TemplateResult {
-    const { summary } = this;
-    return this.frame(this.button(), summary ? html`${summary.map((table) => this.table(table))}${this.saved(summary)}` : nothing);
-  }
-
-  protected told({ done, of }: Progress): string {
-    return say(this.state.lang, "progress", { done, of, workers: workersHere() });
-  }
-
-  protected cancelled(done: number): string {
-    return say(this.state.lang, "cancelled", { done });
+  protected tables(tables: ParkingTable[]): TemplateResult {
+    return html`${tables.map((table) => this.table(table))}${this.saved(tables)}`;
   }
 
   protected markdown(tables: ParkingTable[]): string {
     return parkingMarkdown(this.state.lang, tables);
-  }
-
-  protected async work(): Promise<void> {
-    papers ??= new RowPapers(await this.app.complete(), "parking");
-    await papers.measure((progress, tables) => {
-      this.progress = progress;
-      if (tables.length > 0) this.summary = last = tables;
-    });
   }
 
   private table(table: ParkingTable): TemplateResult {

@@ -1,19 +1,16 @@
 import type { RoadTable } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
-import { workersHere, type Progress } from "../planning/crew";
-import { RowPapers } from "../planning/papers-rows";
+import type { Values } from "../i18n/index";
 import { icon } from "./icons";
 import { cell, change, changeOf, FIGURES, flagOf, lineName, printedOf, promiseOf, promiseText, roadMarkdown, titleOf, type Figure } from "./papers-road-text";
 import { FLAGS, say } from "./papers-road-words";
-import { PapersTab } from "./papers-tab";
+import { Measured, PapersRowsTab } from "./papers-rows-tab";
 
-/** What was measured stays while the page is open. */
-let papers: RowPapers<"road"> | null = null;
-let last: RoadTable[] | null = null;
+const measured = new Measured("road");
 
 /** Section 4 of the road manuscript. */
-export class PapersRoad extends PapersTab<RoadTable[]> {
-  static override styles = [PapersTab.styles, css`
+export class PapersRoad extends PapersRowsTab<"road"> {
+  static override styles = [PapersRowsTab.styles, css`
     td small, th small { font-size: inherit; color: var(--parkade-t2); font-weight: 400; margin-left: 6px; } small:empty { display: none; }
     .held { display: inline-flex; vertical-align: -2px; margin-left: 6px; } .held.missed { color: var(--parkade-err); } .held svg { width: 12px; height: 12px; }
     .flags { margin: 6px 0 0; padding-left: 18px; font-size: 12.5px; line-height: 17px; color: var(--parkade-t2); } .flags li { padding: 3px 0; }
@@ -21,42 +18,21 @@ export class PapersRoad extends PapersTab<RoadTable[]> {
   `];
 
   constructor() {
-    super();
-    this.summary = last;
+    super(measured);
   }
 
-  leave(): void {
-    papers?.stop();
+  protected say(key: "progress" | "cancelled", values: Values): string {
+    return say(this.state.lang, key, values);
   }
 
-  protected get running(): boolean {
-    return papers?.running ?? false;
-  }
-
-  protected override render(): TemplateResult {
-    const { lang } = this.state, { summary } = this;
-    return this.frame(this.button(), summary ? html`${summary.map((table) => this.table(table))}
-      <h3>${say(lang, "flags")}</h3><ul class="flags">${FLAGS.map((flag) => html`<li>${say(lang, flag)}</li>`)}</ul>` : nothing);
-  }
-
-  protected told({ done, of }: Progress): string {
-    return say(this.state.lang, "progress", { done, of, workers: workersHere() });
-  }
-
-  protected cancelled(done: number): string {
-    return say(this.state.lang, "cancelled", { done });
+  protected tables(tables: RoadTable[]): TemplateResult {
+    const { lang } = this.state;
+    return html`${tables.map((table) => this.table(table))}
+      <h3>${say(lang, "flags")}</h3><ul class="flags">${FLAGS.map((flag) => html`<li>${say(lang, flag)}</li>`)}</ul>`;
   }
 
   protected markdown(tables: RoadTable[]): string {
     return roadMarkdown(this.state.lang, tables);
-  }
-
-  protected async work(): Promise<void> {
-    papers ??= new RowPapers(await this.app.complete(), "road");
-    await papers.measure((progress, tables) => {
-      this.progress = progress;
-      if (tables.length > 0) this.summary = last = tables;
-    });
   }
 
   private table(table: RoadTable): TemplateResult {

@@ -2,7 +2,6 @@ import { css, html, LitElement, type PropertyValues } from "lit";
 import { recall, remember } from "../element/memory";
 import { words } from "../i18n/words";
 import type { Lang } from "../i18n/index";
-import { boxed } from "./base";
 
 const say = words({
   side: ["Width of the inspector", "检查器宽度"],
@@ -30,8 +29,6 @@ export class Splitter extends LitElement {
   declare lang: Lang;
   declare size: number;
   private pulled = false;
-  private hasRoom = false;
-  private room: Promise<void> | null = null;
 
   override connectedCallback(): void {
     super.connectedCallback();
@@ -57,15 +54,6 @@ export class Splitter extends LitElement {
 
   protected override render(): unknown {
     return html`<i></i>`;
-  }
-
-  protected override shouldUpdate(): boolean {
-    if (this.hasRoom) return true;
-    this.room ??= boxed(this).then(() => {
-      this.hasRoom = true;
-      this.requestUpdate("pane");
-    });
-    return false;
   }
 
   private put(size: number): void {

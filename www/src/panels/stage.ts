@@ -16,7 +16,7 @@ const SWIPE_PX = 24;
 
 /** The maps: side by side, one over another, or one large. */
 export class Stage extends AppElement {
-  static override properties = { ...AppElement.properties, compact: { type: Boolean, reflect: true } };
+  static override properties = { ...AppElement.properties, compact: { type: Boolean, reflect: true }, bare: { attribute: false } };
   static override styles = [controls, css`
     :host { display: block; position: relative; min-height: 0; min-width: 0; overflow: hidden; background: var(--parkade-hair); }
     .grid { position: absolute; inset: 0; display: grid; gap: 1px; grid-auto-rows: 1fr; grid-template-columns: repeat(4, 1fr); }
@@ -45,11 +45,13 @@ export class Stage extends AppElement {
     :host([compact]) .title { pointer-events: auto; touch-action: none; user-select: none; -webkit-user-select: none; cursor: ew-resize; }
   `];
   declare compact: boolean;
+  /** Whether only the maps are wanted yet. */
+  declare bare: boolean;
   private grabbed = 0;
 
   constructor() {
     super();
-    this.compact = false;
+    this.compact = this.bare = false;
   }
 
   protected watches(): readonly (keyof State)[] {
@@ -58,8 +60,8 @@ export class Stage extends AppElement {
 
   protected override render(): TemplateResult {
     const { mode, planners, focus } = this.state;
-    if (this.compact || mode === "overlay") return html`${this.overlay()}${this.compact ? nothing : html`<parkade-options .app=${this.app}></parkade-options>`}`;
-    const options = html`<parkade-options .app=${this.app}></parkade-options>`;
+    const options = this.compact || this.bare ? nothing : html`<parkade-options .app=${this.app}></parkade-options>`;
+    if (this.compact || mode === "overlay") return html`${this.overlay()}${options}`;
     if (mode === "grid") return html`<div class="grid" data-n=${planners.length}>${planners.map((planner) => this.panel(planner))}</div>${options}`;
     const others = planners.filter((planner) => planner !== focus);
     return html`<div class="focus" .style=${`--thumbs:${Math.max(1, others.length)}`}>
@@ -77,8 +79,14 @@ export class Stage extends AppElement {
     if (!hidden.has(focus)) shown.push(focus);
     return html`<div class="one">
       <parkade-scene-view exportparts="canvas" .app=${this.app} .planners=${shown} .label=${this.t("panel.overlay")}></parkade-scene-view>
-      <parkade-hint .app=${this.app}></parkade-hint>
-      ${this.compact ? [this.heading(), extras()?.readoutOf(this.state, focus)] : this.legend()}${this.state.scene.costs ? extras()?.weightsOf(this.state) : nothing}</div>`;
+      ${this.bare ? nothing : this.notes()}</div>`;
+  }
+
+  /** What stands over the one map. */
+  private notes(): TemplateResult {
+    const { focus } = this.state;
+    return html`<parkade-hint .app=${this.app}></parkade-hint>
+      ${this.compact ? [this.heading(), extras()?.readoutOf(this.state, focus)] : this.legend()}${this.state.scene.costs ? extras()?.weightsOf(this.state) : nothing}`;
   }
 
   private heading(): TemplateResult {

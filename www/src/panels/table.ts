@@ -9,6 +9,8 @@ import { BENCH_RUNS, COLUMNS, rowsOf, unitValues, type Column, type Row } from "
 import type { TableFormat } from "./table-format";
 
 const SMALL: readonly Column[] = ["length", "gears", "clearance", "plan"];
+/** Percent: as wide as their usual contents, so that no column moves when answers come. */
+const WIDTHS = [14.3, 13.6, 7.1, 6.1, 7.2, 8.8, 8.3, 7.1, 8.3, 5, 7.2, 7];
 
 /** The planners' numbers side by side, the best drivable ones starred. */
 export class MetricsTable extends AppElement {
@@ -33,8 +35,8 @@ export class MetricsTable extends AppElement {
     td.best { font-weight: 650; color: var(--parkade-t1); }
     .star { font-size: 10px; margin-right: 3px; }
     footer { display: flex; align-items: center; gap: 14px; height: 34px; padding: 0 14px; border-top: 1px solid var(--parkade-hair); color: var(--parkade-t2); }
-    footer > span:first-child { min-width: 0; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
-    footer .end { margin-left: auto; display: flex; gap: 4px; flex: none; position: relative; }
+    footer > span:first-child { flex: 1; min-width: 0; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
+    footer .end { display: flex; gap: 4px; flex: none; position: relative; }
     footer .button { height: 26px; font-size: 12px; min-height: 0; color: var(--parkade-t1); }
     .popover { bottom: calc(100% + 4px); right: 0; min-width: 150px; font-size: 13px; line-height: 18px; }
     @container (max-width: 960px) { th, td { padding: 0 5px; } }
@@ -68,6 +70,7 @@ export class MetricsTable extends AppElement {
     const columns = this.compact ? SMALL : COLUMNS;
     return html`<div class="scroll" tabindex="0" role="region" aria-label=${this.t("table.label")}><table>
         <caption class="sr">${this.t("table.label")}</caption>
+        ${this.compact ? nothing : html`<colgroup>${WIDTHS.map((width) => html`<col .style=${`width:${width}%`}>`)}</colgroup>`}
         <thead><tr><th scope="col">${this.t("table.planner")}</th><th scope="col">${this.t("table.status")}</th>${columns.map((column) => this.head(column))}</tr></thead>
         <tbody>${rows.map((row) => this.row(row, columns))}</tbody>
       </table></div>
@@ -97,8 +100,8 @@ export class MetricsTable extends AppElement {
   }
 
   private footer(): TemplateResult {
-    return html`<footer><span title=${this.t("table.rule")}>★ ${this.t("table.rule")}</span>
-      <span class="end">${this.hash()}
+    return html`<footer><span title=${this.t("table.rule")}>★ ${this.t("table.rule")}</span>${this.hash()}
+      <span class="end">
         <button class="button" aria-expanded=${this.menus.open === "copy"} @click=${(e: Event) => this.menus.toggle("copy", e.currentTarget as HTMLElement)}>
           ${icon(this.copied ? "check" : "copy", 14)}${this.t(this.copied ? "table.copied" : "table.copy")}${icon("down", 14)}</button>
         ${this.menus.open === "copy" ? html`<div class="popover">${(["markdown", "csv", "json"] as const).map((format) => html`

@@ -35,7 +35,7 @@ export class Toolbar extends AppElement {
     :host { display: block; container-type: inline-size; background: var(--parkade-panel); border-bottom: 1px solid var(--parkade-hair); position: relative; z-index: 20; }
     .bar { display: flex; align-items: center; height: 48px; padding: 0 12px; gap: 5px; }
     .brand { display: flex; align-items: center; gap: 8px; font-size: 14px; line-height: 18px; font-weight: 650; margin: 0 8px 0 0; }
-    .scene { min-width: 64px; max-width: 140px; justify-content: space-between; }
+    .scene { flex: 0 1 140px; min-width: 64px; justify-content: space-between; }
     .scene span { overflow: hidden; text-overflow: ellipsis; font-weight: 500; }
     .scene svg, .menu svg:last-child { color: var(--parkade-t2); }
     .rule { width: 1px; height: 20px; background: var(--parkade-hair); margin: 0 3px; flex: none; }
@@ -68,7 +68,7 @@ export class Toolbar extends AppElement {
     @container (max-width: 925px) { .fold { display: none; } }
     @container (max-width: 830px) { .brand, .rule { display: none; } .tools { gap: 0; } .tool { width: 25px; } .modes button { padding: 0 5px; } }
     :host([compact]) .bar { height: 44px; padding: 0 4px 0 6px; gap: 0; }
-    :host([compact]) .scene { border: 0; background: none; font-weight: 600; max-width: 230px; height: 44px; }
+    :host([compact]) .scene { border: 0; background: none; font-weight: 600; flex: none; max-width: 230px; height: 44px; }
   `];
   declare compact: boolean;
   declare ready: boolean;
@@ -202,9 +202,9 @@ export class Toolbar extends AppElement {
   }
 }
 
-/** The scene's title in the page's language; empty for a drawing without a name. */
+/** The scene's title in the page's language, also of a changed preset that came by a link; empty for a drawing without a name. */
 export function sceneTitle(preset: string | null, infos: readonly { id: string; title: { en: string; zh: string } }[], state: State): string {
-  const info = infos.find((one) => one.id === preset);
+  const name = preset ?? state.scene.name, info = infos.find((one) => one.id === name);
   return info ? info.title[state.lang] : state.scene.name ?? "";
 }
 

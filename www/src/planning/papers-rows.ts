@@ -4,7 +4,7 @@ import { workersHere, type Progress } from "./crew";
 import { Helper } from "./helper";
 import type { Engine } from "./module";
 
-interface Tables { road: RoadTable; parking: ParkingTable }
+export interface Tables { road: RoadTable; parking: ParkingTable }
 
 export class RowPapers<Name extends keyof Tables> {
   private helpers: Helper[] = [];

@@ -13,14 +13,17 @@ const MOST = 8192;
 /** Fails in the reader's language where there are too many. */
 export async function pixelsOf(file: File, lang: Lang): Promise<Pixels> {
   const bitmap = await createImageBitmap(file, { colorSpaceConversion: "none" }), { width, height } = bitmap;
-  if (Math.max(width, height) > MOST) throw new Error(say(lang, "large", { width, height }));
-  const canvas = document.createElement("canvas");
-  canvas.width = width;
-  canvas.height = height;
-  const ctx = canvas.getContext("2d", { willReadFrequently: true })!;
-  ctx.drawImage(bitmap, 0, 0);
-  bitmap.close();
-  return ctx.getImageData(0, 0, width, height);
+  try {
+    if (Math.max(width, height) > MOST) throw new Error(say(lang, "large", { width, height }));
+    const canvas = document.createElement("canvas");
+    canvas.width = width;
+    canvas.height = height;
+    const ctx = canvas.getContext("2d", { willReadFrequently: true })!;
+    ctx.drawImage(bitmap, 0, 0);
+    return ctx.getImageData(0, 0, width, height);
+  } finally {
+    bitmap.close();
+  }
 }
 
 /** The picture of a map server's description, in the form that importing reads: lightness is the mean of the colours. */

@@ -13,7 +13,7 @@ export const layout = css`
   parkade-stage { grid-area: stage; }
   parkade-timeline { grid-area: time; }
   parkade-inspector { grid-area: side; min-height: 0; }
-  .strip { grid-area: strip; display: grid; grid-template-columns: minmax(0, 1fr) var(--pane-chart, minmax(320px, 36%)); border-top: 1px solid var(--parkade-hair); min-height: 0; overflow: hidden; background: var(--parkade-panel); }
+  .strip { grid-area: strip; display: grid; grid-template-columns: minmax(0, 1fr) var(--pane-chart, minmax(320px, 34%)); border-top: 1px solid var(--parkade-hair); min-height: 0; overflow: hidden; background: var(--parkade-panel); }
   parkade-splitter[pane="side"] { grid-area: stage; justify-self: end; }
   parkade-splitter[pane="strip"] { grid-area: strip; align-self: start; }
   parkade-splitter[pane="chart"] { grid-area: 1 / 2; justify-self: start; }
@@ -31,12 +31,13 @@ export const layout = css`
   @media (max-height: 640px) {
     .desk { grid-template-rows: 49px minmax(0, 1fr) 44px 130px; }
   }
-  .phone { grid-template: "bar" 45px "stage" minmax(0, 1fr) "chips" auto "time" 48px "sheet" auto / minmax(0, 1fr); }
+  .phone { grid-template: "bar" 45px "stage" minmax(0, 1fr) "chips" minmax(57px, auto) "time" 48px "sheet" auto / minmax(0, 1fr); }
+  .phone.bare { grid-template-rows: 45px minmax(0, 1fr) 57px 48px calc(113px + min(148px, 60vh)); }
   :host([short]) :is(.strip, parkade-splitter[pane="strip"]) { display: none; }
   :host([short]) .desk { grid-template-rows: 49px minmax(0, 1fr) 44px 0; }
-  :host([short]) .phone { grid-template-rows: 45px minmax(0, 1fr) auto 48px 0; }
-  parkade-chips { grid-area: chips; }
-  parkade-sheet { grid-area: sheet; }
+  :host([short]) .phone { grid-template-rows: 45px minmax(0, 1fr) minmax(57px, auto) 48px 0; }
+  parkade-chips { grid-area: chips; } parkade-chips:not(:defined) { height: 57px; }
+  parkade-sheet { grid-area: sheet; } parkade-sheet:not(:defined) { height: calc(113px + min(148px, 60vh)); }
   :host([viewing]) parkade-stage { pointer-events: none; --parkade-hint: none; }
   :host([controls="minimal"]) .desk { grid-template: "stage" minmax(0, 1fr) "time" 44px / minmax(0, 1fr); }
   :host([controls="minimal"]) .phone { grid-template: "stage" minmax(0, 1fr) "time" 48px / minmax(0, 1fr); }
