@@ -95,3 +95,16 @@ it("keeps workers at rest while somebody is at work, and a little longer for who
   expect([pool.size, made.every((worker) => worker.terminated)]).toEqual([0, true]);
   vi.useRealTimers();
 });
+
+it("keeps no worker of a module that nobody begins with any more", () => {
+  const { pool, made, ask } = setup(4);
+  const [one, two, three] = [ask(), ask(), ask()];
+  pool.release(one!);
+  pool.retire();
+  expect(made.map(({ terminated }) => terminated)).toEqual([true, false, false]);
+  pool.release(two!);
+  expect([pool.size, made[1]!.terminated, three!.worker]).toEqual([1, true, made[2]]);
+  pool.drop(three!);
+  // A playground that has not heard of the other module yet still plans.
+  expect(ask().worker).toBe(made[3]);
+});

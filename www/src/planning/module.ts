@@ -45,7 +45,10 @@ async function load(extent: Extent): Promise<Engine> {
   const source = beside(elsewhere.worker, api.script);
   const pool = new WorkerPool(() => new Worker(source, { type: "module", name: "parkade" }) as WorkerLike);
   const engine = { extent, api, module, pool, script: source };
-  if (extent === "complete") whole = engine;
+  if (extent === "complete") {
+    whole = engine;
+    void loading.core?.then((first) => first.pool.retire(), () => undefined);
+  }
   return engine;
 }
 

@@ -21,6 +21,7 @@ interface Member { worker: WorkerLike; holder: Holder | null }
 export class WorkerPool {
   private members: Member[] = [];
   private leaving: ReturnType<typeof setTimeout> | undefined;
+  private retired = false;
   private waiting: { holder: Holder; give: (worker: WorkerLike) => void }[] = [];
 
   constructor(private readonly spawn: () => WorkerLike, private readonly most = mostWorkers(navigator.hardwareConcurrency || 1)) {}
@@ -57,7 +58,14 @@ export class WorkerPool {
     this.forget(holder);
     for (const member of this.members) if (member.holder === holder) member.holder = null;
     this.serve();
-    if (this.members.every((one) => one.holder === null)) this.empty();
+    if (this.retired) this.dismiss();
+    else if (this.members.every((one) => one.holder === null)) this.empty();
+  }
+
+  /** Nobody will begin with this module any more: workers go as they are given back. */
+  retire(): void {
+    this.retired = true;
+    this.dismiss();
   }
 
   /** Ends a holder's worker: a running plan stops in no other way, and after a trap it is of no use. */
@@ -72,10 +80,13 @@ export class WorkerPool {
   private empty(): void {
     clearTimeout(this.leaving);
     this.leaving = setTimeout(() => {
-      if (this.members.some((one) => one.holder !== null)) return;
-      for (const { worker } of this.members) worker.terminate();
-      this.members = [];
+      if (this.members.every((one) => one.holder === null)) this.dismiss();
     }, KEPT_MS);
+  }
+
+  private dismiss(): void {
+    for (const { worker } of this.members.filter((one) => one.holder === null)) worker.terminate();
+    this.members = this.members.filter((one) => one.holder !== null);
   }
 
   private forget(holder: Holder): void {
