@@ -1,9 +1,9 @@
 import fc from "fast-check";
-import { beforeAll, expect, test } from "vitest";
+import { expect, test } from "vitest";
 import * as parkade from "parkade";
 import { ParkadeError, Planner, defaultConfig, init, planners, scenario, scenarios, sceneGeometry, type Scenario } from "parkade";
 
-/** More of it, with another seed: `PARKADE_FUZZ=100000:7 vitest run tests/js/fuzz.test.ts`. */
+/** More of it, with another seed, `-t toSVG` for one function: `PARKADE_FUZZ=100000:7 vitest run tests/js/fuzz.test.ts`. */
 const [times = "300", seed = "20260101"] = (process.env["PARKADE_FUZZ"] ?? "").split(":").filter(Boolean);
 const HOURS = 3_600_000;
 /** Nothing smaller is looked for: after a trap the module answers nothing. */
@@ -62,11 +62,8 @@ function smallest(): Scenario {
     .reduce((best, other) => (cells(other) < cells(best) ? other : best));
 }
 
-let small: Scenario;
-beforeAll(async () => {
-  await init();
-  small = smallest();
-});
+await init();
+const small = smallest();
 
 test("any value for a scene, and a preset with one damaged field, is geometry or an explained error", () => {
   const scenes = scenarios().map(({ id }) => scenario(id));
@@ -120,17 +117,20 @@ function calls(): [name: string, run: (...args: never[]) => unknown, args: unkno
   ];
 }
 
-test("arguments of every function, one damaged at any depth or another altogether, are answered or explained", () => {
-  const all = calls(), tried = new Set(all.map(([, run]) => run));
+const all = calls();
+
+test("every function of the package that takes something is called", () => {
+  const tried = new Set(all.map(([, run]) => run));
   for (const [name, run] of Object.entries(parkade)) {
     expect(tried.has(run as never) || run.length === 0 || ["init", "Planner", "ParkadeError"].includes(name), name).toBe(true);
   }
-  for (const [name, run, args] of all) {
-    answersOrExplains(() => run(...(args as never[])));
-    const given = fc.tuple(choices, value).map(([path, by]) => ({ args: damaged(args, path, by), by: [path, by] as unknown }));
-    const any = fc.oneof({ weight: 5, arbitrary: given }, fc.array(value, { maxLength: 3 }).map((some) => ({ args: some, by: some as unknown })));
-    const found = fc.check(fc.property(any, (some) => answersOrExplains(() => run(...(some.args as never[])))), options);
-    const words = ({ errorInstance, counterexample }: typeof found) => `${name}: ${errorInstance}, of ${fc.stringify(counterexample?.[0].by)}`;
-    expect(found.failed && words(found)).toBe(false);
-  }
+});
+
+test.each(all)("arguments of %s, one damaged at any depth or another altogether, are answered or explained", (_, run, args) => {
+  answersOrExplains(() => run(...(args as never[])));
+  const given = fc.tuple(choices, value).map(([path, by]) => ({ args: damaged(args, path, by), by: [path, by] as unknown }));
+  const any = fc.oneof({ weight: 5, arbitrary: given }, fc.array(value, { maxLength: 3 }).map((some) => ({ args: some, by: some as unknown })));
+  const found = fc.check(fc.property(any, (some) => answersOrExplains(() => run(...(some.args as never[])))), options);
+  const words = ({ errorInstance, counterexample }: typeof found) => `${errorInstance}, of ${fc.stringify(counterexample?.[0].by)}`;
+  expect(found.failed && words(found)).toBe(false);
 }, HOURS);
