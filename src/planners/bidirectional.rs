@@ -103,7 +103,10 @@ fn search<E: Estimate, O: Observer<i64, ()>>(
     scratch: &mut GridScratch,
     observer: &mut O,
 ) -> GridReport {
-    let grid = Grid::new(&query, config.neighbours, config.common.corner, gauge);
+    let mut grid = Grid::new(&query, config.neighbours, config.common.corner, gauge);
+    if config.stop == Stop::Optimal {
+        grid = grid.on_shortest_ways();
+    }
     let most = config.common.max_expansions;
     let found = both_ways(&grid, query.ends(), config.stop, most, &mut scratch.lattice, observer);
     GridReport::along(&query, &found, grid.los_calls())

@@ -45,6 +45,8 @@ pub(super) struct Grid<'a, E> {
     corner: Corner,
     /// The legal single steps by the free cells around.
     legal: &'static [u8; 256],
+    /// The single steps worth a look, by the direction of the last one and the free cells around.
+    onward: &'static [[u8; 256]; 8],
     los_calls: Counter<u32>,
 }
 
@@ -76,8 +78,16 @@ impl<'a, E: Estimate> Grid<'a, E> {
             diagonals,
             corner,
             legal: &LEGAL[corner as usize],
+            onward: &UNSEEN,
             los_calls: Counter::new(0),
         }
+    }
+
+    /// Leaves out the steps, too, that lead to no cell at its lowest cost: each cell is expanded as before, but some never
+    /// enter the open list.
+    pub(super) fn on_shortest_ways(mut self) -> Self {
+        self.onward = &SHORTEST;
+        self
     }
 
     pub(super) fn los_calls(&self) -> u32 {
@@ -93,11 +103,11 @@ impl<'a, E: Estimate> Grid<'a, E> {
         // First look at all, then move: processors guess badly which steps are worth it.
         let mut worth = if self.diagonals {
             let direction = last.filter(|&number| number < 8);
-            let unseen = match direction {
-                Some(direction) => UNSEEN[(direction ^ turned) as usize & 7][usize::from(free)],
+            let onward = match direction {
+                Some(direction) => self.onward[(direction ^ turned) as usize & 7][usize::from(free)],
                 None => 0xff,
             };
-            u32::from(free & unseen) & sink.worth_around(node, row, D, R2)
+            u32::from(free & onward) & sink.worth_around(node, row, D, R2)
         } else {
             let before = last.map_or(0, |number| 1 << ((2 * number) & 7 ^ 4 ^ turned));
             u32::from(free & 0b0101_0101) & !before & sink.worth_beside(node, row, D)
@@ -188,29 +198,46 @@ impl<E: Estimate> Lattice for Grid<'_, E> {
 }
 
 /// [`unseen`] by the direction of the last step and the free cells around.
-static UNSEEN: [[u8; 256]; 8] = {
+static UNSEEN: [[u8; 256]; 8] = onward(false);
+/// The same, without the steps that are [`longer`].
+static SHORTEST: [[u8; 256]; 8] = onward(true);
+
+const fn onward(is_shortest: bool) -> [[u8; 256]; 8] {
     let mut table = [[0; 256]; 8];
     let mut direction = 0;
     while direction < 8 {
         let mut free = 0;
         while free < 256 {
-            table[direction][free] = unseen(free as u8, direction as u32);
+            let left_out = if is_shortest { longer(free as u8, direction as u32) } else { 0 };
+            table[direction][free] = unseen(free as u8, direction as u32) & !left_out;
             free += 1;
         }
         direction += 1;
     }
     table
-};
+}
 
 /// The single steps that may lead on from a cell whose free neighbours are `free` and which was reached in a direction,
 /// where there are diagonals: the cell before has been there at no higher cost where such a cell is also its neighbour.
 const fn unseen(free: u8, direction: u32) -> u8 {
-    let free = free.rotate_right(direction);
     let seen = match direction % 2 {
-        0 => 0b0011_1000 | (free & 0b1000) >> 1 | (free & 0b10_0000) << 1,
+        0 => 0b0011_1000 | beside_free(free, direction),
         _ => 0b0011_1000,
     };
-    (!seen).rotate_left(direction)
+    !u8::rotate_left(seen, direction)
+}
+
+/// The diagonal steps at a right angle to a diagonal one: two straight steps around the corner cost less, where it is free.
+const fn longer(free: u8, direction: u32) -> u8 {
+    let longer = if direction % 2 == 1 { beside_free(free, direction) } else { 0 };
+    longer.rotate_left(direction)
+}
+
+/// The steps to both sides of a direction beside which the cell half behind is free, turned so that the direction is the
+/// lowest bit.
+const fn beside_free(free: u8, direction: u32) -> u8 {
+    let free = free.rotate_right(direction);
+    (free & 0b1000) >> 1 | (free & 0b10_0000) << 1
 }
 
 /// The bit of a cell in [`Occupancy::window`].
@@ -240,9 +267,9 @@ mod tests {
     use super::*;
     use crate::planners::moves::{D, R2};
 
-    /// Every step that is left out leads to where the cell before could go itself, legally and at no higher cost.
-    #[test]
-    fn only_what_the_cell_before_has_seen_is_left_out() {
+    /// Asks about every step onward from a cell, by the free cells around, the direction in which it was reached, and the
+    /// corner rule: `check(map, before, centre, target, free, direction, c, corner)`.
+    fn each_step(mut check: impl FnMut(&Occupancy, [Cell; 3], (u8, u32, usize), Corner)) {
         let centre = Cell::new(2, 2);
         for (free, direction) in (0..=255_u8).flat_map(|free| (0..8_u32).map(move |d| (free, d))) {
             let (dx, dy) = DIRECTIONS[direction as usize];
@@ -255,19 +282,59 @@ mod tests {
                 if map.blocked(before) || !line_of_sight(&map, before, centre, corner) {
                     continue;
                 }
-                let price = |from: Cell, to: Cell| if from.x == to.x || from.y == to.y { D } else { R2 };
-                let out = free & !unseen(free, direction);
-                for c in (0..8).filter(|c| out >> c & 1 == 1) {
+                for c in (0..8).filter(|c| free >> c & 1 == 1) {
                     let target = centre.offset(DIRECTIONS[c].0, DIRECTIONS[c].1);
-                    if target == before {
-                        continue;
+                    if target != before {
+                        check(&map, [before, centre, target], (free, direction, c), corner);
                     }
-                    let near = (target.x - before.x).abs().max((target.y - before.y).abs()) == 1;
-                    assert!(near, "{free:b} {direction} {c}");
-                    assert!(line_of_sight(&map, before, target, corner), "{free:b} {direction} {c}");
-                    assert!(price(before, target) <= price(before, centre) + price(centre, target));
                 }
             }
         }
+    }
+
+    fn price(from: Cell, to: Cell) -> i64 {
+        if from.x == to.x || from.y == to.y { D } else { R2 }
+    }
+
+    /// Every step that is left out leads to where the cell before could go itself, legally and at no higher cost.
+    #[test]
+    fn only_what_the_cell_before_has_seen_is_left_out() {
+        each_step(|map, [before, centre, target], (free, direction, c), corner| {
+            if unseen(free, direction) >> c & 1 == 1 {
+                return;
+            }
+            let near = (target.x - before.x).abs().max((target.y - before.y).abs()) == 1;
+            assert!(near, "{free:b} {direction} {c}");
+            assert!(line_of_sight(map, before, target, corner), "{free:b} {direction} {c}");
+            assert!(price(before, target) <= price(before, centre) + price(centre, target));
+        });
+    }
+
+    /// … or is one of two diagonal steps that cost more than two straight ones, which are legal; all of those are left out.
+    #[test]
+    fn only_what_is_on_no_shortest_way_is_left_out_beyond() {
+        let mut count = 0;
+        each_step(|map, [before, centre, target], (free, direction, c), corner| {
+            let around = DIRECTIONS.map(|(dx, dy)| before.offset(dx, dy)).into_iter().any(|over| {
+                over != centre
+                    && [(before, over), (over, target)].into_iter().all(|(from, to)| {
+                        !map.blocked(to)
+                            && (from.x - to.x).abs().max((from.y - to.y).abs()) == 1
+                            && line_of_sight(map, from, to, corner)
+                    })
+                    && price(before, over) + price(over, target)
+                        < price(before, centre) + price(centre, target)
+            });
+            let is_left_out = longer(free, direction) >> c & 1 == 1;
+            assert!(!is_left_out || around, "{free:b} {direction} {c}");
+            if around
+                && line_of_sight(map, centre, target, corner)
+                && SHORTEST[direction as usize][free as usize] >> c & 1 == 1
+            {
+                panic!("{free:b} {direction} {c} {corner:?} is on no shortest way");
+            }
+            count += u32::from(is_left_out);
+        });
+        assert!(count > 500, "{count}");
     }
 }
