@@ -129,14 +129,16 @@ pub(super) fn phases(
             start = end;
         }
         let steady = slowest.and_then(|(start, end, limit)| {
-            let reach = |speed: f64| {
-                (start.max(a.0 + ramp(a.1, speed).length), end.min(b.0 - ramp(speed, b.1).length))
-            };
-            let speed = largest(ends.min(limit), limit, |speed| reach(speed).0 <= reach(speed).1);
-            let (from, to) = reach(speed);
+            // Where the ways to a speed and away from it leave room for it, and, of that, what is nearest to the zone: one that
+            // is too short to slow down or speed up in is driven through on the way to another speed.
+            let room = |speed: f64| (a.0 + ramp(a.1, speed).length, b.0 - ramp(speed, b.1).length);
+            let speed = largest(ends.min(limit), limit, |speed| room(speed).0 <= room(speed).1);
+            let (first, last) = room(speed);
+            let (from, to) = (start.min(last).max(first), end.min(last).max(first));
             // Too fast for the zone at its beginning or end, whatever one does.
             let late = from > start + 1e-6 && a.1 > limit || to < end - 1e-6 && b.1 > limit;
-            (from <= to && !late).then_some((from, to, speed))
+            // All of it on the way from one speed to the other is no step ahead.
+            (first <= last && !late && to > a.0 && from < b.0).then_some((from, to, speed))
         });
         if let Some((from, to, speed)) = steady {
             tasks.push(Task::Between((to, speed), b));
@@ -295,9 +297,39 @@ mod tests {
         }
         assert!(driven(&zones[1..], [(15.0, 2.0), (25.0, 0.0)]).is_none());
         assert!(driven(&zones[1..], [(15.0, 0.0), (25.0, 2.0)]).is_none());
-        // At its limit already, and too short to brake in it from there: no faster before it.
+    }
+
+    #[test]
+    fn one_stops_through_a_zone_too_short_to_brake_in() {
+        // From its limit, to which one comes before it; the other way round one speeds up beyond it.
         let stop = (2.0 * (1.0_f64 / JERK).sqrt(), (1.0_f64 / JERK).sqrt());
-        takes(&[(9.5, TOP), (10.0, 1.0)], [(0.0, 1.0), (10.0, 0.0)], 10.0 - stop.1 + stop.0);
+        let [first, up, down] = [change(0.0, 1.0), change(1.0, TOP), change(TOP, 1.0)];
+        let before = first.0 + 5.0 - first.1;
+        let between = up.0 + (15.0 - 5.0 - stop.1 - up.1 - down.1) / TOP + down.0;
+        takes(&[(5.0, 1.0), (14.5, TOP), (15.0, 1.0)], [(0.0, 0.0), (15.0, 0.0)], before + between + stop.0);
+        takes(&[(14.5, TOP), (15.0, 1.0)], [(5.0, 1.0), (15.0, 0.0)], between + stop.0);
+        let [first, up, down] = [change(0.0, 0.9), change(0.9, TOP), change(TOP, 0.0)];
+        let wanted = first.0 + up.0 + (15.0 - first.1 - up.1 - down.1) / TOP + down.0;
+        takes(&[(0.5, 0.9), (15.0, TOP)], [(0.0, 0.0), (15.0, 0.0)], wanted);
+    }
+
+    #[test]
+    fn hairs_of_zones_end_it_too() {
+        for width in [1e-7, 1e-10, 1e-13] {
+            for (zones, ends) in [
+                ([(5.0, TOP), (5.0 + width, 0.5), (10.0, TOP)], [(5.0, 1.0), (10.0, 1.0)]),
+                ([(5.0 - width, TOP), (5.0, 0.5), (10.0, TOP)], [(0.0, 1.0), (5.0, 1.0)]),
+                ([(5.0, 2.0), (5.0 + width, 0.5), (10.0, TOP)], [(0.0, 0.5), (5.0 + width, 1.0)]),
+            ] {
+                // Whether there is a way or none, it is told.
+                let _ = phases(&limits(), JERK, &zones, ends);
+            }
+        }
+        // Through a hair at its limit.
+        let ramps = [change(0.0, 0.5), change(0.5, 0.0)];
+        let zones = [(5.0, 0.5), (5.0 + 1e-10, 0.4), (10.0, 0.5)];
+        let time = driven(&zones, [(0.0, 0.0), (10.0, 0.0)]).unwrap();
+        assert!(time > 20.0 + ramps[0].0 + ramps[1].0 - 2.0 * (ramps[0].1 + ramps[1].1) - 1e-6, "{time}");
     }
 
     #[test]
