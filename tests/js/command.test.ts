@@ -49,6 +49,11 @@ test("a path's CSV has a row for each pose, distances that add up, and passes th
   const speeds = rows.map((row) => Number(row.split(",")[6]));
   expect(Math.max(...speeds)).toBeGreaterThan(1);
   expect(Math.max(...speeds)).toBeLessThanOrEqual(2);
+  expect(toCSV(scenario("perpendicular"), plan)).toBe(readFileSync(join(folder, "path.csv"), "utf8"));
+  // In JSON the curvature of a corner is null.
+  const corners: Plan = JSON.parse(run(["plan", "perpendicular", "--planner", "eight"]).out);
+  expect([...corners.curvatures]).toContain(null);
+  expect(toCSV(scenario("perpendicular"), corners)).toBe(run(["plan", "perpendicular", "--planner", "eight", "--format", "csv"]).out);
   for (const file of ["path.csv", "plan.json"]) expect(run(["check", "perpendicular", file])).toMatchObject({ status: 0, err: "" });
 });
 

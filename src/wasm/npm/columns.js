@@ -1,13 +1,12 @@
 // @ts-check
 // A plan as columns of text; in the complete module only.
 import { trajectory } from "./drive.js";
-import { numbers, object } from "./runtime.js";
+import { measures, numbers, object } from "./runtime.js";
 
 /** @type {typeof import("./index.js").toCSV} */
 export function toCSV(scene, plan) {
-  /** @param {"path" | "curvatures" | "clearances"} name */
-  const column = (name) => numbers(Float64Array, object(plan, "plan")[name], `plan.${name}`);
-  const path = column("path"), curvatures = column("curvatures"), clearances = column("clearances");
+  const path = numbers(Float64Array, object(plan, "plan").path, "plan.path");
+  const curvatures = measures(plan.curvatures, "plan.curvatures"), clearances = measures(plan.clearances, "plan.clearances");
   const directions = numbers(Int8Array, plan.directions, "plan.directions");
   const rows = ["s,x,y,theta,kappa,clearance,v,direction"];
   const speedAt = speeds(scene, plan);

@@ -2,7 +2,7 @@
 // Driving in time; in the complete module only.
 import { packedScene } from "./cells.js";
 import * as raw from "./parkade.js";
-import { call, numbers, object } from "./runtime.js";
+import { call, measures, numbers, object } from "./runtime.js";
 
 /** @type {typeof import("./index.js").trajectory} */
 export const trajectory = (scene, plan, options = {}) => call(() => raw.trajectory(packedScene(scene), ...columns(plan), options));
@@ -22,6 +22,6 @@ function columns(plan) {
   return [
     numbers(Float64Array, path, "plan.path"),
     directions === undefined ? undefined : numbers(Int8Array, directions, "plan.directions"),
-    curvatures === undefined ? undefined : numbers(Float64Array, curvatures, "plan.curvatures"),
+    curvatures === undefined ? undefined : measures(curvatures, "plan.curvatures"),
   ];
 }

@@ -3,7 +3,7 @@
 import { planners, sceneGeometry } from "./api.js";
 import { unpackedScene } from "./cells.js";
 import { draw } from "./drawing.js";
-import { ParkadeError, numbers, object, shown, text } from "./runtime.js";
+import { ParkadeError, measures, numbers, object, shown, text } from "./runtime.js";
 
 /** @type {typeof import("./index.js").toSVG} */
 export function toSVG(given, plans = [], options = {}) {
@@ -45,14 +45,13 @@ function checkCamera(camera) {
   }
 }
 
-/** What a picture needs of a plan; from JSON its lists may be plain ones, with null for NaN. @param {import("./index.js").Plan} plan */
+/** What a picture needs of a plan; from JSON its lists may be plain ones. @param {import("./index.js").Plan} plan */
 function checkPlan(plan) {
   const { planner, outcome } = plan, check = object(plan.check, "plan.check");
   text(planner, "plan.planner");
   object(plan.metrics, "plan.metrics");
-  /** @param {"curvatures" | "clearances"} name */
-  const measured = (name) => numbers(Float64Array, Array.isArray(plan[name]) ? Array.from(plan[name], (value) => value ?? Number.NaN) : plan[name], `plan.${name}`);
-  const path = numbers(Float64Array, plan.path, "plan.path"), curvatures = measured("curvatures"), clearances = measured("clearances");
+  const path = numbers(Float64Array, plan.path, "plan.path");
+  const curvatures = measures(plan.curvatures, "plan.curvatures"), clearances = measures(plan.clearances, "plan.clearances");
   const hitPoses = numbers(Uint32Array, check.hitPoses, "plan.check.hitPoses");
   if (outcome === "found" && path.length < 3) throw new ParkadeError("plan.path: must have poses", "bad-input", "plan.path");
   return { ...plan, path, curvatures, clearances, check: { ...check, hitPoses } };

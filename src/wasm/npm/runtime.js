@@ -150,3 +150,12 @@ export function numbers(Numbers, values, path) {
   }
   return typed;
 }
+
+/**
+ * Numbers of which some are not there: NaN or, from JSON, null.
+ * @param {unknown} values
+ * @param {string} path
+ */
+export function measures(values, path) {
+  return numbers(Float64Array, Array.isArray(values) ? Array.from(values, (value) => value ?? Number.NaN) : values, path);
+}
