@@ -13,7 +13,7 @@ export const layout = css`
   parkade-stage { grid-area: stage; }
   parkade-timeline { grid-area: time; }
   parkade-inspector { grid-area: side; min-height: 0; }
-  .strip { grid-area: strip; display: grid; grid-template-columns: minmax(0, 1fr) var(--pane-chart, minmax(320px, 34%)); border-top: 1px solid var(--parkade-hair); min-height: 0; overflow: hidden; background: var(--parkade-panel); }
+  .strip { grid-area: strip; display: grid; grid-template-columns: minmax(0, 1fr) var(--pane-chart, clamp(320px, 100% - 850px, 34%)); border-top: 1px solid var(--parkade-hair); min-height: 0; overflow: hidden; background: var(--parkade-panel); }
   parkade-splitter[pane="side"] { grid-area: stage; justify-self: end; }
   parkade-splitter[pane="strip"] { grid-area: strip; align-self: start; }
   parkade-splitter[pane="chart"] { grid-area: 1 / 2; justify-self: start; }
