@@ -83,8 +83,8 @@ impl<'a, E: Estimate> Grid<'a, E> {
         }
     }
 
-    /// Leaves out the steps, too, that lead to no cell at its lowest cost: each cell is expanded as before, but some never
-    /// enter the open list.
+    /// Leaves out the steps, too, that lead to no cell at its lowest cost. The path costs the same; fewer cells enter the
+    /// open lists, so that they are counted otherwise.
     pub(super) fn on_shortest_ways(mut self) -> Self {
         self.onward = &SHORTEST;
         self
