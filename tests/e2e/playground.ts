@@ -80,10 +80,12 @@ export function onScreen(page: Page, x: number, y: number): Promise<{ x: number;
   }, [x, y] as const);
 }
 
-/** Fixes the camera, so that world points can be aimed at. */
+/** Fixes the camera, so that world points can be aimed at: when the canvases have their sizes and are drawn, some frames later. */
 export async function look(page: Page, x: number, y: number, scale: number): Promise<void> {
-  await page.evaluate((camera) => document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ camera }), { x, y, scale });
-  await page.waitForTimeout(100);
+  await page.evaluate(async (camera) => {
+    document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ camera });
+    for (let frame = 0; frame < 6; frame++) await new Promise(requestAnimationFrame);
+  }, { x, y, scale });
 }
 
 export async function dragWorld(page: Page, from: [number, number], to: [number, number], steps = 6): Promise<void> {
