@@ -5,7 +5,7 @@ import { ParkadeError, Planner, defaultConfig, init, planners, scenario, scenari
 
 /** More of it, with another seed, `-t toSVG` for one function: `PARKADE_FUZZ=100000:7 vitest run tests/js/fuzz.test.ts`. */
 const [times = "300", seed = "20260101"] = (process.env["PARKADE_FUZZ"] ?? "").split(":").filter(Boolean);
-const HOURS = 3_600_000;
+const HOURS = 36_000_000;
 /** Nothing smaller is looked for: after a trap the module answers nothing. */
 const options = { numRuns: Number(times), seed: Number(seed), endOnFailure: true };
 
