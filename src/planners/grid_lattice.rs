@@ -85,6 +85,7 @@ impl<'a, E: Estimate> Grid<'a, E> {
 
     /// Leaves out the steps, too, that lead to no cell at its lowest cost. The path costs the same; fewer cells enter the
     /// open lists, so that they are counted otherwise.
+    #[cfg(feature = "complete")]
     pub(super) fn on_shortest_ways(mut self) -> Self {
         self.onward = &SHORTEST;
         self
@@ -200,6 +201,7 @@ impl<E: Estimate> Lattice for Grid<'_, E> {
 /// [`unseen`] by the direction of the last step and the free cells around.
 static UNSEEN: [[u8; 256]; 8] = onward(false);
 /// The same, without the steps that are [`longer`].
+#[cfg(feature = "complete")]
 static SHORTEST: [[u8; 256]; 8] = onward(true);
 
 const fn onward(is_shortest: bool) -> [[u8; 256]; 8] {
