@@ -1,8 +1,6 @@
 //! Estimates of the cost between cells, in micro-cells.
 
-use std::num::NonZeroU64;
-
-use super::moves::{D, Neighbourhood, R2, R5, R10, R13, euclid};
+use super::moves::{D, Neighbourhood, R2, R5, R10, R13, euclid, nearest};
 use crate::json;
 
 /// How the cost still to pay is estimated.
@@ -136,14 +134,17 @@ pub fn gauge(neighbourhood: Neighbourhood, dx: i32, dy: i32) -> i64 {
 pub struct DistanceWeight {
     /// Thousandths: 1000 is the paper, w = 1 + d(n)/d(s).
     permille: i64,
-    start: NonZeroU64,
+    start: i64,
+    /// 1 / `start`.
+    inverse: f64,
 }
 
 impl DistanceWeight {
     /// The weight for a query over `dx` columns and `dy` rows.
     pub fn new(permille: i64, dx: i32, dy: i32) -> Self {
-        let start = NonZeroU64::new(euclid(dx, dy) as u64).unwrap_or(NonZeroU64::MIN);
-        Self { permille, start }
+        // No two cells are nearer than one cell.
+        let start = euclid(dx, dy).max(D);
+        Self { permille, start, inverse: 1.0 / start as f64 }
     }
 
     /// The weighted estimate `h` of a cell `dx` columns and `dy` rows from the goal; floor divisions, left to right.
@@ -153,11 +154,14 @@ impl DistanceWeight {
         // Most products of numbers without a sign fit at a glance; whether one has 63 bits is asked of the others, because
         // asking for the overflow itself is slow in wasm.
         let share = if (h | e) as u64 >> 31 == 0 {
-            (h as u64 * e as u64 / self.start) as i64
+            // Below 2⁴³, so that the nearest whole number is at most one off. Divisions are slow.
+            let near = nearest(h as f64 * e as f64 * self.inverse);
+            let rest = h * e - near * self.start;
+            near + i64::from(rest >= self.start) - i64::from(rest < 0)
         } else if h.unsigned_abs().leading_zeros() + e.leading_zeros() > 64 {
-            h * e / self.start.get() as i64
+            h * e / self.start
         } else {
-            (i128::from(h) * i128::from(e) / i128::from(self.start.get())) as i64
+            (i128::from(h) * i128::from(e) / i128::from(self.start)) as i64
         };
         h + if self.permille == 1000 { share } else { self.permille * share / 1000 }
     }
@@ -195,6 +199,26 @@ mod tests {
             assert_eq!(gauge(Neighbourhood::FortyEight, m.dx, m.dy), cost(m.dx, m.dy));
         }
         assert_eq!(gauge(Neighbourhood::Sixteen, 7, -3), 3 * R5 + D);
+    }
+
+    /// As by exact division, for every pair of a few numbers, those where the ways of reckoning meet among them.
+    #[test]
+    fn the_weight_is_rounded_down() {
+        let ends = [(1, 0), (1, 1), (7, 3), (199, 199), (-500, 13), (4095, -4095)];
+        for (start, cell) in ends.into_iter().flat_map(|start| ends.map(|cell| (start, cell))) {
+            let (s, e) = (euclid(start.0, start.1), euclid(cell.0, cell.1));
+            // Quotients that are whole, and just not.
+            let whole = [s, 2 * s, 300 * s].into_iter().flat_map(|h| [h - 1, h, h + 1]);
+            let sizes = [-3 * D, 0, 1, D, 999_999_937, (1 << 31) - 1, 1 << 31, 1 << 37];
+            for h in whole.chain(sizes) {
+                for permille in [1000, 500, 1] {
+                    let weight = DistanceWeight::new(permille, start.0, start.1);
+                    let share = (i128::from(h) * i128::from(e) / i128::from(s)) as i64;
+                    let want = h + permille * share / 1000;
+                    assert_eq!(weight.apply(h, cell.0, cell.1), want, "{start:?} {cell:?} {h}");
+                }
+            }
+        }
     }
 
     #[test]

@@ -109,20 +109,18 @@ pub fn euclid(dx: i32, dy: i32) -> i64 {
 
 /// ⌊10⁶ √n⌋, exact for n below 10⁹.
 fn micro_sqrt(n: i64) -> i64 {
-    // n · 10¹² may exceed 64 bits, but the distance to the square of a guess that is at most a few off does not, so
-    // wrapping arithmetic gives it exactly.
-    let square = n.wrapping_mul(1_000_000_000_000);
-    let mut root = ((n as f64).sqrt() * 1e6) as i64;
-    let mut rest = square.wrapping_sub(root.wrapping_mul(root));
-    while rest < 0 {
-        root -= 1;
-        rest += 2 * root + 1;
-    }
-    while rest > 2 * root {
-        rest -= 2 * root + 1;
-        root += 1;
-    }
-    root
+    // n · 10¹² may exceed 64 bits, but the distance to the square of the nearest whole number does not, so wrapping
+    // arithmetic gives it exactly.
+    let near = nearest((n as f64).sqrt() * 1e6);
+    let rest = n.wrapping_mul(1_000_000_000_000).wrapping_sub(near.wrapping_mul(near));
+    near - i64::from(rest < 0)
+}
+
+/// The whole number nearest to one from 0 to below 2⁵¹, sooner than a conversion, which asks for the range.
+#[inline]
+pub(super) fn nearest(number: f64) -> i64 {
+    const BEYOND: f64 = (1_u64 << 52) as f64;
+    (number + BEYOND).to_bits() as i64 - BEYOND.to_bits() as i64
 }
 
 fn is_square(n: i64) -> bool {
@@ -174,7 +172,8 @@ mod tests {
 
     #[test]
     fn square_roots_are_exact() {
-        for n in (0..4000).chain(33_000_000..33_002_000) {
+        let squares = (4000..31_000).step_by(97).flat_map(|root| root * root - 1..=root * root + 1);
+        for n in (0..4000).chain(33_000_000..33_002_000).chain(squares).chain(999_990_000..1_000_000_000) {
             let (root, square) = (i128::from(micro_sqrt(n)), i128::from(n) * 1_000_000_000_000);
             assert!(root * root <= square && (root + 1) * (root + 1) > square, "{n}");
         }

@@ -13,7 +13,8 @@ pub(super) struct Queue<E> {
     /// The entries of the current bucket in order, the first one last.
     stack: Vec<E>,
     /// Unsorted entries of the buckets after the current one, up to the end of the next span; bucket `n` is at `n % RING`.
-    ring: Vec<Vec<E>>,
+    /// A list without entries has no room for one: what says that one fits says that the bucket is in use.
+    ring: Box<[Vec<E>; RING]>,
     /// A bit for each list of the ring that holds something.
     filled: [u64; WORDS],
     /// Unsorted entries of later spans, the last one without an end.
@@ -45,7 +46,7 @@ impl<E> Default for Queue<E> {
     fn default() -> Self {
         Self {
             stack: Vec::new(),
-            ring: Vec::new(),
+            ring: ring(),
             filled: [0; WORDS],
             later: Vec::new(),
             empty: Vec::new(),
@@ -60,6 +61,12 @@ impl<E> Default for Queue<E> {
     }
 }
 
+/// Lists without entries and without room.
+fn ring<E>() -> Box<[Vec<E>; RING]> {
+    let lists: Box<[Vec<E>]> = std::iter::repeat_with(Vec::new).take(RING).collect();
+    lists.try_into().unwrap_or_else(|_| unreachable!("as many as asked for"))
+}
+
 impl<E: Entry> Queue<E> {
     /// Empties the list; buckets count from `origin`, best the root's f.
     pub(super) fn reset(&mut self, origin: i64) {
@@ -70,7 +77,6 @@ impl<E: Entry> Queue<E> {
             self.empty.push(list);
         }
         self.later.iter_mut().for_each(Vec::clear);
-        self.ring.resize_with(RING, Vec::new);
         (self.current, self.reach, self.origin) = (0, RING, origin);
         (self.peak, self.pushes, self.pops) = (0, 0, 0);
     }
@@ -100,7 +106,7 @@ impl<E: Entry> Queue<E> {
             }
         } else if further < (self.reach - self.current) as u64 {
             let list = &mut self.ring[bucket as usize % RING];
-            if !list.is_empty() {
+            if list.len() < list.capacity() {
                 return list.push(entry);
             }
         }
