@@ -1,6 +1,6 @@
 //! Estimates of the cost between cells, in micro-cells.
 
-use super::moves::{D, Neighbourhood, R2, R5, R10, R13, euclid, nearest};
+use super::moves::{D, Neighbourhood, R2, R5, R10, R13, euclid};
 use crate::json;
 
 /// How the cost still to pay is estimated.
@@ -151,19 +151,17 @@ impl DistanceWeight {
     #[inline(always)]
     pub fn apply(&self, h: i64, dx: i32, dy: i32) -> i64 {
         let e = euclid(dx, dy);
-        // Most products of numbers without a sign fit at a glance; whether one has 63 bits is asked of the others, because
-        // asking for the overflow itself is slow in wasm.
-        let share = if (h | e) as u64 >> 31 == 0 {
-            // Below 2⁴³, so that the nearest whole number is at most one off. Divisions are slow.
-            let near = nearest(h as f64 * e as f64 * self.inverse);
-            let rest = h * e - near * self.start;
-            near + i64::from(rest >= self.start) - i64::from(rest < 0)
-        } else if h.unsigned_abs().leading_zeros() + e.leading_zeros() > 64 {
-            h * e / self.start
-        } else {
-            (i128::from(h) * i128::from(e) / i128::from(self.start)) as i64
-        };
-        h + if self.permille == 1000 { share } else { self.permille * share / 1000 }
+        // Divisions are slow. The product may exceed 64 bits, but what is left of it beside a quotient that is a few off does
+        // not, so wrapping arithmetic tells it.
+        let mut share = (h as f64 * e as f64 * self.inverse) as i64;
+        let mut rest = h.wrapping_mul(e).wrapping_sub(share.wrapping_mul(self.start));
+        while rest < 0 {
+            (share, rest) = (share - 1, rest + self.start);
+        }
+        while rest >= self.start {
+            (share, rest) = (share + 1, rest - self.start);
+        }
+        h + if self.permille == 1000 { share } else { (self.permille * share).div_euclid(1000) }
     }
 }
 
@@ -213,8 +211,8 @@ mod tests {
             for h in whole.chain(sizes) {
                 for permille in [1000, 500, 1] {
                     let weight = DistanceWeight::new(permille, start.0, start.1);
-                    let share = (i128::from(h) * i128::from(e) / i128::from(s)) as i64;
-                    let want = h + permille * share / 1000;
+                    let share = (i128::from(h) * i128::from(e)).div_euclid(i128::from(s)) as i64;
+                    let want = h + (permille * share).div_euclid(1000);
                     assert_eq!(weight.apply(h, cell.0, cell.1), want, "{start:?} {cell:?} {h}");
                 }
             }

@@ -118,7 +118,7 @@ fn micro_sqrt(n: i64) -> i64 {
 
 /// The whole number nearest to one from 0 to below 2⁵¹, sooner than a conversion, which asks for the range.
 #[inline]
-pub(super) fn nearest(number: f64) -> i64 {
+fn nearest(number: f64) -> i64 {
     const BEYOND: f64 = (1_u64 << 52) as f64;
     (number + BEYOND).to_bits() as i64 - BEYOND.to_bits() as i64
 }

@@ -144,7 +144,7 @@ impl RiskGrid<'_> {
         let (x, y) = (i64::from(dx.abs()), i64::from(dy.abs()));
         let (by_far, by_near) = self.estimates[usize::from(is_oblique(dx, dy))];
         let h = by_far * x.max(y) + by_near * x.min(y);
-        self.weight.apply(if self.unit == 1 { h } else { h / self.unit }, dx, dy)
+        self.weight.apply(if self.unit == 1 { h } else { h.div_euclid(self.unit) }, dx, dy)
     }
 
     /// Takes the steps of which a bit each is set.
