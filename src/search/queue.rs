@@ -46,7 +46,7 @@ impl<E> Default for Queue<E> {
     fn default() -> Self {
         Self {
             stack: Vec::new(),
-            ring: Box::new([const { Vec::new() }; RING]),
+            ring: empty_ring(),
             filled: [0; WORDS],
             later: Vec::new(),
             empty: Vec::new(),
@@ -59,6 +59,11 @@ impl<E> Default for Queue<E> {
             pops: 0,
         }
     }
+}
+
+fn empty_ring<E>() -> Box<[Vec<E>; RING]> {
+    let lists: Box<[Vec<E>]> = std::iter::repeat_with(Vec::new).take(RING).collect();
+    lists.try_into().unwrap_or_else(|_| unreachable!("as many as asked for"))
 }
 
 impl<E: Entry> Queue<E> {
