@@ -75,9 +75,8 @@ test("a picture becomes a map by threshold and scale", async ({ page }) => {
   await dialog.getByRole("slider").fill("200");
   await expect(dialog).toContainText("8 % wall");
   await dialog.getByRole("button", { name: "Open" }).click();
-  await settled(page);
-  const { map, obstacles } = await sceneOf(page);
-  expect(map).toMatchObject({ width: 60, height: 40, resolution: 0.5 });
+  await expect.poll(async () => (await sceneOf(page)).map).toMatchObject({ width: 60, height: 40, resolution: 0.5 });
+  const { obstacles } = await sceneOf(page);
   expect((obstacles![0] as { runs: number[][] }).runs.reduce((sum, run) => sum + run[2]!, 0)).toBe(180);
   await page.keyboard.press("Control+z");
   expect(await sceneOf(page)).toEqual(before);
