@@ -38,10 +38,18 @@ impl Edge {
 }
 
 pub(super) struct Solid {
-    pub(super) outline: Vec<Point>,
+    outline: Vec<Point>,
     owner: Owner,
     low: Point,
     high: Point,
+}
+
+impl Solid {
+    pub(super) fn holds(&self, p: Point) -> bool {
+        let (low, high) = (self.low, self.high);
+        let near = p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y;
+        near && inside(&self.outline, p)
+    }
 }
 
 /// The exact obstacles of a scene, ready for body queries.
@@ -173,7 +181,7 @@ impl Body {
             }
             for &i in &self.buckets.solids[bucket] {
                 let solid = &self.solids[i as usize];
-                if inside(&solid.outline, body[0]) {
+                if solid.holds(body[0]) {
                     return Some(solid.owner);
                 }
             }
@@ -261,7 +269,7 @@ fn passes(a: Point, b: Point, p: Point) -> bool {
 }
 
 /// Whether a point is inside a simple polygon (even–odd rule).
-pub(super) fn inside(outline: &[Point], p: Point) -> bool {
+fn inside(outline: &[Point], p: Point) -> bool {
     (0..outline.len()).fold(false, |odd, i| odd ^ passes(outline[i], outline[(i + 1) % outline.len()], p))
 }
 

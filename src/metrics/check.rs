@@ -167,7 +167,7 @@ fn check_body(check: &mut Check, body: &Body, path: &[Pose], directions: &[i8]) 
         let hit = if room > moved + ROUNDING {
             None
         } else {
-            way.and_then(|(from, gear)| hit_between(body, from, pose, gear))
+            way.and_then(|(from, gear)| hit_between(body, (from, room), pose, gear))
                 .or_else(|| body.hit(pose).map(|owner| (owner, pose)))
         };
         if let Some(hit) = hit {
@@ -184,13 +184,22 @@ fn check_body(check: &mut Check, body: &Body, path: &[Pose], directions: &[i8]) 
     check.mean_clearance = sum / path.len() as f64;
 }
 
-/// The first hit strictly between two poses.
-fn hit_between(body: &Body, from: Pose, to: Pose, gear: i8) -> Option<(Owner, Pose)> {
+/// Room is measured once in so many steps at most: where there is little, that costs more than it saves.
+const PAUSE: u32 = 4;
+
+/// The first hit strictly between two poses; the body may move by `room` from the first one and hits nothing.
+fn hit_between(body: &Body, (from, room): (Pose, f64), to: Pose, gear: i8) -> Option<(Owner, Pose)> {
     let (curvature, length) = arc_between(from, to, gear);
     let turn = math::turn(from.heading, to.heading);
     let steps = (length.abs() / STEP).max(turn.abs() / STEP).ceil().min(1e4) as u32;
     let straight = (curvature == 0.0 && steps > 1).then(|| from.direction());
+    let each = body.sweep(length, turn) / f64::from(steps);
+    let (mut free, mut measure) = (room, PAUSE);
     (1..steps).find_map(|k| {
+        let moved = f64::from(k) * each;
+        if free > moved + ROUNDING {
+            return None;
+        }
         let t = f64::from(k) / f64::from(steps);
         let pose = if length == 0.0 {
             Pose::new(from.x, from.y, from.heading + turn * t)
@@ -199,7 +208,12 @@ fn hit_between(body: &Body, from: Pose, to: Pose, gear: i8) -> Option<(Owner, Po
         } else {
             from.advance(curvature, length * t)
         };
-        body.hit(pose).map(|owner| (owner, pose))
+        let hit = body.hit(pose);
+        if hit.is_none() && k >= measure && steps - k > PAUSE {
+            measure = k + PAUSE;
+            free = moved + body.room(pose, body.buckets.side);
+        }
+        hit.map(|owner| (owner, pose))
     })
 }
 
@@ -274,6 +288,43 @@ mod tests {
         let checked = run(&scene(path[1], wall), &path, 1);
         assert_eq!((checked.verdict, checked.hit_poses), (Verdict::Collides, vec![1]));
         assert_eq!(checked.first_hit.map(|h| h.0), Some(Owner::Obstacle(0)));
+    }
+
+    /// Steps that are left out for the room around the body hit nothing: the first hit is that of every step asked.
+    #[test]
+    fn room_hides_no_hit() {
+        let mut state = 11_u64;
+        let mut random = move |from: f64, to: f64| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            from + (to - from) * ((state >> 11) as f64 / (1_u64 << 53) as f64)
+        };
+        let (mut hits, mut free) = (0, 0);
+        for round in 0..3000 {
+            let a = Point::new(random(-9.0, 9.0), random(-9.0, 9.0));
+            let wall = (a, a + nalgebra::Vector2::new(random(-2.0, 2.0), random(-2.0, 2.0)));
+            let body = Body::new(&scene(Pose::default(), Some(wall)));
+            let from = Pose::new(0.0, 0.0, random(-3.0, 3.0));
+            let turn = random(-2.5, 2.5);
+            let (curvature, length) = [(0.0, 0.0), (turn / 8.0, 7.99), (0.0, 8.99)][round % 3];
+            let at = |t: f64| match length {
+                0.0 => Pose { heading: from.heading + turn * t, ..from },
+                _ => from.advance(curvature, length * t),
+            };
+            if body.hit(from).is_some() {
+                continue;
+            }
+            let steps = (length.max(turn.abs()) / STEP).ceil();
+            let every = (1..steps as u32).map(|k| at(f64::from(k) / steps)).find(|&p| body.hit(p).is_some());
+            let asked = hit_between(&body, (from, body.clearance(from)), at(1.0), 1);
+            assert_eq!(asked.is_some(), every.is_some(), "round {round}");
+            if let (Some((_, found)), Some(want)) = (asked, every) {
+                assert!((found.point() - want.point()).norm() < 1e-6, "round {round}");
+                assert!(math::turn(found.heading, want.heading).abs() < 1e-6, "round {round}");
+            }
+            hits += usize::from(asked.is_some());
+            free += usize::from(asked.is_none());
+        }
+        assert!(hits > 150 && free > 1000, "{hits} {free}");
     }
 
     #[test]

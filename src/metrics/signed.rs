@@ -1,7 +1,7 @@
 //! Distances that go on below zero where something is overlapped.
 
 use super::Body;
-use super::body::{FAR, inside, squared_to_segment};
+use super::body::{FAR, squared_to_segment};
 use crate::geometry::{Point, Pose};
 
 /// Points of the body's outline are at most this far apart where it overlaps something, metres; farther on bodies so large
@@ -32,9 +32,8 @@ impl Body {
             }
             reach = (reach * 2.0).min(most);
         };
-        let solid = |bucket: usize| {
-            self.buckets.solids[bucket].iter().any(|&i| inside(&self.solids[i as usize].outline, at))
-        };
+        let solid =
+            |bucket: usize| self.buckets.solids[bucket].iter().any(|&i| self.solids[i as usize].holds(at));
         let blocked = self.buckets.range(at, at).any(solid) || !self.on_floor(at);
         if blocked { -distance } else { distance }
     }
