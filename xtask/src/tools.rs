@@ -1,10 +1,12 @@
 //! Running other programs, with errors that say what to do.
 
+use std::env;
 use std::ffi::OsStr;
 use std::fmt::Write as _;
 use std::io::{BufRead as _, BufReader, ErrorKind, Write as _};
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitStatus, Stdio};
+use std::sync::LazyLock;
 
 use anyhow::{Context as _, Result, bail, ensure};
 
@@ -15,8 +17,13 @@ pub(crate) const WASM_TARGET: &str = "wasm32-unknown-unknown";
 
 /// The repository's folder.
 pub(crate) fn root() -> &'static Path {
-    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-    here.parent().unwrap_or(here)
+    // As cargo says when it runs this: two checkouts may share a target folder, and then this was built in either.
+    static ROOT: LazyLock<PathBuf> = LazyLock::new(|| {
+        let here = env::var_os("CARGO_MANIFEST_DIR")
+            .map_or_else(|| env!("CARGO_MANIFEST_DIR").into(), PathBuf::from);
+        here.parent().map_or_else(|| here.clone(), Path::to_path_buf)
+    });
+    &ROOT
 }
 
 /// A command that starts in the repository's folder.
@@ -28,7 +35,7 @@ pub(crate) fn command(program: impl AsRef<OsStr>) -> Command {
 
 /// The cargo that runs this program.
 pub(crate) fn cargo() -> Command {
-    command(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
+    command(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
 }
 
 pub(crate) fn node() -> Command {
@@ -86,7 +93,7 @@ pub(crate) fn tee(command: &mut Command) -> Result<(ExitStatus, String)> {
 /// The program of a crate at this version, installed under `target/tools` where it is not there.
 pub(crate) fn cargo_tool(name: &str, version: &str, options: &[&str]) -> Result<PathBuf> {
     let folder = Workspace::load()?.target.join("tools").join(format!("{name}-{version}"));
-    let program = folder.join("bin").join(format!("{name}{}", std::env::consts::EXE_SUFFIX));
+    let program = folder.join("bin").join(format!("{name}{}", env::consts::EXE_SUFFIX));
     if !program.exists() {
         let install = ["install", "--locked", name, "--version", version];
         run(cargo().args(install).args(options).arg("--root").arg(&folder))?;
