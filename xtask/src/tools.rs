@@ -19,9 +19,10 @@ pub(crate) const WASM_TARGET: &str = "wasm32-unknown-unknown";
 pub(crate) fn root() -> &'static Path {
     // As cargo says when it runs this: two checkouts may share a target folder, and then this was built in either.
     static ROOT: LazyLock<PathBuf> = LazyLock::new(|| {
-        let here = env::var_os("CARGO_MANIFEST_DIR")
-            .map_or_else(|| env!("CARGO_MANIFEST_DIR").into(), PathBuf::from);
-        here.parent().map_or_else(|| here.clone(), Path::to_path_buf)
+        let here = env::var_os("CARGO_MANIFEST_DIR").unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into());
+        let mut root = PathBuf::from(here);
+        root.pop();
+        root
     });
     &ROOT
 }
