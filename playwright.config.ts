@@ -1,7 +1,9 @@
 import { defineConfig } from "@playwright/test";
 import { launchOptions } from "./tests/e2e/browser.js";
 
-const url = "http://127.0.0.1:4179/sub/path/";
+// Two checkouts can test at the same time, each on a port of its own.
+const port = process.env["PARKADE_TEST_PORT"] ?? "4179";
+const url = `http://127.0.0.1:${port}/sub/path/`;
 
 export default defineConfig({
   testDir: "tests/e2e",
@@ -15,5 +17,5 @@ export default defineConfig({
     trace: "on-first-retry",
     launchOptions: launchOptions(),
   },
-  webServer: { command: "node tests/e2e/server.js", url, reuseExistingServer: false },
+  webServer: { command: `node tests/e2e/server.js ${port}`, url, reuseExistingServer: false },
 });

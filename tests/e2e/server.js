@@ -52,4 +52,4 @@ export async function serve(port) {
   return { url: `http://127.0.0.1:${taken}${PREFIX}`, close: () => server.close() };
 }
 
-if (process.argv[1] !== undefined && import.meta.url === pathToFileURL(process.argv[1]).href) await serve(4179);
+if (process.argv[1] !== undefined && import.meta.url === pathToFileURL(process.argv[1]).href) await serve(Number(process.argv[2] ?? 4179));
