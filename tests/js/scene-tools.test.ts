@@ -148,10 +148,10 @@ describe("corner by corner", () => {
 describe("a slot row", () => {
   it("holds as many slots as its length gives, to the right of the drag", () => {
     const on = bench();
-    drag(new SlotTool(), on, [[2, 18], [16.5, 18]]);
+    drag(new SlotTool(), on, [[2, 18], [18.1, 18]]);
     const row = on.store.state.scene.slots!.slice(1);
     expect(row).toHaveLength(5);
     for (const slot of row) expect(slot.heading).toBeCloseTo(-Math.PI / 2, 9);
-    expect(row[0]!.x).toBeCloseTo(2 + 1.4, 9);
+    expect(row[0]!.x).toBeCloseTo(2 + 1.6, 9);
   });
 });

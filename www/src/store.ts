@@ -52,8 +52,9 @@ export interface ToolOptions {
     kind: "perpendicular" | "parallel" | "angled";
     angle: number;
     lean: "left" | "right";
-    width: number;
-    length: number;
+    /** Metres; null follows the car. */
+    width: number | null;
+    length: number | null;
     /** Drawn beside the row, not part of it. */
     aisle: number;
   };
@@ -141,7 +142,7 @@ export function initialState(): State {
     tool: "select",
     toolOptions: {
       brushRadius: 0.5, costWeight: 5, wallThickness: 0.2, carProfile: "sedan", road: { lanes: [1, 1], laneWidth: 3.5, radius: 20, kerbs: true },
-      slot: { kind: "perpendicular", angle: Math.PI / 4, lean: "right", width: 2.8, length: 5.4, aisle: 6 },
+      slot: { kind: "perpendicular", angle: Math.PI / 4, lean: "right", width: null, length: null, aisle: 6 },
       locked: false, snap: true, penDraws: true,
     },
     penSeen: false,

@@ -1,6 +1,8 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import { words } from "../i18n/words";
 import "../i18n/later";
+import { sizedShape } from "../scene/slot-fit";
+import { vehicleOf } from "../scene/vehicle";
 import type { State, ToolOptions } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
@@ -8,10 +10,8 @@ import { icon } from "./icons";
 
 const KINDS = ["perpendicular", "parallel", "angled"] as const;
 const ANGLES = [30, 45, 60] as const;
-/** Usual sizes of each kind of slot, metres. */
-const SIZES: Record<ToolOptions["slot"]["kind"], { width: number; length: number; aisle: number }> = {
-  perpendicular: { width: 2.8, length: 5.4, aisle: 6 }, parallel: { width: 2.5, length: 7.2, aisle: 3.5 }, angled: { width: 2.8, length: 5.4, aisle: 4.6 },
-};
+/** Usual widths of the aisle in front of each kind of slot, metres. */
+const AISLES: Record<ToolOptions["slot"]["kind"], number> = { perpendicular: 6, parallel: 3.5, angled: 4.6 };
 
 const LANES = ["1+0", "1+1", "2+2"] as const;
 
@@ -44,7 +44,7 @@ export class ToolOptionsBar extends AppElement {
   `];
 
   protected watches(): readonly (keyof State)[] {
-    return ["tool", "toolOptions"];
+    return ["tool", "toolOptions", "scene"];
   }
 
   protected override render(): TemplateResult | typeof nothing {
@@ -68,13 +68,14 @@ export class ToolOptionsBar extends AppElement {
 
   private slotRow(slot: ToolOptions["slot"]): TemplateResult {
     const put = (patch: Partial<ToolOptions["slot"]>): Partial<ToolOptions> => ({ slot: { ...slot, ...patch } });
+    const { width, length } = sizedShape(slot, vehicleOf(this.state.scene.vehicle));
     return html`
-      ${this.choice(KINDS, slot.kind, (kind) => this.t(`option.${kind}`), (kind) => put({ kind, ...SIZES[kind] }))}
+      ${this.choice(KINDS, slot.kind, (kind) => this.t(`option.${kind}`), (kind) => put({ kind, width: null, length: null, aisle: AISLES[kind] }))}
       ${slot.kind === "angled" ? html`
         ${this.choice(ANGLES, Math.round((slot.angle * 180) / Math.PI) as 45, (angle) => `${angle}°`, (angle) => put({ angle: (angle * Math.PI) / 180 }))}
         ${this.choice(["left", "right"] as const, slot.lean, (lean) => this.t(`option.${lean}`), (lean) => put({ lean }))}` : nothing}
-      ${this.metres(this.t("option.width"), slot.width, 1, (width) => put({ width }))}
-      ${this.metres(this.t("option.depth"), slot.length, 1, (length) => put({ length }))}
+      ${this.metres(this.t("option.width"), width, 1, (width) => put({ width }))}
+      ${this.metres(this.t("option.depth"), length, 1, (length) => put({ length }))}
       ${this.metres(say(this.state.lang, "aisle"), slot.aisle, 0, (aisle) => put({ aisle }))}`;
   }
 

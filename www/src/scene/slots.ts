@@ -10,7 +10,7 @@ export interface SlotShape { kind: SlotKind; width: number; length: number; angl
 
 const MOST_SLOTS = 60;
 
-const slotAngle = (slot: { kind: SlotKind; angle?: number }): number =>
+export const slotAngle = (slot: { kind: SlotKind; angle?: number }): number =>
   slot.kind === "angled" ? slot.angle ?? Math.PI / 4 : Math.PI / 2;
 
 /** Length of the open side along the aisle. */

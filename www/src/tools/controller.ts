@@ -60,8 +60,10 @@ export class ToolController {
   /** The first picture does without the tools that draw. */
   async fetchTools(): Promise<void> {
     if (this.drawing) return;
-    const { makeDrawing } = await import("./drawing");
-    this.drawing ??= makeDrawing();
+    const { makeDrawing, watchGoalSlot } = await import("./drawing");
+    if (this.drawing) return;
+    this.drawing = makeDrawing();
+    watchGoalSlot(this.store);
     this.refresh();
   }
 

@@ -8,6 +8,8 @@ import { RectangleTool } from "./rectangle";
 import { SlotTool } from "./slot";
 import type { Tool } from "./tool";
 
+export { watchGoalSlot } from "./slot-fit";
+
 export interface Drawing {
   tools: Record<Exclude<ToolId, "select" | "hand">, Tool>;
   /** Of the right button. */

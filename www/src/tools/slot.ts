@@ -3,9 +3,11 @@ import { addSlots, resolve } from "../scene/model";
 import { distance, insidePolygon, towards, type Point } from "../scene/plane";
 import { distanceToShape, onCells } from "../scene/shapes";
 import { selectionOf } from "../scene/things";
+import { sizedShape } from "../scene/slot-fit";
 import { openingOf, slotRow, type SlotShape } from "../scene/slots";
 import { fixed } from "../view/text";
 import type { Aisle, Draft } from "./draft";
+import { sayMisfit } from "./slot-fit";
 import { constrainAngle, snapAngle, snapPoint } from "./snap";
 import type { Bench, Input, Tool } from "./tool";
 import { word } from "./words";
@@ -37,6 +39,7 @@ export class SlotTool implements Tool {
     bench.commit(scene, "slots");
     bench.store.set({ selection: selectionOf(bench.store.state.scene, ids) });
     bench.done();
+    sayMisfit(bench.store, ids);
   }
 
   cancel(bench: Bench): boolean {
@@ -58,7 +61,8 @@ export class SlotTool implements Tool {
 
 /** The option says where bays lean on the page, along the drag or against it; a slot says it as seen from its aisle. */
 function shapeOf(bench: Bench, flipped: boolean): SlotShape {
-  const { kind, width, length, angle, lean } = bench.store.state.toolOptions.slot;
+  const { scene, toolOptions } = bench.store.state;
+  const { kind, width, length, angle, lean } = sizedShape(toolOptions.slot, resolve(scene).vehicle);
   if (kind !== "angled") return { kind, width, length };
   return { kind, width, length, angle, lean: (lean === "right") === flipped ? "right" : "left" };
 }
