@@ -235,13 +235,14 @@ test("every method and event of the element does what it says", async ({ page })
     const svg = await call<string>("toSVG"), csv = await call<string>("toCSV"), blob = await call<Blob>("toBlob", { type: "image/webp" }), url = await call<string>("shareURL");
     await call("cancel");
     const refused = await call("setScene", { version: 1 }).then(() => "taken", (error: Error) => error.message);
-    await call("setScene", { ...moved, vehicle: { wheelbase: -1 } });
-    return { heard, undone, back, params, playhead, camera, fitted: element.camera, svg: svg.slice(0, 4), csv: csv.split("\n")[0], blob: blob.type, url, refused, loaded: element.loaded, moved: moved.start.x };
+    const undrivable = await call("setScene", { ...moved, vehicle: { wheelbase: -1 } }).then(() => "taken", (error: Error) => error.message);
+    return { heard, undone, back, params, playhead, camera, fitted: element.camera, svg: svg.slice(0, 4), csv: csv.split("\n")[0], blob: blob.type, url, refused, undrivable, after: (await call<Scenario>("getScene")).vehicle, before: moved.vehicle, loaded: element.loaded, moved: moved.start.x };
   });
   const { heard } = said;
   expect(said).toMatchObject({ undone: true, back: true, params: { reverseCost: 3 }, playhead: 0.25, camera: { x: 5, y: 5, scale: 20 }, svg: "<svg", csv: "s,x,y,theta,kappa,clearance,v,direction", blob: "image/webp", loaded: true });
   expect(said.url).toMatch(/\/sub\/path\/index\.html#s=/);
-  expect(said.refused).toContain("This scene has no map");
+  expect([said.refused, said.undrivable]).toEqual([expect.stringContaining("map: missing field"), expect.stringContaining("vehicle.width: missing field")]);
+  expect(said.after).toEqual(said.before);
   expect(Object.keys(heard).sort()).toEqual(["error", "plan-complete", "plan-progress", "plan-result", "plan-start", "progress", "ready", "scene-change", "seek", "visibility"]);
   expect(heard["progress"]!.at(-1)).toEqual({ totalProgress: 1 });
   expect((heard["scene-change"] as { reason: string; transient: boolean }[]).map(({ reason }) => reason)).toEqual(expect.arrayContaining(["open", "undo", "redo", "params"]));
@@ -249,7 +250,7 @@ test("every method and event of the element does what it says", async ({ page })
   expect((heard["plan-progress"] as { expansions: number }[])[0]!.expansions).toBeGreaterThan(0);
   expect(heard["plan-complete"]!.at(-1)).toMatchObject({ id: expect.any(Number), results: { hybrid: { outcome: "found" } } });
   expect(await page.evaluate(() => [...document.styleSheets].map(({ href }) => href))).toEqual([expect.stringMatching(/\/host\/page\.css$/)]);
-  expect(heard["error"]!.at(-1)).toMatchObject({ code: "bad-scenario", message: expect.stringContaining("vehicle.width: missing field") });
+  expect(heard["error"]!.at(-1)).toMatchObject({ code: "bad-scenario", field: "vehicle.width", message: expect.stringContaining("vehicle.width: missing field") });
 });
 
 test("the example page says what its playground found, also after an edit", async ({ page }) => {

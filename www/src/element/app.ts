@@ -5,14 +5,15 @@ import { LAYER_PRESETS, presetLayers, presetOf } from "../view/layer-sets";
 import { extentFor, loadEngine, type Engine } from "../planning/module";
 import { Planning } from "../planning/planning";
 import { ensureIds } from "../scene/model";
-import { forPlanners, withoutCells } from "../scene/vast";
+import { forPlanners, withRuns } from "../scene/vast";
 import { createStore, FIRST_PLANNERS, type Scene, type State, type Store } from "../store";
 import { ToolController } from "../tools/controller";
 import { extras } from "../view/pieces";
 import { readTokens, type Tokens } from "../view/tokens";
-import { LinkSync } from "./link-sync";
+import { LinkSync, type LinkView } from "./link-sync";
 import { persistently } from "./persistently";
 import { Player } from "./player";
+import type { ValueError } from "./schema";
 
 /** What the planners' module knows, once it is loaded. */
 export interface Catalog {
@@ -21,6 +22,8 @@ export interface Catalog {
   scenario(id: string): Scene;
   /** Throws what is wrong with a scene. */
   geometry(scene: Scene): SceneGeometry;
+  /** A scene from outside as the page keeps it; throws what is wrong with it. */
+  checked(scene: Scene): Scene;
 }
 
 export interface Beginning {
@@ -36,7 +39,7 @@ export class App {
   readonly store: Store = createStore();
   readonly controller = new ToolController(this.store);
   readonly player = new Player(this.store);
-  readonly links = new LinkSync(this.store, (scene, looks) => void this.openLink(scene, looks), (reason) => this.refuse("error.link", { reason }));
+  readonly links = new LinkSync(this.store, (scene, view) => this.openLink(scene, view), (reason) => this.refuse("error.link", { reason }));
   catalog: Catalog | null = null;
   planning: Planning | null = null;
   /** Id of the catalogue's scene last opened. */
@@ -54,10 +57,9 @@ export class App {
    */
   async start({ preset, syncAddress, drives, given, loaded }: Beginning): Promise<void> {
     const { signal } = (this.starting = new AbortController());
-    const looks = syncAddress ? await this.links.looks() : {};
-    this.store.set(looks);
+    const view = syncAddress ? await this.links.view() : null;
     let missed = false;
-    const engine = await persistently(() => loadEngine(extentFor(this.store.state.planners)), (error) => {
+    const engine = await persistently(() => loadEngine(extentFor(view?.planners ?? this.store.state.planners)), (error) => {
       missed = true;
       this.refuse("app.unsupported", { reason: sentence(error) });
     }, signal);
@@ -65,9 +67,10 @@ export class App {
     if (missed) this.store.set({ message: null });
     this.catalog = catalogOf(engine);
     this.dropUnknownPlanners();
-    const first = (await given) ?? (await this.firstScene(preset, syncAddress));
+    const outside = await given, first = outside ? this.catalog.checked(outside) : await this.firstScene(preset, syncAddress);
     this.origin = first;
-    this.store.set({ scene: first, camera: looks.camera ?? null });
+    const looks = this.preset === null ? this.looksOf(view, first) : {};
+    this.store.set({ scene: first, ...looks });
     if (syncAddress) this.links.start();
     this.planning = new Planning(this.store, engine, () => this.complete());
     this.planning.start();
@@ -181,12 +184,27 @@ export class App {
     this.store.edit(scene, { label: "open" });
   }
 
-  private async openLink(scene: Scene, looks: Partial<State>): Promise<void> {
+  /** Throws what is wrong with the scene; it then stays as it was. */
+  openForeign(scene: Scene): void {
+    const checked = this.catalog!.checked(scene);
     this.preset = null;
-    this.openScene(ensureIds(scene));
-    if (looks.planners) await this.complete();
-    this.store.set(looks);
-    this.dropUnknownPlanners();
+    this.openScene(checked);
+  }
+
+  private async openLink(scene: Scene, view: LinkView | null): Promise<void> {
+    if (view) await this.complete();
+    this.openForeign(scene);
+    this.store.set(this.looksOf(view, scene));
+  }
+
+  /** How a link wants its scene looked at; nothing, and a sentence, where that makes no sense. */
+  private looksOf(view: LinkView | null, { map }: Scene): Partial<State> {
+    try {
+      return view?.read({ planners: this.catalog!.planners, map }) ?? {};
+    } catch (error) {
+      this.refuse("error.view", { reason: (error as ValueError).sentence(this.store.state.lang) });
+      return {};
+    }
   }
 
   reset(): void {
@@ -239,11 +257,7 @@ export class App {
   private async firstScene(preset: string, syncAddress: boolean): Promise<Scene> {
     try {
       const linked = syncAddress ? await this.links.read() : null;
-      if (linked) {
-        const scene = ensureIds(linked);
-        this.catalog?.geometry(scene);
-        return scene;
-      }
+      if (linked) return this.catalog!.checked(linked);
     } catch (error) {
       this.refuse("error.link", { reason: sentence(error) });
     }
@@ -267,7 +281,11 @@ function catalogOf(engine: Engine): Catalog {
         opened.set(id, scene);
         return structuredClone(scene);
       },
-      geometry: (scene) => api.sceneGeometry(withoutCells(scene)),
+      geometry: (scene) => api.sceneGeometry(forPlanners(scene, api.packRuns)),
+      checked: (scene) => {
+        api.sceneGeometry(forPlanners(scene, api.packRuns));
+        return ensureIds(withRuns(scene, api.unpackRuns));
+      },
     };
     introduce(catalog.planners);
     catalogs.set(engine, catalog);

@@ -1,8 +1,6 @@
-import type { PlannerId } from "parkade";
+import type { ParkadeError, PlannerId } from "parkade";
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { elsewhere } from "../planning/module";
-import { checkScene } from "../scene/files";
-import { ensureIds } from "../scene/model";
 import type { Camera, LayerKey, Scene, State } from "../store";
 import { chip } from "../styles/chip";
 import { controls } from "../styles/controls";
@@ -10,6 +8,7 @@ import { layout } from "../styles/layout";
 import { ALL_LAYERS, LAYER_PRESETS, presetLayers, type LayerPreset } from "../view/layer-sets";
 import { sentence, type Beginning } from "./app";
 import { Playground } from "./playground";
+import { check, faultOfAttribute, RULES, type Known, type ValueError } from "./schema";
 
 export { tokens } from "../styles/tokens";
 
@@ -87,7 +86,12 @@ export class Embedded extends Playground {
   }
 
   set params(planners: Scene["planners"]) {
-    this.later(() => this.store.edit({ ...this.store.state.scene, planners: planners ?? {} }, { label: "params" }));
+    this.later(async () => {
+      const ids = Object.keys(planners ?? {}) as PlannerId[], known = this.app.catalog!.planners;
+      if (!ids.every((id) => known.some((info) => info.id === id))) await this.app.complete();
+      check(planners ?? {}, RULES.params(this.known), "params");
+      this.store.edit({ ...this.store.state.scene, planners: planners ?? {} }, { label: "params" });
+    });
   }
 
   get playhead(): number {
@@ -95,7 +99,7 @@ export class Embedded extends Playground {
   }
 
   set playhead(fraction: number) {
-    this.later(() => this.app.player.seek(fraction));
+    this.later(() => this.app.player.seek(check(fraction, RULES.playhead(), "playhead")));
   }
 
   get camera(): Camera | null {
@@ -103,7 +107,7 @@ export class Embedded extends Playground {
   }
 
   set camera(camera: Camera | null) {
-    this.later(() => this.store.set({ camera }));
+    this.later(() => this.store.set({ camera: check<Camera | null>(camera, RULES.camera(this.known), "camera") }));
   }
 
   plan(): Promise<void> {
@@ -115,14 +119,23 @@ export class Embedded extends Playground {
   getScene(): Scene { return this.store.state.scene; }
 
   /** Rejects what is no scene. */
-  setScene(scene: Scene): Promise<void> {
-    this.app.preset = null;
-    this.app.openScene(ensureIds(checkScene(scene)));
-    return this.settled();
+  async setScene(scene: Scene): Promise<void> {
+    await this.change(() => this.app.openForeign(scene));
+    await this.settled();
+  }
+
+  /** Rejects what is no moment of the timeline. */
+  override async seek(fraction: number, options: { base?: "search" | "drive" } = {}): Promise<void> {
+    await this.change(() => {
+      check(fraction, RULES.playhead(), "seek");
+      check(options, RULES.seekOptions(), "seek.options");
+      super.seek(fraction, options);
+    });
   }
 
   /** Opens the scene of a share link, or of what follows its `#s=`. */
   async openLink(link: string): Promise<void> {
+    await this.change(() => check(link, RULES.link(), "openLink"));
     const { decodeScene } = await import("../scene/link");
     return this.setScene(await decodeScene(link.slice(link.lastIndexOf("#s=") + (link.includes("#s=") ? 3 : 1))));
   }
@@ -152,6 +165,16 @@ export class Embedded extends Playground {
     await frames(2);
   }
 
+  /** Pictures of a kind that browsers make. */
+  override async toBlob(options: { type?: string } = {}): Promise<Blob | null> {
+    await this.change(() => check(options, RULES.blobOptions(), "toBlob.options"));
+    return super.toBlob(options);
+  }
+
+  protected override takeScene(scene: Scene): void {
+    void this.change(() => this.app.openForeign(scene)).catch(() => undefined);
+  }
+
   protected override beginning(): Omit<Beginning, "loaded"> {
     this.onStep(0.6);
     return { preset: this.scene, syncAddress: false, drives: this.autoplay, given: this.given() };
@@ -159,10 +182,8 @@ export class Embedded extends Playground {
 
   protected override adopt(): void {
     super.adopt();
-    this.store.set({
-      ...(this.layers ? { layers: layersOf(this.layers) } : {}),
-      playback: { ...this.store.state.playback, speed: this.speed > 0 ? this.speed : 1 },
-    });
+    const { playback } = this.store.state;
+    this.store.set({ ...(this.layers ? { layers: layersOf(this.layers) } : {}), playback: { ...playback, speed: this.speed } });
   }
 
   protected override arrange(): void {
@@ -173,7 +194,23 @@ export class Embedded extends Playground {
     this.store.set({ planners: one, focus: one[0]!, mode: "grid" });
   }
 
+  /** An attribute that breaks its rule changes nothing. */
   override attributeChangedCallback(name: string, old: string | null, value: string | null): void {
+    const broken = value !== null && faultOfAttribute(name, value);
+    // The loader sets attributes before this element is in the page, where events are heard.
+    if (broken) return void Promise.resolve().then(() => this.emitRefusal(broken));
+    if (name === "planners" && value && this.loaded) void this.change(() => this.showPlanners(value)).catch(() => undefined);
+    else this.take(name, old, value);
+  }
+
+  /** Shows these planners and no others. */
+  private async showPlanners(names: string): Promise<void> {
+    await this.app.complete();
+    check(words(names), RULES.planners(this.known), "planners");
+    this.take("planners", null, names);
+  }
+
+  private take(name: string, old: string | null, value: string | null): void {
     super.attributeChangedCallback(name, old, value);
     if (old === value || !this.isConnected) return;
     if (["planners", "layers", "speed"].includes(name)) this.adopt();
@@ -249,9 +286,29 @@ export class Embedded extends Playground {
     this.app.planning?.suspend();
   }
 
-  private later(run: () => void): void {
-    if (this.loaded) run();
-    else void this.ready.then(run).catch(() => undefined);
+  /** Runs a change when there is a scene to change. */
+  private later(run: () => void | Promise<void>): void {
+    void (this.loaded ? this.change(run) : this.ready.then(() => this.change(run))).catch(() => undefined);
+  }
+
+  /** Rejects, and says so, where the change is refused. */
+  private async change(run: () => unknown): Promise<void> {
+    try {
+      await run();
+    } catch (error) {
+      this.emitRefusal(error);
+      throw error;
+    }
+  }
+
+  /** Nothing has changed, and this is why: which field, what it was, and what it must be. */
+  private emitRefusal(error: unknown): void {
+    const { field = "", value, rule = "", path = field, code = "value", message } = error as Partial<ValueError> & Partial<ParkadeError>;
+    this.emit("error", { code, field: path, value, rule, message });
+  }
+
+  private get known(): Known {
+    return { planners: this.app.catalog!.planners, map: this.store.state.scene.map };
   }
 
   /** The scene from `src` or from the page; null leaves it to `scene`. */
@@ -259,9 +316,9 @@ export class Embedded extends Playground {
     if (this.src) {
       const response = await fetch(new URL(this.src, document.baseURI));
       if (!response.ok) throw new Error(`${this.src}: the server answered ${response.status}.`);
-      return ensureIds(checkScene(await response.json()));
+      return (await response.json()) as Scene;
     }
-    return this.inline === null ? null : ensureIds(checkScene(JSON.parse(this.inline)));
+    return this.inline === null ? null : (JSON.parse(this.inline) as Scene);
   }
 }
 
@@ -269,9 +326,11 @@ async function frames(count: number): Promise<void> {
   for (let i = 0; i < count; i++) await new Promise((done) => requestAnimationFrame(done));
 }
 
+const words = (text: string): string[] => text.split(/\s+/).filter(Boolean);
+
 /** A preset's name or the layers themselves. */
 function layersOf(text: string): State["layers"] {
-  const names = text.trim().split(/\s+/);
+  const names = words(text);
   const preset = LAYER_PRESETS.find((one) => names.length === 1 && one === names[0]) as LayerPreset | undefined;
   if (preset) return presetLayers(preset);
   return Object.fromEntries(ALL_LAYERS.map((key) => [key, names.includes(key)])) as Record<LayerKey, boolean>;

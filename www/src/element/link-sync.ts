@@ -1,3 +1,5 @@
+import type { PlannerId } from "parkade";
+import type { Known } from "./schema";
 import { fitsLink } from "../scene/vast";
 import type { Scene, State, Store } from "../store";
 
@@ -8,7 +10,13 @@ export const LINK_LIMIT = 8000;
 
 /** Nothing of it is needed before the first picture, unless that comes by a link. */
 const linkFormat = () => import("../scene/link");
-const viewFormat = () => import("../scene/view-link");
+const viewFormat = () => import("./view-link");
+
+/** A link's view: what it names, and what that is where these planners and this map are known; `read` throws where it makes no sense. */
+export interface LinkView {
+  planners: PlannerId[];
+  read(known: Known): Partial<State>;
+}
 
 /** Keeps the address in step with the scene, and reads scenes from it. */
 export class LinkSync {
@@ -19,7 +27,7 @@ export class LinkSync {
 
   constructor(
     private readonly store: Store,
-    private readonly open: (scene: Scene, looks: Partial<State>) => void,
+    private readonly open: (scene: Scene, view: LinkView | null) => Promise<void>,
     private readonly refuse: (reason: string) => void,
   ) {}
 
@@ -53,10 +61,12 @@ export class LinkSync {
     return hash.startsWith(PREFIX) ? (await linkFormat()).decodeScene(hash.slice(PREFIX.length)) : null;
   }
 
-  /** How the scene in the present address is looked at; nothing where it does not say. */
-  async looks(): Promise<Partial<State>> {
+  /** How the scene in the present address is looked at; null where it does not say. */
+  async view(): Promise<LinkView | null> {
     const at = location.hash.indexOf(VIEW);
-    return at < 0 ? {} : (await viewFormat()).decodeView(location.hash.slice(at + VIEW.length), this.store.state.playback);
+    if (at < 0) return null;
+    const text = location.hash.slice(at + VIEW.length), { plannersOf, decodeView } = await viewFormat();
+    return { planners: plannersOf(text), read: (known) => decodeView(text, known, this.store.state.playback) };
   }
 
   async write(): Promise<string | null> {
@@ -80,7 +90,7 @@ export class LinkSync {
     try {
       const scene = await this.read();
       if (!scene) return;
-      this.open(scene, await this.looks());
+      await this.open(scene, await this.view());
     } catch (error) {
       this.refuse(error instanceof Error ? error.message : String(error));
     }

@@ -38,8 +38,10 @@ export class Player {
   }
 
   seek(fraction: number): void {
+    const to = Math.min(1, Math.max(0, fraction));
+    if (Number.isNaN(to)) throw new RangeError(`playhead: must be a number from 0 to 1, got ${fraction}`);
     this.pause();
-    this.patch({ fraction: Math.min(1, Math.max(0, fraction)) });
+    this.patch({ fraction: to });
   }
 
   /** One step, or a tenth of the whole. */

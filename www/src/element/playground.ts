@@ -3,13 +3,12 @@ import { html, LitElement, nothing, type PropertyValues, type TemplateResult } f
 import { pickLang } from "../i18n/index";
 import type { Pane } from "../panels/splitter";
 import type { SceneView } from "../panels/scene-view";
-import { ensureIds } from "../scene/model";
 import type { Scene, State, Store } from "../store";
 import { controls } from "../styles/controls";
 import { tokens } from "../styles/tokens";
 import { layout } from "../styles/layout";
 import type { MenuRequest } from "../tools/controller";
-import { App, download, type Beginning } from "./app";
+import { App, download, sentence, type Beginning } from "./app";
 import { listenToKeys } from "./keyboard";
 import { recall, remember } from "./memory";
 import "../panels/notices";
@@ -100,8 +99,17 @@ export class Playground extends LitElement {
   }
 
   set sceneData(scene: Scene) {
-    if (this.loaded) this.app.openScene(ensureIds(scene));
-    else void this.ready.then(() => this.app.openScene(ensureIds(scene)));
+    if (this.loaded) this.takeScene(scene);
+    else void this.ready.then(() => this.takeScene(scene));
+  }
+
+  /** Opens a scene of the page around, or says what is wrong with it. */
+  protected takeScene(scene: Scene): void {
+    try {
+      this.app.openForeign(scene);
+    } catch (error) {
+      this.app.refuse("error.scene", { reason: sentence(error) });
+    }
   }
 
   get canUndo(): boolean {
@@ -248,7 +256,7 @@ export class Playground extends LitElement {
     const remembered = this.permalink ? recall("theme") : null;
     if (remembered === "light" || remembered === "dark") this.theme = remembered;
     // Ids that no planner has are dropped, with a word, when the planners are there.
-    const ids = this.planners.split(/\s+/).filter(Boolean) as PlannerId[];
+    const ids = [...new Set(this.planners.split(/\s+/).filter(Boolean))] as PlannerId[];
     this.store.set({
       theme: this.theme,
       ...(ids.length > 0 ? { planners: ids, focus: ids.includes("hybrid") ? "hybrid" : ids.at(-1)! } : {}),

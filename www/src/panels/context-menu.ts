@@ -56,7 +56,9 @@ export class ContextMenu extends AppElement {
   async show(request: MenuRequest): Promise<void> {
     this.request = request;
     await this.updateComplete;
-    const menu = this.renderRoot.querySelector<HTMLElement>(".popover")!;
+    // A press may have closed it again.
+    const menu = this.renderRoot.querySelector<HTMLElement>(".popover");
+    if (!menu) return;
     const { width, height } = menu.getBoundingClientRect();
     menu.style.left = `${Math.max(4, Math.min(request.x, innerWidth - width - 4))}px`;
     menu.style.top = `${Math.max(4, Math.min(request.y, innerHeight - height - 4))}px`;

@@ -4,7 +4,7 @@ import { serveJobs } from "./jobs";
 import { serve } from "./worker";
 
 export { failureOf } from "./failure";
-export { init, packRuns, planners, scenario, sceneGeometry, scenarios } from "parkade";
+export { init, packRuns, planners, scenario, sceneGeometry, scenarios, unpackRuns } from "parkade";
 
 /** What `new Worker` is given. */
 export const script = import.meta.url;

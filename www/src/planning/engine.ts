@@ -6,7 +6,7 @@ import { Planner, init } from "parkade/core";
 import { serve } from "./worker";
 
 export { failureOf } from "./failure";
-export { init, packRuns, planners, scenario, sceneGeometry, scenarios } from "parkade/core";
+export { init, packRuns, planners, scenario, sceneGeometry, scenarios, unpackRuns } from "parkade/core";
 
 /** What `new Worker` is given. */
 export const script = import.meta.url;

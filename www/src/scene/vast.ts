@@ -1,6 +1,7 @@
 /** Scenes of very many cells: what is sent, checked and kept of them must not grow with every edit. */
 import type { Obstacle, Scenario } from "parkade";
 import type { Run } from "./cells";
+import type { CellsObstacle } from "./model";
 
 /** Runs of one obstacle beyond which it is handled as a whole. */
 export const MANY = 2000;
@@ -17,7 +18,7 @@ export const rememberPacked = (runs: readonly Run[], text: string): void => void
 
 /** The scene for planners: many cells as a text, which is copied to a worker far faster; the same list for the same obstacles. */
 export function forPlanners(scene: Scenario, pack: (runs: readonly Run[]) => string): Scenario {
-  const { obstacles = [] } = scene, known = sent.get(obstacles);
+  const obstacles = scene?.obstacles ?? [], known = sent.get(obstacles);
   if (known) return { ...scene, obstacles: known };
   const packed = withCells(scene, (runs) => {
     const text = texts.get(runs) ?? pack(runs);
@@ -36,12 +37,23 @@ export const isUnpacked = (scene: Scenario): boolean =>
 /** The scene without many cells, for questions whose answer does not depend on them. */
 export const withoutCells = (scene: Scenario): Scenario => withCells(scene, () => []);
 
+/** The scene with its cells as runs, also where they came as texts. */
+export function withRuns(scene: Scenario, unpack: (text: string) => Run[]): Scenario {
+  const unpacked = <T extends { runs: Run[] | string }>(one: T): T => (typeof one.runs === "string" ? { ...one, runs: unpack(one.runs) } : one);
+  const { obstacles, costs } = scene, packed = [...obstacles ?? [], ...costs ?? []].some((one) => "runs" in one && typeof one.runs === "string");
+  return !packed ? scene : {
+    ...scene, ...(obstacles ? { obstacles: obstacles.map((one) => (one.type === "cells" ? unpacked(one) : one)) } : {}), ...(costs ? { costs: costs.map(unpacked) } : {}),
+  };
+}
+
 export const countRuns = (scene: Scenario): number => (scene.obstacles ?? []).reduce((sum, one) => sum + (one.type === "cells" ? one.runs.length : 0), 0);
 
 export const fitsLink = (scene: Scenario): boolean => countRuns(scene) <= LINKABLE;
 
 function withCells(scene: Scenario, change: (runs: Run[]) => string | Run[]): Scenario {
-  if (!scene.obstacles?.some((one) => one.type === "cells" && one.runs.length > MANY)) return scene;
+  // What comes from outside may be anything; the planners say what is wrong with it.
+  const isMany = (one: Obstacle): one is CellsObstacle => one?.type === "cells" && Array.isArray(one.runs) && one.runs.length > MANY;
+  if (!Array.isArray(scene?.obstacles) || !scene.obstacles.some(isMany)) return scene;
   // The planners take such a text wherever they take runs.
-  return { ...scene, obstacles: scene.obstacles.map((one) => (one.type === "cells" && one.runs.length > MANY ? { ...one, runs: change(one.runs) as Run[] } : one)) };
+  return { ...scene, obstacles: scene.obstacles.map((one) => (isMany(one) ? { ...one, runs: change(one.runs) as Run[] } : one)) };
 }

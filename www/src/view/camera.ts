@@ -19,6 +19,27 @@ export const leastScale = ({ width, height, resolution }: Scenario["map"]): numb
 
 export const MAX_SCALE = 400;
 const SPARE_PX = 6;
+/** CSS pixels between the map and the middle of the view at most, at the smallest scale. */
+const FARTHEST_PX = 4000;
+
+type Range = readonly [least: number, most: number];
+
+/** Where a camera makes sense: whole metres, so that a link's rounding stays inside. */
+export function cameraLimits(map: Scenario["map"]): Record<keyof Camera, Range> {
+  const { origin, width, height, resolution } = map, least = leastScale(map), reach = FARTHEST_PX / least;
+  const range = (from: number, length: number): Range => [Math.floor(from - reach), Math.ceil(from + length + reach)];
+  return { x: range(origin[0], width * resolution), y: range(origin[1], height * resolution), scale: [least, MAX_SCALE] };
+}
+
+const clamp = (value: number, [least, most]: Range): number => Math.min(most, Math.max(least, value));
+
+/** The camera within the map's limits; null where it is no place at all. */
+export function limited(camera: Camera | null, map: Scenario["map"]): Camera | null {
+  if (!camera) return null;
+  const limits = cameraLimits(map), x = clamp(camera.x, limits.x), y = clamp(camera.y, limits.y), scale = clamp(camera.scale, limits.scale);
+  if (x === camera.x && y === camera.y && scale === camera.scale) return camera;
+  return Number.isNaN(x + y + scale) ? null : { x, y, scale };
+}
 
 export function worldToScreen({ camera, width, height }: View, x: number, y: number): Point {
   return [width / 2 + (x - camera.x) * camera.scale, height / 2 - (y - camera.y) * camera.scale];
@@ -95,8 +116,8 @@ const MOST_SIZES = 12;
  * is edited: edits keep the map, another scene brings its own.
  */
 export function cameraFor(state: State, width: number, height: number): Camera {
-  if (state.camera) return state.camera;
-  const { scene, results } = state;
+  const { scene, results } = state, chosen = limited(state.camera, scene.map);
+  if (chosen) return chosen;
   const sizes = fits.get(scene.map) ?? new Map<string, Fitted>();
   const size = `${state.mode}${width}x${height}`, known = sizes.get(size);
   if (known && (known.scene !== scene || known.results === results)) return known.camera;

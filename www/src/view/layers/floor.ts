@@ -21,16 +21,16 @@ export function drawFloor(frame: Frame): void {
 
 function drawGrid(frame: Frame): void {
   const { ctx, view } = frame;
-  const step = view.camera.scale > 40 ? 1 : view.camera.scale > 4 ? 5 : view.camera.scale > 0.8 ? 25 : 250;
+  const { scale } = view.camera, step = scale > 40 ? 1 : scale > 4 ? 5 : scale > 0.8 ? 25 : 250 * 10 ** Math.max(0, Math.ceil(-Math.log10(scale / 0.08)));
   const [left, top] = screenToWorld(view, 0, 0), [right, bottom] = screenToWorld(view, view.width, view.height);
   inPixels(frame);
   ctx.beginPath();
-  for (let x = Math.ceil(left / step) * step; x <= right; x += step) {
+  for (const x of multiples(step, left, right)) {
     const at = Math.round(toScreen(frame, [x, 0])[0]) + 0.5;
     ctx.moveTo(at, 0);
     ctx.lineTo(at, view.height);
   }
-  for (let y = Math.ceil(bottom / step) * step; y <= top; y += step) {
+  for (const y of multiples(step, bottom, top)) {
     const at = Math.round(toScreen(frame, [0, y])[1]) + 0.5;
     ctx.moveTo(0, at);
     ctx.lineTo(view.width, at);
@@ -38,6 +38,15 @@ function drawGrid(frame: Frame): void {
   ctx.strokeStyle = frame.tokens.colour.gridl;
   ctx.lineWidth = 1;
   ctx.stroke();
+}
+
+/** More lines than these are a grey area. */
+const MOST_LINES = 2000;
+
+/** Counted, because far from the origin a step may be lost in rounding. */
+function multiples(step: number, from: number, to: number): number[] {
+  const first = Math.ceil(from / step), count = Math.min(MOST_LINES, Math.floor(to / step) - first + 1);
+  return Array.from({ length: count > 0 ? count : 0 }, (_, i) => (first + i) * step);
 }
 
 /** The border is a wall. It lies outside the floor, whose edge is where a car touches. */

@@ -1,0 +1,55 @@
+/** How a shared scene was looked at: layout, planners, layers, step and camera, behind its link as `&v=…`. */
+import type { PlannerId } from "parkade";
+import { check, MODES, numeral, RULES, SEARCH_MODES, type Known } from "./schema";
+import type { Camera, LayerKey, Playback, State } from "../store";
+import { limited } from "../view/camera";
+
+/** In the order of their bits; new ones only at the end, for links open for ever. */
+const BITS: readonly LayerKey[] = [
+  "slots", "obstacles", "safety", "redundant", "cost", "heat", "risk", "tree", "sweep", "path", "car", "ghosts", "grid", "difference",
+];
+const WAYS = ["drive-percent", "search-percent", "search-expansions"] as const;
+/** Cameras are kept to a hundredth, steps to a ten-thousandth. */
+const FINE = 100, STEPS = 10_000;
+
+type Looks = Pick<State, "mode" | "focus" | "planners" | "layers" | "playback" | "camera">;
+
+export function encodeView({ mode, focus, planners, layers, playback, camera, scene }: State): string {
+  const bits = BITS.reduce((sum, key, i) => sum + (layers[key] ? 2 ** i : 0), 0);
+  const way = playback.base === "drive" ? 0 : playback.searchMode === "percent" ? 1 : 2, held = limited(camera, scene.map);
+  // The smallest scale must not be rounded below itself.
+  const place = held ? [Math.round(held.x * FINE), Math.round(held.y * FINE), Math.ceil(held.scale * FINE - 1e-6)] : [];
+  return [MODES.indexOf(mode), focus, planners.join("."), bits.toString(36), way, Math.round(playback.fraction * STEPS), ...place].join("~");
+}
+
+/** The planners that a view names, which need not exist. */
+export const plannersOf = (text: string): PlannerId[] => (text.split("~")[2] ?? "").split(".") as PlannerId[];
+
+/** Throws a `ValueError` for the first field that makes no sense: half a view is none. */
+export function decodeView(text: string, known: Known, playback: Playback): Looks {
+  const [mode, focus, , bits, way, fraction, ...place] = text.split("~");
+  const mask = /^[0-9a-z]+$/.test(bits ?? "") ? parseInt(bits!, 36) : NaN;
+  const layers = BITS.filter((_, i) => Math.floor(mask / 2 ** i) % 2 === 1);
+  const [base, searchMode] = (WAYS[Number(way)] ?? `${way}`).split("-");
+  const planners = check<PlannerId[]>(plannersOf(text), RULES.planners(known), "planners");
+  check(mask, RULES.layerBits(BITS.length), "layers");
+  return {
+    mode: check(MODES[Number(mode)] ?? mode, RULES.mode(), "mode"),
+    planners,
+    focus: check(focus, RULES.focus(planners), "focus"),
+    layers: Object.fromEntries(BITS.map((key) => [key, layers.includes(key)])) as Record<LayerKey, boolean>,
+    playback: {
+      ...playback, playing: false,
+      base: check(base, RULES.base(), "base"),
+      searchMode: check(searchMode ?? SEARCH_MODES[0], RULES.searchMode(), "searchMode"),
+      fraction: check(numeral(fraction) / STEPS, RULES.playhead(), "playhead"),
+    },
+    camera: check<Camera | null>(cameraIn(place), RULES.camera(known), "camera"),
+  };
+}
+
+function cameraIn(place: readonly string[]): unknown {
+  if (place.length === 0) return null;
+  const [x, y, scale] = place.map((text) => numeral(text) / FINE);
+  return place.length === 3 ? { x, y, scale } : place;
+}
