@@ -105,6 +105,9 @@ export interface State {
   live: ReadonlyMap<string, string> | null;
 }
 
+/** The steps behind and ahead of the scene, the nearest last. */
+export interface History { past: readonly Scene[]; scene: Scene; future: readonly Scene[] }
+
 export interface EditOptions { transient?: boolean; label?: string }
 export type Listener = (state: State, previous: State) => void;
 
@@ -116,6 +119,9 @@ export interface Store {
   edit(next: Scene, options?: EditOptions): void;
   undo(): void;
   redo(): void;
+  readonly history: History;
+  /** Takes over a history from before a reload. */
+  restore(history: History): void;
 }
 
 export const UNDO_STEPS = 500;
@@ -177,8 +183,8 @@ export function createStore(initial: Partial<State> = {}): Store {
 class SceneStore implements Store {
   state: State;
   private readonly listeners = new Set<Listener>();
-  private readonly past: Scene[] = [];
-  private readonly future: Scene[] = [];
+  private past: Scene[] = [];
+  private future: Scene[] = [];
   /** The scene before the drag that is going on. */
   private dragFrom: Scene | null = null;
 
@@ -227,6 +233,16 @@ class SceneStore implements Store {
 
   redo(): void {
     if (!this.dragFrom) this.travel(this.future, this.past, "redo");
+  }
+
+  get history(): History {
+    return { past: this.past, scene: this.dragFrom ?? this.state.scene, future: this.future };
+  }
+
+  restore({ past, scene, future }: History): void {
+    this.past = [...past];
+    this.future = [...future];
+    this.apply(scene, "open");
   }
 
   private travel(from: Scene[], to: Scene[], reason: string): void {

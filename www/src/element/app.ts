@@ -254,8 +254,20 @@ export class App {
     this.say("err", key, values);
   }
 
+  /** The scene that this tab showed at this address, with its history. */
+  private async beforeReload(): Promise<Scene | null> {
+    try {
+      return sessionStorage.length > 0 ? (await import("./history")).restoreHistory(this) : null;
+    } catch {
+      // Storage may be refused; nothing depends on it.
+      return null;
+    }
+  }
+
   private async firstScene(preset: string, syncAddress: boolean): Promise<Scene> {
     try {
+      const kept = syncAddress ? await this.beforeReload() : null;
+      if (kept) return kept;
       const linked = syncAddress ? await this.links.read() : null;
       if (linked) return this.catalog!.checked(linked);
     } catch (error) {

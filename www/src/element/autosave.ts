@@ -1,10 +1,11 @@
 /** Keeps each tab's drawing in the browser, and offers what a closed tab has left behind. */
 import { words } from "../i18n/words";
-import { checkScene } from "../scene/files";
-import { ensureIds } from "../scene/model";
+import { pack } from "../scene/compact";
 import { countRuns } from "../scene/vast";
 import type { Scene } from "../store";
 import type { App } from "./app";
+import { keepHistory } from "./history";
+import { keepsRule } from "./schema";
 
 const say = words({
   found: ["The drawing you left at {time} is still here.", "您在 {time} 离开的绘图仍在。"],
@@ -18,20 +19,26 @@ const LARGEST = 1_500_000;
 /** Characters that a run takes at least. */
 const RUN = 8;
 const MOST_KEPT = 5;
+/** Milliseconds; `Date` knows no later one. */
+const LAST_DATE = 8.64e15;
 
 interface Kept { at: number; scene: Scene }
 
 /** Starts keeping this tab's drawing. */
 export async function startAutosave(app: App): Promise<() => void> {
   const own = await nameOf();
-  let timer: ReturnType<typeof setTimeout> | undefined;
+  let timer: ReturnType<typeof setTimeout> | undefined, hash: string | null = null;
+  dropDamaged();
   const save = (): void => {
     clearTimeout(timer);
     timer = undefined;
-    const { scene, canUndo } = app.store.state;
-    if (canUndo) keep(own, scene);
+    const { scene, canUndo, canRedo } = app.store.state;
+    if (canUndo || canRedo) keep(own, scene);
+    quietly(() => keepHistory(app));
+    hash = location.hash;
   };
-  const leaving = (): void => { if (timer) save(); };
+  // The address may have been written since.
+  const leaving = (): void => { if (timer || (hash !== null && hash !== location.hash)) save(); };
   addEventListener("pagehide", leaving);
   const unsubscribe = app.store.subscribe((state, previous) => {
     if (state.scene === previous.scene || state.transient) return;
@@ -50,7 +57,7 @@ export async function startAutosave(app: App): Promise<() => void> {
 async function nameOf(): Promise<string> {
   const taken = await openTabs();
   let name = sessionStorage.getItem("parkade.tab");
-  if (!name || taken.has(KEY + name)) name = crypto.randomUUID();
+  if (!name || !/^[\w-]{36}$/.test(name) || taken.has(KEY + name)) name = crypto.randomUUID();
   sessionStorage.setItem("parkade.tab", name);
   void navigator.locks?.request(KEY + name, () => new Promise<never>(() => {}));
   return KEY + name;
@@ -66,11 +73,20 @@ function keep(key: string, scene: Scene): void {
   if (countRuns(scene) * RUN > LARGEST) return;
   const text = JSON.stringify({ at: Date.now(), scene } satisfies Kept);
   if (text.length > LARGEST) return;
+  quietly(() => localStorage.setItem(key, text));
+}
+
+function quietly(store: () => void): void {
   try {
-    localStorage.setItem(key, text);
+    store();
   } catch {
     // Full, or refused: the address and files still keep scenes.
   }
+}
+
+/** Settings that somebody else has written, or another version. */
+function dropDamaged(): void {
+  for (const [key, text] of Object.entries(localStorage)) if (!keepsRule(key, String(text))) localStorage.removeItem(key);
 }
 
 /** Drawings of tabs that are closed; a tab that was only reloaded finds its own. */
@@ -78,7 +94,7 @@ async function offer(app: App, own: string): Promise<void> {
   const open = await openTabs();
   const left = Object.keys(localStorage).filter((key) => key.startsWith(KEY) && (key === own || !open.has(key)))
     .flatMap((key) => {
-      const kept = read(key);
+      const kept = read(key, app);
       if (!kept) localStorage.removeItem(key);
       return kept ? [{ key, ...kept }] : [];
     })
@@ -93,8 +109,7 @@ async function offer(app: App, own: string): Promise<void> {
       action: {
         name: say(lang, "open"),
         run: () => {
-          app.preset = null;
-          app.openScene(ensureIds(last.scene));
+          app.openForeign(last.scene);
           if (last.key !== own) localStorage.removeItem(last.key);
         },
       },
@@ -102,16 +117,14 @@ async function offer(app: App, own: string): Promise<void> {
   });
 }
 
-function read(key: string): Kept | null {
+function read(key: string, { catalog }: App): Kept | null {
   try {
     const { at, scene } = JSON.parse(localStorage.getItem(key) ?? "") as Kept;
-    return typeof at === "number" ? { at, scene: checkScene(scene) } : null;
+    return Math.abs(at) <= LAST_DATE ? { at, scene: catalog!.checked(scene) } : null;
   } catch {
     return null;
   }
 }
 
-/** Links round to a centimetre, so the same drawing may differ a little. */
-const alike = (a: Scene, b: Scene): boolean => rounded(a) === rounded(b);
-const rounded = (scene: Scene): string =>
-  JSON.stringify(scene, (name, value: unknown) => (name === "id" || (Array.isArray(value) && value.length === 0) ? undefined : typeof value === "number" ? Math.round(value * 50) : value));
+/** Whether a link of the one would be a link of the other. */
+const alike = (a: Scene, b: Scene): boolean => JSON.stringify(pack(a)) === JSON.stringify(pack(b));

@@ -111,7 +111,6 @@ export const RULES = {
   link: () => textUpTo(LONGEST_LINK),
   theme: () => oneOf(["auto", "light", "dark"]),
   lang: () => oneOf(["en", "zh"]),
-  pane: () => numberFrom(100, 1000),
   camera: ({ map }: Known) => {
     const { x, y, scale } = cameraLimits(map);
     return orNull(objectOf({ x: numberFrom(...x), y: numberFrom(...y), scale: numberFrom(...scale) }));
@@ -138,6 +137,21 @@ export function faultOfAttribute(name: string, text: string): ValueError | null 
 
 /** An empty text is no zero. */
 export const numeral = (text: string | undefined): number => (text ? Number(text) : NaN);
+
+/** What the browser keeps of a setting, by its key's beginning; other keys are somebody else's, or look after themselves. */
+const STORED: Record<string, (text: string) => [value: unknown, rule: Rule]> = {
+  "parkade.theme": (text) => [text, RULES.theme()],
+  "parkade.lang": (text) => [text, RULES.lang()],
+  "parkade.pane.": (text) => [numeral(text), numberFrom(100, 1000)],
+  "parkade.hint.": (text) => [text, oneOf(["seen"])],
+};
+
+export function keepsRule(key: string, text: string): boolean {
+  const start = Object.keys(STORED).find((one) => key.startsWith(one));
+  if (!start) return true;
+  const [value, rule] = STORED[start]!(text);
+  return rule(value, key) === null;
+}
 
 /** A planner's own settings. */
 const settings = (parameters: readonly ParameterInfo[]): Rule =>
