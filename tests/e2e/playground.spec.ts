@@ -153,14 +153,22 @@ test("a scene no planner can take keeps the last plans and says what is wrong", 
   await open(page);
   const before = await hashesOf(page);
   await page.evaluate(() => {
-    const element = document.querySelector<PlaygroundElement>("parkade-playground")!;
-    element.sceneData = { ...element.sceneData, vehicle: { wheelbase: -1, width: 2, rearToFront: 4, rearToBack: 1, maxSteer: 0.6 } };
+    const { store } = document.querySelector("parkade-playground") as unknown as { store: { state: { scene: object }; edit(scene: object): void } };
+    store.edit({ ...store.state.scene, vehicle: { wheelbase: -1, width: 2, rearToFront: 4, rearToBack: 1, maxSteer: 0.6 } });
   });
   await expect(page.locator("parkade-notices .notice.err")).toContainText("vehicle");
   expect(await hashesOf(page)).toEqual(before);
   await page.keyboard.press("Control+z");
   await settled(page);
   await expect(page.locator("parkade-notices .notice")).toHaveCount(0);
+  // From outside it is not even opened.
+  const scene = await sceneOf(page);
+  await page.evaluate(() => {
+    const element = document.querySelector<PlaygroundElement>("parkade-playground")!;
+    element.sceneData = { ...element.sceneData, vehicle: { wheelbase: -1, width: 2, rearToFront: 4, rearToBack: 1, maxSteer: 0.6 } };
+  });
+  await expect(page.locator("parkade-notices .notice.err")).toContainText("vehicle.wheelbase: ");
+  expect(await sceneOf(page)).toEqual(scene);
 });
 
 test("arrangements change by key, and any panel can be edited", async ({ page }) => {

@@ -1,6 +1,7 @@
 // Kills planners' workers in the midst of their plans and asks whether the page recovers: `cargo xtask endure kills [count] [seed]`.
 import { quantile } from "../quantile.mjs";
-import { random, withPage } from "./page.mjs";
+import { withPage } from "./page.mjs";
+import { random } from "./random.mjs";
 
 const count = Number(process.argv[2] ?? 1000), seed = Number(process.argv[3] ?? 1);
 const next = random(seed);

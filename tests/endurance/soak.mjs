@@ -1,6 +1,7 @@
 // Random edits for hours: `cargo xtask endure soak [minutes] [seed]`. Memory must stay flat after the first ten minutes.
 import { quantile } from "../quantile.mjs";
-import { random, withPage } from "./page.mjs";
+import { withPage } from "./page.mjs";
+import { random } from "./random.mjs";
 
 const minutes = Number(process.argv[2] ?? 120), seed = Number(process.argv[3] ?? 1);
 const next = random(seed);

@@ -1,0 +1,112 @@
+import { expect, test } from "vitest";
+import { init, packRuns, planners, scenario, scenarios, sceneGeometry, toSVG, unpackRuns } from "parkade";
+import { check, faultOfAttribute, keepsRule, RULES, ValueError } from "../../www/src/element/schema";
+import { decodeHistory, encodeHistory } from "../../www/src/element/history";
+import { decodeView } from "../../www/src/element/view-link";
+import { decodeScene, encodeScene } from "../../www/src/scene/link";
+import { ensureIds } from "../../www/src/scene/model";
+import { forPlanners, withRuns } from "../../www/src/scene/vast";
+import { initialState, type Scene } from "../../www/src/store";
+import { cameraLimits, limited } from "../../www/src/view/camera";
+import { damagedMessage, damagedScene, damagedStore, damagedView, pick, shortForm } from "../endurance/damage.mjs";
+import { random } from "../endurance/random.mjs";
+
+/** More of them, with another seed: `PARKADE_DAMAGED=100000:7 vitest run tests/js/damaged.test.ts`. */
+const [count = "1600", seed = "20261123"] = (process.env["PARKADE_DAMAGED"] ?? "").split(":").filter(Boolean);
+const HOURS = 36_000_000, EACH = Math.ceil(Number(count) / 4);
+/** A decoder that takes longer than this would be felt. */
+const LONGEST_MS = 2000;
+
+await init();
+const scenes = scenarios().map(({ id }) => ensureIds(scenario(id)));
+const known = { planners: planners(), map: scenes[0]!.map };
+const playback = { ...initialState().playback };
+
+/** As the page opens what comes from outside. */
+function checked(scene: Scene): Scene {
+  sceneGeometry(forPlanners(scene, packRuns));
+  return ensureIds(withRuns(scene, unpackRuns));
+}
+
+/** Takes `EACH` damaged things; counts what is refused by an error with words, and what is taken. */
+async function tally(name: string, make: (next: (below: number) => number) => unknown, take: (made: never) => unknown, inWords = true): Promise<void> {
+  const next = random(Number(seed));
+  const counts = { taken: 0, refused: 0 };
+  let slowest = 0;
+  for (let i = 0; i < EACH; i++) {
+    const made = await make(next), from = performance.now();
+    try {
+      await take(made as never);
+      counts.taken++;
+    } catch (error) {
+      const what = `${name} ${i}: ${JSON.stringify(made)?.slice(0, 4000)}\n${String((error as Error).stack)}`;
+      expect(error, what).toBeInstanceOf(Error);
+      // The engine's and the language's own mistakes are nobody's sentence; JSON's complaint is caught where it arises.
+      if (inWords) expect((error as Error).name, what).not.toMatch(/^(TypeError|ReferenceError|RuntimeError|InternalError)$/);
+      expect((error as { code?: string }).code, what).not.toBe("internal");
+      counts.refused++;
+    }
+    slowest = Math.max(slowest, performance.now() - from);
+  }
+  if (process.env["PARKADE_DAMAGED"]) console.log(`${name}: ${counts.refused} refused, ${counts.taken} taken, slowest ${slowest.toFixed(0)} ms`);
+  expect(counts.refused).toBeGreaterThan(EACH / 20);
+  expect(counts.taken + counts.refused).toBe(EACH);
+  expect(slowest).toBeLessThan(LONGEST_MS);
+  expect(Object.keys(Object.prototype)).toEqual([]);
+}
+
+const texts = await Promise.all(scenes.filter(({ map }) => map.width * map.height < 200_000).map(async (scene) => {
+  const text = await encodeScene(scene);
+  return { scene, text, short: await shortForm(text) };
+}));
+
+test("scene parts of links are refused in words, or are scenes that can be drawn", async () => {
+  await tally("links' scenes", (next) => {
+    const { text, short } = pick(next, texts);
+    return damagedScene(next, text, short);
+  }, async (link: string) => {
+    const scene = checked(await decodeScene(link));
+    toSVG(scene, [], { width: 300, height: 200 });
+  });
+}, HOURS);
+
+test("view parts of links are refused in words, or are views within the bounds", async () => {
+  const ids = planners().map(({ id }) => id);
+  await tally("links' views", (next) => damagedView(next, pick(next, ["0~hybrid~four.eight.risk-field.hybrid~4mf~0~10000", "1~any-angle~eight.any-angle.hybrid~2bf~2~3750~1250~925~3150"])), (view: string) => {
+    const looks = decodeView(view, known, playback);
+    expect(looks.planners.every((id) => ids.includes(id))).toBe(true);
+    expect(looks.playback.fraction >= 0 && looks.playback.fraction <= 1).toBe(true);
+    expect(limited(looks.camera, known.map)).toBe(looks.camera);
+  });
+}, HOURS);
+
+test("values in messages and attributes are refused by field, value and rule, or keep their rules", async () => {
+  const { scene, text } = texts[0]!, { x } = cameraLimits(known.map);
+  const rules = { camera: RULES.camera(known), playhead: RULES.playhead(), seek: RULES.playhead(), params: RULES.params(known) };
+  await tally("messages' values", (next) => damagedMessage(next, scene, `#s=${text}`), async ({ type, value, args }: { type: string; value?: unknown; args?: unknown[] }) => {
+    const given = args ? (Array.isArray(args) ? args[0] : undefined) : value;
+    if (type === "setScene" || type === "sceneData") return checked(given as Scene);
+    if (type === "openLink") return checked(await decodeScene(check<string>(given, RULES.link(), "openLink").replace("#s=", "")));
+    for (const name of ["layout", "speed", "theme", "layers", "wheel", "controls", "budget-ms"]) expect(faultOfAttribute(name, String(given ?? "")) ?? new ValueError({ field: "", value: 0, words: ["", ""] })).toBeInstanceOf(ValueError);
+    if (!Object.hasOwn(rules, type)) return null;
+    const fine = check<unknown>(given, rules[type as keyof typeof rules], type);
+    if (type === "camera" && fine !== null) expect((fine as { x: number }).x >= x[0] && (fine as { x: number }).x <= x[1]).toBe(true);
+    return fine;
+  });
+}, HOURS);
+
+test("stored states are dropped, or are what the page can open", async () => {
+  const [first, second] = scenes as [Scene, Scene];
+  const history = encodeHistory({ past: [first, { ...first, name: "Other" }], scene: second, future: [first] }, "#s=1a")!;
+  const kept = [
+    ["session", "parkade.history", history], ["session", "parkade.history", history], ["local", "parkade.tab.x", JSON.stringify({ at: 1, scene: first })],
+    ["local", "parkade.theme", "dark"], ["local", "parkade.lang", "zh"], ["local", "parkade.pane.side", "280"], ["local", "parkade.hint.drag", "seen"],
+  ];
+  await tally("stored states", (next) => damagedStore(next, kept), ([, key, text]: [string, string, string]) => {
+    if (key === "parkade.history") return decodeHistory(text, checked);
+    if (key === "parkade.tab.x") return checked((JSON.parse(text) as { scene: Scene } | null)?.scene as Scene);
+    if (!keepsRule(key, text)) throw new RangeError(`${key}: breaks its rule`);
+    return text;
+    // What is damaged here is dropped without a word.
+  }, false);
+}, HOURS);
