@@ -24,6 +24,8 @@ export default defineConfig({
   title: "Parkade",
   // The page around may lie anywhere; figures take the element from the folder above this one.
   base: BASE,
+  // Frontmatter is not interpolated: a page made from a template brings its title with it.
+  transformPageData: (page) => { page.title = page.params?.["title"] ?? page.title; },
   head: [["link", { rel: "icon", href: "data:," }]],
   srcExclude: ["**/README.md", "zh/design.md"],
   vue: { template: { compilerOptions: { isCustomElement: (tag) => tag === "parkade-playground" } } },

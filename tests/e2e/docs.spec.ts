@@ -6,6 +6,8 @@ import { complaintsOf } from "./playground";
 
 const SITE = fileURLToPath(new URL("../../docs/.vitepress/dist/", import.meta.url));
 const BASE = "/docs/";
+/** Beside the documentation's folder. */
+const PLAYGROUND = "/index.html";
 
 test.beforeAll(() => {
   test.setTimeout(240_000);
@@ -22,7 +24,7 @@ test("every internal link leads to a page, and every fragment to a heading", () 
   for (const file of all) {
     for (const [, href] of text(file).matchAll(/<a [^>]*href="([^"]+)"/g)) {
       const url = new URL(href!.replaceAll("&amp;", "&"), `http://site${BASE}${file}`);
-      if (url.host !== "site") continue;
+      if (url.host !== "site" || url.pathname === PLAYGROUND) continue;
       const target = url.pathname.slice(BASE.length).replace(/(^|\/)$/, "$1index.html");
       const found = all.has(target) ? target : all.has(`${target}.html`) ? `${target}.html` : null;
       const fragment = decodeURIComponent(url.hash.slice(1));
@@ -31,6 +33,25 @@ test("every internal link leads to a page, and every fragment to a heading", () 
   }
   expect(dead).toEqual([]);
 });
+
+test("each page's title is words, and no two pages of a language share one", () => {
+  const titles = pages().map((file) => [file, /<title>([^<]*)<\/title>/.exec(readFileSync(SITE + file, "utf8"))?.[1] ?? ""] as const);
+  expect(titles.filter(([, title]) => !title || /[{}$]|params/.test(title))).toEqual([]);
+  for (const chinese of [true, false]) {
+    const own = titles.filter(([file]) => file.startsWith("zh/") === chinese).map(([, title]) => title);
+    expect(new Set(own).size, String(own)).toBe(own.length);
+  }
+  expect(Object.fromEntries(titles)["planners/hybrid.html"]).toContain("ybrid A*");
+});
+
+for (const home of ["", "zh/"]) {
+  test(`the home page /docs/${home} opens the playground`, async ({ page }) => {
+    await page.goto(BASE + home);
+    await page.locator(".VPHero a[href$='index.html']").click();
+    await expect(page).toHaveURL((url) => url.pathname === PLAYGROUND || url.pathname === "/");
+    await expect(page.locator("parkade-panel").first()).toBeVisible();
+  });
+}
 
 for (const file of ["planners/hybrid.html", "planners/risk-field.html", "planners/jump-point.html", "papers/road.html", "papers/sixteen.html", "zh/planners/hybrid.html", "zh/guide.html"]) {
   test(`the figures of ${file} come alive when they are near, without a complaint`, async ({ page }) => {
