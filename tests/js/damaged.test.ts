@@ -4,8 +4,8 @@ import { check, faultOfAttribute, keepsRule, RULES, ValueError } from "../../www
 import { decodeHistory, encodeHistory } from "../../www/src/element/history";
 import { decodeView } from "../../www/src/element/view-link";
 import { decodeScene, encodeScene } from "../../www/src/scene/link";
+import { checkedScene } from "../../www/src/scene/foreign";
 import { ensureIds } from "../../www/src/scene/model";
-import { forPlanners, withRuns } from "../../www/src/scene/vast";
 import { initialState, type Scene } from "../../www/src/store";
 import { cameraLimits, limited } from "../../www/src/view/camera";
 import { damagedMessage, damagedScene, damagedStore, damagedView, pick, shortForm } from "../endurance/damage.mjs";
@@ -22,11 +22,7 @@ const scenes = scenarios().map(({ id }) => ensureIds(scenario(id)));
 const known = { planners: planners(), map: scenes[0]!.map };
 const playback = { ...initialState().playback };
 
-/** As the page opens what comes from outside. */
-function checked(scene: Scene): Scene {
-  sceneGeometry(forPlanners(scene, packRuns));
-  return ensureIds(withRuns(scene, unpackRuns));
-}
+const checked = (scene: Scene): Scene => checkedScene(scene, { sceneGeometry, packRuns, unpackRuns });
 
 /** Takes `EACH` damaged things; counts what is refused by an error with words, and what is taken. */
 async function tally(name: string, make: (next: (below: number) => number) => unknown, take: (made: never) => unknown, inWords = true): Promise<void> {
@@ -79,6 +75,16 @@ test("view parts of links are refused in words, or are views within the bounds",
     expect(limited(looks.camera, known.map)).toBe(looks.camera);
   });
 }, HOURS);
+
+test("null in a scene from outside is as good as absent, at any depth, but for settings", () => {
+  const scene = scenes[0]! as unknown as Record<string, unknown>, text = packRuns([[3, 4, 5], [3, 5, 2]]);
+  const nulls = { ...scene, obstacles: null, costs: null, moving: null, map: { ...known.map, boundary: null }, planners: { hybrid: { minRadius: null } } };
+  const { boundary: _, ...map } = known.map;
+  expect(checked(nulls as unknown as Scene)).toEqual({ ...scene, obstacles: [], map, planners: { hybrid: { minRadius: null } }, costs: undefined, moving: undefined });
+  const packed = { ...scene, obstacles: [{ type: "cells", runs: text, id: "k" }], costs: [{ runs: text, weight: 3, id: "c" }] };
+  expect(checked(packed as unknown as Scene)).toMatchObject({ obstacles: [{ runs: [[3, 4, 5], [3, 5, 2]] }], costs: [{ runs: [[3, 4, 5], [3, 5, 2]] }] });
+  expect(checked(scenes[0]!)).toBe(scenes[0]);
+});
 
 test("values in messages and attributes are refused by field, value and rule, or keep their rules", async () => {
   const { scene, text } = texts[0]!, { x } = cameraLimits(known.map);

@@ -62,6 +62,11 @@ describe("a history", () => {
     expect(encodeHistory({ past, scene: cells(200_000), future: [] }, HASH)).toBeNull();
   });
 
+  it("whose place is no number is refused", () => {
+    const text = encodeHistory(drawn(3, 1), HASH)!;
+    for (const at of ['"constructor"', "9", "-1", "0.5", "null", '"1"']) expect(() => decodeHistory(text.replace('"at":2', `"at":${at}`), checked), at).toThrow("at: must name one of 4 scenes");
+  });
+
   it("that is damaged is refused, or is a history of scenes that can be planned", () => {
     const text = encodeHistory(drawn(6, 2), HASH)!;
     const letters = '0123456789.,:{}[]"-eEn\\ ';

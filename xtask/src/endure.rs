@@ -5,14 +5,14 @@ use anyhow::{Result, ensure};
 use crate::tools::{node, run};
 use crate::{browser, site};
 
-const TRIALS: [&str; 2] = ["kills", "soak"];
+const TRIALS: [&str; 4] = ["kills", "soak", "damaged", "monkey"];
 
-/// Fails where the page does not recover from a killed worker, or its memory grows.
+/// Fails where the page does not recover from a killed worker, its memory grows, or anything from outside or any hand breaks it.
 pub(crate) fn endure(arguments: &[String]) -> Result<()> {
     let (trial, rest) = arguments.split_first().map_or(("", &[][..]), |(first, rest)| (first.as_str(), rest));
     ensure!(
         TRIALS.contains(&trial) && rest.len() <= 2 && rest.iter().all(|one| one.parse::<u32>().is_ok()),
-        "say `endure kills [count] [seed]` or `endure soak [minutes] [seed]`"
+        "say `endure kills [count] [seed]`, `endure soak [minutes] [seed]`, `endure damaged [count] [seed]` or `endure monkey [minutes] [seed]`"
     );
     site::assemble()?;
     let script = format!("tests/endurance/{trial}.mjs");

@@ -38,7 +38,7 @@ const COMMANDS: &[Command] = &[
     },
     Command {
         name: "endure",
-        about: "build, then kill workers or edit for hours: endure kills [count] [seed], endure soak [minutes] [seed]",
+        about: "build, then kill workers, edit for hours, damage what comes from outside or press at random: endure kills|damaged [count] [seed], endure soak|monkey [minutes] [seed]",
         run: endure::endure,
     },
     Command {

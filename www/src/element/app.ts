@@ -4,8 +4,9 @@ import { introduce } from "../view/identity";
 import { LAYER_PRESETS, presetLayers, presetOf } from "../view/layer-sets";
 import { extentFor, loadEngine, type Engine } from "../planning/module";
 import { Planning } from "../planning/planning";
+import { checkedScene } from "../scene/foreign";
 import { ensureIds } from "../scene/model";
-import { forPlanners, withRuns } from "../scene/vast";
+import { forPlanners } from "../scene/vast";
 import { createStore, FIRST_PLANNERS, type Scene, type State, type Store } from "../store";
 import { ToolController } from "../tools/controller";
 import { extras } from "../view/pieces";
@@ -294,10 +295,7 @@ function catalogOf(engine: Engine): Catalog {
         return structuredClone(scene);
       },
       geometry: (scene) => api.sceneGeometry(forPlanners(scene, api.packRuns)),
-      checked: (scene) => {
-        api.sceneGeometry(forPlanners(scene, api.packRuns));
-        return ensureIds(withRuns(scene, api.unpackRuns));
-      },
+      checked: (scene) => checkedScene(scene, api),
     };
     introduce(catalog.planners);
     catalogs.set(engine, catalog);

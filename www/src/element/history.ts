@@ -65,7 +65,7 @@ export function decodeHistory(text: string, checked: (scene: Scene) => Scene): H
     return known;
   };
   const all = scenes.map((one) => checked(Object.fromEntries(Object.entries(one).map(([key, value]) => [key, Array.isArray(value) ? list(value) : part(value)])) as unknown as Scene));
-  const scene = all[at];
+  const scene = Number.isInteger(at) ? all[at] : undefined;
   if (typeof hash !== "string" || !scene) throw new RangeError(`at: must name one of ${all.length} scenes, got ${at}`);
   return { hash, past: all.slice(0, at), scene, future: all.slice(at + 1) };
 }

@@ -37,15 +37,6 @@ export const isUnpacked = (scene: Scenario): boolean =>
 /** The scene without many cells, for questions whose answer does not depend on them. */
 export const withoutCells = (scene: Scenario): Scenario => withCells(scene, () => []);
 
-/** The scene with its cells as runs, also where they came as texts. */
-export function withRuns(scene: Scenario, unpack: (text: string) => Run[]): Scenario {
-  const unpacked = <T extends { runs: Run[] | string }>(one: T): T => (typeof one.runs === "string" ? { ...one, runs: unpack(one.runs) } : one);
-  const { obstacles, costs } = scene, packed = [...obstacles ?? [], ...costs ?? []].some((one) => "runs" in one && typeof one.runs === "string");
-  return !packed ? scene : {
-    ...scene, ...(obstacles ? { obstacles: obstacles.map((one) => (one.type === "cells" ? unpacked(one) : one)) } : {}), ...(costs ? { costs: costs.map(unpacked) } : {}),
-  };
-}
-
 export const countRuns = (scene: Scenario): number => (scene.obstacles ?? []).reduce((sum, one) => sum + (one.type === "cells" ? one.runs.length : 0), 0);
 
 export const fitsLink = (scene: Scenario): boolean => countRuns(scene) <= LINKABLE;

@@ -1,0 +1,36 @@
+/** Scenes that come from outside: links, files, messages, storage, other pages. */
+import type { Scenario, SceneGeometry } from "parkade";
+import type { Run } from "./cells";
+import { ensureIds } from "./model";
+import { forPlanners } from "./vast";
+
+/** What of the planners' module knows about scenes. */
+interface Module {
+  sceneGeometry(scene: Scenario): SceneGeometry;
+  packRuns(runs: readonly Run[]): string;
+  unpackRuns(text: string): Run[];
+}
+
+/** The scene as the page keeps it; throws what is wrong with it. */
+export function checkedScene(scene: Scenario, { sceneGeometry, packRuns, unpackRuns }: Module): Scenario {
+  sceneGeometry(forPlanners(scene, packRuns));
+  return ensureIds(withRuns(withoutNulls(scene), unpackRuns));
+}
+
+/** To the planners null is as good as absent, but not to the page; the same object where there is none. Settings may be null. */
+function withoutNulls<T>(value: T): T {
+  if (typeof value !== "object" || value === null || (Array.isArray(value) && typeof value[0] !== "object")) return value;
+  const entries = Object.entries(value), kept = entries.filter(([, one]) => one !== null)
+    .map(([key, one]) => [key, key === "planners" || key === "runs" ? one : withoutNulls(one)] as const);
+  if (kept.length === entries.length && kept.every(([, one], i) => one === entries[i]![1])) return value;
+  return (Array.isArray(value) ? kept.map(([, one]) => one) : Object.fromEntries(kept)) as T;
+}
+
+/** The scene with its cells as runs, also where they came as texts. */
+function withRuns(scene: Scenario, unpack: (text: string) => Run[]): Scenario {
+  const unpacked = <T extends { runs: Run[] | string }>(one: T): T => (typeof one.runs === "string" ? { ...one, runs: unpack(one.runs) } : one);
+  const { obstacles, costs } = scene, packed = [...obstacles ?? [], ...costs ?? []].some((one) => "runs" in one && typeof one.runs === "string");
+  return !packed ? scene : {
+    ...scene, ...(obstacles ? { obstacles: obstacles.map((one) => (one.type === "cells" ? unpacked(one) : one)) } : {}), ...(costs ? { costs: costs.map(unpacked) } : {}),
+  };
+}
