@@ -25,7 +25,7 @@ fn bytes(planner: &Planner, name: &str) -> Vec<u8> {
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn other_ends_give_the_plan_of_another_scene() {
-    let scene = catalog::scenario("perpendicular").unwrap();
+    let scene = catalog::scenario("reverse-in").unwrap();
     let start = Pose { x: scene.start.x - 0.7, ..scene.start };
     let goal = Pose { y: scene.start.y + 0.2, x: scene.start.x - 3.0, ..scene.start };
     let moved = Scenario { start, goal: Goal::Pose(goal), ..scene.clone() };

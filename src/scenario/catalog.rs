@@ -48,7 +48,7 @@ const SCENES: [Info; 23] = [
         "perpendicular",
         "parking",
         ["Perpendicular", "垂直车位"],
-        ["Can it swing in without touching the corner?", "能否一次转入而不擦到角？"],
+        ["Which of four planners parks this car?", "四种规划器中，谁能停好这辆车？"],
     ),
     info(
         "reverse-in",
@@ -270,14 +270,24 @@ fn block(id: &str, center: [f64; 2], size: [f64; 2], heading: f64) -> Obstacle {
     Obstacle::Rectangle { id: Some(id.to_owned()), center, size, heading }
 }
 
+/// The page's first scene: of its planners four directions drive into the planter, eight into a parked car, the risk
+/// field arrives tail-in, and hybrid A* parks with one gear change.
 fn perpendicular() -> Scenario {
-    let mut scene = lot(-10.0, 10.0, 5.0, PAPER_ROWS[0].1, PAPER_ROWS[0].2);
-    scene.slots = bay_slots(&[-8.5, -5.75, -3.0, -0.25, 2.5, 5.25, 8.0], &[0, 2, 6]);
+    let mut scene = lot(-7.25, 12.25, 6.25, [-7.125, 10.375, 29.0 * PI / 36.0], [0.0; 3]);
+    scene.map.origin[0] = -14.0;
+    (scene.map.width, scene.map.height) = (112, 67);
+    for [x, y] in scene.map.boundary.iter_mut().flatten() {
+        *x = x.clamp(-14.0, 14.0);
+        *y = y.min(15.5);
+    }
+    scene.slots = bay_slots(&[-5.625, -2.375, 0.875, 4.125, 7.375, 10.625], &[0, 1, 3, 4]);
+    for slot in &mut scene.slots {
+        (slot.width, slot.length) = (3.25, 6.25);
+    }
+    scene.goal = Goal::Slot(SlotGoal { slot: "slot-3".to_owned(), entry: Entry::HeadIn });
     scene.obstacles = vec![
-        island("planter", &[[-4.5, 12.2], [-1.6, 13.4], [-0.6, 11.6], [-2.2, 10.4], [-4.2, 10.6]]),
-        block("kiosk", [9.5, 13.4], [4.4, 2.0], -0.4),
-        island("hedge", &[[-15.0, 17.0], [-11.0, 17.6], [-10.4, 15.2], [-13.0, 13.8], [-15.4, 14.6]]),
-        block("box", [18.5, 19.5], [5.0, 1.6], 0.25),
+        island("planter", &[[-11.65, 7.65], [-9.25, 7.25], [-7.95, 8.35], [-8.65, 9.55], [-11.05, 9.45]]),
+        block("kiosk", [0.0, 12.25], [4.2, 2.0], 0.25),
     ];
     scene
 }

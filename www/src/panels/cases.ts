@@ -9,7 +9,7 @@ const one = (scene: string, en: string, zh: string): Case => ({ scene, question:
 
 export const CASES: readonly (readonly [PlannerId, Cases])[] = [
   ["four", { best: one("road-straight", "Is a straight road any harder than a ruler?", "笔直的道路会比直尺更难吗？"), worst: one("parallel", "How much longer is a way without diagonals?", "没有对角线，路会长多少？") }],
-  ["eight", { best: one("road-narrow", "Do eight directions do where the way is straight?", "直路上八个方向就够了吗？"), worst: one("perpendicular", "A thousand cells for one turn, and can the car follow?", "一个转弯展开上千格，车能跟上吗？") }],
+  ["eight", { best: one("road-narrow", "Do eight directions do where the way is straight?", "直路上八个方向就够了吗？"), worst: one("angled", "Two thousand cells for one bay, and can the car follow?", "为一个车位展开约两千格，车能跟上吗？") }],
   ["sixteen", { best: one("perpendicular", "How many cells do eight more headings save?", "多八个方向能省多少格？"), worst: one("reverse-in", "What if the goal lies behind a corner for every heading?", "若目标在每个方向上都隔着拐角呢？") }],
   ["twenty-four", { best: one("parallel", "Fewer than fifty cells for thirty metres?", "三十米不到五十格？"), worst: one("regular-60", "Do longer moves help between blocks?", "障碍之间更长的步子有用吗？") }],
   ["forty-eight", { best: one("parallel", "One per cent shorter: is it worth 48 moves?", "短百分之一，值得四十八种走法吗？"), worst: one("regular-60", "What do 48 moves cost where most are blocked?", "多数走法受阻时，四十八种走法代价如何？") }],
