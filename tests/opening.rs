@@ -63,7 +63,7 @@ fn hybrid_parks_with_one_gear_change_after_a_search_worth_watching() {
 #[test]
 fn every_planner_ends_at_the_goal() {
     let geometry = scene().geometry().unwrap();
-    for planner in ["four", "eight", "risk-field", "hybrid"] {
+    for planner in ["four", "eight", "risk-field", "hybrid", "hybrid-classic"] {
         let plan = plan(planner);
         assert_eq!(plan.outcome, Outcome::Found, "{planner}");
         let end: &Pose = plan.path.last().unwrap();

@@ -273,12 +273,12 @@ fn block(id: &str, center: [f64; 2], size: [f64; 2], heading: f64) -> Obstacle {
 /// The page's first scene: of its planners four directions drive into the planter, eight into a parked car, the risk
 /// field arrives tail-in, and hybrid A* parks with one gear change.
 fn perpendicular() -> Scenario {
-    let mut scene = lot(-7.25, 12.25, 6.25, [-7.125, 10.375, 29.0 * PI / 36.0], [0.0; 3]);
+    let mut scene = lot(-7.25, 12.25, 6.25, [-7.125, 10.625, 29.0 * PI / 36.0], [0.0; 3]);
     scene.map.origin[0] = -14.0;
-    (scene.map.width, scene.map.height) = (112, 67);
+    (scene.map.width, scene.map.height) = (112, 66);
     for [x, y] in scene.map.boundary.iter_mut().flatten() {
         *x = x.clamp(-14.0, 14.0);
-        *y = y.min(15.5);
+        *y = y.min(15.25);
     }
     scene.slots = bay_slots(&[-5.625, -2.375, 0.875, 4.125, 7.375, 10.625], &[0, 1, 3, 4]);
     for slot in &mut scene.slots {
@@ -286,8 +286,8 @@ fn perpendicular() -> Scenario {
     }
     scene.goal = Goal::Slot(SlotGoal { slot: "slot-3".to_owned(), entry: Entry::HeadIn });
     scene.obstacles = vec![
-        island("planter", &[[-11.65, 7.65], [-9.25, 7.25], [-7.95, 8.35], [-8.65, 9.55], [-11.05, 9.45]]),
-        block("kiosk", [0.0, 12.25], [4.2, 2.0], 0.25),
+        island("planter", &[[-11.45, 7.65], [-9.05, 7.25], [-7.75, 8.35], [-8.45, 9.55], [-10.85, 9.45]]),
+        block("kiosk", [3.25, 12.75], [4.2, 2.0], -0.25),
     ];
     scene
 }
