@@ -65,6 +65,25 @@ test("a reload brings back the scene to the last digit, the same plans, undo and
   expect(complaints).toEqual([]);
 });
 
+test("an edit before the page has done what it does when it is idle survives a reload", async ({ page }) => {
+  await page.addInitScript(() => { window.requestIdleCallback = () => 0; });
+  await open(page);
+  const first = await sceneOf(page);
+  await page.evaluate(() => {
+    const element = document.querySelector<PlaygroundElement>("parkade-playground")!;
+    element.sceneData = { ...element.sceneData, name: "Early" };
+  });
+  await page.waitForTimeout(1800);
+  await page.reload();
+  await page.evaluate(async () => {
+    await customElements.whenDefined("parkade-playground");
+    await document.querySelector<PlaygroundElement>("parkade-playground")!.ready;
+  });
+  expect((await sceneOf(page)).name).toBe("Early");
+  await page.keyboard.press("Control+z");
+  expect(await sceneOf(page)).toEqual(first);
+});
+
 test("another link in the same tab opens its own scene, and the drawing is offered", async ({ page }) => {
   await open(page);
   const first = new URL((await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.shareURL()))!).hash;

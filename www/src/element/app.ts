@@ -45,6 +45,7 @@ export class App {
   planning: Planning | null = null;
   /** Id of the catalogue's scene last opened. */
   preset: string | null = null;
+  private remembering: Promise<void> | null = null;
   private stopSaving: (() => void) | null = null;
   private starting = new AbortController();
   private origin: Scene | null = null;
@@ -72,7 +73,10 @@ export class App {
     this.origin = first;
     const looks = this.preset === null ? this.looksOf(view, first) : {};
     this.store.set({ scene: first, ...looks });
-    if (syncAddress) this.links.start();
+    if (syncAddress) {
+      this.links.start();
+      this.rememberFirstEdit();
+    }
     this.planning = new Planning(this.store, engine, () => this.complete());
     this.planning.start();
     loaded();
@@ -96,7 +100,19 @@ export class App {
   }
 
   /** What only the full page does: drawings survive, and so does the page without a network. */
-  private async remember(): Promise<void> {
+  private rememberFirstEdit(): void {
+    const stop = this.store.subscribe((state, previous) => {
+      if (!state.canUndo || state.scene === previous.scene) return;
+      stop();
+      void this.remember();
+    });
+  }
+
+  private remember(): Promise<void> {
+    return (this.remembering ??= this.keepDrawing());
+  }
+
+  private async keepDrawing(): Promise<void> {
     const [{ startAutosave }, { workOffline }] = await Promise.all([import("./autosave"), import("./offline")]);
     void workOffline();
     void import("../panels/next-hints");
@@ -112,6 +128,7 @@ export class App {
   stop(): void {
     this.starting.abort();
     this.stopSaving?.();
+    this.remembering = null;
     this.player.pause();
     this.links.stop();
     this.planning?.stop();

@@ -40,11 +40,15 @@ export async function startAutosave(app: App): Promise<() => void> {
   // The address may have been written since.
   const leaving = (): void => { if (timer || (hash !== null && hash !== location.hash)) save(); };
   addEventListener("pagehide", leaving);
-  const unsubscribe = app.store.subscribe((state, previous) => {
-    if (state.scene === previous.scene || state.transient) return;
+  const saveSoon = (): void => {
     clearTimeout(timer);
     timer = setTimeout(save, SETTLE_MS);
+  };
+  const unsubscribe = app.store.subscribe((state, previous) => {
+    if (state.scene !== previous.scene && !state.transient) saveSoon();
   });
+  // Edits may have come before this was there.
+  if (app.store.state.canUndo) saveSoon();
   await offer(app, own);
   return () => {
     leaving();

@@ -41,7 +41,7 @@ const LONGEST_SHOWN = 40;
 function shown(value: unknown): string {
   let text: string | undefined;
   try {
-    text = typeof value === "number" ? String(value) : JSON.stringify(value);
+    text = typeof value !== "number" ? JSON.stringify(value) : Math.abs(value) < 1e7 ? String(value) : value.toExponential().replace("+", "");
   } catch {
     // Cycles and big integers have no JSON.
   }
