@@ -21,7 +21,7 @@ test("the hybrid search's failed connections and the place where there is no way
   await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ mode: "focus", focus: "hybrid", camera: { x: 15, y: 15, scale: 16 } }));
   await openPreset(page, "narrow-gap");
   const large = page.locator("parkade-panel.large");
-  await expect(large.locator(".reason")).toContainText(/No way through. The gap is about 2.5 m, the car needs 2.60 m/);
+  await expect(large.locator("parkade-failure p")).toContainText("No way through: the gap is 2.50 m wide, the car needs 2.60 m.");
   const gap = await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.results["hybrid"]!.obstruction);
   expect(gap).toMatchObject({ kind: "gap", needed: 2.6 });
   // The gap is marked where it is, in the colour of errors.

@@ -246,7 +246,7 @@ export class Playground extends LitElement {
   }
 
   private phone(): TemplateResult {
-    return html`${this.isFull ? html`<parkade-chips .app=${this.app}></parkade-chips>` : nothing}
+    return html`${this.isFull ? html`<parkade-chips .app=${this.app}></parkade-chips>` : html`<parkade-failure .app=${this.app}></parkade-failure>`}
       <parkade-timeline part="timeline" .app=${this.app} compact></parkade-timeline>
       ${this.isFull && !this.short ? html`<parkade-sheet .app=${this.app} .ready=${this.loaded}></parkade-sheet>` : nothing}`;
   }

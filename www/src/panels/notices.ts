@@ -4,6 +4,7 @@ import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
 import { icon } from "./icons";
+import { extras } from "../view/pieces";
 import { statusOf } from "./status";
 
 const SETTLE_MS = 500;
@@ -67,7 +68,7 @@ export class Notices extends AppElement {
     const { state } = this;
     return state.planners.filter((planner) => !state.hidden.has(planner)).map((planner) => {
       const result = state.results[planner];
-      const values = { planner: plannerName(state.lang, planner), status: statusOf(state, planner).chip };
+      const values = { planner: plannerName(state.lang, planner), status: extras()?.whyOf(state, planner) ?? statusOf(state, planner).chip };
       const plan = result?.plan;
       if (!plan || plan.outcome !== "found") return this.t("say.failed", values);
       return this.t("say.result", {

@@ -15,6 +15,8 @@ import "./hint";
 import "./scene-view";
 
 const TITLE = 32;
+/** Pixels of the line that says why a planner fails, in two rows, and a little more. */
+const LINES = 40;
 /** Pixels of a corner's pill, and a little more. */
 const READOUT = { width: 280, height: 48 };
 const LEGEND = { width: 160, height: 48 };
@@ -44,7 +46,7 @@ export class PlannerPanel extends AppElement {
     parkade-scene-view { position: absolute; inset: 0; }
     .corner { position: absolute; left: 8px; bottom: 8px; pointer-events: none; }
     .corner.right { left: auto; right: 8px; display: grid; gap: 4px; justify-items: end; }
-    .corner.top { bottom: auto; top: 8px; } .reason ~ .corner.top { top: 56px; }
+    .corner.top { bottom: auto; top: 46px; }
     .pill { display: flex; align-items: center; gap: 10px; height: 24px; padding: 0 8px;
       background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair);
       border-radius: calc(5px * var(--parkade-radius)); font-size: 12px; line-height: 16px; color: var(--parkade-t2); white-space: nowrap; }
@@ -53,11 +55,9 @@ export class PlannerPanel extends AppElement {
     .weights { gap: 6px; }
     .weights i { width: 18px; height: 14px; border: 1px solid var(--parkade-warn); }
     .ramp { width: 72px; height: 6px; border-radius: 1px; background: linear-gradient(to right, #00224e, #123570, #3b496c, #575d6d, #707173, #8a8678, #a59c74, #c3b369, #e1cc55, #fde838); }
-    .reason { position: absolute; top: 8px; left: 8px; right: 8px; width: fit-content; max-width: calc(100% - 16px); padding: 5px 10px; pointer-events: none;
-      background: color-mix(in srgb, var(--parkade-err-soft) 94%, transparent); color: var(--parkade-err);
-      border-radius: calc(5px * var(--parkade-radius)); font-size: 12px; line-height: 16px; font-weight: 500; }
+    parkade-failure { position: absolute; inset: 0 0 auto; } parkade-failure.low { inset: auto 0 0; } .low ~ .corner:not(.top) { bottom: 46px; }
     .veil { position: absolute; inset: 0; display: grid; place-items: center; background: var(--parkade-panel); color: var(--parkade-t3); text-align: center; padding: 12px; }
-    :host([thumb]) .time, :host([thumb]) .pill, :host([thumb]) .reason { display: none; }
+    :host([thumb]) .time, :host([thumb]) .pill, :host([thumb]) parkade-failure { display: none; }
     :host([thumb]) { --panel-gap: 6px; }
   `];
   declare planner: PlannerId;
@@ -95,7 +95,7 @@ export class PlannerPanel extends AppElement {
   private readonly drawAgain = (): void => this.requestUpdate();
 
   protected watches(): readonly (keyof State)[] {
-    return ["results", "progress", "hidden", "focus", "hover", "explained", "mode", "layers", "scene"];
+    return ["results", "progress", "hidden", "focus", "hover", "explained", "mode", "layers", "scene", "camera"];
   }
 
   protected override willUpdate(changed: PropertyValues): void {
@@ -121,10 +121,16 @@ export class PlannerPanel extends AppElement {
         ${hidden ? html`<div class="veil">${this.t("panel.hidden")}</div>` : html`
           <parkade-scene-view exportparts="canvas" .app=${this.app} .planners=${[planner]} .label=${label}></parkade-scene-view>
           ${state.focus === planner && !this.thumb ? html`<parkade-hint .app=${this.app}></parkade-hint>` : nothing}
-          ${status.reason ? html`<div class="reason">${status.reason}</div>` : nothing}
+          <parkade-failure class=${this.isLow() ? "low" : ""} .app=${this.app} .planner=${planner}></parkade-failure>
           <div class="corner ${this.corner("left")}">${extras()?.readoutOf(state, planner)}</div>
           <div class="corner right ${this.corner("right")}">${extras()?.legendOf(state, planner)}</div>`}
       </div>`;
+  }
+
+  /** Whether the line over the map would lie on start or goal. */
+  private isLow(): boolean {
+    const { width, height } = this.size;
+    return width > 0 && handlePoints(this.state, width, height).some(([, y]) => y < LINES);
   }
 
   /** The upper corner where a pose or its handle would be covered in the lower one. */
@@ -190,7 +196,7 @@ export class PlannerPanel extends AppElement {
   }
 }
 
-const sayMoving = (tone: Status["tone"], text: string): Status => ({ tone, icon: tone === "err" ? "warning" : "clock", chip: text, brief: text, tiny: text, reason: null });
+const sayMoving = (tone: Status["tone"], text: string): Status => ({ tone, icon: tone === "err" ? "warning" : "clock", chip: text, brief: text, tiny: text });
 
 /** Where start and goal stand and the goal's handle is, in pixels. */
 function handlePoints(state: State, width: number, height: number): [number, number][] {

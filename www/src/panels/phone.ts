@@ -20,7 +20,8 @@ const DRAG_PX = 6;
 /** Planner chips of the phone: a tap brings one to the front, a long press hides it. */
 export class Chips extends AppElement {
   static override styles = [controls, css`
-    :host { display: grid; grid-auto-flow: column; grid-auto-columns: 1fr; gap: 6px; padding: 6px 10px; background: var(--parkade-panel); border-top: 1px solid var(--parkade-hair); }
+    :host { display: block; background: var(--parkade-panel); border-top: 1px solid var(--parkade-hair); }
+    .chips { display: grid; grid-auto-flow: column; grid-auto-columns: 1fr; gap: 6px; padding: 6px 10px; }
     button { display: grid; grid-template-columns: 12px 1fr; gap: 0 6px; padding: 4px 8px; min-width: 0; min-height: 44px; text-align: left; align-items: center; font-size: 12px; line-height: 15px; border: 1px solid var(--parkade-hair2); border-radius: calc(10px * var(--parkade-radius)); touch-action: manipulation; user-select: none; -webkit-user-select: none; }
     button[aria-pressed="true"] { border-color: var(--parkade-t1); box-shadow: inset 0 0 0 1px var(--parkade-t1); }
     b { font-weight: 600; overflow: hidden; text-overflow: ellipsis; }
@@ -37,12 +38,12 @@ export class Chips extends AppElement {
 
   protected override render(): TemplateResult {
     const { planners, focus, hidden } = this.state;
-    return html`${planners.map((planner) => {
+    return html`<parkade-failure .app=${this.app} always></parkade-failure><div class="chips">${planners.map((planner) => {
       const status = statusOf(this.state, planner);
       return html`<button class=${hidden.has(planner) ? "off" : ""} aria-pressed=${planner === focus}
         @click=${() => this.tap(planner)} @pointerdown=${() => this.press(planner)} @pointerup=${this.release} @pointercancel=${this.release} @contextmenu=${(e: Event) => e.preventDefault()}>
         ${marker(planner)}<b>${shortName(this.state.lang, planner)}</b><span class=${status.tone} title=${status.chip}>${status.tiny}</span></button>`;
-    })}`;
+    })}</div>`;
   }
 
   private press(planner: PlannerId): void {

@@ -28,6 +28,7 @@ export class Stage extends AppElement {
     .focus > :not(.large) { grid-column: 2; }
     .one { position: absolute; inset: 0; background: var(--parkade-panel); }
     .one parkade-scene-view { position: absolute; inset: 0; }
+    parkade-failure { position: absolute; inset: 0 0 auto; }
     .legend { position: absolute; right: 10px; bottom: 10px; padding: 5px; font-size: 12px; line-height: 16px; background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair); border-radius: calc(8px * var(--parkade-radius)); }
     .legend button { display: grid; grid-template-columns: 14px 30px 1fr auto auto; gap: 6px; width: 100%; height: 27px; padding: 0 6px; text-align: left; align-items: center; border: 1px solid transparent; }
     .legend button[aria-pressed="true"] { border-color: var(--parkade-hair2); background: var(--parkade-panel); }
@@ -86,6 +87,7 @@ export class Stage extends AppElement {
   private notes(): TemplateResult {
     const { focus } = this.state;
     return html`<parkade-hint .app=${this.app}></parkade-hint>
+      ${this.compact ? nothing : html`<parkade-failure .app=${this.app}></parkade-failure>`}
       ${this.compact ? [this.heading(), extras()?.readoutOf(this.state, focus)] : this.legend()}${this.state.scene.costs ? extras()?.weightsOf(this.state) : nothing}`;
   }
 

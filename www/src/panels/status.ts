@@ -1,6 +1,6 @@
-import type { Check, Plan, PlannerId } from "parkade";
+import type { Check, Hit, Plan, PlannerId } from "parkade";
 import { isMessage, number, translate, type MessageKey, type Values } from "../i18n/index";
-import type { PanelResult, Scene, State } from "../store";
+import type { PanelResult, State } from "../store";
 import type { IconName } from "./icons";
 
 export interface Status {
@@ -12,20 +12,21 @@ export interface Status {
   brief: string;
   /** For phones. */
   tiny: string;
-  /** What helps, when there is no path. */
-  reason: string | null;
 }
 
 type Word = { name: string; values?: Values };
 
 const DEGREES = 180 / Math.PI;
 const TAIL_IN = 150 / DEGREES;
+/** Names that the page gives. */
+const MADE = /^[a-z]+-\d+$/;
+const NOTHING = { index: -1, obstacle: "" };
 
 /** What is to be said of a planner's result, in the words of the page. */
 export function statusOf(state: State, planner: PlannerId): Status {
   const result = state.results[planner];
   if (result?.status === "error") {
-    return say(state, { name: "error" }, "err", "warning", result.error?.message ?? null);
+    return say(state, { name: "error" }, "err", "warning");
   }
   if (!result?.plan) return say(state, { name: result?.status === "planning" ? "planning" : "waiting" }, "quiet", "clock");
   return ofPlan(state, result.plan);
@@ -37,43 +38,11 @@ export function drivablePlan(result: PanelResult | undefined): Plan | null {
 }
 
 function ofPlan(state: State, plan: Plan): Status {
-  if (plan.outcome !== "found") {
-    const key = `reason.${plan.outcome}`;
-    const own = isMessage(key) ? translate(state.lang, key) : null;
-    const why = [placeOf(state, plan), small(state, plan)], named = ["gap", "contact"].includes(plan.obstruction?.kind ?? "");
-    const words = state.lang === "en" && plan.reason ? [plan.reason, ...why.slice(named ? 1 : 0)] : why[0] ? why : [own];
-    const reason = words.filter(Boolean).join(" ") || null;
-    return say(state, { name: plan.outcome }, "err", "warning", reason);
-  }
+  if (plan.outcome !== "found") return say(state, { name: plan.outcome }, "err", "warning");
   const { check } = plan;
   if (check.verdict === "ok") return say(state, { name: "ok" }, "ok", "check");
   if (check.verdict === "arrives-turned") return say(state, turned(state, check), "warn", "turned");
-  return say(state, check.verdict === "collides" ? hits(state, check) : tight(state, check), "err", "warning", literally(state, plan));
-}
-
-/** Why the road manuscript's own smoothing or chords fail. */
-function literally({ lang, scene }: State, { planner }: Plan): string | null {
-  const { pruning, smoothing } = scene.planners?.[planner] ?? {};
-  if (planner !== "cost-map" || (smoothing !== "paper" && pruning !== "los")) return null;
-  return translate(lang, smoothing === "paper" ? "reason.stray" : "reason.los");
-}
-
-/** What the mark on the map says. */
-function placeOf({ lang }: State, { obstruction, outcome }: Plan): string | null {
-  if (!obstruction || (obstruction.kind === "nearest" && outcome === "budget-spent")) return null;
-  const values: Values = obstruction.kind === "gap" ? { width: number(lang, obstruction.width, 2), needed: number(lang, obstruction.needed, 2) } : {};
-  return translate(lang, `why.${obstruction.kind}`, values);
-}
-
-/** That the car is larger than the slot it shall stand in. */
-function small({ lang, scene, geometry }: State, { obstruction }: Plan): string | null {
-  const { goal } = scene, slot = "slot" in goal ? scene.slots?.find(({ id }) => id === goal.slot) : undefined;
-  const car = geometry?.vehicle;
-  if (!slot || !car || obstruction?.kind !== "contact" || obstruction.end !== "goal") return null;
-  const length = car.rearToFront + car.rearToBack;
-  if (slot.length >= length && slot.width >= car.width) return null;
-  const size = (along: number, across: number): string => `${number(lang, along, 2)} × ${number(lang, across, 2)}`;
-  return translate(lang, "why.small", { slot: size(slot.length, slot.width), car: size(length, car.width) });
+  return say(state, check.verdict === "collides" ? hits(state, check) : tight(state, check), "err", "warning");
 }
 
 function turned({ lang }: State, check: Check): Word {
@@ -83,7 +52,7 @@ function turned({ lang }: State, check: Check): Word {
 }
 
 function hits(state: State, check: Check): Word {
-  return { name: "hits", values: { n: check.hits, thing: thingOf(state, check) } };
+  return { name: "hits", values: { n: check.hits, thing: thingName(state, check.firstHit ?? NOTHING) } };
 }
 
 function tight({ lang }: State, check: Check): Word {
@@ -97,17 +66,14 @@ function tight({ lang }: State, check: Check): Word {
   };
 }
 
-function thingOf({ lang, scene }: State, { firstHit }: Check): string {
-  if (!firstHit) return translate(lang, "thing.other");
-  const kind = obstacleKind(scene, firstHit.index, firstHit.obstacle);
-  const key = `thing.${kind}`;
-  return translate(lang, isMessage(key) ? key : "thing.other");
-}
-
-function obstacleKind(scene: Scene, index: number, name: string): string {
-  const obstacle = scene.obstacles?.[index] ?? scene.obstacles?.find((one) => one.id === name);
-  if (obstacle) return obstacle.type;
-  return (scene.slots ?? []).some((slot) => slot.id === name) ? "slot" : name.replace(/[^a-z].*$/, "");
+/** By the name that a person gave it, else by its kind, counted where there are several. */
+export function thingName({ lang, scene: { obstacles = [], slots = [] } }: State, { index, obstacle: id }: Pick<Hit, "index" | "obstacle">): string {
+  const own = `thing.${id}`, obstacle = obstacles[index], slot = slots.findIndex((one) => one.id === id);
+  if (obstacle && isMessage(own)) return translate(lang, own);
+  if (obstacle?.id && !MADE.test(obstacle.id)) return `“${id}”`;
+  if (!obstacle) return translate(lang, slot >= 0 ? "thing.slot" : id === "border" ? "thing.border" : "thing.other", { n: slot + 1 });
+  const alike = obstacles.filter(({ type }) => type === obstacle.type), kind = translate(lang, `thing.${obstacle.type}`);
+  return alike.length > 1 ? `${kind.replace(/^the /, "")} ${alike.indexOf(obstacle) + 1}` : kind;
 }
 
 function tinyOf({ lang }: State, name: string, values?: Values): string | null {
@@ -115,7 +81,7 @@ function tinyOf({ lang }: State, name: string, values?: Values): string | null {
   return isMessage(key) ? translate(lang, key, values) : null;
 }
 
-function say(state: State, { name, values }: Word, tone: Status["tone"], icon: IconName, reason: string | null = null): Status {
+function say(state: State, { name, values }: Word, tone: Status["tone"], icon: IconName): Status {
   const word = (prefix: string): string => translate(state.lang, `${prefix}.${name}` as MessageKey, values);
-  return { tone, icon, chip: word("status"), brief: word("brief"), tiny: tinyOf(state, name, values) ?? word("brief"), reason };
+  return { tone, icon, chip: word("status"), brief: word("brief"), tiny: tinyOf(state, name, values) ?? word("brief") };
 }

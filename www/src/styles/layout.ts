@@ -31,12 +31,13 @@ export const layout = css`
   @media (max-height: 640px) {
     .desk { grid-template-rows: 49px minmax(0, 1fr) 44px 130px; }
   }
-  .phone { grid-template: "bar" 45px "stage" minmax(0, 1fr) "chips" minmax(57px, auto) "time" 48px "sheet" auto / minmax(0, 1fr); }
-  .phone.bare { grid-template-rows: 45px minmax(0, 1fr) 57px 48px calc(113px + min(148px, 60vh)); }
+  .phone { grid-template: "bar" 45px "stage" minmax(0, 1fr) "chips" minmax(98px, auto) "time" 48px "sheet" auto / minmax(0, 1fr); }
+  .phone.bare { grid-template-rows: 45px minmax(0, 1fr) 98px 48px calc(113px + min(148px, 60vh)); }
   :host([short]) :is(.strip, parkade-splitter[pane="strip"]) { display: none; }
   :host([short]) .desk { grid-template-rows: 49px minmax(0, 1fr) 44px 0; }
-  :host([short]) .phone { grid-template-rows: 45px minmax(0, 1fr) minmax(57px, auto) 48px 0; }
-  parkade-chips { grid-area: chips; } parkade-chips:not(:defined) { height: 57px; }
+  :host([short]) .phone { grid-template-rows: 45px minmax(0, 1fr) minmax(98px, auto) 48px 0; }
+  parkade-chips { grid-area: chips; } parkade-chips:not(:defined) { height: 98px; }
+  parkade-failure { grid-area: stage; align-self: end; z-index: 3; }
   parkade-sheet { grid-area: sheet; } parkade-sheet:not(:defined) { height: calc(113px + min(148px, 60vh)); }
   :host([viewing]) parkade-stage { pointer-events: none; --parkade-hint: none; }
   :host([controls="minimal"]) .desk { grid-template: "stage" minmax(0, 1fr) "time" 44px / minmax(0, 1fr); }

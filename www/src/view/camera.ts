@@ -72,12 +72,12 @@ export function fit(scene: Scenario, geometry: SceneGeometry | null, width: numb
     points.push(...footprint(goal, vehicle, swing), ...footprint(start, vehicle, swing / 2));
   }
   const box = clip(boxOf(points), boxOf(resolved.boundary));
-  return frame(boxOf([[box.minX, box.minY], [box.maxX, box.maxY], gripEnd(goal, vehicle.rearToFront)]), width, height, leastScale(scene.map));
+  return frameBox(boxOf([[box.minX, box.minY], [box.maxX, box.maxY], gripEnd(goal, vehicle.rearToFront)]), width, height, leastScale(scene.map));
 }
 
 /** Shows the whole map. */
 export function fitMap(scene: Scenario, width: number, height: number): Camera {
-  return frame(boxOf(resolve(scene).boundary), width, height, leastScale(scene.map));
+  return frameBox(boxOf(resolve(scene).boundary), width, height, leastScale(scene.map));
 }
 
 /** A little beyond the goal's grip, which may stand outside the floor. */
@@ -99,7 +99,14 @@ function clip(box: Box, floor: Box): Box {
   return clipped.minX < clipped.maxX && clipped.minY < clipped.maxY ? clipped : box;
 }
 
-function frame(box: Box, width: number, height: number, least: number): Camera {
+/** Height of the line over a map that says why its planner fails, CSS pixels; kept free whether it is there or not. */
+export const LINE = 28;
+
+/** The camera that shows at the middle of the canvas what `camera` shows at the middle of the part below the line. */
+export const belowLine = (camera: Camera): Camera => ({ ...camera, y: camera.y + LINE / 2 / camera.scale });
+
+/** The camera on a box. */
+export function frameBox(box: Box, width: number, height: number, least: number): Camera {
   const across = Math.max(1, width - 2 * SPARE_PX), up = Math.max(1, height - 2 * SPARE_PX);
   const scale = Math.min(across / Math.max(1, box.maxX - box.minX), up / Math.max(1, box.maxY - box.minY));
   return { x: (box.minX + box.maxX) / 2, y: (box.minY + box.maxY) / 2, scale: Math.min(MAX_SCALE, Math.max(least, scale)) };
@@ -134,7 +141,7 @@ const LEGEND = { width: 350, height: 134, from: 640 };
 /** No panel may lie over the start or goal car: where the list would, the scene moves up. */
 function fitBesideLegend(state: State, width: number, height: number): Camera {
   const plans = drivablePlans(state);
-  const camera = fit(state.scene, state.geometry, width, height, plans);
+  const camera = belowLine(fit(state.scene, state.geometry, width, height - LINE, plans));
   if (state.mode !== "overlay" || width <= LEGEND.from) return camera;
   const { start, goal, vehicle } = resolve(state.scene);
   const covered = [start, goal].flatMap((pose) => [...footprint(pose, vehicle), gripEnd(pose, vehicle.rearToFront)]).some(([x, y]) => {
@@ -142,7 +149,7 @@ function fitBesideLegend(state: State, width: number, height: number): Camera {
     return px > width - LEGEND.width && py > height - LEGEND.height;
   });
   if (!covered) return camera;
-  const above = fit(state.scene, state.geometry, width, height - LEGEND.height, plans);
+  const above = belowLine(fit(state.scene, state.geometry, width, height - LINE - LEGEND.height, plans));
   return { ...above, y: above.y - LEGEND.height / 2 / above.scale };
 }
 

@@ -1,9 +1,12 @@
 /** The layers that the first picture does without, and what is told of the cell under the pointer. */
+import "../panels/failure-line";
+export { whyOf } from "../panels/failure-words";
 export { legendOf, readoutOf, weightsOf } from "../panels/readout";
 export { costRange, drawCost } from "./layers/cost";
 export { drawCosts } from "./layers/costs";
 export { drawDifference } from "./layers/difference";
 export { drawDraft } from "./layers/draft";
+export { drawFailure } from "./layers/failure";
 export { drawExplained } from "./layers/explained";
 export { drawOthers } from "./layers/ghosts";
 export { drawLanes } from "./layers/lanes";

@@ -73,7 +73,8 @@ export class SceneLayers {
     if (layers.car) drawReferences(frame);
     if (layers.car && one) drawDrivingCar(frame, one, strength(frame, one));
     if (one && scene.moving?.length) extras()?.drawContact(frame, one);
-    if (frame.overlay && layers.path && done) for (const shown of frame.shown) drawFirstHit(frame, shown);
+    if (frame.overlay && layers.path && done) for (const shown of frame.shown) if (shown !== one) drawFirstHit(frame, shown);
+    if (one && layers.path && done && one.plan && !one.plan.check.drivable) extras()?.drawFailure(frame, one);
     for (const shown of frame.shown) if (shown.result?.plan?.obstruction) extras()?.drawObstruction(frame, shown);
     if (one && layers.path) drawCusps(frame, one, strength(frame, one));
   }

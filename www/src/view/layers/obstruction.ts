@@ -1,11 +1,13 @@
 /** Why there is no path, where it fails: what touches, the gap, the region that has no way out, how near the search came. */
 import type { Obstruction } from "parkade";
+import { gapAt } from "../../scene/gap";
 import { inMetres, inPixels, pixels, toScreen, type Frame, type Shown } from "../frame";
 import { hatchPattern } from "../hatch";
 import { drawPill, fixed, PILL_HEIGHT, pillWidth } from "../text";
 import { fade } from "../tokens";
 import { drawHatchedPose } from "./collisions";
 import { newPath } from "../surface";
+import { drawDimension } from "./dimension";
 
 type Point = readonly [number, number];
 
@@ -28,7 +30,7 @@ function draw(frame: Frame, obstruction: Obstruction): void {
 }
 
 /** A ring with a cross, on its casing. */
-function drawPlace(frame: Frame, at: Point): void {
+export function drawPlace(frame: Frame, at: Point): void {
   const { ctx, tokens: { colour } } = frame, [x, y] = toScreen(frame, [at[0], at[1]]);
   inPixels(frame);
   ctx.lineCap = "round";
@@ -48,9 +50,11 @@ function drawPlace(frame: Frame, at: Point): void {
 
 /** The disc that would have to pass, and the one that can. */
 function drawGap(frame: Frame, { x, y, width, needed }: Extract<Obstruction, { kind: "gap" }>): void {
-  const { ctx, tokens: { colour }, view } = frame, [px, py] = toScreen(frame, [x, y]);
+  const { ctx, tokens: { colour }, view, state: { scene } } = frame, drawn = gapAt(scene, [x, y], width, 1.5 * scene.map.resolution);
+  const gap = drawn && drawn.width < needed ? drawn : null;
+  const [px, py] = toScreen(frame, gap ? [(gap.from[0] + gap.to[0]) / 2, (gap.from[1] + gap.to[1]) / 2] : [x, y]);
   inPixels(frame);
-  for (const [metres, dash, fill] of [[needed, [4, 3], 0.12], [width, [], 0.2]] as const) {
+  for (const [metres, dash, fill] of [[needed, [4, 3], 0.12], [gap?.width ?? width, [], 0.2]] as const) {
     ctx.beginPath();
     ctx.arc(px, py, Math.max(5, (metres / 2) * view.camera.scale), 0, 2 * Math.PI);
     ctx.fillStyle = fade(colour.err, fill);
@@ -61,6 +65,7 @@ function drawGap(frame: Frame, { x, y, width, needed }: Extract<Obstruction, { k
     ctx.stroke();
   }
   ctx.setLineDash([]);
+  if (gap) return drawDimension(frame, gap.from, gap.to, `${fixed(gap.width, 2)} m < ${fixed(needed, 2)} m`);
   const text = `${fixed(width, 2)} m < ${fixed(needed, 2)} m`, wide = pillWidth(frame, text), reach = Math.max(5, (needed / 2) * view.camera.scale);
   const beside = px + reach + 8 + wide < view.width, fits = beside || px - reach - 8 - wide > 4;
   const left = beside ? px + reach + 8 : fits ? px - reach - 8 - wide : Math.max(4, Math.min(px - wide / 2, view.width - wide - 4));

@@ -1,0 +1,75 @@
+import type { PlannerId } from "parkade";
+import { css, html, nothing, type TemplateResult } from "lit";
+import { words } from "../i18n/words";
+import type { State } from "../store";
+import { controls } from "../styles/controls";
+import { belowLine, frameBox, leastScale, LINE } from "../view/camera";
+import { failureOf } from "../view/failure";
+import { flyTo } from "../view/fly";
+import { AppElement } from "./base";
+import { whyOf } from "./failure-words";
+import { icon } from "./icons";
+import type { SceneView } from "./scene-view";
+import { statusOf } from "./status";
+
+const say = words({ show: ["Show", "显示"], where: ["Show on the map where it fails", "在地图上显示失败之处"] });
+
+/** One line under a planner's title: why its answer fails; a click shows the place. */
+export class FailureLine extends AppElement {
+  static override properties = { ...AppElement.properties, planner: { type: String }, always: { type: Boolean } };
+  static override styles = [controls, css`
+    :host { display: block; z-index: 3; font-size: 12px; line-height: 16px; }
+    div { display: flex; align-items: center; gap: 8px; min-height: 28px; padding: 3px 4px 3px 12px; color: var(--parkade-t2); }
+    .err { background: var(--parkade-err-soft); color: var(--parkade-err); font-weight: 500; }
+    p { margin: 0; flex: 1; min-width: 0; overflow: hidden; display: -webkit-box; -webkit-box-orient: vertical; -webkit-line-clamp: 2; }
+    button { height: 22px; padding: 0 8px; font-weight: 600; color: inherit; flex: none; }
+    button:hover { text-decoration: underline; }
+    :host([always]) { background: var(--parkade-panel); border-top: 1px solid var(--parkade-hair); }
+    :host([always]) div { height: 40px; }
+    @media (pointer: coarse) { button { height: 34px; padding: 0 12px; } }
+  `];
+  /** Unset: the focused one. */
+  declare planner: PlannerId | undefined;
+  /** Whether there is a line for answers that do not fail, too. */
+  declare always: boolean;
+
+  constructor() {
+    super();
+    this.always = false;
+  }
+
+  protected override pace = 100;
+  protected watches(): readonly (keyof State)[] {
+    return ["results", "focus", "hidden", "planners"];
+  }
+
+  private get asked(): PlannerId {
+    return this.planner ?? this.state.focus;
+  }
+
+  protected override render(): TemplateResult | typeof nothing {
+    const { state, asked } = this, why = state.hidden.has(asked) ? null : whyOf(state, asked, this.always);
+    if (why === null) return this.always ? html`<div><p>${statusOf(state, asked).chip}</p></div>` : nothing;
+    const plan = state.results[asked]?.plan, failure = plan && failureOf(state.scene, plan);
+    return html`<div class="err">${icon("warning", 12)}<p title=${whyOf(state, asked)}>${why}</p>
+      ${failure ? html`<button title=${say(state.lang, "where")} aria-label=${say(state.lang, "where")} @click=${this.show}>${say(state.lang, "show")}</button>` : nothing}</div>`;
+  }
+
+  private readonly show = (): void => {
+    const { scene, results } = this.state, plan = results[this.asked]?.plan, view = this.map?.view;
+    const failure = plan && failureOf(scene, plan);
+    if (!failure || !view) return;
+    flyTo(this.app.store, view.camera, belowLine(frameBox(failure.box, view.width, view.height - LINE, leastScale(scene.map))));
+  };
+
+  /** The map beside it, or the one of the stage. */
+  private get map(): SceneView | null {
+    for (let root = this.getRootNode(); root instanceof ShadowRoot; root = root.host.getRootNode()) {
+      const inside = root.querySelector("parkade-stage")?.shadowRoot ?? root, map = inside.querySelector<SceneView>("parkade-scene-view");
+      if (map) return map;
+    }
+    return null;
+  }
+}
+
+customElements.define("parkade-failure", FailureLine);
