@@ -1,3 +1,4 @@
+import { ZOOM_STEP } from "../view/camera";
 import type { App } from "./app";
 
 const TYPING = "input:not([type=checkbox]):not([type=range]), textarea, [contenteditable]";
@@ -54,6 +55,8 @@ function ownKey(app: App, event: KeyboardEvent, open: (dialog: "keys" | "papers"
     case "y": open("papers"); return true;
     case "a": app.player.toggle(); return true;
     case "0": app.controller.fit(); return true;
+    case "+": case "=": app.controller.zoom(ZOOM_STEP); return true;
+    case "-": app.controller.zoom(1 / ZOOM_STEP); return true;
     default: return false;
   }
 }

@@ -22,7 +22,7 @@ const PHONE_WIDTH = 640;
 const SHORT_HEIGHT = 560;
 const FIRST_SCENE = "perpendicular";
 /** What the first picture does without, fetched at once or when it is opened. */
-const PARTS = [() => import("../panels/inspector"), () => import("../panels/charts"), () => import("../panels/options"), () => import("../panels/splitter")];
+const PARTS = [() => import("../panels/inspector"), () => import("../panels/charts"), () => import("../panels/options"), () => import("../panels/view-controls"), () => import("../panels/splitter")];
 const DIALOGS = { presets: () => import("../panels/presets"), keys: () => import("../panels/keys-dialog"), import: () => import("../panels/import"), papers: () => import("../panels/papers") };
 
 /**

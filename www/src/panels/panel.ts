@@ -18,7 +18,7 @@ const TITLE = 32;
 /** Pixels of the line that says why a planner fails, in two rows, and a little more. */
 const LINES = 40;
 /** Pixels of a corner's pill, and a little more. */
-const READOUT = { width: 280, height: 48 };
+const READOUT = { width: 280, height: 68 };
 const LEGEND = { width: 160, height: 48 };
 
 /** Waits before "updating" is said, so that quick plans do not flicker. */
@@ -44,8 +44,8 @@ export class PlannerPanel extends AppElement {
     .end { margin-left: auto; display: flex; flex: none; }
     .body { position: relative; min-height: 0; }
     parkade-scene-view { position: absolute; inset: 0; }
-    .corner { position: absolute; left: 8px; bottom: 8px; pointer-events: none; }
-    .corner.right { left: auto; right: 8px; display: grid; gap: 4px; justify-items: end; }
+    .corner { position: absolute; left: var(--scale-inset, 8px); bottom: 28px; pointer-events: none; }
+    .corner.right { left: auto; right: var(--legend-inset, 8px); bottom: 8px; display: grid; gap: 4px; justify-items: end; }
     .corner.top { bottom: auto; top: 46px; }
     .pill { display: flex; align-items: center; gap: 10px; height: 24px; padding: 0 8px;
       background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair);

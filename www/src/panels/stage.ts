@@ -18,11 +18,15 @@ const SWIPE_PX = 24;
 export class Stage extends AppElement {
   static override properties = { ...AppElement.properties, compact: { type: Boolean, reflect: true }, bare: { attribute: false } };
   static override styles = [controls, css`
-    :host { display: block; position: relative; min-height: 0; min-width: 0; overflow: hidden; background: var(--parkade-hair); }
+    :host { --parkade-buttons: 60px; display: block; position: relative; min-height: 0; min-width: 0; overflow: hidden; background: var(--parkade-hair); }
+    @media (pointer: coarse) { :host { --parkade-buttons: 78px; } }
     .grid { position: absolute; inset: 0; display: grid; gap: 1px; grid-auto-rows: 1fr; grid-template-columns: repeat(4, 1fr); }
     .grid[data-n="1"] { grid-template-columns: 1fr; }
     .grid[data-n="2"], .grid[data-n="4"], .grid[data-n="3"] { grid-template-columns: 1fr 1fr; }
     .grid[data-n="5"], .grid[data-n="6"], .grid[data-n="9"] { grid-template-columns: repeat(3, 1fr); }
+    /* The view's buttons stand over the corners that meet in the middle of the last row. */
+    .grid[data-n="2"] > :first-child, .grid[data-n="3"] > :last-child, .grid[data-n="4"] > :nth-child(3) { --legend-inset: var(--parkade-buttons); }
+    .grid[data-n="2"] > :last-child, .grid[data-n="4"] > :last-child { --scale-inset: var(--parkade-buttons); }
     .focus { position: absolute; inset: 0; display: grid; gap: 1px; grid-template-columns: 1fr minmax(150px, 22%); grid-template-rows: repeat(var(--thumbs, 3), 1fr); }
     .focus > .large { grid-row: 1 / -1; grid-column: 1; }
     .focus > :not(.large) { grid-column: 2; }
@@ -38,8 +42,8 @@ export class Stage extends AppElement {
     .legend .off { color: var(--parkade-t3); }
     .title { position: absolute; left: 10px; top: 10px; display: flex; align-items: center; gap: 8px; height: 28px; padding: 0 10px; pointer-events: none; background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair); border-radius: calc(8px * var(--parkade-radius)); font-weight: 600; }
     .title span { font-weight: 400; color: var(--parkade-t2); }
-    .readout { position: absolute; left: 10px; bottom: 10px; max-width: calc(100% - 40px); display: flex; flex-wrap: wrap; gap: 0 10px; padding: 4px 10px; pointer-events: none; font-size: 12px; line-height: 18px; color: var(--parkade-t2); background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair); border-radius: calc(8px * var(--parkade-radius)); }
-    .weights { position: absolute; left: 10px; bottom: 10px; display: flex; align-items: center; gap: 6px; padding: 4px 10px; pointer-events: none; font-size: 12px; line-height: 18px; color: var(--parkade-t2); background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair); border-radius: calc(8px * var(--parkade-radius)); }
+    .readout { position: absolute; left: 10px; bottom: 30px; max-width: calc(100% - 40px); display: flex; flex-wrap: wrap; gap: 0 10px; padding: 4px 10px; pointer-events: none; font-size: 12px; line-height: 18px; color: var(--parkade-t2); background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair); border-radius: calc(8px * var(--parkade-radius)); }
+    .weights { position: absolute; left: 10px; bottom: 30px; display: flex; align-items: center; gap: 6px; padding: 4px 10px; pointer-events: none; font-size: 12px; line-height: 18px; color: var(--parkade-t2); background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair); border-radius: calc(8px * var(--parkade-radius)); }
     .weights i { width: 18px; height: 14px; border: 1px solid var(--parkade-warn); }
     :host([compact]) .weights { left: auto; right: 10px; bottom: auto; top: 10px; }
     .readout b { font-weight: 500; color: var(--parkade-t1); margin-left: 4px; }
@@ -61,7 +65,7 @@ export class Stage extends AppElement {
 
   protected override render(): TemplateResult {
     const { mode, planners, focus } = this.state;
-    const options = this.compact || this.bare ? nothing : html`<parkade-options .app=${this.app}></parkade-options>`;
+    const options = this.bare ? nothing : html`${this.compact ? nothing : html`<parkade-options .app=${this.app}></parkade-options>`}<parkade-view-controls .app=${this.app}></parkade-view-controls>`;
     if (this.compact || mode === "overlay") return html`${this.overlay()}${options}`;
     if (mode === "grid") return html`<div class="grid" data-n=${planners.length}>${planners.map((planner) => this.panel(planner))}</div>${options}`;
     const others = planners.filter((planner) => planner !== focus);

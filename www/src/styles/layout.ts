@@ -44,5 +44,6 @@ export const layout = css`
   :host([controls="minimal"]) .phone { grid-template: "stage" minmax(0, 1fr) "time" 48px / minmax(0, 1fr); }
   :host([controls="none"]) :is(.desk, .phone) { grid-template: "stage" minmax(0, 1fr) / minmax(0, 1fr); }
   :host([controls="none"]) parkade-timeline { display: none; }
+  :host([controls="none"]) { --parkade-scale: none; }
   .dropping { position: absolute; inset: 12px; z-index: 40; display: grid; place-items: center; pointer-events: none; border: 2px dashed var(--parkade-accent); border-radius: calc(14px * var(--parkade-radius)); background: color-mix(in srgb, var(--parkade-accent-soft) 88%, transparent); color: var(--parkade-accent); font-size: 17px; line-height: 24px; font-weight: 600; }
 `;

@@ -110,6 +110,12 @@ export class ToolController {
     this.store.set({ camera: null });
   }
 
+  /** Zooms about the middle of the map. */
+  zoom(factor: number): void {
+    const view = this.view();
+    this.store.set({ camera: zoomAt(view, view.width / 2, view.height / 2, factor, leastScale(this.store.state.scene.map)) });
+  }
+
   /** True where the key was used; the caller then prevents its default. Takes keydown and keyup. */
   handleKey(event: KeyboardEvent): boolean {
     if (event.type === "keyup") return this.keyUp(event);
@@ -368,7 +374,8 @@ export class ToolController {
     if (this.canvas) this.canvas.style.cursor = tool.cursor(this.bench(), input);
   }
 
-  private view(): View {
+  /** Of the map that the pointer or the focus was on last. */
+  view(): View {
     return this.canvas ? viewOf(this.canvas, this.store.state) : { camera: cameraFor(this.store.state, 1, 1), width: 1, height: 1 };
   }
 

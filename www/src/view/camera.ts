@@ -18,7 +18,12 @@ export const leastScale = ({ width, height, resolution }: Scenario["map"]): numb
   Math.min(MIN_SCALE, LEAST_MAP / (Math.max(width, height) * resolution));
 
 export const MAX_SCALE = 400;
-const SPARE_PX = 6;
+/** Of a button or key. */
+export const ZOOM_STEP = 1.4;
+/** Share of a view's width and height that a fit leaves free on every side. */
+const MARGIN = 0.06;
+/** A lot is shown whole where its car is then at least this long, CSS pixels. */
+const LEAST_CAR_PX = 32;
 /** CSS pixels between the map and the middle of the view at most, at the smallest scale. */
 const FARTHEST_PX = 4000;
 
@@ -60,19 +65,22 @@ export function zoomAt(view: View, pixelX: number, pixelY: number, factor: numbe
 export const panBy = (camera: Camera, dx: number, dy: number): Camera =>
   ({ ...camera, x: camera.x - dx / camera.scale, y: camera.y + dy / camera.scale });
 
-/** Shows start, goal, their slots and where the cars sweep, with a few pixels to spare. */
+/** Shows the whole lot; of one too large for that, start, goal, paths and where the cars sweep. */
 export function fit(scene: Scenario, geometry: SceneGeometry | null, width: number, height: number, plans: readonly Plan[] = []): Camera {
   const resolved = resolve(scene);
   const vehicle = geometry?.vehicle ?? resolved.vehicle;
   const start = geometry?.start ?? resolved.start, goal = geometry?.goal ?? resolved.goal;
+  const least = leastScale(scene.map), cars = [...footprint(start, vehicle), ...footprint(goal, vehicle), gripEnd(goal, vehicle.rearToFront)];
+  const lot = frameBox(boxOf([...resolved.boundary, ...cars]), width, height, least);
+  if (lot.scale * (vehicle.rearToFront + vehicle.rearToBack) >= LEAST_CAR_PX) return lot;
   const points = [...footprint(start, vehicle, 0.6), ...footprint(goal, vehicle, 0.6)];
-  for (const plan of plans) addSweep(points, plan, vehicle);
+  for (const plan of plans) addPlan(points, plan, vehicle);
   if (plans.length === 0) {
     const swing = vehicle.minTurningRadius * 0.45;
     points.push(...footprint(goal, vehicle, swing), ...footprint(start, vehicle, swing / 2));
   }
   const box = clip(boxOf(points), boxOf(resolved.boundary));
-  return frameBox(boxOf([[box.minX, box.minY], [box.maxX, box.maxY], gripEnd(goal, vehicle.rearToFront)]), width, height, leastScale(scene.map));
+  return frameBox(boxOf([[box.minX, box.minY], [box.maxX, box.maxY], ...cars]), width, height, least);
 }
 
 /** Shows the whole map. */
@@ -83,9 +91,11 @@ export function fitMap(scene: Scenario, width: number, height: number): Camera {
 /** A little beyond the goal's grip, which may stand outside the floor. */
 const gripEnd = (pose: Pose, front: number): Point => fromPose(pose, front + STALK + 0.6, 0);
 
-function addSweep(points: Point[], plan: Plan, vehicle: SceneGeometry["vehicle"]): void {
-  for (let i = 0; i + 2 < plan.path.length; i += 12) {
-    points.push(...footprint({ x: plan.path[i]!, y: plan.path[i + 1]!, heading: plan.path[i + 2]! }, vehicle));
+/** The sweep of what the car can drive, the line of what it cannot. */
+function addPlan(points: Point[], { path, check }: Plan, vehicle: SceneGeometry["vehicle"]): void {
+  for (let i = 0; i + 2 < path.length; i += 12) {
+    const [x, y, heading] = [path[i]!, path[i + 1]!, path[i + 2]!];
+    points.push(...(check.drivable ? footprint({ x, y, heading }, vehicle) : [[x, y] as Point]));
   }
 }
 
@@ -107,7 +117,7 @@ export const belowLine = (camera: Camera): Camera => ({ ...camera, y: camera.y +
 
 /** The camera on a box. */
 export function frameBox(box: Box, width: number, height: number, least: number): Camera {
-  const across = Math.max(1, width - 2 * SPARE_PX), up = Math.max(1, height - 2 * SPARE_PX);
+  const across = Math.max(1, width * (1 - 2 * MARGIN)), up = Math.max(1, height * (1 - 2 * MARGIN));
   const scale = Math.min(across / Math.max(1, box.maxX - box.minX), up / Math.max(1, box.maxY - box.minY));
   return { x: (box.minX + box.maxX) / 2, y: (box.minY + box.maxY) / 2, scale: Math.min(MAX_SCALE, Math.max(least, scale)) };
 }
@@ -129,37 +139,57 @@ export function cameraFor(state: State, width: number, height: number): Camera {
   const size = `${state.mode}${width}x${height}`, known = sizes.get(size);
   if (known && (known.scene !== scene || known.results === results)) return known.camera;
   if (sizes.size >= MOST_SIZES) sizes.clear();
-  const camera = fitBesideLegend(state, width, height);
+  const camera = fitClear(state, width, height);
   sizes.set(size, { scene, results, camera });
   fits.set(scene.map, sizes);
   return camera;
 }
 
-/** The corner at the lower right that the list of planners takes in overlay mode, CSS pixels. */
+/** What stands on a map's lower edge, CSS pixels: the list of planners at the right of the overlay, and the view's buttons in the middle. */
 const LEGEND = { width: 350, height: 134, from: 640 };
+const BUTTONS = { width: 120, height: 48 };
 
-/** No panel may lie over the start or goal car: where the list would, the scene moves up. */
-function fitBesideLegend(state: State, width: number, height: number): Camera {
-  const plans = drivablePlans(state);
-  const camera = belowLine(fit(state.scene, state.geometry, width, height - LINE, plans));
-  if (state.mode !== "overlay" || width <= LEGEND.from) return camera;
-  const { start, goal, vehicle } = resolve(state.scene);
-  const covered = [start, goal].flatMap((pose) => [...footprint(pose, vehicle), gripEnd(pose, vehicle.rearToFront)]).some(([x, y]) => {
-    const [px, py] = worldToScreen({ camera, width, height }, x, y);
-    return px > width - LEGEND.width && py > height - LEGEND.height;
-  });
-  if (!covered) return camera;
-  const above = belowLine(fit(state.scene, state.geometry, width, height - LINE - LEGEND.height, plans));
-  return { ...above, y: above.y - LEGEND.height / 2 / above.scale };
+/** No panel may lie over the start or goal car: where one would, the scene moves up. */
+function fitClear(state: State, width: number, height: number): Camera {
+  const { scene, geometry, mode, planners } = state, plans = foundPlans(state);
+  const listed = mode === "overlay" && width > LEGEND.from, alone = mode !== "grid" || planners.length === 1;
+  const { start, goal, vehicle } = resolve(scene);
+  const corners = [start, goal].flatMap((pose) => [...footprint(pose, vehicle), gripEnd(pose, vehicle.rearToFront)]);
+  const fitAbove = (room: number): Camera => {
+    const camera = belowLine(fit(scene, geometry, width, height - LINE - room, plans));
+    return { ...camera, y: camera.y - room / 2 / camera.scale };
+  };
+  let room = 0;
+  for (const { width: across, height: up, from } of [
+    ...(alone ? [{ ...BUTTONS, from: (width - BUTTONS.width) / 2 }] : []), ...(listed ? [{ ...LEGEND, from: width - LEGEND.width }] : []),
+  ]) {
+    const camera = fitAbove(room);
+    const isCovered = corners.some(([x, y]) => {
+      const [px, py] = worldToScreen({ camera, width, height }, x, y);
+      return px > from && px < from + across && py > height - up;
+    });
+    if (isCovered) room = Math.max(room, up);
+  }
+  return fitAbove(room);
 }
 
 /** Makes the next fit start afresh from the scene as it is then. */
 export const forgetFit = (scene: Scenario): void => void fits.delete(scene.map);
 
-function drivablePlans(state: State): Plan[] {
-  return state.planners.flatMap((id) => {
-    const result = state.results[id];
-    const plan = result?.plan?.outcome === "found" ? result.plan : result?.lastGood;
-    return plan?.check.drivable ? [plan] : [];
+function foundPlans({ planners, results }: State): Plan[] {
+  return planners.flatMap((id) => {
+    const { plan, lastGood } = results[id] ?? {};
+    const found = plan?.outcome === "found" ? plan : lastGood;
+    return found ? [found] : [];
   });
 }
+
+/** Whether a path that is shown has a part beyond the view. */
+export const pathLeaves = (state: State, view: View): boolean => foundPlans({ ...state, planners: state.planners.filter((id) => !state.hidden.has(id)) })
+  .some(({ path }) => {
+    for (let i = 0; i + 2 < path.length; i += 3) {
+      const [x, y] = worldToScreen(view, path[i]!, path[i + 1]!);
+      if (x < 0 || y < 0 || x > view.width || y > view.height) return true;
+    }
+    return false;
+  });

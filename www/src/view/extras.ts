@@ -2,6 +2,7 @@
 import "../panels/failure-line";
 export { whyOf } from "../panels/failure-words";
 export { legendOf, readoutOf, weightsOf } from "../panels/readout";
+export { showScale } from "../panels/scale-bar";
 export { costRange, drawCost } from "./layers/cost";
 export { drawCosts } from "./layers/costs";
 export { drawDifference } from "./layers/difference";

@@ -1,0 +1,45 @@
+import { css, html, nothing, type TemplateResult } from "lit";
+import { words } from "../i18n/words";
+import type { State } from "../store";
+import { controls } from "../styles/controls";
+import { pathLeaves, ZOOM_STEP } from "../view/camera";
+import { AppElement } from "./base";
+import { icon } from "./icons";
+
+const say = words({
+  group: ["View", "视图"],
+  out: ["Zoom out", "缩小"],
+  fit: ["Fit the scene", "适应场景"],
+  in: ["Zoom in", "放大"],
+  leaves: ["Path leaves the view", "路径超出视图"],
+});
+
+/** Zoom and fit for all maps, and a word where a path is cut off. */
+export class ViewControls extends AppElement {
+  static override styles = [controls, css`
+    :host { position: absolute; left: 0; right: 0; bottom: 8px; z-index: 4; display: grid; justify-items: center; gap: 8px; pointer-events: none; }
+    div { display: flex; background: var(--parkade-panel); border: 1px solid var(--parkade-hair2); border-radius: calc(6px * var(--parkade-radius)); overflow: hidden; pointer-events: auto; }
+    div > * + * { border-left: 1px solid var(--parkade-hair); }
+    div button { width: 32px; height: 32px; border-radius: 0; color: var(--parkade-t2); font-size: 16px; }
+    div button:focus-visible { outline-offset: -2px; }
+    button:hover { background: var(--parkade-hover); color: var(--parkade-t1); }
+    .pill { height: 24px; padding: 0 10px; font-size: 12px; font-weight: 500; pointer-events: auto; color: var(--parkade-t1); background: var(--parkade-panel); border: 1px solid var(--parkade-hair2); border-radius: 999px; }
+    @media (pointer: coarse) { div button { width: 44px; height: 44px; } .pill { height: 44px; } }
+  `];
+
+  protected override pace = 100;
+
+  protected watches(): readonly (keyof State)[] {
+    return ["camera", "results", "planners", "hidden", "mode", "scene"];
+  }
+
+  protected override render(): TemplateResult {
+    const { controller } = this.app, { lang } = this.state, leaves = pathLeaves(this.state, controller.view());
+    const button = (name: "out" | "fit" | "in", key: string, face: unknown, run: () => void): TemplateResult =>
+      html`<button aria-label=${say(lang, name)} aria-keyshortcuts=${key} title="${say(lang, name)} · ${key}" @click=${run}>${face}</button>`;
+    return html`${leaves ? html`<button class="pill" @click=${() => controller.fit()}>${say(lang, "leaves")}</button>` : nothing}
+      <div role="group" aria-label=${say(lang, "group")}>${button("out", "-", "−", () => controller.zoom(1 / ZOOM_STEP))}${button("fit", "0", icon("fit"), () => controller.fit())}${button("in", "+", "+", () => controller.zoom(ZOOM_STEP))}</div>`;
+  }
+}
+
+customElements.define("parkade-view-controls", ViewControls);
