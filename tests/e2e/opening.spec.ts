@@ -20,7 +20,7 @@ const maps = (page: Page) => page.evaluate(() => {
   const { vehicle: { rearToFront, rearToBack, width: wide } } = geometry;
   const body = ({ x, y, heading }: Pose): [number, number][] => [rearToFront, -rearToBack].flatMap((along) => [wide / 2, -wide / 2].map((across): [number, number] =>
     [x + along * Math.cos(heading) - across * Math.sin(heading), y + along * Math.sin(heading) + across * Math.cos(heading)]));
-  return found.map((view) => {
+  return found.filter(({ view }) => view).map((view) => {
     const box = view.getBoundingClientRect(), { camera, width, height } = view.view;
     const rect = (points: [number, number][]) => {
       const at = points.map(([x, y]) => [box.left + width / 2 + (x - camera.x) * camera.scale, box.top + height / 2 - (y - camera.y) * camera.scale] as const);
