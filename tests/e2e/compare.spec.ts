@@ -86,7 +86,7 @@ test("the charts keep their places while the car is dragged and has no speeds ye
 test("where paths differ is told apart, and other paths can stand behind", async ({ page }) => {
   await open(page);
   const panel = page.locator("parkade-panel[active] canvas");
-  for (const name of ["Where paths differ", "Other paths, faint"]) {
+  for (const name of ["Path differences", "Other paths (faint)"]) {
     const before = await panel.screenshot();
     await page.getByRole("button", { name: "Layers" }).click();
     await page.getByLabel(name).check();
@@ -125,10 +125,10 @@ test("searches are scrubbed by percent and by expansions, all at once", async ({
   await page.locator("parkade-timeline select.unit").selectOption("expansions");
   const most = await page.evaluate(() => Math.max(...Object.values(document.querySelector<PlaygroundElement>("parkade-playground")!.results).map((plan) => plan!.stats.expanded)));
   await expect(page.locator("parkade-timeline .now")).toContainText(most.toLocaleString("en", { useGrouping: "min2" } as Intl.NumberFormatOptions));
-  await page.getByRole("button", { name: "On one step" }).click();
+  await page.getByRole("button", { name: "Step forward" }).click();
   const fraction = await page.evaluate<number>(store((state) => state["playback"].fraction));
   expect(fraction * most).toBeCloseTo(0.5 * most + 1, 3);
-  await page.getByRole("button", { name: "Back one step" }).click({ modifiers: ["Shift"] });
+  await page.getByRole("button", { name: "Step back" }).click({ modifiers: ["Shift"] });
   expect(await page.evaluate<number>(store((state) => state["playback"].fraction))).toBeCloseTo(fraction - 0.1, 6);
 });
 
@@ -237,7 +237,7 @@ test("a newcomer draws a wall and a row of slots, parks in the third, and learns
   await settled(page);
   expect((await sceneOf(page)).goal).toMatchObject({ slot: bay.id });
   const rows = page.locator("parkade-table tbody tr");
-  await expect(rows.filter({ hasText: "8-neighbour" }).locator("td").first()).toHaveText(/Turns on the spot|Hits at|Too tight|Starts/);
+  await expect(rows.filter({ hasText: "8-neighbour" }).locator("td").first()).toHaveText(/Turns in place|Hits at|Too tight|Starts/);
   await page.getByRole("button", { name: "Share" }).click();
   await expect.poll(() => page.evaluate(() => navigator.clipboard.readText())).toContain("#s=1");
 });

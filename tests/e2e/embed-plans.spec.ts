@@ -112,7 +112,7 @@ test.describe("what the page copies to paste elsewhere", () => {
       element.sceneData = { ...element.sceneData, name: given };
       await (element["settled"] as () => Promise<void>)();
     }, name);
-    const code = await copied(page, "Copy code to embed"), link = await copied(page, "Copy Markdown link"), script = await copied(page, "Copy as Node test");
+    const code = await copied(page, "Copy embed code"), link = await copied(page, "Copy Markdown link"), script = await copied(page, "Copy as Node test");
     const hashes = await hashesOf(page);
 
     const [, href] = /^\[A "name" <\/script> \\\[x\\\]\]\((.*)\)$/.exec(link)!;

@@ -220,7 +220,7 @@ test("workers and modules come from the folders that are named", async ({ page }
 test("at every width the toolbar ends inside the playground, and what it has no room for is in its menu", async ({ page }) => {
   await visit(page, 'controls="full" layout="focus"', "");
   await ready(page);
-  await expect(page.getByRole("button", { name: "One large" })).toHaveAttribute("aria-pressed", "true");
+  await expect(page.getByRole("button", { name: "Focus" })).toHaveAttribute("aria-pressed", "true");
   await expect(page.locator("parkade-stage .focus")).toBeVisible();
   // The loader's bar, or one that has just been redrawn, is measured until it stays.
   const beyond = (width: number) => page.evaluate(async (width) => {

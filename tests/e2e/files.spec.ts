@@ -12,7 +12,7 @@ async function exported(page: Page, item: string): Promise<{ name: string; bytes
 
 test("the path is saved as a table of its poses", async ({ page }) => {
   await open(page);
-  const { name, bytes } = await exported(page, "Path, CSV");
+  const { name, bytes } = await exported(page, "CSV path");
   expect(name).toMatch(/-hybrid\.csv$/);
   const [head, ...rows] = bytes.toString().trim().split("\n");
   expect(head).toBe("s,x,y,theta,kappa,clearance,v,direction");
@@ -27,7 +27,7 @@ test("the path is saved as a table of its poses", async ({ page }) => {
 test("pictures come at one and two pixels for each on the screen", async ({ page }) => {
   await open(page);
   const width = ({ bytes }: { bytes: Buffer }): number => bytes.readUInt32BE(16);
-  const one = await exported(page, "Picture, PNG 1×"), two = await exported(page, "Picture, PNG 2×");
+  const one = await exported(page, "PNG image, 1×"), two = await exported(page, "PNG image, 2×");
   expect(width(two)).toBe(2 * width(one));
 });
 

@@ -14,7 +14,7 @@ test("one sentence after another leads from the first drag to a wall and to a pl
   await drag(page, [[x, y], [x + 0.8, y + 0.4]]);
   await settled(page);
   await expect(page.locator("parkade-hint span")).toHaveCount(0);
-  await expect(page.locator(hint)).toHaveText("Draw a wall: every planner follows.");
+  await expect(page.locator(hint)).toHaveText("Draw a wall and every planner replans.");
   await page.keyboard.press("l");
   await expect(page.locator(hint)).toHaveText(/ fails\. The line on its map says why/);
   const row = page.locator("parkade-table tr[data-planner]", { has: page.locator("td.err") }).first();

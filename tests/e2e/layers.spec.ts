@@ -24,7 +24,7 @@ test("redundant space is drawn for the planner that closes it, with its counts",
   await page.getByLabel("Redundant space").check();
   await page.keyboard.press("Escape");
   await settled(page);
-  await expect(legend).toContainText(/\d+ too narrow, \d+ in pockets, \d+ given back/);
+  await expect(legend).toContainText(/\d+ too narrow, \d+ in pockets, \d+ restored/);
   const { narrow = 0, pocket = 0 } = await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.results["eight"]!.stats);
   expect(narrow + pocket).toBeGreaterThan(0);
   await expect.poll(async () => (await panel.locator("canvas").screenshot()).equals(without)).toBe(false);

@@ -84,7 +84,7 @@ test("a link to a scene that no planner can take is refused, and the scene stays
     return new URL(href).hash;
   });
   await page.evaluate((hash) => { location.hash = hash; }, bad);
-  await told(page.locator("parkade-notices .notice.err")).toContainText("The link could not be read: start.x: must be finite, within ±1e11 m");
+  await told(page.locator("parkade-notices .notice.err")).toContainText("The link could not be opened: start.x: must be finite, within ±1e11 m");
   expect(await sceneOf(page)).toEqual(before);
   expect(complaints).toEqual([]);
 });

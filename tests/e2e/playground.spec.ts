@@ -130,7 +130,7 @@ test("a shared link opens the same scene with the same answers", async ({ page }
 test("a broken link opens the first scene and says why", async ({ page }) => {
   await open(page, "#s=1nonsense");
   await expectFourAnswers(page);
-  await expect(page.locator("parkade-notices .notice.err")).toContainText("The link could not be read");
+  await expect(page.locator("parkade-notices .notice.err")).toContainText("The link could not be opened");
 });
 
 test("a broken file leaves the scene and says why; a good one opens", async ({ page }) => {

@@ -105,7 +105,7 @@ test("a spent budget is said in words, and the last path stays in sight", async 
   await settled(page);
   expect(await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.results["hybrid"]!.outcome)).toBe("budget-spent");
   const panel = page.locator("parkade-panel[active]");
-  await expect(panel.locator(".chip").first()).toContainText("gave up before finding a way");
+  await expect(panel.locator(".chip").first()).toContainText("ran out of budget");
   await expect(panel.locator("parkade-failure p")).not.toBeEmpty();
   const last = await page.evaluate(() => {
     const { results } = document.querySelector<PlaygroundElement>("parkade-playground")!.store.state as unknown as { results: Record<string, { lastGood: { outcome: string } | null }> };
