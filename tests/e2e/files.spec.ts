@@ -112,7 +112,7 @@ test("a drawing is offered again after its tab is closed, and each open tab keep
     return held.filter(({ name }) => name?.startsWith("parkade.tab.")).length === 1;
   });
   const third = await visit();
-  await third.getByRole("button", { name: "Bring it back" }).click();
+  await third.getByRole("button", { name: "Restore" }).click();
   expect((await sceneOf(third)).start.x).toBe(17.25);
   await third.close();
   await second.close();

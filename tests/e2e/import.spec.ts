@@ -84,7 +84,7 @@ test("a bad file says its line, and the scene stays", async ({ page }) => {
   const lines = room(12).split("\n");
   lines[7] = "...";
   await choose(page, ["room.map", lines.join("\n")]);
-  await expect(page.locator("parkade-notices .notice.err")).toContainText("room.map could not be read. Line 8: must have 12 characters, got 3. The scene stays as it was.");
+  await expect(page.locator("parkade-notices .notice.err")).toContainText("room.map could not be read. Line 8: must have 12 characters, got 3. Your scene is unchanged.");
   await choose(page, ["notes.txt", "hello"]);
   await expect(page.locator("parkade-notices .notice.err")).toContainText("notes.txt");
   await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ lang: "zh" }));

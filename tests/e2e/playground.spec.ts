@@ -56,7 +56,7 @@ test("a planner whose module cannot be loaded says so, and the others stay", asy
   await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ planners: ["eight", "jump-point"], focus: "eight" }));
   await settled(page);
   expect((await hashesOf(page))["eight"]).toBe(before["eight"]);
-  await expect(page.getByText("Not everything could be loaded")).toBeVisible();
+  await expect(page.getByText("Could not finish loading")).toBeVisible();
 });
 
 test("dragging the goal changes every planner's answer, and undo brings them back", async ({ page }) => {

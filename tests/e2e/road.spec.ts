@@ -66,7 +66,7 @@ test("a road is drawn, edited and coned off with the mouse, and its risk is told
   await expect(page.locator("parkade-objects").getByRole("button", { name: "Cone 2" })).toContainText("33.00, 17.00");
   const card = page.locator("parkade-road-card");
   await expect(card.locator("dd").first()).toContainText(/\d\.\d\d \/ \d\.\d\d m/);
-  await card.getByRole("button", { name: "Drive 1000 times" }).click();
+  await card.getByRole("button", { name: "Simulate 1,000 drives" }).click();
   await expect(card.getByRole("progressbar")).toBeVisible();
   await expect(card.getByRole("status")).toContainText(/of 1000 drives hit something/, { timeout: 30_000 });
   const { violations } = await new AxeBuilder({ page }).include("parkade-playground").withTags(["wcag2a", "wcag2aa"]).analyze();
@@ -167,5 +167,5 @@ test("what fails when the manuscript is taken literally is explained beside the 
   });
   await settled(page);
   expect(await verdict(page)).toBe("collides");
-  await expect(page.locator("parkade-panel[active]")).toContainText("may stray a metre");
+  await expect(page.locator("parkade-panel[active]")).toContainText("may leave its control points by a metre");
 });

@@ -261,7 +261,7 @@ test("a finger that rests opens the menu, and so does the right button", async (
   expect((await sceneOf(page)).obstacles).toHaveLength(2);
   const at = await onScreen(page, 10, 20);
   await page.mouse.click(at.x, at.y, { button: "right" });
-  await page.getByRole("menuitem", { name: "Start here" }).click();
+  await page.getByRole("menuitem", { name: "Set start here" }).click();
   const { start } = await sceneOf(page);
   expect(Math.hypot(start.x - 10, start.y - 20)).toBeLessThan(0.1);
 });

@@ -93,14 +93,14 @@ describe("why it fails", () => {
     expect(failure.along).toBeCloseTo(plan.check.firstHit!.pose.x - plan.path[0]!, 6);
     // Its left side passes y + 1.3, the crate reaches down to 1.1.
     expect(failure.overlap!.depth).toBeCloseTo(plan.path[1]! + 1.3 - 1.1, 6);
-    expect(whyOf(state, "four")).toBe("Hits “crate” after 9.3 m. Its path leaves no room for this car’s body. Hybrid A* finds a way.");
+    expect(whyOf(state, "four")).toBe("Hits “crate” after 9.3 m. Its path passes too close to obstacles for this car. Hybrid A* finds a path.");
     expect(whyOf(state, "hybrid")).toBeNull();
     expect(whyOf({ ...state, lang: "zh" }, "four")).toContain("9.3 m 后撞上“crate”");
   });
 
   it("says that a path has corners, and where it is too tight", () => {
     const state = stateWith(lot({ goal: { x: 5, y: 9, heading: 0 } }), ["four"]);
-    expect(whyOf(state, "four")).toMatch(/^(Turns on the spot after \d+\.\d m: this car needs a radius of 5\.41 m\.|Starts)/);
+    expect(whyOf(state, "four")).toMatch(/^(Turns in place after \d+\.\d m: this car needs a radius of 5\.41 m\.|Starts)/);
     expect(whyOf(state, "four")).toContain("plans for the car’s shape");
   });
 

@@ -8,8 +8,8 @@ import { keepHistory } from "./history";
 import { keepsRule } from "./schema";
 
 const say = words({
-  found: ["The drawing you left at {time} is still here.", "您在 {time} 离开的绘图仍在。"],
-  open: ["Bring it back", "恢复"],
+  found: ["Your drawing from {time} was kept.", "已保留您在 {time} 的绘图。"],
+  open: ["Restore", "恢复"],
 });
 
 const KEY = "parkade.tab.";

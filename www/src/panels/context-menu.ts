@@ -10,18 +10,18 @@ import { AppElement } from "./base";
 import { icon, type IconName } from "./icons";
 
 const say = words({
-  menu: ["On the map", "地图操作"],
-  startHere: ["Start here", "从此处出发"],
-  goalHere: ["Goal here", "以此处为目标"],
+  menu: ["Map actions", "地图操作"],
+  startHere: ["Set start here", "起点设在此处"],
+  goalHere: ["Set goal here", "目标设在此处"],
   duplicate: ["Duplicate", "复制"],
   remove: ["Delete", "删除"],
   all: ["Select all", "全选"],
-  slotGoal: ["Make it the goal", "设为目标"],
-  flip: ["Turn the goal round", "目标掉头"],
+  slotGoal: ["Set as goal", "设为目标"],
+  flip: ["Reverse the goal heading", "目标掉头"],
   undo: ["Undo", "撤销"],
-  fit: ["Fit the scene", "适应场景"],
-  snap: ["Snap to things and cells", "吸附到物体与栅格"],
-  pen: ["Fingers move the view, the pen draws", "手指移动视图，笔绘制"],
+  fit: ["Fit to view", "适应视图"],
+  snap: ["Snap to objects and cells", "吸附到物体与栅格"],
+  pen: ["Fingers pan, the pen draws", "手指平移，触控笔绘制"],
 });
 
 /** What can be done where the pointer is: a right click, or a finger that rests. */

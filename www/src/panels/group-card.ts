@@ -14,7 +14,7 @@ const say = words({
   title: ["{n} objects", "{n} 个对象"],
   slots: ["{n} slots", "{n} 个车位"],
   occupied: ["Occupied", "已占用"],
-  help: ["A tick parks a car in that slot. Click a free slot on the map to make it the goal.", "勾选即停放车辆。点击地图上的空车位可设为目标。"],
+  help: ["Tick a slot to park a car in it. Click a free slot on the map to make it the goal.", "勾选即停放车辆。点击地图上的空车位可设为目标。"],
   move: ["Move by", "移动"],
   turn: ["Turn by", "旋转"],
   duplicate: ["Duplicate", "复制"],

@@ -11,18 +11,18 @@ import { AppElement } from "./base";
 import { icon } from "./icons";
 
 const say = words({
-  title: ["A picture as a map", "将图片作为地图"],
-  threshold: ["Darker than this is wall", "比此值暗即为墙"],
+  title: ["Open image as map", "将图片作为地图打开"],
+  threshold: ["Wall threshold", "墙的亮度阈值"],
   invertOn: ["Light pixels are walls", "亮像素为墙"],
   metres: ["Metres per pixel", "每像素米数"],
   perCell: ["Pixels per cell", "每格像素数"],
   size: ["{width} × {height} cells of {side} m: {across} × {up} m, {share} % wall.", "{width} × {height} 格，每格 {side} m：{across} × {up} m，墙占 {share} %。"],
-  tight: ["No place has room for the car; give more metres per pixel or another threshold.", "没有可容纳车辆的位置；请增大每像素米数或调整阈值。"],
-  bad: ["Metres per pixel: more than 0 and at most 100.", "每像素米数须大于 0 且不超过 100。"],
-  broken: ["{name} could not be read as a picture: {reason} The scene stays as it was.", "无法将 {name} 读取为图片：{reason} 场景保持不变。"],
+  tight: ["The car fits nowhere. Increase the metres per pixel or change the threshold.", "地图中没有可容纳车辆的位置。请增大每像素米数或调整阈值。"],
+  bad: ["Metres per pixel must be above 0 and at most 100.", "每像素米数须大于 0 且不超过 100。"],
+  broken: ["{name} could not be read as an image: {reason} Your scene is unchanged.", "无法将 {name} 读取为图片：{reason} 您的场景未改变。"],
   open: ["Open", "打开"],
   close: ["Close", "关闭"],
-  preview: ["The map: walls dark, free floor light", "地图：深色为墙，浅色为空地"],
+  preview: ["Map preview: walls dark, floor light", "地图预览：深色为墙，浅色为空地"],
 });
 
 /** Asks how a picture is to be read, and shows the map that comes of it. */

@@ -11,20 +11,20 @@ import { AppElement } from "./base";
 import { icon, type IconName } from "./icons";
 
 const say = words({
-  reading: ["Reading {name} …", "正在读取 {name}……"],
+  reading: ["Reading {name}…", "正在读取 {name}…"],
   opened: ["Opened {name}: {width} × {height} cells of {side} m.", "已打开 {name}：{width} × {height} 格，每格 {side} m。"],
-  line: ["{name} could not be read. Line {line}: {reason} The scene stays as it was.", "无法读取 {name}。第 {line} 行：{reason} 场景保持不变。"],
-  bad: ["{name} could not be read: {reason} The scene stays as it was.", "无法读取 {name}：{reason} 场景保持不变。"],
-  queries: ["Start and goal of the map", "地图的起点与终点"],
-  scenes: ["Scenes of the file", "文件中的场景"],
-  question: ["Question", "问题"],
+  line: ["{name} could not be read. Line {line}: {reason} Your scene is unchanged.", "无法读取 {name}。第 {line} 行：{reason} 您的场景未改变。"],
+  bad: ["{name} could not be read: {reason} Your scene is unchanged.", "无法读取 {name}：{reason} 您的场景未改变。"],
+  queries: ["Start and goal from the file", "文件中的起点与目标"],
+  scenes: ["Scenes in the file", "文件中的场景"],
+  question: ["Query", "查询"],
   scene: ["Scene", "场景"],
   of: ["of {n}", "/ {n}"],
   previous: ["Previous", "上一个"],
   next: ["Next", "下一个"],
   group: ["Length", "长度"],
   groupOf: ["about {length} m", "约 {length} m"],
-  shortest: ["shortest with 8 neighbours: {length} m", "八邻域最短：{length} m"],
+  shortest: ["8-neighbour optimum: {length} m", "八邻域最短路径：{length} m"],
   close: ["Close", "关闭"],
 });
 

@@ -20,12 +20,12 @@ const say = words({
   "1+0": ["One way", "单行"],
   "1+1": ["1 + 1 lanes", "1 + 1 车道"],
   "2+2": ["2 + 2 lanes", "2 + 2 车道"],
-  laneWidth: ["Lane", "车道宽"],
-  bend: ["Bend", "弯道半径"],
+  laneWidth: ["Lane width", "车道宽"],
+  bend: ["Bend radius", "弯道半径"],
   kerbs: ["Kerbs", "路缘"],
   aisle: ["Aisle", "通道"],
   snap: ["Snap", "吸附"],
-  snapHelp: ["To corners, lines and cells; Ctrl inverts", "吸附到角点、对齐线与栅格；按住 Ctrl 反转"],
+  snapHelp: ["Snaps to corners, lines and cells. Ctrl inverts.", "吸附到角点、对齐线与栅格；按住 Ctrl 反转"],
 });
 
 /** What the active tool can be set to, over the map. */

@@ -8,7 +8,7 @@ import type { PoseRequest } from "../view/pose-label";
 const say = words({
   start: ["Start pose: x and y in metres, heading in degrees", "起始位姿：x、y（米），朝向（度）"],
   goal: ["Goal pose: x and y in metres, heading in degrees", "目标位姿：x、y（米），朝向（度）"],
-  refused: ["Write two numbers for the place in metres and, if it shall turn, one for the heading in degrees.", "请输入两个位置数值（米），如需转向再输入朝向（度）。"],
+  refused: ["Enter x and y in metres and, to turn the car, a heading in degrees.", "请输入 x、y（米）；如需转向，再输入朝向（度）。"],
 });
 
 const DEGREES = 180 / Math.PI;

@@ -15,7 +15,7 @@ import "./generate";
 import "./thumbnail";
 
 /** Groups whose words the page does not have. */
-const say = words({ generate: ["Generate", "生成"], moving: ["Moving", "移动"], road: ["Roads", "道路"], cases: ["Best and worst", "最佳与最差"], best: ["Best case", "最佳情形"], worst: ["Worst case", "最差情形"], suits: ["Drawn by {planner}", "由 {planner} 规划"] });
+const say = words({ generate: ["Generate", "生成"], moving: ["Moving obstacles", "移动障碍物"], road: ["Roads", "道路"], cases: ["Best and worst", "最佳与最差"], best: ["Best case", "最佳情形"], worst: ["Worst case", "最差情形"], suits: ["Path by {planner}", "路径：{planner}"] });
 const GENERATE = "generate", CASE = "cases";
 /** Whose path a card shows. */
 const DRAWN: Record<string, PlannerId> = { grid: "risk-field", road: "cost-map" };

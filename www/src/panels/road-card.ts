@@ -14,22 +14,22 @@ import { icon } from "./icons";
 const QUIET_MS = 350;
 
 const say = words({
-  title: ["On the road", "道路指标"],
+  title: ["Road measures", "道路指标"],
   none: ["No path to measure.", "没有可测量的路径。"],
-  bodyClearance: ["Body clearance, least / mean", "车身间距 最小 / 平均"],
-  sideClearance: ["Middle's, less half the width", "中心间距减半宽"],
+  bodyClearance: ["Body clearance, min / mean", "车身净距，最小 / 平均"],
+  sideClearance: ["Centre clearance minus half the width", "中心净距减半车宽"],
   curvatureVariation: ["Curvature variation", "曲率变化"],
-  curvature: ["Largest curvature", "最大曲率"],
-  lane: ["Off the lane's middle, mean / most", "偏离车道中心 平均 / 最大"],
+  curvature: ["Max curvature", "最大曲率"],
+  lane: ["Offset from lane centre, mean / max", "偏离车道中心，平均 / 最大"],
   risk: ["Collision risk", "碰撞风险"],
-  riskHelp: ["1000 drives beside the path by chance: 0.10 m throughout, 0.12 m along the way (1 σ).", "随机偏离路径行驶一千次：全程 0.10 m，沿途 0.12 m（1 σ）。"],
-  run: ["Drive 1000 times", "行驶一千次"],
-  again: ["Again", "重测"],
+  riskHelp: ["1,000 simulated drives with random offsets: 0.10 m constant, 0.12 m along the way (1 σ).", "模拟行驶 1,000 次，随机偏移：恒定 0.10 m，沿途 0.12 m（1 σ）。"],
+  run: ["Simulate 1,000 drives", "模拟行驶 1,000 次"],
+  again: ["Repeat", "重新模拟"],
   cancel: ["Cancel", "取消"],
   progress: ["{done} of {of} drives", "{done} / {of} 次"],
-  hits: ["{hits} of {of} drives hit something; a disc of the car's width in {disc}.", "{of} 次中碰撞 {hits} 次；同宽圆盘 {disc} 次。"],
-  failed: ["Could not be measured: {reason}", "无法测量：{reason}"],
-  fellBack: ["No curve was good enough: the path keeps its chords.", "没有合格的曲线，路径保留折线。"],
+  hits: ["{hits} of {of} drives collide; {disc} for a disc of the car's width.", "{of} 次中碰撞 {hits} 次；同宽圆盘碰撞 {disc} 次。"],
+  failed: ["The measurement failed: {reason}", "测量失败：{reason}"],
+  fellBack: ["No smoothed curve met the limits, so the path keeps its chords.", "没有满足限制的平滑曲线，路径保留折线。"],
 });
 
 /** Room, bends and lanes along the focused planner's path, and how often it would be hit by chance. */

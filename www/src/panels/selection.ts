@@ -16,14 +16,14 @@ import "./group-card";
 import { objectName } from "./objects";
 
 const say = words({
-  cost: ["What a metre costs here, in metres. 1 is no paint.", "此处每米折算的米数；1 表示无涂色。"],
+  cost: ["Cost of one metre here, in metres. 1 means no extra cost.", "此处每米的代价（米）；1 表示无额外代价。"],
   along: ["Lanes →", "车道 →"],
   against: ["Lanes ←", "车道 ←"],
-  laneWidth: ["Lane", "车道宽"],
-  bend: ["Bend", "弯道半径"],
-  limit: ["Limit", "限速"],
+  laneWidth: ["Lane width", "车道宽"],
+  bend: ["Bend radius", "弯道半径"],
+  limit: ["Speed limit", "限速"],
   kerbs: ["Kerbs", "路缘"],
-  vertices: ["Drag the corners. Double-click an edge for one more, a corner to take it away. Limit 0 is none.", "可拖动角点；双击边添加角点，双击角点删除。限速 0 表示无。"],
+  vertices: ["Drag the corners. Double-click an edge to add a corner, a corner to remove it. Limit 0: none.", "拖动角点；双击边添加角点，双击角点删除。限速 0 表示不限速。"],
 });
 
 const DEGREES = 180 / Math.PI;

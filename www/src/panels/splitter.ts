@@ -4,9 +4,9 @@ import { words } from "../i18n/words";
 import type { Lang } from "../i18n/index";
 
 const say = words({
-  side: ["Width of the inspector", "检查器宽度"],
-  strip: ["Height of table and charts", "表格与图表高度"],
-  chart: ["Width of the charts", "图表宽度"],
+  side: ["Inspector width", "属性面板宽度"],
+  strip: ["Table and chart height", "表格与图表高度"],
+  chart: ["Chart width", "图表宽度"],
 });
 
 export type Pane = "side" | "strip" | "chart";

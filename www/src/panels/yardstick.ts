@@ -9,11 +9,11 @@ import { AppElement } from "./base";
 const say = words({
   title: ["Any-angle optimum", "任意角度最优"],
   measure: ["Measure", "测量"],
-  measuring: ["Measuring …", "正在测量……"],
-  none: ["There is no way.", "没有通路。"],
-  large: ["Only on maps of up to {n} cells: it looks along very many lines.", "仅适用于不超过 {n} 格的地图：需检查大量视线。"],
+  measuring: ["Measuring…", "正在测量…"],
+  none: ["No path exists.", "不存在路径。"],
+  large: ["Available on maps of up to {n} cells, because it checks very many lines of sight.", "仅适用于不超过 {n} 格的地图：需检查大量视线。"],
   path: ["This planner's path: {share} %.", "此规划器的路径：{share} %。"],
-  doc: ["L_aa, over cell centres, without the car. A smoothed path swings inside the corners and can be shorter.", "L_aa：以格中心为点，不计车辆。平滑路径在拐角内侧通过，可能更短。"],
+  doc: ["L_aa: the shortest path between cell centres for a point. A smoothed path cuts corners and can be shorter.", "L_aa：质点经格中心的最短路径。平滑路径会内切拐角，可能更短。"],
 });
 
 /** Cells of the largest map that is measured: some seconds. */

@@ -4,8 +4,8 @@ import { words } from "../i18n/words";
 import type { Pixels } from "./image";
 
 const say = words({
-  large: ["it has {width} × {height} pixels; 8192 a side are the most.", "其像素为 {width} × {height}；每边最多 8192。"],
-  clear: ["{name} has see-through pixels, which are neither floor nor wall; save it without them.", "{name} 含透明像素，既非空地也非墙；请去除后再保存。"],
+  large: ["the image has {width} × {height} pixels; the limit is 8192 per side.", "图片为 {width} × {height} 像素；每边不得超过 8192。"],
+  clear: ["{name} has transparent pixels, which are neither floor nor wall. Save it without transparency.", "{name} 含透明像素，无法判断是空地还是墙。请去除透明后再保存。"],
 });
 
 const MOST = 8192;
