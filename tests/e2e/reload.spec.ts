@@ -92,7 +92,7 @@ test("another link in the same tab opens its own scene, and the drawing is offer
   await page.goto("about:blank");
   await open(page, first);
   expect((await sceneOf(page)).name).not.toBe("Mine");
-  await expect(notice(page)).toContainText("is still here", { timeout: 15_000 });
+  await expect(notice(page)).toContainText("was kept", { timeout: 15_000 });
   await notice(page).getByRole("button", { name: "Restore" }).click();
   expect((await sceneOf(page)).name).toBe("Mine");
 });

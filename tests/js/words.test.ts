@@ -21,7 +21,31 @@ function first(file: string, seen = new Set<string>()): Set<string> {
   return seen;
 }
 
+/** Every English text of the page: the tables and the pairs of its pieces; reasons are the planners' own. */
+const texts: [where: string, text: string][] = [...Object.entries(english),
+  ...[...sources].filter(([file]) => !file.endsWith("reasons-zh.ts")).flatMap(([file, source]) => [...source.matchAll(/\["((?:[^"\\]|\\.)*)", "((?:[^"\\]|\\.)*[\u4e00-\u9fff][^"]*)"\]/g)]
+    .map(([, text]): [string, string] => [file.slice(ROOT.length + 1), text!]))];
+
+/** What the page once said, and words that no control is called by. */
+const BANNED = [
+  /arrangement/i, /one over another/i, /one large/i, /as the system/i, /^keys$/i, /stopped working/i, /either one/i, /touches something/i,
+  /did not arrive/i, /the scene stays/i, /on one step/i, /what the timeline/i, /count the search/i, /\bone switch is worth/i, /by chance/i,
+  /less half the width/i, /on the spot/i, /for ever/i, /hardly/i, /fold the table/i, /see-through/i, /bring it back/i, /\bshall\b/i, /gave up/i,
+  /things and cells/i, /!$/,
+];
+
 describe("the page's words", () => {
+  it("are none of those that read as translated", () => {
+    expect(texts.length).toBeGreaterThan(500);
+    expect(texts.filter(([, text]) => BANNED.some((word) => word.test(text)))).toEqual([]);
+  });
+
+  it("are Chinese in Chinese", () => {
+    // Names, formats and units that Chinese engineers write in Latin letters.
+    const names = /Parkade|English|Markdown|Node|PNG|SVG|CSV|JSON|MovingAI|ROS|TPCAP|NBA|exp|Bd|Ctrl|kB|ms|\{[^}]*\}/g;
+    expect(Object.entries(zh).filter(([, text]) => /[A-Za-z]{2,}/.test(text.replaceAll(names, "")))).toEqual([]);
+  });
+
   it("are all there in Chinese, with the same values", () => {
     expect(Object.keys(zh).sort()).toEqual(Object.keys(english).sort());
     const values = (text: string): string[] => [...new Set([...text.matchAll(/\{(\w+)/g)].map(([, name]) => name!))].sort();

@@ -16,17 +16,20 @@ const urls: Partial<Record<Lang, string>> = { zh: zhUrl };
 const plurals: Record<Lang, Intl.PluralRules> = { en: new Intl.PluralRules("en"), zh: new Intl.PluralRules("zh") };
 const formats = new Map<string, Intl.NumberFormat>();
 
+/** Reasons come in English; a language's catalogue of them comes with its words. */
+const reasons: Partial<Record<Lang, (english: string) => string>> = {};
+
 /** `{name}` is a value; `{n|pose|poses}` picks a word by the number `n`. */
 export const translate = (lang: Lang, key: MessageKey, values: Values = {}): string => fill(lang, (tables[lang] ?? english)[key] ?? "", values);
 
 /** Words that come with a piece of the page. */
 export const addEnglish = (words: Table): void => void Object.assign(english, words);
 
-/** A text with its values in their places. */
+/** A text with its values in their places; a value named `reason` is said in the text's language. */
 export function fill(lang: Lang, text: string, values: Values): string {
   return text.replace(/\{(\w+)(?:\|([^|}]*)\|([^}]*))?\}/g, (_, name: string, one?: string, other?: string) => {
     const value = values[name] ?? "";
-    if (one === undefined) return String(value);
+    if (one === undefined) return name === "reason" ? (reasons[lang]?.(String(value)) ?? String(value)) : String(value);
     return (plurals[lang].select(Number(value)) === "one" ? one : other) ?? "";
   });
 }
@@ -36,8 +39,9 @@ export async function loadLang(lang: Lang): Promise<Lang> {
   const url = urls[lang];
   if (tables[lang] || !url) return lang;
   try {
-    const response = await fetch(new URL(url, import.meta.url));
+    const [response, { chineseReason }] = await Promise.all([fetch(new URL(url, import.meta.url)), import("./reasons-zh")]);
     tables[lang] = (await response.json()) as Table;
+    reasons[lang] = chineseReason;
     return lang;
   } catch {
     return "en";
