@@ -68,7 +68,7 @@ test("a road is drawn, edited and coned off with the mouse, and its risk is told
   await expect(card.locator("dd").first()).toContainText(/\d\.\d\d \/ \d\.\d\d m/);
   await card.getByRole("button", { name: "Simulate 1,000 drives" }).click();
   await expect(card.getByRole("progressbar")).toBeVisible();
-  await expect(card.getByRole("status")).toContainText(/of 1000 drives hit something/, { timeout: 30_000 });
+  await expect(card.getByRole("status")).toContainText(/of 1000 drives collide/, { timeout: 30_000 });
   const { violations } = await new AxeBuilder({ page }).include("parkade-playground").withTags(["wcag2a", "wcag2aa"]).analyze();
   expect(violations.map((one) => `${one.id} ${one.nodes.map((node) => node.target.join(" ")).join("; ")}`)).toEqual([]);
 

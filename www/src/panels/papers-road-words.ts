@@ -40,7 +40,7 @@ export const say = words({
   lengthFlag: ["The road is {length} m long.", "道路全长仅 {length} m。"],
   fellBack: ["chords", "折线"],
   fellBackTip: ["No smoothed curve met the limits, so the chords were kept.", "没有满足限制的平滑曲线，保留折线。"],
-  literalNote: ["Its own method lets the spline stray a metre from a handful of points, more than the 0.8 m there are beside the car, and chords need only see each other: so it leaves the road or cuts through what stands there.", "论文方法允许样条偏离少数点一米，超过车旁仅有的 0.8 m；弦只需互相可见，因此驶出道路或穿过障碍。"],
+  literalNote: ["Its own method lets the spline leave a handful of points by a metre, more than the 0.8 m beside the car, and its chords only need line of sight. So the path leaves the road or cuts through obstacles.", "论文方法允许样条偏离少数点一米，超过车旁仅有的 0.8 m；弦只需互相可见，因此驶出道路或穿过障碍。"],
   ok: ["drivable", "可行驶"],
   "arrives-turned": ["arrives turned", "朝向不符"],
   "too-tight": ["too tight", "转弯过急"],
