@@ -86,13 +86,13 @@ export class LinkSync {
 
   private async arrive(): Promise<void> {
     if (location.hash === this.written) return;
-    this.written = location.hash;
+    const hash = (this.written = location.hash);
     try {
-      const scene = await this.read();
-      if (!scene) return;
-      await this.open(scene, await this.view());
+      const scene = await this.read(), view = await this.view();
+      // Another one may have come meanwhile.
+      if (scene && hash === this.written) await this.open(scene, view);
     } catch (error) {
-      this.refuse(error instanceof Error ? error.message : String(error));
+      if (hash === this.written) this.refuse(error instanceof Error ? error.message : String(error));
     }
   }
 }

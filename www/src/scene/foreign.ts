@@ -11,10 +11,28 @@ interface Module {
   unpackRuns(text: string): Run[];
 }
 
+/** What a page draws and edits within a frame: a few kilobytes of a link can hold far more. */
+const MOST_THINGS = 2000, MOST_POINTS = 50_000, LONGEST_TEXT = 200;
+
 /** The scene as the page keeps it; throws what is wrong with it. */
 export function checkedScene(scene: Scenario, { sceneGeometry, packRuns, unpackRuns }: Module): Scenario {
+  bounded(scene);
   sceneGeometry(forPlanners(scene, packRuns));
   return ensureIds(withRuns(withoutNulls(scene), unpackRuns));
+}
+
+/** The same scene, unless it is larger than a page can draw. What is no scene at all is for the planners to refuse. */
+export function bounded(scene: Scenario): Scenario {
+  const lists = Object.entries(scene ?? {}).filter((entry): entry is [string, unknown[]] => Array.isArray(entry[1]));
+  const things = lists.flatMap(([, list]) => list) as ({ id?: unknown; points?: unknown } | null)[];
+  limit(lists.map(([key]) => key).join(" and "), "things", things.length, MOST_THINGS);
+  limit("points", "of them", things.reduce((sum, one) => sum + (Array.isArray(one?.points) ? one.points.length : 0), 0), MOST_POINTS);
+  for (const [field, text] of [["name", scene?.name], ...things.map((one) => ["id", one?.id])]) if (typeof text === "string") limit(String(field), "characters", text.length, LONGEST_TEXT);
+  return scene;
+}
+
+function limit(field: string, unit: string, count: number, most: number): void {
+  if (count > most) throw new RangeError(`${field}: must be at most ${most} ${unit}, got ${count}`);
 }
 
 /** To the planners null is as good as absent, but not to the page; the same object where there is none. Settings may be null. */

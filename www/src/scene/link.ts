@@ -2,11 +2,13 @@
 import type { Scenario } from "parkade";
 import { pack, unpack } from "./compact";
 import { checkScene } from "./files";
+import { bounded } from "./foreign";
 import { ensureIds } from "./model";
+import { fitsLink } from "./vast";
 
 const VERSION = "1";
-/** A few kilobytes can inflate to gigabytes; no scene needs more than this. */
-const LARGEST = 16 * 1024 * 1024;
+/** A few kilobytes can inflate to gigabytes; no link's scene needs more than this. */
+const LARGEST = 2 * 1024 * 1024;
 
 export async function encodeScene(scene: Scenario): Promise<string> {
   const text = new TextEncoder().encode(JSON.stringify(pack(scene)));
@@ -26,7 +28,9 @@ export async function decodeScene(link: string): Promise<Scenario> {
     throw new Error("This link is damaged or cut off.");
   }
   if (typeof data !== "object" || data === null) throw new Error("This link holds no scene.");
-  return checkScene(unpack(data as Record<string, unknown>, ensureIds));
+  const scene = checkScene(unpack(data as Record<string, unknown>, (bare) => ensureIds(bounded(bare))));
+  if (!fitsLink(scene)) throw new Error("This link holds more cells than a link can.");
+  return scene;
 }
 
 type Bytes = Uint8Array<ArrayBuffer>;

@@ -29,10 +29,12 @@ export function ensureIds(scene: Scene): Scene {
   const all = thingsOf(scene);
   const missing = new Set<object>(all.filter((thing) => !keep(thing.id)));
   if (missing.size === 0 && scene.obstacles && scene.slots) return scene;
+  const last = new Map<string, number>();
   const name = <T extends { id?: string }>(thing: T, prefix: string): T => {
     if (!missing.has(thing)) return thing;
-    let n = 1;
+    let n = (last.get(prefix) ?? 0) + 1;
     while (seen.has(`${prefix}-${n}`)) n++;
+    last.set(prefix, n);
     seen.add(`${prefix}-${n}`);
     return { ...thing, id: `${prefix}-${n}` };
   };

@@ -1,0 +1,28 @@
+import { afterEach, expect, it, vi } from "vitest";
+import { init, scenario } from "parkade";
+import { LinkSync } from "../../www/src/element/link-sync";
+import { encodeScene } from "../../www/src/scene/link";
+import { ensureIds } from "../../www/src/scene/model";
+import { createStore } from "../../www/src/store";
+
+afterEach(() => vi.unstubAllGlobals());
+
+it("of two links that come at once only the last one is opened, however long the first takes to read", async () => {
+  await init();
+  const scene = ensureIds(scenario("perpendicular")), place = { hash: "", href: "https://example.org/" };
+  let arrive = (): void => {};
+  vi.stubGlobal("location", place);
+  vi.stubGlobal("addEventListener", (_: string, listener: () => void) => { arrive = listener; });
+  const opened: (string | undefined)[] = [], refused: string[] = [];
+  const sync = new LinkSync(createStore({}), async ({ name }) => void opened.push(name), (reason) => refused.push(reason));
+  sync.start();
+  const boxes = Array.from({ length: 1500 }, (_, i) => ({ type: "rectangle" as const, id: `b${i}`, center: [Math.sin(i) * 9, 20 + Math.cos(i * 7)] as [number, number], size: [0.05, 0.05] as [number, number], heading: i }));
+  const links = [await encodeScene({ ...scene, name: "First", obstacles: boxes }), "1damaged", await encodeScene({ ...scene, name: "Last" })];
+  for (const link of links) {
+    place.hash = `#s=${link}`;
+    arrive();
+  }
+  await vi.waitFor(() => expect(opened).toContain("Last"));
+  await new Promise((done) => setTimeout(done, 500));
+  expect([opened, refused]).toEqual([["Last"], []]);
+});
