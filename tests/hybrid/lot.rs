@@ -184,7 +184,7 @@ pub(crate) fn strewn(seed: u64) -> Lot {
     lot
 }
 
-const ROWS: [(&str, [f64; 3], [f64; 3]); 10] = [
+pub(crate) const ROWS: [(&str, [f64; 3], [f64; 3]); 10] = [
     ("P0", [22.0, 8.19, PI], [2.5, 5.0, -FRAC_PI_2]),
     ("P1", [24.0, 8.4, PI], [2.5, 5.0, -FRAC_PI_2]),
     ("P2", [-20.0, 14.5, PI], [-7.0, 5.0, -FRAC_PI_2]),

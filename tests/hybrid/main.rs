@@ -5,6 +5,7 @@ mod limits;
 mod lot;
 mod properties;
 mod questions;
+mod reverse;
 mod rows;
 mod tight;
 mod why;

@@ -39,8 +39,11 @@ json::words!(Heuristic: "max" = Max, "reeds-shepp" = ReedsShepp, "euclid" = Eucl
 /// What driving costs, by name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Profile {
-    /// As set one by one; by default length, and a metre per gear change.
+    /// As `shortest`, and a metre in reverse more than ten metres from both start and goal costs half as much again: the car
+    /// does not reverse across a whole lot to save a few metres.
     #[default]
+    Practical,
+    /// As set one by one, by default length and a metre per gear change: the parking paper's measure.
     Shortest,
     /// Away from obstacles, few gear changes, a steady wheel.
     Comfort,
@@ -48,7 +51,17 @@ pub enum Profile {
     Classic,
 }
 
-json::words!(Profile: "shortest" = Shortest, "comfort" = Comfort, "classic" = Classic);
+json::words!(Profile: "practical" = Practical, "shortest" = Shortest, "comfort" = Comfort, "classic" = Classic);
+
+impl Profile {
+    /// Extra weight of a metre in reverse more than ten metres from both ends.
+    pub(super) fn far_reverse(self) -> f64 {
+        match self {
+            Self::Practical | Self::Comfort => 0.5,
+            Self::Shortest | Self::Classic => 0.0,
+        }
+    }
+}
 
 /// Settings of hybrid A*.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -135,7 +148,7 @@ impl Default for Config {
             steer_samples: None,
             heuristic: Heuristic::Max,
             heuristic_weight: None,
-            profile: Profile::Shortest,
+            profile: Profile::Practical,
             reverse_cost: 1.0,
             direction_change_cost: 1.0,
             steer_cost: 0.0,
@@ -200,7 +213,7 @@ impl Config {
             obstacle_cost,
             obstacle_distance,
         ] = match self.profile {
-            Profile::Shortest => own,
+            Profile::Practical | Profile::Shortest => own,
             Profile::Comfort => [1.0, 2.0, 0.0, 0.1, 1.0, 0.5],
             Profile::Classic => [1.5, 0.0, 0.25, 0.9, 0.0, 0.5],
         };
@@ -255,6 +268,8 @@ pub(super) struct Level {
     pub(super) spacing: f64,
     pub(super) max_expansions: u32,
     pub(super) weight: f64,
+    /// Extra weight of a metre in reverse away from both ends while searching.
+    pub(super) far_reverse: f64,
     /// Whether a car that can hardly move drives as far as it can each time, `step` at most.
     pub(super) shuffle: bool,
 }
@@ -272,6 +287,7 @@ impl Config {
             spacing,
             max_expansions,
             weight,
+            far_reverse: 0.0,
             shuffle: false,
         };
         let shuffle = |level| Level { shuffle: true, ..level };

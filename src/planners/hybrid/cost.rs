@@ -1,20 +1,27 @@
 //! What driving costs.
 
 use super::Config;
-use crate::geometry::Pose;
 use crate::geometry::arcs::Arc;
 use crate::geometry::reeds_shepp::Word;
+use crate::geometry::{Point, Pose};
 use crate::vehicle::collision::Probe;
 
 /// Places are looked at this often along an arc, metres.
 const CLEARANCE_STEP: f64 = 0.5;
+/// Reverse driving within this distance of start or goal belongs to the manoeuvre there, metres.
+const MANOEUVRE: f64 = 10.0;
 
 /// The cost model of one plan.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CostModel {
     pub(super) radius: f64,
-    forward: f64,
+    /// Whether the tree grows from the goal, where every gear is the other one.
+    mirrored: bool,
     reverse: f64,
+    /// Extra weight of a metre in reverse away from both ends.
+    far_reverse: f64,
+    /// Start and goal.
+    ends: [Point; 2],
     change: f64,
     steer: f64,
     steer_change: f64,
@@ -37,12 +44,14 @@ impl Motion {
 
 impl CostModel {
     /// Costs of arcs as driven from start to goal.
-    pub(super) fn driven(config: &Config, radius: f64) -> Self {
+    pub(super) fn driven(config: &Config, radius: f64, ends: [Pose; 2]) -> Self {
         let config = config.with_profile();
         Self {
             radius,
-            forward: 1.0,
+            mirrored: false,
             reverse: config.reverse_cost,
+            far_reverse: config.profile.far_reverse(),
+            ends: ends.map(|end| end.point()),
             change: config.direction_change_cost,
             steer: config.steer_cost,
             steer_change: config.steer_change_cost,
@@ -51,18 +60,26 @@ impl CostModel {
         }
     }
 
-    /// Costs of the same arcs in a tree that grows from the goal, where every gear is the other one.
+    /// Costs of the same arcs in a tree that grows from the goal.
     pub(super) fn mirrored(self) -> Self {
-        Self { forward: self.reverse, reverse: self.forward, ..self }
+        Self { mirrored: true, ..self }
+    }
+
+    /// The same with another extra weight of a metre in reverse away from both ends.
+    pub(super) fn with_far_reverse(self, far_reverse: f64) -> Self {
+        Self { far_reverse, ..self }
+    }
+
+    fn in_reverse(&self, arc: &Arc) -> bool {
+        (arc.length < 0.0) != self.mirrored
     }
 
     /// Cost of `arc` after `before`, obstacles aside.
     pub(super) fn arc(&self, before: Motion, arc: &Arc) -> f64 {
-        let length = arc.length.abs();
-        let reverse = arc.length < 0.0;
-        let weight = if reverse { self.reverse } else { self.forward };
-        let changed = (before.gear > 0 && reverse) || (before.gear < 0 && !reverse);
-        length * (weight + self.steer * arc.curvature.abs() * self.radius)
+        let backwards = arc.length < 0.0;
+        let weight = if self.in_reverse(arc) { self.reverse } else { 1.0 };
+        let changed = (before.gear > 0 && backwards) || (before.gear < 0 && !backwards);
+        arc.length.abs() * (weight + self.steer * arc.curvature.abs() * self.radius)
             + if changed { self.change } else { 0.0 }
             + self.steer_change * (arc.curvature - before.curvature).abs() * self.radius
     }
@@ -78,9 +95,6 @@ impl CostModel {
 
     /// What a word from `from` costs for where it leads.
     pub(super) fn word_places(&self, probe: &Probe, from: Pose, word: &Word) -> f64 {
-        if !self.minds_places(probe) {
-            return 0.0;
-        }
         let mut pose = from;
         word.arcs(self.radius).fold(0.0, |cost, arc| {
             let cost = cost + self.places(probe, pose, &arc);
@@ -89,19 +103,17 @@ impl CostModel {
         })
     }
 
-    fn minds_places(&self, probe: &Probe) -> bool {
-        self.obstacle != 0.0 || probe.paint().is_some()
-    }
-
-    /// What `arc` from `from` costs for where it leads: near obstacles, and with the middle of the rear axle over cells
-    /// whose weight is above 1.
+    /// What `arc` from `from` costs for where it leads: near obstacles, in reverse away from both ends, and with the middle of
+    /// the rear axle over cells whose weight is above 1.
     pub(super) fn places(&self, probe: &Probe, from: Pose, arc: &Arc) -> f64 {
-        if !self.minds_places(probe) {
+        let reverse = self.in_reverse(arc);
+        let far_reverse = if reverse { self.far_reverse } else { 0.0 };
+        if far_reverse == 0.0 && self.obstacle == 0.0 && probe.paint().is_none() {
             return 0.0;
         }
         let steps = (arc.length.abs() / CLEARANCE_STEP).ceil().max(1.0);
         let part = arc.length / steps;
-        let (mut near, mut painted) = (0.0, 0.0);
+        let (mut near, mut painted, mut far) = (0.0, 0.0, 0.0);
         let mut last = from;
         for k in 1..=steps as u32 {
             let pose = from.advance(arc.curvature, part * f64::from(k));
@@ -109,19 +121,22 @@ impl CostModel {
                 let room = probe.clearance(pose, self.obstacle_distance) / self.obstacle_distance;
                 near += (1.0 - room).max(0.0) * (1.0 - room).max(0.0);
             }
+            if far_reverse != 0.0 && self.ends.iter().all(|&end| (pose.point() - end).norm() > MANOEUVRE) {
+                far += 1.0;
+            }
             if let Some(paint) = probe.paint() {
                 let chord = (pose.point() - last.point()).norm();
                 painted += (paint.along(last.point(), pose.point()) - chord).max(0.0);
             }
             last = pose;
         }
-        let gear = if arc.length < 0.0 { self.reverse } else { self.forward };
-        self.obstacle * near * part.abs() + gear * painted
+        let weight = if reverse { self.reverse } else { 1.0 };
+        (self.obstacle * near + far_reverse * far) * part.abs() + weight * painted
     }
 
-    /// Cost of a whole path from `start`, coming in with `before`.
-    pub(super) fn path(&self, probe: &Probe, start: Pose, mut before: Motion, arcs: &[Arc]) -> f64 {
-        let mut pose = start;
+    /// Cost of a whole path from `start`.
+    pub(super) fn path(&self, probe: &Probe, start: Pose, arcs: &[Arc]) -> f64 {
+        let (mut pose, mut before) = (start, Motion::default());
         let mut cost = 0.0;
         for arc in arcs {
             cost += self.arc(before, arc) + self.places(probe, pose, arc);

@@ -3,7 +3,7 @@
 use core::cell::RefCell;
 
 use super::config::Level;
-use super::cost::{CostModel, Motion};
+use super::cost::CostModel;
 use super::domain::{self, Lattice, Setting, State};
 use super::flood::Flood;
 use super::passage;
@@ -23,6 +23,12 @@ const SOON: u32 = 1000;
 const PATIENCE: f64 = 1.3;
 /// The first level's weight then.
 const TIGHT_WEIGHT: f64 = 1.2;
+/// A path whose reverse driving away from both ends costs more than this extra is searched again: ten metres of it.
+const FAR_REVERSE_PRICE: f64 = 5.0;
+/// Extra weight of a metre of it then. The price itself spends the budget on detours of equal promise.
+const FAR_REVERSE_WEIGHT: f64 = 2.0;
+/// Expansions of that search for each metre that it may save.
+const FAR_REVERSE_EFFORT: f64 = 100.0;
 
 /// What the levels share: the answer so far, the memory, and who is told of the expansions.
 pub(super) struct Work<'a, 'p> {
@@ -59,6 +65,11 @@ impl Search<'_> {
         })
     }
 
+    /// What the path costs as driven.
+    pub(super) fn costs(&self) -> CostModel {
+        CostModel::driven(self.config, self.query.vehicle.min_turning_radius(), [self.start, self.goal])
+    }
+
     /// Tries the levels from one on in order until one gives a path.
     pub(super) fn climb(&self, first: usize, work: &mut Work) {
         for (number, level) in self.config.levels().enumerate().skip(first) {
@@ -73,13 +84,32 @@ impl Search<'_> {
                 } else {
                     level.weight
                 });
-                self.coarse(Level { weight, ..level }, work)
+                let found = self.coarse(Level { weight, ..level }, work);
+                if found {
+                    self.reconsider(level, work);
+                }
+                found
             } else {
                 self.level(level, work)
             };
             if found {
                 return;
             }
+        }
+    }
+
+    /// Searches once more where the path found reverses far: for one that hardly does.
+    fn reconsider(&self, level: Level, work: &mut Work) {
+        let without = self.costs().with_far_reverse(0.0);
+        let price = work.report.cost - without.path(self.probe, self.start, &work.report.arcs);
+        if price > FAR_REVERSE_PRICE {
+            let level = Level {
+                weight: self.config.heuristic_weight.unwrap_or(PATIENCE),
+                far_reverse: FAR_REVERSE_WEIGHT,
+                max_expansions: level.max_expansions.min((price * FAR_REVERSE_EFFORT) as u32),
+                ..level
+            };
+            self.retry(level, Some(work.report.status), work);
         }
     }
 
@@ -92,13 +122,18 @@ impl Search<'_> {
         if !unfinished || soon.max_expansions == level.max_expansions {
             return found;
         }
-        let before = found.then(|| (core::mem::take(&mut work.report.arcs), work.report.cost));
         let weight = self.config.heuristic_weight.unwrap_or(PATIENCE);
         let patient = Level { weight, max_expansions: level.max_expansions - soon.max_expansions, ..level };
-        let again = self.level(patient, work);
+        self.retry(patient, found.then_some(Status::Suboptimal), work)
+    }
+
+    /// Searches a level and keeps the cheaper answer: its own, or the earlier one, whose status is then `before`.
+    fn retry(&self, level: Level, before: Option<Status>, work: &mut Work) -> bool {
+        let before = before.map(|status| (core::mem::take(&mut work.report.arcs), work.report.cost, status));
+        let again = self.level(level, work);
         match before {
-            Some((arcs, cost)) if !again || cost < work.report.cost => {
-                (work.report.arcs, work.report.cost, work.report.status) = (arcs, cost, Status::Suboptimal);
+            Some((arcs, cost, status)) if !again || cost < work.report.cost => {
+                (work.report.arcs, work.report.cost, work.report.status) = (arcs, cost, status);
                 true
             }
             _ => again,
@@ -112,8 +147,8 @@ impl Search<'_> {
             let Some((arcs, status)) = self.search(level, work) else { return false };
             let arcs = self.improve(arcs, level, work.report.margin);
             if self.verified(&arcs) {
-                let costs = CostModel::driven(self.config, self.query.vehicle.min_turning_radius());
-                work.report.cost = costs.path(self.probe, self.start, Motion::default(), &arcs);
+                let costs = self.costs();
+                work.report.cost = costs.path(self.probe, self.start, &arcs);
                 work.report.arcs = arcs;
                 work.report.status = status;
                 return true;
@@ -146,7 +181,7 @@ impl Search<'_> {
             return found;
         }
         let radius = self.query.vehicle.min_turning_radius();
-        let driven = CostModel::driven(self.config, radius);
+        let driven = self.costs().with_far_reverse(level.far_reverse);
         let costs = if self.mirrored { driven.mirrored() } else { driven };
         let setting = Setting {
             probe: self.probe,
@@ -191,7 +226,7 @@ impl Search<'_> {
         if !self.config.shortcut {
             return arcs;
         }
-        let costs = CostModel::driven(self.config, self.query.vehicle.min_turning_radius());
+        let costs = self.costs().with_far_reverse(level.far_reverse);
         let rules = shortcut::Rules { probe: self.probe, costs: &costs, spacing: level.spacing, margin };
         shortcut::shortcut(rules, self.start, arcs)
     }

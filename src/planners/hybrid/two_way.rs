@@ -171,7 +171,7 @@ struct Best<'a> {
 
 impl Best<'_> {
     fn take(&mut self, arcs: Vec<Arc>) {
-        let cost = self.costs.path(self.search.probe, self.search.start, Motion::default(), &arcs);
+        let cost = self.costs.path(self.search.probe, self.search.start, &arcs);
         if cost < self.cost {
             (self.cost, self.arcs) = (cost, arcs);
         }
@@ -204,7 +204,7 @@ pub(super) fn search(
     progress: &mut Option<Progress>,
 ) -> Option<(Vec<Arc>, Status)> {
     let vehicle = search.query.vehicle;
-    let driven = CostModel::driven(search.config, vehicle.min_turning_radius());
+    let driven = search.costs().with_far_reverse(level.far_reverse);
     let keys = [RefCell::new(Keys::default()), RefCell::new(Keys::default())];
     let floods = [search.goal, search.start]
         .map(|target| Flood::new(search.query.obstacles, vehicle, target, report.margin, None));

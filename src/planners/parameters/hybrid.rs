@@ -59,11 +59,14 @@ pub(in crate::planners) const HYBRID: [Row; 21] = [
     ),
     row(
         "profile",
-        Form::Choice(&["shortest", "comfort", "classic"]),
+        Form::Choice(&["practical", "shortest", "comfort", "classic"]),
         "1",
         false,
         ["Cost profile", "代价方案"],
-        ["Comfort and classic replace the costs below.", "comfort 与 classic 取代以下各项代价。"],
+        [
+            "Practical avoids long reversing; comfort and classic replace the costs below.",
+            "practical 避免长距离倒车；comfort 与 classic 取代以下各项代价。",
+        ],
     ),
     row(
         "reverseCost",
