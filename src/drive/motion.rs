@@ -272,12 +272,25 @@ fn zones(vehicle: &Vehicle, route: &Route, run: &Run, limits: &Limits) -> Vec<(f
     let slow = limits.steps == Steps::Slow;
     let short = |i: usize| legs.get(i).is_some_and(|leg| leg.length <= SAMPLE);
     let sampled = |i: usize| short(i) && (short(i + 1) || i > 0 && short(i - 1));
+    let turns = |i: usize| {
+        let before = if i > 0 { turn(i) } else { 0.0 };
+        before + if i + 1 < legs.len() { turn(i + 1) } else { 0.0 }
+    };
+    // With a limited jerk no zone is shorter than a sample: a wheel's limit of a few millimetres would hold for all of it.
+    let window = |i: usize| {
+        let (mut first, mut end, mut length) = (i, i + 1, legs[i].length);
+        while limits.jerk.is_some() && !slow && length < SAMPLE && (first > 0 || end < legs.len()) {
+            let back = first > 0 && (end == legs.len() || i - first < end - i);
+            let next = if back { first - 1 } else { end };
+            (first, end) = (first.min(next), end.max(next + 1));
+            length += legs[next].length;
+        }
+        2.0 * length / (first..end).map(turns).sum::<f64>()
+    };
     let mut zones = Vec::new();
     for (i, leg) in legs.iter().enumerate() {
-        let before = if i > 0 { turn(i) } else { 0.0 };
-        let after = if i + 1 < legs.len() { turn(i + 1) } else { 0.0 };
         let lateral = (limits.lateral_acceleration / leg.curvature.abs()).sqrt();
-        let wheel = if slow || sampled(i) { 2.0 * leg.length / (before + after) } else { f64::INFINITY };
+        let wheel = if slow || sampled(i) { window(i) } else { f64::INFINITY };
         let end = if i + 1 < legs.len() { leg.station + leg.length } else { run.to };
         zones.push((end, limits.speed.min(lateral).min(wheel)));
     }
@@ -308,18 +321,25 @@ fn lowered(zones: &[(f64, f64)], start: f64, (from, to): (f64, f64), speed: f64)
     parts
 }
 
-/// Zones at least [`SAMPLE`] long, with the lowest limit in each.
+/// Zones at least [`SAMPLE`] long, with the lowest limit in each; what is shorter takes of the next zone what it lacks.
 fn gathered(zones: &[(f64, f64)], start: f64) -> Vec<(f64, f64)> {
     let mut parts: Vec<(f64, f64)> = Vec::new();
     let mut begin = start;
     for &(end, limit) in zones {
-        match parts.last_mut() {
-            Some(last) if last.0 - begin < SAMPLE || last.1 == limit => *last = (end, last.1.min(limit)),
-            last => {
-                begin = last.map_or(start, |last| last.0);
-                parts.push((end, limit));
+        if let Some(last) = parts.last_mut() {
+            let lacking = begin + SAMPLE - last.0;
+            if lacking > 0.0 {
+                *last = (end.min(begin + SAMPLE), last.1.min(limit));
             }
+            if last.1 == limit {
+                last.0 = end;
+            }
+            if last.0 >= end {
+                continue;
+            }
+            begin = last.0;
         }
+        parts.push((end, limit));
     }
     parts
 }

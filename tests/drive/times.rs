@@ -254,3 +254,46 @@ fn drives_without_end_are_refused() {
     let error = trajectory(&idle, &route, &Limits::default()).unwrap_err();
     assert_eq!(error.path, "path");
 }
+
+/// A way of arcs of any length, some of millimetres, as searches join them.
+fn patched(random: &mut impl FnMut() -> f64) -> Route {
+    let mut poses = vec![Pose::new(0.0, 0.0, 0.0)];
+    let mut curvatures = vec![0.0];
+    for _ in 0..60 {
+        let curvature = CURVATURES[(random() * 5.0) as usize];
+        let length = [0.002, 0.03, 0.2, 3.0, 20.0][(random() * 5.0) as usize] * (0.2 + random());
+        let steps = (length / 0.1_f64).ceil();
+        for _ in 0..steps as u32 {
+            let from = poses[poses.len() - 1];
+            poses.push(from.advance(curvature, length / steps));
+            curvatures.push(curvature);
+        }
+    }
+    let directions = vec![1; poses.len()];
+    Route::new(&Vehicle::PAPER, &poses, &directions, Some(&curvatures)).unwrap()
+}
+
+const CURVATURES: [f64; 5] = [-0.18, -0.05, 0.0, 0.05, 0.18];
+
+#[test]
+fn short_arcs_let_no_drive_crawl() {
+    let mut state = 7_u64;
+    let mut random = move || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    for round in 0..60 {
+        let route = patched(&mut random);
+        for speed in [2.0, 10.0] {
+            let limits = Limits { speed, jerk: Some(2.0), dwell: false, ..Limits::road() };
+            let time = trajectory(&Vehicle::PAPER, &route, &limits).unwrap().duration;
+            let loose = Limits { jerk: None, ..limits };
+            let least = route.length() / speed;
+            let plain = trajectory(&Vehicle::PAPER, &route, &loose).unwrap().duration;
+            assert!(
+                time >= least && time <= 2.0 * plain + 10.0,
+                "round {round}: {time} s, {plain} s without jerk"
+            );
+        }
+    }
+}

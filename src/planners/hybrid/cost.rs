@@ -51,7 +51,7 @@ impl CostModel {
             mirrored: false,
             reverse: config.reverse_cost,
             far_reverse: config.profile.far_reverse(),
-            ends: ends.map(|end| end.point()),
+            ends: ends.map(Pose::point),
             change: config.direction_change_cost,
             steer: config.steer_cost,
             steer_change: config.steer_change_cost,
