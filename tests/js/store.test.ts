@@ -97,3 +97,34 @@ describe("listeners", () => {
     expect(heard).toEqual([["grid", "overlay"]]);
   });
 });
+
+describe("a scene that is opened", () => {
+  it("is counted, also when undo and redo come to it, and edits are not", () => {
+    const store = createStore({});
+    const count = () => store.state.opened;
+    const first = store.state.scene, other = at(first, 9);
+    store.edit(at(first, 1));
+    store.edit(at(first, 2), { transient: true });
+    store.edit(at(first, 3));
+    expect(count()).toBe(0);
+    store.set({ playback: { ...store.state.playback, playing: true, fraction: 0.4 } });
+    store.edit(other, { label: "open" });
+    expect(count()).toBe(1);
+    expect(store.state.playback).toMatchObject({ playing: false, fraction: 1 });
+    store.edit(at(other, 10));
+    store.undo();
+    expect(count()).toBe(1);
+    store.undo();
+    expect([count(), store.state.scene.start.x]).toEqual([2, 3]);
+    store.undo();
+    store.redo();
+    expect(count()).toBe(2);
+    store.redo();
+    expect([count(), store.state.scene]).toEqual([3, other]);
+    store.redo();
+    expect(count()).toBe(3);
+    const { history } = store;
+    store.restore({ past: [...history.past], scene: history.scene, future: [...history.future] });
+    expect(count()).toBe(4);
+  });
+});

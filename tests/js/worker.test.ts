@@ -126,3 +126,11 @@ it("tells how far a plan is while it runs, but not when it only times it", async
   expect(await lane.time(1, 0)).toHaveLength(1);
   expect(progress).toEqual(told);
 });
+
+it("shows the plan where its drive fails", async () => {
+  const { plan } = setup("hybrid");
+  serve({ Planner, init: () => init(), stopWaitGo, trajectory: () => { throw Object.assign(new Error("must be driven within 100000 s"), { code: "config", path: "path" }); } } as unknown as Parameters<typeof serve>[0]);
+  const reply = await plan(scenario("P0"), []);
+  serve({ Planner, init: () => init(), stopWaitGo, trajectory } as unknown as Parameters<typeof serve>[0]);
+  expect(reply).toMatchObject({ kind: "planned", drive: null, undriven: true, plan: { outcome: "found" } });
+});

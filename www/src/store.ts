@@ -99,6 +99,8 @@ export interface State {
   canRedo: boolean;
   /** A drag is going on. */
   transient: boolean;
+  /** Counts scenes as they are opened, also by undo and redo: what belongs to one never stands beside another. */
+  opened: number;
   /** What changed the scene last: "edit", "undo", "redo", or an edit's label. */
   reason: string;
   message: { tone: "err" | "warn" | "info"; text: string; code?: string; action?: { name: string; run(): void } } | null;
@@ -170,6 +172,7 @@ export function initialState(): State {
     canUndo: false,
     canRedo: false,
     transient: false,
+    opened: 0,
     reason: "open",
     message: null,
     live: null,
@@ -185,6 +188,8 @@ class SceneStore implements Store {
   private readonly listeners = new Set<Listener>();
   private past: Scene[] = [];
   private future: Scene[] = [];
+  /** Scenes that came whole, by `edit` with the label "open". */
+  private readonly whole = new WeakSet<Scene>();
   /** The scene before the drag that is going on. */
   private dragFrom: Scene | null = null;
 
@@ -218,7 +223,8 @@ class SceneStore implements Store {
       if (this.past.length > UNDO_STEPS) this.past.shift();
       this.future.length = 0;
     }
-    this.apply(next, options.label ?? "edit");
+    if (options.label === "open") this.whole.add(next);
+    this.apply(next, options.label ?? "edit", options.label === "open");
   }
 
   undo(): void {
@@ -242,19 +248,23 @@ class SceneStore implements Store {
   restore({ past, scene, future }: History): void {
     this.past = [...past];
     this.future = [...future];
-    this.apply(scene, "open");
+    // Which of them were opened is not kept.
+    for (const one of [...past, scene, ...future]) this.whole.add(one);
+    this.apply(scene, "open", true);
   }
 
   private travel(from: Scene[], to: Scene[], reason: string): void {
     const scene = from.pop();
     if (!scene) return;
-    to.push(this.state.scene);
-    this.apply(scene, reason);
+    const left = this.state.scene;
+    to.push(left);
+    this.apply(scene, reason, this.whole.has(to === this.future ? left : scene));
   }
 
-  private apply(scene: Scene, reason: string): void {
-    const { selection } = this.state;
+  private apply(scene: Scene, reason: string, opens = false): void {
+    const { selection, opened, playback } = this.state;
     this.set({
+      ...(opens ? { opened: opened + 1, playback: { ...playback, fraction: 1, playing: false } } : {}),
       scene,
       reason,
       transient: false,

@@ -22,6 +22,9 @@ export class Planning {
   private readonly lanes = new Map<PlannerId, Lane>();
   private unsubscribe: (() => void) | null = null;
   private job = 0;
+  /** The store's count of opened scenes at the last plan, and the first job of the present scene. */
+  private opened = 0;
+  private firstJob = 0;
   /** Milliseconds after which a plan is given up; null: never. */
   budget: number | null = null;
   private readonly held = new Map<PlannerId, Job>();
@@ -136,13 +139,15 @@ export class Planning {
     const { state } = this.store;
     this.job++;
     this.absent.clear();
-    if (!this.resolve(state)) return;
+    const opens = this.opened !== state.opened;
+    if (opens) [this.opened, this.firstJob] = [state.opened, this.job];
+    const before = opens || (previous !== null && !sameMap(previous, state.scene)) ? {} : state.results;
+    if (!this.resolve(state, before)) return;
     // A stroke over a huge map is planned when it ends.
     if (state.transient && isUnpacked(state.scene)) return;
-    const fresh = previous !== null && !sameMap(previous, state.scene);
     const results: Record<string, PanelResult> = {};
     for (const planner of state.planners) {
-      const old = fresh ? emptyResult : state.results[planner] ?? emptyResult;
+      const old = before[planner] ?? emptyResult;
       results[planner] = unseen && old.status === "done" ? old : { ...old, status: "planning", error: null };
     }
     this.store.set({ results, progress: {} });
@@ -189,7 +194,7 @@ export class Planning {
   }
 
   /** Checks the scene and fills `geometry`; says in words what is wrong with it. */
-  private resolve(state: State): boolean {
+  private resolve(state: State, before: State["results"]): boolean {
     try {
       const geometry = this.engine.api.sceneGeometry(withoutCells(state.scene));
       const wasBad = this.refused !== null || Object.values(state.results).some((result) => result.status === "error");
@@ -200,7 +205,7 @@ export class Planning {
       const failure = this.engine.api.failureOf(error);
       this.refused = failure;
       const results = Object.fromEntries(state.planners.map((planner) =>
-        [planner, { ...(state.results[planner] ?? emptyResult), status: "error" as const, error: failure }]));
+        [planner, { ...(before[planner] ?? emptyResult), status: "error" as const, error: failure }]));
       const key = failure.path ? "error.sceneAt" : "error.scene";
       const text = translate(state.lang, key, { path: failure.path, reason: withoutPath(failure) });
       this.store.set({ results, message: { tone: "err", text, code: failure.code } });
@@ -233,6 +238,8 @@ export class Planning {
   }
 
   private planned(planner: PlannerId, reply: Extract<Reply, { kind: "planned" }>, newerWaits: boolean): void {
+    // It belongs to a scene that is no longer open.
+    if (reply.id < this.firstJob) return;
     const { plan, layers, drive, millis } = reply;
     const old = this.store.state.results[planner] ?? emptyResult;
     const same = old.status === "done" && old.plan?.hash === plan.hash;
@@ -248,6 +255,10 @@ export class Planning {
       millis,
       samples: [millis],
     });
+    if (reply.undriven && !newerWaits) {
+      const { lang } = this.store.state;
+      this.store.set({ message: { tone: "warn", text: translate(lang, "error.drive", { planner: plannerName(lang, planner) }) } });
+    }
     if (!newerWaits) this.afterResult();
   }
 

@@ -37,7 +37,7 @@ export type Layers = Partial<Record<LayerName, Layer>>;
 export type Reply =
   /** Expansions so far. */
   | { kind: "progress"; id: number; expansions: number }
-  | { kind: "planned"; id: number; plan: Plan; layers: Layers; drive: Drive | Encounter | null; millis: number }
+  | { kind: "planned"; id: number; plan: Plan; layers: Layers; drive: Drive | Encounter | null; /** There should be a drive, and its computation failed. */ undriven: boolean; millis: number }
   | { kind: "timed"; id: number; samples: number[] }
   | { kind: "explained"; id: number; explanation: Explanation | null }
   | { kind: "failed"; id: number; error: Failure };

@@ -65,7 +65,14 @@ function plan({ id, scene, ends, layers: names, every, trace, waiting, limits }:
   const millis = performance.now() - from;
   const layers: Layers = {};
   for (const name of names) layers[name] = held.planner.layer(name, name === "risk" ? { every } : {});
-  return { kind: "planned", id, plan: found, layers, drive: waiting && driveOf({ ...held.scene, ...ends }, found, waiting, limits), millis };
+  const reply = { kind: "planned", id, plan: found, layers, drive: null, undriven: false, millis } as const;
+  try {
+    return { ...reply, drive: waiting && driveOf({ ...held.scene, ...ends }, found, waiting, limits) };
+  } catch (error) {
+    // A trap leaves the module's memory in an unknown state.
+    if (failureOf(error).code === "internal") throw error;
+    return { ...reply, undriven: true };
+  }
 }
 
 /** Times depend on the path alone, and reading a huge map takes longer than planning. */
