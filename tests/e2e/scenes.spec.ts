@@ -1,8 +1,8 @@
 import { expect, test, type Page } from "@playwright/test";
-import type { Drive, Plan, Scenario } from "parkade";
+import type { Plan, Scenario } from "parkade";
 import { open, settled, type PlaygroundElement } from "./playground";
 
-interface Shown { plan: Plan | null; lastGood: Plan | null; drive: Drive | null; status: string; error: unknown; millis: number | null }
+interface Shown { plan: Plan | null; lastGood: Plan | null; drive: { duration: number } | null; status: string; error: unknown; millis: number | null }
 interface Inside extends PlaygroundElement {
   app: { openPreset(id: string): void; openScene(scene: Scenario): void; complete(): Promise<unknown>; catalog: { scenarios: { id: string }[]; planners: { id: string }[] } };
   store: PlaygroundElement["store"] & { state: { results: Record<string, Shown>; playback: { playing: boolean } }; undo(): void; redo(): void; edit(scene: Scenario, options?: object): void };
