@@ -1,5 +1,5 @@
 import { expect, test, type Page } from "@playwright/test";
-import { complaintsOf, open, settled, type PlaygroundElement } from "./playground";
+import { complaintsOf, open, settled, watchShifts, type PlaygroundElement } from "./playground";
 
 interface Rect { left: number; top: number; right: number; bottom: number }
 
@@ -90,3 +90,60 @@ test("an embed has the view's buttons with every control only", async ({ page })
     await expect(page.locator("parkade-view-controls button")).toHaveCount(buttons);
   }
 });
+
+const posterLots = (page: Page) => page.locator("#poster svg").evaluateAll((all) => all.map((svg) => {
+  const { left, right, top } = svg.getBoundingClientRect(), box = (svg as SVGSVGElement).viewBox.baseVal, { height } = svg.getBoundingClientRect();
+  const scale = Math.min((right - left) / box.width, height / box.height);
+  return { left: (left + right - scale * box.width) / 2, right: (left + right + scale * box.width) / 2, top: top + (height - scale * box.height) / 2 };
+}));
+
+for (const [name, width, height, colorScheme] of [["desk", 1400, 900, "light"], ["narrow desk", 900, 620, "dark"], ["phone", 390, 844, "dark"]] as const) {
+  test(`the opening picture is there before the planners, and the live one takes its place: ${name}`, async ({ page }) => {
+    await page.emulateMedia({ colorScheme, reducedMotion: "reduce" });
+    await page.setViewportSize({ width, height });
+    const shifts = await watchShifts(page);
+    let letGo = (): void => {};
+    const held = new Promise<void>((resolve) => { letGo = resolve; });
+    await page.route("**/*.wasm", async (route) => {
+      await held;
+      await route.continue();
+    });
+    await page.goto("./");
+    await expect(page.locator("#poster svg")).toHaveCount(4);
+    await page.waitForFunction(() => document.querySelector("parkade-playground")?.shadowRoot?.querySelector("parkade-stage"));
+    const lots = await posterLots(page);
+    letGo();
+    await expect(page.locator("#poster")).toHaveCount(0);
+    await expect.poll(async () => (await maps(page)).length).toBe(width > 640 ? 4 : 1);
+    for (const [i, { lot }] of (await maps(page)).entries()) {
+      expect(Math.abs(lot.left - lots[i]!.left), "left").toBeLessThan(1.5);
+      expect(Math.abs(lot.right - lots[i]!.right), "right").toBeLessThan(1.5);
+      expect(Math.abs(lot.top - lots[i]!.top), "top").toBeLessThan(1.5);
+    }
+    expect((await shifts()).reduce((a, b) => a + b, 0)).toBeLessThan(0.01);
+  });
+}
+
+test("a shared scene shows no other one before it", async ({ page }) => {
+  await open(page);
+  const link = (await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.shareURL()))!;
+  await page.route("**/*.wasm", () => {});
+  await page.goto("about:blank");
+  await page.goto(link);
+  await expect(page.locator("#poster")).toBeHidden();
+});
+
+for (const [files, locale, button] of [["**/assets/index-*.js", "en-GB", "Try again"], ["**/*.wasm", "zh-CN", "重试"]] as const) {
+  test(`a page that fails to load says so and tries again: ${files}`, async ({ browser, baseURL }) => {
+    const page = await (await browser.newContext({ locale, viewport: { width: 1400, height: 900 } })).newPage();
+    await page.route(files, (route) => route.abort());
+    await page.goto(baseURL!);
+    const again = page.locator("#poster").getByRole("button", { name: button });
+    await expect(again).toBeVisible();
+    await page.unroute(files);
+    await again.click();
+    await expect(page.locator("#poster")).toHaveCount(0);
+    await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.ready);
+    await page.context().close();
+  });
+}

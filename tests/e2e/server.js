@@ -5,6 +5,7 @@ import { readFile } from "node:fs/promises";
 import { createServer } from "node:http";
 import { extname } from "node:path";
 import { pathToFileURL } from "node:url";
+import { gzipSync } from "node:zlib";
 
 const PREFIX = "/sub/path/";
 const DIST = new URL("../../dist/", import.meta.url);
@@ -29,11 +30,12 @@ const TYPES = {
 };
 
 /**
- * Port 0 takes any that is free.
+ * Port 0 takes any that is free; compressed, as static hosts send what they serve, where that is asked for.
  * @param {number} port
+ * @param {{ gzip?: boolean }} [options]
  * @returns {Promise<{ url: string, close(): void }>}
  */
-export async function serve(port) {
+export async function serve(port, { gzip = false } = {}) {
   const server = createServer(async (request, response) => {
     const { pathname } = new URL(request.url ?? "/", "http://localhost");
     const [prefix, folder] = FOLDERS.find(([start]) => pathname.startsWith(start)) ?? ["/", DIST];
@@ -41,7 +43,9 @@ export async function serve(port) {
     try {
       if (!file.href.startsWith(folder.href)) throw new Error("outside");
       const body = await readFile(file);
-      response.writeHead(200, { "content-type": TYPES[extname(file.pathname)] ?? "application/octet-stream" }).end(body);
+      const type = { "content-type": TYPES[extname(file.pathname)] ?? "application/octet-stream" };
+      if (gzip) response.writeHead(200, { ...type, "content-encoding": "gzip" }).end(gzipSync(body));
+      else response.writeHead(200, type).end(body);
     } catch {
       response.writeHead(404).end();
     }

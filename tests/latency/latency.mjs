@@ -23,6 +23,7 @@ await withBrowser(async (browser, url) => {
   await fast(page, "narrow-gap, which hybrid searches long, fast drag");
 });
 await import("./second.mjs");
+await import("./visit.mjs");
 
 /** Each step waits until the one before is drawn. */
 async function calm(page, metrics) {

@@ -63,6 +63,7 @@ export class App {
     let missed = false;
     const engine = await persistently(() => loadEngine(extentFor(view?.planners ?? this.store.state.planners)), (error) => {
       missed = true;
+      if (syncAddress) document.documentElement.classList.add("failed");
       this.refuse("app.unsupported", { reason: sentence(error) });
     }, signal);
     if (!engine) return;

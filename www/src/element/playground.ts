@@ -13,16 +13,14 @@ import { listenToKeys } from "./keyboard";
 import { recall, remember } from "./memory";
 import "../panels/notices";
 import "../panels/stage";
-import "../panels/table";
 import "../panels/timeline";
-import "../panels/toolbar";
 
 const PHONE_WIDTH = 640;
 /** Too low for a map and a sheet: embedded pages. */
 const SHORT_HEIGHT = 560;
 const FIRST_SCENE = "perpendicular";
 /** What the first picture does without, fetched at once or when it is opened. */
-const PARTS = [() => import("../panels/inspector"), () => import("../panels/charts"), () => import("../panels/options"), () => import("../panels/view-controls"), () => import("../panels/splitter")];
+const PARTS = [() => import("../panels/toolbar"), () => import("../panels/table"), () => import("../panels/inspector"), () => import("../panels/charts"), () => import("../panels/options"), () => import("../panels/view-controls"), () => import("../panels/splitter")];
 const DIALOGS = { presets: () => import("../panels/presets"), keys: () => import("../panels/keys-dialog"), import: () => import("../panels/import"), papers: () => import("../panels/papers") };
 
 /**
@@ -289,6 +287,7 @@ export class Playground extends LitElement {
         this.becomeDrawable();
       } });
       if (!this.loaded) return;
+      if (this.permalink) requestAnimationFrame(() => document.getElementById("poster")?.remove());
       this.becomeReady();
       this.emit("ready", {});
     } catch (error) {
