@@ -7,6 +7,26 @@ import { createStore } from "../../www/src/store";
 
 afterEach(() => vi.unstubAllGlobals());
 
+it("a link with a view keeps it, also while the address of the scene before is about to be written", async () => {
+  await init();
+  const scene = ensureIds(scenario("perpendicular")), place = { hash: "", href: "https://example.org/" };
+  let arrive = (): void => {};
+  vi.stubGlobal("location", place);
+  vi.stubGlobal("history", { state: null, replaceState: (_: unknown, __: string, href: string) => { Object.assign(place, { href, hash: new URL(href).hash }); } });
+  vi.stubGlobal("addEventListener", (_: string, listener: () => void) => { arrive = listener; });
+  const store = createStore({ scene }), views: (readonly string[] | undefined)[] = [];
+  const sync = new LinkSync(store, async (_, view) => void views.push(view?.planners), () => undefined);
+  sync.start();
+  store.edit({ ...scene, name: "Drawn" });
+  const writing = sync.write();
+  place.hash = `#s=${await encodeScene(scene)}&v=0~four~four.eight~4mf~0~10000`;
+  place.href = `https://example.org/${place.hash}`;
+  arrive();
+  await writing;
+  expect(place.hash).toContain("&v=");
+  await vi.waitFor(() => expect(views).toEqual([["four", "eight"]]));
+});
+
 it("of two links that come at once only the last one is opened, however long the first takes to read", async () => {
   await init();
   const scene = ensureIds(scenario("perpendicular")), place = { hash: "", href: "https://example.org/" };

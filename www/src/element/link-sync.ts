@@ -24,6 +24,7 @@ export class LinkSync {
   private unsubscribe: (() => void) | null = null;
   private readonly onHash = (): void => void this.arrive();
   private written = "";
+  private turn = 0;
 
   constructor(
     private readonly store: Store,
@@ -56,23 +57,22 @@ export class LinkSync {
   }
 
   /** The scene in the present address; null without one. Rejects when it cannot be read. */
-  async read(): Promise<Scene | null> {
-    const { hash } = location;
+  async read(hash = location.hash): Promise<Scene | null> {
     return hash.startsWith(PREFIX) ? (await linkFormat()).decodeScene(hash.slice(PREFIX.length)) : null;
   }
 
   /** How the scene in the present address is looked at; null where it does not say. */
-  async view(): Promise<LinkView | null> {
-    const at = location.hash.indexOf(VIEW);
+  async view(hash = location.hash): Promise<LinkView | null> {
+    const at = hash.indexOf(VIEW);
     if (at < 0) return null;
-    const text = location.hash.slice(at + VIEW.length), { plannersOf, decodeView } = await viewFormat();
+    const text = hash.slice(at + VIEW.length), { plannersOf, decodeView } = await viewFormat();
     return { planners: plannersOf(text), read: (known) => decodeView(text, known, this.store.state.playback) };
   }
 
   async write(): Promise<string | null> {
     clearTimeout(this.timer);
-    const href = await this.address();
-    if (href && href !== location.href) {
+    const { hash } = location, href = await this.address();
+    if (href && href !== location.href && hash === location.hash) {
       this.written = new URL(href).hash;
       history.replaceState(history.state, "", href);
     }
@@ -86,13 +86,15 @@ export class LinkSync {
 
   private async arrive(): Promise<void> {
     if (location.hash === this.written) return;
-    const hash = (this.written = location.hash);
+    const hash = (this.written = location.hash), turn = ++this.turn;
+    // The address of the scene before it is not to be written over it.
+    clearTimeout(this.timer);
     try {
-      const scene = await this.read(), view = await this.view();
+      const scene = await this.read(hash), view = await this.view(hash);
       // Another one may have come meanwhile.
-      if (scene && hash === this.written) await this.open(scene, view);
+      if (scene && turn === this.turn) await this.open(scene, view);
     } catch (error) {
-      if (hash === this.written) this.refuse(error instanceof Error ? error.message : String(error));
+      if (turn === this.turn) this.refuse(error instanceof Error ? error.message : String(error));
     }
   }
 }
