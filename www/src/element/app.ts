@@ -116,7 +116,7 @@ export class App {
   private async keepDrawing(): Promise<void> {
     const [{ startAutosave }, { workOffline }] = await Promise.all([import("./autosave"), import("./offline")]);
     void workOffline();
-    void import("../panels/next-hints");
+    void import("../panels/hints");
     // Storage may be refused; nothing depends on it.
     this.stopSaving = await startAutosave(this).catch(() => null);
   }

@@ -16,8 +16,10 @@ import "../panels/stage";
 import "../panels/timeline";
 
 const PHONE_WIDTH = 640;
-/** Too low for a map and a sheet: embedded pages. */
+/** Too low for an embedded map with a sheet or a table. */
 const SHORT_HEIGHT = 560;
+/** A page lower and wider than this has its controls in rails beside the map: a phone on its side. */
+const RAILS = { height: 480, width: 480 };
 const FIRST_SCENE = "perpendicular";
 /** What the first picture does without, fetched at once or when it is opened. */
 const PARTS = [() => import("../panels/toolbar"), () => import("../panels/table"), () => import("../panels/inspector"), () => import("../panels/charts"), () => import("../panels/options"), () => import("../panels/view-controls"), () => import("../panels/splitter")];
@@ -33,7 +35,7 @@ const DIALOGS = { presets: () => import("../panels/presets"), keys: () => import
 export class Playground extends LitElement {
   static override properties = {
     scene: { type: String }, planners: { type: String }, layout: { type: String }, theme: { type: String, reflect: true },
-    permalink: { type: Boolean }, compact: { type: Boolean, reflect: true }, short: { type: Boolean, reflect: true }, loaded: { state: true }, folded: { type: Boolean, reflect: true },
+    permalink: { type: Boolean }, compact: { type: Boolean, reflect: true }, rails: { type: Boolean, reflect: true }, short: { type: Boolean, reflect: true }, loaded: { state: true }, folded: { type: Boolean, reflect: true },
     dropping: { state: true }, bare: { state: true },
   };
   static override styles = [tokens, controls, layout];
@@ -47,6 +49,8 @@ export class Playground extends LitElement {
   declare theme: State["theme"];
   declare permalink: boolean;
   declare compact: boolean;
+  /** Whether the controls stand in columns at both sides of the map. */
+  declare rails: boolean;
   declare short: boolean;
   declare loaded: boolean;
   declare folded: boolean;
@@ -75,7 +79,7 @@ export class Playground extends LitElement {
     this.planners = "";
     this.layout = "grid";
     this.theme = "auto";
-    this.viewing = this.permalink = this.compact = this.short = this.loaded = this.folded = this.dropping = this.bare = false;
+    this.viewing = this.permalink = this.compact = this.rails = this.short = this.loaded = this.folded = this.dropping = this.bare = false;
     this.takeEarly("sceneData");
   }
 
@@ -201,11 +205,11 @@ export class Playground extends LitElement {
   }
 
   protected override render(): TemplateResult {
-    return html`<div class="${this.compact ? "phone" : "desk"} ${this.bare ? "bare" : ""}" role="region" aria-label=${this.app.t("app.label")}
+    return html`<div class="${this.rails ? "phone rails" : this.compact ? "phone" : "desk"} ${this.bare ? "bare" : ""}" role="region" aria-label=${this.app.t("app.label")}
         @parkade-scenes=${() => void this.openDialog("presets")} @parkade-keys=${() => void this.openDialog("keys")} @parkade-papers=${() => void this.openDialog("papers")} @parkade-fold=${() => { this.folded = !this.folded; }}
         @parkade-menu=${this.showMenu} @parkade-open-file=${() => this.fileInput?.click()} @parkade-png=${this.savePicture}
         @dragover=${this.onDragOver} @dragleave=${() => { this.dropping = false; }} @drop=${this.onDrop}>
-      ${this.isFull && !this.bare ? html`<parkade-toolbar part="toolbar" .app=${this.app} .ready=${this.loaded} ?compact=${this.compact}><slot name="toolbar-extra"></slot></parkade-toolbar>` : nothing}
+      ${this.isFull && !this.bare ? html`<parkade-toolbar part="toolbar" .app=${this.app} .ready=${this.loaded} ?compact=${this.compact} ?rail=${this.rails}><slot name="toolbar-extra"></slot></parkade-toolbar>` : nothing}
       <parkade-stage exportparts="panel, canvas" .app=${this.app} ?compact=${this.compact} .bare=${this.bare}></parkade-stage>
       ${this.bare ? nothing : this.rest()}
     </div>`;
@@ -214,7 +218,7 @@ export class Playground extends LitElement {
   /** What stands around the maps and over them. */
   private rest(): TemplateResult {
     return html`${this.compact ? this.phone() : this.desk()}
-      <parkade-next-hints .app=${this.app}></parkade-next-hints>
+      <parkade-hints .app=${this.app}></parkade-hints>
       <parkade-notices .app=${this.app}></parkade-notices>
       ${this.dropping ? html`<div class="dropping">${this.app.t("drop.here")}</div>` : nothing}
       <parkade-presets .app=${this.app}></parkade-presets>
@@ -228,6 +232,7 @@ export class Playground extends LitElement {
 
   private desk(): TemplateResult {
     return html`
+      ${this.isFull ? html`<parkade-options .app=${this.app}></parkade-options>` : nothing}
       <parkade-timeline part="timeline" .app=${this.app} .folded=${this.folded}></parkade-timeline>
       ${this.isFull ? this.around() : nothing}`;
   }
@@ -244,9 +249,11 @@ export class Playground extends LitElement {
   }
 
   private phone(): TemplateResult {
-    return html`${this.isFull ? html`<parkade-chips .app=${this.app}></parkade-chips>` : html`<parkade-failure .app=${this.app}></parkade-failure>`}
-      <parkade-timeline part="timeline" .app=${this.app} compact></parkade-timeline>
-      ${this.isFull && !this.short ? html`<parkade-sheet .app=${this.app} .ready=${this.loaded}></parkade-sheet>` : nothing}`;
+    return html`${this.isFull ? html`<parkade-chips .app=${this.app} ?rail=${this.rails}></parkade-chips>` : nothing}
+      ${this.isFull && !this.rails ? nothing : html`<parkade-failure .app=${this.app}></parkade-failure>`}
+      ${this.rails ? html`<parkade-options .app=${this.app}></parkade-options>` : nothing}
+      <parkade-timeline part="timeline" .app=${this.app} compact ?slim=${this.rails}></parkade-timeline>
+      ${this.isFull && !this.short ? html`<parkade-sheet .app=${this.app} .ready=${this.loaded} ?drawer=${this.rails}></parkade-sheet>` : nothing}`;
   }
 
   /** Takes language, theme, arrangement and planners from attributes and from the last visit. */
@@ -275,9 +282,10 @@ export class Playground extends LitElement {
   }
 
   private measure({ width, height }: { width: number; height: number }): void {
-    this.compact = width <= PHONE_WIDTH;
+    this.rails = this.alone && height < RAILS.height && width > RAILS.width;
+    this.compact = this.rails || width <= PHONE_WIDTH;
     if (this.compact) void this.app.fetchPart(() => import("../panels/phone"));
-    this.short = height < SHORT_HEIGHT;
+    this.short = !this.alone && height < SHORT_HEIGHT;
   }
 
   protected async begin(): Promise<void> {

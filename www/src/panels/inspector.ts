@@ -4,19 +4,20 @@ import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
 import "./objects";
+import "./options";
 import "./parameters";
 import "./road-card";
 import "./selection";
 import "./vehicle-card";
 import "./yardstick";
 
-/** The column at the right: what is selected, the car, the focused planner's settings, every object. */
+/** The column at the right: the tool in hand, what is selected, the car, the focused planner's settings, every object. */
 export class Inspector extends AppElement {
   static override properties = { ...AppElement.properties, ready: { type: Boolean } };
   static override styles = [controls, css`
     :host { display: block; overflow-y: auto; overflow-x: hidden; background: var(--parkade-panel); border-left: 1px solid var(--parkade-hair); scrollbar-width: thin; scrollbar-color: var(--parkade-hair2) transparent; }
     section { padding: 14px; border-top: 1px solid var(--parkade-hair); }
-    section:first-child { border-top: 0; } section:has(> [hidden]) { display: none; }
+    section:has(> [hidden]) { display: none; } section:first-child, section:first-child:has(> [hidden]) + section { border-top: 0; }
   `];
   declare ready: boolean;
   protected override waits = true;
@@ -33,6 +34,7 @@ export class Inspector extends AppElement {
   protected override render(): TemplateResult | typeof nothing {
     if (!this.ready) return nothing;
     return html`
+      <section><parkade-options form .app=${this.app}></parkade-options></section>
       <section><parkade-selection .app=${this.app}></parkade-selection></section>
       <section><parkade-vehicle .app=${this.app}></parkade-vehicle></section>
       <section><parkade-parameters .app=${this.app}></parkade-parameters></section>

@@ -46,18 +46,27 @@ export function exports(bar: Toolbar): TemplateResult {
 }
 
 export function more(bar: Toolbar): TemplateResult {
-  const { app, compact } = bar;
+  const { app, compact, rail } = bar;
   // What the bar has no room for.
   const folded = !bar.shadowRoot?.querySelector<HTMLElement>(".fold")?.offsetParent;
   return html`
-    ${folded ? html`${planners(bar)}<hr>${layers(bar)}<hr>` : nothing}${compact ? item(bar, "share", "bar.share", bar.share) : nothing}
-    ${item(bar, "fit", "bar.fit", () => app.controller.fit())}<hr>
+    ${compact ? item(bar, "share", "bar.share", bar.share) : nothing}
+    ${item(bar, "fit", "bar.fit", () => app.controller.fit())}
+    ${rail ? railed(bar) : nothing}<hr>
+    ${folded ? html`${planners(bar)}<hr>${layers(bar)}<hr>` : nothing}
     ${exports(bar)}<hr>
     <button class="item" @click=${bar.nextTheme}>${icon("theme")}${bar.themeName()}</button>
     <button class="item" @click=${bar.nextLang}>${icon("language")}${translate(app.store.state.lang, "bar.language")}</button>
     ${item(bar, "help", "bar.help", () => bar.emit("keys"))}`;
 }
 
-function item(bar: Toolbar, name: IconName, key: MessageKey, run: () => void): TemplateResult {
-  return html`<button class="item" @click=${() => { bar.menus.close(); run(); }}>${icon(name)}${translate(bar.app.store.state.lang, key)}</button>`;
+/** What stands in the bar itself where that is a row. */
+function railed(bar: Toolbar): TemplateResult {
+  const { store } = bar.app, { canUndo, canRedo } = store.state;
+  return html`${item(bar, "file", "bar.scene", () => bar.emit("scenes"))}
+    ${item(bar, "undo", "bar.undo", () => store.undo(), !canUndo)}${item(bar, "redo", "bar.redo", () => store.redo(), !canRedo)}`;
+}
+
+function item(bar: Toolbar, name: IconName, key: MessageKey, run: () => void, disabled = false): TemplateResult {
+  return html`<button class="item" ?disabled=${disabled} @click=${() => { bar.menus.close(); run(); }}>${icon(name)}${translate(bar.app.store.state.lang, key)}</button>`;
 }

@@ -28,19 +28,25 @@ const say = words({
   snapHelp: ["Snaps to corners, lines and cells. Ctrl inverts.", "吸附到角点、对齐线与栅格；按住 Ctrl 反转"],
 });
 
-/** What the active tool can be set to, over the map. */
+/** What the active tool can be set to: a row above the map, `flat` in a sheet, or the first lines (`form`) of the inspector. */
 export class ToolOptionsBar extends AppElement {
   static override styles = [controls, css`
-    :host { position: absolute; left: 10px; right: 10px; top: 42px; z-index: 8; display: grid; justify-items: center; pointer-events: none; }
-    .bar { pointer-events: auto; display: flex; align-items: center; flex-wrap: wrap; gap: 6px 12px; padding: 6px 12px; background: var(--parkade-raise); border: 1px solid var(--parkade-hair); border-radius: calc(10px * var(--parkade-radius)); box-shadow: var(--parkade-float); }
+    :host { display: block; min-width: 0; background: var(--parkade-panel); }
+    :host([hidden]) { display: none; }
+    .bar { display: flex; align-items: center; gap: 6px 12px; padding: 6px 12px; }
+    :host(:not([flat], [form])) .bar { overflow-x: auto; scrollbar-width: thin; border-bottom: 1px solid var(--parkade-hair); white-space: nowrap; }
+    .bar > * { flex: none; }
     b { font-weight: 600; }
     label { display: flex; align-items: center; gap: 6px; color: var(--parkade-t2); }
     .weight { min-width: 26px; color: var(--parkade-t1); }
     input[type="range"] { width: 96px; accent-color: var(--parkade-accent); }
     .field { width: 78px; color: var(--parkade-t1); }
     .lock[aria-pressed="true"] { color: var(--parkade-accent); }
-    :host([flat]) { position: static; justify-items: start; }
-    :host([flat]) .bar { border: 0; box-shadow: none; background: none; padding: 8px 12px; }
+    :host([flat]) .bar { flex-wrap: wrap; padding: 8px 12px; }
+    :host([form]) .bar { display: grid; gap: 8px; padding: 0; }
+    :host([form]) label { justify-content: space-between; } :host([form]) label:has([type="checkbox"]) { justify-content: start; }
+    :host([form]) .segmented { display: flex; } :host([form]) .segmented button { flex: 1 0 auto; padding: 0 6px; }
+    :host([form]) .lock { justify-content: start; margin: 0 -10px; }
   `];
 
   protected watches(): readonly (keyof State)[] {
@@ -49,7 +55,8 @@ export class ToolOptionsBar extends AppElement {
 
   protected override render(): TemplateResult | typeof nothing {
     const { tool, toolOptions } = this.state;
-    if (tool === "select" || tool === "hand") return nothing;
+    this.hidden = tool === "select" || tool === "hand";
+    if (this.hidden) return nothing;
     return html`<div class="bar" role="group" aria-label=${this.t(`tool.${tool}`)}><b>${this.t(`tool.${tool}`)}</b>${this.fields(toolOptions)}${this.lock()}</div>`;
   }
 

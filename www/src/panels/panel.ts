@@ -11,7 +11,6 @@ import { cameraFor, worldToScreen } from "../view/camera";
 import { AppElement } from "./base";
 import { icon, marker } from "./icons";
 import { statusOf, type Status } from "./status";
-import "./hint";
 import "./scene-view";
 
 const TITLE = 32;
@@ -120,7 +119,6 @@ export class PlannerPanel extends AppElement {
       <div class="body" @pointerdown=${this.takeFocus}>
         ${hidden ? html`<div class="veil">${this.t("panel.hidden")}</div>` : html`
           <parkade-scene-view exportparts="canvas" .app=${this.app} .planners=${[planner]} .label=${label}></parkade-scene-view>
-          ${state.focus === planner && !this.thumb ? html`<parkade-hint .app=${this.app}></parkade-hint>` : nothing}
           <parkade-failure class=${this.isLow() ? "low" : ""} .app=${this.app} .planner=${planner}></parkade-failure>
           <div class="corner ${this.corner("left")}">${extras()?.readoutOf(state, planner)}</div>
           <div class="corner right ${this.corner("right")}">${extras()?.legendOf(state, planner)}</div>`}

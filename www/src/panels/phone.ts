@@ -1,7 +1,7 @@
 import type { PlannerId } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import "../i18n/later";
-import type { State } from "../store";
+import type { State, ToolId } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
 import { shortName } from "../view/identity";
@@ -13,23 +13,32 @@ import "./table";
 import { TOOLS } from "./toolbar";
 
 const TABS = ["draw", "results", "params"] as const;
-const HEIGHTS = [34, 148, 340] as const;
+/** Of the sheet: closed, with the map above, with little of the map. Low pages keep some of the map. */
+const HEIGHTS = ["0px", "min(148px, max(64px, 100cqh - 400px))", "min(340px, max(64px, 100cqh - 320px))"] as const;
+/** A page lower than this begins with its sheet closed. */
+const LOW = 560;
 const LONG_PRESS_MS = 500;
 const DRAG_PX = 6;
 
-/** Planner chips of the phone: a tap brings one to the front, a long press hides it. */
+/** Planner chips of the phone, in a row or a column: a tap brings one to the front, a long press hides it. */
 export class Chips extends AppElement {
+  static override properties = { ...AppElement.properties, rail: { type: Boolean, reflect: true } };
   static override styles = [controls, css`
     :host { display: block; background: var(--parkade-panel); border-top: 1px solid var(--parkade-hair); }
     parkade-failure:not(:defined) { display: block; height: 41px; }
-    .chips { display: grid; grid-auto-flow: column; grid-auto-columns: 1fr; gap: 6px; padding: 6px 10px; }
+    .chips { display: grid; grid-auto-flow: column; grid-auto-columns: minmax(76px, 1fr); gap: 6px; padding: 6px 10px; overflow: auto; scrollbar-width: none; }
     button { display: grid; grid-template-columns: 12px 1fr; gap: 0 6px; padding: 4px 8px; min-width: 0; min-height: 44px; text-align: left; align-items: center; font-size: 12px; line-height: 15px; border: 1px solid var(--parkade-hair2); border-radius: calc(10px * var(--parkade-radius)); touch-action: manipulation; user-select: none; -webkit-user-select: none; }
     button[aria-pressed="true"] { border-color: var(--parkade-t1); box-shadow: inset 0 0 0 1px var(--parkade-t1); }
     b { font-weight: 600; overflow: hidden; text-overflow: ellipsis; }
     span { grid-column: 2; color: var(--parkade-t2); overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
     .err { color: var(--parkade-err); } .warn { color: var(--parkade-warn); }
     .off b { color: var(--parkade-t3); text-decoration: line-through; }
+    :host([rail]) { border: 0; border-left: 1px solid var(--parkade-hair); min-height: 0; }
+    :host([rail]) .chips { grid-auto-flow: row; grid-template-columns: 1fr; align-content: start; gap: 4px; padding: 4px; height: 100%; }
+    :host([rail]) button { grid-template-columns: 1fr; justify-items: center; gap: 2px 0; padding: 4px 0; min-height: 48px; border-radius: calc(6px * var(--parkade-radius)); }
+    :host([rail]) span { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); } :host([rail]) b { max-width: 100%; }
   `];
+  declare rail: boolean;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private held = false;
 
@@ -39,9 +48,9 @@ export class Chips extends AppElement {
 
   protected override render(): TemplateResult {
     const { planners, focus, hidden } = this.state;
-    return html`<parkade-failure .app=${this.app} always></parkade-failure><div class="chips">${planners.map((planner) => {
+    return html`${this.rail ? nothing : html`<parkade-failure .app=${this.app} always></parkade-failure>`}<div class="chips">${planners.map((planner) => {
       const status = statusOf(this.state, planner);
-      return html`<button class=${hidden.has(planner) ? "off" : ""} aria-pressed=${planner === focus}
+      return html`<button data-planner=${planner} class=${hidden.has(planner) ? "off" : ""} aria-pressed=${planner === focus}
         @click=${() => this.tap(planner)} @pointerdown=${() => this.press(planner)} @pointerup=${this.release} @pointercancel=${this.release} @contextmenu=${(e: Event) => e.preventDefault()}>
         ${marker(planner)}<b>${shortName(this.state.lang, planner)}</b><span class=${status.tone} title=${status.chip}>${status.tiny}</span></button>`;
     })}</div>`;
@@ -64,9 +73,9 @@ export class Chips extends AppElement {
   }
 }
 
-/** The phone's bottom sheet with three heights, and the row of tools under it. */
+/** The phone's bottom sheet with three heights, and the row of tools under it; on its side a drawer at the right. */
 export class Sheet extends AppElement {
-  static override properties = { ...AppElement.properties, ready: { type: Boolean }, tab: { state: true }, size: { state: true } };
+  static override properties = { ...AppElement.properties, ready: { type: Boolean }, drawer: { type: Boolean, reflect: true }, open: { state: true }, tab: { state: true }, size: { state: true } };
   static override styles = [controls, css`
     :host { display: block; background: var(--parkade-app); }
     .sheet { background: var(--parkade-raise); border-radius: calc(14px * var(--parkade-radius)) calc(14px * var(--parkade-radius)) 0 0; box-shadow: 0 -1px 0 var(--parkade-hair); }
@@ -82,16 +91,23 @@ export class Sheet extends AppElement {
     .tools button { flex: 1 0 44px; height: 48px; max-width: 52px; color: var(--parkade-t1); }
     .tools button[aria-pressed="true"] { background: var(--parkade-accent-soft); color: var(--parkade-accent); box-shadow: inset 0 0 0 1px var(--parkade-accent); }
     .draw { padding: 10px 14px; color: var(--parkade-t2); }
+    .toggle { width: 100%; height: 44px; border-left: 1px solid var(--parkade-hair); border-radius: 0; background: var(--parkade-panel); }
+    .toggle[aria-expanded="true"] { color: var(--parkade-accent); }
+    .drawer { position: absolute; z-index: 15; top: 0; right: 57px; bottom: 37px; width: min(320px, 100cqw - 106px); display: flex; flex-direction: column; padding-top: 8px; background: var(--parkade-raise); border-left: 1px solid var(--parkade-hair); box-shadow: var(--parkade-float); animation: slide var(--parkade-slow) var(--parkade-ease); }
+    .drawer .body { flex: 1; min-height: 0; }
+    @keyframes slide { from { transform: translateX(100%); opacity: 0; } }
     .road { padding: 14px; border-top: 1px solid var(--parkade-hair); } .road:has(> [hidden]) { display: none; }
   `];
   declare ready: boolean;
+  declare drawer: boolean;
+  declare open: boolean;
   declare tab: (typeof TABS)[number];
   declare size: number;
   private drag: { y: number; size: number; moved: boolean } | null = null;
 
   constructor() {
     super();
-    this.ready = false;
+    this.ready = this.drawer = this.open = false;
     this.tab = "results";
     this.size = 1;
   }
@@ -100,25 +116,48 @@ export class Sheet extends AppElement {
     return ["tool"];
   }
 
-  protected override render(): TemplateResult {
-    return html`<div class="sheet" role="region" aria-label=${this.t("sheet.label")}>
-        <button class="grip" aria-label=${this.t("sheet.grip")} aria-expanded=${this.size > 0} @pointerdown=${this.grab} @pointermove=${this.pull} @pointerup=${this.drop} @click=${this.next}></button>
-        <div class="segmented" role="tablist" aria-label=${this.t("sheet.label")}>${TABS.map((tab) => html`
-          <button role="tab" aria-selected=${tab === this.tab} aria-controls="body" @click=${() => this.show(tab)}>${this.t(`sheet.${tab}`)}</button>`)}</div>
-        <div class="body" id="body" role="tabpanel" tabindex="0" aria-label=${this.t(`sheet.${this.tab}`)} .style=${`height:${this.height()}`}>${this.size > 0 ? this.content() : nothing}</div>
-      </div>
-      <div class="tools" role="toolbar" aria-label=${this.t("tools.label")}>${TOOLS.map((tool) => html`
-        <button data-tool=${tool.id} aria-pressed=${tool.id === this.state.tool} aria-label=${this.t(`tool.${tool.id}`)} @click=${() => this.app.store.set({ tool: tool.id })}>${icon(tool.icon, 20)}</button>`)}</div>`;
+  override connectedCallback(): void {
+    super.connectedCallback();
+    const { host } = this.getRootNode() as ShadowRoot;
+    if (host.clientHeight < LOW) this.size = 0;
   }
 
-  private height(): string {
-    return this.size === 0 ? "0px" : `min(${HEIGHTS[this.size]}px, 60vh)`;
+  protected override render(): TemplateResult {
+    return this.drawer ? this.asDrawer() : this.asSheet();
+  }
+
+  private asDrawer(): TemplateResult {
+    const { open } = this;
+    return html`<button class="icon toggle" aria-label=${this.t("sheet.label")} aria-expanded=${open} @click=${() => { this.open = !open; }}>${icon(open ? "close" : "sliders", 18)}</button>
+      ${open ? html`<div class="drawer" role="region" aria-label=${this.t("sheet.label")}>${this.tabs()}
+        <div class="body" id="body" role="tabpanel" tabindex="0" aria-label=${this.t(`sheet.${this.tab}`)}>${this.content()}</div></div>` : nothing}`;
+  }
+
+  private asSheet(): TemplateResult {
+    return html`<div class="sheet" role="region" aria-label=${this.t("sheet.label")}>
+        <button class="grip" aria-label=${this.t("sheet.grip")} aria-expanded=${this.size > 0} @pointerdown=${this.grab} @pointermove=${this.pull} @pointerup=${this.drop} @click=${this.next}></button>
+        ${this.tabs()}
+        <div class="body" id="body" role="tabpanel" tabindex="0" aria-label=${this.t(`sheet.${this.tab}`)} .style=${`height:${HEIGHTS[this.size]}`}>${this.size > 0 ? this.content() : nothing}</div>
+      </div>
+      <div class="tools" role="toolbar" aria-label=${this.t("tools.label")}>${TOOLS.map((tool) => html`
+        <button data-tool=${tool.id} aria-pressed=${tool.id === this.state.tool} aria-label=${this.t(`tool.${tool.id}`)} @click=${() => this.arm(tool.id)}>${icon(tool.icon, 20)}</button>`)}</div>`;
+  }
+
+  private tabs(): TemplateResult {
+    return html`<div class="segmented" role="tablist" aria-label=${this.t("sheet.label")}>${TABS.map((tab) => html`
+      <button role="tab" aria-selected=${tab === this.tab} aria-controls="body" @click=${() => this.show(tab)}>${this.t(`sheet.${tab}`)}</button>`)}</div>`;
+  }
+
+  /** A tool's settings are shown with it. */
+  private arm(tool: ToolId): void {
+    this.app.store.set({ tool });
+    if (tool !== "select" && tool !== "hand") this.show("draw");
   }
 
   private content(): TemplateResult {
     if (this.tab === "results") return html`<parkade-table .app=${this.app} compact></parkade-table>${this.ready ? html`<div class="road"><parkade-road-card .app=${this.app}></parkade-road-card></div>` : nothing}`;
     if (this.tab === "params") return html`<parkade-inspector .app=${this.app} .ready=${this.ready}></parkade-inspector>`;
-    return html`<parkade-options .app=${this.app} flat></parkade-options>${this.ready ? html`<div class="draw"><parkade-selection .app=${this.app}></parkade-selection></div>` : nothing}`;
+    return html`${this.drawer ? nothing : html`<parkade-options .app=${this.app} flat></parkade-options>`}${this.ready ? html`<div class="draw"><parkade-selection .app=${this.app}></parkade-selection></div><div class="draw"><parkade-objects .app=${this.app}></parkade-objects></div>` : nothing}`;
   }
 
   private show(tab: (typeof TABS)[number]): void {

@@ -8,7 +8,6 @@ import { extras } from "../view/pieces";
 import { AppElement } from "./base";
 import { lineSample, marker } from "./icons";
 import { statusOf } from "./status";
-import "./hint";
 import "./panel";
 import "./scene-view";
 
@@ -65,17 +64,17 @@ export class Stage extends AppElement {
 
   protected override render(): TemplateResult {
     const { mode, planners, focus } = this.state;
-    const options = this.bare ? nothing : html`${this.compact ? nothing : html`<parkade-options .app=${this.app}></parkade-options>`}<parkade-view-controls .app=${this.app}></parkade-view-controls>`;
-    if (this.compact || mode === "overlay") return html`${this.overlay()}${options}`;
-    if (mode === "grid") return html`<div class="grid" data-n=${planners.length}>${planners.map((planner) => this.panel(planner))}</div>${options}`;
+    const view = this.bare ? nothing : html`<parkade-view-controls .app=${this.app}></parkade-view-controls>`;
+    if (this.compact || mode === "overlay") return html`${this.overlay()}${view}`;
+    if (mode === "grid") return html`<div class="grid" data-n=${planners.length}>${planners.map((planner) => this.panel(planner))}</div>${view}`;
     const others = planners.filter((planner) => planner !== focus);
     return html`<div class="focus" .style=${`--thumbs:${Math.max(1, others.length)}`}>
       <parkade-panel part="panel" exportparts="canvas" class="large" .app=${this.app} .planner=${focus}></parkade-panel>
-      ${others.map((planner) => html`<parkade-panel part="panel" exportparts="canvas" .app=${this.app} .planner=${planner} thumb></parkade-panel>`)}</div>${options}`;
+      ${others.map((planner) => html`<parkade-panel part="panel" exportparts="canvas" .app=${this.app} .planner=${planner} data-planner=${planner} thumb></parkade-panel>`)}</div>${view}`;
   }
 
   private panel(planner: PlannerId): TemplateResult {
-    return html`<parkade-panel part="panel" exportparts="canvas" .app=${this.app} .planner=${planner}></parkade-panel>`;
+    return html`<parkade-panel part="panel" exportparts="canvas" .app=${this.app} .planner=${planner} data-planner=${planner}></parkade-panel>`;
   }
 
   private overlay(): TemplateResult {
@@ -90,8 +89,7 @@ export class Stage extends AppElement {
   /** What stands over the one map. */
   private notes(): TemplateResult {
     const { focus } = this.state;
-    return html`<parkade-hint .app=${this.app}></parkade-hint>
-      ${this.compact ? nothing : html`<parkade-failure .app=${this.app}></parkade-failure>`}
+    return html`${this.compact ? nothing : html`<parkade-failure .app=${this.app}></parkade-failure>`}
       ${this.compact ? [this.heading(), extras()?.readoutOf(this.state, focus)] : this.legend()}${this.state.scene.costs ? extras()?.weightsOf(this.state) : nothing}`;
   }
 
@@ -119,7 +117,7 @@ export class Stage extends AppElement {
     const { state } = this;
     return html`<div class="legend" role="group" aria-label=${this.t("chips.label")}>${state.planners.map((planner) => {
       const status = statusOf(state, planner), time = state.results[planner]?.millis;
-      return html`<button aria-pressed=${planner === state.focus} class=${state.hidden.has(planner) ? "off" : ""} @click=${() => this.app.store.set({ focus: planner })}>
+      return html`<button data-planner=${planner} aria-pressed=${planner === state.focus} class=${state.hidden.has(planner) ? "off" : ""} @click=${() => this.app.store.set({ focus: planner })}>
         ${marker(planner)}${lineSample(planner)}<b>${plannerName(state.lang, planner)}</b>
         <span class="ms">${time == null ? "" : `${millis(state.lang, time)} ms`}</span><span class=${status.tone}>${status.brief}</span></button>`;
     })}</div>`;

@@ -39,6 +39,7 @@ export class Timeline extends AppElement {
     :host([compact]) .segmented { order: 3; margin: 0; }
     :host([compact]) .icon { width: 44px; height: 44px; }
     :host([compact]) .segmented button { height: 30px; }
+    :host([slim]) .row { height: 36px; } :host([slim]) :is(.icon, .slider, .track) { height: 36px; min-height: 0; }
   `];
   declare compact: boolean;
   declare folded: boolean;

@@ -30,7 +30,7 @@ type MenuName = "planners" | "layers" | "export" | "more";
 
 /** The bar at the top: scene, history, tools, layers, arrangement, export, theme, language, share. */
 export class Toolbar extends AppElement {
-  static override properties = { ...AppElement.properties, compact: { type: Boolean, reflect: true }, ready: { type: Boolean }, shared: { state: true } };
+  static override properties = { ...AppElement.properties, compact: { type: Boolean, reflect: true }, rail: { type: Boolean, reflect: true }, ready: { type: Boolean }, shared: { state: true } };
   static override styles = [controls, css`
     :host { display: block; container-type: inline-size; background: var(--parkade-panel); border-bottom: 1px solid var(--parkade-hair); position: relative; z-index: 20; }
     .bar { display: flex; align-items: center; height: 48px; padding: 0 12px; gap: 5px; }
@@ -68,9 +68,17 @@ export class Toolbar extends AppElement {
     @container (max-width: 925px) { .fold { display: none; } }
     @container (max-width: 830px) { .brand, .rule { display: none; } .tools { gap: 0; } .tool { width: 25px; } .modes button { padding: 0 5px; } }
     :host([compact]) .bar { height: 44px; padding: 0 4px 0 6px; gap: 0; }
+    :host([rail]) { border: 0; border-right: 1px solid var(--parkade-hair); container-type: normal; }
+    :host([rail]) :is(.bar, .tools) { flex-direction: column; gap: 0; padding: 0; }
+    :host([rail]) .bar { position: absolute; inset: 0; height: auto; }
+    :host([rail]) .tools { flex: 1; min-height: 0; width: 100%; overflow-y: auto; scrollbar-width: none; }
+    :host([rail]) .tool { flex: none; width: 48px; height: 44px; padding: 0; } :host([rail]) kbd { display: none; }
+    :host([rail]) .popover { inset: 4px auto auto 52px; max-height: calc(100cqh - 8px); }
     :host([compact]) .scene { border: 0; background: none; font-weight: 600; flex: none; max-width: 230px; height: 44px; }
   `];
   declare compact: boolean;
+  /** A column at the left, with the rest in a menu. */
+  declare rail: boolean;
   declare ready: boolean;
   declare shared: boolean;
   protected override pace = 100;
@@ -78,7 +86,7 @@ export class Toolbar extends AppElement {
 
   constructor() {
     super();
-    this.compact = false;
+    this.compact = this.rail = false;
     this.ready = false;
     this.shared = false;
   }
@@ -88,7 +96,7 @@ export class Toolbar extends AppElement {
   }
 
   protected override render(): unknown {
-    return html`<div class="bar" role="toolbar" aria-label=${this.t("bar.label")}>${this.compact ? this.small() : this.full()}</div>`;
+    return html`<div class="bar" role="toolbar" aria-label=${this.t("bar.label")}>${this.rail ? html`${this.moreMenu("")}${this.tools()}` : this.compact ? this.small() : this.full()}</div>`;
   }
 
   private full(): TemplateResult {
@@ -96,7 +104,7 @@ export class Toolbar extends AppElement {
       <h1 class="brand">${logo()}<span>${this.t("app.name")}</span></h1>
       ${this.scenePicker()}
       <span class="rule"></span>${this.history()}<span class="rule"></span>
-      <div class="tools" role="group" aria-label=${this.t("tools.label")}>${TOOLS.map((tool) => this.tool(tool))}</div>
+      ${this.tools()}
       <span class="rule"></span>
       ${this.plannersMenu()}
       ${this.layersMenu()}
@@ -130,6 +138,10 @@ export class Toolbar extends AppElement {
     const { canUndo, canRedo } = this.state;
     return html`${this.button("undo", `${this.t("bar.undo")} · Ctrl Z`, () => this.app.store.undo(), "", !canUndo)}
       ${this.button("redo", `${this.t("bar.redo")} · Ctrl Shift Z`, () => this.app.store.redo(), "", !canRedo)}`;
+  }
+
+  private tools(): TemplateResult {
+    return html`<div class="tools" role="group" aria-label=${this.t("tools.label")}>${TOOLS.map((tool) => this.tool(tool))}</div>`;
   }
 
   private tool(tool: (typeof TOOLS)[number]): TemplateResult {

@@ -5,11 +5,12 @@ export const layout = css`
   :host { display: block; position: relative; min-height: 320px; overflow: hidden; container-type: size; }
   .desk, .phone { position: absolute; inset: 0; display: grid; }
   .desk {
-    grid-template: "bar bar" 49px "stage side" minmax(0, 1fr) "time side" 44px "strip strip" var(--pane-strip, 202px) / minmax(0, 1fr) var(--pane-side, 280px);
+    grid-template: "bar bar" 49px "options side" auto "stage side" minmax(0, 1fr) "time side" 44px "strip strip" var(--strip, 202px) / minmax(0, 1fr) var(--pane-side, 280px);
+    --strip: var(--pane-strip, 202px);
   }
-  :host([folded]) .desk { grid-template-rows: 49px minmax(0, 1fr) 44px 0; }
+  :host([folded]) .desk { --strip: 0px; }
   :host([folded]) .strip { visibility: hidden; }
-  parkade-toolbar { grid-area: bar; }
+  parkade-toolbar { grid-area: bar; } parkade-options { grid-area: options; }
   parkade-stage { grid-area: stage; }
   parkade-timeline { grid-area: time; }
   parkade-inspector { grid-area: side; min-height: 0; }
@@ -28,18 +29,20 @@ export const layout = css`
     .desk { grid-template-columns: minmax(0, 1fr) 0; }
     .desk :is(parkade-inspector, parkade-splitter[pane="side"]) { display: none; }
   }
-  @media (max-height: 640px) {
-    .desk { grid-template-rows: 49px minmax(0, 1fr) 44px 130px; }
-  }
+  /* The inspector has them where it is shown. */
+  @container (min-width: 961px) { .desk > parkade-options { display: none; } }
+  @media (max-height: 640px) { .desk { --strip: 130px; } }
   .phone { grid-template: "bar" 45px "stage" minmax(0, 1fr) "chips" minmax(98px, auto) "time" 48px "sheet" auto / minmax(0, 1fr); }
-  .phone.bare { grid-template-rows: 45px minmax(0, 1fr) 98px 48px calc(113px + min(148px, 60vh)); }
+  .phone.rails { grid-template: "bar stage drawer" 44px "bar stage chips" minmax(0, 1fr) "bar options chips" auto "bar time chips" 37px / 49px minmax(0, 1fr) 57px; }
+  .rails parkade-sheet { grid-area: drawer; }
+  .phone.bare:not(.rails) { grid-template-rows: 45px minmax(0, 1fr) 98px 48px calc(113px + min(148px, 60vh)); }
   :host([short]) :is(.strip, parkade-splitter[pane="strip"]) { display: none; }
-  :host([short]) .desk { grid-template-rows: 49px minmax(0, 1fr) 44px 0; }
+  :host([short]) .desk { --strip: 0px; }
   :host([short]) .phone { grid-template-rows: 45px minmax(0, 1fr) minmax(98px, auto) 48px 0; }
-  parkade-chips { grid-area: chips; } parkade-chips:not(:defined) { height: 98px; }
+  parkade-chips { grid-area: chips; } .phone:not(.rails) parkade-chips:not(:defined) { height: 98px; }
   parkade-failure { grid-area: stage; align-self: end; z-index: 3; }
-  parkade-sheet { grid-area: sheet; } parkade-sheet:not(:defined) { height: calc(113px + min(148px, 60vh)); }
-  :host([viewing]) parkade-stage { pointer-events: none; --parkade-hint: none; }
+  parkade-sheet { grid-area: sheet; } .phone:not(.rails) parkade-sheet:not(:defined) { height: calc(113px + min(148px, 60vh)); }
+  :host([viewing]) parkade-stage { pointer-events: none; }
   :host([controls="minimal"]) .desk { grid-template: "stage" minmax(0, 1fr) "time" 44px / minmax(0, 1fr); }
   :host([controls="minimal"]) .phone { grid-template: "stage" minmax(0, 1fr) "time" 48px / minmax(0, 1fr); }
   :host([controls="none"]) :is(.desk, .phone) { grid-template: "stage" minmax(0, 1fr) / minmax(0, 1fr); }

@@ -1,0 +1,167 @@
+import type { PlannerId } from "parkade";
+import { css, html, nothing, type TemplateResult } from "lit";
+import { recall, remember } from "../element/memory";
+import { words } from "../i18n/words";
+import "../i18n/later";
+import { goalPose, resolve, vehicleOf } from "../scene/model";
+import { boxOf, type Box } from "../scene/plane";
+import { footprint } from "../scene/vehicle";
+import type { State } from "../store";
+import { cameraFor, worldToScreen, type View } from "../view/camera";
+import { plannerName } from "../view/identity";
+import { STALK } from "../view/pose-handle";
+import { controls } from "../styles/controls";
+import { AppElement } from "./base";
+import { freeSpot, type Spot } from "./free-spot";
+import { icon } from "./icons";
+import { statusOf } from "./status";
+
+const say = words({ close: ["Close this hint", "关闭此提示"] });
+
+const STEPS = ["hint.drag", "hint.wall", "hint.fails"] as const;
+type Step = (typeof STEPS)[number];
+/** Half of the grip's box, CSS pixels. */
+const GRIP = 14;
+const CONTROLS = "button, input, select, textarea, a, summary";
+
+interface Bubble extends Spot { step: Step; text: string }
+interface Anchor { box: Box; text: string; /** Also not to be covered. */ near: readonly Box[] }
+
+/** What can be done next: one sentence beside the thing it speaks of, over no control and no text, until anything is done. */
+export class Hints extends AppElement {
+  static override properties = { ...AppElement.properties, bubble: { state: true } };
+  static override styles = [controls, css`
+    :host { position: absolute; inset: 0; z-index: 20; pointer-events: none; overflow: hidden; }
+    div { position: absolute; width: max-content; max-width: min(300px, calc(100% - 16px)); display: flex; align-items: center; gap: 4px; padding: 3px 3px 3px 12px; border-radius: calc(6px * var(--parkade-radius)); background: var(--parkade-t1); color: var(--parkade-panel); font-weight: 500; font-size: 13px; line-height: 18px; }
+    div.out { visibility: hidden; }
+    i { position: absolute; width: 8px; height: 8px; margin: -4px; background: var(--parkade-t1); transform: rotate(45deg); }
+    button { pointer-events: auto; width: 26px; height: 26px; min-width: 0; flex: none; }
+    @media (pointer: coarse) { button { width: 44px; height: 44px; } }
+  `];
+  declare bubble: Bubble | null;
+  private readonly observer = new ResizeObserver(() => this.place());
+  private host: HTMLElement | null = null;
+
+  constructor() {
+    super();
+    this.bubble = null;
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.observer.observe(this);
+    this.host = (this.getRootNode() as ShadowRoot).host as HTMLElement;
+    for (const kind of ["pointerdown", "keydown", "wheel"]) this.host.addEventListener(kind, this.onAction, { capture: true, passive: true });
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.observer.disconnect();
+    for (const kind of ["pointerdown", "keydown", "wheel"]) this.host?.removeEventListener(kind, this.onAction, { capture: true });
+  }
+
+  protected watches(): readonly (keyof State)[] {
+    return this.step ? ["scene", "camera", "geometry", "transient", "tool", "results", "focus", "mode", "layers", "playback", "selection", "canUndo"] : [];
+  }
+
+  protected override render(): TemplateResult | typeof nothing {
+    const { step, bubble } = this;
+    if (!step) return nothing;
+    const text = bubble?.text ?? this.t(step, { planner: "" });
+    return html`${bubble ? html`<i .style=${`left:${bubble.tip[0]}px;top:${bubble.tip[1]}px`}></i>` : nothing}
+      <div role="status" class=${bubble ? "" : "out"} .style=${`left:${bubble?.x ?? 0}px;top:${bubble?.y ?? 0}px`}>${text}
+        <button aria-label=${say(this.state.lang, "close")} @click=${() => this.dismiss()}>${icon("close", 12)}</button></div>`;
+  }
+
+  protected override updated(): void {
+    this.place();
+  }
+
+  private get step(): Step | undefined {
+    return STEPS.find((step) => recall(step) === null);
+  }
+
+  private dismiss(): void {
+    if (!this.bubble) return;
+    remember(this.bubble.step, "seen");
+    this.bubble = null;
+  }
+
+  private readonly onAction = (event: Event): void => {
+    if (!event.composedPath().includes(this)) this.dismiss();
+  };
+
+  /** What it stands beside is drawn in other trees, after this one. */
+  private place(): void {
+    requestAnimationFrame(() => {
+      const bubble = this.isConnected ? this.placed() : null;
+      if (JSON.stringify(bubble) !== JSON.stringify(this.bubble)) this.bubble = bubble;
+    });
+  }
+
+  private placed(): Bubble | null {
+    const { step, state } = this, words = this.renderRoot.querySelector("div");
+    if (!step || !words || !this.host || state.transient || state.playback.playing || this.host.hasAttribute("viewing")) return null;
+    const anchor = step === "hint.drag" ? this.grip() : state.canUndo && state.tool === "select" ? this.anchor(step) : null;
+    if (!anchor) return null;
+    const origin = this.getBoundingClientRect(), taken = [...anchor.near];
+    for (const box of boxesOf(this.host.shadowRoot!, this)) taken.push(moved(box, origin));
+    const spot = freeSpot(moved(anchor.box, origin), words, origin, taken.filter((box) => box.maxX > box.minX));
+    return spot && { ...spot, step, text: anchor.text };
+  }
+
+  /** The goal car's grip in the map in front. */
+  private grip(): Anchor | null {
+    const { state } = this, stage = this.host!.shadowRoot!.querySelector("parkade-stage")?.shadowRoot;
+    const map = stage?.querySelector("parkade-scene-view") ?? stage?.querySelector("parkade-panel[active]")?.shadowRoot?.querySelector("parkade-scene-view");
+    if (!map || !state.geometry || (state.selection !== null && state.selection.kind !== "goal")) return null;
+    const at = map.getBoundingClientRect(), view: View = { camera: cameraFor(state, at.width, at.height), width: at.width, height: at.height };
+    const goal = goalPose(state.scene), ahead = vehicleOf(state.scene.vehicle).rearToFront + STALK;
+    const [x, y] = worldToScreen(view, goal.x + ahead * Math.cos(goal.heading), goal.y + ahead * Math.sin(goal.heading));
+    if (x < 0 || y < 0 || x > at.width || y > at.height) return null;
+    const box = { minX: at.left + x - GRIP, maxX: at.left + x + GRIP, minY: at.top + y - GRIP, maxY: at.top + y + GRIP };
+    const origin = this.getBoundingClientRect(), { start, vehicle } = resolve(state.scene);
+    const cars = [start, goal].map((pose) => boxOf(footprint(pose, vehicle).map(([wx, wy]) => {
+      const [px, py] = worldToScreen(view, wx, wy);
+      return [px + at.left - origin.left, py + at.top - origin.top];
+    })));
+    return { box, text: this.t("hint.drag"), near: cars };
+  }
+
+  private anchor(step: "hint.wall" | "hint.fails"): Anchor | null {
+    const root = this.host!.shadowRoot!;
+    const inside = (piece: string, query: string, from: ParentNode = root): Element | null => from.querySelector(piece)?.shadowRoot?.querySelector(query) ?? null;
+    if (step === "hint.wall") {
+      const element = inside("parkade-toolbar", '[data-tool="wall"]') ?? inside("parkade-sheet", '[data-tool="wall"]');
+      return element && { box: boxAround(element), text: this.t(step), near: [] };
+    }
+    const planner = this.failing();
+    if (!planner || planner === this.state.focus) return null;
+    const element = inside(`parkade-chips`, `[data-planner="${planner}"]`) ?? inside("parkade-stage", `.legend [data-planner="${planner}"]`)
+      ?? inside(`parkade-panel[data-planner="${planner}"]`, ".chip", root.querySelector("parkade-stage")?.shadowRoot ?? root);
+    return element && { box: boxAround(element), text: this.t(step, { planner: plannerName(this.state.lang, planner) }), near: [] };
+  }
+
+  private failing(): PlannerId | undefined {
+    return this.state.planners.find((planner) => this.state.results[planner]?.status === "done" && statusOf(this.state, planner).tone === "err");
+  }
+}
+
+function boxAround(element: Element): Box {
+  const { left, top, right, bottom } = element.getBoundingClientRect();
+  return { minX: left, maxX: right, minY: top, maxY: bottom };
+}
+
+const moved = ({ minX, maxX, minY, maxY }: Box, { left, top }: DOMRect): Box => ({ minX: minX - left, maxX: maxX - left, minY: minY - top, maxY: maxY - top });
+
+/** Every control and every text below `root`, but for one element's. */
+function* boxesOf(root: ParentNode, except: Element): Generator<Box> {
+  for (const element of root.querySelectorAll("*")) {
+    if (element === except || element.matches(".sr")) continue;
+    if (element.shadowRoot) yield* boxesOf(element.shadowRoot, except);
+    const speaks = element.matches(CONTROLS) || [...element.childNodes].some((node) => node.nodeType === Node.TEXT_NODE && node.textContent?.trim());
+    if (speaks && element.checkVisibility({ visibilityProperty: true })) yield boxAround(element);
+  }
+}
+
+customElements.define("parkade-hints", Hints);
