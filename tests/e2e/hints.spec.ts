@@ -2,20 +2,22 @@ import { expect, test } from "@playwright/test";
 import { complaintsOf, look, open, settled, type PlaygroundElement } from "./playground.js";
 import { drag } from "./hands.js";
 
-const hint = "parkade-next-hints span";
+const hint = "parkade-hints div:not(.out)";
 
 test("one sentence after another leads from the first drag to a wall and to a planner that fails", async ({ page }) => {
   await page.setViewportSize({ width: 1400, height: 900 });
   const complaints = complaintsOf(page);
   await open(page);
-  await expect(page.locator("parkade-hint")).toContainText("Drag me");
+  await expect(page.locator(hint)).toContainText("Drag me");
   const { x, y } = await page.evaluate(() => (document.querySelector<PlaygroundElement>("parkade-playground")!.store as any).state.geometry.goal as { x: number; y: number });
   await look(page, x, y, 14);
   await drag(page, [[x, y], [x + 0.8, y + 0.4]]);
   await settled(page);
-  await expect(page.locator("parkade-hint span")).toHaveCount(0);
-  await expect(page.locator(hint)).toHaveText("Draw a wall and every planner replans.");
+  await expect(page.locator(hint)).toHaveText("Draw a wall: every planner follows.");
+  // A hint goes with the next action, whichever it is.
   await page.keyboard.press("l");
+  await expect(page.locator(hint)).toHaveCount(0);
+  await page.keyboard.press("v");
   await expect(page.locator(hint)).toHaveText(/ fails\. The line on its map says why/);
   const row = page.locator("parkade-table tr[data-planner]", { has: page.locator("td.err") }).first();
   await row.click();
@@ -23,10 +25,38 @@ test("one sentence after another leads from the first drag to a wall and to a pl
   // Seen once, each stays away.
   await page.reload();
   await settled(page);
-  await page.waitForFunction(() => customElements.get("parkade-next-hints"));
+  await page.waitForFunction(() => customElements.get("parkade-hints"));
   await expect(page.locator(hint)).toHaveCount(0);
-  await expect(page.locator("parkade-hint span")).toHaveCount(0);
   expect(complaints).toEqual([]);
+});
+
+test("a hint covers no control, no text and neither car at any size, and its button closes it", async ({ browser }) => {
+  for (const [width, height] of [[320, 480], [390, 844], [844, 390], [1024, 768], [1400, 900], [1920, 1080]] as const) {
+    const page = await browser.newPage({ viewport: { width, height } });
+    await open(page);
+    await page.waitForFunction(() => customElements.get("parkade-hints"));
+    const bubble = page.locator(hint);
+    // The lowest page may have no room; then nothing is said.
+    if (height === 480 && (await bubble.count()) === 0) continue;
+    await expect(bubble).toContainText("Drag me");
+    const covered = await bubble.evaluate((element) => {
+      const box = element.getBoundingClientRect(), found: string[] = [];
+      const walk = (root: ParentNode): void => root.querySelectorAll("*").forEach((one) => {
+        if (one.localName === "parkade-hints") return;
+        if (one.shadowRoot) walk(one.shadowRoot);
+        const text = [...one.childNodes].filter((node) => node.nodeType === 3).map((node) => node.textContent!.trim()).join("");
+        if ((!text && !one.matches("button, input")) || !one.checkVisibility({ visibilityProperty: true }) || one.matches(".sr")) return;
+        const { left, right, top, bottom } = one.getBoundingClientRect();
+        if (left < box.right && right > box.left && top < box.bottom && bottom > box.top) found.push(`${one.localName} ${text}`);
+      });
+      walk(document.querySelector("parkade-playground")!.shadowRoot!);
+      return found;
+    });
+    expect(covered, `${width}x${height}`).toEqual([]);
+    await bubble.getByRole("button", { name: "Close this hint" }).click();
+    await expect(bubble).toHaveCount(0);
+    await page.close();
+  }
 });
 
 test.describe("on a phone", () => {

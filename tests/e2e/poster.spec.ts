@@ -46,7 +46,7 @@ function ownPicture(page: Page): Promise<string> {
   });
 }
 
-const CHROME = ".legend, .title, .corner, .edit, parkade-failure, .readout, .weights, .scale, parkade-hint, parkade-view-controls";
+const CHROME = ".legend, .title, .corner, .edit, parkade-failure, .readout, .weights, .scale, parkade-hints, parkade-view-controls";
 
 /** Where the maps are, and what lies over them. */
 const places = (page: Page) => page.evaluate((selector) => {

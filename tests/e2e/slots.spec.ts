@@ -31,7 +31,7 @@ test("slots are drawn for the car of the scene; one that is too small offers to 
   await drag(page, [[8, 12], [12, 12]]);
   expect([(await sceneOf(page)).vehicle, (await sceneOf(page)).slots!.length, (await sceneOf(page)).slots!.at(-1)]).toMatchObject(["paper", 5, { width: 3.2, length: 6 }]);
   await page.keyboard.press("p");
-  await page.locator("parkade-options").getByLabel("Depth").fill("5.3");
+  await page.locator("parkade-inspector parkade-options").getByLabel("Depth").fill("5.3");
   await page.keyboard.press("Tab");
   await drag(page, [[28, 18], [32, 18]]);
   await expect(notice(page)).toContainText("This slot is 0.2 m too short for the car.");

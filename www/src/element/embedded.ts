@@ -266,6 +266,7 @@ export class Embedded extends Playground {
 
   private readonly edit = (): void => {
     this.viewing = false;
+    void this.app.fetchPart(() => import("../panels/hints"));
     void this.updateComplete.then(() => this.views()[0]?.canvas?.focus());
   };
 

@@ -3,15 +3,16 @@ import { css, html, nothing, type TemplateResult } from "lit";
 import { recall, remember } from "../element/memory";
 import { words } from "../i18n/words";
 import "../i18n/later";
-import { goalPose, resolve, vehicleOf } from "../scene/model";
+import { resolve } from "../scene/model";
 import { boxOf, type Box } from "../scene/plane";
 import { footprint } from "../scene/vehicle";
 import type { State } from "../store";
-import { cameraFor, worldToScreen, type View } from "../view/camera";
+import { worldToScreen } from "../view/camera";
 import { plannerName } from "../view/identity";
-import { STALK } from "../view/pose-handle";
+import { gripOf } from "../view/pose-handle";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
+import type { SceneView } from "./scene-view";
 import { freeSpot, type Spot } from "./free-spot";
 import { icon } from "./icons";
 import { statusOf } from "./status";
@@ -113,14 +114,14 @@ export class Hints extends AppElement {
   /** The goal car's grip in the map in front. */
   private grip(): Anchor | null {
     const { state } = this, stage = this.host!.shadowRoot!.querySelector("parkade-stage")?.shadowRoot;
-    const map = stage?.querySelector("parkade-scene-view") ?? stage?.querySelector("parkade-panel[active]")?.shadowRoot?.querySelector("parkade-scene-view");
+    const map = stage?.querySelector<SceneView>("parkade-scene-view") ?? stage?.querySelector("parkade-panel[active]")?.shadowRoot?.querySelector<SceneView>("parkade-scene-view");
     if (!map || !state.geometry || (state.selection !== null && state.selection.kind !== "goal")) return null;
-    const at = map.getBoundingClientRect(), view: View = { camera: cameraFor(state, at.width, at.height), width: at.width, height: at.height };
-    const goal = goalPose(state.scene), ahead = vehicleOf(state.scene.vehicle).rearToFront + STALK;
-    const [x, y] = worldToScreen(view, goal.x + ahead * Math.cos(goal.heading), goal.y + ahead * Math.sin(goal.heading));
+    const at = map.getBoundingClientRect(), { view } = map;
+    if (!view) return null;
+    const { start, goal, vehicle } = resolve(state.scene), [x, y] = worldToScreen(view, ...gripOf(goal, vehicle));
     if (x < 0 || y < 0 || x > at.width || y > at.height) return null;
     const box = { minX: at.left + x - GRIP, maxX: at.left + x + GRIP, minY: at.top + y - GRIP, maxY: at.top + y + GRIP };
-    const origin = this.getBoundingClientRect(), { start, vehicle } = resolve(state.scene);
+    const origin = this.getBoundingClientRect();
     const cars = [start, goal].map((pose) => boxOf(footprint(pose, vehicle).map(([wx, wy]) => {
       const [px, py] = worldToScreen(view, wx, wy);
       return [px + at.left - origin.left, py + at.top - origin.top];
@@ -137,7 +138,7 @@ export class Hints extends AppElement {
     }
     const planner = this.failing();
     if (!planner || planner === this.state.focus) return null;
-    const element = inside(`parkade-chips`, `[data-planner="${planner}"]`) ?? inside("parkade-stage", `.legend [data-planner="${planner}"]`)
+    const element = inside("parkade-chips", `[data-planner="${planner}"]`) ?? inside("parkade-stage", `.legend [data-planner="${planner}"]`)
       ?? inside(`parkade-panel[data-planner="${planner}"]`, ".chip", root.querySelector("parkade-stage")?.shadowRoot ?? root);
     return element && { box: boxAround(element), text: this.t(step, { planner: plannerName(this.state.lang, planner) }), near: [] };
   }

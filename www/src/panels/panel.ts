@@ -32,12 +32,17 @@ export class PlannerPanel extends AppElement {
   static override styles = [controls, css`
     :host { display: grid; container-type: inline-size; grid-template-rows: 32px 1fr; min-width: 0; min-height: 0; background: var(--parkade-panel); position: relative; }
     :host([active])::before { content: ""; position: absolute; inset: 0 0 auto; height: 2px; background: var(--parkade-accent); z-index: 2; }
-    header { display: flex; align-items: center; gap: 8px; padding: 0 8px 0 12px; border-bottom: 1px solid var(--parkade-hair); min-width: 0; cursor: default; user-select: none; -webkit-user-select: none; }
-    h2 { margin: 0; font: inherit; font-weight: 600; white-space: nowrap; display: flex; align-items: center; gap: 8px; }
+    header { display: flex; align-items: center; gap: 8px; padding: 0 8px 0 12px; border-bottom: 1px solid var(--parkade-hair); min-width: 0; overflow: hidden; cursor: default; user-select: none; -webkit-user-select: none; }
+    h2 { margin: 0; min-width: 0; font: inherit; font-weight: 600; white-space: nowrap; display: flex; align-items: center; gap: 8px; }
+    h2 span { overflow: hidden; text-overflow: ellipsis; }
     .time { color: var(--parkade-t2); white-space: nowrap; min-width: 58px; }
     .chip { flex: 0 1 auto; }
     .chip .short { display: none; }
     @container (max-width: 470px) { .chip .short { display: block; } .chip .long { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); } }
+    /* Of many planners the names stay, and what the answer is, by its colour and sign. */
+    @container (max-width: 330px) { .time { display: none; } h2 { flex: 0 1 auto; } }
+    @container (max-width: 250px) { .chip .short { display: none; } .chip { flex: none; padding: 0 4px; } header { gap: 4px; padding: 0 4px 0 8px; } }
+    @container (max-width: 150px) { .end button:first-child:not(:last-child) { display: none; } }
     .off h2, .off .time { color: var(--parkade-t3); }
     .stale .time { color: var(--parkade-t3); }
     .end { margin-left: auto; display: flex; flex: none; }

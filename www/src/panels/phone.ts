@@ -151,7 +151,9 @@ export class Sheet extends AppElement {
   /** A tool's settings are shown with it. */
   private arm(tool: ToolId): void {
     this.app.store.set({ tool });
-    if (tool !== "select" && tool !== "hand") this.show("draw");
+    if (tool === "select" || tool === "hand") return;
+    this.tab = "draw";
+    this.size = 1;
   }
 
   private content(): TemplateResult {

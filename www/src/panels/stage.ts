@@ -1,9 +1,10 @@
 import type { PlannerId } from "parkade";
-import { css, html, nothing, type TemplateResult } from "lit";
+import { css, html, nothing, unsafeCSS, type TemplateResult } from "lit";
 import { millis } from "../i18n/index";
 import { plannerName } from "../view/identity";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
+import { LEGEND } from "../view/camera";
 import { extras } from "../view/pieces";
 import { AppElement } from "./base";
 import { lineSample, marker } from "./icons";
@@ -32,8 +33,8 @@ export class Stage extends AppElement {
     .one { position: absolute; inset: 0; background: var(--parkade-panel); }
     .one parkade-scene-view { position: absolute; inset: 0; }
     parkade-failure { position: absolute; inset: 0 0 auto; }
-    .legend { position: absolute; right: 10px; bottom: 10px; padding: 5px; font-size: 12px; line-height: 16px; background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair); border-radius: calc(8px * var(--parkade-radius)); }
-    .legend button { display: grid; grid-template-columns: 14px 30px 1fr auto auto; gap: 6px; width: 100%; height: 27px; padding: 0 6px; text-align: left; align-items: center; border: 1px solid transparent; }
+    .legend { position: absolute; right: 10px; bottom: 10px; max-width: 340px; max-height: ${unsafeCSS(LEGEND.rows * LEGEND.row + LEGEND.edge)}px; padding: 5px; overflow: hidden auto; scrollbar-width: thin; font-size: 12px; line-height: 16px; background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair); border-radius: calc(8px * var(--parkade-radius)); }
+    .legend button { display: grid; grid-template-columns: 14px 30px 1fr auto auto; gap: 6px; width: 100%; height: ${unsafeCSS(LEGEND.row)}px; padding: 0 6px; text-align: left; align-items: center; border: 1px solid transparent; }
     .legend button[aria-pressed="true"] { border-color: var(--parkade-hair2); background: var(--parkade-panel); }
     .legend b { font-weight: 600; }
     .legend .ms { color: var(--parkade-t2); text-align: right; padding-left: 12px; }

@@ -32,6 +32,7 @@ export class Timeline extends AppElement {
     select { appearance: none; border: 0; background: none; height: 32px; padding: 0 8px; font-weight: 500; cursor: pointer; border-radius: calc(6px * var(--parkade-radius)); }
     select:hover { background: var(--parkade-hover); }
     option { background: var(--parkade-raise); color: var(--parkade-t1); }
+    @media (forced-colors: active) { :is(.rail, .done, .reverse) { stroke: CanvasText; } .done { stroke: Highlight; } .slider::-webkit-slider-runnable-track { background: none; } }
     .up svg { transform: scaleY(-1); }
     .on { color: var(--parkade-accent); }
     @container (max-width: 700px) { .unit { display: none; } .segmented { margin: 0 8px; } }

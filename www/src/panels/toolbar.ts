@@ -35,7 +35,7 @@ export class Toolbar extends AppElement {
     :host { display: block; container-type: inline-size; background: var(--parkade-panel); border-bottom: 1px solid var(--parkade-hair); position: relative; z-index: 20; }
     .bar { display: flex; align-items: center; height: 48px; padding: 0 12px; gap: 5px; }
     .brand { display: flex; align-items: center; gap: 8px; font-size: 14px; line-height: 18px; font-weight: 650; margin: 0 8px 0 0; }
-    .scene { flex: 0 1 140px; min-width: 64px; justify-content: space-between; }
+    .scene { flex: none; min-width: 140px; max-width: 240px; justify-content: space-between; }
     .scene span { overflow: hidden; text-overflow: ellipsis; font-weight: 500; }
     .scene svg, .menu svg:last-child { color: var(--parkade-t2); }
     .rule { width: 1px; height: 20px; background: var(--parkade-hair); margin: 0 3px; flex: none; }
@@ -60,9 +60,11 @@ export class Toolbar extends AppElement {
     .lang { padding: 0 8px; color: var(--parkade-t3); font-weight: 400; }
     .lang b { font-weight: 600; color: var(--parkade-t1); }
     .wide { display: none; }
-    /* Each stands where what is above would no longer fit in English; a longer scene's title gives way. */
-    @container (max-width: 1440px) { .rare .label { display: none; } }
-    @container (max-width: 1390px) { .label { display: none; } .menu { padding: 0 8px; } }
+    /* Each stands where what is above would no longer fit in English; below 1280 a long scene's title gives way. */
+    @container (max-width: 1580px) { .rare .label { display: none; } }
+    @container (max-width: 1530px) { .label { display: none; } .menu { padding: 0 8px; } }
+    @container (max-width: 1370px) { .tool { width: 30px; padding-right: 6px; } .tools { gap: 0; } }
+    @container (max-width: 1279px) { .scene { flex: 0 1 140px; min-width: 64px; } .tools { gap: 2px; } .tool { width: 32px; } }
     @container (max-width: 1230px) { .tool { padding: 0; } .tool kbd, .brand span { display: none; } .bar { gap: 4px; padding: 0 10px; } .rule { margin: 0 2px; } }
     @container (max-width: 1140px) { .rare { display: none; } .wide { display: flex; } .tool { width: 28px; } }
     @container (max-width: 925px) { .fold { display: none; } }

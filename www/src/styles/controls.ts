@@ -104,6 +104,10 @@ export const controls = css`
     .slider { height: 44px; }
   }
   @media (forced-colors: active) {
+    .slider::-webkit-slider-runnable-track { background: CanvasText; }
+    .slider::-moz-range-track { background: CanvasText; }
+    .slider::-webkit-slider-thumb { background: Canvas; border: 2px solid CanvasText; }
+    .slider:focus-visible::-webkit-slider-thumb { border-color: Highlight; }
     button[aria-pressed="true"], button[aria-checked="true"] { forced-color-adjust: none; background: Highlight; color: HighlightText; }
   }
 `;
