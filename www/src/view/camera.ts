@@ -146,14 +146,14 @@ export function cameraFor(state: State, width: number, height: number): Camera {
 }
 
 /** What stands on a map's lower edge, CSS pixels: the list of planners at the right of the overlay (so many rows at once), and the view's buttons in the middle. */
-export const LEGEND = { width: 350, row: 27, rows: 7, edge: 12, from: 640 };
+export const LEGEND = { width: 350, row: 27, rows: 7, edge: 12, off: 14, from: 640 };
 const BUTTONS = { width: 120, height: 48 };
 
 /** No panel may lie over the start or goal car: where one would, the scene moves up. */
 function fitClear(state: State, width: number, height: number): Camera {
   const { scene, geometry, mode, planners } = state, plans = foundPlans(state);
   const listed = mode === "overlay" && width > LEGEND.from, alone = mode !== "grid" || planners.length === 1;
-  const list = LEGEND.row * Math.min(LEGEND.rows, planners.length) + LEGEND.edge + 2 * SPARE_PX;
+  const list = LEGEND.row * Math.min(LEGEND.rows, planners.length) + LEGEND.edge + LEGEND.off;
   const { start, goal, vehicle } = resolve(scene);
   const corners = [start, goal].flatMap((pose) => [...footprint(pose, vehicle), gripEnd(pose, vehicle.rearToFront)]);
   const fitAbove = (room: number): Camera => {
