@@ -13,7 +13,7 @@ test("one sentence after another leads from the first drag to a wall and to a pl
   await look(page, x, y, 14);
   await drag(page, [[x, y], [x + 0.8, y + 0.4]]);
   await settled(page);
-  await expect(page.locator(hint)).toHaveText("Draw a wall: every planner follows.");
+  await expect(page.locator(hint)).toHaveText("Draw a wall and every planner replans.");
   // A hint goes with the next action, whichever it is.
   await page.keyboard.press("l");
   await expect(page.locator(hint)).toHaveCount(0);
