@@ -4,18 +4,25 @@ import type { Plan, PlannerId, ScenarioInfo } from "parkade";
 import { isMessage } from "../i18n/index";
 import { words } from "../i18n/words";
 import { Helper } from "../planning/helper";
-import { FIRST_PLANNERS, type Scene, type State } from "../store";
+import { emptyResult, FIRST_PLANNERS, type Scene, type State } from "../store";
 import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
 import { plannerName } from "../view/identity";
 import { AppElement } from "./base";
-import { CASES } from "./cases";
+import { CASES, PRINTED } from "./cases";
 import { icon, marker } from "./icons";
+import { statusOf } from "./status";
 import "./generate";
 import "./thumbnail";
 
 /** Groups whose words the page does not have. */
-const say = words({ generate: ["Generate", "生成"], moving: ["Moving obstacles", "移动障碍物"], road: ["Roads", "道路"], cases: ["Best and worst", "最佳与最差"], best: ["Best case", "最佳情形"], worst: ["Worst case", "最差情形"], suits: ["Path by {planner}", "路径：{planner}"] });
+const say = words({ generate: ["Generate", "生成"], moving: ["Moving obstacles", "移动障碍物"], road: ["Roads", "道路"], cases: ["Best and worst", "最佳与最差"], best: ["Best case", "最佳情形"], worst: ["Worst case", "最差情形"], suits: ["Path by {planner}", "路径：{planner}"],
+  printed: ["Printed: {a} m, {m} gear {m|change|changes}; improved {b} m, {n}. Here?", "论文：{a} m，换挡 {m} 次；改进后 {b} m，{n} 次。此处呢？"],
+  against: ["The start stands against the wall.", "起点紧贴墙边。"],
+  path: ["{length} m, {n} {n|gear change|gear changes}", "{length} m，换挡 {n} 次"],
+});
+/** Rows of the paper whose start touches the boundary. */
+const AGAINST: readonly string[] = ["P1"];
 const GENERATE = "generate", CASE = "cases";
 /** Whose path a card shows. */
 const DRAWN: Record<string, PlannerId> = { grid: "risk-field", road: "cost-map" };
@@ -38,6 +45,7 @@ export class Presets extends AppElement {
     b { display: flex; align-items: center; gap: 8px; font-weight: 600; } .by { margin-left: auto; }
     h3 { margin: 18px 0 8px; font: inherit; font-weight: 600; display: flex; align-items: center; gap: 8px; } h3:first-child { margin-top: 0; }
     i { display: block; font-style: normal; font-size: 12.5px; line-height: 17px; color: var(--parkade-t2); }
+    small { display: block; margin-top: 2px; min-height: 16px; font-size: 12px; line-height: 16px; color: var(--parkade-t3); }
     footer { display: flex; align-items: center; gap: 10px; padding: 12px 16px 12px 24px; border-top: 1px solid var(--parkade-hair); }
     footer p { margin: 0; color: var(--parkade-t2); } footer b { white-space: nowrap; }
     footer .button { margin-left: auto; flex: none; }
@@ -88,12 +96,29 @@ export class Presets extends AppElement {
         <button class="button outline" @click=${this.choose}>${this.t("scenes.choose")}</button></footer>`;
   }
 
-  private card(info: ScenarioInfo, planner: PlannerId, title = info.title[this.state.lang], question = info.question[this.state.lang], run = () => this.pick(info.id)): TemplateResult {
+  private card(info: ScenarioInfo, planner: PlannerId, title = info.title[this.state.lang], question = this.questionOf(info), run = () => this.pick(info.id)): TemplateResult {
     const key = `${info.id} ${planner}`, suits = say(this.state.lang, "suits", { planner: plannerName(this.state.lang, planner) });
     if (!solved.has(key)) this.asked.push([info.id, planner]);
     return html`<li><button aria-current=${info.id === this.app.preset} @click=${run}>
       <parkade-thumbnail .app=${this.app} .scene=${this.sceneOf(info.id)} .plan=${solved.get(key)} ?whole=${info.group === "grid" || info.group === "road"}></parkade-thumbnail>
-      <span class="words"><b>${title}<span class="by" title=${suits}>${marker(planner)}<span class="sr">${suits}</span></span></b><i>${question}</i></span></button></li>`;
+      <span class="words"><b>${title}<span class="by" title=${suits}>${marker(planner)}<span class="sr">${suits}</span></span></b><i>${question}</i><small>${this.factOf(info.id, planner)}</small></span></button></li>`;
+  }
+
+  private questionOf({ id, question }: ScenarioInfo): string {
+    const { lang } = this.state, [a, m, b, n] = PRINTED[id] ?? [];
+    if (a === undefined || b === undefined) return question[lang];
+    const row = say(lang, "printed", { a: this.num(a, 1), m: m!, b: this.num(b, 1), n: n! });
+    return AGAINST.includes(id) ? `${row} ${say(lang, "against")}` : row;
+  }
+
+  /** What the plan on the card does; empty until it is there. */
+  private factOf(id: string, planner: PlannerId): string {
+    const { state } = this, plan = solved.get(`${id} ${planner}`);
+    if (!plan) return "";
+    const { brief, tone } = statusOf({ ...state, scene: this.sceneOf(id), results: { [planner]: { ...emptyResult, status: "done", plan } } }, planner);
+    if (plan.outcome !== "found") return brief;
+    const path = say(state.lang, "path", { length: this.num(plan.metrics.length, 1), n: plan.metrics.directionChanges });
+    return tone === "ok" ? path : `${path} · ${brief}`;
   }
 
   /** Two scenes for each planner. */
