@@ -10,6 +10,7 @@ import { emptyResult, initialState, type State } from "../../www/src/store";
 import { distancesOf } from "../../www/src/view/drive";
 import { failureOf } from "../../www/src/view/failure";
 import { between } from "../../www/src/view/fly";
+import { alongRoad } from "../../www/src/view/layers/lane-strip";
 import { introduce } from "../../www/src/view/identity";
 
 beforeAll(async () => {
@@ -105,10 +106,10 @@ describe("why it fails", () => {
   });
 
   it("names things by their names, else by kind and number", () => {
-    const obstacles: Scenario["obstacles"] = [box([0, 0], [1, 1], "rectangle-1"), box([3, 0], [1, 1], "rectangle-2"), { type: "car", id: "car-1", pose }, box([6, 0], [1, 1], "planter"), box([6, 0], [1, 1], "Fred’s van")];
+    const obstacles: Scenario["obstacles"] = [box([0, 0], [1, 1], "rectangle-1"), box([3, 0], [1, 1], "rectangle-2"), { type: "car", id: "car-1", pose }, box([6, 0], [1, 1], "planter"), box([6, 0], [1, 1], "Fred’s van"), box([9, 0], [1, 1], "barrier-1")];
     const state = { ...initialState(), scene: lot({ obstacles, slots: [] }) };
     const name = (index: number) => thingName(state, { index, obstacle: obstacles[index]?.id ?? "border" });
-    expect([0, 1, 2, 3, 4, -1].map(name)).toEqual(["rectangle 1", "rectangle 2", "the parked car", "the planter", "“Fred’s van”", "the boundary"]);
+    expect([0, 1, 2, 3, 4, 5, -1].map(name)).toEqual(["rectangle 1", "rectangle 2", "the parked car", "the planter", "“Fred’s van”", "“barrier-1”", "the boundary"]);
   });
 
   it("gives every failing answer of the built-in scenes a sentence and, where it is known, a place", () => {
@@ -134,4 +135,10 @@ it("a flight begins and ends at its cameras and moves evenly on the screen", () 
   expect(between(from, to, 0)).toEqual(from);
   const end = between(from, to, 1);
   expect([end.x, end.y, end.scale]).toEqual([8, -4, 80].map((n) => expect.closeTo(n, 9)));
+});
+
+it("the strip over a long road tells metres along it and to the left of its middle", () => {
+  const stations = [0, 10, 20].map((along) => ({ x: 0, y: along, heading: Math.PI / 2, along, left: 5, right: -3 }));
+  const [s, d] = alongRoad({ stations }, [-2, 13]);
+  expect([s, d]).toEqual([expect.closeTo(13, 9), expect.closeTo(1, 9)]);
 });

@@ -81,8 +81,10 @@ export interface State {
   complete: boolean;
   mode: "grid" | "overlay" | "focus";
   focus: PlannerId;
-  /** null: fit the scene. */
+  /** null: follow the car, or fit the scene. */
   camera: Camera | null;
+  /** The camera stays on the focused planner's car. */
+  follow: boolean;
   hover: { x: number; y: number } | null;
   /** What the risk field does at the cell under the pointer. */
   explained: Explanation | null;
@@ -160,6 +162,7 @@ export function initialState(): State {
     mode: "grid",
     focus: "hybrid",
     camera: null,
+    follow: false,
     hover: null,
     explained: null,
     waiting: "predictive",

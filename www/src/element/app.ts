@@ -16,6 +16,9 @@ import { persistently } from "./persistently";
 import { Player } from "./player";
 import type { ValueError } from "./schema";
 
+/** What a road is opened with, the one made for roads first. */
+const ROAD_PLANNERS: State["planners"] = ["cost-map", "eight", "risk-field", "hybrid"];
+
 /** What the planners' module knows, once it is loaded. */
 export interface Catalog {
   planners: PlannerInfo[];
@@ -194,12 +197,22 @@ export class App {
     void this.links.mark();
     this.preset = id;
     this.openScene(scene);
+    this.show(this.catalog.scenarios.find((one) => one.id === id)?.group === "road");
+  }
+
+  /** Roads are shown by the planner made for them, from its car at the start; others as they were before. */
+  private show(road: boolean): void {
+    const { planners } = this.store.state;
+    if (road) {
+      this.store.set({ planners: ROAD_PLANNERS, focus: "cost-map", follow: true });
+      this.player.seek(0);
+    } else if (planners === ROAD_PLANNERS) this.showFirstPlanners();
   }
 
   /** Replaces the whole scene in one undoable step. */
   openScene(scene: Scene): void {
     this.origin = scene;
-    this.store.set({ camera: null, selection: null, message: null });
+    this.store.set({ camera: null, follow: false, selection: null, message: null });
     this.store.edit(scene, { label: "open" });
   }
 

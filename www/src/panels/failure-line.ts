@@ -3,7 +3,7 @@ import { css, html, nothing, type TemplateResult } from "lit";
 import { words } from "../i18n/words";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
-import { belowLine, frameBox, leastScale, LINE } from "../view/camera";
+import { below, frameBox, isLong, leastScale, LINE, STRIP } from "../view/camera";
 import { failureOf } from "../view/failure";
 import { flyTo } from "../view/fly";
 import { AppElement } from "./base";
@@ -59,7 +59,8 @@ export class FailureLine extends AppElement {
     const { scene, results } = this.state, plan = results[this.asked]?.plan, view = this.map?.view;
     const failure = plan && failureOf(scene, plan);
     if (!failure || !view) return;
-    flyTo(this.app.store, view.camera, belowLine(frameBox(failure.box, view.width, view.height - LINE, leastScale(scene.map))));
+    const inset = isLong(scene) ? STRIP.room : LINE;
+    flyTo(this.app.store, view.camera, below(inset, frameBox(failure.box, view.width, view.height - inset, leastScale(scene.map))));
   };
 
   /** The map beside it, or the one of the stage. */

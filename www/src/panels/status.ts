@@ -70,7 +70,7 @@ function tight({ lang }: State, check: Check): Word {
 export function thingName({ lang, scene: { obstacles = [], slots = [] } }: State, { index, obstacle: id }: Pick<Hit, "index" | "obstacle">): string {
   const own = `thing.${id}`, obstacle = obstacles[index], slot = slots.findIndex((one) => one.id === id);
   if (obstacle && isMessage(own)) return translate(lang, own);
-  if (obstacle?.id && !MADE.test(obstacle.id)) return `“${id}”`;
+  if (obstacle?.id && !(obstacle.id.startsWith(`${obstacle.type}-`) && MADE.test(obstacle.id))) return `“${id}”`;
   if (!obstacle) return translate(lang, slot >= 0 ? "thing.slot" : id === "border" ? "thing.border" : "thing.other", { n: slot + 1 });
   const alike = obstacles.filter(({ type }) => type === obstacle.type), kind = translate(lang, `thing.${obstacle.type}`);
   return alike.length > 1 ? `${kind.replace(/^the /, "")} ${alike.indexOf(obstacle) + 1}` : kind;

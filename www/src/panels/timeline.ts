@@ -1,6 +1,7 @@
 import type { Plan } from "parkade";
 import { css, html, nothing, svg, type TemplateResult } from "lit";
 import { mostExpanded } from "../element/player";
+import { isLong } from "../view/camera";
 import { durationOf } from "../view/clock";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
@@ -53,7 +54,7 @@ export class Timeline extends AppElement {
   protected override pace = 100;
 
   protected watches(): readonly (keyof State)[] {
-    return ["playback", "results", "focus", "hidden", "waiting"];
+    return ["playback", "results", "focus", "hidden", "waiting", "scene", "follow"];
   }
 
   protected override render(): unknown {
@@ -75,6 +76,8 @@ export class Timeline extends AppElement {
       ${this.speed()}
       <button class="icon ${this.app.player.loop ? "on" : ""}" aria-pressed=${this.app.player.loop} aria-label=${this.t("time.loop")} title=${this.t("time.loop")}
         @click=${() => { this.app.player.loop = !this.app.player.loop; this.requestUpdate(); }}>${icon("loop")}</button>
+      ${isLong(this.state.scene) ? html`<button class="icon ${this.state.follow ? "on" : ""}" aria-pressed=${this.state.follow} aria-label=${this.t("time.follow")} title=${this.t("time.follow")}
+        @click=${() => this.app.store.set({ follow: !this.state.follow, camera: null })}>${icon("car")}</button>` : nothing}
       <button class="icon ${this.folded ? "up" : ""}" aria-expanded=${!this.folded} aria-label=${fold} title=${fold}
         @click=${() => this.dispatchEvent(new CustomEvent("parkade-fold", { bubbles: true, composed: true }))}>${icon("down")}</button>
     </div>`;

@@ -107,7 +107,7 @@ export class ToolController {
   /** Shows start, goal and the plans as they are now. */
   fit(): void {
     forgetFit(this.store.state.scene);
-    this.store.set({ camera: null });
+    this.store.set({ camera: null, follow: false });
   }
 
   /** Zooms about the middle of the map. */

@@ -4,6 +4,7 @@ import type { Camera, State } from "../store";
 import { resolve } from "../scene/model";
 import { boxOf, fromPose, type Box, type Point } from "../scene/plane";
 import { footprint } from "../scene/vehicle";
+import { drivenAt } from "./clock";
 import { STALK } from "./pose-handle";
 
 /** A camera on a canvas of a size in CSS pixels. */
@@ -112,8 +113,16 @@ function clip(box: Box, floor: Box): Box {
 /** Height of the line over a map that says why its planner fails, CSS pixels; kept free whether it is there or not. */
 export const LINE = 28;
 
-/** The camera that shows at the middle of the canvas what `camera` shows at the middle of the part below the line. */
-export const belowLine = (camera: Camera): Camera => ({ ...camera, y: camera.y + LINE / 2 / camera.scale });
+/** The strip over long maps, below the line: its top and height, and the room that both and its label take, CSS pixels. */
+export const STRIP = { top: LINE + 18, height: 56, room: LINE + 18 + 56 + 30 };
+
+/** Longer maps (metres) than this show a car as a dot. */
+const LONG = 200;
+
+export const isLong = ({ map: { width, height, resolution } }: Scenario): boolean => Math.max(width, height) * resolution > LONG;
+
+/** The camera that shows at the middle of the canvas what `camera` shows at the middle of the part below `inset` pixels. */
+export const below = (inset: number, camera: Camera): Camera => ({ ...camera, y: camera.y + inset / 2 / camera.scale });
 
 /** The camera on a box. */
 export function frameBox(box: Box, width: number, height: number, least: number): Camera {
@@ -135,6 +144,8 @@ const MOST_SIZES = 12;
 export function cameraFor(state: State, width: number, height: number): Camera {
   const { scene, results } = state, chosen = limited(state.camera, scene.map);
   if (chosen) return chosen;
+  const followed = state.follow ? following(state, width) : null;
+  if (followed) return followed;
   const sizes = fits.get(scene.map) ?? new Map<string, Fitted>();
   const size = `${state.mode}${width}x${height}`, known = sizes.get(size);
   if (known && (known.scene !== scene || known.results === results)) return known.camera;
@@ -145,19 +156,29 @@ export function cameraFor(state: State, width: number, height: number): Camera {
   return camera;
 }
 
+/** What is seen of the way around a car that is followed, metres. */
+const AROUND = 64;
+
+/** On the focused planner's car; null where there is none to follow. */
+function following(state: State, width: number): Camera | null {
+  const result = state.results[state.focus], plan = result?.plan?.outcome === "found" ? result.plan : result?.lastGood;
+  const driven = plan && drivenAt(state, plan, result, resolve(state.scene).vehicle.wheelbase);
+  return driven ? below(STRIP.room, { x: driven.pose.x, y: driven.pose.y, scale: width / AROUND }) : null;
+}
+
 /** What stands on a map's lower edge, CSS pixels: the list of planners at the right of the overlay (so many rows at once), and the view's buttons in the middle. */
 export const LEGEND = { width: 350, row: 27, rows: 7, edge: 12, off: 14, from: 640 };
 const BUTTONS = { width: 120, height: 48 };
 
 /** No panel may lie over the start or goal car: where one would, the scene moves up. */
 function fitClear(state: State, width: number, height: number): Camera {
-  const { scene, geometry, mode, planners } = state, plans = foundPlans(state);
+  const { scene, geometry, mode, planners } = state, plans = foundPlans(state), inset = isLong(state.scene) ? STRIP.room : LINE;
   const listed = mode === "overlay" && width > LEGEND.from, alone = mode !== "grid" || planners.length === 1;
   const list = LEGEND.row * Math.min(LEGEND.rows, planners.length) + LEGEND.edge + LEGEND.off;
   const { start, goal, vehicle } = resolve(scene);
   const corners = [start, goal].flatMap((pose) => [...footprint(pose, vehicle), gripEnd(pose, vehicle.rearToFront)]);
   const fitAbove = (room: number): Camera => {
-    const camera = belowLine(fit(scene, geometry, width, height - LINE - room, plans));
+    const camera = below(inset, fit(scene, geometry, width, height - inset - room, plans));
     return { ...camera, y: camera.y - room / 2 / camera.scale };
   };
   let room = 0;

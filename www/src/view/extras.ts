@@ -10,6 +10,7 @@ export { drawDraft } from "./layers/draft";
 export { drawFailure } from "./layers/failure";
 export { drawExplained } from "./layers/explained";
 export { drawOthers } from "./layers/ghosts";
+export { drawLaneStrip } from "./layers/lane-strip";
 export { drawLanes } from "./layers/lanes";
 export { drawContact, drawMoving } from "./layers/moving";
 export { drawObstruction } from "./layers/obstruction";

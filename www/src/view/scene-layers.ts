@@ -15,6 +15,7 @@ import { drawSweep } from "./layers/sweep";
 import type { TreeLayer } from "./layers/tree";
 import { extras, vast } from "./pieces";
 import { fade } from "./tokens";
+import { isLong } from "./camera";
 import { GHOST, leading, leads, type Frame, type Shown } from "./frame";
 
 /** In the raster `redundant`: free, but closed before the search. */
@@ -39,6 +40,7 @@ export class SceneLayers {
     this.drawAnswers(frame);
     drawSelection(frame);
     drawHandles(frame);
+    if (isLong(scene)) extras()?.drawLaneStrip(frame);
     if (frame.draft) extras()?.drawDraft(frame);
     drawHover(frame);
   }
