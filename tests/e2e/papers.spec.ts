@@ -29,7 +29,7 @@ test("the papers' tables are measured beside the printed ones, and impossible ro
   await dialog(page).getByRole("button", { name: "Copy as Markdown" }).click();
   const markdown = await page.evaluate(() => navigator.clipboard.readText());
   expect(markdown).toContain("### Table 4: random obstacles, 100 × 100 (20 maps)");
-  expect(markdown).toMatch(/\| 8-neighbour \| 599 \|.*135\.86 \(below the straight 140\.01\)/);
+  expect(markdown).toMatch(/\| 8-neighbour \| 599 \|.*135\.86 \(below the straight line, 140\.01\)/);
   await dialog(page).getByRole("button", { name: "Copy as JSON" }).click();
   const json = JSON.parse(await page.evaluate(() => navigator.clipboard.readText())) as { tables: { maps: number }[]; claims: unknown[] };
   expect(json.tables.map((one) => one.maps)).toEqual([20, 20, 20, 20, 20, 20]);

@@ -39,6 +39,7 @@ describe("reasons in Chinese", () => {
     expect(chineseReason("path: must be driven within 100000 s, takes 127106 s")).toBe("path：须在 100000 s 内驶完，实际需要 127106 s。");
     expect(chineseReason("must be at least 2 for 9 s, got 1")).toBe("时长 9 s 时须不小于 2，实际为 1。");
     expect(chineseReason("must have 12 characters, got 3.")).toBe("须有 12 个字符，实际为 3。");
+    expect(chineseReason("EOF while parsing an object at line 1 column 1.")).toBe("JSON 语法错误，第 1 行第 1 列。");
     expect(chineseReason("nobody knows this one")).toBe("nobody knows this one");
     expect(chineseReason("必须是整数。")).toBe("必须是整数。");
   });

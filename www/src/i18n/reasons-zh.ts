@@ -93,6 +93,7 @@ const ENTRIES: readonly Entry[] = [
   ["must turn less or have longer ways beside it: the middle's radius is {} m, half the road {} m wide", "须减小转角或加长两侧路段：中心线半径 {} m，半幅路宽 {} m"],
   ["must turn no tighter than {} 1/m, turns {}", "曲率不得超过 {} 1/m，实际为 {}"],
   ["must turn no tighter", "转弯不得更急"],
+  ["{} at line {} column {}", "JSON 语法错误，第 {1} 行第 {2} 列"],
   ["no option of importScene; there are {}", "importScene 没有此选项；可用选项：{}"],
   ["no setting of {}", "{} 没有此设置"],
   ["no planner {}; there are {}", "没有规划器 {}；可用：{}"],

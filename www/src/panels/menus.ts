@@ -4,7 +4,7 @@ import { LAYER_PRESETS, presetLayers, presetOf } from "../view/layer-sets";
 import { saveAs } from "../element/exports";
 import { copySnippet } from "../element/snippets";
 import "../i18n/later";
-import { translate, type MessageKey } from "../i18n/index";
+import { translate, type Lang, type MessageKey } from "../i18n/index";
 import type { LayerKey } from "../store";
 import { icon, marker, type IconName } from "./icons";
 import type { Toolbar } from "./toolbar";
@@ -13,9 +13,17 @@ const LAYER_ORDER: readonly LayerKey[] = [
   "path", "car", "sweep", "ghosts", "difference", "heat", "tree", "risk", "cost", "safety", "redundant", "obstacles", "slots", "grid",
 ];
 
+/** Papers are cited by authors and year; in Chinese, what is not a name is translated. */
+const CHINESE: Readonly<Record<string, string>> = {
+  "Reverse-search hybrid A* for parking, 2025": "泊车反向搜索混合A*，2025",
+  "A* path planning for intelligent-vehicle road navigation, manuscript": "智能车道路导航A*路径规划（手稿）",
+  "Hu et al. 2024, beyond": "Hu 等 2024（扩展）",
+};
+const cited = (lang: Lang, paper: string): string => (lang === "zh" ? CHINESE[paper] ?? paper.replace(" et al.", " 等") : paper);
+
 export function planners(bar: Toolbar): TemplateResult {
   const { app } = bar, { planners, lang } = app.store.state;
-  return html`${app.catalog?.planners.map(({ id, title, paper }) => html`<label class="check" title=${paper}>
+  return html`${app.catalog?.planners.map(({ id, title, paper }) => html`<label class="check" title=${cited(lang, paper)}>
     <input type="checkbox" .checked=${planners.includes(id)} ?disabled=${planners.length === 1 && planners[0] === id} @change=${() => app.togglePlanner(id)}>
     ${marker(id)}${title[lang]}</label>`)}
     <hr>${item(bar, "undo", "planners.first", () => app.showFirstPlanners())}`;
