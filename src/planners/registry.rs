@@ -257,15 +257,17 @@ fn info(kind: Kind, id: &'static str) -> Info {
             ("grid", text("Risk field plus", "改进A*+（风险场）"), "Hu et al. 2024, beyond")
         }
         Kind::Hybrid => ("hybrid", text("Hybrid A*", "混合A*"), "Reverse-search hybrid A* for parking, 2025"),
-        Kind::HybridForward => ("hybrid", text("Hybrid A*, forward", "混合A*（正向）"), "Dolgov et al. 2010"),
+        Kind::HybridForward => {
+            ("hybrid", text("Hybrid A*, forward", "混合A*（仅前进）"), "Dolgov et al. 2010")
+        }
         #[cfg(feature = "complete")]
         Kind::HybridBidirectional => (
             "hybrid",
-            text("Hybrid A*, both ends", "混合A*（双向）"),
+            text("Hybrid A*, both ends", "混合A*（双向搜索）"),
             "Reverse-search hybrid A* for parking, 2025",
         ),
         #[cfg(feature = "complete")]
-        Kind::HybridClassic => ("hybrid", text("Hybrid A*, classic", "混合A*（传统）"), "Dolgov et al. 2010"),
+        Kind::HybridClassic => ("hybrid", text("Hybrid A*, classic", "混合A*（经典）"), "Dolgov et al. 2010"),
         #[cfg(feature = "complete")]
         Kind::CostMap => (
             "road",

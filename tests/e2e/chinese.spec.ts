@@ -8,7 +8,7 @@ const NAMES = new RegExp([
   "Parkade", "English", "EN", "[0-9a-f]{16}", "Markdown", "Node", "PNG", "SVG", "CSV", "JSON", "MovingAI", "ROS", "TPCAP", "Theta", "NBA", "Reeds", "Shepp", "Dubins", "Voronoi", "RMS",
   "Ctrl", "Shift", "Alt", "Cmd", "Enter", "Esc(ape)?", "Del(ete)?", "Backspace", "Tab", "kB", "MB", "ms", "rad", "exp", "Bd", "id", "los", "auto", "comfort", "classic",
   "vehicle", "max", "none", "first", "best", "nba", "spline", "paper", "octile", "L_aa", "steps", "cargo xtask paper \\w+", "slot-\\d+", "obstacle-\\d+",
-  "start\\.\\w+", "vehicle\\.\\w+", "broken\\.\\w+",
+  "start\\.\\w+", "vehicle\\.\\w+", "broken\\.[\\w.]+",
 ].map((name) => `(?<![A-Za-z])${name}(?![A-Za-z])`).join("|"), "g");
 
 /** Papers as they are cited: their authors and the year. */

@@ -39,7 +39,7 @@ pub(in crate::planners) const BIDIRECTIONAL: [Row; 2] = [
         "1",
         true,
         ["Neighbours", "邻域"],
-        ["Cells that a step may lead to.", "一步可达的格子。"],
+        ["Cells reachable in one step.", "一步可达的格子。"],
     ),
     row(
         "stop",
@@ -76,7 +76,7 @@ pub(in crate::planners) const GRID: &[Row] = &[
         "1",
         true,
         ["Dynamic weight", "动态权重"],
-        ["Hurries while far from the goal; gives up optimality.", "远离目标时加速，放弃最优性。"],
+        ["Faster far from the goal, but not optimal.", "远离目标时加速，放弃最优性。"],
     ),
     row(
         "corner",
@@ -134,8 +134,8 @@ pub(in crate::planners) const GRID: &[Row] = &[
         Form::Choice(&["none", "prune", "prune-dp", "smooth"]),
         "1",
         true,
-        ["Afterwards", "后处理"],
-        ["Skip cells that are not needed; round the corners.", "删去多余格点；圆滑转角。"],
+        ["Post-processing", "后处理"],
+        ["Removes spare cells; rounds corners.", "删去多余格点；圆滑转角。"],
     ),
     row(
         "smoothMode",
@@ -170,7 +170,7 @@ pub(in crate::planners) const RISK: [Row; 14] = [
         "1",
         true,
         ["Weight w1", "权重 w1"],
-        ["Of the larger part of the way still to go.", "剩余路程中较大部分的权重。"],
+        ["Of the longer axis distance to the goal.", "到目标较长轴向距离的权重。"],
     ),
     row(
         "w2",
@@ -178,7 +178,7 @@ pub(in crate::planners) const RISK: [Row; 14] = [
         "1",
         true,
         ["Weight w2", "权重 w2"],
-        ["Of the smaller part.", "较小部分的权重。"],
+        ["Of the shorter one.", "较短轴向距离的权重。"],
     ),
     row(
         "wbar",
@@ -187,7 +187,7 @@ pub(in crate::planners) const RISK: [Row; 14] = [
         false,
         ["Dynamic weight", "动态权重"],
         [
-            "How much the distance to the goal hurries the search; 1 is the paper.",
+            "How strongly goal distance speeds up the search; paper: 1.",
             "目标距离对搜索的加速程度；论文取 1。",
         ],
     ),
@@ -205,7 +205,7 @@ pub(in crate::planners) const RISK: [Row; 14] = [
         "1",
         false,
         ["Attraction k1", "引力 k1"],
-        ["Gain of the goal's pull.", "目标引力增益。"],
+        ["Attraction gain.", "目标引力增益。"],
     ),
     row(
         "rho0",
@@ -221,10 +221,7 @@ pub(in crate::planners) const RISK: [Row; 14] = [
         "cells",
         false,
         ["Repulsion k2", "斥力 k2"],
-        [
-            "Gain of the obstacles' push; empty: half of k1 times the distance.",
-            "障碍斥力增益；空：k1 × 距离之半。",
-        ],
+        ["Repulsion gain; empty: half of k1 times the distance.", "障碍斥力增益；空：k1 × 距离之半。"],
     ),
     row(
         "attraction",
@@ -263,10 +260,10 @@ pub(in crate::planners) const RISK: [Row; 14] = [
         Form::Choice(&["penalty", "lexicographic", "stuck-only", "none"]),
         "1",
         false,
-        ["Held-back moves", "延后扩展"],
+        ["Deferred moves", "延后扩展"],
         [
-            "When the other five directions are tried; none is the literal paper and may strand.",
-            "其余五方向何时尝试；none 为论文原式，可能搁浅。",
+            "When the other five directions are tried; none: as in the paper, may get stuck.",
+            "其余五方向何时尝试；none 为论文原式，可能卡住。",
         ],
     ),
     row(
@@ -274,15 +271,15 @@ pub(in crate::planners) const RISK: [Row; 14] = [
         Form::Number(0.0, 40.0, 1.0),
         "cells",
         false,
-        ["Their penalty", "延后代价"],
-        ["How much later held-back moves are tried.", "延后扩展的代价。"],
+        ["Deferral cost", "延后代价"],
+        ["Cost added to deferred moves.", "延后扩展附加的代价。"],
     ),
     row(
         "goalShot",
         Form::Flag,
         "1",
         false,
-        ["Goal shot", "直达目标"],
+        ["Direct finish", "直达目标"],
         ["Finishes as soon as the goal is in sight.", "目标可见即完成。"],
     ),
 ];

@@ -22,8 +22,8 @@ pub(in crate::planners) const HYBRID: [Row; 21] = [
         Form::Integer(0.0, 5.0),
         "1",
         true,
-        ["Changes per connection", "每次连接的换挡"],
-        ["How often the curve that ends the search may switch gears.", "结束搜索的曲线最多换挡几次。"],
+        ["Final gear changes", "末段换挡数"],
+        ["Gear changes allowed in the final curve.", "结束搜索的曲线最多换挡几次。"],
     ),
     row(
         "motionPrimitiveLength",
@@ -47,7 +47,7 @@ pub(in crate::planners) const HYBRID: [Row; 21] = [
         "m",
         true,
         ["Gear-change cost", "换挡代价"],
-        ["The detour one switch is worth.", "一次换挡相当的绕行。"],
+        ["Extra metres accepted to avoid one gear change.", "为避免一次换挡可接受的绕行米数。"],
     ),
     row(
         "searchFrom",
@@ -74,7 +74,7 @@ pub(in crate::planners) const HYBRID: [Row; 21] = [
         "1",
         true,
         ["Reverse cost", "倒车代价"],
-        ["How much a metre in reverse weighs.", "倒车一米的权重。"],
+        ["Cost of a metre in reverse.", "倒车一米的权重。"],
     ),
     row(
         "xyResolution",
@@ -117,7 +117,7 @@ pub(in crate::planners) const HYBRID: [Row; 21] = [
         "1",
         false,
         ["Steering cost", "转向代价"],
-        ["How much turning weighs.", "转弯的权重。"],
+        ["Cost of turning.", "转弯的权重。"],
     ),
     row(
         "steerChangeCost",
@@ -125,7 +125,7 @@ pub(in crate::planners) const HYBRID: [Row; 21] = [
         "m",
         false,
         ["Steering-change cost", "转角变化代价"],
-        ["How much moving the wheel weighs.", "打方向的权重。"],
+        ["Cost of turning the wheel.", "转动方向盘的代价。"],
     ),
     row(
         "obstacleCost",
@@ -133,7 +133,7 @@ pub(in crate::planners) const HYBRID: [Row; 21] = [
         "1",
         false,
         ["Obstacle cost", "近障代价"],
-        ["How much driving close to obstacles weighs.", "贴近障碍行驶的权重。"],
+        ["Cost of driving close to obstacles.", "贴近障碍行驶的权重。"],
     ),
     row(
         "obstacleDistance",
@@ -141,7 +141,7 @@ pub(in crate::planners) const HYBRID: [Row; 21] = [
         "m",
         false,
         ["Obstacle distance", "近障距离"],
-        ["Where that cost begins.", "该代价开始的距离。"],
+        ["Distance where that cost begins.", "该代价开始的距离。"],
     ),
     row(
         "shortcut",
@@ -149,7 +149,7 @@ pub(in crate::planners) const HYBRID: [Row; 21] = [
         "1",
         false,
         ["Shortcut", "捷径"],
-        ["Replaces stretches by shorter curves afterwards.", "事后以更短曲线替换路段。"],
+        ["Shortens the finished path with curves.", "规划后以更短的曲线替换路段。"],
     ),
     row(
         "firstShot",
@@ -157,7 +157,7 @@ pub(in crate::planners) const HYBRID: [Row; 21] = [
         "1",
         false,
         ["First connection", "首次连接即止"],
-        ["Stops at the first way found, as the paper does.", "找到第一条路即停，如论文所述。"],
+        ["Stops at the first path found (the paper).", "找到第一条路径即停（论文）。"],
     ),
     row(
         "ladder",
@@ -165,7 +165,7 @@ pub(in crate::planners) const HYBRID: [Row; 21] = [
         "1",
         false,
         ["Finer levels", "逐级细化"],
-        ["Tries finer steps when the coarse ones find nothing.", "粗步无解时尝试更细的步长。"],
+        ["Tries finer steps if coarse ones fail.", "粗步无解时尝试更细的步长。"],
     ),
     row(
         "finestLevel",
@@ -173,10 +173,7 @@ pub(in crate::planners) const HYBRID: [Row; 21] = [
         "1",
         false,
         ["Finest level", "最细级别"],
-        [
-            "3 and 4 are for cars that can hardly move: many gear changes.",
-            "3 和 4 用于几乎动弹不得的车：换挡很多。",
-        ],
+        ["3 and 4: very tight spaces, many gear changes.", "3 和 4 用于极窄空间，换挡很多。"],
     ),
     EXPANSIONS,
 ];

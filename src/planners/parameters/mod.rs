@@ -78,5 +78,5 @@ const EXPANSIONS: Row = row(
     "1",
     false,
     ["Expansion budget", "扩展上限"],
-    ["Gives up after this many.", "超过此数即放弃。"],
+    ["Stops after this many.", "超过此数即放弃。"],
 );

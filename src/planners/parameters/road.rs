@@ -11,7 +11,7 @@ pub(in crate::planners) const ROAD: [Row; 22] = [
         true,
         ["Costs", "代价"],
         [
-            "Metre: each metre dearer by base, lane, kerb and speed; paper: the base cost once per cell; steps: plain A*.",
+            "Metre: base, lane, kerb and speed costs per metre; paper: base cost once per cell; steps: plain A*.",
             "metre：每米按基础、车道、路缘、速度加价；paper：每格计一次基础代价（论文）；steps：普通 A*。",
         ],
     ),
@@ -21,10 +21,7 @@ pub(in crate::planners) const ROAD: [Row; 22] = [
         "1",
         true,
         ["Base cost", "基础代价"],
-        [
-            "How it falls with the clearance: K/(d+ε) or A·exp(−B·d).",
-            "随间距下降的方式：K/(d+ε) 或 A·exp(−B·d)。",
-        ],
+        ["Falls with clearance: K/(d+ε) or A·exp(−B·d).", "随间距下降的方式：K/(d+ε) 或 A·exp(−B·d)。"],
     ),
     row(
         "factor",
@@ -32,7 +29,7 @@ pub(in crate::planners) const ROAD: [Row; 22] = [
         "m",
         true,
         ["K", "K"],
-        ["Of the inverse base cost; more keeps farther away.", "反比基础代价的系数；越大离障碍越远。"],
+        ["Inverse base cost; larger keeps farther away.", "反比基础代价的系数；越大离障碍越远。"],
     ),
     row(
         "epsilon",
@@ -40,7 +37,7 @@ pub(in crate::planners) const ROAD: [Row; 22] = [
         "m",
         false,
         ["ε", "ε"],
-        ["Of the inverse base cost; less is steeper at contact.", "反比基础代价的偏移；越小贴近时越陡。"],
+        ["Inverse base cost; smaller is steeper at contact.", "反比基础代价的偏移；越小贴近时越陡。"],
     ),
     row(
         "amplitude",
@@ -48,7 +45,7 @@ pub(in crate::planners) const ROAD: [Row; 22] = [
         "1",
         false,
         ["A", "A"],
-        ["Of the exponential base cost: at contact.", "指数基础代价：接触处的值。"],
+        ["Exponential base cost at contact.", "指数基础代价：接触处的值。"],
     ),
     row(
         "decay",
@@ -56,7 +53,7 @@ pub(in crate::planners) const ROAD: [Row; 22] = [
         "1/m",
         false,
         ["B", "B"],
-        ["Of the exponential base cost: how fast it falls.", "指数基础代价：衰减速度。"],
+        ["Decay of the exponential base cost.", "指数基础代价：衰减速度。"],
     ),
     row(
         "laneWeight",
@@ -64,7 +61,7 @@ pub(in crate::planners) const ROAD: [Row; 22] = [
         "1",
         true,
         ["Lane α", "车道 α"],
-        ["Weight of the distance from the nearest lane's middle.", "偏离最近车道中心线的权重。"],
+        ["Weight of the distance from the lane centre.", "偏离最近车道中心线的权重。"],
     ),
     row(
         "kerbWeight",
@@ -80,7 +77,7 @@ pub(in crate::planners) const ROAD: [Row; 22] = [
         "1",
         true,
         ["Speed γ", "速度 γ"],
-        ["Weight of the time that limits and bends take.", "限速与弯道耗时的权重。"],
+        ["Weight of time lost to limits and bends.", "限速与弯道耗时的权重。"],
     ),
     row(
         "margin",
@@ -88,7 +85,7 @@ pub(in crate::planners) const ROAD: [Row; 22] = [
         "m",
         true,
         ["Extra margin", "额外余量"],
-        ["Kept free beside the body.", "车身旁须保持的空间。"],
+        ["Kept free beside the car.", "车身旁须保持的空间。"],
     ),
     row(
         "pruning",
@@ -97,7 +94,7 @@ pub(in crate::planners) const ROAD: [Row; 22] = [
         true,
         ["Chords", "删减"],
         [
-            "Auto: chords keep most of the cells' clearance; los: they only see each other (the paper).",
+            "Auto: chords keep most of the clearance; los: line of sight only (the paper).",
             "auto：弦保留路径大部分间距；los：只要互相可见（论文）。",
         ],
     ),
@@ -106,8 +103,8 @@ pub(in crate::planners) const ROAD: [Row; 22] = [
         Form::Number(0.5, 1.0, 0.05),
         "1",
         false,
-        ["Share kept", "保留比例"],
-        ["Of the cells' least clearance, by a chord.", "弦须保留的路径最小间距比例。"],
+        ["Kept share", "保留比例"],
+        ["Share of the cells' clearance a chord keeps.", "弦须保留的路径最小间距比例。"],
     ),
     row(
         "pruneCap",
@@ -115,7 +112,7 @@ pub(in crate::planners) const ROAD: [Row; 22] = [
         "m",
         false,
         ["Enough room", "足够间距"],
-        ["Beside the body; no chord has to keep more.", "车身旁达到此值后弦不再要求更多。"],
+        ["Beside the car; chords need no more.", "车身旁达到此值后弦不再要求更多。"],
     ),
     row(
         "smoothing",
@@ -124,7 +121,7 @@ pub(in crate::planners) const ROAD: [Row; 22] = [
         true,
         ["Curve", "平滑"],
         [
-            "Spline keeps its distance and the wheel's limit; paper: up to a metre away, wherever that leads.",
+            "Spline keeps clearance and steering limit; paper: within a metre of the chords.",
             "spline：保持间距与转向极限；paper：允许偏离一米，不计后果（论文）。",
         ],
     ),
@@ -134,7 +131,7 @@ pub(in crate::planners) const ROAD: [Row; 22] = [
         "m",
         false,
         ["Residual σ", "残差 σ"],
-        ["Root mean square distance of the curve from the chords.", "曲线与弦的均方根距离。"],
+        ["RMS distance of the curve from the chords.", "曲线与弦的均方根距离。"],
     ),
     row(
         "headings",
@@ -142,21 +139,15 @@ pub(in crate::planners) const ROAD: [Row; 22] = [
         "1",
         false,
         ["Keep headings", "保持朝向"],
-        [
-            "The curve begins and ends in the car's headings at start and goal.",
-            "曲线在起点和终点与车辆朝向一致。",
-        ],
+        ["The curve keeps the start and goal headings.", "曲线在起点和终点与车辆朝向一致。"],
     ),
     row(
         "smoothPoints",
         Form::Integer(50.0, 200.0),
         "1",
         false,
-        ["Places", "采样点"],
-        [
-            "Where the curve is tested, at least; two a metre on long ways.",
-            "曲线检验点的最少个数；长路每米两个。",
-        ],
+        ["Samples", "采样点"],
+        ["Least number of tests; long paths: two a metre.", "曲线检验点的最少个数；长路每米两个。"],
     ),
     row(
         "paperFactor",
