@@ -101,6 +101,7 @@ const ENTRIES: readonly Entry[] = [
   ["This link was made by a version this page does not read", "此链接由本页不支持的版本生成"],
   ["This link is damaged or cut off", "此链接已损坏或不完整"],
   ["This link is damaged: {}", "此链接已损坏或不完整"],
+  ["This link holds more cells than a link can", "此链接包含的栅格数超过链接允许的上限"],
   ["This link holds no scene", "此链接中没有场景"],
   ["This is not a scene: the file is not JSON", "这不是场景文件：内容不是 JSON"],
   ["This is not a scene: an object is expected", "这不是场景：应为对象"],
