@@ -1,4 +1,5 @@
 /** Why a planner's answer fails, in words: what is hit first, where, and what would help. */
+import "../i18n/later";
 import type { Check, Obstruction, Plan, PlannerId } from "parkade";
 import { isMessage, number, translate } from "../i18n/index";
 import { words } from "../i18n/words";

@@ -1,4 +1,5 @@
 import { css, html, nothing, type TemplateResult } from "lit";
+import "../i18n/later";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";

@@ -1,5 +1,6 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import { sentence } from "../element/app";
+import "../i18n/later";
 import type { State, ToolId } from "../store";
 import { controls } from "../styles/controls";
 import { menus } from "../view/pieces";
