@@ -1,7 +1,7 @@
 import { expect, test, type Locator, type Page } from "@playwright/test";
 import { complaintsOf, open, settled, type PlaygroundElement } from "./playground.js";
 
-const DESKTOPS = [[1024, 768], [1280, 800], [1400, 900], [1920, 1080]] as const;
+const DESKTOPS = [[1024, 768], [1280, 800], [1400, 900], [1440, 900], [1920, 1080]] as const;
 const PHONES = [[320, 480], [390, 844]] as const;
 const ON_SIDE = [[640, 400], [667, 375], [844, 390]] as const;
 const TOOLS = ["select", "brush", "wall", "rectangle", "polygon", "car", "slot", "moving", "road", "cost", "eraser", "hand"];

@@ -65,7 +65,7 @@ export class Stage extends AppElement {
 
   protected override render(): TemplateResult {
     const { mode, planners, focus } = this.state;
-    const view = this.bare ? nothing : html`<parkade-view-controls .app=${this.app}></parkade-view-controls>`;
+    const view = this.bare ? nothing : html`<parkade-view-controls .app=${this.app} ?compact=${this.compact}></parkade-view-controls>`;
     if (this.compact || mode === "overlay") return html`${this.overlay()}${view}`;
     if (mode === "grid") return html`<div class="grid" data-n=${planners.length}>${planners.map((planner) => this.panel(planner))}</div>${view}`;
     const others = planners.filter((planner) => planner !== focus);

@@ -62,9 +62,10 @@ export class Toolbar extends AppElement {
     .lang b { font-weight: 600; color: var(--parkade-t1); }
     .wide { display: none; }
     /* Each stands where what is above would no longer fit in English; below 1280 a long scene's title gives way. */
-    @container (max-width: 1580px) { .rare .label { display: none; } }
-    @container (max-width: 1530px) { .label { display: none; } .menu { padding: 0 8px; } }
+    @container (max-width: 1580px) { .rare .label { display: none; } .tools { gap: 0; } }
+    @container (max-width: 1430px) { .menu .label { display: none; } .menu { padding: 0 8px; } }
     @container (max-width: 1370px) { .tool { width: 30px; padding-right: 6px; } .tools { gap: 0; } }
+    @container (max-width: 1330px) { .label { display: none; } }
     @container (max-width: 1279px) { .scene { flex: 0 1 140px; min-width: 64px; } .tools { gap: 2px; } .tool { width: 32px; } }
     @container (max-width: 1230px) { .tool { padding: 0; } .tool kbd, .brand span { display: none; } .bar { gap: 4px; padding: 0 10px; } .rule { margin: 0 2px; } }
     @container (max-width: 1140px) { .rare { display: none; } .wide { display: flex; } .tool { width: 28px; } }

@@ -16,6 +16,7 @@ const say = words({
 
 /** Zoom and fit for all maps, and a word where a path is cut off. */
 export class ViewControls extends AppElement {
+  static override properties = { ...AppElement.properties, compact: { type: Boolean, reflect: true } };
   static override styles = [controls, css`
     :host { position: absolute; left: 0; right: 0; bottom: 8px; z-index: 4; display: grid; justify-items: center; gap: 8px; pointer-events: none; }
     div { display: flex; background: var(--parkade-panel); border: 1px solid var(--parkade-hair2); border-radius: calc(6px * var(--parkade-radius)); overflow: hidden; pointer-events: auto; }
@@ -24,9 +25,12 @@ export class ViewControls extends AppElement {
     div button:focus-visible { outline-offset: -2px; }
     button:hover { background: var(--parkade-hover); color: var(--parkade-t1); }
     .pill { height: 24px; padding: 0 10px; font-size: 12px; font-weight: 500; pointer-events: auto; color: var(--parkade-t1); background: var(--parkade-panel); border: 1px solid var(--parkade-hair2); border-radius: 999px; }
+    /* Fingers zoom by themselves, and a narrow map has no room to spare. */
+    :host([compact]) { justify-items: end; right: 8px; } :host([compact]) div button:not(.fit) { display: none; }
     @media (pointer: coarse) { div button { width: 44px; height: 44px; } .pill { height: 44px; } }
   `];
 
+  declare compact: boolean;
   protected override pace = 100;
 
   protected watches(): readonly (keyof State)[] {
@@ -36,7 +40,7 @@ export class ViewControls extends AppElement {
   protected override render(): TemplateResult {
     const { controller } = this.app, { lang } = this.state, leaves = pathLeaves(this.state, controller.view());
     const button = (name: "out" | "fit" | "in", key: string, face: unknown, run: () => void): TemplateResult =>
-      html`<button aria-label=${say(lang, name)} aria-keyshortcuts=${key} title="${say(lang, name)} · ${key}" @click=${run}>${face}</button>`;
+      html`<button class=${name} aria-label=${say(lang, name)} aria-keyshortcuts=${key} title="${say(lang, name)} · ${key}" @click=${run}>${face}</button>`;
     return html`${leaves ? html`<button class="pill" @click=${() => controller.fit()}>${say(lang, "leaves")}</button>` : nothing}
       <div role="group" aria-label=${say(lang, "group")}>${button("out", "-", "−", () => controller.zoom(1 / ZOOM_STEP))}${button("fit", "0", icon("fit"), () => controller.fit())}${button("in", "+", "+", () => controller.zoom(ZOOM_STEP))}</div>`;
   }
