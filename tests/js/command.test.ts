@@ -2,7 +2,7 @@ import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "nod
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { Planner, checkPath, generateScenario, init, scenario, toCSV, toSVG, type Plan } from "parkade";
+import { Planner, checkPath, generateScenario, init, scenario, scenarios, toCSV, toSVG, type Plan } from "parkade";
 import { parkade } from "./pack";
 
 let folder = "";
@@ -112,6 +112,13 @@ test("a picture is a playground's poster where its layout is given, of one plann
   expect([status, /<svg y="(\d+)" width="(\d+)" height="(\d+)">/.exec(out)?.slice(1)]).toEqual([0, ["32", "720", "344"]]);
   expect(out).toMatch(/stroke:#D55E00[^]*stroke:#CC79A7/);
   expect(run(["plan", "perpendicular", "--format", "svg", "--planner", "risk-field", "--theme", "light"]).out).toMatch(/<pattern/);
+});
+
+test("every preset has a picture, with a plan that fails and without one", () => {
+  for (const { id } of scenarios()) {
+    const scene = scenario(id), plan = new Planner("eight", scene).plan();
+    for (const plans of [[], [plan]]) expect(toSVG(scene, plans), id).toMatch(/^<svg/);
+  }
 });
 
 test("every kind of obstacle is drawn, also paths that no car drives", () => {
