@@ -133,7 +133,8 @@ fn build_module(workspace: &Workspace, folder: &Path, features: &[&str], flags: 
     bind(&compiled, folder)?;
     let wasm = folder.join(WASM_FILE);
     // The first download shall be small, the complete module fast.
-    let aims: &[&str] = if features.is_empty() { &["--gufa", "-O3"] } else { &["-O3", "-Oz", "--gufa", "-Oz"] };
+    let aims: &[&str] =
+        if features.is_empty() { &["--gufa", "-O3"] } else { &["-O3", "-Oz", "--gufa", "-Oz"] };
     run(node_tool("binaryen/bin/wasm-opt").args(aims).arg(&wasm).arg("-o").arg(&wasm))?;
     for name in PACKAGE_SOURCES {
         copy(&root().join("src/wasm/npm").join(name), &folder.join(name))?;
