@@ -85,6 +85,32 @@ test("the Chinese page is Chinese: gallery and paper tables", async ({ page }) =
   }
 });
 
+test("the Chinese page is Chinese: a new lot, block by block", async ({ page }) => {
+  await open(page);
+  await page.locator("parkade-toolbar .scene").click();
+  await page.getByRole("button", { name: "新建停车场" }).click();
+  const form = page.locator("parkade-new-lot dialog");
+  await expect(form.getByRole("status")).toHaveText(/^驶入 1 号车位/);
+  for (const block of ["场地", "车位", "障碍", "车辆"]) {
+    const head = form.locator(".head", { hasText: block }).first();
+    if (await head.getAttribute("aria-expanded") !== "true") await head.click();
+    await expectChinese(page, block);
+  }
+  await form.getByRole("button", { name: "自定" }).click();
+  await form.getByRole("textbox", { name: "轴距" }).fill("9");
+  await expect(form.getByRole("status")).toHaveText("轴距须小于车长 4.7 m。");
+  await expectChinese(page, "refused");
+});
+
+test("the page stays in sight when its language changes", async ({ page }) => {
+  await open(page);
+  for (const name of ["4-neighbour", "四邻域"]) {
+    await page.locator("parkade-toolbar").getByRole("button", { name: /English|中文/ }).click();
+    await expect(page.locator("parkade-panel").first()).toBeVisible();
+    await expect(page.locator("parkade-panel").first()).toContainText(name);
+  }
+});
+
 test("the Chinese page is Chinese where something is wrong", async ({ page }) => {
   const notice = page.locator("parkade-notices .notice.err");
   await open(page, "#s=1nonsense");
