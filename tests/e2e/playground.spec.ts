@@ -203,7 +203,7 @@ test("a preset opens from the gallery, and undo brings the drawing back", async 
   await page.locator("parkade-toolbar .scene").click();
   const cards = page.locator("parkade-presets li button");
   await expect(cards.nth(5)).toBeVisible();
-  await cards.nth(1).click();
+  await cards.nth(2).click();
   await settled(page);
   expect(await sceneOf(page)).not.toEqual(before);
   await page.keyboard.press("Control+z");

@@ -40,7 +40,8 @@ export function layers({ app }: Toolbar): TemplateResult {
 
 export function exports(bar: Toolbar): TemplateResult {
   const { app } = bar;
-  return html`${item(bar, "file", "bar.save", () => void app.saveFile())}
+  return html`${item(bar, "slot", "bar.newLot", () => void app.fetchPart(async () => (await import("./new-lot")).openNewLot(app, bar)))}
+    ${item(bar, "file", "bar.save", () => void app.saveFile())}
     ${item(bar, "open", "bar.open", () => bar.emit("open-file"))}
     ${item(bar, "image", "bar.png", () => bar.emit("png", 1))}
     ${item(bar, "image", "bar.png2", () => bar.emit("png", 2))}

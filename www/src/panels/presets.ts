@@ -16,7 +16,7 @@ import "./generate";
 import "./thumbnail";
 
 /** Groups whose words the page does not have. */
-const say = words({ generate: ["Generate", "生成"], moving: ["Moving obstacles", "移动障碍物"], road: ["Roads", "道路"], cases: ["Best and worst", "最佳与最差"], best: ["Best case", "最佳情形"], worst: ["Worst case", "最差情形"], suits: ["Path by {planner}", "路径：{planner}"],
+const say = words({ newLot: ["New lot", "新建停车场"], numbers: ["Bays, aisles, walls and a car from a few numbers.", "用几个数值设定车位、通道、墙体和车辆。"], generate: ["Generate", "生成"], moving: ["Moving obstacles", "移动障碍物"], road: ["Roads", "道路"], cases: ["Best and worst", "最佳与最差"], best: ["Best case", "最佳情形"], worst: ["Worst case", "最差情形"], suits: ["Path by {planner}", "路径：{planner}"],
   printed: ["Printed: {a} m, {m} gear {m|change|changes}; improved {b} m, {n}. Here?", "论文：{a} m，换挡 {m} 次；改进后 {b} m，{n} 次。此处呢？"],
   against: ["The start stands against the wall.", "起点紧贴墙边。"],
   path: ["{length} m, {n} {n|gear change|gear changes}", "{length} m，换挡 {n} 次"],
@@ -41,6 +41,7 @@ export class Presets extends AppElement {
     li button:focus-visible { border-radius: calc(10px * var(--parkade-radius)); }
     ul:not(:empty) + parkade-generate { margin-top: 16px; }
     parkade-thumbnail { height: 128px; border-bottom: 1px solid var(--parkade-hair); pointer-events: none; }
+    .new { display: grid; place-items: center; height: 128px; border-bottom: 1px solid var(--parkade-hair); color: var(--parkade-t2); background: linear-gradient(var(--parkade-hair) 1px, transparent 0) center / 16px 16px, linear-gradient(90deg, var(--parkade-hair) 1px, transparent 0) center / 16px 16px; }
     .words { padding: 10px 12px 11px; display: block; }
     b { display: flex; align-items: center; gap: 8px; font-weight: 600; } .by { margin-left: auto; }
     h3 { margin: 18px 0 8px; font: inherit; font-weight: 600; display: flex; align-items: center; gap: 8px; } h3:first-child { margin-top: 0; }
@@ -51,7 +52,7 @@ export class Presets extends AppElement {
     footer .button { margin-left: auto; flex: none; }
     .tables { margin-left: auto; flex: none; } .top .tables + .icon { margin-left: 0; } .top p { min-width: 0; }
     .groups { padding: 0 24px 14px; } .groups .segmented { max-width: 100%; overflow-x: auto; } .groups button { flex: none; }
-    @media (max-width: 640px) { ul { grid-template-columns: 1fr 1fr; gap: 10px; } parkade-thumbnail { height: 92px; } footer b + p { display: none; } .groups { padding: 0 16px 12px; } .top p { display: none; } }
+    @media (max-width: 640px) { ul { grid-template-columns: 1fr 1fr; gap: 10px; } parkade-thumbnail, .new { height: 92px; } footer b + p { display: none; } .groups { padding: 0 16px 12px; } .top p { display: none; } }
   `];
   declare group: string;
   declare shown: boolean;
@@ -90,10 +91,16 @@ export class Presets extends AppElement {
         <button class="icon" aria-label=${this.t("scenes.close")} @click=${this.close}>${icon("close")}</button></div>
       <div class="groups"><div class="segmented" role="group" aria-label=${this.t("scenes.title")}>${groups.map((group) => html`
           <button aria-pressed=${group === this.group} @click=${() => { this.group = group; }}>${this.groupName(group)}</button>`)}</div></div>
-      <div class="scroll">${this.group === CASE ? this.cases(all) : html`<ul>${shown.map((info) => this.card(info, DRAWN[info.group] ?? "hybrid"))}</ul>`}
+      <div class="scroll">${this.group === CASE ? this.cases(all) : html`<ul>${this.group === "all" ? this.newCard() : nothing}${shown.map((info) => this.card(info, DRAWN[info.group] ?? "hybrid"))}</ul>`}
         ${["all", "grid", GENERATE].includes(this.group) ? html`<parkade-generate .app=${this.app} @opened=${this.close}></parkade-generate>` : nothing}</div>
       <footer>${icon("open")}<b>${this.t("scenes.own")}</b><p>${this.t("scenes.ownHelp")}</p>
         <button class="button outline" @click=${this.choose}>${this.t("scenes.choose")}</button></footer>`;
+  }
+
+  private newCard(): TemplateResult {
+    const { lang } = this.state;
+    return html`<li><button @click=${this.newLot}><span class="new"><svg viewBox="0 0 16 16" width="28" fill="none" stroke="currentColor"><path d="M8 2.5v11M2.5 8h11"/></svg></span>
+      <span class="words"><b>${say(lang, "newLot")}</b><i>${say(lang, "numbers")}</i></span></button></li>`;
   }
 
   private card(info: ScenarioInfo, planner: PlannerId, title = info.title[this.state.lang], question = this.questionOf(info), run = () => this.pick(info.id)): TemplateResult {
@@ -195,6 +202,11 @@ export class Presets extends AppElement {
   private readonly showTables = (): void => {
     this.close();
     this.dispatchEvent(new CustomEvent("parkade-papers", { bubbles: true, composed: true }));
+  };
+
+  private readonly newLot = (): void => {
+    this.close();
+    void this.app.fetchPart(async () => (await import("./new-lot")).openNewLot(this.app, this));
   };
 
   private readonly close = (): void => this.dialog?.close();
