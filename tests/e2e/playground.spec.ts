@@ -256,6 +256,8 @@ test("a moving obstacle is drawn, waited for, and kept by a link", async ({ page
   await look(page, 14, 16, 20);
   await page.keyboard.press("m");
   await dragWorld(page, [16, 16], [12, 16]);
+  const card = page.locator("parkade-selection");
+  for (const label of ["Speed", "Starts at", "Length", "Width"]) await expect(card.getByLabel(label)).toBeVisible();
   const drawn = (await sceneOf(page)).moving ?? [];
   expect(drawn).toHaveLength(1);
   expect(drawn[0]!.points).toHaveLength(2);

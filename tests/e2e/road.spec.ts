@@ -82,10 +82,10 @@ test("a road is drawn, edited and coned off with the mouse, and its risk is told
   await settled(page);
   const dragged = (await obstacles(page))[0];
   expect(dragged?.type === "road" && dragged.points[1]).toEqual([64, 22]);
-  await page.getByLabel("Lanes →").fill("2");
-  await page.getByLabel("Lanes →").press("Enter");
+  await page.getByLabel("Lanes forward").fill("2");
+  await page.getByLabel("Lanes forward").press("Enter");
   expect((await obstacles(page))[0]).toMatchObject({ lanes: [2, 1] });
-  await page.getByLabel("Lanes →").blur();
+  await page.getByLabel("Lanes forward").blur();
   for (let i = 0; i < 2; i++) await page.getByRole("button", { name: "Undo" }).first().click();
   expect((await obstacles(page))[0]).toMatchObject({ points: [[4, 20], [60, 20], [60, 74]], lanes: [1, 1] });
   expect(complaints).toEqual([]);

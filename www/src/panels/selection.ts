@@ -17,8 +17,12 @@ import { objectName } from "./objects";
 
 const say = words({
   cost: ["Cost of one metre here, in metres. 1 means no extra cost.", "此处每米的代价（米）；1 表示无额外代价。"],
-  along: ["Lanes →", "车道 →"],
-  against: ["Lanes ←", "车道 ←"],
+  speed: ["Speed", "速度"],
+  starts: ["Starts at", "出发时刻"],
+  length: ["Length", "长度"],
+  width: ["Width", "宽度"],
+  along: ["Lanes forward", "正向车道"],
+  against: ["Lanes back", "反向车道"],
   laneWidth: ["Lane width", "车道宽"],
   bend: ["Bend radius", "弯道半径"],
   limit: ["Speed limit", "限速"],
@@ -97,8 +101,8 @@ export class SelectionCard extends AppElement {
       metres("x", center[0], (x) => apply({ ...obstacle, center: [x, center[1]] })),
       metres("y", center[1], (y) => apply({ ...obstacle, center: [center[0], y] })),
       angle(heading, (value) => apply({ ...obstacle, heading: value })),
-      metres("↔", size[0], (along) => apply({ ...obstacle, size: [along, size[1]] }), 0.05),
-      metres("↕", size[1], (across) => apply({ ...obstacle, size: [size[0], across] }), 0.05),
+      metres(say(this.state.lang, "length"), size[0], (along) => apply({ ...obstacle, size: [along, size[1]] }), 0.05),
+      metres(say(this.state.lang, "width"), size[1], (across) => apply({ ...obstacle, size: [size[0], across] }), 0.05),
     ];
   }
 
@@ -112,21 +116,21 @@ export class SelectionCard extends AppElement {
         metres(say(lang, "laneWidth"), laneWidthOf(road), (laneWidth) => apply({ laneWidth }), 1),
         metres(say(lang, "bend"), road.radius ?? 20, (radius) => apply({ radius }), 1),
         { label: say(lang, "limit"), unit: "m/s", value: road.speed ?? 0, digits: 2, step: 0.5, min: 0, apply: (speed) => withoutSpeed(this.state.scene, { ...road, speed }) },
-      ])}
+      ], 2)}
       <div class="row"><label class="check"><input type="checkbox" .checked=${road.kerbs ?? true} @change=${(e: Event) => this.edit(apply({ kerbs: (e.target as HTMLInputElement).checked }))}>${say(lang, "kerbs")}</label></div>
       <p>${say(lang, "vertices")}</p>`;
   }
 
   private moving(one: MovingObstacle): TemplateResult {
     const patch = (change: Partial<MovingObstacle>): Scene => updateMoving(this.state.scene, one.id!, change);
-    const [length, width] = one.size;
+    const { lang } = this.state, [length, width] = one.size;
     return html`${this.heading(this.t("thing.movingName"))}
       ${this.fields([
-        { label: "v", unit: "m/s", value: one.speed, digits: 2, step: 0.1, min: 0.05, apply: (speed) => patch({ speed }) },
-        { label: "t\u2080", unit: "s", value: one.start ?? 0, digits: 1, step: 0.5, min: 0, apply: (start) => patch({ start }) },
-        metres("\u2194", length, (to) => patch({ size: [to, width] }), 0.05),
-        metres("\u2195", width, (to) => patch({ size: [length, to] }), 0.05),
-      ])}
+        { label: say(lang, "speed"), unit: "m/s", value: one.speed, digits: 2, step: 0.1, min: 0.05, apply: (speed) => patch({ speed }) },
+        { label: say(lang, "starts"), unit: "s", value: one.start ?? 0, digits: 1, step: 0.5, min: 0, apply: (start) => patch({ start }) },
+        metres(say(lang, "length"), length, (to) => patch({ size: [to, width] }), 0.05),
+        metres(say(lang, "width"), width, (to) => patch({ size: [length, to] }), 0.05),
+      ], 2)}
       ${this.deleteRow(() => this.edit(removeMoving(this.state.scene, one.id!)))}`;
   }
 
@@ -158,9 +162,9 @@ export class SelectionCard extends AppElement {
       ${isGoal ? html`<p>${this.t("inspect.goalSlot")}</p>` : this.deleteRow(() => this.edit(removeSlot(this.state.scene, id)))}`;
   }
 
-  private fields(fields: readonly Field[]): TemplateResult {
+  private fields(fields: readonly Field[], across = 3): TemplateResult {
     const rows: Field[][] = [];
-    for (let i = 0; i < fields.length; i += 3) rows.push(fields.slice(i, i + 3));
+    for (let i = 0; i < fields.length; i += across) rows.push(fields.slice(i, i + across));
     return html`${rows.map((row) => html`<div class="row">${row.map((field) => this.field(field))}</div>`)}`;
   }
 
