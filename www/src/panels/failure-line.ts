@@ -10,13 +10,12 @@ import { AppElement } from "./base";
 import { whyOf } from "./failure-words";
 import { icon } from "./icons";
 import type { SceneView } from "./scene-view";
-import { statusOf } from "./status";
 
 const say = words({ show: ["Show", "显示"], where: ["Show on the map where it fails", "在地图上显示失败之处"] });
 
 /** One line under a planner's title: why its answer fails; a click shows the place. */
 export class FailureLine extends AppElement {
-  static override properties = { ...AppElement.properties, planner: { type: String }, always: { type: Boolean } };
+  static override properties = { ...AppElement.properties, planner: { type: String }, short: { type: Boolean } };
   static override styles = [controls, css`
     :host { display: block; z-index: 3; font-size: 12px; line-height: 16px; }
     div { display: flex; align-items: center; gap: 8px; min-height: 28px; padding: 3px 4px 3px 12px; color: var(--parkade-t2); }
@@ -24,18 +23,17 @@ export class FailureLine extends AppElement {
     p { margin: 0; flex: 1; min-width: 0; overflow: hidden; display: -webkit-box; -webkit-box-orient: vertical; -webkit-line-clamp: 2; }
     button { height: 22px; padding: 0 8px; font-weight: 600; color: inherit; flex: none; }
     button:hover { text-decoration: underline; }
-    :host([always]) { background: var(--parkade-panel); border-top: 1px solid var(--parkade-hair); }
-    :host([always]) div { height: 40px; }
+    :host([short]) div { height: 40px; }
     @media (pointer: coarse) { button { height: 34px; padding: 0 12px; } }
   `];
   /** Unset: the focused one. */
   declare planner: PlannerId | undefined;
-  /** Whether there is a line for answers that do not fail, too. */
-  declare always: boolean;
+  /** Whether there is room for two lines of a phone only. */
+  declare short: boolean;
 
   constructor() {
     super();
-    this.always = false;
+    this.short = false;
   }
 
   protected override pace = 100;
@@ -48,8 +46,8 @@ export class FailureLine extends AppElement {
   }
 
   protected override render(): TemplateResult | typeof nothing {
-    const { state, asked } = this, why = state.hidden.has(asked) ? null : whyOf(state, asked, this.always);
-    if (why === null) return this.always ? html`<div><p>${statusOf(state, asked).chip}</p></div>` : nothing;
+    const { state, asked } = this, why = state.hidden.has(asked) ? null : whyOf(state, asked, this.short);
+    if (why === null) return nothing;
     const plan = state.results[asked]?.plan, failure = plan && failureOf(state.scene, plan);
     return html`<div class="err">${icon("warning", 12)}<p title=${whyOf(state, asked)}>${why}</p>
       ${failure ? html`<button title=${say(state.lang, "where")} aria-label=${say(state.lang, "where")} @click=${this.show}>${say(state.lang, "show")}</button>` : nothing}</div>`;

@@ -25,7 +25,6 @@ export class Chips extends AppElement {
   static override properties = { ...AppElement.properties, rail: { type: Boolean, reflect: true } };
   static override styles = [controls, css`
     :host { display: block; background: var(--parkade-panel); border-top: 1px solid var(--parkade-hair); }
-    parkade-failure:not(:defined) { display: block; height: 41px; }
     .chips { display: grid; grid-auto-flow: column; grid-auto-columns: minmax(76px, 1fr); gap: 6px; padding: 6px 10px; overflow: auto; scrollbar-width: none; }
     button { display: grid; grid-template-columns: 12px 1fr; gap: 0 6px; padding: 4px 8px; min-width: 0; min-height: 44px; text-align: left; align-items: center; font-size: 12px; line-height: 15px; border: 1px solid var(--parkade-hair2); border-radius: calc(10px * var(--parkade-radius)); touch-action: manipulation; user-select: none; -webkit-user-select: none; }
     button[aria-pressed="true"] { border-color: var(--parkade-t1); box-shadow: inset 0 0 0 1px var(--parkade-t1); }
@@ -48,7 +47,7 @@ export class Chips extends AppElement {
 
   protected override render(): TemplateResult {
     const { planners, focus, hidden } = this.state;
-    return html`${this.rail ? nothing : html`<parkade-failure .app=${this.app} always></parkade-failure>`}<div class="chips">${planners.map((planner) => {
+    return html`<div class="chips">${planners.map((planner) => {
       const status = statusOf(this.state, planner);
       return html`<button data-planner=${planner} class=${hidden.has(planner) ? "off" : ""} aria-pressed=${planner === focus}
         @click=${() => this.tap(planner)} @pointerdown=${() => this.press(planner)} @pointerup=${this.release} @pointercancel=${this.release} @contextmenu=${(e: Event) => e.preventDefault()}>

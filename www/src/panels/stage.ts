@@ -45,7 +45,7 @@ export class Stage extends AppElement {
     .readout { position: absolute; left: 10px; bottom: 30px; max-width: calc(100% - 40px); display: flex; flex-wrap: wrap; gap: 0 10px; padding: 4px 10px; pointer-events: none; font-size: 12px; line-height: 18px; color: var(--parkade-t2); background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair); border-radius: calc(8px * var(--parkade-radius)); }
     .weights { position: absolute; left: 10px; bottom: 30px; display: flex; align-items: center; gap: 6px; padding: 4px 10px; pointer-events: none; font-size: 12px; line-height: 18px; color: var(--parkade-t2); background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair); border-radius: calc(8px * var(--parkade-radius)); }
     .weights i { width: 18px; height: 14px; border: 1px solid var(--parkade-warn); }
-    :host([compact]) .weights { left: auto; right: 10px; bottom: auto; top: 10px; }
+    :host([compact]) .weights { left: auto; right: 10px; bottom: auto; top: 60px; }
     .readout b { font-weight: 500; color: var(--parkade-t1); margin-left: 4px; }
     :host([compact]) .title { pointer-events: auto; touch-action: none; user-select: none; -webkit-user-select: none; cursor: ew-resize; }
   `];

@@ -26,7 +26,7 @@ export class ViewControls extends AppElement {
     button:hover { background: var(--parkade-hover); color: var(--parkade-t1); }
     .pill { height: 24px; padding: 0 10px; font-size: 12px; font-weight: 500; pointer-events: auto; color: var(--parkade-t1); background: var(--parkade-panel); border: 1px solid var(--parkade-hair2); border-radius: 999px; }
     /* Fingers zoom by themselves, and a narrow map has no room to spare. */
-    :host([compact]) { justify-items: end; right: 8px; } :host([compact]) div button:not(.fit) { display: none; }
+    :host([compact]) { justify-items: end; inset: 8px 8px auto auto; } :host([compact]) div button:not(.fit) { display: none; }
     @media (pointer: coarse) { div button { width: 44px; height: 44px; } .pill { height: 44px; } }
   `];
 

@@ -32,14 +32,14 @@ export const layout = css`
   /* The inspector has them where it is shown. */
   @container (min-width: 961px) { .desk > parkade-options { display: none; } }
   @media (max-height: 640px) { .desk { --strip: 130px; } }
-  .phone { grid-template: "bar" 45px "stage" minmax(0, 1fr) "chips" minmax(98px, auto) "time" 48px "sheet" auto / minmax(0, 1fr); }
+  .phone { grid-template: "bar" 45px "stage" minmax(0, 1fr) "chips" minmax(57px, auto) "time" 48px "sheet" auto / minmax(0, 1fr); }
   .phone.rails { grid-template: "bar stage drawer" 44px "bar stage chips" minmax(0, 1fr) "bar options chips" auto "bar time chips" 37px / 49px minmax(0, 1fr) 57px; }
   .rails parkade-sheet { grid-area: drawer; }
-  .phone.bare:not(.rails) { grid-template-rows: 45px minmax(0, 1fr) 98px 48px calc(113px + min(148px, 60vh)); }
+  .phone.bare:not(.rails) { grid-template-rows: 45px minmax(0, 1fr) 57px 48px calc(113px + min(148px, 60vh)); }
   :host([short]) :is(.strip, parkade-splitter[pane="strip"]) { display: none; }
   :host([short]) .desk { --strip: 0px; }
-  :host([short]) .phone { grid-template-rows: 45px minmax(0, 1fr) minmax(98px, auto) 48px 0; }
-  parkade-chips { grid-area: chips; } .phone:not(.rails) parkade-chips:not(:defined) { height: 98px; }
+  :host([short]) .phone { grid-template-rows: 45px minmax(0, 1fr) minmax(57px, auto) 48px 0; }
+  parkade-chips { grid-area: chips; } .phone:not(.rails) parkade-chips:not(:defined) { height: 57px; }
   parkade-failure { grid-area: stage; align-self: end; z-index: 3; }
   parkade-sheet { grid-area: sheet; } .phone:not(.rails) parkade-sheet:not(:defined) { height: calc(113px + min(148px, 60vh)); }
   :host([viewing]) parkade-stage { pointer-events: none; }
