@@ -48,7 +48,7 @@ test("the hybrid search's failed connections and the place where there is no way
   await page.getByRole("button", { name: "Layers" }).click();
   await page.getByLabel("Search tree").check();
   await page.keyboard.press("Escape");
-  await expect(large.locator(".legend.tree")).toContainText("dotted reverse");
+  await expect(large.locator(".legend.tree")).toContainText("dotted: reverse");
   await expect.poll(async () => (await shot()).equals(without)).toBe(false);
 });
 
@@ -189,7 +189,7 @@ test("every planner has a best and a worst case in the gallery, drawn with its p
   await expect(dialog.locator("h3")).toHaveCount(planners);
   await expect(dialog.locator("li")).toHaveCount(2 * planners);
   await expect.poll(() => dialog.locator("parkade-thumbnail").first().evaluate((one) => (one as unknown as { plan?: { outcome: string } }).plan?.outcome), { timeout: 20_000 }).toBe("found");
-  await dialog.locator("li button", { hasText: "Two expansions for thirty metres?" }).click();
+  await dialog.locator("li button", { hasText: "Two expansions for twenty metres?" }).click();
   await settled(page);
   await expect(page.locator("parkade-panel[active]")).toContainText("Jump point");
 });

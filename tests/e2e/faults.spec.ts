@@ -46,7 +46,7 @@ test("where modules are forbidden the page says so", async ({ page }) => {
     Object.assign(WebAssembly, { instantiate: refuse, instantiateStreaming: refuse, compile: refuse, compileStreaming: refuse });
   });
   await page.goto("./");
-  await expect(page.getByRole("alert")).toContainText("The planners failed to load: forbidden by the policy");
+  await expect(page.locator("parkade-notices").getByRole("alert")).toContainText("The planners failed to load: forbidden by the policy");
 });
 
 test("where workers are forbidden the page says so", async ({ page }) => {
@@ -54,18 +54,18 @@ test("where workers are forbidden the page says so", async ({ page }) => {
     window.Worker = class { constructor() { throw new DOMException("workers are forbidden", "SecurityError"); } } as unknown as typeof Worker;
   });
   await page.goto("./");
-  await expect(page.getByRole("alert")).toContainText("The planners failed to load: workers are forbidden");
+  await expect(page.locator("parkade-notices").getByRole("alert")).toContainText("The planners failed to load: workers are forbidden");
 });
 
 test("a network that goes while the page loads is said, and the page goes on by itself when it is back", async ({ page }) => {
   let down = true;
   await page.route("**/*.wasm", (route) => (down ? route.abort() : route.continue()));
   await page.goto("./");
-  await expect(page.getByRole("alert")).toContainText("The planners failed to load");
+  await expect(page.locator("parkade-notices").getByRole("alert")).toContainText("The planners failed to load");
   down = false;
   await page.evaluate(() => dispatchEvent(new Event("online")));
   await expect.poll(() => outcomes(page), { timeout: 30_000 }).toEqual(FOUND);
-  await expect(page.getByRole("alert")).not.toContainText("loaded");
+  await expect(page.locator("parkade-notices").getByRole("alert")).not.toContainText("loaded");
 });
 
 test("an inspector whose code comes late, and its room later still, shows the scene of now", async ({ page }) => {
@@ -94,19 +94,19 @@ test("an embedded playground without its module says so in place of its poster, 
     <parkade-playground poster="data:," alt="a car park" style="width: 720px; height: 420px"></parkade-playground>`;
   await page.route("**/figure.html", (route) => route.fulfill({ contentType: "text/html", body: `<!doctype html>${figure}` }));
   await page.goto("./figure.html");
-  await expect(page.getByRole("alert")).toContainText("The planners failed to load");
+  await expect(page.locator("parkade-notices").getByRole("alert")).toContainText("The planners failed to load");
   await expect(page.locator("parkade-playground .poster")).toHaveCount(0);
-  await expect(page.getByRole("alert")).toBeVisible();
+  await expect(page.locator("parkade-notices").getByRole("alert")).toBeVisible();
   down = false;
   await page.evaluate(() => dispatchEvent(new Event("online")));
   await expect.poll(() => outcomes(page), { timeout: 30_000 }).toEqual(FOUND);
-  await expect(page.getByRole("alert")).not.toContainText("loaded");
+  await expect(page.locator("parkade-notices").getByRole("alert")).not.toContainText("loaded");
 });
 
 test("a part of the page that does not arrive is said; everything else works", async ({ page }) => {
   await page.route("**/assets/inspector-*.js", (route) => route.abort());
   await open(page);
-  await expect(page.getByRole("alert")).toContainText("A part of the page did not arrive.");
+  await expect(page.locator("parkade-notices").getByRole("alert")).toContainText("Part of the page failed to load.");
   await expect.poll(() => outcomes(page)).toEqual(FOUND);
 });
 
