@@ -200,7 +200,9 @@ test("attributes are properties, and do what they say before and after the playg
   const selected = page.evaluate(() => new Promise((done) => document.addEventListener("select", (event) => { if (event instanceof CustomEvent) done(event.detail); })));
   await page.evaluate(() => (document.querySelector("parkade-playground") as Embed & { fit(): Promise<void> }).fit());
   const box = (await canvas.boundingBox())!;
-  await page.mouse.click(box.x + box.width * 0.17, box.y + box.height / 2);
+  // The whole lot of 20 × 15 m is fitted; the start car's middle is 5.6 m left of its own.
+  const scale = (0.88 * (box.height - 28)) / 15;
+  await page.mouse.click(box.x + box.width / 2 - 5.6 * scale, box.y + (box.height + 28) / 2 + 0.5 * scale);
   expect(await selected).toEqual({ selection: { kind: "start" } });
 });
 
