@@ -81,7 +81,7 @@ test("a picture becomes a map by threshold and scale", async ({ page }) => {
   await page.keyboard.press("Control+z");
   expect(await sceneOf(page)).toEqual(before);
   await input.setInputFiles({ name: "broken.png", mimeType: "image/png", buffer: Buffer.from("nothing") });
-  await expect(page.locator("parkade-notices .notice.err")).toContainText("broken.png could not be read as a picture");
+  await expect(page.locator("parkade-notices .notice.err")).toContainText("broken.png could not be read as an image");
 });
 
 test("a drawing is offered again after its tab is closed, and each open tab keeps its own", async ({ context, baseURL }) => {

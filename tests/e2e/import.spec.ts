@@ -70,7 +70,7 @@ test("a ROS map and a parking case open by dropping them", async ({ page }) => {
   await expect(page.locator("parkade-notices .notice.info")).toContainText("Opened yard.yaml, yard.png");
   expect(await sceneOf(page)).toMatchObject({ name: "yard", obstacles, map });
   await drop([["yard.yaml", yaml], ["yard.png", await png(true)]]);
-  await expect(page.locator("parkade-notices .notice.err")).toContainText("yard.png has see-through pixels");
+  await expect(page.locator("parkade-notices .notice.err")).toContainText("yard.png has transparent pixels");
   expect((await sceneOf(page)).name).toBe("yard");
   const tpcap = [-8, 2, 0, 8, 2, 0, 1, 4, -2, -8, 2, -8, 2, -3, -2, -3];
   await drop([["Case.csv", [...Buffer.from(tpcap.join(","))]]]);

@@ -44,7 +44,7 @@ test("the range can be chosen and extended, and measuring can be cancelled", asy
   for (const [first, last] of [["0", "20"], ["5", "4"], ["1", "201"], ["1", ""]] as const) {
     await from.fill(first);
     await to.fill(last);
-    await expect(dialog(page).getByRole("alert")).toContainText("Whole numbers from 1 to 200");
+    await expect(dialog(page).getByRole("alert")).toContainText("whole numbers from 1 to 200");
     await expect(dialog(page).getByRole("button", { name: "Measure" })).toBeDisabled();
   }
   await from.fill("3");
