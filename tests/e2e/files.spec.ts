@@ -35,7 +35,7 @@ test("a saved drawing opens again as the scene it shows", async ({ page }) => {
   const complaints = complaintsOf(page);
   await open(page);
   const before = await sceneOf(page), hashes = await hashesOf(page);
-  const { name, bytes } = await exported(page, "Drawing, SVG");
+  const { name, bytes } = await exported(page, "SVG drawing (can be reopened)");
   expect(name).toMatch(/\.svg$/);
   await page.evaluate(() => {
     const element = document.querySelector<PlaygroundElement>("parkade-playground")!;

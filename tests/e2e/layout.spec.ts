@@ -44,7 +44,7 @@ test("a phone, upright or on its side, has every tool, its sheet and the menu wi
     await expectReachable(page.locator("parkade-timeline .slider"), `${size} timeline`);
     // One tap opens the drawer; the sheet's tabs are there.
     if (side) await sheet.locator(".toggle").click();
-    for (const [tab, content] of [["Results", "parkade-table tr[data-planner] th, parkade-table tr[data-planner] td"], ["Params", "parkade-parameters input"], ["Draw", "parkade-objects button"]] as const) {
+    for (const [tab, content] of [["Results", "parkade-table tr[data-planner] th, parkade-table tr[data-planner] td"], ["Settings", "parkade-parameters input"], ["Draw", "parkade-objects button"]] as const) {
       await sheet.getByRole("tab", { name: tab }).click();
       await expectReachable(sheet.locator(content).first(), `${size} ${tab}`);
     }

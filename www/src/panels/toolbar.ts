@@ -63,7 +63,7 @@ export class Toolbar extends AppElement {
     .wide { display: none; }
     /* Each stands where what is above would no longer fit in English; below 1280 a long scene's title gives way. */
     @container (max-width: 1580px) { .rare .label { display: none; } .tools { gap: 0; } }
-    @container (max-width: 1430px) { .menu .label { display: none; } .menu { padding: 0 8px; } }
+    @container (max-width: 1490px) { .menu .label { display: none; } .menu { padding: 0 8px; } }
     @container (max-width: 1370px) { .tool { width: 30px; padding-right: 6px; } .tools { gap: 0; } }
     @container (max-width: 1330px) { .label { display: none; } }
     @container (max-width: 1279px) { .scene { flex: 0 1 140px; min-width: 64px; } .tools { gap: 2px; } .tool { width: 32px; } }
