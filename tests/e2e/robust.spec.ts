@@ -84,7 +84,7 @@ test("a planner's worker that dies is said and started again; scene, plans and h
     const { worker } = [...app.planning.lanes.values()][0]!;
     worker.dispatchEvent(new ErrorEvent("error", { message: "out of memory", cancelable: true }));
   });
-  await expect(page.locator("parkade-notices .notice.warn")).toContainText("stopped working and was started again");
+  await expect(page.locator("parkade-notices .notice.warn")).toContainText("crashed and was restarted");
   expect(await sceneOf(page)).toEqual(scene);
   await page.keyboard.press("Control+z");
   await settled(page);
@@ -100,7 +100,8 @@ test("a spent budget is said in words, and the last path stays in sight", async 
     element.scene = "par-7.2";
     await element.updateComplete;
     await element.settled();
-    element.sceneData = { ...element.sceneData, planners: { hybrid: { maxExpansions: 300 } } };
+    // An edit: a scene that is opened anew keeps no path of the one before.
+    (element as any).store.edit({ ...element.sceneData, planners: { hybrid: { maxExpansions: 300 } } }, { label: "params" });
   });
   await settled(page);
   expect(await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.results["hybrid"]!.outcome)).toBe("budget-spent");
