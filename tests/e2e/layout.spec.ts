@@ -8,18 +8,21 @@ const TOOLS = ["select", "brush", "wall", "rectangle", "polygon", "car", "slot",
 
 /** Scrolled to, a person could press it: it is in the window, and nothing lies over its middle. */
 async function expectReachable(target: Locator, name: string): Promise<void> {
-  await target.scrollIntoViewIfNeeded();
-  const reached = await target.evaluate((element) => {
-    const { left, right, top, bottom, width, height } = element.getBoundingClientRect(), x = (left + right) / 2, y = (top + bottom) / 2;
-    let hit = document.elementFromPoint(x, y);
-    while (hit?.shadowRoot) {
-      const inner = hit.shadowRoot.elementFromPoint(x, y);
-      if (!inner || inner === hit) break;
-      hit = inner;
-    }
-    return { shown: width > 0 && height > 0 && left >= 0 && top >= 0 && right <= innerWidth + 0.5 && bottom <= innerHeight + 0.5, over: element.contains(hit) || hit === element };
-  });
-  expect(reached, name).toEqual({ shown: true, over: true });
+  // What has just been opened may be drawn anew meanwhile.
+  await expect(async () => {
+    await target.scrollIntoViewIfNeeded({ timeout: 2000 });
+    const reached = await target.evaluate((element) => {
+      const { left, right, top, bottom, width, height } = element.getBoundingClientRect(), x = (left + right) / 2, y = (top + bottom) / 2;
+      let hit = document.elementFromPoint(x, y);
+      while (hit?.shadowRoot) {
+        const inner = hit.shadowRoot.elementFromPoint(x, y);
+        if (!inner || inner === hit) break;
+        hit = inner;
+      }
+      return { shown: width > 0 && height > 0 && left >= 0 && top >= 0 && right <= innerWidth + 0.5 && bottom <= innerHeight + 0.5, over: element.contains(hit) || hit === element };
+    });
+    expect(reached, name).toEqual({ shown: true, over: true });
+  }).toPass({ timeout: 10_000 });
 }
 
 async function showPlanners(page: Page, count: number): Promise<void> {
