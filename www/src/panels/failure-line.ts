@@ -28,7 +28,7 @@ export class FailureLine extends AppElement {
   `];
   /** Unset: the focused one. */
   declare planner: PlannerId | undefined;
-  /** Whether there is room for two lines of a phone only. */
+  /** On a phone: two lines at most, so the cause gives way to what would help. */
   declare short: boolean;
 
   constructor() {
