@@ -53,6 +53,9 @@ impl Engine {
 
     pub(super) fn plan(&mut self, world: &World, mut watch: Watch) -> Plan {
         let report = self.search(world, world.geometry.start, world.geometry.goal, &mut watch);
+        if let Some(progress) = &mut watch.1 {
+            progress.finish(report.expanded);
+        }
         let finish = Finish { world, rasters: &self.rasters, settings: self.settings, report: &report };
         let mut plan = finish.plan();
         #[cfg(feature = "complete")]

@@ -66,6 +66,9 @@ impl Engine {
         let (obstacles, vehicle) = (&self.obstacles, &geometry.vehicle);
         let query = Query { obstacles, vehicle, start: geometry.start, goal: geometry.goal };
         let mut report = plan(&query, &self.config, &mut self.scratch, trace, progress);
+        if let Some(progress) = progress {
+            progress.finish(report.expanded);
+        }
         let mut found = matches!(report.status, Status::Found | Status::Suboptimal);
         let driven = if found { drive(&query, &report) } else { Driven::default() };
         let mut plan = measured(world, outcome(report.status), driven, NEAR);

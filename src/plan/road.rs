@@ -85,6 +85,9 @@ impl Engine {
         self.turn(scenario, world);
         let query = self.query(world);
         let report = plan(&query, &self.config, &mut scratch, &mut watch);
+        if let Some(progress) = &mut watch.1 {
+            progress.finish(report.expanded);
+        }
         let found = report.status == Status::Found;
         let line = self.line(world, &report);
         let driven = if found { drive(world, &line) } else { Driven::default() };

@@ -111,7 +111,7 @@ impl<C, L> Observer<C, L> for Trace {
 /// Who is told how many nodes have been expanded, and says whether to go on.
 pub type Tell<'a> = &'a mut dyn FnMut(u32) -> ControlFlow<()>;
 
-/// Tells how many nodes a plan's searches have expanded, each time that it is a multiple of some number.
+/// Tells how many nodes a plan's searches have expanded: at each multiple of some number, and when they have ended.
 pub struct Progress<'a> {
     every: NonZeroU32,
     /// When it tells next.
@@ -131,6 +131,13 @@ impl<'a> Progress<'a> {
     /// A search follows others that have expanded as many nodes.
     pub fn follow(&mut self, before: u32) {
         self.before = before;
+    }
+
+    /// The searches have ended; what follows checks and measures their path.
+    pub fn finish(&mut self, expanded: u32) {
+        if !self.stopped {
+            self.stopped = (self.tell)(expanded).is_break();
+        }
     }
 
     /// Whether it was told not to go on.
@@ -204,7 +211,21 @@ mod tests {
         assert!(!progress.is_stopped());
         assert_eq!([13, 13, 23].map(|expanded| due(&mut progress, expanded)), [0; 3]);
         assert!(progress.is_stopped());
+        progress.finish(40);
         assert_eq!(told, [10, 20, 30], "and not again");
+    }
+
+    #[test]
+    fn progress_is_told_of_the_end() {
+        let mut told = Vec::new();
+        let mut tell = |expanded| {
+            told.push(expanded);
+            ControlFlow::Continue(())
+        };
+        let mut progress = Progress::new(TEN, &mut tell);
+        assert_eq!([10, 17].map(|expanded| due(&mut progress, expanded)), [20, 20]);
+        progress.finish(17);
+        assert_eq!(told, [10, 17]);
     }
 
     #[test]

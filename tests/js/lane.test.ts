@@ -19,11 +19,25 @@ class FakeWorker implements WorkerLike {
   }
 
   answer(id: number): void {
-    this.onmessage?.({ data: { kind: "planned", id, plan: {} as Plan, layers: {}, millis: 1 } } as MessageEvent<Reply>);
+    this.onmessage?.({ data: { kind: "planned", id, plan: {} as Plan, layers: {}, drive: null, undriven: false, time: { search: 1, total: 2 }, warm: false } } as MessageEvent<Reply>);
   }
 
   tell(id: number, expansions: number): void {
     this.onmessage?.({ data: { kind: "progress", id, expansions } } as MessageEvent<Reply>);
+  }
+
+  /** Answers the last question for times. */
+  times(): void {
+    this.onmessage?.({ data: { kind: "timed", id: this.asked.at(-1)!.kind === "time" ? this.lastId : 0, samples: [{ search: 1, total: 2 }] } } as MessageEvent<Reply>);
+  }
+
+  failTiming(): void {
+    this.onmessage?.({ data: { kind: "failed", id: this.lastId, error: { code: "internal", path: "", message: "boom" } } } as MessageEvent<Reply>);
+  }
+
+  private get lastId(): number {
+    const last = this.asked.at(-1)!;
+    return "id" in last ? last.id : 0;
   }
 
   get plans(): number[] {
@@ -153,12 +167,38 @@ describe("a planner's lane", () => {
 
   it("times nothing while it plans", async () => {
     const { workers, lane, plan } = setup();
+    expect(await lane.time(9, 10)).toEqual([]);
     plan(1);
     expect(await lane.time(9, 10)).toEqual([]);
     workers[0]!.answer(1);
     const samples = lane.time(2, 10);
-    const asked = workers[0]!.asked.at(-1)!;
-    workers[0]!.onmessage?.({ data: { kind: "timed", id: asked.kind === "time" ? asked.id : 0, samples: [1, 2] } } as MessageEvent<Reply>);
-    expect(await samples).toEqual([1, 2]);
+    expect(workers[0]!.asked.at(-1)).toMatchObject({ kind: "time", scene: null });
+    workers[0]!.times();
+    expect(await samples).toEqual([{ search: 1, total: 2 }]);
+  });
+
+  it("times the last scene with another worker where its own was given away", async () => {
+    const { workers, lane, plan } = setup();
+    plan(1);
+    workers[0]!.answer(1);
+    lane.revoked();
+    const samples = lane.time(2, 10);
+    expect(workers[1]!.asked).toMatchObject([{ kind: "start" }, { kind: "time", scene }]);
+    workers[1]!.times();
+    expect(await samples).toHaveLength(1);
+    plan(2);
+    expect(workers[1]!.asked.at(-1)).toMatchObject({ kind: "plan", scene: null });
+  });
+
+  it("starts anew where timing kills the worker, and says that no time came", async () => {
+    const { workers, heard, lane, plan } = setup();
+    plan(1);
+    workers[0]!.answer(1);
+    const samples = lane.time(2, 10);
+    workers[0]!.failTiming();
+    expect(await samples).toEqual([]);
+    expect(heard).toEqual(["planned 1", "restarted"]);
+    plan(2);
+    expect(workers[1]!.plans).toEqual([2]);
   });
 });

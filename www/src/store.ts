@@ -1,4 +1,5 @@
 import type { Drive, Encounter, Explanation, Layer, LayerName, Plan, PlannerId, Road, Scenario, SceneGeometry } from "parkade";
+import type { Timing } from "./planning/protocol";
 import { presetLayers } from "./view/layer-sets";
 
 export type Scene = Scenario;
@@ -29,9 +30,9 @@ export interface PanelResult {
   layers: Partial<Record<LayerName, Layer>>;
   status: "idle" | "planning" | "done" | "error";
   error: { code: string; path: string; message: string } | null;
-  /** Median of `samples`. */
-  millis: number | null;
-  samples: number[];
+  /** Medians of `samples`; null until the planner has warmed up on the scene. */
+  time: Timing | null;
+  samples: Timing[];
 }
 
 export interface Playback {
@@ -131,7 +132,7 @@ export interface Store {
 export const UNDO_STEPS = 500;
 
 export const emptyResult: PanelResult = {
-  plan: null, lastGood: null, drive: null, layers: {}, status: "idle", error: null, millis: null, samples: [],
+  plan: null, lastGood: null, drive: null, layers: {}, status: "idle", error: null, time: null, samples: [],
 };
 
 const emptyScene: Scene = {

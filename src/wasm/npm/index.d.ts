@@ -662,9 +662,9 @@ export class Planner {
    * `start` and `goal` take the place of the scene's in this plan, and in `layer`, `explain` and `anyAngleLength` until the next
    * one; a second plan on the same map prepares nothing anew.
    *
-   * `onProgress` is called while the search goes on: each 16 384 cells, or each 256 poses of a car, with the expansions so far,
-   * at most the plan's `stats.expanded`. What it throws ends the search and is thrown by `plan`; the planner can be used again. It
-   * cannot use the planner that calls it.
+   * `onProgress` is called while the search goes on: each 16 384 cells, or each 256 poses of a car, with the expansions so far;
+   * and once when it has ended, with the plan's `stats.expanded`, before the path is followed, checked and measured. What it
+   * throws ends the search and is thrown by `plan`; the planner can be used again. It cannot use the planner that calls it.
    */
   plan(options?: { trace?: boolean; start?: Pose; goal?: Pose; onProgress?: (expansions: number) => void }): Plan;
   /**

@@ -278,6 +278,7 @@ export class Embedded extends Playground {
   private seen(visible: boolean): void {
     this.emit("visibility", { visible });
     if (visible) {
+      this.app.planning?.resume();
       if (this.wasPlaying) this.app.player.play();
       this.wasPlaying = false;
       return;

@@ -2,7 +2,7 @@ import type { Plan, PlannerId } from "parkade";
 import { millis, number, translate, type Lang } from "../i18n/index";
 import { plannerName } from "../view/identity";
 import type { PanelResult, State } from "../store";
-import { drivablePlan, statusOf, type Status } from "./status";
+import { drivablePlan, searchTime, statusOf, timeTitle, type Status } from "./status";
 import { paceOn } from "../scene/pace";
 
 export const COLUMNS = ["length", "drive", "gears", "curvature", "clearance", "heading", "expanded", "open", "plan", "memory"] as const;
@@ -55,7 +55,7 @@ function valueOf(result: PanelResult | undefined, column: Column, drivable: bool
   if (!plan) return null;
   if (column === "expanded") return plan.stats.expanded;
   if (column === "open") return plan.stats.openPeak;
-  if (column === "plan") return result.millis;
+  if (column === "plan") return result.time?.search ?? null;
   if (column === "memory") return plan.stats.memoryBytes / 1000 || null;
   if (plan.outcome !== "found") return null;
   return pathValue(plan, column, drivable, pace);
@@ -74,7 +74,8 @@ function pathValue({ metrics, check }: Plan, column: Column, drivable: boolean, 
 }
 
 function textOf(lang: Lang, result: PanelResult | undefined, column: Column, value: number | null): string {
-  if (value !== null && Number.isFinite(value)) return column === "plan" ? timeText(lang, result?.samples ?? [], value) : number(lang, value, DIGITS[column]);
+  if (column === "plan" && result?.plan) return timeText(lang, result);
+  if (value !== null && Number.isFinite(value)) return number(lang, value, DIGITS[column]);
   if (column === "curvature" && result?.plan?.outcome === "found") return translate(lang, "table.corner");
   return "–";
 }
@@ -83,22 +84,25 @@ function textOf(lang: Lang, result: PanelResult | undefined, column: Column, val
 export const BENCH_RUNS = 25;
 
 /** A benchmark shows its middle half beside the median. */
-function timeText(lang: Lang, samples: readonly number[], value: number): string {
-  const text = millis(lang, value), spread = samples.length >= BENCH_RUNS ? quartiles(samples) : null;
+function timeText(lang: Lang, result: PanelResult): string {
+  const text = searchTime(lang, result).replace(" ms", ""), spread = result.samples.length >= BENCH_RUNS ? quartiles(searchesOf(result)) : null;
   return spread ? `${text} [${millis(lang, spread[0])}–${millis(lang, spread[1])}]` : text;
 }
 
-export function quartiles(samples: readonly number[]): [number, number] {
+const searchesOf = ({ samples }: PanelResult): number[] => samples.map(({ search }) => search);
+
+function quartiles(samples: readonly number[]): [number, number] {
   const sorted = [...samples].sort((a, b) => a - b);
   const at = (share: number): number => sorted[Math.round(share * (sorted.length - 1))]!;
   return [at(0.25), at(0.75)];
 }
 
 function titleOf(lang: Lang, result: PanelResult | undefined, column: Column): string {
-  const samples = result?.samples ?? [];
-  if (column !== "plan" || samples.length < 4) return "";
-  const [low, high] = quartiles(samples);
-  return translate(lang, "tip.quartiles", { n: samples.length, low: millis(lang, low), high: millis(lang, high) });
+  if (column !== "plan" || !result) return "";
+  const title = timeTitle(lang, result), n = result.samples.length;
+  if (n < 4) return title;
+  const [low, high] = quartiles(searchesOf(result));
+  return `${title} ${translate(lang, "tip.quartiles", { n, low: millis(lang, low), high: millis(lang, high) })}`;
 }
 
 /** The best drivable values; what reads the same is a tie. */

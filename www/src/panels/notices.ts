@@ -72,8 +72,8 @@ export class Notices extends AppElement {
       const plan = result?.plan;
       if (!plan || plan.outcome !== "found") return this.t("say.failed", values);
       return this.t("say.result", {
-        ...values, length: this.num(plan.metrics.length, 1), gears: plan.metrics.directionChanges, millis: this.num(result.millis ?? 0, 0),
-      });
+        ...values, length: this.num(plan.metrics.length, 1), gears: plan.metrics.directionChanges,
+      }) + (result.time ? this.t("say.time", { millis: this.num(result.time.search, 1) }) : "");
     }).join(". ");
   }
 }

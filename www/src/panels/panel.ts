@@ -1,6 +1,5 @@
 import type { PlannerId } from "parkade";
 import { css, html, nothing, type PropertyValues, type TemplateResult } from "lit";
-import { millis } from "../i18n/index";
 import { plannerName } from "../view/identity";
 import { goalPose, vehicleOf } from "../scene/model";
 import type { PanelResult, State } from "../store";
@@ -10,7 +9,7 @@ import { controls } from "../styles/controls";
 import { cameraFor, worldToScreen } from "../view/camera";
 import { AppElement } from "./base";
 import { icon, marker } from "./icons";
-import { statusOf, type Status } from "./status";
+import { searchTime, statusOf, timeTitle, type Status } from "./status";
 import "./scene-view";
 
 const TITLE = 32;
@@ -117,7 +116,7 @@ export class PlannerPanel extends AppElement {
     return html`
       <header class="${hidden ? "off" : ""} ${result?.status === "planning" ? "stale" : ""}" @dblclick=${this.maximise} @pointerdown=${this.takeFocus}>
         <h2>${marker(planner)}<span>${plannerName(state.lang, planner)}</span></h2>
-        <span class="time">${result?.millis != null ? `${millis(state.lang, result.millis)} ms` : nothing}</span>
+        <span class="time" title=${timeTitle(state.lang, result)}>${searchTime(state.lang, result)}</span>
         ${this.chip(status)}${this.encounter(result)}
         <span class="end">${this.buttons(hidden)}</span>
       </header>

@@ -1,6 +1,5 @@
 import type { PlannerId } from "parkade";
 import { css, html, nothing, unsafeCSS, type TemplateResult } from "lit";
-import { millis } from "../i18n/index";
 import { plannerName } from "../view/identity";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
@@ -8,7 +7,7 @@ import { LEGEND } from "../view/camera";
 import { extras } from "../view/pieces";
 import { AppElement } from "./base";
 import { lineSample, marker } from "./icons";
-import { statusOf } from "./status";
+import { searchTime, statusOf } from "./status";
 import "./panel";
 import "./scene-view";
 
@@ -117,10 +116,10 @@ export class Stage extends AppElement {
   private legend(): TemplateResult {
     const { state } = this;
     return html`<div class="legend" role="group" aria-label=${this.t("chips.label")}>${state.planners.map((planner) => {
-      const status = statusOf(state, planner), time = state.results[planner]?.millis;
+      const status = statusOf(state, planner);
       return html`<button data-planner=${planner} aria-pressed=${planner === state.focus} class=${state.hidden.has(planner) ? "off" : ""} @click=${() => this.app.store.set({ focus: planner })}>
         ${marker(planner)}${lineSample(planner)}<b>${plannerName(state.lang, planner)}</b>
-        <span class="ms">${time == null ? "" : `${millis(state.lang, time)} ms`}</span><span class=${status.tone}>${status.brief}</span></button>`;
+        <span class="ms">${searchTime(state.lang, state.results[planner])}</span><span class=${status.tone}>${status.brief}</span></button>`;
     })}</div>`;
   }
 }

@@ -1,5 +1,5 @@
 import type { Check, Hit, Plan, PlannerId } from "parkade";
-import { isMessage, number, translate, type MessageKey, type Values } from "../i18n/index";
+import { isMessage, millis, number, translate, type Lang, type MessageKey, type Values } from "../i18n/index";
 import type { PanelResult, State } from "../store";
 import type { IconName } from "./icons";
 
@@ -30,6 +30,16 @@ export function statusOf(state: State, planner: PlannerId): Status {
   }
   if (!result?.plan) return say(state, { name: result?.status === "planning" ? "planning" : "waiting" }, "quiet", "clock");
   return ofPlan(state, result.plan);
+}
+
+/** How long the search took; an ellipsis until that is known of compiled code. */
+export function searchTime(lang: Lang, result: PanelResult | undefined): string {
+  return result?.time ? `${millis(lang, result.time.search)} ms` : result?.plan ? "…" : "";
+}
+
+/** … and with all that follows it. */
+export function timeTitle(lang: Lang, result: PanelResult | undefined): string {
+  return result?.time ? translate(lang, "panel.time", { search: millis(lang, result.time.search), total: millis(lang, result.time.total) }) : "";
 }
 
 /** The result's plan when its car can drive it. */

@@ -1,6 +1,6 @@
 import type { Explanation, LayerName, Limits, PlannerId, Scenario } from "parkade";
 import type { Holder, WorkerPool } from "./pool";
-import type { Ends, Failure, Layers, Reply, Request, Waiting } from "./protocol";
+import type { Ends, Failure, Layers, Reply, Request, Timing, Waiting } from "./protocol";
 
 /** `every`: cells from one force of the layer `risk` to the next; `budget`: milliseconds after which the plan is given up. */
 export interface Job { id: number; scene: Scenario; layers: LayerName[]; every: number; trace: boolean; waiting: Waiting | null; limits?: Limits; budget?: number | null }
@@ -30,6 +30,8 @@ export class Lane implements Holder {
   private worker: WorkerLike | null = null;
   /** What the worker has a planner for, and what it has brought of it that does not depend on start and goal. */
   private held: Scenario | null = null;
+  /** What was planned last. */
+  private last: Scenario | null = null;
   private fixed: Layers = {};
   private running: Job | null = null;
   private waiting: Job | null = null;
@@ -38,8 +40,9 @@ export class Lane implements Holder {
   /** When the running plan was sent, and how long the one before took, milliseconds. */
   private since = 0;
   private took = 0;
-  private timing: { id: number; done: (samples: number[]) => void } | null = null;
-  private timingId = 0;
+  private timing: { id: number; done: (samples: Timing[]) => void } | null = null;
+  /** Of what is asked besides plans; below zero, as plans count from one. */
+  private questionId = 0;
   /** The plan whose worker died last. */
   private tried: number | null = null;
   private asking: { id: number; done: (explanation: Explanation | null) => void } | null = null;
@@ -62,14 +65,15 @@ export class Lane implements Holder {
     this.patience ??= setTimeout(() => this.giveUp(), Math.max(PATIENCE_MS, PATIENCE_TIMES * this.took));
   }
 
-  /** Milliseconds of silent plans of the last scene; fewer than `runs` when the budget is spent. */
-  time(runs: number, budget: number): Promise<number[]> {
-    if (this.running || !this.worker) return Promise.resolve([]);
-    this.timing?.done([]);
-    const worker = this.worker;
+  /** Times of silent plans of the last scene; fewer than `runs` when the budget, milliseconds, is spent. */
+  time(runs: number, budget: number): Promise<Timing[]> {
+    const { last } = this;
+    if (this.running || !last) return Promise.resolve([]);
+    this.endTiming([]);
     return new Promise((done) => {
-      this.timing = { id: ++this.timingId, done };
-      worker.postMessage({ kind: "time", id: this.timingId, runs, budget });
+      this.timing = { id: --this.questionId, done };
+      const ask = { kind: "time", id: this.questionId, runs, budget } as const;
+      this.withWorker((worker) => worker.postMessage({ ...ask, ...this.scenePart(last) }));
     });
   }
 
@@ -80,8 +84,8 @@ export class Lane implements Holder {
     const { worker } = this;
     if (this.running || !worker) return Promise.resolve(null);
     return new Promise((done) => {
-      this.asking = { id: ++this.timingId, done };
-      worker.postMessage({ kind: "explain", id: this.timingId, x, y });
+      this.asking = { id: --this.questionId, done };
+      worker.postMessage({ kind: "explain", id: this.questionId, x, y });
     });
   }
 
@@ -100,25 +104,38 @@ export class Lane implements Holder {
   revoked(): void {
     if (this.worker) this.worker.onmessage = this.worker.onerror = null;
     this.worker = this.held = null;
-    this.timing?.done([]);
+    this.endTiming([]);
     this.asking?.done(null);
-    this.timing = this.asking = null;
+    this.asking = null;
+  }
+
+  private endTiming(samples: Timing[]): void {
+    this.timing?.done(samples);
+    this.timing = null;
   }
 
   private send(job: Job): void {
     this.running = job;
-    if (this.worker) this.post();
-    else this.pool.lease(this, (worker) => this.begin(worker));
+    if (!this.worker) this.endTiming([]);
+    this.withWorker(() => this.post());
+  }
+
+  private withWorker(use: (worker: WorkerLike) => void): void {
+    if (this.worker) use(this.worker);
+    else this.pool.lease(this, (worker) => {
+      this.begin(worker);
+      use(worker);
+    });
   }
 
   private post(): void {
     const job = this.running;
     if (!job || !this.worker) return;
     const { scene, layers, budget, ...rest } = job;
-    const known = this.held !== null && differInEnds(this.held, scene);
-    if (!known) this.fixed = {};
-    this.held = scene;
-    this.worker.postMessage({ kind: "plan", ...rest, scene: known ? null : scene, ends: endsOf(scene), layers: layers.filter((name) => !this.fixed[name]) });
+    this.last = scene;
+    const part = this.scenePart(scene);
+    if (part.scene) this.fixed = {};
+    this.worker.postMessage({ kind: "plan", ...rest, ...part, layers: layers.filter((name) => !this.fixed[name]) });
     this.since = performance.now();
     clearTimeout(this.limit);
     if (budget) this.limit = setTimeout(() => this.interrupt(budget), budget);
@@ -132,14 +149,17 @@ export class Lane implements Holder {
       this.died(event.message || "the worker stopped");
     };
     worker.postMessage({ kind: "start", module: this.module, planner: this.planner });
-    this.post();
+  }
+
+  /** What the worker has to be told of a scene. */
+  private scenePart(scene: Scenario): { scene: Scenario | null; ends: Ends } {
+    const isKnown = this.held !== null && differInEnds(this.held, scene);
+    this.held = scene;
+    return { scene: isKnown ? null : scene, ends: endsOf(scene) };
   }
 
   private receive(reply: Reply): void {
-    if (reply.kind === "timed") {
-      if (this.timing?.id === reply.id) this.timing.done(reply.samples);
-      return;
-    }
+    if (reply.kind === "timed" || reply.id === this.timing?.id) return this.timed(reply);
     if (reply.kind === "explained") {
       if (this.asking?.id === reply.id) this.asking.done(reply.explanation);
       return;
@@ -157,6 +177,13 @@ export class Lane implements Holder {
     }
     if (next) this.send(next);
     else if (!this.running) this.pool.rested(this);
+  }
+
+  private timed(reply: Reply): void {
+    if (reply.id !== this.timing?.id) return;
+    if (reply.kind === "failed" && reply.error.code === "internal") return this.died(reply.error.message);
+    this.endTiming(reply.kind === "timed" ? reply.samples : []);
+    if (!this.running) this.pool.rested(this);
   }
 
   private withFixed(reply: Extract<Reply, { kind: "planned" }>): Extract<Reply, { kind: "planned" }> {

@@ -6,9 +6,11 @@ import { forPlanners, isUnpacked, withoutCells } from "../scene/vast";
 import { emptyResult, type PanelResult, type Scene, type State, type Store } from "../store";
 import { Lane, type Job } from "./lane";
 import { extentFor, type Engine } from "./module";
-import type { Failure, Layers, Reply } from "./protocol";
+import type { Failure, Layers, Reply, Timing } from "./protocol";
 
 const SAMPLES = 9;
+/** Silent repeats behind the first time that is shown of a scene; what comes before them is slowed by compilers and caches. */
+const WARM_UP = 3;
 const SLICE_MS = 40;
 /** A plan longer than this is not repeated just to time it. */
 const TOO_LONG_MS = 400;
@@ -34,6 +36,9 @@ export class Planning {
   /** What is wrong with the present scene. */
   private refused: Failure | null = null;
   private quiet: ReturnType<typeof setTimeout> | undefined;
+  /** The present measurement; another one, or none, ends it. */
+  private measuring: object | null = null;
+  private isWarmingUp = false;
   private settled: { promise: Promise<void>; resolve: () => void } | null = null;
 
   constructor(
@@ -64,7 +69,7 @@ export class Planning {
   stop(): void {
     this.unsubscribe?.();
     this.unsubscribe = null;
-    clearTimeout(this.quiet);
+    this.endMeasurement();
     clearTimeout(this.release);
     this.release = undefined;
     this.held.clear();
@@ -91,13 +96,18 @@ export class Planning {
 
   /** Out of sight nothing is timed, and workers are there for others. */
   suspend(): void {
-    clearTimeout(this.quiet);
+    this.endMeasurement();
     for (const lane of this.lanes.values()) if (!lane.busy) lane.stop();
   }
 
-  /** Resolves when every planner has answered for the present scene. */
+  /** In sight again: what has no time gets one. */
+  resume(): void {
+    this.afterResult();
+  }
+
+  /** Resolves when every planner has answered for the present scene, and been timed. */
   whenSettled(): Promise<void> {
-    if (!this.isBusy()) return Promise.resolve();
+    if (!this.isBusy() && !this.isWarmingUp) return Promise.resolve();
     if (!this.settled) {
       let resolve = (): void => {};
       const promise = new Promise<void>((done) => { resolve = done; });
@@ -106,20 +116,24 @@ export class Planning {
     return this.settled.promise;
   }
 
-  /** Times each planner again, one after another; `results` then hold that many samples. */
-  async measure(runs: number): Promise<void> {
-    clearTimeout(this.quiet);
-    const { planners } = this.store.state;
-    const job = this.job;
+  /** Times planners again, one after another; their `results` then hold that many samples. */
+  async measure(runs: number, planners: readonly PlannerId[] = this.store.state.planners): Promise<void> {
+    this.endMeasurement();
+    const measurement = (this.measuring = {});
     for (const planner of planners) {
-      const samples: number[] = [];
-      while (samples.length < runs && job === this.job) {
+      const samples: Timing[] = [];
+      while (samples.length < runs && measurement === this.measuring) {
         const more = await this.lanes.get(planner)?.time(runs - samples.length, SLICE_MS);
         if (!more || more.length === 0) break;
         samples.push(...more);
       }
-      if (samples.length > 0 && job === this.job) this.update(planner, { samples, millis: median(samples) });
+      if (samples.length > 0 && measurement === this.measuring) this.update(planner, { samples, time: medians(samples) });
     }
+  }
+
+  private endMeasurement(): void {
+    clearTimeout(this.quiet);
+    this.measuring = null;
   }
 
   /** The cell under the pointer in the terms of the risk field's paper, wherever its arrows are shown. */
@@ -135,7 +149,7 @@ export class Planning {
   }
 
   private replan(previous: Scene | null, unseen = false): void {
-    clearTimeout(this.quiet);
+    this.endMeasurement();
     const { state } = this.store;
     this.job++;
     this.absent.clear();
@@ -240,9 +254,10 @@ export class Planning {
   private planned(planner: PlannerId, reply: Extract<Reply, { kind: "planned" }>, newerWaits: boolean): void {
     // It belongs to a scene that is no longer open.
     if (reply.id < this.firstJob) return;
-    const { plan, layers, drive, millis } = reply;
+    const { plan, layers, drive, time } = reply;
     const old = this.store.state.results[planner] ?? emptyResult;
     const same = old.status === "done" && old.plan?.hash === plan.hash;
+    const isTimed = time.total > TOO_LONG_MS || (reply.warm && old.time !== null);
     this.update(planner, {
       plan: same ? old.plan : plan,
       // The first module has no drives.
@@ -252,8 +267,7 @@ export class Planning {
       // The answer may be to a scene before one that no planner can take.
       status: this.refused ? "error" : newerWaits ? "planning" : "done",
       error: this.refused,
-      millis,
-      samples: [millis],
+      ...(same && old.time ? {} : { time: isTimed ? time : null, samples: isTimed ? [time] : [] }),
     });
     if (reply.undriven && !newerWaits) {
       const { lang } = this.store.state;
@@ -288,9 +302,20 @@ export class Planning {
 
   private afterResult(): void {
     if (this.isBusy()) return;
+    void this.explain(this.store.state);
+    void this.warmUp();
+  }
+
+  /** Times what has no time yet, before anything moves. */
+  private async warmUp(): Promise<void> {
+    const { results, planners, transient } = this.store.state;
+    const untimed = transient ? [] : planners.filter((planner) => results[planner]?.status === "done" && !results[planner].time);
+    this.isWarmingUp = true;
+    if (untimed.length > 0) await this.measure(WARM_UP, untimed);
+    if (this.isBusy()) return;
+    this.isWarmingUp = false;
     this.settled?.resolve();
     this.settled = null;
-    void this.explain(this.store.state);
     this.whenQuiet();
   }
 
@@ -298,7 +323,7 @@ export class Planning {
   private whenQuiet(): void {
     clearTimeout(this.quiet);
     const { results, planners, transient } = this.store.state;
-    const heavy = planners.some((planner) => (results[planner]?.millis ?? 0) > TOO_LONG_MS);
+    const heavy = planners.some((planner) => (results[planner]?.time?.total ?? 0) > TOO_LONG_MS);
     if (transient || heavy || this.isBusy()) return;
     this.quiet = setTimeout(() => {
       // Animation and planning would share the processor, and the times would show it.
@@ -307,6 +332,9 @@ export class Planning {
     }, QUIET_MS);
   }
 }
+
+const medians = (samples: readonly Timing[]): Timing =>
+  ({ search: median(samples.map((one) => one.search)), total: median(samples.map((one) => one.total)) });
 
 export function median(values: readonly number[]): number {
   const sorted = [...values].sort((a, b) => a - b);

@@ -35,6 +35,7 @@ export class WorkerPool {
    * one, which takes longer to start than most plans take. A playground's own planners keep theirs, with the scene they hold.
    */
   lease(holder: Holder, give: (worker: WorkerLike) => void): void {
+    this.forget(holder);
     const member = this.members.find((one) => one.holder === null) ?? this.take((other) => other.of !== holder.of) ?? this.grow() ?? this.take(() => true);
     if (!member) {
       this.waiting.push({ holder, give });

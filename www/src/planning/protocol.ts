@@ -4,8 +4,8 @@ import type { Drive, Encounter, Explanation, Layer, LayerName, Limits, Plan, Pla
 export type Request =
   | { kind: "start"; module: WebAssembly.Module; planner: PlannerId }
   | PlanRequest
-  /** Plans the last scene again, silently, until `runs` are made or `budget` milliseconds are spent. */
-  | { kind: "time"; id: number; runs: number; budget: number }
+  /** Plans silently until `runs` are made or `budget` milliseconds are spent: the last scene, or another after a first plan that does not count. */
+  | { kind: "time"; id: number; runs: number; budget: number; scene: Scenario | null; ends: Ends }
   | Explain;
 
 export interface PlanRequest {
@@ -31,13 +31,16 @@ export type Waiting = "predictive" | "reactive";
 /** What the risk field does at a point of the last scene. */
 export interface Explain { kind: "explain"; id: number; x: number; y: number }
 
+/** Milliseconds of a plan: until its search ended, and with what follows, measures and checks its path. */
+export interface Timing { search: number; total: number }
+
 export interface Failure { code: string; path: string; message: string }
 export type Layers = Partial<Record<LayerName, Layer>>;
 
 export type Reply =
   /** Expansions so far. */
   | { kind: "progress"; id: number; expansions: number }
-  | { kind: "planned"; id: number; plan: Plan; layers: Layers; drive: Drive | Encounter | null; /** There should be a drive, and its computation failed. */ undriven: boolean; millis: number }
-  | { kind: "timed"; id: number; samples: number[] }
+  | { kind: "planned"; id: number; plan: Plan; layers: Layers; drive: Drive | Encounter | null; /** There should be a drive, and its computation failed. */ undriven: boolean; time: Timing; /** Whether the worker has planned before. */ warm: boolean }
+  | { kind: "timed"; id: number; samples: Timing[] }
   | { kind: "explained"; id: number; explanation: Explanation | null }
   | { kind: "failed"; id: number; error: Failure };
