@@ -68,6 +68,32 @@ test("a phone, upright or on its side, has every tool, its sheet and the menu wi
   }
 });
 
+test("a narrow window has every button, and its inspector one click away", async ({ browser }) => {
+  for (const [width, height] of [[641, 800], [768, 1024], [900, 600], [960, 700]] as const) {
+    const page = await browser.newPage({ viewport: { width, height } }), size = `${width}x${height}`;
+    const complaints = complaintsOf(page);
+    await open(page);
+    await settled(page);
+    const bar = page.locator("parkade-toolbar"), inspector = page.locator("parkade-inspector");
+    const buttons = bar.locator(".bar button:visible");
+    expect(await buttons.count(), size).toBeGreaterThan(TOOLS.length + 6);
+    for (const button of await buttons.all()) {
+      const box = (await button.boundingBox())!;
+      expect([box.x >= 0, box.x + box.width <= width, box.width >= 24], `${size} ${await button.getAttribute("aria-label")}`).toEqual([true, true, true]);
+    }
+    await expect(inspector).toBeHidden();
+    const toggle = bar.getByRole("button", { name: "Properties and parameters" });
+    await toggle.click();
+    await expect(toggle).toHaveAttribute("aria-expanded", "true");
+    await expectReachable(inspector.locator("parkade-parameters input").first(), `${size} parameters`);
+    await expectReachable(inspector.locator("parkade-objects button").last(), `${size} objects`);
+    await toggle.click();
+    await expect(inspector).toBeHidden();
+    expect(complaints).toEqual([]);
+    await page.close();
+  }
+});
+
 test("titles stay in their cells, and the list of planners off the cars, with any number of planners", async ({ page }) => {
   test.setTimeout(180_000);
   await open(page);

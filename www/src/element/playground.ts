@@ -35,7 +35,7 @@ const DIALOGS = { presets: () => import("../panels/presets"), keys: () => import
 export class Playground extends LitElement {
   static override properties = {
     scene: { type: String }, planners: { type: String }, layout: { type: String }, theme: { type: String, reflect: true },
-    permalink: { type: Boolean }, compact: { type: Boolean, reflect: true }, rails: { type: Boolean, reflect: true }, short: { type: Boolean, reflect: true }, loaded: { state: true }, folded: { type: Boolean, reflect: true },
+    permalink: { type: Boolean }, compact: { type: Boolean, reflect: true }, rails: { type: Boolean, reflect: true }, short: { type: Boolean, reflect: true }, loaded: { state: true }, folded: { type: Boolean, reflect: true }, inspecting: { type: Boolean, reflect: true },
     dropping: { state: true }, bare: { state: true },
   };
   static override styles = [tokens, controls, layout];
@@ -54,6 +54,8 @@ export class Playground extends LitElement {
   declare short: boolean;
   declare loaded: boolean;
   declare folded: boolean;
+  /** Whether the inspector lies over the map, where it has no column of its own. */
+  declare inspecting: boolean;
   declare dropping: boolean;
   /** Whether all but the maps is still to come, into the boxes that are kept for it. */
   declare bare: boolean;
@@ -79,7 +81,7 @@ export class Playground extends LitElement {
     this.planners = "";
     this.layout = "grid";
     this.theme = "auto";
-    this.viewing = this.permalink = this.compact = this.rails = this.short = this.loaded = this.folded = this.dropping = this.bare = false;
+    this.viewing = this.permalink = this.compact = this.rails = this.short = this.loaded = this.folded = this.inspecting = this.dropping = this.bare = false;
     this.takeEarly("sceneData");
   }
 
@@ -206,10 +208,10 @@ export class Playground extends LitElement {
 
   protected override render(): TemplateResult {
     return html`<div class="${this.rails ? "phone rails" : this.compact ? "phone" : "desk"} ${this.bare ? "bare" : ""}" role="region" aria-label=${this.app.t("app.label")}
-        @parkade-scenes=${() => void this.openDialog("presets")} @parkade-keys=${() => void this.openDialog("keys")} @parkade-papers=${() => void this.openDialog("papers")} @parkade-fold=${() => { this.folded = !this.folded; }}
+        @parkade-scenes=${() => void this.openDialog("presets")} @parkade-keys=${() => void this.openDialog("keys")} @parkade-papers=${() => void this.openDialog("papers")} @parkade-fold=${() => { this.folded = !this.folded; }} @parkade-inspect=${() => { this.inspecting = !this.inspecting; }}
         @parkade-menu=${this.showMenu} @parkade-open-file=${() => this.fileInput?.click()} @parkade-png=${this.savePicture}
         @dragover=${this.onDragOver} @dragleave=${() => { this.dropping = false; }} @drop=${this.onDrop}>
-      ${this.isFull && !this.bare ? html`<parkade-toolbar part="toolbar" .app=${this.app} .ready=${this.loaded} ?compact=${this.compact} ?rail=${this.rails}><slot name="toolbar-extra"></slot></parkade-toolbar>` : nothing}
+      ${this.isFull && !this.bare ? html`<parkade-toolbar part="toolbar" .app=${this.app} .ready=${this.loaded} ?compact=${this.compact} ?rail=${this.rails} .inspecting=${this.inspecting}><slot name="toolbar-extra"></slot></parkade-toolbar>` : nothing}
       <parkade-stage exportparts="panel, canvas" .app=${this.app} ?compact=${this.compact} .bare=${this.bare}></parkade-stage>
       ${this.bare ? nothing : this.rest()}
     </div>`;

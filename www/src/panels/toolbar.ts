@@ -31,7 +31,7 @@ type MenuName = "planners" | "layers" | "export" | "more";
 
 /** The bar at the top: scene, history, tools, layers, arrangement, export, theme, language, share. */
 export class Toolbar extends AppElement {
-  static override properties = { ...AppElement.properties, compact: { type: Boolean, reflect: true }, rail: { type: Boolean, reflect: true }, ready: { type: Boolean }, shared: { state: true } };
+  static override properties = { ...AppElement.properties, compact: { type: Boolean, reflect: true }, rail: { type: Boolean, reflect: true }, inspecting: { type: Boolean }, ready: { type: Boolean }, shared: { state: true } };
   static override styles = [controls, css`
     :host { display: block; container-type: inline-size; background: var(--parkade-panel); border-bottom: 1px solid var(--parkade-hair); position: relative; z-index: 20; }
     .bar { display: flex; align-items: center; height: 48px; padding: 0 12px; gap: 5px; }
@@ -60,7 +60,8 @@ export class Toolbar extends AppElement {
     .check input { accent-color: var(--parkade-accent); margin: 0; width: 14px; height: 14px; }
     .lang { padding: 0 8px; color: var(--parkade-t3); font-weight: 400; }
     .lang b { font-weight: 600; color: var(--parkade-t1); }
-    .wide { display: none; }
+    .wide, .inspect { display: none; }
+    .inspect[aria-expanded="true"] { background: var(--parkade-accent-soft); color: var(--parkade-accent); }
     /* Each stands where what is above would no longer fit in English; below 1280 a long scene's title gives way. */
     @container (max-width: 1580px) { .rare .label { display: none; } .tools { gap: 0; } }
     @container (max-width: 1490px) { .menu .label { display: none; } .menu { padding: 0 8px; } }
@@ -69,8 +70,10 @@ export class Toolbar extends AppElement {
     @container (max-width: 1279px) { .scene { flex: 0 1 140px; min-width: 64px; } .tools { gap: 2px; } .tool { width: 32px; } }
     @container (max-width: 1230px) { .tool { padding: 0; } .tool kbd, .brand span { display: none; } .bar { gap: 4px; padding: 0 10px; } .rule { margin: 0 2px; } }
     @container (max-width: 1140px) { .rare { display: none; } .wide { display: flex; } .tool { width: 28px; } }
+    @container (max-width: 960px) { .inspect { display: inline-flex; } }
     @container (max-width: 925px) { .fold { display: none; } }
     @container (max-width: 830px) { .brand, .rule { display: none; } .tools { gap: 0; } .tool { width: 25px; } .modes button { padding: 0 5px; } }
+    @container (max-width: 700px) { .tool { width: 24px; } .modes button { padding: 0 4px; } .bar { gap: 2px; } .icon { flex: none; } }
     :host([compact]) .bar { height: 44px; padding: 0 4px 0 6px; gap: 0; }
     :host([rail]) { border: 0; border-right: 1px solid var(--parkade-hair); container-type: normal; }
     :host([rail]) :is(.bar, .tools) { flex-direction: column; gap: 0; padding: 0; }
@@ -83,6 +86,8 @@ export class Toolbar extends AppElement {
   declare compact: boolean;
   /** A column at the left, with the rest in a menu. */
   declare rail: boolean;
+  /** Whether the inspector lies over the map of a narrow window. */
+  declare inspecting: boolean;
   declare ready: boolean;
   declare shared: boolean;
   protected override pace = 100;
@@ -90,7 +95,7 @@ export class Toolbar extends AppElement {
 
   constructor() {
     super();
-    this.compact = this.rail = false;
+    this.compact = this.rail = this.inspecting = false;
     this.ready = false;
     this.shared = false;
   }
@@ -123,6 +128,7 @@ export class Toolbar extends AppElement {
         <button class="button lang rare" aria-label=${this.t("bar.language")} title=${this.t("bar.language")} @click=${this.nextLang}>
           <span>${this.state.lang === "zh" ? html`<b>中</b> / EN` : html`中 / <b>EN</b>`}</span></button>
         ${this.button("help", `${this.t("bar.help")} · ?`, () => this.emit("keys"), "rare")}
+        <button class="icon inspect" aria-expanded=${this.inspecting} aria-label=${this.t("bar.inspector")} title=${this.t("bar.inspector")} @click=${() => this.emit("inspect")}>${icon("sliders")}</button>
         ${this.moreMenu("wide")}
         <button class="button solid" @click=${this.share}>${icon(this.shared ? "check" : "share")}<span class="label">${this.t(this.shared ? "bar.shared" : "bar.share")}</span><span class="sr">${this.t("bar.share")}</span></button>
       </span>`;
@@ -213,7 +219,7 @@ export class Toolbar extends AppElement {
     });
   };
 
-  emit(name: "scenes" | "keys" | "open-file" | "png" | "papers", detail?: number): void {
+  emit(name: "scenes" | "keys" | "open-file" | "png" | "papers" | "inspect", detail?: number): void {
     this.dispatchEvent(new CustomEvent(`parkade-${name}`, { detail, bubbles: true, composed: true }));
   }
 }

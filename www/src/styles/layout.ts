@@ -27,7 +27,8 @@ export const layout = css`
   }
   @container (max-width: 960px) {
     .desk { grid-template-columns: minmax(0, 1fr) 0; }
-    .desk :is(parkade-inspector, parkade-splitter[pane="side"]) { display: none; }
+    .desk parkade-splitter[pane="side"], :host(:not([inspecting])) .desk parkade-inspector { display: none; }
+    .desk parkade-inspector { grid-area: 2 / 1 / 4 / 2; justify-self: end; width: min(300px, 60cqw); z-index: 15; box-shadow: var(--parkade-float); }
   }
   /* The inspector has them where it is shown. */
   @container (min-width: 961px) { .desk > parkade-options { display: none; } }
