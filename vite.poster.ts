@@ -1,6 +1,9 @@
 import { createHash } from "node:crypto";
 import { pathToFileURL } from "node:url";
 import type { Plugin, Rolldown } from "vite";
+import type { Plan } from "parkade";
+import { footprint, vehicleOf, type ResolvedVehicle } from "./www/src/scene/vehicle";
+import { pickHits } from "./www/src/view/drive";
 
 /** The page's first scene and planners, and how many pixels a metre has in the poster. */
 const SCENE = "perpendicular", SCALE = 14;
@@ -9,6 +12,9 @@ const PLANNERS = [
 ] as const;
 /** Metres that a path's corners may be beside the plan's, and below the goal for its handle. */
 const TOLERANCE = 0.03, HANDLE = 6.3;
+/** Metres along a path from one outline of its swept area to the next. */
+const SWEEP_STEP = 0.7;
+const HATCH = '<pattern id="hatch" width="6" height="6" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><path fill="none" stroke="#b3261e" stroke-width="1.2" stroke-opacity=".8" d="M0 3H6"/></pattern>';
 
 type Api = typeof import("parkade");
 type At = [number, number];
@@ -54,16 +60,37 @@ function draw(api: Api): { html: string; css: string } {
   const width = Math.round((right - left) * SCALE), height = Math.round((top - low) * SCALE);
   const svg = api.toSVG(scene, [], { width, height, theme: "auto", camera: { x: (left + right) / 2, y: (low + top) / 2, scale: SCALE } });
   const { rules, body } = shortened(svg);
-  const pixel = ([x, y]: At): string => `${((x - left) * SCALE).toFixed(1)} ${((top - y) * SCALE).toFixed(1)}`;
+  const pixel = ([x, y]: At, digits = 1): string => [(x - left) * SCALE, (top - y) * SCALE].map((value) => Number(value.toFixed(digits))).join(" ");
+  const outline = (corners: readonly (readonly [number, number])[]): string => `M${corners.map(([x, y]) => pixel([x, y], 0)).join("L")}Z`;
   const panels = PLANNERS.map(([id, name, colour, dashes], i) => {
-    const planner = new api.Planner(id, scene), { path, directions } = planner.plan();
+    const planner = new api.Planner(id, scene), plan = planner.plan();
     planner.free();
-    const lines = legs(path, directions).map(({ points, gear }) => `<path fill="none" stroke="${colour}" stroke-width="${id === "hybrid" ? 3 : 2}" stroke-linejoin="round"${
-      id === "hybrid" && gear > 0 ? "" : dashes && ` stroke-dasharray="${dashes}" stroke-linecap="${id === "hybrid" ? "round" : "butt"}"`} d="M${thinned(points).map(pixel).join("L")}"/>`).join("");
+    const shape = (plan.check.drivable ? swept : hit)(plan, vehicleOf(scene.vehicle)).map(outline).join("");
+    const area = plan.check.drivable ? `<path fill="${colour}" fill-opacity=".15" d="${shape}"/>` : `${HATCH}<path fill="url(#hatch)" stroke="#b3261e" stroke-linejoin="round" d="${shape}"/>`;
+    const lines = legs(plan.path, plan.directions).map(({ points, gear }) => `<path fill="none" stroke="${colour}" stroke-width="${id === "hybrid" ? 3 : 2}" stroke-linejoin="round"${
+      id === "hybrid" && gear > 0 ? "" : dashes && ` stroke-dasharray="${dashes}" stroke-linecap="${id === "hybrid" ? "round" : "butt"}"`} d="M${thinned(points).map((at) => pixel(at)).join("L")}"/>`).join("");
     const lot = i === 0 ? `<g id="lot">${body}</g>` : `<use href="#lot"/>`;
-    return `<div><b>${name}</b><svg viewBox="0 0 ${width} ${height}" aria-hidden="true">${lot}${lines}</svg></div>`;
+    return `<div><b>${name}</b><svg viewBox="0 0 ${width} ${height}" aria-hidden="true">${lot}${area}${lines}</svg></div>`;
   });
   return { html: panels.join(""), css: rules };
+}
+
+const bodyAt = ({ path }: Plan, i: number, vehicle: ResolvedVehicle): At[] => footprint({ x: path[3 * i]!, y: path[3 * i + 1]!, heading: path[3 * i + 2]! }, vehicle);
+
+/** The poses that the live page hatches. */
+const hit = (plan: Plan, vehicle: ResolvedVehicle): At[][] => pickHits(plan.check.hitPoses).map((i) => bodyAt(plan, i, vehicle));
+
+/** Outlines that together cover what the car sweeps, as nearly as the poster shows. */
+function swept(plan: Plan, vehicle: ResolvedVehicle): At[][] {
+  const { path } = plan, kept: At[][] = [];
+  let left = 0;
+  for (let i = 0; 3 * i < path.length; i++) {
+    if (i > 0) left -= Math.hypot(path[3 * i]! - path[3 * i - 3]!, path[3 * i + 1]! - path[3 * i - 2]!);
+    if (left > 0 && 3 * i + 3 < path.length) continue;
+    kept.push(bodyAt(plan, i, vehicle));
+    left = SWEEP_STEP;
+  }
+  return kept;
 }
 
 /** One path for each gear. */
@@ -91,6 +118,6 @@ function shortened(svg: string): { rules: string; body: string } {
   const names = new Map<string, string>();
   const short = svg.replace(/\bk[0-9a-z]{8,}\b/g, (name) => names.get(name) ?? (names.set(name, `poster-${names.size.toString(36)}`), names.get(name)!));
   const rules = /<style>([^]*?)<\/style>/.exec(short)?.[1] ?? "";
-  const body = short.replace(/^<svg[^>]*>|<\/svg>\s*$|<title>[^]*?<\/title>|<metadata>[^]*?<\/metadata>|<style>[^]*?<\/style>| stroke-miterlimit="10"/g, "").replace(/(\d\.\d)\d/g, "$1");
+  const body = short.replace(/^<svg[^>]*>|<\/svg>\s*$|<title>[^]*?<\/title>|<metadata>[^]*?<\/metadata>|<style>[^]*?<\/style>| stroke-miterlimit="10"/g, "").replace(/(\d\.\d)\d/g, "$1").replace(/(\d)\.0\b/g, "$1");
   return { rules, body };
 }

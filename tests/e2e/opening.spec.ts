@@ -110,6 +110,8 @@ for (const [name, width, height, colorScheme] of [["desk", 1400, 900, "light"], 
     });
     await page.goto("./");
     await expect(page.locator("#poster svg")).toHaveCount(4);
+    await expect(page.locator('#poster path[fill="url(#hatch)"]')).toHaveCount(2);
+    await expect(page.locator("#poster path[fill-opacity]")).toHaveCount(2);
     await page.waitForFunction(() => document.querySelector("parkade-playground")?.shadowRoot?.querySelector("parkade-stage"));
     const lots = await posterLots(page);
     letGo();

@@ -2,6 +2,9 @@
 import type { Plan, Pose } from "parkade";
 import { wrapAngle } from "../scene/plane";
 
+/** Hit poses drawn of a path. */
+const MOST_HITS = 3;
+
 /** A pose of a plan with what the car does there. */
 export interface DrivePose extends Pose {
   /** Metres driven, reverse counted as positive. */
@@ -104,4 +107,12 @@ export function nearestPose(plan: Plan, x: number, y: number, reach = NEAR): num
     if (square < least) [best, least] = [i, square];
   }
   return best < 0 ? null : best;
+}
+
+/** At most three of the hit poses, evenly picked: the first, one between, the last. */
+export function pickHits(hits: ArrayLike<number>): number[] {
+  const picked = new Set<number>();
+  const count = Math.min(MOST_HITS, hits.length);
+  for (let i = 0; i < count; i++) picked.add(hits[Math.round((i * (hits.length - 1)) / Math.max(1, count - 1))]!);
+  return [...picked];
 }

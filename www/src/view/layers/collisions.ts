@@ -1,20 +1,10 @@
 /** Where a planned car would hit something. */
 import type { Plan } from "parkade";
 import { footprint } from "../../scene/vehicle";
-import { poseAt } from "../drive";
+import { pickHits, poseAt } from "../drive";
 import { inMetres, inPixels, polygonPath, pixels, toScreen, type Frame, type Shown } from "../frame";
 import { hatchPattern } from "../hatch";
 import { fade, plannerStyle } from "../tokens";
-
-const MOST = 3;
-
-/** At most three of the hit poses, evenly picked: the first, one between, the last. */
-export function pickHits(hits: ArrayLike<number>): number[] {
-  const picked = new Set<number>();
-  const count = Math.min(MOST, hits.length);
-  for (let i = 0; i < count; i++) picked.add(hits[Math.round((i * (hits.length - 1)) / Math.max(1, count - 1))]!);
-  return [...picked];
-}
 
 export function drawCollisions(frame: Frame, { plan, ghost }: Shown): void {
   if (!plan || ghost) return;
