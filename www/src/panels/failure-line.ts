@@ -24,6 +24,8 @@ export class FailureLine extends AppElement {
     button { height: 22px; padding: 0 8px; font-weight: 600; color: inherit; flex: none; }
     button:hover { text-decoration: underline; }
     :host([short]) div { height: 40px; }
+    /* The rest is in its tooltip. */
+    :host([slim]) div { min-height: 22px; padding: 0 0 0 8px; gap: 6px; } :host([slim]) p { -webkit-line-clamp: 1; }
     @media (pointer: coarse) { button { height: 34px; padding: 0 12px; } }
   `];
   /** Unset: the focused one. */

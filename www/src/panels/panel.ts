@@ -6,7 +6,7 @@ import type { PanelResult, State } from "../store";
 import { isEncounter } from "../view/clock";
 import { extras, waiting } from "../view/pieces";
 import { controls } from "../styles/controls";
-import { cameraFor, worldToScreen } from "../view/camera";
+import { cameraFor, LOW_MAP, worldToScreen } from "../view/camera";
 import { AppElement } from "./base";
 import { icon, marker } from "./icons";
 import { searchTime, statusOf, timeTitle, type Status } from "./status";
@@ -35,12 +35,12 @@ export class PlannerPanel extends AppElement {
     h2 { margin: 0; min-width: 0; font: inherit; font-weight: 600; white-space: nowrap; display: flex; align-items: center; gap: 8px; }
     h2 span { overflow: hidden; text-overflow: ellipsis; }
     .time { color: var(--parkade-t2); white-space: nowrap; min-width: 58px; }
-    .chip { flex: 0 1 auto; }
+    .chip { flex: 0 1 auto; min-width: 56px; }
     .chip .short { display: none; }
     @container (max-width: 470px) { .chip .short { display: block; } .chip .long { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); } }
     /* Of many planners the names stay, and what the answer is, by its colour and sign. */
     @container (max-width: 330px) { .time { display: none; } h2 { flex: 0 1 auto; } }
-    @container (max-width: 250px) { .chip .short { display: none; } .chip { flex: none; padding: 0 4px; } header { gap: 4px; padding: 0 4px 0 8px; } }
+    @container (max-width: 250px) { .chip .short { display: none; } .chip { flex: none; min-width: 0; padding: 0 4px; } header { gap: 4px; padding: 0 4px 0 8px; } }
     @container (max-width: 150px) { .end button:first-child:not(:last-child) { display: none; } }
     .off h2, .off .time { color: var(--parkade-t3); }
     .stale .time { color: var(--parkade-t3); }
@@ -49,6 +49,7 @@ export class PlannerPanel extends AppElement {
     parkade-scene-view { position: absolute; inset: 0; }
     .corner { position: absolute; left: var(--scale-inset, 8px); bottom: 28px; pointer-events: none; }
     .corner.right { left: auto; right: var(--legend-inset, 8px); bottom: 8px; display: grid; gap: 4px; justify-items: end; }
+    .slim .corner { display: none; }
     .corner.top { bottom: auto; top: 46px; }
     .pill { display: flex; align-items: center; gap: 10px; height: 24px; padding: 0 8px;
       background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair);
@@ -112,6 +113,7 @@ export class PlannerPanel extends AppElement {
     const result = state.results[planner];
     const hidden = state.hidden.has(planner);
     const status = statusOf(state, planner);
+    const slim = this.size.height < LOW_MAP;
     const label = this.t("panel.canvas", { planner: plannerName(state.lang, planner), status: status.chip });
     return html`
       <header class="${hidden ? "off" : ""} ${result?.status === "planning" ? "stale" : ""}" @dblclick=${this.maximise} @pointerdown=${this.takeFocus}>
@@ -120,10 +122,10 @@ export class PlannerPanel extends AppElement {
         ${this.chip(status)}${this.encounter(result)}
         <span class="end">${this.buttons(hidden)}</span>
       </header>
-      <div class="body" @pointerdown=${this.takeFocus}>
+      <div class="body ${slim ? "slim" : ""}" @pointerdown=${this.takeFocus}>
         ${hidden ? html`<div class="veil">${this.t("panel.hidden")}</div>` : html`
           <parkade-scene-view exportparts="canvas" .app=${this.app} .planners=${[planner]} .label=${label}></parkade-scene-view>
-          <parkade-failure class=${this.isLow() ? "low" : ""} .app=${this.app} .planner=${planner}></parkade-failure>
+          <parkade-failure class=${this.isLow() ? "low" : ""} ?slim=${slim} .app=${this.app} .planner=${planner}></parkade-failure>
           <div class="corner ${this.corner("left")}">${extras()?.readoutOf(state, planner)}</div>
           <div class="corner right ${this.corner("right")}">${extras()?.legendOf(state, planner)}</div>`}
       </div>`;

@@ -34,11 +34,11 @@ export class ViewControls extends AppElement {
   protected override pace = 100;
 
   protected watches(): readonly (keyof State)[] {
-    return ["camera", "results", "planners", "hidden", "mode", "scene"];
+    return ["camera", "results", "planners", "hidden", "mode", "scene", "follow"];
   }
 
   protected override render(): TemplateResult {
-    const { controller } = this.app, { lang } = this.state, leaves = pathLeaves(this.state, controller.view());
+    const { controller } = this.app, { lang } = this.state, leaves = !this.state.follow && pathLeaves(this.state, controller.view());
     const button = (name: "out" | "fit" | "in", key: string, face: unknown, run: () => void): TemplateResult =>
       html`<button class=${name} aria-label=${say(lang, name)} aria-keyshortcuts=${key} title="${say(lang, name)} · ${key}" @click=${run}>${face}</button>`;
     return html`${leaves ? html`<button class="pill" @click=${() => controller.fit()}>${say(lang, "leaves")}</button>` : nothing}

@@ -166,6 +166,9 @@ function following(state: State, width: number): Camera | null {
   return driven ? below(STRIP.room, { x: driven.pose.x, y: driven.pose.y, scale: width / AROUND }) : null;
 }
 
+/** Maps lower than so many pixels have room for one line over them at most. */
+export const LOW_MAP = 170;
+
 /** What stands on a map's lower edge, CSS pixels: the list of planners at the right of the overlay (so many rows at once), and the view's buttons in the middle. */
 export const LEGEND = { width: 350, row: 27, rows: 7, edge: 12, off: 14, from: 640 };
 const BUTTONS = { width: 120, height: 48 };
