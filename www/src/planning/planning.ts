@@ -11,9 +11,11 @@ import type { Failure, Layers, Reply, Timing } from "./protocol";
 const SAMPLES = 9;
 /** Silent repeats behind the first time that is shown of a scene; what comes before them is slowed by compilers and caches. */
 const WARM_UP = 3;
+/** After so long the warm-up of a planner ends with the repeat that runs. */
+const WARM_UP_MS = 400;
 const SLICE_MS = 40;
-/** A plan longer than this is not repeated just to time it. */
-const TOO_LONG_MS = 400;
+/** A plan longer than this is not repeated again and again just to time it, one longer than the second not once. */
+const TOO_LONG_MS = 400, FAR_TOO_LONG_MS = 3000;
 const QUIET_MS = 350;
 const HOLD_MS = 12;
 /** Of the risk field, that a step of a drag brings. */
@@ -117,12 +119,12 @@ export class Planning {
   }
 
   /** Times planners again, one after another; their `results` then hold that many samples. */
-  async measure(runs: number, planners: readonly PlannerId[] = this.store.state.planners): Promise<void> {
+  async measure(runs: number, planners: readonly PlannerId[] = this.store.state.planners, limit = Infinity): Promise<void> {
     this.endMeasurement();
     const measurement = (this.measuring = {});
     for (const planner of planners) {
-      const samples: Timing[] = [];
-      while (samples.length < runs && measurement === this.measuring) {
+      const samples: Timing[] = [], end = performance.now() + limit;
+      while (samples.length < runs && measurement === this.measuring && (samples.length === 0 || performance.now() < end)) {
         const more = await this.lanes.get(planner)?.time(runs - samples.length, SLICE_MS);
         if (!more || more.length === 0) break;
         samples.push(...more);
@@ -257,7 +259,7 @@ export class Planning {
     const { plan, layers, drive, time } = reply;
     const old = this.store.state.results[planner] ?? emptyResult;
     const same = old.status === "done" && old.plan?.hash === plan.hash;
-    const isTimed = time.total > TOO_LONG_MS || (reply.warm && old.time !== null);
+    const isTimed = time.total > FAR_TOO_LONG_MS || (reply.warm && old.time !== null);
     this.update(planner, {
       plan: same ? old.plan : plan,
       // The first module has no drives.
@@ -311,7 +313,7 @@ export class Planning {
     const { results, planners, transient } = this.store.state;
     const untimed = transient ? [] : planners.filter((planner) => results[planner]?.status === "done" && !results[planner].time);
     this.isWarmingUp = true;
-    if (untimed.length > 0) await this.measure(WARM_UP, untimed);
+    if (untimed.length > 0) await this.measure(WARM_UP, untimed, WARM_UP_MS);
     if (this.isBusy()) return;
     this.isWarmingUp = false;
     this.settled?.resolve();
