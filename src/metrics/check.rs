@@ -126,28 +126,63 @@ fn arc_between(a: Pose, b: Pose, direction: i8) -> (f64, f64) {
     (if length == 0.0 { 0.0 } else { turn / length }, length)
 }
 
-fn check_motion(check: &mut Check, path: &[Pose], directions: &[i8], min_radius: f64) {
-    let mut tight_before = false;
-    for (i, pair) in path.windows(2).enumerate() {
-        let (a, b) = (pair[0], pair[1]);
-        let turn = math::turn(a.heading, b.heading).abs();
+/// What a car does from pose to pose, added up until it is more than rounding: the verdict does not depend on how finely
+/// a path is sampled.
+#[derive(Default)]
+struct Motion {
+    /// Metres of arc, and radians turned on it.
+    length: f64,
+    turn: f64,
+    /// Metres in the gear's direction, and to the left.
+    ahead: f64,
+    aside: f64,
+}
+
+impl Motion {
+    fn add(&mut self, a: Pose, b: Pose, gear: i8) {
+        let turn = math::turn(a.heading, b.heading);
+        self.length += arc_between(a, b, 1).1;
+        self.turn += turn;
+        let (sin, cos) = math::sin_cos(a.heading + turn / 2.0);
         let shift = b.point() - a.point();
-        let distance = shift.norm_squared().sqrt();
-        if distance < 1e-9 && turn < 1e-9 {
-            continue;
+        self.ahead += (cos * shift.x + sin * shift.y) * f64::from(gear);
+        self.aside += cos * shift.y - sin * shift.x;
+    }
+
+    /// The radius, once it is known.
+    fn radius(&mut self) -> Option<f64> {
+        let turn = self.turn.abs();
+        if self.length <= 1e-6 && turn <= 1e-6 {
+            return None;
         }
-        let radius = if turn < 1e-9 { f64::INFINITY } else { arc_between(a, b, 1).1 / turn };
-        check.tightest_radius = check.tightest_radius.min(radius);
-        // Steps far below a millimetre carry only rounding.
-        let tight = radius * CURVATURE_SLACK < min_radius && (distance > 1e-6 || turn > 1e-6);
-        check.tight_turns += u32::from(tight && !tight_before);
-        tight_before = tight;
-        if distance > 1e-4 {
-            let travel = math::atan2(shift.y, shift.x);
-            let middle = a.heading + math::turn(a.heading, b.heading) / 2.0;
-            let nose = if directions.get(i).is_some_and(|&d| d < 0) { middle + math::PI } else { middle };
-            check.slips += u32::from(math::turn(nose, travel).abs() > SLIP_TOLERANCE);
+        let radius = if turn < 1e-9 { f64::INFINITY } else { self.length / turn };
+        (self.length, self.turn) = (0.0, 0.0);
+        Some(radius)
+    }
+
+    /// Whether the body slides, once that is known.
+    fn slides(&mut self) -> Option<bool> {
+        if self.ahead * self.ahead + self.aside * self.aside <= 1e-8 {
+            return None;
         }
+        let slides = math::atan2(self.aside, self.ahead).abs() > SLIP_TOLERANCE;
+        (self.ahead, self.aside) = (0.0, 0.0);
+        Some(slides)
+    }
+}
+
+fn check_motion(check: &mut Check, path: &[Pose], directions: &[i8], min_radius: f64) {
+    let (mut motion, mut tight_before) = (Motion::default(), false);
+    for (i, pair) in path.windows(2).enumerate() {
+        let gear = if directions.get(i).is_some_and(|&d| d < 0) { -1 } else { 1 };
+        motion.add(pair[0], pair[1], gear);
+        if let Some(radius) = motion.radius() {
+            check.tightest_radius = check.tightest_radius.min(radius);
+            let tight = radius * CURVATURE_SLACK < min_radius;
+            check.tight_turns += u32::from(tight && !tight_before);
+            tight_before = tight;
+        }
+        check.slips += u32::from(motion.slides() == Some(true));
     }
 }
 
@@ -184,6 +219,8 @@ fn check_body(check: &mut Check, body: &Body, path: &[Pose], directions: &[i8]) 
     check.mean_clearance = sum / path.len() as f64;
 }
 
+/// Steps of a single way between two poses: 20 km at the usual spacing, which grows beyond.
+const MOST_STEPS: f64 = 1e6;
 /// Room is measured once in so many steps at most: where there is little, that costs more than it saves.
 const PAUSE: u32 = 4;
 
@@ -191,15 +228,17 @@ const PAUSE: u32 = 4;
 fn hit_between(body: &Body, (from, room): (Pose, f64), to: Pose, gear: i8) -> Option<(Owner, Pose)> {
     let (curvature, length) = arc_between(from, to, gear);
     let turn = math::turn(from.heading, to.heading);
-    let steps = (length.abs() / STEP).max(turn.abs() / STEP).ceil().min(1e4) as u32;
+    let steps = (length.abs() / STEP).max(turn.abs() / STEP).ceil().min(MOST_STEPS) as u32;
     let straight = (curvature == 0.0 && steps > 1).then(|| from.direction());
     let each = body.sweep(length, turn) / f64::from(steps);
-    let (mut free, mut measure) = (room, PAUSE);
-    (1..steps).find_map(|k| {
-        let moved = f64::from(k) * each;
-        if free > moved + ROUNDING {
+    let (mut free, mut measure, mut k) = (room, PAUSE, 0);
+    loop {
+        // Until it has used up the room around it, the body hits nothing.
+        k = (k + 1).max(((free - ROUNDING) / each) as u32);
+        if k >= steps {
             return None;
         }
+        let moved = f64::from(k) * each;
         let t = f64::from(k) / f64::from(steps);
         let pose = if length == 0.0 {
             Pose::new(from.x, from.y, from.heading + turn * t)
@@ -213,8 +252,10 @@ fn hit_between(body: &Body, (from, room): (Pose, f64), to: Pose, gear: i8) -> Op
             measure = k + PAUSE;
             free = moved + body.room(pose, body.buckets.side);
         }
-        hit.map(|owner| (owner, pose))
-    })
+        if let Some(owner) = hit {
+            return Some((owner, pose));
+        }
+    }
 }
 
 #[cfg(test)]
@@ -272,6 +313,42 @@ mod tests {
         let backwards = run(&scene(straight[straight.len() - 1], None), &straight, -1);
         assert_eq!(backwards.verdict, Verdict::TooTight);
         assert!(backwards.slips > 0);
+    }
+
+    /// The same motion in steps from a metre down to a tenth of a micrometre.
+    #[test]
+    fn how_finely_a_path_is_sampled_changes_no_verdict() {
+        let radius = Vehicle::PAPER.min_turning_radius();
+        for step in [1.0, 1e-2, 9e-5, 2e-5, 1e-6, 3e-7, 1e-7] {
+            let each = |at: &dyn Fn(f64) -> Pose| -> Vec<Pose> {
+                (0..=60).map(|i| at(step * f64::from(i))).collect()
+            };
+            let ahead = each(&|s| Pose::new(s, 0.0, 0.0));
+            let round = each(&|s| Pose::default().advance(1.0 / radius, s));
+            let sideways = each(&|s| Pose::new(0.0, s, 0.0));
+            let oblique = each(&|s| Pose::new(s, s * 0.03, 0.0));
+            let pivot = each(&|s| Pose::new(0.0, 0.0, (s / 60.0).min(0.04)));
+            let tight = each(&|s| Pose::default().advance(1.02 / radius, s));
+            let length = 60.0 * step;
+            for (name, path, slides, turns) in [
+                ("ahead", ahead, false, false),
+                ("round", round, false, false),
+                ("sideways", sideways, length > 1e-4, false),
+                ("oblique", oblique, length > 1e-4, false),
+                ("pivot", pivot, false, length / 60.0 > 1e-6),
+                ("tight", tight, false, length > 2e-6),
+            ] {
+                let checked = run(&scene(path[path.len() - 1], None), &path, 1);
+                assert_eq!((checked.slips > 0, checked.tight_turns > 0), (slides, turns), "{name} {step}");
+            }
+            let back = each(&|s| Pose::new(-s, 0.0, 0.0));
+            let checked = run(&scene(back[back.len() - 1], None), &back, 1);
+            assert_eq!(checked.slips > 0, length > 1e-4, "backwards {step}");
+            let (aside, gears) = (each(&|s| Pose::new(0.0, s, 0.0)), [1, -1].repeat(31));
+            let geometry = scene(aside[aside.len() - 1], None);
+            let checked = check(&geometry, &Body::new(&geometry), &aside, &gears, 0.01);
+            assert_eq!(checked.slips > 0, length > 1e-4, "sideways in both gears {step}");
+        }
     }
 
     #[test]
