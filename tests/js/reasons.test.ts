@@ -1,7 +1,10 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { describe, expect, it } from "vitest";
-import { chineseReason } from "../../www/src/i18n/reasons-zh";
+import { chineseReasons } from "../../www/src/i18n/reasons-zh";
+import catalogue from "../../www/src/i18n/reasons-zh.json";
+
+const chineseReason = chineseReasons(catalogue);
 
 const ROOT = join(import.meta.dirname, "../..");
 

@@ -21,9 +21,9 @@ function first(file: string, seen = new Set<string>()): Set<string> {
   return seen;
 }
 
-/** Every English text of the page: the tables and the pairs of its pieces; reasons are the planners' own. */
+/** Every English text of the page: the tables and the pairs of its pieces. */
 const texts: [where: string, text: string][] = [...Object.entries(english),
-  ...[...sources].filter(([file]) => !file.endsWith("reasons-zh.ts")).flatMap(([file, source]) => [...source.matchAll(/\["((?:[^"\\]|\\.)*)", "((?:[^"\\]|\\.)*[\u4e00-\u9fff][^"]*)"\]/g)]
+  ...[...sources].flatMap(([file, source]) => [...source.matchAll(/\["((?:[^"\\]|\\.)*)", "((?:[^"\\]|\\.)*[\u4e00-\u9fff][^"]*)"\]/g)]
     .map(([, text]): [string, string] => [file.slice(ROOT.length + 1), text!]))];
 
 /** What the page once said, and words that no control is called by. */

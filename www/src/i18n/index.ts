@@ -1,6 +1,8 @@
 import en from "./en.json";
 import type later from "./en-later.json";
+import type { Catalogue } from "./reasons-zh";
 import zhUrl from "./zh.json?url";
+import zhReasonsUrl from "./reasons-zh.json?url";
 
 export type Lang = "en" | "zh";
 export type MessageKey = keyof typeof en | keyof typeof later;
@@ -12,7 +14,7 @@ type Table = Record<string, string>;
 /** English is part of the page and of its pieces; other languages are fetched when they are wanted. */
 const english: Table = { ...en };
 const tables: Partial<Record<Lang, Table>> = { en: english };
-const urls: Partial<Record<Lang, string>> = { zh: zhUrl };
+const urls: Partial<Record<Lang, readonly [words: string, reasons: string]>> = { zh: [zhUrl, zhReasonsUrl] };
 const plurals: Record<Lang, Intl.PluralRules> = { en: new Intl.PluralRules("en"), zh: new Intl.PluralRules("zh") };
 const formats = new Map<string, Intl.NumberFormat>();
 
@@ -36,12 +38,13 @@ export function fill(lang: Lang, text: string, values: Values): string {
 
 /** Fetches a language's words; without them the page stays English. */
 export async function loadLang(lang: Lang): Promise<Lang> {
-  const url = urls[lang];
-  if (tables[lang] || !url) return lang;
+  const files = urls[lang];
+  if (tables[lang] || !files) return lang;
+  const read = async (url: string): Promise<unknown> => (await fetch(new URL(url, import.meta.url))).json();
   try {
-    const [response, { chineseReason }] = await Promise.all([fetch(new URL(url, import.meta.url)), import("./reasons-zh")]);
-    tables[lang] = (await response.json()) as Table;
-    reasons[lang] = chineseReason;
+    const [table, catalogue, { chineseReasons }] = await Promise.all([read(files[0]), read(files[1]), import("./reasons-zh")]);
+    tables[lang] = table as Table;
+    reasons[lang] = chineseReasons(catalogue as Catalogue);
     return lang;
   } catch {
     return "en";

@@ -12,6 +12,7 @@ import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";
 import { AppElement } from "./base";
 import { icon } from "./icons";
+import "./ground-card";
 import "./group-card";
 import { objectName } from "./objects";
 
@@ -37,7 +38,7 @@ interface Field { label: string; unit: string; value: number; digits: number; st
 /** The numbers of what is selected; typing them is one undo step each. */
 export class SelectionCard extends AppElement {
   static override styles = [controls, sections, css`
-    .slots { color: var(--parkade-t2); }
+    .slots { color: var(--parkade-t2); } parkade-ground + p { margin-top: 8px; }
     label.check { display: flex; gap: 8px; align-items: center; }
     label.check input { accent-color: var(--parkade-accent); }
     .danger { color: var(--parkade-err); margin-left: -8px; }
@@ -62,7 +63,7 @@ export class SelectionCard extends AppElement {
     if (cost) return this.cost(cost);
     const slot = selection?.kind === "slot" ? findSlot(scene, selection.id) : undefined;
     if (slot) return this.slotCard(slot);
-    return html`<div class="head"><h2>${this.t("inspect.none")}</h2></div><p>${this.t("inspect.noneHelp")}</p>`;
+    return html`<div class="head"><h2>${this.t("ground.title")}</h2><span>${this.t("inspect.none")}</span></div><parkade-ground .app=${this.app}></parkade-ground><p>${this.t("inspect.noneHelp")}</p>`;
   }
 
   private heading(name: string): TemplateResult {

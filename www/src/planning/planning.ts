@@ -1,4 +1,4 @@
-import type { LayerName, PlannerId } from "parkade";
+import type { LayerName, Plan, PlannerId } from "parkade";
 import { translate } from "../i18n/index";
 import { hasField, identityOf, plannerName } from "../view/identity";
 import { limitsOn } from "../scene/pace";
@@ -29,6 +29,8 @@ export class Planning {
   /** The store's count of opened scenes at the last plan, and the first job of the present scene. */
   private opened = 0;
   private firstJob = 0;
+  /** The first job of the present map: answers to earlier ones tell of cells that are elsewhere now. */
+  private mapJob = 0;
   /** Milliseconds after which a plan is given up; null: never. */
   budget: number | null = null;
   private readonly held = new Map<PlannerId, Job>();
@@ -157,7 +159,9 @@ export class Planning {
     this.absent.clear();
     const opens = this.opened !== state.opened;
     if (opens) [this.opened, this.firstJob] = [state.opened, this.job];
-    const before = opens || (previous !== null && !sameMap(previous, state.scene)) ? {} : state.results;
+    const isOtherMap = previous !== null && !sameMap(previous, state.scene);
+    if (isOtherMap) this.mapJob = this.job;
+    const before = opens ? {} : isOtherMap ? Object.fromEntries(Object.entries(state.results).map(([id, result]) => [id, offLattice(result)])) : state.results;
     if (!this.resolve(state, before)) return;
     // A stroke over a huge map is planned when it ends.
     if (state.transient && isUnpacked(state.scene)) return;
@@ -260,7 +264,8 @@ export class Planning {
     const old = this.store.state.results[planner] ?? emptyResult;
     const same = old.status === "done" && old.plan?.hash === plan.hash;
     const isTimed = time.total > FAR_TOO_LONG_MS || (reply.warm && old.time !== null);
-    this.update(planner, {
+    const result: PanelResult = {
+      ...old,
       plan: same ? old.plan : plan,
       // The first module has no drives.
       drive: (same && old.drive) || drive,
@@ -270,7 +275,8 @@ export class Planning {
       status: this.refused ? "error" : newerWaits ? "planning" : "done",
       error: this.refused,
       ...(same && old.time ? {} : { time: isTimed ? time : null, samples: isTimed ? [time] : [] }),
-    });
+    };
+    this.update(planner, reply.id < this.mapJob ? offLattice(result) : result);
     if (reply.undriven && !newerWaits) {
       const { lang } = this.store.state;
       this.store.set({ message: { tone: "warn", text: translate(lang, "error.drive", { planner: plannerName(lang, planner) }) } });
@@ -369,6 +375,12 @@ const closes = ({ minPassage = 1, trapMouth = 1 }: Record<string, unknown> = {})
 
 const withOld = (layers: Layers, old: Layers, transient: boolean): Layers =>
   transient && old.clearance && !layers.clearance ? { ...layers, clearance: old.clearance } : layers;
+
+/** What stays true on a map with other cells: the paths, not the cells. */
+function offLattice({ plan, lastGood, ...rest }: PanelResult): PanelResult {
+  const clear = (one: Plan | null): Plan | null => (one?.trace?.kind === "cells" ? { ...one, trace: null } : one);
+  return { ...rest, plan: clear(plan), lastGood: clear(lastGood), layers: {} };
+}
 
 const sameMap = (a: Scene, b: Scene): boolean => a.map === b.map || JSON.stringify(a.map) === JSON.stringify(b.map);
 

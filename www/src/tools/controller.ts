@@ -62,7 +62,7 @@ export class ToolController {
     if (this.drawing) return;
     const { makeDrawing, watchGoalSlot } = await import("./drawing");
     if (this.drawing) return;
-    this.drawing = makeDrawing();
+    this.drawing = makeDrawing(this.select);
     watchGoalSlot(this.store);
     this.refresh();
   }
@@ -295,15 +295,14 @@ export class ToolController {
 
   private tool(): Tool {
     if (this.spaceDown) return this.hand;
-    const { tool } = this.store.state;
     if (this.armed && this.drawing) return this.drawing.place[this.armed];
-    return tool === "select" ? this.select : this.toolCalled(tool);
+    return this.toolCalled(this.store.state.tool);
   }
 
-  private toolCalled(tool: Exclude<ToolId, "select">): Tool {
+  private toolCalled(tool: ToolId): Tool {
     if (tool === "hand") return this.hand;
-    if (!this.drawing) void this.fetchTools();
-    return this.drawing?.tools[tool] ?? this.hand;
+    if (!this.drawing && tool !== "select") void this.fetchTools();
+    return this.drawing?.tools[tool] ?? (tool === "select" ? this.select : this.hand);
   }
 
   private escape(): boolean {
@@ -346,8 +345,7 @@ export class ToolController {
 
   private toolChanged(state: State, previous: State): void {
     if (state.tool === previous.tool) return;
-    if (previous.tool === "select") this.select.cancel(this.bench());
-    else this.toolCalled(previous.tool).cancel?.(this.bench());
+    this.toolCalled(previous.tool).cancel?.(this.bench());
     this.press = null;
     this.armed = null;
     this.keyed = null;

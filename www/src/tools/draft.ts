@@ -1,7 +1,8 @@
 /** What a tool shows before it becomes part of the scene. World metres and radians. */
 import type { Pose, Slot, VehicleSpec } from "parkade";
 import type { Point } from "../scene/plane";
-import type { Selection } from "../store";
+import type { Side } from "../scene/ground";
+import type { Scene, Selection } from "../store";
 
 export type Preview =
   | { kind: "brush"; at: Point; radius: number; erase: boolean; label?: string }
@@ -27,4 +28,6 @@ export interface Draft {
   hot?: Selection;
   /** The pose being dragged: its label is shown as edited. */
   grabbed?: { which: "start" | "goal"; part: "body" | "grip" };
+  /** The handles of this scene's ground on a map; the one under the pointer, and whether it is being dragged. */
+  border?: { scene: Scene; hot: Side | null; drags: boolean; canvas: HTMLElement | null };
 }

@@ -201,6 +201,12 @@ function fitClear(state: State, width: number, height: number): Camera {
 /** Makes the next fit start afresh from the scene as it is then. */
 export const forgetFit = (scene: Scenario): void => void fits.delete(scene.map);
 
+/** A map that is another's ground made larger or smaller is looked at as that was. */
+export function keepFit(from: Scenario["map"], to: Scenario["map"]): void {
+  const known = fits.get(from);
+  if (known) fits.set(to, known);
+}
+
 function foundPlans({ planners, results }: State): Plan[] {
   return planners.flatMap((id) => {
     const { plan, lastGood } = results[id] ?? {};

@@ -9,6 +9,7 @@ import { word } from "../../tools/words";
 import { drawCar, parkedStyle } from "../car";
 import { drawPill, fixed, labelFont, PILL_HEIGHT, pillWidth, useFont } from "../text";
 import { fade } from "../tokens";
+import { drawBorderHandles } from "./border-handles";
 import { drawPoseCar } from "./cars";
 import { newPath } from "../surface";
 
@@ -17,6 +18,7 @@ export function drawDraft(frame: Frame): void {
   if (!draft) return;
   for (const guide of draft.guides ?? []) drawGuide(frame, guide);
   if (draft.preview) drawPreview(frame, draft.preview);
+  if (draft.border) drawBorderHandles(frame, draft.border);
   if (draft.label) drawLiveLabel(frame, draft.label.text, draft.label.at);
 }
 
