@@ -5,7 +5,7 @@ import { idsOf } from "../scene/things";
 import { isPose, type State } from "../store";
 import { controls } from "../styles/controls";
 import type { MenuRequest } from "../tools/controller";
-import { duplicateSelected, removeSelected, selectAll } from "../tools/keys";
+import { duplicateSelected, removeSelected, selectAll } from "../tools/edit-keys";
 import { AppElement } from "./base";
 import { icon, type IconName } from "./icons";
 

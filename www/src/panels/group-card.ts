@@ -6,7 +6,7 @@ import { idsOf, moveThings, turnThings } from "../scene/things";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";
-import { duplicateSelected, removeSelected } from "../tools/keys";
+import { duplicateSelected, removeSelected } from "../tools/edit-keys";
 import { AppElement } from "./base";
 import { icon } from "./icons";
 

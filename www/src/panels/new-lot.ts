@@ -8,12 +8,12 @@ import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
 import { AppElement } from "./base";
 import { icon } from "./icons";
-import { faultText, say } from "./new-lot-words";
-import "./thumbnail";
+import { faultText, say, type Word } from "./new-lot-words";
+import "./new-lot-preview";
+import type { Resize } from "./new-lot-preview";
 
 type Block = "ground" | "bays" | "obstacles" | "vehicle";
 type Choice = "kind" | "sides" | "entrance" | "entry" | "car";
-type Word = Parameters<typeof say>[1];
 
 const BLOCKS: Record<Block, readonly (keyof LotForm)[]> = {
   ground: ["width", "depth", "entrance"],
@@ -49,12 +49,11 @@ export class NewLot extends AppElement {
     .row .field.bad { border-color: var(--parkade-err); } .row .field.auto input { color: var(--parkade-t2); }
     .row .icon { width: 20px; height: 24px; margin: 0 -4px; }
     .row .segmented:only-child { margin: 0; }
-    .preview { position: relative; min-width: 0; background: var(--parkade-out); } parkade-thumbnail { position: absolute; inset: 0; } .stale { opacity: .4; }
     footer { grid-column: 1 / -1; display: flex; align-items: center; gap: 10px; padding: 12px 16px 12px 24px; border-top: 1px solid var(--parkade-hair); }
     footer p { margin: 0; flex: 1; min-width: 0; color: var(--parkade-t2); } footer p.bad { color: var(--parkade-err); }
     @media (max-width: 640px) {
       dialog { width: 100vw; height: 100dvh; max-height: none; border-radius: 0; margin: 0; }
-      form { grid-template: 45dvh minmax(0, 1fr) auto / 100%; } .preview { order: -1; border-bottom: 1px solid var(--parkade-hair); } .blocks { border: 0; }
+      form { grid-template: 45dvh minmax(0, 1fr) auto / 100%; } parkade-lot-preview { order: -1; border-bottom: 1px solid var(--parkade-hair); } .blocks { border: 0; }
       .head { height: 44px; padding: 0 16px; } .rows { padding: 0 16px 10px; } .row { min-height: 44px; } .row .field { height: 36px; } footer { padding: 10px 16px; flex-wrap: wrap; } footer p { flex: 1 0 100%; min-height: 20px; } footer .button { height: 44px; flex: 1; }
     }
   `];
@@ -69,6 +68,10 @@ export class NewLot extends AppElement {
   private helper: Helper | null = null;
   private scene: Scene | null = null;
   private fault: LotFault | null = null;
+  /** Why the dragged border goes no further. */
+  private stopped: LotFault | null = null;
+  /** The form when the border was taken hold of. */
+  private grabbed: LotForm | null = null;
   private asked: Scene | null = null;
   private askedAt = 0;
 
@@ -101,8 +104,8 @@ export class NewLot extends AppElement {
         <button class="icon" aria-label=${say(lang, "close")} @click=${this.close}>${icon("close")}</button></div>
       <form novalidate @submit=${this.submit}>
         <div class="blocks">${(Object.keys(BLOCKS) as Block[]).map((block) => this.section(block, sizes))}</div>
-        <div class="preview" role="img" aria-label=${say(lang, "lot")}>${this.scene ? html`<parkade-thumbnail class=${this.fault ? "stale" : ""} .app=${this.app} .scene=${this.scene} .plan=${found && !this.fault ? this.plan : null}></parkade-thumbnail>` : nothing}</div>
-        <footer><p role="status" id="fault" class=${this.fault ? "bad" : ""}>${this.sentence()}</p>
+        ${this.scene ? html`<parkade-lot-preview .app=${this.app} .scene=${this.scene} .plan=${found && !this.fault ? this.plan : null} .stale=${this.fault !== null} @pointerdown=${() => { this.grabbed = this.form; }} @parkade-ground=${this.resize}></parkade-lot-preview>` : nothing}
+        <footer><p role="status" id="fault" class=${this.fault ?? this.stopped ? "bad" : ""}>${this.sentence()}</p>
           <button class="button outline" type="button" @click=${this.close}>${say(lang, "cancel")}</button>
           <button class="button solid" autofocus ?disabled=${this.fault !== null}>${say(lang, "open")}</button></footer>
       </form>`;
@@ -177,6 +180,7 @@ export class NewLot extends AppElement {
     this.form = { ...this.form, ...patch };
     const { scene, fault } = buildLot(this.form);
     this.fault = fault;
+    this.stopped = null;
     this.trouble = "";
     this.plan = null;
     // Numbers that make no lot leave the last one in sight, pale.
@@ -186,12 +190,26 @@ export class NewLot extends AppElement {
 
   private sentence(): string {
     const { lang } = this.state, { plan, scene } = this;
-    if (this.fault) return faultText(lang, this.fault);
+    const fault = this.fault ?? this.stopped;
+    if (fault) return faultText(lang, fault);
     if (this.trouble) return say(lang, "failed", { reason: this.trouble });
     const goal = scene?.goal, bay = goal && "slot" in goal ? goal.slot.replace("slot-", "") : "";
     if (!plan) return say(lang, "planning", { bay });
     return plan.outcome === "found" ? say(lang, "reaches", { bay, length: this.num(plan.metrics.length, 1), n: plan.metrics.directionChanges }) : say(lang, "noWay", { bay });
   }
+
+  /** The border stops where a number would make no lot. */
+  private readonly resize = ({ detail: { field, metres } }: CustomEvent<Resize>): void => {
+    if (metres === null) {
+      if (this.grabbed) this.change({ [field]: this.grabbed[field] });
+      return;
+    }
+    const [least, most] = LIMITS[field], within = Math.min(most, Math.max(least, metres)), { fault } = buildLot({ ...this.form, [field]: within });
+    const stop: LotFault | null = fault?.field === field ? fault : within === metres ? null : { field, rule: "limits", least };
+    this.block = "ground";
+    this.set(field, fault?.field === field ? fault.least : within);
+    this.stopped = stop;
+  };
 
   /** Plans the latest numbers; what is planned for others ends first, or is given up. */
   private async solve(): Promise<void> {

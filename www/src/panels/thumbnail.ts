@@ -2,13 +2,13 @@ import { css, html, LitElement, type PropertyValues } from "lit";
 import type { App } from "../element/app";
 import type { Plan } from "parkade";
 import { presetLayers } from "../view/layer-sets";
-import { emptyResult, initialState, type Scene } from "../store";
+import { emptyResult, initialState, type Camera, type Scene } from "../store";
 import { SceneCanvas } from "../view/scene-canvas";
 import { fit, fitMap } from "../view/camera";
 
 /** A small picture of a scene, with a planner's answer where there is one. */
 export class Thumbnail extends LitElement {
-  static override properties = { app: { attribute: false }, scene: { attribute: false }, plan: { attribute: false }, whole: { type: Boolean } };
+  static override properties = { app: { attribute: false }, scene: { attribute: false }, plan: { attribute: false }, whole: { type: Boolean }, camera: { attribute: false } };
   static override styles = css`
     :host { display: block; position: relative; overflow: hidden; background: var(--parkade-out); }
     canvas { position: absolute; inset: 0; width: 100%; height: 100%; }
@@ -17,6 +17,8 @@ export class Thumbnail extends LitElement {
   declare scene: Scene;
   declare plan: Plan | null | undefined;
   declare whole: boolean;
+  /** Where it looks; undefined shows what matters. */
+  declare camera: Camera | undefined;
   private drawer: SceneCanvas | null = null;
 
   protected override render(): unknown {
@@ -43,7 +45,7 @@ export class Thumbnail extends LitElement {
     const geometry = this.app.catalog!.geometry(scene);
     // Cars are lost in the picture of a whole lot; in one of a wide map they are not the point.
     const { plan } = this, shown = plan ? [plan.planner] : [], swept = plan?.check.drivable ? [plan] : [];
-    const camera = this.whole ? fitMap(scene, width, height) : fit(scene, geometry, width, height, swept);
+    const camera = this.camera ?? (this.whole ? fitMap(scene, width, height) : fit(scene, geometry, width, height, swept));
     const results = plan ? { [plan.planner]: { ...emptyResult, plan, lastGood: plan.outcome === "found" ? plan : null, status: "done" as const } } : {};
     const layers = { ...presetLayers("clean"), sweep: true, grid: false, car: !this.whole };
     this.drawer.draw({ ...base, scene, geometry, camera, planners: shown, results, layers, focus: plan?.planner ?? base.focus, tool: "hand" }, shown, this.app.tokens(), null);

@@ -7,7 +7,7 @@ import type { Drawing } from "./drawing";
 import { Fingers } from "./fingers";
 import { HandTool } from "./hand";
 import { inputOf, keyedInput, viewOf } from "./input";
-import { arrowOf, editByKey, stepOf, toolOfKey } from "./keys";
+import { arrowOf, stepOf, toolOfKey } from "./keys";
 import { SelectTool } from "./select";
 import type { Bench, Input, Tool } from "./tool";
 
@@ -120,13 +120,13 @@ export class ToolController {
   handleKey(event: KeyboardEvent): boolean {
     if (event.type === "keyup") return this.keyUp(event);
     const key = event.key.toLowerCase();
-    if (event.ctrlKey || event.metaKey) return editByKey(this.store, event) && this.refresh();
+    if (event.ctrlKey || event.metaKey) return (this.drawing?.editByKey(this.store, event) ?? false) && this.refresh();
     if (key === "escape") return this.escape();
     if (this.drawByKey(event)) return true;
     if (key === "enter") return this.tool().confirm?.(this.bench()) ?? false;
     if (key === " ") return this.holdSpace();
     if (key === "s" || key === "t") return this.arm(key === "s" ? "start" : "goal");
-    if (editByKey(this.store, event)) return this.refresh();
+    if (this.drawing?.editByKey(this.store, event)) return this.refresh();
     const tool = toolOfKey(key);
     if (tool) this.store.set({ tool });
     return tool !== undefined;

@@ -1,8 +1,9 @@
-/** The tools that draw; the first picture does without them. */
+/** The tools that draw and the keys that edit; the first picture does without them. */
 import type { ToolId } from "../store";
 import { BorderTool } from "./border";
 import { BrushTool, CostTool, EraserTool } from "./brush";
 import { CarTool } from "./car";
+import { editByKey } from "./edit-keys";
 import { MovingTool, PolygonTool, RoadTool, WallTool } from "./line";
 import { PlaceTool } from "./place";
 import { RectangleTool } from "./rectangle";
@@ -18,6 +19,7 @@ export interface Drawing {
   eraser: Tool;
   /** By press, drag, release while S or T is called for. */
   place: { start: PlaceTool; goal: PlaceTool };
+  editByKey: typeof editByKey;
 }
 
 export const makeDrawing = (select: SelectTool): Drawing => ({
@@ -27,4 +29,5 @@ export const makeDrawing = (select: SelectTool): Drawing => ({
   },
   eraser: new EraserTool(),
   place: { start: new PlaceTool("start"), goal: new PlaceTool("goal") },
+  editByKey,
 });
