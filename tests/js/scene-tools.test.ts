@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { goalPose, resolve } from "../../www/src/scene/model";
+import { goalPose, poseInSlot, resolve } from "../../www/src/scene/model";
 import { createStore, type Scene, type State } from "../../www/src/store";
 import { BrushTool, EraserTool } from "../../www/src/tools/brush";
 import type { Draft } from "../../www/src/tools/draft";
@@ -90,6 +90,36 @@ describe("a drag", () => {
     expect(on.store.state.canUndo).toBe(false);
   });
 
+  it("brings the goal into the nearest free slot within 1.2 m and 35 degrees, either way round, and shows which", () => {
+    const bays = [21, 24, 27].map((x, i) => ({ id: `bay-${i}`, kind: "perpendicular" as const, x, y: 6, heading: -Math.PI / 2, width: 3, length: 6, occupied: i === 1 }));
+    let seed = 5, snapped = 0, missed = 0;
+    const random = (least: number, most: number): number => least + (most - least) * ((seed = (seed * 48_271) % 2_147_483_647) / 2_147_483_647);
+    for (let i = 0; i < 400; i++) {
+      const at = { x: random(18, 29), y: random(-1, 8), heading: random(-Math.PI, Math.PI) };
+      const scene: Scene = { ...yard, slots: bays, goal: { ...at, x: at.x - 8 } }, on = bench({ scene });
+      const there = bays.filter((bay) => !bay.occupied).flatMap((bay) => (["reverse-in", "head-in"] as const).map((entry) => ({ slot: bay.id, entry, pose: poseInSlot(bay, entry, resolve(scene).vehicle) })))
+        .map((one) => ({ ...one, away: Math.hypot(one.pose.x - at.x, one.pose.y - at.y), turned: Math.abs(Math.atan2(Math.sin(one.pose.heading - at.heading), Math.cos(one.pose.heading - at.heading))) }))
+        .filter(({ away, turned }) => away <= 1.2 && turned <= (35 * Math.PI) / 180).sort((a, b) => a.away - b.away)[0];
+      const tool = new SelectTool();
+      const moveTo = (ctrl: boolean): Scene => {
+        tool.down(on, input(at.x - 8, at.y));
+        tool.move(on, input(at.x - 4, at.y, { ctrl }));
+        tool.move(on, input(at.x, at.y, { ctrl }));
+        return on.store.state.scene;
+      };
+      const { goal } = moveTo(false);
+      expect(on.draft?.hot ?? null).toEqual(there ? { kind: "slot", id: there.slot } : null);
+      tool.up(on, input(at.x, at.y));
+      if (there) expect(goal).toEqual({ slot: there.slot, entry: there.entry });
+      else expect("slot" in goal).toBe(false);
+      on.store.undo();
+      expect("slot" in moveTo(true).goal).toBe(false);
+      if (there) snapped++;
+      else missed++;
+    }
+    expect(Math.min(snapped, missed)).toBeGreaterThan(10);
+  });
+
   it("brings the goal to rest in a slot close by; a click puts it there at once", () => {
     const on = bench();
     const there = { slot: "bay", entry: "reverse-in" };
@@ -146,6 +176,22 @@ describe("corner by corner", () => {
 });
 
 describe("a slot row", () => {
+  it("lies where there is room for it and its aisle, and on the other side with Alt", () => {
+    const south = -Math.PI / 2, headings = (points: [number, number][], alt = false): number[] => {
+      const on = bench();
+      drag(new SlotTool(), on, points, { alt });
+      return [...new Set(on.store.state.scene.slots!.slice(1).map(({ heading }) => Math.round(heading * 1e6) / 1e6))];
+    };
+    const rounded = (angle: number): number => Math.round(angle * 1e6) / 1e6;
+    // Along the upper wall the ground is below, whichever way one draws; along the lower one it is above.
+    for (const [y, away] of [[19.5, south], [0.5, -south]] as const) {
+      for (const points of [[[2, y], [14, y]], [[14, y], [2, y]]] as [number, number][][]) {
+        expect(headings(points)).toEqual([rounded(away)]);
+        expect(headings(points, true)).toEqual([rounded(-away)]);
+      }
+    }
+  });
+
   it("holds as many slots as its length gives, to the right of the drag", () => {
     const on = bench();
     drag(new SlotTool(), on, [[2, 18], [18.1, 18]]);

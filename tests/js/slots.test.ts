@@ -2,8 +2,8 @@ import type { Slot } from "parkade";
 import { describe, expect, it } from "vitest";
 import { resolve, slotOutline, poseInSlot } from "../../www/src/scene/model";
 import { insidePolygon, distance } from "../../www/src/scene/plane";
-import { fitRows, fittingSize, misfitOf, rowOf, sizedShape } from "../../www/src/scene/slot-fit";
-import { openingOf, slotRow, type SlotKind } from "../../www/src/scene/slots";
+import { fitRows, fittingSize, misfitOf, rowOf, sizedShape, turnRows } from "../../www/src/scene/slot-fit";
+import { openingOf, slotLines, slotRow, type SlotKind } from "../../www/src/scene/slots";
 import { footprint, vehicleOf } from "../../www/src/scene/vehicle";
 import { createStore, initialState, type Scene } from "../../www/src/store";
 import { SlotTool } from "../../www/src/tools/slot";
@@ -37,6 +37,38 @@ function place(bench: Bench, from: [number, number], to: [number, number]): Slot
   tool.up(bench, input(...to));
   return bench.store.state.scene.slots!.slice(before);
 }
+
+describe("slots side by side", () => {
+  it.each(KINDS)("of the kind %s share the line between them, which is painted once", (kind) => {
+    for (const [count, angle] of [[1, 0], [5, 0.3], [9, -2]] as const) {
+      const made = row({ width: 2.7, length: 5.3, kind }, count).map((slot): Slot => {
+        const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
+        return { ...slot, x: slot.x * cos - slot.y * sin + 1e-9 * slot.x, y: slot.x * sin + slot.y * cos, heading: slot.heading + angle };
+      });
+      expect(made).toHaveLength(count);
+      expect(slotLines(made)).toHaveLength(2 * count + 1);
+      // Back to back they share the far sides too.
+      const behind = made.map((slot, i): Slot => {
+        const [, , right, left] = slotOutline(slot) as [number, number][];
+        return { ...slot, id: `b${i}`, heading: slot.heading + Math.PI, x: right![0] + left![0] - slot.x, y: right![1] + left![1] - slot.y };
+      });
+      if (kind !== "angled") expect(slotLines([...made, ...behind])).toHaveLength(3 * count + 2);
+      // Slots apart share nothing.
+      expect(slotLines(made.map((slot, i) => ({ ...slot, x: slot.x + 20 * i })))).toHaveLength(3 * count);
+    }
+  });
+
+  it.each(KINDS)("of the kind %s change to the other side of their aisle line together, and back", (kind) => {
+    const scene: Scene = { ...yard, slots: row({ width: 2.7, length: 5.3, kind }) };
+    const mouths = (one: Scene): string[] => one.slots!.flatMap((slot) => slotOutline(slot).slice(0, 2)).map(([x, y]) => `${x.toFixed(6)} ${y.toFixed(6)}`).sort();
+    const turned = turnRows(scene, ["s3"]);
+    expect(mouths(turned)).toEqual(mouths(scene));
+    const depth = (one: Scene, i: number): number => slotOutline(one.slots![i]!)[3]![1] - one.slots![i]!.y;
+    for (let i = 0; i < 5; i++) expect(depth(turned, i)).toBeCloseTo(-depth(scene, i), 9);
+    expect(rowOf(turned, "s1")).toHaveLength(5);
+    for (const [i, slot] of turnRows(turned, ["s1"]).slots!.entries()) expect(slot.heading).toBeCloseTo(scene.slots![i]!.heading, 9);
+  });
+});
 
 describe("new slots", () => {
   it.each(["paper", "sedan"] as const)("follow the %s", (vehicle) => {

@@ -220,6 +220,7 @@ export class Playground extends LitElement {
   /** What stands around the maps and over them. */
   private rest(): TemplateResult {
     return html`${this.compact ? this.phone() : this.desk()}
+      <parkade-entry .app=${this.app}></parkade-entry>
       <parkade-hints .app=${this.app}></parkade-hints>
       <parkade-notices .app=${this.app}></parkade-notices>
       ${this.dropping ? html`<div class="dropping">${this.app.t("drop.here")}</div>` : nothing}

@@ -1,5 +1,11 @@
 /** A place beside a thing that covers nothing else. */
-import type { Box } from "../scene/plane";
+import { resolve } from "../scene/model";
+import { boxOf, type Box } from "../scene/plane";
+import { footprint } from "../scene/vehicle";
+import type { State } from "../store";
+import { worldToScreen } from "../view/camera";
+import { gripOf } from "../view/pose-handle";
+import type { SceneView } from "./scene-view";
 
 export interface Spot { x: number; y: number; /** The point of its edge that faces the thing. */ tip: [x: number, y: number] }
 
@@ -27,4 +33,42 @@ export function freeSpot(anchor: Box, { offsetWidth: width, offsetHeight: height
     if (free) return { x: Math.round(free.x), y: Math.round(free.y), tip: [Math.round(free.tip[0]), Math.round(free.tip[1])] };
   }
   return null;
+}
+
+/** Half of the grip's box, CSS pixels. */
+const GRIP = 14;
+const CONTROLS = "button, input, select, textarea, a, summary";
+
+export interface GoalOnMap { grip: Box; /** At the start and at the goal. */ cars: readonly Box[] }
+
+/** The grip of the goal car on the map in front, in the window's pixels; null where that map does not show it. */
+export function goalOnMap(host: HTMLElement, { scene, geometry }: State): GoalOnMap | null {
+  const stage = host.shadowRoot?.querySelector("parkade-stage")?.shadowRoot, inside = (root?: ParentNode | null): SceneView | null => root?.querySelector<SceneView>("parkade-scene-view") ?? null;
+  const map = inside(stage) ?? inside(stage?.querySelector("parkade-panel[active]")?.shadowRoot), view = map?.view;
+  if (!map || !view || !geometry) return null;
+  const { left, top, width, height } = map.getBoundingClientRect(), { start, goal, vehicle } = resolve(scene);
+  const [x, y] = worldToScreen(view, ...gripOf(goal, vehicle));
+  if (x < 0 || y < 0 || x > width || y > height) return null;
+  const cars = [start, goal].map((pose) => boxOf(footprint(pose, vehicle).map(([wx, wy]) => {
+    const [px, py] = worldToScreen(view, wx, wy);
+    return [px + left, py + top];
+  })));
+  return { grip: { minX: left + x - GRIP, maxX: left + x + GRIP, minY: top + y - GRIP, maxY: top + y + GRIP }, cars };
+}
+
+export function boxAround(element: Element): Box {
+  const { left, top, right, bottom } = element.getBoundingClientRect();
+  return { minX: left, maxX: right, minY: top, maxY: bottom };
+}
+
+export const moved = ({ minX, maxX, minY, maxY }: Box, { left, top }: DOMRect): Box => ({ minX: minX - left, maxX: maxX - left, minY: minY - top, maxY: maxY - top });
+
+/** Every control and every text below `root`, but for one element's. */
+export function* boxesOf(root: ParentNode, except: Element): Generator<Box> {
+  for (const element of root.querySelectorAll("*")) {
+    if (element === except || element.matches(".sr")) continue;
+    if (element.shadowRoot) yield* boxesOf(element.shadowRoot, except);
+    const speaks = element.matches(CONTROLS) || [...element.childNodes].some((node) => node.nodeType === Node.TEXT_NODE && node.textContent?.trim());
+    if (speaks && element.checkVisibility({ visibilityProperty: true })) yield boxAround(element);
+  }
 }

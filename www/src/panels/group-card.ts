@@ -2,6 +2,7 @@ import type { Slot } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import { words } from "../i18n/words";
 import { findSlot, updateSlot, type Scene } from "../scene/model";
+import { turnRows } from "../scene/slot-fit";
 import { idsOf, moveThings, turnThings } from "../scene/things";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
@@ -15,6 +16,7 @@ const say = words({
   slots: ["{n} slots", "{n} 个车位"],
   occupied: ["Occupied", "已占用"],
   help: ["Tick a slot to park a car in it. Click a free slot on the map to make it the goal.", "勾选即停放车辆。点击地图上的空车位可设为目标。"],
+  aisle: ["Aisle on the other side", "通道换到另一侧"],
   move: ["Move by", "移动"],
   turn: ["Turn by", "旋转"],
   duplicate: ["Duplicate", "复制"],
@@ -43,7 +45,7 @@ export class GroupCard extends AppElement {
     const only = slots.length > 0 && slots.length === ids.length;
     return html`<div class="head"><h2>${say(lang, only ? "slots" : "title", { n: ids.length })}</h2><span>${this.t("inspect.selected")}</span></div>
       ${slots.length > 0 ? this.bays(slots) : nothing}
-      ${only ? this.sizes(slots) : nothing}
+      ${only ? html`${this.sizes(slots)}<div class="row"><button class="button outline small" @click=${() => this.app.store.edit(turnRows(this.state.scene, ids))}>${icon("flip", 14)}${say(lang, "aisle")}</button></div>` : nothing}
       <h3>${say(lang, "move")}</h3><div class="row">${this.field("x", "m", (dx) => moveThings(this.state.scene, ids, dx, 0))}${this.field("y", "m", (dy) => moveThings(this.state.scene, ids, 0, dy))}</div>
       <h3>${say(lang, "turn")}</h3><div class="row">${this.field("\u03b8", "\u00b0", (angle) => turnThings(this.state.scene, ids, (angle * Math.PI) / 180))}</div>
       <div class="row"><button class="button outline small" @click=${() => duplicateSelected(this.app.store)}>${icon("copy", 14)}${say(lang, "duplicate")}</button><span class="keys push">Ctrl D</span></div>

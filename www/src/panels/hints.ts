@@ -1,19 +1,15 @@
 import type { PlannerId } from "parkade";
-import { css, html, nothing, type TemplateResult } from "lit";
+import { css, html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { recall, remember } from "../element/memory";
 import { words } from "../i18n/words";
 import "../i18n/later";
-import { resolve } from "../scene/model";
-import { boxOf, type Box } from "../scene/plane";
-import { footprint } from "../scene/vehicle";
+import type { Box } from "../scene/plane";
 import type { State } from "../store";
-import { worldToScreen } from "../view/camera";
 import { plannerName } from "../view/identity";
-import { gripOf } from "../view/pose-handle";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
-import type { SceneView } from "./scene-view";
-import { freeSpot, type Spot } from "./free-spot";
+import "./entry-switch";
+import { boxAround, boxesOf, freeSpot, goalOnMap, moved, type Spot } from "./free-spot";
 import { icon } from "./icons";
 import { statusOf } from "./status";
 
@@ -21,9 +17,6 @@ const say = words({ close: ["Close this hint", "关闭此提示"] });
 
 const STEPS = ["hint.drag", "hint.wall", "hint.fails"] as const;
 type Step = (typeof STEPS)[number];
-/** Half of the grip's box, CSS pixels. */
-const GRIP = 14;
-const CONTROLS = "button, input, select, textarea, a, summary";
 
 interface Bubble extends Spot { step: Step; text: string }
 interface Anchor { box: Box; text: string; /** Also not to be covered. */ near: readonly Box[] }
@@ -39,6 +32,7 @@ export class Hints extends AppElement {
     button { pointer-events: auto; width: 26px; height: 26px; min-width: 0; flex: none; }
     @media (pointer: coarse) { button { width: 44px; height: 44px; } }
   `];
+  /** What is shown. */
   declare bubble: Bubble | null;
   private readonly observer = new ResizeObserver(() => this.place());
   private host: HTMLElement | null = null;
@@ -74,7 +68,8 @@ export class Hints extends AppElement {
         <button aria-label=${say(this.state.lang, "close")} @click=${() => this.dismiss()}>${icon("close", 12)}</button></div>`;
   }
 
-  protected override updated(): void {
+  protected override updated(changed: PropertyValues): void {
+    if (changed.has("bubble")) this.host?.dispatchEvent(new Event("parkade-hint"));
     this.place();
   }
 
@@ -113,20 +108,9 @@ export class Hints extends AppElement {
 
   /** The goal car's grip in the map in front. */
   private grip(): Anchor | null {
-    const { state } = this, stage = this.host!.shadowRoot!.querySelector("parkade-stage")?.shadowRoot;
-    const map = stage?.querySelector<SceneView>("parkade-scene-view") ?? stage?.querySelector("parkade-panel[active]")?.shadowRoot?.querySelector<SceneView>("parkade-scene-view");
-    if (!map || !state.geometry || (state.selection !== null && state.selection.kind !== "goal")) return null;
-    const at = map.getBoundingClientRect(), { view } = map;
-    if (!view) return null;
-    const { start, goal, vehicle } = resolve(state.scene), [x, y] = worldToScreen(view, ...gripOf(goal, vehicle));
-    if (x < 0 || y < 0 || x > at.width || y > at.height) return null;
-    const box = { minX: at.left + x - GRIP, maxX: at.left + x + GRIP, minY: at.top + y - GRIP, maxY: at.top + y + GRIP };
-    const origin = this.getBoundingClientRect();
-    const cars = [start, goal].map((pose) => boxOf(footprint(pose, vehicle).map(([wx, wy]) => {
-      const [px, py] = worldToScreen(view, wx, wy);
-      return [px + at.left - origin.left, py + at.top - origin.top];
-    })));
-    return { box, text: this.t("hint.drag"), near: cars };
+    const { state } = this, goal = goalOnMap(this.host!, state);
+    if (!goal || (state.selection !== null && state.selection.kind !== "goal")) return null;
+    return { box: goal.grip, text: this.t("hint.drag"), near: goal.cars.map((box) => moved(box, this.getBoundingClientRect())) };
   }
 
   private anchor(step: "hint.wall" | "hint.fails"): Anchor | null {
@@ -145,23 +129,6 @@ export class Hints extends AppElement {
 
   private failing(): PlannerId | undefined {
     return this.state.planners.find((planner) => this.state.results[planner]?.status === "done" && statusOf(this.state, planner).tone === "err");
-  }
-}
-
-function boxAround(element: Element): Box {
-  const { left, top, right, bottom } = element.getBoundingClientRect();
-  return { minX: left, maxX: right, minY: top, maxY: bottom };
-}
-
-const moved = ({ minX, maxX, minY, maxY }: Box, { left, top }: DOMRect): Box => ({ minX: minX - left, maxX: maxX - left, minY: minY - top, maxY: maxY - top });
-
-/** Every control and every text below `root`, but for one element's. */
-function* boxesOf(root: ParentNode, except: Element): Generator<Box> {
-  for (const element of root.querySelectorAll("*")) {
-    if (element === except || element.matches(".sr")) continue;
-    if (element.shadowRoot) yield* boxesOf(element.shadowRoot, except);
-    const speaks = element.matches(CONTROLS) || [...element.childNodes].some((node) => node.nodeType === Node.TEXT_NODE && node.textContent?.trim());
-    if (speaks && element.checkVisibility({ visibilityProperty: true })) yield boxAround(element);
   }
 }
 

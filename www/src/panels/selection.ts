@@ -7,6 +7,7 @@ import {
 } from "../scene/model";
 import { reweigh } from "../scene/costs";
 import { laneWidthOf, lanesOf } from "../scene/road-width";
+import { turnRows } from "../scene/slot-fit";
 import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";
@@ -18,6 +19,7 @@ import { objectName } from "./objects";
 
 const say = words({
   cost: ["Cost of one metre here, in metres. 1 means no extra cost.", "此处每米的代价（米）；1 表示无额外代价。"],
+  aisle: ["Aisle on the other side", "通道换到另一侧"],
   speed: ["Speed", "速度"],
   starts: ["Starts at", "出发时刻"],
   length: ["Length", "长度"],
@@ -160,6 +162,7 @@ export class SelectionCard extends AppElement {
         <button class="button outline small push" ?disabled=${isGoal || (slot.occupied ?? false)}
           @click=${() => this.edit(setGoalFromSlot(this.state.scene, id))}>${this.t("inspect.makeGoal")}</button>
       </div>
+      <div class="row"><button class="button outline small" @click=${() => this.edit(turnRows(this.state.scene, [id]))}>${icon("flip", 14)}${say(this.state.lang, "aisle")}</button></div>
       ${isGoal ? html`<p>${this.t("inspect.goalSlot")}</p>` : this.deleteRow(() => this.edit(removeSlot(this.state.scene, id)))}`;
   }
 

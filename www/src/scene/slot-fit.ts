@@ -1,6 +1,6 @@
 /** How large a slot has to be for a car, and rows that are made so large. */
 import type { Slot, Vehicle } from "parkade";
-import { resolve, updateSlot, type Scene } from "./model";
+import { findSlot, resolve, updateSlot, type Scene } from "./model";
 import { boxOf, distance, intoPose, wrapAngle, type Box, type Point } from "./plane";
 import { openingOf, slotAngle, slotOutline, type SlotKind, type SlotShape } from "./slots";
 
@@ -44,6 +44,12 @@ export function rowOf(scene: Scene, id: string): Slot[] {
   const [first] = row;
   const along = (slot: Slot): number => intoPose(first!, [slot.x, slot.y])[1];
   return row.sort((a, b) => along(b) - along(a));
+}
+
+/** The scene with the whole rows of these slots on the other side of their mouths, so that the aisle changes sides. */
+export function turnRows(scene: Scene, ids: readonly string[]): Scene {
+  const row = new Set(ids.flatMap((id) => rowOf(scene, id).map((slot) => slot.id!)));
+  return [...row].reduce((next, id) => updateSlot(next, id, { heading: wrapAngle(findSlot(scene, id)!.heading + Math.PI) }), scene);
 }
 
 /** The scene with the rows of these slots made large enough for the car; they stay on the ground where it has the room. */

@@ -36,6 +36,21 @@ export function slotOutline(slot: Slot): Point[] {
   return [left, right, [right[0] + dx, right[1] + dy], [left[0] + dx, left[1] + dy]];
 }
 
+/** Ends of lines closer than this are one, metres. */
+const SAME_END = 0.05;
+
+/** The painted lines: three sides of each slot, one that neighbours share once. */
+export function slotLines(slots: readonly Slot[]): [Point, Point][] {
+  const lines: [Point, Point][] = [], isSame = (p: Point, q: Point): boolean => distance(p, q) < SAME_END;
+  for (const slot of slots) {
+    const [nearLeft, nearRight, farRight, farLeft] = slotOutline(slot) as [Point, Point, Point, Point];
+    for (const [p, q] of [[nearLeft, farLeft], [farLeft, farRight], [farRight, nearRight]] as const) {
+      if (!lines.some(([a, b]) => (isSame(p, a) && isSame(q, b)) || (isSame(p, b) && isSame(q, a)))) lines.push([p, q]);
+    }
+  }
+  return lines;
+}
+
 export function slotCentre(slot: Slot): Point {
   const [a, b, c, d] = slotOutline(slot) as [Point, Point, Point, Point];
   return [(a[0] + b[0] + c[0] + d[0]) / 4, (a[1] + b[1] + c[1] + d[1]) / 4];

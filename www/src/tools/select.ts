@@ -206,7 +206,8 @@ function moveObject(bench: Bench, press: Press, selection: NonNullable<Selection
     const from = resolve(scene)[selection.kind];
     const { pose, goal, guides } = snapPose(bench, input, selection.kind, { ...from, x: from.x + dx, y: from.y + dy });
     const moved = "slot" in goal ? { ...scene, goal } : movePose(scene, selection.kind, pose);
-    return { scene: moved, draft: { grabbed: { which: selection.kind, part: "body" }, guides } };
+    const hot: Selection = "slot" in goal ? { kind: "slot", id: goal.slot } : null;
+    return { scene: moved, draft: { grabbed: { which: selection.kind, part: "body" }, guides, hot } };
   }
   const ids = press.ids.filter((id) => findThing(scene, id));
   press.box ??= boxOfThings(scene, ids);

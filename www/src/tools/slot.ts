@@ -1,16 +1,20 @@
-/** Rows of parking slots: a drag along the aisle, as many as fit. The bays lie to its right; Alt puts them to its left. */
+/** Rows of parking slots: a drag along the aisle, as many as fit. The bays lie where there is room, else to its right; Alt swaps. */
 import { addSlots, resolve } from "../scene/model";
 import { distance, insidePolygon, towards, type Point } from "../scene/plane";
 import { distanceToShape, onCells } from "../scene/shapes";
 import { selectionOf } from "../scene/things";
 import { sizedShape } from "../scene/slot-fit";
-import { openingOf, slotRow, type SlotShape } from "../scene/slots";
+import { openingOf, slotCentre, slotRow, type SlotShape } from "../scene/slots";
 import { fixed } from "../view/text";
 import type { Aisle, Draft } from "./draft";
 import { sayMisfit } from "./slot-fit";
 import { constrainAngle, snapAngle, snapPoint } from "./snap";
 import type { Bench, Input, Tool } from "./tool";
 import { word } from "./words";
+
+type Side = "left" | "right";
+/** By how much the other side must be better than the right one. */
+const CLEARLY = 0.25;
 
 export class SlotTool implements Tool {
   readonly drags = true;
@@ -34,7 +38,8 @@ export class SlotTool implements Tool {
     this.from = null;
     bench.show(null);
     if (!from) return;
-    const slots = slotRow(shapeOf(bench, input.alt), from, this.end(bench, from, input), input.alt ? "left" : "right");
+    const to = this.end(bench, from, input), side = sideOf(bench, from, to, input.alt);
+    const slots = slotRow(shapeOf(bench, side), from, to, side);
     const { scene, ids } = addSlots(bench.store.state.scene, slots);
     bench.commit(scene, "slots");
     bench.store.set({ selection: selectionOf(bench.store.state.scene, ids) });
@@ -60,16 +65,26 @@ export class SlotTool implements Tool {
 }
 
 /** The option says where bays lean on the page, along the drag or against it; a slot says it as seen from its aisle. */
-function shapeOf(bench: Bench, flipped: boolean): SlotShape {
+function shapeOf(bench: Bench, side: Side): SlotShape {
   const { scene, toolOptions } = bench.store.state;
   const { kind, width, length, angle, lean } = sizedShape(toolOptions.slot, resolve(scene).vehicle);
   if (kind !== "angled") return { kind, width, length };
-  return { kind, width, length, angle, lean: (lean === "right") === flipped ? "right" : "left" };
+  return { kind, width, length, angle, lean: (lean === "right") === (side === "left") ? "right" : "left" };
 }
 
-function rowDraft(bench: Bench, from: Point, to: Point, flipped: boolean): Draft {
-  const shape = shapeOf(bench, flipped), { state } = bench.store, { angle, lean } = state.toolOptions.slot;
-  const slots = slotRow(shape, from, to, flipped ? "left" : "right");
+/** The side of the drag with more free ground for bays, and then with the freer aisle in front of them. */
+function sideOf(bench: Bench, from: Point, to: Point, swapped: boolean): Side {
+  const [right, left] = (["right", "left"] as const).map((side) => {
+    const slots = slotRow(shapeOf(bench, side), from, to, side), aisle = aisleOf(bench, slots[0]!.heading, from, to);
+    const free = slots.filter((slot) => !isTaken(bench, slotCentre({ ...slot, id: "" }))).length / slots.length;
+    return 2 * free + (aisle.width > 0 ? aisle.free / aisle.width : 1);
+  }) as [number, number];
+  return left > right + CLEARLY !== swapped ? "left" : "right";
+}
+
+function rowDraft(bench: Bench, from: Point, to: Point, swapped: boolean): Draft {
+  const side = sideOf(bench, from, to, swapped), shape = shapeOf(bench, side), { state } = bench.store, { angle, lean } = state.toolOptions.slot;
+  const slots = slotRow(shape, from, to, side);
   const leaning = shape.kind === "angled" ? ` · ${fixed((angle * 180) / Math.PI, 0)}° ${word(state, lean)}` : "";
   const count = `${slots.length} ${word(state, slots.length === 1 ? "slot" : "slots")}`;
   const row = slots.length * openingOf(shape);
@@ -84,15 +99,19 @@ function rowDraft(bench: Bench, from: Point, to: Point, flipped: boolean): Draft
 
 /** The aisle in front of a row, and how much of it is free, measured from the row's middle. */
 function aisleOf(bench: Bench, heading: number, from: Point, to: Point): Aisle {
-  const { scene, toolOptions: { slot: { aisle } } } = bench.store.state;
+  const { aisle } = bench.store.state.toolOptions.slot;
   const middle: Point = [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2], dx = -Math.cos(heading), dy = -Math.sin(heading);
   const at = (metres: number): Point => [middle[0] + dx * metres, middle[1] + dy * metres];
-  const { boundary } = resolve(scene);
-  const taken = (p: Point): boolean => !insidePolygon(p, boundary)
-    || (scene.obstacles ?? []).some((one) => (one.type === "cells" ? onCells(p, one.runs, scene.map) : distanceToShape(p, one) <= 0));
   let free = RAY_STEP;
-  while (free < aisle && !taken(at(free))) free += RAY_STEP;
+  while (free < aisle && !isTaken(bench, at(free))) free += RAY_STEP;
   return { from: middle, to: at(aisle), width: aisle, free: Math.min(aisle, free) };
+}
+
+/** Whether a point lies off the ground, on an obstacle or in a bay. */
+function isTaken(bench: Bench, p: Point): boolean {
+  const { scene } = bench.store.state, { boundary, slots } = resolve(scene);
+  return !insidePolygon(p, boundary) || slots.some(({ outline }) => insidePolygon(p, outline))
+    || (scene.obstacles ?? []).some((one) => (one.type === "cells" ? onCells(p, one.runs, scene.map) : distanceToShape(p, one) <= 0));
 }
 
 /** Metres from look to look. */

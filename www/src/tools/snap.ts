@@ -8,6 +8,8 @@ import { metresOf, type Bench, type Input } from "./tool";
 
 const SNAP_PX = 8;
 const ANGLE_STEP = radians(15), ANGLE_REACH = radians(3);
+/** How near and how straight a dragged goal comes to its pose in a slot before it takes it. */
+const SLOT_REACH = { metres: 1.2, px: 14, angle: radians(35) };
 
 /** Ctrl inverts the setting. */
 export const snaps = (bench: Bench, input: Input): boolean => !input.keyed && bench.store.state.toolOptions.snap !== input.ctrl;
@@ -111,20 +113,18 @@ export function snapPose(bench: Bench, input: Input, which: "start" | "goal", po
 }
 
 function snapToSlot(bench: Bench, pose: Pose): SnappedPose | null {
-  const { scene } = bench.store.state;
-  const reach = Math.max(metresOf(bench, SNAP_PX), 0.25);
-  const { vehicle } = resolve(scene);
+  const { scene } = bench.store.state, { vehicle } = resolve(scene);
+  let least = Math.max(metresOf(bench, SLOT_REACH.px), SLOT_REACH.metres), best: SnappedPose | null = null;
   for (const slot of scene.slots ?? []) {
     if (slot.occupied || slot.id === undefined) continue;
     for (const entry of ["reverse-in", "head-in"] as const) {
-      const there = poseInSlot(slot, entry, vehicle);
-      const turned = Math.abs(wrapAngle(there.heading - pose.heading));
-      if (Math.hypot(there.x - pose.x, there.y - pose.y) <= reach && turned < radians(10)) {
-        return { pose: there, goal: { slot: slot.id, entry }, guides: [axisGuide(there)] };
-      }
+      const there = poseInSlot(slot, entry, vehicle), away = Math.hypot(there.x - pose.x, there.y - pose.y);
+      if (away > least || Math.abs(wrapAngle(there.heading - pose.heading)) > SLOT_REACH.angle) continue;
+      least = away;
+      best = { pose: there, goal: { slot: slot.id, entry }, guides: [axisGuide(there)] };
     }
   }
-  return null;
+  return best;
 }
 
 const axisGuide = ({ x, y, heading }: Pose): Guide => {

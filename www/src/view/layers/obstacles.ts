@@ -1,6 +1,8 @@
 /** Obstacles and slots. */
-import type { MapFrame, Obstacle } from "parkade";
+import type { MapFrame, Obstacle, Slot } from "parkade";
+import type { Point } from "../../scene/plane";
 import { cornersOf } from "../../scene/shapes";
+import { slotLines } from "../../scene/slots";
 import { vehicleOf } from "../../scene/vehicle";
 import { drawCar, parkedStyle } from "../car";
 import { inMetres, linePath, pixels, polygonPath, type Frame } from "../frame";
@@ -27,18 +29,23 @@ function makePaths(obstacle: Exclude<Obstacle, { type: "car" | "road" }>, map: M
   return cellPaths(obstacle.runs, map);
 }
 
+const painted = new WeakMap<readonly Slot[], [Point, Point][]>();
+
+function linesOf(slots: readonly Slot[]): [Point, Point][] {
+  const lines = painted.get(slots) ?? slotLines(slots);
+  painted.set(slots, lines);
+  return lines;
+}
+
 export function drawSlots(frame: Frame): void {
-  const { ctx, resolved, tokens: { colour } } = frame;
+  const { ctx, state, tokens: { colour } } = frame;
   inMetres(frame);
   ctx.strokeStyle = colour.slot;
   ctx.lineWidth = pixels(frame, 1);
-  ctx.lineJoin = "miter";
   ctx.beginPath();
-  for (const { outline: [nearLeft, nearRight, farRight, farLeft] } of resolved.slots) {
-    ctx.moveTo(...nearLeft!);
-    ctx.lineTo(...farLeft!);
-    ctx.lineTo(...farRight!);
-    ctx.lineTo(...nearRight!);
+  for (const [from, to] of linesOf(state.scene.slots ?? [])) {
+    ctx.moveTo(...from);
+    ctx.lineTo(...to);
   }
   ctx.stroke();
 }
