@@ -187,10 +187,16 @@ test.describe("with a finger", () => {
       document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ camera: { x: 20, y: 15, scale: 8 }, tool: "select" });
       for (let frame = 0; frame < 6; frame++) await new Promise(requestAnimationFrame);
     });
+    // What is not shown is not dragged by accident.
+    await fingers(page, [[[38, 16.5], [41, 16.5]]]);
+    expect(await ground(page)).toEqual([0, 40, 0, 30]);
     const tap = await onScreen(page, 30, 8);
     await page.touchscreen.tap(tap.x, tap.y);
     await fingers(page, [[[38, 16.5], [41, 16.5]]]);
     expect(await ground(page)).toEqual([0, 43, 0, 30]);
+    // The handles stay for the next drag.
+    await fingers(page, [[[23, 29], [23, 26]]]);
+    expect(await ground(page)).toEqual([0, 43, 0, 27]);
     expect(complaints).toEqual([]);
   });
 });

@@ -38,7 +38,7 @@ export class BorderTool implements Tool {
   }
 
   down(bench: Bench, input: Input): void {
-    const { state } = bench.store, side = sideAt(bench, input);
+    const { state } = bench.store, side = input.touch && !this.isChosen(bench) ? null : sideAt(bench, input);
     this.chosen = false;
     if (!side) return this.select.down(this.beside(bench, null, null), input);
     const { scene } = state, follows = state.follow && !state.camera;
@@ -67,12 +67,13 @@ export class BorderTool implements Tool {
     this.press = null;
     if (!press) {
       this.select.up(bench, input);
-      this.chosen = input.touch && bench.store.state.selection === null && bench.store.state.tool === "select";
+      this.chosen = input.touch && bench.store.state.tool === "select";
       return this.hover(bench, input);
     }
     if (!isInView(bench, press.next)) forgetFit(press.next);
     bench.commit(press.next, "ground");
     this.release(bench, press);
+    this.chosen = input.touch;
     this.hover(bench, input);
   }
 
@@ -95,13 +96,17 @@ export class BorderTool implements Tool {
     return true;
   }
 
+  private isChosen({ store }: Bench): boolean {
+    return this.chosen && store.state.selection === null;
+  }
+
   private release({ store }: Bench, { follows }: Press): void {
     if (follows) store.set({ camera: null });
   }
 
   /** What selects shows what it shows, and the handles with it. */
   private beside(bench: Bench, input: Input | null, hot: Side | null): Bench {
-    const isNear = hot !== null || (this.chosen && bench.store.state.selection === null) || (input !== null && !input.touch && isBeside(bench, input));
+    const isNear = hot !== null || this.isChosen(bench) || (input !== null && !input.touch && isBeside(bench, input));
     return isNear ? { ...bench, show: (draft) => bench.show({ ...draft, border: { scene: bench.store.state.scene, hot, drags: false, canvas: bench.canvas } }) } : bench;
   }
 }

@@ -1,5 +1,5 @@
 /** Where the handles of the ground's sides are, for drawing and for hitting. */
-import { axisOf, edgeOn, SIDES, type Side } from "../scene/ground";
+import { axisOf, edgeOn, outward, SIDES, type Side } from "../scene/ground";
 import { cornersOf } from "../scene/shapes";
 import { resolve, type Scene } from "../scene/model";
 import { boxOf, type Box, type Point } from "../scene/plane";
@@ -11,6 +11,8 @@ import { gripOf } from "./pose-handle";
 export const HANDLE_PX = 10;
 /** Between a handle's middle and a car or its grip, and from the view's edge. */
 const CLEAR_PX = 14, INSET_PX = 8;
+/** Off the ground, where cars leave no place on its border. */
+const OFF_PX = 18;
 /** Shares of a side from its middle at which a handle may stand. */
 const PLACES = [0, 0.1, -0.1, 0.2, -0.2, 0.3, -0.3, 0.4, -0.4];
 
@@ -25,11 +27,12 @@ export function handlesOn(scene: Scene, view: View): BorderHandle[] {
     const k = axisOf(side), along = 1 - k, [a, b] = edge.map((p) => worldToScreen(view, ...p)) as [Point, Point];
     const size = [view.width, view.height] as const, low = Math.max(INSET_PX, Math.min(a[along]!, b[along]!)), high = Math.min(size[along]! - INSET_PX, Math.max(a[along]!, b[along]!));
     if (high - low < 2 * HANDLE_PX || a[k] < 0 || a[k] > size[k]) return [];
-    const place = (share: number): Point => {
-      const middle = (low + high) / 2 + share * (high - low);
-      return k === 0 ? [a[0], middle] : [middle, a[1]];
+    const place = (share: number, off: number): Point => {
+      const middle = (low + high) / 2 + share * (high - low), beside = a[k] + (k === 0 ? off : -off) * outward(side);
+      return k === 0 ? [beside, middle] : [middle, beside];
     };
-    const free = PLACES.map(place).find(([x, y]) => cars.every((box) => x < box.minX || x > box.maxX || y < box.minY || y > box.maxY));
+    const free = [0, OFF_PX].flatMap((off) => PLACES.map((share) => place(share, off)))
+      .find(([x, y]) => cars.every((box) => x < box.minX || x > box.maxX || y < box.minY || y > box.maxY));
     return free ? [{ side, at: free }] : [];
   });
 }
