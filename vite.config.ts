@@ -16,7 +16,7 @@ const squeezeTemplates: Plugin = {
     if (!id.includes("/www/src/") || !id.endsWith(".ts")) return null;
     return code.replace(/\b(css|html|svg)`([^`\\]*)`/g, (_, tag: string, text: string) => {
       const lines = text.replace(/\n\s+/g, tag === "css" ? "\n" : " ");
-      return `${tag}\`${tag === "css" ? lines.replace(/\s*([{};,])\s*/g, "$1").replace(/: /g, ":").replace(/;}/g, "}") : lines}\``;
+      return `${tag}\`${tag === "css" ? lines.replace(/\s*([{};,])\s*/g, "$1").replace(/: /g, ":").replace(/;}/g, "}").replace(/([ :,(])0\./g, "$1.") : lines}\``;
     });
   },
 };

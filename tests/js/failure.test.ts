@@ -12,8 +12,10 @@ import { failureOf } from "../../www/src/view/failure";
 import { between } from "../../www/src/view/fly";
 import { alongRoad } from "../../www/src/view/layers/lane-strip";
 import { introduce } from "../../www/src/view/identity";
+import { loadChinese } from "./chinese";
 
 beforeAll(async () => {
+  await loadChinese();
   await init();
   introduce(planners());
 });

@@ -1,5 +1,6 @@
 /** The words of a piece that is fetched when it is opened; they come with it. */
-import { fill, type Lang, type Values } from "./index";
+import "./later";
+import { fill, translate, type Lang, type MessageKey, type Values } from "./index";
 
 export type Say<Key extends string> = (lang: Lang, key: Key, values?: Values) => string;
 
@@ -7,3 +8,9 @@ export type Say<Key extends string> = (lang: Lang, key: Key, values?: Values) =>
 export function words<Key extends string>(table: Record<Key, readonly [en: string, zh: string]>): Say<Key> {
   return (lang, key, values = {}) => fill(lang, table[key][lang === "zh" ? 1 : 0], values);
 }
+
+type KeyAt<Prefix extends string> = MessageKey extends infer Key ? (Key extends `${Prefix}.${infer Name}` ? Name : never) : never;
+
+/** The words of a piece that most visits fetch: they stand in the tables. */
+export const wordsAt = <Prefix extends string>(prefix: Prefix): Say<KeyAt<Prefix>> =>
+  (lang, key, values) => translate(lang, `${prefix}.${key}` as MessageKey, values);

@@ -2,36 +2,14 @@
 import "../i18n/later";
 import type { Check, Obstruction, Plan, PlannerId } from "parkade";
 import { isMessage, number, translate } from "../i18n/index";
-import { words } from "../i18n/words";
+import { wordsAt } from "../i18n/words";
 import { gapAt } from "../scene/gap";
 import type { State } from "../store";
 import { failureOf } from "../view/failure";
 import { identityOf, plannerName } from "../view/identity";
 import { statusOf, thingName } from "./status";
 
-const say = words({
-  hit: ["Hits {thing} after {along} m.", "行驶 {along} m 后撞上{thing}。"],
-  atStart: ["Overlaps {thing} at the start.", "在起点处与{thing}重叠。"],
-  corners: ["Its path has corners that this car cannot follow.", "路径带有折角，此车无法跟随。"],
-  curves: ["Its path turns in {radius} m; this car needs {limit} m.", "路径转弯半径 {radius} m，此车需要 {limit} m。"],
-  room: ["Its path passes too close to obstacles for this car.", "路径离障碍物过近，容不下此车。"],
-  spot: ["Turns in place after {along} m: this car needs a radius of {limit} m.", "行驶 {along} m 后原地转向：此车至少需要 {limit} m 半径。"],
-  tight: ["Turns in {radius} m after {along} m: this car needs {limit} m.", "行驶 {along} m 后转弯半径仅 {radius} m：此车需要 {limit} m。"],
-  sideways: ["Starts {angle}° off the car’s heading.", "起步方向与车头相差 {angle}°。"],
-  slides: ["Its path moves the car sideways.", "路径要求车辆侧移。"],
-  drives: ["{planner} finds a path.", "{planner}可行。"],
-  shape: ["{planner} plans for the car’s shape.", "{planner}按车身形状规划。"],
-  contact: ["The car overlaps {thing} at the {end}. Move one of them.", "车辆在{end}与{thing}重叠，请移动其中之一。"],
-  start: ["start", "起点"],
-  goal: ["goal", "目标"],
-  gap: ["No way through: the gap is {width} m wide, the car needs {needed} m. Widen it by {more} m or more.", "无法通过：间隙宽 {width} m，车身需要 {needed} m，至少再加宽 {more} m。"],
-  enclosed: ["The hatched area has no way out. Open one.", "阴影区域没有出口，请打通一处。"],
-  "boxed-in": ["The car can barely move: it is blocked at the hatched poses. Give it more room there.", "车辆几乎无法移动：在阴影位姿处受阻，请在那里留出更多空间。"],
-  nearest: ["The ring marks the searched pose closest to the goal.", "圆圈标出搜索到的最接近目标的位姿。"],
-  small: ["The slot is {slot} m, the car {car} m.", "车位 {slot} m，车身 {car} m。"],
-  stray: ["The paper’s curve may leave its control points by a metre, more than the room beside the car.", "论文曲线可偏离控制点一米，超过车道内车旁的空隙。"],
-  sight: ["The paper’s chords only need line of sight, so they pass corners without room for the car.", "论文的折线只要求视线可达，经过拐角时容不下车身。"],
-});
+const say = wordsAt("failure");
 
 const DEGREES = 180 / Math.PI;
 

@@ -1,6 +1,6 @@
 import type { Slot } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
-import { words } from "../i18n/words";
+import { wordsAt } from "../i18n/words";
 import { findSlot, updateSlot, type Scene } from "../scene/model";
 import { turnRows } from "../scene/slot-fit";
 import { idsOf, moveThings, turnThings } from "../scene/things";
@@ -11,17 +11,7 @@ import { duplicateSelected, removeSelected } from "../tools/edit-keys";
 import { AppElement } from "./base";
 import { icon } from "./icons";
 
-const say = words({
-  title: ["{n} objects", "{n} 个对象"],
-  slots: ["{n} slots", "{n} 个车位"],
-  occupied: ["Occupied", "已占用"],
-  help: ["Tick a slot to park a car in it. Click a free slot on the map to make it the goal.", "勾选即停放车辆。点击地图上的空车位可设为目标。"],
-  aisle: ["Aisle on the other side", "通道换到另一侧"],
-  move: ["Move by", "移动"],
-  turn: ["Turn by", "旋转"],
-  duplicate: ["Duplicate", "复制"],
-  remove: ["Delete", "删除"],
-});
+const say = wordsAt("group");
 
 /** What several chosen things have in common. */
 export class GroupCard extends AppElement {

@@ -1,11 +1,11 @@
 /** The words of the form for a new lot. */
-import "../i18n/later";
-import { translate, type Lang, type MessageKey, type Values } from "../i18n/index";
+import type { Lang } from "../i18n/index";
+import { wordsAt } from "../i18n/words";
 import { LIMITS, type LotFault, type NumberField } from "../scene/lot";
 
-export type Word = MessageKey extends infer Key ? (Key extends `lot.${infer Name}` ? Name : never) : never;
+export const say = wordsAt("lot");
 
-export const say = (lang: Lang, word: Word, values?: Values): string => translate(lang, `lot.${word}`, values);
+export type Word = Parameters<typeof say>[1];
 
 /** What to change, in one sentence. */
 export function faultText(lang: Lang, { field, rule, least }: LotFault): string {

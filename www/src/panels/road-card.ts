@@ -1,7 +1,7 @@
 import type { Plan, RoadFigures } from "parkade";
 import { css, html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { sentence } from "../element/app";
-import { words } from "../i18n/words";
+import { wordsAt } from "../i18n/words";
 import { RoadMeasures, type Risk } from "../planning/risk";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
@@ -13,24 +13,7 @@ import { icon } from "./icons";
 /** So long nothing has to change before a plan is measured. */
 const QUIET_MS = 350;
 
-const say = words({
-  title: ["Road measures", "道路指标"],
-  none: ["No path to measure.", "没有可测量的路径。"],
-  bodyClearance: ["Body clearance, min / mean", "车身净距，最小 / 平均"],
-  sideClearance: ["Centre clearance minus half the width", "中心净距减半车宽"],
-  curvatureVariation: ["Curvature variation", "曲率变化"],
-  curvature: ["Max curvature", "最大曲率"],
-  lane: ["Offset from lane centre, mean / max", "偏离车道中心，平均 / 最大"],
-  risk: ["Collision risk", "碰撞风险"],
-  riskHelp: ["1,000 simulated drives with random offsets: 0.10 m constant, 0.12 m along the way (1 σ).", "模拟行驶 1,000 次，随机偏移：恒定 0.10 m，沿途 0.12 m（1 σ）。"],
-  run: ["Simulate 1,000 drives", "模拟行驶 1,000 次"],
-  again: ["Repeat", "重新模拟"],
-  cancel: ["Cancel", "取消"],
-  progress: ["{done} of {of} drives", "{done} / {of} 次"],
-  hits: ["{hits} of {of} drives collide; {disc} for a disc of the car's width.", "{of} 次中碰撞 {hits} 次；同宽圆盘碰撞 {disc} 次。"],
-  failed: ["The measurement failed: {reason}", "测量失败：{reason}"],
-  fellBack: ["No smoothed curve met the limits, so the path keeps its chords.", "没有满足限制的平滑曲线，路径保留折线。"],
-});
+const say = wordsAt("roadCard");
 
 /** Room, bends and lanes along the focused planner's path, and how often it would be hit by chance. */
 export class RoadCard extends AppElement {

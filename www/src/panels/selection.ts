@@ -1,6 +1,6 @@
 import type { CostArea, MovingObstacle, Obstacle, Pose, Road, Slot } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
-import { words } from "../i18n/words";
+import { wordsAt } from "../i18n/words";
 import {
   findCost, findMoving, findObstacle, findSlot, flipGoal, goalPose, movePose, removeCost, removeMoving, removeObstacle, removeSlot, setGoalFromSlot, updateMoving,
   updateObstacle, updateSlot,
@@ -17,21 +17,7 @@ import "./ground-card";
 import "./group-card";
 import { objectName } from "./objects";
 
-const say = words({
-  cost: ["Cost of one metre here, in metres. 1 means no extra cost.", "此处每米的代价（米）；1 表示无额外代价。"],
-  aisle: ["Aisle on the other side", "通道换到另一侧"],
-  speed: ["Speed", "速度"],
-  starts: ["Starts at", "出发时刻"],
-  length: ["Length", "长度"],
-  width: ["Width", "宽度"],
-  along: ["Lanes forward", "正向车道"],
-  against: ["Lanes back", "反向车道"],
-  laneWidth: ["Lane width", "车道宽"],
-  bend: ["Bend radius", "弯道半径"],
-  limit: ["Speed limit", "限速"],
-  kerbs: ["Kerbs", "路缘"],
-  vertices: ["Drag the corners. Double-click an edge to add a corner, a corner to remove it. Limit 0: none.", "拖动角点；双击边添加角点，双击角点删除。限速 0 表示不限速。"],
-});
+const say = wordsAt("selected");
 
 const DEGREES = 180 / Math.PI;
 

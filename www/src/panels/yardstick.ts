@@ -1,20 +1,12 @@
 import { css, html, nothing, type TemplateResult } from "lit";
-import { words } from "../i18n/words";
+import { wordsAt } from "../i18n/words";
 import { Helper } from "../planning/helper";
 import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";
 import { AppElement } from "./base";
 
-const say = words({
-  title: ["Any-angle optimum", "任意角度最优"],
-  measure: ["Measure", "测量"],
-  measuring: ["Measuring…", "正在测量…"],
-  none: ["No path exists.", "不存在路径。"],
-  large: ["Available on maps of up to {n} cells, because it checks very many lines of sight.", "仅适用于不超过 {n} 格的地图：需检查大量视线。"],
-  path: ["This planner's path: {share} %.", "此规划器的路径：{share} %。"],
-  doc: ["L_aa: the shortest path between cell centres for a point. A smoothed path cuts corners and can be shorter.", "L_aa：质点经格中心的最短路径。平滑路径会内切拐角，可能更短。"],
-});
+const say = wordsAt("yardstick");
 
 /** Cells of the largest map that is measured: some seconds. */
 const MOST = 40_000;

@@ -11,6 +11,7 @@ import { hitAt } from "./hit";
 import type { SelectTool } from "./select";
 import { snaps } from "./snap";
 import { metresOf, reachOf, type Bench, type Input, type Tool } from "./tool";
+import { editVertex } from "./vertices";
 
 /** Handles are shown to a pointer this near to the border, CSS pixels. */
 const NEAR_PX = 64;
@@ -78,7 +79,7 @@ export class BorderTool implements Tool {
   }
 
   doubleClick(bench: Bench, input: Input): void {
-    this.select.doubleClick(bench, input);
+    editVertex(bench, input);
   }
 
   confirm(bench: Bench): boolean {

@@ -3,14 +3,14 @@ import {
   findMoving, findObstacle, findSlot, movePose, resolve, setGoalFromSlot, updateMoving, updateObstacle, withShape, type Scene,
 } from "../scene/model";
 import { boxOf, crossesItself, distance, towards, wrapAngle, type Box, type Point } from "../scene/plane";
-import { dragVertex, edgeAt, headingOf, pivotOf, turnShape, vertexAt, type Shape } from "../scene/shapes";
+import { dragVertex, headingOf, pivotOf, turnShape, type Shape } from "../scene/shapes";
 import { boxOfThings, copyThings, findThing, idsOf, moveThings, selectionOf, thingsWithin } from "../scene/things";
 import { isPose, type Selection } from "../store";
 import { askForPose, poseLabelAt } from "../view/pose-label";
 import type { Draft } from "./draft";
-import { hitAt, selectedShape, type Hit } from "./hit";
+import { hitAt, type Hit } from "./hit";
 import { snapAngle, snapMove, snapPoint, snapPose } from "./snap";
-import { metresOf, type Bench, type Input, type Tool } from "./tool";
+import type { Bench, Input, Tool } from "./tool";
 import { word } from "./words";
 
 /** `hit` null: the press began beside everything and draws a frame around what shall be chosen. */
@@ -85,14 +85,6 @@ export class SelectTool implements Tool {
     else if (!hit) bench.store.set({ selection: null });
   }
 
-  /** On an edge of the selected polygon or wall: a new vertex; on a vertex: without it. */
-  doubleClick(bench: Bench, input: Input): void {
-    const shape = selectedShape(bench.store.state);
-    if (!shape || !("points" in shape)) return;
-    const points = withoutVertex(shape, input.at, metresOf(bench, 10)) ?? withVertex(shape, input.at, metresOf(bench, 8));
-    if (points) bench.commit(updateObstacle(bench.store.state.scene, shape.id, { ...shape, points }), "vertex");
-  }
-
   /** Enter: the chosen pose's numbers. */
   confirm(bench: Bench): boolean {
     const { selection } = bench.store.state;
@@ -141,20 +133,6 @@ function duplicate(bench: Bench, press: Press): void {
   Object.assign(press, { scene, ids });
   bench.preview(scene);
   bench.store.set({ selection });
-}
-
-function withVertex(shape: Extract<Shape, { points: Point[] }>, at: Point, reach: number): Point[] | null {
-  const index = edgeAt(shape.points, at, reach, shape.type === "polygon");
-  if (index < 0) return null;
-  const points = [...shape.points.slice(0, index), at, ...shape.points.slice(index)];
-  if (index === 0) points.push(points.shift()!);
-  return points;
-}
-
-function withoutVertex(shape: Extract<Shape, { points: Point[] }>, at: Point, reach: number): Point[] | null {
-  const index = vertexAt(shape.points, at, reach), least = shape.type === "polygon" ? 3 : 2;
-  const points = shape.points.filter((_, i) => i !== index);
-  return index < 0 || points.length < least || (shape.type === "polygon" && crossesItself(points)) ? null : points;
 }
 
 /** Every step starts from the scene at the press: rounding cannot add up. */
