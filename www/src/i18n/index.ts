@@ -27,11 +27,14 @@ export const translate = (lang: Lang, key: MessageKey, values: Values = {}): str
 /** Words that come with a piece of the page. */
 export const addEnglish = (words: Table): void => void Object.assign(english, words);
 
+/** What the planners say in English, in another language. */
+export const reasonIn = (lang: Lang, english: string): string => reasons[lang]?.(english) ?? english;
+
 /** A text with its values in their places; a value named `reason` is said in the text's language. */
 export function fill(lang: Lang, text: string, values: Values): string {
   return text.replace(/\{(\w+)(?:\|([^|}]*)\|([^}]*))?\}/g, (_, name: string, one?: string, other?: string) => {
     const value = values[name] ?? "";
-    if (one === undefined) return name === "reason" ? (reasons[lang]?.(String(value)) ?? String(value)) : String(value);
+    if (one === undefined) return name === "reason" ? reasonIn(lang, String(value)) : String(value);
     return (plurals[lang].select(Number(value)) === "one" ? one : other) ?? "";
   });
 }

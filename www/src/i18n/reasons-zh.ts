@@ -1,29 +1,44 @@
-/** Chinese for the reasons that the planners, importers and links give: a catalogue by their English templates. `{}` is a value. */
+/** Chinese for the reasons that the planners, importers and links give, and for the papers' claims: a catalogue by their English templates. `{}` is a value. */
 export interface Catalogue {
   reasons: Record<string, string>;
-  /** Values that are words themselves. */
+  /** Values that are words themselves, and what a rule is about where it is named before "must". */
   values: Record<string, string>;
 }
 
-/** What says a reason in Chinese; one that the catalogue does not have stays as it is. */
-export function chineseReasons({ reasons, values }: Catalogue): (english: string) => string {
-  const patterns = Object.entries(reasons).map(([en, zh]) =>
+type Say = (text: string) => string | undefined;
+
+/** What says in Chinese a text that one of the templates fits. */
+function templates(table: Record<string, string>, valueOf: (text: string) => string): Say {
+  const patterns = Object.entries(table).map(([en, zh]) =>
     [new RegExp(`^${en.split("{}").map((part) => part.replace(/[.*+?^$()[\]{}|\\]/g, "\\$&")).join("(.*?)")}$`), zh] as const);
-  const valueOf = (text: string): string =>
-    values[text] ?? text.replace(/^(\d+) numbers$/, "$1 个数").replace(/^(\d+) cells at /, "$1 格，位于 ").replace(/,? or (?=\S+$)/, " 或 ");
-  const sentenceOf = (body: string): string | undefined => {
+  return (text) => {
     for (const [pattern, zh] of patterns) {
-      const found = pattern.exec(body)?.slice(1).map(valueOf);
+      const found = pattern.exec(text)?.slice(1).map(valueOf);
       let next = 0;
       if (found) return zh.replace(/\{(\d?)\}/g, (_, at: string) => found[at ? Number(at) : next++] ?? "");
     }
     return undefined;
   };
+}
+
+/** What says a reason in Chinese; one that the catalogue does not have stays as it is. */
+export function chineseReasons({ reasons, values }: Catalogue): (english: string) => string {
+  // What is quoted stays as it was written.
+  const valueOf = (text: string): string => (/^["'[]/.test(text) ? text : wordOf(text) ?? text);
+  const wordOf = templates(values, valueOf), plainOf = templates(reasons, valueOf);
+  const sentenceOf: Say = (body) => {
+    const [, subject, rule] = /^(.+?):? (must .*)$/.exec(body) ?? [], said = plainOf(body);
+    if (said || !subject) return said;
+    const ruled = plainOf(rule!);
+    return ruled && (wordOf(subject) ?? `${subject} `) + ruled;
+  };
   return (text) => {
-    const [, path = "", rest = text] = /^([\w.[\]]+: )?(.*)$/s.exec(text) ?? [];
-    const [, body = rest, got] = /^(.*?)(?:, got (.*?))?[.]?$/s.exec(rest) ?? [];
-    const said = sentenceOf(body);
-    if (said === undefined) return path && text !== rest ? text : sentenceOf(text.replace(/\.$/, "")) ?? text;
-    return `${path.replace(": ", "：")}${said}${got === undefined ? "" : `，实际为 ${valueOf(got)}`}。`;
+    const whole = text.replace(/\.$/, ""), [, path = "", rest = whole] = /^([\w.[\]]+(?: and \w+)*: )?(.*)$/s.exec(whole) ?? [];
+    const [, body = rest, got] = /^(.*?)(?:, got (.*?))?$/s.exec(rest) ?? [];
+    const rule = sentenceOf(body);
+    // A text may begin like a field, or have "got" of its own.
+    const alone = path || rule === undefined ? plainOf(whole) : undefined;
+    if (alone !== undefined) return `${alone}。`;
+    return rule === undefined ? text : `${path.replaceAll(" and ", "、").replace(": ", "：")}${rule}${got === undefined ? "" : `，实际为 ${valueOf(got)}`}。`;
   };
 }

@@ -1,6 +1,7 @@
 import type { ImportedQuery, Scenario } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import { sentence } from "../element/app";
+import { reasonIn } from "../i18n/index";
 import { words } from "../i18n/words";
 import { Helper, JobError, joined } from "../planning/helper";
 import { ensureIds } from "../scene/model";
@@ -98,7 +99,7 @@ export class ImportBar extends AppElement {
       this.at = Math.max(0, fair);
       const { width, height, resolution } = first.map;
       const text = say(lang, "opened", { name, width, height, side: Number(resolution.toPrecision(4)) });
-      this.app.store.set({ message: { tone: "info", text: [text, ...opened.notes.map(sentence)].join(" ") } });
+      this.app.store.set({ message: { tone: "info", text: [text, ...opened.notes.map((reason) => reasonIn(lang, sentence(reason)))].join(" ") } });
     } catch (error) {
       if (turn === this.turn) this.app.store.set({ message: { tone: "err", text: this.complaint(error, name) } });
     }

@@ -1,9 +1,9 @@
 import type { PaperClaim, PaperTable, Spread } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
+import { reasonIn } from "../i18n/index";
 import { workersHere, type Progress } from "../planning/crew";
 import { Papers, type Summary } from "../planning/papers";
 import { icon, type IconName } from "./icons";
-import { claimIn } from "./papers-claims";
 import { figureName, lineName, papersMarkdown, SHOWN, titleOf } from "./papers-text";
 import { PapersTab } from "./papers-tab";
 import { say } from "./papers-words";
@@ -95,8 +95,8 @@ export class PapersGrid extends PapersTab<Summary> {
   }
 
   private claim(claim: PaperClaim): TemplateResult {
-    const { lang } = this.state, { tone, icon: name } = VERDICT[claim.holds], { text, found } = claimIn(lang, claim);
-    return html`<li id=${claim.id}><span class="chip ${tone}">${icon(name, 12)}<span>${say(lang, claim.holds)}</span></span><div>${text}<p>${found}</p></div></li>`;
+    const { lang } = this.state, { tone, icon: name } = VERDICT[claim.holds];
+    return html`<li id=${claim.id}><span class="chip ${tone}">${icon(name, 12)}<span>${say(lang, claim.holds)}</span></span><div>${reasonIn(lang, claim.text)}<p>${reasonIn(lang, claim.found)}</p></div></li>`;
   }
 
   private table(table: PaperTable): TemplateResult {

@@ -1,9 +1,8 @@
 /** Names and texts of the papers' tables. */
 import type { PaperTable, Spread } from "parkade";
-import { number, type Lang } from "../i18n/index";
+import { number, reasonIn, type Lang } from "../i18n/index";
 import type { Summary } from "../planning/papers";
 import { plannerName } from "../view/identity";
-import { claimIn } from "./papers-claims";
 import { say } from "./papers-words";
 
 /** What the printed columns are held against. */
@@ -32,7 +31,7 @@ export function papersMarkdown(lang: Lang, { tables, claims }: Summary, columns:
   const three = (spread: Spread | undefined, digits: number): string[] =>
     spread ? [spread.median, spread.p95, spread.worst].map((value) => number(lang, value, digits)) : ["–", "–", "–"];
   const heads = (name: string): string[] => ["printed", "median", "p95", "worst"].map((key) => `${name}, ${say(lang, key as "printed")}`);
-  const parts = [row([say(lang, "claims"), "", ""]), row(["---", "---", "---"]), ...claims.map((one) => row([claimIn(lang, one).text, `**${say(lang, one.holds)}**`, claimIn(lang, one).found])), ""];
+  const parts = [row([say(lang, "claims"), "", ""]), row(["---", "---", "---"]), ...claims.map((one) => row([reasonIn(lang, one.text), `**${say(lang, one.holds)}**`, reasonIn(lang, one.found)])), ""];
   for (const table of tables) {
     const length = number(lang, table.straight, 2);
     parts.push(`### ${titleOf(lang, table)} (${say(lang, "maps", { n: table.maps })})`, "");

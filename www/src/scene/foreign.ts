@@ -25,8 +25,8 @@ export function checkedScene(scene: Scenario, { sceneGeometry, packRuns, unpackR
 export function bounded(scene: Scenario): Scenario {
   const lists = Object.entries(scene ?? {}).filter((entry): entry is [string, unknown[]] => Array.isArray(entry[1]));
   const things = lists.flatMap(([, list]) => list) as ({ id?: unknown; points?: unknown } | null)[];
-  limit(lists.map(([key]) => key).join(" and "), "things", things.length, MOST_THINGS);
-  limit("points", "of them", things.reduce((sum, one) => sum + (Array.isArray(one?.points) ? one.points.length : 0), 0), MOST_POINTS);
+  limit(lists.map(([key]) => key).join(" and "), "objects", things.length, MOST_THINGS);
+  limit("points", "points", things.reduce((sum, one) => sum + (Array.isArray(one?.points) ? one.points.length : 0), 0), MOST_POINTS);
   for (const [field, text] of [["name", scene?.name], ...things.map((one) => ["id", one?.id])]) if (typeof text === "string") limit(String(field), "characters", text.length, LONGEST_TEXT);
   return scene;
 }
