@@ -3,18 +3,40 @@
 use super::catalog::{Info, info, paper_row};
 use super::{MovingObstacle, Scenario};
 
-const FIGURE: [&str; 2] = [
-    "The paper waits for this box. Does a shorter path have to?",
-    "论文在此等待该障碍物。更短的路径还需要等吗？",
-];
-const CONFLICT: [&str; 2] = ["Where is it safe to wait for the box?", "在哪里等待障碍物才安全？"];
-
 pub(super) const SCENES: [Info; 5] = [
-    info("fig16", "moving", ["Figure 16 of the paper", "论文图 16"], FIGURE),
-    info("fig16-conflict", "moving", ["Box across the way", "横穿的障碍物"], CONFLICT),
-    info("fig16-oncoming", "moving", ["Oncoming box", "迎面而来的障碍物"], CONFLICT),
-    info("fig16-fast", "moving", ["Box from behind, 4 m/s", "后方来的障碍物，4 m/s"], CONFLICT),
-    info("fig16-low", "moving", ["Box near the slot", "车位旁的障碍物"], CONFLICT),
+    info(
+        "fig16",
+        "moving",
+        ["Figure 16 of the paper", "论文图 16"],
+        [
+            "The paper waits for this box. Does a shorter path have to?",
+            "论文在此等待该障碍物。更短的路径还需要等吗？",
+        ],
+    ),
+    info(
+        "fig16-conflict",
+        "moving",
+        ["Box across the way", "横穿的障碍物"],
+        ["A box crosses at 2 m/s: where is it safe to wait?", "障碍物以 2 m/s 横穿：在哪里等待才安全？"],
+    ),
+    info(
+        "fig16-oncoming",
+        "moving",
+        ["Box beside the start", "起点旁的障碍物"],
+        ["A box passes 4 m from the start: can the car set off?", "障碍物从起点旁 4 米处驶过：能否起步？"],
+    ),
+    info(
+        "fig16-fast",
+        "moving",
+        ["Oncoming box, 4 m/s", "迎面而来的障碍物，4 m/s"],
+        ["A box twice as fast: why is this wait the longest?", "障碍物快一倍：为何等待反而最久？"],
+    ),
+    info(
+        "fig16-low",
+        "moving",
+        ["Box near the slot", "车位旁的障碍物"],
+        ["A box crosses near the slot: why is this wait the shortest?", "障碍物在车位旁横穿：为何等待最短？"],
+    ),
 ];
 
 /// From x, to x, y and speed of each scene's box.

@@ -8,14 +8,37 @@ use crate::geometry::Pose;
 use crate::geometry::math::{FRAC_PI_2, PI};
 use crate::vehicle::Vehicle;
 
-const QUESTION: [&str; 2] =
-    ["Which way keeps its distance and turns the least?", "哪条路径既保持距离又转弯最少？"];
-
 pub(super) const SCENES: [Info; 4] = [
-    info("road-straight", "road", ["Straight lane, 1 km", "直线车道，1 公里"], QUESTION),
-    info("road-curve", "road", ["Two-way curve", "双向弯道"], QUESTION),
-    info("road-crossing", "road", ["Left turn at a crossing", "路口左转"], QUESTION),
-    info("road-narrow", "road", ["Narrow road, eight obstacles", "窄路，八个障碍物"], QUESTION),
+    info(
+        "road-straight",
+        "road",
+        ["Straight lane, 1 km", "直线车道，1 公里"],
+        ["Nothing stands in this lane: who searches the least?", "车道上没有障碍：谁搜索得最少？"],
+    ),
+    info(
+        "road-curve",
+        "road",
+        ["Two-way curve", "双向弯道"],
+        [
+            "Two bends, a parked car and a box: who stays on the road?",
+            "两个弯、一辆停车和一个箱子：谁不驶出道路？",
+        ],
+    ),
+    info(
+        "road-crossing",
+        "road",
+        ["Left turn at a crossing", "路口左转"],
+        ["Five barriers around a left turn: who passes them all?", "左转前后五道路障：谁能全部绕过？"],
+    ),
+    info(
+        "road-narrow",
+        "road",
+        ["Narrow road, eight obstacles", "窄路，八个障碍物"],
+        [
+            "Each obstacle leaves 3.5 m of road: who weaves through?",
+            "每个障碍物旁只剩 3.5 米：谁能蛇行通过？",
+        ],
+    ),
 ];
 
 /// How far a road goes on before the start and beyond the goal, metres; ten cells.

@@ -9,7 +9,7 @@ import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
 import { plannerName } from "../view/identity";
 import { AppElement } from "./base";
-import { CASES, PRINTED } from "./cases";
+import { captionOf, CASES } from "./cases";
 import { icon, marker } from "./icons";
 import { statusOf } from "./status";
 import "./generate";
@@ -17,12 +17,8 @@ import "./thumbnail";
 
 /** Groups whose words the page does not have. */
 const say = words({ newLot: ["New lot", "新建停车场"], numbers: ["Bays, aisles, walls and a car from a few numbers.", "用几个数值设定车位、通道、墙体和车辆。"], generate: ["Generate", "生成"], moving: ["Moving obstacles", "移动障碍物"], road: ["Roads", "道路"], cases: ["Best and worst", "最佳与最差"], best: ["Best case", "最佳情形"], worst: ["Worst case", "最差情形"], suits: ["Path by {planner}", "路径：{planner}"],
-  printed: ["Printed: {a} m, {m} gear {m|change|changes}; improved {b} m, {n}. Here?", "论文：{a} m，换挡 {m} 次；改进后 {b} m，{n} 次。此处呢？"],
-  against: ["The start stands against the wall.", "起点紧贴墙边。"],
   path: ["{length} m, {n} {n|gear change|gear changes}", "{length} m，换挡 {n} 次"],
 });
-/** Rows of the paper whose start touches the boundary. */
-const AGAINST: readonly string[] = ["P1"];
 const GENERATE = "generate", CASE = "cases";
 /** Whose path a card shows. */
 const DRAWN: Record<string, PlannerId> = { grid: "risk-field", road: "cost-map" };
@@ -103,19 +99,12 @@ export class Presets extends AppElement {
       <span class="words"><b>${say(lang, "newLot")}</b><i>${say(lang, "numbers")}</i></span></button></li>`;
   }
 
-  private card(info: ScenarioInfo, planner: PlannerId, title = info.title[this.state.lang], question = this.questionOf(info), run = () => this.pick(info.id)): TemplateResult {
+  private card(info: ScenarioInfo, planner: PlannerId, title = info.title[this.state.lang], question = captionOf(info, this.state.lang), run = () => this.pick(info.id)): TemplateResult {
     const key = `${info.id} ${planner}`, suits = say(this.state.lang, "suits", { planner: plannerName(this.state.lang, planner) });
     if (!solved.has(key)) this.asked.push([info.id, planner]);
     return html`<li><button aria-current=${info.id === this.app.preset} @click=${run}>
       <parkade-thumbnail .app=${this.app} .scene=${this.sceneOf(info.id)} .plan=${solved.get(key)} ?whole=${info.group === "grid" || info.group === "road"}></parkade-thumbnail>
       <span class="words"><b>${title}<span class="by" title=${suits}>${marker(planner)}<span class="sr">${suits}</span></span></b><i>${question}</i><small>${this.factOf(info.id, planner)}</small></span></button></li>`;
-  }
-
-  private questionOf({ id, question }: ScenarioInfo): string {
-    const { lang } = this.state, [a, m, b, n] = PRINTED[id] ?? [];
-    if (a === undefined || b === undefined) return question[lang];
-    const row = say(lang, "printed", { a: this.num(a, 1), m: m!, b: this.num(b, 1), n: n! });
-    return AGAINST.includes(id) ? `${row} ${say(lang, "against")}` : row;
   }
 
   /** What the plan on the card does; empty until it is there. */
