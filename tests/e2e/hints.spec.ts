@@ -53,6 +53,13 @@ test("a hint covers no control, no text and neither car at any size, and its but
       return found;
     });
     expect(covered, `${width}x${height}`).toEqual([]);
+    // Its line begins at its edge and ends at the grip, however far that is.
+    const apart = await page.locator("parkade-hints u").evaluate((line) => {
+      const hints = (line.getRootNode() as ShadowRoot).host as HTMLElement & { bubble: { tip: [number, number]; to: [number, number] } };
+      const { tip, to } = hints.bubble, { left, top, right, bottom } = line.getBoundingClientRect(), origin = hints.getBoundingClientRect();
+      return Math.max(...[tip, to].map(([x, y]) => Math.max(left - origin.left - x, x - right + origin.left, top - origin.top - y, y - bottom + origin.top)));
+    });
+    expect(apart, `${width}x${height}`).toBeLessThanOrEqual(1);
     await bubble.getByRole("button", { name: "Close this hint" }).click();
     await expect(bubble).toHaveCount(0);
     await page.close();

@@ -7,12 +7,15 @@ import { worldToScreen } from "../view/camera";
 import { gripOf } from "../view/pose-handle";
 import type { SceneView } from "./scene-view";
 
-export interface Spot { x: number; y: number; /** The point of its edge that faces the thing. */ tip: [x: number, y: number] }
+type Point = [x: number, y: number];
+export interface Spot { x: number; y: number; /** The points of its edge and of the thing that face each other. */ tip: Point; to: Point }
 
 /** From the edges, and between a thing and what speaks of it: a row of controls or text may be between. CSS pixels. */
 const EDGE = 8, GAPS = [10, 46, 80];
 /** How far along a side the box may stand from the middle, as parts of its own length. */
 const SHIFTS = [0, -0.25, 0.25, -0.42, 0.42];
+
+const rounded = ([x, y]: Point): Point => [Math.round(x), Math.round(y)];
 
 /** The first place at a side of `anchor` where a box of this size is inside `bounds` and meets none of `taken`; null where there is none. */
 export function freeSpot(anchor: Box, { offsetWidth: width, offsetHeight: height }: { offsetWidth: number; offsetHeight: number },
@@ -21,16 +24,16 @@ export function freeSpot(anchor: Box, { offsetWidth: width, offsetHeight: height
   for (const [gap, shift] of GAPS.flatMap((one) => SHIFTS.map((other) => [one, other] as const))) {
     const x = middleX - width * (0.5 + shift), y = middleY - height * (0.5 + shift);
     const spots: Spot[] = [
-      { x: anchor.maxX + gap, y, tip: [anchor.maxX + gap, middleY] },
-      { x: anchor.minX - gap - width, y, tip: [anchor.minX - gap, middleY] },
-      { x, y: anchor.minY - gap - height, tip: [middleX, anchor.minY - gap] },
-      { x, y: anchor.maxY + gap, tip: [middleX, anchor.maxY + gap] },
+      { x: anchor.maxX + gap, y, tip: [anchor.maxX + gap, middleY], to: [anchor.maxX, middleY] },
+      { x: anchor.minX - gap - width, y, tip: [anchor.minX - gap, middleY], to: [anchor.minX, middleY] },
+      { x, y: anchor.minY - gap - height, tip: [middleX, anchor.minY - gap], to: [middleX, anchor.minY] },
+      { x, y: anchor.maxY + gap, tip: [middleX, anchor.maxY + gap], to: [middleX, anchor.maxY] },
     ];
     const free = spots.find((spot) => {
       const inside = spot.x >= EDGE && spot.y >= EDGE && spot.x + width <= bounds.width - EDGE && spot.y + height <= bounds.height - EDGE;
       return inside && !taken.some((box) => box.minX < spot.x + width && box.maxX > spot.x && box.minY < spot.y + height && box.maxY > spot.y);
     });
-    if (free) return { x: Math.round(free.x), y: Math.round(free.y), tip: [Math.round(free.tip[0]), Math.round(free.tip[1])] };
+    if (free) return { x: Math.round(free.x), y: Math.round(free.y), tip: rounded(free.tip), to: rounded(free.to) };
   }
   return null;
 }

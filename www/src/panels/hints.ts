@@ -29,6 +29,7 @@ export class Hints extends AppElement {
     div { position: absolute; width: max-content; max-width: min(300px, calc(100% - 16px)); display: flex; align-items: center; gap: 4px; padding: 3px 3px 3px 12px; border-radius: calc(6px * var(--parkade-radius)); background: var(--parkade-t1); color: var(--parkade-panel); font-weight: 500; font-size: 13px; line-height: 18px; }
     div.out { visibility: hidden; }
     i { position: absolute; width: 8px; height: 8px; margin: -4px; background: var(--parkade-t1); transform: rotate(45deg); }
+    u { position: absolute; margin: -1px; min-width: 2px; min-height: 2px; background: var(--parkade-t1); }
     button { pointer-events: auto; width: 26px; height: 26px; min-width: 0; flex: none; }
     @media (pointer: coarse) { button { width: 44px; height: 44px; } }
   `];
@@ -63,7 +64,7 @@ export class Hints extends AppElement {
     const { step, bubble } = this;
     if (!step) return nothing;
     const text = bubble?.text ?? this.t(step, { planner: "" });
-    return html`${bubble ? html`<i .style=${`left:${bubble.tip[0]}px;top:${bubble.tip[1]}px`}></i>` : nothing}
+    return html`${bubble ? arrow(bubble) : nothing}
       <div role="status" class=${bubble ? "" : "out"} .style=${`left:${bubble?.x ?? 0}px;top:${bubble?.y ?? 0}px`}>${text}
         <button aria-label=${say(this.state.lang, "close")} @click=${() => this.dismiss()}>${icon("close", 12)}</button></div>`;
   }
@@ -130,6 +131,11 @@ export class Hints extends AppElement {
   private failing(): PlannerId | undefined {
     return this.state.planners.find((planner) => this.state.results[planner]?.status === "done" && statusOf(this.state, planner).tone === "err");
   }
+}
+
+/** From the bubble to its thing, however far it stands. */
+function arrow({ tip: [x, y], to: [toX, toY] }: Spot): TemplateResult {
+  return html`<u .style=${`left:${Math.min(x, toX)}px;top:${Math.min(y, toY)}px;width:${Math.abs(toX - x)}px;height:${Math.abs(toY - y)}px`}></u><i .style=${`left:${x}px;top:${y}px`}></i>`;
 }
 
 customElements.define("parkade-hints", Hints);
