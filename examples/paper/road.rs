@@ -66,7 +66,7 @@ fn is_same(read: f64, found: f64) -> bool {
 
 fn markdown(tables: &[Table], wasm: Option<&Other>, flags: &Value) -> String {
     let mut text = String::from(
-        "# Road navigation manuscript, section 4\n\nPercentages are against plain A*, printed against printed and ours against ours. Body clearances are mean (at most 1.2 m\neach) and least, side clearances those of the middle less half the width; hits are of 1000 drives beside the path by chance, in\nbrackets for a disc. Milliseconds are of everything, rasters and checks included, here and natively.\n",
+        "# Road navigation manuscript, section 4\n\nPercentages compare with plain A*, printed with printed and ours with ours. Body clearances are mean (each sample capped at\n1.2 m) and minimum; side clearances are centre clearance minus half the width. Hits are of 1,000 simulated drives with random offsets, in\nbrackets for a disc. Milliseconds cover everything, rasters and checks included, here and natively.\n",
     );
     for table in tables {
         text.push_str(&scene(table));

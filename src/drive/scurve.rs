@@ -129,8 +129,8 @@ pub(super) fn phases(
             start = end;
         }
         let steady = slowest.and_then(|(start, end, limit)| {
-            // Where the ways to a speed and away from it leave room for it, and, of that, what is nearest to the zone: one that
-            // is too short to slow down or speed up in is driven through on the way to another speed.
+            // Cruise interval that remains after both ramps, clipped to the zone. A zone too short to reach its speed in is
+            // driven through on the way to another speed.
             let room = |speed: f64| (a.0 + ramp(a.1, speed).length, b.0 - ramp(speed, b.1).length);
             let speed = largest(ends.min(limit), limit, |speed| room(speed).0 <= room(speed).1);
             let (first, last) = room(speed);

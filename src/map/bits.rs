@@ -120,7 +120,7 @@ impl Bits {
     }
 }
 
-/// The directions in which one who comes to a free cell with these free neighbours has just passed the end of a wall.
+/// Directions that have a forced neighbour here, given the free neighbours of a free cell.
 const fn ends(free: u8) -> u8 {
     let (left, right) = (free.rotate_right(2), free.rotate_left(2));
     let (left_behind, right_behind) = (free.rotate_right(3), free.rotate_left(3));

@@ -71,7 +71,7 @@ struct Search<'a, L, O> {
     last: [i64; 2],
 }
 
-/// Whose turn it is, is known when this is compiled: what differs is not looked up for every node.
+/// The side is a const generic, which avoids a branch per node.
 impl<L: Lattice, O: Observer<i64, ()>> Search<'_, L, O> {
     /// Takes up the side's next node. Tells whether to go on.
     #[inline]

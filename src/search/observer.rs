@@ -15,8 +15,8 @@ pub trait Observer<C, L> {
     fn relaxed(&mut self, node: NodeId, parent: NodeId, label: L, g: C) {
         let _ = (node, parent, label, g);
     }
-    /// Told how many nodes have been expanded: none, and then that many as it answered last, or sooner. The search ends as
-    /// if its budget were spent where the answer is no larger.
+    /// Returns the expansion count at which to call again, or sooner; a value ≤ `expanded` stops the search as if its
+    /// budget were spent.
     fn due(&mut self, expanded: u32) -> u32 {
         let _ = expanded;
         u32::MAX

@@ -2,8 +2,8 @@
 //!
 //! Costs are whole numbers there, so that most entries share their f with many others. Entries lie unsorted in buckets
 //! of f, as in [`OpenList`](super::open::OpenList), but near ones at once in a bucket of their own, which is
-//! [sorted](super::sorting) when its turn comes. Nothing tells the newest entry but its place: whatever
-//! is done to a bucket keeps equal entries in the order in which they came.
+//! [sorted](super::sorting) when its turn comes. Recency is positional, so every operation on a bucket is
+//! stable.
 
 use super::entry::Entry;
 use super::sorting::Sorter;

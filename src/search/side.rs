@@ -6,8 +6,8 @@ use super::queue::Queue;
 use super::{NodeId, Observer};
 
 /// One node: from the lowest bit, 8 bits of the move that led to it, 44 of its cost, 1 set while it is open, 11 of the
-/// generation, which counts down. So whatever is closed, cheaper or blocked is a smaller number than a candidate, and
-/// whatever is left from an earlier search a larger one: one comparison tells.
+/// generation, which counts down. Records order as closed < better < candidate < stale, so
+/// one comparison decides.
 pub(super) type Record = u64;
 
 pub(super) const MOVE: u32 = 8;

@@ -97,7 +97,7 @@ pub(super) fn json(value: JsValue, code: ErrorCode) -> Result<Value, Error> {
     Strict::deserialize(serde_wasm_bindgen::Deserializer::from(value)).map(|Strict(value)| value).map_err(
         |error| {
             let message = error.to_string();
-            // An error of JavaScript says so each time that it is put into words.
+            // Strip the `Error: ` prefix that each layer adds.
             let mut steps: Vec<&str> =
                 message.split(STEP).map(|step| step.strip_prefix("Error: ").unwrap_or(step)).collect();
             let rule = steps.pop().unwrap_or_default();

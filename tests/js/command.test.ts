@@ -146,7 +146,7 @@ test.each([
   [["plan", "perpendicular", "--set", "reverseCost=-1"], "reverseCost"],
   [["plan", "perpendicular", "--fast"], "Unknown option '--fast'"],
   [["bench", "perpendicular", "--repeats", "0"], "--repeats 0: must be a whole number from 1"],
-  [["batch", "nowhere"], "nowhere: there is no such folder"],
+  [["batch", "nowhere"], "nowhere: no such file or folder"],
   [["batch", ".", "--shard", "3/2"], "--shard 3/2: must be I/N"],
   [["park"], "there is no command `park`"],
   [["toString"], "there is no command `toString`"],

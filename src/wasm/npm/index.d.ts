@@ -500,7 +500,7 @@ export interface Imported {
 }
 
 /**
- * Reads files by name: MovingAI `.map` with or without its `.scen`, ROS `.yaml` with its `.pgm`, TPCAP `.csv`, lots and
+ * Detects the format from the file name: MovingAI `.map` with or without its `.scen`, ROS `.yaml` with its `.pgm`, TPCAP `.csv`, lots and
  * scenes as `.json`. Throws ParkadeError "bad-import" with `path` "file:line". `parkade` only, not `parkade/core`.
  */
 export function importScene(

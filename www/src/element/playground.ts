@@ -259,7 +259,7 @@ export class Playground extends LitElement {
       ${this.isFull && !this.short ? html`<parkade-sheet .app=${this.app} .ready=${this.loaded} ?drawer=${this.rails}></parkade-sheet>` : nothing}`;
   }
 
-  /** Takes language, theme, arrangement and planners from attributes and from the last visit. */
+  /** Takes language, theme, layout and planners from attributes and from the last visit. */
   protected adopt(): void {
     const remembered = this.permalink ? recall("theme") : null;
     if (remembered === "light" || remembered === "dark") this.theme = remembered;

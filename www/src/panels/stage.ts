@@ -13,7 +13,7 @@ import "./scene-view";
 
 const SWIPE_PX = 24;
 
-/** The maps: side by side, one over another, or one large. */
+/** The maps: side by side, overlaid, or one in focus. */
 export class Stage extends AppElement {
   static override properties = { ...AppElement.properties, compact: { type: Boolean, reflect: true }, bare: { attribute: false } };
   static override styles = [controls, css`

@@ -29,7 +29,7 @@ const MODES: readonly { id: State["mode"]; icon: IconName }[] = [
 
 type MenuName = "planners" | "layers" | "export" | "more";
 
-/** The bar at the top: scene, history, tools, layers, arrangement, export, theme, language, share. */
+/** The bar at the top: scene, history, tools, layers, layout, export, theme, language, share. */
 export class Toolbar extends AppElement {
   static override properties = { ...AppElement.properties, compact: { type: Boolean, reflect: true }, rail: { type: Boolean, reflect: true }, inspecting: { type: Boolean }, ready: { type: Boolean }, shared: { state: true } };
   static override styles = [controls, css`

@@ -20,12 +20,12 @@ const TICK_MS = 200;
 
 /** @type {import("./main.js").Run} */
 export async function batch([place, ...more], values, module) {
-  if (place === undefined || more.length > 0) throw new Refused("which folder of scenes? One folder, or one .jsonl file");
+  if (place === undefined || more.length > 0) throw new Refused("give one folder of scenes, or one .jsonl file");
   const jobs = count("jobs", values.jobs, availableParallelism(), 1024);
   const shard = shardOf(values.shard);
   const out = values.out ?? (shard.of === 1 ? "results.jsonl" : `results-${shard.at}-of-${shard.of}.jsonl`);
   const ids = plannerIds(values.planner, "hybrid"), config = settings(values.set);
-  if (!(await stat(place).catch(() => null))) throw new Refused(`${place}: there is no such folder`);
+  if (!(await stat(place).catch(() => null))) throw new Refused(`${place}: no such file or folder`);
 
   // Threads start while the scenes are listed.
   const filename = new URL("./worker.js", import.meta.url).href;
@@ -57,7 +57,7 @@ function told(all, tasks, open, out, stopped) {
   process.stdout.write(`${all.length} of ${tasks} planned (${open - (tasks - all.length)} now): ${found} found, ${all.length - found - failed.length} without a path, ${failed.length} refused; digest ${digest(all)}\n`);
   for (const { scene, planner, error } of failed.slice(0, 10)) process.stderr.write(`parkade: ${scene} (${planner}): ${error?.message}\n`);
   if (failed.length > 10) process.stderr.write(`parkade: … and ${failed.length - 10} more in ${out}\n`);
-  if (stopped) process.stderr.write(`parkade: stopped; the same command goes on from here\n`);
+  if (stopped) process.stderr.write(`parkade: stopped; run the same command to continue\n`);
   return stopped ? 130 : failed.length > 0 ? 1 : 0;
 }
 
@@ -87,7 +87,7 @@ async function listed(place, ids, config, { at, of }) {
       if (!tasks.has(key)) tasks.set(key, { key, scene, content, planner });
     }
   }
-  if (tasks.size === 0 && of === 1) throw new Refused(`${place}: holds no .json scenes`);
+  if (tasks.size === 0 && of === 1) throw new Refused(`${place}: no .json scenes here`);
   return [...tasks.values()];
 }
 
@@ -142,7 +142,7 @@ class Progress {
     this.live = process.stderr.isTTY === true;
     this.from = performance.now();
     this.last = 0;
-    if (done > 0 && !quiet) process.stderr.write(`${done} of ${total} are there already\n`);
+    if (done > 0 && !quiet) process.stderr.write(`${done} of ${total} are already done\n`);
   }
 
   /** @param {number} more */

@@ -12,12 +12,12 @@ const HELP = `usage: parkade <command> [options]
   check SCENE [PATH]   check a scene, or a path against it (plan.json, or CSV as from \`plan\`)
   bench SCENE      time planners          --planner ID,ID…  --repeats N  --format markdown|csv|json
   batch DIR        plan many scenes       --planner ID,ID…  --jobs N  --shard I/N  --out FILE.jsonl  --set NAME=VALUE
-  digest FILE…     one hash over the results of \`batch\`, in whatever order and however many files
-  planners         list planners, or with --planner ID its settings
+  digest FILE…     one hash over the results of \`batch\`, in any order and number of files
+  planners         list the planners, or the settings of one (--planner ID)
   scenarios        list the built-in scenes
 
 SCENE is a scene as JSON, a MovingAI .map, a ROS .yaml, a TPCAP .csv, the id of a built-in scene, or - for standard input.
-\`parkade <command> --help\` says more.
+\`parkade <command> --help\` lists the options of a command.
 
 exit codes: 0 done; 1 no path, a path that fails its check, or scenes that could not be planned; 2 bad input; 3 internal error
 `;
@@ -27,14 +27,14 @@ const COMMANDS = {
   plan: {
     about: `usage: parkade plan SCENE [options]
 
-  --planner ID         default: hybrid; several, with commas, in one svg
+  --planner ID         default: hybrid; for svg also several, with commas
   --set NAME=VALUE     a setting of the planner; may be repeated
   --format json|csv|svg  default: json. NaN and infinities are null in JSON, empty in CSV
   --out FILE           default: standard output
-  --trace              with the expansions (json; an svg has them)
-  --size WIDTHxHEIGHT  of the svg, pixels; default: 720x420
-  --theme auto|light|dark  of the svg; default: auto
-  --layout single|overlay, --controls none|minimal  an svg that is the poster of a playground with these attributes
+  --trace              include the expansions (json; svg always has them)
+  --size WIDTHxHEIGHT  size of the svg in pixels; default: 720x420
+  --theme auto|light|dark  colours of the svg; default: auto
+  --layout single|overlay, --controls none|minimal  draw the svg as the poster of a playground with these attributes
 `,
     options: { planner: { type: "string" }, set: { type: "string", multiple: true }, format: { type: "string" }, out: { type: "string" }, trace: { type: "boolean" }, size: { type: "string" }, theme: { type: "string" }, layout: { type: "string" }, controls: { type: "string" } },
     load: async () => (await import("./plan.js")).plan,
@@ -42,8 +42,8 @@ const COMMANDS = {
   check: {
     about: `usage: parkade check SCENE [PATH] [options]
 
-  Without PATH: whether the scene can be read. PATH is JSON with \`path\` (x, y, heading, …) and perhaps \`directions\`, or CSV
-  with columns x, y, theta and perhaps direction. The independent checker drives the body along it.
+  Without PATH, checks that the scene can be read. PATH is JSON with \`path\` (x, y, heading, …) and optional \`directions\`, or
+  CSV with columns x, y, theta and optional direction. The independent checker drives the body along it.
 
   --format text|json   default: text
 `,
@@ -54,7 +54,7 @@ const COMMANDS = {
     about: `usage: parkade bench SCENE [options]
 
   --planner ID,ID…     default: four,eight,risk-field,hybrid
-  --repeats N          plans timed per planner, interleaved, after one that is not; default: 25
+  --repeats N          timed plans per planner, interleaved, after one warm-up; default: 25
   --format markdown|csv|json  default: markdown
 `,
     options: { planner: { type: "string" }, repeats: { type: "string" }, format: { type: "string" } },
@@ -63,15 +63,15 @@ const COMMANDS = {
   batch: {
     about: `usage: parkade batch DIR [options]
 
-  Plans every .json scene below DIR, or every line of a .jsonl file. A line per scene and planner is appended to the results
-  as it comes; what they already hold is not planned again, so a stopped run goes on when it is started again.
+  Plans every .json scene below DIR, or every line of a .jsonl file. Appends a line per scene and planner to the
+  results and skips those already there, so a stopped run continues when it is started again.
 
   --planner ID,ID…     default: hybrid
   --set NAME=VALUE     a setting for all of the planners; may be repeated
   --jobs N             worker threads; default: one per processor
-  --shard I/N          only the I-th of N parts, which the scenes' contents decide
-  --out FILE           default: results.jsonl, with a shard results-I-of-N.jsonl
-  --quiet              no progress
+  --shard I/N          plan only part I of N; a hash of each scene decides its part
+  --out FILE           default: results.jsonl, or results-I-of-N.jsonl with --shard
+  --quiet              show no progress
 `,
     options: { planner: { type: "string" }, set: { type: "string", multiple: true }, jobs: { type: "string" }, shard: { type: "string" }, out: { type: "string" }, quiet: { type: "boolean" } },
     load: async () => (await import("./batch.js")).batch,
