@@ -87,6 +87,28 @@ test.describe("with a mouse", () => {
     await expect.poll(async () => (await cameraOf(page) as { scale: number }).scale).toBeLessThan(camera.scale);
   });
 
+  test("while planners work on other ground their paths stay, and what they tell of its cells goes", async ({ page }) => {
+    await openYard(page);
+    await page.evaluate(() => {
+      const { store } = document.querySelector<PlaygroundElement>("parkade-playground")!;
+      store.set({ layers: { ...(store.state as unknown as { layers: object }).layers, heat: true } });
+    });
+    await settled(page);
+    const told = await page.evaluate(() => {
+      type Result = { plan: { path: Float64Array; trace: unknown } | null; layers: object };
+      const store = document.querySelector<PlaygroundElement>("parkade-playground")!.store as unknown as {
+        state: { scene: Scenario; results: Record<string, Result> }; edit(scene: Scenario, options: { transient: boolean }): void; undo(): void;
+      };
+      const tell = () => { const { plan, layers } = store.state.results["four"]!; return { path: (plan?.path.length ?? 0) > 3, trace: plan?.trace !== null, layers: Object.keys(layers).length > 0 }; };
+      const before = tell(), { scene } = store.state;
+      store.edit({ ...scene, map: { ...scene.map, width: scene.map.width + 7 } }, { transient: true });
+      const during = tell();
+      store.undo();
+      return { before, during };
+    });
+    expect(told).toEqual({ before: { path: true, trace: true, layers: true }, during: { path: true, trace: false, layers: false } });
+  });
+
   test("Ctrl leaves the decimetres, painted cells are its lattice", async ({ page }) => {
     await openYard(page);
     await page.keyboard.down("Control");

@@ -10,7 +10,7 @@ import { emptyResult, initialState, type State } from "../../www/src/store";
 import { distancesOf } from "../../www/src/view/drive";
 import { failureOf } from "../../www/src/view/failure";
 import { between } from "../../www/src/view/fly";
-import { alongRoad } from "../../www/src/view/layers/lane-strip";
+import { alongRoad, stripOf } from "../../www/src/view/layers/lane-strip";
 import { introduce } from "../../www/src/view/identity";
 import { loadChinese } from "./chinese";
 
@@ -143,4 +143,10 @@ it("the strip over a long road tells metres along it and to the left of its midd
   const stations = [0, 10, 20].map((along) => ({ x: 0, y: along, heading: Math.PI / 2, along, left: 5, right: -3 }));
   const [s, d] = alongRoad({ stations }, [-2, 13]);
   expect([s, d]).toEqual([expect.closeTo(13, 9), expect.closeTo(1, 9)]);
+});
+
+it("the strip is laid over roads, not over wide ground", () => {
+  const ground = lot({ map: { origin: [0, 0], width: 420, height: 300, resolution: 0.5 }, start: { x: 10, y: 4, heading: 0 }, goal: { x: 180, y: 4, heading: 0 }, obstacles: [], slots: [] });
+  expect(stripOf(stateWith(ground, ["eight"]))).toBeNull();
+  for (const id of ["road-straight", "road-curve", "road-crossing", "road-narrow"]) expect(stripOf(stateWith(scenario(id), ["eight"])), id).not.toBeNull();
 });

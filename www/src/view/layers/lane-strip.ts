@@ -23,25 +23,26 @@ const MOST_POSES = 400;
 interface Station { x: number; y: number; heading: number; along: number; left: number; right: number }
 
 /** Metres along the road, and to the left of its middle. */
-interface Strip { scene: Scene; stations: Station[]; length: number; half: number }
+interface Strip { stations: Station[]; length: number; half: number }
 
-const strips = new WeakMap<Plan, Strip>();
+const strips = new WeakMap<Plan, { scene: Scene; strip: Strip | null }>();
 const lines = new WeakMap<Plan, { strip: Strip; points: Point[] }>();
 
-/** The same road under every planner: along the first path that a car can drive. */
-function stripOf({ scene, planners, results }: State): Strip | null {
+/** The same road under every planner: along the first path that a car can drive; null where that has no edges at both sides. */
+export function stripOf({ scene, planners, results }: State): Strip | null {
   const plans = planners.map((planner) => results[planner]?.plan).filter((plan) => plan?.outcome === "found");
   const plan = plans.find((one) => one!.check.drivable) ?? plans[0];
   if (!plan) return null;
   const known = strips.get(plan);
-  if (known?.scene === scene) return known;
+  if (known?.scene === scene) return known.strip;
   const length = distancesOf(plan).at(-1) ?? 0, outline = mapOutline(scene);
   const stations = Array.from({ length: STATIONS + 1 }, (_, i): Station => {
     const along = (length * i) / STATIONS, pose = poseAtDistance(plan, along)!;
     return { x: pose.x, y: pose.y, heading: pose.heading, along, ...edges(outline.map((p) => intoPose(pose, p))) };
   });
-  const strip = { scene, stations, length, half: Math.max(...stations.map(({ left, right }) => (left - right) / 2)) };
-  strips.set(plan, strip);
+  const isRoad = stations.filter(({ left, right }) => left < REACH && right > -REACH).length > STATIONS / 2;
+  const strip = isRoad ? { stations, length, half: Math.max(...stations.map(({ left, right }) => (left - right) / 2)) } : null;
+  strips.set(plan, { scene, strip });
   return strip;
 }
 
