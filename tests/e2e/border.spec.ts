@@ -125,7 +125,7 @@ test.describe("with a mouse", () => {
     expect(obstacles).toEqual([{ ...cells.obstacles[0], runs: [[7, 40, 3]] }]);
     await drag(page, [[-1.5, 15], [9, 15]]);
     expect((await sceneOf(page)).map).toEqual({ origin: [2, 0], width: 76, height: 60, resolution: 0.5 });
-    expect(await message(page)).toBe("The ground ends at the blocked cells. Move or delete it first.");
+    expect(await message(page)).toBe("The ground ends at the blocked cells. Move or delete what stands there.");
   });
 
   test("what stands in the way is named, and stays", async ({ page }) => {
@@ -133,7 +133,7 @@ test.describe("with a mouse", () => {
     const before = await sceneOf(page);
     await drag(page, [RIGHT, [25, 15]]);
     expect(await ground(page)).toEqual([0, 33.1, 0, 30]);
-    expect(await message(page)).toBe("The ground ends at the wall. Move or delete it first.");
+    expect(await message(page)).toBe("The ground ends at the wall. Move or delete what stands there.");
     expect((await sceneOf(page)).obstacles).toEqual(before.obstacles);
     await drag(page, [[16.55, 0], [16, 20]]);
     expect((await ground(page))[2]).toBe(4.9);
@@ -168,7 +168,7 @@ test.describe("with a mouse", () => {
     await depth.press("Enter");
     await expect.poll(() => ground(page)).toEqual([0, 40.1, 0, 26.35]);
     for (const [typed, told] of [
-      ["20", "Width must be between 35.00 and 2048.00 m, got “20”. The ground ends at the rectangle. Move or delete it first."],
+      ["20", "Width must be between 35.00 and 2048.00 m, got “20”. The ground ends at the rectangle. Move or delete what stands there."],
       ["9000", /^Width must be between 35.00 and [\d,.]+ m, got “9000”\. A map can have 4096 cells a side, here 2048\.0 m\.$/],
       ["", /^Width must be between .* got “”\.$/],
     ] as const) {

@@ -12,7 +12,7 @@ type Field = keyof typeof FIELDS;
 /** The ground's size in metres, while nothing is selected. */
 export class GroundCard extends AppElement {
   static override properties = { ...AppElement.properties, refused: { state: true } };
-  static override styles = [controls, sections, css`.bad { border-color: var(--parkade-err); } [role="alert"] { color: var(--parkade-err); }`];
+  static override styles = [controls, sections, css`.bad { border-color: var(--parkade-err); } [role="alert"] { color: var(--parkade-err); } @media (pointer: coarse) { .row .field { height: 44px; } }`];
   /** What was typed last, and why it cannot be. */
   declare refused: { field: Field; text: string; reason: string } | null;
   protected override pace = 100;
@@ -53,7 +53,7 @@ export class GroundCard extends AppElement {
       return;
     }
     const metres = (value: number): string => this.num(value, 2), rule = this.t("ground.range", { field: this.t(`ground.${field}`), least: metres(least), most: metres(most), value: text });
-    this.refused = { field, text, reason: isNumber ? `${rule} ${stopText(this.state, room, size < least)}` : rule };
+    this.refused = { field, text, reason: isNumber ? [rule, stopText(this.state, room, size < least)].join(this.state.lang === "zh" ? "" : " ") : rule };
   }
 }
 
