@@ -1,6 +1,7 @@
 import { init, sceneGeometry, scenario, scenarios, type Obstacle, type Scenario } from "parkade";
 import { beforeAll, describe, expect, it } from "vitest";
 import { axisOf, coordinateOf, edgeOn, groundOf, LEAST, MOST_CELLS, moveSide, outward, roomOf, SIDES, sizeAlong, type Side } from "../../www/src/scene/ground";
+import { pack, unpack } from "../../www/src/scene/compact";
 import { ensureIds, mapOutline, resolve, type Scene } from "../../www/src/scene/model";
 import { boxOf, type Point } from "../../www/src/scene/plane";
 import { outlineOfThing } from "../../www/src/scene/things";
@@ -81,6 +82,21 @@ describe("a side of the ground", () => {
       { type: "wall", id: "wall-1", points: [[22, 10], [40, 10]] }, { type: "rectangle", id: "rectangle-1", center: [45, 10], size: [2, 2] },
     ], goal: { x: 15, y: 14, heading: 0 } };
     expect(roomOf(scene, "right").inner).toEqual({ at: 22, id: "wall-1" });
+  });
+
+  it("is in a link where it is on the page, whatever the cells' size", () => {
+    for (const resolution of [0.5, 0.125, 0.3, 1 / 3]) {
+      const scene: Scene = { ...LOT, costs: [], obstacles: [], map: { ...LOT.map, resolution, width: Math.round(40 / resolution), height: Math.round(25 / resolution) } };
+      for (const side of SIDES) {
+        const next = moveSide(scene, side, coordinateOf(groundOf(scene), side) + outward(side) * 3 * resolution), wider = moveSide(next, side === "top" ? "bottom" : "top", coordinateOf(groundOf(next), side === "top" ? "bottom" : "top") + 0.37);
+        for (const one of [next, wider]) {
+          const { map } = unpack(JSON.parse(JSON.stringify(pack(one))) as Record<string, unknown>, ensureIds);
+          expect(map.origin).toEqual(one.map.origin.map((value) => expect.closeTo(value, 6) as number));
+          expect({ width: map.width, height: map.height, resolution: map.resolution }).toEqual({ width: one.map.width, height: one.map.height, resolution });
+          expect(() => sceneGeometry({ ...one, map })).not.toThrow();
+        }
+      }
+    }
   });
 
   it("of any preset moves to any place in its room and back, and nothing is lost", () => {

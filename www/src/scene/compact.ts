@@ -21,6 +21,16 @@ function list(value: unknown): Item[] {
 const packPose = (pose: Pose): Item[] => [cm(pose.x), cm(pose.y), tenths(pose.heading)];
 const unpackPose = (item: Item[]): Pose => ({ x: metres(item[0]), y: metres(item[1]), heading: angle(item[2]) });
 
+/** Centimetres with what is left of them: the lattice stays where it is. */
+const cmExactly = (metres: number): number => Math.round(metres * 1e9) / 1e7 + 0;
+
+/** To centimetres, but never off the map. */
+function packBoundary({ origin, width, height, resolution }: Scenario["map"], points: readonly Point[]): number[] {
+  const within = (value: number, k: 0 | 1): number =>
+    Math.min(Math.floor((origin[k] + [width, height][k]! * resolution) * 100 + 1e-6), Math.max(Math.ceil(origin[k] * 100 - 1e-6), cm(value))) / 100;
+  return packPoints(points.map(([x, y]): Point => [within(x, 0), within(y, 1)]));
+}
+
 /** Differences from point to point are short and repeat, so they deflate well. */
 function packPoints(points: readonly Point[]): number[] {
   let x = 0, y = 0;
@@ -174,8 +184,8 @@ function unpackGoal(item: Item[], slots: readonly Slot[]): Goal {
 export function pack(scene: Scenario): Record<string, unknown> {
   const { map } = scene;
   return {
-    m: [cm(map.origin[0]), cm(map.origin[1]), map.width, map.height, map.resolution],
-    ...(map.boundary ? { b: packPoints(map.boundary) } : {}),
+    m: [cmExactly(map.origin[0]), cmExactly(map.origin[1]), map.width, map.height, map.resolution],
+    ...(map.boundary ? { b: packBoundary(map, map.boundary) } : {}),
     ...(scene.name ? { n: scene.name } : {}),
     ...(scene.obstacles?.length ? { o: scene.obstacles.map(packObstacle) } : {}),
     ...(scene.slots?.length ? { l: scene.slots.map(packSlot) } : {}),
