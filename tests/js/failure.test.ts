@@ -111,7 +111,7 @@ describe("why it fails", () => {
     const obstacles: Scenario["obstacles"] = [box([0, 0], [1, 1], "rectangle-1"), box([3, 0], [1, 1], "rectangle-2"), { type: "car", id: "car-1", pose }, box([6, 0], [1, 1], "planter"), box([6, 0], [1, 1], "Fred’s van"), box([9, 0], [1, 1], "barrier-1")];
     const state = { ...initialState(), scene: lot({ obstacles, slots: [] }) };
     const name = (index: number) => thingName(state, { index, obstacle: obstacles[index]?.id ?? "border" });
-    expect([0, 1, 2, 3, 4, 5, -1].map(name)).toEqual(["rectangle 1", "rectangle 2", "the parked car", "the planter", "“Fred’s van”", "“barrier-1”", "the boundary"]);
+    expect([0, 1, 2, 3, 4, 5, -1].map(name)).toEqual(["rectangle 1", "rectangle 2", "the parked car", "the planter", "“Fred’s van”", "barrier 1", "the boundary"]);
   });
 
   it("gives every failing answer of the built-in scenes a sentence and, where it is known, a place", () => {

@@ -1,5 +1,6 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { dirname, join } from "node:path";
+import { init, planners } from "parkade";
 import { describe, expect, it } from "vitest";
 import en from "../../www/src/i18n/en.json";
 import later from "../../www/src/i18n/en-later.json";
@@ -40,9 +41,16 @@ describe("the page's words", () => {
     expect(texts.filter(([, text]) => BANNED.some((word) => word.test(text)))).toEqual([]);
   });
 
+  it("name every choice of the planners' settings", async () => {
+    await init();
+    const ids = planners().map(({ id }) => id as string), choices = new Set(planners().flatMap(({ parameters }) => parameters.flatMap((one) => one.choices ?? [])));
+    expect(choices.size).toBeGreaterThan(30);
+    expect([...choices].filter((choice) => !(`choice.${choice}` in english) && !ids.includes(choice))).toEqual([]);
+  });
+
   it("are Chinese in Chinese", () => {
     // Names, formats and units that Chinese engineers write in Latin letters.
-    const names = /Parkade|English|Markdown|Node|PNG|SVG|CSV|JSON|MovingAI|ROS|TPCAP|NBA|exp|Bd|L_aa|Ctrl|kB|ms|\{[^}]*\}/g;
+    const names = /Parkade|English|Markdown|Node|PNG|SVG|CSV|JSON|MovingAI|ROS|Reeds|Shepp|TPCAP|NBA|exp|Bd|L_aa|Ctrl|kB|ms|\{[^}]*\}/g;
     expect(Object.entries(zh).filter(([, text]) => /[A-Za-z]{2,}/.test(text.replaceAll(names, "")))).toEqual([]);
   });
 

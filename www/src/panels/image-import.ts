@@ -19,7 +19,7 @@ const say = words({
   size: ["{width} × {height} cells of {side} m: {across} × {up} m, {share} % wall.", "{width} × {height} 格，每格 {side} m：{across} × {up} m，墙占 {share} %。"],
   tight: ["The car fits nowhere. Increase the metres per pixel or change the threshold.", "地图中没有可容纳车辆的位置。请增大每像素米数或调整阈值。"],
   bad: ["Metres per pixel must be above 0 and at most 100.", "每像素米数须大于 0 且不超过 100。"],
-  broken: ["{name} could not be read as an image: {reason} Your scene is unchanged.", "无法将 {name} 读取为图片：{reason} 您的场景未改变。"],
+  broken: ["{name} could not be read as an image: {reason} Your scene is unchanged.", "无法将 {name} 读取为图片：{reason}您的场景未改变。"],
   open: ["Open", "打开"],
   close: ["Close", "关闭"],
   preview: ["Map preview: walls dark, floor light", "地图预览：深色为墙，浅色为空地"],

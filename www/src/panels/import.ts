@@ -14,8 +14,8 @@ import { icon, type IconName } from "./icons";
 const say = words({
   reading: ["Reading {name}…", "正在读取 {name}…"],
   opened: ["Opened {name}: {width} × {height} cells of {side} m.", "已打开 {name}：{width} × {height} 格，每格 {side} m。"],
-  line: ["{name} could not be read. Line {line}: {reason} Your scene is unchanged.", "无法读取 {name}。第 {line} 行：{reason} 您的场景未改变。"],
-  bad: ["{name} could not be read: {reason} Your scene is unchanged.", "无法读取 {name}：{reason} 您的场景未改变。"],
+  line: ["{name} could not be read. Line {line}: {reason} Your scene is unchanged.", "无法读取 {name}。第 {line} 行：{reason}您的场景未改变。"],
+  bad: ["{name} could not be read: {reason} Your scene is unchanged.", "无法读取 {name}：{reason}您的场景未改变。"],
   queries: ["Start and goal from the file", "文件中的起点与目标"],
   scenes: ["Scenes in the file", "文件中的场景"],
   question: ["Query", "查询"],

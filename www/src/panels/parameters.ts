@@ -76,8 +76,8 @@ export class Parameters extends AppElement {
   }
 
   private choiceName(choice: string): string {
-    const key = [`choice.${choice}`, `planner.${choice}`].find(isMessage);
-    return key ? this.t(key) : (choice[0] ?? "").toUpperCase() + choice.slice(1).replaceAll("-", " ");
+    const key = `choice.${choice}`;
+    return isMessage(key) ? this.t(key) : plannerName(this.state.lang, choice);
   }
 
   private slider(info: ParameterInfo, value: unknown): TemplateResult {

@@ -78,13 +78,17 @@ function tight({ lang }: State, check: Check): Word {
 
 /** By the name that a person gave it, else by its kind, counted where there are several. */
 export function thingName({ lang, scene: { obstacles = [], slots = [] } }: State, { index, obstacle: id }: Pick<Hit, "index" | "obstacle">): string {
-  const own = `thing.${id}`, obstacle = obstacles[index], slot = slots.findIndex((one) => one.id === id);
-  if (obstacle && isMessage(own)) return translate(lang, own);
-  if (obstacle?.id && !(obstacle.id.startsWith(`${obstacle.type}-`) && MADE.test(obstacle.id))) return `“${id}”`;
+  const obstacle = obstacles[index], slot = slots.findIndex((one) => one.id === id);
+  if (obstacle?.id && !(obstacle.id.startsWith(`${obstacle.type}-`) && MADE.test(obstacle.id))) {
+    const [, own, n] = /^(.*?)(?:-(\d+))?$/.exec(obstacle.id)!, key = `thing.${own}`;
+    return !isMessage(key) ? `“${id}”` : n ? counted(translate(lang, key), n) : translate(lang, key);
+  }
   if (!obstacle) return translate(lang, slot >= 0 ? "thing.slot" : id === "border" ? "thing.border" : "thing.other", { n: slot + 1 });
   const alike = obstacles.filter(({ type }) => type === obstacle.type), kind = translate(lang, `thing.${obstacle.type}`);
-  return alike.length > 1 ? `${kind.replace(/^the /, "")} ${alike.indexOf(obstacle) + 1}` : kind;
+  return alike.length > 1 ? counted(kind, alike.indexOf(obstacle) + 1) : kind;
 }
+
+const counted = (kind: string, n: number | string): string => `${kind.replace(/^the /, "")} ${n}`;
 
 function tinyOf({ lang }: State, name: string, values?: Values): string | null {
   const key = `tiny.${name}`;

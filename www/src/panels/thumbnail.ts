@@ -48,7 +48,7 @@ export class Thumbnail extends LitElement {
     const camera = this.camera ?? (this.whole ? fitMap(scene, width, height) : fit(scene, geometry, width, height, swept));
     const results = plan ? { [plan.planner]: { ...emptyResult, plan, lastGood: plan.outcome === "found" ? plan : null, status: "done" as const } } : {};
     const layers = { ...presetLayers("clean"), sweep: true, grid: false, car: !this.whole };
-    this.drawer.draw({ ...base, scene, geometry, camera, planners: shown, results, layers, focus: plan?.planner ?? base.focus, tool: "hand" }, shown, this.app.tokens(), null);
+    this.drawer.draw({ ...base, lang: this.app.store.state.lang, scene, geometry, camera, planners: shown, results, layers, focus: plan?.planner ?? base.focus, tool: "hand" }, shown, this.app.tokens(), null);
   }
 }
 
