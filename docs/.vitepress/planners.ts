@@ -15,8 +15,8 @@ export async function known(): Promise<PlannerInfo[]> {
 }
 
 const TEXT = {
-  en: { figure: "Drag the cars, draw a wall: it plans again.", parameters: "Settings", name: "Name", unit: "Unit", range: "Range", default: "Default", why: "What it does", paper: "After", use: "In code", formulas: "Formulas and choices", drawn: "Scene and path" },
-  zh: { figure: "拖动车辆、画一堵墙,路径随即重新规划。", parameters: "参数", name: "名称", unit: "单位", range: "范围", default: "默认", why: "作用", paper: "出处", use: "代码", formulas: "公式", drawn: "场景与路径" },
+  en: { figure: "Drag a car or draw a wall: the planner replans.", parameters: "Settings", name: "Name", unit: "Unit", range: "Range", default: "Default", why: "What it does", paper: "After", use: "In code", formulas: "Formulas and choices", drawn: "Scene and path" },
+  zh: { figure: "拖动车辆、画一堵墙，路径随即重新规划。", parameters: "参数", name: "名称", unit: "单位", range: "范围", default: "默认", why: "作用", paper: "出处", use: "代码", formulas: "公式", drawn: "场景与路径" },
 };
 
 export async function pages(lang: Lang): Promise<{ params: { id: string; title: string }; content: string }[]> {

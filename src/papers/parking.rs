@@ -57,7 +57,7 @@ const fn printed(time: f64, changes: u32, nodes: u32, length: f64) -> Printed {
 pub const ROWS: [Row; 10] = [
     Row { id: "P0", tables: [2, 2], parallel: false,
         traditional: printed(12.05, 2, 242, 24.1), improved: printed(11.35, 1, 228, 22.7), reach: (22.80, 0),
-        note: "Printed is the shortest path without obstacles, whose front goes 0.09 m through the slot's floor; figure 12 has none." },
+        note: "The printed path is the shortest one without obstacles: the car's front crosses the slot's end by 0.09 m. Figure 12 has no obstacles." },
     Row { id: "P1", tables: [3, 6], parallel: false,
         traditional: printed(14.1, 2, 263, 26.2), improved: printed(13.2, 1, 247, 24.6), reach: (24.75, 0),
         note: "The printed times are 1.0 and 0.9 s longer than the lengths at 2 m/s. The start touches a wall, so the margin is 0." },
@@ -72,7 +72,7 @@ pub const ROWS: [Row; 10] = [
         note: "The improved time is printed 0.5 s shorter than the length at 2 m/s." },
     Row { id: "L0", tables: [7, 7], parallel: true,
         traditional: printed(23.0, 3, 461, 46.0), improved: printed(20.9, 1, 419, 41.8), reach: (30.1, 0),
-        note: "4 m from L1 and 13.5 m longer: the printed path is far from the shortest." },
+        note: "L0 starts 4 m from L1, but its printed path is 13.5 m longer: far from the shortest." },
     Row { id: "L1", tables: [8, 11], parallel: true,
         traditional: printed(18.95, 4, 380, 37.9), improved: printed(14.15, 2, 284, 28.3), reach: (26.3, 0), note: "" },
     Row { id: "L2", tables: [8, 11], parallel: true,
@@ -82,7 +82,7 @@ pub const ROWS: [Row; 10] = [
         note: "The straight line is 26.18 m long. Two dropped pieces of 3.1 m, or a start at x = 9, would explain 20.2 m." },
     Row { id: "L4", tables: [8, 11], parallel: true,
         traditional: printed(15.65, 4, 314, 31.3), improved: printed(12.5, 1, 251, 25.0), reach: (19.45, 0),
-        note: "The shortest path without obstacles is free here, with 1.6 m around it: the printed one is 29 % longer." },
+        note: "The shortest path without obstacles has 1.6 m of clearance here. The printed path is 29 % longer." },
 ];
 
 /// What one planner makes of a question; length, nodes and time as the paper rounds.

@@ -148,8 +148,8 @@ test.each([
   [["bench", "perpendicular", "--repeats", "0"], "--repeats 0: must be a whole number from 1"],
   [["batch", "nowhere"], "nowhere: no such file or folder"],
   [["batch", ".", "--shard", "3/2"], "--shard 3/2: must be I/N"],
-  [["park"], "there is no command `park`"],
-  [["toString"], "there is no command `toString`"],
+  [["park"], "unknown command `park`"],
+  [["toString"], "unknown command `toString`"],
 ])("bad input %j is exit code 2 and one line that says so", (args, words) => {
   const { status, out, err } = run(args);
   expect([status, out]).toEqual([2, ""]);

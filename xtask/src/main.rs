@@ -29,7 +29,7 @@ struct Command {
 const COMMANDS: &[Command] = &[
     Command { name: "build", about: "build the npm package (pkg/) and the page (dist/)", run: site::build },
     Command { name: "docs", about: "build, then make the documentation site", run: docs::docs },
-    Command { name: "serve", about: "build, then serve the page on this machine", run: serve::serve },
+    Command { name: "serve", about: "build, then serve the page locally", run: serve::serve },
     Command { name: "test", about: "build, then check and test everything", run: test::test },
     Command {
         name: "latency",
@@ -38,7 +38,7 @@ const COMMANDS: &[Command] = &[
     },
     Command {
         name: "endure",
-        about: "build, then kill workers, edit for hours, damage what comes from outside or press at random: endure kills|damaged [count] [seed], endure soak|monkey [minutes] [seed]",
+        about: "build, then test endurance with killed workers, hours of edits, damaged input or random presses: endure kills|damaged [count] [seed], endure soak|monkey [minutes] [seed]",
         run: endure::endure,
     },
     Command {
@@ -53,17 +53,17 @@ const COMMANDS: &[Command] = &[
     },
     Command {
         name: "everywhere",
-        about: "compare plans' hashes natively, in Node with vector instructions and without, Chromium and Firefox: everywhere [parking] [random scenes]",
+        about: "compare plan hashes between native code, Node with and without SIMD, Chromium and Firefox: everywhere [parking] [random scenes]",
         run: everywhere::everywhere,
     },
     Command {
         name: "fuzz",
-        about: "ask random questions, check the answers: fuzz [target] [--count N] [--from SEED]",
+        about: "send random queries and check the answers: fuzz [target] [--count N] [--from SEED]",
         run: fuzz::fuzz,
     },
     Command {
         name: "mutants",
-        about: "change the code, see that a test fails: mutants [geometry|search|collision|curves] [options of cargo-mutants]",
+        about: "mutate the code and check that a test fails: mutants [geometry|search|collision|curves] [options of cargo-mutants]",
         run: mutants::mutants,
     },
     Command {
@@ -86,7 +86,7 @@ fn main() -> ExitCode {
 
 fn dispatch(arguments: &[String]) -> Result<()> {
     let Some((name, rest)) = arguments.split_first() else {
-        bail!("which command?\n\n{}", help());
+        bail!("no command given\n\n{}", help());
     };
     if matches!(name.as_str(), "help" | "--help" | "-h") {
         println!("{}", help());
@@ -94,7 +94,7 @@ fn dispatch(arguments: &[String]) -> Result<()> {
     }
     match COMMANDS.iter().find(|command| command.name == name) {
         Some(command) => (command.run)(rest),
-        None => bail!("there is no command `{name}`\n\n{}", help()),
+        None => bail!("unknown command `{name}`\n\n{}", help()),
     }
 }
 

@@ -99,7 +99,7 @@ async function main([name = "", ...rest]) {
     return 0;
   }
   const command = Object.hasOwn(COMMANDS, name) ? COMMANDS[name] : undefined;
-  if (command === undefined) throw new Refused(`there is no command \`${name}\`; \`parkade --help\` lists them`);
+  if (command === undefined) throw new Refused(`unknown command \`${name}\`; \`parkade --help\` lists all commands`);
   const { positionals, values } = parsed(rest, command.options);
   if (values["help"]) {
     process.stdout.write(command.about);
