@@ -1,24 +1,31 @@
-import type { ParkadeError, PlannerId } from "parkade";
-import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
+import type { PlannerId } from "parkade";
+import { css, html, nothing, unsafeCSS, type PropertyValues, type TemplateResult } from "lit";
 import { elsewhere } from "../planning/module";
 import type { Camera, LayerKey, Scene, State } from "../store";
 import { chip } from "../styles/chip";
 import { controls } from "../styles/controls";
 import { layout } from "../styles/layout";
+import { tokens } from "../styles/tokens";
 import { ALL_LAYERS, LAYER_PRESETS, presetLayers, type LayerPreset } from "../view/layer-sets";
-import { sentence, type Beginning } from "./app";
-import { Playground } from "./playground";
-import { check, faultOfAttribute, RULES, type Known, type ValueError } from "./schema";
+import type { Beginning } from "./app";
+import { watchScheme, type Scheme } from "./host-scheme";
+import { FIRST_SCENE, Playground } from "./playground";
+import { plain, SceneOpening } from "./scene-opening";
+import { check, faultOfAttribute, RULES, type Known } from "./schema";
 
-export { tokens } from "../styles/tokens";
+/** The colours by the scheme that `Embedded` writes on the outer element; the reader's own setting is one of the things it follows. */
+export const colours = css`${unsafeCSS(tokens.cssText.replace(/:not\(\[theme="?light"?\]\)/, ":not(*)").replace(/\[theme="?dark"?\]/, '[data-scheme="dark"]'))}`;
 
 type Layout = State["mode"] | "single";
+
+/** What an attribute is when it is not there. */
+const DEFAULTS: Record<string, string> = { scene: FIRST_SCENE, planners: "", layout: "grid", theme: "auto", controls: "full", layers: "", wheel: "ctrl", speed: "1" };
 
 /**
  * A playground in somebody else's page: looked at until somebody wants to edit, quiet out of sight, and never in the way of
  * the page's wheel and keys. `loader.ts` puts it into `<parkade-playground>` and passes its attributes on.
  */
-export class Embedded extends Playground {
+export class Embedded extends SceneOpening {
   static override properties = {
     ...Playground.properties, src: { type: String }, controls: { type: String, reflect: true }, editable: { type: String }, autoplay: { type: Boolean },
     speed: { type: Number }, layers: { type: String }, wheel: { type: String }, budgetMs: { type: Number, attribute: "budget-ms" },
@@ -27,7 +34,6 @@ export class Embedded extends Playground {
   /** The colours are the outer element's, where the page can change them. */
   static override styles = [controls, layout, chip];
 
-  declare src: string | null;
   declare controls: "full" | "minimal" | "none";
   declare editable: string | null;
   declare autoplay: boolean;
@@ -38,18 +44,18 @@ export class Embedded extends Playground {
   declare workerUrl: string | null;
   declare wasmUrl: string | null;
   declare viewing: boolean;
-  /** A scene written into the page. */
-  inline: string | null = null;
   onStep: (share: number) => void = () => {};
   onTheme: (theme: State["theme"]) => void = () => {};
   private run = 0;
   private running = false;
   private readonly sight = new IntersectionObserver(([entry]) => this.seen(entry?.isIntersecting ?? false));
   private wasPlaying = false;
+  private scheme: Scheme = "light";
+  private unwatch = (): void => {};
 
   constructor() {
     super();
-    this.src = this.editable = this.budgetMs = this.workerUrl = this.wasmUrl = null;
+    this.editable = this.budgetMs = this.workerUrl = this.wasmUrl = null;
     this.controls = "full";
     this.layers = "";
     this.wheel = "ctrl";
@@ -66,6 +72,11 @@ export class Embedded extends Playground {
     this.viewing = this.editable === null || this.editable === "false";
     if (this.workerUrl) elsewhere.worker = this.workerUrl;
     if (this.wasmUrl) elsewhere.wasm = this.wasmUrl;
+    const { host } = this.getRootNode() as ShadowRoot;
+    this.unwatch = watchScheme(host as HTMLElement, (scheme) => {
+      this.scheme = scheme;
+      this.paint();
+    });
     super.connectedCallback();
     this.sight.observe(this);
     this.addEventListener("wheel", this.onWheel, { capture: true });
@@ -73,6 +84,7 @@ export class Embedded extends Playground {
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
+    this.unwatch();
     this.sight.disconnect();
     this.removeEventListener("wheel", this.onWheel, { capture: true });
   }
@@ -111,7 +123,7 @@ export class Embedded extends Playground {
   }
 
   plan(): Promise<void> {
-    this.app.planning?.again();
+    if (this.loaded) this.app.planning?.again();
     return this.settled();
   }
 
@@ -120,7 +132,8 @@ export class Embedded extends Playground {
 
   /** Rejects what is no scene. */
   async setScene(scene: Scene): Promise<void> {
-    await this.change(() => this.app.openForeign(scene));
+    if (this.failure) this.retry(plain(scene));
+    else await this.change(() => this.app.openForeign(plain(scene)));
     await this.settled();
   }
 
@@ -172,15 +185,27 @@ export class Embedded extends Playground {
   }
 
   protected override takeScene(scene: Scene): void {
-    void this.change(() => this.app.openForeign(scene)).catch(() => undefined);
+    void this.change(() => this.app.openForeign(plain(scene))).catch(() => undefined);
   }
 
   protected override beginning(): Omit<Beginning, "loaded"> {
     this.onStep(0.6);
-    return { preset: this.scene, syncAddress: false, drives: this.autoplay, given: this.given() };
+    // An element that was moved goes on with its drawing.
+    const given = this.loaded ? Promise.resolve(this.store.state.scene) : this.given();
+    given.catch(() => undefined);
+    return { preset: this.scene, syncAddress: false, drives: this.autoplay && !this.loaded, given };
+  }
+
+  /** Writes the scheme where the colours are chosen by it. */
+  private paint(): void {
+    const { host } = this.getRootNode() as ShadowRoot;
+    (host as HTMLElement).dataset["scheme"] = this.theme === "auto" ? this.scheme : this.theme;
+    this.themeChanged();
   }
 
   protected override adopt(): void {
+    // A change of place changes no setting.
+    if (this.loaded && !this.app.planning) return;
     super.adopt();
     const { playback } = this.store.state;
     this.store.set({ ...(this.layers ? { layers: layersOf(this.layers) } : {}), playback: { ...playback, speed: this.speed } });
@@ -211,11 +236,31 @@ export class Embedded extends Playground {
   }
 
   private take(name: string, old: string | null, value: string | null): void {
-    super.attributeChangedCallback(name, old, value);
+    const replaced = this.loaded && name === "scene";
+    if (!replaced) super.attributeChangedCallback(name, old, value ?? DEFAULTS[name] ?? null);
     if (old === value || !this.isConnected) return;
+    if (name === "planners" && !value) this.app.showFirstPlanners();
     if (["planners", "layers", "speed"].includes(name)) this.adopt();
     else if (name === "editable") this.viewing = value === null || value === "false";
-    else if (name === "src" && value) void this.given().then((scene) => scene && this.setScene(scene)).catch((error: unknown) => this.app.refuse("error.load", { reason: sentence(error) }));
+    else if (name === "theme") this.paint();
+    else if (name === "src" || name === "scene") this.reopen(name, value ?? DEFAULTS[name] ?? null);
+  }
+
+  /** Opens the scene that an attribute names now, also where the one before could not be opened. */
+  private reopen(name: "src" | "scene", value: string | null): void {
+    if (value === null) return;
+    if (!this.loaded) {
+      if (name === "scene") this.src = null;
+      if (this.failure) this.retry(null);
+      return;
+    }
+    void this.change(async () => {
+      if (name === "src") return this.app.openForeign((await this.given())!);
+      await this.app.complete();
+      const unknown = this.unknownScene(value);
+      if (unknown) throw unknown;
+      this.scene = value;
+    }).catch(() => undefined);
   }
 
   protected override updated(changed: PropertyValues): void {
@@ -239,7 +284,8 @@ export class Embedded extends Playground {
     if (state.selection !== previous.selection) this.emit("select", { selection: state.selection });
     if (state.message !== previous.message && state.message?.tone === "err") {
       this.becomeDrawable();
-      this.emit("error", { code: state.message.code ?? "", message: state.message.text });
+      if (this.failure) this.emitRefusal(this.failure);
+      else this.emit("error", { code: state.message.code ?? "", message: state.message.text });
     }
     if (this.running && !busy) this.emit("plan-complete", { results: this.results, id: this.run });
     this.running = busy;
@@ -288,39 +334,8 @@ export class Embedded extends Playground {
     this.app.planning?.suspend();
   }
 
-  /** Runs a change when there is a scene to change. */
-  private later(run: () => void | Promise<void>): void {
-    void (this.loaded ? this.change(run) : this.ready.then(() => this.change(run))).catch(() => undefined);
-  }
-
-  /** Rejects, and says so, where the change is refused. */
-  private async change(run: () => unknown): Promise<void> {
-    try {
-      await run();
-    } catch (error) {
-      this.emitRefusal(error);
-      throw error;
-    }
-  }
-
-  /** Nothing has changed, and this is why: which field, what it was, and what it must be. */
-  private emitRefusal(error: unknown): void {
-    const { field = "", value, rule = "", path = field, code = "value", message } = error as Partial<ValueError> & Partial<ParkadeError>;
-    this.emit("error", { code, field: path, value, rule, message });
-  }
-
   private get known(): Known {
     return { planners: this.app.catalog!.planners, map: this.store.state.scene.map };
-  }
-
-  /** The scene from `src` or from the page; null leaves it to `scene`. */
-  private async given(): Promise<Scene | null> {
-    if (this.src) {
-      const response = await fetch(new URL(this.src, document.baseURI));
-      if (!response.ok) throw new Error(`${this.src}: the server answered ${response.status}.`);
-      return (await response.json()) as Scene;
-    }
-    return this.inline === null ? null : (JSON.parse(this.inline) as Scene);
   }
 }
 

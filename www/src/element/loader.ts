@@ -7,9 +7,11 @@ const NEAR = "400px";
 /** The build puts the file's name here. */
 const EMBEDDED = "./embedded";
 
-const style = new CSSStyleSheet();
-style.replaceSync(`
-:host { display: block; position: relative; contain: content; aspect-ratio: 12 / 7; min-height: 280px; overflow: hidden; background: var(--parkade-bg, Canvas); }
+/** Servers that render pages import this file, and have neither elements nor styles. */
+const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
+const style = globalThis.CSSStyleSheet && new CSSStyleSheet();
+style?.replaceSync(`
+:host { display: block; box-sizing: border-box; width: 100%; position: relative; contain: content; aspect-ratio: 12 / 7; min-height: 280px; overflow: hidden; background: var(--parkade-bg, Canvas); }
 :host([hidden]) { display: none; }
 parkade-embedded, .poster { position: absolute; inset: 0; }
 parkade-embedded.covered { visibility: hidden; }
@@ -33,11 +35,11 @@ export interface ParkadePlayground extends Record<Name, (...args: never[]) => Pr
  * attributes are `loading` (auto and lazy: when it comes near; eager: at once), `reveal` (auto; interaction: loads when
  * pressed; manual: the poster stays until `dismissPoster()`), `poster` and `alt`; the others belong to `Embedded`.
  */
-export class ParkadePlayground extends HTMLElement {
+export class ParkadePlayground extends Base {
   static readonly observedAttributes = [...ATTRIBUTES, "poster", "alt", "loading", "reveal"];
 
-  /** Resolves when the first scene is planned. */
-  readonly ready: Promise<void>;
+  /** Resolves when the first scene is planned; rejects where it cannot be opened, and is another promise once a valid one follows. */
+  ready!: Promise<void>;
   private settle!: { ready(): void; failed(error: unknown): void };
   private readonly root = this.attachShadow({ mode: "open" });
   private inner: Embedded | null = null;
@@ -48,8 +50,7 @@ export class ParkadePlayground extends HTMLElement {
 
   constructor() {
     super();
-    this.ready = new Promise((ready, failed) => { this.settle = { ready, failed }; });
-    this.ready.catch(() => undefined);
+    this.renew();
     this.root.adoptedStyleSheets = [style];
     this.cover();
     // What was set before this class was there hides its accessors.
@@ -61,12 +62,17 @@ export class ParkadePlayground extends HTMLElement {
     }
   }
 
+  private renew(): void {
+    this.ready = new Promise((ready, failed) => { this.settle = { ready, failed }; });
+    this.ready.catch(() => undefined);
+  }
+
   get loaded(): boolean {
     return this.inner?.loaded ?? false;
   }
 
   connectedCallback(): void {
-    if (this.mode("loading") === "eager" && this.mode("reveal") !== "interaction") void this.load();
+    if (this.mode("loading") === "eager" && this.mode("reveal") !== "interaction") void this.load().catch(() => undefined);
     else if (!this.starting) this.observer.observe(this);
   }
 
@@ -100,9 +106,9 @@ export class ParkadePlayground extends HTMLElement {
 
   private async start(): Promise<Embedded> {
     this.progress(0.1);
-    const { Embedded, tokens } = (await import(/* @vite-ignore */ new URL(EMBEDDED, import.meta.url).href)) as typeof import("./embedded");
+    const { Embedded, colours } = (await import(/* @vite-ignore */ new URL(EMBEDDED, import.meta.url).href)) as typeof import("./embedded");
     this.progress(0.4);
-    if (tokens.styleSheet) this.root.adoptedStyleSheets = [tokens.styleSheet, style];
+    if (colours.styleSheet) this.root.adoptedStyleSheets = [colours.styleSheet, style];
     const inner = new Embedded();
     inner.className = "covered";
     inner.setAttribute("exportparts", PARTS.join());
@@ -116,7 +122,12 @@ export class ParkadePlayground extends HTMLElement {
     this.inner = inner;
     // What went wrong is said below the poster.
     inner.addEventListener("error", () => this.uncover(), { once: true });
-    inner.ready.then(() => this.live()).catch((error: unknown) => this.settle.failed(error));
+    const follow = (): void => void inner.ready.then(() => this.live(), (error: unknown) => this.settle.failed(error));
+    follow();
+    inner.onRenew = () => {
+      this.renew();
+      follow();
+    };
     this.root.append(inner);
     for (const [name, value] of this.early) (inner as unknown as Record<string, unknown>)[name] = value;
     this.early.clear();
@@ -194,7 +205,7 @@ export class ParkadePlayground extends HTMLElement {
   }
 
   private emit(name: string, detail: object): void {
-    this.dispatchEvent(new CustomEvent(name, { detail, bubbles: true, composed: true }));
+    this.dispatchEvent(new CustomEvent(name, { detail, composed: true }));
   }
 
   /** For what is known only when the work is done elsewhere. */
@@ -205,7 +216,9 @@ export class ParkadePlayground extends HTMLElement {
         configurable: true, writable: true,
         value(this: ParkadePlayground, ...args: unknown[]) {
           return this.load().then(async (inner) => {
-            await inner.ready;
+            // A scene that is set mends what a wrong one broke.
+            if (name !== "setScene") await inner.ready;
+            else await inner.ready.catch(() => undefined);
             return (inner[name as Name] as (...given: unknown[]) => unknown)(...args);
           });
         },
@@ -243,4 +256,4 @@ export class ParkadePlayground extends HTMLElement {
   }
 }
 
-if (!customElements.get("parkade-playground")) customElements.define("parkade-playground", ParkadePlayground);
+if (globalThis.customElements && !customElements.get("parkade-playground")) customElements.define("parkade-playground", ParkadePlayground);

@@ -20,7 +20,7 @@ const PHONE_WIDTH = 640;
 const SHORT_HEIGHT = 560;
 /** A page lower and wider than this has its controls in rails beside the map: a phone on its side. */
 const RAILS = { height: 480, width: 480 };
-const FIRST_SCENE = "perpendicular";
+export const FIRST_SCENE = "perpendicular";
 /** What the first picture does without, fetched at once or when it is opened. */
 const PARTS = [() => import("../panels/toolbar"), () => import("../panels/table"), () => import("../panels/inspector"), () => import("../panels/charts"), () => import("../panels/options"), () => import("../panels/view-controls"), () => import("../panels/splitter")];
 const DIALOGS = { presets: () => import("../panels/presets"), keys: () => import("../panels/keys-dialog"), import: () => import("../panels/import"), papers: () => import("../panels/papers") };
@@ -61,14 +61,14 @@ export class Playground extends LitElement {
   declare bare: boolean;
 
   /** Resolves when the first scene is solved. */
-  readonly ready: Promise<void>;
+  ready: Promise<void>;
   /** Whether nothing is edited by pointer or keys. */
   declare viewing: boolean;
   protected readonly app = new App(this);
   /** Resolves when there is a scene to draw, or something to say in its place. */
   protected readonly drawable: Promise<void>;
   protected becomeDrawable: () => void = () => {};
-  private becomeReady: () => void = () => {};
+  protected becomeReady: () => void = () => {};
   private detach: (() => void)[] = [];
   private words: Promise<void> = Promise.resolve();
   private hasParts = false;
@@ -331,7 +331,7 @@ export class Playground extends LitElement {
     }
   }
 
-  private themeChanged(): void {
+  protected themeChanged(): void {
     this.app.themeChanged();
     // A new object makes every canvas draw again, in the new colours.
     this.store.set({ layers: { ...this.store.state.layers } });
