@@ -1,9 +1,10 @@
-import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { spawnSync } from "node:child_process";
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { Planner, checkPath, generateScenario, init, scenario, scenarios, toCSV, toSVG, type Plan } from "parkade";
-import { parkade } from "./pack";
+import { PACKAGE, parkade } from "./pack";
 
 let folder = "";
 const run = (args: string[], input?: string) => parkade(args, folder, input);
@@ -168,4 +169,29 @@ test("every command explains itself", () => {
   expect(run(["planners"]).out).toMatch(/^hybrid /m);
   expect(run(["planners", "--planner", "hybrid"]).out).toMatch(/^reverseCost /m);
   expect(JSON.parse(run(["scenarios", "--format", "json"]).out)[0]).toHaveProperty("question");
+});
+
+test("a word that is nearly right is answered by the right one", () => {
+  expect(run(["plann", "perpendicular"])).toMatchObject({ status: 2, err: expect.stringContaining("did you mean plan?") });
+  expect(run(["plan", "perpendiclar"]).err).toContain("did you mean perpendicular?");
+  expect(run(["plan", "perpendicular", "--planner", "hybird"]).err).toContain("did you mean hybrid?");
+  expect(run(["plan", "perpendicular", "--planer", "hybrid"]).err).toContain("did you mean --planner?");
+  expect(run(["plan", "perpendicular", "--planner", "zzzzzzzz"]).err).not.toContain("did you mean");
+});
+
+test("what cannot be read or written is said in a sentence, with code 2", () => {
+  write("plain.json", scenario("perpendicular"));
+  expect(run(["plan", "plain.json/scene.json"])).toMatchObject({ status: 2, err: "parkade: plain.json/scene.json: a part of its path is a file, not a folder\n" });
+  mkdirSync(join(folder, "some"), { recursive: true });
+  write("some/a.json", scenario("perpendicular"));
+  for (const out of ["plain.json/out.jsonl", "missing/out.jsonl", "some"]) {
+    const { status, err } = run(["batch", "some", "--out", out, "--jobs", "1", "--quiet"]);
+    expect([out, status, err.split("\n").length]).toEqual([out, 2, 2]);
+    expect(err).toContain(`parkade: ${out}: `);
+  }
+});
+
+test.runIf(existsSync("/dev/full"))("a full disk behind standard output is said, with code 2", () => {
+  const { status, stderr } = spawnSync("sh", ["-c", `"${process.execPath}" "${join(PACKAGE, "cli/main.js")}" plan perpendicular > /dev/full`], { encoding: "utf8" });
+  expect([status, stderr]).toEqual([2, "parkade: standard output: no space left on the device\n"]);
 });

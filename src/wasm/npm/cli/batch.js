@@ -5,7 +5,7 @@ import { stat } from "node:fs/promises";
 import { availableParallelism } from "node:os";
 import { Tinypool } from "tinypool";
 import { version } from "../node.js";
-import { Refused, count, plannerIds, settings } from "./input.js";
+import { Refused, count, plannerIds, reason, settings } from "./input.js";
 import { digest, hashOf, mend, outline, read } from "./results.js";
 import { scenes } from "./scenes.js";
 
@@ -31,7 +31,9 @@ export async function batch([place, ...more], values, module) {
   const filename = new URL("./worker.js", import.meta.url).href;
   const pool = new Tinypool({ filename, minThreads: jobs, maxThreads: jobs, workerData: { module, config }, isolateWorkers: false });
   try {
-    await mend(out);
+    await mend(out).catch((error) => {
+      throw new Refused(`${out}: ${reason(error)}`);
+    });
     /** @type {Map<string, Result>} */
     const done = new Map();
     if (await stat(out).catch(() => null)) for await (const result of read(out)) done.set(result.key, outline(result));
@@ -40,7 +42,11 @@ export async function batch([place, ...more], values, module) {
     const results = tasks.flatMap(({ key }) => done.get(key) ?? []);
     const progress = new Progress(tasks.length, results.length, values.quiet === true);
     const stopped = await planned(pool, open, jobs, (lines, more) => {
-      appendFileSync(out, lines);
+      try {
+        appendFileSync(out, lines);
+      } catch (error) {
+        throw new Refused(`${out}: ${reason(error)}`);
+      }
       results.push(...more);
       progress.step(more.length);
     });

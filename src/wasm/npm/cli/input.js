@@ -22,10 +22,16 @@ async function bytes(path) {
   }
 }
 
+/** What the system's codes mean. @type {Record<string, string>} */
+const REASONS = {
+  ENOENT: "there is no such file", EISDIR: "is a folder", ENOTDIR: "a part of its path is a file, not a folder", EACCES: "permission denied",
+  ENOSPC: "no space left on the device", EROFS: "the file system is read-only", ENAMETOOLONG: "the name is too long",
+};
+
 /** @param {unknown} error */
 export function reason(error) {
   const { code, message } = /** @type {NodeJS.ErrnoException} */ (error);
-  return code === "ENOENT" ? "there is no such file" : code === "EISDIR" ? "is a folder" : message;
+  return (code !== undefined && REASONS[code]) || message;
 }
 
 /** @param {string} path @param {string} content */
@@ -48,7 +54,7 @@ export async function scene([place, ...more]) {
   if (place === "-") return json("standard input", await text("-"));
   const isFile = await stat(place).then(() => true, () => false);
   if (!isFile && scenarios().some(({ id }) => id === place)) return scenario(place);
-  if (!isFile && extname(place) === "") throw new Refused(`${place}: neither a file nor a built-in scene; \`parkade scenarios\` lists those`);
+  if (!isFile && extname(place) === "") throw new Refused(`${place}: neither a file nor a built-in scene${meant(place, scenarios().map(({ id }) => id))}; \`parkade scenarios\` lists those`);
   if (extname(place) === ".json") return json(place, await text(place));
   return importScene(await withCompanions(place)).scene;
 }
@@ -109,7 +115,31 @@ export function plannerIds(value, otherwise) {
   const known = planners().map(({ id }) => id);
   return (value ?? otherwise).split(",").map((word) => {
     const id = known.find((one) => one === word.trim());
-    if (id === undefined) throw new Refused(`--planner ${word}: there is no such planner; there are ${known.join(", ")}`);
+    if (id === undefined) throw new Refused(`--planner ${word}: there is no such planner${meant(word, known)}; there are ${known.join(", ")}`);
     return id;
   });
+}
+
+/**
+ * "; did you mean …?" where a known word is near: a third of its letters may be wrong.
+ * @param {string} word
+ * @param {readonly string[]} known
+ * @param {string} [before] what stands before each
+ */
+export function meant(word, known, before = "") {
+  const near = known.map((one) => ({ one, by: distance(word.toLowerCase(), one.toLowerCase()) })).sort((a, b) => a.by - b.by)[0];
+  return near !== undefined && near.by <= Math.max(1, Math.floor(near.one.length / 3)) ? `; did you mean ${before}${near.one}?` : "";
+}
+
+/** Levenshtein's. @param {string} a @param {string} b */
+function distance(a, b) {
+  let row = Array.from({ length: b.length + 1 }, (_, i) => i);
+  for (let i = 1; i <= a.length; i++) {
+    const next = [i];
+    for (let j = 1; j <= b.length; j++) {
+      next.push(Math.min((row[j] ?? 0) + 1, (next[j - 1] ?? 0) + 1, (row[j - 1] ?? 0) + (a[i - 1] === b[j - 1] ? 0 : 1)));
+    }
+    row = next;
+  }
+  return row[b.length] ?? 0;
 }

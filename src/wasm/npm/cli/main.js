@@ -4,7 +4,7 @@
 import { readFile } from "node:fs/promises";
 import { parseArgs } from "node:util";
 import { ParkadeError, init, version } from "../node.js";
-import { Refused } from "./input.js";
+import { Refused, meant, reason } from "./input.js";
 
 const HELP = `usage: parkade <command> [options]
 
@@ -19,7 +19,8 @@ const HELP = `usage: parkade <command> [options]
 SCENE is a scene as JSON, a MovingAI .map, a ROS .yaml, a TPCAP .csv, the id of a built-in scene, or - for standard input.
 \`parkade <command> --help\` lists the options of a command.
 
-exit codes: 0 done; 1 no path, a path that fails its check, or scenes that could not be planned; 2 bad input; 3 internal error
+exit codes: 0 done; 1 no path, a path that fails its check, or scenes that could not be planned; 2 bad input, or a file that
+cannot be read or written; 3 internal error; 130 a batch that was interrupted, which the same command continues
 `;
 
 /** What each command is told by `--help`, its options, and where it is. @type {Record<string, Command>} */
@@ -99,7 +100,7 @@ async function main([name = "", ...rest]) {
     return 0;
   }
   const command = Object.hasOwn(COMMANDS, name) ? COMMANDS[name] : undefined;
-  if (command === undefined) throw new Refused(`unknown command \`${name}\`; \`parkade --help\` lists all commands`);
+  if (command === undefined) throw new Refused(`unknown command \`${name}\`${meant(name, Object.keys(COMMANDS))}; \`parkade --help\` lists all commands`);
   const { positionals, values } = parsed(rest, command.options);
   if (values["help"]) {
     process.stdout.write(command.about);
@@ -113,12 +114,17 @@ function parsed(args, options) {
   try {
     return parseArgs({ args, options: { ...options, help: { type: "boolean", short: "h" } }, allowPositionals: true });
   } catch (error) {
-    throw new Refused(error instanceof Error ? (error.message.split(". ")[0] ?? "") : String(error));
+    const [message = ""] = (error instanceof Error ? error.message : String(error)).split(". "), option = /^Unknown option '--([\w-]+)'/.exec(message)?.[1];
+    throw new Refused(option === undefined ? message : message + meant(option, Object.keys(options ?? {}), "--"));
   }
 }
 
 // A reader that has seen enough, as `head`, is no error.
-process.stdout.on("error", (error) => process.exit(/** @type {NodeJS.ErrnoException} */ (error).code === "EPIPE" ? 0 : 3));
+process.stdout.on("error", (error) => {
+  const isClosed = /** @type {NodeJS.ErrnoException} */ (error).code === "EPIPE";
+  if (!isClosed) process.stderr.write(`parkade: standard output: ${reason(error)}\n`);
+  process.exit(isClosed ? 0 : 2);
+});
 
 try {
   process.exitCode = await main(process.argv.slice(2));
