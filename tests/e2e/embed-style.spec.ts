@@ -197,7 +197,7 @@ test("attributes are properties, and do what they say before and after the playg
     return seen;
   });
   expect(names).toEqual(["perpendicular", "Own", "parallel", "Own"]);
-  const selected = page.evaluate(() => new Promise((done) => document.addEventListener("select", (event) => { if (event instanceof CustomEvent) done(event.detail); })));
+  const selected = page.evaluate(() => new Promise((done) => document.querySelector("parkade-playground")!.addEventListener("select", (event) => { if (event instanceof CustomEvent) done(event.detail); })));
   await page.evaluate(() => (document.querySelector("parkade-playground") as Embed & { fit(): Promise<void> }).fit());
   const box = (await canvas.boundingBox())!;
   // The whole lot of 20 × 15 m is fitted; the start car's middle is 5.6 m left of its own.
