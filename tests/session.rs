@@ -266,7 +266,7 @@ fn slow(info: &Info) -> (Planner, u32) {
 
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
-fn progress_is_told_at_fixed_counts_and_changes_nothing() {
+fn progress_is_told_at_fixed_counts_and_at_the_end_and_changes_nothing() {
     for info in planners() {
         let (mut planner, every) = slow(&info);
         let mut told = Vec::new();
@@ -275,7 +275,9 @@ fn progress_is_told_at_fixed_counts_and_changes_nothing() {
             ControlFlow::Continue(())
         };
         let plan = planner.plan(Options { progress: Some(&mut tell), ..Options::default() });
-        let (times, expanded) = (told.len() as u32, plan.stats.expanded);
+        let expanded = plan.stats.expanded;
+        assert_eq!(told.pop(), Some(expanded), "{}: the end", info.id);
+        let times = told.len() as u32;
         assert!(told.into_iter().eq((1..=times).map(|k| k * every)), "{}", info.id);
         // None is told of the last node of all.
         assert!(
