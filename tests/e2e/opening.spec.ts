@@ -122,7 +122,7 @@ for (const [name, width, height, colorScheme] of [["desk", 1400, 900, "light"], 
       expect(Math.abs(lot.right - lots[i]!.right), "right").toBeLessThan(1.5);
       expect(Math.abs(lot.top - lots[i]!.top), "top").toBeLessThan(1.5);
     }
-    expect((await shifts()).reduce((a, b) => a + b, 0)).toBeLessThan(0.01);
+    expect((await shifts()).reduce((a, b) => a + b, 0)).toBeLessThan(0.0001);
   });
 }
 

@@ -16,15 +16,15 @@ test("the page opens solved by four planners, without a complaint", async ({ pag
   expect(complaints).toEqual([]);
 });
 
-for (const [name, size, most] of [["desk", { width: 1400, height: 900 }, 0.003], ["phone", { width: 390, height: 844 }, 0.006]] as const) {
+for (const [name, size] of [["desk", { width: 1400, height: 900 }], ["phone", { width: 390, height: 844 }], ["phone on its side", { width: 844, height: 390 }]] as const) {
   test(`what comes while the page loads moves nothing that is there: ${name}`, async ({ page }) => {
     await page.setViewportSize(size);
     const shifts = await watchShifts(page);
     await open(page);
     await settled(page);
     await page.waitForFunction(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.state.complete);
-    await expect(page.locator("parkade-table tbody tr").first()).toContainText("15.00");
-    expect((await shifts()).reduce((a, b) => a + b, 0)).toBeLessThan(most);
+    if (size.height > 480) await expect(page.locator("parkade-table tbody tr").first()).toContainText("15.00");
+    expect((await shifts()).reduce((a, b) => a + b, 0)).toBeLessThan(0.0001);
   });
 }
 

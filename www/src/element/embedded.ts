@@ -300,7 +300,7 @@ export class Embedded extends SceneOpening {
       // Answers to a scene that has changed since are no progress.
       const answered = status === "done" && plan && plan !== previous.results[planner]?.plan;
       const expansions = answered ? plan.stats.expanded : state.progress[planner];
-      if (expansions !== undefined && (answered || expansions !== previous.progress[planner])) this.emit("plan-progress", { planner, expansions });
+      if (expansions !== undefined && expansions !== previous.progress[planner]) this.emit("plan-progress", { planner, expansions });
     }
   }
 

@@ -1,5 +1,6 @@
 import type { Drive, Plan, PlannerId } from "parkade";
 import { css, html, nothing, svg, type SVGTemplateResult, type TemplateResult } from "lit";
+import { keyed } from "lit/directives/keyed.js";
 import "../i18n/later";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
@@ -78,7 +79,7 @@ export class Charts extends AppElement {
         </svg>
         ${this.cusps(total).map((x) => html`<svg class="diamond" .style=${`left:${x * 100}%`} viewBox="0 0 10 10" aria-hidden="true"><path d="M5 0l5 5-5 5-5-5z"/></svg>`)}
         ${at === null ? nothing : plots.map((plot) => this.dot(plot, position!, total, percent))}
-        <div class="axis" aria-hidden="true">${ticks(total).map((tick) => html`<span .style=${`left:${(tick / total) * 100}%`}>${this.num(tick, 0)}</span>`)}</div>
+        <div class="axis" aria-hidden="true">${keyed(total, ticks(total).map((tick) => html`<span .style=${`left:${(tick / total) * 100}%`}>${this.num(tick, 0)}</span>`))}</div>
       </div>
       <div class="right" aria-hidden="true">${plots.map((plot) => html`<div .style=${percent(plot.top + plot.height / 2)}>${this.t(`chart.${plot.quantity}`)}<b>${this.value(plot.quantity, position)}</b></div>`)}</div>`;
   }

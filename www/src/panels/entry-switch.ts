@@ -79,7 +79,7 @@ export class EntrySwitch extends AppElement {
     if (!button || !host || isHinted || state.transient || state.playback.playing || state.tool !== "select" || host.matches("[viewing], [controls=none]")) return null;
     const goal = goalOnMap(host, state);
     if (!goal) return null;
-    const origin = this.getBoundingClientRect(), taken = [...goal.cars, ...boxesOf(host.shadowRoot!, this)];
+    const origin = this.getBoundingClientRect(), taken = [...goal.cars, ...boxesOf(host.shadowRoot!, "parkade-entry")];
     return freeSpot(moved(goal.grip, origin), button, origin, taken.filter((box) => box.maxX > box.minX).map((box) => moved(box, origin)));
   }
 }

@@ -66,10 +66,10 @@ export function boxAround(element: Element): Box {
 
 export const moved = ({ minX, maxX, minY, maxY }: Box, { left, top }: DOMRect): Box => ({ minX: minX - left, maxX: maxX - left, minY: minY - top, maxY: maxY - top });
 
-/** Every control and every text below `root`, but for one element's. */
-export function* boxesOf(root: ParentNode, except: Element): Generator<Box> {
+/** Every control and every text below `root`, but for some elements'. */
+export function* boxesOf(root: ParentNode, except: string): Generator<Box> {
   for (const element of root.querySelectorAll("*")) {
-    if (element === except || element.matches(".sr")) continue;
+    if (element.matches(`.sr, ${except}`)) continue;
     if (element.shadowRoot) yield* boxesOf(element.shadowRoot, except);
     const speaks = element.matches(CONTROLS) || [...element.childNodes].some((node) => node.nodeType === Node.TEXT_NODE && node.textContent?.trim());
     if (speaks && element.checkVisibility({ visibilityProperty: true })) yield boxAround(element);

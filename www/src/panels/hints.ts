@@ -101,8 +101,9 @@ export class Hints extends AppElement {
     if (!step || !words || !this.host || state.transient || state.playback.playing || this.host.hasAttribute("viewing")) return null;
     const anchor = step === "hint.drag" ? this.grip() : state.canUndo && state.tool === "select" ? this.anchor(step) : null;
     if (!anchor) return null;
+    // The switch at the same car gives way.
     const origin = this.getBoundingClientRect(), taken = [...anchor.near];
-    for (const box of boxesOf(this.host.shadowRoot!, this)) taken.push(moved(box, origin));
+    for (const box of boxesOf(this.host.shadowRoot!, step === "hint.drag" ? "parkade-hints, parkade-entry" : "parkade-hints")) taken.push(moved(box, origin));
     const spot = freeSpot(moved(anchor.box, origin), words, origin, taken.filter((box) => box.maxX > box.minX));
     return spot && { ...spot, step, text: anchor.text };
   }

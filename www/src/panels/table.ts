@@ -1,4 +1,5 @@
 import { css, html, nothing, type TemplateResult } from "lit";
+import { keyed } from "lit/directives/keyed.js";
 import "../i18n/later";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
@@ -11,7 +12,7 @@ import type { TableFormat } from "./table-format";
 
 const SMALL: readonly Column[] = ["length", "gears", "clearance", "plan"];
 /** Percent: as wide as their usual contents, so that no column moves when answers come. */
-const WIDTHS = [14.3, 13.6, 7.1, 6.1, 7.2, 8.8, 8.3, 7.1, 8.3, 5, 7.2, 7];
+const WIDTHS = [14, 16, 6.9, 5.3, 7, 8.6, 8.1, 6.9, 8.1, 5, 7.1, 7], SMALL_WIDTHS = [21.5, 18, 17, 11, 13.3, 19.2];
 
 /** The planners' numbers side by side, the best drivable ones starred. */
 export class MetricsTable extends AppElement {
@@ -34,7 +35,7 @@ export class MetricsTable extends AppElement {
     td.err { color: var(--parkade-err); }
     td.warn { color: var(--parkade-t1); }
     td.best { font-weight: 650; color: var(--parkade-t1); }
-    .star { font-size: 10px; margin-right: 3px; }
+    .star { font-size: 10px; line-height: 0; margin-right: 3px; }
     footer { display: flex; align-items: center; gap: 14px; height: 34px; padding: 0 14px; border-top: 1px solid var(--parkade-hair); color: var(--parkade-t2); }
     footer > span:first-child { flex: 1; min-width: 0; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
     footer .end { display: flex; gap: 4px; flex: none; position: relative; }
@@ -71,7 +72,7 @@ export class MetricsTable extends AppElement {
     const columns = this.compact ? SMALL : COLUMNS;
     return html`<div class="scroll" tabindex="0" role="region" aria-label=${this.t("table.label")}><table>
         <caption class="sr">${this.t("table.label")}</caption>
-        ${this.compact ? nothing : html`<colgroup>${WIDTHS.map((width) => html`<col .style=${`width:${width}%`}>`)}</colgroup>`}
+        <colgroup>${(this.compact ? SMALL_WIDTHS : WIDTHS).map((width) => html`<col .style=${`width:${width}%`}>`)}</colgroup>
         <thead><tr><th scope="col">${this.t("table.planner")}</th><th scope="col">${this.t("table.status")}</th>${columns.map((column) => this.head(column))}</tr></thead>
         <tbody>${rows.map((row) => this.row(row, columns))}</tbody>
       </table></div>
@@ -83,7 +84,7 @@ export class MetricsTable extends AppElement {
     const small = this.compact && (column === "gears" || column === "clearance");
     const name = small ? this.t(`short.${column as "gears" | "clearance"}`) : this.t(`table.${column}`);
     const units: Partial<Record<Column, string>> = { length: "m", gears: "", clearance: "m", plan: "ms" };
-    return html`<th scope="col" title=${this.t(`tip.${column}`)}>${name} <small>${this.compact ? units[column] : unit}</small></th>`;
+    return html`<th scope="col" title=${this.t(`tip.${column}`)}>${name} <small>${keyed(unit, this.compact ? units[column] : unit)}</small></th>`;
   }
 
   private row(row: Row, columns: readonly Column[]): TemplateResult {
@@ -95,7 +96,7 @@ export class MetricsTable extends AppElement {
         <td class=${tone}>${this.compact ? row.status.tiny : row.status.brief}</td>
         ${columns.map((column) => {
           const { text, best, title } = row.cells[column];
-          return html`<td class=${best ? "best" : ""} title=${title || nothing}>${best ? html`<span class="star" aria-hidden="true">★</span><span class="sr">${this.t("table.best")} </span>` : nothing}${text}</td>`;
+          return html`<td class=${best ? "best" : ""} title=${title || nothing}>${best ? html`<span class="star" aria-hidden="true">★</span><span class="sr">${this.t("table.best")} </span>` : nothing}${keyed(`${best}${text}`, html`${text}`)}</td>`;
         })}`}
     </tr>`;
   }
