@@ -1,6 +1,5 @@
 import type { Drive, Plan, PlannerId } from "parkade";
 import { css, html, nothing, svg, type SVGTemplateResult, type TemplateResult } from "lit";
-import { keyed } from "lit/directives/keyed.js";
 import "../i18n/later";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
@@ -44,8 +43,8 @@ export class Charts extends AppElement {
     .diamond { position: absolute; top: -5px; width: 10px; height: 10px; margin-left: -5px; overflow: visible; } .diamond path { fill: #fff; stroke: #1b1d20; stroke-width: 1.25; }
     .cursor { stroke: var(--parkade-t1); stroke-dasharray: 2 3; }
     .reverse { stroke: var(--parkade-t1); stroke-width: 3; stroke-dasharray: 0.1 5; stroke-linecap: round; }
-    .axis { position: absolute; left: 0; right: 0; bottom: 0; height: 18px; color: var(--parkade-t2); }
-    .axis span { position: absolute; transform: translateX(-50%); }
+    .axis { container-type: inline-size; position: absolute; left: 0; right: 0; bottom: 0; height: 18px; color: var(--parkade-t2); }
+    .axis span { position: absolute; transform: translateX(calc(var(--at) - 50%)); }
     .axis span:last-child::after { content: "m"; position: absolute; left: calc(100% + 3px); }
     .axis span:first-child { transform: none; }
     .left, .right { position: relative; }
@@ -79,7 +78,7 @@ export class Charts extends AppElement {
         </svg>
         ${this.cusps(total).map((x) => html`<svg class="diamond" .style=${`left:${x * 100}%`} viewBox="0 0 10 10" aria-hidden="true"><path d="M5 0l5 5-5 5-5-5z"/></svg>`)}
         ${at === null ? nothing : plots.map((plot) => this.dot(plot, position!, total, percent))}
-        <div class="axis" aria-hidden="true">${keyed(total, ticks(total).map((tick) => html`<span .style=${`left:${(tick / total) * 100}%`}>${this.num(tick, 0)}</span>`))}</div>
+        <div class="axis" aria-hidden="true">${ticks(total).map((tick) => html`<span .style=${`--at:${(tick / total) * 100}cqw`}>${this.num(tick, 0)}</span>`)}</div>
       </div>
       <div class="right" aria-hidden="true">${plots.map((plot) => html`<div .style=${percent(plot.top + plot.height / 2)}>${this.t(`chart.${plot.quantity}`)}<b>${this.value(plot.quantity, position)}</b></div>`)}</div>`;
   }

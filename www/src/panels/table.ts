@@ -1,5 +1,4 @@
 import { css, html, nothing, type TemplateResult } from "lit";
-import { keyed } from "lit/directives/keyed.js";
 import "../i18n/later";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
@@ -84,7 +83,7 @@ export class MetricsTable extends AppElement {
     const small = this.compact && (column === "gears" || column === "clearance");
     const name = small ? this.t(`short.${column as "gears" | "clearance"}`) : this.t(`table.${column}`);
     const units: Partial<Record<Column, string>> = { length: "m", gears: "", clearance: "m", plan: "ms" };
-    return html`<th scope="col" title=${this.t(`tip.${column}`)}>${name} <small>${keyed(unit, this.compact ? units[column] : unit)}</small></th>`;
+    return html`<th scope="col" title=${this.t(`tip.${column}`)}>${name} <small .textContent=${this.compact ? units[column] ?? "" : unit}></small></th>`;
   }
 
   private row(row: Row, columns: readonly Column[]): TemplateResult {
@@ -96,7 +95,7 @@ export class MetricsTable extends AppElement {
         <td class=${tone}>${this.compact ? row.status.tiny : row.status.brief}</td>
         ${columns.map((column) => {
           const { text, best, title } = row.cells[column];
-          return html`<td class=${best ? "best" : ""} title=${title || nothing}>${best ? html`<span class="star" aria-hidden="true">★</span><span class="sr">${this.t("table.best")} </span>` : nothing}${keyed(`${best}${text}`, html`${text}`)}</td>`;
+          return html`<td class=${best ? "best" : ""} title=${title || nothing}>${best ? html`<span class="star" aria-hidden="true">★</span><span class="sr">${this.t("table.best")} </span>` : nothing}<span .textContent=${text}></span></td>`;
         })}`}
     </tr>`;
   }
