@@ -11,6 +11,8 @@ mod path;
 mod rasters;
 #[cfg(feature = "complete")]
 mod road;
+#[cfg(not(target_arch = "wasm32"))]
+mod serialize;
 mod session;
 #[cfg(feature = "complete")]
 mod tow;

@@ -130,7 +130,7 @@ fn slot(value: &Value) -> Result<Slot> {
     })
 }
 
-fn goal(value: &Value) -> Result<Goal> {
+pub(crate) fn goal(value: &Value) -> Result<Goal> {
     if value.get("slot").is_none() {
         return pose(value).map(Goal::Pose);
     }

@@ -1,6 +1,10 @@
 //! A scene as plain geometry in metres.
 
+#[cfg(feature = "complete")]
+use std::ops::Range;
+
 use super::drawn::kerbs;
+use super::validate::{bad, finite_pose};
 use super::{Entry, Goal, MAX_CELLS, Obstacle, Road, Scenario, Slot};
 use crate::error::Error;
 use crate::geometry::math;
@@ -72,17 +76,18 @@ impl Scenario {
     pub fn geometry(&self) -> Result<Geometry, Error> {
         self.validate()?;
         let vehicle = self.vehicle.resolve()?;
-        let goal = match &self.goal {
-            Goal::Pose(pose) => *pose,
-            Goal::Slot(goal) => self
-                .slots
-                .iter()
-                .find(|s| s.id.as_ref() == Some(&goal.slot))
-                .map_or(self.start, |s| s.pose(goal.entry, &vehicle)),
-        };
+        let goal = self.goal_pose(&self.goal)?;
         let mut shapes = Vec::new();
+        #[cfg(feature = "complete")]
+        let mut known = Known::of(self.obstacles.len());
         for (i, obstacle) in self.obstacles.iter().enumerate() {
+            #[cfg(feature = "complete")]
+            let from = shapes.len();
             self.forms(obstacle, |form| shapes.push(Shape { owner: Owner::Obstacle(i), form }));
+            #[cfg(feature = "complete")]
+            if known.has(&shapes, from) {
+                shapes.truncate(from);
+            }
         }
         let roads: Vec<(usize, &Road)> = self
             .obstacles
@@ -106,6 +111,21 @@ impl Scenario {
             shapes.push(Shape { owner: Owner::Slot(i), form: Form::Polygon(PARKED.outline(pose).to_vec()) });
         }
         Ok(Geometry { start: self.start, goal, vehicle, boundary: self.boundary(), shapes, parked })
+    }
+
+    /// The pose of a goal in this scene: its own, or that of the scene's car in the slot.
+    ///
+    /// # Errors
+    /// The pose's number that is out of range, the slot's id that no slot has, or what is wrong with the car.
+    pub fn goal_pose(&self, goal: &Goal) -> Result<Pose, Error> {
+        let goal = match goal {
+            Goal::Pose(pose) => return finite_pose(*pose).map(|()| *pose),
+            Goal::Slot(goal) => goal,
+        };
+        match self.slots.iter().find(|slot| slot.id.as_ref() == Some(&goal.slot)) {
+            Some(slot) => Ok(slot.pose(goal.entry, &self.vehicle.resolve()?)),
+            None => bad("slot", format!("must be the id of a slot, got \"{}\"", goal.slot)),
+        }
     }
 
     /// What people call a thing: its id, else its kind.
@@ -177,6 +197,46 @@ impl Scenario {
     }
 }
 
+/// The shapes of obstacles, in a hash table with open addressing. An obstacle that lies exactly on an earlier one blocks
+/// nothing more, but every collision check would pay for it again.
+#[cfg(feature = "complete")]
+struct Known(Vec<Range<usize>>);
+
+#[cfg(feature = "complete")]
+impl Known {
+    fn of(obstacles: usize) -> Self {
+        Self(vec![0..0; (2 * obstacles).next_power_of_two()])
+    }
+
+    /// Whether the shapes from `from` on repeat those of an earlier obstacle; otherwise they are known from now on.
+    fn has(&mut self, shapes: &[Shape], from: usize) -> bool {
+        let mut key = 0xcbf2_9ce4_8422_2325_u64;
+        let mut add = |p: &Point| {
+            for number in [p.x, p.y] {
+                key = (key ^ number.to_bits()).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+                key ^= key >> 32;
+            }
+        };
+        for shape in &shapes[from..] {
+            match &shape.form {
+                Form::Segment(a, b) => [a, b].into_iter().for_each(&mut add),
+                Form::Polygon(outline) => outline.iter().for_each(&mut add),
+            }
+        }
+        let forms = |range: Range<usize>| shapes[range].iter().map(|shape| &shape.form);
+        let last = self.0.len() - 1;
+        let mut place = key as usize & last;
+        while !self.0[place].is_empty() {
+            if forms(self.0[place].clone()).eq(forms(from..shapes.len())) {
+                return true;
+            }
+            place = (place + 1) & last;
+        }
+        self.0[place] = from..shapes.len();
+        false
+    }
+}
+
 fn parked_pose(slot: &Slot) -> Pose {
     slot.pose(Entry::ReverseIn, &PARKED)
 }
@@ -219,6 +279,24 @@ mod tests {
     fn runs_above_each_other_become_one_rectangle() {
         let merged = merge_runs(&[[2, 1, 3], [2, 0, 3], [7, 0, 1], [2, 2, 4]]);
         assert_eq!(merged, [[2, 0, 3, 2], [2, 2, 4, 1], [7, 0, 1, 1]]);
+    }
+
+    #[cfg(feature = "complete")]
+    #[test]
+    fn an_obstacle_on_an_earlier_one_is_left_out_and_one_beside_it_is_not() {
+        let block = |id: &str, x: f64| Obstacle::Rectangle {
+            id: Some(id.to_owned()),
+            center: [x, 12.75],
+            size: [1.0, 1.0],
+            heading: 0.0,
+        };
+        let mut scene = crate::scenario::catalog::scenario("perpendicular").unwrap();
+        let before = scene.geometry().unwrap().shapes.len();
+        scene.obstacles.extend([block("a", 3.0), block("b", 3.0), block("c", 3.0 + 1e-9), block("d", 3.0)]);
+        let shapes = scene.geometry().unwrap().shapes;
+        let names: Vec<_> = shapes.iter().map(|shape| scene.name_of(shape.owner)).collect();
+        assert_eq!(shapes.len(), before + 2);
+        assert!(["a", "c"].iter().all(|id| names.contains(&(*id).to_owned())));
     }
 
     #[test]

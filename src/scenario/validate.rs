@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{CostArea, Goal, MAX_CELLS, MapFrame, Obstacle, Scenario, Slot, SlotKind, VehicleSpec};
+use super::{CostArea, MAX_CELLS, MapFrame, Obstacle, Scenario, Slot, SlotKind, VehicleSpec};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::math::FRAC_PI_2;
 use crate::geometry::{Point, Pose};
@@ -59,13 +59,7 @@ impl Scenario {
         }
         self.vehicle.resolve().map_err(|e| e.within("vehicle"))?;
         finite_pose(self.start).map_err(|e| e.within("start"))?;
-        match &self.goal {
-            Goal::Pose(pose) => finite_pose(*pose).map_err(|e| e.within("goal")),
-            Goal::Slot(goal) if self.slots.iter().all(|s| s.id.as_ref() != Some(&goal.slot)) => {
-                bad("goal.slot", format!("must be the id of a slot, got \"{}\"", goal.slot))
-            }
-            Goal::Slot(_) => Ok(()),
-        }
+        self.goal_pose(&self.goal).map(|_| ()).map_err(|e| e.within("goal"))
     }
 }
 

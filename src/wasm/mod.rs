@@ -14,7 +14,6 @@ use serde_json::{Value, json};
 use wasm_bindgen::prelude::*;
 
 use crate::error::{Error, ErrorCode};
-use crate::geometry::Pose;
 use crate::plan::{self, Planner};
 use crate::planners::registry;
 use crate::scenario::{Scenario, catalog, parse};
@@ -99,10 +98,6 @@ fn refused(path: &str, message: &str) -> JsValue {
     codec::js_error(&Error::new(ErrorCode::Input, path, message))
 }
 
-fn pose(path: &str, value: &Value) -> Result<Pose, JsValue> {
-    parse::pose(value).map_err(|e| codec::js_error(&Error { code: ErrorCode::Input, ..e.within(path) }))
-}
-
 /// A planner on one scene: settings checked once, map prepared once.
 #[wasm_bindgen]
 pub struct RawPlanner {
@@ -137,8 +132,15 @@ impl RawPlanner {
                     let rule = || refused(&name, &format!("must be true or false, got {value}"));
                     options.trace = value.as_bool().ok_or_else(rule)?;
                 }
-                "start" => ends.start = Some(pose(&name, &value)?),
-                "goal" => ends.goal = Some(pose(&name, &value)?),
+                "start" | "goal" => {
+                    #[cfg(feature = "complete")]
+                    let pose = parse::goal(&value).and_then(|goal| self.planner.scenario().goal_pose(&goal));
+                    #[cfg(not(feature = "complete"))]
+                    let pose = parse::pose(&value);
+                    let pose = pose
+                        .map_err(|e| codec::js_error(&Error { code: ErrorCode::Input, ..e.within(&name) }))?;
+                    *(if name == "start" { &mut ends.start } else { &mut ends.goal }) = Some(pose);
+                }
                 _ => {
                     return Err(refused(
                         &name,

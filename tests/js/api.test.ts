@@ -37,7 +37,25 @@ describe("after init", () => {
   test("init is idempotent, and concurrent calls share one load", async () => {
     const first = init();
     expect(init()).toBe(first);
-    await Promise.all([first, init({ wasm: "ignored by now" })]);
+    await first;
+  });
+
+  test("another module than the loaded one is refused, the same one is not", async () => {
+    await expect(init({ wasm: "bogus" })).rejects.toMatchObject({ name: "ParkadeError", code: "bad-input", path: "wasm", message: expect.stringContaining("must be as in the first `init`, got string") });
+    await expect(init()).resolves.toBeUndefined();
+    expect(parkade.version()).toMatch(/^\d/);
+  });
+
+  test("plans may end in any slot of the scene, as the scene itself may", () => {
+    const scene = scenario("perpendicular"), goal = { slot: "slot-1", entry: "reverse-in" } as const;
+    using planner = new Planner("eight", scene);
+    using other = new Planner("eight", { ...scene, goal });
+    expect(planner.plan({ goal }).hash).toBe(other.plan().hash);
+    expect(planner.plan({ goal }).hash).not.toBe(planner.plan().hash);
+    expect(planner.plan({ start: goal }).path.slice(0, 2)).toEqual(other.plan().path.slice(-3, -1));
+    expect(failure(() => planner.plan({ goal: { slot: "nowhere", entry: "head-in" } }))).toEqual({ code: "bad-input", path: "goal.slot" });
+    expect(failure(() => planner.plan({ goal: untyped({ slot: "slot-1", entry: "sideways" }) }))).toEqual({ code: "bad-input", path: "goal.entry" });
+    expect(failure(() => planner.plan({ goal: untyped({ x: 1, y: 2 }) }))).toEqual({ code: "bad-input", path: "goal.heading" });
   });
 
   test("the types declare what the package exports", () => {

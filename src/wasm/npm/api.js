@@ -2,7 +2,7 @@
 // The API over the raw wasm exports; `index.d.ts` documents it. Only what both modules have: the complete one and `core`.
 import { packedScene } from "./cells.js";
 import * as raw from "./parkade.js";
-import { ParkadeError, call, isRunning, kind, number, numbers, text } from "./runtime.js";
+import { ParkadeError, call, isRunning, mismatch, number, numbers, text } from "./runtime.js";
 
 export { packRuns, unpackRuns } from "./cells.js";
 export { ParkadeError };
@@ -58,7 +58,7 @@ export class Planner {
     const { onProgress, ...others } = options;
     if (onProgress === undefined) return this.plan(others);
     if (typeof onProgress !== "function") {
-      throw new ParkadeError(`onProgress: must be a function, got ${kind(onProgress)}`, "bad-input", "onProgress");
+      throw mismatch(onProgress, "onProgress", "a function");
     }
     /** @type {{ error: unknown } | undefined} */
     let thrown;
@@ -99,10 +99,10 @@ export class Planner {
   /** @type {import("./index.js").Planner["brush"]} */
   brush(runs, blocked) {
     if (!Array.isArray(runs) || runs.some((run) => !Array.isArray(run) || run.length !== 3)) {
-      throw new ParkadeError("runs: must be a list of [x, y, count]", "bad-input", "runs");
+      throw mismatch(runs, "runs", "a list of [x, y, count]");
     }
     if (typeof blocked !== "boolean") {
-      throw new ParkadeError(`blocked: must be true or false, got ${kind(blocked)}`, "bad-input", "blocked");
+      throw mismatch(blocked, "blocked", "true or false");
     }
     const cells = numbers(Uint32Array, runs.flat(), "runs");
     this.#call((planner) => {
@@ -119,7 +119,7 @@ export class Planner {
   /** @type {import("./index.js").Planner["explain"]} */
   explain(at) {
     return this.#call((planner) => {
-      if (typeof planner.explain !== "function") throw new ParkadeError("`parkade/core` does not explain", "bad-input");
+      if (planner.explain === undefined) throw missing("explain");
       return planner.explain(...point(at, "at"));
     });
   }

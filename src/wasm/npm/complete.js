@@ -2,7 +2,7 @@
 // What the complete module has and `core` lacks.
 import { packedScene, unpackedScene } from "./cells.js";
 import * as raw from "./parkade.js";
-import { ParkadeError, call, kind, number, numbers, object, text } from "./runtime.js";
+import { ParkadeError, call, mismatch, number, numbers, object, text } from "./runtime.js";
 
 export * from "./columns.js";
 export * from "./drive.js";
@@ -14,7 +14,7 @@ const MAX_BYTES = 80_000_000;
 /** @type {typeof import("./index.js").importScene} */
 export function importScene(files, options = {}) {
   if (typeof files !== "object" || files === null || Array.isArray(files)) {
-    throw new ParkadeError(`files: must be contents by name, got ${kind(files)}`, "bad-input", "files");
+    throw mismatch(files, "files", "contents by name");
   }
   const names = Object.keys(files);
   const contents = names.map((name) => bytes(name, files[name]));
@@ -59,7 +59,7 @@ export function paperGridSummary(measured) {
   const figures = rows.map((row) => {
     const values = measured[row];
     if (values instanceof Float64Array) return values;
-    throw new ParkadeError(`${row}: must be a Float64Array, got ${kind(values)}`, "bad-input", row);
+    throw mismatch(values, row, "a Float64Array");
   });
   return call(() => raw.paperGridSummary(rows, figures));
 }

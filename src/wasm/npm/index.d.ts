@@ -446,7 +446,10 @@ export class ParkadeError extends Error {
   readonly path: string;
 }
 
-/** Loads the wasm module, once. `wasm`: its bytes, a module or where it is, instead of the file beside this one. */
+/**
+ * Loads the wasm module, once. `wasm`: its bytes, a module or where it is, instead of the file beside this one (`parkade/inline`:
+ * its bytes or a module). Once a module is loaded, or loads, another `wasm` is refused.
+ */
 export function init(options?: { wasm?: BufferSource | WebAssembly.Module | URL | string }): Promise<void>;
 export function version(): string;
 export function planners(): PlannerInfo[];
@@ -660,13 +663,13 @@ export class Planner {
   constructor(planner: PlannerId, scene: Scenario, config?: Record<string, unknown>);
   /**
    * `start` and `goal` take the place of the scene's in this plan, and in `layer`, `explain` and `anyAngleLength` until the next
-   * one; a second plan on the same map prepares nothing anew.
+   * one; a second plan on the same map prepares nothing anew. `parkade/core` takes poses only, no slots.
    *
    * `onProgress` is called while the search goes on: each 16 384 cells, or each 256 poses of a car, with the expansions so far;
    * and once when it has ended, with the plan's `stats.expanded`, before the path is followed, checked and measured. What it
    * throws ends the search and is thrown by `plan`; the planner can be used again. It cannot use the planner that calls it.
    */
-  plan(options?: { trace?: boolean; start?: Pose; goal?: Pose; onProgress?: (expansions: number) => void }): Plan;
+  plan(options?: { trace?: boolean; start?: Goal; goal?: Goal; onProgress?: (expansions: number) => void }): Plan;
   /**
    * The search of a grid planner alone, between two points: its cells, neither followed by a car nor checked nor
    * measured. What `plan` does besides grows with the path and often takes longer. Not in `parkade/core`.

@@ -29,15 +29,21 @@ let loading;
  * @returns {typeof import("./index.js").init}
  */
 export function initializer(load) {
+  /** @type {unknown} */
+  let source;
   return function init(options) {
-    loading ??= load(options?.wasm).then(
+    const wasm = options?.wasm;
+    if (loading && (wasm ?? source) !== source) {
+      return Promise.reject(mismatch(wasm, "wasm", "as in the first `init`"));
+    }
+    loading ??= load((source = wasm)).then(
       () => {
         state = "ready";
       },
       (cause) => {
         loading = undefined;
         const message = `cannot load the wasm module: ${describe(cause)}`;
-        const given = options?.wasm !== undefined;
+        const given = wasm !== undefined;
         throw new ParkadeError(message, given ? "bad-input" : "internal", given ? "wasm" : "", { cause });
       },
     );
@@ -87,13 +93,24 @@ function describe(error) {
 }
 
 /**
+ * The error of a value of another kind than the rule asks for.
+ * @param {unknown} value
+ * @param {string} path
+ * @param {string} rule
+ * @param {string} [got] what it is
+ */
+export function mismatch(value, path, rule, got = kind(value)) {
+  return new ParkadeError(`${path}: must be ${rule}, got ${got}`, "bad-input", path);
+}
+
+/**
  * wasm-bindgen does not check what it takes for a string.
  * @param {unknown} value
  * @param {string} path
  */
 export function text(value, path) {
   if (typeof value === "string") return value;
-  throw new ParkadeError(`${path}: must be a string, got ${kind(value)}`, "bad-input", path);
+  throw mismatch(value, path, "a string");
 }
 
 /**
@@ -103,7 +120,7 @@ export function text(value, path) {
  */
 export function number(value, path) {
   if (typeof value === "number") return value;
-  throw new ParkadeError(`${path}: must be a number, got ${kind(value)}`, "bad-input", path);
+  throw mismatch(value, path, "a number");
 }
 
 /**
@@ -114,7 +131,7 @@ export function number(value, path) {
  */
 export function object(value, path) {
   if (typeof value === "object" && value !== null) return value;
-  throw new ParkadeError(`${path}: must be an object, got ${kind(value)}`, "bad-input", path);
+  throw mismatch(value, path, "an object");
 }
 
 /** @param {unknown} value */
@@ -140,13 +157,13 @@ export function shown(value) {
 export function numbers(Numbers, values, path) {
   if (values instanceof Numbers) return values;
   if (!Array.isArray(values)) {
-    throw new ParkadeError(`${path}: must be an array of numbers, got ${kind(values)}`, "bad-input", path);
+    throw mismatch(values, path, "an array of numbers");
   }
   const typed = new Numbers(values.map((value) => (typeof value === "number" ? value : Number.NaN)));
   const changed = typed.findIndex((value, index) => value !== values[index] && !Number.isNaN(values[index]));
   if (changed >= 0) {
     const at = `${path}[${changed}]`;
-    throw new ParkadeError(`${at}: must be a number that fits, got ${shown(values[changed])}`, "bad-input", at);
+    throw mismatch(values[changed], at, "a number that fits", shown(values[changed]));
   }
   return typed;
 }
