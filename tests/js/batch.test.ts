@@ -2,12 +2,12 @@ import { spawn } from "node:child_process";
 import { once } from "node:events";
 import { appendFileSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { join } from "node:path";
+import { basename, join } from "node:path";
 import { Tinypool } from "tinypool";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { Planner, generateScenario, init, scenario } from "parkade";
 import { pathToFileURL } from "node:url";
-import { PACKAGE, parkade } from "./pack";
+import { PACKAGE, parkade, slowly } from "./pack";
 
 const SCENES = 1000;
 let folder = "";
@@ -32,9 +32,9 @@ test("every scene is planned once, as the library plans it", () => {
   const whole = results("whole.jsonl");
   expect(new Set(whole.map(({ scene }) => scene)).size).toBe(SCENES);
   expect(whole).toHaveLength(SCENES);
-  const parking = whole.find(({ scene }) => scene === "parking/perpendicular.json");
+  const parking = whole.find(({ scene }) => scene === "scenes/parking/perpendicular.json");
   expect(parking?.hash).toBe(new Planner("eight", scenario("perpendicular")).plan().hash);
-  expect(whole.find(({ scene }) => scene === "random-7.json")?.hash).toBe(new Planner("eight", generateScenario({ family: "random", size: 15, seed: 7 })).plan().hash);
+  expect(whole.find(({ scene }) => scene === "scenes/random-7.json")?.hash).toBe(new Planner("eight", generateScenario({ family: "random", size: 15, seed: 7 })).plan().hash);
 });
 
 test("killed half-way, even in the middle of a line, a run goes on with nothing lost or repeated", async () => {
@@ -99,7 +99,7 @@ test("a scene that is edited, cut short or gone since it was listed is refused, 
   files.forEach((file, i) => writeFileSync(file, `${text}${" ".repeat(i)}`));
   const { scenes } = (await import(/* @vite-ignore */ pathToFileURL(join(PACKAGE, "cli/scenes.js")).href)) as { scenes(place: string): AsyncIterable<{ scene: { name: string }; content: string }> };
   const tasks: object[] = [];
-  for await (const { scene, content } of scenes(join(folder, "edited"))) tasks.push({ key: scene.name, scene, content, planner: "eight" });
+  for await (const { scene, content } of scenes(join(folder, "edited"))) tasks.push({ key: basename(scene.name), scene, content, planner: "eight" });
   writeFileSync(files[0]!, text.replace('"name":"p', '"name":"P'));
   writeFileSync(files[1]!, text.slice(0, -1));
   rmSync(files[2]!);
@@ -114,6 +114,53 @@ test("a scene that is edited, cut short or gone since it was listed is refused, 
     ["cut.json", changed], ["edited.json", changed], ["gone.json", { ...changed, message: expect.stringContaining("no such file") }], ["kept.json", "found"],
   ]);
 });
+
+test("the result of a scene that was corrected supersedes the one before, and that of its unchanged copy stays", () => {
+  const place = join(folder, "fixed"), good = scenario("perpendicular");
+  mkdirSync(place);
+  const write = (name: string, value: object) => writeFileSync(join(place, name), JSON.stringify(value));
+  const fixed = (out: string) => run("batch", "fixed", "--planner", "eight", "--out", out, "--quiet");
+  write("a.json", { ...good, start: { x: "here" } });
+  write("copy.json", { ...good, name: "copied" });
+  write("of.json", { ...good, name: "copied" });
+  expect(fixed("fixed.jsonl").status).toBe(1);
+  write("a.json", good);
+  write("copy.json", { ...good, name: "edited" });
+  expect(fixed("fixed.jsonl")).toMatchObject({ status: 0, out: expect.stringContaining("3 of 3 planned (2 now)") });
+  expect(fixed("anew.jsonl").status).toBe(0);
+  expect(digestOf("fixed.jsonl")).toBe(digestOf("anew.jsonl"));
+  expect(run("digest", "fixed.jsonl")).toMatchObject({ status: 0, out: expect.stringMatching(/ 3 results\n$/) });
+  // Back to what it was before.
+  write("a.json", { ...good, start: { x: "here" } });
+  expect(fixed("fixed.jsonl").status).toBe(1);
+  rmSync(join(folder, "anew.jsonl"));
+  fixed("anew.jsonl");
+  expect(digestOf("fixed.jsonl")).toBe(digestOf("anew.jsonl"));
+});
+
+test("several folders and files are planned together", () => {
+  for (const name of ["one", "two"]) mkdirSync(join(folder, name));
+  for (const file of ["one/a.json", "two/a.json", "b.json"]) writeFileSync(join(folder, file), JSON.stringify({ ...scenario("perpendicular"), name: file }));
+  writeFileSync(join(folder, "c.jsonl"), JSON.stringify({ ...scenario("perpendicular"), name: "c" }));
+  const { status, out } = run("batch", "one", "two/a.json", "b.json", "c.jsonl", "--planner", "eight", "--out", "several.jsonl", "--quiet");
+  expect([status, out]).toEqual([0, expect.stringContaining("4 of 4 planned")]);
+  expect(results("several.jsonl").map(({ scene }) => scene).sort()).toEqual(["b.json", "c.jsonl:1", "one/a.json", "two/a.json"]);
+  expect(run("batch", "one", "nowhere", "--out", "several.jsonl").err).toBe("parkade: nowhere: no such file or folder\n");
+});
+
+test("a plan that takes too long is given up, named and tried again later; the others are planned", () => {
+  mkdirSync(join(folder, "late"));
+  const slow = scenario("perpendicular");
+  slow.obstacles?.push(...slowly(3000));
+  writeFileSync(join(folder, "late/slow.json"), JSON.stringify(slow));
+  for (const name of ["a", "b", "c"]) writeFileSync(join(folder, `late/${name}.json`), JSON.stringify({ ...scenario("perpendicular"), name }));
+  const late = () => run("batch", "late", "--out", "late.jsonl", "--quiet", "--jobs", "1", "--timeout", "2");
+  const { status, out, err } = late();
+  expect([status, out]).toEqual([1, expect.stringContaining("4 of 4 planned (4 now): 3 found, 0 without a path, 1 refused")]);
+  expect(err).toBe("parkade: late/slow.json (hybrid): took longer than 2 s\n");
+  expect(late().out).toContain("(1 now)");
+  expect(run("digest", "late.jsonl")).toMatchObject({ status: 0, out: expect.stringContaining(" 4 results") });
+}, 60_000);
 
 test("a file that holds something else is refused before anything is planned", () => {
   writeFileSync(join(folder, "other.jsonl"), '{"a":1}\n');

@@ -1,10 +1,10 @@
 import { spawnSync } from "node:child_process";
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, truncateSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { Planner, checkPath, generateScenario, init, scenario, scenarios, toCSV, toSVG, type Plan } from "parkade";
-import { PACKAGE, parkade } from "./pack";
+import { PACKAGE, parkade, slowly } from "./pack";
 
 let folder = "";
 const run = (args: string[], input?: string) => parkade(args, folder, input);
@@ -176,8 +176,54 @@ test("a word that is nearly right is answered by the right one", () => {
   expect(run(["plan", "perpendiclar"]).err).toContain("did you mean perpendicular?");
   expect(run(["plan", "perpendicular", "--planner", "hybird"]).err).toContain("did you mean hybrid?");
   expect(run(["plan", "perpendicular", "--planer", "hybrid"]).err).toContain("did you mean --planner?");
+  expect(run(["plan", "perpendicular", "--set", "reverseCst=2"]).err).toContain("did you mean reverseCost?");
+  expect(run(["batch", ".", "--planner", "eight", "--set", "cornr=free"])).toMatchObject({ status: 2, err: expect.stringContaining("eight has no such setting; did you mean corner?") });
+  for (const [change, meant] of [[{ vehicle: "sedn" }, "sedan"], [{ vehicle: { wheelbas: 1 } }, "wheelbase"], [{ obstacels: [] }, "obstacles"], [{ goal: { slot: "slot-3", entry: "hed-in" } }, "head-in"]] as const) {
+    expect(run(["plan", "-"], JSON.stringify({ ...scenario("perpendicular"), ...change }))).toMatchObject({ status: 2, err: expect.stringContaining(`; did you mean ${meant}?`) });
+  }
   expect(run(["plan", "perpendicular", "--planner", "zzzzzzzz"]).err).not.toContain("did you mean");
 });
+
+test("check refuses a scene whose car has no place at its start or goal, and says what is there", () => {
+  const scene = scenario("perpendicular"), block = { type: "rectangle", id: "crate", center: [scene.start.x, scene.start.y], size: [1, 1] };
+  write("start.json", { ...scene, obstacles: [block] });
+  expect(run(["check", "start.json"])).toEqual({ status: 1, out: "start-blocked: the car overlaps crate at the start\n", err: "" });
+  write("goal.json", { ...scene, goal: { x: 1000, y: 0, heading: 0 } });
+  expect(run(["check", "goal.json"])).toEqual({ status: 1, out: "goal-blocked: the car overlaps border at the goal\n", err: "" });
+  expect(JSON.parse(run(["check", "start.json", "--format", "json"]).out).blocked).toEqual([{ end: "start", obstacle: "crate" }]);
+  for (const { id } of scenarios()) expect([id, run(["check", id]).status]).toEqual([id, 0]);
+}, 60_000);
+
+test("a file of more than 80 MB is refused before it is read, and so is such an input", () => {
+  write("large.json", "");
+  truncateSync(join(folder, "large.json"), 114_000_000);
+  const words = "must have at most 80000000 bytes, has 114000000";
+  for (const command of ["plan", "check"]) expect(run([command, "large.json"])).toEqual({ status: 2, out: "", err: `parkade: large.json: ${words}\n` });
+  expect(run(["check", "-"], " ".repeat(80_000_001))).toMatchObject({ status: 2, err: "parkade: standard input: must have at most 80000000 bytes, has 80000001\n" });
+  expect(run(["batch", "large.json", "--out", "large.jsonl", "--quiet"])).toMatchObject({ status: 1, err: `parkade: large.json (hybrid): ${words}\n` });
+});
+
+test("a command that takes longer than --timeout ends with code 124", () => {
+  const scene = scenario("perpendicular");
+  write("slow.json", { ...scene, obstacles: [...scene.obstacles ?? [], ...slowly(5000)] });
+  const before = performance.now(), late = run(["plan", "slow.json", "--timeout", "1"]);
+  expect(late).toEqual({ status: 124, out: "", err: "parkade: took longer than 1 s (--timeout)\n" });
+  expect(performance.now() - before).toBeLessThan(6000);
+  expect(run(["plan", "perpendicular", "--trace", "--timeout", "60"])).toEqual(run(["plan", "perpendicular", "--trace"]));
+  expect(run(["check", "-", "--timeout", "60"], JSON.stringify(scene)).out).toMatch(/^ok/);
+  expect(run(["plan", "nowhere.json", "--timeout", "60"])).toMatchObject({ status: 2, err: expect.stringContaining("there is no such file") });
+  expect(run(["plan", "perpendicular", "--timeout", "soon"])).toMatchObject({ status: 2, err: expect.stringContaining("--timeout soon: must be a whole number") });
+});
+
+test("obstacles on the same place count once: 200 000 of them take seconds", () => {
+  const scene = scenario("perpendicular"), block = { type: "rectangle", center: [0, 7.5], size: [1, 1] };
+  const within = (count: number) => {
+    write("pile.json", { ...scene, obstacles: [...scene.obstacles ?? [], ...Array.from({ length: count }, () => block)] });
+    return run(["plan", "pile.json", "--timeout", "100"]);
+  };
+  const [one, many] = [within(1), within(200_000)].map(({ status, out }) => [status, (JSON.parse(out) as Plan).hash]);
+  expect(many).toEqual(one);
+}, 120_000);
 
 test("what cannot be read or written is said in a sentence, with code 2", () => {
   write("plain.json", scenario("perpendicular"));

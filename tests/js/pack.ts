@@ -3,6 +3,7 @@ import { mkdtempSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
+import type { Obstacle } from "parkade";
 
 const here = (path: string) => fileURLToPath(new URL(`../../${path}`, import.meta.url));
 
@@ -22,6 +23,10 @@ export function installed(): string {
   npm(["install", ...packed.map((file) => `./${file}`)], folder);
   return folder;
 }
+
+/** So many blocks a hair apart in the middle of the built-in scene `perpendicular`, for which hybrid A* takes long. */
+export const slowly = (count: number): Obstacle[] =>
+  Array.from({ length: count }, (_, i) => ({ type: "rectangle", center: [i * 1e-9, 7.5], size: [1, 1] }));
 
 export interface Ran { status: number | null; out: string; err: string }
 

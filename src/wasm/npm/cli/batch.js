@@ -5,8 +5,8 @@ import { stat } from "node:fs/promises";
 import { availableParallelism } from "node:os";
 import { Tinypool } from "tinypool";
 import { version } from "../node.js";
-import { Refused, count, plannerIds, reason, settings } from "./input.js";
-import { digest, hashOf, mend, outline, read } from "./results.js";
+import { Refused, count, explained, plannerIds, reason, seconds, settings } from "./input.js";
+import { digest, hashOf, isFinal, mend, outline, questionOf, read } from "./results.js";
 import { scenes } from "./scenes.js";
 
 /** @typedef {import("./results.js").Result} Result */
@@ -19,13 +19,13 @@ const GROUP = 256;
 const TICK_MS = 200;
 
 /** @type {import("./main.js").Run} */
-export async function batch([place, ...more], values, module) {
-  if (place === undefined || more.length > 0) throw new Refused("give one folder of scenes, or one .jsonl file");
+export async function batch(places, values, module) {
+  if (places.length === 0) throw new Refused("which scenes? Folders, .json or .jsonl files");
   const jobs = count("jobs", values.jobs, availableParallelism(), 1024);
   const shard = shardOf(values.shard);
   const out = values.out ?? (shard.of === 1 ? "results.jsonl" : `results-${shard.at}-of-${shard.of}.jsonl`);
-  const ids = plannerIds(values.planner, "hybrid"), config = settings(values.set);
-  if (!(await stat(place).catch(() => null))) throw new Refused(`${place}: no such file or folder`);
+  const ids = plannerIds(values.planner, "hybrid"), config = settings(values.set, ids), timeout = seconds(values.timeout);
+  for (const place of places) if (!(await stat(place).catch(() => null))) throw new Refused(`${place}: no such file or folder`);
 
   // Threads start while the scenes are listed.
   const filename = new URL("./worker.js", import.meta.url).href;
@@ -37,19 +37,24 @@ export async function batch([place, ...more], values, module) {
     /** @type {Map<string, Result>} */
     const done = new Map();
     if (await stat(out).catch(() => null)) for await (const result of read(out)) done.set(result.key, outline(result));
-    const tasks = await listed(place, ids, config, shard);
-    const open = tasks.filter(({ key }) => !done.has(key));
-    const results = tasks.flatMap(({ key }) => done.get(key) ?? []);
-    const progress = new Progress(tasks.length, results.length, values.quiet === true);
-    const stopped = await planned(pool, open, jobs, (lines, more) => {
+    const { tasks, keys } = await listed(places, ids, config, shard);
+    const open = tasks.filter(({ key }) => !isFinal(done.get(key)));
+    const results = tasks.flatMap(({ key }) => done.get(key) ?? []).filter(isFinal);
+    const append = (/** @type {string} */ lines) => {
       try {
         appendFileSync(out, lines);
       } catch (error) {
         throw new Refused(`${out}: ${reason(error)}`);
       }
+    };
+    append(superseded(done.values(), keys));
+    const progress = new Progress(tasks.length, results.length, values.quiet === true);
+    const each = (/** @type {string} */ lines, /** @type {Result[]} */ more) => {
+      append(lines);
       results.push(...more);
       progress.step(more.length);
-    });
+    };
+    const stopped = await planned(pool, open, jobs, each, timeout === undefined ? undefined : { seconds: timeout, config });
     progress.end();
     return told(results, tasks.length, open.length, out, stopped);
   } finally {
@@ -61,7 +66,7 @@ export async function batch([place, ...more], values, module) {
 function told(all, tasks, open, out, stopped) {
   const found = all.filter(({ outcome }) => outcome === "found").length, failed = all.filter(({ error }) => error !== undefined);
   process.stdout.write(`${all.length} of ${tasks} planned (${open - (tasks - all.length)} now): ${found} found, ${all.length - found - failed.length} without a path, ${failed.length} refused; digest ${digest(all)}\n`);
-  for (const { scene, planner, error } of failed.slice(0, 10)) process.stderr.write(`parkade: ${scene} (${planner}): ${error?.message}\n`);
+  for (const { scene, planner, error } of failed.slice(0, 10)) process.stderr.write(`parkade: ${scene} (${planner}): ${error && explained(error)}\n`);
   if (failed.length > 10) process.stderr.write(`parkade: … and ${failed.length - 10} more in ${out}\n`);
   if (stopped) process.stderr.write(`parkade: stopped; run the same command to continue\n`);
   return stopped ? 130 : failed.length > 0 ? 1 : 0;
@@ -76,25 +81,44 @@ function shardOf(text = "1/1") {
 }
 
 /**
- * What is to be planned, each once: the same scene in two files is the same task.
- * @param {string} place
+ * Lines that end those results whose scene holds something else by now.
+ * @param {Iterable<Result>} results
+ * @param {Map<string, Set<string>>} keys
+ */
+function superseded(results, keys) {
+  const current = new Set([...keys.values()].flatMap((some) => [...some]));
+  return [...results].filter((one) => !one.superseded && !current.has(one.key) && keys.has(questionOf(one)))
+    .map(({ key, scene, planner, settings }) => `${JSON.stringify({ key, scene, planner, settings, superseded: true })}\n`).join("");
+}
+
+/**
+ * What is to be planned, each once: the same scene in two files is the same task. `keys` are those of all shards, by question.
+ * @param {string[]} places
  * @param {import("../index.js").PlannerId[]} ids
  * @param {Record<string, unknown>} config
  * @param {{ at: number, of: number }} shard
  */
-async function listed(place, ids, config, { at, of }) {
+async function listed(places, ids, config, { at, of }) {
   /** @type {Map<string, Task>} */
   const tasks = new Map();
+  /** @type {Map<string, Set<string>>} */
+  const keys = new Map();
   const by = version(), under = JSON.stringify(Object.entries(config).sort());
-  for await (const { scene, content } of scenes(place)) {
-    if (parseInt(content.slice(0, 8), 16) % of !== at - 1) continue;
-    for (const planner of ids) {
-      const key = hashOf([by, planner, under, content].join("\n"));
-      if (!tasks.has(key)) tasks.set(key, { key, scene, content, planner });
+  for (const place of places) {
+    let empty = true;
+    for await (const { scene, content } of scenes(place)) {
+      empty = false;
+      const isMine = parseInt(content.slice(0, 8), 16) % of === at - 1;
+      for (const planner of ids) {
+        const key = hashOf([by, planner, under, content].join("\n"));
+        if (isMine && !tasks.has(key)) tasks.set(key, { key, scene, content, planner });
+        const question = questionOf({ scene: scene.name, planner, settings: config });
+        keys.set(question, (keys.get(question) ?? new Set()).add(key));
+      }
     }
+    if (empty) throw new Refused(`${place}: no .json scenes here`);
   }
-  if (tasks.size === 0 && of === 1) throw new Refused(`${place}: no .json scenes here`);
-  return [...tasks.values()];
+  return { tasks: [...tasks.values()], keys };
 }
 
 /**
@@ -103,8 +127,9 @@ async function listed(place, ids, config, { at, of }) {
  * @param {Task[]} tasks
  * @param {number} jobs
  * @param {(lines: string, results: Result[]) => void} each
+ * @param {{ seconds: number, config: Record<string, unknown> }} [limit] of one task's time
  */
-export async function planned(pool, tasks, jobs, each) {
+export async function planned(pool, tasks, jobs, each, limit) {
   let stopped = false;
   const stop = () => {
     stopped = true;
@@ -112,13 +137,21 @@ export async function planned(pool, tasks, jobs, each) {
   process.once("SIGINT", stop).once("SIGTERM", stop);
   /** What was in work when a thread's module trapped, to be tried once more in a new one. @type {Set<Task>} */
   const again = new Set();
+  /** What was in a group that took too long, to be planned alone. @type {Set<Task | undefined>} */
+  const alone = new Set();
   const left = tasks.toReversed();
   let size = 1;
   const lane = async () => {
     while (left.length > 0 && !stopped) {
-      const group = left.splice(-Math.min(size, Math.ceil(left.length / (4 * jobs)))).reverse();
-      /** @type {Awaited<ReturnType<typeof import("./worker.js").default>>} */
-      const { done, ms } = await pool.run(group);
+      const most = alone.has(left.at(-1)) ? 1 : Math.min(size, Math.ceil(left.length / (4 * jobs)));
+      const group = left.splice(-most).reverse(), [first] = group;
+      const ended = await inTime(pool, group, limit?.seconds);
+      if (ended === "late") {
+        if (group.length === 1 && first && limit) each(...late(first, limit));
+        else for (const task of group.reverse()) left.push(task), alone.add(task);
+        continue;
+      }
+      const { done, ms } = ended;
       const failed = done.at(-1)?.result.error?.code === "internal" ? group[done.length - 1] : undefined;
       if (failed !== undefined && !again.has(failed)) {
         again.add(failed);
@@ -131,11 +164,38 @@ export async function planned(pool, tasks, jobs, each) {
     }
   };
   try {
-    await Promise.all(Array.from({ length: Math.min(tasks.length, 2 * jobs) }, lane));
+    // Two groups per thread keep it busy; under a limit of time none may wait for a thread.
+    await Promise.all(Array.from({ length: Math.min(tasks.length, limit ? jobs : 2 * jobs) }, lane));
   } finally {
     process.off("SIGINT", stop).off("SIGTERM", stop);
   }
   return stopped;
+}
+
+/**
+ * @param {Pick<Tinypool, "run">} pool
+ * @param {Task[]} group
+ * @param {number} [most] seconds, after which its thread is replaced
+ * @returns {Promise<Awaited<ReturnType<typeof import("./worker.js").default>> | "late">}
+ */
+async function inTime(pool, group, most) {
+  if (most === undefined) return pool.run(group);
+  const abort = new AbortController(), timer = setTimeout(() => abort.abort(), most * 1000);
+  try {
+    return await pool.run(group, { signal: abort.signal });
+  } catch (error) {
+    if (abort.signal.aborted) return "late";
+    throw error;
+  } finally {
+    clearTimeout(timer);
+  }
+}
+
+/** @param {Task} task @param {{ seconds: number, config: Record<string, unknown> }} limit @returns {[string, Result[]]} */
+function late({ key, scene, planner }, { seconds, config }) {
+  const error = { code: "timeout", path: "", message: `took longer than ${seconds} s` };
+  const result = { key, scene: scene.name, planner, settings: config, error };
+  return [`${JSON.stringify(result)}\n`, [result]];
 }
 
 /** A bar on a terminal; elsewhere a line at every tenth. */

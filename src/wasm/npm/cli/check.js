@@ -1,7 +1,7 @@
 // @ts-check
 // `parkade check`.
 import { checkPath, sceneGeometry } from "../node.js";
-import { Refused, choice, json, scene as read, text } from "./input.js";
+import { Refused, choice, isMap, json, scene as read, text } from "./input.js";
 import { toJSON, write } from "./output.js";
 
 /** @type {import("./main.js").Run} */
@@ -12,13 +12,25 @@ export async function check([place, path, ...more], values) {
   if (path === undefined) {
     const { boundary, slots, vehicle } = sceneGeometry(scene);
     const facts = { obstacles: scene.obstacles?.length ?? 0, slots: slots.length, corners: boundary.length, minTurningRadius: vehicle.minTurningRadius };
-    await write(format === "json" ? toJSON(facts, 2) : `ok: ${facts.obstacles} obstacles, ${facts.slots} slots, a car that turns in ${facts.minTurningRadius.toFixed(2)} m\n`);
-    return 0;
+    // Maps of other programs have no car of their own, and ROS maps no start.
+    const blocked = isMap(place) ? [] : overlaps(scene), words = blocked.map(({ end, obstacle }) => `${end}-blocked: the car overlaps ${obstacle} at the ${end}`);
+    if (words.length === 0) words.push(`ok: ${facts.obstacles} obstacles, ${facts.slots} slots, a car that turns in ${facts.minTurningRadius.toFixed(2)} m`);
+    await write(format === "json" ? toJSON({ ...facts, blocked }, 2) : `${words.join("\n")}\n`);
+    return blocked.length > 0 ? 1 : 0;
   }
   const { poses, directions } = await pathFrom(path);
   const found = checkPath(scene, poses, directions);
   await write(format === "json" ? toJSON(found, 2) : `${sentence(found)}\n`);
   return found.verdict === "ok" ? 0 : 1;
+}
+
+/** The ends of the scene at which its car has no place. @param {import("../index.js").Scenario} scene */
+function overlaps(scene) {
+  const { start, goal } = sceneGeometry(scene);
+  return Object.entries({ start, goal }).flatMap(([end, { x, y, heading }]) => {
+    const { firstHit } = checkPath(scene, [x, y, heading]);
+    return firstHit ? [{ end, obstacle: firstHit.obstacle }] : [];
+  });
 }
 
 /** @param {import("../index.js").Check} found */

@@ -3,7 +3,7 @@
 import { readFile, stat } from "node:fs/promises";
 import { buffer } from "node:stream/consumers";
 import { basename, dirname, extname, join } from "node:path";
-import { importScene, planners, scenario, scenarios } from "../node.js";
+import { defaultConfig, importScene, planners, scenario, scenarios } from "../node.js";
 
 /** Bad input, in words for people. */
 export class Refused extends Error {}
@@ -15,11 +15,26 @@ export async function text(path) {
 
 /** @param {string} path */
 async function bytes(path) {
+  if (path === "-") return small("standard input", await buffer(process.stdin));
   try {
-    return path === "-" ? await buffer(process.stdin) : await readFile(path);
+    const { size } = await stat(path);
+    if (size <= MAX_BYTES) return small(path, await readFile(path));
+    throw new Refused(tooLarge(size));
   } catch (error) {
     throw new Refused(`${path}: ${reason(error)}`);
   }
+}
+
+/** No scene that a planner takes is larger. */
+export const MAX_BYTES = 80_000_000;
+
+/** @param {number} size */
+export const tooLarge = (size) => `must have at most ${MAX_BYTES} bytes, has ${size}`;
+
+/** A pipe has no size before it is read. @param {string} path @param {Buffer} content */
+function small(path, content) {
+  if (content.length > MAX_BYTES) throw new Refused(`${path}: ${tooLarge(content.length)}`);
+  return content;
 }
 
 /** What the system's codes mean. @type {Record<string, string>} */
@@ -59,6 +74,9 @@ export async function scene([place, ...more]) {
   return importScene(await withCompanions(place)).scene;
 }
 
+/** Whether it is a grid of another program. @param {string} [place] */
+export const isMap = (place = "") => /\.(map|ya?ml)$/.test(place);
+
 /** A map's questions, or the picture that a ROS map names. @param {string} place */
 async function withCompanions(place) {
   const files = { [basename(place)]: await bytes(place) };
@@ -72,13 +90,20 @@ async function withCompanions(place) {
   return files;
 }
 
-/** @param {string[]} [pairs] `name=value`, the value as JSON or else as a word */
-export function settings(pairs = []) {
+/**
+ * @param {string[] | undefined} pairs `name=value`, the value as JSON or else as a word
+ * @param {readonly import("../index.js").PlannerId[]} ids the planners that must have them
+ */
+export function settings(pairs = [], ids) {
   /** @type {Record<string, unknown>} */
   const config = {};
   for (const pair of pairs) {
     const [name = "", ...value] = pair.split("=");
     if (name === "" || value.length === 0) throw new Refused(`--set ${pair}: must be NAME=VALUE`);
+    for (const id of ids) {
+      const known = Object.keys(defaultConfig(id));
+      if (!known.includes(name)) throw new Refused(`--set ${pair}: ${id} has no such setting${meant(name, known)}; \`parkade planners --planner ${id}\` lists its settings`);
+    }
     const word = value.join("=");
     try {
       config[name] = JSON.parse(word);
@@ -110,6 +135,9 @@ export function count(option, value, otherwise, most) {
   return number;
 }
 
+/** The option `--timeout`. @param {string} [value] */
+export const seconds = (value) => (value === undefined ? undefined : count("timeout", value, 1, 1_000_000));
+
 /** @param {string | undefined} value @param {string} otherwise @returns {import("../index.js").PlannerId[]} */
 export function plannerIds(value, otherwise) {
   const known = planners().map(({ id }) => id);
@@ -129,6 +157,16 @@ export function plannerIds(value, otherwise) {
 export function meant(word, known, before = "") {
   const near = known.map((one) => ({ one, by: distance(word.toLowerCase(), one.toLowerCase()) })).sort((a, b) => a.by - b.by)[0];
   return near !== undefined && near.by <= Math.max(1, Math.floor(near.one.length / 3)) ? `; did you mean ${before}${near.one}?` : "";
+}
+
+/**
+ * The library's message; where it lists the words that are right, with the one that was probably meant.
+ * @param {{ path: string, message: string }} error
+ */
+export function explained({ path, message }) {
+  const fields = /; there are (.+)$/.exec(message)?.[1], [, words, got = ""] = /must be (.+), got "(.*)"$/.exec(message) ?? [];
+  if (fields !== undefined) return message + meant(path.split(".").at(-1) ?? "", fields.split(", "));
+  return words === undefined ? message : message + meant(got, words.split(/, | or /));
 }
 
 /** Levenshtein's. @param {string} a @param {string} b */

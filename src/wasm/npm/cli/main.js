@@ -3,15 +3,16 @@
 // The command `parkade`.
 import { readFile } from "node:fs/promises";
 import { parseArgs } from "node:util";
+import { isMainThread } from "node:worker_threads";
 import { ParkadeError, init, version } from "../node.js";
-import { Refused, meant, reason } from "./input.js";
+import { Refused, explained, meant, reason, seconds } from "./input.js";
 
 const HELP = `usage: parkade <command> [options]
 
   plan SCENE       plan a path            --planner ID  --set NAME=VALUE  --format json|csv|svg  --out FILE
   check SCENE [PATH]   check a scene, or a path against it (plan.json, or CSV as from \`plan\`)
   bench SCENE      time planners          --planner ID,ID…  --repeats N  --format markdown|csv|json
-  batch DIR        plan many scenes       --planner ID,ID…  --jobs N  --shard I/N  --out FILE.jsonl  --set NAME=VALUE
+  batch SCENES…    plan many scenes       --planner ID,ID…  --jobs N  --shard I/N  --out FILE.jsonl  --set NAME=VALUE
   digest FILE…     one hash over the results of \`batch\`, in any order and number of files
   planners         list the planners, or the settings of one (--planner ID)
   scenarios        list the built-in scenes
@@ -19,8 +20,9 @@ const HELP = `usage: parkade <command> [options]
 SCENE is a scene as JSON, a MovingAI .map, a ROS .yaml, a TPCAP .csv, the id of a built-in scene, or - for standard input.
 \`parkade <command> --help\` lists the options of a command.
 
-exit codes: 0 done; 1 no path, a path that fails its check, or scenes that could not be planned; 2 bad input, or a file that
-cannot be read or written; 3 internal error; 130 a batch that was interrupted, which the same command continues
+exit codes: 0 done; 1 no path, a path that fails its check, a blocked start or goal, or scenes that could not be planned;
+2 bad input, or a file that cannot be read or written; 3 internal error; 124 --timeout; 130 a batch that was interrupted,
+which the same command continues
 `;
 
 /** What each command is told by `--help`, its options, and where it is. @type {Record<string, Command>} */
@@ -35,20 +37,22 @@ const COMMANDS = {
   --trace              include the expansions (json; svg always has them)
   --size WIDTHxHEIGHT  size of the svg in pixels; default: 720x420
   --theme auto|light|dark  colours of the svg; default: auto
+  --timeout SECONDS    stop after so long, with exit code 124
   --layout single|overlay, --controls none|minimal  draw the svg as the poster of a playground with these attributes
 `,
-    options: { planner: { type: "string" }, set: { type: "string", multiple: true }, format: { type: "string" }, out: { type: "string" }, trace: { type: "boolean" }, size: { type: "string" }, theme: { type: "string" }, layout: { type: "string" }, controls: { type: "string" } },
+    options: { timeout: { type: "string" }, planner: { type: "string" }, set: { type: "string", multiple: true }, format: { type: "string" }, out: { type: "string" }, trace: { type: "boolean" }, size: { type: "string" }, theme: { type: "string" }, layout: { type: "string" }, controls: { type: "string" } },
     load: async () => (await import("./plan.js")).plan,
   },
   check: {
     about: `usage: parkade check SCENE [PATH] [options]
 
-  Without PATH, checks that the scene can be read. PATH is JSON with \`path\` (x, y, heading, …) and optional \`directions\`, or
+  Without PATH, checks that the scene can be read and that its car stands free at start and goal. PATH is JSON with \`path\` (x, y, heading, …) and optional \`directions\`, or
   CSV with columns x, y, theta and optional direction. The independent checker drives the body along it.
 
+  --timeout SECONDS    stop after so long, with exit code 124
   --format text|json   default: text
 `,
-    options: { format: { type: "string" } },
+    options: { timeout: { type: "string" }, format: { type: "string" } },
     load: async () => (await import("./check.js")).check,
   },
   bench: {
@@ -56,25 +60,28 @@ const COMMANDS = {
 
   --planner ID,ID…     default: four,eight,risk-field,hybrid
   --repeats N          timed plans per planner, interleaved, after one warm-up; default: 25
+  --timeout SECONDS    stop after so long, with exit code 124
   --format markdown|csv|json  default: markdown
 `,
-    options: { planner: { type: "string" }, repeats: { type: "string" }, format: { type: "string" } },
+    options: { timeout: { type: "string" }, planner: { type: "string" }, repeats: { type: "string" }, format: { type: "string" } },
     load: async () => (await import("./bench.js")).bench,
   },
   batch: {
-    about: `usage: parkade batch DIR [options]
+    about: `usage: parkade batch SCENES… [options]
 
-  Plans every .json scene below DIR, or every line of a .jsonl file. Appends a line per scene and planner to the
-  results and skips those already there, so a stopped run continues when it is started again.
+  Plans .json files, every .json below folders, and every line of .jsonl files. Appends a line per scene and planner to the
+  results and skips those already there, so a stopped run continues when it is started again. The result of a scene that
+  has changed since then is superseded.
 
   --planner ID,ID…     default: hybrid
   --set NAME=VALUE     a setting for all of the planners; may be repeated
   --jobs N             worker threads; default: one per processor
   --shard I/N          plan only part I of N; a hash of each scene decides its part
   --out FILE           default: results.jsonl, or results-I-of-N.jsonl with --shard
+  --timeout SECONDS    give up a plan after so long; a later run tries it again
   --quiet              show no progress
 `,
-    options: { planner: { type: "string" }, set: { type: "string", multiple: true }, jobs: { type: "string" }, shard: { type: "string" }, out: { type: "string" }, quiet: { type: "boolean" } },
+    options: { timeout: { type: "string" }, planner: { type: "string" }, set: { type: "string", multiple: true }, jobs: { type: "string" }, shard: { type: "string" }, out: { type: "string" }, quiet: { type: "boolean" } },
     load: async () => (await import("./batch.js")).batch,
   },
   digest: { about: "usage: parkade digest FILE…\n", options: {}, load: async () => (await import("./results.js")).digestFiles },
@@ -106,6 +113,9 @@ async function main([name = "", ...rest]) {
     process.stdout.write(command.about);
     return 0;
   }
+  const { timeout } = /** @type {{ timeout?: string }} */ (values), limit = seconds(timeout);
+  // Threads of `batch` are ended one by one.
+  if (limit !== undefined && isMainThread && name !== "batch") return (await import("./timeout.js")).within([name, ...rest], limit);
   return (await command.load())(positionals, values, module);
 }
 
@@ -130,6 +140,6 @@ try {
   process.exitCode = await main(process.argv.slice(2));
 } catch (error) {
   const known = error instanceof Refused || (error instanceof ParkadeError && error.code !== "internal");
-  process.stderr.write(`parkade: ${known ? error.message : error instanceof Error ? (error.stack ?? error.message) : error}\n`);
+  process.stderr.write(`parkade: ${error instanceof ParkadeError && known ? explained(error) : known ? error.message : error instanceof Error ? (error.stack ?? error.message) : error}\n`);
   process.exitCode = known ? 2 : 3;
 }

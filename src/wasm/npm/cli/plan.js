@@ -15,11 +15,12 @@ export async function plan(places, values) {
   const place = element ? { layout: choice("layout", values.layout, ["single", "overlay"]), controls: choice("controls", values.controls, ["none", "minimal"]) } : {};
   const scene = await read(places);
   const planners = plannerIds(values.planner, "hybrid");
+  const config = settings(values.set, planners);
   if (planners.length > 1 && format !== "svg") throw new Refused("--planner: one planner at a time");
   /** @type {Partial<Record<import("../index.js").LayerName, Layer>>} */
   let layers = {};
   const plans = planners.map((planner) => {
-    const prepared = new Planner(planner, scene, settings(values.set));
+    const prepared = new Planner(planner, scene, config);
     const found = prepared.plan({ trace: values.trace ?? format === "svg" });
     if (format === "svg" && planner.startsWith("risk-field")) layers = Object.fromEntries(/** @type {const} */ (["safety", "clearance", "risk"]).map((name) => [name, prepared.layer(name)]));
     prepared.free();

@@ -8,11 +8,18 @@ import { Refused, reason } from "./input.js";
 
 /**
  * A scene planned by a planner, or why it could not be.
- * @typedef {{ key: string, scene: string, planner: string, outcome?: string, verdict?: string, hash?: string, error?: { code: string, path: string, message: string }, [figure: string]: unknown }} Result
+ * `superseded` ends a result: its scene is another one by now.
+ * @typedef {{ key: string, scene: string, planner: string, settings: Record<string, unknown>, superseded?: true, outcome?: string, verdict?: string, hash?: string, error?: { code: string, path: string, message: string }, [figure: string]: unknown }} Result
  */
 
 /** What is kept of a result that has been written. @param {Result} result @returns {Result} */
-export const outline = ({ key, scene, planner, outcome, hash, error }) => ({ key, scene, planner, outcome, hash, error });
+export const outline = ({ key, scene, planner, settings, superseded, outcome, hash, error }) => ({ key, scene, planner, settings, superseded, outcome, hash, error });
+
+/** What a result answers, whatever the scene holds. @param {Pick<Result, "scene" | "planner" | "settings">} result */
+export const questionOf = ({ scene, planner, settings }) => JSON.stringify([scene, planner, Object.entries(settings ?? {}).sort()]);
+
+/** Whether a result stays when its scene is planned again: one that ran out of time does not. @param {Result | undefined} result */
+export const isFinal = (result) => result !== undefined && result.superseded !== true && result.error?.code !== "timeout";
 
 /** @param {string | Uint8Array} text */
 export const hashOf = (text) => createHash("sha256").update(text).digest("hex").slice(0, 32);
@@ -75,10 +82,11 @@ export async function digestFiles(files) {
       throw new Refused(`${file}: ${reason(error)}`);
     });
     for await (const result of read(file)) {
-      if (all.has(result.key)) repeated++;
-      all.set(result.key, result);
+      if (isFinal(all.get(result.key)) && !result.superseded) repeated++;
+      all.set(result.key, outline(result));
     }
   }
+  for (const { key, superseded } of all.values()) if (superseded) all.delete(key);
   process.stdout.write(`${digest(all.values())}  ${all.size} results${repeated > 0 ? `, ${repeated} repeated` : ""}\n`);
   return repeated > 0 ? 1 : 0;
 }

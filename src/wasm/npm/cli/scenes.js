@@ -1,8 +1,8 @@
 // @ts-check
 // Where the scenes of `parkade batch` are.
 import { createReadStream, readFileSync } from "node:fs";
-import { readdir } from "node:fs/promises";
-import { join, relative } from "node:path";
+import { readdir, stat } from "node:fs/promises";
+import { join } from "node:path";
 import { Refused, reason } from "./input.js";
 import { hashOf } from "./results.js";
 
@@ -11,20 +11,31 @@ import { hashOf } from "./results.js";
  * @typedef {{ name: string, file: string, from: number, length: number }} Scene
  */
 
-/** Every .json below a folder, or every line of a .jsonl, with the hash of its content. @param {string} place @returns {AsyncGenerator<{ scene: Scene, content: string }>} */
+/**
+ * Every .json below a folder, every line of a .jsonl, or a .json itself, with the hash of its content.
+ * @param {string} place
+ * @returns {AsyncGenerator<{ scene: Scene, content: string }>}
+ */
 export async function* scenes(place) {
   if (place.endsWith(".jsonl")) {
     yield* lines(place);
+    return;
+  }
+  if (place.endsWith(".json") && (await stat(place)).isFile()) {
+    yield whole(place);
     return;
   }
   const entries = await readdir(place, { recursive: true, withFileTypes: true }).catch((error) => {
     throw new Refused(`${place}: ${reason(error)}`);
   });
   const files = entries.filter((entry) => entry.isFile() && entry.name.endsWith(".json")).map((entry) => join(entry.parentPath ?? entry.path, entry.name)).sort();
-  for (const file of files) {
-    const bytes = read(file);
-    yield { scene: { name: relative(place, file).replaceAll("\\", "/"), file, from: 0, length: bytes.length }, content: hashOf(bytes) };
-  }
+  for (const file of files) yield whole(file);
+}
+
+/** @param {string} file */
+function whole(file) {
+  const bytes = read(file);
+  return { scene: { name: file.replaceAll("\\", "/"), file, from: 0, length: bytes.length }, content: hashOf(bytes) };
 }
 
 /** @param {string} file */

@@ -3,7 +3,7 @@
 import { closeSync, openSync, readSync } from "node:fs";
 import Tinypool from "tinypool";
 import { ParkadeError, Planner, init } from "../node.js";
-import { reason } from "./input.js";
+import { MAX_BYTES, reason, tooLarge } from "./input.js";
 import { hashOf, outline } from "./results.js";
 
 /** @typedef {import("./results.js").Result} Result */
@@ -28,7 +28,7 @@ export default function run(tasks) {
   const done = [];
   for (const task of tasks) {
     if (stopped) break;
-    const result = { key: task.key, scene: task.scene.name, planner: task.planner, ...planned(task) };
+    const result = { key: task.key, scene: task.scene.name, planner: task.planner, settings: config, ...planned(task) };
     stopped = result.error?.code === "internal";
     done.push({ line: `${JSON.stringify(result)}\n`, result: outline(result) });
   }
@@ -38,6 +38,7 @@ export default function run(tasks) {
 /** @param {import("./batch.js").Task} task @returns {Pick<Result, "outcome" | "error">} */
 function planned({ scene, planner, content }) {
   try {
+    if (scene.length > MAX_BYTES) throw new ParkadeError(tooLarge(scene.length), "bad-scenario");
     if (last.of !== content) last = { of: content, scene: parsed(scene, content) };
     const prepared = new Planner(planner, /** @type {any} */ (last.scene), config);
     try {
