@@ -41,7 +41,7 @@ export default defineConfig({
       themeConfig: {
         nav: [{ text: "Guide", link: "/guide" }, { text: "Planners", link: "/planners/hybrid" }, { text: "API", link: "/api/reference" }],
         sidebar: [
-          { text: "Start", items: [{ text: "First scene in five minutes", link: "/guide" }, { text: "Embed it", link: "/embed" }, { text: "Command line", link: "/command" }, { text: "Many machines", link: "/machines" }] },
+          { text: "Start", items: [{ text: "First scene in five minutes", link: "/guide" }, { text: "Embed it", link: "/embed" }, { text: "Bundlers and servers", link: "/bundlers" }, { text: "Command line", link: "/command" }, { text: "Many machines", link: "/machines" }] },
           { text: "Planners", items: list("en", "") },
           { text: "Papers", items: papers },
           { text: "Reference", items: [{ text: "JavaScript", link: "/api/reference" }, { text: "Rust", link: "/api/rust" }] },

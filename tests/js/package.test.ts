@@ -1,10 +1,13 @@
 import { execFileSync } from "node:child_process";
-import { existsSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
-import { join } from "node:path";
+import { copyFileSync, existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { basename, join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { build as esbuild } from "esbuild";
-import { build as vite } from "vite";
+import { rolldown } from "rolldown";
+import { rollup } from "rollup";
+import { build as vite, createServer } from "vite";
 import { Planner, generateScenario, init, scenarios, version, type Plan } from "parkade";
 import { PACKAGE, installed, npm, parkade } from "./pack";
 
@@ -89,6 +92,82 @@ test("Vite bundles the browser's entry and takes the module along", async () => 
   expect(await answerOf(join(folder, "vite-lib/entry.mjs"))).toBe(HASHES["perpendicular"]!["hybrid"]);
 });
 
+const INLINE = `import { init, Planner, scenario } from "parkade/inline";
+export async function answer() {
+  await init();
+  return new Planner("hybrid", scenario("perpendicular")).plan().hash;
+}`;
+
+/** A bundle's answer in a process and a folder of its own, where nothing of the package is near. */
+function alone(bundle: string): string {
+  const place = mkdtempSync(join(tmpdir(), "parkade-bundle-")), name = basename(bundle);
+  try {
+    copyFileSync(bundle, join(place, name));
+    writeFileSync(join(place, "run.mjs"), `const bundle = await import("./${name}"); console.log(await (bundle.answer ?? bundle.default.answer)());`);
+    return execFileSync(process.execPath, ["run.mjs"], { cwd: place, encoding: "utf8" }).trim();
+  } finally {
+    rmSync(place, { recursive: true });
+  }
+}
+
+test.each([["browser", "esm"], ["browser", "cjs"], ["node", "esm"], ["node", "cjs"], ["neutral", "esm"]] as const)("esbuild's bundle of `parkade/inline` for %s as %s runs alone", async (platform, format) => {
+  write("inline.js", INLINE);
+  const outfile = join(folder, `inline-${platform}-${format}/entry.${format === "esm" ? "mjs" : "cjs"}`);
+  const { warnings } = await esbuild({ absWorkingDir: folder, entryPoints: ["inline.js"], bundle: true, minify: true, format, platform, outfile, logLevel: "silent" });
+  expect([warnings, readFileSync(outfile, "utf8").includes("parkade_bg.wasm")]).toEqual([[], false]);
+  expect(alone(outfile)).toBe(HASHES["perpendicular"]!["hybrid"]);
+});
+
+test("the bundles of `parkade/inline` by Rollup, Rolldown and Vite run alone", async () => {
+  write("inline.js", INLINE);
+  const input = join(folder, "inline.js");
+  const parkadeOnly = { name: "parkade", resolveId: (id: string) => (id === "parkade/inline" ? join(folder, "node_modules/parkade/inline.js") : null) };
+  const rolled = await rollup({ input, plugins: [parkadeOnly] });
+  await rolled.write({ file: join(folder, "inline-rollup.mjs"), format: "es" });
+  await (await rolldown({ input })).write({ file: join(folder, "inline-rolldown.mjs"), format: "es" });
+  await vite({ root: folder, configFile: false, logLevel: "silent", build: { outDir: "inline-vite", emptyOutDir: false, target: "es2022", lib: { entry: "inline.js", formats: ["es"], fileName: () => "entry.mjs" } } });
+  await vite({ root: folder, configFile: false, logLevel: "silent", ssr: { noExternal: true }, build: { outDir: "inline-ssr", ssr: "inline.js", rolldownOptions: { output: { entryFileNames: "entry.mjs" } } } });
+  for (const file of ["inline-rollup.mjs", "inline-rolldown.mjs", "inline-vite/entry.mjs", "inline-ssr/entry.mjs"]) {
+    expect([file, alone(join(folder, file))]).toEqual([file, HASHES["perpendicular"]!["hybrid"]]);
+  }
+}, 60_000);
+
+test("Vite's development server hands out `parkade/inline`, optimised, with its module", async () => {
+  write("inline.js", INLINE);
+  const server = await createServer({ root: folder, configFile: false, logLevel: "silent", cacheDir: join(folder, "inline-cache"), optimizeDeps: { include: ["parkade/inline"], noDiscovery: true }, server: { middlewareMode: true, ws: false, watch: null } });
+  try {
+    await server.environments.client.depsOptimizer?.init();
+    const { code } = (await server.transformRequest("/inline.js"))!;
+    expect(code).toMatch(/inline-cache\/deps\/parkade_inline\.js/);
+    write("optimised.mjs", INLINE.replace("parkade/inline", "./inline-cache/deps/parkade_inline.js"));
+    write("run-optimised.mjs", 'import { answer } from "./optimised.mjs"; console.log(await answer());');
+    expect(run("run-optimised.mjs").trim()).toBe(HASHES["perpendicular"]!["hybrid"]);
+  } finally {
+    await server.close();
+  }
+}, 60_000);
+
+test("`parkade/inline` takes bytes and modules, and refuses other things", () => {
+  write("given.mjs", `import { readFileSync } from "node:fs";
+    import { init, version } from "parkade/inline";
+    await init({ wasm: "file.wasm" }).catch(({ code, path }) => console.log(code, path));
+    await init({ wasm: readFileSync("node_modules/parkade/parkade_bg.wasm") });
+    console.log(version());`);
+  expect(run("given.mjs").trim().split("\n")).toEqual(["bad-input wasm", version()]);
+});
+
+/** What `require` does in this Node.js, and in those of before 20.19, which cannot require modules. */
+test.each([["as it is", []], ["without `require` of modules", ["--no-experimental-require-module"]]])("CommonJS plans with `require`, in Node %s", (_, flags) => {
+  write("plan.cjs", `const { init, Planner, ParkadeError, scenario } = require("parkade");
+    init().then(async () => {
+      console.log(new Planner("hybrid", scenario("perpendicular")).plan().hash);
+      try { new Planner("hybird", scenario("perpendicular")); } catch (error) { console.log(error instanceof ParkadeError, error.code); }
+    });`);
+  const known = process.allowedNodeEnvironmentFlags.has("--experimental-require-module");
+  const printed = execFileSync(process.execPath, [...(known ? flags : []), "plan.cjs"], { cwd: folder, encoding: "utf8" });
+  expect(printed.trim().split("\n")).toEqual([HASHES["perpendicular"]!["hybrid"], "true unknown-planner"]);
+});
+
 test("a bundle that uses no planner leaves them out", async () => {
   write("small.js", 'export { packRuns } from "parkade";');
   write("large.js", 'export * from "parkade";');
@@ -99,17 +178,36 @@ test("a bundle that uses no planner leaves them out", async () => {
   expect(await size("small.js")).toBeLessThan((await size("large.js")) / 4);
 });
 
+const TSC = fileURLToPath(new URL("../../node_modules/typescript/bin/tsc", import.meta.url));
+
+/** What the compiler complains about in a file. */
+function check(name: string, text: string, module = "nodenext", resolution = module): string {
+  write(name, text);
+  const flags = ["--strict", "--noEmit", "--target", "es2022", "--lib", "es2023,esnext.disposable,dom", "--module", module, "--moduleResolution", resolution, "--types", "", "--exactOptionalPropertyTypes", "--noUncheckedIndexedAccess"];
+  try {
+    return execFileSync(process.execPath, [TSC, ...flags, name], { cwd: folder, encoding: "utf8" });
+  } catch (error) {
+    return String((error as { stdout: string }).stdout);
+  }
+}
+
+test("the types are found by modules and by CommonJS, as old and new compilers resolve them", () => {
+  const text = 'import { init, Planner, type Scenario } from "parkade";\nexport const plan = (scene: Scenario) => init().then(() => new Planner("hybrid", scene).plan());';
+  for (const module of ["node16", "node18", "nodenext"]) {
+    for (const name of ["types.cts", "types.mts"]) expect([module, name, check(name, text, module, module === "node18" ? "node16" : module)]).toEqual([module, name, ""]);
+  }
+  expect(check("types.ts", text, "esnext", "bundler")).toBe("");
+  expect(check("inline.ts", text.replace('"parkade"', '"parkade/inline"'))).toBe("");
+});
+
+test.each(["guide.md", "zh/guide.md"])("the scripts of %s are strict TypeScript as they stand", (file) => {
+  const guide = readFileSync(new URL(`../../docs/${file}`, import.meta.url), "utf8");
+  const scripts = [...guide.matchAll(/```js\n([^]*?)```/g)].map(([, code]) => code!);
+  expect(scripts.length).toBeGreaterThan(3);
+  scripts.forEach((code, i) => expect([i, check(`guide-${i}.mts`, code)]).toEqual([i, ""]));
+});
+
 test("strict TypeScript accepts good use of the types and refuses bad", () => {
-  const tsc = fileURLToPath(new URL("../../node_modules/typescript/bin/tsc", import.meta.url));
-  const check = (name: string, text: string) => {
-    write(name, text);
-    const flags = ["--strict", "--noEmit", "--target", "es2022", "--lib", "es2023,esnext.disposable,dom", "--module", "nodenext", "--moduleResolution", "nodenext", "--types", "", "--exactOptionalPropertyTypes", "--noUncheckedIndexedAccess"];
-    try {
-      return execFileSync(process.execPath, [tsc, ...flags, name], { cwd: folder, encoding: "utf8" });
-    } catch (error) {
-      return String((error as { stdout: string }).stdout);
-    }
-  };
   expect(check("good.ts", `import { init, Planner, scenario, toSVG, type Plan, type Scenario } from "parkade";
     await init();
     const scene: Scenario = scenario("perpendicular");

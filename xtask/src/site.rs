@@ -43,6 +43,11 @@ const PACKAGE_SOURCES: &[&str] = &["index.js", "node.js", "api.js", "cells.js", 
 const COMPLETE_SOURCE: &str = "complete.js";
 /// What that file takes from others.
 const COMPLETE_PARTS: &[&str] = &["columns.js", "drive.js", "picture.js"];
+/// The entry that has the complete module within.
+const INLINE_SOURCE: &str = "inline.js";
+/// Writes a file's bytes as text into a module.
+const TO_TEXT: &str = "const { readFileSync, writeFileSync } = require('node:fs'); const [from, to] = process.argv.slice(1); \
+    writeFileSync(to, `export const base64 = \"${readFileSync(from).toString('base64')}\";\n`)";
 /// The folder of the command `parkade`.
 const COMMAND: &str = "cli";
 const PACKAGE_PAPERS: &[&str] = &["README.md", "CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE"];
@@ -113,14 +118,20 @@ fn build_package(workspace: &Workspace) -> Result<()> {
         copy(&sources.join(name), &package.join(name))?;
     }
     copy_folder(&sources.join(COMMAND), &package.join(COMMAND))?;
-    copy(&root().join("src/wasm/npm/index.d.ts"), &package.join("index.d.ts"))?;
+    copy(&sources.join(INLINE_SOURCE), &package.join(INLINE_SOURCE))?;
+    run(node().args(["-e", TO_TEXT, "--"]).arg(package.join(WASM_FILE)).arg(package.join("bytes.js")))?;
+    for name in ["index.d.ts", "index.d.cts"] {
+        copy(&sources.join("index.d.ts"), &package.join(name))?;
+    }
     copy(&root().join("src/scenario").join(SCHEMA), &package.join(SCHEMA))?;
     for name in PACKAGE_PAPERS {
         copy(&root().join(name), &package.join(name))?;
     }
     // The page's drawing, for pictures made without a page.
     run(node_tool("vite/bin/vite.js").args(["build", "--config", "vite.picture.config.ts"]))?;
-    write_manifest(&workspace.version, &package)
+    write_manifest(&workspace.version, &package)?;
+    // Last, as it bundles what is there.
+    run(node_tool("vite/bin/vite.js").args(["build", "--config", "vite.require.config.ts"]))
 }
 
 /// Compiles the module with these arguments for cargo and rustc, and puts it, its glue and the API's sources into `folder`.
