@@ -80,20 +80,14 @@ export class Planner {
 
   /** @type {import("./index.js").Planner["search"]} */
   search(start, goal) {
-    const found = this.#call((planner) => {
-      if (planner.search === undefined) throw missing("search");
-      return planner.search(...point(start, "start"), ...point(goal, "goal"));
-    });
+    const found = this.#call((planner) => planner.search(...point(start, "start"), ...point(goal, "goal")), "search");
     const [outcome = 0, costMicro = 0, expanded = 0, generated = 0] = found;
     return { outcome: /** @type {import("./index.js").Outcome} */ (OUTCOMES[outcome]), path: found.subarray(4), costMicro, expanded, generated };
   }
 
   /** @type {import("./index.js").Planner["anyAngleLength"]} */
   anyAngleLength() {
-    return this.#call((planner) => {
-      if (planner.anyAngleLength === undefined) throw missing("anyAngleLength");
-      return planner.anyAngleLength() ?? null;
-    });
+    return this.#call((planner) => planner.anyAngleLength() ?? null, "anyAngleLength");
   }
 
   /** @type {import("./index.js").Planner["brush"]} */
@@ -105,10 +99,7 @@ export class Planner {
       throw mismatch(blocked, "blocked", "true or false");
     }
     const cells = numbers(Uint32Array, runs.flat(), "runs");
-    this.#call((planner) => {
-      if (planner.brush === undefined) throw missing("brush");
-      planner.brush(cells, blocked);
-    });
+    this.#call((planner) => planner.brush(cells, blocked), "brush");
   }
 
   /** @type {import("./index.js").Planner["layer"]} */
@@ -118,10 +109,7 @@ export class Planner {
 
   /** @type {import("./index.js").Planner["explain"]} */
   explain(at) {
-    return this.#call((planner) => {
-      if (planner.explain === undefined) throw missing("explain");
-      return planner.explain(...point(at, "at"));
-    });
+    return this.#call((planner) => planner.explain(...point(at, "at")), "explain");
   }
 
   /** Gives the memory back; again, it does nothing. */
@@ -139,11 +127,13 @@ export class Planner {
   /**
    * @template T
    * @param {(planner: raw.RawPlanner) => T} run
+   * @param {"search" | "anyAngleLength" | "brush" | "explain"} [method] what only the complete module has
    */
-  #call(run) {
+  #call(run, method) {
     this.#rest();
     const planner = this.#raw;
     if (planner === undefined) throw new ParkadeError("this planner has been freed", "freed");
+    if (method && !planner[method]) throw new ParkadeError(`${method}: not in parkade/core, but in parkade`, "bad-input");
     return call(() => run(planner));
   }
 
@@ -163,6 +153,3 @@ const OUTCOMES = [
  * @returns {[number, number]}
  */
 const point = (at, name) => [number(at?.x, `${name}.x`), number(at?.y, `${name}.y`)];
-
-/** @param {string} method */
-const missing = (method) => new ParkadeError(`${method}: not in parkade/core, but in parkade`, "bad-input");
