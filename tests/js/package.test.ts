@@ -132,6 +132,17 @@ test("the bundles of `parkade/inline` by Rollup, Rolldown and Vite run alone", a
   }
 }, 60_000);
 
+test("the module's address comes from Vite's `?url` and from esbuild's file loader", async () => {
+  const addressed = (wasm: string) => ENTRY.replace("answer(wasm) {", "answer() {").replace("import {", `import wasm from "${wasm}";\nimport {`);
+  write("url.js", addressed("parkade/parkade_bg.wasm?url"));
+  await vite({ root: folder, configFile: false, logLevel: "silent", build: { outDir: "url-vite", target: "es2022", lib: { entry: "url.js", formats: ["es"], fileName: () => "entry.mjs" } } });
+  expect(alone(join(folder, "url-vite/entry.mjs"))).toBe(HASHES["perpendicular"]!["hybrid"]);
+  write("file.js", addressed("parkade/parkade_bg.wasm"));
+  const outdir = join(folder, "url-esbuild");
+  await esbuild({ absWorkingDir: folder, entryPoints: ["file.js"], bundle: true, format: "esm", platform: "node", outdir, outExtension: { ".js": ".mjs" }, loader: { ".wasm": "file" }, publicPath: pathToFileURL(outdir).href, logLevel: "silent" });
+  expect(alone(join(outdir, "file.mjs"))).toBe(HASHES["perpendicular"]!["hybrid"]);
+});
+
 test("Vite's development server hands out `parkade/inline`, optimised, with its module", async () => {
   write("inline.js", INLINE);
   const server = await createServer({ root: folder, configFile: false, logLevel: "silent", cacheDir: join(folder, "inline-cache"), optimizeDeps: { include: ["parkade/inline"], noDiscovery: true }, server: { middlewareMode: true, ws: false, watch: null } });
