@@ -87,7 +87,7 @@ pub struct Stats {
     /// Hybrid A*: poses tested for collision.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub collision_checks: Option<u32>,
-    /// Hybrid A*: level of the resolution ladder that gave the path.
+    /// Hybrid A*: level of the portfolio that gave the path, or was tried last.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub level: Option<u32>,
 }

@@ -69,7 +69,7 @@ impl Lot {
     /// Plans and checks the path; its length and direction changes.
     pub(crate) fn solve(&self, name: &str, config: &Config) -> (f64, u32, Report) {
         let report = self.plan(config);
-        assert_eq!(report.status, Status::Found, "{name}");
+        assert!(matches!(report.status, Status::Found | Status::Suboptimal), "{name}: {:?}", report.status);
         self.check(name, &report.arcs);
         let length = arcs::length(&report.arcs);
         assert!(length >= report.rs_bound - 1e-6, "{name}: {length} below {}", report.rs_bound);

@@ -8,4 +8,7 @@ mod questions;
 mod reverse;
 mod rows;
 mod tight;
+#[cfg(not(target_arch = "wasm32"))]
+#[path = "../tight_scenes/mod.rs"]
+mod tight_scenes;
 mod why;

@@ -28,7 +28,9 @@ const LOADER: &str = "parkade-playground.js";
 const WASM_FILE: &str = "parkade_bg.wasm";
 
 /// What the searches' loops need is marked to be inlined; the usual threshold copies much that they do not.
-const COMPLETE_FLAGS: &[&str] = &["-C", "llvm-args=--inline-threshold=150"];
+const COMPLETE_FLAGS: &[&str] = &["-C", "llvm-args=--inline-threshold=140"];
+/// The first download shall be small; it plans for a few seconds only, until the complete module is there.
+const CORE_FLAGS: &[&str] = &["-C", "opt-level=s", "-C", "llvm-args=--inline-threshold=12"];
 /// Lets the compiler use WebAssembly's vectors, which the package does without.
 const VECTORS: &[&str] = &["-C", "target-feature=+simd128"];
 
@@ -111,7 +113,7 @@ fn build_package(workspace: &Workspace) -> Result<()> {
         fs::remove_dir_all(&package).with_context(|| format!("cannot clear {}", package.display()))?;
     }
     let sources = root().join("src/wasm/npm");
-    build_module(workspace, &package.join(CORE), &["--no-default-features"], &["-C", "opt-level=s"])?;
+    build_module(workspace, &package.join(CORE), &["--no-default-features"], CORE_FLAGS)?;
     copy(&sources.join(CORE).join(COMPLETE_SOURCE), &package.join(CORE).join(COMPLETE_SOURCE))?;
     build_module(workspace, &package, &[], COMPLETE_FLAGS)?;
     for name in [COMPLETE_SOURCE].iter().chain(COMPLETE_PARTS) {

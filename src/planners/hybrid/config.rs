@@ -104,8 +104,7 @@ pub struct Config {
     pub first_shot: bool,
     /// Whether finer levels are tried when the coarse one finds nothing.
     pub ladder: bool,
-    /// The finest level that is tried, 0 to 4; 3 and 4, for cars that can hardly move, only where the one before was
-    /// searched to its end.
+    /// The finest level that is tried, 0 to 5; from 4 on, for cars that can hardly move, smaller margins are tried too.
     pub finest_level: u32,
     /// Expansions per level; by the level where absent.
     pub max_expansions: Option<u32>,
@@ -158,7 +157,7 @@ impl Default for Config {
             shortcut: true,
             first_shot: false,
             ladder: true,
-            finest_level: 4,
+            finest_level: 5,
             max_expansions: None,
         }
     }
@@ -251,13 +250,16 @@ impl Config {
         within("steerCost", self.steer_cost, 0.0, 100.0)?;
         within("steerChangeCost", self.steer_change_cost, 0.0, 1000.0)?;
         within("obstacleCost", self.obstacle_cost, 0.0, 1000.0)?;
-        within("finestLevel", f64::from(self.finest_level), 0.0, 4.0)?;
+        within("finestLevel", f64::from(self.finest_level), 0.0, 5.0)?;
         within("obstacleDistance", self.obstacle_distance, 0.01, 20.0)?;
         within("maxExpansions", f64::from(self.max_expansions.unwrap_or(1)), 1.0, 10_000_000.0)
     }
 }
 
-/// A rung of the resolution ladder.
+/// Levels from this one on are for cars that can hardly move.
+pub(super) const SHUFFLING: u32 = 4;
+
+/// One resolution of the lattice.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Level {
     pub(super) xy: f64,
@@ -270,55 +272,55 @@ pub(super) struct Level {
     pub(super) weight: f64,
     /// Extra weight of a metre in reverse away from both ends while searching.
     pub(super) far_reverse: f64,
+    /// Extra cost of a gear change while searching, metres.
+    pub(super) extra_change: f64,
     /// Whether a car that can hardly move drives as far as it can each time, `step` at most.
     pub(super) shuffle: bool,
 }
 
 const DEGREE: f64 = core::f64::consts::PI / 180.0;
 
+/// How many levels there are.
+const LEVELS: u32 = 6;
+
 impl Config {
-    /// The rungs to try, in order.
-    pub(super) fn levels(&self) -> impl Iterator<Item = Level> + use<> {
-        let rung = |xy, yaw, step, steer_samples, spacing, max_expansions, weight| Level {
+    /// How many levels these settings allow.
+    pub(super) fn levels(&self) -> u32 {
+        if self.ladder { self.finest_level.min(LEVELS - 1) + 1 } else { 1 }
+    }
+
+    /// One of the levels, coarse ones first.
+    pub(super) fn level(&self, number: u32) -> Level {
+        let (xy, yaw, step, steer_samples, spacing, max_expansions, weight) = match number {
+            0 => (0.5, 5.0, 0.8, 2, 0.1, 20_000, 1.0),
+            1 => (0.15, 2.0, 0.25, 1, 0.05, 60_000, 2.0),
+            2 => (0.1, 1.0, 0.15, 1, 0.05, 60_000, 2.0),
+            3 => (0.05, 0.5, 0.06, 1, 0.05, 100_000, 2.0),
+            4 => (0.05, 1.0, 1.0, 1, 0.05, 10_000, 1.2),
+            _ => (0.03, 0.5, 1.0, 1, 0.05, 10_000, 1.2),
+        };
+        let shuffle = number >= SHUFFLING;
+        let level = Level {
             xy,
             yaw: yaw * DEGREE,
             step,
             steer_samples,
             spacing,
-            max_expansions,
-            weight,
+            max_expansions: self.max_expansions.unwrap_or(max_expansions),
+            weight: self.heuristic_weight.unwrap_or(weight),
             far_reverse: 0.0,
-            shuffle: false,
+            extra_change: if number > 0 && !shuffle { 2.0 } else { 0.0 },
+            shuffle,
         };
-        let shuffle = |level| Level { shuffle: true, ..level };
-        let rungs = [
-            rung(0.5, 5.0, 0.8, 2, 0.1, 20_000, 1.0),
-            rung(0.25, 3.0, 0.5, 2, 0.05, 20_000, 1.2),
-            rung(0.1, 1.5, 0.2, 1, 0.05, 60_000, 1.2),
-            shuffle(rung(0.05, 1.0, 1.0, 1, 0.05, 10_000, 1.2)),
-            shuffle(rung(0.03, 0.5, 1.0, 1, 0.05, 10_000, 1.2)),
-        ];
-        let config = *self;
-        rungs
-            .into_iter()
-            .take(if self.ladder { self.finest_level as usize + 1 } else { 1 })
-            .map(move |level| Level {
-                max_expansions: config.max_expansions.unwrap_or(level.max_expansions),
-                weight: config.heuristic_weight.unwrap_or(level.weight),
-                ..level
-            })
-            .map(move |level| {
-                if level.shuffle {
-                    level
-                } else {
-                    Level {
-                        xy: config.xy_resolution.unwrap_or(level.xy),
-                        yaw: config.heading_resolution.unwrap_or(level.yaw),
-                        step: config.motion_primitive_length.unwrap_or(level.step),
-                        steer_samples: config.steer_samples.unwrap_or(level.steer_samples),
-                        ..level
-                    }
-                }
-            })
+        if shuffle {
+            return level;
+        }
+        Level {
+            xy: self.xy_resolution.unwrap_or(level.xy),
+            yaw: self.heading_resolution.unwrap_or(level.yaw),
+            step: self.motion_primitive_length.unwrap_or(level.step),
+            steer_samples: self.steer_samples.unwrap_or(level.steer_samples),
+            ..level
+        }
     }
 }

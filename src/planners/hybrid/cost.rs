@@ -1,6 +1,7 @@
 //! What driving costs.
 
 use super::Config;
+use super::config::Level;
 use crate::geometry::arcs::Arc;
 use crate::geometry::reeds_shepp::Word;
 use crate::geometry::{Point, Pose};
@@ -68,6 +69,11 @@ impl CostModel {
     /// The same with another extra weight of a metre in reverse away from both ends.
     pub(super) fn with_far_reverse(self, far_reverse: f64) -> Self {
         Self { far_reverse, ..self }
+    }
+
+    /// What a level searches by: it may shun gear changes and long ways in reverse more than the path will be charged for.
+    pub(super) fn searching(self, level: &Level) -> Self {
+        Self { far_reverse: level.far_reverse, change: self.change + level.extra_change, ..self }
     }
 
     fn in_reverse(&self, arc: &Arc) -> bool {

@@ -53,6 +53,7 @@ impl Flood {
     }
 
     /// Floods from `target`, for a body grown by `margin`. What `old` has of it is taken over.
+    #[inline(never)]
     pub(super) fn new(
         obstacles: &Obstacles,
         vehicle: &Vehicle,

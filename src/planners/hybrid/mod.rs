@@ -8,9 +8,10 @@ mod cost;
 mod domain;
 mod flood;
 mod keys;
-mod ladder;
+mod level;
 mod obstruction;
 mod passage;
+mod portfolio;
 mod shortcut;
 mod shots;
 #[cfg(feature = "complete")]
@@ -24,7 +25,8 @@ use core::cell::RefCell;
 use domain::State;
 use flood::Flood;
 use keys::Keys;
-use ladder::{Search, Work};
+use level::{Search, Work};
+use portfolio::Floods;
 use shots::Watch;
 
 use super::{Gap, Obstruction};
@@ -39,12 +41,8 @@ use crate::vehicle::collision::{Edge, Obstacles, Probe, Solid};
 const STUCK: f64 = 1.0;
 /// The least margin where start and goal have it, metres: what passes unseen between two checks.
 const HAIR: f64 = 0.002;
-/// Margins tried in turn where the one asked for keeps the car in, metres.
-const LESS: [f64; 3] = [0.03, 0.01, HAIR];
 /// Less clearance than this at start or goal is tight, metres.
 const TIGHT: f64 = 0.4;
-/// Levels from this one on are for cars that can hardly move.
-const FINE: usize = 3;
 /// Arcs of the search tree that are kept for drawing.
 const TREE: usize = 20_000;
 
@@ -88,7 +86,7 @@ pub enum Status {
     Unreachable,
     /// A place on every way is narrower than the body; in world coordinates.
     TooNarrow(Gap),
-    /// Every level was searched to its end.
+    /// Some level was searched to its end with the least margin.
     NoPath,
     /// So it was, and the car can hardly move where it starts or arrives.
     BoxedIn {
@@ -114,10 +112,10 @@ pub struct Report {
     pub cost: f64,
     /// Length of the shortest path without obstacles, metres.
     pub rs_bound: f64,
-    /// Level of the resolution ladder that gave the path, or the last one tried.
+    /// Level of the portfolio that gave the path, or the last one tried.
     pub level: u32,
-    /// The margin planned with, metres: less than asked where start or goal have less, and 3 cm, 1 cm or 2 mm where it
-    /// alone keeps the car in.
+    /// The margin planned with, metres: less than asked where start or goal have less, and 5 cm, 3 cm, 1 cm or 2 mm where no
+    /// way with more was found.
     pub margin: f64,
     /// Expansions, over all levels.
     pub expanded: u32,
@@ -188,7 +186,8 @@ impl Report {
 
 /// Plans a path that the car can drive.
 ///
-/// Levels of the resolution ladder are tried in order until one gives a path that survives verification at 0.02 m.
+/// The members of a portfolio, levels of resolution with one of several margins, take turns until one gives a path that
+/// survives verification at 0.01 m.
 /// Deterministic: budgets count expansions and collision checks, never time. `trace` keeps the search tree and the
 /// connections that failed; `progress` is told of the expansions over all levels.
 ///
@@ -242,63 +241,46 @@ pub fn plan(
         report.status = Status::Found;
         return report;
     }
-    let [from_start, from_goal] =
-        [start, goal].map(|pose| travel(&probe, query.vehicle, pose, report.margin));
+    let travels = |margin| [start, goal].map(|pose| travel(&probe, query.vehicle, pose, margin));
+    let [from_start, from_goal] = travels(report.margin);
     let mirrored =
         config.search_from != SearchFrom::Start && (from_start >= STUCK || from_start >= from_goal);
     let (root, target) = if mirrored { (goal, start) } else { (start, goal) };
-    let flood = Flood::new(query.obstacles, query.vehicle, target, report.margin, scratch.flood.take());
-    let search = Search {
-        query,
-        config,
-        probe: &probe,
-        flood: &flood,
-        root,
-        target,
-        mirrored,
-        start,
-        goal,
-        tight: clearance < TIGHT,
-        trace,
-    };
-    if flood.distance(root).is_infinite() {
-        report.status = search.unreachable();
-        report.obstruction = Some(match report.status {
-            Status::TooNarrow(gap) => Obstruction::Gap(gap),
-            _ => obstruction::enclosed(query, [start, goal], report.margin),
-        });
-        report.bytes = flood.bytes() + query.obstacles.bytes();
-        scratch.flood = Some(flood);
-        return report;
+    let floods = Floods::new(query, config, [target, root], report.margin, scratch.flood.take());
+    if let Some((widest, flood)) = floods.widest() {
+        report.margin = floods.margin(widest);
+        let tight = clearance < TIGHT;
+        let search =
+            Search { query, config, probe: &probe, flood, root, target, mirrored, start, goal, tight, trace };
+        portfolio::plan(search, &floods, widest, &mut Work { report: &mut report, scratch, progress });
+    } else {
+        report.margin = floods.least();
+        (report.status, report.obstruction) = unreachable(query, [start, goal], report.margin);
     }
-    let mut work = Work { report: &mut report, scratch, progress };
-    search.climb(0, &mut work);
-    for margin in LESS {
-        let stopped = work.progress.as_ref().is_some_and(Progress::is_stopped);
-        if !work.report.arcs.is_empty() || (work.report.level as usize) < FINE || stopped {
-            break;
-        }
-        if work.report.margin > margin {
-            // The margin is what keeps the car in.
-            (work.report.margin, work.report.status) = (margin, Status::NoPath);
-            let flood = Flood::new(query.obstacles, query.vehicle, target, margin, None);
-            Search { flood: &flood, ..search }.climb(FINE, &mut work);
-        }
-    }
-    scratch.flood = Some(flood);
-    report.bytes += scratch.flood.as_ref().map_or(0, Flood::bytes) + query.obstacles.bytes();
+    report.bytes += floods.bytes() + query.obstacles.bytes();
+    scratch.flood = floods.into_memory();
     report.collision_checks = probe.checks();
+    let [from_start, from_goal] = travels(report.margin);
     let least = from_start.min(from_goal);
     if report.status == Status::NoPath && least < STUCK {
         let at_start = from_start < from_goal;
         report.status = Status::BoxedIn { at_start, travel: least };
         let stops = obstruction::stops(&probe, query, if at_start { start } else { goal }, report.margin);
         report.obstruction = Some(Obstruction::BoxedIn { at_start, stops });
-    } else if report.arcs.is_empty() {
+    } else if report.arcs.is_empty() && report.obstruction.is_none() {
         report.obstruction =
             report.closest.map(|pose| Obstruction::Nearest { at: pose.point(), heading: Some(pose.heading) });
     }
     report
+}
+
+/// Why there is no way at all, and where it ends.
+fn unreachable(query: &Query, ends: [Pose; 2], margin: f64) -> (Status, Option<Obstruction>) {
+    let Some(gap) = passage::too_narrow(query.obstacles, query.vehicle, ends[0], ends[1]) else {
+        return (Status::Unreachable, Some(obstruction::enclosed(query, ends, margin)));
+    };
+    let gap = Gap { at: gap.at + (query.start.point() - ends[0].point()), ..gap };
+    (Status::TooNarrow(gap), Some(Obstruction::Gap(gap)))
 }
 
 /// How far the body can go ahead and back from a pose, together, metres; a metre each way at most.

@@ -12,7 +12,7 @@ use super::cost::{CostModel, Motion};
 use super::domain::{self, Lattice, Setting, State};
 use super::flood::Flood;
 use super::keys::Keys;
-use super::ladder::Search;
+use super::level::Search;
 use super::shots::Watch;
 use super::{Report, Status, Tree};
 use crate::geometry::arcs::{self, Arc};
@@ -204,7 +204,7 @@ pub(super) fn search(
     progress: &mut Option<Progress>,
 ) -> Option<(Vec<Arc>, Status)> {
     let vehicle = search.query.vehicle;
-    let driven = search.costs().with_far_reverse(level.far_reverse);
+    let driven = search.costs().searching(&level);
     let keys = [RefCell::new(Keys::default()), RefCell::new(Keys::default())];
     let floods = [search.goal, search.start]
         .map(|target| Flood::new(search.query.obstacles, vehicle, target, report.margin, None));

@@ -171,7 +171,7 @@ export interface Stats {
   /** Hybrid: the same number as `expanded`, by the name of its specification. */
   expansions?: number;
   collisionChecks?: number;
-  /** Hybrid: level of the resolution ladder that gave the path. */
+  /** Hybrid: level of the portfolio that gave the path, or was tried last. */
   level?: number;
 }
 

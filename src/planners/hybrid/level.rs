@@ -1,4 +1,4 @@
-//! From level to level until one gives a path that survives verification.
+//! One search of the lattice at one resolution, with one margin, from one end.
 
 use core::cell::RefCell;
 
@@ -6,17 +6,17 @@ use super::config::Level;
 use super::cost::CostModel;
 use super::domain::{self, Lattice, Setting, State};
 use super::flood::Flood;
-use super::passage;
 use super::shots::Watch;
-use super::{Config, FINE, Query, Report, Scratch, Status, Tree, shortcut};
+use super::{Config, Query, Report, Scratch, Status, Tree, shortcut};
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::{Pose, math};
-use crate::planners::Gap;
 use crate::search::{End, Limits, Progress, best_first};
 use crate::vehicle::collision::Probe;
 
 /// Spacing of the last check of a path, metres.
 const VERIFY: f64 = 0.01;
+/// Expansions from the other end, to see whether anything leads out of there.
+const OTHER: u32 = 250;
 /// Expansions after which the estimate gets more weight.
 const SOON: u32 = 1000;
 /// Its weight then.
@@ -55,14 +55,19 @@ pub(super) struct Search<'a> {
     pub(super) trace: bool,
 }
 
-impl Search<'_> {
-    /// Why there is no way at all.
-    pub(super) fn unreachable(&self) -> Status {
-        let gap = passage::too_narrow(self.query.obstacles, self.query.vehicle, self.start, self.goal);
-        gap.map_or(Status::Unreachable, |gap| {
-            let at = self.world(Pose::new(gap.at.x, gap.at.y, 0.0)).point();
-            Status::TooNarrow(Gap { at, ..gap })
-        })
+/// How the first level ended.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum First {
+    Found,
+    Failed,
+    /// The other end is the one that is hard to leave.
+    Cramped,
+}
+
+impl<'a> Search<'a> {
+    /// The same question from the other end.
+    pub(super) fn swapped(self, flood: &'a Flood) -> Self {
+        Self { flood, root: self.target, target: self.root, mirrored: !self.mirrored, ..self }
     }
 
     /// What the path costs as driven.
@@ -70,35 +75,43 @@ impl Search<'_> {
         CostModel::driven(self.config, self.query.vehicle.min_turning_radius(), [self.start, self.goal])
     }
 
-    /// Tries the levels from one on in order until one gives a path.
-    pub(super) fn climb(&self, first: usize, work: &mut Work) {
-        for (number, level) in self.config.levels().enumerate().skip(first) {
-            // A level that spent its budget had room to move: finer steps would only spend more.
-            if number >= FINE && matches!(work.report.status, Status::BudgetExhausted(_)) {
-                return;
-            }
-            work.report.level = number as u32;
-            let found = if number == 0 {
-                let weight = self.config.heuristic_weight.unwrap_or(if self.tight {
-                    TIGHT_WEIGHT
-                } else {
-                    level.weight
-                });
-                let found = self.coarse(Level { weight, ..level }, work);
-                if found {
-                    self.reconsider(level, work);
+    /// Searches the first level; tells whether there is a path. `other` is the same question from the other end.
+    pub(super) fn first(&self, other: Option<&Self>, level: Level, work: &mut Work) -> First {
+        let weight =
+            self.config.heuristic_weight.unwrap_or(if self.tight { TIGHT_WEIGHT } else { level.weight });
+        let level = Level { weight, ..level };
+        let soon = Level { max_expansions: level.max_expansions.min(SOON), ..level };
+        let mut found = self.level(soon, work);
+        let is_unfinished = matches!(work.report.status, Status::Suboptimal | Status::BudgetExhausted(_));
+        if is_unfinished && soon.max_expansions < level.max_expansions {
+            if let (false, Some(other)) = (found, other) {
+                let soon = Level { max_expansions: soon.max_expansions.min(OTHER), ..soon };
+                if other.level(soon, work) {
+                    other.reconsider(level, work);
+                    return First::Found;
                 }
-                found
-            } else {
-                self.level(level, work)
-            };
-            if found {
-                return;
+                if work.report.status == Status::NoPath {
+                    return First::Cramped;
+                }
             }
+            found = self.retry(self.patient(level), found.then_some(Status::Suboptimal), work);
         }
+        if !found {
+            return First::Failed;
+        }
+        self.reconsider(level, work);
+        First::Found
+    }
+
+    /// The first level with what the first try leaves of its budget. On long cluttered ways the plain estimate spends all of
+    /// it on detours of equal promise.
+    fn patient(&self, level: Level) -> Level {
+        let weight = self.config.heuristic_weight.unwrap_or(PATIENCE);
+        Level { weight, max_expansions: level.max_expansions - SOON, ..level }
     }
 
     /// Searches once more where the path found reverses far: for one that hardly does.
+    #[inline(never)]
     fn reconsider(&self, level: Level, work: &mut Work) {
         let without = self.costs().with_far_reverse(0.0);
         let price = work.report.cost - without.path(self.probe, self.start, &work.report.arcs);
@@ -113,21 +126,8 @@ impl Search<'_> {
         }
     }
 
-    /// Searches the first level: soon with the plain estimate or, what is left of the budget, with a heavier one. On
-    /// long cluttered ways the plain estimate spends its budget on detours of equal promise.
-    fn coarse(&self, level: Level, work: &mut Work) -> bool {
-        let soon = Level { max_expansions: level.max_expansions.min(SOON), ..level };
-        let found = self.level(soon, work);
-        let unfinished = matches!(work.report.status, Status::Suboptimal | Status::BudgetExhausted(_));
-        if !unfinished || soon.max_expansions == level.max_expansions {
-            return found;
-        }
-        let weight = self.config.heuristic_weight.unwrap_or(PATIENCE);
-        let patient = Level { weight, max_expansions: level.max_expansions - soon.max_expansions, ..level };
-        self.retry(patient, found.then_some(Status::Suboptimal), work)
-    }
-
     /// Searches a level and keeps the cheaper answer: its own, or the earlier one, whose status is then `before`.
+    #[inline(never)]
     fn retry(&self, level: Level, before: Option<Status>, work: &mut Work) -> bool {
         let before = before.map(|status| (core::mem::take(&mut work.report.arcs), work.report.cost, status));
         let again = self.level(level, work);
@@ -141,7 +141,8 @@ impl Search<'_> {
     }
 
     /// Searches one level, with finer collision checks where verification fails; tells whether there is a path.
-    fn level(&self, level: Level, work: &mut Work) -> bool {
+    #[inline(never)]
+    pub(super) fn level(&self, level: Level, work: &mut Work) -> bool {
         for halvings in 0..3 {
             let level = Level { spacing: level.spacing / f64::from(1 << halvings), ..level };
             let Some((arcs, status)) = self.search(level, work) else { return false };
@@ -158,6 +159,7 @@ impl Search<'_> {
         false
     }
 
+    #[inline(never)]
     fn search(&self, level: Level, work: &mut Work) -> Option<(Vec<Arc>, Status)> {
         let Work { report, scratch, progress } = work;
         if let Some(progress) = progress.as_mut() {
@@ -181,7 +183,7 @@ impl Search<'_> {
             return found;
         }
         let radius = self.query.vehicle.min_turning_radius();
-        let driven = self.costs().with_far_reverse(level.far_reverse);
+        let driven = self.costs().searching(&level);
         let costs = if self.mirrored { driven.mirrored() } else { driven };
         let setting = Setting {
             probe: self.probe,
@@ -249,7 +251,7 @@ impl Search<'_> {
         Pose::new(at.x, at.y, 0.0)
     }
 
-    fn world(&self, pose: Pose) -> Pose {
+    pub(super) fn world(&self, pose: Pose) -> Pose {
         let origin = self.origin();
         Pose::new(pose.x + origin.x, pose.y + origin.y, pose.heading)
     }

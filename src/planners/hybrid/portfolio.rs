@@ -1,0 +1,268 @@
+//! Which searches are tried, in what order, and how much work each gets.
+//!
+//! The members stand in one list, what a driver likes best in front. They take turns: whoever has spent a slice and may
+//! still find a way leaves a quarter of it to the next in the list, and slices grow fourfold with each round (Levin's
+//! universal search, 1973; Gomes and Selman, Algorithm portfolios, 2001). Nobody waits long behind a member that is lost,
+//! and all together work a few times as much as the best one would alone. Work is counted in expansions, never in time.
+
+use core::cell::OnceCell;
+
+use super::config::{Level, SHUFFLING};
+use super::flood::Flood;
+use super::level::{First, Search, Work};
+use super::{Config, HAIR, Query, Report, SearchFrom, Status};
+use crate::geometry::{Pose, arcs};
+use crate::search::Progress;
+
+/// Margins tried where no way keeps the one asked for, metres.
+const LESS: [f64; 4] = [0.05, 0.03, 0.01, HAIR];
+/// With less than this a car creeps, metres.
+const COMFORTABLE: f64 = 0.03;
+/// Expansions of the first slice.
+const SLICE: u32 = 8192;
+/// Expansions of all members together, where the settings say nothing.
+const EFFORT: u32 = 150_000;
+/// Expansions for more margin once there is a path, besides as many as it took.
+const MORE_MARGIN: u32 = 50_000;
+/// With more gear changes than this, finer steps may find a path with fewer.
+const MANY: u32 = 4;
+/// A member that has searched more than this many poses to the end, times its level, came out of any slot: finer steps
+/// would come no farther.
+const WIDE: u32 = 1000;
+
+/// The estimates' rasters from both ends for each margin, made when they are needed first.
+pub(super) struct Floods<'a> {
+    query: &'a Query<'a>,
+    /// Towards which the tree grows, and from where.
+    ends: [Pose; 2],
+    margins: Vec<f64>,
+    made: Vec<[OnceCell<Flood>; 2]>,
+}
+
+impl<'a> Floods<'a> {
+    /// For the margin asked for and, where the settings allow it, less. `memory` is used again.
+    pub(super) fn new(
+        query: &'a Query<'a>,
+        config: &Config,
+        ends: [Pose; 2],
+        asked: f64,
+        memory: Option<Flood>,
+    ) -> Self {
+        let mut margins = vec![asked];
+        if config.levels() > SHUFFLING {
+            margins.extend(LESS.into_iter().filter(|&margin| margin < asked));
+        }
+        let mut made = Vec::new();
+        made.resize_with(margins.len(), Default::default);
+        let floods = Self { query, ends, margins, made };
+        floods.get_from(0, false, memory);
+        floods
+    }
+
+    fn get(&self, margin: usize, is_swapped: bool) -> &Flood {
+        self.get_from(margin, is_swapped, None)
+    }
+
+    /// Towards the first end, or the second, with one of the margins.
+    #[inline(never)]
+    fn get_from(&self, margin: usize, is_swapped: bool, memory: Option<Flood>) -> &Flood {
+        let (Query { obstacles, vehicle, .. }, end) = (self.query, usize::from(is_swapped));
+        self.made[margin][end]
+            .get_or_init(|| Flood::new(obstacles, vehicle, self.ends[end], self.margins[margin], memory))
+    }
+
+    /// The largest margin with which a disc of the car's width gets from end to end.
+    pub(super) fn widest(&self) -> Option<(usize, &Flood)> {
+        let reaches = |&at: &usize| self.get(at, false).distance(self.ends[1]).is_finite();
+        (0..self.margins.len()).find(reaches).map(|at| (at, self.get(at, false)))
+    }
+
+    pub(super) fn margin(&self, at: usize) -> f64 {
+        self.margins[at]
+    }
+
+    /// The least margin.
+    pub(super) fn least(&self) -> f64 {
+        self.margins[self.margins.len() - 1]
+    }
+
+    pub(super) fn bytes(&self) -> u64 {
+        self.made.iter().flatten().filter_map(OnceCell::get).map(Flood::bytes).sum()
+    }
+
+    /// The first one's memory.
+    pub(super) fn into_memory(mut self) -> Option<Flood> {
+        self.made[0][0].take()
+    }
+}
+
+/// A level with one of the margins.
+#[derive(Clone, Copy, PartialEq)]
+struct Member {
+    level: u32,
+    /// From the one asked for to the least.
+    margin: usize,
+}
+
+/// How a turn ended.
+enum Turn {
+    Found,
+    /// All that it can reach was searched.
+    Exhausted,
+    /// It may find a way with more work.
+    Spent,
+    /// It will not, and has proven nothing.
+    Lost,
+}
+
+/// Finds a path with the largest margin that some member keeps, or why there is none. `widest` is the largest margin to try.
+pub(super) fn plan(search: Search, floods: &Floods, widest: usize, work: &mut Work) {
+    let levels = search.config.levels();
+    let may_swap = search.config.search_from == SearchFrom::Goal && levels > 1;
+    let other = may_swap.then(|| search.swapped(floods.get(widest, true)));
+    let first = search.first(other.as_ref(), search.config.level(0), work);
+    if first == First::Found || levels == 1 {
+        return;
+    }
+    let members = members(levels, widest, &floods.margins);
+    let is_swapped = first == First::Cramped;
+    let mut run = Run { search, floods, is_swapped, members, best: None, doubt: None };
+    run.rounds(work);
+    run.conclude(work.report);
+}
+
+/// Whoever has not tried yet, what a driver likes best in front.
+fn members(levels: u32, widest: usize, margins: &[f64]) -> Vec<Member> {
+    let mut members = vec![Member { level: 1, margin: widest }];
+    // Searched to the end with the least margin, it proves that there is no way at all.
+    let least = Member { level: 1, margin: margins.len() - 1 };
+    for (level, is_comfortable) in (0..2 * levels).map(|k| (k % levels, k < levels)) {
+        for (margin, &room) in margins.iter().enumerate().skip(widest) {
+            let member = if level == 0 { least } else { Member { level, margin } };
+            if (level == 0 || (room >= COMFORTABLE || margin == widest) == is_comfortable)
+                && !members.contains(&member)
+            {
+                members.push(member);
+            }
+        }
+    }
+    members
+}
+
+struct Run<'a> {
+    search: Search<'a>,
+    floods: &'a Floods<'a>,
+    /// Whether the trees grow from the other end.
+    is_swapped: bool,
+    members: Vec<Member>,
+    /// The path with the largest margin so far.
+    best: Option<Report>,
+    /// How a member ended that has proven nothing.
+    doubt: Option<Status>,
+}
+
+impl Run<'_> {
+    fn rounds(&mut self, work: &mut Work) {
+        let mut effort = if self.search.config.max_expansions.is_some() { u32::MAX } else { EFFORT };
+        for round in 0_u32.. {
+            // Everybody before this one has spent a slice in this round.
+            let mut at = 0;
+            while let Some(&member) = self.members.get(at).filter(|_| at <= round as usize) {
+                let before = work.report.expanded;
+                if before >= effort || work.progress.as_ref().is_some_and(Progress::is_stopped) {
+                    return;
+                }
+                let growth = 1_u32.checked_shl(2 * (round - at as u32)).unwrap_or(u32::MAX);
+                let slice = SLICE.saturating_mul(growth).min(effort - before);
+                let turn = self.turn(member, slice, work);
+                let report = &mut *work.report;
+                let is_comfortable = report.margin >= COMFORTABLE;
+                let is_restless = arcs::direction_changes(&report.arcs) > MANY;
+                let is_wide = report.expanded - before > WIDE * member.level;
+                match turn {
+                    Turn::Spent => {
+                        at += 1;
+                        continue;
+                    }
+                    Turn::Lost => self.doubt = Some(report.status),
+                    Turn::Exhausted => {}
+                    Turn::Found => {
+                        let more = if is_comfortable { SLICE } else { MORE_MARGIN };
+                        effort = effort.min(report.expanded.saturating_add(report.expanded.max(more)));
+                        self.offer(report);
+                    }
+                }
+                let (mut index, mut kept) = (0, 0);
+                self.members.retain(|one| {
+                    let is_out = match turn {
+                        Turn::Exhausted => is_wide && one.margin <= member.margin,
+                        Turn::Found => {
+                            let is_better = one.margin < member.margin
+                                || (is_restless && one.margin == member.margin && one.level > member.level);
+                            !is_better || (is_comfortable && one.level >= SHUFFLING)
+                        }
+                        _ => false,
+                    };
+                    let is_kept = !is_out && *one != member;
+                    kept += usize::from(is_kept && index < at);
+                    index += 1;
+                    is_kept
+                });
+                at = kept;
+            }
+            if self.members.is_empty() {
+                return;
+            }
+        }
+    }
+
+    /// Keeps a path that has more margin than the best so far or, with the same, costs less.
+    fn offer(&mut self, report: &mut Report) {
+        let empty = super::empty(report.rs_bound);
+        let counters = Report {
+            expanded: report.expanded,
+            generated: report.generated,
+            pushes: report.pushes,
+            open_peak: report.open_peak,
+            bytes: report.bytes,
+            ..empty
+        };
+        let path = core::mem::replace(report, counters);
+        if self.best.as_ref().is_none_or(|best| path.margin > best.margin || path.cost < best.cost) {
+            self.best = Some(path);
+        }
+    }
+
+    fn turn(&self, member: Member, slice: u32, work: &mut Work) -> Turn {
+        let flood = self.floods.get(member.margin, self.is_swapped);
+        let search =
+            if self.is_swapped { self.search.swapped(flood) } else { Search { flood, ..self.search } };
+        (work.report.margin, work.report.level) = (self.floods.margin(member.margin), member.level);
+        work.report.status = Status::NoPath;
+        if flood.distance(search.root).is_infinite() {
+            return Turn::Exhausted;
+        }
+        let level = search.config.level(member.level);
+        let is_last = slice >= level.max_expansions;
+        if search.level(Level { max_expansions: slice.min(level.max_expansions), ..level }, work) {
+            return Turn::Found;
+        }
+        match work.report.status {
+            Status::NoPath => Turn::Exhausted,
+            Status::BudgetExhausted(_) if !is_last => Turn::Spent,
+            _ => Turn::Lost,
+        }
+    }
+
+    /// Says what came of it; the counters are those of all members.
+    fn conclude(self, report: &mut Report) {
+        let is_over = self.members.is_empty();
+        if let Some(best) = self.best {
+            let Report { expanded, generated, pushes, open_peak, bytes, .. } = *report;
+            *report = Report { expanded, generated, pushes, open_peak, bytes, ..best };
+        } else if is_over || report.status == Status::NoPath {
+            let spent = Status::BudgetExhausted(report.rs_bound);
+            report.status = self.doubt.unwrap_or(if is_over { Status::NoPath } else { spent });
+        }
+    }
+}
