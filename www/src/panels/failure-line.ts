@@ -17,8 +17,8 @@ const say = words({ show: ["Show", "显示"], where: ["Show on the map where it 
 export class FailureLine extends AppElement {
   static override properties = { ...AppElement.properties, planner: { type: String }, short: { type: Boolean } };
   static override styles = [controls, css`
-    :host { display: block; z-index: 3; font-size: 12px; line-height: 16px; }
-    div { display: flex; align-items: start; gap: 8px; min-height: 28px; padding: 6px 4px 4px 12px; color: var(--parkade-t2); }
+    :host { display: block; z-index: 3; font-size: 12px; line-height: 15px; }
+    div { display: flex; align-items: start; gap: 8px; min-height: 28px; padding: 6px 4px 2px 12px; color: var(--parkade-t2); }
     .err { background: var(--parkade-err-soft); color: var(--parkade-err); font-weight: 500; }
     p { margin: 0; flex: 1; min-width: 0; overflow: hidden; display: -webkit-box; -webkit-box-orient: vertical; -webkit-line-clamp: 2; }
     svg { margin-top: 2px; }
