@@ -43,6 +43,8 @@ describe("after init", () => {
   test("another module than the loaded one is refused, the same one is not", async () => {
     await expect(init({ wasm: "bogus" })).rejects.toMatchObject({ name: "ParkadeError", code: "bad-input", path: "wasm", message: expect.stringContaining("must be as in the first `init`, got string") });
     await expect(init()).resolves.toBeUndefined();
+    const compiled = await WebAssembly.compile(new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0]));
+    await expect(init({ wasm: structuredClone(compiled) })).resolves.toBeUndefined();
     expect(parkade.version()).toMatch(/^\d/);
   });
 

@@ -448,7 +448,8 @@ export class ParkadeError extends Error {
 
 /**
  * Loads the wasm module, once. `wasm`: its bytes, a module or where it is, instead of the file beside this one (`parkade/inline`:
- * its bytes or a module). Once a module is loaded, or loads, another `wasm` is refused.
+ * its bytes or a module). Once a module is loaded, or loads, another `wasm` is refused,
+ * but for compiled modules, which every worker gets its own copy of: they are passed over.
  */
 export function init(options?: { wasm?: BufferSource | WebAssembly.Module | URL | string }): Promise<void>;
 export function version(): string;

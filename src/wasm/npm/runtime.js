@@ -33,7 +33,8 @@ export function initializer(load) {
   let source;
   return function init(options) {
     const wasm = options?.wasm;
-    if (loading && (wasm ?? source) !== source) {
+    // A compiled module is another object in each worker that it is sent to.
+    if (loading && (wasm ?? source) !== source && !(wasm instanceof WebAssembly.Module)) {
       return Promise.reject(mismatch(wasm, "wasm", "as in the first `init`"));
     }
     loading ??= load((source = wasm)).then(
