@@ -101,7 +101,7 @@ test("a spent budget is said in words, and the last path stays in sight", async 
     await element.updateComplete;
     await element.settled();
     // An edit: a scene that is opened anew keeps no path of the one before.
-    (element as any).store.edit({ ...element.sceneData, planners: { hybrid: { maxExpansions: 300 } } }, { label: "params" });
+    (element as any).store.edit({ ...element.sceneData, planners: { hybrid: { maxExpansions: 5 } } }, { label: "params" });
   });
   await settled(page);
   expect(await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.results["hybrid"]!.outcome)).toBe("budget-spent");

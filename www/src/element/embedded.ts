@@ -164,9 +164,10 @@ export class Embedded extends SceneOpening {
     return svgOf(this, this.views(), this.store.state, this.app.tokens());
   }
 
-  /** The focused planner's path. */
+  /** The focused planner's path, once it is planned. */
   async toCSV(): Promise<string> {
     const [{ csvOf }] = await Promise.all([import("./vector"), this.app.complete()]);
+    if (!this.store.state.results[this.store.state.focus]?.plan) await this.settled();
     return csvOf(this.store.state);
   }
 

@@ -23,7 +23,8 @@ export class Notices extends AppElement {
     @keyframes appear { from { opacity: 0; transform: translateY(-4px); } }
   `];
   protected override pace = 100;
-  declare spoken: string;
+  /** By its language. */
+  declare spoken: Partial<Record<State["lang"], string>>;
   private quiet: ReturnType<typeof setTimeout> | undefined;
   private fade: ReturnType<typeof setTimeout> | undefined;
   private lastMessage: State["message"] = null;
@@ -31,7 +32,7 @@ export class Notices extends AppElement {
 
   constructor() {
     super();
-    this.spoken = "";
+    this.spoken = {};
   }
 
   protected watches(): readonly (keyof State)[] {
@@ -46,7 +47,7 @@ export class Notices extends AppElement {
       <div role="alert">${message ? html`<div class="notice ${message.tone}">${icon(message.tone === "info" ? "check" : "warning")}<span>${message.text}</span>
         ${message.action ? html`<button class="button outline" @click=${() => { this.app.store.set({ message: null }); message.action?.run(); }}>${message.action.name}</button>` : nothing}
         <button class="icon small" aria-label=${this.t("error.dismiss")} @click=${() => this.app.store.set({ message: null })}>${icon("close", 14)}</button></div>` : nothing}</div>
-      <output class="sr" aria-live="polite">${this.spoken}</output>`;
+      <output class="sr" aria-live="polite">${this.spoken[this.state.lang]}</output>`;
   }
 
   private keep(message: State["message"]): void {
@@ -61,7 +62,7 @@ export class Notices extends AppElement {
   private speakLater(results: State["results"]): void {
     this.lastResults = results;
     clearTimeout(this.quiet);
-    this.quiet = setTimeout(() => { this.spoken = this.sentence(); }, SETTLE_MS);
+    this.quiet = setTimeout(() => { this.spoken = { [this.state.lang]: this.sentence() }; }, SETTLE_MS);
   }
 
   private sentence(): string {
