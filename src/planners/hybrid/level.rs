@@ -76,7 +76,7 @@ impl<'a> Search<'a> {
     }
 
     /// Searches the first level; tells whether there is a path. `other` is the same question from the other end.
-    pub(super) fn first(&self, other: Option<&Self>, level: Level, work: &mut Work) -> First {
+    pub(super) fn first(&self, other: &dyn Fn() -> Option<Self>, level: Level, work: &mut Work) -> First {
         let weight =
             self.config.heuristic_weight.unwrap_or(if self.tight { TIGHT_WEIGHT } else { level.weight });
         let level = Level { weight, ..level };
@@ -84,7 +84,7 @@ impl<'a> Search<'a> {
         let mut found = self.level(soon, work);
         let is_unfinished = matches!(work.report.status, Status::Suboptimal | Status::BudgetExhausted(_));
         if is_unfinished && soon.max_expansions < level.max_expansions {
-            if let (false, Some(other)) = (found, other) {
+            if let Some(other) = if found { None } else { other() } {
                 let soon = Level { max_expansions: soon.max_expansions.min(OTHER), ..soon };
                 if other.level(soon, work) {
                     other.reconsider(level, work);

@@ -119,8 +119,8 @@ enum Turn {
 pub(super) fn plan(search: Search, floods: &Floods, widest: usize, work: &mut Work) {
     let levels = search.config.levels();
     let may_swap = search.config.search_from == SearchFrom::Goal && levels > 1;
-    let other = may_swap.then(|| search.swapped(floods.get(widest, true)));
-    let first = search.first(other.as_ref(), search.config.level(0), work);
+    let other = || may_swap.then(|| search.swapped(floods.get(widest, true)));
+    let first = search.first(&other, search.config.level(0), work);
     if first == First::Found || levels == 1 {
         return;
     }
