@@ -2,6 +2,8 @@
 
 use serde_json::{Map, Value};
 
+#[cfg(feature = "complete")]
+use super::choices::{Choosing, Wish};
 use super::outcome::{HybridMetrics, Outcome, Plan, PlanTrace, Stats};
 use super::path::MAX_LENGTH;
 use super::world::World;
@@ -9,6 +11,8 @@ use super::{Driven, NEAR, STEP, measured};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::arcs;
 use crate::metrics::Verdict;
+#[cfg(feature = "complete")]
+use crate::planners::hybrid::choices;
 use crate::planners::hybrid::{Config, Query, Report, Scratch, Status, obstacles, plan};
 use crate::planners::registry::Kind;
 use crate::scenario::Scenario;
@@ -21,6 +25,8 @@ const PAPER_SPEED: f64 = 2.0;
 
 /// Hybrid A*, its obstacles and its memory.
 pub(super) struct Engine {
+    #[cfg(feature = "complete")]
+    kind: Kind,
     config: Config,
     obstacles: Obstacles,
     scratch: Scratch,
@@ -46,7 +52,13 @@ impl Engine {
         let config = defaults.with(config)?;
         config.validate()?;
         let obstacles = obstacles(&world.geometry).painted(world.paint());
-        Ok(Self { config, obstacles, scratch: Scratch::default() })
+        Ok(Self {
+            #[cfg(feature = "complete")]
+            kind,
+            config,
+            obstacles,
+            scratch: Scratch::default(),
+        })
     }
 
     /// The obstacles have changed.
@@ -61,7 +73,7 @@ impl Engine {
         world: &World,
         trace: bool,
         progress: &mut Option<Progress>,
-    ) -> Plan {
+    ) -> (Plan, Report) {
         let geometry = &world.geometry;
         let (obstacles, vehicle) = (&self.obstacles, &geometry.vehicle);
         let query = Query { obstacles, vehicle, start: geometry.start, goal: geometry.goal };
@@ -80,18 +92,68 @@ impl Engine {
         plan.reason = reason(scenario, geometry, &report);
         plan.stats = stats(&report);
         if found {
-            plan.raw_path = knots(&query, &report);
-            plan.metrics.length = arcs::length(&report.arcs);
-            plan.metrics.hybrid = Some(metrics(&report));
+            fill(&query, &report, &mut plan);
         }
-        plan.obstruction = report.obstruction;
-        plan.trace = trace.then_some(PlanTrace::Arcs {
-            arcs: report.tree,
+        plan.obstruction = report.obstruction.take();
+        plan.trace = trace.then(|| PlanTrace::Arcs {
+            arcs: core::mem::take(&mut report.tree),
             dropped: report.tree_dropped,
-            shots: report.shots,
+            shots: core::mem::take(&mut report.shots),
         });
+        (plan, report)
+    }
+
+    /// What to choose among further paths, and their plans.
+    #[cfg(feature = "complete")]
+    pub(super) fn choose(
+        &mut self,
+        (scenario, world): (&Scenario, &World),
+        (mut plan, first): (Plan, Report),
+        wish: Wish,
+        progress: &mut Option<Progress>,
+    ) -> Plan {
+        if plan.outcome != Outcome::Found || wish.is_none() {
+            return plan;
+        }
+        let geometry = &world.geometry;
+        let query = Query {
+            obstacles: &self.obstacles,
+            vehicle: &geometry.vehicle,
+            start: geometry.start,
+            goal: geometry.goal,
+        };
+        let prefer = wish.searched();
+        let trace = plan.trace.take();
+        let id = self.kind.id();
+        plan.planner = id;
+        let mut choosing = Choosing::new(wish, &geometry.vehicle, &scenario.speed_limits);
+        let mut last = first.clone();
+        if choosing.offer(plan).is_continue() {
+            let mut offer = |report: Report| {
+                let mut plan = measured(world, Outcome::Found, drive(&query, &report), NEAR);
+                if plan.check.verdict == Verdict::Collides {
+                    return std::ops::ControlFlow::Continue(());
+                }
+                (plan.planner, plan.detail, plan.stats) = (id, detail(report.status), stats(&report));
+                fill(&query, &report, &mut plan);
+                choosing.offer(plan)
+            };
+            let memory = (&mut self.scratch, &mut *progress);
+            last = choices(&query, &self.config, (&first, prefer), memory, &mut offer);
+        }
+        if let Some(progress) = progress {
+            progress.finish(last.expanded);
+        }
+        let mut plan = choosing.conclude(&stats(&last));
+        plan.trace = trace;
         plan
     }
+}
+
+fn fill(query: &Query, report: &Report, plan: &mut Plan) {
+    plan.raw_path = knots(query, report);
+    plan.metrics.length = arcs::length(&report.arcs);
+    plan.metrics.hybrid = Some(metrics(report));
 }
 
 fn reason(scenario: &Scenario, geometry: &Geometry, report: &Report) -> Option<String> {
@@ -194,5 +256,7 @@ fn metrics(report: &Report) -> HybridMetrics {
         paper_length: 0.1 * steps,
         paper_nodes: steps as u32 + 1,
         paper_time: 0.1 * steps / PAPER_SPEED,
+        #[cfg(feature = "complete")]
+        drive_time: None,
     }
 }

@@ -2,6 +2,8 @@
 
 #[cfg(feature = "complete")]
 mod brush;
+#[cfg(feature = "complete")]
+mod choices;
 mod drive;
 mod grid;
 mod grid_search;
@@ -22,6 +24,8 @@ pub use outcome::{GridMetrics, HybridMetrics, Metrics, Outcome, Plan, PlanTrace,
 #[cfg(feature = "complete")]
 pub use path::route;
 
+#[cfg(feature = "complete")]
+pub use crate::planners::hybrid::Prefer;
 pub use crate::search::Tell;
 pub use session::{Ends, Found};
 
@@ -65,7 +69,33 @@ pub struct Options<'a> {
     /// [`Stats::expanded`]. The plan is the same with and without; where it breaks, the search ends as if its budget were
     /// spent.
     pub progress: Option<Tell<'a>>,
+    /// What hybrid A*'s path is chosen by, if not as ever.
+    #[cfg(feature = "complete")]
+    pub prefer: Option<Prefer>,
+    /// Whether to look for hybrid A*'s alternatives, too: [`Plan::alternatives`].
+    #[cfg(feature = "complete")]
+    pub alternatives: bool,
+    /// Given hybrid A*'s first plan, and each one that is better. Where it breaks, the last one is the answer.
+    #[cfg(feature = "complete")]
+    pub improved: Option<Improved<'a>>,
 }
+
+#[cfg(feature = "complete")]
+impl Options<'_> {
+    /// The first of the options that ask for a choice.
+    fn choice(&self) -> Option<&'static str> {
+        let asked = [
+            (self.prefer.is_some(), "prefer"),
+            (self.alternatives, "alternatives"),
+            (self.improved.is_some(), "onImproved"),
+        ];
+        asked.into_iter().find(|choice| choice.0).map(|choice| choice.1)
+    }
+}
+
+/// Given a plan; breaks to end the search.
+#[cfg(feature = "complete")]
+pub type Improved<'a> = &'a mut dyn FnMut(&Plan) -> std::ops::ControlFlow<()>;
 
 /// A raster for drawing, row-major from the south-western cell.
 #[derive(Debug, Clone)]
@@ -174,10 +204,21 @@ impl Planner {
         [self.world.geometry.start, self.world.geometry.goal] = ends;
         let every = if self.kind.is_hybrid() { POSES } else { CELLS };
         let mut progress = options.progress.map(|tell| Progress::new(every, tell));
+        #[cfg(feature = "complete")]
+        let wish = choices::Wish {
+            prefer: options.prefer,
+            alternatives: options.alternatives,
+            improved: options.improved,
+        };
         let trace = || options.trace.then(|| Trace::new(TRACE));
         let mut plan = match &mut self.engine {
             Engine::Grid(engine) => engine.plan(&self.world, (trace(), progress)),
-            Engine::Hybrid(engine) => engine.plan(&self.scenario, &self.world, options.trace, &mut progress),
+            Engine::Hybrid(engine) => {
+                let found = engine.plan(&self.scenario, &self.world, options.trace, &mut progress);
+                #[cfg(feature = "complete")]
+                let found = (engine.choose((&self.scenario, &self.world), found, wish, &mut progress),);
+                found.0
+            }
             #[cfg(feature = "complete")]
             Engine::Road(engine) => engine.plan(&self.scenario, &self.world, (trace(), progress)),
         };
@@ -313,6 +354,8 @@ fn measured(world: &World, outcome: Outcome, driven: Driven, near: f64) -> Plan 
         metrics,
         check,
         trace: None,
+        #[cfg(feature = "complete")]
+        alternatives: Vec::new(),
     }
 }
 

@@ -42,10 +42,16 @@ impl Planner {
     /// next plan.
     ///
     /// # Errors
-    /// [`ErrorCode::Input`] when a coordinate is not a finite number, within the range of scenes.
+    /// [`ErrorCode::Input`] when a coordinate is not a finite number, within the range of scenes, and when a planner other than
+    /// hybrid A* is asked for a choice.
     pub fn plan_between(&mut self, ends: Ends, options: Options) -> Result<Plan, Error> {
         let start = ends.start.map(|pose| checked("start", pose)).transpose()?;
         let goal = ends.goal.map(|pose| checked("goal", pose)).transpose()?;
+        #[cfg(feature = "complete")]
+        if let Some(choice) = options.choice().filter(|_| !self.kind.is_hybrid()) {
+            let message = format!("{} finds one path; hybrid has others to choose from", self.kind.id());
+            return Err(Error::new(ErrorCode::Input, choice, message));
+        }
         let own = self.own_ends;
         Ok(self.between([start.unwrap_or(own[0]), goal.unwrap_or(own[1])], options))
     }

@@ -15,7 +15,7 @@ use crate::vehicle::Vehicle;
 pub(super) fn plan(scene: &Scenario, geometry: &Geometry, plan: &Plan) -> JsValue {
     let poses: Vec<f64> = plan.path.iter().flat_map(|p| [p.x, p.y, p.heading]).collect();
     let raw: Vec<f64> = plan.raw_path.iter().flat_map(|p| [p.x, p.y]).collect();
-    object(&[
+    let answer = object(&[
         ("planner", plan.planner.into()),
         ("outcome", plan.outcome.as_str().into()),
         ("detail", plan.detail.map_or(JsValue::NULL, JsValue::from)),
@@ -31,7 +31,14 @@ pub(super) fn plan(scene: &Scenario, geometry: &Geometry, plan: &Plan) -> JsValu
         ("obstruction", write(&plan.obstruction.as_ref().map(|o| obstruction(scene, geometry, o)))),
         ("trace", plan.trace.as_ref().map_or(JsValue::NULL, |t| trace(geometry, t))),
         ("hash", plan.hash().into()),
-    ])
+    ]);
+    #[cfg(feature = "complete")]
+    if !plan.alternatives.is_empty() {
+        let all: js_sys::Array =
+            plan.alternatives.iter().map(|one| self::plan(scene, geometry, one)).collect();
+        set(&answer, "alternatives", &all);
+    }
+    answer
 }
 
 fn stats(stats: &Stats) -> JsValue {

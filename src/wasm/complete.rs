@@ -4,7 +4,7 @@
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::*;
 
-use super::{JsResult, RawPlanner, codec, optional, read_scene};
+use super::{JsResult, RawPlanner, answer, codec, goes_on, optional, read_scene};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::Point;
 use crate::import::{self, Question};
@@ -66,6 +66,24 @@ impl RawPlanner {
             place.copy_from_slice(&[point.x, point.y]);
         }
         Ok(numbers)
+    }
+
+    /// As `plan`; `improved` is given the first plan and each better one, and answers whether to go on. Neither callback may throw.
+    #[wasm_bindgen(js_name = improve)]
+    pub fn improve(
+        &mut self,
+        options: JsValue,
+        tell: Option<js_sys::Function>,
+        improved: &js_sys::Function,
+    ) -> JsResult {
+        let (mut options, ends) = self.options(options)?;
+        let mut told = tell.map(|tell| move |expanded: u32| goes_on(&tell, &expanded.into()));
+        options.progress = told.as_mut().map(|told| told as plan::Tell);
+        let (scene, geometry) = (self.planner.scenario().clone(), self.planner.geometry().clone());
+        let mut better = |plan: &plan::Plan| goes_on(improved, &answer::plan(&scene, &geometry, plan));
+        options.improved = Some(&mut better);
+        let plan = self.planner.plan_between(ends, options).map_err(|e| codec::js_error(&e))?;
+        Ok(answer::plan(self.planner.scenario(), self.planner.geometry(), &plan))
     }
 
     /// The any-angle yardstick, metres.

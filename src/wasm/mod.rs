@@ -10,10 +10,13 @@ mod drive;
 
 use std::ops::ControlFlow;
 
-use serde_json::{Value, json};
+use serde_json::{Value, json as object};
 use wasm_bindgen::prelude::*;
 
 use crate::error::{Error, ErrorCode};
+use crate::json;
+#[cfg(feature = "complete")]
+use crate::json::Words;
 use crate::plan::{self, Planner};
 use crate::planners::registry;
 use crate::scenario::{Scenario, catalog, parse};
@@ -47,8 +50,8 @@ pub fn default_config(planner: &str) -> JsResult {
 /// All built-in scenes.
 #[wasm_bindgen]
 pub fn scenarios() -> JsValue {
-    let both = |[en, zh]: [&str; 2]| json!({ "en": en, "zh": zh });
-    let entry = |s: &catalog::Info| json!({ "id": s.id, "group": s.group, "title": both(s.title), "question": both(s.question) });
+    let both = |[en, zh]: [&str; 2]| object!({ "en": en, "zh": zh });
+    let entry = |s: &catalog::Info| object!({ "id": s.id, "group": s.group, "title": both(s.title), "question": both(s.question) });
     codec::write(&catalog::scenes().map(entry).collect::<Vec<_>>())
 }
 
@@ -117,38 +120,9 @@ impl RawPlanner {
 
     /// Plans. `tell` is told of the expansions so far, and answers whether to go on; it must not throw.
     pub fn plan(&mut self, options: JsValue, tell: Option<js_sys::Function>) -> JsResult {
-        let fields = optional(options, ErrorCode::Input)?;
-        let mut told = tell.map(|tell| {
-            move |expanded: u32| match tell.call1(&JsValue::NULL, &expanded.into()) {
-                Ok(goes_on) if goes_on.is_truthy() => ControlFlow::Continue(()),
-                _ => ControlFlow::Break(()),
-            }
-        });
-        let (mut options, mut ends) = (plan::Options::default(), plan::Ends::default());
+        let (mut options, ends) = self.options(options)?;
+        let mut told = tell.map(|tell| move |expanded: u32| goes_on(&tell, &expanded.into()));
         options.progress = told.as_mut().map(|told| told as plan::Tell);
-        for (name, value) in fields {
-            match name.as_str() {
-                "trace" => {
-                    let rule = || refused(&name, &format!("must be true or false, got {value}"));
-                    options.trace = value.as_bool().ok_or_else(rule)?;
-                }
-                "start" | "goal" => {
-                    #[cfg(feature = "complete")]
-                    let pose = parse::goal(&value).and_then(|goal| self.planner.scenario().goal_pose(&goal));
-                    #[cfg(not(feature = "complete"))]
-                    let pose = parse::pose(&value);
-                    let pose = pose
-                        .map_err(|e| codec::js_error(&Error { code: ErrorCode::Input, ..e.within(&name) }))?;
-                    *(if name == "start" { &mut ends.start } else { &mut ends.goal }) = Some(pose);
-                }
-                _ => {
-                    return Err(refused(
-                        &name,
-                        "no option of plan; there are trace, start, goal, onProgress",
-                    ));
-                }
-            }
-        }
         let plan = self.planner.plan_between(ends, options).map_err(|e| codec::js_error(&e))?;
         Ok(answer::plan(self.planner.scenario(), self.planner.geometry(), &plan))
     }
@@ -167,5 +141,48 @@ impl RawPlanner {
             .layer(name, every)
             .map(|layer| answer::layer(&layer, every))
             .map_err(|e| codec::js_error(&e))
+    }
+}
+
+/// What a callback answers.
+fn goes_on(callback: &js_sys::Function, value: &JsValue) -> ControlFlow<()> {
+    match callback.call1(&JsValue::NULL, value) {
+        Ok(goes_on) if goes_on.is_truthy() => ControlFlow::Continue(()),
+        _ => ControlFlow::Break(()),
+    }
+}
+
+impl RawPlanner {
+    /// The options of a plan, but for callbacks, and its ends.
+    fn options<'o>(&self, options: JsValue) -> Result<(plan::Options<'o>, plan::Ends), JsValue> {
+        let (mut asked, mut ends) = (plan::Options::default(), plan::Ends::default());
+        for (name, value) in optional(options, ErrorCode::Input)? {
+            let wrong = |e: Error| codec::js_error(&Error { code: ErrorCode::Input, ..e.within(&name) });
+            match name.as_str() {
+                "trace" => asked.trace = json::flag(&value).map_err(wrong)?,
+                #[cfg(feature = "complete")]
+                "alternatives" => asked.alternatives = json::flag(&value).map_err(wrong)?,
+                #[cfg(feature = "complete")]
+                "prefer" if value.is_null() => {}
+                #[cfg(feature = "complete")]
+                "prefer" => asked.prefer = Some(json::word(plan::Prefer::WORDS)(&value).map_err(wrong)?),
+                "start" | "goal" => {
+                    #[cfg(feature = "complete")]
+                    let pose = parse::goal(&value).and_then(|goal| self.planner.scenario().goal_pose(&goal));
+                    #[cfg(not(feature = "complete"))]
+                    let pose = parse::pose(&value);
+                    *(if name == "start" { &mut ends.start } else { &mut ends.goal }) =
+                        Some(pose.map_err(wrong)?);
+                }
+                _ => {
+                    #[cfg(not(feature = "complete"))]
+                    let message = "no option of plan; there are trace, start, goal, onProgress";
+                    #[cfg(feature = "complete")]
+                    let message = "no option of plan; there are trace, start, goal, alternatives, prefer, onProgress, onImproved";
+                    return Err(refused(&name, message));
+                }
+            }
+        }
+        Ok((asked, ends))
     }
 }

@@ -12,7 +12,7 @@ use crate::tools::{self, WASM_TARGET, Workspace, capture, cargo, node, node_tool
 const CORE_LIMIT: u64 = 200_000;
 const COMPLETE_LIMIT: u64 = 450_000;
 const PAGE_LIMIT: u64 = 80_000;
-const LATER_LIMIT: u64 = 150_000;
+const LATER_LIMIT: u64 = 160_000;
 const LOADER_LIMIT: u64 = 6_000;
 
 /// Prints, as a JSON array, the gzip sizes of the files named after it.
@@ -28,7 +28,7 @@ const LOADER: &str = "parkade-playground.js";
 const WASM_FILE: &str = "parkade_bg.wasm";
 
 /// What the searches' loops need is marked to be inlined; the usual threshold copies much that they do not.
-const COMPLETE_FLAGS: &[&str] = &["-C", "llvm-args=--inline-threshold=140"];
+const COMPLETE_FLAGS: &[&str] = &["-C", "llvm-args=--inline-threshold=90"];
 /// The first download shall be small; it plans for a few seconds only, until the complete module is there.
 const CORE_FLAGS: &[&str] = &["-C", "opt-level=s", "-C", "llvm-args=--inline-threshold=12"];
 /// Lets the compiler use WebAssembly's vectors, which the package does without.

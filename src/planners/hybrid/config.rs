@@ -274,6 +274,11 @@ pub(super) struct Level {
     pub(super) far_reverse: f64,
     /// Extra cost of a gear change while searching, metres.
     pub(super) extra_change: f64,
+    /// Whether nearness to obstacles costs nothing while searching.
+    pub(super) plain: bool,
+    /// What costs as much is left out.
+    #[cfg(feature = "complete")]
+    pub(super) bound: f64,
     /// Whether a car that can hardly move drives as far as it can each time, `step` at most.
     pub(super) shuffle: bool,
 }
@@ -310,6 +315,9 @@ impl Config {
             weight: self.heuristic_weight.unwrap_or(weight),
             far_reverse: 0.0,
             extra_change: if number > 0 && !shuffle { 2.0 } else { 0.0 },
+            plain: false,
+            #[cfg(feature = "complete")]
+            bound: f64::INFINITY,
             shuffle,
         };
         if shuffle {

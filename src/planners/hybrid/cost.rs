@@ -71,9 +71,16 @@ impl CostModel {
         Self { far_reverse, ..self }
     }
 
-    /// What a level searches by: it may shun gear changes and long ways in reverse more than the path will be charged for.
+    /// What a level searches by: it may shun gear changes and long ways in reverse more than the path will be charged for, and
+    /// obstacles less.
     pub(super) fn searching(self, level: &Level) -> Self {
-        Self { far_reverse: level.far_reverse, change: self.change + level.extra_change, ..self }
+        let obstacle = if level.plain { 0.0 } else { self.obstacle };
+        Self { far_reverse: level.far_reverse, change: self.change + level.extra_change, obstacle, ..self }
+    }
+
+    /// Whether nearness to obstacles costs something.
+    pub(super) fn has_obstacles(&self) -> bool {
+        self.obstacle != 0.0
     }
 
     fn in_reverse(&self, arc: &Arc) -> bool {

@@ -164,6 +164,10 @@ impl Domain for Lattice<'_> {
                 let end = pose.advance(arc.curvature, arc.length);
                 let after = Motion::after(&arc);
                 let mut cost = self.costs.arc(motion, &arc);
+                #[cfg(feature = "complete")]
+                if from.g + cost >= self.level.bound {
+                    continue;
+                }
                 let node = self.node(end, after.gear);
                 if !sink.worth(node, cost) || !(self.level.shuffle || self.free(pose, &arc)) {
                     continue;
@@ -193,6 +197,8 @@ impl Domain for Lattice<'_> {
 
     fn finish(&mut self, at: Visit<f64, State>, bound: f64) -> Option<Finish<f64, Word>> {
         let State { pose, motion, .. } = at.label;
+        #[cfg(feature = "complete")]
+        let bound = bound.min(self.level.bound);
         let mut found = core::mem::take(&mut self.words);
         found.clear();
         reeds_shepp::words_below(pose, self.target, self.costs.radius, bound - at.g, |word| {

@@ -30,6 +30,9 @@ const FAR_REVERSE_WEIGHT: f64 = 2.0;
 /// Expansions of that search for each metre that it may save.
 const FAR_REVERSE_EFFORT: f64 = 100.0;
 
+/// Margins that a path is tried with, too, where less is asked for, metres.
+const MORE_MARGIN: [f64; 2] = [0.05, 0.1];
+
 /// What the levels share: the answer so far, the memory, and who is told of the expansions.
 pub(super) struct Work<'a, 'p> {
     pub(super) report: &'a mut Report,
@@ -88,6 +91,7 @@ impl<'a> Search<'a> {
                 let soon = Level { max_expansions: soon.max_expansions.min(OTHER), ..soon };
                 if other.level(soon, work) {
                     other.reconsider(level, work);
+                    other.compare(level, work);
                     return First::Found;
                 }
                 if work.report.status == Status::NoPath {
@@ -100,7 +104,25 @@ impl<'a> Search<'a> {
             return First::Failed;
         }
         self.reconsider(level, work);
+        self.compare(level, work);
         First::Found
+    }
+
+    /// Holds the path against what the same search finds with more margin and without the cost of obstacles: a lattice may
+    /// hide a cheaper way from the search that is free to take it.
+    fn compare(&self, level: Level, work: &mut Work) {
+        let level = Level { max_expansions: level.max_expansions.min(SOON), ..level };
+        let margin = work.report.margin;
+        for more in MORE_MARGIN {
+            if self.config.margin < more {
+                work.report.margin = more;
+                self.retry(level, Some(work.report.status), work);
+            }
+        }
+        work.report.margin = margin;
+        if self.costs().has_obstacles() {
+            self.retry(Level { plain: true, ..level }, Some(work.report.status), work);
+        }
     }
 
     /// The first level with what the first try leaves of its budget. On long cluttered ways the plain estimate spends all of

@@ -3,6 +3,8 @@
 //! The tree grows from the goal by default (the parking paper's reverse search): the car model drives the same way
 //! back, and leaving a slot needs far fewer expansions than finding it. Dolgov et al. 2010 for the search itself.
 
+#[cfg(feature = "complete")]
+mod choices;
 mod config;
 mod cost;
 mod domain;
@@ -17,6 +19,8 @@ mod shots;
 #[cfg(feature = "complete")]
 mod two_way;
 
+#[cfg(feature = "complete")]
+pub use choices::{Prefer, choices};
 pub use config::{Config, Heuristic, Profile, SearchFrom};
 pub use shots::Shots;
 
@@ -176,6 +180,18 @@ impl Observer<f64, State> for Tree {
 }
 
 impl Report {
+    /// No path, after as much work.
+    fn counters(&self) -> Self {
+        Self {
+            expanded: self.expanded,
+            generated: self.generated,
+            pushes: self.pushes,
+            open_peak: self.open_peak,
+            bytes: self.bytes,
+            ..empty(self.rs_bound)
+        }
+    }
+
     fn keep(&mut self, tree: Option<Tree>, watch: Option<&RefCell<Watch>>) {
         if let (Some(tree), Some(watch)) = (tree, watch) {
             (self.tree, self.tree_dropped) = (tree.arcs, tree.dropped);

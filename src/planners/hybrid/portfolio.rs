@@ -17,7 +17,7 @@ use crate::search::Progress;
 /// Margins tried where no way keeps the one asked for, metres.
 const LESS: [f64; 4] = [0.05, 0.03, 0.01, HAIR];
 /// With less than this a car creeps, metres.
-const COMFORTABLE: f64 = 0.03;
+pub(super) const COMFORTABLE: f64 = 0.03;
 /// Expansions of the first slice.
 const SLICE: u32 = 8192;
 /// Expansions of all members together, where the settings say nothing.
@@ -52,14 +52,19 @@ impl<'a> Floods<'a> {
         if config.levels() > SHUFFLING {
             margins.extend(LESS.into_iter().filter(|&margin| margin < asked));
         }
-        let mut made = Vec::new();
-        made.resize_with(margins.len(), Default::default);
-        let floods = Self { query, ends, margins, made };
+        let floods = Self::with(query, ends, margins);
         floods.get_from(0, false, memory);
         floods
     }
 
-    fn get(&self, margin: usize, is_swapped: bool) -> &Flood {
+    /// For these margins.
+    pub(super) fn with(query: &'a Query<'a>, ends: [Pose; 2], margins: Vec<f64>) -> Self {
+        let mut made = Vec::new();
+        made.resize_with(margins.len(), Default::default);
+        Self { query, ends, margins, made }
+    }
+
+    pub(super) fn get(&self, margin: usize, is_swapped: bool) -> &Flood {
         self.get_from(margin, is_swapped, None)
     }
 
@@ -218,15 +223,7 @@ impl Run<'_> {
 
     /// Keeps a path that has more margin than the best so far or, with the same, costs less.
     fn offer(&mut self, report: &mut Report) {
-        let empty = super::empty(report.rs_bound);
-        let counters = Report {
-            expanded: report.expanded,
-            generated: report.generated,
-            pushes: report.pushes,
-            open_peak: report.open_peak,
-            bytes: report.bytes,
-            ..empty
-        };
+        let counters = report.counters();
         let path = core::mem::replace(report, counters);
         if self.best.as_ref().is_none_or(|best| path.margin > best.margin || path.cost < best.cost) {
             self.best = Some(path);

@@ -43,8 +43,8 @@ export const checkPath = (scene, path, directions) =>
 export class Planner {
   /** @type {raw.RawPlanner | undefined} */
   #raw;
-  /** Whether it is planning, and its callback is called. */
-  #told = false;
+  /** The callback that is being called while it plans. */
+  #told = "";
 
   /** @param {ConstructorParameters<Api["Planner"]>} args */
   constructor(...args) {
@@ -54,26 +54,33 @@ export class Planner {
 
   /** @type {import("./index.js").Planner["plan"]} */
   plan(options = {}) {
-    if (!Object.hasOwn(Object(options), "onProgress")) return this.#call((planner) => planner.plan(options));
-    const { onProgress, ...others } = options;
-    if (onProgress === undefined) return this.plan(others);
-    if (typeof onProgress !== "function") {
-      throw mismatch(onProgress, "onProgress", "a function");
-    }
+    if (typeof options !== "object" || options === null) return this.#call((planner) => planner.plan(options));
+    const { onProgress, onImproved, ...others } = options;
     /** @type {{ error: unknown } | undefined} */
     let thrown;
-    /** Nothing is thrown through the module. @param {number} expansions */
-    const tell = (expansions) => {
-      this.#told = true;
-      try {
-        onProgress(expansions);
-      } catch (error) {
-        thrown = { error };
-      }
-      this.#told = false;
-      return thrown === undefined;
+    /**
+     * Nothing is thrown through the module.
+     * @param {((value: any) => void) | undefined} callback
+     * @param {string} name
+     */
+    const told = (callback, name) => {
+      if (callback === undefined) return undefined;
+      if (typeof callback !== "function") throw mismatch(callback, name, "a function");
+      return (/** @type {unknown} */ value) => {
+        this.#told = name;
+        try {
+          callback(value);
+        } catch (error) {
+          thrown = { error };
+        }
+        this.#told = "";
+        return thrown === undefined;
+      };
     };
-    const plan = this.#call((planner) => planner.plan(others, tell));
+    const tell = told(onProgress, "onProgress");
+    const improved = told(onImproved, "onImproved");
+    const method = improved && "improve";
+    const plan = this.#call((planner) => planner[method ?? "plan"](others, tell, /** @type {any} */ (improved)), method);
     if (thrown !== undefined) throw thrown.error;
     return plan;
   }
@@ -127,7 +134,7 @@ export class Planner {
   /**
    * @template T
    * @param {(planner: raw.RawPlanner) => T} run
-   * @param {"search" | "anyAngleLength" | "brush" | "explain"} [method] what only the complete module has
+   * @param {"search" | "anyAngleLength" | "brush" | "explain" | "improve"} [method] what only the complete module has
    */
   #call(run, method) {
     this.#rest();
@@ -138,7 +145,7 @@ export class Planner {
   }
 
   #rest() {
-    if (this.#told) throw new ParkadeError("this planner is planning: its `onProgress` cannot use it", "bad-input");
+    if (this.#told) throw new ParkadeError(`this planner is planning: its ${this.#told} cannot use it`, "bad-input");
   }
 }
 

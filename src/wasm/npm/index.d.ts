@@ -217,6 +217,8 @@ export interface Metrics {
   paperLength?: number;
   paperNodes?: number;
   paperTime?: number;
+  /** Hybrid, where it is chosen by: seconds within `trajectory`'s default limits. */
+  driveTime?: number;
   /** Cost map, and `cost`: turning points of cells and chords, ends included; how far the ends were moved to have room, metres. */
   turnsRaw?: number;
   startMoved?: number;
@@ -334,9 +336,17 @@ export interface Plan {
   metrics: Metrics;
   check: Check;
   trace: Trace | null;
-  /** The same in every browser and in Node; time and trace are no part of it. */
+  /**
+   * Hybrid, where `alternatives` were asked for: the paths of which none is better in everything than another, this one among
+   * them, the shortest first. "Everything" is length, gear changes, clearance and `metrics.driveTime`.
+   */
+  alternatives?: Plan[];
+  /** The same in every browser and in Node; time, trace and alternatives are no part of it. */
   hash: string;
 }
+
+/** What hybrid's path may be chosen by. */
+export type Prefer = "shortest" | "fewest-changes" | "widest" | "fastest";
 
 /** What `Planner.search` found. */
 export interface Found {
@@ -669,8 +679,22 @@ export class Planner {
    * `onProgress` is called while the search goes on: each 16 384 cells, or each 256 poses of a car, with the expansions so far;
    * and once when it has ended, with the plan's `stats.expanded`, before the path is followed, checked and measured. What it
    * throws ends the search and is thrown by `plan`; the planner can be used again. It cannot use the planner that calls it.
+   *
+   * Hybrid only, and not in `parkade/core`: `prefer` looks for a better path than the ordinary one by that measure, gear changes
+   * first for "fewest-changes"; `alternatives` looks for all that are worth choosing from. Without `prefer` the answer is
+   * then the path that costs least with no less margin. `onImproved` is given the ordinary plan, and each better one as soon
+   * as it is found; what it throws counts as in `onProgress`. All are bounded by counted work, a few times that of an
+   * ordinary plan of a tight slot, and the same everywhere.
    */
-  plan(options?: { trace?: boolean; start?: Goal; goal?: Goal; onProgress?: (expansions: number) => void }): Plan;
+  plan(options?: {
+    trace?: boolean;
+    start?: Goal;
+    goal?: Goal;
+    prefer?: Prefer;
+    alternatives?: boolean;
+    onProgress?: (expansions: number) => void;
+    onImproved?: (plan: Plan) => void;
+  }): Plan;
   /**
    * The search of a grid planner alone, between two points: its cells, neither followed by a car nor checked nor
    * measured. What `plan` does besides grows with the path and often takes longer. Not in `parkade/core`.

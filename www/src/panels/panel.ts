@@ -2,8 +2,7 @@ import type { PlannerId } from "parkade";
 import { css, html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { plannerName } from "../view/identity";
 import { goalPose, vehicleOf } from "../scene/model";
-import type { PanelResult, State } from "../store";
-import { isEncounter } from "../view/clock";
+import type { State } from "../store";
 import { extras, waiting } from "../view/pieces";
 import { controls } from "../styles/controls";
 import { cameraFor, LOW_MAP, worldToScreen } from "../view/camera";
@@ -114,12 +113,13 @@ export class PlannerPanel extends AppElement {
     const hidden = state.hidden.has(planner);
     const status = statusOf(state, planner);
     const slim = this.size.height < LOW_MAP;
+    const met = extras()?.encounterOf(state, result?.drive);
     const label = this.t("panel.canvas", { planner: plannerName(state.lang, planner), status: status.chip });
     return html`
       <header class="${hidden ? "off" : ""} ${result?.status === "planning" ? "stale" : ""}" @dblclick=${this.maximise} @pointerdown=${this.takeFocus}>
         <h2>${marker(planner)}<span>${plannerName(state.lang, planner)}</span></h2>
         <span class="time" title=${timeTitle(state.lang, result)}>${searchTime(state.lang, result)}</span>
-        ${this.chip(status)}${this.encounter(result)}
+        ${this.chip(status)}${met ? this.chip(met) : nothing}
         <span class="end">${this.buttons(hidden)}</span>
       </header>
       <div class="body ${slim ? "slim" : ""}" @pointerdown=${this.takeFocus}>
@@ -155,17 +155,6 @@ export class PlannerPanel extends AppElement {
     return html`<span class="chip ${shown.tone}" title=${shown.chip}>${icon(shown.icon, 12)}<span class="long">${shown.chip}</span><span class="short" aria-hidden="true">${this.thumb ? shown.tiny : shown.brief}</span></span>`;
   }
 
-  /** How the car fares among moving obstacles. */
-  private encounter(result: PanelResult | undefined): TemplateResult | typeof nothing {
-    const drive = result?.drive;
-    if (!isEncounter(drive)) return nothing;
-    const waited = drive.waits.reduce((sum, { from, to }) => sum + to - from, 0);
-    const late = { unavoidable: "moving.unavoidable", blocked: "moving.blocked", "out-of-time": "moving.late" } as const;
-    if (drive.contact) return this.chip(sayMoving("err", this.t("moving.hit", { s: this.num(drive.contact.t, 1) })));
-    if (drive.ending !== "arrived" && drive.ending !== "hit") return this.chip(sayMoving("err", this.t(late[drive.ending])));
-    return waited > 0 ? this.chip(sayMoving("warn", this.t("moving.waits", { s: this.num(waited, 1) }))) : nothing;
-  }
-
   private buttons(hidden: boolean): TemplateResult {
     const name = plannerName(this.state.lang, this.planner);
     const eye = this.t(hidden ? "panel.show" : "panel.hide", { planner: name });
@@ -199,8 +188,6 @@ export class PlannerPanel extends AppElement {
     this.slow = false;
   }
 }
-
-const sayMoving = (tone: Status["tone"], text: string): Status => ({ tone, icon: tone === "err" ? "warning" : "clock", chip: text, brief: text, tiny: text });
 
 /** Where start and goal stand and the goal's handle is, in pixels. */
 function handlePoints(state: State, width: number, height: number): [number, number][] {

@@ -1,5 +1,6 @@
 /** The layers that the first picture does without, and what is told of the cell under the pointer. */
 import "../panels/failure-line";
+export { encounterOf } from "../panels/encounter";
 export { whyOf } from "../panels/failure-words";
 export { legendOf, readoutOf, weightsOf } from "../panels/readout";
 export { showScale } from "../panels/scale-bar";

@@ -1,0 +1,149 @@
+//! Which of hybrid A*'s paths is the answer, and which are worth showing beside it.
+
+use std::ops::ControlFlow;
+
+use super::{Improved, Plan, Prefer, Stats};
+use crate::drive::{Limits, Motion, Route};
+use crate::scenario::SpeedLimit;
+use crate::vehicle::Vehicle;
+
+/// Lengths and times are the same within this share …
+const SAME: f64 = 0.01;
+/// … and clearances within this, metres.
+const SAME_CLEARANCE: f64 = 0.05;
+
+/// What is asked of a choice.
+pub(super) struct Wish<'a> {
+    pub(super) prefer: Option<Prefer>,
+    pub(super) alternatives: bool,
+    pub(super) improved: Option<Improved<'a>>,
+}
+
+impl Wish<'_> {
+    /// Whether the first path will do.
+    pub(super) fn is_none(&self) -> bool {
+        self.prefer.is_none() && !self.alternatives && self.improved.is_none()
+    }
+
+    /// What alone is searched for.
+    pub(super) fn searched(&self) -> Option<Prefer> {
+        self.prefer.filter(|_| !self.alternatives)
+    }
+}
+
+/// The paths so far.
+pub(super) struct Choosing<'a, 'w> {
+    wish: Wish<'w>,
+    vehicle: &'a Vehicle,
+    limits: &'a [SpeedLimit],
+    /// All that are worth keeping; `best` is one of them.
+    plans: Vec<Plan>,
+    best: usize,
+    /// Margin that the first one was planned with, metres.
+    margin: f64,
+}
+
+impl<'a, 'w> Choosing<'a, 'w> {
+    pub(super) fn new(wish: Wish<'w>, vehicle: &'a Vehicle, limits: &'a [SpeedLimit]) -> Self {
+        Self { wish, vehicle, limits, plans: Vec::new(), best: 0, margin: 0.0 }
+    }
+
+    /// Takes another path; tells whether to look for more.
+    pub(super) fn offer(&mut self, mut plan: Plan) -> ControlFlow<()> {
+        let time = self.time(&plan);
+        if let Some(figures) = &mut plan.metrics.hybrid {
+            figures.drive_time = Some(time);
+        }
+        let is_first = self.plans.is_empty();
+        if is_first {
+            self.margin = margin(&plan);
+        }
+        let is_best = is_first || self.is_better(&plan);
+        if !is_best && self.plans.iter().any(|kept| covers(kept, &plan)) {
+            return ControlFlow::Continue(());
+        }
+        let best = if is_best { self.plans.len() } else { self.best };
+        let mut index = 0;
+        let mut moved = 0;
+        self.plans.retain(|kept| {
+            let is_kept = (!is_best && index == best) || !covers(&plan, kept);
+            moved += usize::from(!is_kept && index < best);
+            index += 1;
+            is_kept
+        });
+        self.best = best - moved;
+        self.plans.push(plan);
+        match &mut self.wish.improved {
+            Some(improved) if is_best => improved(&self.plans[self.best]),
+            _ => ControlFlow::Continue(()),
+        }
+    }
+
+    /// Seconds; longer than any drive where it cannot be told.
+    fn time(&self, plan: &Plan) -> f64 {
+        let route = Route::new(self.vehicle, &plan.path, &plan.directions, Some(&plan.curvatures));
+        let route = route.map(|route| route.with_speed_limits(self.limits));
+        let motion = route.and_then(|route| Motion::new(self.vehicle, &route, &Limits::default()));
+        motion.map_or(f64::MAX, |motion| motion.duration())
+    }
+
+    /// Whether a path is better than the best so far by what is preferred or, where nothing is, costs less and keeps as much
+    /// margin as the first.
+    fn is_better(&self, plan: &Plan) -> bool {
+        let (new, old) = (Figures::of(plan), Figures::of(&self.plans[self.best]));
+        match self.wish.prefer {
+            None => margin(plan) >= self.margin && new.cost < old.cost,
+            Some(Prefer::Shortest) => new.length < old.length,
+            Some(Prefer::FewestChanges) => (new.changes, new.length) < (old.changes, old.length),
+            Some(Prefer::Widest) => new.clearance > old.clearance,
+            Some(Prefer::Fastest) => new.time < old.time,
+        }
+    }
+
+    /// The answer, after as much work.
+    pub(super) fn conclude(mut self, stats: &Stats) -> Plan {
+        let level = self.plans[self.best].stats.level;
+        let mut best = self.plans[self.best].clone();
+        best.stats = Stats { level, ..stats.clone() };
+        if self.wish.alternatives {
+            self.plans.sort_by(|a, b| a.metrics.length.total_cmp(&b.metrics.length));
+            best.alternatives = self.plans;
+        }
+        best
+    }
+}
+
+/// What paths are compared by.
+struct Figures {
+    length: f64,
+    changes: u32,
+    clearance: f64,
+    time: f64,
+    cost: f64,
+}
+
+impl Figures {
+    fn of(plan: &Plan) -> Self {
+        let hybrid = plan.metrics.hybrid.as_ref();
+        Self {
+            length: plan.metrics.length,
+            changes: plan.metrics.direction_changes,
+            clearance: plan.metrics.min_clearance,
+            time: hybrid.and_then(|figures| figures.drive_time).unwrap_or(f64::MAX),
+            cost: hybrid.map_or(f64::MAX, |figures| figures.cost),
+        }
+    }
+}
+
+/// Whether one path is as good as another in everything, but for differences that nobody would notice.
+fn covers(one: &Plan, other: &Plan) -> bool {
+    let (one, other) = (Figures::of(one), Figures::of(other));
+    one.changes <= other.changes
+        && one.length <= other.length * (1.0 + SAME)
+        && one.time <= other.time * (1.0 + SAME)
+        && one.clearance >= other.clearance - SAME_CLEARANCE
+}
+
+fn margin(plan: &Plan) -> f64 {
+    plan.metrics.hybrid.as_ref().map_or(0.0, |figures| figures.margin)
+}

@@ -1,0 +1,20 @@
+/** How a car fares among moving obstacles, in a word for its panel. */
+import type { Drive, Encounter } from "parkade";
+import "../i18n/later";
+import { number, translate } from "../i18n/index";
+import type { State } from "../store";
+import { isEncounter } from "../view/clock";
+import type { Status } from "./status";
+
+const LATE = { unavoidable: "moving.unavoidable", blocked: "moving.blocked", "out-of-time": "moving.late" } as const;
+
+/** Null where nothing moves, and where nothing is worth saying. */
+export function encounterOf({ lang }: State, drive: Drive | Encounter | null | undefined): Status | null {
+  if (!drive || !isEncounter(drive)) return null;
+  const waited = drive.waits.reduce((sum, { from, to }) => sum + to - from, 0);
+  if (drive.contact) return say("err", translate(lang, "moving.hit", { s: number(lang, drive.contact.t, 1) }));
+  if (drive.ending !== "arrived" && drive.ending !== "hit") return say("err", translate(lang, LATE[drive.ending]));
+  return waited > 0 ? say("warn", translate(lang, "moving.waits", { s: number(lang, waited, 1) })) : null;
+}
+
+const say = (tone: Status["tone"], text: string): Status => ({ tone, icon: tone === "err" ? "warning" : "clock", chip: text, brief: text, tiny: text });
