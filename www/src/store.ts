@@ -1,4 +1,4 @@
-import type { Drive, Encounter, Explanation, Layer, LayerName, Plan, PlannerId, Road, Scenario, SceneGeometry } from "parkade";
+import type { Drive, Encounter, Explanation, Layer, LayerName, Plan, PlannerId, Prefer, Road, Scenario, SceneGeometry } from "parkade";
 import type { Timing } from "./planning/protocol";
 import { presetLayers } from "./view/layer-sets";
 
@@ -89,6 +89,10 @@ export interface State {
   hover: { x: number; y: number } | null;
   /** What the risk field does at the cell under the pointer. */
   explained: Explanation | null;
+  /** What planners' paths are chosen by, where it is not left to them. */
+  prefer: Partial<Record<PlannerId, Prefer>>;
+  /** Another path of a planner, looked at for a moment. */
+  preview: { planner: PlannerId; plan: Plan } | null;
   /** How moving obstacles are waited for. */
   waiting: "predictive" | "reactive";
   playback: Playback;
@@ -166,6 +170,8 @@ export function initialState(): State {
     follow: false,
     hover: null,
     explained: null,
+    prefer: {},
+    preview: null,
     waiting: "predictive",
     playback: { base: "drive", searchMode: "percent", fraction: 1, playing: false, speed: 1 },
     layers: presetLayers("drive"),

@@ -253,7 +253,7 @@ export class Playground extends LitElement {
 
   private phone(): TemplateResult {
     return html`${this.isFull ? html`<parkade-chips .app=${this.app} ?rail=${this.rails}></parkade-chips>` : nothing}
-      <parkade-failure .app=${this.app} ?short=${this.isFull}></parkade-failure>
+      <parkade-choices .app=${this.app}></parkade-choices><parkade-failure .app=${this.app} ?short=${this.isFull}></parkade-failure>
       ${this.rails ? html`<parkade-options .app=${this.app}></parkade-options>` : nothing}
       <parkade-timeline part="timeline" .app=${this.app} compact ?slim=${this.rails}></parkade-timeline>
       ${this.isFull && !this.short ? html`<parkade-sheet .app=${this.app} .ready=${this.loaded} ?drawer=${this.rails}></parkade-sheet>` : nothing}`;

@@ -89,6 +89,7 @@ const firstFault = (faults: readonly (Fault | null)[]): Fault | null => faults.f
 
 export const MODES = ["grid", "overlay", "focus"] as const;
 const BASES = ["drive", "search"] as const;
+export const PREFERENCES = ["shortest", "fewest-changes", "widest", "fastest"] as const;
 export const SEARCH_MODES = ["percent", "expansions"] as const;
 const HOUR_MS = 3_600_000;
 /** Characters; a scene of millions of cells makes no link. */
@@ -105,6 +106,7 @@ export const RULES = {
   layerBits: (count: number) => wholeFrom(0, 2 ** count - 1),
   base: () => oneOf(BASES),
   searchMode: () => oneOf(SEARCH_MODES),
+  prefer: () => oneOf(PREFERENCES),
   playhead: () => numberFrom(0, 1),
   seekOptions: () => objectOf({ base: oneOf(BASES) }, ["base"]),
   blobOptions: () => objectOf({ type: oneOf(["image/png", "image/jpeg", "image/webp"]) }, ["type"]),

@@ -126,6 +126,7 @@ export class PlannerPanel extends AppElement {
         ${hidden ? html`<div class="veil">${this.t("panel.hidden")}</div>` : html`
           <parkade-scene-view exportparts="canvas" .app=${this.app} .planners=${[planner]} .label=${label}></parkade-scene-view>
           <parkade-failure class=${this.isLow() ? "low" : ""} ?slim=${slim} .app=${this.app} .planner=${planner}></parkade-failure>
+          ${this.thumb ? nothing : html`<parkade-choices class=${this.isLow() ? "low" : ""} .app=${this.app} .planner=${planner}></parkade-choices>`}
           <div class="corner ${this.corner("left")}">${extras()?.readoutOf(state, planner)}</div>
           <div class="corner right ${this.corner("right")}">${extras()?.legendOf(state, planner)}</div>`}
       </div>`;

@@ -23,6 +23,17 @@ const JOBS = {
       made.free();
     }
   },
+  /** The ordinary answer, and all that are worth choosing from. */
+  alternatives: ({ planner, scene }: { planner: PlannerId; scene: Scenario }): [Plan, ...Plan[]] => {
+    const made = new Planner(planner, scene);
+    let ordinary: Plan | null = null;
+    try {
+      const best = made.plan({ alternatives: true, onImproved: (plan) => { ordinary ??= plan; } });
+      return [ordinary ?? best, ...(best.alternatives ?? [])];
+    } finally {
+      made.free();
+    }
+  },
   /** The length of the shortest path at any angle, on the map of this planner. */
   anyAngle: ({ planner, scene }: { planner: PlannerId; scene: Scenario }): number | null => {
     const made = new Planner(planner, scene);

@@ -62,7 +62,7 @@ export class Planning {
 
   start(): void {
     this.unsubscribe ??= this.store.subscribe((state, previous) => {
-      if (state.scene !== previous.scene || state.planners !== previous.planners || state.waiting !== previous.waiting) this.replan(previous.scene);
+      if (state.scene !== previous.scene || state.planners !== previous.planners || state.waiting !== previous.waiting || state.prefer !== previous.prefer) this.replan(previous.scene);
       else if (previous.transient && !state.transient) this.replan(state.scene); // A drag leaves its slower layers behind.
       else if ((["redundant", "cost", "risk"] as const).some((name) => state.layers[name] && !previous.layers[name])) this.replan(state.scene);
       if (state.hover !== previous.hover) void this.explain(state);
@@ -180,8 +180,8 @@ export class Planning {
     const present = state.planners.filter((planner) => this.engine.extent === "complete" || extentFor([planner]) === "core");
     this.planWhenLoaded(state.planners.filter((planner) => !present.includes(planner)));
     for (const planner of present) {
-      const waiting = state.transient ? null : state.waiting;
-      const job = { id: this.job, scene, layers: layersOf(planner, state), every: forceEvery(state), trace: isTraced(planner, state), waiting, limits: limitsOn(scene), budget: this.budget };
+      const { waiting, prefer } = state.transient ? DRAG : state;
+      const job = { id: this.job, scene, layers: layersOf(planner, state), every: forceEvery(state), trace: isTraced(planner, state), waiting, limits: limitsOn(scene), prefer: (this.engine.extent === "complete" && prefer[planner]) || undefined, budget: this.budget };
       if (state.transient && identityOf(planner).drives) this.hold(planner, job);
       else {
         this.held.delete(planner);
@@ -367,6 +367,9 @@ const forceEvery = ({ transient, scene: { map: { width, height } } }: State): nu
 /** A drag's plans bring no more than is drawn of them. */
 const isTraced = (planner: PlannerId, { transient, layers, playback }: State): boolean =>
   !transient || playback.base === "search" || (identityOf(planner).drives ? layers.tree : layers.heat);
+
+/** A drag's plans are the ordinary ones, and nobody drives them. */
+const DRAG: Pick<State, "prefer"> & { waiting: null } = { waiting: null, prefer: {} };
 
 const hasCosts = (planner: PlannerId): boolean => planner === "cost-map";
 

@@ -1,4 +1,4 @@
-import type { Drive, Encounter, Explanation, Layer, LayerName, Limits, Plan, PlannerId, Pose, Scenario } from "parkade";
+import type { Drive, Encounter, Explanation, Layer, LayerName, Limits, Plan, PlannerId, Pose, Prefer, Scenario } from "parkade";
 
 /** What a planner's worker is asked. */
 export type Request =
@@ -20,6 +20,7 @@ export interface PlanRequest {
   trace: boolean;
   waiting: Waiting | null;
   limits?: Limits;
+  prefer?: Prefer | undefined;
 }
 
 /** Where a plan begins and ends; without a goal, in the scene's slot. */

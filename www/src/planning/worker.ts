@@ -20,6 +20,8 @@ let planner: PlannerId = "hybrid";
 let ready: Promise<void> | null = null;
 /** The planner of the last scene that came, that scene as far as drives need it, and where the last plan was. */
 let held: { planner: Planner; scene: Scenario; ends: Ends } | null = null;
+/** What the last plan was chosen by. */
+let choice: Parameters<Planner["plan"]>[0];
 let plans = 0;
 
 /** Answers the page's requests; called in workers only. */
@@ -69,10 +71,11 @@ function letGo(): void {
   held = null;
 }
 
-function plan({ id, scene, ends, layers: names, every, trace, waiting, limits }: PlanRequest): Extract<Reply, { kind: "planned" }> {
+function plan({ id, scene, ends, layers: names, every, trace, waiting, limits, prefer }: PlanRequest): Extract<Reply, { kind: "planned" }> {
   const warm = plans >= WARM_PLANS;
   const current = hold(scene, ends);
-  const [found, time] = timed(current.planner, { trace, ...ends }, (expansions) => scope.postMessage({ kind: "progress", id, expansions }, []));
+  choice = prefer && { prefer, alternatives: true };
+  const [found, time] = timed(current.planner, { trace, ...ends, ...choice }, (expansions) => scope.postMessage({ kind: "progress", id, expansions }, []));
   const layers: Layers = {};
   for (const name of names) layers[name] = current.planner.layer(name, name === "risk" ? { every } : {});
   const reply = { kind: "planned", id, plan: found, layers, drive: null, undriven: false, time, warm } as const;
@@ -108,7 +111,7 @@ function timed(planner: Planner, options: Parameters<Planner["plan"]>[0], tell: 
 
 function time({ runs, budget, scene, ends }: Extract<Request, { kind: "time" }>): Timing[] {
   const samples: Timing[] = [];
-  const current = hold(scene, ends).planner, silent = { trace: false, ...ends };
+  const current = hold(scene, ends).planner, silent = { trace: false, ...ends, ...choice };
   if (scene) timed(current, silent);
   const end = performance.now() + budget;
   while (samples.length < runs && (samples.length === 0 || performance.now() < end)) samples.push(sample(current, silent));

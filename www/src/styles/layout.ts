@@ -42,6 +42,7 @@ export const layout = css`
   :host([short]) .phone { grid-template-rows: 45px minmax(0, 1fr) minmax(57px, auto) 48px 0; }
   parkade-chips { grid-area: chips; } .phone:not(.rails) parkade-chips:not(:defined) { height: 57px; }
   parkade-failure { grid-area: stage; align-self: end; z-index: 3; }
+  parkade-choices { grid-area: stage; position: relative; align-self: start; top: 40px; }
   parkade-sheet { grid-area: sheet; } .phone:not(.rails) parkade-sheet:not(:defined) { height: calc(113px + min(148px, 60vh)); }
   :host([viewing]) parkade-stage { pointer-events: none; }
   :host([controls="minimal"]) .desk { grid-template: "stage" minmax(0, 1fr) "time" 44px / minmax(0, 1fr); }

@@ -72,6 +72,7 @@ export class SceneLayers {
     if (layers.car) drawStartAndGoal(frame);
     if (layers.difference && done) for (const shown of frame.shown) extras()?.drawDifference(frame, shown);
     if (layers.path) for (const shown of inOrder(frame)) drawPath(frame, shown, strength(frame, shown) * standing(frame, shown));
+    if (frame.state.preview) extras()?.drawPreview(frame);
     if (layers.car) drawReferences(frame);
     if (layers.car && one) drawDrivingCar(frame, one, strength(frame, one));
     if (one && scene.moving?.length) extras()?.drawContact(frame, one);

@@ -1,0 +1,214 @@
+import type { Plan, PlannerId, Prefer } from "parkade";
+import { css, html, nothing, type TemplateResult } from "lit";
+import { words } from "../i18n/words";
+import { Helper } from "../planning/helper";
+import { forPlanners } from "../scene/vast";
+import type { Scene, State } from "../store";
+import { controls } from "../styles/controls";
+import { plannerName } from "../view/identity";
+import { AppElement } from "./base";
+
+const say = words({
+  label: ["{planner}: paths to choose from", "{planner}：可选路径"],
+  "shortest": ["shortest", "最短"],
+  "fewest-changes": ["fewest gear changes", "换挡最少"],
+  "widest": ["most room", "间距最大"],
+  "fastest": ["fastest", "最快"],
+  ordinary: ["as planned", "默认结果"],
+  changes: ["{length} m · {n} ⇄", "{length} m · {n} ⇄"],
+  none: ["{length} m · 0", "{length} m · 0"],
+  clear: ["{length} m · {clear} m clear", "{length} m · 间距 {clear} m"],
+  title: [
+    "{what}: {length} m, {n} gear {n|change|changes}, {clear} m clear. {proof}",
+    "{what}：{length} m，换挡 {n} 次，间距 {clear} m。{proof}",
+  ],
+  bound: ["No path can be shorter than {bound} m.", "任何路径都不会短于 {bound} m。"],
+  proven: ["Proven shortest.", "已证明最短。"],
+});
+
+/** A scene rests for so long before its planner is asked for more. */
+const REST_MS = 600;
+/** A plan that takes longer is not asked for alternatives by itself. */
+const LONG_MS = 400;
+const MOST = 4;
+/** Percent above the shortest way without obstacles: nothing that numbers on the page would show. */
+const PROVEN = 0.05;
+/** What differs by less looks the same: a share of the length or the time, and metres of clearance. */
+const SAME = 0.01, SAME_CLEARANCE = 0.05;
+
+/** What a chip stands for: a path that is the best by some measures, or the ordinary one. */
+interface Choice { plan: Plan; by: Prefer[]; isOrdinary: boolean }
+
+const MEASURES: Record<Prefer, (plan: Plan) => readonly [number, number]> = {
+  shortest: ({ metrics: { length } }) => [length, 0],
+  "fewest-changes": ({ metrics: { directionChanges, length } }) => [directionChanges, length],
+  widest: ({ metrics: { minClearance, length } }) => [-minClearance, length],
+  fastest: ({ metrics: { driveTime = Infinity, length } }) => [driveTime, length],
+};
+const PREFERENCES = Object.keys(MEASURES) as Prefer[];
+
+/** The paths that are best by some measure, and the ordinary one, the shortest first. */
+export function choicesOf(ordinary: Plan, alternatives: readonly Plan[]): Choice[] {
+  const choices: Choice[] = [{ plan: ordinary, by: [], isOrdinary: true }];
+  for (const prefer of PREFERENCES) {
+    const best = bestBy(prefer, alternatives);
+    if (!best) continue;
+    const known = choices.find(({ plan }) => alike(plan, best));
+    if (known) known.by.push(prefer);
+    else choices.push({ plan: best, by: [prefer], isOrdinary: false });
+  }
+  return choices.slice(0, MOST).sort((a, b) => a.plan.metrics.length - b.plan.metrics.length);
+}
+
+const bestBy = (prefer: Prefer, plans: readonly Plan[]): Plan | undefined => {
+  const measure = MEASURES[prefer];
+  return [...plans].sort((a, b) => measure(a)[0] - measure(b)[0] || measure(a)[1] - measure(b)[1])[0];
+};
+
+const alike = ({ metrics: a }: Plan, { metrics: b }: Plan): boolean =>
+  a.directionChanges === b.directionChanges && Math.abs(a.length - b.length) <= SAME * a.length && Math.abs(a.minClearance - b.minClearance) <= SAME_CLEARANCE;
+
+/** Many playgrounds may stand in a document: one that nobody has touched asks for no more. */
+const isPage = (): boolean => document.querySelector("parkade-playground[permalink]") !== null;
+
+/** What has been found of each scene. */
+const found = new WeakMap<Scene, Map<PlannerId, Choice[]>>();
+
+/** Chips under a planner's title: other paths that it found, to look at and to choose. */
+export class Choices extends AppElement {
+  static override properties = { ...AppElement.properties, planner: { type: String }, searching: { type: Boolean, reflect: true } };
+  static override styles = [controls, css`
+    :host { position: absolute; z-index: 2; inset: 0 0 auto; display: block; pointer-events: none; }
+    :host([searching])::before { content: ""; position: absolute; inset: 0 0 auto; height: 2px; background: linear-gradient(90deg, transparent, var(--parkade-accent), transparent) 0 0 / 40% 100% no-repeat; animation: run 1.2s linear infinite; }
+    @keyframes run { from { background-position: -40% 0; } to { background-position: 140% 0; } }
+    @media (prefers-reduced-motion: reduce) { :host([searching])::before { animation: none; background: var(--parkade-accent); opacity: 0.4; } }
+    :host(.low) { inset: auto 0 38px; }
+    div { display: flex; flex-wrap: wrap; gap: 6px; padding: 8px; }
+    button { pointer-events: auto; height: 24px; padding: 0 8px; font-size: 12px; font-variant-numeric: tabular-nums; white-space: nowrap; color: var(--parkade-t1);
+      background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair2); border-radius: calc(5px * var(--parkade-radius)); }
+    button:hover { background: var(--parkade-panel); border-color: var(--parkade-t2); }
+    button[aria-pressed="true"] { font-weight: 600; outline: 1.5px solid var(--parkade-t1); outline-offset: -1px; }
+    @media (pointer: coarse) { button { height: 34px; padding: 0 12px; } }
+    /* On a low screen the start is more often above. */
+    @media (max-height: 479px) { :host { align-self: end !important; top: auto !important; bottom: 26px !important; } }
+  `];
+  /** Unset: the focused one. */
+  declare planner: PlannerId | undefined;
+  /** Whether better paths are being looked for. */
+  declare searching: boolean;
+  private rest: ReturnType<typeof setTimeout> | undefined;
+  private helper: Helper | null = null;
+  /** What was asked last; not again. */
+  private tried: { scene: Scene; planner: PlannerId } | null = null;
+
+  constructor() {
+    super();
+    this.searching = false;
+  }
+
+  protected watches(): readonly (keyof State)[] {
+    return ["results", "scene", "transient", "prefer", "hidden", "complete", "canUndo", "focus"];
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.giveUp();
+  }
+
+  protected override render(): TemplateResult | typeof nothing {
+    const { state, asked } = this, choices = this.choices();
+    if (!choices || choices.length < 2) return nothing;
+    return html`<div role="group" aria-label=${say(state.lang, "label", { planner: plannerName(state.lang, asked) })}>${choices.map((choice) => this.chip(choice))}</div>`;
+  }
+
+  protected override updated(): void {
+    const { state } = this;
+    if (state.transient || (this.tried && !this.isTried())) this.giveUp();
+    clearTimeout(this.rest);
+    if (this.searching || this.choices() || !this.isWanted()) return;
+    this.rest = setTimeout(() => {
+      if (!this.searching && this.isWanted()) void this.search();
+    }, REST_MS);
+  }
+
+  private get asked(): PlannerId {
+    return this.planner ?? this.state.focus;
+  }
+
+  private choices(): Choice[] | undefined {
+    const { state, asked } = this, result = state.results[asked];
+    return result?.status === "done" && result.plan?.outcome === "found" && !state.hidden.has(asked) ? found.get(state.scene)?.get(asked) : undefined;
+  }
+
+  private isTried(): boolean {
+    return this.tried?.scene === this.state.scene && this.tried.planner === this.asked;
+  }
+
+  /** Only of an answer that rests, and only once. */
+  private isWanted(): boolean {
+    const { state, asked } = this, result = state.results[asked];
+    const isAlive = state.canUndo || state.hover !== null || isPage();
+    const isHybrid = this.app.catalog?.planners.find((one) => one.id === asked)?.family === "hybrid";
+    return isAlive && isHybrid && state.complete && !state.transient && !document.hidden && !state.hidden.has(asked) && !this.isTried()
+      && result?.status === "done" && result.plan?.check.drivable === true && (result.time?.total ?? LONG_MS) < LONG_MS;
+  }
+
+  private async search(): Promise<void> {
+    const { asked: planner, state: { scene } } = this, question = { planner, scene };
+    this.tried = question;
+    this.searching = true;
+    try {
+      const engine = await this.app.complete();
+      if (this.tried !== question) return;
+      this.helper = new Helper(engine);
+      const [ordinary, ...alternatives] = await this.helper.call("alternatives", { planner, scene: forPlanners(scene, engine.api.packRuns) });
+      const known = found.get(scene) ?? new Map<PlannerId, Choice[]>();
+      found.set(scene, known.set(planner, choicesOf(ordinary, alternatives)));
+    } catch {
+      // The panel has the ordinary answer, and says what is wrong with the scene.
+    }
+    if (this.tried === question) this.rests();
+  }
+
+  private rests(): void {
+    this.helper?.stop();
+    this.helper = null;
+    this.searching = false;
+    this.requestUpdate();
+  }
+
+  private giveUp(): void {
+    clearTimeout(this.rest);
+    this.tried = null;
+    if (this.searching) this.rests();
+    this.preview(null);
+  }
+
+  private chip({ plan, by, isOrdinary }: Choice): TemplateResult {
+    const { lang, prefer } = this.state, chosen = prefer[this.asked];
+    const { length, directionChanges: n, minClearance, gapPercent = 0, rsBound = 0 } = plan.metrics;
+    const values = { length: this.num(length, 1), n, clear: this.num(minClearance, 2) };
+    const isWidest = by.length === 1 && by[0] === "widest";
+    const isChosen = chosen ? by.includes(chosen) : isOrdinary;
+    const what = by.length === 0 ? say(lang, "ordinary") : by.map((one) => say(lang, one)).join(", ");
+    const proof = say(lang, gapPercent < PROVEN ? "proven" : "bound", { bound: this.num(rsBound, 1) });
+    const title = say(lang, "title", { ...values, what, proof });
+    return html`<button aria-pressed=${isChosen} title=${title} aria-label=${title}
+      @click=${() => this.choose(isOrdinary ? undefined : by[0])}
+      @pointerenter=${() => this.preview(plan)} @pointerleave=${() => this.preview(null)} @focus=${() => this.preview(plan)} @blur=${() => this.preview(null)}
+    >${say(lang, isWidest ? "clear" : n === 0 ? "none" : "changes", values)}</button>`;
+  }
+
+  private choose(prefer: Prefer | undefined): void {
+    const { [this.asked]: _, ...others } = this.state.prefer;
+    this.preview(null);
+    this.app.store.set({ prefer: prefer ? { ...others, [this.asked]: prefer } : others });
+  }
+
+  private preview(plan: Plan | null): void {
+    const preview = plan && { planner: this.asked, plan };
+    if (this.app?.store.state.preview?.plan !== plan && (plan || this.app.store.state.preview?.planner === this.asked)) this.app.store.set({ preview });
+  }
+}
+
+customElements.define("parkade-choices", Choices);
