@@ -21,6 +21,9 @@ struct Fields<'a> {
     stats: &'a Stats,
     metrics: &'a Metrics,
     check: Check<'a>,
+    #[cfg(feature = "complete")]
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    alternatives: &'a [Plan],
     hash: String,
 }
 
@@ -71,6 +74,8 @@ impl Serialize for Plan {
                 goal_heading_error: check.goal_heading_error,
                 goal_distance: check.goal_distance,
             },
+            #[cfg(feature = "complete")]
+            alternatives: &self.alternatives,
             hash: self.hash(),
         }
         .serialize(serializer)

@@ -178,7 +178,7 @@ impl RawPlanner {
                     #[cfg(not(feature = "complete"))]
                     let message = "no option of plan; there are trace, start, goal, onProgress";
                     #[cfg(feature = "complete")]
-                    let message = "no option of plan; there are trace, start, goal, alternatives, prefer, onProgress, onImproved";
+                    let message = "no option of plan; there are trace, start, goal, onProgress, prefer, alternatives, onImproved";
                     return Err(refused(&name, message));
                 }
             }

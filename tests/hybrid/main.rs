@@ -1,6 +1,8 @@
 //! Hybrid A* against the parking paper's rows, tight slots, bad questions and random lots; every path is driven again
 //! by a checker that shares nothing with the planner.
 
+#[cfg(feature = "complete")]
+mod choices;
 mod limits;
 mod lot;
 mod properties;

@@ -7,6 +7,7 @@ import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
 import { plannerName } from "../view/identity";
 import { AppElement } from "./base";
+import { choicesOf, type Choice } from "./choices-of";
 
 const say = words({
   label: ["{planner}: paths to choose from", "{planner}：可选路径"],
@@ -30,44 +31,8 @@ const say = words({
 const REST_MS = 600;
 /** A plan that takes longer is not asked for alternatives by itself. */
 const LONG_MS = 400;
-const MOST = 4;
 /** Percent above the shortest way without obstacles: nothing that numbers on the page would show. */
 const PROVEN = 0.05;
-/** What differs by less looks the same: a share of the length or the time, and metres of clearance. */
-const SAME = 0.01, SAME_CLEARANCE = 0.05;
-
-/** What a chip stands for: a path that is the best by some measures, or the ordinary one. */
-interface Choice { plan: Plan; by: Prefer[]; isOrdinary: boolean }
-
-const MEASURES: Record<Prefer, (plan: Plan) => readonly [number, number]> = {
-  shortest: ({ metrics: { length } }) => [length, 0],
-  "fewest-changes": ({ metrics: { directionChanges, length } }) => [directionChanges, length],
-  widest: ({ metrics: { minClearance, length } }) => [-minClearance, length],
-  fastest: ({ metrics: { driveTime = Infinity, length } }) => [driveTime, length],
-};
-const PREFERENCES = Object.keys(MEASURES) as Prefer[];
-
-/** The paths that are best by some measure, and the ordinary one, the shortest first. */
-export function choicesOf(ordinary: Plan, alternatives: readonly Plan[]): Choice[] {
-  const choices: Choice[] = [{ plan: ordinary, by: [], isOrdinary: true }];
-  for (const prefer of PREFERENCES) {
-    const best = bestBy(prefer, alternatives);
-    if (!best) continue;
-    const known = choices.find(({ plan }) => alike(plan, best));
-    if (known) known.by.push(prefer);
-    else choices.push({ plan: best, by: [prefer], isOrdinary: false });
-  }
-  return choices.slice(0, MOST).sort((a, b) => a.plan.metrics.length - b.plan.metrics.length);
-}
-
-const bestBy = (prefer: Prefer, plans: readonly Plan[]): Plan | undefined => {
-  const measure = MEASURES[prefer];
-  return [...plans].sort((a, b) => measure(a)[0] - measure(b)[0] || measure(a)[1] - measure(b)[1])[0];
-};
-
-const alike = ({ metrics: a }: Plan, { metrics: b }: Plan): boolean =>
-  a.directionChanges === b.directionChanges && Math.abs(a.length - b.length) <= SAME * a.length && Math.abs(a.minClearance - b.minClearance) <= SAME_CLEARANCE;
-
 /** Many playgrounds may stand in a document: one that nobody has touched asks for no more. */
 const isPage = (): boolean => document.querySelector("parkade-playground[permalink]") !== null;
 

@@ -34,13 +34,15 @@ const COMMANDS = {
   --set NAME=VALUE     a setting of the planner; may be repeated
   --format json|csv|svg  default: json. NaN and infinities are null in JSON, empty in CSV
   --out FILE           default: standard output
+  --prefer shortest|fewest-changes|widest|fastest  what hybrid's path is chosen by
+  --alternatives       include hybrid's other paths (json)
   --trace              include the expansions (json; svg always has them)
   --size WIDTHxHEIGHT  size of the svg in pixels; default: 720x420
   --theme auto|light|dark  colours of the svg; default: auto
   --timeout SECONDS    stop after so long, with exit code 124
   --layout single|overlay, --controls none|minimal  draw the svg as the poster of a playground with these attributes
 `,
-    options: { timeout: { type: "string" }, planner: { type: "string" }, set: { type: "string", multiple: true }, format: { type: "string" }, out: { type: "string" }, trace: { type: "boolean" }, size: { type: "string" }, theme: { type: "string" }, layout: { type: "string" }, controls: { type: "string" } },
+    options: { timeout: { type: "string" }, planner: { type: "string" }, set: { type: "string", multiple: true }, format: { type: "string" }, out: { type: "string" }, prefer: { type: "string" }, alternatives: { type: "boolean" }, trace: { type: "boolean" }, size: { type: "string" }, theme: { type: "string" }, layout: { type: "string" }, controls: { type: "string" } },
     load: async () => (await import("./plan.js")).plan,
   },
   check: {

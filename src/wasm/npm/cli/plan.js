@@ -14,6 +14,8 @@ export async function plan(places, values) {
   const element = values.layout !== undefined || values.controls !== undefined;
   const place = element ? { layout: choice("layout", values.layout, ["single", "overlay"]), controls: choice("controls", values.controls, ["none", "minimal"]) } : {};
   const scene = await read(places);
+  const prefer = values.prefer === undefined ? undefined : choice("prefer", values.prefer, ["shortest", "fewest-changes", "widest", "fastest"]);
+  const choices = { ...(prefer ? { prefer } : {}), ...(values.alternatives ? { alternatives: true } : {}) };
   const planners = plannerIds(values.planner, "hybrid");
   const config = settings(values.set, planners);
   if (planners.length > 1 && format !== "svg") throw new Refused("--planner: one planner at a time");
@@ -21,7 +23,7 @@ export async function plan(places, values) {
   let layers = {};
   const plans = planners.map((planner) => {
     const prepared = new Planner(planner, scene, config);
-    const found = prepared.plan({ trace: values.trace ?? format === "svg" });
+    const found = prepared.plan({ trace: values.trace ?? format === "svg", ...choices });
     if (format === "svg" && planner.startsWith("risk-field")) layers = Object.fromEntries(/** @type {const} */ (["safety", "clearance", "risk"]).map((name) => [name, prepared.layer(name)]));
     prepared.free();
     return found;

@@ -1,0 +1,139 @@
+//! Paths to choose from, and paths held against those of other settings.
+
+use std::ops::ControlFlow;
+
+use parkade::plan::{Ends, Options, Plan, Planner, Prefer};
+use parkade::scenario::catalog::scenario;
+use serde_json::{Map, Value, json};
+
+const ROWS: [&str; 6] = ["L0", "L2", "P0", "P4", "perpendicular", "par-7.2"];
+
+fn planner(id: &str, settings: &Value) -> Planner {
+    let scene = scenario(id).unwrap();
+    let settings: Map<String, Value> = settings.as_object().unwrap().clone();
+    Planner::new("hybrid", &scene, &settings).unwrap()
+}
+
+fn by<'a>(prefer: Prefer) -> Options<'a> {
+    Options { prefer: Some(prefer), ..Options::default() }
+}
+
+fn figures(plan: &Plan) -> [f64; 4] {
+    let time = plan.metrics.hybrid.as_ref().and_then(|figures| figures.drive_time).unwrap();
+    [plan.metrics.length, f64::from(plan.metrics.direction_changes), -plan.metrics.min_clearance, time]
+}
+
+fn cost(id: &str, settings: &Value) -> f64 {
+    planner(id, settings).plan(Options::default()).metrics.hybrid.unwrap().cost
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn what_is_preferred_is_no_worse_than_the_ordinary_path_and_no_alternative_beats_it() {
+    for id in ROWS {
+        let mut planner = planner(id, &json!({}));
+        let ordinary = planner.plan(Options::default());
+        assert!(
+            ordinary.alternatives.is_empty()
+                && ordinary.metrics.hybrid.as_ref().unwrap().drive_time.is_none()
+        );
+        for (at, prefer) in
+            [Prefer::Shortest, Prefer::FewestChanges, Prefer::Widest, Prefer::Fastest].into_iter().enumerate()
+        {
+            let alone = planner.plan(by(prefer));
+            let among = planner.plan(Options { alternatives: true, ..by(prefer) });
+            assert!(alone.check.drivable() && among.check.drivable(), "{id}");
+            assert!(alone.alternatives.is_empty());
+            let [mine, best] = [&alone, &among].map(|plan| figures(plan)[at]);
+            let theirs = match at {
+                0 => ordinary.metrics.length,
+                1 => f64::from(ordinary.metrics.direction_changes),
+                2 => -ordinary.metrics.min_clearance,
+                _ => f64::INFINITY,
+            };
+            assert!(
+                mine <= theirs && best <= mine + 1e-9,
+                "{id}, {prefer:?}: {mine}, {best}, ordinary {theirs}"
+            );
+            for other in &among.alternatives {
+                assert!(figures(other)[at] >= best, "{id}, {prefer:?}");
+                assert_eq!(other.planner, "hybrid");
+            }
+        }
+    }
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn alternatives_are_a_pareto_set_with_the_answer_in_it() {
+    let mut several = 0;
+    for id in ROWS {
+        let plan = planner(id, &json!({})).plan(Options { alternatives: true, ..Options::default() });
+        let all: Vec<[f64; 4]> = plan.alternatives.iter().map(figures).collect();
+        assert!(all.contains(&figures(&plan)), "{id}");
+        assert!(all.windows(2).all(|pair| pair[0][0] <= pair[1][0]), "{id}: the shortest first");
+        for (i, one) in all.iter().enumerate() {
+            let beaten = |other: &[f64; 4]| other != one && (0..4).all(|k| other[k] <= one[k]);
+            // The answer itself may cost less by the planner's own measure.
+            assert!(!all.iter().any(beaten) || *one == figures(&plan), "{id}: {i} of {all:?}");
+        }
+        assert!(plan.alternatives.iter().all(|one| one.check.drivable() && one.alternatives.is_empty()));
+        several += usize::from(all.len() > 1);
+    }
+    assert!(several >= 3, "{several}");
+    // A loop in the open against a gear change.
+    let fewest = planner("L2", &json!({})).plan(by(Prefer::FewestChanges));
+    assert_eq!(fewest.metrics.direction_changes, 0);
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn each_improvement_is_told_and_the_first_one_can_be_enough() {
+    let mut planner = planner("par-7.2", &json!({}));
+    let ordinary = planner.plan(Options::default());
+    let mut told = Vec::new();
+    let mut improved = |plan: &Plan| {
+        told.push(plan.metrics.direction_changes);
+        ControlFlow::Continue(())
+    };
+    let last = planner.plan(Options { improved: Some(&mut improved), ..by(Prefer::FewestChanges) });
+    assert_eq!(
+        (told[0], told.last()),
+        (ordinary.metrics.direction_changes, Some(&last.metrics.direction_changes))
+    );
+    assert!(told.windows(2).all(|pair| pair[1] <= pair[0]), "{told:?}");
+    assert_eq!(last.hash(), planner.plan(by(Prefer::FewestChanges)).hash());
+    let mut calls = 0;
+    let mut once = |_: &Plan| {
+        calls += 1;
+        ControlFlow::Break(())
+    };
+    let first = planner.plan(Options { improved: Some(&mut once), ..by(Prefer::FewestChanges) });
+    assert_eq!((calls, first.path), (1, ordinary.path));
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn planners_with_one_path_refuse_a_choice() {
+    let scene = scenario("perpendicular").unwrap();
+    let mut eight = Planner::new("eight", &scene, &Map::new()).unwrap();
+    let refused = eight.plan_between(Ends::default(), by(Prefer::Widest)).unwrap_err();
+    assert_eq!((refused.path.as_str(), refused.message.contains("eight finds one path")), ("prefer", true));
+    let wish = Options { alternatives: true, ..Options::default() };
+    assert_eq!(eight.plan_between(Ends::default(), wish).unwrap_err().path, "alternatives");
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn a_price_of_obstacles_and_less_margin_cost_no_more_than_what_other_settings_find() {
+    // What the path without the price costs with it.
+    for (row, most) in [("L0", 31.74), ("L2", 25.83)] {
+        let cost = cost(row, &json!({ "obstacleCost": 1 }));
+        assert!(cost <= most * 1.01, "{row}: {cost}");
+    }
+    assert!(cost("L0", &json!({ "profile": "comfort" })) <= 32.84 * 1.01);
+    for id in ROWS {
+        let costs = [0.0, 0.02, 0.05, 0.1].map(|margin| cost(id, &json!({ "margin": margin })));
+        assert!(costs.windows(2).all(|pair| pair[0] <= pair[1] * 1.01), "{id}: {costs:?}");
+    }
+}

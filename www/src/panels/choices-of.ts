@@ -1,0 +1,38 @@
+/** Which of a planner's paths are worth a chip. */
+import type { Plan, Prefer } from "parkade";
+
+const MOST = 4;
+/** What differs by less looks the same: a share of the length or the time, and metres of clearance. */
+const SAME = 0.01, SAME_CLEARANCE = 0.05;
+
+/** What a chip stands for: a path that is the best by some measures, or the ordinary one. */
+export interface Choice { plan: Plan; by: Prefer[]; isOrdinary: boolean }
+
+const MEASURES: Record<Prefer, (plan: Plan) => readonly [number, number]> = {
+  shortest: ({ metrics: { length } }) => [length, 0],
+  "fewest-changes": ({ metrics: { directionChanges, length } }) => [directionChanges, length],
+  widest: ({ metrics: { minClearance, length } }) => [-minClearance, length],
+  fastest: ({ metrics: { driveTime = Infinity, length } }) => [driveTime, length],
+};
+const PREFERENCES = Object.keys(MEASURES) as Prefer[];
+
+/** The paths that are best by some measure, and the ordinary one, the shortest first. */
+export function choicesOf(ordinary: Plan, alternatives: readonly Plan[]): Choice[] {
+  const choices: Choice[] = [{ plan: ordinary, by: [], isOrdinary: true }];
+  for (const prefer of PREFERENCES) {
+    const best = bestBy(prefer, alternatives);
+    if (!best) continue;
+    const known = choices.find(({ plan }) => alike(plan, best));
+    if (known) known.by.push(prefer);
+    else choices.push({ plan: best, by: [prefer], isOrdinary: false });
+  }
+  return choices.slice(0, MOST).sort((a, b) => a.plan.metrics.length - b.plan.metrics.length);
+}
+
+const bestBy = (prefer: Prefer, plans: readonly Plan[]): Plan | undefined => {
+  const measure = MEASURES[prefer];
+  return [...plans].sort((a, b) => measure(a)[0] - measure(b)[0] || measure(a)[1] - measure(b)[1])[0];
+};
+
+const alike = ({ metrics: a }: Plan, { metrics: b }: Plan): boolean =>
+  a.directionChanges === b.directionChanges && Math.abs(a.length - b.length) <= SAME * a.length && Math.abs(a.minClearance - b.minClearance) <= SAME_CLEARANCE;
