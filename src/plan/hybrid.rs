@@ -4,6 +4,8 @@ use serde_json::{Map, Value};
 
 #[cfg(feature = "complete")]
 use super::choices::{Choosing, Wish};
+#[cfg(feature = "complete")]
+use super::outcome::Member;
 use super::outcome::{HybridMetrics, Outcome, Plan, PlanTrace, Stats};
 use super::path::MAX_LENGTH;
 use super::world::World;
@@ -103,6 +105,19 @@ impl Engine {
         (plan, report)
     }
 
+    /// Which search answered; none where nothing was searched.
+    #[cfg(feature = "complete")]
+    fn member(config: &Config, report: &Report) -> Option<Member> {
+        let (xy_resolution, heading_resolution) = config.resolution(report.level);
+        (report.expanded > 0).then_some(Member {
+            level: report.level,
+            from_goal: report.from_goal,
+            xy_resolution,
+            heading_resolution,
+            margin: report.margin,
+        })
+    }
+
     /// What to choose among further paths, and their plans.
     #[cfg(feature = "complete")]
     pub(super) fn choose(
@@ -112,6 +127,10 @@ impl Engine {
         wish: Wish,
         progress: &mut Option<Progress>,
     ) -> Plan {
+        plan.member = Self::member(&self.config, &first);
+        if let (Status::NoPath, Some(member), Some(reason)) = (first.status, &plan.member, &mut plan.reason) {
+            *reason = reason.replace("at these settings", &resolution(member));
+        }
         if plan.outcome != Outcome::Found || wish.is_none() {
             return plan;
         }
@@ -124,7 +143,7 @@ impl Engine {
         };
         let prefer = wish.searched();
         let trace = plan.trace.take();
-        let id = self.kind.id();
+        let (id, config) = (self.kind.id(), self.config);
         plan.planner = id;
         let mut choosing = Choosing::new(wish, &geometry.vehicle, &scenario.speed_limits);
         let mut last = first.clone();
@@ -136,6 +155,7 @@ impl Engine {
                 }
                 (plan.planner, plan.detail, plan.stats) = (id, detail(report.status), stats(&report));
                 fill(&query, &report, &mut plan);
+                plan.member = Self::member(&config, &report);
                 choosing.offer(plan)
             };
             let memory = (&mut self.scratch, &mut *progress);
@@ -183,6 +203,17 @@ fn reason(scenario: &Scenario, geometry: &Geometry, report: &Report) -> Option<S
         }
         Status::VerificationFailed => "Every path found touches something between two checks.".to_owned(),
     })
+}
+
+/// How finely a search looked, in words.
+#[cfg(feature = "complete")]
+fn resolution(member: &Member) -> String {
+    let small = |metres: f64| {
+        if metres < 0.01 { format!("{:.0} mm", metres * 1000.0) } else { format!("{:.0} cm", metres * 100.0) }
+    };
+    let (cell, margin) = (small(member.xy_resolution), small(member.margin));
+    let degrees = (member.heading_resolution.to_degrees() * 10.0).round() / 10.0;
+    format!("at {cell} and {degrees}° with {margin} of margin")
 }
 
 fn drive(query: &Query, report: &Report) -> Driven {

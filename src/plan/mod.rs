@@ -20,6 +20,8 @@ mod session;
 mod tow;
 mod world;
 
+#[cfg(feature = "complete")]
+pub use outcome::Member;
 pub use outcome::{GridMetrics, HybridMetrics, Metrics, Outcome, Plan, PlanTrace, Stats};
 #[cfg(feature = "complete")]
 pub use path::route;
@@ -354,6 +356,8 @@ fn measured(world: &World, outcome: Outcome, driven: Driven, near: f64) -> Plan 
         metrics,
         check,
         trace: None,
+        #[cfg(feature = "complete")]
+        member: None,
         #[cfg(feature = "complete")]
         alternatives: Vec::new(),
     }

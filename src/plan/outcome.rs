@@ -202,6 +202,24 @@ pub enum PlanTrace {
     },
 }
 
+/// A search of hybrid A*'s portfolio: the one that found the path or, where there is none, that went through everything with the
+/// least margin, or was tried last.
+#[cfg(feature = "complete")]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Member {
+    /// Its level.
+    pub level: u32,
+    /// Whether its tree grew from the goal, else from the start; false of a search from both ends.
+    pub from_goal: bool,
+    /// Side of a position cell, metres.
+    pub xy_resolution: f64,
+    /// Width of a heading bin, radians.
+    pub heading_resolution: f64,
+    /// Kept free around the body, metres.
+    pub margin: f64,
+}
+
 /// A planner's answer.
 #[derive(Debug, Clone)]
 pub struct Plan {
@@ -229,6 +247,9 @@ pub struct Plan {
     pub metrics: Metrics,
     /// What the independent validator says of it.
     pub check: Check,
+    /// Hybrid A*: which search of its portfolio answered.
+    #[cfg(feature = "complete")]
+    pub member: Option<Member>,
     /// Where the search went, if asked for.
     pub trace: Option<PlanTrace>,
     /// Hybrid A*, if asked for: the paths of which none is better in everything than another, this one among them, the

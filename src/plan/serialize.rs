@@ -22,6 +22,9 @@ struct Fields<'a> {
     metrics: &'a Metrics,
     check: Check<'a>,
     #[cfg(feature = "complete")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    member: Option<super::Member>,
+    #[cfg(feature = "complete")]
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     alternatives: &'a [Plan],
     hash: String,
@@ -74,6 +77,8 @@ impl Serialize for Plan {
                 goal_heading_error: check.goal_heading_error,
                 goal_distance: check.goal_distance,
             },
+            #[cfg(feature = "complete")]
+            member: self.member,
             #[cfg(feature = "complete")]
             alternatives: &self.alternatives,
             hash: self.hash(),

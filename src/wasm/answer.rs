@@ -33,6 +33,10 @@ pub(super) fn plan(scene: &Scenario, geometry: &Geometry, plan: &Plan) -> JsValu
         ("hash", plan.hash().into()),
     ]);
     #[cfg(feature = "complete")]
+    if let Some(member) = &plan.member {
+        set(&answer, "member", &write(member));
+    }
+    #[cfg(feature = "complete")]
     if !plan.alternatives.is_empty() {
         let all: js_sys::Array =
             plan.alternatives.iter().map(|one| self::plan(scene, geometry, one)).collect();

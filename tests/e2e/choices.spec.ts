@@ -15,7 +15,7 @@ test("chips under hybrid's title show other paths and choose them; the link keep
   await playground.evaluate((element: PlaygroundElement) => { element.scene = "L2"; });
   await settled(page);
   const ordinary = await playground.evaluate(shown);
-  await expect(page.locator(chips).first()).toBeVisible();
+  await expect(page.locator(chips).first()).toBeVisible({ timeout: 20_000 });
   const fewest = page.locator(chips, { hasText: /· 0$/ });
   await expect(page.locator(chips).and(page.locator("[aria-pressed=true]"))).toHaveText(/23\.3 m · 1/);
   // Pointed at, a path is only looked at.
@@ -41,7 +41,7 @@ test("chips under hybrid's title show other paths and choose them; the link keep
 test("a drag and another scene end the search for alternatives, and old chips go", async ({ page }) => {
   await page.setViewportSize({ width: 1400, height: 900 });
   await open(page);
-  await expect(page.locator(chips).first()).toBeVisible();
+  await expect(page.locator(chips).first()).toBeVisible({ timeout: 20_000 });
   const playground = page.locator("parkade-playground");
   await playground.evaluate((element: PlaygroundElement) => {
     const store = element.store as any, { scene } = store.state;
@@ -57,7 +57,7 @@ test("on a phone chips are there for the focused planner, without covering its n
   const page = await browser.newPage({ viewport: { width: 390, height: 844 }, hasTouch: true });
   await open(page);
   const chip = page.locator("parkade-choices button").first();
-  await expect(chip).toBeVisible();
+  await expect(chip).toBeVisible({ timeout: 20_000 });
   const box = (await chip.boundingBox())!;
   expect(box.height).toBeGreaterThanOrEqual(34);
   expect(box.y).toBeGreaterThan(80);

@@ -53,6 +53,30 @@ describe("a choice of hybrid's paths", () => {
   });
 });
 
+describe("the search that answered", () => {
+  it("is told with the path, and with the proof that there is none", () => {
+    const planner = hybrid("perpendicular");
+    expect(planner.plan().member).toEqual({ level: 0, fromGoal: true, xyResolution: 0.5, headingResolution: Math.PI / 36, margin: 0.1 });
+    planner.free();
+    // A right-angled corner between walls, too narrow for a car to turn in.
+    const corner = new Planner("hybrid", {
+      version: 1,
+      map: { origin: [0, 0], width: 32, height: 32, resolution: 0.5, boundary: [[0, 0], [16, 0], [16, 16], [13.2, 16], [13.2, 2.8], [0, 2.8]] },
+      vehicle: "sedan",
+      start: { x: 2, y: 1.4, heading: 0 },
+      goal: { x: 14.6, y: 11, heading: Math.PI / 2 },
+    });
+    const { outcome, reason, member } = corner.plan();
+    expect(outcome).toBe("no-path");
+    expect(reason).toMatch(/^No way through for this car at 15 cm and 2° with 2 mm of margin\. The search came to \(/);
+    expect(member).toMatchObject({ level: 1, margin: 0.002 });
+    corner.free();
+    const small = new core.Planner("hybrid", scenario("perpendicular"));
+    expect(small.plan().member).toBeUndefined();
+    small.free();
+  });
+});
+
 describe("the chips", () => {
   const plan = (length: number, directionChanges: number, minClearance: number, driveTime: number): Plan =>
     ({ metrics: { length, directionChanges, minClearance, driveTime } }) as Plan;

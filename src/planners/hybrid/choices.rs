@@ -253,7 +253,13 @@ mod tests {
         }
         let obstacles = Obstacles::new(&[], &boxes, &rectangle(-0.5, -0.5, width + 1.0, height + 1.0, 0));
         let probe = Probe::new(&obstacles, &CART);
-        let mut pose = || Pose::new(width * next(), height * next(), 6.28 * next() - 3.14);
+        let mut pose = || {
+            Pose::new(
+                width * next(),
+                height * next(),
+                core::f64::consts::TAU * next() - core::f64::consts::PI,
+            )
+        };
         let ends = [pose(), pose()].map(|pose| obstacles.local(pose));
         let is_free =
             |&pose: &Pose| probe.hit(pose, 0.0).is_none() && obstacles.inside(pose.point()).is_none();

@@ -294,6 +294,13 @@ impl Config {
         if self.ladder { self.finest_level.min(LEVELS - 1) + 1 } else { 1 }
     }
 
+    /// Side of a position cell, metres, and width of a heading bin, radians, of a level.
+    #[cfg(feature = "complete")]
+    pub fn resolution(&self, level: u32) -> (f64, f64) {
+        let Level { xy, yaw, .. } = self.level(level);
+        (xy, yaw)
+    }
+
     /// One of the levels, coarse ones first.
     pub(super) fn level(&self, number: u32) -> Level {
         let (xy, yaw, step, steer_samples, spacing, max_expansions, weight) = match number {

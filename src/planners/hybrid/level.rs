@@ -204,6 +204,10 @@ impl<'a> Search<'a> {
             report.keep(tree, watch.as_ref());
             return found;
         }
+        #[cfg(feature = "complete")]
+        {
+            report.from_goal = self.mirrored;
+        }
         let radius = self.query.vehicle.min_turning_radius();
         let driven = self.costs().searching(&level);
         let costs = if self.mirrored { driven.mirrored() } else { driven };

@@ -121,6 +121,9 @@ pub struct Report {
     /// The margin planned with, metres: less than asked where start or goal have less, and 5 cm, 3 cm, 1 cm or 2 mm where no
     /// way with more was found.
     pub margin: f64,
+    /// Whether the tree that gave the path, or was grown last, grew from the goal.
+    #[cfg(feature = "complete")]
+    pub from_goal: bool,
     /// Expansions, over all levels.
     pub expanded: u32,
     /// Distinct states met, over all levels.
@@ -317,6 +320,8 @@ fn empty(rs_bound: f64) -> Report {
         rs_bound,
         level: 0,
         margin: 0.0,
+        #[cfg(feature = "complete")]
+        from_goal: false,
         expanded: 0,
         generated: 0,
         pushes: 0,

@@ -131,7 +131,7 @@ pub(super) fn plan(search: Search, floods: &Floods, widest: usize, work: &mut Wo
     }
     let members = members(levels, widest, &floods.margins);
     let is_swapped = first == First::Cramped;
-    let mut run = Run { search, floods, is_swapped, members, best: None, doubt: None };
+    let mut run = Run { search, floods, is_swapped, members, best: None, doubt: None, proof: None };
     run.rounds(work);
     run.conclude(work.report);
 }
@@ -164,6 +164,8 @@ struct Run<'a> {
     best: Option<Report>,
     /// How a member ended that has proven nothing.
     doubt: Option<Status>,
+    /// Margin and level of the search that came to its end with the least margin, the first of them, and where that ended.
+    proof: Option<(f64, u32, Option<Pose>)>,
 }
 
 impl Run<'_> {
@@ -190,7 +192,11 @@ impl Run<'_> {
                         continue;
                     }
                     Turn::Lost => self.doubt = Some(report.status),
-                    Turn::Exhausted => {}
+                    Turn::Exhausted => {
+                        if self.proof.is_none_or(|proof| report.margin < proof.0) {
+                            self.proof = Some((report.margin, report.level, report.closest));
+                        }
+                    }
                     Turn::Found => {
                         let more = if is_comfortable { SLICE } else { MORE_MARGIN };
                         effort = effort.min(report.expanded.saturating_add(report.expanded.max(more)));
@@ -260,6 +266,9 @@ impl Run<'_> {
         } else if is_over || report.status == Status::NoPath {
             let spent = Status::BudgetExhausted(report.rs_bound);
             report.status = self.doubt.unwrap_or(if is_over { Status::NoPath } else { spent });
+            if let (Status::NoPath, Some(proof)) = (report.status, self.proof) {
+                (report.margin, report.level, report.closest) = proof;
+            }
         }
     }
 }

@@ -336,13 +336,29 @@ export interface Plan {
   metrics: Metrics;
   check: Check;
   trace: Trace | null;
+  /** Hybrid, not in `parkade/core`: which search of its portfolio answered; absent where nothing was searched. */
+  member?: Member;
   /**
    * Hybrid, where `alternatives` were asked for: the paths of which none is better in everything than another, this one among
    * them, the shortest first. "Everything" is length, gear changes, clearance and `metrics.driveTime`.
    */
   alternatives?: Plan[];
-  /** The same in every browser and in Node; time, trace and alternatives are no part of it. */
+  /** The same in every browser and in Node; time, trace, member and alternatives are no part of it. */
   hash: string;
+}
+
+/** The search that found the path or, where there is none, that went through everything with the least margin, or was tried last. */
+export interface Member {
+  /** Of the portfolio, 0 to 5. */
+  level: number;
+  /** Whether its tree grew from the goal, else from the start; false of a search from both ends. */
+  fromGoal: boolean;
+  /** Side of a position cell, metres. */
+  xyResolution: number;
+  /** Width of a heading bin, radians. */
+  headingResolution: number;
+  /** Kept free around the body, metres. */
+  margin: number;
 }
 
 /** What hybrid's path may be chosen by. */

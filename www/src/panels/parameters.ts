@@ -1,6 +1,7 @@
 import type { ParameterInfo, PlannerId } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import { isMessage } from "../i18n/index";
+import { words } from "../i18n/words";
 import { plannerName } from "../view/identity";
 import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
@@ -9,6 +10,12 @@ import { AppElement } from "./base";
 import { marker } from "./icons";
 
 const DEGREES = 180 / Math.PI;
+const say = words({
+  fromGoal: ["Found from the goal: cells of {cell} and {angle}°, {margin} of margin kept.", "自目标搜索得到：格 {cell}、{angle}°，保持余量 {margin}。"],
+  fromStart: ["Found from the start: cells of {cell} and {angle}°, {margin} of margin kept.", "自起点搜索得到：格 {cell}、{angle}°，保持余量 {margin}。"],
+  none: ["No way with cells of {cell} and {angle}° and {margin} of margin.", "以格 {cell}、{angle}° 与余量 {margin} 搜索，没有路。"],
+  spent: ["Tried last: cells of {cell} and {angle}°, {margin} of margin.", "最后尝试：格 {cell}、{angle}°，余量 {margin}。"],
+});
 const UNITS: Record<string, string> = { rad: "°", "1": "" };
 
 /** The focused planner's settings, from what the planner says of them. */
@@ -16,6 +23,7 @@ export class Parameters extends AppElement {
   static override properties = { ...AppElement.properties, all: { state: true } };
   static override styles = [controls, sections, css`
     .one { padding: 5px 0; }
+    .member { margin: 2px 0 6px; }
     .name { display: flex; align-items: baseline; gap: 8px; font-size: 12.5px; line-height: 17px; font-weight: 500; }
     .name output, .name .field { margin-left: auto; }
     .name output { font-weight: 400; white-space: nowrap; }
@@ -35,7 +43,7 @@ export class Parameters extends AppElement {
   }
 
   protected watches(): readonly (keyof State)[] {
-    return ["focus", "scene", "complete"];
+    return ["focus", "scene", "complete", "results"];
   }
 
   protected override render(): TemplateResult {
@@ -47,9 +55,19 @@ export class Parameters extends AppElement {
     return html`
       <div class="head"><h2>${marker(focus)}${plannerName(lang, focus)}</h2>
         <button class="link" ?disabled=${Object.keys(settings).length === 0} @click=${() => this.app.store.edit(withSettings(scene, focus, {}))}>${this.t("inspect.reset")}</button></div>
+      ${this.member()}
       ${shown.map((info) => this.parameter(info, settings))}
       ${basic.length > 0 && basic.length < parameters.length
         ? html`<button class="link more" aria-expanded=${this.all} @click=${() => { this.all = !this.all; }}>${this.t(this.all ? "inspect.less" : "inspect.more")}</button>` : nothing}`;
+  }
+
+  /** Which of hybrid's searches answered. */
+  private member(): TemplateResult | typeof nothing {
+    const { focus, results, lang } = this.state, plan = results[focus]?.plan, member = plan?.member;
+    if (!member) return nothing;
+    const metres = (value: number): string => (value < 0.01 ? `${this.num(value * 1000, 0)} mm` : `${this.num(value * 100, 0)} cm`);
+    const values = { cell: metres(member.xyResolution), angle: this.num(member.headingResolution * DEGREES, member.headingResolution * DEGREES < 1 ? 1 : 0), margin: metres(member.margin) };
+    return html`<p class="member">${say(lang, plan.outcome === "found" ? (member.fromGoal ? "fromGoal" : "fromStart") : plan.outcome === "no-path" ? "none" : "spent", values)}</p>`;
   }
 
   private parameter(info: ParameterInfo, settings: Record<string, unknown>): TemplateResult {
