@@ -17,6 +17,7 @@ pub(super) struct Wish<'a> {
     pub(super) prefer: Option<Prefer>,
     pub(super) alternatives: bool,
     pub(super) improved: Option<Improved<'a>>,
+    pub(super) stickiness: f64,
 }
 
 impl Wish<'_> {

@@ -13,9 +13,9 @@ use super::{Driven, NEAR, STEP, measured};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::arcs;
 use crate::metrics::Verdict;
-#[cfg(feature = "complete")]
-use crate::planners::hybrid::choices;
 use crate::planners::hybrid::{Config, Query, Report, Scratch, Status, obstacles, plan};
+#[cfg(feature = "complete")]
+use crate::planners::hybrid::{Last, anchored, choices};
 use crate::planners::registry::Kind;
 use crate::scenario::Scenario;
 use crate::scenario::resolve::Geometry;
@@ -29,6 +29,9 @@ const PAPER_SPEED: f64 = 2.0;
 pub(super) struct Engine {
     #[cfg(feature = "complete")]
     kind: Kind,
+    /// The path of the last plan that found one.
+    #[cfg(feature = "complete")]
+    last: Option<Last>,
     config: Config,
     obstacles: Obstacles,
     scratch: Scratch,
@@ -57,6 +60,8 @@ impl Engine {
         Ok(Self {
             #[cfg(feature = "complete")]
             kind,
+            #[cfg(feature = "complete")]
+            last: None,
             config,
             obstacles,
             scratch: Scratch::default(),
@@ -105,6 +110,34 @@ impl Engine {
         (plan, report)
     }
 
+    /// Keeps to the last path, led to the new ends, where this one is not so much cheaper.
+    #[cfg(feature = "complete")]
+    fn settle(&mut self, world: &World, plan: &mut Plan, first: Report, stickiness: f64) -> Report {
+        let geometry = &world.geometry;
+        let query = Query {
+            obstacles: &self.obstacles,
+            vehicle: &geometry.vehicle,
+            start: geometry.start,
+            goal: geometry.goal,
+        };
+        let mut report = first;
+        if let Some(last) = self.last.as_ref().filter(|_| stickiness > 0.0) {
+            let kept = anchored(&query, &self.config, last, &report);
+            if let Some(kept) = kept.filter(|kept| kept.cost <= report.cost * (1.0 + stickiness)) {
+                let mut stayed = measured(world, Outcome::Found, drive(&query, &kept), NEAR);
+                if stayed.check.drivable() {
+                    fill(&query, &kept, &mut stayed);
+                    (stayed.detail, stayed.stats) = (detail(kept.status), plan.stats.clone());
+                    (stayed.member, stayed.trace) = (plan.member, plan.trace.take());
+                    *plan = stayed;
+                    report = kept;
+                }
+            }
+        }
+        self.last = Some(Last::of(&query, &report));
+        report
+    }
+
     /// Which search answered; none where nothing was searched.
     #[cfg(feature = "complete")]
     fn member(config: &Config, report: &Report) -> Option<Member> {
@@ -131,7 +164,11 @@ impl Engine {
         if let (Status::NoPath, Some(member), Some(reason)) = (first.status, &plan.member, &mut plan.reason) {
             *reason = reason.replace("at these settings", &resolution(member));
         }
-        if plan.outcome != Outcome::Found || wish.is_none() {
+        if plan.outcome != Outcome::Found {
+            return plan;
+        }
+        let first = self.settle(world, &mut plan, first, wish.stickiness);
+        if wish.is_none() {
             return plan;
         }
         let geometry = &world.geometry;

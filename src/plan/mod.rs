@@ -77,6 +77,10 @@ pub struct Options<'a> {
     /// Whether to look for hybrid A*'s alternatives, too: [`Plan::alternatives`].
     #[cfg(feature = "complete")]
     pub alternatives: bool,
+    /// How much cheaper another path of hybrid A*'s must be than this planner's last one, led to the new ends, to take its place: a
+    /// share of its cost. With 0 the last plan does not matter.
+    #[cfg(feature = "complete")]
+    pub stickiness: f64,
     /// Given hybrid A*'s first plan, and each one that is better. Where it breaks, the last one is the answer.
     #[cfg(feature = "complete")]
     pub improved: Option<Improved<'a>>,
@@ -90,6 +94,7 @@ impl Options<'_> {
             (self.prefer.is_some(), "prefer"),
             (self.alternatives, "alternatives"),
             (self.improved.is_some(), "onImproved"),
+            (self.stickiness > 0.0, "stickiness"),
         ];
         asked.into_iter().find(|choice| choice.0).map(|choice| choice.1)
     }
@@ -211,6 +216,7 @@ impl Planner {
             prefer: options.prefer,
             alternatives: options.alternatives,
             improved: options.improved,
+            stickiness: options.stickiness,
         };
         let trace = || options.trace.then(|| Trace::new(TRACE));
         let mut plan = match &mut self.engine {

@@ -163,6 +163,12 @@ impl RawPlanner {
                 #[cfg(feature = "complete")]
                 "alternatives" => asked.alternatives = json::flag(&value).map_err(wrong)?,
                 #[cfg(feature = "complete")]
+                "stickiness" => {
+                    let share = json::number(&value).ok().filter(|share| (0.0..=1.0).contains(share));
+                    let rule = || refused(&name, &format!("must be between 0 and 1, got {value}"));
+                    asked.stickiness = share.ok_or_else(rule)?;
+                }
+                #[cfg(feature = "complete")]
                 "prefer" if value.is_null() => {}
                 #[cfg(feature = "complete")]
                 "prefer" => asked.prefer = Some(json::word(plan::Prefer::WORDS)(&value).map_err(wrong)?),
@@ -178,7 +184,7 @@ impl RawPlanner {
                     #[cfg(not(feature = "complete"))]
                     let message = "no option of plan; there are trace, start, goal, onProgress";
                     #[cfg(feature = "complete")]
-                    let message = "no option of plan; there are trace, start, goal, onProgress, prefer, alternatives, onImproved";
+                    let message = "no option of plan; there are trace, start, goal, onProgress, prefer, alternatives, onImproved, stickiness";
                     return Err(refused(&name, message));
                 }
             }

@@ -137,3 +137,62 @@ fn a_price_of_obstacles_and_less_margin_cost_no_more_than_what_other_settings_fi
         assert!(costs.windows(2).all(|pair| pair[0] <= pair[1] * 1.01), "{id}: {costs:?}");
     }
 }
+
+/// How far a pose of one path is from the other path, at most, metres.
+fn strays(one: &Plan, other: &Plan) -> f64 {
+    let nearest = |p: &parkade::geometry::Pose| {
+        other.path.iter().map(|q| (p.point() - q.point()).norm()).fold(f64::INFINITY, f64::min)
+    };
+    one.path.iter().map(nearest).fold(0.0, f64::max)
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn under_the_hand_a_path_changes_sides_only_where_that_saves_its_share() {
+    let scene = json!({
+        "version": 1,
+        "map": { "origin": [0, 0], "width": 72, "height": 52, "resolution": 0.5 },
+        "obstacles": [{ "type": "rectangle", "center": [18, 13], "size": [5, 6] }],
+        "vehicle": "sedan",
+        "start": { "x": 5, "y": 13, "heading": 0 },
+        "goal": { "x": 29, "y": 13, "heading": 0 },
+    });
+    let scene = parkade::scenario::Scenario::from_json(&scene).unwrap();
+    let dragged = |stickiness: f64| {
+        let mut planner = Planner::new("hybrid", &scene, &Map::new()).unwrap();
+        let (mut idle, mut worth, mut last): (u32, u32, Option<Plan>) = (0, 0, None);
+        for step in 0..120 {
+            // To and fro across the middle.
+            let y = 13.0 + 1.5 * (f64::from(step) * 0.21).sin() + 0.015 * f64::from(step) / 2.0;
+            let start = parkade::geometry::Pose::new(5.0, y, 0.0);
+            let ends = Ends { start: Some(start), goal: None };
+            let plan = planner.plan_between(ends, Options { stickiness, ..Options::default() }).unwrap();
+            assert!(plan.check.drivable());
+            if let Some(last) = &last
+                && strays(&plan, last) > 2.0
+            {
+                let ratio = plan.metrics.length / last.metrics.length;
+                if (0.97..1.03).contains(&ratio) { idle += 1 } else { worth += 1 }
+            }
+            last = Some(plan);
+        }
+        (idle, worth)
+    };
+    let (loose, _) = dragged(0.0);
+    let (idle, worth) = dragged(0.05);
+    println!("flips without: {loose}, with: {idle} idle, {worth} worth it");
+    assert!(loose >= 4 && idle == 0, "{loose}, {idle}");
+    let mut planner = Planner::new("hybrid", &scene, &Map::new()).unwrap();
+    let alone = planner.plan(Options::default()).hash();
+    planner
+        .plan_between(
+            Ends { start: Some(parkade::geometry::Pose::new(5.0, 16.0, 0.0)), goal: None },
+            Options::default(),
+        )
+        .unwrap();
+    assert_eq!(
+        planner.plan(Options::default()).hash(),
+        alone,
+        "without it a plan does not depend on the one before"
+    );
+}

@@ -4,6 +4,8 @@
 //! back, and leaving a slot needs far fewer expansions than finding it. Dolgov et al. 2010 for the search itself.
 
 #[cfg(feature = "complete")]
+mod anchor;
+#[cfg(feature = "complete")]
 mod choices;
 mod config;
 mod cost;
@@ -19,6 +21,8 @@ mod shots;
 #[cfg(feature = "complete")]
 mod two_way;
 
+#[cfg(feature = "complete")]
+pub use anchor::{Last, anchored};
 #[cfg(feature = "complete")]
 pub use choices::{Prefer, choices};
 pub use config::{Config, Heuristic, Profile, SearchFrom};

@@ -701,6 +701,9 @@ export class Planner {
    * then the path that costs least with no less margin. `onImproved` is given the ordinary plan, and each better one as soon
    * as it is found; what it throws counts as in `onProgress`. All are bounded by counted work, a few times that of an
    * ordinary plan of a tight slot, and the same everywhere.
+   *
+   * `stickiness`, 0 to 1, hybrid only, for ends that are dragged: this planner's last path, led to the new ends, stays unless another
+   * one costs less by more than that share of its cost. Without it a plan does not depend on the one before.
    */
   plan(options?: {
     trace?: boolean;
@@ -708,6 +711,7 @@ export class Planner {
     goal?: Goal;
     prefer?: Prefer;
     alternatives?: boolean;
+    stickiness?: number;
     onProgress?: (expansions: number) => void;
     onImproved?: (plan: Plan) => void;
   }): Plan;

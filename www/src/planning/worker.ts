@@ -20,6 +20,8 @@ let planner: PlannerId = "hybrid";
 let ready: Promise<void> | null = null;
 /** The planner of the last scene that came, that scene as far as drives need it, and where the last plan was. */
 let held: { planner: Planner; scene: Scenario; ends: Ends } | null = null;
+/** Of two ways about as good the one that is shown stays while an end is dragged. */
+const DRAG = { stickiness: 0.03 };
 /** What the last plan was chosen by. */
 let choice: Parameters<Planner["plan"]>[0];
 let plans = 0;
@@ -75,7 +77,7 @@ function plan({ id, scene, ends, layers: names, every, trace, waiting, limits, p
   const warm = plans >= WARM_PLANS;
   const current = hold(scene, ends);
   choice = prefer && { prefer, alternatives: true };
-  const [found, time] = timed(current.planner, { trace, ...ends, ...choice }, (expansions) => scope.postMessage({ kind: "progress", id, expansions }, []));
+  const [found, time] = timed(current.planner, { trace, ...ends, ...choice, ...(!waiting && api.trajectory && planner.startsWith("hybrid") && DRAG) }, (expansions) => scope.postMessage({ kind: "progress", id, expansions }, []));
   const layers: Layers = {};
   for (const name of names) layers[name] = current.planner.layer(name, name === "risk" ? { every } : {});
   const reply = { kind: "planned", id, plan: found, layers, drive: null, undriven: false, time, warm } as const;
