@@ -163,7 +163,9 @@ fn under_the_hand_a_path_changes_sides_only_where_that_saves_its_share() {
         let (mut idle, mut worth, mut last): (u32, u32, Option<Plan>) = (0, 0, None);
         for step in 0..120 {
             // To and fro across the middle.
-            let y = 13.0 + 1.5 * (f64::from(step) * 0.21).sin() + 0.015 * f64::from(step) / 2.0;
+            let y = 13.0
+                + 1.5 * parkade::geometry::math::sin(f64::from(step) * 0.21)
+                + 0.015 * f64::from(step) / 2.0;
             let start = parkade::geometry::Pose::new(5.0, y, 0.0);
             let ends = Ends { start: Some(start), goal: None };
             let plan = planner.plan_between(ends, Options { stickiness, ..Options::default() }).unwrap();

@@ -89,12 +89,12 @@ impl Joining<'_> {
     /// The cheapest free curve below `bound`.
     fn curve(&self, from: Pose, to: Pose, bound: f64) -> Option<(f64, Word)> {
         let mut found = Vec::new();
-        reeds_shepp::words_below(from, to, self.costs.radius, bound, |word| {
+        for word in reeds_shepp::list_below(from, to, self.costs.radius, bound) {
             let cost = self.costs.word(Motion::default(), &word);
             if cost < bound {
                 found.push((cost, word));
             }
-        });
+        }
         core::iter::from_fn(|| take_cheapest(&mut found)).find(|(_, word)| {
             let mut pose = from;
             word.arcs(self.costs.radius).all(|arc| {

@@ -129,18 +129,18 @@ impl<'a> Pass<'a> {
         let next = self.knots.get(j);
         let mut allowed = None;
         let mut found: Vec<(f64, Word)> = Vec::new();
-        reeds_shepp::words_below(from, to, costs.radius, longest, |word| {
-            let Some(last) = word.arcs(costs.radius).last() else { return };
+        for word in reeds_shepp::list_below(from, to, costs.radius, longest) {
+            let Some(last) = word.arcs(costs.radius).last() else { continue };
             let cost = costs.word(before, &word) + self.join(j, &last);
             if cost >= old {
-                return;
+                continue;
             }
             let changed = changes(before, word.arcs(costs.radius), next);
             let stretch = || changes(before, self.knots[i..j].iter().copied(), next);
             if changed <= *allowed.get_or_insert_with(stretch) {
                 found.push((cost, word));
             }
-        });
+        }
         core::iter::from_fn(|| take_cheapest(&mut found))
             .find(|(cost, word)| self.free(from, word) && cost + costs.word_places(probe, from, word) < old)
             .map(|found| found.1)

@@ -182,8 +182,8 @@ impl Best<'_> {
         let (here, there) = (from.2.state.pose, to.2.state.pose);
         let radius = self.costs.radius;
         let left = self.cost - from.2.g - to.2.g;
-        let mut words = Vec::new();
-        reeds_shepp::words_below(here, there, radius, left, |word| words.push((word.length(radius), word)));
+        let words = reeds_shepp::list_below(here, there, radius, left);
+        let mut words: Vec<_> = words.into_iter().map(|word| (word.length(radius), word)).collect();
         while let Some((_, word)) = domain::take_cheapest(&mut words) {
             if word.direction_changes() <= from.0.lattice.max_changes && from.0.lattice.word_free(here, &word)
             {
