@@ -13,9 +13,10 @@
 //! tests the exact body every 2 cm. Times are of the processor, the least of several runs: preparing the obstacles, then
 //! search, shortcut and verification of one query.
 
+#[path = "clock/mod.rs"]
+mod clock;
+
 use std::path::Path;
-use std::sync::LazyLock;
-use std::time::Instant;
 
 use parkade::import::{lots, tpcap};
 use parkade::metrics::Verdict;
@@ -221,23 +222,14 @@ fn collect(value: &Value, outer: &Map<String, Value>, scenes: &mut Vec<Scenario>
     }
 }
 
-/// Milliseconds of the processor for this thread; of the clock where the system does not tell.
-fn now() -> f64 {
-    let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
-    let nanoseconds = told.and_then(|text| text.split_whitespace().next()?.parse::<f64>().ok());
-    nanoseconds.map_or_else(|| BEGIN.elapsed().as_secs_f64() * 1e3, |n| n / 1e6)
-}
-
-static BEGIN: LazyLock<Instant> = LazyLock::new(Instant::now);
-
 /// The least of some batches, each long enough for a coarse clock: the system may tell a thread's time only when it
 /// interrupts it, every few milliseconds.
 fn least<T>(mut run: impl FnMut() -> T) -> (T, f64) {
     let mut value = run();
     let mut batch = |runs: u32| {
-        let begin = now();
+        let begin = clock::now();
         (0..runs).for_each(|_| value = run());
-        now() - begin
+        clock::now() - begin
     };
     let mut runs = 1;
     while batch(runs) < BATCH && runs < MOST {

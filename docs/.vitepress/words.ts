@@ -58,8 +58,8 @@ export const WORDS: Record<string, Words> = {
   },
   hybrid: {
     scene: "perpendicular", formulas: HYBRID,
-    en: "Arcs that the car can drive, searched from the goal: the slot is tight and the aisle wide, so the search leaves the narrow part first. Reeds–Shepp curves connect to the start as soon as they are free of collisions, and shortcuts straighten the path.",
-    zh: "用车辆可行驶的圆弧从目标反向搜索：车位狭窄、通道宽敞，因此先离开狭窄处。一旦无碰撞便用 Reeds–Shepp 曲线连接起点，并以捷径拉直多余的弯。",
+    en: "Arcs that the car can drive, searched from the goal: the slot is tight and the aisle wide, so the search leaves the narrow part first. Reeds–Shepp curves connect to the start as soon as they are free of collisions, and shortcuts straighten the path.\n\n[How tight can it be](/planners/how-tight) shows which slots and corners it solves, and with how many gear changes.",
+    zh: "用车辆可行驶的圆弧从目标反向搜索：车位狭窄、通道宽敞，因此先离开狭窄处。一旦无碰撞便用 Reeds–Shepp 曲线连接起点，并以捷径拉直多余的弯。\n\n[能停进多窄的地方](/zh/planners/how-tight)：哪些车位能停进，哪些直角弯能通过，需要换挡几次。",
   },
   "hybrid-forward": {
     scene: "perpendicular", formulas: HYBRID,

@@ -2,6 +2,7 @@ import { execFileSync } from "node:child_process";
 import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { expect, test } from "@playwright/test";
+import { WORDS } from "../../docs/.vitepress/words";
 import { complaintsOf } from "./playground";
 
 const SITE = fileURLToPath(new URL("../../docs/.vitepress/dist/", import.meta.url));
@@ -75,13 +76,30 @@ for (const file of ["planners/hybrid.html", "planners/risk-field.html", "planner
 }
 
 test("every planner has a page in both languages, with its settings", () => {
-  const planners = pages().filter((file) => file.startsWith("planners/"));
+  const planners = Object.keys(WORDS);
   expect(planners.length).toBeGreaterThanOrEqual(15);
-  for (const file of planners) {
+  for (const id of planners) {
     for (const lang of ["", "zh/"]) {
-      const text = readFileSync(SITE + lang + file, "utf8");
+      const text = readFileSync(`${SITE}${lang}planners/${id}.html`, "utf8");
       expect(text).toContain("<parkade-playground");
       expect(text).toMatch(/<td><code>(maxExpansions|heuristic)<\/code><\/td>/);
     }
   }
+});
+
+test("the figures of how tight it can be are there, and follow the page's scheme", async ({ page }) => {
+  await page.emulateMedia({ colorScheme: "light" });
+  await page.goto(`${BASE}planners/hybrid.html`);
+  await page.locator(".vp-doc a[href$='how-tight.html']").click();
+  const figures = page.locator(".measured img");
+  await expect(figures).toHaveCount(6);
+  for (const figure of await figures.all()) {
+    await figure.scrollIntoViewIfNeeded();
+    await expect.poll(() => figure.evaluate((image: HTMLImageElement) => image.naturalWidth)).toBeGreaterThan(0);
+  }
+  // A ground that stays: what changes is the figure.
+  await page.addStyleTag({ content: ".measured img { background: #888 }" });
+  const light = await figures.first().screenshot();
+  await page.evaluate(() => document.documentElement.classList.add("dark"));
+  await expect.poll(async () => (await figures.first().screenshot()).equals(light)).toBe(false);
 });

@@ -6,10 +6,12 @@ use parkade::geometry::arcs;
 use parkade::planners::hybrid::{Config, Status};
 #[cfg(not(target_arch = "wasm32"))]
 use parkade::planners::hybrid::{Query, Scratch, plan};
+#[cfg(not(target_arch = "wasm32"))]
+use parkade::vehicle::Vehicle;
 
 use crate::lot::Lot;
 #[cfg(not(target_arch = "wasm32"))]
-use crate::tight_scenes::{self, Scene, bay, corner, kerb};
+use crate::tight_scenes::{Scene, bay, corner, kerb};
 
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
@@ -74,7 +76,7 @@ fn the_margin_falls_where_it_alone_keeps_the_car_in() {
 #[test]
 fn generated_slots_are_entered_and_left_and_corners_are_passed_or_proven_too_narrow() {
     let answer = |scene: &Scene, start, goal| {
-        let query = Query { obstacles: &scene.obstacles, vehicle: &tight_scenes::CAR, start, goal };
+        let query = Query { obstacles: &scene.obstacles, vehicle: &scene.vehicle, start, goal };
         let report = plan(&query, &Config::default(), &mut Scratch::default(), false, &mut None);
         println!(
             "{}: {:?}, {} m kept, {} expansions",
@@ -82,16 +84,17 @@ fn generated_slots_are_entered_and_left_and_corners_are_passed_or_proven_too_nar
         );
         report
     };
+    let (car, lane) = (&Vehicle::SEDAN, (2.2, 4.5));
     for seed in 1..=15 {
         for slack in [(0.85, 1.2), (1.2, 2.5)] {
-            let scene = kerb(seed, slack, (4.2, 6.5));
+            let scene = kerb(car, seed, slack, (4.2, 6.5));
             for [start, goal] in [[scene.start, scene.goal], [scene.goal, scene.start]] {
                 let report = answer(&scene, start, goal);
                 assert!(matches!(report.status, Status::Found | Status::Suboptimal), "{}", scene.name);
                 assert!(report.margin >= 0.03, "{}: {} m", scene.name, report.margin);
             }
         }
-        for scene in [corner(seed, (2.2, 4.5)), bay(seed, (0.5, 1.2), (4.5, 7.0))] {
+        for scene in [corner(car, seed, lane, lane), bay(car, seed, (0.5, 1.2), (4.5, 7.0))] {
             let report = answer(&scene, scene.start, scene.goal);
             assert!(!matches!(report.status, Status::BudgetExhausted(_)), "{}", scene.name);
             assert!(report.expanded <= 150_000, "{}", scene.name);

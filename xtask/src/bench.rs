@@ -1,5 +1,6 @@
 //! `cargo xtask bench grid`: our grid planners against others, in one run; `bench parking`: hybrid A* on public cases, natively
-//! and in WebAssembly, beside the best known; `bench batch`: the command over generated scenes, on two threads and on one.
+//! and in WebAssembly, beside the best known; `bench tight`: how tight it can be, drawn into the documentation; `bench batch`: the
+//! command over generated scenes, on two threads and on one.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -13,15 +14,23 @@ use crate::tools::{WASM_TARGET, Workspace, capture, cargo, node, npm, root, run}
 /// Packages to compare with; installed into a temporary folder, no part of the product.
 const PEERS: &[&str] = &["pathfinding@0.4.18", "ngraph.graph@20.1.2", "ngraph.path@1.6.1"];
 
+/// Scenes of each size in `bench tight`: a percentage in steps of five.
+const TIGHT_SCENES: &str = "20";
+/// Every so-many-th size is checked: a prime, so that no row or column is left out.
+const TIGHT_SAMPLE: &str = "13";
+
 /// Prints figures with their floors and goals; never fails on slow ones, which say as much of the machine.
 pub(crate) fn bench(arguments: &[String]) -> Result<()> {
     let data = env::var_os("PARKADE_DATA").map_or_else(|| root().join("../shared/data"), PathBuf::from);
     match arguments {
         [what, sizes @ ..] if what == "grid" && sizes.len() <= 3 => grid(&data, sizes),
         [what] if what == "parking" => parking(&data),
+        [what] if what == "tight" => tight(false),
+        [what, mode] if what == "tight" && mode == "check" => tight(true),
         [what] if what == "batch" => batch(),
         _ => bail!(
-            "there are `bench grid [questions] [repeats] [goals, as G6,G8]`, `bench parking` and `bench batch`"
+            "there are `bench grid [questions] [repeats] [goals, as G6,G8]`, `bench parking`, `bench tight [check]` and \
+             `bench batch`"
         ),
     }
 }
@@ -38,6 +47,18 @@ fn parking(data: &Path) -> Result<()> {
     let said = capture(Command::new(examples.join("goals")).env("PARKADE_DATA", data))?;
     fs::write(&hopeless, said).with_context(|| hopeless.display().to_string())?;
     run(node().arg("tests/bench/parking.mjs").args([&file, &native, &hopeless]).env("PARKADE_DATA", data))
+}
+
+/// Slots and corners over their sizes, drawn and written into `docs/`; with `is_check`, every so-many-th size is planned again
+/// and held against what is drawn.
+fn tight(is_check: bool) -> Result<()> {
+    run(cargo().args(["build", "--release", "--locked", "--example", "tight"]))?;
+    let examples = Workspace::load()?.target.join("release/examples");
+    let (count, every) = (TIGHT_SCENES, if is_check { TIGHT_SAMPLE } else { "1" });
+    let results = capture(Command::new(examples.join("tight")).args(["json", count, every]))?;
+    let file = examples.join("tight-results.json");
+    fs::write(&file, results).with_context(|| file.display().to_string())?;
+    run(node().arg("tests/bench/tight.mjs").arg(&file).args(is_check.then_some("check")))
 }
 
 /// `parkade batch` with two jobs against one.
