@@ -60,12 +60,16 @@ const TYPICAL = [
   { family: "corner", up: null, what: "right-angle corner between two equal lanes: each wide" },
 ];
 
+/** @param {TightMap} map @param {number} count @param {number | null} up */
+function leastInWords(map, count, up) {
+  const least = leastSolved(map, count, up);
+  if (least === null) return `more than ${map.x.at(-1)?.toFixed(1)} m`;
+  return `${least.toFixed(1)} m${least === map.x[0] ? " or less" : ""}`;
+}
+
 /** From which sizes on every scene is solved. @param {Tight} tight */
-export const shortTable = ({ count, maps }) => table([["all scenes are solved from", ...Object.keys(VEHICLES)], ...TYPICAL.map(({ family, up, what }) => [what, ...Object.keys(VEHICLES).map((vehicle) => {
-  const map = maps.find((one) => one.family === family && one.vehicle === vehicle);
-  const least = map ? leastSolved(map, count, up) : null;
-  return least === null ? "more" : `${least.toFixed(1)} m`;
-})])]);
+export const shortTable = ({ count, maps }) => table([["all scenes are solved from", ...Object.keys(VEHICLES)], ...TYPICAL.map(({ family, up, what }) =>
+  [what, ...maps.filter((map) => map.family === family).map((map) => leastInWords(map, count, up))])]);
 
 const sum = (/** @type {number[]} */ values) => values.reduce((total, value) => total + value, 0);
 

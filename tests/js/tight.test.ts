@@ -33,7 +33,7 @@ test.each(data.maps)("each number over $family for the $vehicle stands where its
     expect([row.text, column.text]).toEqual([up.toFixed(1), along.toFixed(1)]);
     return cells.filter(({ x, y }) => x === column.x && y === row.y).map(({ text }) => text).join(" and ");
   })));
-  expect(solved).toEqual(map.cells.map((row) => row.map(([count]) => String((count / data.count) * 100))));
+  expect(solved).toEqual(map.cells.map((row) => row.map(([count]) => String(Math.round((count / data.count) * 100)))));
   expect(changes).toEqual(map.cells.map((row) => row.map(([, , median]) => (median === null ? "–" : String(median)))));
 });
 
