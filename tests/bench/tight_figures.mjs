@@ -89,8 +89,8 @@ export const mapTable = ({ count, maps }, time) => table([["", "car", ...OUTCOME
 })]);
 
 /** @param {Tight} tight */
-export const kindTable = ({ kinds }) => table([["", "car", ...OUTCOMES, "gear changes, median", "least margin"], ...kinds.map(({ kind, vehicle, scenes, solved, undecided, changes, margin }) =>
-  [kind, vehicle, ...outcomes(scenes, solved, undecided), changes ?? "–", margin === null ? "–" : `${(margin * 100).toFixed(1)} cm`])]);
+export const kindTable = ({ kinds }) => table([["", "car", ...OUTCOMES, "gear changes", "margin, cm"], ...kinds.map(({ kind, vehicle, scenes, solved, undecided, changes, margin }) =>
+  [kind, vehicle, ...outcomes(scenes, solved, undecided), changes ?? "–", margin === null ? "–" : (margin * 100).toFixed(1)])]);
 
 /** 10 ms, 100 ms, 1 s. @param {number} milliseconds */
 export function magnitude(milliseconds) {
