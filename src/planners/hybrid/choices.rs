@@ -32,8 +32,14 @@ const ROOMY: f64 = 1.0;
 const SHARES: [f64; 5] = [0.95, 0.8, 0.65, 0.5, 0.35];
 /// Expansions of each level's search with one margin.
 const WIDER: [u32; 2] = [3000, 8000];
-/// Expansions of each level's search for fewer gear changes, from each end.
+/// Expansions of each level's search for fewer gear changes in layers.
 const LAYERS: [u32; 3] = [5000, 20_000, 40_000];
+/// The finest level on which fewer are looked for.
+const FINEST: u32 = 3;
+/// What a change costs extra there, metres, …
+const DETOUR: f64 = 5.0;
+/// … and expansions of each such search.
+const PRICED: u32 = 20_000;
 /// Expansions of each level's search for a shorter or a quicker path.
 const BETTER: [u32; 2] = [10_000, 20_000];
 /// The price of a gear change where fewer are looked for: this many metres …
@@ -62,7 +68,7 @@ pub fn choices(
     margins.retain(|&margin| margin > first.margin);
     let kept = margins.len();
     margins.extend([first.margin, COMFORTABLE]);
-    let mirrored = config.search_from != SearchFrom::Start;
+    let mirrored = first.from_goal || config.search_from == SearchFrom::Both;
     let [root, target] = if mirrored { [goal, start] } else { [start, goal] };
     let floods = Floods::with(query, [target, root], margins);
     let config = &Config { search_from: SearchFrom::Goal, ..*config };
@@ -113,29 +119,49 @@ impl Run<'_, '_> {
         Goes::Continue(())
     }
 
-    /// The fewest gear changes, and of those paths the shortest: a change is dearer than any way, so that the search goes
-    /// through all that can be reached without one first, then with one, and so on, and never comes to as many as are known.
+    /// The fewest gear changes, and of those paths the shortest, with the margin kept and with 3 cm. In layers on coarse lattices, from
+    /// both ends on the coarsest; on fine ones, which would spend all they have on the first layers, by a price that is worth
+    /// a detour. From the other end fine steps only spend their budget: it is the one with room.
     fn fewer_changes(&mut self) -> Goes {
-        let config = *self.search.config;
-        let price = PRICE + PRICE_LENGTHS * arcs::length(&self.first.arcs);
         let last = self.kept + usize::from(self.first.margin > COMFORTABLE);
-        for (number, most) in (0..config.levels()).zip(LAYERS) {
-            for (margin, is_swapped) in (self.kept..=last).flat_map(|at| [(at, false), (at, true)]) {
-                // Fine steps do not find what needs room, a way with a change less where there are few.
-                if self.changes < number.max(1) {
-                    return Goes::Continue(());
-                }
-                if is_swapped && self.work.report.status == Status::NoPath {
-                    continue;
-                }
-                let level = Level {
-                    extra_change: price - config.with_profile().direction_change_cost,
-                    bound: price * f64::from(self.changes),
-                    ..config.level(number)
-                };
-                self.attempt(&config, (level, number, most), margin, is_swapped)?;
+        for margin in self.kept..=last {
+            self.layers(0, margin, false)?;
+            if self.work.report.status != Status::NoPath {
+                self.layers(0, margin, true)?;
+            }
+            for number in 1..=FINEST {
+                self.fewer_by_price(number, margin)?;
+                self.layers(number, margin, false)?;
             }
         }
+        Goes::Continue(())
+    }
+
+    /// All that can be reached without a gear change, then with one, and so on, short of as many as are known: layers of one search,
+    /// in which a change is dearer than any way.
+    fn layers(&mut self, number: u32, margin: usize, is_swapped: bool) -> Goes {
+        let config = *self.search.config;
+        // Fine steps find nothing without changes that coarse ones do not.
+        if number >= config.levels() || number as usize >= LAYERS.len() || self.changes < number.max(1) {
+            return Goes::Continue(());
+        }
+        let price = PRICE + PRICE_LENGTHS * arcs::length(&self.first.arcs);
+        let level = Level {
+            extra_change: price - config.with_profile().direction_change_cost,
+            bound: price * f64::from(self.changes),
+            ..config.level(number)
+        };
+        self.attempt(&config, (level, number, LAYERS[number as usize]), margin, is_swapped)?;
+        Goes::Continue(())
+    }
+
+    fn fewer_by_price(&mut self, number: u32, margin: usize) -> Goes {
+        let config = *self.search.config;
+        if number >= config.levels() || self.changes < 2 {
+            return Goes::Continue(());
+        }
+        let level = Level { extra_change: DETOUR, ..config.level(number) };
+        self.attempt(&config, (level, number, PRICED), margin, false)?;
         Goes::Continue(())
     }
 
