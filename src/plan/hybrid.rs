@@ -82,8 +82,7 @@ impl Engine {
         progress: &mut Option<Progress>,
     ) -> (Plan, Report) {
         let geometry = &world.geometry;
-        let (obstacles, vehicle) = (&self.obstacles, &geometry.vehicle);
-        let query = Query { obstacles, vehicle, start: geometry.start, goal: geometry.goal };
+        let query = query(&self.obstacles, geometry);
         let mut report = plan(&query, &self.config, &mut self.scratch, trace, progress);
         if let Some(progress) = progress {
             progress.finish(report.expanded);
@@ -114,12 +113,7 @@ impl Engine {
     #[cfg(feature = "complete")]
     fn settle(&mut self, world: &World, plan: &mut Plan, first: Report, stickiness: f64) -> Report {
         let geometry = &world.geometry;
-        let query = Query {
-            obstacles: &self.obstacles,
-            vehicle: &geometry.vehicle,
-            start: geometry.start,
-            goal: geometry.goal,
-        };
+        let query = query(&self.obstacles, geometry);
         let mut report = first;
         if let Some(last) = self.last.as_ref().filter(|_| stickiness > 0.0) {
             let kept = anchored(&query, &self.config, last, &report);
@@ -172,12 +166,7 @@ impl Engine {
             return plan;
         }
         let geometry = &world.geometry;
-        let query = Query {
-            obstacles: &self.obstacles,
-            vehicle: &geometry.vehicle,
-            start: geometry.start,
-            goal: geometry.goal,
-        };
+        let query = query(&self.obstacles, geometry);
         let prefer = wish.searched();
         let trace = plan.trace.take();
         let (id, config) = (self.kind.id(), self.config);
@@ -211,6 +200,10 @@ fn fill(query: &Query, report: &Report, plan: &mut Plan) {
     plan.raw_path = knots(query, report);
     plan.metrics.length = arcs::length(&report.arcs);
     plan.metrics.hybrid = Some(metrics(report));
+}
+
+fn query<'a>(obstacles: &'a Obstacles, geometry: &'a Geometry) -> Query<'a> {
+    Query { obstacles, vehicle: &geometry.vehicle, start: geometry.start, goal: geometry.goal }
 }
 
 fn reason(scenario: &Scenario, geometry: &Geometry, report: &Report) -> Option<String> {
