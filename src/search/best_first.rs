@@ -1,8 +1,7 @@
 //! A* and its kin: one loop for every planner.
 
 use super::open::Kind;
-use super::table::{NO_PARENT, Slot};
-use super::{Budget, Cost, Domain, End, NodeId, Observer, Relax, Scratch, Visit};
+use super::{Budget, Cost, Domain, End, NodeId, Observer, Scratch, Tree};
 
 /// When to stop short of the cheapest completion.
 #[derive(Debug, Clone, Copy)]
@@ -32,52 +31,6 @@ pub struct Report<C, T> {
     pub closest: (C, NodeId),
 }
 
-struct Sink<'a, D: Domain, O> {
-    domain: &'a D,
-    scratch: &'a mut Scratch<D::Cost, D::Label>,
-    observer: &'a mut O,
-    parent: NodeId,
-    g: D::Cost,
-    best: D::Cost,
-    generated: u32,
-}
-
-impl<D: Domain, O: Observer<D::Cost, D::Label>> Relax<D::Cost, D::Label> for Sink<'_, D, O> {
-    fn worth(&self, target: NodeId, cost: D::Cost) -> bool {
-        let g = self.g + cost;
-        g < self.best && self.scratch.get(target).is_none_or(|s| !s.is_closed() && g < s.g)
-    }
-
-    fn is_closed(&self, target: NodeId) -> bool {
-        self.scratch.get(target).is_some_and(Slot::is_closed)
-    }
-
-    fn emit_past(&mut self, target: NodeId, cost: D::Cost, label: D::Label) {
-        let parent = self.scratch.slot_mut(self.parent).parent;
-        let g = self.scratch.slot_mut(parent).g + cost;
-        if !self.is_closed(target) && self.scratch.get(target).is_none_or(|slot| g < slot.g) {
-            self.link(parent, g, target, label);
-        }
-    }
-
-    fn emit(&mut self, target: NodeId, cost: D::Cost, label: D::Label) {
-        if self.worth(target, cost) {
-            self.link(self.parent, self.g + cost, target, label);
-        }
-    }
-}
-
-impl<D: Domain, O: Observer<D::Cost, D::Label>> Sink<'_, D, O> {
-    fn link(&mut self, parent: NodeId, g: D::Cost, target: NodeId, label: D::Label) {
-        let h = self.domain.heuristic(target, label);
-        if h >= D::Cost::MAX || g + h >= self.best {
-            return;
-        }
-        self.generated += u32::from(self.scratch.enter(D::ORDER, (g + h, h), target, (g, label, parent)));
-        self.observer.relaxed(target, parent, label, g);
-    }
-}
-
 /// Searches from `root` for the cheapest completion of `domain`.
 ///
 /// Nodes are expanded in the order of [`Domain::ORDER`] and never reopened, so with a consistent heuristic the
@@ -85,66 +38,48 @@ impl<D: Domain, O: Observer<D::Cost, D::Label>> Sink<'_, D, O> {
 #[inline(always)]
 pub fn best_first<D: Domain, O: Observer<D::Cost, D::Label>>(
     domain: &mut D,
-    (root, label): (NodeId, D::Label),
+    root: (NodeId, D::Label),
     limits: Limits,
     scratch: &mut Scratch<D::Cost, D::Label>,
     observer: &mut O,
 ) -> Report<D::Cost, D::Tail> {
-    let zero = D::Cost::default();
-    let h = domain.heuristic(root, label);
-    scratch.begin(domain.node_count(), h);
-    scratch.enter(D::ORDER, (h, h), root, (zero, label, NO_PARENT));
+    let mut tree = Tree::new(domain, root, scratch);
     let mut report = Report {
         end: End::Exhausted,
         found: None,
         expanded: 0,
-        generated: 1,
+        generated: 0,
         pushes: 0,
         open_peak: 0,
-        closest: (h, root),
+        closest: tree.closest,
     };
     let mut best = D::Cost::MAX;
     let mut budget = Budget::new(limits.max_expansions, observer);
-    while let Some(entry) = scratch.open.pop(D::ORDER) {
-        let kind = entry.kind();
-        if kind == Kind::Goal {
+    while let Some(entry) = tree.pop() {
+        if entry.kind() == Kind::Goal {
             report.end = End::Found;
             break;
-        }
-        let slot = scratch.slot_mut(entry.node);
-        if !slot.is_current(entry.ticket) {
-            continue;
         }
         if budget.is_spent(report.expanded, observer) {
             report.end = End::BudgetSpent;
             break;
         }
-        slot.close();
-        let parent = (slot.parent != NO_PARENT).then_some(slot.parent);
-        let at = Visit { node: entry.node, label: slot.label, g: slot.g, parent };
+        let at = tree.close(&entry, observer);
         report.expanded += 1;
-        observer.expanded(at.node, at.label, at.g);
-        if entry.h < report.closest.0 {
-            report.closest = (entry.h, at.node);
-        }
-        if let Some(finish) = domain.finish(at, best) {
-            let total = at.g + finish.cost;
-            if total < best {
-                best = total;
-                report.found = Some((at.node, total, finish.tail));
-                if limits.first || total <= entry.f {
-                    report.end = End::Found;
-                    break;
-                }
-                scratch.open.push(D::ORDER, total, zero, at.node, Kind::Goal);
+        if let Some(finish) = tree.complete(at, best) {
+            best = at.g + finish.cost;
+            report.found = Some((at.node, best, finish.tail));
+            if limits.first || best <= entry.f {
+                report.end = End::Found;
+                break;
             }
+            tree.scratch.open.push(D::ORDER, best, D::Cost::default(), at.node, Kind::Goal);
         }
-        let mut sink = Sink { domain, scratch, observer, parent: at.node, g: at.g, best, generated: 0 };
-        domain.successors(at, &mut sink);
-        report.generated += sink.generated;
+        tree.expand(at, best, observer);
     }
-    report.pushes = scratch.open.pushes();
-    report.open_peak = scratch.open.peak() as u32;
+    (report.generated, report.closest) = (tree.generated, tree.closest);
+    report.pushes = tree.scratch.open.pushes();
+    report.open_peak = tree.scratch.open.peak() as u32;
     report
 }
 
@@ -153,7 +88,7 @@ mod tests {
     use std::cell::Cell;
 
     use super::*;
-    use crate::search::Finish;
+    use crate::search::{Finish, Relax, Visit};
 
     /// A line of nodes 0..n with unit steps to both sides.
     struct Line {

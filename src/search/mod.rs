@@ -2,6 +2,8 @@
 
 mod best_first;
 #[cfg(feature = "complete")]
+mod bidirectional_best_first;
+#[cfg(feature = "complete")]
 mod both_ways;
 mod budget;
 mod entry;
@@ -18,8 +20,11 @@ mod table;
 #[cfg(test)]
 #[cfg(feature = "complete")]
 mod tests;
+mod tree;
 
 pub use best_first::{Limits, Report, best_first};
+#[cfg(feature = "complete")]
+pub use bidirectional_best_first::{Join, Summary, Trees, bidirectional_best_first};
 #[cfg(feature = "complete")]
 pub use both_ways::{Stop, both_ways};
 pub(crate) use budget::Budget;
@@ -28,6 +33,7 @@ pub use observer::{Observer, Progress, Tell, Trace, Watch};
 pub use open::Order;
 pub use side::Memory;
 pub use table::Scratch;
+pub use tree::Tree;
 
 /// Index of a node. Indices are dense: the search's memory grows with the largest.
 pub type NodeId = u32;
@@ -126,7 +132,7 @@ pub trait Relax<C, L> {
         let _ = target;
         false
     }
-    /// Takes a valid move that leads to `target` from the node's parent, past the node itself. Only [`best_first`] does.
+    /// Takes a valid move that leads to `target` from the node's parent, past the node itself. Searches over a [`Domain`] do.
     fn emit_past(&mut self, target: NodeId, cost: C, label: L) {
         let _ = (target, cost, label);
     }

@@ -7,6 +7,10 @@ use super::NodeId;
 
 /// Told of every event of a search.
 pub trait Observer<C, L> {
+    /// What follows happens in this one of two trees. Only a bidirectional search over a [`Domain`](super::Domain) tells.
+    fn side(&mut self, side: usize) {
+        let _ = side;
+    }
     /// A node was taken from the open list and expanded.
     fn expanded(&mut self, node: NodeId, label: L, g: C) {
         let _ = (node, label, g);
@@ -27,6 +31,12 @@ impl<C, L> Observer<C, L> for () {}
 
 /// Watches, or not, by a decision made at run time; one branch an event.
 impl<C, L, O: Observer<C, L>> Observer<C, L> for Option<O> {
+    fn side(&mut self, side: usize) {
+        if let Some(observer) = self {
+            observer.side(side);
+        }
+    }
+
     fn expanded(&mut self, node: NodeId, label: L, g: C) {
         if let Some(observer) = self {
             observer.expanded(node, label, g);
@@ -45,6 +55,10 @@ impl<C, L, O: Observer<C, L>> Observer<C, L> for Option<O> {
 }
 
 impl<C, L, O: Observer<C, L>> Observer<C, L> for &mut O {
+    fn side(&mut self, side: usize) {
+        (**self).side(side);
+    }
+
     fn expanded(&mut self, node: NodeId, label: L, g: C) {
         (**self).expanded(node, label, g);
     }
@@ -60,6 +74,11 @@ impl<C, L, O: Observer<C, L>> Observer<C, L> for &mut O {
 
 /// Both watch.
 impl<C: Copy, L: Copy, A: Observer<C, L>, B: Observer<C, L>> Observer<C, L> for (A, B) {
+    fn side(&mut self, side: usize) {
+        self.0.side(side);
+        self.1.side(side);
+    }
+
     fn expanded(&mut self, node: NodeId, label: L, g: C) {
         self.0.expanded(node, label, g);
         self.1.expanded(node, label, g);

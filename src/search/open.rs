@@ -196,6 +196,25 @@ impl<C: Cost> OpenList<C> {
         Some(top)
     }
 
+    /// Number of entries held.
+    #[cfg(feature = "complete")]
+    pub(super) fn len(&self) -> usize {
+        self.len
+    }
+
+    /// The f of the first entry of the order.
+    #[cfg(feature = "complete")]
+    pub(super) fn least(&mut self, order: Order) -> Option<C> {
+        if self.len == 0 {
+            return None;
+        }
+        if self.stack.is_empty() && self.heap.is_empty() {
+            self.advance(order);
+        }
+        let firsts = self.stack.last().into_iter().chain(self.heap.first());
+        firsts.map(|entry| entry.f).reduce(|a, b| if b < a { b } else { a })
+    }
+
     /// Puts an entry among those of the current bucket.
     #[inline(never)]
     fn insert(&mut self, entry: Entry<C>, order: Order) {
@@ -369,6 +388,8 @@ mod tests {
                     let first =
                         held.iter().enumerate().min_by_key(|(_, e)| (e.0, e.1, std::cmp::Reverse(e.2)));
                     let want = first.map(|(i, _)| i).map(|i| held.swap_remove(i));
+                    #[cfg(feature = "complete")]
+                    assert_eq!(open.least(Order::Newest), want.map(|(f, ..)| f));
                     let got = open.pop(Order::Newest).map(|e| (e.f, e.h, (e.ticket - begin) / TICKET));
                     assert_eq!(got, want);
                     last = got.map_or(last, |(f, ..)| f.clamp(1_000_000, 1 << 40));

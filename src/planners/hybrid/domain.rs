@@ -245,6 +245,10 @@ pub(super) fn take_cheapest(words: &mut Vec<(f64, Word)>) -> Option<(f64, Word)>
 
 /// The arcs of a finished search, from its root to its target.
 pub(super) fn path(chain: &[(NodeId, State)], tail: &Word, radius: f64) -> Vec<Arc> {
-    let tree = chain[1..].iter().map(|(_, s)| Arc { curvature: s.motion.curvature, length: s.length });
-    arcs::merge(tree.chain(tail.arcs(radius)))
+    arcs::merge(tree_arcs(chain).chain(tail.arcs(radius)))
+}
+
+/// The arcs between the nodes of a chain, one each.
+pub(super) fn tree_arcs(chain: &[(NodeId, State)]) -> impl Iterator<Item = Arc> {
+    chain[1..].iter().map(|(_, s)| Arc { curvature: s.motion.curvature, length: s.length })
 }

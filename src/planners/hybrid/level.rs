@@ -183,12 +183,11 @@ impl<'a> Search<'a> {
 
     #[inline(never)]
     fn search(&self, level: Level, work: &mut Work) -> Option<(Vec<Arc>, Status)> {
-        let Work { report, scratch, progress } = work;
-        if let Some(progress) = progress.as_mut() {
+        if let Some(progress) = work.progress.as_mut() {
             if progress.is_stopped() {
                 return None;
             }
-            progress.follow(report.expanded);
+            progress.follow(work.report.expanded);
         }
         let tree = self.trace.then(|| Tree {
             arcs: Vec::new(),
@@ -200,10 +199,11 @@ impl<'a> Search<'a> {
         #[cfg(feature = "complete")]
         if self.config.search_from == super::SearchFrom::Both && !level.shuffle {
             let mut tree = tree;
-            let found = super::two_way::search(self, level, report, (&mut tree, watch.as_ref()), progress);
-            report.keep(tree, watch.as_ref());
+            let found = super::bidirectional::search(self, level, work, &mut tree, watch.as_ref());
+            work.report.keep(tree, watch.as_ref());
             return found;
         }
+        let Work { report, scratch, progress } = work;
         #[cfg(feature = "complete")]
         {
             report.from_goal = self.mirrored;

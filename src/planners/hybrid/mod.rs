@@ -6,6 +6,8 @@
 #[cfg(feature = "complete")]
 mod anchor;
 #[cfg(feature = "complete")]
+mod bidirectional;
+#[cfg(feature = "complete")]
 mod choices;
 mod config;
 mod cost;
@@ -18,8 +20,6 @@ mod passage;
 mod portfolio;
 mod shortcut;
 mod shots;
-#[cfg(feature = "complete")]
-mod two_way;
 
 #[cfg(feature = "complete")]
 pub use anchor::{Last, anchored};
@@ -159,6 +159,9 @@ pub struct Scratch {
     search: crate::search::Scratch<f64, State>,
     keys: RefCell<Keys>,
     flood: Option<Flood>,
+    /// Of the other tree, where two grow.
+    #[cfg(feature = "complete")]
+    other: Option<Box<Self>>,
 }
 
 /// Keeps the arcs that led to expanded states.
@@ -170,6 +173,10 @@ struct Tree {
 }
 
 impl Observer<f64, State> for Tree {
+    fn side(&mut self, side: usize) {
+        self.mirrored = side == 1;
+    }
+
     fn expanded(&mut self, _: NodeId, at: State, _: f64) {
         if at.length == 0.0 {
             return;

@@ -1,0 +1,122 @@
+//! Two trees, one from each end, joined by Reeds–Shepp curves.
+//!
+//! The parking paper's flowchart lets the trees meet where they share a cell; cells alone do not make a drivable join, so a
+//! curve between the two real poses does. Each expanded state is also tried with a curve to the other root.
+
+use core::cell::RefCell;
+
+use super::config::Level;
+use super::cost::CostModel;
+use super::domain::{self, Lattice, Setting, State};
+use super::flood::Flood;
+use super::level::{Search, Work};
+use super::shots::Watch;
+use super::{Status, Tree};
+use crate::geometry::arcs::{self, Arc};
+use crate::geometry::reeds_shepp::{self, Word};
+use crate::search::{self, End, Finish, Join, Limits, Trees, bidirectional_best_first};
+
+type Visit = search::Visit<f64, State>;
+
+/// The cheapest path so far, as driven.
+struct Cheapest<'a> {
+    search: &'a Search<'a>,
+    costs: CostModel,
+    cost: f64,
+    arcs: Vec<Arc>,
+}
+
+impl Join<Lattice<'_>> for Cheapest<'_> {
+    fn best(&self) -> f64 {
+        self.cost
+    }
+
+    fn complete(&mut self, trees: Trees<Lattice>, side: usize, at: Visit, finish: Finish<f64, Word>) {
+        let arcs = domain::path(&trees[side].chain(at.node), &finish.tail, self.costs.radius);
+        self.keep(if side == 0 { arcs } else { arcs::reversed(&arcs) });
+    }
+
+    /// Tries the states of the other tree in the cell of this pose, whatever their gear.
+    fn join(&mut self, trees: Trees<Lattice>, side: usize, at: Visit) {
+        let other = &trees[1 - side];
+        for gear in [-1, 0, 1] {
+            if let Some(there) = other.reached(other.domain.node(at.label.pose, gear)) {
+                self.bridge(trees, if side == 0 { [at, there] } else { [there, at] });
+            }
+        }
+    }
+}
+
+impl Cheapest<'_> {
+    fn keep(&mut self, arcs: Vec<Arc>) {
+        let cost = self.costs.path(self.search.probe, self.search.start, &arcs);
+        if cost < self.cost {
+            (self.cost, self.arcs) = (cost, arcs);
+        }
+    }
+
+    /// Joins a state of the tree from the start to one of the tree from the goal.
+    fn bridge(&mut self, trees: Trees<Lattice>, [from, to]: [Visit; 2]) {
+        let (here, there) = (from.label.pose, to.label.pose);
+        let (lattice, radius) = (&trees[0].domain, self.costs.radius);
+        let words = reeds_shepp::list_below(here, there, radius, self.cost - from.g - to.g);
+        let mut words: Vec<_> = words.into_iter().map(|word| (word.length(radius), word)).collect();
+        while let Some((_, word)) = domain::take_cheapest(&mut words) {
+            if word.direction_changes() <= lattice.max_changes && lattice.word_free(here, &word) {
+                let first = domain::path(&trees[0].chain(from.node), &word, radius);
+                let back = domain::tree_arcs(&trees[1].chain(to.node)).collect::<Vec<_>>();
+                self.keep(arcs::merge(first.into_iter().chain(arcs::reversed(&back))));
+                return;
+            }
+        }
+    }
+}
+
+/// Searches one level from both ends.
+pub(super) fn search(
+    search: &Search,
+    level: Level,
+    work: &mut Work,
+    tree: &mut Option<Tree>,
+    watch: Option<&RefCell<Watch>>,
+) -> Option<(Vec<Arc>, Status)> {
+    let Work { report, scratch, progress } = work;
+    let other = scratch.other.get_or_insert_default();
+    let Search { query, config, probe, .. } = *search;
+    let back = Flood::new(query.obstacles, query.vehicle, search.root, report.margin, other.flood.take());
+    let floods = if search.mirrored { [&back, search.flood] } else { [search.flood, &back] };
+    let driven = search.costs().searching(&level);
+    let ends = [search.start, search.goal];
+    let lattice = |side: usize, keys| {
+        let mirrored = side == 1;
+        let costs = if mirrored { driven.mirrored() } else { driven };
+        let setting = Setting { probe, flood: floods[side], keys, costs, mirrored, watch };
+        Lattice::new(setting, query.vehicle, config, level, ends[1 - side], report.margin)
+    };
+    let (mut first, mut second) = (lattice(0, &scratch.keys), lattice(1, &other.keys));
+    let roots = ends.map(|pose| State { pose, ..State::default() });
+    let nodes = [first.node(ends[0], 0), second.node(ends[1], 0)];
+    let mut trees = [
+        search::Tree::new(&mut first, (nodes[0], roots[0]), &mut scratch.search),
+        search::Tree::new(&mut second, (nodes[1], roots[1]), &mut other.search),
+    ];
+    let limits = Limits { max_expansions: level.max_expansions, first: config.first_shot };
+    let mut cheapest = Cheapest { search, costs: driven, cost: f64::INFINITY, arcs: Vec::new() };
+    let mut observer = (tree.as_mut(), progress.as_mut());
+    let found = bidirectional_best_first(&mut trees, limits, &mut cheapest, &mut observer);
+    report.expanded += found.expanded;
+    report.generated += found.generated;
+    report.pushes += found.pushes;
+    report.open_peak = report.open_peak.max(found.open_peak);
+    let nodes = search::Scratch::<f64, State>::bytes(found.generated as usize, found.open_peak);
+    let keys = scratch.keys.borrow().bytes() + other.keys.borrow().bytes();
+    report.bytes = report.bytes.max(nodes as u64 + keys + back.bytes());
+    other.flood = Some(back);
+    let is_spent = found.end == End::BudgetSpent;
+    if cheapest.cost.is_finite() {
+        return Some((cheapest.arcs, if is_spent { Status::Suboptimal } else { Status::Found }));
+    }
+    let apart = (search.goal.point() - search.start.point()).norm();
+    report.status = if is_spent { Status::BudgetExhausted(apart) } else { Status::NoPath };
+    None
+}

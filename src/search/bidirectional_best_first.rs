@@ -1,0 +1,94 @@
+//! Best-first search from both ends over any [`Domain`]: two trees by the steps of [`best_first`](super::best_first()).
+//!
+//! Where the nodes of two trees make a path is the domain's knowledge ([`Join`]): on a graph one node in both, for a car
+//! two poses and a curve between them.
+
+use super::{Budget, Cost, Domain, End, Finish, Limits, Observer, Tree, Visit};
+
+/// Two trees: the first grows from the start, the second against the direction of the path from the goal.
+pub type Trees<'t, 'a, D> = &'t [Tree<'a, D>; 2];
+
+/// How two trees are joined, and the cheapest path that came of it.
+pub trait Join<D: Domain> {
+    /// The cost of the cheapest path so far; [`Cost::MAX`] without one.
+    fn best(&self) -> D::Cost;
+
+    /// Takes the path through the node `at` of one tree and along a completion of its own.
+    fn complete(
+        &mut self,
+        trees: Trees<D>,
+        side: usize,
+        at: Visit<D::Cost, D::Label>,
+        finish: Finish<D::Cost, D::Tail>,
+    );
+
+    /// Takes paths through the node `at` of one tree, which is expanded next, and nodes that the other has reached.
+    fn join(&mut self, trees: Trees<D>, side: usize, at: Visit<D::Cost, D::Label>);
+}
+
+/// How a bidirectional search ended, and what it did in both trees together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Summary {
+    /// How it ended.
+    pub end: End,
+    /// Nodes taken from the open lists and processed.
+    pub expanded: u32,
+    /// Distinct nodes that ever entered an open list, the roots included.
+    pub generated: u32,
+    /// All insertions into the open lists.
+    pub pushes: u32,
+    /// Largest sizes of the open lists, added.
+    pub open_peak: u32,
+}
+
+/// Grows the tree with fewer waiting nodes until neither can lead to a cheaper path than the best one of `join`.
+///
+/// A tree whose least f is no less than a path's cost has nothing cheaper to offer, and by itself it would find every
+/// path; so with consistent heuristics, and joins wherever both trees have reached one node, the path is the cheapest.
+/// `limits.first` takes the first one instead.
+pub fn bidirectional_best_first<D: Domain, J: Join<D>, O: Observer<D::Cost, D::Label>>(
+    trees: &mut [Tree<D>; 2],
+    limits: Limits,
+    join: &mut J,
+    observer: &mut O,
+) -> Summary {
+    let mut expanded = 0;
+    let mut budget = Budget::new(limits.max_expansions, observer);
+    let end = loop {
+        let best = join.best();
+        if best < D::Cost::MAX && (limits.first || trees.iter_mut().any(|tree| tree.least() >= best)) {
+            break End::Found;
+        }
+        let Some(side) = next_side(trees) else { break End::Exhausted };
+        let tree = &mut trees[side];
+        let Some(entry) = tree.pop() else { continue };
+        if budget.is_spent(expanded, observer) {
+            break End::BudgetSpent;
+        }
+        observer.side(side);
+        let at = tree.close(&entry, observer);
+        expanded += 1;
+        if let Some(finish) = tree.complete(at, best) {
+            join.complete(trees, side, at, finish);
+        }
+        join.join(trees, side, at);
+        trees[side].expand(at, join.best(), observer);
+    };
+    let [a, b] = &*trees;
+    let [first, second] = [&a.scratch.open, &b.scratch.open];
+    Summary {
+        end,
+        expanded,
+        generated: a.generated + b.generated,
+        pushes: first.pushes() + second.pushes(),
+        open_peak: (first.peak() + second.peak()) as u32,
+    }
+}
+
+/// The tree with fewer waiting nodes, and the first of equal ones; `None` where none waits.
+fn next_side<D: Domain>([a, b]: &[Tree<D>; 2]) -> Option<usize> {
+    match [a, b].map(|tree| tree.scratch.open.len()) {
+        [0, 0] => None,
+        [a, b] => Some(usize::from(a == 0 || (b > 0 && b < a))),
+    }
+}
