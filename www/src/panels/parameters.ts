@@ -65,7 +65,7 @@ export class Parameters extends AppElement {
   private member(): TemplateResult | typeof nothing {
     const { focus, results, lang } = this.state, plan = results[focus]?.plan, member = plan?.member;
     if (!member) return nothing;
-    const metres = (value: number): string => (value < 0.01 ? `${this.num(value * 1000, 0)} mm` : `${this.num(value * 100, 0)} cm`);
+    const metres = (value: number): string => `${this.num(value, value < 0.01 ? 3 : 2)} m`;
     const values = { cell: metres(member.xyResolution), angle: this.num(member.headingResolution * DEGREES, member.headingResolution * DEGREES < 1 ? 1 : 0), margin: metres(member.margin) };
     return html`<p class="member">${say(lang, plan.outcome === "found" ? (member.fromGoal ? "fromGoal" : "fromStart") : plan.outcome === "no-path" ? "none" : "spent", values)}</p>`;
   }
