@@ -55,6 +55,8 @@ impl Error {
 
     /// The same error one level further out: `width` inside `map` becomes `map.width`.
     #[must_use]
+    #[cold]
+    #[inline(never)]
     pub fn within(mut self, outer: &str) -> Self {
         self.path = match (outer.is_empty(), self.path.is_empty()) {
             (true, _) => self.path,

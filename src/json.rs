@@ -65,20 +65,35 @@ pub(crate) fn owned(value: &Value) -> Result<String> {
 
 /// One of some words.
 pub(crate) fn word<T: Copy>(choices: &'static [(&'static str, T)]) -> impl Fn(&Value) -> Result<T> {
-    move |value| {
-        if let Some(&(_, choice)) = choices.iter().find(|c| value.as_str() == Some(c.0)) {
-            return Ok(choice);
-        }
-        let known: Vec<_> = choices.iter().map(|c| c.0).collect();
-        bad("", format!("must be {}, got {value}", known.join(" or ")))
+    move |value| index_of_word(value, &mut choices.iter().map(|choice| choice.0)).map(|at| choices[at].1)
+}
+
+/// Compiled once, for words of every type.
+#[inline(never)]
+fn index_of_word(value: &Value, words: &mut dyn Iterator<Item = &'static str>) -> Result<usize> {
+    let known: Vec<_> = words.collect();
+    match known.iter().position(|&word| value.as_str() == Some(word)) {
+        Some(at) => Ok(at),
+        None => bad("", format!("must be {}, got {value}", known.join(" or "))),
     }
 }
 
 pub(crate) fn list<T>(read: impl Fn(&Value) -> Result<T>) -> impl Fn(&Value) -> Result<Vec<T>> {
     move |value| {
-        let Value::Array(items) = value else { return bad("", format!("must be an array, got {value}")) };
-        items.iter().enumerate().map(|(i, v)| read(v).map_err(|e| e.within(&format!("[{i}]")))).collect()
+        let mut all = Vec::new();
+        each(value, &mut |item| read(item).map(|item| all.push(item)))?;
+        Ok(all)
     }
+}
+
+/// The loop over any list: compiled once, where collecting results would be compiled for each kind of item.
+#[inline(never)]
+fn each(value: &Value, read: &mut dyn FnMut(&Value) -> Result<()>) -> Result<()> {
+    let Value::Array(items) = value else { return bad("", format!("must be an array, got {value}")) };
+    for (i, item) in items.iter().enumerate() {
+        read(item).map_err(|e| e.within(&format!("[{i}]")))?;
+    }
+    Ok(())
 }
 
 /// Exactly `N` of something.

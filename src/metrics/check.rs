@@ -83,8 +83,9 @@ pub fn check(geometry: &Geometry, body: &Body, path: &[Pose], directions: &[i8],
     let mut check = empty();
     let (Some(first), Some(last)) = (path.first(), path.last()) else { return check };
     check.start_heading_error = math::turn(geometry.start.heading, first.heading).abs();
-    check.goal_heading_error = math::turn(geometry.goal.heading, last.heading).abs();
-    check.goal_distance = (last.point() - geometry.goal.point()).norm();
+    let goal = geometry.goal_for(*last);
+    check.goal_heading_error = goal.map_or(0.0, |goal| math::turn(goal.heading, last.heading).abs());
+    check.goal_distance = goal.map_or(f64::INFINITY, |goal| (last.point() - goal.point()).norm());
     check.tight_turns = u32::from(check.start_heading_error > HEADING_TOLERANCE);
     check.slips = u32::from((first.point() - geometry.start.point()).norm() > near);
     check_motion(&mut check, path, directions, geometry.vehicle.min_turning_radius());
@@ -270,6 +271,8 @@ mod tests {
         Geometry {
             start: Pose::new(0.0, 0.0, 0.0),
             goal,
+            #[cfg(feature = "complete")]
+            goals: None,
             vehicle: Vehicle::PAPER,
             boundary: boundary.map(|(x, y)| Point::new(x, y)).to_vec(),
             shapes: wall

@@ -11,11 +11,15 @@ use super::path::MAX_LENGTH;
 use super::world::World;
 use super::{Driven, NEAR, STEP, measured};
 use crate::error::{Error, ErrorCode};
+#[cfg(feature = "complete")]
+use crate::geometry::Pose;
 use crate::geometry::arcs;
 use crate::metrics::Verdict;
-use crate::planners::hybrid::{Config, Query, Report, Scratch, Status, obstacles, plan};
+#[cfg(not(feature = "complete"))]
+use crate::planners::hybrid::plan;
+use crate::planners::hybrid::{Config, Query, Report, Scratch, Status, obstacles};
 #[cfg(feature = "complete")]
-use crate::planners::hybrid::{Last, anchored, choices};
+use crate::planners::hybrid::{Last, anchored, choices, plan_any, with_room};
 use crate::planners::registry::Kind;
 use crate::scenario::Scenario;
 use crate::scenario::resolve::Geometry;
@@ -35,6 +39,9 @@ pub(super) struct Engine {
     config: Config,
     obstacles: Obstacles,
     scratch: Scratch,
+    /// Where the next plan may lead, where there are several goals.
+    #[cfg(feature = "complete")]
+    pub(super) goals: Vec<Pose>,
 }
 
 impl Engine {
@@ -65,7 +72,18 @@ impl Engine {
             config,
             obstacles,
             scratch: Scratch::default(),
+            #[cfg(feature = "complete")]
+            goals: Vec::new(),
         })
+    }
+
+    /// Leaves out poses at which the car does not keep the margin asked for, but not all of them.
+    #[cfg(feature = "complete")]
+    pub(super) fn keep_roomy(&self, world: &World, poses: &mut Vec<Pose>) {
+        let roomy = with_room(&self.obstacles, &world.geometry.vehicle, poses, self.config.margin);
+        if !roomy.is_empty() {
+            *poses = roomy.iter().map(|&at| poses[at]).collect();
+        }
     }
 
     /// The obstacles have changed.
@@ -74,16 +92,27 @@ impl Engine {
         self.obstacles = obstacles(&world.geometry).painted(world.paint());
     }
 
+    /// Plans between the ends of `world`, or to the cheapest of several goals, which is its goal from then on.
     pub(super) fn plan(
         &mut self,
         scenario: &Scenario,
-        world: &World,
+        world: &mut World,
         trace: bool,
         progress: &mut Option<Progress>,
     ) -> (Plan, Report) {
-        let geometry = &world.geometry;
-        let query = query(&self.obstacles, geometry);
+        let query = query(&self.obstacles, &world.geometry);
+        #[cfg(feature = "complete")]
+        let (query, mut report) = {
+            let own = [query.goal];
+            let goals = if self.goals.is_empty() { &own[..] } else { &self.goals };
+            let (at, report) = plan_any(&query, goals, &self.config, &mut self.scratch, trace, progress);
+            (Query { goal: goals[at], ..query }, report)
+        };
+        #[cfg(not(feature = "complete"))]
         let mut report = plan(&query, &self.config, &mut self.scratch, trace, progress);
+        world.geometry.goal = query.goal;
+        let (world, geometry) = (&*world, &world.geometry);
+        let query = self::query(&self.obstacles, geometry);
         if let Some(progress) = progress {
             progress.finish(report.expanded);
         }

@@ -5,6 +5,8 @@ mod brush;
 #[cfg(feature = "complete")]
 mod choices;
 mod drive;
+#[cfg(feature = "complete")]
+mod goals;
 mod grid;
 mod grid_search;
 mod hybrid;
@@ -44,6 +46,8 @@ use crate::metrics::risk::{self, Risk};
 use crate::metrics::road::{Figures, figures};
 use crate::metrics::{Body, Check, check};
 use crate::planners::registry::{Kind, default_config};
+#[cfg(feature = "complete")]
+use crate::scenario::Goals;
 use crate::scenario::Scenario;
 use crate::scenario::resolve::Geometry;
 use crate::search::{Progress, Trace};
@@ -147,6 +151,9 @@ pub struct Planner {
     world: World,
     /// The scene's start and goal.
     own_ends: [Pose; 2],
+    /// The scene's goals, where it has a set of them.
+    #[cfg(feature = "complete")]
+    own_goals: Option<Goals>,
     engine: Engine,
     #[cfg(feature = "complete")]
     brush: Option<brush::Brush>,
@@ -170,7 +177,8 @@ impl Planner {
                 return Err(Error::new(ErrorCode::Scenario, path, format!("no setting of {name}")));
             }
         }
-        let world = World::new(scenario)?;
+        #[cfg_attr(not(feature = "complete"), expect(unused_mut, reason = "sets of goals are moved out"))]
+        let mut world = World::new(scenario)?;
         let engine = match kind {
             #[cfg(feature = "complete")]
             Kind::CostMap => Engine::Road(Box::new(road::Engine::new(scenario, &world, &settings)?)),
@@ -183,6 +191,8 @@ impl Planner {
             kind,
             scenario: scenario.clone(),
             own_ends: [world.geometry.start, world.geometry.goal],
+            #[cfg(feature = "complete")]
+            own_goals: world.geometry.goals.take(),
             world,
             engine,
             #[cfg(feature = "complete")]
@@ -202,12 +212,24 @@ impl Planner {
 
     /// Plans, and checks the answer.
     pub fn plan(&mut self, options: Options) -> Plan {
-        self.between(self.own_ends, options)
+        self.between(self.own_ends[0], None, options)
     }
 
-    fn between(&mut self, ends: [Pose; 2], options: Options) -> Plan {
+    /// To the scene's own goal, or to the cheapest of them, where none is given.
+    fn between(&mut self, start: Pose, goal: Option<Pose>, options: Options) -> Plan {
         #[cfg(feature = "complete")]
         self.settle();
+        #[cfg(feature = "complete")]
+        if let Some(goals) = self.own_goals.take_if(|_| goal.is_none()) {
+            let plan = self.plan_any(start, &goals, options);
+            self.own_goals = Some(goals);
+            return plan;
+        }
+        self.toward([start, goal.unwrap_or(self.own_ends[1])], options)
+    }
+
+    #[cfg_attr(feature = "complete", inline(never))]
+    fn toward(&mut self, ends: [Pose; 2], options: Options) -> Plan {
         [self.world.geometry.start, self.world.geometry.goal] = ends;
         let every = if self.kind.is_hybrid() { POSES } else { CELLS };
         let mut progress = options.progress.map(|tell| Progress::new(every, tell));
@@ -222,7 +244,7 @@ impl Planner {
         let mut plan = match &mut self.engine {
             Engine::Grid(engine) => engine.plan(&self.world, (trace(), progress)),
             Engine::Hybrid(engine) => {
-                let found = engine.plan(&self.scenario, &self.world, options.trace, &mut progress);
+                let found = engine.plan(&self.scenario, &mut self.world, options.trace, &mut progress);
                 #[cfg(feature = "complete")]
                 let found = (engine.choose((&self.scenario, &self.world), found, wish, &mut progress),);
                 found.0
@@ -354,6 +376,8 @@ fn measured(world: &World, outcome: Outcome, driven: Driven, near: f64) -> Plan 
         detail: None,
         reason: None,
         obstruction: None,
+        #[cfg(feature = "complete")]
+        goal: None,
         path: poses,
         directions,
         curvatures,

@@ -6,6 +6,8 @@ use crate::geometry::{Point, Pose, math};
 use crate::metrics::Check;
 use crate::planners::Obstruction;
 use crate::planners::hybrid::Shots;
+#[cfg(feature = "complete")]
+use crate::scenario::GoalPose;
 
 /// How planning ended; no path is an outcome, not an error.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -233,6 +235,9 @@ pub struct Plan {
     pub reason: Option<String>,
     /// Where it fails, where there is no path and that is known.
     pub obstruction: Option<Obstruction>,
+    /// The goal that the path leads to, where the scene has several.
+    #[cfg(feature = "complete")]
+    pub goal: Option<GoalPose>,
     /// Poses, close together, from start to goal.
     pub path: Vec<Pose>,
     /// Per pose: gear of the way to the next one.

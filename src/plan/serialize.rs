@@ -4,6 +4,8 @@ use serde::{Serialize, Serializer};
 
 use super::{Metrics, Plan, Stats};
 use crate::geometry::Pose;
+#[cfg(feature = "complete")]
+use crate::scenario::GoalPose;
 
 /// The fields of the JS API's plan, but for its trace and what names things of the scene.
 #[derive(Serialize)]
@@ -13,6 +15,9 @@ struct Fields<'a> {
     outcome: &'a str,
     detail: Option<&'a str>,
     reason: Option<&'a str>,
+    #[cfg(feature = "complete")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    goal: Option<&'a GoalPose>,
     path: Vec<f64>,
     directions: &'a [i8],
     curvatures: &'a [f64],
@@ -57,6 +62,8 @@ impl Serialize for Plan {
             outcome: self.outcome.as_str(),
             detail: self.detail,
             reason: self.reason.as_deref(),
+            #[cfg(feature = "complete")]
+            goal: self.goal.as_ref(),
             path: self.path.iter().flat_map(|p| [p.x, p.y, p.heading]).collect(),
             directions: &self.directions,
             curvatures: &self.curvatures,

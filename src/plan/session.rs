@@ -52,8 +52,7 @@ impl Planner {
             let message = format!("{} finds one path; hybrid has others to choose from", self.kind.id());
             return Err(Error::new(ErrorCode::Input, choice, message));
         }
-        let own = self.own_ends;
-        Ok(self.between([start.unwrap_or(own[0]), goal.unwrap_or(own[1])], options))
+        Ok(self.between(start.unwrap_or(self.own_ends[0]), goal, options))
     }
 
     /// The search of a grid planner between two points, and nothing else: no car follows the path, nothing is checked

@@ -57,6 +57,8 @@ mod tests {
         Geometry {
             start: pose,
             goal: pose,
+            #[cfg(feature = "complete")]
+            goals: None,
             vehicle,
             boundary: Vec::new(),
             shapes: Vec::new(),

@@ -7,6 +7,10 @@ use crate::geometry::Pose;
 use crate::vehicle::Vehicle;
 pub use drawn::Road;
 #[cfg(feature = "complete")]
+pub use goal_region::{GoalRegion, HEADING_TOLERANCE};
+#[cfg(feature = "complete")]
+pub use goal_set::{EntryChoice, GoalPose, GoalSet, Goals, SlotChoice, SlotsGoal};
+#[cfg(feature = "complete")]
 pub use moving::MovingObstacle;
 #[cfg(feature = "complete")]
 pub use road::{Lane, LanePiece, SpeedLimit};
@@ -16,6 +20,10 @@ pub mod catalog;
 mod crossing;
 mod drawn;
 pub mod generate;
+#[cfg(feature = "complete")]
+mod goal_region;
+#[cfg(feature = "complete")]
+mod goal_set;
 #[cfg(feature = "complete")]
 mod moving;
 pub mod packed;
@@ -219,6 +227,9 @@ pub enum Goal {
     Pose(Pose),
     /// Into a slot of the scene.
     Slot(SlotGoal),
+    /// To whichever of several places is the cheapest to reach.
+    #[cfg(feature = "complete")]
+    Set(GoalSet),
 }
 
 /// A slot of the scene and how to stand in it.

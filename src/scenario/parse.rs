@@ -131,6 +131,17 @@ fn slot(value: &Value) -> Result<Slot> {
 }
 
 pub(crate) fn goal(value: &Value) -> Result<Goal> {
+    #[cfg(feature = "complete")]
+    if let Some(set) = super::GoalSet::read(value)? {
+        return Ok(Goal::Set(set));
+    }
+    #[cfg(not(feature = "complete"))]
+    if value.is_array() || value.get("slots").or(value.get("region")).is_some() {
+        return bad(
+            "",
+            "must be one pose or slot, got a set of goals: not in parkade/core, but in parkade".to_owned(),
+        );
+    }
     if value.get("slot").is_none() {
         return pose(value).map(Goal::Pose);
     }

@@ -3,6 +3,8 @@
 #[cfg(feature = "complete")]
 use std::ops::Range;
 
+#[cfg(feature = "complete")]
+use super::Goals;
 use super::drawn::kerbs;
 use super::validate::{bad, finite_pose};
 use super::{Entry, Goal, MAX_CELLS, Obstacle, Road, Scenario, Slot};
@@ -45,8 +47,11 @@ pub struct Shape {
 pub struct Geometry {
     /// Where the car stands.
     pub start: Pose,
-    /// Where it shall go.
+    /// Where it shall go; of several goals the first, or the start where none can be met.
     pub goal: Pose,
+    /// The goals, where the scene has a set of them.
+    #[cfg(feature = "complete")]
+    pub goals: Option<Goals>,
     /// The car.
     pub vehicle: Vehicle,
     /// The floor's outline; outside is blocked.
@@ -63,6 +68,16 @@ impl Geometry {
         let shape = (number as usize).checked_sub(1).and_then(|k| self.shapes.get(k));
         shape.map_or(Owner::Border, |s| s.owner)
     }
+
+    /// The goal that a path which ends at `last` is held against; of several the nearest, `None` where none can be met.
+    pub fn goal_for(&self, last: Pose) -> Option<Pose> {
+        #[cfg(feature = "complete")]
+        if let Some(goals) = &self.goals {
+            return goals.nearest(last);
+        }
+        let _ = last;
+        Some(self.goal)
+    }
 }
 
 /// The car that stands in occupied slots.
@@ -76,6 +91,17 @@ impl Scenario {
     pub fn geometry(&self) -> Result<Geometry, Error> {
         self.validate()?;
         let vehicle = self.vehicle.resolve()?;
+        #[cfg(feature = "complete")]
+        let goals = match &self.goal {
+            Goal::Set(set) => Some(set.resolve(self, vehicle)?),
+            _ => None,
+        };
+        #[cfg(feature = "complete")]
+        let goal = match &goals {
+            Some(goals) => goals.poses.first().map_or(self.start, |goal| goal.pose),
+            None => self.goal_pose(&self.goal)?,
+        };
+        #[cfg(not(feature = "complete"))]
         let goal = self.goal_pose(&self.goal)?;
         let mut shapes = Vec::new();
         #[cfg(feature = "complete")]
@@ -110,7 +136,16 @@ impl Scenario {
         for &(i, pose) in &parked {
             shapes.push(Shape { owner: Owner::Slot(i), form: Form::Polygon(PARKED.outline(pose).to_vec()) });
         }
-        Ok(Geometry { start: self.start, goal, vehicle, boundary: self.boundary(), shapes, parked })
+        Ok(Geometry {
+            start: self.start,
+            goal,
+            #[cfg(feature = "complete")]
+            goals,
+            vehicle,
+            boundary: self.boundary(),
+            shapes,
+            parked,
+        })
     }
 
     /// The pose of a goal in this scene: its own, or that of the scene's car in the slot.
@@ -121,6 +156,10 @@ impl Scenario {
         let goal = match goal {
             Goal::Pose(pose) => return finite_pose(*pose).map(|()| *pose),
             Goal::Slot(goal) => goal,
+            #[cfg(feature = "complete")]
+            Goal::Set(_) => {
+                return bad("", "must be one pose or slot, got a set of goals".to_owned());
+            }
         };
         match self.slots.iter().find(|slot| slot.id.as_ref() == Some(&goal.slot)) {
             Some(slot) => Ok(slot.pose(goal.entry, &self.vehicle.resolve()?)),

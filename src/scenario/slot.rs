@@ -37,6 +37,7 @@ impl Slot {
     }
 
     /// The pose of `vehicle` centred in the slot.
+    #[inline(never)]
     pub fn pose(&self, entry: Entry, vehicle: &Vehicle) -> Pose {
         let [a, _, c, _] = self.outline();
         let center = nalgebra::center(&a, &c);

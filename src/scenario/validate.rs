@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+#[cfg(feature = "complete")]
+use super::Goal;
 use super::{CostArea, MAX_CELLS, MapFrame, Obstacle, Scenario, Slot, SlotKind, VehicleSpec};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::math::FRAC_PI_2;
@@ -59,6 +61,10 @@ impl Scenario {
         }
         self.vehicle.resolve().map_err(|e| e.within("vehicle"))?;
         finite_pose(self.start).map_err(|e| e.within("start"))?;
+        #[cfg(feature = "complete")]
+        if let Goal::Set(set) = &self.goal {
+            return set.validate(self).map_err(|e| e.within("goal"));
+        }
         self.goal_pose(&self.goal).map(|_| ()).map_err(|e| e.within("goal"))
     }
 }
@@ -241,7 +247,7 @@ fn cross(a: Point, b: Point, origin: Point) -> f64 {
 }
 
 /// Whether two closed segments share a point.
-fn touch(a: Point, b: Point, c: Point, d: Point) -> bool {
+pub(super) fn touch(a: Point, b: Point, c: Point, d: Point) -> bool {
     let side = |p, q, r| {
         let s = cross(q, r, p);
         if s > 0.0 { 1 } else { -i32::from(s < 0.0) }

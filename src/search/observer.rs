@@ -135,6 +135,9 @@ pub struct Progress<'a> {
     every: NonZeroU32,
     /// When it tells next.
     next: u32,
+    /// Expansions of earlier plans that are told as one with this.
+    #[cfg(feature = "complete")]
+    base: u32,
     /// Expansions of the plan's searches before this one.
     before: u32,
     stopped: bool,
@@ -144,12 +147,28 @@ pub struct Progress<'a> {
 impl<'a> Progress<'a> {
     /// Tells after every so many expansions.
     pub fn new(every: NonZeroU32, tell: Tell<'a>) -> Self {
-        Self { every, next: every.get(), before: 0, stopped: false, tell }
+        Self {
+            every,
+            next: every.get(),
+            #[cfg(feature = "complete")]
+            base: 0,
+            before: 0,
+            stopped: false,
+            tell,
+        }
     }
 
     /// A search follows others that have expanded as many nodes.
     pub fn follow(&mut self, before: u32) {
+        #[cfg(feature = "complete")]
+        let before = self.base.saturating_add(before);
         self.before = before;
+    }
+
+    /// A plan follows others, told as one with it, whose searches have expanded as many nodes.
+    #[cfg(feature = "complete")]
+    pub fn continue_after(&mut self, expanded: u32) {
+        (self.base, self.before) = (expanded, expanded);
     }
 
     /// The searches have ended; what follows checks and measures their path.

@@ -37,6 +37,10 @@ pub(super) fn plan(scene: &Scenario, geometry: &Geometry, plan: &Plan) -> JsValu
         set(&answer, "member", &write(member));
     }
     #[cfg(feature = "complete")]
+    if let Some(goal) = &plan.goal {
+        set(&answer, "goal", &write(goal));
+    }
+    #[cfg(feature = "complete")]
     if !plan.alternatives.is_empty() {
         let all: js_sys::Array =
             plan.alternatives.iter().map(|one| self::plan(scene, geometry, one)).collect();
@@ -158,12 +162,19 @@ pub(super) fn geometry(scene: &Scenario, geometry: &Geometry) -> Value {
     let points = |list: &[Point]| list.iter().map(|p| [p.x, p.y]).collect::<Vec<_>>();
     let parked =
         |&(slot, pose): &(usize, Pose)| json!({ "slot": slot, "pose": pose, "vehicle": vehicle(&PARKED) });
-    json!({
+    let answer = json!({
         "start": geometry.start,
         "goal": geometry.goal,
         "vehicle": vehicle(&geometry.vehicle),
         "boundary": points(&geometry.boundary),
         "slots": scene.slots.iter().map(|s| points(&s.outline())).collect::<Vec<_>>(),
         "parkedCars": geometry.parked.iter().map(parked).collect::<Vec<_>>(),
-    })
+    });
+    #[cfg(feature = "complete")]
+    if let Some(goals) = &geometry.goals {
+        let mut answer = answer;
+        answer["goals"] = json!(goals.poses);
+        return answer;
+    }
+    answer
 }

@@ -1,5 +1,5 @@
 import { beforeAll, describe, expect, it } from "vitest";
-import { init, planners, Planner, scenario, type Plan, type PlannerId, type Scenario } from "parkade";
+import { init, planners, Planner, scenario, type Plan, type PlannerId } from "parkade";
 import { whyOf } from "../../www/src/panels/failure-words";
 import { thingName } from "../../www/src/panels/status";
 import { gapAt } from "../../www/src/scene/gap";
@@ -13,6 +13,7 @@ import { between } from "../../www/src/view/fly";
 import { alongRoad, stripOf } from "../../www/src/view/layers/lane-strip";
 import { introduce } from "../../www/src/view/identity";
 import { loadChinese } from "./chinese";
+import type { Scenario } from "../../www/src/scene/scenario";
 
 beforeAll(async () => {
   await loadChinese();

@@ -1,4 +1,4 @@
-import { init, sceneGeometry, scenario, scenarios, type Obstacle, type Scenario } from "parkade";
+import { init, sceneGeometry, scenario, scenarios, type Obstacle } from "parkade";
 import { beforeAll, describe, expect, it } from "vitest";
 import { axisOf, coordinateOf, edgeOn, groundOf, LEAST, MOST_CELLS, moveSide, outward, roomOf, SIDES, sizeAlong, type Side } from "../../www/src/scene/ground";
 import { pack, unpack } from "../../www/src/scene/compact";
@@ -7,6 +7,7 @@ import { boxOf, type Point } from "../../www/src/scene/plane";
 import { outlineOfThing } from "../../www/src/scene/things";
 import { footprint } from "../../www/src/scene/vehicle";
 import { thingsOf } from "../../www/src/store";
+import type { Scenario } from "../../www/src/scene/scenario";
 
 beforeAll(() => init());
 

@@ -1,8 +1,9 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import type { Plan, Scenario } from "parkade";
+import type { Plan } from "parkade";
 import { Lane, PATIENCE_MS, type WorkerLike } from "../../www/src/planning/lane";
 import { WorkerPool } from "../../www/src/planning/pool";
 import type { Reply, Request } from "../../www/src/planning/protocol";
+import type { Scenario } from "../../www/src/scene/scenario";
 
 class FakeWorker implements WorkerLike {
   onmessage: ((event: MessageEvent<Reply>) => void) | null = null;

@@ -1,10 +1,10 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
-import type { Scenario } from "parkade";
 import { describe, expect, it } from "vitest";
 import { chineseReasons } from "../../www/src/i18n/reasons-zh";
 import { bounded } from "../../www/src/scene/foreign";
 import catalogue from "../../www/src/i18n/reasons-zh.json";
+import type { Scenario } from "../../www/src/scene/scenario";
 
 const chineseReason = chineseReasons(catalogue);
 

@@ -1,5 +1,5 @@
 import { readFileSync } from "node:fs";
-import type { MapFrame, Scenario } from "parkade";
+import type { MapFrame } from "parkade";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { fitsLink, forPlanners, withoutCells } from "../../www/src/scene/vast";
@@ -13,6 +13,7 @@ import { steerAngle } from "../../www/src/view/drive";
 import { canExtend, crossesItself, type Point } from "../../www/src/scene/plane";
 import { slotRow } from "../../www/src/scene/slots";
 import { fit, screenToWorld, worldToScreen, zoomAt } from "../../www/src/view/camera";
+import type { Scenario } from "../../www/src/scene/scenario";
 
 const frame: MapFrame = { origin: [-10, -5], width: 80, height: 60, resolution: 0.25 };
 

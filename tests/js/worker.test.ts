@@ -1,10 +1,11 @@
 import { expect, it } from "vitest";
 import {
-  Planner, init, planners, scenario, stopWaitGo, trajectory, type LayerName, type PlannerId, type Pose, type Scenario,
+  Planner, init, planners, scenario, stopWaitGo, trajectory, type LayerName, type PlannerId, type Pose,
 } from "parkade";
 import { Lane, type WorkerLike } from "../../www/src/planning/lane";
 import { WorkerPool } from "../../www/src/planning/pool";
 import type { Reply, Request } from "../../www/src/planning/protocol";
+import type { Scenario } from "../../www/src/scene/scenario";
 
 type Planned = Extract<Reply, { kind: "planned" }>;
 

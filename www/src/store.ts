@@ -1,5 +1,6 @@
-import type { Drive, Encounter, Explanation, Layer, LayerName, Plan, PlannerId, Prefer, Road, Scenario, SceneGeometry } from "parkade";
+import type { Drive, Encounter, Explanation, Layer, LayerName, Plan, PlannerId, Prefer, Road, SceneGeometry } from "parkade";
 import type { Timing } from "./planning/protocol";
+import type { Scenario } from "./scene/scenario";
 import { presetLayers } from "./view/layer-sets";
 
 export type Scene = Scenario;

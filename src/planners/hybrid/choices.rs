@@ -74,8 +74,20 @@ pub fn choices(
     let config = &Config { search_from: SearchFrom::Goal, ..*config };
     let flood = floods.get(kept, false);
     let (tight, trace) = (false, false);
-    let search =
-        Search { query, config, probe: &probe, flood, root, target, mirrored, start, goal, tight, trace };
+    let search = Search {
+        query,
+        config,
+        probe: &probe,
+        flood,
+        root,
+        target,
+        mirrored,
+        start,
+        goal,
+        tight,
+        trace,
+        goals: &[],
+    };
     let mut report = first.counters();
     let work = Work { report: &mut report, scratch, progress };
     let changes = arcs::direction_changes(&first.arcs);
@@ -314,7 +326,7 @@ mod tests {
         let radius = CART.min_turning_radius();
         let costs =
             super::super::cost::CostModel::driven(&config, radius, [target, target]).searching(&level);
-        let setting = Setting { probe, flood, keys, costs, mirrored: false, watch: None };
+        let setting = Setting { probe, flood, keys, costs, mirrored: false, watch: None, roots: &[] };
         Lattice::new(setting, &CART, &config, level, target, 0.02)
     }
 

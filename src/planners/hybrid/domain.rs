@@ -24,6 +24,9 @@ const WORK: u32 = 1000;
 const SPARE: u32 = 1_000_000;
 /// Moves while shuffling are at least this long, metres.
 const SHORTEST: f64 = 0.01;
+/// A key that no lattice cell has.
+#[cfg(feature = "complete")]
+const NO_CELL: u64 = u64::MAX;
 
 /// A node's real-valued state: its pose and the arc that led there.
 #[derive(Debug, Clone, Copy, Default)]
@@ -45,6 +48,9 @@ pub(super) struct Lattice<'a> {
     pub(super) target: Pose,
     pub(super) margin: f64,
     pub(super) max_changes: u32,
+    /// The poses that a search with many roots begins from, all at no cost; none where it begins from one.
+    #[cfg(feature = "complete")]
+    roots: &'a [Pose],
     mirrored: bool,
     watch: Option<&'a RefCell<Watch>>,
     primitives: Vec<Arc>,
@@ -63,6 +69,8 @@ pub(super) struct Setting<'a> {
     /// Whether the tree grows from the goal; `costs` are then, too.
     pub(super) mirrored: bool,
     pub(super) watch: Option<&'a RefCell<Watch>>,
+    #[cfg(feature = "complete")]
+    pub(super) roots: &'a [Pose],
 }
 
 impl<'a> Lattice<'a> {
@@ -93,12 +101,29 @@ impl<'a> Lattice<'a> {
             target,
             margin,
             max_changes: config.max_direction_changes,
+            #[cfg(feature = "complete")]
+            roots: setting.roots,
             mirrored: setting.mirrored,
             watch: setting.watch,
             primitives,
             words: Vec::new(),
             tried: Cell::new((0, 0)),
         }
+    }
+
+    /// The node that a search from `pose` begins at; with many roots none of them, but one before all of them.
+    pub(super) fn root(&self, pose: Pose) -> (NodeId, State) {
+        let state = State { pose, ..State::default() };
+        #[cfg(feature = "complete")]
+        if !self.roots.is_empty() {
+            return (self.keys.borrow_mut().id(NO_CELL), state);
+        }
+        (self.node(pose, 0), state)
+    }
+
+    #[cfg(feature = "complete")]
+    fn is_before_roots(&self, at: &Visit<f64, State>) -> bool {
+        at.parent.is_none() && !self.roots.is_empty()
     }
 
     /// The number of a state's lattice cell.
@@ -157,6 +182,13 @@ impl Domain for Lattice<'_> {
     }
 
     fn successors<S: Relax<f64, State>>(&self, from: Visit<f64, State>, sink: &mut S) {
+        #[cfg(feature = "complete")]
+        if self.is_before_roots(&from) {
+            for &pose in self.roots {
+                sink.emit(self.node(pose, 0), 0.0, State { pose, ..State::default() });
+            }
+            return;
+        }
         let State { pose, motion, .. } = from.label;
         for primitive in &self.primitives {
             for length in self.lengths(pose, primitive).into_iter().filter(|&length| length != 0.0) {
@@ -196,6 +228,10 @@ impl Domain for Lattice<'_> {
     }
 
     fn finish(&mut self, at: Visit<f64, State>, bound: f64) -> Option<Finish<f64, Word>> {
+        #[cfg(feature = "complete")]
+        if self.is_before_roots(&at) {
+            return None;
+        }
         let State { pose, motion, .. } = at.label;
         #[cfg(feature = "complete")]
         let bound = bound.min(self.level.bound);

@@ -56,6 +56,9 @@ pub(super) struct Search<'a> {
     pub(super) tight: bool,
     /// Whether to keep the search tree and the connections that failed.
     pub(super) trace: bool,
+    /// Of several goals, those that are searched from at once; `goal` is then the one that the path at hand comes from.
+    #[cfg(feature = "complete")]
+    pub(super) goals: &'a [Pose],
 }
 
 /// How the first level ended.
@@ -79,6 +82,7 @@ impl<'a> Search<'a> {
     }
 
     /// Searches the first level; tells whether there is a path. `other` is the same question from the other end.
+    #[cfg_attr(feature = "complete", inline(never))]
     pub(super) fn first(&self, other: &dyn Fn() -> Option<Self>, level: Level, work: &mut Work) -> First {
         let weight =
             self.config.heuristic_weight.unwrap_or(if self.tight { TIGHT_WEIGHT } else { level.weight });
@@ -135,7 +139,8 @@ impl<'a> Search<'a> {
     /// Searches once more where the path found reverses far: for one that hardly does.
     #[inline(never)]
     fn reconsider(&self, level: Level, work: &mut Work) {
-        let without = self.costs().with_far_reverse(0.0);
+        let this = self.arrived(&work.report.arcs);
+        let without = this.costs().with_far_reverse(0.0);
         let price = work.report.cost - without.path(self.probe, self.start, &work.report.arcs);
         if price > FAR_REVERSE_PRICE {
             let level = Level {
@@ -144,7 +149,7 @@ impl<'a> Search<'a> {
                 max_expansions: level.max_expansions.min((price * FAR_REVERSE_EFFORT) as u32),
                 ..level
             };
-            self.retry(level, Some(work.report.status), work);
+            this.retry(level, Some(work.report.status), work);
         }
     }
 
@@ -168,9 +173,10 @@ impl<'a> Search<'a> {
         for halvings in 0..3 {
             let level = Level { spacing: level.spacing / f64::from(1 << halvings), ..level };
             let Some((arcs, status)) = self.search(level, work) else { return false };
-            let arcs = self.improve(arcs, level, work.report.margin);
-            if self.verified(&arcs) {
-                let costs = self.costs();
+            let this = self.arrived(&arcs);
+            let arcs = this.improve(arcs, level, work.report.margin);
+            if this.verified(&arcs) {
+                let costs = this.costs();
                 work.report.cost = costs.path(self.probe, self.start, &arcs);
                 work.report.arcs = arcs;
                 work.report.status = status;
@@ -197,7 +203,7 @@ impl<'a> Search<'a> {
         });
         let watch = self.trace.then(|| RefCell::new(Watch::new(self.origin())));
         #[cfg(feature = "complete")]
-        if self.config.search_from == super::SearchFrom::Both && !level.shuffle {
+        if self.config.search_from == super::SearchFrom::Both && !level.shuffle && self.goals.is_empty() {
             let mut tree = tree;
             let found = super::bidirectional::search(self, level, work, &mut tree, watch.as_ref());
             work.report.keep(tree, watch.as_ref());
@@ -218,13 +224,14 @@ impl<'a> Search<'a> {
             costs,
             mirrored: self.mirrored,
             watch: watch.as_ref(),
+            #[cfg(feature = "complete")]
+            roots: self.goals,
         };
         let mut lattice =
             Lattice::new(setting, self.query.vehicle, self.config, level, self.target, report.margin);
         let limits =
             Limits { max_expansions: level.max_expansions, first: self.config.first_shot || level.shuffle };
-        let state = State { pose: self.root, ..State::default() };
-        let root = (lattice.node(self.root, 0), state);
+        let root = lattice.root(self.root);
         let mut observer = (tree, progress.as_mut());
         let found = best_first(&mut lattice, root, limits, &mut scratch.search, &mut observer);
         report.keep(observer.0, watch.as_ref());
@@ -248,6 +255,19 @@ impl<'a> Search<'a> {
         let unproven = level.shuffle || found.end == End::BudgetSpent;
         let status = if unproven { Status::Suboptimal } else { Status::Found };
         Some((arcs, status))
+    }
+
+    /// The same question, asked of the one goal at which a path ends.
+    fn arrived(&self, arcs: &[Arc]) -> Self {
+        #[cfg(feature = "complete")]
+        if !self.goals.is_empty() {
+            return Self {
+                goal: self.goals[super::goals::nearest(self.goals, arcs::end(self.start, arcs))],
+                ..*self
+            };
+        }
+        let _ = arcs;
+        *self
     }
 
     fn improve(&self, arcs: Vec<Arc>, level: Level, margin: f64) -> Vec<Arc> {

@@ -13,6 +13,8 @@ mod config;
 mod cost;
 mod domain;
 mod flood;
+#[cfg(feature = "complete")]
+mod goals;
 mod keys;
 mod level;
 mod obstruction;
@@ -26,6 +28,8 @@ pub use anchor::{Last, anchored};
 #[cfg(feature = "complete")]
 pub use choices::{Prefer, choices};
 pub use config::{Config, Heuristic, Profile, SearchFrom};
+#[cfg(feature = "complete")]
+pub use goals::{plan_any, with_room};
 pub use shots::Shots;
 
 use core::cell::RefCell;
@@ -240,6 +244,7 @@ impl Report {
 /// let report = plan(&query, &Config::default(), &mut Scratch::default(), false, &mut None);
 /// assert_eq!(report.status, Status::Found);
 /// ```
+#[cfg_attr(feature = "complete", inline(never))]
 pub fn plan(
     query: &Query,
     config: &Config,
@@ -280,8 +285,21 @@ pub fn plan(
     if let Some((widest, flood)) = floods.widest() {
         report.margin = floods.margin(widest);
         let tight = clearance < TIGHT;
-        let search =
-            Search { query, config, probe: &probe, flood, root, target, mirrored, start, goal, tight, trace };
+        let search = Search {
+            query,
+            config,
+            probe: &probe,
+            flood,
+            root,
+            target,
+            mirrored,
+            start,
+            goal,
+            tight,
+            trace,
+            #[cfg(feature = "complete")]
+            goals: &[],
+        };
         portfolio::plan(search, &floods, widest, &mut Work { report: &mut report, scratch, progress });
     } else {
         report.margin = floods.least();

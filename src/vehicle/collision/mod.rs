@@ -9,5 +9,7 @@ mod probe;
 #[cfg(test)]
 mod tests;
 
+#[cfg(feature = "complete")]
+pub(crate) use obstacles::contains;
 pub use obstacles::{Edge, Obstacles, Solid};
 pub use probe::Probe;

@@ -271,7 +271,8 @@ fn bounds(points: impl IntoIterator<Item = Point>) -> (Point, Point) {
     })
 }
 
-fn contains(outline: &[Point], p: Point) -> bool {
+/// Whether a point is inside a simple polygon.
+pub(crate) fn contains(outline: &[Point], p: Point) -> bool {
     let mut odd = false;
     for (i, &a) in outline.iter().enumerate() {
         let b = outline[(i + 1) % outline.len()];

@@ -114,6 +114,31 @@ export type VehicleSpec = "paper" | "sedan" | "ship" | Vehicle;
 
 export type Goal = Pose | { slot: string; entry: "reverse-in" | "head-in" };
 
+/**
+ * Several goals, of which a plan takes the one that is the cheapest to reach and names it in `goal`. Not in `parkade/core`, nor
+ * on the page.
+ *
+ * - Slots by their ids, or every free one. Occupied slots are left out.
+ * - Poses, 1 to 1000. Those at which the car overlaps something are left out.
+ * - A region: a simple polygon that shall hold the whole car, and where its nose shall point, ± 15°; anywhere without `heading`.
+ *
+ * The `hybrid` planners search from all goals at once; the other planners go to one goal after another.
+ */
+export type GoalSet =
+  | { slots: "free" | string[]; entry: "either" | "reverse-in" | "head-in" }
+  | Pose[]
+  | { region: [number, number][]; heading?: number };
+
+/** The goal of a `GoalSet` that a path leads to. */
+export interface TakenGoal {
+  /** Of the pose in the list, or of the slot in the scene's `slots`; 0 in a region. */
+  index: number;
+  /** The slot's id, if it has one. */
+  slot?: string;
+  entry?: "reverse-in" | "head-in";
+  pose: Pose;
+}
+
 /** Runs of brushed cells: x of the first, y, number of cells eastward. */
 export type Run = [number, number, number];
 
@@ -124,7 +149,7 @@ export interface CostArea {
   weight: number;
 }
 
-export interface Scenario {
+export interface Scenario<AnyGoal extends Goal | GoalSet = Goal | GoalSet> {
   version: 1;
   name?: string;
   map: MapFrame;
@@ -139,7 +164,7 @@ export interface Scenario {
   speedLimits?: SpeedLimit[];
   vehicle?: VehicleSpec;
   start: Pose;
-  goal: Goal;
+  goal: AnyGoal;
   /** Settings per planner id, laid over that planner's defaults. */
   planners?: Partial<Record<PlannerId, Record<string, unknown>>>;
 }
@@ -322,6 +347,8 @@ export interface Plan {
   reason: string | null;
   /** Where it fails, when there is no path and that is known. */
   obstruction: Obstruction | null;
+  /** Where there is a path and the scene has a set of goals: the one that it leads to. */
+  goal?: TakenGoal;
   /** x, y, heading, … at most 0.1 m apart (grid paths beyond 5 km: 50 000 poses). */
   path: Float64Array;
   /** Per pose: +1 forward, −1 reverse. */
@@ -456,7 +483,10 @@ export interface ScenarioInfo {
 /** A scene resolved to plain geometry, metres. */
 export interface SceneGeometry {
   start: Pose;
+  /** Of a set of goals the first, whether or not the car has room there; the start where there is none. */
   goal: Pose;
+  /** A set of goals: every slot's poses, the list, or a sample of the region. Not in scenes with one goal. */
+  goals?: TakenGoal[];
   vehicle: Required<Vehicle> & { minTurningRadius: number };
   boundary: [number, number][];
   /** Outlines of each slot's four corners: near left, near right, far right, far left, seen from the aisle. */
@@ -482,7 +512,7 @@ export function version(): string;
 export function planners(): PlannerInfo[];
 export function defaultConfig(planner: PlannerId): Record<string, unknown>;
 export function scenarios(): ScenarioInfo[];
-export function scenario(id: string): Scenario;
+export function scenario(id: string): Scenario<Goal>;
 /** Checks a scene and resolves it to geometry. Throws ParkadeError. */
 export function sceneGeometry(scene: Scenario): SceneGeometry;
 /** Re-checks any path (x, y, heading, …) against a scene. `directions` defaults to forward throughout. */
@@ -553,7 +583,7 @@ export type Family =
   | { family: "regular" | "trap"; size: number; seed: number };
 
 /** Draws a map of a family, one metre a cell, from corner to corner. `parkade` only, not `parkade/core`. */
-export function generateScenario(family: Family): Scenario;
+export function generateScenario(family: Family): Scenario<Goal>;
 
 /** A row of tables 3 and 4 of Hu et al. 2024; printed values of four neighbours, eight neighbours, the improved planner. */
 export interface PaperRow {
@@ -690,7 +720,8 @@ export class Planner {
   constructor(planner: PlannerId, scene: Scenario, config?: Record<string, unknown>);
   /**
    * `start` and `goal` take the place of the scene's in this plan, and in `layer`, `explain` and `anyAngleLength` until the next
-   * one; a second plan on the same map prepares nothing anew. `parkade/core` takes poses only, no slots.
+   * one; a second plan on the same map prepares nothing anew. `goal` is one pose or slot, no set of them. `parkade/core` takes
+   * poses only, no slots.
    *
    * `onProgress` is called while the search goes on: each 16 384 cells, or each 256 poses of a car, with the expansions so far;
    * and once when it has ended, with the plan's `stats.expanded`, before the path is followed, checked and measured. What it

@@ -20,6 +20,8 @@ export function toSVG(given, plans = [], options = {}) {
   const scene = unpackedScene(JSON.parse(data));
   const title = text(options.title ?? scene.name ?? "", "title");
   const drawn = (Array.isArray(plans) ? plans : [plans]).map((plan, i) => checkPlan(object(plan, `plans[${i}]`)));
+  // Pictures show one goal.
+  if (geometry.goals) scene.goal = geometry.goal = drawn.find(({ goal }) => goal)?.goal?.pose ?? geometry.goal;
   const picture = {
     scene, geometry, data, title, width, height, theme, camera, element: layout || controls ? { layout: layout ?? "single", controls: controls ?? "none" } : null, planners: planners(), plans: drawn,
     layers: object(layers, "layers"), colours: object(colours, "colours"),

@@ -4,7 +4,7 @@ import { introduce } from "../view/identity";
 import { LAYER_PRESETS, presetLayers, presetOf } from "../view/layer-sets";
 import { extentFor, loadEngine, type Engine } from "../planning/module";
 import { Planning } from "../planning/planning";
-import { checkedScene } from "../scene/foreign";
+import { checkedScene, geometryOf } from "../scene/foreign";
 import { ensureIds } from "../scene/model";
 import { forPlanners } from "../scene/vast";
 import { createStore, FIRST_PLANNERS, type Scene, type State, type Store } from "../store";
@@ -325,7 +325,7 @@ function catalogOf(engine: Engine): Catalog {
         opened.set(id, scene);
         return structuredClone(scene);
       },
-      geometry: (scene) => api.sceneGeometry(forPlanners(scene, api.packRuns)),
+      geometry: (scene) => geometryOf(scene, api),
       checked: (scene) => checkedScene(scene, api),
     };
     introduce(catalog.planners);

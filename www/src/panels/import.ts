@@ -1,10 +1,11 @@
-import type { ImportedQuery, Scenario } from "parkade";
+import type { ImportedQuery } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import { sentence } from "../element/app";
 import { reasonIn } from "../i18n/index";
 import { words } from "../i18n/words";
 import { Helper, JobError, joined } from "../planning/helper";
 import { ensureIds } from "../scene/model";
+import type { Scenario } from "../scene/scenario";
 import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
 import { vast } from "../view/pieces";

@@ -1,5 +1,6 @@
 /** A scene and its plans as the page first shows them, drawn by the page's own layers. */
-import type { Layer, LayerName, Plan, PlannerInfo, Scenario, SceneGeometry } from "parkade";
+import type { Layer, LayerName, Plan, PlannerInfo, SceneGeometry } from "parkade";
+import type { Scenario } from "../scene/scenario";
 import { emptyResult, initialState, type Camera, type State } from "../store";
 import { cameraFor } from "../view/camera";
 import { makeFrame, type Context } from "../view/frame";

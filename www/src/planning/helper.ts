@@ -1,6 +1,6 @@
 /** A worker of the complete module for one long job after another. */
-import type { Scenario } from "parkade";
 import type { Run } from "../scene/cells";
+import type { Scenario } from "../scene/scenario";
 import { rememberPacked } from "../scene/vast";
 import type { JobName, JobReply, JobRequest, Jobs, Moved } from "./jobs";
 import type { Engine } from "./module";

@@ -1,7 +1,8 @@
 /** What workers of the complete module do beside planning. */
-import type { Family, ImportOptions, Imported, PaperRow, ParkingRow, ParkingTable, PaperTable, Plan, PlannerId, PaperClaim, RoadFigures, RoadRow, RoadTable, Scenario } from "parkade";
+import type { Family, ImportOptions, Imported, PaperRow, ParkingRow, ParkingTable, PaperTable, Plan, PlannerId, PaperClaim, RoadFigures, RoadRow, RoadTable } from "parkade";
 import { Planner, collisionRisk, generateScenario, importScene, init, packRuns, paperGrid, paperGridRows, paperGridSummary, paperParking, paperParkingRows, paperRoad, paperRoadRows, roadFigures } from "parkade";
 import type { Run } from "../scene/cells";
+import type { Scenario } from "../scene/scenario";
 import { failureOf } from "./failure";
 import type { Failure, Request } from "./protocol";
 import type { Risk } from "./risk";
@@ -43,9 +44,10 @@ const JOBS = {
       made.free();
     }
   },
-  import: ({ files, options }: { files: Record<string, Uint8Array>; options: ImportOptions }): Moved<Omit<Imported, "scene">> => {
+  import: ({ files, options }: { files: Record<string, Uint8Array>; options: ImportOptions }): Moved<Omit<Imported, "scene" | "scenes"> & { scenes: Scenario[] }> => {
     const { format, scenes, queries, notes } = importScene(files, options);
-    const { value, cells } = apart(scenes);
+    // Whoever opens one refuses sets of goals.
+    const { value, cells } = apart(scenes as Scenario[]);
     return { value: { format, scenes: value, queries, notes }, cells };
   },
   generate: (family: Family): Moved<Scenario[]> => apart([generateScenario(family)]),

@@ -1,4 +1,5 @@
-import type { Explanation, LayerName, Limits, PlannerId, Prefer, Scenario } from "parkade";
+import type { Explanation, LayerName, Limits, PlannerId, Prefer } from "parkade";
+import type { Scenario } from "../scene/scenario";
 import type { Holder, WorkerPool } from "./pool";
 import type { Ends, Failure, Layers, Reply, Request, Timing, Waiting } from "./protocol";
 

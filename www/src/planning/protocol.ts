@@ -1,4 +1,5 @@
-import type { Drive, Encounter, Explanation, Layer, LayerName, Limits, Plan, PlannerId, Pose, Prefer, Scenario } from "parkade";
+import type { Drive, Encounter, Explanation, Layer, LayerName, Limits, Plan, PlannerId, Pose, Prefer } from "parkade";
+import type { Scenario } from "../scene/scenario";
 
 /** What a planner's worker is asked. */
 export type Request =

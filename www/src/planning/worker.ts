@@ -1,4 +1,5 @@
-import type { Drive, Encounter, Limits, Plan, Planner, PlannerId, Scenario } from "parkade";
+import type { Drive, Encounter, Limits, Plan, Planner, PlannerId } from "parkade";
+import type { Scenario } from "../scene/scenario";
 import { failureOf } from "./failure";
 import type { Ends, Layers, PlanRequest, Reply, Request, Timing, Waiting } from "./protocol";
 

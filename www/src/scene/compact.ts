@@ -1,6 +1,7 @@
 /** The short form of a scene behind a link: whole centimetres, tenths of a degree, lists instead of names. */
-import type { CostArea, Goal, Lane, MovingObstacle, Obstacle, Pose, Scenario, Slot, SpeedLimit, VehicleSpec } from "parkade";
+import type { CostArea, Goal, Lane, MovingObstacle, Obstacle, Pose, Slot, SpeedLimit, VehicleSpec } from "parkade";
 import type { Point } from "./plane";
+import type { Scenario } from "./scenario";
 
 type Item = number | string | Item[] | Record<string, unknown> | null;
 

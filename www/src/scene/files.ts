@@ -1,5 +1,5 @@
 /** Scenes as files. */
-import type { Scenario } from "parkade";
+import type { Scenario } from "./scenario";
 
 /** A scene file as people read it: two spaces, a closing newline. */
 export function sceneToFile(scene: Scenario): Blob {

@@ -1,7 +1,8 @@
 /** Scenes that come from outside: links, files, messages, storage, other pages. */
-import type { Scenario, SceneGeometry } from "parkade";
+import type { SceneGeometry } from "parkade";
 import type { Run } from "./cells";
 import { ensureIds } from "./model";
+import type { Scenario } from "./scenario";
 import { forPlanners } from "./vast";
 
 /** What of the planners' module knows about scenes. */
@@ -15,10 +16,16 @@ interface Module {
 const MOST_THINGS = 2000, MOST_POINTS = 50_000, LONGEST_TEXT = 200;
 
 /** The scene as the page keeps it; throws what is wrong with it. */
-export function checkedScene(scene: Scenario, { sceneGeometry, packRuns, unpackRuns }: Module): Scenario {
-  bounded(scene);
-  sceneGeometry(forPlanners(scene, packRuns));
-  return ensureIds(withRuns(withoutNulls(scene), unpackRuns));
+export function checkedScene(scene: Scenario, module: Module): Scenario {
+  geometryOf(bounded(scene), module);
+  return ensureIds(withRuns(withoutNulls(scene), module.unpackRuns));
+}
+
+/** The geometry of a scene with one goal: the page knows nothing of more. */
+export function geometryOf(scene: Scenario, { sceneGeometry, packRuns }: Module): SceneGeometry {
+  const geometry = sceneGeometry(forPlanners(scene, packRuns));
+  if (geometry.goals) throw new Error("goal: must be one pose or slot");
+  return geometry;
 }
 
 /** The same scene, unless it is larger than a page can draw. What is no scene at all is for the planners to refuse. */
@@ -27,12 +34,12 @@ export function bounded(scene: Scenario): Scenario {
   const things = lists.flatMap(([, list]) => list) as ({ id?: unknown; points?: unknown } | null)[];
   limit(lists.map(([key]) => key).join(" and "), "objects", things.length, MOST_THINGS);
   limit("points", "points", things.reduce((sum, one) => sum + (Array.isArray(one?.points) ? one.points.length : 0), 0), MOST_POINTS);
-  for (const [field, text] of [["name", scene?.name], ...things.map((one) => ["id", one?.id])]) if (typeof text === "string") limit(String(field), "characters", text.length, LONGEST_TEXT);
+  for (const [field, text] of [["name", scene?.name], ...things.map((one) => ["id", one?.id] as const)] as const) if (typeof text === "string") limit(field, "characters", text.length, LONGEST_TEXT);
   return scene;
 }
 
 function limit(field: string, unit: string, count: number, most: number): void {
-  if (count > most) throw new RangeError(`${field}: must be at most ${most} ${unit}, got ${count}`);
+  if (count > most) throw new Error(`${field}: must be at most ${most} ${unit}, got ${count}`);
 }
 
 /** To the planners null is as good as absent, but not to the page; the same object where there is none. Settings may be null. */

@@ -1,7 +1,8 @@
 /** The ground's sides: what stands in their way, and the scene with one of them elsewhere. */
-import type { Pose, Scenario } from "parkade";
+import type { Pose } from "parkade";
 import { footprint, mapOutline, resolve, type Scene } from "./model";
 import { boxOf, type Box, type Point } from "./plane";
+import type { Scenario } from "./scenario";
 import { outlineOfThing } from "./things";
 import { thingsOf } from "../store";
 

@@ -1,7 +1,8 @@
 /** Pictures as maps: what is dark, or light, is a wall. */
-import type { Pose, Scenario } from "parkade";
+import type { Pose } from "parkade";
 import type { Run } from "./cells";
 import { towards } from "./plane";
+import type { Scenario } from "./scenario";
 import { vehicleOf } from "./vehicle";
 
 /** Red, green, blue, alpha, row by row from the top. */

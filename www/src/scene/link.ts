@@ -1,9 +1,9 @@
 /** Scenes in a link's hash: a version digit, then base64url of the deflated short form. */
-import type { Scenario } from "parkade";
 import { pack, unpack } from "./compact";
 import { checkScene } from "./files";
 import { bounded } from "./foreign";
 import { ensureIds } from "./model";
+import type { Scenario } from "./scenario";
 import { fitsLink } from "./vast";
 
 const VERSION = "1";

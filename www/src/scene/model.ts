@@ -1,7 +1,8 @@
 /** The scene as the page edits it: every edit gives a new scene and leaves the old one as it was. */
-import type { CostArea, MovingObstacle, Obstacle, Pose, Scenario, Slot, VehicleSpec } from "parkade";
+import type { CostArea, MovingObstacle, Obstacle, Pose, Slot, VehicleSpec } from "parkade";
 import { convexRuns, sameRuns, subtractRuns, unionRuns, type Run } from "./cells";
 import { wrapAngle, type Point } from "./plane";
+import type { Scenario } from "./scenario";
 import { slotOutline, parkedPose, poseInSlot, type Entry } from "./slots";
 import type { Shape } from "./shapes";
 import { thingsOf } from "../store";

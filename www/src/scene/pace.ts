@@ -1,5 +1,6 @@
 /** How fast cars are driven: on roads they need not creep. */
-import type { Limits, Scenario } from "parkade";
+import type { Limits } from "parkade";
+import type { Scenario } from "./scenario";
 
 const ROAD: Limits = { speed: 10, acceleration: 1.5, deceleration: 2, lateralAcceleration: 2, jerk: 2 };
 

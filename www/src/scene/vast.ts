@@ -1,7 +1,8 @@
 /** Scenes of very many cells: what is sent, checked and kept of them must not grow with every edit. */
-import type { Obstacle, Scenario } from "parkade";
+import type { Obstacle } from "parkade";
 import type { Run } from "./cells";
 import type { CellsObstacle } from "./model";
+import type { Scenario } from "./scenario";
 
 /** Runs of one obstacle beyond which it is handled as a whole. */
 export const MANY = 2000;

@@ -1,5 +1,6 @@
 /** The one map from metres to pixels, and what moves it. */
-import type { Plan, Pose, Scenario, SceneGeometry } from "parkade";
+import type { Plan, Pose, SceneGeometry } from "parkade";
+import type { Scenario } from "../scene/scenario";
 import type { Camera, State } from "../store";
 import { resolve } from "../scene/model";
 import { boxOf, fromPose, type Box, type Point } from "../scene/plane";

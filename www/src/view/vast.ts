@@ -1,7 +1,8 @@
 /** Huge maps as pictures of one pixel a cell, smaller copies of them for smaller scales, and edges only close up. */
-import type { Layer, MapFrame, Obstacle, Plan, Scenario } from "parkade";
+import type { Layer, MapFrame, Obstacle, Plan } from "parkade";
 import { firstOfRow, type Run } from "../scene/cells";
 import type { Point } from "../scene/plane";
+import type { Scenario } from "../scene/scenario";
 import { MANY } from "../scene/vast";
 import { screenToWorld } from "./camera";
 import { GHOST, inMetres, inPixels, pixels, toScreen, type Frame, type Shown } from "./frame";

@@ -13,7 +13,7 @@ export async function check([place, path, ...more], values) {
     const { boundary, slots, vehicle } = sceneGeometry(scene);
     const facts = { obstacles: scene.obstacles?.length ?? 0, slots: slots.length, corners: boundary.length, minTurningRadius: vehicle.minTurningRadius };
     // Maps of other programs have no car of their own, and ROS maps no start.
-    const blocked = isMap(place) ? [] : overlaps(scene), words = blocked.map(({ end, obstacle }) => `${end}-blocked: the car overlaps ${obstacle} at the ${end}`);
+    const blocked = isMap(place) ? [] : overlaps(scene), words = blocked.map(({ end, obstacle }) => `${end}-blocked: ${obstacle === undefined ? "no slot of the goal is free, or the car does not fit into its region" : `the car overlaps ${obstacle} at the ${end}`}`);
     if (words.length === 0) words.push(`ok: ${facts.obstacles} obstacles, ${facts.slots} slots, a car that turns in ${facts.minTurningRadius.toFixed(2)} m`);
     await write(format === "json" ? toJSON({ ...facts, blocked }, 2) : `${words.join("\n")}\n`);
     return blocked.length > 0 ? 1 : 0;
@@ -26,11 +26,13 @@ export async function check([place, path, ...more], values) {
 
 /** The ends of the scene at which its car has no place. @param {import("../index.js").Scenario} scene */
 function overlaps(scene) {
-  const { start, goal } = sceneGeometry(scene);
-  return Object.entries({ start, goal }).flatMap(([end, { x, y, heading }]) => {
-    const { firstHit } = checkPath(scene, [x, y, heading]);
-    return firstHit ? [{ end, obstacle: firstHit.obstacle }] : [];
-  });
+  const { start, goal, goals } = sceneGeometry(scene);
+  const hit = (/** @type {import("../index.js").Pose} */ { x, y, heading }) => checkPath(scene, [x, y, heading]).firstHit?.obstacle;
+  const blocked = hit(start) === undefined ? [] : [{ end: "start", obstacle: hit(start) }];
+  // Of several goals, one with room is enough.
+  const poses = goals?.map(({ pose }) => pose) ?? [goal];
+  if (poses.some((pose) => hit(pose) === undefined)) return blocked;
+  return [...blocked, { end: "goal", obstacle: poses[0] && hit(poses[0]) }];
 }
 
 /** @param {import("../index.js").Check} found */

@@ -32,9 +32,16 @@ export async function plan(places, values) {
   if (!first) throw new Refused("--planner: needs a planner");
   const text = format === "json" ? toJSON(first) : format === "csv" ? toCSV(scene, first) : toSVG(scene, plans, { width, height, theme, layers, ...place });
   await write(text, values.out);
+  for (const { planner, goal } of plans) if (goal && format !== "json") process.stderr.write(`parkade: ${plans.length > 1 ? `${planner}: ` : ""}goal: ${named(goal)}\n`);
   const failed = plans.filter((one) => one.outcome !== "found");
   for (const { planner, outcome, reason } of failed) process.stderr.write(`parkade: ${plans.length > 1 ? `${planner}: ` : ""}${outcome}: ${reason ?? ""}\n`);
   return failed.length > 0 ? 1 : 0;
+}
+
+/** @param {import("../index.js").TakenGoal} goal */
+function named({ slot, entry, pose: { x, y, heading } }) {
+  const place = `x ${x.toFixed(2)} m, y ${y.toFixed(2)} m, heading ${heading.toFixed(3)} rad`;
+  return [slot, entry, place].filter(Boolean).join(", ");
 }
 
 /** @param {string} [text] @returns {[number, number]} */

@@ -42,9 +42,9 @@ function planned({ scene, planner, content }) {
     if (last.of !== content) last = { of: content, scene: parsed(scene, content) };
     const prepared = new Planner(planner, /** @type {any} */ (last.scene), config);
     try {
-      const { outcome, detail, reason, metrics, stats, check, hash } = prepared.plan();
+      const { outcome, detail, reason, goal, metrics, stats, check, hash } = prepared.plan();
       const { verdict, drivable } = check;
-      return /** @type {object} */ ({ outcome, detail, reason, verdict, drivable, metrics, stats, hash });
+      return /** @type {object} */ ({ outcome, detail, reason, goal, verdict, drivable, metrics, stats, hash });
     } finally {
       prepared.free();
     }

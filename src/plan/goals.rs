@@ -1,0 +1,123 @@
+//! To whichever of several goals is the cheapest to reach.
+
+use std::ops::ControlFlow;
+
+use super::{Driven, Engine, NEAR, Options, Outcome, Plan, Planner, Tell, measured};
+use crate::geometry::{Pose, math};
+use crate::scenario::{GoalPose, Goals};
+
+/// Expansions of cells after which no further goal is tried.
+const EFFORT: u32 = 50_000_000;
+
+impl Planner {
+    /// Plans to the cheapest goal: in one search with hybrid A*, else to one goal after another.
+    pub(super) fn plan_any(&mut self, start: Pose, goals: &Goals, options: Options) -> Plan {
+        let mut poses: Vec<Pose> = goals.poses.iter().map(|goal| goal.pose).collect();
+        if poses.is_empty() {
+            self.world.geometry.start = start;
+            let mut plan = measured(&self.world, Outcome::GoalBlocked, Driven::default(), NEAR);
+            (plan.planner, plan.reason) = (self.kind.id(), Some(goals.empty_reason().to_owned()));
+            return plan;
+        }
+        let mut plan = if let Engine::Hybrid(engine) = &mut self.engine {
+            if goals.is_sample() {
+                engine.keep_roomy(&self.world, &mut poses);
+            }
+            let ends = [start, poses[0]];
+            engine.goals = poses;
+            self.toward(ends, options)
+        } else {
+            self.one_by_one(start, &poses, options)
+        };
+        if let Engine::Hybrid(engine) = &mut self.engine {
+            engine.goals.clear();
+        }
+        let goal = self.world.geometry.goal;
+        let nearest = goals.poses.iter().find(|one| one.pose == goal);
+        match (plan.outcome, nearest) {
+            (Outcome::Found, _) => plan.goal = nearest.cloned(),
+            (Outcome::StartBlocked | Outcome::StartOutside, _) => {}
+            (_, Some(nearest)) if goals.poses.len() > 1 => {
+                let own = plan.reason.unwrap_or_default();
+                plan.reason = Some(format!("No path to any goal. {}: {own}", named(nearest)));
+            }
+            _ => {}
+        }
+        plan
+    }
+
+    /// Plans for each goal, and once more for the one with the cheapest path, else for that whose failure tells most. Goals that
+    /// are nearer as the crow flies come first; those farther away than the best path is dear cannot be cheaper.
+    fn one_by_one(&mut self, start: Pose, goals: &[Pose], mut options: Options) -> Plan {
+        let mut straight: Vec<f64> = goals.iter().map(|goal| (goal.point() - start.point()).norm()).collect();
+        let frame = self.world.frame;
+        // Costs are counted from middles of cells, on roads from the car's middle.
+        let slack = 2.0 * frame.resolution + self.world.geometry.vehicle.length();
+        let is_grid = matches!(self.engine, Engine::Grid(_));
+        let (mut seen, mut best) = (Vec::new(), (f64::INFINITY, goals[0]));
+        let (mut expanded, mut is_stopped) = (0_u32, false);
+        while goals.len() > 1 && expanded < EFFORT && !is_stopped {
+            let at = math::argmin(&straight);
+            let distance = core::mem::replace(&mut straight[at], f64::INFINITY);
+            if distance.is_infinite() || distance - slack >= best.0 {
+                break;
+            }
+            let cell = frame.cell_at(goals[at].point());
+            if is_grid && cell.is_some() && seen.contains(&cell) {
+                continue;
+            }
+            seen.push(cell);
+            let mut tell = |count| {
+                let flow = told(&mut options.progress, expanded, count);
+                is_stopped |= flow.is_break();
+                flow
+            };
+            let own = Options { progress: Some(&mut tell), ..Options::default() };
+            let plan = self.toward([start, goals[at]], own);
+            expanded = expanded.saturating_add(plan.stats.expanded);
+            let price = self.price(&plan);
+            if price < best.0 || seen.len() == 1 {
+                best = (price, goals[at]);
+            }
+        }
+        let is_over = expanded >= EFFORT;
+        let mut tell = |count| told(&mut options.progress, expanded, count);
+        let last = Options { trace: options.trace, progress: Some(&mut tell), ..Options::default() };
+        let mut plan = self.toward([start, best.1], last);
+        plan.stats.expanded = plan.stats.expanded.saturating_add(expanded);
+        if is_over && plan.outcome != Outcome::Found {
+            plan.outcome = Outcome::BudgetSpent;
+        }
+        plan
+    }
+
+    /// What a plan's path costs under its planner's settings, metres. Failures are dearer than any path, those that tell more
+    /// less so; a car that cannot start has no better goal.
+    fn price(&self, plan: &Plan) -> f64 {
+        let cells = plan.stats.cost_micro.map(|cost| cost as f64 * 1e-6 * self.world.frame.resolution);
+        let road = plan.metrics.road.as_ref().map(|road| road.cost);
+        match plan.outcome {
+            Outcome::Found => cells.or(road).unwrap_or(plan.metrics.length),
+            Outcome::StartBlocked | Outcome::StartOutside => f64::NEG_INFINITY,
+            Outcome::BudgetSpent => 1e100,
+            Outcome::NoPath => 1e101,
+            Outcome::GoalBlocked | Outcome::GoalOutside => f64::INFINITY,
+        }
+    }
+}
+
+/// Tells of expansions that follow others.
+fn told(tell: &mut Option<Tell>, before: u32, count: u32) -> ControlFlow<()> {
+    match tell {
+        Some(tell) => tell(before.saturating_add(count)),
+        None => ControlFlow::Continue(()),
+    }
+}
+
+/// A goal in a message.
+fn named(goal: &GoalPose) -> String {
+    match &goal.slot {
+        Some(slot) => format!("At {slot}"),
+        None => format!("At ({:.2}, {:.2})", goal.pose.x, goal.pose.y),
+    }
+}

@@ -1,0 +1,236 @@
+//! One of several goals, whichever is the cheapest to reach.
+//!
+//! The tree grows from the goals, so one search may begin at all of them: a node before them leads to each at no cost, and
+//! the first connection to the start comes from the goal of the cheapest path. It searches the coarse level, which answers
+//! nearly always; where it does not, each goal is planned for on its own until one has a path.
+
+use super::flood::Flood;
+use super::level::{Search, Work};
+use super::{Config, HAIR, Query, Report, Scratch, Status, TIGHT, empty, plan};
+use crate::geometry::{Pose, arcs, math, reeds_shepp};
+use crate::search::Progress;
+use crate::vehicle::Vehicle;
+use crate::vehicle::collision::{Obstacles, Probe};
+
+/// Expansions after which no further goal is planned for on its own: four goals that nobody can reach may take as many.
+const EFFORT: u32 = 600_000;
+
+/// Plans a path to the cheapest of some goals, one at least; tells which. The query's own goal is ignored.
+///
+/// Goals at which the body overlaps something are left out. All searches count together.
+///
+/// # Panics
+/// Without goals.
+///
+/// # Examples
+/// ```
+/// use parkade::geometry::{Point, Pose};
+/// use parkade::planners::hybrid::{Config, Query, Scratch, Status, plan_any};
+/// use parkade::vehicle::Vehicle;
+/// use parkade::vehicle::collision::{Obstacles, Solid};
+///
+/// let corners = [(0.0, 0.0), (40.0, 0.0), (40.0, 30.0), (0.0, 30.0)];
+/// let floor = Solid { outline: corners.map(|(x, y)| Point::new(x, y)).to_vec(), owner: 0 };
+/// let obstacles = Obstacles::new(&[], &[], &floor);
+/// let goals = [(35.0, 25.0), (12.0, 6.0), (39.0, 5.0)].map(|(x, y)| Pose::new(x, y, 0.0));
+/// let start = Pose::new(5.0, 5.0, 0.0);
+/// let query = Query { obstacles: &obstacles, vehicle: &Vehicle::SEDAN, start, goal: start };
+/// let (goal, report) = plan_any(&query, &goals, &Config::default(), &mut Scratch::default(), false, &mut None);
+/// assert_eq!((goal, report.status), (1, Status::Found));
+/// ```
+pub fn plan_any(
+    query: &Query,
+    goals: &[Pose],
+    config: &Config,
+    scratch: &mut Scratch,
+    trace: bool,
+    progress: &mut Option<Progress>,
+) -> (usize, Report) {
+    let probe = Probe::new(query.obstacles, query.vehicle);
+    let local = |pose| query.obstacles.local(pose);
+    let mut free: Vec<usize> = Vec::new();
+    if goals.len() > 1 {
+        free = with_room(query.obstacles, query.vehicle, goals, 0.0);
+    }
+    let here = goals.iter().position(|&goal| is_same(goal, query.start));
+    if here.is_some() || free.len() < 2 || !is_free(&probe, query.obstacles, query.start, 0.0) {
+        let only = here.or(free.first().copied()).unwrap_or(0);
+        return (only, plan(&Query { goal: goals[only], ..*query }, config, scratch, trace, progress));
+    }
+    let poses: Vec<Pose> = free.iter().map(|&at| local(goals[at])).collect();
+    let worlds = free.iter().map(|&at| goals[at]).collect();
+    let many = Many { query, config, trace, probe: &probe, start: local(query.start), goals: &poses, worlds };
+    let (at, report) = many.plan(scratch, progress);
+    (free[at], report)
+}
+
+/// Of some poses those at which the body keeps `margin`, metres.
+pub fn with_room(obstacles: &Obstacles, vehicle: &Vehicle, poses: &[Pose], margin: f64) -> Vec<usize> {
+    let probe = Probe::new(obstacles, vehicle);
+    let has_room = |&at: &usize| is_free(&probe, obstacles, poses[at], margin);
+    (0..poses.len()).filter(has_room).collect()
+}
+
+fn is_free(probe: &Probe, obstacles: &Obstacles, pose: Pose, margin: f64) -> bool {
+    let pose = obstacles.local(pose);
+    obstacles.inside(pose.point()).is_none() && probe.hit(pose, margin).is_none()
+}
+
+/// The goal nearest to a pose.
+pub(super) fn nearest(goals: &[Pose], to: Pose) -> usize {
+    let apart = |goal: &Pose| {
+        let turn = math::turn(goal.heading, to.heading);
+        (goal.point() - to.point()).norm_squared() + turn * turn
+    };
+    math::argmin(&goals.iter().map(apart).collect::<Vec<_>>())
+}
+
+fn is_same(a: Pose, b: Pose) -> bool {
+    (a.point() - b.point()).norm() <= 1e-6 && math::turn(a.heading, b.heading).abs() <= 1e-6
+}
+
+/// A question with two goals or more, at each of which the car has room.
+struct Many<'a> {
+    query: &'a Query<'a>,
+    config: &'a Config,
+    trace: bool,
+    probe: &'a Probe<'a>,
+    /// In local coordinates, as the goals.
+    start: Pose,
+    goals: &'a [Pose],
+    worlds: Vec<Pose>,
+}
+
+impl Many<'_> {
+    fn plan(&self, scratch: &mut Scratch, progress: &mut Option<Progress>) -> (usize, Report) {
+        let clearances: Vec<f64> = self.goals.iter().map(|&goal| self.clearance(goal)).collect();
+        let least = clearances.iter().copied().fold(f64::INFINITY, f64::min);
+        let mut sum = self.at_once(least, scratch, progress);
+        if sum.arcs.is_empty() {
+            return self.one_by_one(sum, scratch, progress);
+        }
+        let at = nearest(self.goals, arcs::end(self.start, &sum.arcs));
+        sum.rs_bound =
+            reeds_shepp::distance(self.start, self.goals[at], self.query.vehicle.min_turning_radius());
+        // Another goal has less room, for which this one need not be entered closely.
+        if self.margin(clearances[at]) > sum.margin {
+            let again = self.alone(at, &sum, scratch, progress);
+            if !again.arcs.is_empty() {
+                return (at, again);
+            }
+        }
+        (at, sum)
+    }
+
+    fn clearance(&self, pose: Pose) -> f64 {
+        self.probe.clearance(pose, self.config.margin.max(TIGHT))
+    }
+
+    /// The margin to a goal with this much room.
+    fn margin(&self, clearance: f64) -> f64 {
+        self.config.margin.max(HAIR).min(clearance).min(self.clearance(self.start))
+    }
+
+    /// One search of the first level from all goals, the tightest of which has `least` room.
+    fn at_once(&self, least: f64, scratch: &mut Scratch, progress: &mut Option<Progress>) -> Report {
+        let Query { obstacles, vehicle, .. } = *self.query;
+        let margin = self.margin(least);
+        let flood = Flood::new(obstacles, vehicle, self.start, margin, scratch.flood.take());
+        let mut report = Report { margin, ..empty(0.0) };
+        let first = math::argmin(&self.distances(&flood));
+        if flood.distance(self.goals[first]).is_finite() {
+            let search = Search {
+                query: self.query,
+                config: self.config,
+                probe: self.probe,
+                flood: &flood,
+                root: self.goals[first],
+                target: self.start,
+                mirrored: true,
+                start: self.start,
+                goal: self.goals[first],
+                tight: least.min(self.clearance(self.start)) < TIGHT,
+                trace: self.trace,
+                goals: self.goals,
+            };
+            let mut work = Work { report: &mut report, scratch, progress };
+            search.first(&|| None, self.config.level(0), &mut work);
+        }
+        report.bytes += flood.bytes() + obstacles.bytes();
+        report.collision_checks = self.probe.checks();
+        scratch.flood = Some(flood);
+        report
+    }
+
+    /// The ways around obstacles to the goals.
+    fn distances(&self, flood: &Flood) -> Vec<f64> {
+        self.goals.iter().map(|&goal| flood.distance(goal)).collect()
+    }
+
+    /// Goal after goal until there is a path, those with the shortest way around obstacles first. Goals that no disc of the car's
+    /// width reaches are left out.
+    fn one_by_one(
+        &self,
+        mut sum: Report,
+        scratch: &mut Scratch,
+        progress: &mut Option<Progress>,
+    ) -> (usize, Report) {
+        let Query { obstacles, vehicle, .. } = *self.query;
+        let flood = Flood::new(obstacles, vehicle, self.start, HAIR.min(sum.margin), scratch.flood.take());
+        let mut distances = self.distances(&flood);
+        scratch.flood = Some(flood);
+        let (mut answer, mut is_proven) = (None, true);
+        loop {
+            let at = math::argmin(&distances);
+            if answer.is_some() && distances[at].is_infinite() {
+                break;
+            }
+            if answer.is_some()
+                && (sum.expanded >= EFFORT || progress.as_ref().is_some_and(Progress::is_stopped))
+            {
+                is_proven = false;
+                break;
+            }
+            distances[at] = f64::INFINITY;
+            let report = self.alone(at, &sum, scratch, progress);
+            if !report.arcs.is_empty() {
+                return (at, report);
+            }
+            is_proven &= !matches!(report.status, Status::BudgetExhausted(_));
+            sum = Report { collision_checks: report.collision_checks, ..report.counters() };
+            answer.get_or_insert((at, report));
+        }
+        let (at, nearest) = answer.unwrap_or((0, empty(0.0)));
+        let status = match nearest.status {
+            Status::BudgetExhausted(_) => nearest.status,
+            status if is_proven => status,
+            _ => Status::BudgetExhausted(nearest.rs_bound),
+        };
+        let Report { expanded, generated, pushes, open_peak, bytes, collision_checks, .. } = sum;
+        (at, Report { status, expanded, generated, pushes, open_peak, bytes, collision_checks, ..nearest })
+    }
+
+    /// The ordinary plan for one goal; its counters go on from those of `before`.
+    fn alone(
+        &self,
+        at: usize,
+        before: &Report,
+        scratch: &mut Scratch,
+        progress: &mut Option<Progress>,
+    ) -> Report {
+        if let Some(progress) = progress {
+            progress.continue_after(before.expanded);
+        }
+        let query = Query { goal: self.worlds[at], ..*self.query };
+        let report = plan(&query, self.config, scratch, self.trace, progress);
+        Report {
+            expanded: report.expanded.saturating_add(before.expanded),
+            generated: report.generated.saturating_add(before.generated),
+            pushes: report.pushes.saturating_add(before.pushes),
+            open_peak: report.open_peak.max(before.open_peak),
+            bytes: report.bytes.max(before.bytes),
+            collision_checks: report.collision_checks.saturating_add(before.collision_checks),
+            ..report
+        }
+    }
+}

@@ -1,0 +1,51 @@
+//! One search for many goals against one plan for each of them, on lots by seed.
+
+use parkade::plan::{Ends, Options, Plan, Planner};
+use parkade::scenario::GoalPose;
+use serde_json::Map;
+
+use crate::lots::lot;
+
+/// Twenty plans a lot take their time without optimization.
+const LOTS: u64 = if cfg!(debug_assertions) { 20 } else { 100 };
+
+fn cost(plan: &Plan) -> f64 {
+    plan.metrics.hybrid.as_ref().map_or(f64::INFINITY, |hybrid| hybrid.cost)
+}
+
+fn alone(planner: &mut Planner, goal: &GoalPose) -> Plan {
+    planner.plan_between(Ends { start: None, goal: Some(goal.pose) }, Options::default()).unwrap()
+}
+
+/// Ten free slots, each of which may be entered either way: as cheap as the best of twenty plans, within a twentieth, on 95 %
+/// of the lots; and no dearer than the plan for the goal that is taken.
+#[test]
+fn the_cheapest_of_ten_slots_is_taken_at_little_more_work_than_one() {
+    let (mut near, mut work) = (0, Vec::new());
+    let (mut checks, mut one, mut some) = (0_u64, 0_u64, 0_u64);
+    for seed in 0..LOTS {
+        let scene = lot(seed, 10);
+        let goals = scene.geometry().unwrap().goals.unwrap().poses;
+        let mut planner = Planner::new("hybrid", &scene, &Map::new()).unwrap();
+        let plan = planner.plan(Options::default());
+        let taken = plan.goal.as_ref().unwrap_or_else(|| panic!("lot {seed}: {:?}", plan.reason));
+        let mut plans: Vec<Plan> = goals.iter().map(|goal| alone(&mut planner, goal)).collect();
+        let best = plans.iter().map(cost).fold(f64::INFINITY, f64::min);
+        near += u64::from(cost(&plan) <= 1.05 * best);
+        let own = &plans[goals.iter().position(|goal| goal == taken).unwrap()];
+        assert!(cost(&plan) <= cost(own) * 1.01, "lot {seed}: {} and alone {}", cost(&plan), cost(own));
+        let counted = |plan: &Plan| u64::from(plan.stats.collision_checks.unwrap());
+        (checks, one) = (checks + counted(&plan), one + counted(own));
+        work.push(counted(&plan) as f64 / counted(own) as f64);
+        plans.sort_by_key(counted);
+        some += counted(&plans[plans.len() / 2]);
+    }
+    work.sort_by(f64::total_cmp);
+    let median = work[work.len() / 2];
+    let [taken, middle] = [one, some].map(|sum| checks as f64 / sum as f64);
+    println!(
+        "within 5 %: {near} of {LOTS}; collision checks against the goal taken, alone: median {median:.2}, sum {taken:.2}; against the middle goal: {middle:.3}"
+    );
+    assert!(100 * near >= 95 * LOTS, "{near} of {LOTS} are within 5 % of the best");
+    assert!(median <= 1.5 && middle <= 0.5, "{median} {middle}");
+}
