@@ -52,23 +52,6 @@ test("a saved drawing opens again as the scene it shows", async ({ page }) => {
   expect(complaints).toEqual([]);
 });
 
-test("a scene with a set of goals is refused with a sentence, and the drawing stays", async ({ page }) => {
-  const complaints = complaintsOf(page);
-  await open(page);
-  const before = await sceneOf(page), scene = { ...before, goal: { slots: "free", entry: "either" } };
-  const notice = page.locator("parkade-notices .notice.err"), sentence = "goal: must be one pose or slot";
-  await page.evaluate((given) => {
-    document.querySelector<PlaygroundElement>("parkade-playground")!.sceneData = given as never;
-  }, scene);
-  await expect(notice).toContainText(sentence);
-  expect(await sceneOf(page)).toEqual(before);
-  await page.locator("parkade-playground input[type=file]").setInputFiles({ name: "lot.json", mimeType: "application/json", buffer: Buffer.from(JSON.stringify(scene)) });
-  await expect(notice).toContainText("lot.json");
-  await expect(notice).toContainText(sentence);
-  expect(await sceneOf(page)).toEqual(before);
-  expect(complaints).toEqual([]);
-});
-
 test("a picture becomes a map by threshold and scale", async ({ page }) => {
   await open(page);
   // 60 × 40 pixels: white, a black wall from below with a grey one beside it.

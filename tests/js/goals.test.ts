@@ -8,7 +8,15 @@ import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import schema from "../../src/scenario/scenario.schema.json";
 import { chineseReasons } from "../../www/src/i18n/reasons-zh";
 import catalogue from "../../www/src/i18n/reasons-zh.json";
+import { decodeHistory, encodeHistory } from "../../www/src/element/history";
+import { pack, unpack } from "../../www/src/scene/compact";
+import { sceneFromText } from "../../www/src/scene/files";
 import { checkedScene } from "../../www/src/scene/foreign";
+import { anyFreeSlot, anyOfSlots, anywhereIn, flipGoal, leaveSlot, onlyOne, orThere, regionAroundGoal, slotOfStart, slotsOfGoal, withEntry } from "../../www/src/scene/goals";
+import { decodeScene, encodeScene } from "../../www/src/scene/link";
+import { footprint, moveGoal, poseInSlot, resolve, slotOutline, vehicleOf } from "../../www/src/scene/model";
+import { insidePolygon } from "../../www/src/scene/plane";
+import { removeSlot } from "../../www/src/scene/removal";
 import { parkade } from "./pack";
 
 let folder = "";
@@ -117,12 +125,71 @@ describe("sets of goals", () => {
     const chinese = chineseReasons(catalogue);
     for (const goal of SETS) {
       expect(messageOf(() => new core.Planner("hybrid", lot(goal)))).toBe(`${set}: not in parkade/core, but in parkade`);
-      for (const api of [{ sceneGeometry }, core]) {
-        const refused = messageOf(() => checkedScene(lot(goal) as Scenario<Goal>, { sceneGeometry: api.sceneGeometry, packRuns, unpackRuns }));
-        expect(refused).toMatch(/^goal: must be one pose or slot/);
-        expect(chinese(refused)).toMatch(/位姿或车位/);
-      }
+      const refused = messageOf(() => checkedScene(lot(goal), { sceneGeometry: core.sceneGeometry, packRuns, unpackRuns }));
+      expect(refused).toMatch(/^goal: must be one pose or slot/);
+      expect(chinese(refused)).toMatch(/位姿或车位/);
     }
+  });
+});
+
+describe("sets of goals on the page", () => {
+  const page = (goal: Goal | GoalSet): Scenario => checkedScene(lot(goal), { sceneGeometry, packRuns, unpackRuns });
+  const REGION: [number, number][] = [[16, 6], [40, 6], [40, 12.9], [16, 12.9]];
+
+  it("come back from links, files and the history as they were", async () => {
+    const sets: GoalSet[] = [
+      ...SETS, { slots: ["c", "a"], entry: "reverse-in" }, { region: REGION }, { region: REGION, heading: Math.PI / 2 }, [{ x: 20, y: 9, heading: 0.25 * Math.PI }],
+    ];
+    for (const goal of sets) {
+      const scene = page(goal);
+      expect((await decodeScene(await encodeScene(scene))).goal, JSON.stringify(goal)).toEqual(goal);
+      expect(sceneFromText(JSON.stringify(scene)).goal).toEqual(goal);
+      const kept = encodeHistory({ past: [page({ x: 20, y: 9, heading: 0 })], scene, future: [scene] }, "#")!;
+      expect(decodeHistory(kept, (one) => checkedScene(one, { sceneGeometry, packRuns, unpackRuns })).scene.goal).toEqual(goal);
+    }
+  });
+
+  it("are damaged links, not scenes, where their parts make no sense", () => {
+    const named = (scene: Scenario): Scenario => scene, packed = pack(page(SETS[1]!));
+    for (const g of [["s", 0, [9]], ["s", 0, ["a"]], ["s", "x", 0], ["r", 3, null], ["r", [0, 0], "x"], ["p", 7], ["p", [1]], ["q"]]) {
+      expect(messageOf(() => unpack({ ...packed, g }, named)), JSON.stringify(g)).toMatch(/^This link is damaged/);
+    }
+  });
+
+  it("are made from one goal and back, and every one of them can be planned", () => {
+    const one = page({ slot: "c", entry: "head-in" }), { goal } = resolve(one);
+    const taken = (scene: Scenario) => planned(scene.goal).goal!;
+    const any = anyFreeSlot(one);
+    // The goal car stays where it is until an answer leads elsewhere.
+    expect([any.goal, resolve(any).goal]).toEqual([{ slots: "free", entry: "either" }, goal]);
+    expect(onlyOne(any, taken(any)).goal).toEqual({ slot: "a", entry: taken(any).entry });
+    expect(withEntry(any, "head-in").goal).toEqual({ slots: "free", entry: "head-in" });
+    expect(flipGoal(withEntry(any, "head-in")).goal).toEqual({ slots: "free", entry: "reverse-in" });
+    expect(slotsOfGoal(anyOfSlots(one, ["d", "b"])).map(({ id }) => id)).toEqual(["b", "d"]);
+    const there = { x: 30, y: 9, heading: 0 }, poses = orThere(orThere(moveGoal(one, { x: 20, y: 9, heading: 0 }), there), { ...there, x: 40 });
+    expect(poses.goal).toEqual([{ x: 20, y: 9, heading: 0 }, there, { ...there, x: 40 }]);
+    expect(onlyOne(poses, taken(poses)).goal).toEqual({ x: 20, y: 9, heading: 0 });
+    const region = anywhereIn(poses, regionAroundGoal(moveGoal(one, there)), 0);
+    expect(insidePolygon([taken(region).pose.x, taken(region).pose.y], (region.goal as { region: [number, number][] }).region)).toBe(true);
+    expect([flipGoal(region), flipGoal(poses)]).toEqual([region, poses]);
+  });
+
+  it("lead out of a slot into its aisle", () => {
+    const start = poseInSlot(lot(SETS[0]!).slots![2]!, "reverse-in", vehicleOf("sedan")), parked = { ...page({ x: 40, y: 9, heading: 0 }), start };
+    expect(slotOfStart(page(SETS[0]!))).toBeUndefined();
+    const leaving = leaveSlot(parked), planner = new Planner("hybrid", leaving), plan = planner.plan();
+    planner.free();
+    expect([plan.outcome, plan.metrics.directionChanges, plan.check.verdict]).toEqual(["found", 0, "ok"]);
+    const body = footprint(plan.goal!.pose, vehicleOf("sedan")), slot = slotOutline(leaving.slots![2]!);
+    expect(body.some((corner) => insidePolygon(corner, slot))).toBe(false);
+  });
+
+  it("lose a slot that is removed, and with the last one become a pose", () => {
+    const both = anyOfSlots(page({ slot: "c", entry: "head-in" }), ["c", "d"]), { goal } = resolve(both);
+    const one = removeSlot(both, "c");
+    expect(one.goal).toEqual({ slots: ["d"], entry: "either" });
+    expect(removeSlot(both, "a").goal).toBe(both.goal);
+    expect(removeSlot(one, "d").goal).toEqual(goal);
   });
 });
 

@@ -7,7 +7,10 @@ import { capsuleRuns, countCells, subtractRuns, unionRuns, type Run } from "../.
 import { sceneFromText, sceneToFile } from "../../www/src/scene/files";
 import { decodeScene, encodeScene } from "../../www/src/scene/link";
 import * as model from "../../www/src/scene/model";
-import { moveThings, removeThings, turnThings } from "../../www/src/scene/things";
+import { removeObstacle, removeSlot, removeThings } from "../../www/src/scene/removal";
+import { brushCells } from "../../www/src/scene/brushing";
+import { flipGoal } from "../../www/src/scene/goals";
+import { moveThings, turnThings } from "../../www/src/scene/things";
 import { paintCosts, reweigh, weightAt } from "../../www/src/scene/costs";
 import { steerAngle } from "../../www/src/view/drive";
 import { canExtend, crossesItself, type Point } from "../../www/src/scene/plane";
@@ -74,7 +77,7 @@ describe("brush strokes", () => {
   });
 
   it("spare the start and goal cars", () => {
-    const painted = model.brushCells(scene, capsuleRuns(scene.map, [-9, 3], [9, 3], 1), "add");
+    const painted = brushCells(scene, capsuleRuns(scene.map, [-9, 3], [9, 3], 1), "add");
     const cells = painted.obstacles!.find((o) => o.type === "cells")!;
     for (const [x, y] of [[-4, 3], [-2, 3.5], [0, 2.2]] as Point[]) {
       const key = `${Math.floor((x + 10) / 0.25)},${Math.floor((y + 5) / 0.25)}`;
@@ -170,7 +173,7 @@ describe("links", () => {
     let drawn = scene;
     for (let i = 0; i < 12; i++) {
       const at = (k: number): Point => [-9 + 1.5 * i + Math.sin(i * 7 + k), 4 + 4 * Math.cos(i * 3 + k)];
-      drawn = model.brushCells(drawn, capsuleRuns(drawn.map, at(0), at(1), 0.5), "add");
+      drawn = brushCells(drawn, capsuleRuns(drawn.map, at(0), at(1), 0.5), "add");
       drawn = model.addObstacle(drawn, { type: "wall", points: [at(2), at(3), at(4)], thickness: 0.2 }).scene;
     }
     expect((await encodeScene(drawn)).length).toBeLessThan(1900);
@@ -194,14 +197,13 @@ describe("edits", () => {
       (s) => model.addObstacle(s, { type: "wall", points: [[0, 0], [1, 1]] }).scene,
       (s) => moveThings(s, ["planter"], 1, -1),
       (s) => turnThings(s, ["rectangle-1"], 0.3),
-      (s) => model.removeObstacle(s, "car-1"),
-      (s) => model.brushCells(s, [[0, 0, 80], [3, 1, 2]], "add"),
-      (s) => model.brushCells(s, [[0, 50, 80]], "erase"),
+      (s) => removeObstacle(s, "car-1"),
+      (s) => brushCells(s, [[0, 0, 80], [3, 1, 2]], "add"),
+      (s) => brushCells(s, [[0, 50, 80]], "erase"),
       (s) => model.updateSlot(s, "slot-1", { occupied: true }),
       (s) => model.setGoalFromSlot(s, "slot-1"),
-      (s) => model.removeSlot(s, "slot-2"),
-      (s) => model.flipGoal(s),
-      (s) => model.swapPoses(s),
+      (s) => removeSlot(s, "slot-2"),
+      (s) => flipGoal(s),
     ];
     for (const edit of edits) expect(edit(frozen)).not.toBe(frozen);
     expect(frozen).toEqual(scene);
@@ -209,8 +211,8 @@ describe("edits", () => {
 
   it("give the same object back where nothing changes", () => {
     expect(model.ensureIds(frozen)).toBe(frozen);
-    expect(model.brushCells(frozen, [[41, 50, 2]], "add")).toBe(frozen);
-    expect(model.brushCells(frozen, [[0, 0, 3]], "erase")).toBe(frozen);
+    expect(brushCells(frozen, [[41, 50, 2]], "add")).toBe(frozen);
+    expect(brushCells(frozen, [[0, 0, 3]], "erase")).toBe(frozen);
   });
 
   it("give every object an id of its own", () => {
@@ -219,7 +221,7 @@ describe("edits", () => {
   });
 
   it("keep the goal where it was when its slot goes", () => {
-    const without = model.removeSlot(scene, "slot-2");
+    const without = removeSlot(scene, "slot-2");
     expect(model.goalPose(without)).toEqual(model.goalPose(scene));
   });
 });

@@ -115,8 +115,7 @@ export type VehicleSpec = "paper" | "sedan" | "ship" | Vehicle;
 export type Goal = Pose | { slot: string; entry: "reverse-in" | "head-in" };
 
 /**
- * Several goals, of which a plan takes the one that is the cheapest to reach and names it in `goal`. Not in `parkade/core`, nor
- * on the page.
+ * Several goals, of which a plan takes the one that is the cheapest to reach and names it in `goal`. Not in `parkade/core`.
  *
  * - Slots by their ids, or every free one. Occupied slots are left out.
  * - Poses, 1 to 1000. Those at which the car overlaps something are left out.

@@ -5,7 +5,7 @@ import { LAYER_PRESETS, presetLayers, presetOf } from "../view/layer-sets";
 import { extentFor, loadEngine, type Engine } from "../planning/module";
 import { Planning } from "../planning/planning";
 import { checkedScene, geometryOf } from "../scene/foreign";
-import { ensureIds } from "../scene/model";
+import { ensureIds, isOneGoal } from "../scene/model";
 import { forPlanners } from "../scene/vast";
 import { createStore, FIRST_PLANNERS, type Scene, type State, type Store } from "../store";
 import { ToolController } from "../tools/controller";
@@ -73,7 +73,7 @@ export class App {
     if (missed) this.store.set({ message: null });
     this.catalog = catalogOf(engine);
     this.dropUnknownPlanners();
-    const outside = await given, first = outside ? this.catalog.checked(outside) : await this.firstScene(preset, syncAddress);
+    const outside = await given, first = outside ? await this.checked(outside) : await this.firstScene(preset, syncAddress);
     this.origin = first;
     const looks = this.preset === null ? this.looksOf(view, first) : {};
     this.store.set({ scene: first, ...looks });
@@ -81,11 +81,11 @@ export class App {
       this.links.start();
       this.rememberFirstEdit();
     }
-    this.planning = new Planning(this.store, engine, () => this.complete());
+    this.planning = new Planning(this.store, await loadEngine("core"), () => this.complete());
     this.planning.start();
     loaded();
     void this.controller.fetchTools();
-    void extras.load();
+    void extras.load().then(({ followGoals }) => followGoals(this.store), () => undefined);
     await this.planning.whenSettled();
     if (drives && !looks.playback) this.player.driveIn();
     requestIdle(() => void this.complete().catch(() => undefined));
@@ -217,15 +217,25 @@ export class App {
   }
 
   /** Throws what is wrong with the scene; it then stays as it was. */
-  openForeign(scene: Scene): void {
-    const checked = this.catalog!.checked(scene);
+  async openForeign(scene: Scene): Promise<void> {
+    const checked = this.needsComplete(scene) ? await this.checked(scene) : this.catalog!.checked(scene);
     this.preset = null;
     this.openScene(checked);
   }
 
+  /** The module of the first picture knows no sets of goals. */
+  private needsComplete(scene: Scene): boolean {
+    return !this.store.state.complete && !isOneGoal(Object(scene?.goal));
+  }
+
+  private async checked(scene: Scene): Promise<Scene> {
+    if (this.needsComplete(scene)) await this.complete();
+    return this.catalog!.checked(scene);
+  }
+
   private async openLink(scene: Scene, view: LinkView | null): Promise<void> {
     if (view) await this.complete();
-    this.openForeign(scene);
+    await this.openForeign(scene);
     this.store.set(this.looksOf(view, scene));
   }
 
@@ -301,7 +311,7 @@ export class App {
       const kept = syncAddress ? await this.beforeReload() : null;
       if (kept) return kept;
       const linked = syncAddress ? await this.links.read() : null;
-      if (linked) return this.catalog!.checked(linked);
+      if (linked) return await this.checked(linked);
     } catch (error) {
       this.refuse("error.link", { reason: sentence(error) });
     }

@@ -96,8 +96,10 @@ function dropDamaged(): void {
 /** Drawings of tabs that are closed; a tab that was only reloaded finds its own. */
 async function offer(app: App, own: string): Promise<void> {
   const open = await openTabs();
-  const left = Object.keys(localStorage).filter((key) => key.startsWith(KEY) && (key === own || !open.has(key)))
-    .flatMap((key) => {
+  const keys = Object.keys(localStorage).filter((key) => key.startsWith(KEY) && (key === own || !open.has(key)));
+  // The first module knows no sets of goals.
+  if (keys.length === 0 || !(await app.complete().catch(() => null))) return;
+  const left = keys.flatMap((key) => {
       const kept = read(key, app);
       if (!kept) localStorage.removeItem(key);
       return kept ? [{ key, ...kept }] : [];
@@ -113,7 +115,7 @@ async function offer(app: App, own: string): Promise<void> {
       action: {
         name: say(lang, "open"),
         run: () => {
-          app.openForeign(last.scene);
+          void app.openForeign(last.scene);
           if (last.key !== own) localStorage.removeItem(last.key);
         },
       },

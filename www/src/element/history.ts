@@ -71,7 +71,7 @@ export function decodeHistory(text: string, checked: (scene: Scene) => Scene): H
 }
 
 /** Brings back what this tab had where it is at the same address still; a damaged rest is dropped. */
-export function restoreHistory(app: App): Scene | null {
+export async function restoreHistory(app: App): Promise<Scene | null> {
   const text = sessionStorage.getItem(HISTORY_KEY);
   if (text === null) return null;
   try {
@@ -80,6 +80,8 @@ export function restoreHistory(app: App): Scene | null {
     app.store.restore(history);
     return history.scene;
   } catch {
+    // The first module knows no sets of goals.
+    if (!app.store.state.complete) return app.complete().then(() => restoreHistory(app));
     sessionStorage.removeItem(HISTORY_KEY);
     return null;
   }

@@ -109,11 +109,7 @@ export class Playground extends LitElement {
 
   /** Opens a scene of the page around, or says what is wrong with it. */
   protected takeScene(scene: Scene): void {
-    try {
-      this.app.openForeign(scene);
-    } catch (error) {
-      this.app.refuse("error.scene", { reason: sentence(error) });
-    }
+    this.app.openForeign(scene).catch((error: unknown) => this.app.refuse("error.scene", { reason: sentence(error) }));
   }
 
   get canUndo(): boolean {

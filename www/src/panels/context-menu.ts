@@ -1,8 +1,12 @@
+import type { Pose } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import { words } from "../i18n/words";
-import { findSlot, flipGoal, movePose, setGoalFromSlot } from "../scene/model";
+import { anyOfSlots, anywhereIn, flipGoal, leaveSlot, orThere, slotOfStart, slotsOfGoal } from "../scene/goals";
+import { findObstacle, findSlot, isGoalPose, movePose, setGoalFromSlot } from "../scene/model";
+import { removeObstacle } from "../scene/removal";
+import { cornersOf } from "../scene/shapes";
 import { idsOf } from "../scene/things";
-import { isPose, type State } from "../store";
+import { isPose, type Scene, type State } from "../store";
 import { controls } from "../styles/controls";
 import type { MenuRequest } from "../tools/controller";
 import { duplicateSelected, removeSelected, selectAll } from "../tools/edit-keys";
@@ -17,6 +21,11 @@ const say = words({
   remove: ["Delete", "删除"],
   all: ["Select all", "全选"],
   slotGoal: ["Set as goal", "设为目标"],
+  orSlot: ["Or this slot", "或此车位"],
+  orHere: ["Or goal here", "或目标设在此处"],
+  slotsGoal: ["Any of these as goal", "任一所选车位为目标"],
+  region: ["Make it the goal region", "设为目标区域"],
+  leave: ["Leave the slot", "驶离车位"],
   flip: ["Reverse the goal heading", "目标掉头"],
   undo: ["Undo", "撤销"],
   fit: ["Fit to view", "适应视图"],
@@ -72,14 +81,14 @@ export class ContextMenu extends AppElement {
     const some = idsOf(selection).length > 0;
     const slot = selection?.kind === "slot" ? findSlot(scene, selection.id) : undefined;
     const place = (which: "start" | "goal"): void => {
-      const before = which === "start" || "slot" in scene.goal ? scene.start.heading : scene.goal.heading;
-      store.edit(movePose(scene, which, { x: request.at[0], y: request.at[1], heading: before }), { label: which });
+      store.edit(movePose(scene, which, poseAt(scene, which, request)), { label: which });
       store.set({ selection: { kind: which } });
     };
     const toggle = (name: "snap" | "penDraws"): void => store.set({ toolOptions: { ...toolOptions, [name]: !toolOptions[name] } });
     return html`<div class="popover" role="menu" aria-label=${say(this.state.lang, "menu")} @keydown=${this.onKey}>
       ${some ? html`${this.item("copy", "duplicate", "Ctrl D", () => duplicateSelected(store))}${this.item("trash", "remove", "Del", () => removeSelected(store))}` : nothing}
       ${slot && !slot.occupied ? this.item("slot", "slotGoal", "", () => store.edit(setGoalFromSlot(scene, slot.id!), { label: "goal" })) : nothing}
+      ${this.goals(request)}
       ${isPose(selection) && selection.kind === "goal" ? this.item("flip", "flip", "X", () => store.edit(flipGoal(scene), { label: "flip" })) : nothing}
       ${some || isPose(selection) ? html`<hr>` : html`${this.item("car", "startHere", "S", () => place("start"))}${this.item("car", "goalHere", "T", () => place("goal"))}<hr>`}
       ${this.item("undo", "undo", "Ctrl Z", () => store.undo(), !canUndo)}
@@ -87,6 +96,19 @@ export class ContextMenu extends AppElement {
       ${this.item("fit", "fit", "0", () => this.app.controller.fit())}
       ${this.check("snap", toolOptions.snap, () => toggle("snap"))}
       ${penSeen ? this.check("pen", toolOptions.penDraws, () => toggle("penDraws")) : nothing}</div>`;
+  }
+
+  /** Sets of goals. */
+  private goals(request: MenuRequest): TemplateResult | typeof nothing {
+    const { scene, selection } = this.state, ids = idsOf(selection), named = slotsOfGoal(scene).map((slot) => slot.id!);
+    const goal = (name: IconName, key: Parameters<typeof say>[1], make: () => Scene): TemplateResult => this.item(name, key, "", () => this.app.store.edit(make(), { label: "goal" }));
+    if (selection?.kind === "start") return slotOfStart(scene) ? goal("slot", "leave", () => leaveSlot(scene)) : nothing;
+    if (selection === null) return goal("car", "orHere", () => orThere(scene, poseAt(scene, "goal", request)));
+    const slots = ids.filter((id) => findSlot(scene, id));
+    if (slots.length > 1 && slots.length === ids.length) return goal("slot", "slotsGoal", () => anyOfSlots(scene, slots));
+    if (slots.length === 1 && named.length > 0 && !named.includes(slots[0]!)) return goal("slot", "orSlot", () => anyOfSlots(scene, [...named, slots[0]!]));
+    const shape = ids.length === 1 ? findObstacle(scene, ids[0]!) : undefined;
+    return shape?.type === "polygon" || shape?.type === "rectangle" ? goal("polygon", "region", () => anywhereIn(removeObstacle(scene, ids[0]!), cornersOf(shape))) : nothing;
   }
 
   private item(name: IconName, key: Parameters<typeof say>[1], keys: string, run: () => void, disabled = false): TemplateResult {
@@ -115,5 +137,9 @@ export class ContextMenu extends AppElement {
     items[(now + (event.key === "ArrowDown" ? 1 : -1) + items.length) % items.length]?.focus();
   };
 }
+
+/** Headed as the goal is or, of the start and where the goal is not one pose, as the start. */
+const poseAt = ({ goal, start }: Scene, which: "start" | "goal", { at: [x, y] }: MenuRequest): Pose =>
+  ({ x, y, heading: which === "goal" && isGoalPose(goal) ? goal.heading : start.heading });
 
 customElements.define("parkade-context", ContextMenu);

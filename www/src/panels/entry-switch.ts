@@ -1,6 +1,6 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import { words } from "../i18n/words";
-import { flipGoal } from "../scene/model";
+import { withEntry } from "../scene/goals";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
@@ -11,11 +11,11 @@ import { icon } from "./icons";
 const say = words({
   "reverse-in": ["Reverse in", "倒车入库"],
   "head-in": ["Head in", "车头入库"],
-  toHead: ["Entry: reverse in. Switch to head in", "入库方式：倒车。切换为车头入库"],
-  toReverse: ["Entry: head in. Switch to reverse in", "入库方式：车头。切换为倒车入库"],
+  either: ["Either way in", "两种入库方式"],
+  title: ["Entry: {now}. Switch to: {next}", "入库方式：{now}。切换为：{next}"],
 });
 
-/** Beside a goal car that stands in a slot: how it enters, and the other way at a press. */
+/** Beside a goal car that stands in a slot: how it enters, and another way at a press. */
 export class EntrySwitch extends AppElement {
   static override properties = { ...AppElement.properties, spot: { state: true } };
   static override styles = [controls, css`
@@ -54,10 +54,11 @@ export class EntrySwitch extends AppElement {
 
   protected override render(): TemplateResult | typeof nothing {
     const { scene: { goal }, lang } = this.state;
-    if (!("slot" in goal)) return nothing;
-    const title = say(lang, goal.entry === "head-in" ? "toReverse" : "toHead");
+    if (!("entry" in goal)) return nothing;
+    const next = goal.entry === "either" ? "reverse-in" : goal.entry === "head-in" ? ("slots" in goal ? "either" : "reverse-in") : "head-in";
+    const title = say(lang, "title", { now: say(lang, goal.entry), next: say(lang, next) });
     return html`<button class=${this.spot ? "" : "out"} aria-label=${title} aria-keyshortcuts="X" title="${title} · X" .style=${`left:${this.spot?.x ?? 0}px;top:${this.spot?.y ?? 0}px`}
-      @click=${() => this.app.store.edit(flipGoal(this.state.scene), { label: "entry" })}>${icon("flip", 14)}${say(lang, goal.entry)}</button>`;
+      @click=${() => this.app.store.edit(withEntry(this.state.scene, next), { label: "entry" })}>${icon("flip", 14)}${say(lang, goal.entry)}</button>`;
   }
 
   protected override updated(): void {

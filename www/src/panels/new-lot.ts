@@ -242,7 +242,7 @@ export class NewLot extends AppElement {
     event.preventDefault();
     if (this.fault || !this.scene) return;
     void this.app.links.mark();
-    this.app.openForeign(this.scene);
+    void this.app.openForeign(this.scene);
     this.close();
   };
 

@@ -2,9 +2,10 @@ import type { CostArea, MovingObstacle, Obstacle, Pose, Road, Slot } from "parka
 import { css, html, nothing, type TemplateResult } from "lit";
 import { wordsAt } from "../i18n/words";
 import {
-  findCost, findMoving, findObstacle, findSlot, flipGoal, goalPose, movePose, removeCost, removeMoving, removeObstacle, removeSlot, setGoalFromSlot, updateMoving,
+  findCost, findMoving, findObstacle, findSlot, goalPose, movePose, setGoalFromSlot, updateMoving,
   updateObstacle, updateSlot,
 } from "../scene/model";
+import { removeCost, removeMoving, removeObstacle, removeSlot } from "../scene/removal";
 import { reweigh } from "../scene/costs";
 import { laneWidthOf, lanesOf } from "../scene/road-width";
 import { turnRows } from "../scene/slot-fit";
@@ -14,6 +15,7 @@ import { sections } from "../styles/sections";
 import { AppElement } from "./base";
 import { icon } from "./icons";
 import "./ground-card";
+import "./goal-card";
 import "./group-card";
 import { objectName } from "./objects";
 
@@ -36,7 +38,7 @@ export class SelectionCard extends AppElement {
   protected override pace = 100;
 
   protected watches(): readonly (keyof State)[] {
-    return ["scene", "selection"];
+    return ["scene", "selection", "results"];
   }
 
   protected override render(): TemplateResult {
@@ -62,15 +64,9 @@ export class SelectionCard extends AppElement {
     const { scene } = this.state;
     const pose = kind === "start" ? scene.start : goalPose(scene);
     const move = (patch: Partial<Pose>): Scene => movePose(this.state.scene, kind, { ...pose, ...patch });
-    const inSlot = kind === "goal" && "slot" in scene.goal ? scene.goal : null;
     return html`${this.heading(this.t(`inspect.${kind}`))}
       ${this.fields(poseFields(pose, move))}
-      ${inSlot ? html`<div class="row">
-        <div class="segmented" role="group" aria-label=${this.t("inspect.entry")}>
-          ${(["head-in", "reverse-in"] as const).map((entry) => html`<button aria-pressed=${inSlot.entry === entry}
-            @click=${() => this.edit(setGoalFromSlot(this.state.scene, inSlot.slot, entry))}>${this.t(entry === "head-in" ? "inspect.head" : "inspect.reverse")}</button>`)}
-        </div><span class="keys push">${this.t("inspect.flips")}</span></div>`
-        : kind === "goal" ? html`<div class="row"><button class="button outline small" @click=${() => this.edit(flipGoal(this.state.scene))}>${icon("flip", 14)}${this.t("inspect.flips")}</button></div>` : nothing}`;
+      ${kind === "goal" ? html`<parkade-goal .app=${this.app}></parkade-goal>` : nothing}`;
   }
 
   private obstacle(obstacle: Obstacle): TemplateResult {

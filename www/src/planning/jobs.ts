@@ -46,8 +46,7 @@ const JOBS = {
   },
   import: ({ files, options }: { files: Record<string, Uint8Array>; options: ImportOptions }): Moved<Omit<Imported, "scene" | "scenes"> & { scenes: Scenario[] }> => {
     const { format, scenes, queries, notes } = importScene(files, options);
-    // Whoever opens one refuses sets of goals.
-    const { value, cells } = apart(scenes as Scenario[]);
+    const { value, cells } = apart(scenes);
     return { value: { format, scenes: value, queries, notes }, cells };
   },
   generate: (family: Family): Moved<Scenario[]> => apart([generateScenario(family)]),

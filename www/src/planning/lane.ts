@@ -1,4 +1,5 @@
 import type { Explanation, LayerName, Limits, PlannerId, Prefer } from "parkade";
+import { isGoalPose } from "../scene/model";
 import type { Scenario } from "../scene/scenario";
 import type { Holder, WorkerPool } from "./pool";
 import type { Ends, Failure, Layers, Reply, Request, Timing, Waiting } from "./protocol";
@@ -240,10 +241,10 @@ export class Lane implements Holder {
 /** Layers that a planner's map has wherever start and goal are. */
 const FIXED: readonly LayerName[] = ["safety", "clearance"];
 
-const endsOf = ({ start, goal }: Scenario): Ends => ("slot" in goal ? { start } : { start, goal });
+const endsOf = ({ start, goal }: Scenario): Ends => (isGoalPose(goal) ? { start, goal } : { start });
 
-/** Whether nothing else differs, so that a planner of one scene can answer for the other; a slot as goal is emptied for it. */
+/** Whether nothing else differs, so that a planner of one scene can answer for the other; a slot as goal is emptied for it, a set of goals resolved. */
 function differInEnds(a: Scenario, b: Scenario): boolean {
-  const isSame = (key: keyof Scenario): boolean => a[key] === b[key] || key === "start" || (key === "goal" && !("slot" in a.goal || "slot" in b.goal));
+  const isSame = (key: keyof Scenario): boolean => a[key] === b[key] || key === "start" || (key === "goal" && isGoalPose(a.goal) && isGoalPose(b.goal));
   return (Object.keys({ ...a, ...b }) as (keyof Scenario)[]).every(isSame);
 }

@@ -1,6 +1,7 @@
 import type { LayerName, Plan, PlannerId } from "parkade";
 import { translate } from "../i18n/index";
 import { hasField, identityOf, plannerName } from "../view/identity";
+import { isOneGoal } from "../scene/model";
 import { limitsOn } from "../scene/pace";
 import { forPlanners, isUnpacked, withoutCells } from "../scene/vast";
 import { emptyResult, type PanelResult, type Scene, type State, type Store } from "../store";
@@ -233,9 +234,10 @@ export class Planning {
     }
   }
 
+  /** The first module knows no sets of goals: what it has at hand is given up for one. */
   private laneOf(planner: PlannerId): Lane {
     let lane = this.lanes.get(planner);
-    if (lane && lane.module !== this.engine.module && !lane.busy) {
+    if (lane && lane.module !== this.engine.module && (!lane.busy || !isOneGoal(this.store.state.scene.goal))) {
       lane.stop();
       lane = undefined;
     }

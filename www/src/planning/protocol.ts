@@ -24,7 +24,7 @@ export interface PlanRequest {
   prefer?: Prefer | undefined;
 }
 
-/** Where a plan begins and ends; without a goal, in the scene's slot. */
+/** Where a plan begins and ends; without a goal, at the scene's slot or set of goals. */
 export interface Ends { start: Pose; goal?: Pose }
 
 /** How moving obstacles are waited for. */

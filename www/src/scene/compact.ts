@@ -1,5 +1,5 @@
 /** The short form of a scene behind a link: whole centimetres, tenths of a degree, lists instead of names. */
-import type { CostArea, Goal, Lane, MovingObstacle, Obstacle, Pose, Slot, SpeedLimit, VehicleSpec } from "parkade";
+import type { CostArea, Goal, GoalSet, Lane, MovingObstacle, Obstacle, Pose, Slot, SpeedLimit, VehicleSpec } from "parkade";
 import type { Point } from "./plane";
 import type { Scenario } from "./scenario";
 
@@ -168,17 +168,30 @@ function unpackCosts(item: Item): CostArea {
   return { ...(name ? { id: String(name) } : {}), runs: unpackRuns(list(runs)), weight: number(weight) };
 }
 
-function packGoal(scene: Scenario): Item[] {
-  const { goal } = scene;
-  if (!("slot" in goal)) return packPose(goal);
-  return [(scene.slots ?? []).findIndex((slot) => slot.id === goal.slot), goal.entry === "head-in" ? 1 : 0];
+const ENTRIES = ["reverse-in", "head-in", "either"] as const;
+
+/** One goal as numbers; a set begins with a letter. */
+function packGoal({ goal, slots = [] }: Scenario): Item[] {
+  const at = (id: string): number => slots.findIndex((slot) => slot.id === id);
+  if (Array.isArray(goal)) return ["p", ...goal.map(packPose)];
+  if ("slots" in goal) return ["s", ENTRIES.indexOf(goal.entry), goal.slots === "free" ? 0 : goal.slots.map(at)];
+  if ("region" in goal) return ["r", packPoints(goal.region), goal.heading === undefined ? null : tenths(goal.heading)];
+  return "slot" in goal ? [at(goal.slot), ENTRIES.indexOf(goal.entry)] : packPose(goal);
 }
 
-function unpackGoal(item: Item[], slots: readonly Slot[]): Goal {
-  if (item.length !== 2) return unpackPose(item);
-  const slot = slots[number(item[0])]?.id;
-  if (slot === undefined) throw new Error("This link is damaged: its goal slot is missing.");
-  return { slot, entry: item[1] === 1 ? "head-in" : "reverse-in" };
+function unpackGoal(item: Item[], slots: readonly Slot[]): Goal | GoalSet {
+  const [first, second, third] = item;
+  const idAt = (at: Item | undefined): string => {
+    const id = slots[number(at)]?.id;
+    if (id === undefined) throw new Error("This link is damaged: its goal slot is missing.");
+    return id;
+  };
+  switch (first) {
+    case "p": return item.slice(1).map((pose) => unpackPose(list(pose)));
+    case "s": return { slots: third === 0 ? "free" : list(third).map(idAt), entry: ENTRIES[number(second)] ?? "either" };
+    case "r": return { region: unpackPoints(list(second)), ...(third === null ? {} : { heading: angle(third) }) };
+    default: return item.length === 2 ? { slot: idAt(first), entry: second === 1 ? "head-in" : "reverse-in" } : unpackPose(item);
+  }
 }
 
 /** The short form; parts that are empty are left out. */

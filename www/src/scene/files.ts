@@ -32,8 +32,8 @@ export function checkScene(value: unknown): Scenario {
   }
   if (!isPose(value["start"])) throw new Error("This scene has no start pose: x, y and heading are expected.");
   const goal = value["goal"];
-  if (!isPose(goal) && !(isRecord(goal) && typeof goal["slot"] === "string")) {
-    throw new Error("This scene has no goal: a pose or a slot is expected.");
+  if (!isPose(goal) && !Array.isArray(goal) && !(isRecord(goal) && ["slot", "slots", "region"].some((key) => key in goal))) {
+    throw new Error("This scene has no goal: a pose, a slot, or a set of them is expected.");
   }
   for (const key of ["obstacles", "slots", "costs"]) {
     if (value[key] !== undefined && !Array.isArray(value[key])) throw new Error(`This scene's ${key} are not a list.`);

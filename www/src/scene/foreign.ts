@@ -21,12 +21,7 @@ export function checkedScene(scene: Scenario, module: Module): Scenario {
   return ensureIds(withRuns(withoutNulls(scene), module.unpackRuns));
 }
 
-/** The geometry of a scene with one goal: the page knows nothing of more. */
-export function geometryOf(scene: Scenario, { sceneGeometry, packRuns }: Module): SceneGeometry {
-  const geometry = sceneGeometry(forPlanners(scene, packRuns));
-  if (geometry.goals) throw new Error("goal: must be one pose or slot");
-  return geometry;
-}
+export const geometryOf = (scene: Scenario, { sceneGeometry, packRuns }: Module): SceneGeometry => sceneGeometry(forPlanners(scene, packRuns));
 
 /** The same scene, unless it is larger than a page can draw. What is no scene at all is for the planners to refuse. */
 export function bounded(scene: Scenario): Scenario {

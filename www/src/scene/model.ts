@@ -1,12 +1,11 @@
 /** The scene as the page edits it: every edit gives a new scene and leaves the old one as it was. */
-import type { CostArea, MovingObstacle, Obstacle, Pose, Slot, VehicleSpec } from "parkade";
-import { convexRuns, sameRuns, subtractRuns, unionRuns, type Run } from "./cells";
+import type { CostArea, Goal, GoalSet, MovingObstacle, Obstacle, Pose, Slot, VehicleSpec } from "parkade";
 import { wrapAngle, type Point } from "./plane";
 import type { Scenario } from "./scenario";
 import { slotOutline, parkedPose, poseInSlot, type Entry } from "./slots";
 import type { Shape } from "./shapes";
 import { thingsOf } from "../store";
-import { footprint, vehicleOf, type ResolvedVehicle } from "./vehicle";
+import { vehicleOf, type ResolvedVehicle } from "./vehicle";
 
 export { vehicleOf, footprint } from "./vehicle";
 export { slotOutline, parkedPose, poseInSlot, type Entry } from "./slots";
@@ -64,13 +63,7 @@ export const updateMoving = (scene: Scene, id: string, patch: Partial<MovingObst
 /** Without painted cells the scene holds no list of them. */
 export const withCosts = ({ costs: _, ...scene }: Scene, costs: CostArea[]): Scene => (costs.length > 0 ? { ...scene, costs } : scene);
 export const findCost = (scene: Scene, id: string): CostArea | undefined => scene.costs?.find((one) => one.id === id);
-export const removeCost = (scene: Scene, id: string): Scene => withCosts(scene, (scene.costs ?? []).filter((one) => one.id !== id));
 
-/** Without the last one the scene holds no list of them. */
-export function removeMoving({ moving = [], ...scene }: Scene, id: string): Scene {
-  const left = moving.filter((m) => m.id !== id);
-  return left.length > 0 ? { ...scene, moving: left } : scene;
-}
 
 export const mapOutline = (scene: Scene): Point[] => {
   const { origin: [x, y], width, height, resolution, boundary } = scene.map;
@@ -78,12 +71,23 @@ export const mapOutline = (scene: Scene): Point[] => {
   return boundary ?? [[x, y], [right, y], [right, top], [x, top]];
 };
 
-/** Where the car shall go, slots resolved. */
-export function goalPose(scene: Scene): Pose {
-  const { goal } = scene;
-  if (!("slot" in goal)) return goal;
-  const slot = findSlot(scene, goal.slot);
-  return slot ? poseInSlot(slot, goal.entry, vehicleOf(scene.vehicle)) : scene.start;
+export const isOneGoal = (goal: Goal | GoalSet): goal is Goal => "x" in goal || "slot" in goal;
+export const isGoalPose = (goal: Goal | GoalSet): goal is Pose => "x" in goal;
+
+/** Of sets of goals the one that is drawn and can be grabbed. */
+const shownGoals = new WeakMap<GoalSet, Pose>();
+
+/** Where the car shall go, slots resolved; of a set of goals the one that is shown, the start before any is. */
+export function goalPose({ goal, slots, vehicle, start }: Scene): Pose {
+  if (isGoalPose(goal)) return goal;
+  if (!isOneGoal(goal)) return shownGoals.get(goal) ?? start;
+  const slot = slots?.find((one) => one.id === goal.slot);
+  return slot ? poseInSlot(slot, goal.entry, vehicleOf(vehicle)) : start;
+}
+
+export function showGoal(scene: Scene, set: GoalSet, pose: Pose): void {
+  shownGoals.set(set, pose);
+  resolutions.delete(scene);
 }
 
 export interface Resolved {
@@ -119,7 +123,6 @@ export const moveGoal = (scene: Scene, pose: Pose): Scene => ({ ...scene, goal: 
 export const movePose = (scene: Scene, kind: "start" | "goal", pose: Pose): Scene =>
   kind === "start" ? moveStart(scene, pose) : moveGoal(scene, pose);
 export const setVehicle = (scene: Scene, vehicle: VehicleSpec): Scene => ({ ...scene, vehicle });
-export const swapPoses = (scene: Scene): Scene => ({ ...scene, start: goalPose(scene), goal: scene.start });
 
 /** Millimetres and hundredths of a degree: finer digits are noise of the pointer. */
 function tidy(pose: Pose): Pose {
@@ -137,9 +140,6 @@ export function updateObstacle(scene: Scene, id: string, next: Obstacle): Scene 
   return { ...scene, obstacles: (scene.obstacles ?? []).map((o) => (o.id === id ? { ...next, id } : o)) };
 }
 
-export const removeObstacle = (scene: Scene, id: string): Scene =>
-  ({ ...scene, obstacles: (scene.obstacles ?? []).filter((o) => o.id !== id) });
-
 export function addSlots(scene: Scene, slots: readonly Omit<Slot, "id">[]): { scene: Scene; ids: string[] } {
   let next: Scene = { ...scene, slots: scene.slots ?? [] };
   const ids: string[] = [];
@@ -155,63 +155,12 @@ export const addSlot = (scene: Scene, slot: Omit<Slot, "id">): Scene => addSlots
 export const updateSlot = (scene: Scene, id: string, patch: Partial<Slot>): Scene =>
   ({ ...scene, slots: (scene.slots ?? []).map((s) => (s.id === id ? { ...s, ...patch, id } : s)) });
 
-/** A goal in the slot stays where it was, as a pose. */
-export function removeSlot(scene: Scene, id: string): Scene {
-  const goal = "slot" in scene.goal && scene.goal.slot === id ? goalPose(scene) : scene.goal;
-  return { ...scene, goal, slots: (scene.slots ?? []).filter((s) => s.id !== id) };
-}
-
 /** The goal in a slot; `entry` stays as it was where it is not given. */
 export function setGoalFromSlot(scene: Scene, slot: string, entry?: Entry): Scene {
   const before = "slot" in scene.goal ? scene.goal.entry : "reverse-in";
   const freed = findSlot(scene, slot)?.occupied ? updateSlot(scene, slot, { occupied: false }) : scene;
   return { ...freed, goal: { slot, entry: entry ?? before } };
 }
-
-/** Turns the goal round: the other entry in a slot, about the body's middle otherwise. */
-export function flipGoal(scene: Scene): Scene {
-  const { goal } = scene;
-  if ("slot" in goal) return { ...scene, goal: { ...goal, entry: goal.entry === "head-in" ? "reverse-in" : "head-in" } };
-  const { rearToFront, rearToBack } = vehicleOf(scene.vehicle);
-  const shift = rearToFront - rearToBack;
-  return moveGoal(scene, {
-    x: goal.x + Math.cos(goal.heading) * shift, y: goal.y + Math.sin(goal.heading) * shift, heading: goal.heading + Math.PI,
-  });
-}
-
-/** Adds brushed cells, never over the start or goal car, or erases them. The same object where nothing changes. */
-export function brushCells(scene: Scene, cells: readonly Run[], mode: "add" | "erase"): Scene {
-  return mode === "add" ? paintCells(scene, cells) : eraseCells(scene, cells);
-}
-
-function paintCells(scene: Scene, cells: readonly Run[]): Scene {
-  const kept = subtractRuns(cells, keepClear(scene));
-  if (kept.length === 0) return scene;
-  const old = scene.obstacles?.find((o): o is CellsObstacle => o.type === "cells");
-  if (!old) return addObstacle(scene, { type: "cells", runs: unionRuns(kept, []) }).scene;
-  const runs = unionRuns(old.runs, kept);
-  return sameRuns(runs, old.runs) ? scene : updateObstacle(scene, old.id!, { ...old, runs });
-}
-
-function eraseCells(scene: Scene, cells: readonly Run[]): Scene {
-  let changed = false;
-  const obstacles = (scene.obstacles ?? []).flatMap((obstacle): Obstacle[] => {
-    if (obstacle.type !== "cells") return [obstacle];
-    const runs = subtractRuns(obstacle.runs, cells);
-    if (sameRuns(runs, obstacle.runs)) return [obstacle];
-    changed = true;
-    return runs.length === 0 ? [] : [{ ...obstacle, runs }];
-  });
-  return changed ? { ...scene, obstacles } : scene;
-}
-
-/** Cells whose square can touch the start or goal body. */
-export function keepClear(scene: Scene): Run[] {
-  const { start, goal, vehicle } = resolve(scene);
-  const margin = scene.map.resolution * Math.SQRT1_2;
-  return [start, goal].flatMap((pose) => convexRuns(scene.map, footprint(pose, vehicle, margin)));
-}
-
 
 export function withShape(scene: Scene, id: string, change: (shape: Shape) => Shape): Scene {
   const obstacle = findObstacle(scene, id);

@@ -1,4 +1,2 @@
-/** The page's scenes: they have one goal. */
-import type { Goal, Scenario as AnyScenario } from "parkade";
-
-export type Scenario = AnyScenario<Goal>;
+/** The page's scenes. */
+export type { Scenario } from "parkade";

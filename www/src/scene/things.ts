@@ -2,7 +2,7 @@
 import type { CostArea, MovingObstacle, Obstacle, Slot } from "parkade";
 import { thingsOf, type Selection } from "../store";
 import type { Run } from "./cells";
-import { addMoving, addObstacle, addSlots, findCost, findMoving, findObstacle, findSlot, removeCost, removeMoving, removeObstacle, removeSlot, updateMoving, updateObstacle, updateSlot, withCosts, type Scene } from "./model";
+import { addMoving, addObstacle, addSlots, findCost, findMoving, findObstacle, findSlot, updateMoving, updateObstacle, updateSlot, withCosts, type Scene } from "./model";
 import { boxOf, rotateAbout, wrapAngle, type Box, type Point } from "./plane";
 import { cornersOf, moveShape, turnShape } from "./shapes";
 import { slotOutline } from "./slots";
@@ -101,14 +101,6 @@ export function turnThings(scene: Scene, ids: readonly string[], angle: number):
 function middleOf(points: readonly Point[]): Point {
   const { minX, maxX, minY, maxY } = boxOf(points);
   return [(minX + maxX) / 2, (minY + maxY) / 2];
-}
-
-export function removeThings(scene: Scene, ids: readonly string[]): Scene {
-  const remove = { obstacle: removeObstacle, slot: removeSlot, moving: removeMoving, cost: removeCost };
-  return ids.reduce((next, id) => {
-    const found = findThing(next, id);
-    return found ? remove[found.kind](next, id) : next;
-  }, scene);
 }
 
 /** Copies where the originals are; brushed cells are one and are not copied. */

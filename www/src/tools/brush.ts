@@ -1,7 +1,9 @@
 /** Freehand walls of map cells, and the eraser. */
 import { capsuleRuns } from "../scene/cells";
 import { paintCosts } from "../scene/costs";
-import { brushCells, removeObstacle, removeSlot, resolve, updateSlot, type Scene } from "../scene/model";
+import { brushCells } from "../scene/brushing";
+import { resolve, updateSlot, type Scene } from "../scene/model";
+import { removeObstacle, removeSlot } from "../scene/removal";
 import { distance, insidePolygon, type Point } from "../scene/plane";
 import { distanceToShape } from "../scene/shapes";
 import type { Draft } from "./draft";

@@ -1,7 +1,9 @@
 /** Keys that edit, where they need no pointer. */
-import { flipGoal, movePose, resolve, type Scene } from "../scene/model";
+import { flipGoal } from "../scene/goals";
+import { movePose, resolve, type Scene } from "../scene/model";
+import { removeThings } from "../scene/removal";
 import { radians } from "../scene/plane";
-import { allIds, copyThings, idsOf, moveThings, removeThings, selectionOf, turnThings } from "../scene/things";
+import { allIds, copyThings, idsOf, moveThings, selectionOf, turnThings } from "../scene/things";
 import { isPose, type State, type Store } from "../store";
 import { arrowOf, stepOf } from "./keys";
 

@@ -11,6 +11,8 @@ export { drawDifference } from "./layers/difference";
 export { drawDraft } from "./layers/draft";
 export { drawFailure } from "./layers/failure";
 export { drawExplained } from "./layers/explained";
+export { followGoals } from "../scene/goals";
+export { drawGoals } from "./layers/goals";
 export { drawOthers, drawPreview } from "./layers/ghosts";
 export { drawLaneStrip } from "./layers/lane-strip";
 export { drawLanes } from "./layers/lanes";

@@ -2,7 +2,7 @@
 import type { Plan, PlannerId } from "parkade";
 import type { PanelResult, State } from "../store";
 import type { Draft } from "../tools/draft";
-import { resolve, type Resolved } from "../scene/model";
+import { isOneGoal, resolve, type Resolved } from "../scene/model";
 import type { Point } from "../scene/plane";
 import { worldToScreen, type View } from "./camera";
 import type { Tokens } from "./tokens";
@@ -33,14 +33,15 @@ export interface Frame {
 }
 
 export function makeFrame(parts: Omit<Frame, "resolved" | "overlay">): Frame {
-  return { ...parts, resolved: resolve(parts.state.scene), overlay: parts.shown.length > 1 };
+  const { scene } = parts.state, taken = isOneGoal(scene.goal) ? undefined : leading(parts)?.plan?.goal;
+  return { ...parts, resolved: { ...resolve(scene), ...(taken && { goal: taken.pose }) }, overlay: parts.shown.length > 1 };
 }
 
 /** Strength of an answer that is no longer, or not, the asked one. */
 export const GHOST = 0.35;
 
 /** The planner whose car, sweep and rasters are drawn. */
-export const leading = ({ shown, state }: Frame): Shown | undefined =>
+export const leading = ({ shown, state }: Pick<Frame, "shown" | "state">): Shown | undefined =>
   shown.find((one) => one.planner === state.focus) ?? shown[0];
 
 export const leads = (frame: Frame, shown: Shown): boolean => leading(frame) === shown;

@@ -1,4 +1,5 @@
 /** The fixed order of the layers, and what is kept between frames. */
+import { isOneGoal } from "../scene/model";
 import { drawReferences } from "./car";
 import { drawBorder, drawFloor } from "./layers/floor";
 import { HeatLayer } from "./layers/heat";
@@ -36,6 +37,7 @@ export class SceneLayers {
     if (layers.slots) drawSlots(frame);
     drawBorder(frame);
     if (layers.obstacles) drawObstacles(frame);
+    if (!isOneGoal(scene.goal)) extras()?.drawGoals(frame);
     if (scene.moving?.length) extras()?.drawMoving(frame);
     this.drawAnswers(frame);
     drawSelection(frame);
