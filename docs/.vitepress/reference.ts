@@ -1,12 +1,12 @@
 /** The JavaScript reference, from the package's types: each exported name with what stands above it. */
 import { readFileSync } from "node:fs";
 
-const TYPES = new URL("../../src/wasm/npm/index.d.ts", import.meta.url);
+const TYPES = ["index.d.ts", "settings.d.ts"].map((name) => new URL(`../../src/wasm/npm/${name}`, import.meta.url));
 const KINDS = { class: "Classes", function: "Functions", interface: "Shapes", type: "Words" } as const;
 
 export function reference(): string {
   const parts: Record<string, string[]> = { Classes: [], Functions: [], Shapes: [], Words: [] };
-  for (const { kind, name, comment, code } of declarations(readFileSync(TYPES, "utf8"))) {
+  for (const { kind, name, comment, code } of declarations(TYPES.map((file) => readFileSync(file, "utf8")).join("\n"))) {
     parts[KINDS[kind]]!.push(`### ${name}\n\n${comment}\n\n\`\`\`ts\n${code}\n\`\`\``);
   }
   const all = Object.entries(parts).map(([title, texts]) => `## ${title}\n\n${texts.join("\n\n")}`);

@@ -1,4 +1,5 @@
 import { expect, test } from "@playwright/test";
+import type { GridStats } from "parkade";
 import { complaintsOf, open, settled, type PlaygroundElement } from "./playground.js";
 
 test.use({ viewport: { width: 1400, height: 900 } });
@@ -25,7 +26,7 @@ test("redundant space is drawn for the planner that closes it, with its counts",
   await page.keyboard.press("Escape");
   await settled(page);
   await expect(legend).toContainText(/\d+ too narrow, \d+ in pockets, \d+ restored/);
-  const { narrow = 0, pocket = 0 } = await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.results["eight"]!.stats);
+  const { narrow = 0, pocket = 0 }: GridStats = await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.results["eight"]!.stats);
   expect(narrow + pocket).toBeGreaterThan(0);
   await expect.poll(async () => (await panel.locator("canvas").screenshot()).equals(without)).toBe(false);
   await expect(page.locator("parkade-panel").first().locator(".legend")).not.toContainText("too narrow");

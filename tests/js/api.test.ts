@@ -88,7 +88,7 @@ describe("after init", () => {
   });
 
   test("a mistake in the settings is named by its field", () => {
-    expect(failure(() => new Planner("hybrid", preset(), { noSuchSetting: 1 })).code).toBe("bad-config");
+    expect(failure(() => new Planner("hybrid", preset(), untyped({ noSuchSetting: 1 }))).code).toBe("bad-config");
     const scene = { ...preset(), start: { x: untyped("left"), y: 0, heading: 0 } };
     expect(failure(() => new Planner("hybrid", scene))).toEqual({ code: "bad-scenario", path: "start.x" });
   });

@@ -1,13 +1,13 @@
 import { beforeAll, describe, expect, it } from "vitest";
-import { Planner, init, scenario, type Plan, type Prefer } from "parkade";
-import * as core from "parkade/core";
+import { Planner, init, scenario, type HybridPlan, type Plan, type Prefer } from "parkade";
 import { choicesOf } from "../../www/src/panels/choices-of";
+import { core } from "./core";
 
 beforeAll(async () => {
   await Promise.all([init(), core.init()]);
 });
 
-const hybrid = (id: string): Planner => new Planner("hybrid", scenario(id));
+const hybrid = (id: string) => new Planner("hybrid", scenario(id));
 
 describe("a choice of hybrid's paths", () => {
   it("is made by what is preferred, and the alternatives come with it where they are asked for", () => {
@@ -78,8 +78,8 @@ describe("the search that answered", () => {
 });
 
 describe("the chips", () => {
-  const plan = (length: number, directionChanges: number, minClearance: number, driveTime: number): Plan =>
-    ({ metrics: { length, directionChanges, minClearance, driveTime } }) as Plan;
+  const plan = (length: number, directionChanges: number, minClearance: number, driveTime: number): HybridPlan =>
+    ({ metrics: { length, directionChanges, minClearance, driveTime } }) as HybridPlan;
 
   it("stand for the best by each measure and the ordinary path, the shortest first, once each", () => {
     const ordinary = plan(22, 2, 0.1, 20), longer = plan(26, 0, 0.12, 18), wider = plan(23, 2, 0.42, 21);

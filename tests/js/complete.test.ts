@@ -1,11 +1,11 @@
 import { readFileSync } from "node:fs";
 import { beforeAll, describe, expect, test } from "vitest";
-import * as core from "parkade/core";
 import {
   type Run, type Scenario, ParkadeError, Planner, generateScenario, importScene, init, packRuns, paperGrid, paperGridRows, paperGridSummary, paperParking, paperParkingRows, planners, scenario, sceneGeometry, unpackRuns,
 } from "parkade";
 import { chineseReasons } from "../../www/src/i18n/reasons-zh";
 import catalogue from "../../www/src/i18n/reasons-zh.json";
+import { core } from "./core";
 
 beforeAll(() => Promise.all([init(), core.init()]));
 

@@ -3,7 +3,6 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import Ajv from "ajv";
 import { Planner, checkPath, init, packRuns, sceneGeometry, toSVG, unpackRuns, type Goal, type GoalSet, type Plan, type Scenario } from "parkade";
-import * as core from "parkade/core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import schema from "../../src/scenario/scenario.schema.json";
 import { chineseReasons } from "../../www/src/i18n/reasons-zh";
@@ -18,6 +17,7 @@ import { footprint, moveGoal, poseInSlot, resolve, slotOutline, vehicleOf } from
 import { insidePolygon } from "../../www/src/scene/plane";
 import { removeSlot } from "../../www/src/scene/removal";
 import { parkade } from "./pack";
+import { core } from "./core";
 
 let folder = "";
 beforeAll(async () => {

@@ -218,6 +218,36 @@ test.each(["guide.md", "zh/guide.md"])("the scripts of %s are strict TypeScript 
   scripts.forEach((code, i) => expect([i, check(`guide-${i}.mts`, code)]).toEqual([i, ""]));
 });
 
+test("`parkade/core` has types of its own: what it lacks does not compile", () => {
+  expect(check("core.ts", `import { Planner, init, scenario, type Scenario } from "parkade/core";
+    await init();
+    const scene: Scenario = { ...scenario("perpendicular"), vehicle: "sedan" };
+    export const plan = new Planner("hybrid", scene, { reverseCost: 2 }).plan({ trace: true });`)).toBe("");
+  const refused = check("core-bad.ts", `import { Planner, scenario, toSVG, type Scenario } from "parkade/core";
+    export const plan = new Planner("cost-map", scenario("a")), scene: Scenario = { ...scenario("a"), vehicle: "ship" };
+    export const eight = new Planner("eight", scenario("a"), { stop: "nba" });
+    export const layer = eight.layer("cost"), found = eight.search({ x: 0, y: 0 }, { x: 1, y: 1 });
+    export const best = eight.plan({ prefer: "widest" });`);
+  for (const what of ["toSVG", "cost-map", "ship", "stop", '"cost"', "search", "prefer"]) expect(refused).toContain(what);
+});
+
+test("settings are typed by planner, figures by family, and errors by code", () => {
+  expect(check("typed.ts", `import { defaultConfig, ParkadeError, Planner, type Plan, type Scenario } from "parkade";
+    declare const scene: Scenario, any: Plan, error: ParkadeError;
+    export const clearance: number | undefined = new Planner("eight", scene, { post: "smooth", minRadius: "vehicle" }).plan().metrics.lengthRaw;
+    export const gap: number | undefined = new Planner("hybrid", scene, { margin: 0.2, xyResolution: null }).plan().metrics.gapPercent;
+    export const moved = any.planner === "cost-map" ? any.metrics.startMoved : any.metrics.length;
+    export const factor: number = defaultConfig("cost-map").factor, weight: "none" | "distance" = defaultConfig("four").weight;
+    export const isMine = error.code === "bad-config";`)).toBe("");
+  const refused = check("typed-bad.ts", `import { Planner, ParkadeError, type Plan, type Scenario } from "parkade";
+    declare const scene: Scenario, any: Plan, error: ParkadeError;
+    new Planner("eight", scene, { reverseCost: 1 });
+    new Planner("hybrid", scene, { profile: "sporty" });
+    export const raw = any.metrics.lengthRaw, gap = new Planner("four", scene).plan().metrics.gapPercent;
+    export const wrong = error.code === "bad-luck", never = any.outcome === "interrupted";`);
+  for (const what of ["reverseCost", "sporty", "lengthRaw", "gapPercent", "bad-luck", "interrupted"]) expect(refused).toContain(what);
+});
+
 test("strict TypeScript accepts good use of the types and refuses bad", () => {
   expect(check("good.ts", `import { init, Planner, scenario, toSVG, type Plan, type Scenario } from "parkade";
     await init();

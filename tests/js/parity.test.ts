@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import { init, Planner, planners, scenario, type PlannerId } from "parkade";
-import * as core from "parkade/core";
 import { beforeAll, describe, expect, it } from "vitest";
+import { core } from "./core";
 
 const read = (name: string): unknown => JSON.parse(readFileSync(new URL(`../data/${name}`, import.meta.url), "utf8"));
 
@@ -42,7 +42,7 @@ describe("plans in Node", () => {
   it.each(["regular", "trap"])("count like the golden vectors on %s-60", (family) => {
     const { maps } = read("grid-golden-vectors.json") as { maps: Golden[] };
     const golden = maps.find((m) => m.family === family && m.n === 60 && m.seed === 7)!;
-    const plan = (id: PlannerId): ReturnType<Planner["plan"]> => new Planner(id, scenario(`${family}-60`)).plan();
+    const plan = <Id extends PlannerId>(id: Id) => new Planner(id, scenario(`${family}-60`)).plan();
     const four = plan("four").stats, eight = plan("eight").stats, risk = plan("risk-field");
     expect([four.costMicro, four.expanded, four.generated]).toEqual(
       [golden.optimal_cost_micro["a4"], golden.expanded["a4_manhattan"], golden.generated["a4_manhattan"]]);

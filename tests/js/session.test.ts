@@ -1,6 +1,6 @@
 import { generateScenario, init, Planner, scenario, type PlannerId, type Pose, type Scenario } from "parkade";
-import * as core from "parkade/core";
 import { beforeAll, describe, expect, it } from "vitest";
+import { core } from "./core";
 
 beforeAll(() => Promise.all([init(), core.init()]));
 

@@ -122,15 +122,13 @@ fn build_package(workspace: &Workspace) -> Result<()> {
     copy_folder(&sources.join(COMMAND), &package.join(COMMAND))?;
     copy(&sources.join(INLINE_SOURCE), &package.join(INLINE_SOURCE))?;
     run(node().args(["-e", TO_TEXT, "--"]).arg(package.join(WASM_FILE)).arg(package.join("bytes.js")))?;
-    for name in ["index.d.ts", "index.d.cts"] {
-        copy(&sources.join("index.d.ts"), &package.join(name))?;
-    }
     copy(&root().join("src/scenario").join(SCHEMA), &package.join(SCHEMA))?;
     for name in PACKAGE_PAPERS {
         copy(&root().join(name), &package.join(name))?;
     }
     // The page's drawing, for pictures made without a page.
     run(node_tool("vite/bin/vite.js").args(["build", "--config", "vite.picture.config.ts"]))?;
+    write_types(&sources, &package)?;
     write_manifest(&workspace.version, &package)?;
     // Last, as it bundles what is there.
     run(node_tool("vite/bin/vite.js").args(["build", "--config", "vite.require.config.ts"]))
@@ -166,6 +164,23 @@ fn bind(compiled: &Path, package: &Path) -> Result<()> {
     ]);
     wasm_bindgen_cli::wasm_bindgen::run_cli_with_args::<_, std::ffi::OsString>(arguments)
         .context("wasm-bindgen")
+}
+
+/// Derives the settings' types from each module's registry, into the sources, and copies all types; CommonJS needs its own.
+fn write_types(sources: &Path, package: &Path) -> Result<()> {
+    for folder in ["", CORE] {
+        let module = package.join(folder).join("node.js");
+        let settings = capture(node().arg(root().join("xtask/settings-types.mjs")).arg(module))?;
+        fs::write(sources.join(folder).join("settings.d.ts"), settings).context("settings.d.ts")?;
+        for name in ["index", "settings"] {
+            let text = fs::read_to_string(sources.join(folder).join(name).with_extension("d.ts"))?;
+            fs::write(package.join(folder).join(name).with_extension("d.ts"), &text)?;
+            if folder.is_empty() {
+                fs::write(package.join(name).with_extension("d.cts"), text.replace(".js\"", ".cjs\""))?;
+            }
+        }
+    }
+    Ok(())
 }
 
 /// Writes the package's manifest: the one beside its sources, with the crate's version.

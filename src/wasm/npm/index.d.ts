@@ -1,12 +1,14 @@
 /** Vehicle path planners. SI units, radians; x east, y north, headings counter-clockwise from east. */
 
-export type PlannerId =
-  | "four" | "eight" | "sixteen" | "twenty-four" | "forty-eight" | "sixteen-bidirectional" | "jump-point" | "any-angle"
-  | "risk-field" | "risk-field-plus" | "hybrid" | "hybrid-forward" | "hybrid-bidirectional" | "hybrid-classic" | "cost-map";
+import type { GridPlannerId, HybridPlannerId, PlannerId, PlannerSettings, RoadPlannerId } from "./settings.js";
+export type * from "./settings.js";
 
 export type Outcome =
-  | "found" | "no-path" | "budget-spent" | "interrupted"
-  | "start-blocked" | "goal-blocked" | "start-outside" | "goal-outside";
+  | "found" | "no-path" | "budget-spent" | "start-blocked" | "goal-blocked" | "start-outside" | "goal-outside";
+
+/** A finer word for the outcome. */
+export type Detail =
+  | "unreachable" | "too-narrow" | "boxed-in" | "stranded" | "suboptimal" | "verification-failed" | "smoothing-fell-back";
 
 export interface Pose { x: number; y: number; heading: number }
 
@@ -165,10 +167,11 @@ export interface Scenario<AnyGoal extends Goal | GoalSet = Goal | GoalSet> {
   start: Pose;
   goal: AnyGoal;
   /** Settings per planner id, laid over that planner's defaults. */
-  planners?: Partial<Record<PlannerId, Record<string, unknown>>>;
+  planners?: Partial<PlannerSettings>;
 }
 
-export interface Stats {
+/** Counts of every search. */
+export interface SearchStats {
   expanded: number;
   generated: number;
   pushes: number;
@@ -179,10 +182,13 @@ export interface Stats {
    * searched; not the scene. No part of the hash.
    */
   memoryBytes: number;
-  /** Grid planners: second expansions (risk-field). */
+}
+
+export interface GridStats extends SearchStats {
+  /** Second expansions (risk-field). */
   deferred?: number;
   losCalls?: number;
-  /** Grid planners: exact integer cost in millionths of a cell, weights included. */
+  /** Exact integer cost in millionths of a cell, weights included. */
   costMicro?: number;
   /** Jump points: cells looked at along jumps. */
   cellsScanned?: number;
@@ -192,14 +198,20 @@ export interface Stats {
   narrow?: number;
   pocket?: number;
   restored?: number;
-  /** Hybrid: the same number as `expanded`, by the name of its specification. */
+}
+
+export interface HybridStats extends SearchStats {
+  /** The same number as `expanded`, by the name of its specification. */
   expansions?: number;
   collisionChecks?: number;
-  /** Hybrid: level of the portfolio that gave the path, or was tried last. */
+  /** Level of the portfolio that gave the path, or was tried last. */
   level?: number;
 }
 
-export interface Metrics {
+export type Stats = GridStats | HybridStats | SearchStats;
+
+/** Of any path. */
+export interface PathMetrics {
   /** Length of `path`, metres. */
   length: number;
   directionChanges: number;
@@ -212,7 +224,11 @@ export interface Metrics {
   meanClearance: number;
   /** Where the scene has `costs`: the length, every part of it times the weight under the rear axle (`cost-map`: the car's middle), metres. */
   weightedLength?: number;
-  /** Grid planners, lengths in cells: as searched, after greedy pruning, along the shortest way over its cells, smoothed. */
+}
+
+/** Of a path over cells, besides; absent where there is none. */
+export interface GridMetrics extends PathMetrics {
+  /** Lengths in cells: as searched, after greedy pruning, along the shortest way over its cells, smoothed. */
   lengthRaw?: number;
   lengthPruned?: number;
   lengthDp?: number;
@@ -231,39 +247,38 @@ export interface Metrics {
   arcs?: number;
   /** Smallest arc radius, cells. */
   minRadius?: number | null;
-  /** Hybrid: path cost, shortest Reeds–Shepp length without obstacles (m), gap to it in percent. */
+}
+
+/** Of hybrid A*'s path, besides; absent where there is none. */
+export interface HybridMetrics extends PathMetrics {
+  /** Path cost, shortest Reeds–Shepp length without obstacles (m), gap to it in percent. */
   cost?: number;
   rsBound?: number;
-  /** Hybrid: the margin planned with, metres: less than asked where start or goal have less, 2 mm where more keeps the car in. */
-  margin?: number;
   gapPercent?: number;
-  /** Hybrid: the parking paper's rounding. */
+  /** The margin planned with, metres: less than asked where start or goal have less, 2 mm where more keeps the car in. */
+  margin?: number;
+  /** The parking paper's rounding. */
   paperLength?: number;
   paperNodes?: number;
   paperTime?: number;
-  /** Hybrid, where it is chosen by: seconds within `trajectory`'s default limits. */
+  /** Where it is chosen by: seconds within `trajectory`'s default limits. */
   driveTime?: number;
-  /** Cost map, and `cost`: turning points of cells and chords, ends included; how far the ends were moved to have room, metres. */
+}
+
+/** Of `cost-map`'s path, besides; absent where there is none. */
+export interface RoadMetrics extends PathMetrics, Partial<RoadFigures> {
+  cost?: number;
+  /** Turning points of cells and of chords, ends included. */
   turnsRaw?: number;
+  turnsPruned?: number;
+  /** How far the ends were moved to have room, metres. */
   startMoved?: number;
   goalMoved?: number;
-  /** Cost map: bytes of the arrays that planning holds. */
+  /** Bytes of the arrays that planning holds. */
   bytes?: number;
-  /** Cost map: metres of the line of the car's middle. */
-  middleLength?: number;
-  /** Cost map: of the body, pointing along that line, 5 m at the ends left out; below zero where it overlaps. The mean counts at most 1.2 m. */
-  bodyClearanceMin?: number;
-  bodyClearanceMean?: number;
-  /** Cost map: of the middle, less half the width. */
-  sideClearanceMin?: number;
-  sideClearanceMean?: number;
-  /** Cost map: sum of the changes of the middle's curvature from metre to metre, and its largest, 1/m. */
-  curvatureVariation?: number;
-  middleCurvature?: number;
-  /** Cost map: metres from the nearest lane's middle; null without lanes. */
-  laneDeviationMax?: number | null;
-  laneDeviationMean?: number | null;
 }
+
+export type Metrics = GridMetrics | HybridMetrics | RoadMetrics;
 
 /** What the independent checker says of `path`: exact footprint against exact obstacles. */
 export interface Check {
@@ -292,14 +307,16 @@ export interface Check {
   goalDistance: number;
 }
 
-export type Trace =
-  /** Cell indices (y * width + x) in order of expansion. */
-  | { kind: "cells"; cells: Uint32Array; dropped: number }
-  /**
-   * Hybrid search tree: x, y, heading at its beginning, curvature, signed length (negative: reverse) of each arc as driven, in
-   * order of expansion; at most 20 000. Of the last search, where several levels were tried.
-   */
-  | { kind: "arcs"; arcs: Float64Array; dropped: number; shots: Shots };
+/** Cell indices (y * width + x) in order of expansion. */
+export interface CellTrace { kind: "cells"; cells: Uint32Array; dropped: number }
+
+/**
+ * Hybrid search tree: x, y, heading at its beginning, curvature, signed length (negative: reverse) of each arc as driven, in
+ * order of expansion; at most 20 000. Of the last search, where several levels were tried.
+ */
+export interface ArcTrace { kind: "arcs"; arcs: Float64Array; dropped: number; shots: Shots }
+
+export type Trace = CellTrace | ArcTrace;
 
 /** Analytic connections that hit something: of each expansion the cheapest that was tried; at most 4000. */
 export interface Shots {
@@ -336,12 +353,11 @@ export type Obstruction =
   /** Of what was searched, the place with the least estimate to go; the car's heading, of planners that have one. */
   | { kind: "nearest"; x: number; y: number; heading: number | null };
 
-export interface Plan {
+/** What plans of every family have. */
+export interface AnyPlan {
   planner: PlannerId;
   outcome: Outcome;
-  /** A finer word for the outcome: "unreachable", "too-narrow", "boxed-in", "stranded", "suboptimal",
-   *  "verification-failed", "smoothing-fell-back". */
-  detail: string | null;
+  detail: Detail | null;
   /** For people, when there is no path: what is in the way, where the search stopped. */
   reason: string | null;
   /** Where it fails, when there is no path and that is known. */
@@ -362,16 +378,43 @@ export interface Plan {
   metrics: Metrics;
   check: Check;
   trace: Trace | null;
-  /** Hybrid, not in `parkade/core`: which search of its portfolio answered; absent where nothing was searched. */
-  member?: Member;
-  /**
-   * Hybrid, where `alternatives` were asked for: the paths of which none is better in everything than another, this one among
-   * them, the shortest first. "Everything" is length, gear changes, clearance and `metrics.driveTime`.
-   */
-  alternatives?: Plan[];
   /** The same in every browser and in Node; time, trace, member and alternatives are no part of it. */
   hash: string;
 }
+
+export interface GridPlan extends AnyPlan {
+  planner: GridPlannerId;
+  stats: GridStats;
+  metrics: GridMetrics;
+  trace: CellTrace | null;
+}
+
+export interface HybridPlan extends AnyPlan {
+  planner: HybridPlannerId;
+  stats: HybridStats;
+  metrics: HybridMetrics;
+  trace: ArcTrace | null;
+  /** Not in `parkade/core`: which search of its portfolio answered; absent where nothing was searched. */
+  member?: Member;
+  /**
+   * Where `alternatives` were asked for: the paths of which none is better in everything than another, this one among them, the
+   * shortest first. "Everything" is length, gear changes, clearance and `metrics.driveTime`.
+   */
+  alternatives?: HybridPlan[];
+}
+
+export interface RoadPlan extends AnyPlan {
+  planner: RoadPlannerId;
+  stats: SearchStats;
+  metrics: RoadMetrics;
+  trace: CellTrace | null;
+}
+
+/** A planner's answer; `planner` tells the families apart. */
+export type Plan = GridPlan | HybridPlan | RoadPlan;
+
+/** The answer of one planner. */
+export type PlanOf<Id extends PlannerId> = Id extends GridPlannerId ? GridPlan : Id extends HybridPlannerId ? HybridPlan : RoadPlan;
 
 /** The search that found the path or, where there is none, that went through everything with the least margin, or was tried last. */
 export interface Member {
@@ -472,12 +515,14 @@ export interface PlannerInfo {
 
 export interface ScenarioInfo {
   id: string;
-  /** "parking", "grid", "paper". */
-  group: string;
+  group: "parking" | "grid" | "tight" | "paper" | "moving" | "road";
   title: { en: string; zh: string };
   /** The question the scene asks. */
   question: { en: string; zh: string };
 }
+
+/** A vehicle with nothing left open, and the radius (m) in which it turns. */
+export type SceneVehicle = Required<Vehicle> & { minTurningRadius: number };
 
 /** A scene resolved to plain geometry, metres. */
 export interface SceneGeometry {
@@ -486,17 +531,20 @@ export interface SceneGeometry {
   goal: Pose;
   /** A set of goals: every slot's poses, the list, or a sample of the region. Not in scenes with one goal. */
   goals?: TakenGoal[];
-  vehicle: Required<Vehicle> & { minTurningRadius: number };
+  vehicle: SceneVehicle;
   boundary: [number, number][];
   /** Outlines of each slot's four corners: near left, near right, far right, far left, seen from the aisle. */
   slots: [number, number][][];
   /** Cars standing in occupied slots. */
-  parkedCars: { slot: number; pose: Pose; vehicle: Required<Vehicle> }[];
+  parkedCars: { slot: number; pose: Pose; vehicle: SceneVehicle }[];
 }
 
+export type ErrorCode =
+  | "bad-config" | "bad-scenario" | "bad-vehicle" | "bad-input" | "bad-import" | "unknown-planner" | "unknown-scenario"
+  | "freed" | "not-initialised" | "internal";
+
 export class ParkadeError extends Error {
-  /** "bad-config" | "bad-scenario" | "bad-vehicle" | "bad-input" | "bad-import" | "unknown-planner" | "unknown-scenario" | "freed" | "not-initialised" | "internal" */
-  readonly code: string;
+  readonly code: ErrorCode;
   /** The field, such as "obstacles[2].points[0]"; empty for the whole. */
   readonly path: string;
 }
@@ -509,7 +557,7 @@ export class ParkadeError extends Error {
 export function init(options?: { wasm?: BufferSource | WebAssembly.Module | URL | string }): Promise<void>;
 export function version(): string;
 export function planners(): PlannerInfo[];
-export function defaultConfig(planner: PlannerId): Record<string, unknown>;
+export function defaultConfig<Id extends PlannerId>(planner: Id): Required<PlannerSettings[Id]>;
 export function scenarios(): ScenarioInfo[];
 export function scenario(id: string): Scenario<Goal>;
 /** Checks a scene and resolves it to geometry. Throws ParkadeError. */
@@ -646,7 +694,7 @@ export interface RoadTable {
     verdict: Check["verdict"];
     /** No curve was good enough. */
     fellBack: boolean;
-    metrics: Required<Pick<Metrics,
+    metrics: Required<Pick<RoadMetrics,
       | "cost" | "turnsRaw" | "turnsPruned" | "startMoved" | "goalMoved" | "bytes" | "middleLength" | "bodyClearanceMin" | "bodyClearanceMean"
       | "sideClearanceMin" | "sideClearanceMean" | "curvatureVariation" | "middleCurvature" | "laneDeviationMax" | "laneDeviationMean">>;
     risk: { trials: number; hits: number; discHits: number };
@@ -714,9 +762,9 @@ export function paperParkingRows(): ParkingRow[];
 /** Plans a row of the parking paper with its planners; the fastest of some rounds (1) counts for the time. */
 export function paperParking(options: { row: string; rounds?: number }): ParkingTable;
 
-export class Planner {
+export class Planner<Id extends PlannerId = PlannerId> {
   /** Checks scene and settings and prepares the map, once. Throws ParkadeError. */
-  constructor(planner: PlannerId, scene: Scenario, config?: Record<string, unknown>);
+  constructor(planner: Id, scene: Scenario, config?: PlannerSettings[Id]);
   /**
    * `start` and `goal` take the place of the scene's in this plan, and in `layer`, `explain` and `anyAngleLength` until the next
    * one; a second plan on the same map prepares nothing anew. `goal` is one pose or slot, no set of them. `parkade/core` takes
@@ -743,8 +791,8 @@ export class Planner {
     alternatives?: boolean;
     stickiness?: number;
     onProgress?: (expansions: number) => void;
-    onImproved?: (plan: Plan) => void;
-  }): Plan;
+    onImproved?: (plan: PlanOf<Id>) => void;
+  }): PlanOf<Id>;
   /**
    * The search of a grid planner alone, between two points: its cells, neither followed by a car nor checked nor
    * measured. What `plan` does besides grows with the path and often takes longer. Not in `parkade/core`.
@@ -901,22 +949,25 @@ export interface Encounter extends Drive {
   freeDuration: number;
 }
 
+/** Of a path on a road, along the line of the car's middle. */
 export interface RoadFigures {
+  /** Metres of that line. */
   middleLength: number;
+  /** Of the body, pointing along that line, 5 m at the ends left out; below zero where it overlaps. The mean counts at most 1.2 m. */
   bodyClearanceMin: number;
   bodyClearanceMean: number;
+  /** Of the middle, less half the width. */
   sideClearanceMin: number;
   sideClearanceMean: number;
+  /** Sum of the changes of the middle's curvature from metre to metre, and its largest, 1/m. */
   curvatureVariation: number;
   middleCurvature: number;
+  /** Metres from the nearest lane's middle; null without lanes. */
   laneDeviationMax: number | null;
   laneDeviationMean: number | null;
 }
 
-/**
- * Figures of any path on a scene's road, along the line of the car's middle. `parkade` only, not `parkade/core`. What they
- * are: `Metrics`.
- */
+/** Figures of any path on a scene's road. `parkade` only, not `parkade/core`. */
 export function roadFigures(scene: Scenario, plan: { path: Float64Array | number[] }): RoadFigures;
 /**
  * How often a path ends in a collision when the car is beside it by chance: in each trial by 0.10 m throughout and 0.12 m

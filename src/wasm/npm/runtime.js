@@ -6,7 +6,7 @@ export class ParkadeError extends Error {
 
   /**
    * @param {string} message
-   * @param {string} code
+   * @param {import("./index.js").ErrorCode} code
    * @param {string} [path]
    * @param {ErrorOptions} [options]
    */

@@ -97,7 +97,8 @@ export class Charts extends AppElement {
   }
 
   private plot(plot: Plot, lines: readonly Line[], total: number): SVGTemplateResult {
-    const limit = lines[0]!.plan.metrics.curvatureLimit, margin = focusedPlan(this.state)?.metrics.margin;
+    const limit = lines[0]!.plan.metrics.curvatureLimit, metrics = focusedPlan(this.state)?.metrics;
+    const margin = metrics && "margin" in metrics ? metrics.margin : undefined;
     const rule = (value: number, name: string): SVGTemplateResult =>
       svg`<line class=${name} x1="0" x2=${WIDTH} y1=${yOf(plot, value)} y2=${yOf(plot, value)}/>`;
     return svg`${plot.quantity === "curvature" ? [rule(limit, "limit"), rule(-limit, "limit"), rule(0, "zero")] : [rule(0, "zero"), plot.quantity === "clearance" && margin ? rule(margin, "limit") : nothing]}

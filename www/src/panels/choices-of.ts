@@ -1,14 +1,14 @@
 /** Which of a planner's paths are worth a chip. */
-import type { Plan, Prefer } from "parkade";
+import type { HybridPlan, Prefer } from "parkade";
 
 const MOST = 4;
 /** What differs by less looks the same: a share of the length or the time, and metres of clearance. */
 const SAME = 0.01, SAME_CLEARANCE = 0.05;
 
 /** What a chip stands for: a path that is the best by some measures, or the ordinary one. */
-export interface Choice { plan: Plan; by: Prefer[]; isOrdinary: boolean }
+export interface Choice { plan: HybridPlan; by: Prefer[]; isOrdinary: boolean }
 
-const MEASURES: Record<Prefer, (plan: Plan) => readonly [number, number]> = {
+const MEASURES: Record<Prefer, (plan: HybridPlan) => readonly [number, number]> = {
   shortest: ({ metrics: { length } }) => [length, 0],
   "fewest-changes": ({ metrics: { directionChanges, length } }) => [directionChanges, length],
   widest: ({ metrics: { minClearance, length } }) => [-minClearance, length],
@@ -17,7 +17,7 @@ const MEASURES: Record<Prefer, (plan: Plan) => readonly [number, number]> = {
 const PREFERENCES = Object.keys(MEASURES) as Prefer[];
 
 /** The paths that are best by some measure, and the ordinary one, the shortest first. */
-export function choicesOf(ordinary: Plan, alternatives: readonly Plan[]): Choice[] {
+export function choicesOf(ordinary: HybridPlan, alternatives: readonly HybridPlan[]): Choice[] {
   const choices: Choice[] = [{ plan: ordinary, by: [], isOrdinary: true }];
   for (const prefer of PREFERENCES) {
     const best = bestBy(prefer, alternatives);
@@ -29,10 +29,10 @@ export function choicesOf(ordinary: Plan, alternatives: readonly Plan[]): Choice
   return choices.slice(0, MOST).sort((a, b) => a.plan.metrics.length - b.plan.metrics.length);
 }
 
-const bestBy = (prefer: Prefer, plans: readonly Plan[]): Plan | undefined => {
+const bestBy = (prefer: Prefer, plans: readonly HybridPlan[]): HybridPlan | undefined => {
   const measure = MEASURES[prefer];
   return [...plans].sort((a, b) => measure(a)[0] - measure(b)[0] || measure(a)[1] - measure(b)[1])[0];
 };
 
-const alike = ({ metrics: a }: Plan, { metrics: b }: Plan): boolean =>
+const alike = ({ metrics: a }: HybridPlan, { metrics: b }: HybridPlan): boolean =>
   a.directionChanges === b.directionChanges && Math.abs(a.length - b.length) <= SAME * a.length && Math.abs(a.minClearance - b.minClearance) <= SAME_CLEARANCE;

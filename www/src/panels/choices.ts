@@ -1,4 +1,4 @@
-import type { Plan, PlannerId, Prefer } from "parkade";
+import type { HybridPlannerId, Plan, PlannerId, Prefer } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import { words } from "../i18n/words";
 import { Helper } from "../planning/helper";
@@ -126,7 +126,7 @@ export class Choices extends AppElement {
       const engine = await this.app.complete();
       if (this.tried !== question) return;
       this.helper = new Helper(engine);
-      const [ordinary, ...alternatives] = await this.helper.call("alternatives", { planner, scene: forPlanners(scene, engine.api.packRuns) });
+      const [ordinary, ...alternatives] = await this.helper.call("alternatives", { planner: planner as HybridPlannerId, scene: forPlanners(scene, engine.api.packRuns) });
       const known = found.get(scene) ?? new Map<PlannerId, Choice[]>();
       found.set(scene, known.set(planner, choicesOf(ordinary, alternatives)));
     } catch {

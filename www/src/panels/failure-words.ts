@@ -45,8 +45,9 @@ function turn({ lang }: State, check: Check, values: Record<string, string>): st
 
 /** Why the road manuscript's own smoothing or chords fail. */
 function literally({ lang, scene }: State, { planner, outcome }: Plan): string | null {
+  if (outcome !== "found" || planner !== "cost-map") return null;
   const { pruning, smoothing } = scene.planners?.[planner] ?? {};
-  if (outcome !== "found" || planner !== "cost-map" || (smoothing !== "paper" && pruning !== "los")) return null;
+  if (smoothing !== "paper" && pruning !== "los") return null;
   return say(lang, smoothing === "paper" ? "stray" : "sight");
 }
 

@@ -9,6 +9,9 @@ import { sections } from "../styles/sections";
 import { AppElement } from "./base";
 import { marker } from "./icons";
 
+/** Of any planner, by the names that its parameters have. */
+type Settings = Record<string, unknown>;
+
 const DEGREES = 180 / Math.PI;
 const say = words({
   fromGoal: ["Found from the goal: cells of {cell} and {angle}°, {margin} of margin kept.", "自目标搜索得到：格 {cell}、{angle}°，保持余量 {margin}。"],
@@ -49,7 +52,7 @@ export class Parameters extends AppElement {
   protected override render(): TemplateResult {
     const { focus, lang, scene } = this.state;
     const parameters = this.app.catalog?.planners.find((one) => one.id === focus)?.parameters ?? [];
-    const settings = scene.planners?.[focus] ?? {};
+    const settings: Settings = { ...scene.planners?.[focus] };
     const basic = parameters.filter((one) => one.basic);
     const shown = this.all || basic.length === 0 ? parameters : basic;
     return html`
@@ -63,14 +66,15 @@ export class Parameters extends AppElement {
 
   /** Which of hybrid's searches answered. */
   private member(): TemplateResult | typeof nothing {
-    const { focus, results, lang } = this.state, plan = results[focus]?.plan, member = plan?.member;
-    if (!member) return nothing;
+    const { focus, results, lang } = this.state, plan = results[focus]?.plan;
+    if (!plan || !("member" in plan) || !plan.member) return nothing;
+    const { member } = plan;
     const metres = (value: number): string => `${this.num(value, value < 0.01 ? 3 : 2)} m`;
     const values = { cell: metres(member.xyResolution), angle: this.num(member.headingResolution * DEGREES, member.headingResolution * DEGREES < 1 ? 1 : 0), margin: metres(member.margin) };
     return html`<p class="member">${say(lang, plan.outcome === "found" ? (member.fromGoal ? "fromGoal" : "fromStart") : plan.outcome === "no-path" ? "none" : "spent", values)}</p>`;
   }
 
-  private parameter(info: ParameterInfo, settings: Record<string, unknown>): TemplateResult {
+  private parameter(info: ParameterInfo, settings: Settings): TemplateResult {
     const value = settings[info.name] ?? info.default;
     const changed = info.name in settings && settings[info.name] !== info.default;
     const { lang } = this.state;
@@ -121,7 +125,7 @@ export class Parameters extends AppElement {
 
   private change(info: ParameterInfo, value: number | boolean | string, transient: boolean): void {
     const { focus, scene } = this.state;
-    const settings = { ...scene.planners?.[focus] };
+    const settings: Settings = { ...scene.planners?.[focus] };
     if (value === info.default) delete settings[info.name];
     else settings[info.name] = value;
     this.app.store.edit(withSettings(scene, focus, settings), { transient });
@@ -132,10 +136,10 @@ const isNumeric = (info: ParameterInfo): boolean => info.type === "number" || in
 
 const digitsOf = (step: number): number => (step >= 1 ? 0 : step >= 0.1 ? 1 : step >= 0.01 ? 2 : 3);
 
-function withSettings(scene: Scene, planner: PlannerId, settings: Record<string, unknown>): Scene {
+function withSettings(scene: Scene, planner: PlannerId, settings: Settings): Scene {
   const planners = { ...scene.planners };
-  if (Object.keys(settings).length > 0) planners[planner] = settings;
-  else delete planners[planner];
+  if (Object.keys(settings).length > 0) return { ...scene, planners: { ...planners, [planner]: settings } };
+  delete planners[planner];
   return { ...scene, planners };
 }
 

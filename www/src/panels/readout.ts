@@ -31,8 +31,9 @@ export function weightsOf({ scene: { costs = [] }, lang }: State): TemplateResul
 }
 
 function countsOf(state: State, planner: PlannerId): TemplateResult | typeof nothing {
-  const { narrow, pocket, restored } = state.results[planner]?.plan?.stats ?? {};
-  if (!state.layers.redundant || narrow === undefined) return rampOf(state, planner);
+  const stats = state.results[planner]?.plan?.stats;
+  if (!state.layers.redundant || !stats || !("narrow" in stats)) return rampOf(state, planner);
+  const { narrow = 0, pocket, restored } = stats;
   const counts = translate(state.lang, "read.redundant", { narrow, pocket: pocket ?? 0, restored: restored ?? 0 });
   return html`<div class="pill legend">${counts}</div>${rampOf(state, planner)}`;
 }

@@ -11,4 +11,4 @@ export { init, packRuns, planners, scenario, sceneGeometry, scenarios, unpackRun
 /** What `new Worker` is given. */
 export const script = import.meta.url;
 
-if (typeof document === "undefined") serve({ Planner, init });
+if (typeof document === "undefined") serve({ Planner, init } as unknown as Parameters<typeof serve>[0]);

@@ -1,5 +1,5 @@
 /** What workers of the complete module do beside planning. */
-import type { Family, ImportOptions, Imported, PaperRow, ParkingRow, ParkingTable, PaperTable, Plan, PlannerId, PaperClaim, RoadFigures, RoadRow, RoadTable } from "parkade";
+import type { Family, HybridPlan, HybridPlannerId, ImportOptions, Imported, PaperRow, ParkingRow, ParkingTable, PaperTable, Plan, PlannerId, PaperClaim, RoadFigures, RoadRow, RoadTable } from "parkade";
 import { Planner, collisionRisk, generateScenario, importScene, init, packRuns, paperGrid, paperGridRows, paperGridSummary, paperParking, paperParkingRows, paperRoad, paperRoadRows, roadFigures } from "parkade";
 import type { Run } from "../scene/cells";
 import type { Scenario } from "../scene/scenario";
@@ -25,9 +25,9 @@ const JOBS = {
     }
   },
   /** The ordinary answer, and all that are worth choosing from. */
-  alternatives: ({ planner, scene }: { planner: PlannerId; scene: Scenario }): [Plan, ...Plan[]] => {
+  alternatives: ({ planner, scene }: { planner: HybridPlannerId; scene: Scenario }): [HybridPlan, ...HybridPlan[]] => {
     const made = new Planner(planner, scene);
-    let ordinary: Plan | null = null;
+    let ordinary: HybridPlan | null = null;
     try {
       const best = made.plan({ alternatives: true, onImproved: (plan) => { ordinary ??= plan; } });
       return [ordinary ?? best, ...(best.alternatives ?? [])];

@@ -4,7 +4,8 @@ import { WorkerPool } from "./pool";
 import coreUrl from "../../../pkg/core/parkade_bg.wasm?url";
 import completeUrl from "../../../pkg/parkade_bg.wasm?url";
 
-type Api = typeof import("./engine");
+/** The small module is asked for no more than it has: its planners, and scenes without sets of goals. */
+type Api = typeof import("./engine-complete");
 
 /** The planners' functions, ready to be called, their compiled module for the workers, and these; of all playgrounds of a page. */
 export interface Engine { extent: Extent; api: Api; module: WebAssembly.Module; pool: WorkerPool; script: string }
@@ -40,7 +41,7 @@ export function loadEngine(extent: Extent): Promise<Engine> {
 
 async function load(extent: Extent): Promise<Engine> {
   const { url, script } = SOURCES[extent];
-  const [api, module] = await Promise.all([script(), compile(beside(elsewhere.wasm, url))]);
+  const [api, module] = await Promise.all([script() as Promise<unknown> as Promise<Api>, compile(beside(elsewhere.wasm, url))]);
   await api.init({ wasm: module });
   const source = beside(elsewhere.worker, api.script);
   const pool = new WorkerPool(() => new Worker(source, { type: "module", name: "parkade" }) as WorkerLike);

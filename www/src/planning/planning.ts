@@ -1,4 +1,4 @@
-import type { LayerName, Plan, PlannerId } from "parkade";
+import type { LayerName, Plan, PlannerId, PlannerSettings } from "parkade";
 import { translate } from "../i18n/index";
 import { hasField, identityOf, plannerName } from "../view/identity";
 import { isOneGoal } from "../scene/model";
@@ -376,7 +376,8 @@ const DRAG: Pick<State, "prefer"> & { waiting: null } = { waiting: null, prefer:
 const hasCosts = (planner: PlannerId): boolean => planner === "cost-map";
 
 /** Whether a grid planner's settings close free cells. */
-const closes = ({ minPassage = 1, trapMouth = 1 }: Record<string, unknown> = {}): boolean => Number(minPassage) > 1 || Number(trapMouth) > 1;
+const closes = (settings: PlannerSettings[PlannerId] = {}): boolean =>
+  "minPassage" in settings && Number(settings.minPassage) > 1 || "trapMouth" in settings && Number(settings.trapMouth) > 1;
 
 const withOld = (layers: Layers, old: Layers, transient: boolean): Layers =>
   transient && old.clearance && !layers.clearance ? { ...layers, clearance: old.clearance } : layers;
