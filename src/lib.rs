@@ -24,11 +24,11 @@
 //! # Layers
 //!
 //! A module uses only modules before it in this list:
-//! [`error`] · [`geometry`] (poses, arcs, Reeds–Shepp curves) · [`map`] (cells, rasters, distance and potential fields) ·
+//! [`error`] · `json` (reading settings and scenes) · [`geometry`] (poses, arcs, Reeds–Shepp curves) · [`map`] (cells, rasters, distance and potential fields) ·
 //! [`vehicle`] (dimensions, collision) · [`scenario`] (scenes, their JSON, built-in and generated ones) · `import` (maps of
 //! other programs) · [`search`] (best-first search over any [`search::Domain`]) · [`planners`] · [`post`] (pruning, smoothing) · [`metrics`] (validator, figures) ·
 //! `drive` (paths in time) ·
-//! [`plan`] (joins all of these). On wasm32 a module of JavaScript bindings follows.
+//! [`plan`] (joins all of these) · `papers` (the papers' tables) · `wasm` (JavaScript bindings, on wasm32 only).
 //!
 //! # Determinism
 //!
