@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use parkade::error::ErrorCode;
 use parkade::geometry::{Point, Pose};
 use parkade::plan::{Ends, LayerData, Options, Outcome, Planner};
-use parkade::planners::registry::{Info, planners};
+use parkade::planners::registry::{self, Info, planners};
 use parkade::scenario::generate::{Family, SplitMix64, generate};
 use parkade::scenario::{Goal, Obstacle, Scenario, catalog};
 use serde_json::{Map, Value, json};
@@ -110,7 +110,7 @@ fn a_search_alone_finds_the_raw_path() {
         let mut session = Planner::new(info.id, &scene, &Map::new()).unwrap();
         let (start, Goal::Pose(goal)) = (scene.start, scene.goal.clone()) else { panic!("a pose") };
         let route = session.search(start.point(), goal.point());
-        if info.family != "grid" {
+        if info.family != registry::Family::Grid {
             assert_eq!(route.unwrap_err().code, ErrorCode::Input);
             continue;
         }
@@ -253,7 +253,7 @@ fn a_map_too_large_for_a_car_is_refused_and_says_so() {
 /// A planner that takes long, and how often it tells: noise with a wall across it, where every cell that can be reached is
 /// searched, or a tight slot.
 fn slow(info: &Info) -> (Planner, u32) {
-    let (scene, config, every) = if info.family == "hybrid" {
+    let (scene, config, every) = if info.family == registry::Family::Hybrid {
         (catalog::scenario("par-8.0").unwrap(), settings(&json!({ "maxExpansions": 1500 })), 256)
     } else {
         let noise = Family::Random { density_permille: 330, block_min: 1, block_max: 1 };

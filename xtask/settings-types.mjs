@@ -17,7 +17,8 @@ function declarations(all) {
     `export type PlannerId = ${families.map((family) => `${pascal(family)}PlannerId`).join(" | ")};`,
     ...families.flatMap((family) => familySettings(family, all.filter((one) => one.family === family))),
     `/** The settings of each planner, all of them optional. */\nexport interface PlannerSettings {\n${all.map((one) => `  ${key(one.id)}: ${settingsName(one, all)};`).join("\n")}\n}`,
-  ].join("\n\n") + "\n";
+    "",
+  ].join("\n\n").replace(/\n+$/, "\n");
 }
 
 /** @param {string} name @param {string[]} words */

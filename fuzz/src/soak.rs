@@ -1,7 +1,7 @@
 //! A planner whose map is brushed, against one that is made anew.
 
 use parkade::plan::{Options, Planner};
-use parkade::planners::registry::planners;
+use parkade::planners::registry::{Family, planners};
 use serde_json::Map;
 
 use crate::Outcome;
@@ -14,7 +14,7 @@ pub(crate) fn edits(seed: u64) -> Outcome {
     let all = planners();
     let id = loop {
         let info = r.pick(&all);
-        if info.family != "hybrid" {
+        if info.family != Family::Hybrid {
             break info.id;
         }
     };

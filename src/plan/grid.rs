@@ -43,7 +43,7 @@ impl Engine {
         let search = Search::new(kind, config)?;
         let settings = search.common();
         settings.validate()?;
-        if world.occupancy.weights().is_some() && !kind.weighs() {
+        if world.occupancy.weights().is_some() && !kind.takes_costs() {
             let rule = format!("must be empty for {}, for which all free cells cost the same", kind.id());
             return Err(Error::new(ErrorCode::Config, "costs", rule));
         }

@@ -45,7 +45,7 @@ use crate::metrics::risk::{self, Risk};
 #[cfg(feature = "complete")]
 use crate::metrics::road::{Figures, figures};
 use crate::metrics::{Body, Check, check};
-use crate::planners::registry::{Kind, default_config};
+use crate::planners::registry::{Family, Kind, default_config};
 #[cfg(feature = "complete")]
 use crate::scenario::Goals;
 use crate::scenario::Scenario;
@@ -182,7 +182,7 @@ impl Planner {
         let engine = match kind {
             #[cfg(feature = "complete")]
             Kind::CostMap => Engine::Road(Box::new(road::Engine::new(scenario, &world, &settings)?)),
-            kind if kind.is_hybrid() => {
+            kind if kind.family() == Family::Hybrid => {
                 Engine::Hybrid(Box::new(hybrid::Engine::new(&world, kind, &settings)?))
             }
             kind => Engine::Grid(Box::new(grid::Engine::new(&world, kind, &settings)?)),
@@ -231,7 +231,7 @@ impl Planner {
     #[cfg_attr(feature = "complete", inline(never))]
     fn toward(&mut self, ends: [Pose; 2], options: Options) -> Plan {
         [self.world.geometry.start, self.world.geometry.goal] = ends;
-        let every = if self.kind.is_hybrid() { POSES } else { CELLS };
+        let every = if self.kind.family() == Family::Hybrid { POSES } else { CELLS };
         let mut progress = options.progress.map(|tell| Progress::new(every, tell));
         #[cfg(feature = "complete")]
         let wish = choices::Wish {
@@ -273,7 +273,7 @@ impl Planner {
             }
         }
         match &self.engine {
-            Engine::Grid(engine) if self.kind.has_field() => {
+            Engine::Grid(engine) if self.kind.has_risk_field() => {
                 Ok(engine.explain(&self.world, Point::new(x, y)))
             }
             _ => {

@@ -5,6 +5,8 @@ use super::{Engine, grid};
 use super::{Options, Outcome, Plan, Planner};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::{Point, Pose};
+#[cfg(feature = "complete")]
+use crate::planners::registry::Family;
 use crate::scenario::validate::finite_pose;
 #[cfg(feature = "complete")]
 use crate::search::Watch;
@@ -48,7 +50,7 @@ impl Planner {
         let start = ends.start.map(|pose| checked("start", pose)).transpose()?;
         let goal = ends.goal.map(|pose| checked("goal", pose)).transpose()?;
         #[cfg(feature = "complete")]
-        if let Some(choice) = options.choice().filter(|_| !self.kind.is_hybrid()) {
+        if let Some(choice) = options.choice().filter(|_| self.kind.family() != Family::Hybrid) {
             let message = format!("{} finds one path; hybrid has others to choose from", self.kind.id());
             return Err(Error::new(ErrorCode::Input, choice, message));
         }

@@ -6,7 +6,7 @@ use serde_json::{Map, Value};
 use super::moves::Neighbourhood;
 #[cfg(feature = "complete")]
 use super::parameters::{BIDIRECTIONAL, JUMP_POINT, ROAD};
-use super::parameters::{GRID, GRID_HEURISTICS, HYBRID, RISK, Row};
+use super::parameters::{GRID, GRID_HEURISTICS, HYBRID, RISK, Row as ParameterRow};
 #[cfg(feature = "complete")]
 use super::{any_angle, bidirectional, cost_map, jump_point};
 use super::{grid_astar, hybrid, risk_field};
@@ -53,17 +53,34 @@ pub struct Parameter {
     pub doc: Text,
 }
 
+/// What a planner searches.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Family {
+    /// Cells of a map.
+    Grid,
+    /// Poses of a car, which can drive the path.
+    Hybrid,
+    /// Cells of a cost map, then curves along roads.
+    Road,
+}
+
 /// A planner, for a menu.
 #[derive(Debug, Clone, Serialize)]
+#[serde(rename_all = "camelCase")]
 pub struct Info {
     /// Its id.
     pub id: &'static str,
-    /// `grid`, `hybrid` or `road`.
-    pub family: &'static str,
+    /// What it searches.
+    pub family: Family,
     /// Its name for people.
     pub title: Text,
     /// Where it comes from.
     pub paper: &'static str,
+    /// Whether a risk field leads it.
+    pub has_risk_field: bool,
+    /// Whether it knows that cells can cost more than others.
+    pub takes_costs: bool,
     /// Its settings.
     pub parameters: Vec<Parameter>,
 }
@@ -113,33 +130,101 @@ pub enum Kind {
     CostMap,
 }
 
-const KINDS: &[(Kind, &str)] = &[
-    (Kind::Four, "four"),
-    (Kind::Eight, "eight"),
+/// What is known of each planner, in the order of menus.
+const ROWS: &[Row] = &[
+    row(Kind::Four, "four", Family::Grid, ["4-neighbour", "四邻域"], "Hart, Nilsson, Raphael 1968"),
+    row(Kind::Eight, "eight", Family::Grid, ["8-neighbour", "八邻域"], "Hart, Nilsson, Raphael 1968"),
     #[cfg(feature = "complete")]
-    (Kind::Sixteen, "sixteen"),
+    row(Kind::Sixteen, "sixteen", Family::Grid, ["16-neighbour", "十六邻域"], "Yuan 2020"),
     #[cfg(feature = "complete")]
-    (Kind::TwentyFour, "twenty-four"),
+    row(Kind::TwentyFour, "twenty-four", Family::Grid, ["24-neighbour", "二十四邻域"], "Yuan 2020"),
     #[cfg(feature = "complete")]
-    (Kind::FortyEight, "forty-eight"),
+    row(Kind::FortyEight, "forty-eight", Family::Grid, ["48-neighbour", "四十八邻域"], "Yuan 2020"),
     #[cfg(feature = "complete")]
-    (Kind::Bidirectional, "sixteen-bidirectional"),
+    row(
+        Kind::Bidirectional,
+        "sixteen-bidirectional",
+        Family::Grid,
+        ["From both ends", "双向搜索"],
+        "Yuan 2020; Pijls, Post 2009",
+    ),
     #[cfg(feature = "complete")]
-    (Kind::JumpPoint, "jump-point"),
+    row(Kind::JumpPoint, "jump-point", Family::Grid, ["Jump points", "跳点搜索"], "Harabor, Grastien 2011"),
     #[cfg(feature = "complete")]
-    (Kind::AnyAngle, "any-angle"),
-    (Kind::RiskField, "risk-field"),
+    row(
+        Kind::AnyAngle,
+        "any-angle",
+        Family::Grid,
+        ["Any angle", "任意角（Theta*）"],
+        "Nash, Daniel, Koenig, Felner 2007",
+    ),
+    row(Kind::RiskField, "risk-field", Family::Grid, ["Risk field", "改进A*（风险场）"], "Hu et al. 2024"),
     #[cfg(feature = "complete")]
-    (Kind::RiskFieldPlus, "risk-field-plus"),
-    (Kind::Hybrid, "hybrid"),
-    (Kind::HybridForward, "hybrid-forward"),
+    row(
+        Kind::RiskFieldPlus,
+        "risk-field-plus",
+        Family::Grid,
+        ["Risk field plus", "改进A*+（风险场）"],
+        "Hu et al. 2024, beyond",
+    ),
+    row(
+        Kind::Hybrid,
+        "hybrid",
+        Family::Hybrid,
+        ["Hybrid A*", "混合A*"],
+        "Reverse-search hybrid A* for parking, 2025",
+    ),
+    row(
+        Kind::HybridForward,
+        "hybrid-forward",
+        Family::Hybrid,
+        ["Hybrid A*, forward", "混合A*（仅前进）"],
+        "Dolgov et al. 2010",
+    ),
     #[cfg(feature = "complete")]
-    (Kind::HybridBidirectional, "hybrid-bidirectional"),
+    row(
+        Kind::HybridBidirectional,
+        "hybrid-bidirectional",
+        Family::Hybrid,
+        ["Hybrid A*, both ends", "混合A*（双向搜索）"],
+        "Reverse-search hybrid A* for parking, 2025",
+    ),
     #[cfg(feature = "complete")]
-    (Kind::HybridClassic, "hybrid-classic"),
+    row(
+        Kind::HybridClassic,
+        "hybrid-classic",
+        Family::Hybrid,
+        ["Hybrid A*, classic", "混合A*（经典）"],
+        "Dolgov et al. 2010",
+    ),
     #[cfg(feature = "complete")]
-    (Kind::CostMap, "cost-map"),
+    row(
+        Kind::CostMap,
+        "cost-map",
+        Family::Road,
+        ["Cost map", "代价地图A*"],
+        "A* path planning for intelligent-vehicle road navigation, manuscript",
+    ),
 ];
+
+struct Row {
+    kind: Kind,
+    id: &'static str,
+    family: Family,
+    /// English and Chinese.
+    title: [&'static str; 2],
+    paper: &'static str,
+}
+
+const fn row(
+    kind: Kind,
+    id: &'static str,
+    family: Family,
+    title: [&'static str; 2],
+    paper: &'static str,
+) -> Row {
+    Row { kind, id, family, title, paper }
+}
 
 impl Kind {
     /// The planner of this id.
@@ -147,30 +232,38 @@ impl Kind {
     /// # Errors
     /// [`ErrorCode::UnknownPlanner`], with the ids that exist.
     pub fn of(id: &str) -> Result<Self, Error> {
-        KINDS.iter().find(|k| k.1 == id).map(|k| k.0).ok_or_else(|| {
-            let known: Vec<_> = KINDS.iter().map(|k| k.1).collect();
+        ROWS.iter().find(|row| row.id == id).map(|row| row.kind).ok_or_else(|| {
+            let known: Vec<_> = ROWS.iter().map(|row| row.id).collect();
             let message = format!("no planner \"{id}\"; there are {}", known.join(", "));
             Error::new(ErrorCode::UnknownPlanner, "", message)
         })
     }
 
+    fn row(self) -> &'static Row {
+        // Every planner has a row: a test counts them.
+        ROWS.iter().find(|row| row.kind == self).unwrap_or(&ROWS[0])
+    }
+
     /// Its id.
     pub fn id(self) -> &'static str {
-        KINDS.iter().find(|k| k.0 == self).map_or("", |k| k.1)
+        self.row().id
+    }
+
+    /// What it searches.
+    pub fn family(self) -> Family {
+        self.row().family
     }
 
     /// Whether a risk field leads it.
-    pub fn has_field(self) -> bool {
-        self.id().starts_with("risk-field")
-    }
-
-    /// Whether it plans for a car instead of on cells.
-    pub fn is_hybrid(self) -> bool {
-        self.id().starts_with("hybrid")
+    pub fn has_risk_field(self) -> bool {
+        #[cfg(feature = "complete")]
+        return matches!(self, Self::RiskField | Self::RiskFieldPlus);
+        #[cfg(not(feature = "complete"))]
+        matches!(self, Self::RiskField)
     }
 
     /// Whether it knows that cells can cost more than others.
-    pub fn weighs(self) -> bool {
+    pub fn takes_costs(self) -> bool {
         #[cfg(feature = "complete")]
         return !matches!(self, Self::JumpPoint | Self::AnyAngle);
         #[cfg(not(feature = "complete"))]
@@ -217,6 +310,29 @@ impl Kind {
             _ => Map::new(),
         }
     }
+
+    /// Its parameters for a form.
+    fn parameters(self) -> Vec<Parameter> {
+        let defaults = self.default_config();
+        let rows: Vec<ParameterRow> = match self {
+            Self::Four => [&GRID_HEURISTICS[..1], GRID].concat(),
+            Self::Eight => [&GRID_HEURISTICS[1..2], GRID].concat(),
+            #[cfg(feature = "complete")]
+            Self::Sixteen | Self::TwentyFour | Self::FortyEight => [&GRID_HEURISTICS[2..], GRID].concat(),
+            #[cfg(feature = "complete")]
+            Self::Bidirectional => [&BIDIRECTIONAL[..], &GRID[1..]].concat(),
+            // Jump points presuppose strict corners, the second row of all.
+            #[cfg(feature = "complete")]
+            Self::JumpPoint => [&JUMP_POINT[..], &GRID[2..]].concat(),
+            #[cfg(feature = "complete")]
+            Self::AnyAngle => GRID[1..].to_vec(),
+            #[cfg(feature = "complete")]
+            Self::CostMap => ROAD.to_vec(),
+            kind if kind.has_risk_field() => [&RISK[..], &GRID[1..]].concat(),
+            _ => HYBRID.to_vec(),
+        };
+        rows.iter().map(|row| row.with_default(&defaults)).collect()
+    }
 }
 
 /// A planner's settings, all at their defaults.
@@ -229,72 +345,19 @@ pub fn default_config(id: &str) -> Result<Map<String, Value>, Error> {
 
 /// All planners.
 pub fn planners() -> Vec<Info> {
-    KINDS.iter().map(|&(kind, id)| info(kind, id)).collect()
+    ROWS.iter().map(info).collect()
 }
 
-fn info(kind: Kind, id: &'static str) -> Info {
-    let text = |en, zh| Text { en, zh };
-    let (family, title, paper) = match kind {
-        Kind::Four => ("grid", text("4-neighbour", "四邻域"), "Hart, Nilsson, Raphael 1968"),
-        Kind::Eight => ("grid", text("8-neighbour", "八邻域"), "Hart, Nilsson, Raphael 1968"),
-        #[cfg(feature = "complete")]
-        Kind::Sixteen => ("grid", text("16-neighbour", "十六邻域"), "Yuan 2020"),
-        #[cfg(feature = "complete")]
-        Kind::TwentyFour => ("grid", text("24-neighbour", "二十四邻域"), "Yuan 2020"),
-        #[cfg(feature = "complete")]
-        Kind::FortyEight => ("grid", text("48-neighbour", "四十八邻域"), "Yuan 2020"),
-        #[cfg(feature = "complete")]
-        Kind::Bidirectional => ("grid", text("From both ends", "双向搜索"), "Yuan 2020; Pijls, Post 2009"),
-        #[cfg(feature = "complete")]
-        Kind::JumpPoint => ("grid", text("Jump points", "跳点搜索"), "Harabor, Grastien 2011"),
-        #[cfg(feature = "complete")]
-        Kind::AnyAngle => {
-            ("grid", text("Any angle", "任意角（Theta*）"), "Nash, Daniel, Koenig, Felner 2007")
-        }
-        Kind::RiskField => ("grid", text("Risk field", "改进A*（风险场）"), "Hu et al. 2024"),
-        #[cfg(feature = "complete")]
-        Kind::RiskFieldPlus => {
-            ("grid", text("Risk field plus", "改进A*+（风险场）"), "Hu et al. 2024, beyond")
-        }
-        Kind::Hybrid => ("hybrid", text("Hybrid A*", "混合A*"), "Reverse-search hybrid A* for parking, 2025"),
-        Kind::HybridForward => {
-            ("hybrid", text("Hybrid A*, forward", "混合A*（仅前进）"), "Dolgov et al. 2010")
-        }
-        #[cfg(feature = "complete")]
-        Kind::HybridBidirectional => (
-            "hybrid",
-            text("Hybrid A*, both ends", "混合A*（双向搜索）"),
-            "Reverse-search hybrid A* for parking, 2025",
-        ),
-        #[cfg(feature = "complete")]
-        Kind::HybridClassic => ("hybrid", text("Hybrid A*, classic", "混合A*（经典）"), "Dolgov et al. 2010"),
-        #[cfg(feature = "complete")]
-        Kind::CostMap => (
-            "road",
-            text("Cost map", "代价地图A*"),
-            "A* path planning for intelligent-vehicle road navigation, manuscript",
-        ),
-    };
-    let defaults = kind.default_config();
-    let rows: Vec<Row> = match kind {
-        Kind::Four => [&GRID_HEURISTICS[..1], GRID].concat(),
-        Kind::Eight => [&GRID_HEURISTICS[1..2], GRID].concat(),
-        #[cfg(feature = "complete")]
-        Kind::Sixteen | Kind::TwentyFour | Kind::FortyEight => [&GRID_HEURISTICS[2..], GRID].concat(),
-        #[cfg(feature = "complete")]
-        Kind::Bidirectional => [&BIDIRECTIONAL[..], &GRID[1..]].concat(),
-        // Jump points presuppose strict corners, the second row of all.
-        #[cfg(feature = "complete")]
-        Kind::JumpPoint => [&JUMP_POINT[..], &GRID[2..]].concat(),
-        #[cfg(feature = "complete")]
-        Kind::AnyAngle => GRID[1..].to_vec(),
-        #[cfg(feature = "complete")]
-        Kind::CostMap => ROAD.to_vec(),
-        kind if kind.has_field() => [&RISK[..], &GRID[1..]].concat(),
-        _ => HYBRID.to_vec(),
-    };
-    let parameters = rows.iter().map(|row| row.with_default(&defaults)).collect();
-    Info { id, family, title, paper, parameters }
+fn info(&Row { kind, id, family, title: [en, zh], paper }: &Row) -> Info {
+    Info {
+        id,
+        family,
+        title: Text { en, zh },
+        paper,
+        has_risk_field: kind.has_risk_field(),
+        takes_costs: kind.takes_costs(),
+        parameters: kind.parameters(),
+    }
 }
 
 #[cfg(test)]
@@ -311,6 +374,16 @@ mod tests {
             expected.sort_unstable();
             assert_eq!(names, expected, "{}", info.id);
         }
+    }
+
+    #[test]
+    fn every_planner_has_one_row() {
+        for (i, row) in ROWS.iter().enumerate() {
+            assert_eq!((row.kind.id(), Kind::of(row.id).unwrap()), (row.id, row.kind));
+            assert_eq!(row.kind.neighbourhood().is_some(), i < 5, "{}", row.id);
+        }
+        // The last one of the enum.
+        assert_eq!(ROWS.len(), Kind::CostMap as usize + 1);
     }
 
     #[test]

@@ -11,7 +11,7 @@ import { distancesOf } from "../../www/src/view/drive";
 import { failureOf } from "../../www/src/view/failure";
 import { between } from "../../www/src/view/fly";
 import { alongRoad, stripOf } from "../../www/src/view/layers/lane-strip";
-import { introduce } from "../../www/src/view/identity";
+import { hasField, identityOf, introduce } from "../../www/src/view/identity";
 import { loadChinese } from "./chinese";
 import type { Scenario } from "../../www/src/scene/scenario";
 
@@ -131,6 +131,10 @@ describe("why it fails", () => {
   it("tells the gap of the narrow gap as it is drawn", () => {
     expect(whyOf(stateWith(scenario("narrow-gap"), ["hybrid"]), "hybrid")).toBe("No way through: the gap is 2.50 m wide, the car needs 2.60 m. Widen it by 0.10 m or more.");
   });
+});
+
+it("the planners of the first picture drive, or do not, as the module says", () => {
+  for (const { id, family, hasRiskField } of planners()) expect([id, identityOf(id).drives, hasField(id)]).toEqual([id, family === "hybrid", hasRiskField]);
 });
 
 it("a flight begins and ends at its cameras and moves evenly on the screen", () => {

@@ -6,7 +6,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 use parkade::geometry::Pose;
 use parkade::metrics::{Verdict, risk};
 use parkade::plan::{Ends, LayerData, Options, Outcome, PlanTrace, Planner, collision_risk, road_figures};
-use parkade::planners::registry::planners;
+use parkade::planners::registry::{Family, planners};
 use parkade::scenario::catalog;
 use serde_json::{Map, json};
 
@@ -138,7 +138,7 @@ fn ends_and_edits_are_answered_in_words() {
 fn other_planners_drive_on_roads() {
     for id in ["road-narrow", "road-crossing"] {
         let scene = catalog::scenario(id).unwrap();
-        for info in planners().iter().filter(|p| p.family == "grid") {
+        for info in planners().iter().filter(|p| p.family == Family::Grid) {
             let plan = Planner::new(info.id, &scene, &Map::new()).unwrap().plan(Options::default());
             assert_eq!(plan.outcome, Outcome::Found, "{} on {id}: {:?}", info.id, plan.reason);
         }

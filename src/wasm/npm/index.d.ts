@@ -507,7 +507,12 @@ export interface ParameterInfo {
 
 export interface PlannerInfo {
   id: PlannerId;
+  /** What it searches: cells; poses of a car, which can drive the path; a road's cost map. */
   family: "grid" | "hybrid" | "road";
+  /** Whether a risk field leads it: `layer("risk")` and `explain`. */
+  hasRiskField: boolean;
+  /** Whether it plans in scenes with `costs`. */
+  takesCosts: boolean;
   title: { en: string; zh: string };
   paper: string;
   parameters: ParameterInfo[];

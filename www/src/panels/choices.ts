@@ -5,7 +5,7 @@ import { Helper } from "../planning/helper";
 import { forPlanners } from "../scene/vast";
 import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
-import { plannerName } from "../view/identity";
+import { identityOf, plannerName } from "../view/identity";
 import { AppElement } from "./base";
 import { choicesOf, type Choice } from "./choices-of";
 
@@ -113,7 +113,7 @@ export class Choices extends AppElement {
   private isWanted(): boolean {
     const { state, asked } = this, result = state.results[asked];
     const isAlive = state.canUndo || state.hover !== null || isPage();
-    const isHybrid = this.app.catalog?.planners.find((one) => one.id === asked)?.family === "hybrid";
+    const isHybrid = identityOf(asked).drives;
     return isAlive && isHybrid && state.complete && !state.transient && !document.hidden && !state.hidden.has(asked) && !this.isTried()
       && result?.status === "done" && result.plan?.check.drivable === true && (result.time?.total ?? LONG_MS) < LONG_MS;
   }

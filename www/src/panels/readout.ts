@@ -7,7 +7,7 @@ import { weightAt } from "../scene/costs";
 import { costRange } from "../view/layers/cost";
 import { spacingOf } from "../view/layers/costs";
 import { distancesOf, nearestPose } from "../view/drive";
-import { hasField } from "../view/identity";
+import { hasField, identityOf } from "../view/identity";
 
 type Entry = [label: string, value: string];
 
@@ -42,7 +42,7 @@ function rampOf(state: State, planner: PlannerId): TemplateResult | typeof nothi
   const plan = state.results[planner]?.plan;
   if (hasField(planner) && state.layers.risk && !state.layers.heat) return riskLegend(state);
   const expanded = plan?.stats.expanded ?? 0;
-  const drawn = planner.startsWith("hybrid") ? state.layers.tree : state.layers.heat;
+  const drawn = identityOf(planner).drives ? state.layers.tree : state.layers.heat;
   const cost = state.layers.cost ? state.results[planner]?.layers.cost : undefined;
   const range = cost && !state.layers.heat ? costRange(cost) : undefined;
   if (range) {
@@ -66,7 +66,7 @@ function entriesOf(state: State, planner: PlannerId): Entry[] {
   if (!hover || !result?.plan) return [];
   const text = (key: MessageKey): string => translate(state.lang, key);
   const near = nearestPose(result.plan, hover.x, hover.y);
-  if (planner.startsWith("hybrid") && near !== null) return poseEntries(state, result.plan, near);
+  if (identityOf(planner).drives && near !== null) return poseEntries(state, result.plan, near);
   const cell = cellAt(state.scene, hover.x, hover.y);
   if (!cell) return [];
   const entries: Entry[] = [];

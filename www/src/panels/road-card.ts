@@ -6,7 +6,7 @@ import { RoadMeasures, type Risk } from "../planning/risk";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";
-import { plannerName } from "../view/identity";
+import { infoOf, plannerName } from "../view/identity";
 import { AppElement } from "./base";
 import { icon } from "./icons";
 
@@ -57,7 +57,7 @@ export class RoadCard extends AppElement {
   protected override willUpdate(changed: PropertyValues): void {
     super.willUpdate(changed);
     const { scene, focus } = this.state;
-    this.hidden = !scene.lanes?.length && focus !== "cost-map" && !scene.obstacles?.some((one) => one.type === "road");
+    this.hidden = !scene.lanes?.length && infoOf(focus)?.family !== "road" && !scene.obstacles?.some((one) => one.type === "road");
   }
 
   protected override updated(changed: PropertyValues): void {

@@ -1,6 +1,6 @@
 import type { LayerName, Plan, PlannerId, PlannerSettings } from "parkade";
 import { translate } from "../i18n/index";
-import { hasField, identityOf, plannerName } from "../view/identity";
+import { hasField, identityOf, infoOf, plannerName } from "../view/identity";
 import { isOneGoal } from "../scene/model";
 import { limitsOn } from "../scene/pace";
 import { forPlanners, isUnpacked, withoutCells } from "../scene/vast";
@@ -373,7 +373,7 @@ const isTraced = (planner: PlannerId, { transient, layers, playback }: State): b
 /** A drag's plans are the ordinary ones, and nobody drives them. */
 const DRAG: Pick<State, "prefer"> & { waiting: null } = { waiting: null, prefer: {} };
 
-const hasCosts = (planner: PlannerId): boolean => planner === "cost-map";
+const hasCosts = (planner: PlannerId): boolean => infoOf(planner)?.family === "road";
 
 /** Whether a grid planner's settings close free cells. */
 const closes = (settings: PlannerSettings[PlannerId] = {}): boolean =>

@@ -7,6 +7,7 @@ export type Shape = "circle" | "triangle" | "square" | "diamond" | "plus" | "pen
 /** `colour` counts the `--parkade-planner-…` properties from 1. */
 export interface Identity { colour: number; dash: readonly number[]; shape: Shape; drives: boolean }
 
+/** For the time before a module is loaded, as well. */
 const FIRST: Record<string, Identity> = {
   four: { colour: 1, dash: [], shape: "circle", drives: false },
   eight: { colour: 2, dash: [9, 5], shape: "triangle", drives: false },
@@ -29,16 +30,19 @@ export function identityOf(planner: string): Identity {
   const known = FIRST[planner];
   if (known) return known;
   const at = Math.max(0, catalogue.filter((info) => !(info.id in FIRST)).findIndex((info) => info.id === planner));
-  const drives = catalogue.find((info) => info.id === planner)?.family === "hybrid";
+  const drives = infoOf(planner)?.family === "hybrid";
   return { colour: COLOURS[at % 2]!, dash: DASHES[at % 3]!, shape: SHAPES[at % 5]!, drives };
 }
 
+/** What the loaded module says of a planner. */
+export const infoOf = (planner: string): PlannerInfo | undefined => catalogue.find((info) => info.id === planner);
+
 /** Whether a planner looks at a field of risk. */
-export const hasField = (planner: string): boolean => planner.startsWith("risk-field");
+export const hasField = (planner: string): boolean => infoOf(planner)?.hasRiskField === true;
 
 export function plannerName(lang: Lang, planner: string): string {
   const key = `planner.${planner}`;
-  return isMessage(key) ? translate(lang, key) : catalogue.find((info) => info.id === planner)?.title[lang] ?? planner;
+  return isMessage(key) ? translate(lang, key) : infoOf(planner)?.title[lang] ?? planner;
 }
 
 /** For a phone's chips. */

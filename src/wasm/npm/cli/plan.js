@@ -1,6 +1,6 @@
 // @ts-check
 // `parkade plan`.
-import { Planner, toCSV, toSVG } from "../node.js";
+import { Planner, planners, toCSV, toSVG } from "../node.js";
 import { Refused, choice, plannerIds, scene as read, settings } from "./input.js";
 import { toJSON, write } from "./output.js";
 
@@ -16,15 +16,15 @@ export async function plan(places, values) {
   const scene = await read(places);
   const prefer = values.prefer === undefined ? undefined : choice("prefer", values.prefer, ["shortest", "fewest-changes", "widest", "fastest"]);
   const choices = { ...(prefer ? { prefer } : {}), ...(values.alternatives ? { alternatives: true } : {}) };
-  const planners = plannerIds(values.planner, "hybrid");
-  const config = settings(values.set, planners);
-  if (planners.length > 1 && format !== "svg") throw new Refused("--planner: one planner at a time");
+  const ids = plannerIds(values.planner, "hybrid");
+  const config = settings(values.set, ids);
+  if (ids.length > 1 && format !== "svg") throw new Refused("--planner: one planner at a time");
   /** @type {Partial<Record<import("../index.js").LayerName, Layer>>} */
   let layers = {};
-  const plans = planners.map((planner) => {
+  const plans = ids.map((planner) => {
     const prepared = new Planner(planner, scene, config);
     const found = prepared.plan({ trace: values.trace ?? format === "svg", ...choices });
-    if (format === "svg" && planner.startsWith("risk-field")) layers = Object.fromEntries(/** @type {const} */ (["safety", "clearance", "risk"]).map((name) => [name, prepared.layer(name)]));
+    if (format === "svg" && planners().find(({ id }) => id === planner)?.hasRiskField) layers = Object.fromEntries(/** @type {const} */ (["safety", "clearance", "risk"]).map((name) => [name, prepared.layer(name)]));
     prepared.free();
     return found;
   });
