@@ -110,7 +110,7 @@ impl Route {
         Ok(route)
     }
 
-    /// The same route where areas limit the speed; the rear axle's middle counts, every [`SCAN`] metres.
+    /// The same route where areas limit the speed; the rear axle's middle counts, every quarter of a metre.
     #[must_use]
     pub fn with_speed_limits(mut self, areas: &[SpeedLimit]) -> Self {
         let steps = if areas.is_empty() { 0 } else { (self.length / SCAN).ceil() as u32 };

@@ -166,7 +166,7 @@ fn bind(compiled: &Path, package: &Path) -> Result<()> {
         .context("wasm-bindgen")
 }
 
-/// Derives the settings' types from each module's registry, into the sources, and copies all types; CommonJS needs its own.
+/// Derives the settings' types from each module's registry, into the sources, and copies all types; `require` needs its own.
 fn write_types(sources: &Path, package: &Path) -> Result<()> {
     for folder in ["", CORE] {
         let module = package.join(folder).join("node.js");

@@ -47,6 +47,10 @@ pub(crate) fn test(arguments: &[String]) -> Result<()> {
     suites.push(suite("lint, fuzz", || lint(&[FUZZ, &["--all-targets"]].concat())));
     suites.push(suite("lint, wasm", || lint(&["--target", WASM_TARGET, "--lib", "--tests"])));
     suites.push(suite("lint, core", || lint(&["--target", WASM_TARGET, "--lib", "--no-default-features"])));
+    suites.push(suite("lint, documentation", rustdoc));
+    suites.push(suite("lint, JavaScript", || {
+        check(tools::run(node_tool("@biomejs/biome/bin/biome").args(["lint", "--diagnostic-level=error"])))
+    }));
     suites.push(suite("Rust, native", || rust_tests(&[])));
     suites.push(suite("Rust, tool", || rust_tests(TOOL)));
     suites.push(suite("Rust, random input", || rust_tests(FUZZ)));
@@ -107,6 +111,12 @@ fn cargo_check(arguments: &[&str]) -> Result<Counts> {
 
 fn lint(scope: &[&str]) -> Result<Counts> {
     check(tools::run(cargo().args(["clippy", "--locked"]).args(scope).args(["--", "-D", "warnings"])))
+}
+
+fn rustdoc() -> Result<Counts> {
+    let mut command = cargo();
+    command.args(["doc", "--locked", "--no-deps"]).env("RUSTDOCFLAGS", "-D warnings");
+    check(tools::run(&mut command))
 }
 
 fn type_check(project: &str) -> Result<Counts> {
