@@ -1,4 +1,5 @@
-//! Section 4 of the road manuscript: its tables beside plain A*, our cost map, and its own method taken literally.
+//! Section 4 of the road manuscript: its tables beside plain A*, our cost map, and its own method taken literally but for
+//! the spline, which is ours.
 //!
 //! The manuscript publishes no geometry; the scenes are ours, built to what it says of them. Its distances are a ship's, so
 //! every scene also comes ten times as large with the ship of its appendix B.

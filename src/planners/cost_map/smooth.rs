@@ -135,7 +135,7 @@ pub fn smooth(ground: &Ground, line: &[Point], how: &Smoothing, accept: impl Fn(
     chords(dense(line, length / f64::from(places)))
 }
 
-/// The manuscript's smoothing, as its program does it: as few control points as come within a root mean square distance of
+/// The manuscript's smoothing with our spline for FITPACK's, whose knots lie elsewhere: as few control points as come within a root mean square distance of
 /// a metre from the points, and as smooth as that allows. Lines of fewer than four points get more half-way. `None` for
 /// fewer than two.
 pub fn paper_spline(line: &[Point]) -> Option<Spline> {
