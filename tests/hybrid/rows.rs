@@ -51,7 +51,7 @@ fn two_trees_reach_the_papers_rows() {
         assert!(got <= length * 1.05 && got_changes <= changes, "{id}: {got} m, {got_changes} changes");
     }
     let boxed = Lot::paper(-8.0, -1.4, 3.0, [10.0, 8.0, PI], [-2.95, 3.5, PI]);
-    let report = boxed.plan(&Config { finest_level: 3, ..Config::both_ways() });
+    let report = boxed.plan(&Config { finest_level: 4, ..Config::both_ways() });
     assert!(report.arcs.is_empty(), "{:?}", report.status);
 }
 

@@ -41,10 +41,10 @@ fn tight_slots_are_entered() {
         assert!(got <= length_close * 1.05 && got_changes <= changes_close, "{name}, no margin: {got} m");
     }
     let tightest = parallel(-1.4, -2.95);
-    let coarse = tightest.plan(&Config { finest_level: 3, ..Config::default() });
+    let coarse = tightest.plan(&Config { finest_level: 4, ..Config::default() });
     assert!(matches!(coarse.status, Status::BoxedIn { at_start: false, .. }), "{:?}", coarse.status);
     let report = tightest.plan(&Config::default());
-    assert_eq!((report.status, report.level, report.margin), (Status::Found, 3, 0.05));
+    assert_eq!((report.status, report.level, report.margin), (Status::Found, 4, 0.05));
     assert!(arcs::length(&report.arcs) < 28.0 && arcs::direction_changes(&report.arcs) <= 14);
     tightest.check("par-6.6", &report.arcs);
 }
@@ -58,16 +58,16 @@ fn the_margin_falls_where_it_alone_keeps_the_car_in() {
     lot.solids.push(vec![[-9.0, 0.7], [-4.85, 0.7], [-4.85, 3.3], [-9.0, 3.3]]);
     let report = lot.plan(&Config::default());
     assert!(matches!(report.status, Status::Suboptimal), "{:?}", report.status);
-    assert_eq!((report.margin, report.level), (0.01, 4));
+    assert_eq!((report.margin, report.level), (0.01, 5));
     lot.check("between two cars", &report.arcs);
-    let kept = lot.plan(&Config { finest_level: 3, ..Config::default() });
+    let kept = lot.plan(&Config { finest_level: 4, ..Config::default() });
     assert_eq!((kept.status, kept.margin), (Status::BoxedIn { at_start: false, travel: 0.5 }, 0.1));
     // The other way round, the tree grows from the start, which is now the tight end.
     let out = Lot { start: lot.goal, goal: lot.start, ..lot };
     let report = out.plan(&Config::default());
     assert_eq!((report.status, report.margin), (Status::Suboptimal, 0.01));
     out.check("out between two cars", &report.arcs);
-    let kept = out.plan(&Config { finest_level: 3, ..Config::default() });
+    let kept = out.plan(&Config { finest_level: 4, ..Config::default() });
     assert!(matches!(kept.status, Status::BoxedIn { at_start: true, .. }), "{:?}", kept.status);
     assert!(kept.expanded < 1000, "{}", kept.expanded);
 }

@@ -104,7 +104,7 @@ pub struct Config {
     pub first_shot: bool,
     /// Whether finer levels are tried when the coarse one finds nothing.
     pub ladder: bool,
-    /// The finest level that is tried, 0 to 5; from 4 on, for cars that can hardly move, smaller margins are tried too.
+    /// The finest level that is tried, 0 to 6; from 5 on, for cars that can hardly move, smaller margins are tried too.
     pub finest_level: u32,
     /// Expansions per level; by the level where absent.
     pub max_expansions: Option<u32>,
@@ -157,7 +157,7 @@ impl Default for Config {
             shortcut: true,
             first_shot: false,
             ladder: true,
-            finest_level: 5,
+            finest_level: LEVELS - 1,
             max_expansions: None,
         }
     }
@@ -250,14 +250,14 @@ impl Config {
         within("steerCost", self.steer_cost, 0.0, 100.0)?;
         within("steerChangeCost", self.steer_change_cost, 0.0, 1000.0)?;
         within("obstacleCost", self.obstacle_cost, 0.0, 1000.0)?;
-        within("finestLevel", f64::from(self.finest_level), 0.0, 5.0)?;
+        within("finestLevel", f64::from(self.finest_level), 0.0, f64::from(LEVELS - 1))?;
         within("obstacleDistance", self.obstacle_distance, 0.01, 20.0)?;
         within("maxExpansions", f64::from(self.max_expansions.unwrap_or(1)), 1.0, 10_000_000.0)
     }
 }
 
 /// Levels from this one on are for cars that can hardly move.
-pub(super) const SHUFFLING: u32 = 4;
+pub(super) const SHUFFLING: u32 = 5;
 
 /// One resolution of the lattice.
 #[derive(Debug, Clone, Copy)]
@@ -286,7 +286,7 @@ pub(super) struct Level {
 const DEGREE: f64 = core::f64::consts::PI / 180.0;
 
 /// How many levels there are.
-const LEVELS: u32 = 6;
+const LEVELS: u32 = 7;
 
 impl Config {
     /// How many levels these settings allow.
@@ -307,8 +307,9 @@ impl Config {
             0 => (0.5, 5.0, 0.8, 2, 0.1, 20_000, 1.0),
             1 => (0.15, 2.0, 0.25, 1, 0.05, 60_000, 2.0),
             2 => (0.1, 1.0, 0.15, 1, 0.05, 60_000, 2.0),
-            3 => (0.05, 0.5, 0.06, 1, 0.05, 100_000, 2.0),
-            4 => (0.05, 1.0, 1.0, 1, 0.05, 10_000, 1.2),
+            3 => (0.07, 0.6, 0.1, 1, 0.05, 100_000, 2.0),
+            4 => (0.05, 0.5, 0.06, 1, 0.05, 100_000, 2.0),
+            5 => (0.05, 1.0, 1.0, 1, 0.05, 10_000, 1.2),
             _ => (0.03, 0.5, 1.0, 1, 0.05, 10_000, 1.2),
         };
         let shuffle = number >= SHUFFLING;

@@ -6,6 +6,7 @@
 //! and all together work a few times as much as the best one would alone. Work is counted in expansions, never in time.
 
 use core::cell::OnceCell;
+use core::cmp::Reverse;
 
 use super::config::{Level, SHUFFLING};
 use super::flood::Flood;
@@ -23,12 +24,16 @@ const SLICE: u32 = 8192;
 /// Expansions of all members together, where the settings say nothing.
 const EFFORT: u32 = 150_000;
 /// Expansions for more margin once there is a path, besides as many as it took.
-const MORE_MARGIN: u32 = 50_000;
+const MORE_MARGIN: u32 = 100_000;
 /// With more gear changes than this, finer steps may find a path with fewer.
 const MANY: u32 = 4;
-/// A member that has searched more than this many poses to the end, times its level, came out of any slot: finer steps
-/// would come no farther.
+/// A member that has searched more than this many poses to the end, times its level, came out of any slot: there are many gear
+/// changes, or no way.
 const WIDE: u32 = 1000;
+/// Up to this level a search with the least margin is worth its while before finer ones with more are.
+const CHEAP: u32 = 3;
+/// A level has this many times the poses of the one before, about.
+const GROWTH: u32 = 4;
 
 /// The estimates' rasters from both ends for each margin, made when they are needed first.
 pub(super) struct Floods<'a> {
@@ -131,26 +136,39 @@ pub(super) fn plan(search: Search, floods: &Floods, widest: usize, work: &mut Wo
     }
     let members = members(levels, widest, &floods.margins);
     let is_swapped = first == First::Cramped;
-    let mut run = Run { search, floods, is_swapped, members, best: None, doubt: None, proof: None };
+    let mut run = Run {
+        search,
+        floods,
+        is_swapped,
+        members,
+        effort: EFFORT,
+        best: None,
+        is_way_out: false,
+        doubt: None,
+        proof: None,
+    };
     run.rounds(work);
     run.conclude(work.report);
 }
 
 /// Whoever has not tried yet, what a driver likes best in front.
 fn members(levels: u32, widest: usize, margins: &[f64]) -> Vec<Member> {
-    let mut members = vec![Member { level: 1, margin: widest }];
-    // Searched to the end with the least margin, it proves that there is no way at all.
-    let least = Member { level: 1, margin: margins.len() - 1 };
-    for (level, is_comfortable) in (0..2 * levels).map(|k| (k % levels, k < levels)) {
-        for (margin, &room) in margins.iter().enumerate().skip(widest) {
-            let member = if level == 0 { least } else { Member { level, margin } };
-            if (level == 0 || (room >= COMFORTABLE || margin == widest) == is_comfortable)
-                && !members.contains(&member)
-            {
-                members.push(member);
-            }
+    let least = margins.len() - 1;
+    let all = (1..levels).flat_map(|level| (widest..=least).map(move |margin| Member { level, margin }));
+    let mut members: Vec<Member> = all.collect();
+    // Sorted by level and margin before, and stably.
+    members.sort_by_key(|&Member { level, margin }| {
+        let is_comfortable = margins[margin] >= COMFORTABLE || margin == widest;
+        match level {
+            // Searched to the end with the least margin, the coarsest proves soonest that there is hardly a way.
+            1 if margin == widest => (0, 0),
+            1 if margin == least => (1, 0),
+            1..SHUFFLING if is_comfortable => (2, margin),
+            1..=CHEAP if margin == least => (3, 0),
+            _ if is_comfortable => (4, 0),
+            _ => (5, 0),
         }
-    }
+    });
     members
 }
 
@@ -160,8 +178,12 @@ struct Run<'a> {
     /// Whether the trees grow from the other end.
     is_swapped: bool,
     members: Vec<Member>,
+    /// Expansions of all members together.
+    effort: u32,
     /// The path with the largest margin so far.
     best: Option<Report>,
+    /// Whether a search with the least margin came out of any slot, and found no way.
+    is_way_out: bool,
     /// How a member ended that has proven nothing.
     doubt: Option<Status>,
     /// Margin and level of the search that came to its end with the least margin, the first of them, and where that ended.
@@ -170,61 +192,111 @@ struct Run<'a> {
 
 impl Run<'_> {
     fn rounds(&mut self, work: &mut Work) {
-        let mut effort = if self.search.config.max_expansions.is_some() { u32::MAX } else { EFFORT };
+        if self.search.config.max_expansions.is_some() {
+            self.effort = u32::MAX;
+        }
         for round in 0_u32.. {
             // Everybody before this one has spent a slice in this round.
             let mut at = 0;
             while let Some(&member) = self.members.get(at).filter(|_| at <= round as usize) {
                 let before = work.report.expanded;
-                if before >= effort || work.progress.as_ref().is_some_and(Progress::is_stopped) {
+                if before >= self.effort || work.progress.as_ref().is_some_and(Progress::is_stopped) {
                     return;
                 }
                 let growth = 1_u32.checked_shl(2 * (round - at as u32)).unwrap_or(u32::MAX);
-                let slice = SLICE.saturating_mul(growth).min(effort - before);
-                let turn = self.turn(member, slice, work);
-                let report = &mut *work.report;
-                let is_comfortable = report.margin >= COMFORTABLE;
-                let is_restless = arcs::direction_changes(&report.arcs) > MANY;
-                let is_wide = report.expanded - before > WIDE * member.level;
-                match turn {
-                    Turn::Spent => {
-                        at += 1;
-                        continue;
+                let slice = if self.is_way_out { u32::MAX } else { SLICE.saturating_mul(growth) };
+                let turn = self.turn(member, slice.min(self.effort - before), work);
+                let expanded = work.report.expanded - before;
+                at = match turn {
+                    Turn::Spent if self.may_ask_proof(member) => {
+                        self.members.swap(0, 1);
+                        0
                     }
-                    Turn::Lost => self.doubt = Some(report.status),
-                    Turn::Exhausted => {
-                        if self.proof.is_none_or(|proof| report.margin < proof.0) {
-                            self.proof = Some((report.margin, report.level, report.closest));
-                        }
+                    Turn::Spent => at + 1,
+                    Turn::Lost => {
+                        self.doubt = Some(work.report.status);
+                        self.drop(at, |_| false)
                     }
-                    Turn::Found => {
-                        let more = if is_comfortable { SLICE } else { MORE_MARGIN };
-                        effort = effort.min(report.expanded.saturating_add(report.expanded.max(more)));
-                        self.offer(report);
-                    }
-                }
-                let (mut index, mut kept) = (0, 0);
-                self.members.retain(|one| {
-                    let is_out = match turn {
-                        Turn::Exhausted => is_wide && one.margin <= member.margin,
-                        Turn::Found => {
-                            let is_better = one.margin < member.margin
-                                || (is_restless && one.margin == member.margin && one.level > member.level);
-                            !is_better || (is_comfortable && one.level >= SHUFFLING)
-                        }
-                        _ => false,
-                    };
-                    let is_kept = !is_out && *one != member;
-                    kept += usize::from(is_kept && index < at);
-                    index += 1;
-                    is_kept
-                });
-                at = kept;
+                    Turn::Exhausted => self.exhausted(at, expanded, work.report),
+                    Turn::Found => self.found(at, work.report),
+                };
             }
             if self.members.is_empty() {
                 return;
             }
         }
+    }
+
+    /// Whether the proof is to be sought before a search with more margin goes on: it may find a way sooner, too.
+    fn may_ask_proof(&self, member: Member) -> bool {
+        let is_proof = |one: Member| one.level == 1 && self.is_least(one);
+        member.level == 1 && !is_proof(member) && self.members[0] == member && {
+            self.members.get(1).is_some_and(|&next| is_proof(next))
+        }
+    }
+
+    fn is_least(&self, member: Member) -> bool {
+        member.margin + 1 == self.floods.margins.len()
+    }
+
+    /// A member has searched all that it can reach. Coarser ones would reach no more, nor would any with more margin. Where that came
+    /// out of any slot, only finer ones with the least margin are asked now, which prove more as well. Tells who is next.
+    fn exhausted(&mut self, at: usize, expanded: u32, report: &Report) -> usize {
+        let member = self.members[at];
+        let is_proof = self.is_least(member);
+        if is_proof {
+            self.proof = Some((report.margin, report.level, report.closest));
+            self.is_way_out |= self.best.is_none() && expanded > WIDE * member.level;
+        }
+        let is_way_out = self.is_way_out;
+        let next = self.drop(at, |one| {
+            one.margin <= member.margin
+                && (one.level <= member.level || (is_way_out && one.level >= SHUFFLING))
+        });
+        if !(is_proof && is_way_out) {
+            return next;
+        }
+        if GROWTH.saturating_mul(expanded) > self.effort.saturating_sub(report.expanded) {
+            self.members.clear();
+        }
+        self.members.sort_by_key(|one| one.margin != member.margin);
+        0
+    }
+
+    /// A member has found a path. Only those go on that may keep more margin, a little more first, or, where there are many gear
+    /// changes, save some.
+    fn found(&mut self, at: usize, report: &mut Report) -> usize {
+        let member = self.members[at];
+        let is_comfortable = report.margin >= COMFORTABLE;
+        let is_restless = arcs::direction_changes(&report.arcs) > MANY;
+        let more = if is_comfortable { SLICE } else { MORE_MARGIN };
+        self.effort = self.effort.min(report.expanded.saturating_add(report.expanded.max(more)));
+        self.is_way_out = false;
+        self.offer(report);
+        self.drop(at, |one| {
+            let is_better = one.margin < member.margin
+                || (is_restless && one.margin == member.margin && one.level > member.level);
+            !is_better || (is_comfortable && one.level >= SHUFFLING)
+        });
+        let margins = &self.floods.margins;
+        let key = |one: &Member| {
+            (margins[one.margin] < COMFORTABLE, one.margin == member.margin, Reverse(one.margin))
+        };
+        self.members.sort_by_key(key);
+        0
+    }
+
+    /// Takes the member that had its turn out of the list, and the others for which there is no hope; tells where the next one
+    /// stands.
+    fn drop(&mut self, at: usize, is_hopeless: impl Fn(Member) -> bool) -> usize {
+        let (mut index, mut next) = (0, 0);
+        self.members.retain(|&one| {
+            let is_kept = index != at && !is_hopeless(one);
+            next += usize::from(is_kept && index < at);
+            index += 1;
+            is_kept
+        });
+        next
     }
 
     /// Keeps a path that has more margin than the best so far or, with the same, costs less.
@@ -245,7 +317,11 @@ impl Run<'_> {
         if flood.distance(search.root).is_infinite() {
             return Turn::Exhausted;
         }
-        let level = search.config.level(member.level);
+        let mut level = search.config.level(member.level);
+        if member.level == 1 && self.is_least(member) {
+            // In wide clutter what it saves on rocking is less than it costs on detours.
+            level.extra_change = 0.0;
+        }
         let is_last = slice >= level.max_expansions;
         if search.level(Level { max_expansions: slice.min(level.max_expansions), ..level }, work) {
             return Turn::Found;
@@ -259,16 +335,14 @@ impl Run<'_> {
 
     /// Says what came of it; the counters are those of all members.
     fn conclude(self, report: &mut Report) {
-        let is_over = self.members.is_empty();
         if let Some(best) = self.best {
             let Report { expanded, generated, pushes, open_peak, bytes, .. } = *report;
             *report = Report { expanded, generated, pushes, open_peak, bytes, ..best };
-        } else if is_over || report.status == Status::NoPath {
-            let spent = Status::BudgetExhausted(report.rs_bound);
-            report.status = self.doubt.unwrap_or(if is_over { Status::NoPath } else { spent });
-            if let (Status::NoPath, Some(proof)) = (report.status, self.proof) {
-                (report.margin, report.level, report.closest) = proof;
-            }
+        } else if let Some(proof) = self.proof {
+            report.status = Status::NoPath;
+            (report.margin, report.level, report.closest) = proof;
+        } else if report.status == Status::NoPath {
+            report.status = self.doubt.unwrap_or(Status::BudgetExhausted(report.rs_bound));
         }
     }
 }

@@ -169,11 +169,11 @@ pub(in crate::planners) const HYBRID: [Row; 21] = [
     ),
     row(
         "finestLevel",
-        Form::Integer(0.0, 5.0),
+        Form::Integer(0.0, 6.0),
         "1",
         false,
         ["Finest level", "最细级别"],
-        ["4 and 5: very tight spaces, many gear changes.", "4 和 5 用于极窄空间，换挡很多。"],
+        ["5 and 6: very tight spaces, many gear changes.", "5 和 6 用于极窄空间，换挡很多。"],
     ),
     EXPANSIONS,
 ];
