@@ -32,8 +32,6 @@ const MANY: u32 = 4;
 const WIDE: u32 = 1000;
 /// Up to this level a search with the least margin is worth its while before finer ones with more are.
 const CHEAP: u32 = 3;
-/// A level has this many times the poses of the one before, about.
-const GROWTH: u32 = 4;
 
 /// The estimates' rasters from both ends for each margin, made when they are needed first.
 pub(super) struct Floods<'a> {
@@ -106,12 +104,14 @@ impl<'a> Floods<'a> {
     }
 }
 
-/// A level with one of the margins.
+/// A level with one of the margins, from one end.
 #[derive(Clone, Copy, PartialEq)]
 struct Member {
     level: u32,
     /// From the one asked for to the least.
     margin: usize,
+    /// Whether the tree grows from the end that is not the hard one.
+    from_other: bool,
 }
 
 /// How a turn ended.
@@ -140,6 +140,7 @@ pub(super) fn plan(search: Search, floods: &Floods, widest: usize, work: &mut Wo
         search,
         floods,
         is_swapped,
+        may_swap,
         members,
         effort: EFFORT,
         best: None,
@@ -154,16 +155,17 @@ pub(super) fn plan(search: Search, floods: &Floods, widest: usize, work: &mut Wo
 /// Whoever has not tried yet, what a driver likes best in front.
 fn members(levels: u32, widest: usize, margins: &[f64]) -> Vec<Member> {
     let least = margins.len() - 1;
-    let all = (1..levels).flat_map(|level| (widest..=least).map(move |margin| Member { level, margin }));
+    let all = (1..levels)
+        .flat_map(|level| (widest..=least).map(move |margin| Member { level, margin, from_other: false }));
     let mut members: Vec<Member> = all.collect();
     // Sorted by level and margin before, and stably.
-    members.sort_by_key(|&Member { level, margin }| {
+    members.sort_by_key(|&Member { level, margin, .. }| {
         let is_comfortable = margins[margin] >= COMFORTABLE || margin == widest;
         match level {
             // Searched to the end with the least margin, the coarsest proves soonest that there is hardly a way.
             1 if margin == widest => (0, 0),
             1 if margin == least => (1, 0),
-            1..SHUFFLING if is_comfortable => (2, margin),
+            1..=CHEAP if is_comfortable => (2, margin),
             1..=CHEAP if margin == least => (3, 0),
             _ if is_comfortable => (4, 0),
             _ => (5, 0),
@@ -177,6 +179,8 @@ struct Run<'a> {
     floods: &'a Floods<'a>,
     /// Whether the trees grow from the other end.
     is_swapped: bool,
+    /// Whether they may grow from either end.
+    may_swap: bool,
     members: Vec<Member>,
     /// Expansions of all members together.
     effort: u32,
@@ -240,26 +244,26 @@ impl Run<'_> {
     }
 
     /// A member has searched all that it can reach. Coarser ones would reach no more, nor would any with more margin. Where that came
-    /// out of any slot, only finer ones with the least margin are asked now, which prove more as well. Tells who is next.
+    /// out of any slot, only finer ones with the least margin are asked now, from either end, which prove more as well. Tells who is next.
     fn exhausted(&mut self, at: usize, expanded: u32, report: &Report) -> usize {
         let member = self.members[at];
         let is_proof = self.is_least(member);
-        if is_proof {
+        if is_proof && !member.from_other {
             self.proof = Some((report.margin, report.level, report.closest));
-            self.is_way_out |= self.best.is_none() && expanded > WIDE * member.level;
         }
-        let is_way_out = self.is_way_out;
         let next = self.drop(at, |one| {
-            one.margin <= member.margin
-                && (one.level <= member.level || (is_way_out && one.level >= SHUFFLING))
+            one.from_other == member.from_other && one.margin <= member.margin && one.level <= member.level
         });
-        if !(is_proof && is_way_out) {
+        if !is_proof || self.is_way_out || self.best.is_some() || expanded <= WIDE * member.level {
             return next;
         }
-        if GROWTH.saturating_mul(expanded) > self.effort.saturating_sub(report.expanded) {
-            self.members.clear();
+        self.is_way_out = true;
+        self.members.retain(|one| one.level < SHUFFLING);
+        if self.may_swap {
+            let finer = member.level + 1..SHUFFLING.min(self.search.config.levels());
+            self.members.extend(finer.map(|level| Member { level, from_other: true, ..member }));
         }
-        self.members.sort_by_key(|one| one.margin != member.margin);
+        self.members.sort_by_key(|one| (one.margin != member.margin, one.level, one.from_other));
         0
     }
 
@@ -309,18 +313,21 @@ impl Run<'_> {
     }
 
     fn turn(&self, member: Member, slice: u32, work: &mut Work) -> Turn {
-        let flood = self.floods.get(member.margin, self.is_swapped);
-        let search =
-            if self.is_swapped { self.search.swapped(flood) } else { Search { flood, ..self.search } };
+        let is_swapped = self.is_swapped != member.from_other;
+        let flood = self.floods.get(member.margin, is_swapped);
+        let search = if is_swapped { self.search.swapped(flood) } else { Search { flood, ..self.search } };
         (work.report.margin, work.report.level) = (self.floods.margin(member.margin), member.level);
         work.report.status = Status::NoPath;
         if flood.distance(search.root).is_infinite() {
             return Turn::Exhausted;
         }
         let mut level = search.config.level(member.level);
-        if member.level == 1 && self.is_least(member) {
-            // In wide clutter what it saves on rocking is less than it costs on detours.
+        if self.is_way_out || (member.level == 1 && self.is_least(member)) {
+            // In open space what it saves on rocking is less than it costs on detours.
             level.extra_change = 0.0;
+        }
+        if self.is_way_out {
+            level.max_expansions = u32::MAX;
         }
         let is_last = slice >= level.max_expansions;
         if search.level(Level { max_expansions: slice.min(level.max_expansions), ..level }, work) {
