@@ -134,6 +134,10 @@ pub(crate) trait Setting {
     fn read(&mut self, value: &Value) -> Result<()>;
     /// Its value as JSON.
     fn write(&self) -> Value;
+    /// Its value, where that is a number.
+    fn number(&self) -> Option<f64> {
+        None
+    }
 }
 
 impl Setting for f64 {
@@ -143,6 +147,9 @@ impl Setting for f64 {
     fn write(&self) -> Value {
         (*self).into()
     }
+    fn number(&self) -> Option<f64> {
+        Some(*self)
+    }
 }
 
 impl Setting for u32 {
@@ -151,6 +158,9 @@ impl Setting for u32 {
     }
     fn write(&self) -> Value {
         (*self).into()
+    }
+    fn number(&self) -> Option<f64> {
+        Some((*self).into())
     }
 }
 
@@ -176,6 +186,9 @@ impl<T: Setting + Default> Setting for Option<T> {
     }
     fn write(&self) -> Value {
         self.as_ref().map_or(Value::Null, Setting::write)
+    }
+    fn number(&self) -> Option<f64> {
+        self.as_ref().and_then(Setting::number)
     }
 }
 
@@ -215,6 +228,7 @@ pub(crate) fn written(settings: &[Named]) -> Map<String, Value> {
 }
 
 /// Makes a struct readable from JSON and writable to it, by the names of its fields there.
+#[cfg(feature = "complete")]
 macro_rules! settings {
     ($type:ty: $($name:literal = $($field:ident).+),+ $(,)?) => {
         impl $type {
@@ -238,4 +252,5 @@ macro_rules! settings {
         }
     };
 }
+#[cfg(feature = "complete")]
 pub(crate) use settings;

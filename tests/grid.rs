@@ -100,7 +100,10 @@ fn grid_searches_find_the_cheapest_path_or_none() {
             for heuristic in [Heuristic::Manhattan, Heuristic::Euclid, Heuristic::Octile, Heuristic::Gauge] {
                 let config =
                     Config { heuristic, common: Common { corner, ..Common::PLAIN }, ..Config::default() };
-                assert_eq!(config.validate(neighbourhood).is_ok(), heuristic.is_admissible(neighbourhood));
+                assert_eq!(
+                    config.validate_for(neighbourhood).is_ok(),
+                    heuristic.is_admissible(neighbourhood)
+                );
                 if !heuristic.is_admissible(neighbourhood) {
                     continue;
                 }
@@ -321,7 +324,7 @@ fn settings_are_plain_data_and_mistakes_are_named() {
     );
     let config = parse(r#"{"heuristic": "manhattan"}"#).unwrap();
     assert_eq!(
-        config.validate(Neighbourhood::Eight).unwrap_err().to_string(),
+        config.validate_for(Neighbourhood::Eight).unwrap_err().to_string(),
         "heuristic: must be euclid or octile or gauge with 8 neighbours, got manhattan"
     );
     let bad = risk_field::Config { rho0: f64::NAN, ..risk_field::Config::PAPER };

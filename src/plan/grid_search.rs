@@ -29,7 +29,7 @@ impl Search {
     pub(super) fn new(kind: Kind, config: &Map<String, Value>) -> Result<Self, Error> {
         if let Some(around) = kind.neighbourhood() {
             let config = grid_astar::Config::new(around).with(config)?;
-            config.validate(around)?;
+            config.validate_for(around)?;
             return Ok(Self::Neighbours(around, config));
         }
         Ok(match kind {

@@ -5,46 +5,19 @@
 use std::cell::Cell as Counter;
 
 use super::moves::{DIRECTIONS, cost, legal_steps};
+use super::parameters::parameters;
 use super::query::{GridReport, GridScratch, Query};
 use super::settings::Common;
-use crate::error::Error;
-use crate::json;
 use crate::map::{Cell, line_of_sight};
 use crate::search::{Domain, Finish, Limits, NodeId, Observer, Relax, Visit, best_first};
 
-/// Settings of any-angle search.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Config {
+parameters! {
+    /// Settings of any-angle search.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct Config {
+    }
     /// What every grid planner has.
-    pub common: Common,
-}
-
-json::settings!(
-    Config: "corner" = common.corner,
-    "inflation" = common.inflation,
-    "margin" = common.margin,
-    "minPassage" = common.min_passage,
-    "trapMouth" = common.trap_mouth,
-    "post" = common.post,
-    "smoothMode" = common.smooth_mode,
-    "minRadius" = common.min_radius,
-    "maxExpansions" = common.max_expansions
-);
-
-impl Default for Config {
-    fn default() -> Self {
-        Self { common: Common::PLAIN }
-    }
-}
-
-impl Config {
-    /// Checks every setting.
-    ///
-    /// # Errors
-    /// [`ErrorCode::Config`](crate::error::ErrorCode::Config) with the field and the rule.
-    pub fn validate(&self) -> Result<(), Error> {
-        self.common.validate()
-    }
+    shared common: Common = Common::PLAIN;
 }
 
 struct AnyAngle<'a> {

@@ -6,54 +6,31 @@
 use super::grid_lattice::Grid;
 use super::heuristics::{Chosen, Estimate, Heuristic, Octile};
 use super::moves::Neighbourhood;
+use super::parameters::{Form, parameters, spec};
 use super::query::{GridReport, GridScratch, Query};
 use super::settings::Common;
 use super::weighted::Weighted;
-use crate::error::Error;
 use crate::json;
 use crate::search::{Observer, Stop, both_ways};
 
 json::words!(Stop: "first" = First, "best" = Best, "nba" = Optimal);
 
-/// Settings of the search from both ends.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Config {
-    /// Which cells a step may lead to.
-    pub neighbours: Neighbourhood,
-    /// When the search stops.
-    pub stop: Stop,
+parameters! {
+    /// Settings of the search from both ends.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct Config {
+        /// Which cells a step may lead to.
+        neighbours: Neighbourhood = Neighbourhood::Sixteen,
+            spec("neighbours", Form::Choice(&["four", "eight", "sixteen", "twenty-four", "forty-eight"]), "1", true,
+                 ["Neighbours", "邻域"], ["Cells reachable in one step.", "一步可达的格子。"]);
+        /// When the search stops.
+        stop: Stop = Stop::First,
+            spec("stop", Form::Choice(&["first", "best", "nba"]), "1", true,
+                 ["Stop", "停止规则"],
+                 ["First: where the two meet (the paper); best: the best connection until then; nba: the cheapest path.", "first：相遇即停（论文）；best：其间最佳连接；nba：最短路径。"]);
+    }
     /// What every grid planner has.
-    pub common: Common,
-}
-
-json::settings!(
-    Config: "neighbours" = neighbours,
-    "stop" = stop,
-    "corner" = common.corner,
-    "inflation" = common.inflation,
-    "margin" = common.margin,
-    "minPassage" = common.min_passage,
-    "trapMouth" = common.trap_mouth,
-    "post" = common.post,
-    "smoothMode" = common.smooth_mode,
-    "minRadius" = common.min_radius,
-    "maxExpansions" = common.max_expansions
-);
-
-impl Default for Config {
-    fn default() -> Self {
-        Self { neighbours: Neighbourhood::Sixteen, stop: Stop::First, common: Common::PLAIN }
-    }
-}
-
-impl Config {
-    /// Checks every setting.
-    ///
-    /// # Errors
-    /// [`ErrorCode::Config`](crate::error::ErrorCode::Config) with the field and the rule.
-    pub fn validate(&self) -> Result<(), Error> {
-        self.common.validate()
-    }
+    shared common: Common = Common::PLAIN;
 }
 
 /// Searches a path over the cells of a map, from both ends. Counters add up both sides.

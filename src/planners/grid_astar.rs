@@ -6,6 +6,7 @@
 use super::grid_lattice::Grid;
 use super::heuristics::{Chosen, DistanceWeight, Estimate, Euclid, Gauge16, Heuristic, Manhattan, Octile};
 use super::moves::Neighbourhood;
+use super::parameters::{Form, ParameterSpec, parameters, spec};
 use super::query::{GridReport, GridScratch, Query};
 use super::settings::Common;
 use super::weighted::Weighted;
@@ -26,57 +27,75 @@ pub enum Weight {
 
 json::words!(Weight: "none" = None, "distance" = Distance);
 
-/// Settings of grid A*.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Config {
-    /// How the cost still to pay is estimated.
-    pub heuristic: Heuristic,
-    /// What multiplies the estimate.
-    pub weight: Weight,
-    /// What every grid planner has.
-    pub common: Common,
-}
+/// The heuristic's declarations: of four neighbours, of eight, of more.
+const HEURISTICS: [ParameterSpec; 3] = [
+    spec(
+        "heuristic",
+        Form::Choice(&["manhattan", "euclid", "octile"]),
+        "1",
+        false,
+        ["Heuristic", "启发函数"],
+        ["The paper's baseline uses Manhattan.", "论文基线为曼哈顿距离。"],
+    ),
+    spec(
+        "heuristic",
+        Form::Choice(&["euclid", "octile"]),
+        "1",
+        true,
+        ["Heuristic", "启发函数"],
+        ["Octile is exact on an empty map, so it expands less.", "空地图上八方距离精确，扩展更少。"],
+    ),
+    spec(
+        "heuristic",
+        Form::Choice(&["euclid", "gauge"]),
+        "1",
+        false,
+        ["Heuristic", "启发函数"],
+        ["The gauge is exact on an empty map for these moves.", "对这些移动，规范距离在空地图上精确。"],
+    ),
+];
 
-json::settings! {
-    Config:
-    "heuristic" = heuristic,
-    "weight" = weight,
-    "corner" = common.corner,
-    "inflation" = common.inflation,
-    "margin" = common.margin,
-    "minPassage" = common.min_passage,
-    "trapMouth" = common.trap_mouth,
-    "post" = common.post,
-    "smoothMode" = common.smooth_mode,
-    "minRadius" = common.min_radius,
-    "maxExpansions" = common.max_expansions,
-}
-
-impl Default for Config {
-    fn default() -> Self {
-        Self::new(Neighbourhood::Eight)
+parameters! {
+    /// Settings of grid A*.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct Config {
+        /// How the cost still to pay is estimated.
+        heuristic: Heuristic = Heuristic::Euclid,
+            HEURISTICS[1];
+        /// What multiplies the estimate.
+        weight: Weight = Weight::None,
+            spec("weight", Form::Choice(&["none", "distance"]), "1", true,
+                 ["Dynamic weight", "动态权重"], ["Faster far from the goal, but not optimal.", "远离目标时加速，放弃最优性。"]);
     }
+    /// What every grid planner has.
+    shared common: Common = Common::PLAIN;
 }
 
 impl Config {
     /// The defaults for a neighbourhood: the papers' baselines for four and eight.
     pub const fn new(neighbourhood: Neighbourhood) -> Self {
-        Self {
-            heuristic: match neighbourhood {
-                Neighbourhood::Four => Heuristic::Manhattan,
-                Neighbourhood::Eight => Heuristic::Euclid,
-                _ => Heuristic::Gauge,
-            },
-            weight: Weight::None,
-            common: Common::PLAIN,
+        let heuristic = match neighbourhood {
+            Neighbourhood::Four => Heuristic::Manhattan,
+            Neighbourhood::Eight => Heuristic::Euclid,
+            _ => Heuristic::Gauge,
+        };
+        Self { heuristic, ..Self::DEFAULT }
+    }
+
+    /// What its heuristic may be with a neighbourhood, in a form.
+    pub(super) const fn heuristic_spec(neighbourhood: Neighbourhood) -> &'static ParameterSpec {
+        match neighbourhood {
+            Neighbourhood::Four => &HEURISTICS[0],
+            Neighbourhood::Eight => &HEURISTICS[1],
+            _ => &HEURISTICS[2],
         }
     }
 
-    /// Checks every setting.
+    /// Checks every setting for a neighbourhood.
     ///
     /// # Errors
     /// [`ErrorCode::Config`] with the field and the rule.
-    pub fn validate(&self, neighbourhood: Neighbourhood) -> Result<(), Error> {
+    pub fn validate_for(&self, neighbourhood: Neighbourhood) -> Result<(), Error> {
         if !self.heuristic.is_admissible(neighbourhood) {
             let names = [Heuristic::Manhattan, Heuristic::Euclid, Heuristic::Octile, Heuristic::Gauge]
                 .into_iter()
@@ -90,13 +109,13 @@ impl Config {
             );
             return Err(Error::new(ErrorCode::Config, "heuristic", rule));
         }
-        self.common.validate()
+        self.validate()
     }
 }
 
 /// Searches a path over the cells of a map.
 ///
-/// `config` must be valid for the neighbourhood ([`Config::validate`]); `observer` is `()` where nobody watches.
+/// `config` must be valid for the neighbourhood ([`Config::validate_for`]); `observer` is `()` where nobody watches.
 ///
 /// ```
 /// use parkade::map::{Cell, Occupancy};

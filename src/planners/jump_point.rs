@@ -9,50 +9,26 @@ use std::cell::Cell as Counter;
 
 use super::heuristics::octile;
 use super::moves::{D, DIRECTIONS, R2};
+use super::parameters::{Form, parameters, spec};
 use super::query::{GridReport, GridScratch, Query};
 use super::settings::Common;
-use crate::error::Error;
-use crate::json;
 use crate::map::{Bits, Cell};
 use crate::search::lattice::{Lattice, Leg, Sink, one_way};
 use crate::search::{NodeId, Observer, Short};
 
-/// Settings of jump point search. Corners are strict.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Config {
-    /// Whether turns that no obstacle forces are passed over: those of a diagonal jump into a straight one, and those to
-    /// the free side of a straight jump's end.
-    pub prune: bool,
+parameters! {
+    /// Settings of jump point search. Corners are strict.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct Config {
+        /// Whether turns that no obstacle forces are passed over: those of a diagonal jump into a straight one, and those to
+        /// the free side of a straight jump's end.
+        prune: bool = true,
+            spec("prune", Form::Flag, "1", false,
+                 ["Skip free turns", "跳过自由转折"],
+                 ["Expands only cells where an obstacle forces a turn: the same cost from fewer expansions.", "只扩展被障碍迫使转向的格子：代价相同，扩展更少。"]);
+    }
     /// What every grid planner has.
-    pub common: Common,
-}
-
-json::settings!(
-    Config: "prune" = prune,
-    "inflation" = common.inflation,
-    "margin" = common.margin,
-    "minPassage" = common.min_passage,
-    "trapMouth" = common.trap_mouth,
-    "post" = common.post,
-    "smoothMode" = common.smooth_mode,
-    "minRadius" = common.min_radius,
-    "maxExpansions" = common.max_expansions
-);
-
-impl Default for Config {
-    fn default() -> Self {
-        Self { prune: true, common: Common::PLAIN }
-    }
-}
-
-impl Config {
-    /// Checks every setting.
-    ///
-    /// # Errors
-    /// [`ErrorCode::Config`](crate::error::ErrorCode::Config) with the field and the rule.
-    pub fn validate(&self) -> Result<(), Error> {
-        self.common.validate()
-    }
+    shared common: Common = Common::PLAIN, without "corner";
 }
 
 struct Jumps<'a> {

@@ -4,9 +4,7 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 
 use super::moves::Neighbourhood;
-#[cfg(feature = "complete")]
-use super::parameters::{BIDIRECTIONAL, JUMP_POINT, ROAD};
-use super::parameters::{GRID, GRID_HEURISTICS, HYBRID, RISK, Row as ParameterRow};
+use super::parameters::{Parameters, written};
 #[cfg(feature = "complete")]
 use super::{any_angle, bidirectional, cost_map, jump_point};
 use super::{grid_astar, hybrid, risk_field};
@@ -285,53 +283,40 @@ impl Kind {
         })
     }
 
-    fn default_config(self) -> Map<String, Value> {
-        if let Some(neighbourhood) = self.neighbourhood() {
-            return grid_astar::Config::new(neighbourhood).to_json();
-        }
+    /// Its settings at their defaults.
+    fn defaults(self) -> Box<dyn Parameters> {
         match self {
             #[cfg(feature = "complete")]
-            Self::Bidirectional => bidirectional::Config::default().to_json(),
+            Self::Bidirectional => Box::new(bidirectional::Config::DEFAULT),
             #[cfg(feature = "complete")]
-            Self::JumpPoint => jump_point::Config::default().to_json(),
+            Self::JumpPoint => Box::new(jump_point::Config::DEFAULT),
             #[cfg(feature = "complete")]
-            Self::AnyAngle => any_angle::Config::default().to_json(),
-            Self::RiskField => risk_field::Config::default().to_json(),
+            Self::AnyAngle => Box::new(any_angle::Config::DEFAULT),
+            Self::RiskField => Box::new(risk_field::Config::PAPER),
             #[cfg(feature = "complete")]
-            Self::RiskFieldPlus => risk_field::Config::PLUS.to_json(),
-            Self::Hybrid => hybrid::Config::default().to_json(),
-            Self::HybridForward => hybrid::Config::forward().to_json(),
+            Self::RiskFieldPlus => Box::new(risk_field::Config::PLUS),
+            Self::Hybrid => Box::new(hybrid::Config::DEFAULT),
+            Self::HybridForward => Box::new(hybrid::Config::forward()),
             #[cfg(feature = "complete")]
-            Self::HybridBidirectional => hybrid::Config::both_ways().to_json(),
+            Self::HybridBidirectional => Box::new(hybrid::Config::both_ways()),
             #[cfg(feature = "complete")]
-            Self::HybridClassic => hybrid::Config::classic().to_json(),
+            Self::HybridClassic => Box::new(hybrid::Config::classic()),
             #[cfg(feature = "complete")]
-            Self::CostMap => cost_map::Config::default().to_json(),
-            _ => Map::new(),
+            Self::CostMap => Box::new(cost_map::Config::DEFAULT),
+            _ => Box::new(grid_astar::Config::new(self.neighbourhood().unwrap_or(Neighbourhood::Eight))),
         }
     }
 
     /// Its parameters for a form.
     fn parameters(self) -> Vec<Parameter> {
-        let defaults = self.default_config();
-        let rows: Vec<ParameterRow> = match self {
-            Self::Four => [&GRID_HEURISTICS[..1], GRID].concat(),
-            Self::Eight => [&GRID_HEURISTICS[1..2], GRID].concat(),
-            #[cfg(feature = "complete")]
-            Self::Sixteen | Self::TwentyFour | Self::FortyEight => [&GRID_HEURISTICS[2..], GRID].concat(),
-            #[cfg(feature = "complete")]
-            Self::Bidirectional => [&BIDIRECTIONAL[..], &GRID[1..]].concat(),
-            // Jump points presuppose strict corners, the second row of all.
-            #[cfg(feature = "complete")]
-            Self::JumpPoint => [&JUMP_POINT[..], &GRID[2..]].concat(),
-            #[cfg(feature = "complete")]
-            Self::AnyAngle => GRID[1..].to_vec(),
-            #[cfg(feature = "complete")]
-            Self::CostMap => ROAD.to_vec(),
-            kind if kind.has_risk_field() => [&RISK[..], &GRID[1..]].concat(),
-            _ => HYBRID.to_vec(),
-        };
-        rows.iter().map(|row| row.with_default(&defaults)).collect()
+        let mut settings = self.defaults();
+        let values = written(settings.fields());
+        let own = self.neighbourhood().map(grid_astar::Config::heuristic_spec);
+        let specs = settings
+            .fields()
+            .into_iter()
+            .map(|(spec, _)| own.filter(|own| own.name == spec.name).unwrap_or(spec));
+        specs.filter(|spec| spec.is_listed()).map(|spec| spec.with_default(&values)).collect()
     }
 }
 
@@ -340,7 +325,7 @@ impl Kind {
 /// # Errors
 /// [`ErrorCode::UnknownPlanner`].
 pub fn default_config(id: &str) -> Result<Map<String, Value>, Error> {
-    Ok(Kind::of(id)?.default_config())
+    Ok(written(Kind::of(id)?.defaults().fields()))
 }
 
 /// All planners.
@@ -363,6 +348,7 @@ fn info(&Row { kind, id, family, title: [en, zh], paper }: &Row) -> Info {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::planners::parameters::{check, overlay};
 
     #[test]
     fn every_setting_is_listed_once_with_its_default() {
@@ -373,6 +359,24 @@ mod tests {
             let mut expected: Vec<_> = config.keys().map(String::as_str).collect();
             expected.sort_unstable();
             assert_eq!(names, expected, "{}", info.id);
+        }
+    }
+
+    #[test]
+    fn planners_take_whatever_a_form_offers() {
+        for &Row { kind, id, .. } in ROWS {
+            for Parameter { name, kind: form, choices, min, max, default, .. } in kind.parameters() {
+                let ends = [min, max].into_iter().flatten();
+                let ends =
+                    ends.map(|end| if form == "integer" { (end as u64).into() } else { Value::from(end) });
+                for value in ends.chain(choices.iter().map(|&word| word.into())).chain([default]) {
+                    let fields = Map::from_iter([(name.to_owned(), value.clone())]);
+                    let mut settings = kind.defaults();
+                    overlay(settings.fields(), &fields).unwrap_or_else(|e| panic!("{id}: {e}"));
+                    check(settings.fields()).unwrap_or_else(|e| panic!("{id}: {e}"));
+                    assert_eq!(written(settings.fields())[name], value, "{id}: {name}");
+                }
+            }
         }
     }
 

@@ -2,7 +2,8 @@
 
 use serde_json::Value;
 
-use crate::error::{Error, ErrorCode};
+use super::parameters::{EXPANSIONS, Form, parameters, spec};
+use crate::error::Error;
 use crate::json::{self, Setting, bad};
 use crate::map::Corner;
 
@@ -97,77 +98,63 @@ impl Setting for MinRadius {
             Self::Vehicle => "vehicle".into(),
         }
     }
+
+    fn number(&self) -> Option<f64> {
+        match *self {
+            Self::Cells(radius) => Some(radius),
+            Self::Vehicle => None,
+        }
+    }
 }
 
-/// What every grid planner's settings say of the map and of the path.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Common {
-    /// What a path may do at corners of blocked cells.
-    pub corner: Corner,
-    /// Room for the car.
-    pub inflation: Inflation,
-    /// Extra room, metres.
-    pub margin: f64,
-    /// Passages through which no square of this many cells fits are closed; 1 closes none.
-    pub min_passage: u32,
-    /// Pockets into which no square of this many cells fits are closed; 1 closes none.
-    pub trap_mouth: u32,
-    /// What is done to the raw path.
-    pub post: Post,
-    /// How corners share the segment between them.
-    pub smooth_mode: SmoothMode,
-    /// Tightest arc of smoothing, cells.
-    pub min_radius: MinRadius,
-    /// Expansions after which the search gives up.
-    pub max_expansions: u32,
+parameters! {
+    /// What every grid planner's settings say of the map and of the path.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct Common {
+        /// What a path may do at corners of blocked cells.
+        corner: Corner = Corner::Strict,
+            spec("corner", Form::Choice(&["strict", "no-squeeze", "free"]), "1", false,
+                 ["Corners", "转角规则"], ["Strict: a path may not touch a blocked cell.", "严格：路径不得触碰障碍格。"]);
+        /// Room for the car.
+        inflation: Inflation = Inflation::None,
+            spec("inflation", Form::Choice(&["none", "width", "half-diagonal"]), "1", true,
+                 ["Safety space", "安全空间"],
+                 ["Keeps the path this far from obstacles: nothing, half the car's width, half its diagonal.", "与障碍保持的距离：零、半车宽或半对角线。"]);
+        /// Extra room, metres.
+        margin: f64 = 0.0,
+            spec("margin", Form::Number(0.0, 2.0, 0.05), "m", true,
+                 ["Extra margin", "额外余量"], ["Added to the safety space.", "加在安全空间之外。"]).within(0.0, 10.0);
+        /// Passages through which no square of this many cells fits are closed; 1 closes none.
+        min_passage: u32 = 1,
+            spec("minPassage", Form::Integer(1.0, 8.0), "cells", false,
+                 ["Narrowest passage", "最窄通道"],
+                 ["Closes passages narrower than this many cells; 1 closes none. Start and goal stay connected.", "封闭窄于此格数的通道；1 为不封闭。起终点保持连通。"]).within(1.0, 64.0).complete_only();
+        /// Pockets into which no square of this many cells fits are closed; 1 closes none.
+        trap_mouth: u32 = 1,
+            spec("trapMouth", Form::Integer(1.0, 16.0), "cells", false,
+                 ["Pockets", "陷阱填充"],
+                 ["Closes dead ends into which no square of this many cells fits; 1 closes none.", "封闭容不下此边长方块的死胡同；1 为不封闭。"]).within(1.0, 64.0).complete_only();
+        /// What is done to the raw path.
+        post: Post = Post::None,
+            spec("post", Form::Choice(&["none", "prune", "prune-dp", "smooth"]), "1", true,
+                 ["Post-processing", "后处理"], ["Removes spare cells; rounds corners.", "删去多余格点；圆滑转角。"]);
+        /// How corners share the segment between them.
+        smooth_mode: SmoothMode = SmoothMode::Dynamic,
+            spec("smoothMode", Form::Choice(&["dynamic", "paper"]), "1", false,
+                 ["Smoothing", "平滑方式"],
+                 ["Dynamic shrinks an arc until it is free; the paper tries once.", "动态：缩小圆弧直至无碰；论文：只试一次。"]);
+        /// Tightest arc of smoothing, cells.
+        min_radius: MinRadius = MinRadius::Cells(1.0),
+            spec("minRadius", Form::NumberOr(0.0, 40.0, 0.5, &["vehicle"]), "cells", true,
+                 ["Smallest arc", "最小圆弧"],
+                 ["Arcs tighter than this stay corners; \"vehicle\" is the car's own limit.", "更小的圆弧保留为折角；vehicle 为车辆极限。"]).within(0.0, 1000.0);
+        /// Expansions after which the search gives up.
+        max_expansions: u32 = MAX_EXPANSIONS,
+            EXPANSIONS;
+    }
 }
 
 impl Common {
     /// No safety space, no processing of the path.
-    pub const PLAIN: Self = Self {
-        corner: Corner::Strict,
-        inflation: Inflation::None,
-        margin: 0.0,
-        min_passage: 1,
-        trap_mouth: 1,
-        post: Post::None,
-        smooth_mode: SmoothMode::Dynamic,
-        min_radius: MinRadius::Cells(1.0),
-        max_expansions: MAX_EXPANSIONS,
-    };
-
-    /// Checks every setting.
-    ///
-    /// # Errors
-    /// [`ErrorCode::Config`] with the field and the rule.
-    pub fn validate(&self) -> Result<(), Error> {
-        within("margin", self.margin, 0.0, 10.0)?;
-        for (name, cells) in [("minPassage", self.min_passage), ("trapMouth", self.trap_mouth)] {
-            within(name, f64::from(cells), 1.0, 64.0)?;
-            #[cfg(not(feature = "complete"))]
-            if cells > 1 {
-                let rule = format!("must be 1 without the complete module, got {cells}");
-                return Err(Error::new(ErrorCode::Config, name, rule));
-            }
-        }
-        if let MinRadius::Cells(radius) = self.min_radius {
-            within("minRadius", radius, 0.0, 1000.0)?;
-        }
-        if self.max_expansions == 0 || self.max_expansions > 100_000_000 {
-            let rule = format!("must be between 1 and 100000000, got {}", self.max_expansions);
-            return Err(Error::new(ErrorCode::Config, "maxExpansions", rule));
-        }
-        Ok(())
-    }
-}
-
-/// Checks that a setting is a number in a closed range.
-///
-/// # Errors
-/// [`ErrorCode::Config`] with the field's name and the rule.
-pub(super) fn within(path: &str, value: f64, min: f64, max: f64) -> Result<(), Error> {
-    if value >= min && value <= max {
-        return Ok(());
-    }
-    Err(Error::new(ErrorCode::Config, path, format!("must be between {min} and {max}, got {value}")))
+    pub const PLAIN: Self = Self::DEFAULT;
 }

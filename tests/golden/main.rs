@@ -35,7 +35,7 @@ impl Golden {
 
     fn astar(&self, neighbourhood: Neighbourhood, heuristic: Heuristic) -> GridReport {
         let config = Config { heuristic, ..Config::new(neighbourhood) };
-        config.validate(neighbourhood).unwrap();
+        config.validate_for(neighbourhood).unwrap();
         let report = grid_astar::plan(self.query(), neighbourhood, &config, &mut GridScratch::new(), &mut ());
         assert_eq!(report.status, Status::Found);
         report

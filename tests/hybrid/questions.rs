@@ -57,9 +57,7 @@ fn settings_are_checked() {
     let config = with(r#"{ "searchFrom": "start", "xyResolution": 0.4 }"#).unwrap();
     assert_eq!((config.search_from, config.xy_resolution), (SearchFrom::Start, Some(0.4)));
     let refused = |text: &str| with(text).unwrap_err().to_string();
-    assert!(
-        refused(r#"{ "stepLength": 1 }"#).starts_with("stepLength: no such setting; there are searchFrom")
-    );
+    assert!(refused(r#"{ "stepLength": 1 }"#).starts_with("stepLength: no such setting; there are margin,"));
     assert_eq!(
         refused(r#"{ "steerSamples": "many" }"#),
         "steerSamples: must be a whole number from 0, got \"many\""

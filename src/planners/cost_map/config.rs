@@ -1,10 +1,7 @@
 //! Settings of cost-map A*.
 
-use crate::error::Error;
-#[cfg(doc)]
-use crate::error::ErrorCode;
 use crate::json;
-use crate::planners::settings::within;
+use crate::planners::parameters::{EXPANSIONS, Form, parameters, spec};
 
 /// What a way costs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -60,108 +57,109 @@ pub enum Curves {
 
 json::words!(Curves: "spline" = Spline, "paper" = Paper, "none" = None);
 
-/// Settings of cost-map A*.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Config {
-    /// What a way costs.
-    pub costs: Costs,
-    /// How the base cost falls with the clearance.
-    pub base: Base,
-    /// K of the inverse base cost, metres.
-    pub factor: f64,
-    /// ε of the inverse base cost, metres.
-    pub epsilon: f64,
-    /// A of the exponential base cost.
-    pub amplitude: f64,
-    /// B of the exponential base cost, 1/m.
-    pub decay: f64,
-    /// K of the manuscript's inverse cost, metres.
-    pub paper_factor: f64,
-    /// ε of the manuscript's inverse cost, metres.
-    pub paper_epsilon: f64,
-    /// A of the manuscript's exponential cost.
-    pub paper_amplitude: f64,
-    /// B of the manuscript's exponential cost, 1/m.
-    pub paper_decay: f64,
-    /// Weight of the distance from the lane's middle.
-    pub lane_weight: f64,
-    /// Weight of the last metre to the kerb.
-    pub kerb_weight: f64,
-    /// Weight of the time that slow places take.
-    pub speed_weight: f64,
-    /// Kept free beside the body, metres.
-    pub margin: f64,
-    /// Which chords may replace cells.
-    pub pruning: Pruning,
-    /// Share of the cells' smallest clearance that a chord keeps.
-    pub prune_share: f64,
-    /// Clearance of the body beyond which no chord has to keep more, metres.
-    pub prune_cap: f64,
-    /// What becomes of the chords.
-    pub smoothing: Curves,
-    /// Root mean square distance that a curve may keep from the chords, metres.
-    pub residual: f64,
-    /// Whether the curve begins and ends in the car's headings at start and goal.
-    pub headings: bool,
-    /// Places of the curve, at least.
-    pub smooth_points: u32,
-    /// Expansions after which the search gives up.
-    pub max_expansions: u32,
-}
-
-impl Default for Config {
-    fn default() -> Self {
-        Self {
-            costs: Costs::Metre,
-            base: Base::Inverse,
-            factor: 0.8,
-            epsilon: 0.2,
-            amplitude: 4.0,
-            decay: 1.5,
-            paper_factor: 5000.0,
-            paper_epsilon: 1.0,
-            paper_amplitude: 5000.0,
-            paper_decay: 0.05,
-            lane_weight: 0.3,
-            kerb_weight: 0.5,
-            speed_weight: 0.5,
-            margin: 0.0,
-            pruning: Pruning::Auto,
-            prune_share: 0.8,
-            prune_cap: 0.8,
-            smoothing: Curves::Spline,
-            residual: 0.12,
-            headings: false,
-            smooth_points: 100,
-            max_expansions: 20_000_000,
-        }
+parameters! {
+    /// Settings of cost-map A*.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Config {
+        /// What a way costs.
+        costs: Costs = Costs::Metre,
+            spec("costs", Form::Choice(&["metre", "paper", "steps"]), "1", true,
+                 ["Costs", "代价"],
+                 ["Metre: base, lane, kerb and speed costs per metre; paper: base cost once per cell; steps: plain A*.", "metre：每米按基础、车道、路缘、速度加价；paper：每格计一次基础代价（论文）；steps：普通 A*。"]);
+        /// How the base cost falls with the clearance.
+        base: Base = Base::Inverse,
+            spec("base", Form::Choice(&["inverse", "exponential"]), "1", true,
+                 ["Base cost", "基础代价"],
+                 ["Falls with clearance: K/(d+ε) or A·exp(−B·d).", "随间距下降的方式：K/(d+ε) 或 A·exp(−B·d)。"]);
+        /// K of the inverse base cost, metres.
+        factor: f64 = 0.8,
+            spec("factor", Form::Number(0.2, 3.0, 0.1), "m", true,
+                 ["K", "K"], ["Inverse base cost; larger keeps farther away.", "反比基础代价的系数；越大离障碍越远。"]).within(0.2, 3.0);
+        /// ε of the inverse base cost, metres.
+        epsilon: f64 = 0.2,
+            spec("epsilon", Form::Number(0.05, 1.0, 0.05), "m", false,
+                 ["ε", "ε"],
+                 ["Inverse base cost; smaller is steeper at contact.", "反比基础代价的偏移；越小贴近时越陡。"]).within(0.05, 1.0);
+        /// A of the exponential base cost.
+        amplitude: f64 = 4.0,
+            spec("amplitude", Form::Number(1.0, 10.0, 0.5), "1", false,
+                 ["A", "A"], ["Exponential base cost at contact.", "指数基础代价：接触处的值。"]).within(1.0, 10.0);
+        /// B of the exponential base cost, 1/m.
+        decay: f64 = 1.5,
+            spec("decay", Form::Number(0.5, 4.0, 0.1), "1/m", false,
+                 ["B", "B"], ["Decay of the exponential base cost.", "指数基础代价：衰减速度。"]).within(0.5, 4.0);
+        /// Weight of the distance from the lane's middle.
+        lane_weight: f64 = 0.3,
+            spec("laneWeight", Form::Number(0.0, 3.0, 0.1), "1", true,
+                 ["Lane α", "车道 α"],
+                 ["Weight of the distance from the lane centre.", "偏离最近车道中心线的权重。"]).within(0.0, 3.0);
+        /// Weight of the last metre to the kerb.
+        kerb_weight: f64 = 0.5,
+            spec("kerbWeight", Form::Number(0.0, 3.0, 0.1), "1", true,
+                 ["Kerb β", "路缘 β"], ["Weight of the last metre to the kerb.", "距路缘最后一米的权重。"]).within(0.0, 3.0);
+        /// Weight of the time that slow places take.
+        speed_weight: f64 = 0.5,
+            spec("speedWeight", Form::Number(0.0, 3.0, 0.1), "1", true,
+                 ["Speed γ", "速度 γ"], ["Weight of time lost to limits and bends.", "限速与弯道耗时的权重。"]).within(0.0, 3.0);
+        /// Kept free beside the body, metres.
+        margin: f64 = 0.0,
+            spec("margin", Form::Number(0.0, 20.0, 0.05), "m", true,
+                 ["Extra margin", "额外余量"], ["Kept free beside the car.", "车身旁须保持的空间。"]).within(0.0, 20.0);
+        /// Which chords may replace cells.
+        pruning: Pruning = Pruning::Auto,
+            spec("pruning", Form::Choice(&["auto", "los", "none"]), "1", true,
+                 ["Chords", "删减"],
+                 ["Auto: chords keep most of the clearance; los: line of sight only (the paper).", "auto：弦保留路径大部分间距；los：只要互相可见（论文）。"]);
+        /// Share of the cells' smallest clearance that a chord keeps.
+        prune_share: f64 = 0.8,
+            spec("pruneShare", Form::Number(0.5, 1.0, 0.05), "1", false,
+                 ["Kept share", "保留比例"],
+                 ["Share of the cells' clearance a chord keeps.", "弦须保留的路径最小间距比例。"]).within(0.5, 1.0);
+        /// Clearance of the body beyond which no chord has to keep more, metres.
+        prune_cap: f64 = 0.8,
+            spec("pruneCap", Form::Number(0.0, 1.5, 0.1), "m", false,
+                 ["Enough room", "足够间距"],
+                 ["Beside the car; chords need no more.", "车身旁达到此值后弦不再要求更多。"]).within(0.0, 1.5);
+        /// What becomes of the chords.
+        smoothing: Curves = Curves::Spline,
+            spec("smoothing", Form::Choice(&["spline", "paper", "none"]), "1", true,
+                 ["Curve", "平滑"],
+                 ["Spline keeps clearance and steering limit; paper: within a metre of the chords.", "spline：保持间距与转向极限；paper：允许偏离一米，不计后果（论文）。"]);
+        /// Root mean square distance that a curve may keep from the chords, metres.
+        residual: f64 = 0.12,
+            spec("residual", Form::Number(0.02, 1.0, 0.01), "m", false,
+                 ["Residual σ", "残差 σ"],
+                 ["RMS distance of the curve from the chords.", "曲线与弦的均方根距离。"]).within(0.02, 1.0);
+        /// Whether the curve begins and ends in the car's headings at start and goal.
+        headings: bool = false,
+            spec("headings", Form::Flag, "1", false,
+                 ["Keep headings", "保持朝向"], ["The curve keeps the start and goal headings.", "曲线在起点和终点与车辆朝向一致。"]);
+        /// Places of the curve, at least.
+        smooth_points: u32 = 100,
+            spec("smoothPoints", Form::Integer(50.0, 200.0), "1", false,
+                 ["Samples", "采样点"],
+                 ["Least number of tests; long paths: two a metre.", "曲线检验点的最少个数；长路每米两个。"]).within(50.0, 200.0);
+        /// K of the manuscript's inverse cost, metres.
+        paper_factor: f64 = 5000.0,
+            spec("paperFactor", Form::Number(50.0, 10_000.0, 50.0), "m", false,
+                 ["K, paper", "K（论文）"],
+                 ["It cancels: 500 to 8000 give the same path.", "该系数会约去：500 至 8000 路径相同。"]).within(50.0, 10_000.0);
+        /// ε of the manuscript's inverse cost, metres.
+        paper_epsilon: f64 = 1.0,
+            spec("paperEpsilon", Form::Number(0.5, 2.0, 0.1), "m", false,
+                 ["ε, paper", "ε（论文）"], ["Of the paper's inverse cost.", "论文反比代价的偏移。"]).within(0.5, 2.0);
+        /// A of the manuscript's exponential cost.
+        paper_amplitude: f64 = 5000.0,
+            spec("paperAmplitude", Form::Number(50.0, 10_000.0, 50.0), "1", false,
+                 ["A, paper", "A（论文）"], ["Of the paper's exponential cost.", "论文指数代价的幅值。"]).within(50.0, 10_000.0);
+        /// B of the manuscript's exponential cost, 1/m.
+        paper_decay: f64 = 0.05,
+            spec("paperDecay", Form::Number(0.01, 0.1, 0.01), "1/m", false,
+                 ["B, paper", "B（论文）"], ["Of the paper's exponential cost.", "论文指数代价的衰减。"]).within(0.01, 0.1);
+        /// Expansions after which the search gives up.
+        max_expansions: u32 = 20_000_000,
+            EXPANSIONS;
     }
-}
-
-json::settings! {
-    Config:
-    "costs" = costs,
-    "base" = base,
-    "factor" = factor,
-    "epsilon" = epsilon,
-    "amplitude" = amplitude,
-    "decay" = decay,
-    "paperFactor" = paper_factor,
-    "paperEpsilon" = paper_epsilon,
-    "paperAmplitude" = paper_amplitude,
-    "paperDecay" = paper_decay,
-    "laneWeight" = lane_weight,
-    "kerbWeight" = kerb_weight,
-    "speedWeight" = speed_weight,
-    "margin" = margin,
-    "pruning" = pruning,
-    "pruneShare" = prune_share,
-    "pruneCap" = prune_cap,
-    "smoothing" = smoothing,
-    "residual" = residual,
-    "headings" = headings,
-    "smoothPoints" = smooth_points,
-    "maxExpansions" = max_expansions,
 }
 
 impl Config {
@@ -173,33 +171,5 @@ impl Config {
     /// Plain A*, to compare with.
     pub fn plain() -> Self {
         Self { costs: Costs::Steps, pruning: Pruning::None, smoothing: Curves::None, ..Self::default() }
-    }
-
-    /// Checks every setting.
-    ///
-    /// # Errors
-    /// [`ErrorCode::Config`] with the field and the rule.
-    pub fn validate(&self) -> Result<(), Error> {
-        [
-            ("factor", self.factor, 0.2, 3.0),
-            ("epsilon", self.epsilon, 0.05, 1.0),
-            ("amplitude", self.amplitude, 1.0, 10.0),
-            ("decay", self.decay, 0.5, 4.0),
-            ("paperFactor", self.paper_factor, 50.0, 10_000.0),
-            ("paperEpsilon", self.paper_epsilon, 0.5, 2.0),
-            ("paperAmplitude", self.paper_amplitude, 50.0, 10_000.0),
-            ("paperDecay", self.paper_decay, 0.01, 0.1),
-            ("laneWeight", self.lane_weight, 0.0, 3.0),
-            ("kerbWeight", self.kerb_weight, 0.0, 3.0),
-            ("speedWeight", self.speed_weight, 0.0, 3.0),
-            ("margin", self.margin, 0.0, 20.0),
-            ("pruneShare", self.prune_share, 0.5, 1.0),
-            ("pruneCap", self.prune_cap, 0.0, 1.5),
-            ("residual", self.residual, 0.02, 1.0),
-            ("smoothPoints", f64::from(self.smooth_points), 50.0, 200.0),
-            ("maxExpansions", f64::from(self.max_expansions), 1.0, 100_000_000.0),
-        ]
-        .into_iter()
-        .try_for_each(|(path, value, low, high)| within(path, value, low, high))
     }
 }

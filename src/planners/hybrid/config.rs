@@ -1,7 +1,12 @@
 //! Settings of hybrid A*.
 
-use crate::error::{Error, ErrorCode};
 use crate::json;
+use crate::planners::parameters::{Form, parameters, spec};
+
+#[cfg(not(feature = "complete"))]
+const ENDS: &[&str] = &["goal", "start"];
+#[cfg(feature = "complete")]
+const ENDS: &[&str] = &["goal", "start", "both"];
 
 /// Which end the search tree grows from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -63,103 +68,102 @@ impl Profile {
     }
 }
 
-/// Settings of hybrid A*.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Config {
-    /// Which end the search tree grows from.
-    pub search_from: SearchFrom,
-    /// Kept free around the body while planning, metres; less where start or goal have less.
-    pub margin: f64,
-    /// Gear changes of an analytic connection, at most.
-    pub max_direction_changes: u32,
-    /// Length of a motion primitive, metres; by the level where absent.
-    pub motion_primitive_length: Option<f64>,
-    /// Side of a position cell, metres; by the level where absent.
-    pub xy_resolution: Option<f64>,
-    /// Width of a heading bin, radians; by the level where absent.
-    pub heading_resolution: Option<f64>,
-    /// Steering angles per side, besides straight; by the level where absent.
-    pub steer_samples: Option<u32>,
-    /// How the way still to go is estimated.
-    pub heuristic: Heuristic,
-    /// Factor on the estimate; absent: 1, and 1.2 on the finer levels.
-    pub heuristic_weight: Option<f64>,
-    /// What driving costs; `comfort` and `classic` replace the six costs below.
-    pub profile: Profile,
-    /// Weight of a metre in reverse.
-    pub reverse_cost: f64,
-    /// Cost of a gear change, metres.
-    pub direction_change_cost: f64,
-    /// Weight of a metre at full lock, besides its length.
-    pub steer_cost: f64,
-    /// Cost of moving the wheel from straight to full lock, metres.
-    pub steer_change_cost: f64,
-    /// Weight of a metre in contact with an obstacle.
-    pub obstacle_cost: f64,
-    /// Distance at which that weight begins, metres.
-    pub obstacle_distance: f64,
-    /// Whether stretches are replaced by shorter curves afterwards.
-    pub shortcut: bool,
-    /// Whether the first connection ends the search, as in the paper.
-    pub first_shot: bool,
-    /// Whether finer levels are tried when the coarse one finds nothing.
-    pub ladder: bool,
-    /// The finest level that is tried, 0 to 6; from 5 on, for cars that can hardly move, smaller margins are tried too.
-    pub finest_level: u32,
-    /// Expansions per level; by the level where absent.
-    pub max_expansions: Option<u32>,
-}
-
-json::settings! {
-    Config:
-    "searchFrom" = search_from,
-    "margin" = margin,
-    "maxDirectionChanges" = max_direction_changes,
-    "motionPrimitiveLength" = motion_primitive_length,
-    "xyResolution" = xy_resolution,
-    "headingResolution" = heading_resolution,
-    "steerSamples" = steer_samples,
-    "heuristic" = heuristic,
-    "heuristicWeight" = heuristic_weight,
-    "profile" = profile,
-    "reverseCost" = reverse_cost,
-    "directionChangeCost" = direction_change_cost,
-    "steerCost" = steer_cost,
-    "steerChangeCost" = steer_change_cost,
-    "obstacleCost" = obstacle_cost,
-    "obstacleDistance" = obstacle_distance,
-    "shortcut" = shortcut,
-    "firstShot" = first_shot,
-    "ladder" = ladder,
-    "finestLevel" = finest_level,
-    "maxExpansions" = max_expansions,
-}
-
-impl Default for Config {
-    fn default() -> Self {
-        Self {
-            search_from: SearchFrom::Goal,
-            margin: 0.1,
-            max_direction_changes: 3,
-            motion_primitive_length: None,
-            xy_resolution: None,
-            heading_resolution: None,
-            steer_samples: None,
-            heuristic: Heuristic::Max,
-            heuristic_weight: None,
-            profile: Profile::Practical,
-            reverse_cost: 1.0,
-            direction_change_cost: 1.0,
-            steer_cost: 0.0,
-            steer_change_cost: 0.0,
-            obstacle_cost: 0.0,
-            obstacle_distance: 0.5,
-            shortcut: true,
-            first_shot: false,
-            ladder: true,
-            finest_level: LEVELS - 1,
-            max_expansions: None,
-        }
+parameters! {
+    /// Settings of hybrid A*.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct Config {
+        /// Kept free around the body while planning, metres; less where start or goal have less.
+        margin: f64 = 0.1,
+            spec("margin", Form::Number(0.0, 0.5, 0.05), "m", true,
+                 ["Safety margin", "安全余量"], ["Kept free around the whole car.", "车身四周保持的空隙。"]).within(0.0, 10.0);
+        /// Gear changes of an analytic connection, at most.
+        max_direction_changes: u32 = 3,
+            spec("maxDirectionChanges", Form::Integer(0.0, 5.0), "1", true,
+                 ["Final gear changes", "末段换挡数"],
+                 ["Gear changes allowed in the final curve.", "结束搜索的曲线最多换挡几次。"]).within(0.0, 10.0);
+        /// Length of a motion primitive, metres; by the level where absent.
+        motion_primitive_length: Option<f64> = None,
+            spec("motionPrimitiveLength", Form::Number(0.1, 4.0, 0.1), "m", true,
+                 ["Primitive length", "基元长度"],
+                 ["Short steps fit tight slots but take longer.", "短步适合窄位，但更慢。"]).within(0.02, 20.0);
+        /// Width of a heading bin, radians; by the level where absent.
+        heading_resolution: Option<f64> = None,
+            spec("headingResolution", Form::Number(0.01, 0.35, 0.01), "rad", true,
+                 ["Heading bins", "航向分格"], ["Closer headings count as one state.", "更接近的航向视为同一状态。"]).within(0.005, 1.6);
+        /// Cost of a gear change, metres.
+        direction_change_cost: f64 = 1.0,
+            spec("directionChangeCost", Form::Number(0.0, 10.0, 0.5), "m", true,
+                 ["Gear-change cost", "换挡代价"],
+                 ["Extra metres accepted to avoid one gear change.", "为避免一次换挡可接受的绕行米数。"]).within(0.0, 1000.0);
+        /// Which end the search tree grows from.
+        search_from: SearchFrom = SearchFrom::Goal,
+            spec("searchFrom", Form::Choice(ENDS), "1", true,
+                 ["Search from", "搜索起点"], ["Leaving a slot is easier than finding it.", "驶出车位比驶入更易搜索。"]);
+        /// What driving costs; `comfort` and `classic` replace the six costs.
+        profile: Profile = Profile::Practical,
+            spec("profile", Form::Choice(&["practical", "shortest", "comfort", "classic"]), "1", false,
+                 ["Cost profile", "代价方案"],
+                 ["Practical avoids long reversing; comfort and classic replace the costs below.", "practical 避免长距离倒车；comfort 与 classic 取代以下各项代价。"]);
+        /// Weight of a metre in reverse.
+        reverse_cost: f64 = 1.0,
+            spec("reverseCost", Form::Number(1.0, 5.0, 0.1), "1", true,
+                 ["Reverse cost", "倒车代价"], ["Cost of a metre in reverse.", "倒车一米的权重。"]).within(1.0, 100.0);
+        /// Side of a position cell, metres; by the level where absent.
+        xy_resolution: Option<f64> = None,
+            spec("xyResolution", Form::Number(0.05, 2.0, 0.05), "m", false,
+                 ["Position cells", "位置分格"],
+                 ["Closer positions count as one state.", "更接近的位置视为同一状态。"]).within(0.02, 20.0);
+        /// Steering angles per side, besides straight; by the level where absent.
+        steer_samples: Option<u32> = None,
+            spec("steerSamples", Form::Integer(1.0, 10.0), "1", false,
+                 ["Steering angles", "转角采样"], ["Per side, besides straight.", "每侧的采样数，直行除外。"]).within(1.0, 50.0);
+        /// How the way still to go is estimated.
+        heuristic: Heuristic = Heuristic::Max,
+            spec("heuristic", Form::Choice(&["max", "reeds-shepp", "euclid"]), "1", false,
+                 ["Heuristic", "启发函数"],
+                 ["Max: the larger of the free-space curve and the way around obstacles.", "max：自由曲线与绕障路程取大者。"]);
+        /// Factor on the estimate; absent: 1, and 1.2 on the finer levels.
+        heuristic_weight: Option<f64> = None,
+            spec("heuristicWeight", Form::Number(0.5, 5.0, 0.1), "1", false,
+                 ["Heuristic weight", "启发权重"],
+                 ["Above 1: faster, not always cheapest.", "大于 1：更快，但未必最优。"]).within(0.0, 100.0);
+        /// Weight of a metre at full lock, besides its length.
+        steer_cost: f64 = 0.0,
+            spec("steerCost", Form::Number(0.0, 5.0, 0.1), "1", false,
+                 ["Steering cost", "转向代价"], ["Cost of turning.", "转弯的权重。"]).within(0.0, 100.0);
+        /// Cost of moving the wheel from straight to full lock, metres.
+        steer_change_cost: f64 = 0.0,
+            spec("steerChangeCost", Form::Number(0.0, 5.0, 0.1), "m", false,
+                 ["Steering-change cost", "转角变化代价"], ["Cost of turning the wheel.", "转动方向盘的代价。"]).within(0.0, 1000.0);
+        /// Weight of a metre in contact with an obstacle.
+        obstacle_cost: f64 = 0.0,
+            spec("obstacleCost", Form::Number(0.0, 10.0, 0.5), "1", false,
+                 ["Obstacle cost", "近障代价"], ["Cost of driving close to obstacles.", "贴近障碍行驶的权重。"]).within(0.0, 1000.0);
+        /// Distance at which that weight begins, metres.
+        obstacle_distance: f64 = 0.5,
+            spec("obstacleDistance", Form::Number(0.1, 3.0, 0.1), "m", false,
+                 ["Obstacle distance", "近障距离"], ["Distance where that cost begins.", "该代价开始的距离。"]).within(0.01, 20.0);
+        /// Whether stretches are replaced by shorter curves afterwards.
+        shortcut: bool = true,
+            spec("shortcut", Form::Flag, "1", false,
+                 ["Shortcut", "捷径"], ["Shortens the finished path with curves.", "规划后以更短的曲线替换路段。"]);
+        /// Whether the first connection ends the search, as in the paper.
+        first_shot: bool = false,
+            spec("firstShot", Form::Flag, "1", false,
+                 ["First connection", "首次连接即止"], ["Stops at the first path found (the paper).", "找到第一条路径即停（论文）。"]);
+        /// Whether finer levels are tried when the coarse one finds nothing.
+        ladder: bool = true,
+            spec("ladder", Form::Flag, "1", false,
+                 ["Finer levels", "逐级细化"], ["Tries finer steps if coarse ones fail.", "粗步无解时尝试更细的步长。"]);
+        /// The finest level that is tried, 0 to 6; from 5 on, for cars that can hardly move, smaller margins are tried too.
+        finest_level: u32 = LEVELS - 1,
+            spec("finestLevel", Form::Integer(0.0, 6.0), "1", false,
+                 ["Finest level", "最细级别"],
+                 ["5 and 6: very tight spaces, many gear changes.", "5 和 6 用于极窄空间，换挡很多。"]).within(0.0, 6.0);
+        /// Expansions per level; by the level where absent.
+        max_expansions: Option<u32> = None,
+            spec("maxExpansions", Form::Integer(1.0, 1e7), "1", false,
+                 ["Expansion budget", "扩展上限"], ["Stops after this many.", "超过此数即放弃。"]).within(1.0, 10_000_000.0);
     }
 }
 
@@ -196,63 +200,27 @@ impl Config {
 
     /// These settings with the profile's costs.
     pub(super) fn with_profile(self) -> Self {
-        let own = [
-            self.reverse_cost,
-            self.direction_change_cost,
-            self.steer_cost,
-            self.steer_change_cost,
-            self.obstacle_cost,
-            self.obstacle_distance,
-        ];
-        let [
-            reverse_cost,
-            direction_change_cost,
-            steer_cost,
-            steer_change_cost,
-            obstacle_cost,
-            obstacle_distance,
-        ] = match self.profile {
-            Profile::Practical | Profile::Shortest => own,
-            Profile::Comfort => [1.0, 2.0, 0.0, 0.1, 1.0, 0.5],
-            Profile::Classic => [1.5, 0.0, 0.25, 0.9, 0.0, 0.5],
-        };
-        Self {
-            reverse_cost,
-            direction_change_cost,
-            steer_cost,
-            steer_change_cost,
-            obstacle_cost,
-            obstacle_distance,
-            ..self
+        match self.profile {
+            Profile::Practical | Profile::Shortest => self,
+            Profile::Comfort => Self {
+                reverse_cost: 1.0,
+                direction_change_cost: 2.0,
+                steer_cost: 0.0,
+                steer_change_cost: 0.1,
+                obstacle_cost: 1.0,
+                obstacle_distance: 0.5,
+                ..self
+            },
+            Profile::Classic => Self {
+                reverse_cost: 1.5,
+                direction_change_cost: 0.0,
+                steer_cost: 0.25,
+                steer_change_cost: 0.9,
+                obstacle_cost: 0.0,
+                obstacle_distance: 0.5,
+                ..self
+            },
         }
-    }
-
-    /// Checks every setting.
-    ///
-    /// # Errors
-    /// [`ErrorCode::Config`] with the field and the rule.
-    pub fn validate(&self) -> Result<(), Error> {
-        let within = |path: &str, value: f64, low: f64, high: f64| {
-            if (low..=high).contains(&value) {
-                return Ok(());
-            }
-            Err(Error::new(ErrorCode::Config, path, format!("must be between {low} and {high}, got {value}")))
-        };
-        within("margin", self.margin, 0.0, 10.0)?;
-        within("maxDirectionChanges", f64::from(self.max_direction_changes), 0.0, 10.0)?;
-        within("motionPrimitiveLength", self.motion_primitive_length.unwrap_or(1.0), 0.02, 20.0)?;
-        within("xyResolution", self.xy_resolution.unwrap_or(1.0), 0.02, 20.0)?;
-        within("headingResolution", self.heading_resolution.unwrap_or(0.1), 0.005, 1.6)?;
-        within("steerSamples", f64::from(self.steer_samples.unwrap_or(2)), 1.0, 50.0)?;
-        within("heuristicWeight", self.heuristic_weight.unwrap_or(1.0), 0.0, 100.0)?;
-        within("reverseCost", self.reverse_cost, 1.0, 100.0)?;
-        within("directionChangeCost", self.direction_change_cost, 0.0, 1000.0)?;
-        within("steerCost", self.steer_cost, 0.0, 100.0)?;
-        within("steerChangeCost", self.steer_change_cost, 0.0, 1000.0)?;
-        within("obstacleCost", self.obstacle_cost, 0.0, 1000.0)?;
-        within("finestLevel", f64::from(self.finest_level), 0.0, f64::from(LEVELS - 1))?;
-        within("obstacleDistance", self.obstacle_distance, 0.01, 20.0)?;
-        within("maxExpansions", f64::from(self.max_expansions.unwrap_or(1)), 1.0, 10_000_000.0)
     }
 }
 

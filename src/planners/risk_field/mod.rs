@@ -14,10 +14,10 @@ mod explain;
 use super::grid_astar;
 use super::heuristics::{DistanceWeight, Heuristic as GridHeuristic};
 use super::moves::Neighbourhood;
+use super::parameters::{Form, parameters, spec};
 use super::query::{Detail, GridReport, GridScratch, Query, Status};
-use super::settings::{Common, Post, within};
+use super::settings::{Common, Post};
 use super::weighted::Weighted;
-use crate::error::{Error, ErrorCode};
 use crate::json;
 use crate::map::Corner;
 use crate::map::risk::{Attraction, FieldSettings, ObstacleSet, PotentialField};
@@ -57,93 +57,79 @@ pub enum Fallback {
 
 json::words!(Fallback: "penalty" = Penalty, "lexicographic" = Lexicographic, "stuck-only" = StuckOnly, "none" = None);
 
-/// Settings of risk-field A*.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Config {
-    /// Weight of the longer part of the estimate. Thousandths count.
-    pub w1: f64,
-    /// Weight of the shorter part of the estimate. Thousandths count.
-    pub w2: f64,
-    /// Strength of the distance weight 1 + wbar · d(n)/d(s); 1 is the paper. Thousandths count.
-    pub wbar: f64,
-    /// The estimate before the distance weight.
-    pub heuristic: Heuristic,
-    /// Gain of the goal's attraction.
-    pub k1: f64,
-    /// Reach of the obstacles' repulsion, cells.
-    pub rho0: f64,
-    /// Gain of the repulsion; `null`: half of k1 times the distance from start to goal in cells.
-    pub k2: Option<f64>,
-    /// How the pull depends on the distance.
-    pub attraction: Attraction,
-    /// Which obstacles repel.
-    pub obstacle_set: ObstacleSet,
-    /// Longest extension beyond a step, in steps; 1 is the paper's double step.
-    pub ext_len: u32,
-    /// Whether diagonal extensions that lead away from the goal are left out.
-    pub goal_side: bool,
-    /// What becomes of the directions that the field does not pick.
-    pub fallback: Fallback,
-    /// How far `fallback: "penalty"` puts them back, cells.
-    pub penalty: f64,
-    /// Whether the search ends as soon as the goal is in sight.
-    pub goal_shot: bool,
-    /// What every grid planner has.
-    pub common: Common,
-}
-
-json::settings! {
-    Config:
-    "w1" = w1,
-    "w2" = w2,
-    "wbar" = wbar,
-    "heuristic" = heuristic,
-    "k1" = k1,
-    "rho0" = rho0,
-    "k2" = k2,
-    "attraction" = attraction,
-    "obstacleSet" = obstacle_set,
-    "extLen" = ext_len,
-    "goalSide" = goal_side,
-    "fallback" = fallback,
-    "penalty" = penalty,
-    "goalShot" = goal_shot,
-    "corner" = common.corner,
-    "inflation" = common.inflation,
-    "margin" = common.margin,
-    "minPassage" = common.min_passage,
-    "trapMouth" = common.trap_mouth,
-    "post" = common.post,
-    "smoothMode" = common.smooth_mode,
-    "minRadius" = common.min_radius,
-    "maxExpansions" = common.max_expansions,
-}
-
-impl Default for Config {
-    fn default() -> Self {
-        Self::PAPER
+parameters! {
+    /// Settings of risk-field A*.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct Config {
+        /// Weight of the longer part of the estimate. Thousandths count.
+        w1: f64 = 2.0,
+            spec("w1", Form::Number(0.5, 4.0, 0.1), "1", true,
+                 ["Weight w1", "权重 w1"],
+                 ["Of the longer axis distance to the goal.", "到目标较长轴向距离的权重。"]).within(0.0, 10.0);
+        /// Weight of the shorter part of the estimate. Thousandths count.
+        w2: f64 = 1.0,
+            spec("w2", Form::Number(0.5, 4.0, 0.1), "1", true,
+                 ["Weight w2", "权重 w2"], ["Of the shorter one.", "较短轴向距离的权重。"]).within(0.0, 10.0);
+        /// Strength of the distance weight 1 + wbar · d(n)/d(s); 1 is the paper. Thousandths count.
+        wbar: f64 = 1.0,
+            spec("wbar", Form::Number(0.0, 4.0, 0.1), "1", false,
+                 ["Dynamic weight", "动态权重"],
+                 ["How strongly goal distance speeds up the search; paper: 1.", "目标距离对搜索的加速程度；论文取 1。"]).within(0.0, 10.0);
+        /// The estimate before the distance weight.
+        heuristic: Heuristic = Heuristic::Corrected,
+            spec("heuristic", Form::Choice(&["corrected", "printed", "octile"]), "1", false,
+                 ["Heuristic", "启发函数"], ["Corrected removes the printed formula's jump.", "修正式消除论文公式的跳变。"]);
+        /// Gain of the goal's attraction.
+        k1: f64 = 1.0,
+            spec("k1", Form::Number(0.1, 10.0, 0.1), "1", false,
+                 ["Attraction k1", "引力 k1"], ["Attraction gain.", "目标引力增益。"]).within(0.0, 1e6);
+        /// Reach of the obstacles' repulsion, cells.
+        rho0: f64 = 3.0,
+            spec("rho0", Form::Number(1.0, 10.0, 0.5), "cells", true,
+                 ["Reach of the field", "斥力范围"],
+                 ["Obstacles farther away do not repel.", "更远的障碍不产生斥力。"]).within(1.0, 20.0);
+        /// Gain of the repulsion; `null`: half of k1 times the distance from start to goal in cells.
+        k2: Option<f64> = None,
+            spec("k2", Form::Number(0.0, 1000.0, 0.5), "cells", false,
+                 ["Repulsion k2", "斥力 k2"],
+                 ["Repulsion gain; empty: half of k1 times the distance.", "障碍斥力增益；空：k1 × 距离之半。"]).within(0.0, 1e6);
+        /// How the pull depends on the distance.
+        attraction: Attraction = Attraction::Linear,
+            spec("attraction", Form::Choice(&["linear", "conic"]), "1", false,
+                 ["Attraction law", "引力形式"], ["Linear grows with the distance (the paper).", "线性随距离增大（论文）。"]);
+        /// Which obstacles repel.
+        obstacle_set: ObstacleSet = ObstacleSet::NearestMean,
+            spec("obstacleSet", Form::Choice(&["nearest-mean", "nearest-first", "sum"]), "1", false,
+                 ["Repelling cells", "斥力来源"], ["The nearest, or all within reach.", "最近的障碍格，或范围内全部。"]);
+        /// Longest extension beyond a step, in steps; 1 is the paper's double step.
+        ext_len: u32 = 1,
+            spec("extLen", Form::Integer(0.0, 16.0), "cells", false,
+                 ["Extension", "扩展长度"], ["How far diagonal moves may be stretched.", "斜向移动可延伸的格数。"]).within(0.0, 16.0);
+        /// Whether diagonal extensions that lead away from the goal are left out.
+        goal_side: bool = false,
+            spec("goalSide", Form::Flag, "1", false,
+                 ["Goal side only", "仅目标侧"], ["Drops extensions that lead away from the goal.", "去除背离目标的延伸格。"]);
+        /// What becomes of the directions that the field does not pick.
+        fallback: Fallback = Fallback::Penalty,
+            spec("fallback", Form::Choice(&["penalty", "lexicographic", "stuck-only", "none"]), "1", false,
+                 ["Deferred moves", "延后扩展"],
+                 ["When the other five directions are tried; none: as in the paper, may get stuck.", "其余五方向何时尝试；none 为论文原式，可能卡住。"]);
+        /// How far `fallback: "penalty"` puts them back, cells.
+        penalty: f64 = 4.0,
+            spec("penalty", Form::Number(0.0, 40.0, 1.0), "cells", false,
+                 ["Deferral cost", "延后代价"], ["Cost added to deferred moves.", "延后扩展附加的代价。"]).within(0.0, 10_000.0);
+        /// Whether the search ends as soon as the goal is in sight.
+        goal_shot: bool = false,
+            spec("goalShot", Form::Flag, "1", false,
+                 ["Direct finish", "直达目标"], ["Finishes as soon as the goal is in sight.", "目标可见即完成。"]);
     }
+    /// What every grid planner has.
+    shared common: Common = Common { post: Post::Smooth, ..Common::PLAIN };
 }
 
 impl Config {
     /// The paper's planner, with this crate's answers where the paper is silent.
-    pub const PAPER: Self = Self {
-        w1: 2.0,
-        w2: 1.0,
-        wbar: 1.0,
-        heuristic: Heuristic::Corrected,
-        k1: 1.0,
-        rho0: 3.0,
-        k2: None,
-        attraction: Attraction::Linear,
-        obstacle_set: ObstacleSet::NearestMean,
-        ext_len: 1,
-        goal_side: false,
-        fallback: Fallback::Penalty,
-        penalty: 4.0,
-        goal_shot: false,
-        common: Common { post: Post::Smooth, ..Common::PLAIN },
-    };
+    pub const PAPER: Self = Self::DEFAULT;
 
     /// Settings that give shorter paths from fewer cells than the paper's.
     pub const PLUS: Self = Self {
@@ -157,25 +143,6 @@ impl Config {
         common: Common { post: Post::PruneDp, ..Common::PLAIN },
         ..Self::PAPER
     };
-
-    /// Checks every setting.
-    ///
-    /// # Errors
-    /// [`ErrorCode::Config`] with the field and the rule.
-    pub fn validate(&self) -> Result<(), Error> {
-        within("w1", self.w1, 0.0, 10.0)?;
-        within("w2", self.w2, 0.0, 10.0)?;
-        within("wbar", self.wbar, 0.0, 10.0)?;
-        within("k1", self.k1, 0.0, 1e6)?;
-        within("rho0", self.rho0, 1.0, 20.0)?;
-        within("k2", self.k2.unwrap_or(0.0), 0.0, 1e6)?;
-        within("penalty", self.penalty, 0.0, 10_000.0)?;
-        if self.ext_len > 16 {
-            let rule = format!("must be between 0 and 16, got {}", self.ext_len);
-            return Err(Error::new(ErrorCode::Config, "extLen", rule));
-        }
-        self.common.validate()
-    }
 
     /// The potential field of a query.
     pub fn field<'a>(&self, query: &Query<'a>) -> PotentialField<'a> {
