@@ -134,3 +134,21 @@ test("an element is as wide as its place on a phone, and a height alone leaves i
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
   }
 });
+
+for (const holder of ["script", "template", "pre"] as const) {
+  test(`a scene of the page's own stands in a ${holder}`, async ({ page }) => {
+    await page.goto(HOST);
+    const name = await page.evaluate(async (tag) => {
+      const map = { origin: [0, 0], width: 40, height: 30, resolution: 0.5 };
+      const scene = { version: 1, name: `In a ${tag}`, map, start: { x: 3, y: 7, heading: 0 }, goal: { x: 15, y: 7, heading: 0 } };
+      const type = tag === "script" ? ' type="application/json"' : "";
+      const host = document.createElement("div");
+      host.innerHTML = `<parkade-playground loading="eager" controls="none" layout="single"><${tag}${type} slot="scene" hidden>${JSON.stringify(scene)}</${tag}></parkade-playground>`;
+      document.body.prepend(host);
+      const element = host.firstElementChild as Embed;
+      await element.ready;
+      return element.sceneData.name;
+    }, holder);
+    expect(name).toBe(`In a ${holder}`);
+  });
+}

@@ -115,7 +115,7 @@ export class ParkadePlayground extends Base {
     const extra = document.createElement("slot");
     extra.name = extra.slot = "toolbar-extra";
     inner.append(extra);
-    inner.inline = this.querySelector<HTMLScriptElement>('script[slot="scene"]')?.textContent ?? null;
+    inner.inline = this.sceneText();
     inner.onStep = (share) => this.progress(share);
     inner.onTheme = (theme) => this.setAttribute("theme", theme);
     for (const name of ATTRIBUTES) this.pass(inner, name);
@@ -132,6 +132,12 @@ export class ParkadePlayground extends Base {
     for (const [name, value] of this.early) (inner as unknown as Record<string, unknown>)[name] = value;
     this.early.clear();
     return inner;
+  }
+
+  /** Site generators drop or run scripts inside a page's text, so any element may hold the scene. */
+  private sceneText(): string | null {
+    const holder = this.querySelector('[slot="scene"]');
+    return (holder instanceof HTMLTemplateElement ? holder.content : holder)?.textContent ?? null;
   }
 
   private live(): void {

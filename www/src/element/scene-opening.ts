@@ -119,7 +119,7 @@ export abstract class SceneOpening extends Playground {
     try {
       return JSON.parse(this.inline) as Scene;
     } catch (error) {
-      throw broken("scene", this.inline, `must be a script with a scene as JSON (${(error as Error).message})`, "必须是含有 JSON 场景的脚本");
+      throw broken("scene", this.inline, `must be a scene as JSON (${(error as Error).message})`, "必须是 JSON 格式的场景");
     }
   }
 }
