@@ -114,6 +114,32 @@ fn bad_slices_are_named() {
     );
 }
 
+/// A machine under load measures any time for any planner: counted work decides.
+#[test]
+fn no_clock_turns_a_verdict() {
+    let judged = |clock: &mut dyn FnMut() -> f64| {
+        let tables: Vec<_> = ROWS
+            .iter()
+            .map(|row| summary(row, &measure(row, 1, 3, &mut || clock()).unwrap()).unwrap())
+            .collect();
+        claims(&tables).iter().map(|claim| claim.holds).collect::<Vec<_>>()
+    };
+    let (mut now, mut pause) = (0.0, 1.0);
+    let mut loaded = || {
+        pause = (pause * 7.0) % 101.0;
+        now += pause;
+        now
+    };
+    let mut steady_now = 0.0;
+    let mut steady = || {
+        steady_now += 1.0;
+        steady_now
+    };
+    let want = judged(&mut still);
+    assert_eq!(judged(&mut loaded), want);
+    assert_eq!(judged(&mut steady), want);
+}
+
 /// What the tables say is what the acceptance tests hold: nodes fit the column "generated", not "expanded".
 #[test]
 fn claims_are_judged_on_all_rows_only() {
@@ -121,10 +147,9 @@ fn claims_are_judged_on_all_rows_only() {
     assert!(claims(&tables[..2]).iter().all(|claim| claim.holds == "unknown"));
     let all = claims(&tables);
     let holds = |id: &str| all.iter().find(|c| c.id == id).unwrap().holds;
-    // No clock: what is about time stays open.
     assert_eq!(
         ["H1", "H2", "H3", "Y1", "Y2", "Y3", "Y4"].map(holds),
-        ["partly", "partly", "partly", "unknown", "unknown", "unknown", "no"]
+        ["partly", "partly", "partly", "yes", "partly", "partly", "unknown"]
     );
     for table in &tables {
         let line = table.lines.iter().find(|l| l.planner == "risk-field").unwrap();
