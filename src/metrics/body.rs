@@ -20,7 +20,7 @@ pub(super) struct Edge {
     pub(super) b: Point,
     low: Point,
     high: Point,
-    owner: Owner,
+    pub(super) owner: Owner,
 }
 
 impl Edge {

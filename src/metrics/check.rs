@@ -1,6 +1,8 @@
 //! The independent validator: exact footprint against exact obstacles, motion against the car's limits.
 
 use super::Body;
+#[cfg(feature = "complete")]
+use super::Narrowest;
 use crate::geometry::{Pose, math};
 use crate::scenario::resolve::{Geometry, Owner};
 
@@ -68,6 +70,9 @@ pub struct Check {
     pub mean_clearance: f64,
     /// Per pose: distance from the body to the nearest obstacle, metres.
     pub clearances: Vec<f64>,
+    /// Where the body is nearest to an obstacle, unless it overlaps one.
+    #[cfg(feature = "complete")]
+    pub narrowest: Option<Narrowest>,
 }
 
 impl Check {
@@ -114,6 +119,8 @@ fn empty() -> Check {
         min_clearance: 0.0,
         mean_clearance: 0.0,
         clearances: Vec::new(),
+        #[cfg(feature = "complete")]
+        narrowest: None,
     }
 }
 
@@ -218,6 +225,10 @@ fn check_body(check: &mut Check, body: &Body, path: &[Pose], directions: &[i8]) 
         check.clearances.push(clearance);
     }
     check.mean_clearance = sum / path.len() as f64;
+    #[cfg(feature = "complete")]
+    if check.hit_poses.is_empty() {
+        check.narrowest = body.narrowest(path, &check.clearances);
+    }
 }
 
 /// Steps of a single way between two poses: 20 km at the usual spacing, which grows beyond.

@@ -6,6 +6,8 @@ mod body;
 pub mod check;
 pub mod grid;
 #[cfg(feature = "complete")]
+mod narrowest;
+#[cfg(feature = "complete")]
 pub mod risk;
 #[cfg(feature = "complete")]
 pub mod road;
@@ -18,3 +20,5 @@ pub use any_angle::any_angle_length;
 pub(crate) use body::gap;
 pub use body::{Body, FAR};
 pub use check::{Check, Verdict, check};
+#[cfg(feature = "complete")]
+pub use narrowest::Narrowest;

@@ -26,6 +26,9 @@ use crate::scenario::resolve::Geometry;
 use crate::search::Progress;
 use crate::vehicle::collision::Obstacles;
 
+/// More than rounding takes from a clearance, metres.
+#[cfg(feature = "complete")]
+const ROUNDING: f64 = 1e-6;
 /// Speed of the parking paper's driving times, m/s.
 const PAPER_SPEED: f64 = 2.0;
 
@@ -84,6 +87,12 @@ impl Engine {
         if !roomy.is_empty() {
             *poses = roomy.iter().map(|&at| poses[at]).collect();
         }
+    }
+
+    /// Takes over the last path of another engine.
+    #[cfg(feature = "complete")]
+    pub(super) fn continue_from(&mut self, before: &mut Self) {
+        self.last = before.last.take();
     }
 
     /// The obstacles have changed.
@@ -148,7 +157,9 @@ impl Engine {
             let kept = anchored(&query, &self.config, last, &report);
             if let Some(kept) = kept.filter(|kept| kept.cost <= report.cost * (1.0 + stickiness)) {
                 let mut stayed = measured(world, Outcome::Found, drive(&query, &kept), NEAR);
-                if stayed.check.drivable() {
+                // Among other obstacles than its own the last path may keep less.
+                let margin = report.margin.min(plan.check.min_clearance);
+                if stayed.check.drivable() && stayed.check.min_clearance >= margin - ROUNDING {
                     fill(&query, &kept, &mut stayed);
                     (stayed.detail, stayed.stats) = (detail(kept.status), plan.stats.clone());
                     (stayed.member, stayed.trace) = (plan.member, plan.trace.take());

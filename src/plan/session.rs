@@ -57,6 +57,17 @@ impl Planner {
         Ok(self.between(start.unwrap_or(self.own_ends[0]), goal, options))
     }
 
+    /// Takes over the last path of a hybrid planner of the scene as it was before an edit, for [`Options::stickiness`]. On a map
+    /// with another floor there is none.
+    #[cfg(feature = "complete")]
+    pub fn continue_from(&mut self, before: &mut Self) {
+        if let (Engine::Hybrid(engine), Engine::Hybrid(last)) = (&mut self.engine, &mut before.engine)
+            && self.world.geometry.boundary == before.world.geometry.boundary
+        {
+            engine.continue_from(last);
+        }
+    }
+
     /// The search of a grid planner between two points, and nothing else: no car follows the path, nothing is checked
     /// or measured. A second search on the same map costs what it touches.
     ///

@@ -6,6 +6,8 @@ use wasm_bindgen::JsValue;
 use super::codec::{f32s, f64s, i8s, i32s, object, set, u8s, u32s, write};
 use crate::geometry::{Point, Pose};
 use crate::metrics::Check;
+#[cfg(feature = "complete")]
+use crate::metrics::Narrowest;
 use crate::plan::{Layer, LayerData, Plan, PlanTrace, Stats};
 use crate::planners::{Gap, Obstruction};
 use crate::scenario::Scenario;
@@ -124,6 +126,13 @@ pub(super) fn check(scene: &Scenario, geometry: &Geometry, check: &Check) -> JsV
     });
     let answer = write(&small);
     set(&answer, "hitPoses", &u32s(&check.hit_poses));
+    #[cfg(feature = "complete")]
+    if let Some(Narrowest { index, body, obstacle, owner }) = check.narrowest {
+        let (name, at) = (scene.name_of(owner), self::index(owner));
+        let [body, point] = [body, obstacle].map(|p| [p.x, p.y]);
+        let place = json!({ "pose": index, "body": body, "point": point, "obstacle": name, "index": at });
+        set(&answer, "narrowest", &write(&place));
+    }
     answer
 }
 

@@ -86,6 +86,12 @@ impl RawPlanner {
         Ok(answer::plan(self.planner.scenario(), self.planner.geometry(), &plan))
     }
 
+    /// Takes over the last path of another planner.
+    #[wasm_bindgen(js_name = continueFrom)]
+    pub fn continue_from(&mut self, before: &mut Self) {
+        self.planner.continue_from(&mut before.planner);
+    }
+
     /// The any-angle yardstick, metres.
     #[wasm_bindgen(js_name = anyAngleLength)]
     pub fn any_angle_length(&self) -> Option<f64> {

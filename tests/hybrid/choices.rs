@@ -198,3 +198,73 @@ fn under_the_hand_a_path_changes_sides_only_where_that_saves_its_share() {
         "without it a plan does not depend on the one before"
     );
 }
+
+/// A lot with an island in the way from one side to the other, and something beside it.
+fn island(beside: &Value) -> Planner {
+    let scene = json!({
+        "version": 1,
+        "map": { "origin": [0, 0], "width": 72, "height": 52, "resolution": 0.5 },
+        "obstacles": [{ "type": "rectangle", "center": [18, 12.9], "size": [5, 6] }, beside],
+        "vehicle": "sedan",
+        "start": { "x": 5, "y": 13, "heading": 0 },
+        "goal": { "x": 29, "y": 13, "heading": 0 },
+    });
+    Planner::new("hybrid", &parkade::scenario::Scenario::from_json(&scene).unwrap(), &Map::new()).unwrap()
+}
+
+fn post(x: f64, y: f64) -> Value {
+    json!({ "type": "rectangle", "center": [x, y], "size": [1, 1] })
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn while_an_obstacle_is_dragged_a_path_stays_where_the_other_side_becomes_a_little_shorter() {
+    // The post moves into the island's far side and out of it.
+    let dragged = |stickiness: f64| {
+        let (mut idle, mut before): (u32, Option<(Planner, Plan)>) = (0, None);
+        for step in 0..60 {
+            let y = 15.45 + 0.5 * parkade::geometry::math::cos(f64::from(step) * 0.42);
+            let mut planner = island(&post(18.0, y));
+            if let Some((last, _)) = &mut before {
+                planner.continue_from(last);
+            }
+            let plan = planner.plan(Options { stickiness, ..Options::default() });
+            assert!(plan.check.drivable());
+            if let Some((_, last)) = &before
+                && strays(&plan, last) > 2.0
+            {
+                idle += u32::from((0.97..1.03).contains(&(plan.metrics.length / last.metrics.length)));
+            }
+            before = Some((planner, plan));
+        }
+        idle
+    };
+    let (loose, idle) = (dragged(0.0), dragged(0.05));
+    println!("idle flips without: {loose}, with: {idle}");
+    assert!(loose >= 4 && idle == 0, "{loose}, {idle}");
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn a_path_that_is_taken_over_keeps_the_margin_among_the_new_obstacles_or_goes() {
+    let sticky = || Options { stickiness: 1.0, ..Options::default() };
+    let mut before = island(&post(0.5, 0.5));
+    let last = before.plan(sticky());
+    let middle = last.path[last.path.len() / 2];
+    // Beside the last path by less than the margin, and on it; half a metre of post and half the car's width apart.
+    for (kept, off) in [(true, 1.0), (false, 0.04), (false, -0.5)] {
+        let mut planner = island(&post(middle.x, middle.y + 0.5 + 0.95 + off));
+        planner.continue_from(&mut before);
+        let plan = planner.plan(sticky());
+        assert!(plan.check.drivable() && plan.metrics.min_clearance >= 0.1 - 1e-3, "{off}");
+        assert_eq!(plan.path == last.path, kept, "{off}");
+        before = island(&post(0.5, 0.5));
+        assert_eq!(before.plan(sticky()).path, last.path);
+    }
+    // Other planners take nothing over.
+    let scene = scenario("perpendicular").unwrap();
+    let mut grid = Planner::new("eight", &scene, &Map::new()).unwrap();
+    let alone = grid.plan(Options::default()).hash();
+    grid.continue_from(&mut before);
+    assert_eq!(grid.plan(Options::default()).hash(), alone);
+}

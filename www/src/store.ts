@@ -1,4 +1,4 @@
-import type { Drive, Encounter, Explanation, Layer, LayerName, Plan, PlannerId, Prefer, Road, SceneGeometry } from "parkade";
+import type { Drive, Encounter, Explanation, Layer, LayerName, Narrowest, Plan, PlannerId, Prefer, Road, SceneGeometry } from "parkade";
 import type { Timing } from "./planning/protocol";
 import type { Scenario } from "./scene/scenario";
 import { presetLayers } from "./view/layer-sets";
@@ -92,8 +92,8 @@ export interface State {
   explained: Explanation | null;
   /** What planners' paths are chosen by, where it is not left to them. */
   prefer: Partial<Record<PlannerId, Prefer>>;
-  /** Another path of a planner, looked at for a moment. */
-  preview: { planner: PlannerId; plan: Plan } | null;
+  /** Another path of a planner, looked at for a moment, or a place of the one that is shown. */
+  preview: { planner: PlannerId; plan: Plan; place?: Narrowest } | null;
   /** How moving obstacles are waited for. */
   waiting: "predictive" | "reactive";
   playback: Playback;

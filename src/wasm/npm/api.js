@@ -97,6 +97,12 @@ export class Planner {
     return this.#call((planner) => planner.anyAngleLength() ?? null, "anyAngleLength");
   }
 
+  /** @type {import("./index.js").Planner["continueFrom"]} */
+  continueFrom(before) {
+    if (!(before instanceof Planner) || before === this) throw mismatch(before, "before", "another planner");
+    before.#call((last) => this.#call((planner) => planner.continueFrom(last), "continueFrom"));
+  }
+
   /** @type {import("./index.js").Planner["brush"]} */
   brush(runs, blocked) {
     if (!Array.isArray(runs) || runs.some((run) => !Array.isArray(run) || run.length !== 3)) {
@@ -134,7 +140,7 @@ export class Planner {
   /**
    * @template T
    * @param {(planner: raw.RawPlanner) => T} run
-   * @param {"search" | "anyAngleLength" | "brush" | "explain" | "improve"} [method] what only the complete module has
+   * @param {"search" | "anyAngleLength" | "brush" | "continueFrom" | "explain" | "improve"} [method] what only the complete module has
    */
   #call(run, method) {
     this.#rest();

@@ -305,6 +305,20 @@ export interface Check {
   goalHeadingError: number;
   /** Metres between the last pose and the goal. */
   goalDistance: number;
+  /** Where the body is nearest to an obstacle, unless it overlaps one. Not in `parkade/core`. */
+  narrowest?: Narrowest;
+}
+
+/** The narrowest place of a path. */
+export interface Narrowest {
+  /** Index into `path`. */
+  pose: number;
+  /** The body's point and the obstacle's, metres. */
+  body: [number, number];
+  point: [number, number];
+  /** Its id or kind ("border", "wall", "polygon", …) and its index in `obstacles` (or -1). */
+  obstacle: string;
+  index: number;
 }
 
 /** Cell indices (y * width + x) in order of expansion. */
@@ -786,7 +800,8 @@ export class Planner<Id extends PlannerId = PlannerId> {
    * ordinary plan of a tight slot, and the same everywhere.
    *
    * `stickiness`, 0 to 1, hybrid only, for ends that are dragged: this planner's last path, led to the new ends, stays unless another
-   * one costs less by more than that share of its cost. Without it a plan does not depend on the one before.
+   * one costs less by more than that share of its cost, or keeps a margin that it does not. Without it a plan does not depend on
+   * the one before.
    */
   plan(options?: {
     trace?: boolean;
@@ -798,6 +813,11 @@ export class Planner<Id extends PlannerId = PlannerId> {
     onProgress?: (expansions: number) => void;
     onImproved?: (plan: PlanOf<Id>) => void;
   }): PlanOf<Id>;
+  /**
+   * Takes over the last path of a planner of the scene as it was before an edit, for `stickiness`. Nothing is taken over by other
+   * planners than hybrid, nor where the floor's outline is another. Not in `parkade/core`.
+   */
+  continueFrom(before: Planner): void;
   /**
    * The search of a grid planner alone, between two points: its cells, neither followed by a car nor checked nor
    * measured. What `plan` does besides grows with the path and often takes longer. Not in `parkade/core`.

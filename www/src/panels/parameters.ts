@@ -2,12 +2,14 @@ import type { ParameterInfo, PlannerId } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import { isMessage } from "../i18n/index";
 import { words } from "../i18n/words";
+import { distancesOf } from "../view/drive";
 import { plannerName } from "../view/identity";
 import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";
 import { AppElement } from "./base";
 import { marker } from "./icons";
+import { thingName } from "./status";
 
 /** Of any planner, by the names that its parameters have. */
 type Settings = Record<string, unknown>;
@@ -17,8 +19,11 @@ const say = words({
   fromGoal: ["Found from the goal: cells of {cell} and {angle}°, {margin} of margin kept.", "自目标搜索得到：格 {cell}、{angle}°，保持余量 {margin}。"],
   fromStart: ["Found from the start: cells of {cell} and {angle}°, {margin} of margin kept.", "自起点搜索得到：格 {cell}、{angle}°，保持余量 {margin}。"],
   none: ["No way with cells of {cell} and {angle}° and {margin} of margin.", "以格 {cell}、{angle}° 与余量 {margin} 搜索，没有路。"],
+  narrow: ["Keeps {kept} of the {margin} asked for. Narrowest after {along} m, at {thing}.", "保持 {kept}，要求为 {margin}。最窄处在行驶 {along} m 后，{thing}旁。"],
   spent: ["Tried last: cells of {cell} and {angle}°, {margin} of margin.", "最后尝试：格 {cell}、{angle}°，余量 {margin}。"],
 });
+/** Less than this short of the margin asked for is not said, metres: figures show centimetres. */
+const SHORT = 0.005;
 const UNITS: Record<string, string> = { rad: "°", "1": "" };
 
 /** The focused planner's settings, from what the planner says of them. */
@@ -27,6 +32,7 @@ export class Parameters extends AppElement {
   static override styles = [controls, sections, css`
     .one { padding: 5px 0; }
     .member { margin: 2px 0 6px; }
+    .narrow { padding: 0; text-align: left; font: inherit; line-height: inherit; height: auto; color: var(--parkade-warn); white-space: normal; }
     .name { display: flex; align-items: baseline; gap: 8px; font-size: 12.5px; line-height: 17px; font-weight: 500; }
     .name output, .name .field { margin-left: auto; }
     .name output { font-weight: 400; white-space: nowrap; }
@@ -58,7 +64,7 @@ export class Parameters extends AppElement {
     return html`
       <div class="head"><h2>${marker(focus)}${plannerName(lang, focus)}</h2>
         <button class="link" ?disabled=${Object.keys(settings).length === 0} @click=${() => this.app.store.edit(withSettings(scene, focus, {}))}>${this.t("inspect.reset")}</button></div>
-      ${this.member()}
+      ${this.member()}${this.narrowest(Number(settings["margin"] ?? parameters.find(({ name }) => name === "margin")?.default ?? 0))}
       ${shown.map((info) => this.parameter(info, settings))}
       ${basic.length > 0 && basic.length < parameters.length
         ? html`<button class="link more" aria-expanded=${this.all} @click=${() => { this.all = !this.all; }}>${this.t(this.all ? "inspect.less" : "inspect.more")}</button>` : nothing}`;
@@ -69,9 +75,21 @@ export class Parameters extends AppElement {
     const { focus, results, lang } = this.state, plan = results[focus]?.plan;
     if (!plan || !("member" in plan) || !plan.member) return nothing;
     const { member } = plan;
-    const metres = (value: number): string => `${this.num(value, value < 0.01 ? 3 : 2)} m`;
-    const values = { cell: metres(member.xyResolution), angle: this.num(member.headingResolution * DEGREES, member.headingResolution * DEGREES < 1 ? 1 : 0), margin: metres(member.margin) };
+    const values = { cell: this.metres(member.xyResolution), angle: this.num(member.headingResolution * DEGREES, member.headingResolution * DEGREES < 1 ? 1 : 0), margin: this.metres(member.margin) };
     return html`<p class="member">${say(lang, plan.outcome === "found" ? (member.fromGoal ? "fromGoal" : "fromStart") : plan.outcome === "no-path" ? "none" : "spent", values)}</p>`;
+  }
+
+  private metres(value: number): string {
+    return `${this.num(value, value < 0.01 ? 3 : 2)} m`;
+  }
+
+  /** How much of the margin a path keeps where it keeps less, and where; shown on the map while it is pointed at. */
+  private narrowest(margin: number): TemplateResult | typeof nothing {
+    const { focus, results, lang } = this.state, plan = results[focus]?.plan, place = plan?.check.narrowest;
+    if (!place || !plan.check.drivable || plan.metrics.minClearance > margin - SHORT) return nothing;
+    const values = { kept: this.metres(plan.metrics.minClearance), margin: this.metres(margin), along: this.num(distancesOf(plan)[place.pose]!, 1), thing: thingName(this.state, place) };
+    const show = (): void => this.app.store.set({ preview: { planner: focus, plan, place } }), hide = (): void => this.app.store.set({ preview: null });
+    return html`<p class="member"><button class="narrow" @pointerenter=${show} @pointerleave=${hide} @focus=${show} @blur=${hide}>${say(lang, "narrow", values)}</button></p>`;
   }
 
   private parameter(info: ParameterInfo, settings: Settings): TemplateResult {

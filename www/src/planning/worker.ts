@@ -21,7 +21,7 @@ let planner: PlannerId = "hybrid";
 let ready: Promise<void> | null = null;
 /** The planner of the last scene that came, that scene as far as drives need it, and where the last plan was. */
 let held: { planner: Planner; scene: Scenario; ends: Ends } | null = null;
-/** Of two ways about as good the one that is shown stays while an end is dragged. */
+/** Of two ways about as good the one that is shown stays while something is dragged. */
 const DRAG = { stickiness: 0.03 };
 /** What the last plan was chosen by. */
 let choice: Parameters<Planner["plan"]>[0];
@@ -59,26 +59,33 @@ function answerTo(request: Exclude<Request, { kind: "start" }>): Reply {
   }
 }
 
-function hold(scene: Scenario | null, ends: Ends): NonNullable<typeof held> {
+/** While something is dragged the planner of the scene as it is now goes on from that of the step before. */
+function hold(scene: Scenario | null, ends: Ends, drags = false): NonNullable<typeof held> {
   if (scene) {
-    letGo();
-    held = { planner: new api.Planner(planner, scene), scene: withoutCells(scene), ends };
+    const before = drags ? held?.planner : letGo();
+    held = null;
+    try {
+      held = { planner: new api.Planner(planner, scene), scene: withoutCells(scene), ends };
+      if (before) held.planner.continueFrom(before);
+    } finally {
+      before?.free();
+    }
   }
   if (!held) throw new Error("This worker has no scene.");
   held.ends = ends;
   return held;
 }
 
-function letGo(): void {
+function letGo(): undefined {
   held?.planner.free();
   held = null;
 }
 
 function plan({ id, scene, ends, layers: names, every, trace, waiting, limits, prefer }: PlanRequest): Extract<Reply, { kind: "planned" }> {
   const warm = plans >= WARM_PLANS;
-  const current = hold(scene, ends);
+  const drags = !waiting && !!api.trajectory && planner.startsWith("hybrid"), current = hold(scene, ends, drags);
   choice = prefer && { prefer, alternatives: true };
-  const [found, time] = timed(current.planner, { trace, ...ends, ...choice, ...(!waiting && api.trajectory && planner.startsWith("hybrid") && DRAG) }, (expansions) => scope.postMessage({ kind: "progress", id, expansions }, []));
+  const [found, time] = timed(current.planner, { trace, ...ends, ...choice, ...(drags && DRAG) }, (expansions) => scope.postMessage({ kind: "progress", id, expansions }, []));
   const layers: Layers = {};
   for (const name of names) layers[name] = current.planner.layer(name, name === "risk" ? { every } : {});
   const reply = { kind: "planned", id, plan: found, layers, drive: null, undriven: false, time, warm } as const;

@@ -3,8 +3,8 @@ import type { CostArea, MovingObstacle, Obstacle, Slot } from "parkade";
 import { thingsOf, type Selection } from "../store";
 import type { Run } from "./cells";
 import { addMoving, addObstacle, addSlots, findCost, findMoving, findObstacle, findSlot, updateMoving, updateObstacle, updateSlot, withCosts, type Scene } from "./model";
-import { boxOf, rotateAbout, wrapAngle, type Box, type Point } from "./plane";
-import { cornersOf, moveShape, turnShape } from "./shapes";
+import { boxOf, type Box, type Point } from "./plane";
+import { cornersOf, moveShape } from "./shapes";
 import { slotOutline } from "./slots";
 
 type Thing = { kind: "obstacle"; thing: Obstacle } | { kind: "slot"; thing: Slot } | { kind: "moving"; thing: MovingObstacle } | { kind: "cost"; thing: CostArea };
@@ -80,27 +80,6 @@ function movedRuns(runs: readonly Run[], { width, height, resolution }: Scene["m
     const from = Math.max(0, x + columns), to = Math.min(width, x + columns + count), row = y + rows;
     return from < to && row >= 0 && row < height ? [[from, row, to - from]] : [];
   });
-}
-
-/** Turns all of them about the middle of their extent; brushed cells stay. */
-export function turnThings(scene: Scene, ids: readonly string[], angle: number): Scene {
-  const box = boxOfThings(scene, ids), about: Point = [(box.minX + box.maxX) / 2, (box.minY + box.maxY) / 2];
-  return ids.reduce((next, id) => {
-    const found = findThing(next, id);
-    if (found?.kind === "slot") {
-      const [x, y] = rotateAbout([found.thing.x, found.thing.y], about, angle);
-      return updateSlot(next, id, { x, y, heading: wrapAngle(found.thing.heading + angle) });
-    }
-    if (found?.kind === "moving") return updateMoving(next, id, { points: found.thing.points.map((p) => rotateAbout(p, about, angle)) });
-    if (found?.kind !== "obstacle" || found.thing.type === "cells") return next;
-    const turned = turnShape(found.thing, angle), from = middleOf(cornersOf(turned)), [x, y] = rotateAbout(middleOf(cornersOf(found.thing)), about, angle);
-    return updateObstacle(next, id, moveShape(turned, x - from[0], y - from[1]));
-  }, scene);
-}
-
-function middleOf(points: readonly Point[]): Point {
-  const { minX, maxX, minY, maxY } = boxOf(points);
-  return [(minX + maxX) / 2, (minY + maxY) / 2];
 }
 
 /** Copies where the originals are; brushed cells are one and are not copied. */

@@ -3,7 +3,8 @@ import { flipGoal } from "../scene/goals";
 import { movePose, resolve, type Scene } from "../scene/model";
 import { removeThings } from "../scene/removal";
 import { radians } from "../scene/plane";
-import { allIds, copyThings, idsOf, moveThings, selectionOf, turnThings } from "../scene/things";
+import { allIds, copyThings, idsOf, moveThings, selectionOf } from "../scene/things";
+import { turnThings } from "../scene/turning";
 import { isPose, type State, type Store } from "../store";
 import { arrowOf, stepOf } from "./keys";
 

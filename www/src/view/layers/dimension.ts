@@ -4,7 +4,7 @@ import { inPixels, toScreen, type Frame } from "../frame";
 import { drawPill, PILL_HEIGHT, pillWidth } from "../text";
 
 /** A line with ticks across its ends, and its length beside it. */
-export function drawDimension(frame: Frame, a: Point, b: Point, text: string): void {
+export function drawDimension(frame: Frame, a: Point, b: Point, text: string, ink = frame.tokens.colour.err): void {
   const { ctx, tokens: { colour }, view } = frame;
   const from = toScreen(frame, a), to = toScreen(frame, b);
   const length = Math.hypot(to[0] - from[0], to[1] - from[1]) || 1, across: Point = [(from[1] - to[1]) / length, (to[0] - from[0]) / length];
@@ -16,7 +16,7 @@ export function drawDimension(frame: Frame, a: Point, b: Point, text: string): v
     ctx.moveTo(x - 5 * across[0], y - 5 * across[1]);
     ctx.lineTo(x + 5 * across[0], y + 5 * across[1]);
   }
-  for (const [style, width] of [[colour.floor, 5], [colour.err, 2]] as const) {
+  for (const [style, width] of [[colour.floor, 5], [ink, 2]] as const) {
     ctx.strokeStyle = style;
     ctx.lineWidth = width;
     ctx.stroke();
