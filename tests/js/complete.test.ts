@@ -258,3 +258,43 @@ describe("the risk field's settings", () => {
     }
   });
 });
+
+describe("a planner", () => {
+  test("tells where its path is narrowest, and by what", () => {
+    const room = ({ body, point }: Narrowest): number => Math.hypot(body[0] - point[0], body[1] - point[1]);
+    for (const id of ["perpendicular", "parallel", "angled"]) {
+      const plain = scenario(id), scene = { ...plain, obstacles: plain.obstacles!.map((one, i) => ({ ...one, id: `thing ${i}` })) };
+      const planner = new Planner("hybrid", scene), { check, clearances, metrics, path, directions } = planner.plan(), narrowest = check.narrowest!;
+      planner.free();
+      expect(clearances[narrowest.pose]).toBe(metrics.minClearance);
+      expect(clearances.length).toBe(path.length / 3);
+      expect(room(narrowest)).toBeCloseTo(metrics.minClearance, 6);
+      // Alone that obstacle leaves as little room, and without it there is more.
+      expect(narrowest.index).toBeGreaterThanOrEqual(0);
+      expect(narrowest.obstacle).toBe(`thing ${narrowest.index}`);
+      const among = (keep: (index: number) => boolean): Narrowest =>
+        checkPath({ ...scene, obstacles: scene.obstacles.filter((_, i) => keep(i)) }, path, directions).narrowest!;
+      expect(room(among((i) => i === narrowest.index))).toBeCloseTo(metrics.minClearance, 6);
+      expect(room(among((i) => i !== narrowest.index))).toBeGreaterThan(metrics.minClearance);
+      // Without ids it is named by its kind, and the border by that.
+      expect(checkPath(plain, path, directions).narrowest!.obstacle).toBe(plain.obstacles![narrowest.index]!.id ?? plain.obstacles![narrowest.index]!.type);
+      expect(checkPath({ ...plain, obstacles: [] }, path, directions).narrowest).toMatchObject({ obstacle: "border", index: -1 });
+    }
+    // Where something is overlapped there is no narrowest place.
+    const hit = new Planner("four", scenario("perpendicular")), { check } = hit.plan();
+    hit.free();
+    expect([check.verdict, check.narrowest]).toEqual(["collides", undefined]);
+  });
+
+  test("takes over the last path of another planner, and of nothing else", () => {
+    const scene = scenario("perpendicular"), [one, other] = [new Planner("hybrid", scene), new Planner("hybrid", scene)];
+    const { hash } = one.plan();
+    other.continueFrom(one);
+    expect(other.plan().hash).toBe(hash);
+    expect(failure(() => one.continueFrom(one))).toEqual({ code: "bad-input", path: "before" });
+    expect(failure(() => one.continueFrom(untyped({})))).toEqual({ code: "bad-input", path: "before" });
+    other.free();
+    expect(failure(() => one.continueFrom(other))).toEqual({ code: "freed", path: "" });
+    one.free();
+  });
+});

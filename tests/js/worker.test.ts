@@ -1,10 +1,10 @@
 import { expect, it } from "vitest";
 import {
-  Planner, init, planners, scenario, stopWaitGo, trajectory, type LayerName, type PlannerId, type Pose,
+  Planner, init, planners, scenario, sceneGeometry, stopWaitGo, trajectory, type LayerName, type PlannerId, type Pose,
 } from "parkade";
 import { Lane, type WorkerLike } from "../../www/src/planning/lane";
 import { WorkerPool } from "../../www/src/planning/pool";
-import type { Reply, Request } from "../../www/src/planning/protocol";
+import type { Reply, Request, Waiting } from "../../www/src/planning/protocol";
 import type { Scenario } from "../../www/src/scene/scenario";
 
 type Planned = Extract<Reply, { kind: "planned" }>;
@@ -33,9 +33,9 @@ function setup(planner: PlannerId) {
     restarted: () => told({ failed: "restarted" }),
   });
   let id = 0;
-  const plan = (scene: Scenario, layers: LayerName[], every = 1): Promise<Planned | { failed: string }> => new Promise((done) => {
+  const plan = (scene: Scenario, layers: LayerName[], every = 1, waiting: Waiting | null = "predictive"): Promise<Planned | { failed: string }> => new Promise((done) => {
     told = done;
-    lane.plan({ id: ++id, scene, layers, every, trace: true, waiting: "predictive" });
+    lane.plan({ id: ++id, scene, layers, every, trace: true, waiting });
   });
   return { asked, lane, plan, progress };
 }
@@ -135,4 +135,67 @@ it("shows the plan where its drive fails", async () => {
   const reply = await plan(scenario("P0"), []);
   serve({ Planner, init: () => init(), stopWaitGo, trajectory } as unknown as Parameters<typeof serve>[0]);
   expect(reply).toMatchObject({ kind: "planned", drive: null, undriven: true, plan: { outcome: "found" } });
+});
+
+/** How far poses of one path are from the other path, at most, metres. */
+function strays(one: Float64Array, other: Float64Array): number {
+  let most = 0;
+  for (let i = 0; i < one.length; i += 3) {
+    let least = Infinity;
+    for (let j = 0; j < other.length; j += 3) least = Math.min(least, Math.hypot(one[i]! - other[j]!, one[i + 1]! - other[j + 1]!));
+    most = Math.max(most, least);
+  }
+  return most;
+}
+
+/** Paths that leap to another way whose length differs by less than 3 %, of those of a drag. */
+async function idleFlips(steps: readonly Scenario[], waiting: Waiting | null): Promise<{ idle: number; found: number }> {
+  const { plan } = setup("hybrid");
+  let idle = 0, found = 0, last: Planned["plan"] | null = null;
+  for (const scene of steps) {
+    const reply = await plan(scene, [], 1, waiting);
+    if ("failed" in reply) throw new Error(reply.failed);
+    const before: Planned["plan"] | null = last;
+    last = reply.plan.outcome === "found" ? reply.plan : null;
+    found += last ? 1 : 0;
+    if (before && last && strays(last.path, before.path) > 1 && Math.abs(last.metrics.length / before.metrics.length - 1) < 0.03) idle++;
+  }
+  return { idle, found };
+}
+
+const STEPS = 200;
+const along = (scene: (turn: number) => Scenario): Scenario[] => Array.from({ length: STEPS + 1 }, (_, i) => scene((2 * Math.PI * i) / STEPS));
+
+it("does not leap between equal ways while goal, start or an obstacle of the page's first scene is dragged", async () => {
+  const scene = scenario("perpendicular"), at = sceneGeometry(scene);
+  // Out of the bay into the aisle, along it and back, as `cargo xtask latency` drags.
+  const loop = ({ x, y, heading }: Pose, turn: number): Pose => ({ x: x + 3 * Math.sin(turn), y: y + 2.5 * (1 - Math.cos(turn)), heading });
+  const drags = [
+    along((turn) => ({ ...scene, goal: loop(at.goal, turn) })),
+    along((turn) => ({ ...scene, start: loop(at.start, turn) })),
+    ...scene.obstacles!.flatMap((one, i) => (one.type !== "rectangle" ? [] : [along((turn) => {
+      const center: [number, number] = [one.center[0] + 2 * Math.sin(turn), one.center[1] + 1 - Math.cos(turn)];
+      return { ...scene, obstacles: scene.obstacles!.map((other, k) => (k === i ? { ...one, center } : other)) };
+    })])),
+  ];
+  expect(drags.length).toBeGreaterThan(2);
+  for (const steps of drags) {
+    const { idle, found } = await idleFlips(steps, null);
+    // The goal is dragged over parked cars, too.
+    expect(found).toBeGreaterThan(STEPS / 5);
+    expect(idle).toBe(0);
+  }
+}, 120_000);
+
+it("goes on from the last path while an obstacle is dragged, and only then", async () => {
+  // Into the far side of an island and out of it: the way there becomes a little longer, and a little shorter.
+  const steps = Array.from({ length: 60 }, (_, i): Scenario => ({
+    version: 1, map: { origin: [0, 0], width: 72, height: 52, resolution: 0.5 }, vehicle: "sedan",
+    obstacles: [
+      { type: "rectangle", center: [18, 12.9], size: [5, 6] }, { type: "rectangle", center: [18, 15.45 + 0.5 * Math.cos(i * 0.42)], size: [1, 1] },
+    ],
+    start: { x: 5, y: 13, heading: 0 }, goal: { x: 29, y: 13, heading: 0 },
+  }));
+  expect((await idleFlips(steps, null)).idle).toBe(0);
+  expect((await idleFlips(steps, "predictive")).idle).toBeGreaterThan(3);
 });

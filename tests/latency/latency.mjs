@@ -40,9 +40,25 @@ async function calm(page, metrics) {
   console.log(`\ndefault scene, goal dragged by ${steps.length} moves, each after the last was drawn (${steps.filter((one) => one.found).length} with a hybrid path)`);
   row("pointer to all grid planners drawn", steps.map((one) => one.grid), TARGET.grid);
   row("pointer to hybrid drawn", steps.map((one) => one.hybrid), TARGET.hybrid);
+  const idle = idleFlips(steps.filter((one) => one.found));
+  console.log(`leaps of hybrid's path to a way within 3 % of the length: ${idle}; target none: ${idle === 0 ? "met" : "missed"}`);
   for (const planner of Object.keys(steps[0]?.plans ?? {})) row(`  planning alone, ${planner}`, steps.map((one) => one.plans[planner] ?? NaN));
   const each = (name) => ((1000 * (after[name] - before[name])) / steps.length).toFixed(1);
   console.log(`main thread, CPU time a step         ${each("TaskDuration")} ms: scripts ${each("ScriptDuration")}, style and layout ${(Number(each("RecalcStyleDuration")) + Number(each("LayoutDuration"))).toFixed(1)}`);
+}
+
+/** Answers more than a metre off the one before, although about as long. */
+function idleFlips(steps) {
+  const strays = (one, other) => {
+    let most = 0;
+    for (let i = 0; i < one.length; i += 3) {
+      let least = Infinity;
+      for (let j = 0; j < other.length; j += 3) least = Math.min(least, Math.hypot(one[i] - other[j], one[i + 1] - other[j + 1]));
+      most = Math.max(most, least);
+    }
+    return most;
+  };
+  return steps.filter((one, i) => i > 0 && Math.abs(one.length / steps[i - 1].length - 1) < 0.03 && strays(one.path, steps[i - 1].path) > 1).length;
 }
 
 /** Sums of the main thread's CPU time by kind (s), which other programs disturb little. */
@@ -160,6 +176,7 @@ async function installProbe() {
       const { results } = store.state;
       return {
         grid: step.took.grid ?? patience, hybrid: step.took.hybrid ?? patience, found: results.hybrid.plan?.outcome === "found",
+        path: [...results.hybrid.plan?.path ?? []], length: results.hybrid.plan?.metrics.length,
         plans: Object.fromEntries(Object.entries(results).map(([id, { millis }]) => [id, millis])),
       };
     },
