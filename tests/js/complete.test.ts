@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import { beforeAll, describe, expect, test } from "vitest";
 import {
-  type Run, type Scenario, ParkadeError, Planner, generateScenario, importScene, init, packRuns, paperGrid, paperGridRows, paperGridSummary, paperParking, paperParkingRows, planners, scenario, sceneGeometry, unpackRuns,
+  type Narrowest, type Run, type Scenario, ParkadeError, Planner, checkPath, generateScenario, importScene, init, packRuns, paperGrid, paperGridRows, paperGridSummary, paperParking, paperParkingRows, planners, scenario, sceneGeometry, unpackRuns,
 } from "parkade";
 import { chineseReasons } from "../../www/src/i18n/reasons-zh";
 import catalogue from "../../www/src/i18n/reasons-zh.json";

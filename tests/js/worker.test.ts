@@ -187,15 +187,28 @@ it("does not leap between equal ways while goal, start or an obstacle of the pag
   }
 }, 120_000);
 
+/** An island in the way, and a post that stands out of its far side. */
+const island = (y: number): Scenario => ({
+  version: 1, map: { origin: [0, 0], width: 72, height: 52, resolution: 0.5 }, vehicle: "sedan",
+  obstacles: [{ type: "rectangle", center: [18, 12.9], size: [5, 6] }, { type: "rectangle", center: [18, y], size: [1, 1] }],
+  start: { x: 5, y: 13, heading: 0 }, goal: { x: 29, y: 13, heading: 0 },
+});
+
 it("goes on from the last path while an obstacle is dragged, and only then", async () => {
-  // Into the far side of an island and out of it: the way there becomes a little longer, and a little shorter.
-  const steps = Array.from({ length: 60 }, (_, i): Scenario => ({
-    version: 1, map: { origin: [0, 0], width: 72, height: 52, resolution: 0.5 }, vehicle: "sedan",
-    obstacles: [
-      { type: "rectangle", center: [18, 12.9], size: [5, 6] }, { type: "rectangle", center: [18, 15.45 + 0.5 * Math.cos(i * 0.42)], size: [1, 1] },
-    ],
-    start: { x: 5, y: 13, heading: 0 }, goal: { x: 29, y: 13, heading: 0 },
-  }));
+  const isBeyond = (y: number): boolean => {
+    const planner = new Planner("hybrid", island(y)), { path } = planner.plan();
+    planner.free();
+    return path[3 * Math.floor(path.length / 6) + 1]! > 12.9;
+  };
+  // Where both ways around are about as good: from there the one becomes a little longer, and a little shorter.
+  let [low, high] = [14, 18];
+  expect([isBeyond(low), isBeyond(high)]).toEqual([true, false]);
+  for (let i = 0; i < 12; i++) {
+    const middle = (low + high) / 2;
+    if (isBeyond(middle)) low = middle;
+    else high = middle;
+  }
+  const steps = Array.from({ length: 60 }, (_, i) => island(low + 0.2 * Math.cos(i * 0.42)));
   expect((await idleFlips(steps, null)).idle).toBe(0);
-  expect((await idleFlips(steps, "predictive")).idle).toBeGreaterThan(3);
+  expect((await idleFlips(steps, "predictive")).idle).toBeGreaterThan(0);
 });

@@ -145,7 +145,7 @@ export interface HybridSettings {
   firstShot?: boolean;
   /** Tries finer steps if coarse ones fail. */
   ladder?: boolean;
-  /** 4 and 5: very tight spaces, many gear changes. Usual range: 0 to 5. Default: 5. */
+  /** 5 and 6: very tight spaces, many gear changes. Usual range: 0 to 6. Default: 6. */
   finestLevel?: number;
   /** Stops after this many. Usual range: 1 to 100000000. Default: null. */
   maxExpansions?: number | null;
