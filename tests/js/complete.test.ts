@@ -261,25 +261,28 @@ describe("the risk field's settings", () => {
 
 describe("a planner", () => {
   test("tells where its path is narrowest, and by what", () => {
+    const owners = new Set<string>();
     const room = ({ body, point }: Narrowest): number => Math.hypot(body[0] - point[0], body[1] - point[1]);
     for (const id of ["perpendicular", "parallel", "angled"]) {
-      const plain = scenario(id), scene = { ...plain, obstacles: plain.obstacles!.map((one, i) => ({ ...one, id: `thing ${i}` })) };
+      const plain = scenario(id), slots = plain.slots ?? [];
+      const scene = { ...plain, obstacles: (plain.obstacles ?? []).map((one, i) => ({ ...one, id: `thing ${i}` })) };
       const planner = new Planner("hybrid", scene), { check, clearances, metrics, path, directions } = planner.plan(), narrowest = check.narrowest!;
       planner.free();
       expect(clearances[narrowest.pose]).toBe(metrics.minClearance);
       expect(clearances.length).toBe(path.length / 3);
       expect(room(narrowest)).toBeCloseTo(metrics.minClearance, 6);
-      // Alone that obstacle leaves as little room, and without it there is more.
-      expect(narrowest.index).toBeGreaterThanOrEqual(0);
-      expect(narrowest.obstacle).toBe(`thing ${narrowest.index}`);
-      const among = (keep: (index: number) => boolean): Narrowest =>
-        checkPath({ ...scene, obstacles: scene.obstacles.filter((_, i) => keep(i)) }, path, directions).narrowest!;
-      expect(room(among((i) => i === narrowest.index))).toBeCloseTo(metrics.minClearance, 6);
-      expect(room(among((i) => i !== narrowest.index))).toBeGreaterThan(metrics.minClearance);
-      // Without ids it is named by its kind, and the border by that.
-      expect(checkPath(plain, path, directions).narrowest!.obstacle).toBe(plain.obstacles![narrowest.index]!.id ?? plain.obstacles![narrowest.index]!.type);
-      expect(checkPath({ ...plain, obstacles: [] }, path, directions).narrowest).toMatchObject({ obstacle: "border", index: -1 });
+      const { obstacle, index } = narrowest, taken = slots.findIndex(({ id }) => id === obstacle);
+      const among = (keep: (owner: string) => boolean): Narrowest => {
+        const obstacles = scene.obstacles.filter(({ id }) => keep(id)), others = slots.map((slot) => ({ ...slot, occupied: slot.occupied === true && keep(slot.id!) }));
+        return checkPath({ ...scene, obstacles, slots: others }, path, directions).narrowest!;
+      };
+      // Alone it leaves as little room, and without it there is more.
+      expect(room(among((owner) => owner === obstacle))).toBeCloseTo(metrics.minClearance, 6);
+      if (obstacle !== "border") expect(room(among((owner) => owner !== obstacle))).toBeGreaterThan(metrics.minClearance);
+      expect(obstacle).toBe(index >= 0 ? `thing ${index}` : taken >= 0 ? slots[taken]!.id : "border");
+      owners.add(obstacle);
     }
+    expect(owners.size).toBeGreaterThan(1);
     // Where something is overlapped there is no narrowest place.
     const hit = new Planner("four", scenario("perpendicular")), { check } = hit.plan();
     hit.free();

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import {
-  Planner, init, planners, scenario, sceneGeometry, stopWaitGo, trajectory, type LayerName, type PlannerId, type Pose,
+  Planner, init, planners, scenario, stopWaitGo, trajectory, type LayerName, type PlannerId, type Pose,
 } from "parkade";
 import { Lane, type WorkerLike } from "../../www/src/planning/lane";
 import { WorkerPool } from "../../www/src/planning/pool";
@@ -162,30 +162,6 @@ async function idleFlips(steps: readonly Scenario[], waiting: Waiting | null): P
   }
   return { idle, found };
 }
-
-const STEPS = 200;
-const along = (scene: (turn: number) => Scenario): Scenario[] => Array.from({ length: STEPS + 1 }, (_, i) => scene((2 * Math.PI * i) / STEPS));
-
-it("does not leap between equal ways while goal, start or an obstacle of the page's first scene is dragged", async () => {
-  const scene = scenario("perpendicular"), at = sceneGeometry(scene);
-  // Out of the bay into the aisle, along it and back, as `cargo xtask latency` drags.
-  const loop = ({ x, y, heading }: Pose, turn: number): Pose => ({ x: x + 3 * Math.sin(turn), y: y + 2.5 * (1 - Math.cos(turn)), heading });
-  const drags = [
-    along((turn) => ({ ...scene, goal: loop(at.goal, turn) })),
-    along((turn) => ({ ...scene, start: loop(at.start, turn) })),
-    ...scene.obstacles!.flatMap((one, i) => (one.type !== "rectangle" ? [] : [along((turn) => {
-      const center: [number, number] = [one.center[0] + 2 * Math.sin(turn), one.center[1] + 1 - Math.cos(turn)];
-      return { ...scene, obstacles: scene.obstacles!.map((other, k) => (k === i ? { ...one, center } : other)) };
-    })])),
-  ];
-  expect(drags.length).toBeGreaterThan(2);
-  for (const steps of drags) {
-    const { idle, found } = await idleFlips(steps, null);
-    // The goal is dragged over parked cars, too.
-    expect(found).toBeGreaterThan(STEPS / 5);
-    expect(idle).toBe(0);
-  }
-}, 120_000);
 
 /** An island in the way, and a post that stands out of its far side. */
 const island = (y: number): Scenario => ({
