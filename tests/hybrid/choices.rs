@@ -231,10 +231,10 @@ fn balance() -> f64 {
     let (mut low, mut high) = (14.0, 18.0);
     assert!(is_beyond(low) && !is_beyond(high));
     for _ in 0..12 {
-        let middle = (low + high) / 2.0;
+        let middle = f64::midpoint(low, high);
         *if is_beyond(middle) { &mut low } else { &mut high } = middle;
     }
-    (low + high) / 2.0
+    f64::midpoint(low, high)
 }
 
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
@@ -278,7 +278,9 @@ fn a_path_that_is_taken_over_keeps_the_margin_among_the_new_obstacles_or_goes() 
     // From well beside the last path to where its middle is.
     for step in 0..30 {
         let beside = post(middle.x, middle.y + 3.0 - 0.1 * f64::from(step));
-        let room = check_path(&island(&beside).geometry().unwrap(), &path, Some(&last.directions)).unwrap().min_clearance;
+        let room = check_path(&island(&beside).geometry().unwrap(), &path, Some(&last.directions))
+            .unwrap()
+            .min_clearance;
         let ordinary = around(&beside).plan(Options::default());
         let margin = ordinary.metrics.hybrid.unwrap().margin.min(ordinary.metrics.min_clearance);
         let (mut before, mut planner) = (around(&far), around(&beside));
