@@ -71,7 +71,6 @@ pub(crate) fn scene(seed: u64) -> (Scenario, Map<String, Value>) {
         obstacles.extend(between(goal, &car, pair));
     }
     let settings = json!({
-        "maxExpansions": 800,
         "margin": ([0.1, 0.1, 0.0, 0.3][r.below(4) as usize]),
         "searchFrom": (["goal", "goal", "start", "both"][r.below(4) as usize]),
         "profile": (["shortest", "shortest", "shortest", "classic", "comfort"][r.below(5) as usize]),

@@ -8,7 +8,7 @@ const ENDS: &[&str] = &["goal", "start"];
 #[cfg(feature = "complete")]
 const ENDS: &[&str] = &["goal", "start", "both"];
 
-/// Which end the search tree grows from.
+/// Which end the first search grows from. Where it finds nothing, finer ones grow from the end that is hard to leave.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum SearchFrom {
     /// From the goal, the paper's improvement: leaving a slot is easier than finding it. From the start where the car can

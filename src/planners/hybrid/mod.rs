@@ -278,35 +278,49 @@ pub fn plan(
     }
     let travels = |margin| [start, goal].map(|pose| travel(&probe, query.vehicle, pose, margin));
     let [from_start, from_goal] = travels(report.margin);
-    let mirrored =
-        config.search_from != SearchFrom::Start && (from_start >= STUCK || from_start >= from_goal);
-    let (root, target) = if mirrored { (goal, start) } else { (start, goal) };
-    let floods = Floods::new(query, config, [target, root], report.margin, scratch.flood.take());
-    if let Some((widest, flood)) = floods.widest() {
-        report.margin = floods.margin(widest);
-        let tight = clearance < TIGHT;
-        let search = Search {
-            query,
-            config,
-            probe: &probe,
-            flood,
-            root,
-            target,
-            mirrored,
-            start,
-            goal,
-            tight,
-            trace,
-            #[cfg(feature = "complete")]
-            goals: &[],
-        };
-        portfolio::plan(search, &floods, widest, &mut Work { report: &mut report, scratch, progress });
-    } else {
-        report.margin = floods.least();
-        (report.status, report.obstruction) = unreachable(query, [start, goal], report.margin);
+    let margin = report.margin;
+    // Where the search from the end that was asked for finds nothing, the portfolio starts at the one that is hard to leave.
+    let first = Config { ladder: false, ..*config };
+    let any_end = Config { search_from: SearchFrom::Goal, ..*config };
+    let attempts = match config.search_from {
+        SearchFrom::Goal => &[any_end][..],
+        _ if config.levels() == 1 => &[first],
+        _ => &[first, any_end],
+    };
+    for config in attempts {
+        let mirrored =
+            config.search_from != SearchFrom::Start && (from_start >= STUCK || from_start >= from_goal);
+        let (root, target) = if mirrored { (goal, start) } else { (start, goal) };
+        let floods = Floods::new(query, config, [target, root], margin, scratch.flood.take());
+        (report.margin, report.obstruction) = (floods.least(), None);
+        if let Some((widest, flood)) = floods.widest() {
+            report.margin = floods.margin(widest);
+            let search = Search {
+                query,
+                config,
+                probe: &probe,
+                flood,
+                root,
+                target,
+                mirrored,
+                start,
+                goal,
+                tight: clearance < TIGHT,
+                trace,
+                #[cfg(feature = "complete")]
+                goals: &[],
+            };
+            portfolio::plan(search, &floods, widest, &mut Work { report: &mut report, scratch, progress });
+        } else {
+            (report.status, report.obstruction) = unreachable(query, [start, goal], report.margin);
+        }
+        report.bytes += floods.bytes();
+        scratch.flood = floods.into_memory();
+        if !report.arcs.is_empty() || progress.as_ref().is_some_and(Progress::is_stopped) {
+            break;
+        }
     }
-    report.bytes += floods.bytes() + query.obstacles.bytes();
-    scratch.flood = floods.into_memory();
+    report.bytes += query.obstacles.bytes();
     report.collision_checks = probe.checks();
     let [from_start, from_goal] = travels(report.margin);
     let least = from_start.min(from_goal);

@@ -6,7 +6,6 @@
 //! and all together work a few times as much as the best one would alone. Work is counted in expansions, never in time.
 
 use core::cell::OnceCell;
-use core::cmp::Reverse;
 
 use super::config::{Level, SHUFFLING};
 use super::flood::Flood;
@@ -158,20 +157,31 @@ fn members(levels: u32, widest: usize, margins: &[f64]) -> Vec<Member> {
     let all = (1..levels)
         .flat_map(|level| (widest..=least).map(move |margin| Member { level, margin, from_other: false }));
     let mut members: Vec<Member> = all.collect();
-    // Sorted by level and margin before, and stably.
-    members.sort_by_key(|&Member { level, margin, .. }| {
+    // Sorted by level and margin before.
+    arrange(&mut members, &|&Member { level, margin, .. }| {
         let is_comfortable = margins[margin] >= COMFORTABLE || margin == widest;
         match level {
             // Searched to the end with the least margin, the coarsest proves soonest that there is hardly a way.
-            1 if margin == widest => (0, 0),
-            1 if margin == least => (1, 0),
-            1..=CHEAP if is_comfortable => (2, margin),
-            1..=CHEAP if margin == least => (3, 0),
-            _ if is_comfortable => (4, 0),
-            _ => (5, 0),
+            1 if margin == widest => [0; 3],
+            1 if margin == least => [1, 0, 0],
+            1..=CHEAP if is_comfortable => [2, margin, 0],
+            1..=CHEAP if margin == least => [3, 0, 0],
+            _ if is_comfortable => [4, 0, 0],
+            _ => [5, 0, 0],
         }
     });
     members
+}
+
+/// Sorts stably. The members are few; the library's sort takes kilobytes of the module.
+fn arrange(members: &mut [Member], key: &dyn Fn(&Member) -> [usize; 3]) {
+    for end in 1..members.len() {
+        let mut at = end;
+        while at > 0 && key(&members[at - 1]) > key(&members[at]) {
+            members.swap(at - 1, at);
+            at -= 1;
+        }
+    }
 }
 
 struct Run<'a> {
@@ -263,7 +273,9 @@ impl Run<'_> {
             let finer = member.level + 1..SHUFFLING.min(self.search.config.levels());
             self.members.extend(finer.map(|level| Member { level, from_other: true, ..member }));
         }
-        self.members.sort_by_key(|one| (one.margin != member.margin, one.level, one.from_other));
+        arrange(&mut self.members, &|one| {
+            [usize::from(one.margin != member.margin), one.level as usize, usize::from(one.from_other)]
+        });
         0
     }
 
@@ -283,10 +295,10 @@ impl Run<'_> {
             !is_better || (is_comfortable && one.level >= SHUFFLING)
         });
         let margins = &self.floods.margins;
-        let key = |one: &Member| {
-            (margins[one.margin] < COMFORTABLE, one.margin == member.margin, Reverse(one.margin))
-        };
-        self.members.sort_by_key(key);
+        arrange(&mut self.members, &|one| {
+            let is_close = margins[one.margin] < COMFORTABLE;
+            [usize::from(is_close), usize::from(one.margin == member.margin), margins.len() - one.margin]
+        });
         0
     }
 
