@@ -114,7 +114,7 @@ export interface HybridSettings {
   ladder?: boolean;
   /** 5 and 6: very tight spaces, many gear changes. Usual range: 0 to 6. Default: 6. */
   finestLevel?: number;
-  /** Stops after this many. Usual range: 1 to 100000000. Default: null. */
+  /** Stops after this many. Usual range: 1 to 10000000. Default: null. */
   maxExpansions?: number | null;
 }
 
