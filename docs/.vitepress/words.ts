@@ -63,8 +63,8 @@ export const WORDS: Record<string, Words> = {
   },
   "hybrid-forward": {
     scene: "perpendicular", formulas: HYBRID,
-    en: "Hybrid A*, searched from the start.",
-    zh: "同一规划器，从起点正向搜索。",
+    en: "Hybrid A*, searched from the start. Where the first level finds nothing, the searches that `hybrid` tries then take over.",
+    zh: "同一规划器，从起点正向搜索。第一级一无所获时，由 `hybrid` 随后尝试的各种搜索接手。",
   },
   "hybrid-bidirectional": {
     scene: "parallel", formulas: HYBRID,

@@ -176,7 +176,7 @@ const ROWS: &[Row] = &[
         Kind::HybridForward,
         "hybrid-forward",
         Family::Hybrid,
-        ["Hybrid A*, forward", "混合A*（仅前进）"],
+        ["Hybrid A*, forward", "混合A*（从起点搜索）"],
         "Dolgov et al. 2010",
     ),
     #[cfg(feature = "complete")]
