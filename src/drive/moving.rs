@@ -48,6 +48,11 @@ impl Mover {
         self.speed
     }
 
+    /// At least so far is the box from a point, whichever way it heads, metres; negative within its half diagonal.
+    pub(super) fn apart(&self, from: Point, t: f64) -> f64 {
+        (self.pose(t).point() - from).norm() - self.half.norm()
+    }
+
     /// The corners of the box at a time.
     pub fn outline(&self, t: f64) -> [Point; 4] {
         self.stretched(self.pose(t), 0.0, 0.0)

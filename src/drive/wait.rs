@@ -20,7 +20,8 @@ const SAMPLE: f64 = 0.1;
 const SPARE: f64 = 0.5;
 /// It waits at least this long, seconds.
 const SHORTEST: f64 = 0.5;
-/// Between two moments of the check nothing moves farther than this, metres.
+/// Between two moments of the check no corner of the car and no box near each other by more than this, metres, unless they are
+/// farther apart.
 const CHECK: f64 = 0.02;
 
 /// What makes the car stop.
@@ -348,17 +349,29 @@ impl Drive<'_> {
 
     /// The first overlap, looked for between the moments too.
     fn contact(&self, states: &[Moment]) -> Option<Contact> {
-        let fastest = self.movers.iter().fold(self.options.speed, |most, m| most.max(m.speed()));
+        let fastest = self.movers.iter().map(Mover::speed).fold(0.0, f64::max);
+        let reach = self.vehicle.reach();
+        let corner = 1.0 + reach * self.vehicle.max_curvature();
         states.iter().zip(states.iter().skip(1).chain(states.last())).find_map(|(a, b)| {
-            let parts = (fastest * (b.t - a.t) / CHECK).ceil().clamp(1.0, 1000.0);
-            (0..=parts as u32).find_map(|k| {
-                let share = f64::from(k) / parts;
-                let (t, s) = (a.t + (b.t - a.t) * share, a.station + (b.station - a.station) * share);
-                let (gap, obstacle) = self.clearance(s, t);
-                let contact =
-                    Contact { obstacle, t, pose: self.route.pose(s), standing: a.station == b.station };
-                (gap <= 0.0).then_some(contact)
-            })
+            let lasts = b.t - a.t;
+            let speed = if lasts > 0.0 { (b.station - a.station) / lasts } else { 0.0 };
+            let nearing = fastest + speed * corner;
+            let mut t = a.t;
+            loop {
+                let station = a.station + (t - a.t) * speed;
+                let pose = self.route.pose(station);
+                let (gap, obstacle) = self.clearance(station, t);
+                if gap <= 0.0 {
+                    return Some(Contact { obstacle, t, pose, standing: speed == 0.0 });
+                }
+                if t >= b.t {
+                    return None;
+                }
+                // Boxes turn at once where their lines do: whichever way they head, they are no nearer than this.
+                let apart =
+                    self.movers.iter().map(|m| m.apart(pose.point(), t)).fold(f64::INFINITY, f64::min);
+                t = b.t.min(t + (apart - reach).max(CHECK) / nearing);
+            }
         })
     }
 }

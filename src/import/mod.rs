@@ -201,7 +201,7 @@ impl Raster {
                 raster::fill_outside(&mut inside, &frame, &outline);
             }
             // Where the car can stand in every direction, if there is such a place.
-            let reach = math::hypot(car.rear_to_front.max(car.rear_to_back), car.width / 2.0);
+            let reach = car.reach();
             let roomy = largest_room(&inner(&inside, reach / frame.resolution));
             roomy.filter(|[start, goal]| start != goal).or_else(|| largest_room(&inside))
         };

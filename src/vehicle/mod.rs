@@ -92,6 +92,12 @@ impl Vehicle {
         self.rear_to_front + self.rear_to_back
     }
 
+    /// No point of the body is farther from the rear axle's middle, metres.
+    #[cfg(feature = "complete")]
+    pub fn reach(&self) -> f64 {
+        math::hypot(self.rear_to_front.max(self.rear_to_back), self.width / 2.0)
+    }
+
     /// How far the body's middle is ahead of the rear axle, metres.
     #[cfg(feature = "complete")]
     pub fn middle(&self) -> f64 {

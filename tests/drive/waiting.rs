@@ -112,3 +112,25 @@ fn a_waiting_car_drives_on_only_with_more_room_than_it_stopped_for() {
     assert!(more.waits.len() == 1 && same.waits.len() >= more.waits.len());
     assert!(more.duration >= same.duration);
 }
+
+/// A thin box crosses the way so fast that it overlaps a corner of the car for a hundredth of a tick.
+#[test]
+fn a_graze_between_two_ticks_is_seen() {
+    let length = 300.0;
+    let goal = Pose::new(length, 0.0, 0.0);
+    let route = Route::new(&CAR, &[Pose::default(), goal], &[1, 1], None).unwrap();
+    let row = Row { id: "straight", route, geometry: row("P3").geometry, goal };
+    let (speed, depth) = (50.0, 0.03);
+    let options =
+        WaitOptions { rule: Rule::Reactive, scope: Scope::Window, speed, dt: 1.0, ..WaitOptions::default() };
+    for k in 0..200 {
+        // The box's tip reaches the car's side when the car's rear has all but passed.
+        let t = 2.0 + 0.005 * f64::from(k);
+        let x = speed * t - CAR.rear_to_back + depth;
+        let y = CAR.width / 2.0;
+        let thrown =
+            obstacle(&[[x - 0.05, y + 100.0 * t + 0.05], [x - 0.05, -200.0]], [0.1, 0.1], 100.0, 0.0);
+        let met = meet(&row, &[thrown], &options);
+        assert_eq!(met.ending, Ending::Hit, "{t} s");
+    }
+}

@@ -280,12 +280,13 @@ pub fn plan(
     let [from_start, from_goal] = travels(report.margin);
     let margin = report.margin;
     // Where the search from the end that was asked for finds nothing, the portfolio starts at the one that is hard to leave.
-    let first = Config { ladder: false, ..*config };
-    let any_end = Config { search_from: SearchFrom::Goal, ..*config };
-    let attempts = match config.search_from {
-        SearchFrom::Goal => &[any_end][..],
-        _ if config.levels() == 1 => &[first],
-        _ => &[first, any_end],
+    let from_asked = Config { ladder: false, ..*config };
+    let from_any = Config { search_from: SearchFrom::Goal, ..*config };
+    let both = [from_asked, from_any];
+    let attempts = match (config.search_from == SearchFrom::Goal, config.levels()) {
+        (true, _) => &both[1..],
+        (false, 1) => &both[..1],
+        (false, _) => &both[..],
     };
     for config in attempts {
         let mirrored =
