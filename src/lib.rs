@@ -27,7 +27,7 @@
 //! [`error`] · `json` (reading settings and scenes) · [`geometry`] (poses, arcs, Reeds–Shepp curves) · [`map`] (cells, rasters, distance and potential fields) ·
 //! [`vehicle`] (dimensions, collision) · [`scenario`] (scenes, their JSON, built-in and generated ones) · `import` (maps of
 //! other programs) · [`search`] (best-first search over any [`search::Domain`]) · [`planners`] · [`post`] (pruning, smoothing) · [`metrics`] (validator, figures) ·
-//! `drive` (paths in time) ·
+//! `drive` (paths in time) · `referee` (verdicts on trajectories) ·
 //! [`plan`] (joins all of these) · `papers` (the papers' tables) · `wasm` (JavaScript bindings, on wasm32 only).
 //!
 //! # Determinism
@@ -52,6 +52,8 @@ pub mod papers;
 pub mod plan;
 pub mod planners;
 pub mod post;
+#[cfg(feature = "complete")]
+pub mod referee;
 pub mod scenario;
 pub mod search;
 pub mod vehicle;

@@ -15,6 +15,8 @@ mod wait;
 pub use motion::{Limits, Motion, Profile, Steps};
 pub use moving::Mover;
 pub use route::Route;
+pub(crate) use track::follow;
 pub use track::{Controller, Tracking, track};
+pub(crate) use trajectory::hash;
 pub use trajectory::{Rows, Trajectory, trajectory};
 pub use wait::{Contact, Encounter, Ending, Rule, Scope, Wait, WaitOptions, stop_wait_go};

@@ -220,11 +220,48 @@ impl Motion {
             motion.push(index, &phases);
             motion.runs.push((from, motion.duration));
         }
-        if motion.duration > MAX_DURATION {
-            let message = format!("must be driven within {MAX_DURATION} s, takes {:.0} s", motion.duration);
+        motion.within_time()
+    }
+
+    /// Drives each run as fast as its length allows, from rest to rest, as if no curvature mattered.
+    ///
+    /// # Errors
+    /// [`ErrorCode::Config`] for drives of more than 100 000 s.
+    pub(crate) fn trapezoids(route: &Route, speed: f64, up: f64, down: f64) -> Result<Self, Error> {
+        let mut motion = Self { phases: Vec::new(), runs: Vec::new(), duration: 0.0, dwell: 0.0 };
+        for (index, run) in route.runs.iter().enumerate() {
+            let length = run.to - run.from;
+            let peak = speed.min((2.0 * length / (1.0 / up + 1.0 / down)).sqrt());
+            let (rise, fall) = (peak * peak / 2.0 / up, peak * peak / 2.0 / down);
+            let cruise = (length - rise - fall).max(0.0);
+            let begin = Phase { station: run.from, ..Phase::default() };
+            let from = motion.duration;
+            motion.push(
+                index,
+                &[
+                    Phase { duration: peak / up, acceleration: up, ..begin },
+                    Phase { duration: cruise / peak, station: run.from + rise, speed: peak, ..begin },
+                    Phase {
+                        duration: peak / down,
+                        station: run.to - fall,
+                        speed: peak,
+                        acceleration: -down,
+                        ..begin
+                    },
+                ],
+            );
+            motion.runs.push((from, motion.duration));
+        }
+        motion.within_time()
+    }
+
+    /// The motion, unless it takes too long.
+    fn within_time(self) -> Result<Self, Error> {
+        if self.duration > MAX_DURATION {
+            let message = format!("must be driven within {MAX_DURATION} s, takes {:.0} s", self.duration);
             return Err(Error::new(ErrorCode::Config, "path", message));
         }
-        Ok(motion)
+        Ok(self)
     }
 
     fn push(&mut self, run: usize, phases: &[Phase]) {

@@ -99,8 +99,6 @@ pub fn track(
     controller: Controller,
 ) -> Result<Tracking, Error> {
     let motion = Motion::new(vehicle, route, limits)?;
-    let start = route.pose(0.0);
-    let mut car = Car { pose: start, steering: 0.0, station: 0.0 };
     let mut log = Tracking {
         t: Vec::new(),
         poses: Vec::new(),
@@ -112,55 +110,111 @@ pub fn track(
         end_heading: 0.0,
         hit: None,
     };
-    let mut standing = 0.0;
-    for (index, run) in route.runs.iter().enumerate() {
-        let (from, to) = motion.runs[index];
-        car.station = run.from;
-        let mut step = |from: f64, to: f64, count: u32| {
-            for k in 0..count {
-                let at = |k: u32| from + (to - from) * f64::from(k) / f64::from(count);
-                let (t, dt) = (at(k), at(k + 1) - at(k));
-                let errors = nearest(route, run, &mut car);
-                log.max_lateral = log.max_lateral.max(errors.lateral.abs());
+    simulate(vehicle, route, &motion, controller, |car, now| match now {
+        Event::Step { t, errors, index, is_last } => {
+            log.max_lateral = log.max_lateral.max(errors.lateral.abs());
+            if !is_last {
                 log.max_heading = log.max_heading.max(errors.heading.abs());
-                if k % KEPT == 0 {
-                    log.t.push(t);
-                    log.poses.push(car.pose);
-                    log.lateral.push(errors.lateral);
-                    log.steering.push(car.steering);
-                }
+            }
+            if index % KEPT == 0 {
+                log.t.push(t);
+                log.poses.push(car.pose);
+                log.lateral.push(errors.lateral);
+                log.steering.push(car.steering);
+            }
+            if is_last {
+                let goal = route.pose(route.length());
+                log.end_distance = (car.pose.point() - goal.point()).norm();
+                log.end_heading = math::turn(goal.heading, car.pose.heading).abs();
+            }
+        }
+        Event::Moved => {
+            if log.hit.is_none() {
+                log.hit = body.hit(car.pose).map(|owner| (owner, car.pose));
+            }
+        }
+    });
+    Ok(log)
+}
+
+/// A drive of the simulated car, every few milliseconds.
+#[derive(Debug, Default)]
+pub(crate) struct Followed {
+    /// Seconds.
+    pub(crate) t: Vec<f64>,
+    pub(crate) poses: Vec<Pose>,
+    /// m/s, negative in reverse.
+    pub(crate) speed: Vec<f64>,
+    /// Radians.
+    pub(crate) steering: Vec<f64>,
+}
+
+/// Lets a car follow `route` at the speeds of a motion, by feedback.
+pub(crate) fn follow(vehicle: &Vehicle, route: &Route, motion: &Motion) -> Followed {
+    let mut log = Followed::default();
+    simulate(vehicle, route, motion, Controller::Feedback, |car, now| {
+        let Event::Step { t, .. } = now else { return };
+        if log.t.last().is_some_and(|last| t <= *last) {
+            return;
+        }
+        let after = motion.phases.partition_point(|p| p.time <= t).max(1) - 1;
+        let gear = motion.phases.get(after).map_or(1.0, |p| route.runs[p.run].gear);
+        log.t.push(t);
+        log.poses.push(car.pose);
+        log.speed.push(gear * motion.at(t).1 + 0.0);
+        log.steering.push(car.steering);
+    });
+    log
+}
+
+/// What happens in a simulation.
+enum Event {
+    /// A time step begins, the `index`-th of its run's motion or standstill, or the drive is over (`is_last`).
+    Step { t: f64, errors: Errors, index: u32, is_last: bool },
+    /// The car has moved on.
+    Moved,
+}
+
+/// A closed-loop drive, the wheel straight at first.
+fn simulate(
+    vehicle: &Vehicle,
+    route: &Route,
+    motion: &Motion,
+    controller: Controller,
+    mut each: impl FnMut(&Car, Event),
+) {
+    let mut car = Car { pose: route.pose(0.0), steering: 0.0, station: 0.0 };
+    let mut standing = 0.0;
+    for (run, &(from, to)) in route.runs.iter().zip(&motion.runs) {
+        car.station = run.from;
+        for (from, to) in [(standing, from), (from, to)] {
+            let count = steps(to - from);
+            let at = |k: u32| from + (to - from) * f64::from(k) / f64::from(count);
+            for index in 0..count {
+                let (t, dt) = (at(index), at(index + 1) - at(index));
+                let errors = nearest(route, run, &mut car);
                 let (station, speed, _) = motion.at(t);
-                let driven = (motion.at(at(k + 1)).0 - station).max(0.0);
+                let driven = (motion.at(at(index + 1)).0 - station).max(0.0);
                 let wanted = command(vehicle, route, run, &car, &errors, speed, controller);
+                each(&car, Event::Step { t, errors, index, is_last: false });
                 let before = car.steering;
                 let most = vehicle.max_steer_rate * dt;
                 car.steering +=
                     (wanted.clamp(-vehicle.max_steer, vehicle.max_steer) - before).clamp(-most, most);
                 let curvature = math::tan(f64::midpoint(before, car.steering)) / vehicle.wheelbase;
                 car.pose = car.pose.advance(curvature, run.gear * driven);
-                if log.hit.is_none() && driven > 0.0 {
-                    log.hit = body.hit(car.pose).map(|owner| (owner, car.pose));
+                if driven > 0.0 {
+                    each(&car, Event::Moved);
                 }
             }
-        };
-        step(standing, from, steps(from - standing));
-        step(from, to, steps(to - from));
+        }
         standing = to;
     }
-    if let Some(run) = route.runs.last() {
-        let errors = nearest(route, run, &mut car);
-        log.max_lateral = log.max_lateral.max(errors.lateral.abs());
-        log.lateral.push(errors.lateral);
-    } else {
-        log.lateral.push(0.0);
-    }
-    log.t.push(motion.duration());
-    log.poses.push(car.pose);
-    log.steering.push(car.steering);
-    let goal = route.pose(route.length());
-    log.end_distance = (car.pose.point() - goal.point()).norm();
-    log.end_heading = math::turn(goal.heading, car.pose.heading).abs();
-    Ok(log)
+    let errors = match route.runs.last() {
+        Some(run) => nearest(route, run, &mut car),
+        None => Errors { lateral: 0.0, heading: 0.0 },
+    };
+    each(&car, Event::Step { t: motion.duration(), errors, index: 0, is_last: true });
 }
 
 fn steps(time: f64) -> u32 {

@@ -64,7 +64,7 @@ impl Rows {
 const MAX_TICKS: f64 = 1e6;
 
 /// FNV-1a-64 of numbers, as 16 hex digits.
-pub(super) fn hash(values: impl Iterator<Item = f64>) -> String {
+pub(crate) fn hash(values: impl Iterator<Item = f64>) -> String {
     let bytes = values.flat_map(|v| v.to_bits().to_le_bytes());
     let hash = bytes.fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)

@@ -26,7 +26,7 @@ mod world;
 pub use outcome::Member;
 pub use outcome::{GridMetrics, HybridMetrics, Metrics, Outcome, Plan, PlanTrace, Stats};
 #[cfg(feature = "complete")]
-pub use path::route;
+pub use path::{path_poses, route};
 
 #[cfg(feature = "complete")]
 pub use crate::planners::hybrid::Prefer;

@@ -38,6 +38,15 @@ fn way(path: &[f64]) -> Result<Vec<Pose>, Error> {
     Ok(poses)
 }
 
+/// The poses of x, y, heading, ….
+///
+/// # Errors
+/// [`ErrorCode::Input`] when the numbers are not poses, or are a way of more than 100 km.
+#[cfg(feature = "complete")]
+pub fn path_poses(path: &[f64]) -> Result<Vec<Pose>, Error> {
+    way(path)
+}
+
 /// The same, at least one.
 #[cfg(feature = "complete")]
 pub(super) fn some_poses(path: &[f64]) -> Result<Vec<Pose>, Error> {

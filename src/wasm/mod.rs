@@ -7,6 +7,8 @@ mod codec;
 mod complete;
 #[cfg(feature = "complete")]
 mod drive;
+#[cfg(feature = "complete")]
+mod referee;
 
 use std::ops::ControlFlow;
 

@@ -199,6 +199,7 @@ describe("what the package answers is of the types that it declares:", () => {
       for (const limits of [{}, { jerk: 1 }, { profile: "constant" }, { steps: "slow", dwell: false }]) api.call("trajectory", where, plan, limits);
       for (const controller of ["feedback", "pure-pursuit", "stanley"]) api.call("track", where, plan, { controller });
       for (const options of [{}, { rule: "reactive" }, { rule: "reactive", scope: "window" }, { maxTime: 5 }]) api.call("stopWaitGo", where, plan, options);
+      for (const judged of [plan, parkade.trajectory(where, plan), "t,x,y,theta\n0,0,0,0\n1,1,0,0\n"]) api.call("judge", where, judged, { speed: 2 });
       api.call("toSVG", where, [plan], { theme: "dark" });
       api.call("toCSV", where, plan);
       api.call("roadFigures", where, plan);

@@ -13,6 +13,18 @@ export const track = (scene, plan, options = {}) => call(() => raw.track(packedS
 /** @type {typeof import("./index.js").stopWaitGo} */
 export const stopWaitGo = (scene, plan, options = {}) => call(() => raw.stopWaitGo(packedScene(scene), ...columns(plan), options));
 
+/** @type {typeof import("./index.js").judge} */
+export function judge(scene, trajectory, limits = {}) {
+  if (typeof trajectory === "string") return call(() => raw.judgeText(packedScene(scene), trajectory, limits));
+  const { path, t, speeds, steering, directions } = object(trajectory, "trajectory");
+  const column = (/** @type {ArrayLike<number> | undefined} */ values, /** @type {string} */ name) =>
+    values === undefined ? undefined : numbers(Float64Array, values, `trajectory.${name}`);
+  return call(() => raw.judgeColumns(
+    packedScene(scene), numbers(Float64Array, path, "trajectory.path"), column(t, "t"), column(speeds, "speeds"), column(steering, "steering"),
+    directions === undefined ? undefined : numbers(Int8Array, directions, "trajectory.directions"), limits,
+  ));
+}
+
 /**
  * @param {import("./index.js").DrivenPath} plan
  * @returns {[Float64Array, Int8Array | undefined, Float64Array | undefined]}

@@ -974,6 +974,86 @@ export interface Encounter extends Drive {
   freeDuration: number;
 }
 
+/** Limits of a car in motion; the steering angle's limit is the car's own. */
+export interface MotionLimits {
+  /** m/s in either gear; default 2.5. */
+  speed?: number;
+  /** m/s²; default 1. */
+  acceleration?: number;
+  /** m/s²; default 1. */
+  deceleration?: number;
+  /** rad/s; default 0.5, and never more than the car's own `maxSteerRate`. */
+  steeringRate?: number;
+  /** v²·|κ|, m/s²; none where absent. */
+  lateralAcceleration?: number | null;
+}
+
+/**
+ * What the referee takes. With `t` (seconds, increasing from 0) a trajectory; without, a path, which is given times run by run
+ * and driven by a simulated car.
+ */
+export interface JudgedTrajectory {
+  /** x, y, heading, … */
+  path: Float64Array | number[];
+  t?: Float64Array | number[];
+  /** m/s, negative in reverse; from the poses where absent. */
+  speeds?: Float64Array | number[];
+  /** Radians, positive to the left; from the poses where absent. */
+  steering?: Float64Array | number[];
+  /** Of a path without times: gear (±1) of the way on from each pose; from the poses where absent. */
+  directions?: Int8Array | number[];
+}
+
+/** The referee's verdict on a trajectory, by the protocol of the public benchmarks. */
+export interface Judgement {
+  /** Attained, no touching frame, all between frames certified, limits kept. */
+  passes: boolean;
+  /**
+   * It begins at the scene's start, ends at rest within 1 cm in x and in y and 1° of the goal, and its poses are those of a
+   * car with these speeds and steering angles, to 1 cm and 0.5°.
+   */
+  attained: boolean;
+  /** Speed, acceleration, steering angle and steering rate, to 0.1 %. */
+  keepsLimits: boolean;
+  /** Moments at which the whole body was held against the obstacles: every millisecond, every row and the end. */
+  frames: number;
+  touchingFrames: number;
+  /** Stretches between two frames that no clearance certifies as free. */
+  uncertified: number;
+  firstContact: { obstacle: string; index: number; pose: Pose; t: number } | null;
+  /** The least clearance that was measured, metres. */
+  minClearance: number;
+  /** Seconds. */
+  duration: number;
+  /** Metres driven. */
+  length: number;
+  /** ∫ a² + v²·ω² dt. */
+  effort: number;
+  /** ∫ φ² dt. */
+  steeringEffort: number;
+  /** Sign changes of the speed beyond 0.01 m/s. */
+  gearChanges: number;
+  /** 10 · effort + 10 · steeringEffort + 5 · gearChanges. */
+  smoothness: number;
+  /** smoothness + 100 · duration. */
+  tpcapCost: number;
+  /** m/s, m/s², m/s², rad, rad/s, m/s². */
+  maxSpeed: number;
+  maxAcceleration: number;
+  maxDeceleration: number;
+  maxSteering: number;
+  maxSteeringRate: number;
+  maxLateralAcceleration: number;
+  /** Of the first pose from the scene's start: metres, radians. */
+  startError: { distance: number; heading: number };
+  /** Of the last pose from the goal: metres, radians. */
+  endError: { x: number; y: number; heading: number };
+  /** m/s. */
+  endSpeed: number;
+  /** Of the poses from a replay of speeds and steering angles, at most: metres, radians. */
+  modelError: { distance: number; heading: number };
+}
+
 /** Of a path on a road, along the line of the car's middle. */
 export interface RoadFigures {
   /** Metres of that line. */
@@ -1048,5 +1128,10 @@ export function trajectory(scene: Scenario, plan: DrivenPath, limits?: Limits): 
 export function track(
   scene: Scenario, plan: DrivenPath, options?: Limits & { controller?: "feedback" | "pure-pursuit" | "stanley" },
 ): Tracking;
+/**
+ * Judges a trajectory or a path: columns, or CSV with a header (`t,x,y,theta[,v,phi]` or `x,y,theta[,gear]`; seconds, metres,
+ * radians). Throws ParkadeError, with `path` the line and column of CSV. `parkade` only, not `parkade/core`.
+ */
+export function judge(scene: Scenario, trajectory: JudgedTrajectory | string, limits?: MotionLimits): Judgement;
 /** Drives a path, waiting for the scene's moving obstacles. `parkade` only, not `parkade/core`. */
 export function stopWaitGo(scene: Scenario, plan: DrivenPath, options?: WaitOptions): Encounter;

@@ -11,6 +11,7 @@ const HELP = `usage: parkade <command> [options]
 
   plan SCENE       plan a path            --planner ID  --set NAME=VALUE  --format json|csv|svg  --out FILE
   check SCENE [PATH]   check a scene, or a path against it (plan.json, or CSV as from \`plan\`)
+  judge SCENE TRAJECTORY   judge a trajectory or a path by the protocol of the public benchmarks (CSV, or JSON columns)
   bench SCENE      time planners          --planner ID,ID…  --repeats N  --format markdown|csv|json
   batch SCENES…    plan many scenes       --planner ID,ID…  --jobs N  --shard I/N  --out FILE.jsonl  --set NAME=VALUE
   digest FILE…     one hash over the results of \`batch\`, in any order and number of files
@@ -20,7 +21,7 @@ const HELP = `usage: parkade <command> [options]
 SCENE is a scene as JSON, a MovingAI .map, a ROS .yaml, a TPCAP .csv, the id of a built-in scene, or - for standard input.
 \`parkade <command> --help\` lists the options of a command.
 
-exit codes: 0 done; 1 no path, a path that fails its check, a blocked start or goal, or scenes that could not be planned;
+exit codes: 0 done; 1 no path, a path or trajectory that fails its check, a blocked start or goal, or scenes that could not be planned;
 2 bad input, or a file that cannot be read or written; 3 internal error; 124 --timeout; 130 a batch that was interrupted,
 which the same command continues
 `;
@@ -56,6 +57,22 @@ const COMMANDS = {
 `,
     options: { timeout: { type: "string" }, format: { type: "string" } },
     load: async () => (await import("./check.js")).check,
+  },
+  judge: {
+    about: `usage: parkade judge SCENE TRAJECTORY [options]
+
+  TRAJECTORY is CSV with a header: t,x,y,theta[,v,phi] (a trajectory) or x,y,theta[,gear] (a path, which is given times and driven
+  by a simulated car), in seconds, metres and radians; or JSON with \`path\` and optional \`t\`, \`speeds\`, \`steering\`.
+
+  --speed V            m/s; default: 2.5
+  --acceleration A     m/s²; default: 1
+  --deceleration B     m/s²; default: 1
+  --steering-rate W    rad/s; default: 0.5, at most the car's own
+  --timeout SECONDS    stop after so long, with exit code 124
+  --format text|json   default: text
+`,
+    options: { timeout: { type: "string" }, format: { type: "string" }, speed: { type: "string" }, acceleration: { type: "string" }, deceleration: { type: "string" }, "steering-rate": { type: "string" } },
+    load: async () => (await import("./judge.js")).judge,
   },
   bench: {
     about: `usage: parkade bench SCENE [options]
