@@ -22,7 +22,9 @@ fn main() {
     );
     println!("| --- | --- | --- | --- | --- | --- | --- | --- | --- |");
     let mut times = Vec::new();
-    for info in catalog::scenes().filter(|s| s.group != "grid" && !["moving", "road"].contains(&s.group)) {
+    for info in
+        catalog::scenes().filter(|s| s.group != "grid" && !["moving", "road", "figures"].contains(&s.group))
+    {
         let scene = catalog::scenario(info.id).expect("a scene of the catalog");
         let geometry = scene.geometry().expect("a valid scene");
         let (obstacles, prepare) = least(|| obstacles(&geometry));

@@ -13,7 +13,7 @@ use crate::scenario::generate::{Family, generate};
 pub struct Info {
     /// Its id.
     pub id: &'static str,
-    /// `parking`, `grid`, `tight`, `paper`, `moving` or `road`.
+    /// `parking`, `grid`, `tight`, `paper`, `moving`, `road` or `figures`.
     pub group: &'static str,
     /// Its name in English and Chinese.
     pub title: [&'static str; 2],
@@ -39,7 +39,10 @@ const PAPER_QUESTION: [&str; 2] = [
 pub fn scenes() -> impl Iterator<Item = &'static Info> {
     let all = SCENES.iter();
     #[cfg(feature = "complete")]
-    let all = all.chain(&super::crossing::SCENES).chain(&super::road_scenes::SCENES);
+    let all = all
+        .chain(&super::crossing::SCENES)
+        .chain(&super::road_scenes::SCENES)
+        .chain(&super::figure_scenes::SCENES);
     all
 }
 
@@ -186,7 +189,10 @@ fn build(id: &str) -> Option<Scenario> {
         return Some(row);
     }
     #[cfg(feature = "complete")]
-    if let Some(scene) = super::crossing::build(id).or_else(|| super::road_scenes::build(id)) {
+    if let Some(scene) = super::crossing::build(id)
+        .or_else(|| super::road_scenes::build(id))
+        .or_else(|| super::figure_scenes::build(id))
+    {
         return Some(scene);
     }
     Some(match id {
@@ -213,7 +219,7 @@ pub(super) fn paper_row(id: &str) -> Option<Scenario> {
 }
 
 /// The parking paper's lot: 50 m × 25 m above y = 5, with a bay `x0..x1` of some depth below it.
-fn lot(x0: f64, x1: f64, depth: f64, start: [f64; 3], goal: [f64; 3]) -> Scenario {
+pub(super) fn lot(x0: f64, x1: f64, depth: f64, start: [f64; 3], goal: [f64; 3]) -> Scenario {
     let floor = 5.0 - depth;
     let low = floor.min(0.0);
     let boundary = [

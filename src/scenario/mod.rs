@@ -19,6 +19,8 @@ pub mod catalog;
 #[cfg(feature = "complete")]
 mod crossing;
 mod drawn;
+#[cfg(feature = "complete")]
+mod figure_scenes;
 pub mod generate;
 #[cfg(feature = "complete")]
 mod goal_region;

@@ -83,6 +83,9 @@ const CAPTIONS: Record<string, readonly [holds: () => boolean, ...figures: (() =
   "par-6.6": [() => answer("hybrid", "par-6.6").outcome === "found", () => spare("par-6.6")],
   "perp-tail-3.2": [() => answer("hybrid", "perp-tail-3.2").check.drivable, () => (bay("perp-tail-3.2") - car(scenario("perp-tail-3.2")).width) / 2],
   "perp-nose-3.2": [() => answer("hybrid", "perp-nose-3.2").check.drivable, () => (bay("perp-nose-3.2") - car(scenario("perp-nose-3.2")).width) / 2],
+  "park-free": [() => !scenario("park-free").obstacles?.length && answer("hybrid", "park-free").metrics.directionChanges === 0, () => 12],
+  "park-fig13": [() => scenario("park-fig13").obstacles!.length === 1 && metres("hybrid", "park-fig13") > metres("hybrid", "P0") + 0.5, () => 13],
+  "fig16-wait": [() => waited("fig16-wait") > 1],
   fig16: [() => waited("fig16") === 0 && metres("hybrid", "fig16") < PRINTED.L0![2]],
   "fig16-conflict": [() => waited("fig16-conflict") > 0, () => box("fig16-conflict").speed],
   "fig16-oncoming": [() => waited("fig16-oncoming") > 0, () => scenario("fig16-oncoming").start.y - box("fig16-oncoming").points[0]![1]],
@@ -97,6 +100,11 @@ const CAPTIONS: Record<string, readonly [holds: () => boolean, ...figures: (() =
   "road-narrow": [() => scenario("road-narrow").obstacles!.length === 8 && verdicts("road-narrow", ON_ROADS).join() === "ok,collides,collides,ok",
     () => Math.max(...scenario("road-narrow").map.boundary!.map(([, y]) => y)) - Math.max(...scenario("road-narrow").obstacles!.map((one) => (one.type === "rectangle" ? one.size[1] : 0)))],
 };
+const NARROW = ["perp-tail-3.6", "perp-tail-3.0", "perp-nose-3.6", "perp-nose-3.0"];
+for (const id of NARROW) CAPTIONS[id] = [() => answer("hybrid", id).check.drivable && answer("hybrid", id).metrics.directionChanges === 1, () => (bay(id) - car(scenario(id)).width) / 2];
+/** The planners of the risk-field paper's figures 8 and 9, each with its safety space. */
+const FIGURES = ["fig8-30", "fig8-60", "fig8-100", "fig9-30", "fig9-60", "fig9-100"];
+for (const id of FIGURES) CAPTIONS[id] = [() => FEATURED.every((one) => answer(one, id).outcome === "found") && least(id, expanded) !== "eight"];
 const MOVING = ["fig16-conflict", "fig16-oncoming", "fig16-fast", "fig16-low"];
 /** What the two walls of a scene leave between them. */
 function gap(id: string): number {

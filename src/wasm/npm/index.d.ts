@@ -534,7 +534,7 @@ export interface PlannerInfo {
 
 export interface ScenarioInfo {
   id: string;
-  group: "parking" | "grid" | "tight" | "paper" | "moving" | "road";
+  group: "parking" | "grid" | "tight" | "paper" | "moving" | "road" | "figures";
   title: { en: string; zh: string };
   /** The question the scene asks. */
   question: { en: string; zh: string };

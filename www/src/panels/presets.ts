@@ -16,7 +16,7 @@ import "./generate";
 import "./thumbnail";
 
 /** Groups whose words the page does not have. */
-const say = words({ newLot: ["New lot", "新建停车场"], numbers: ["Bays, aisles, walls and a car from a few numbers.", "用几个数值设定车位、通道、墙体和车辆。"], generate: ["Generate", "生成"], moving: ["Moving obstacles", "移动障碍物"], road: ["Roads", "道路"], cases: ["Best and worst", "最佳与最差"], best: ["Best case", "最佳情形"], worst: ["Worst case", "最差情形"], suits: ["Path by {planner}", "路径：{planner}"],
+const say = words({ newLot: ["New lot", "新建停车场"], numbers: ["Bays, aisles, walls and a car from a few numbers.", "用几个数值设定车位、通道、墙体和车辆。"], generate: ["Generate", "生成"], moving: ["Moving obstacles", "移动障碍物"], road: ["Roads", "道路"], figures: ["Figures", "论文插图"], cases: ["Best and worst", "最佳与最差"], best: ["Best case", "最佳情形"], worst: ["Worst case", "最差情形"], suits: ["Path by {planner}", "路径：{planner}"],
   path: ["{length} m, {n} {n|gear change|gear changes}", "{length} m，换挡 {n} 次"],
 });
 const GENERATE = "generate", CASE = "cases";
@@ -173,7 +173,7 @@ export class Presets extends AppElement {
   }
 
   private groupName(group: string): string {
-    if (group === GENERATE || group === CASE || group === "moving" || group === "road") return say(this.state.lang, group);
+    if (group === GENERATE || group === CASE || group === "moving" || group === "road" || group === "figures") return say(this.state.lang, group);
     const key = `scenes.${group}`;
     return isMessage(key) ? this.t(key) : group;
   }
