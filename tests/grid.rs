@@ -325,7 +325,7 @@ fn settings_are_plain_data_and_mistakes_are_named() {
     let config = parse(r#"{"heuristic": "manhattan"}"#).unwrap();
     assert_eq!(
         config.validate_for(Neighbourhood::Eight).unwrap_err().to_string(),
-        "heuristic: must be euclid or octile or gauge with 8 neighbours, got manhattan"
+        "heuristic: must be euclid or octile or gauge or chebyshev with 8 neighbours, got manhattan"
     );
     let bad = risk_field::Config { rho0: f64::NAN, ..risk_field::Config::PAPER };
     assert_eq!(bad.validate().unwrap_err().to_string(), "rho0: must be between 1 and 20, got NaN");

@@ -4,10 +4,14 @@
 //! cargo xtask paper grid [--seeds 200] [--json]
 //! cargo xtask paper road [--json] [--wasm FILE]
 //! cargo xtask paper parking [--json]
+//! cargo xtask paper settings [--json]
+//! cargo xtask paper volumes [--json]
 //! ```
 
 mod parking;
 mod road;
+mod settings;
+mod volumes;
 
 use std::fmt::Write as _;
 use std::time::Instant;
@@ -23,6 +27,10 @@ fn main() {
         (Some("grid"), _) => {}
         (Some("parking"), []) => return parking::print(false),
         (Some("parking"), [word]) if word == "--json" => return parking::print(true),
+        (Some("settings"), []) => return settings::print(false),
+        (Some("settings"), [word]) if word == "--json" => return settings::print(true),
+        (Some("volumes"), []) => return volumes::print(false),
+        (Some("volumes"), [word]) if word == "--json" => return volumes::print(true),
         (Some("road"), words) => {
             let file = words.iter().position(|word| word == "--wasm").and_then(|at| words.get(at + 1));
             let as_json = words.first().is_some_and(|word| word == "--json");
@@ -58,7 +66,7 @@ fn main() {
 
 fn usage() {
     eprintln!(
-        "usage: cargo xtask paper grid [--seeds 200] [--json]\n       cargo xtask paper road [--json]\n       cargo xtask paper parking [--json]"
+        "usage: cargo xtask paper grid [--seeds 200] [--json]\n       cargo xtask paper road [--json]\n       cargo xtask paper parking|settings|volumes [--json]"
     );
     std::process::exit(2);
 }

@@ -142,6 +142,45 @@ impl<'a> PotentialField<'a> {
         if distance == 0.0 { (0.0, 0.0) } else { (k1 * (x / distance), k1 * (y / distance)) }
     }
 
+    /// The potentials at a cell, of the goal (Hu et al. 2024, eq 4) and of the obstacles (eq 6): [`PotentialField::attraction`] and
+    /// [`PotentialField::repulsion`] are their slopes, downwards. Blocked cells have the potential of a cell beside them, 1 away.
+    #[cfg(feature = "complete")]
+    pub fn potentials(&self, at: Cell) -> (f64, f64) {
+        let FieldSettings { k1, k2, rho0, .. } = self.settings;
+        let (x, y) = (f64::from(self.goal.x - at.x), f64::from(self.goal.y - at.y));
+        let squared = x * x + y * y;
+        let pull = if self.settings.attraction == Attraction::Linear {
+            0.5 * k1 * squared
+        } else {
+            k1 * squared.sqrt()
+        };
+        let near = |source: &Source| {
+            let term = 1.0 / f64::from(source.squared).sqrt() - 1.0 / rho0;
+            0.5 * k2 * term * term
+        };
+        let met = |source: &&Source| self.map.is_obstacle(at.offset(source.offset.0, source.offset.1));
+        let push = if self.map.blocked(at) {
+            0.5 * k2 * (1.0 - 1.0 / rho0) * (1.0 - 1.0 / rho0)
+        } else if self.settings.obstacle_set == ObstacleSet::Sum {
+            self.sources.iter().filter(met).map(near).sum()
+        } else {
+            // Nearest first; those equally near have the same potential.
+            self.sources.iter().find(met).map_or(0.0, near)
+        };
+        (pull, push)
+    }
+
+    /// The sum of both potentials at every cell.
+    #[cfg(feature = "complete")]
+    pub fn potential_layer(&self) -> Layer<f32> {
+        let mut layer = Layer::filled(self.map.width(), self.map.height(), 0.0);
+        for (index, value) in (0..).zip(&mut layer.data) {
+            let (pull, push) = self.potentials(self.map.cell(index));
+            *value = (pull + push) as f32;
+        }
+        layer
+    }
+
     /// The obstacles' push at a cell, east and north.
     pub fn repulsion(&self, at: Cell) -> (f64, f64) {
         let (width, height) = (self.map.width() as i32, self.map.height() as i32);
@@ -246,6 +285,43 @@ mod tests {
         assert_eq!(force(".....\n.#.#.\n.....", ObstacleSet::NearestFirst, at), (4.0, 0.0));
         assert_eq!(force("..#..\n.#...\n.....", ObstacleSet::NearestMean, at), (2.0, -2.0));
         assert_eq!(force("..#..\n.#...\n.....", ObstacleSet::Sum, at), (4.0, -4.0));
+    }
+
+    /// Equations 5 and 7 are the slopes of 4 and 6: exact differences of the goal's, a sum of small steps of the obstacles'.
+    #[cfg(feature = "complete")]
+    #[test]
+    fn forces_are_the_slopes_of_the_potentials() {
+        let map = Occupancy::parse("..........\n..........\n#.........\n..........");
+        let (k1, rho0, k2) = (1.5, 4.0, 8.0);
+        for attraction in [Attraction::Linear, Attraction::Conic] {
+            let settings = FieldSettings { k1, rho0, k2, attraction, obstacle_set: ObstacleSet::NearestMean };
+            let field = PotentialField::new(&map, Cell::new(9, 3), settings);
+            let at = |x: i32| Cell::new(x, 1);
+            if attraction == Attraction::Linear {
+                for x in 1..9 {
+                    let slope = (field.potentials(at(x + 1)).0 - field.potentials(at(x - 1)).0) / 2.0;
+                    assert!((slope + field.attraction(at(x)).0).abs() < 1e-12, "{x}");
+                }
+            } else {
+                assert!((field.potentials(Cell::new(5, 0)).0 - 5.0 * k1).abs() < 1e-12);
+            }
+            // The work against the push from the end of its reach to x cells before the wall, where it is felt as it is here.
+            for x in 1..4 {
+                let steps = 10_000;
+                let width = (rho0 - f64::from(x)) / f64::from(steps);
+                let push = |rho: f64| k2 * (1.0 / rho - 1.0 / rho0) / (rho * rho);
+                let work: f64 =
+                    (0..steps).map(|k| push(f64::from(x) + (f64::from(k) + 0.5) * width) * width).sum();
+                assert!((field.potentials(at(x)).1 - work).abs() < 1e-6, "{x}: {work}");
+                assert!((field.repulsion(at(x)).0 - push(f64::from(x))).abs() < 1e-12, "{x}");
+            }
+            assert_eq!(field.potentials(at(4)).1, 0.0);
+            let layer = field.potential_layer();
+            assert!(
+                (f64::from(layer.data[13]) - field.potentials(at(3)).0 - field.potentials(at(3)).1).abs()
+                    < 1e-3
+            );
+        }
     }
 
     /// In the middle of a map obstacles are found by its bits, near its border one by one: the same to the last bit.

@@ -120,7 +120,7 @@ pub fn claims(tables: &[Table]) -> Vec<Claim> {
 }
 
 /// How much of a claim of several parts holds.
-fn share_of(hold: &[bool]) -> &'static str {
+pub(super) fn share_of(hold: &[bool]) -> &'static str {
     match hold.iter().filter(|part| **part).count() {
         0 => "no",
         count if count == hold.len() => "yes",

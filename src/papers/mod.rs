@@ -5,6 +5,10 @@ pub mod grid;
 pub mod parking;
 pub mod road;
 mod sample;
+pub mod stranded;
+pub mod traditional;
+pub mod verdicts;
+pub mod volumes;
 
 pub use claims::{Claim, claims};
 pub use sample::Spread;

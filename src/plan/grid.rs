@@ -6,6 +6,8 @@ use super::drive;
 use super::grid_search::Search;
 use super::outcome::{GridMetrics, Outcome, Plan, PlanTrace, Stats};
 use super::rasters::Rasters;
+#[cfg(feature = "complete")]
+use super::stages::Stages;
 use super::world::World;
 use super::{NEAR, STEP, measured};
 use crate::error::{Error, ErrorCode};
@@ -57,7 +59,7 @@ impl Engine {
             progress.finish(report.expanded);
         }
         let finish = Finish { world, rasters: &self.rasters, settings: self.settings, report: &report };
-        let mut plan = finish.plan();
+        let mut plan = finish.plan(watch.0.is_some());
         #[cfg(feature = "complete")]
         self.count(&report, &mut plan.stats);
         plan.trace = watch.0.map(|t| PlanTrace::Cells { cells: t.expanded, dropped: t.dropped });
@@ -96,6 +98,14 @@ impl Engine {
 
 #[cfg(feature = "complete")]
 impl Engine {
+    /// The risk field's potential at every cell; `None` without a risk field.
+    pub(super) fn potential(&self, world: &World) -> Option<Vec<f32>> {
+        let Search::RiskField(config) = &self.search else { return None };
+        let map = self.rasters.map(world);
+        let [start, goal] = [world.geometry.start, world.geometry.goal].map(|p| cell_of(&world.frame, p));
+        Some(config.field(&Query { map, start, goal }).potential_layer().data)
+    }
+
     /// What the risk field does at the cell of a point; `None` without a risk field, off the map and in blocked cells.
     pub(super) fn explain(&self, world: &World, at: Point) -> Option<risk_field::Explanation> {
         let Search::RiskField(config) = &self.search else { return None };
@@ -156,7 +166,8 @@ struct Finish<'a> {
 }
 
 impl Finish<'_> {
-    fn plan(&self) -> Plan {
+    /// The plan; with what each step makes of the path where it is `traced`.
+    fn plan(&self, traced: bool) -> Plan {
         let Self { world, report, .. } = self;
         let (map, solid) = (self.rasters.map(world), self.rasters.solid(world));
         let pruned = prune(map, &report.cells, self.settings.corner);
@@ -167,6 +178,8 @@ impl Finish<'_> {
         let pieces = self.pieces(&pruned, &shortest, &smoothed);
         let driven = self.driven(&pieces);
         let near = NEAR.max(world.frame.resolution);
+        #[cfg(not(feature = "complete"))]
+        let _ = traced;
         let mut plan = measured(world, outcome(report.status), driven, near);
         plan.detail = report.detail.map(Detail::as_str);
         plan.reason = self.reason();
@@ -179,6 +192,10 @@ impl Finish<'_> {
         plan.stats.memory_bytes = report.bytes + self.rasters.bytes(world) as u64;
         if report.status == Status::Found {
             plan.metrics.grid = Some(self.metrics(&pruned, &shortest, &smoothed, &pieces));
+            #[cfg(feature = "complete")]
+            if traced {
+                plan.stages = Some(Stages::new(&world.frame, &pruned, &shortest, &smoothed));
+            }
         }
         plan
     }

@@ -19,6 +19,8 @@ mod road;
 mod serialize;
 mod session;
 #[cfg(feature = "complete")]
+mod stages;
+#[cfg(feature = "complete")]
 mod tow;
 mod world;
 
@@ -27,6 +29,8 @@ pub use outcome::Member;
 pub use outcome::{GridMetrics, HybridMetrics, Metrics, Outcome, Plan, PlanTrace, Stats};
 #[cfg(feature = "complete")]
 pub use path::{path_poses, route};
+#[cfg(feature = "complete")]
+pub use stages::{Stages, TangentArc};
 
 #[cfg(feature = "complete")]
 pub use crate::planners::hybrid::Prefer;
@@ -283,14 +287,14 @@ impl Planner {
         }
     }
 
-    /// A raster: `occupancy`, `safety`, `redundant` (safety under this planner's own settings), `clearance`, `risk` or
+    /// A raster: `occupancy`, `safety`, `redundant` (safety under this planner's own settings), `clearance`, `risk`, `potential` or
     /// `cost`; the ends are those of the last plan.
     ///
     /// `every` is 1, or for `risk` the side of squares of cells whose middle ones alone are told; squares that the map's
     /// border cuts through are left out.
     ///
     /// # Errors
-    /// [`ErrorCode::Input`] for another name, for `risk` of a planner without a field, for `redundant` of one that is
+    /// [`ErrorCode::Input`] for another name, for `risk` and `potential` of a planner without a field, for `redundant` of one that is
     /// not a grid planner, for `cost` of one without a cost map, and for another `every`.
     pub fn layer(&self, name: &str, every: u32) -> Result<Layer, Error> {
         if every == 0 || (every > 1 && name != "risk") {
@@ -320,6 +324,13 @@ impl Planner {
                 let message = format!("{} has no cost map; cost-map has", self.kind.id());
                 return Err(Error::new(ErrorCode::Input, "name", message));
             }
+            #[cfg(feature = "complete")]
+            ("potential", engine) => {
+                let potential =
+                    if let Engine::Grid(engine) = engine { engine.potential(&self.world) } else { None };
+                let message = || format!("{} has no risk field; risk-field has", self.kind.id());
+                LayerData::Floats(potential.ok_or_else(|| Error::new(ErrorCode::Input, "name", message()))?)
+            }
             ("risk", engine) => {
                 let field =
                     if let Engine::Grid(engine) = engine { engine.field(&self.world, every) } else { None };
@@ -327,8 +338,11 @@ impl Planner {
                 LayerData::Floats(field.ok_or_else(|| Error::new(ErrorCode::Input, "name", message()))?)
             }
             _ => {
-                let message =
-                    format!("must be occupancy, safety, redundant, clearance, risk or cost, got \"{name}\"");
+                #[cfg(feature = "complete")]
+                let known = "occupancy, safety, redundant, clearance, risk, potential or cost";
+                #[cfg(not(feature = "complete"))]
+                let known = "occupancy, safety, clearance or risk";
+                let message = format!("must be {known}, got \"{name}\"");
                 return Err(Error::new(ErrorCode::Input, "name", message));
             }
         };
@@ -388,6 +402,8 @@ fn measured(world: &World, outcome: Outcome, driven: Driven, near: f64) -> Plan 
         trace: None,
         #[cfg(feature = "complete")]
         member: None,
+        #[cfg(feature = "complete")]
+        stages: None,
         #[cfg(feature = "complete")]
         alternatives: Vec::new(),
     }

@@ -257,6 +257,9 @@ pub struct Plan {
     pub member: Option<Member>,
     /// Where the search went, if asked for.
     pub trace: Option<PlanTrace>,
+    /// Grid planners: what each step after the search makes of the path, if the trace is asked for.
+    #[cfg(feature = "complete")]
+    pub stages: Option<super::Stages>,
     /// Hybrid A*, if asked for: the paths of which none is better in everything than another, this one among them, the
     /// shortest first; told apart by length and driving time to 1 %, by clearance to 5 cm.
     #[cfg(feature = "complete")]

@@ -4,7 +4,9 @@
 //! whole rectangle. Without a weight and with an admissible heuristic the path is the cheapest one.
 
 use super::grid_lattice::Grid;
-use super::heuristics::{Chosen, DistanceWeight, Estimate, Euclid, Gauge16, Heuristic, Manhattan, Octile};
+use super::heuristics::{
+    Chosen, DistanceWeight, Estimate, Euclid, Gauge16, HEURISTICS, Heuristic, Manhattan, Octile,
+};
 use super::moves::Neighbourhood;
 use super::parameters::{Form, ParameterSpec, parameters, spec};
 use super::query::{GridReport, GridScratch, Query};
@@ -27,11 +29,22 @@ pub enum Weight {
 
 json::words!(Weight: "none" = None, "distance" = Distance);
 
+/// What the heuristic may be: with four neighbours, with eight, with more.
+#[cfg(not(feature = "complete"))]
+const CHOICES: [&[&str]; 3] =
+    [&["manhattan", "euclid", "octile"], &["euclid", "octile"], &["euclid", "gauge"]];
+#[cfg(feature = "complete")]
+const CHOICES: [&[&str]; 3] = [
+    &["manhattan", "euclid", "octile", "chebyshev"],
+    &["euclid", "octile", "chebyshev"],
+    &["euclid", "gauge", "chebyshev"],
+];
+
 /// The heuristic's declarations: of four neighbours, of eight, of more.
-const HEURISTICS: [ParameterSpec; 3] = [
+const HEURISTIC_SPECS: [ParameterSpec; 3] = [
     spec(
         "heuristic",
-        Form::Choice(&["manhattan", "euclid", "octile"]),
+        Form::Choice(CHOICES[0]),
         "1",
         false,
         ["Heuristic", "启发函数"],
@@ -39,7 +52,7 @@ const HEURISTICS: [ParameterSpec; 3] = [
     ),
     spec(
         "heuristic",
-        Form::Choice(&["euclid", "octile"]),
+        Form::Choice(CHOICES[1]),
         "1",
         true,
         ["Heuristic", "启发函数"],
@@ -47,7 +60,7 @@ const HEURISTICS: [ParameterSpec; 3] = [
     ),
     spec(
         "heuristic",
-        Form::Choice(&["euclid", "gauge"]),
+        Form::Choice(CHOICES[2]),
         "1",
         false,
         ["Heuristic", "启发函数"],
@@ -61,7 +74,7 @@ parameters! {
     pub struct Config {
         /// How the cost still to pay is estimated.
         heuristic: Heuristic = Heuristic::Euclid,
-            HEURISTICS[1];
+            HEURISTIC_SPECS[1];
         /// What multiplies the estimate.
         weight: Weight = Weight::None,
             spec("weight", Form::Choice(&["none", "distance"]), "1", true,
@@ -85,9 +98,9 @@ impl Config {
     /// What its heuristic may be with a neighbourhood, in a form.
     pub(super) const fn heuristic_spec(neighbourhood: Neighbourhood) -> &'static ParameterSpec {
         match neighbourhood {
-            Neighbourhood::Four => &HEURISTICS[0],
-            Neighbourhood::Eight => &HEURISTICS[1],
-            _ => &HEURISTICS[2],
+            Neighbourhood::Four => &HEURISTIC_SPECS[0],
+            Neighbourhood::Eight => &HEURISTIC_SPECS[1],
+            _ => &HEURISTIC_SPECS[2],
         }
     }
 
@@ -97,10 +110,7 @@ impl Config {
     /// [`ErrorCode::Config`] with the field and the rule.
     pub fn validate_for(&self, neighbourhood: Neighbourhood) -> Result<(), Error> {
         if !self.heuristic.is_admissible(neighbourhood) {
-            let names = [Heuristic::Manhattan, Heuristic::Euclid, Heuristic::Octile, Heuristic::Gauge]
-                .into_iter()
-                .filter(|h| h.is_admissible(neighbourhood))
-                .map(Heuristic::as_str);
+            let names = HEURISTICS.iter().filter(|h| h.is_admissible(neighbourhood)).map(|h| h.as_str());
             let rule = format!(
                 "must be {} with {} neighbours, got {}",
                 names.collect::<Vec<_>>().join(" or "),

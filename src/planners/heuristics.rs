@@ -14,9 +14,26 @@ pub enum Heuristic {
     Octile,
     /// The shortest way with the planner's own moves on an empty map: the best that never overestimates.
     Gauge,
+    /// The larger of columns and rows: never too much, and never more than the straight distance.
+    #[cfg(feature = "complete")]
+    Chebyshev,
 }
 
+#[cfg(not(feature = "complete"))]
 json::words!(Heuristic: "manhattan" = Manhattan, "euclid" = Euclid, "octile" = Octile, "gauge" = Gauge);
+#[cfg(feature = "complete")]
+json::words!(Heuristic:
+    "manhattan" = Manhattan, "euclid" = Euclid, "octile" = Octile, "gauge" = Gauge, "chebyshev" = Chebyshev);
+
+/// All of them.
+pub(super) const HEURISTICS: &[Heuristic] = &[
+    Heuristic::Manhattan,
+    Heuristic::Euclid,
+    Heuristic::Octile,
+    Heuristic::Gauge,
+    #[cfg(feature = "complete")]
+    Heuristic::Chebyshev,
+];
 
 impl Heuristic {
     /// Whether it never overestimates with these moves.
@@ -25,6 +42,8 @@ impl Heuristic {
             Self::Manhattan => neighbourhood == Neighbourhood::Four,
             Self::Octile => matches!(neighbourhood, Neighbourhood::Four | Neighbourhood::Eight),
             Self::Euclid | Self::Gauge => true,
+            #[cfg(feature = "complete")]
+            Self::Chebyshev => true,
         }
     }
 
@@ -35,6 +54,8 @@ impl Heuristic {
             Self::Euclid => "euclid",
             Self::Octile => "octile",
             Self::Gauge => "gauge",
+            #[cfg(feature = "complete")]
+            Self::Chebyshev => "chebyshev",
         }
     }
 
@@ -45,6 +66,8 @@ impl Heuristic {
             Self::Euclid => euclid(dx, dy),
             Self::Octile => octile(dx, dy),
             Self::Gauge => gauge(neighbourhood, dx, dy),
+            #[cfg(feature = "complete")]
+            Self::Chebyshev => D * ordered(dx, dy).0,
         }
     }
 }
@@ -176,7 +199,7 @@ mod tests {
         use Neighbourhood::{Eight, FortyEight, Four, Sixteen, TwentyFour};
         for neighbourhood in [Four, Eight, Sixteen, TwentyFour, FortyEight] {
             let moves = neighbourhood.moves();
-            for heuristic in [Heuristic::Manhattan, Heuristic::Euclid, Heuristic::Octile, Heuristic::Gauge] {
+            for &heuristic in HEURISTICS {
                 if !heuristic.is_admissible(neighbourhood) {
                     continue;
                 }

@@ -129,7 +129,7 @@ pub(super) fn build(id: &str) -> Option<Scenario> {
         "fig8-30" => return seeded(Family::Regular, 30, 1),
         "fig8-60" => return seeded(Family::Regular, 60, 7),
         "fig8-100" => return seeded(Family::Regular, 100, 42),
-        "fig9-30" => return seeded(Family::RANDOM, 30, 1),
+        "fig9-30" => return seeded(Family::RANDOM, 30, 5),
         "fig9-60" => return seeded(Family::RANDOM, 60, 13),
         "fig9-100" => return seeded(Family::RANDOM, 100, 42),
         _ => return None,

@@ -39,6 +39,10 @@ pub(super) fn plan(scene: &Scenario, geometry: &Geometry, plan: &Plan) -> JsValu
         set(&answer, "member", &write(member));
     }
     #[cfg(feature = "complete")]
+    if let Some(stages) = &plan.stages {
+        set(&answer, "stages", &write(stages));
+    }
+    #[cfg(feature = "complete")]
     if let Some(goal) = &plan.goal {
         set(&answer, "goal", &write(goal));
     }

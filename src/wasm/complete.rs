@@ -9,7 +9,7 @@ use crate::error::{Error, ErrorCode};
 use crate::geometry::Point;
 use crate::import::{self, Question};
 use crate::metrics::risk;
-use crate::papers::{claims, grid, parking, road};
+use crate::papers::{claims, grid, parking, road, stranded, verdicts, volumes};
 use crate::plan;
 use crate::scenario::{Obstacle, Scenario, generate, packed};
 
@@ -192,6 +192,43 @@ pub fn paper_road(row: &str, rounds: f64, clock: &js_sys::Function) -> JsResult 
     let rounds = if rounds.fract() == 0.0 { rounds as u32 } else { 0 };
     let table = road::row(row).and_then(|row| road::measure(row, rounds, &mut clock));
     table.map(|table| codec::write(&table)).map_err(|e| codec::js_error(&e))
+}
+
+/// The parking paper's and the road manuscript's claims, from tables as [`paper_parking`] and [`paper_road`] give them.
+#[wasm_bindgen(js_name = paperVerdicts)]
+pub fn paper_verdicts(parking: JsValue, road: JsValue) -> JsResult {
+    let tables = |value, name: &str| match codec::json(value, ErrorCode::Input)? {
+        Value::Array(tables) => Ok(tables),
+        _ => Err(Error::new(ErrorCode::Input, name, "must be an array")),
+    };
+    let judged = tables(parking, "parking").and_then(|parking| {
+        let road = tables(road, "road")?;
+        let named = |name: &'static str| move |e: Error| e.within(name);
+        let saved = verdicts::saved(&parking).map_err(named("parking"))?;
+        let all = verdicts::parking_claims(&parking).map_err(named("parking"))?;
+        let roads = verdicts::road_claims(&road).map_err(named("road"))?;
+        Ok(json!({ "parking": all, "road": roads, "saved": saved }))
+    });
+    judged.map(|judged| codec::write(&judged)).map_err(|e| codec::js_error(&e))
+}
+
+/// Seeds of a row's maps on which the literal risk field is stranded.
+#[wasm_bindgen(js_name = paperStranded)]
+pub fn paper_stranded(row: &str, from: f64, to: f64) -> JsResult {
+    let seeds =
+        whole("from", from).and_then(|from| stranded::stranded(grid::row(row)?, from, whole("to", to)?));
+    seeds.map(|seeds| codec::write(&seeds)).map_err(|e| codec::js_error(&e))
+}
+
+/// Volumes around the car on poses of a seed; `clock` tells milliseconds.
+#[wasm_bindgen(js_name = paperVolumes)]
+pub fn paper_volumes(scene: &str, poses: f64, seed: f64, rounds: f64, clock: &js_sys::Function) -> JsResult {
+    let count = |name, value| whole(name, value).map(|n| u32::try_from(n).unwrap_or(u32::MAX));
+    let compared = count("poses", poses).and_then(|poses| {
+        let (seed, rounds) = (whole("seed", seed)?, count("rounds", rounds)?);
+        volumes::compare(scene, poses, seed, rounds, &mut clock_of(clock))
+    });
+    compared.map(|compared| codec::write(&compared)).map_err(|e| codec::js_error(&e))
 }
 
 fn clock_of(clock: &js_sys::Function) -> impl FnMut() -> f64 {

@@ -20,6 +20,21 @@ fn the_papers_figure_needs_no_wait() {
     }
 }
 
+/// The box of the figure, and a way as long as the paper's: our car stops, waits and goes on, by either rule, and is not touched
+/// where the box ends.
+#[test]
+fn the_papers_figure_is_waited_for_where_an_island_makes_the_way_long() {
+    let (row, movers) = crossing("fig16-wait");
+    assert!((40.0..50.0).contains(&row.route.length()), "{}", row.route.length());
+    for rule in [Rule::Predictive, Rule::Reactive] {
+        let met = meet(&row, &movers, &WaitOptions { rule, ..WaitOptions::default() });
+        assert_eq!((met.ending, met.waits.len(), met.contact), (Ending::Arrived, 1, None), "{rule:?}");
+        let wait = met.waits[0];
+        assert!(wait.to - wait.from > 1.0 && wait.pose.y > 16.8, "{rule:?}: {wait:?}");
+        assert!((met.duration - met.free_duration - (wait.to - wait.from)).abs() < 0.11, "{rule:?}");
+    }
+}
+
 #[test]
 fn a_conflict_is_waited_for_once_where_it_is_safe() {
     // Waits from, to, arrives: seconds.

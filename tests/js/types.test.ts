@@ -222,9 +222,13 @@ describe("what the package answers is of the types that it declares:", () => {
     const { rows } = api.call("paperGridRows") as ReturnType<typeof parkade.paperGridRows>;
     const figures = Object.fromEntries(rows.map(({ id }) => [id, api.call("paperGrid", { row: id, from: 0, to: 2 })]));
     api.call("paperGridSummary", figures);
-    api.call("paperParking", { row: (api.call("paperParkingRows") as { id: string }[])[0]!.id });
+    const lots = (api.call("paperParkingRows") as { id: string }[]).map(({ id: row }) => api.call("paperParking", { row }));
+    api.call("paperStranded", { row: "regular-30", from: 1, to: 40 });
+    api.call("paperVolumes", { scene: "park-fig13", poses: 500 });
     const road = api.call("paperRoadRows") as { id: string; ship: boolean }[];
-    for (const ship of [false, true]) api.call("paperRoad", { row: road.find((one) => one.ship === ship)!.id });
+    const [cars, ships] = [false, true].map((wanted) => road.filter(({ ship }) => ship === wanted).slice(0, wanted ? 1 : 4)) as [typeof road, typeof road];
+    api.call("paperVerdicts", { parking: lots, road: [...cars, ...ships].map(({ id: row }) => api.call("paperRoad", { row })) });
+    api.call("paperVerdicts", { parking: lots.slice(1) });
   }, 120_000);
 
   it("no function was left out", () => {

@@ -26,6 +26,8 @@ pub struct Explanation {
     pub repulsion: [f64; 2],
     /// Their sum, F.
     pub force: [f64; 2],
+    /// The goal's potential (eq 4) and the obstacles' (eq 6).
+    pub potentials: [f64; 2],
     /// Its slope k = Fy / Fx; `None` where Fx is 0.
     pub slope: Option<f64>,
     /// `1` to `8` of table 1, or `A` to `D` of table 2.
@@ -100,6 +102,7 @@ pub fn explain(query: Query, config: &Config, at: Cell) -> Option<Explanation> {
         attraction: attraction.into(),
         repulsion: repulsion.into(),
         force: force.into(),
+        potentials: field.potentials(at).into(),
         slope: (force.0 != 0.0).then(|| force.1 / force.0),
         region: tables[center],
         center,

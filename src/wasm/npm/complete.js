@@ -73,6 +73,24 @@ export const paperRoad = (options) => {
   return call(() => raw.paperRoad(text(row, "row"), number(rounds, "rounds"), () => performance.now()));
 };
 
+/** @type {typeof import("./index.js").paperVerdicts} */
+export const paperVerdicts = (tables) => {
+  const { parking = [], road = [] } = object(tables, "tables");
+  return call(() => raw.paperVerdicts(parking, road));
+};
+
+/** @type {typeof import("./index.js").paperStranded} */
+export const paperStranded = (slice) => {
+  const { row, from, to } = object(slice, "slice");
+  return call(() => raw.paperStranded(text(row, "row"), number(from, "from"), number(to, "to")));
+};
+
+/** @type {typeof import("./index.js").paperVolumes} */
+export const paperVolumes = (options) => {
+  const { scene, poses = 10000, seed = 1, rounds = 1 } = object(options, "options");
+  return call(() => raw.paperVolumes(text(scene, "scene"), number(poses, "poses"), number(seed, "seed"), number(rounds, "rounds"), () => performance.now()));
+};
+
 /**
  * A plan's path.
  * @param {{ path: Float64Array | number[] }} plan

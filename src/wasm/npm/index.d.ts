@@ -396,11 +396,25 @@ export interface AnyPlan {
   hash: string;
 }
 
+/** What each step after a grid search makes of its path, whose beginning is `rawPath`; x, y in metres. */
+export interface Stages {
+  /** What pruning keeps. */
+  pruned: [number, number][];
+  /** The shortest way over the same cells. */
+  shortest: [number, number][];
+  /** The circles that round corners: each touches the segment before in `from` and the one after in `to`. */
+  arcs: { corner: [number, number]; from: [number, number]; to: [number, number]; center: [number, number]; radius: number }[];
+  /** Corners that no arc rounds. */
+  sharp: [number, number][];
+}
+
 export interface GridPlan extends AnyPlan {
   planner: GridPlannerId;
   stats: GridStats;
   metrics: GridMetrics;
   trace: CellTrace | null;
+  /** With `trace`, where a path is found; not of `parkade/core`. */
+  stages?: Stages;
 }
 
 export interface HybridPlan extends AnyPlan {
@@ -458,7 +472,7 @@ export interface Found {
   generated: number;
 }
 
-export type LayerName = "occupancy" | "safety" | "redundant" | "clearance" | "risk" | "cost";
+export type LayerName = "occupancy" | "safety" | "redundant" | "clearance" | "risk" | "potential" | "cost";
 
 export interface Layer {
   width: number;
@@ -469,7 +483,8 @@ export interface Layer {
    * Row-major from the south-western cell. occupancy: 0 free, 1 blocked. safety: 0 free, 1 obstacle, 2 necessary
    * safety space (half the car's width). redundant: the same for this grid planner's own settings, and 3 where
    * `minPassage` or `trapMouth` close free cells between start and goal. clearance: metres from the cell's centre to the nearest blocked
-   * cell's square. risk: force east, force north per cell. cost: what a metre costs beyond its length (with
+   * cell's square. risk: force east, force north per cell. potential: U, the goal's and the obstacles' (equations 4 and 6 of
+   * the risk-field paper). cost: what a metre costs beyond its length (with
    * `costs: "paper"`, what the cell costs); Infinity where the car has no room.
    */
   data: Uint8Array | Float32Array;
@@ -485,6 +500,8 @@ export interface Explanation {
   repulsion: [number, number];
   /** F, their sum. */
   force: [number, number];
+  /** Of the goal (equation 4) and of the obstacles (equation 6). */
+  potentials: [goal: number, obstacles: number];
   /** k = F_y / F_x; null where F_x is 0. */
   slope: number | null;
   region: "1" | "2" | "3" | "4" | "5" | "6" | "7" | "8" | "A" | "B" | "C" | "D";
@@ -681,6 +698,7 @@ export interface PaperTable {
   ratios: { figure: string; planner: string; overFigure: string; over: string; printed: number | null; ours: Spread }[];
 }
 
+/** A claim of a paper and what we find. */
 export interface PaperClaim { id: string; text: string; found: string; holds: "yes" | "no" | "partly" | "unknown" }
 
 /** What `paperGrid` measures: rows, planners and columns. `parkade` only, not `parkade/core`, as the next two. */
@@ -780,6 +798,51 @@ export interface ParkingTable {
 export function paperParkingRows(): ParkingRow[];
 /** Plans a row of the parking paper with its planners; the fastest of some rounds (1) counts for the time. */
 export function paperParking(options: { row: string; rounds?: number }): ParkingTable;
+
+/** Percent of driving time saved on four rows of the parking paper. */
+export interface ParkingSaved {
+  /** By the abstract, and by the printed rows. */
+  said: number;
+  printed: number;
+  /** "hybrid" against "hybrid-forward" and against "hybrid-classic". */
+  overForward: number;
+  overClassic: number;
+}
+
+/**
+ * Claims of the parking paper and of the road manuscript, judged on their tables, which must be all there; none where they are
+ * not. No verdict rests on a time. `saved`: of rows P1 to P4 and L1 to L4. `parkade` only, not `parkade/core`, as the next two.
+ */
+export function paperVerdicts(tables: { parking?: ParkingTable[]; road?: RoadTable[] }): { parking: PaperClaim[]; road: PaperClaim[]; saved: [ParkingSaved, ParkingSaved] | null };
+
+/** The seeds of a row's maps, `from` to `to`, on which the risk field taken literally (`fallback: "none"`) finds no path. */
+export function paperStranded(slice: { row: string; from: number; to: number }): number[];
+
+/** Volumes around the car held against its exact body (figures 4 and 5 of the parking paper). */
+export interface VolumeComparison {
+  scene: string;
+  poses: number;
+  /** Lines that each volume is tested against. */
+  lines: number;
+  /** Poses at which the exact body hits something. */
+  collisions: number;
+  volumes: {
+    volume: "aabb" | "obb" | "ball";
+    /** Poses at which it meets a line. */
+    hits: number;
+    /** Of those, poses at which the body is free. */
+    falseAlarms: number;
+    /** Poses at which the body is wholly behind a line, which the volume does not meet. */
+    missed: number;
+    /** Mean area over the body's. */
+    area: number;
+    /** Microseconds of a pose, the fastest round. */
+    micros: number;
+  }[];
+}
+
+/** Compares them on "P0", "park-fig13" or "reverse-in", on poses at random (10 000, seed 1, one round). */
+export function paperVolumes(options: { scene: string; poses?: number; seed?: number; rounds?: number }): VolumeComparison;
 
 export class Planner<Id extends PlannerId = PlannerId> {
   /** Checks scene and settings and prepares the map, once. Throws ParkadeError. */

@@ -28,7 +28,7 @@ export interface GridSettings {
 
 export interface FourSettings extends GridSettings {
   /** The paper's baseline uses Manhattan. Default: "manhattan". */
-  heuristic?: "manhattan" | "euclid" | "octile";
+  heuristic?: "manhattan" | "euclid" | "octile" | "chebyshev";
   /** Faster far from the goal, but not optimal. Default: "none". */
   weight?: "none" | "distance";
   /** Strict: a path may not touch a blocked cell. Default: "strict". */
@@ -37,7 +37,7 @@ export interface FourSettings extends GridSettings {
 
 export interface EightSettings extends GridSettings {
   /** Octile is exact on an empty map, so it expands less. Default: "euclid". */
-  heuristic?: "euclid" | "octile";
+  heuristic?: "euclid" | "octile" | "chebyshev";
   /** Faster far from the goal, but not optimal. Default: "none". */
   weight?: "none" | "distance";
   /** Strict: a path may not touch a blocked cell. Default: "strict". */
@@ -46,7 +46,7 @@ export interface EightSettings extends GridSettings {
 
 export interface SixteenSettings extends GridSettings {
   /** The gauge is exact on an empty map for these moves. Default: "gauge". */
-  heuristic?: "euclid" | "gauge";
+  heuristic?: "euclid" | "gauge" | "chebyshev";
   /** Faster far from the goal, but not optimal. Default: "none". */
   weight?: "none" | "distance";
   /** Strict: a path may not touch a blocked cell. Default: "strict". */

@@ -65,7 +65,7 @@ export class Planning {
     this.unsubscribe ??= this.store.subscribe((state, previous) => {
       if (state.scene !== previous.scene || state.planners !== previous.planners || state.waiting !== previous.waiting || state.prefer !== previous.prefer) this.replan(previous.scene);
       else if (previous.transient && !state.transient) this.replan(state.scene); // A drag leaves its slower layers behind.
-      else if ((["redundant", "cost", "risk"] as const).some((name) => state.layers[name] && !previous.layers[name])) this.replan(state.scene);
+      else if ((["redundant", "cost", "risk", "tree"] as const).some((name) => state.layers[name] && !previous.layers[name])) this.replan(state.scene);
       if (state.hover !== previous.hover) void this.explain(state);
     });
     this.replan(null);
@@ -356,6 +356,7 @@ export function median(values: readonly number[]): number {
 function layersOf(planner: PlannerId, state: State): LayerName[] {
   const names: LayerName[] = hasField(planner) ? ["safety"] : [];
   if (state.layers.risk && hasField(planner)) names.push("risk");
+  if (state.layers.tree && state.complete && hasField(planner)) names.push("potential");
   if (state.layers.redundant && state.complete && closes(state.scene.planners?.[planner])) names.push("redundant");
   if (state.layers.cost && hasCosts(planner)) names.push("cost");
   if (!state.transient) names.push("clearance");

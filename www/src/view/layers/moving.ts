@@ -4,6 +4,7 @@ import { boxAt, clockOf, isEncounter } from "../clock";
 import { inMetres, linePath, pixels, polygonPath, toScreen, type Frame, type Shown } from "../frame";
 import { fade } from "../tokens";
 import { drawHatchedPose } from "./collisions";
+import { drawEncounter } from "./encounter";
 
 export function drawMoving(frame: Frame): void {
   const { ctx, state, tokens: { colour } } = frame;
@@ -41,8 +42,10 @@ function drawTip(frame: Frame, at: [number, number], heading: number, length: nu
   ctx.fill();
 }
 
-/** Where the car was run into, from that moment on. */
+/** The moments of a wait, and where the car was run into, from that moment on. */
 export function drawContact(frame: Frame, { result, plan }: Shown): void {
   const drive = result?.plan === plan ? result?.drive : null;
-  if (isEncounter(drive) && drive.contact && clockOf(frame.state) >= drive.contact.t) drawHatchedPose(frame, drive.contact.pose);
+  if (!isEncounter(drive)) return;
+  drawEncounter(frame, drive);
+  if (drive.contact && clockOf(frame.state) >= drive.contact.t) drawHatchedPose(frame, drive.contact.pose);
 }

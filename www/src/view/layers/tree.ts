@@ -1,9 +1,11 @@
-/** The hybrid search: its arcs in order of expansion, reverse ones dotted, and the connections that hit something, dashed up to a cross. */
+/** How an answer came about. A grid planner's: its path's stages, and the risk field's potential. The hybrid search's: its arcs in order of expansion, reverse ones dotted, and the connections that hit something, dashed up to a cross. */
 import type { Trace } from "parkade";
 import { inMetres, inPixels, pixels, toScreen, type Frame, type Shown } from "../frame";
 import { RAMP_STOPS } from "../ramp";
 import { fade } from "../tokens";
 import { expansionsShown } from "./heat";
+import { drawPotential } from "./potential";
+import { drawStages } from "./stages";
 import { newPath } from "../surface";
 
 const FIELDS = 5;
@@ -17,7 +19,11 @@ interface Built { trace: Arcs; count: number; forward: Path2D[]; reverse: Path2D
 export class TreeLayer {
   private built: Built | null = null;
 
-  draw(frame: Frame, { plan }: Shown): void {
+  draw(frame: Frame, { plan, result }: Shown): void {
+    const { playback } = frame.state, potential = result?.layers.potential;
+    if (potential) drawPotential(frame, potential);
+    // A search that is still going on has no path yet.
+    if (plan && "stages" in plan && plan.stages && !(playback.base === "search" && playback.fraction < 1)) drawStages(frame, plan.rawPath, plan.stages);
     if (plan?.trace?.kind !== "arcs") return;
     const { ctx, tokens: { colour } } = frame;
     const { forward, reverse, shots, hits } = this.build(plan.trace, expansionsShown(frame.state, plan));
