@@ -22,7 +22,7 @@ pub(super) const SCENES: [Info; 13] = [
         "perp-nose-3.6",
         "tight",
         ["Head in, 3.6 m", "车头入库，3.6 m"],
-        ["0.5 m on each side: how far must it swing out?", "两侧各 0.5 米，要绕开多远？"],
+        ["0.5 m on each side: how far does it swing out?", "两侧各 0.5 米，要绕开多远？"],
     ),
     info(
         "perp-nose-3.0",
