@@ -69,12 +69,18 @@ test("the parking paper's tables stand beside ours, and what no car can drive is
   await page.keyboard.press("y");
   await dialog(page).getByRole("tab", { name: "Parking" }).click();
   await measured(page);
-  await expect(dialog(page).locator("h3")).toHaveText([/^P0/, /^P1/, /^P2/, /^P3/, /^P4/, /^L0/, /^L1/, /^L2/, /^L3.*tables 8 to 11/, /^L4/, /saved/]);
+  await expect(dialog(page).locator("h3")).toHaveText([/Claims/, /saved/, /Searched/, /^P0/, /^P1/, /^P2/, /^P3/, /^P4/, /^L0/, /^L1/, /^L2/, /^L3.*tables 8 to 11/, /^L4/, /Bounding volumes/]);
   await expect(dialog(page).locator("td .chip.err")).toHaveText([/below 22\.10/, /below 22\.10/, /below 26\.44/]);
-  const nodes = dialog(page).locator("table").nth(3).getByRole("row", { name: /^Nodes/ });
+  const nodes = dialog(page).locator("table").nth(5).getByRole("row", { name: /^Nodes/ });
   await expect(nodes.getByRole("cell")).toHaveText(["256", "233", "233", "233", "233", "233"]);
   await expect(dialog(page).getByRole("img", { name: "kept" })).toHaveCount(10);
-  await expect(dialog(page).locator(".saved").getByRole("row", { name: /^P1–P4/ })).toContainText("8.18 %");
+  const saved = dialog(page).locator(".saved");
+  await expect(saved.first().getByRole("row", { name: /^P1–P4/ })).toContainText("8.18 %");
+  // The tree from the slot is the smaller one; the counts are the same everywhere.
+  await expect(saved.nth(1).getByRole("row", { name: /^L0/ }).getByRole("cell").nth(0)).toHaveText("1571");
+  await expect(saved.nth(1).getByRole("row", { name: /^L0/ }).getByRole("cell").nth(1)).toHaveText("26");
+  await expect(dialog(page).locator(".claims li")).toHaveCount(5);
+  await expect(dialog(page).locator("#K3 .chip")).toContainText("holds");
   const { violations } = await new AxeBuilder({ page }).withTags(["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"]).analyze();
   expect(violations.map((one) => `${one.id} ${one.nodes.map((node) => node.target.join(" ")).join("; ")}`)).toEqual([]);
   await dialog(page).getByRole("button", { name: "Copy as Markdown" }).click();
@@ -95,7 +101,7 @@ test("the road manuscript's tables stand beside ours, with percentages and what 
   await expect(dialog(page).getByRole("alert")).toContainText("Cancelled.");
   await dialog(page).getByRole("button", { name: "Measure" }).click();
   await expect(dialog(page).getByRole("button", { name: "Measure" })).toBeVisible({ timeout: 150_000 });
-  await expect(dialog(page).locator("h3")).toHaveText([/^S1/, /^S2/, /^S3/, /^S4/, /^S1.*ship/, /^S2.*ship/, /^S3.*ship/, /^S4.*ship/, /Contradictions/]);
+  await expect(dialog(page).locator("h3")).toHaveText([/Claims/, /^S1/, /^S2/, /^S3/, /^S4/, /^S1.*ship/, /^S2.*ship/, /^S3.*ship/, /^S4.*ship/, /Contradictions/]);
   const turns = dialog(page).locator("table").nth(3).getByRole("row", { name: /^Turning points/ });
   await expect(turns.getByRole("cell")).toHaveText(["22", /^9\s*−59 %$/, "21", /^10\s*−52 %/, /^10/, /^4/]);
   await expect(turns.getByRole("img")).toHaveAttribute("aria-label", "Promised: ≤ 11 – kept");
@@ -107,4 +113,18 @@ test("the road manuscript's tables stand beside ours, with percentages and what 
   await dialog(page).getByRole("button", { name: "Copy as Markdown" }).click();
   expect(await page.evaluate(() => navigator.clipboard.readText())).toMatch(/\| Turning points \| 22\.0 \| 9\.0 −59 % \| 21 \| 10 −52 %/);
   expect(complaints).toEqual([]);
+});
+
+test("a row opens its scene, and its paths are drawn beside it", async ({ page }) => {
+  test.setTimeout(120_000);
+  await open(page);
+  await page.keyboard.press("y");
+  await dialog(page).getByRole("tab", { name: "Parking" }).click();
+  await measured(page);
+  // Two planners on each of ten rows, and on the scenes of figures 12 and 13.
+  await expect(dialog(page).locator("parkade-paper-picture")).toHaveCount(24);
+  await expect(dialog(page).locator("parkade-papers-volumes tbody tr")).toHaveCount(9, { timeout: 60_000 });
+  await dialog(page).locator("#L2").getByRole("button", { name: "Open the scene" }).click();
+  await expect(dialog(page)).toBeHidden();
+  await expect(page.locator("parkade-toolbar .scene")).toContainText("L2");
 });

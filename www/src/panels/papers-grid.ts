@@ -1,18 +1,21 @@
-import type { PaperClaim, PaperTable, Spread } from "parkade";
+import type { Family, PaperClaim, PaperTable, PlannerId, Spread } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
-import { reasonIn } from "../i18n/index";
 import { workersHere, type Progress } from "../planning/crew";
 import { Papers, type Summary } from "../planning/papers";
-import { icon, type IconName } from "./icons";
+import { Helper, joined } from "../planning/helper";
+import { ensureIds } from "../scene/model";
+import type { Scene } from "../store";
+import { icon } from "./icons";
+import "./paper-picture";
+import { claimList, claimStyles } from "./papers-claims";
 import { figureName, lineName, papersMarkdown, SHOWN, titleOf } from "./papers-text";
 import { PapersTab } from "./papers-tab";
 import { say } from "./papers-words";
 
 const RANGES = [20, 60, 200] as const;
 const MOST = 200;
-const VERDICT: Record<PaperClaim["holds"], { tone: string; icon: IconName }> = {
-  yes: { tone: "", icon: "check" }, partly: { tone: "warn", icon: "warning" }, no: { tone: "err", icon: "close" }, unknown: { tone: "quiet", icon: "clock" },
-};
+/** The scene of a row: figure 8 has regular maps, figure 9 random ones. */
+const sceneOf = (row: string): string => `fig${row.startsWith("random") ? 9 : 8}-${row.split("-")[1]!}`;
 
 /** What was measured stays while the page is open. */
 let papers: Papers | null = null;
@@ -20,22 +23,21 @@ let last: Summary | null = null;
 
 /** Tables 3 and 4 of the risk-field paper and the claims of the 16-neighbour paper. */
 export class PapersGrid extends PapersTab<Summary> {
-  static override properties = { ...PapersTab.properties, from: { state: true }, to: { state: true } };
-  static override styles = [PapersTab.styles, css`
+  static override properties = { ...PapersTab.properties, from: { state: true }, to: { state: true }, lost: { state: true } };
+  static override styles = [PapersTab.styles, claimStyles, css`
     .range { display: flex; align-items: center; gap: 6px; color: var(--parkade-t2); } .field { width: 56px; color: var(--parkade-t1); } .bad { border-color: var(--parkade-err); }
     td.printed { border-left: 1px solid var(--parkade-hair); padding-left: 14px; }
-    .claims { list-style: none; margin: 0; padding: 0; font-size: 12.5px; line-height: 17px; } .claims li { display: grid; grid-template-columns: 130px 1fr; gap: 2px 12px; padding: 6px 0; border-top: 1px solid var(--parkade-hair); align-items: start; } .claims .chip { justify-self: start; }
-    .claims p { margin: 2px 0 0; color: var(--parkade-t2); }
     details { margin-top: 6px; } summary { cursor: pointer; color: var(--parkade-t2); font-size: 12px; line-height: 20px; }
-    @media (max-width: 640px) { .claims li { grid-template-columns: 1fr; } }
   `];
   declare from: string;
   declare to: string;
+  declare lost: Record<string, number[]>;
 
   constructor() {
     super();
     this.from = "1";
     this.to = "20";
+    this.lost = {};
     this.summary = last;
   }
 
@@ -72,10 +74,11 @@ export class PapersGrid extends PapersTab<Summary> {
     const { seeds } = this;
     if (!seeds) return;
     papers ??= new Papers(await this.app.complete());
-    await papers.measure(seeds, (progress, summary) => {
+    const whole = await papers.measure(seeds, (progress, summary) => {
       this.progress = progress;
       if (summary) this.summary = last = summary;
     });
+    if (whole) this.lost = await papers.stranded(seeds);
   }
 
   private range(): TemplateResult {
@@ -89,20 +92,15 @@ export class PapersGrid extends PapersTab<Summary> {
   }
 
   private claims(claims: readonly PaperClaim[]): TemplateResult {
-    const { lang } = this.state;
-    return html`<h3>${say(lang, "claims")}</h3><ul class="claims">${claims.map((claim) => this.claim(claim))}</ul>
-      ${crossOriginIsolated ? nothing : html`<p class="note">${say(lang, "coarse")}</p>`}`;
-  }
-
-  private claim(claim: PaperClaim): TemplateResult {
-    const { lang } = this.state, { tone, icon: name } = VERDICT[claim.holds];
-    return html`<li id=${claim.id}><span class="chip ${tone}">${icon(name, 12)}<span>${say(lang, claim.holds)}</span></span><div>${reasonIn(lang, claim.text)}<p>${reasonIn(lang, claim.found)}</p></div></li>`;
+    return html`${claimList(this.state.lang, claims)}
+      ${crossOriginIsolated ? nothing : html`<p class="note">${say(this.state.lang, "coarse")}</p>`}`;
   }
 
   private table(table: PaperTable): TemplateResult {
     const { lang } = this.state;
     const length = this.num(table.straight, 2);
-    return html`<h3>${titleOf(lang, table)}<span>${say(lang, "maps", { n: table.maps })}</span></h3>
+    const scene = sceneOf(table.row.id);
+    return html`<h3>${titleOf(lang, table)}<span>${say(lang, "maps", { n: table.maps })}</span>${this.link(scene, say(lang, "figureScene", { figure: scene.slice(3, 4) }))}</h3>
       <div class="wide"><table><thead>
         <tr class="over"><th></th><th class="first" colspan="4" title=${say(lang, "nodesTip")}>${say(lang, "nodes")}</th><th class="first" colspan="4" title=${say(lang, "lengthTip")}>${say(lang, "length")}</th>
           <th class="first">${say(lang, "turns")}</th><th>${say(lang, "turning")}</th><th title=${say(lang, "timeTip")}>${say(lang, "time")}</th></tr>
@@ -114,9 +112,33 @@ export class PapersGrid extends PapersTab<Summary> {
           ${this.spread(this.of(line, SHOWN.length), 2)}
           <td class="first">${this.median(this.of(line, "turns"), 0)}</td><td>${this.median(this.of(line, "turnAngleDeg"), 0)}</td><td>${this.time(table, at)}</td></tr>`)}</tbody></table></div>
       ${table.lines.some((line) => line.impossible) ? html`<p class="note">${say(lang, "straight", { length })}</p>` : nothing}
+      ${this.stranded(table)}${this.running ? nothing : this.pictures(["four", "eight", "risk-field"].map((planner) => [scene, planner as PlannerId]), true)}
       <details><summary>${say(lang, "ratios")}</summary><div class="wide"><table><thead><tr><th>${say(lang, "ratio")}</th><th>${say(lang, "printed")}</th><th>${say(lang, "median")}</th><th>${say(lang, "p95")}</th><th>${say(lang, "worst")}</th></tr></thead>
         <tbody>${table.ratios.map((ratio) => html`<tr><th scope="row">${say(lang, "over", { planner: lineName(lang, ratio.planner), over: lineName(lang, ratio.over), figure: figureName(ratio) })}</th>
           <td class="printed">${ratio.printed === null ? "–" : this.num(ratio.printed, 3)}</td>${this.spread(ratio.ours, 3)}</tr>`)}</tbody></table></div></details>`;
+  }
+
+  /** The maps on which the literal planner is stranded, each to open. */
+  private stranded({ row: { id, size }, maps }: PaperTable): TemplateResult | typeof nothing {
+    const { lang } = this.state, seeds = this.lost[id];
+    if (!seeds || this.running) return nothing;
+    const open = async (seed: number): Promise<void> => {
+      const scene = await this.drawn({ family: id.startsWith("random") ? "random" : "regular", size, seed });
+      this.closest("dialog")?.close();
+      this.app.store.set({ planners: ["risk-field", "eight"], focus: "risk-field" });
+      this.app.openScene({ ...scene, planners: { "risk-field": { fallback: "none" } } });
+    };
+    return html`<p class="note">${say(lang, "stranded", { n: seeds.length, maps })} ${seeds.map((seed) => html`<button class="link" @click=${() => void open(seed)}>${say(lang, "seed", { seed })}</button> `)}</p>`;
+  }
+
+  private async drawn(family: Family): Promise<Scene> {
+    const helper = new Helper(await this.app.complete());
+    try {
+      const answer = await helper.call("generate", family), [scene] = await joined(answer, answer.value);
+      return ensureIds(scene!);
+    } finally {
+      helper.stop();
+    }
   }
 
   private of(line: PaperTable["lines"][number], column: string): Spread | undefined {

@@ -40,12 +40,13 @@ export const reachText = (lang: Lang, { row: { reach: [length, changes] }, kept 
   `${say(lang, "reach", { length: number(lang, length, 2), changes })} – ${say(lang, kept ? "kept" : "broken")}`;
 
 /** Rows, the abstract's percentage, the printed rows' and ours; of rows that are all there. */
-export function savings(tables: readonly ParkingTable[]): { rows: string; said: number; printed: number; ours: number }[] {
+export function savings(tables: readonly ParkingTable[]): { rows: string; said: number; printed: number; ours: number; classic: number }[] {
   return CLAIMS.flatMap((claim) => {
     const said = claim[4], of = tables.filter(({ row }) => (claim as readonly unknown[]).includes(row.id));
     if (of.length < 4) return [];
     const mean = (at: 0 | 1): number => of.reduce((sum, { saved }) => sum + saved[at], 0) / of.length;
-    return [{ rows: `${claim[0]}–${claim[3]}`, said, printed: mean(0), ours: mean(1) }];
+    const classic = of.reduce((sum, { lines }) => sum + 100 * (1 - lines[1]!.time / lines[3]!.time), 0) / of.length;
+    return [{ rows: `${claim[0]}–${claim[3]}`, said, printed: mean(0), ours: mean(1), classic }];
   });
 }
 
@@ -64,7 +65,7 @@ export function parkingMarkdown(lang: Lang, tables: readonly ParkingTable[]): st
     parts.push(row([say(lang, "verdict"), "–", "–", ...table.lines.map(({ verdict }) => say(lang, verdict))]), "", `${noteOf(lang, table)} ${reachText(lang, table)}`.trim(), "");
   }
   const percent = (value: number): string => `${number(lang, value, 2)} %`;
-  parts.push(`### ${say(lang, "saved")}`, "", row([say(lang, "rows"), say(lang, "abstract"), say(lang, "ofRows"), say(lang, "ours")]), row(["---", "---:", "---:", "---:"]),
-    ...savings(tables).map(({ rows, said, printed, ours }) => row([rows, percent(said), percent(printed), percent(ours)])), "", say(lang, "sameNote"), "");
+  parts.push(`### ${say(lang, "saved")}`, "", row([say(lang, "rows"), say(lang, "abstract"), say(lang, "ofRows"), say(lang, "ours"), say(lang, "overClassic")]), row(["---", "---:", "---:", "---:", "---:"]),
+    ...savings(tables).map(({ rows, said, printed, ours, classic }) => row([rows, percent(said), percent(printed), percent(ours), percent(classic)])), "", say(lang, "sameNote"), "");
   return parts.join("\n");
 }

@@ -2,15 +2,21 @@ import type { ParkingTable } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import type { Values } from "../i18n/index";
 import { icon } from "./icons";
+import "./paper-picture";
+import { claimList, claimStyles, claimsMarkdown } from "./papers-claims";
+import "./papers-volumes";
 import { FIGURES, lineName, noteOf, parkingMarkdown, printedOf, reachText, savings, titleOf, type Figure } from "./papers-parking-text";
 import { say } from "./papers-parking-words";
 import { Measured, PapersRowsTab } from "./papers-rows-tab";
 
 const measured = new Measured("parking");
 
+/** Scenes of figures that ask a row's question elsewhere. */
+const figuresOf = (id: string): readonly string[] => (id === "P0" ? ["park-free", "park-fig13"] : []);
+
 /** Tables 2 to 11 of the parking paper. */
 export class PapersParking extends PapersRowsTab<"parking"> {
-  static override styles = [PapersRowsTab.styles, css`
+  static override styles = [PapersRowsTab.styles, claimStyles, css`
     .held { display: inline-flex; vertical-align: -2px; margin-left: 6px; } .held.missed { color: var(--parkade-err); } .held svg { width: 12px; height: 12px; }
     td .chip { margin-right: 6px; } .saved { width: auto; }
   `];
@@ -24,16 +30,17 @@ export class PapersParking extends PapersRowsTab<"parking"> {
   }
 
   protected tables(tables: ParkingTable[]): TemplateResult {
-    return html`${tables.map((table) => this.table(table))}${this.saved(tables)}`;
+    return html`${this.claims.length > 0 ? claimList(this.state.lang, this.claims) : nothing}${this.saved(tables)}${this.search(tables)}
+      ${tables.map((table) => this.table(table))}${this.claims.length > 0 ? html`<parkade-papers-volumes .app=${this.app}></parkade-papers-volumes>` : nothing}`;
   }
 
   protected markdown(tables: ParkingTable[]): string {
-    return parkingMarkdown(this.state.lang, tables);
+    return [...claimsMarkdown(this.state.lang, this.claims), parkingMarkdown(this.state.lang, tables)].join("\n");
   }
 
   private table(table: ParkingTable): TemplateResult {
     const { lang } = this.state, note = noteOf(lang, table);
-    return html`<h3 id=${table.row.id}>${titleOf(lang, table)}</h3>
+    return html`<h3 id=${table.row.id}>${titleOf(lang, table)}${this.link(table.row.id)}</h3>
       <div class="wide"><table><thead>
         <tr class="over"><th></th><th class="first" colspan="2">${say(lang, "printedHead")}</th><th class="first" colspan=${table.lines.length}>${say(lang, "oursHead")}</th></tr>
         <tr><th>${say(lang, "figure")}</th><th class="first">${say(lang, "traditional")}</th><th>${say(lang, "improved")}</th>
@@ -41,7 +48,16 @@ export class PapersParking extends PapersRowsTab<"parking"> {
         <tbody>${FIGURES.map((figure) => this.figure(table, figure))}
           <tr><th scope="row">${say(lang, "verdict")}</th><td class="printed first">–</td><td class="printed">–</td>${table.lines.map(({ verdict }, at) => html`
             <td class=${at === 0 ? "first" : ""}><span class="chip ${verdict === "ok" ? "" : "err"}">${icon(verdict === "ok" ? "check" : "warning", 12)}<span>${say(lang, verdict)}</span></span></td>`)}</tr></tbody></table></div>
-      ${note ? html`<p class="note">${note}</p>` : nothing}`;
+      ${note ? html`<p class="note">${note}</p>` : nothing}
+      ${this.running ? nothing : this.pictures(([...figuresOf(table.row.id), table.row.id]).flatMap((scene) => [[scene, "hybrid-classic"], [scene, "hybrid"]] as const))}`;
+  }
+
+  /** How much each end has to search. */
+  private search(tables: readonly ParkingTable[]): TemplateResult | typeof nothing {
+    const { lang } = this.state, [forward, reverse] = ["hybrid-forward", "hybrid"] as const;
+    if (tables.length < 10) return nothing;
+    return html`<h3>${say(lang, "searched")}</h3><div class="wide"><table class="saved"><thead><tr><th>${say(lang, "rows")}</th>${[forward, reverse].map((planner) => html`<th>${say(lang, "expanded")}, ${say(lang, planner)}</th>`)}<th>${say(lang, "share")}</th>${[forward, reverse].map((planner) => html`<th>${say(lang, "milliseconds")}, ${say(lang, planner)}</th>`)}</tr></thead>
+      <tbody>${tables.map(({ row: { id }, lines: [before, after] }) => html`<tr><th scope="row">${id}</th><td>${this.num(before!.expanded, 0)}</td><td class="ours">${this.num(after!.expanded, 0)}</td><td>${this.num((100 * after!.expanded) / before!.expanded, 1)} %</td><td>${this.num(before!.milliseconds, 1)}</td><td class="ours">${this.num(after!.milliseconds, 1)}</td></tr>`)}</tbody></table></div>`;
   }
 
   private figure(table: ParkingTable, figure: Figure): TemplateResult {
@@ -58,8 +74,8 @@ export class PapersParking extends PapersRowsTab<"parking"> {
     const { lang } = this.state, lines = savings(tables);
     if (lines.length === 0) return nothing;
     const percent = (value: number): string => `${this.num(value, 2)} %`;
-    return html`<h3>${say(lang, "saved")}</h3><div class="wide"><table class="saved"><thead><tr><th>${say(lang, "rows")}</th><th>${say(lang, "abstract")}</th><th>${say(lang, "ofRows")}</th><th>${say(lang, "ours")}</th></tr></thead>
-      <tbody>${lines.map(({ rows, said, printed, ours }) => html`<tr><th scope="row">${rows}</th><td class="printed">${percent(said)}</td><td class="printed">${percent(printed)}</td><td class="ours">${percent(ours)}</td></tr>`)}</tbody></table></div>
+    return html`<h3>${say(lang, "saved")}</h3><div class="wide"><table class="saved"><thead><tr><th>${say(lang, "rows")}</th><th>${say(lang, "abstract")}</th><th>${say(lang, "ofRows")}</th><th>${say(lang, "ours")}</th><th>${say(lang, "overClassic")}</th></tr></thead>
+      <tbody>${lines.map(({ rows, said, printed, ours, classic }) => html`<tr><th scope="row">${rows}</th><td class="printed">${percent(said)}</td><td class="printed">${percent(printed)}</td><td class="ours">${percent(ours)}</td><td class="ours">${percent(classic)}</td></tr>`)}</tbody></table></div>
       <p class="note">${say(lang, "sameNote")}</p>`;
   }
 }

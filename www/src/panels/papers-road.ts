@@ -2,6 +2,8 @@ import type { RoadTable } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import type { Values } from "../i18n/index";
 import { icon } from "./icons";
+import "./paper-picture";
+import { claimList, claimStyles, claimsMarkdown } from "./papers-claims";
 import { cell, change, changeOf, FIGURES, flagOf, lineName, printedOf, promiseOf, promiseText, roadMarkdown, titleOf, type Figure } from "./papers-road-text";
 import { FLAGS, say } from "./papers-road-words";
 import { Measured, PapersRowsTab } from "./papers-rows-tab";
@@ -10,7 +12,7 @@ const measured = new Measured("road");
 
 /** Section 4 of the road manuscript. */
 export class PapersRoad extends PapersRowsTab<"road"> {
-  static override styles = [PapersRowsTab.styles, css`
+  static override styles = [PapersRowsTab.styles, claimStyles, css`
     td small, th small { font-size: inherit; color: var(--parkade-t2); font-weight: 400; margin-left: 6px; } small:empty { display: none; }
     .held { display: inline-flex; vertical-align: -2px; margin-left: 6px; } .held.missed { color: var(--parkade-err); } .held svg { width: 12px; height: 12px; }
     .flags { margin: 6px 0 0; padding-left: 18px; font-size: 12.5px; line-height: 17px; color: var(--parkade-t2); } .flags li { padding: 3px 0; }
@@ -27,17 +29,17 @@ export class PapersRoad extends PapersRowsTab<"road"> {
 
   protected tables(tables: RoadTable[]): TemplateResult {
     const { lang } = this.state;
-    return html`${tables.map((table) => this.table(table))}
+    return html`${this.claims.length > 0 ? claimList(lang, this.claims) : nothing}${tables.map((table) => this.table(table))}
       <h3>${say(lang, "flags")}</h3><ul class="flags">${FLAGS.map((flag) => html`<li>${say(lang, flag)}</li>`)}</ul>`;
   }
 
   protected markdown(tables: RoadTable[]): string {
-    return roadMarkdown(this.state.lang, tables);
+    return [...claimsMarkdown(this.state.lang, this.claims), roadMarkdown(this.state.lang, tables)].join("\n");
   }
 
   private table(table: RoadTable): TemplateResult {
     const { lang } = this.state;
-    return html`<h3 id=${table.row.id}>${titleOf(lang, table)}</h3>
+    return html`<h3 id=${table.row.id}>${titleOf(lang, table)}${table.row.ship ? nothing : this.link(table.row.scene)}</h3>
       <div class="wide"><table><thead>
         <tr class="over"><th></th><th class="first" colspan="2">${say(lang, "printedHead")}</th><th class="first" colspan=${table.lines.length}>${say(lang, "oursHead")}</th></tr>
         <tr><th>${say(lang, "figure")}</th><th class="first">${say(lang, "plain")}</th><th>${say(lang, "improved")}</th>
@@ -45,7 +47,8 @@ export class PapersRoad extends PapersRowsTab<"road"> {
         <tbody>${FIGURES.map((figure) => this.figure(table, figure))}
           <tr><th scope="row">${say(lang, "verdict")}</th><td class="printed first">–</td><td class="printed">–</td>${table.lines.map((line, at) => html`
             <td class=${at === 0 ? "first" : ""}><span class="chip ${line.verdict === "ok" ? "" : line.verdict === "collides" || line.verdict === "none" ? "err" : "warn"}">${icon(line.verdict === "ok" ? "check" : "warning", 12)}<span>${say(lang, line.verdict)}</span></span>${line.fellBack ? html` <small title=${say(lang, "fellBackTip")}>${say(lang, "fellBack")}</small>` : nothing}</td>`)}</tr></tbody></table></div>
-      ${table.lines.some(({ id, verdict }) => id === "literal" && verdict === "collides") ? html`<p class="note">${say(lang, "literalNote")}</p>` : nothing}`;
+      ${table.lines.some(({ id, verdict }) => id === "literal" && verdict === "collides") ? html`<p class="note">${say(lang, "literalNote")}</p>` : nothing}
+      ${this.running || table.row.ship ? nothing : this.pictures((["eight", "cost-map"] as const).map((planner) => [table.row.scene, planner]), true)}`;
   }
 
   private figure(table: RoadTable, figure: Figure): TemplateResult {

@@ -1,3 +1,4 @@
+import type { PaperClaim } from "parkade";
 import { nothing, type TemplateResult } from "lit";
 import type { Values } from "../i18n/index";
 import { workersHere, type Progress } from "../planning/crew";
@@ -8,6 +9,8 @@ import { PapersTab } from "./papers-tab";
 export class Measured<Name extends keyof Tables> {
   papers: RowPapers<Name> | null = null;
   tables: Tables[Name][] | null = null;
+  /** Judged when all tables are there. */
+  claims: readonly PaperClaim[] = [];
 
   constructor(readonly name: Name) {}
 }
@@ -21,6 +24,10 @@ export abstract class PapersRowsTab<Name extends keyof Tables> extends PapersTab
 
   leave(): void {
     this.measured.papers?.stop();
+  }
+
+  protected get claims(): readonly PaperClaim[] {
+    return this.running ? [] : this.measured.claims;
   }
 
   protected abstract say(key: "progress" | "cancelled", values: Values): string;
@@ -49,5 +56,6 @@ export abstract class PapersRowsTab<Name extends keyof Tables> extends PapersTab
       this.progress = progress;
       if (tables.length > 0) this.summary = measured.tables = tables;
     });
+    if (measured.papers) measured.claims = await measured.papers.claims(measured.tables ?? []);
   }
 }

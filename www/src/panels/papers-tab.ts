@@ -1,3 +1,4 @@
+import type { PlannerId } from "parkade";
 import { css, html, nothing, type CSSResultGroup, type TemplateResult } from "lit";
 import { sentence } from "../element/app";
 import type { Progress } from "../planning/crew";
@@ -25,6 +26,7 @@ export abstract class PapersTab<Summary> extends AppElement {
     thead th { color: var(--parkade-t2); } thead .over th { color: var(--parkade-t1); font-weight: 500; padding-bottom: 0; text-align: left; } tbody tr { border-top: 1px solid var(--parkade-hair); }
     tbody th { font-weight: 500; } .printed { color: var(--parkade-t2); } .first { border-left: 1px solid var(--parkade-hair); padding-left: 14px; } .ours { font-weight: 600; }
     td .chip { margin-right: 8px; vertical-align: middle; } .note { margin: 4px 0 0; color: var(--parkade-t2); font-size: 12px; line-height: 16px; }
+    .link { border: 0; background: none; padding: 0; min-height: 24px; font: inherit; font-weight: 400; color: var(--parkade-accent); cursor: pointer; text-decoration: underline; } h3 .link { margin-left: 6px; } p .link { margin-left: 4px; } .pictures { display: flex; flex-wrap: wrap; gap: 10px; margin: 8px 0; }
     @media (max-width: 640px) { .tools { padding: 0 16px 10px; } .scroll { padding: 14px 16px 16px; } .copy { margin-left: 0; } th:first-child { position: sticky; left: 0; background: var(--parkade-raise); padding-right: 12px; } }
   `];
   declare progress: Progress | null;
@@ -75,6 +77,24 @@ export abstract class PapersTab<Summary> extends AppElement {
     const { lang } = this.state;
     return this.running ? html`<button class="button outline" @click=${this.cancel}>${icon("close", 14)}${say(lang, "cancel")}</button>`
       : html`<button class="button solid" ?disabled=${disabled} @click=${() => void this.measure()}>${say(lang, "measure")}</button>`;
+  }
+
+  /** Opens a scene of the gallery, beside the planner that a paper means where one is named. */
+  protected openScene(id: string, planner?: PlannerId): void {
+    this.closest("dialog")?.close();
+    if (planner) this.app.store.set({ planners: [...new Set([planner, ...this.state.planners])].slice(0, 4), focus: planner });
+    this.app.openPreset(id);
+  }
+
+  /** What opens a row's scene. */
+  protected link(id: string, text = say(this.state.lang, "open")): TemplateResult {
+    return html`<button class="link" @click=${() => this.openScene(id)}>${text}</button>`;
+  }
+
+  /** The paths of planners in scenes, as pictures that open them. */
+  protected pictures(pairs: readonly (readonly [scene: string, planner: PlannerId])[], wide = false): TemplateResult {
+    return html`<div class="pictures" role="group" aria-label=${say(this.state.lang, "pictures")} @parkade-open-scene=${(e: CustomEvent<{ id: string; planner: PlannerId }>) => this.openScene(e.detail.id, e.detail.planner)}>${pairs.map(([scene, planner]) => html`
+      <parkade-paper-picture .app=${this.app} .scene=${scene} .planner=${planner} ?wide=${wide}></parkade-paper-picture>`)}</div>`;
   }
 
   /** What keeps it from measuring, if anything. */

@@ -50,5 +50,10 @@ export const say = words({
   ratios: ["Ratios, map by map", "逐图比值"],
   ratio: ["Ratio", "比值"],
   over: ["{planner} over {over}, {figure}", "{planner} / {over}，{figure}"],
+  open: ["Open the scene", "打开场景"],
+  figureScene: ["Figure {figure}", "图 {figure}"],
+  stranded: ["Taken literally (three directions, nothing held back) the risk field finds no path on {n} of {maps} maps:", "照字面执行（仅三个方向、不保留其余方向）时，{maps} 张地图中有 {n} 张找不到路径："],
+  seed: ["seed {seed}", "种子 {seed}"],
+  pictures: ["Paths", "路径"],
   waiting: ["Measuring the first figures…", "正在测量第一批数据…"],
 });

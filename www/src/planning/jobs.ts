@@ -1,6 +1,6 @@
 /** What workers of the complete module do beside planning. */
-import type { Family, HybridPlan, HybridPlannerId, ImportOptions, Imported, PaperRow, ParkingRow, ParkingTable, PaperTable, Plan, PlannerId, PaperClaim, RoadFigures, RoadRow, RoadTable } from "parkade";
-import { Planner, collisionRisk, generateScenario, importScene, init, packRuns, paperGrid, paperGridRows, paperGridSummary, paperParking, paperParkingRows, paperRoad, paperRoadRows, roadFigures } from "parkade";
+import type { Family, HybridPlan, HybridPlannerId, ImportOptions, Imported, PaperRow, ParkingRow, ParkingTable, PaperTable, Plan, PlannerId, PaperClaim, RoadFigures, RoadRow, RoadTable, VolumeComparison } from "parkade";
+import { Planner, collisionRisk, generateScenario, importScene, init, packRuns, paperGrid, paperGridRows, paperGridSummary, paperParking, paperParkingRows, paperRoad, paperRoadRows, paperStranded, paperVerdicts, paperVolumes, roadFigures } from "parkade";
 import type { Run } from "../scene/cells";
 import type { Scenario } from "../scene/scenario";
 import { failureOf } from "./failure";
@@ -59,6 +59,9 @@ const JOBS = {
   roadFigures: ({ scene, path }: { scene: Scenario; path: Float64Array }): RoadFigures => roadFigures(scene, { path }),
   risk: ({ scene, path, ...trials }: { scene: Scenario; path: Float64Array; from: number; trials: number }): Risk => collisionRisk(scene, { path }, trials),
   road: (options: { row: string }): RoadTable => paperRoad(options),
+  verdicts: (tables: { parking?: ParkingTable[]; road?: RoadTable[] }): ReturnType<typeof paperVerdicts> => paperVerdicts(tables),
+  stranded: (slice: { row: string; from: number; to: number }): number[] => paperStranded(slice),
+  volumes: (options: { scene: string; poses: number; rounds: number }): VolumeComparison => paperVolumes(options),
 };
 
 export type Jobs = typeof JOBS;

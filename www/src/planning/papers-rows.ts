@@ -1,5 +1,5 @@
 /** Measures a paper's tables again, a row per worker. */
-import type { ParkingTable, RoadTable } from "parkade";
+import type { PaperClaim, ParkingTable, RoadTable } from "parkade";
 import { workersHere, type Progress } from "./crew";
 import { Helper } from "./helper";
 import type { Engine } from "./module";
@@ -34,6 +34,16 @@ export class RowPapers<Name extends keyof Tables> {
       if (this.helpers === helpers) throw error;
     } finally {
       if (this.helpers === helpers) this.stop();
+    }
+  }
+
+  /** What is judged of all tables; nothing while some are missing. */
+  async claims(tables: readonly Tables[Name][]): Promise<readonly PaperClaim[]> {
+    const helper = new Helper(this.engine);
+    try {
+      return (await helper.call("verdicts", { [this.name]: tables }))[this.name];
+    } finally {
+      helper.stop();
     }
   }
 

@@ -67,6 +67,17 @@ export class Papers {
     }
   }
 
+  /** The seeds on which the literal risk field is stranded, by row. */
+  async stranded(seeds: Seeds): Promise<Record<string, number[]>> {
+    const helper = new Helper(this.engine);
+    try {
+      const found = this.rows.map(async ({ id }) => [id, await helper.call("stranded", { row: id, ...seeds })] as const);
+      return Object.fromEntries(await Promise.all(found));
+    } finally {
+      helper.stop();
+    }
+  }
+
   /** Gives up what runs and keeps what is measured. */
   stop(): void {
     const helpers = this.helpers;

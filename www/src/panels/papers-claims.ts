@@ -1,0 +1,25 @@
+/** A paper's claims, each with its verdict in a word and what we find in a sentence. */
+import type { PaperClaim } from "parkade";
+import { css, html, type TemplateResult } from "lit";
+import { reasonIn, type Lang } from "../i18n/index";
+import { icon, type IconName } from "./icons";
+import { say } from "./papers-words";
+
+const VERDICT: Record<PaperClaim["holds"], { tone: string; icon: IconName }> = {
+  yes: { tone: "", icon: "check" }, partly: { tone: "warn", icon: "warning" }, no: { tone: "err", icon: "close" }, unknown: { tone: "quiet", icon: "clock" },
+};
+
+export const claimStyles = css`
+  .claims { list-style: none; margin: 0; padding: 0; font-size: 12.5px; line-height: 17px; } .claims li { display: grid; grid-template-columns: 130px 1fr; gap: 2px 12px; padding: 6px 0; border-top: 1px solid var(--parkade-hair); align-items: start; } .claims .chip { justify-self: start; }
+  .claims p { margin: 2px 0 0; color: var(--parkade-t2); }
+  @media (max-width: 640px) { .claims li { grid-template-columns: 1fr; } }
+`;
+
+export const claimList = (lang: Lang, claims: readonly PaperClaim[]): TemplateResult => html`<h3>${say(lang, "claims")}</h3><ul class="claims">${claims.map((claim) => {
+  const { tone, icon: name } = VERDICT[claim.holds];
+  return html`<li id=${claim.id}><span class="chip ${tone}">${icon(name, 12)}<span>${say(lang, claim.holds)}</span></span><div>${reasonIn(lang, claim.text)}<p>${reasonIn(lang, claim.found)}</p></div></li>`;
+})}</ul>`;
+
+export const claimsMarkdown = (lang: Lang, claims: readonly PaperClaim[]): string[] => [
+  `### ${say(lang, "claims")}`, "", "| | | |", "| --- | --- | --- |", ...claims.map((one) => `| ${reasonIn(lang, one.text)} | **${say(lang, one.holds)}** | ${reasonIn(lang, one.found)} |`), "",
+];
