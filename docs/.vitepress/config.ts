@@ -9,6 +9,12 @@ const papers = [
   { text: "Parking by reverse search, 2025", link: "/papers/parking" },
   { text: "Roads, manuscript", link: "/papers/road" },
 ];
+const papersInChinese = [
+  { text: "行车风险场，2024", link: "/zh/papers/risk-field" },
+  { text: "双向十六邻域", link: "/zh/papers/sixteen" },
+  { text: "反向搜索泊车，2025", link: "/zh/papers/parking" },
+  { text: "道路导航，手稿", link: "/zh/papers/road" },
+];
 
 const BASE = process.env["PARKADE_DOCS_BASE"] ?? "/docs/";
 
@@ -43,7 +49,7 @@ export default defineConfig({
         sidebar: [
           { text: "Start", items: [{ text: "First scene in five minutes", link: "/guide" }, { text: "Embed it", link: "/embed" }, { text: "Bundlers and servers", link: "/bundlers" }, { text: "Command line", link: "/command" }, { text: "Many machines", link: "/machines" }] },
           { text: "Planners", items: [...list("en", ""), { text: "How tight can it be", link: "/planners/how-tight" }] },
-          { text: "Papers", items: papers },
+          { text: "Papers", items: [...papers, { text: "What of them is here", link: "/papers/coverage" }] },
           { text: "Reference", items: [{ text: "JavaScript", link: "/api/reference" }, { text: "Rust", link: "/api/rust" }] },
         ],
       },
@@ -53,7 +59,7 @@ export default defineConfig({
       description: "WebAssembly 车辆路径规划",
       themeConfig: {
         nav: [{ text: "指南", link: "/zh/guide" }, { text: "规划器", link: "/zh/planners/hybrid" }],
-        sidebar: [{ text: "开始", items: [{ text: "五分钟第一个场景", link: "/zh/guide" }] }, { text: "规划器", items: [...list("zh", "/zh"), { text: "能停进多窄的地方", link: "/zh/planners/how-tight" }] }],
+        sidebar: [{ text: "开始", items: [{ text: "五分钟第一个场景", link: "/zh/guide" }] }, { text: "规划器", items: [...list("zh", "/zh"), { text: "能停进多窄的地方", link: "/zh/planners/how-tight" }] }, { text: "论文", items: papersInChinese }],
         outline: { label: "本页内容" }, docFooter: { prev: "上一页", next: "下一页" },
         sidebarMenuLabel: "目录", returnToTopLabel: "回到顶部", langMenuLabel: "语言", darkModeSwitchLabel: "外观",
         lightModeSwitchTitle: "切换到浅色", darkModeSwitchTitle: "切换到深色", skipToContentLabel: "跳到正文",

@@ -1,3 +1,3 @@
 import { papers } from "../.vitepress/papers";
 
-export default { paths: papers };
+export default { paths: () => papers("en") };

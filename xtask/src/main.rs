@@ -43,7 +43,7 @@ const COMMANDS: &[Command] = &[
     },
     Command {
         name: "paper",
-        about: "print a paper's tables beside ours: grid, road or parking",
+        about: "print a paper's tables beside ours: grid, road or parking; settings, volumes; all [maps]: every table and figure as Markdown and HTML",
         run: paper::paper,
     },
     Command {

@@ -1,4 +1,5 @@
-//! `cargo xtask paper grid`, `paper road` and `paper parking`: the papers' tables beside ours.
+//! `cargo xtask paper grid`, `road` and `parking`: the papers' tables beside ours; `settings` and `volumes` beside them; `all`: everything
+//! with figures, as one Markdown and one HTML file.
 
 use std::fs;
 
@@ -8,6 +9,13 @@ use crate::site;
 use crate::tools::{Workspace, capture, cargo, node, run};
 
 pub(crate) fn paper(arguments: &[String]) -> Result<()> {
+    if let [word, rest @ ..] = arguments
+        && word == "all"
+    {
+        site::package()?;
+        let folder = Workspace::load()?.target.join("papers");
+        return run(node().arg("tests/bench/papers.mjs").arg(folder).args(rest));
+    }
     let mut example = cargo();
     example.args(["run", "--quiet", "--release", "--locked", "--example", "paper", "--"]).args(arguments);
     if arguments.first().is_some_and(|word| word == "road") {

@@ -1,0 +1,3 @@
+import { papers } from "../../.vitepress/papers";
+
+export default { paths: () => papers("zh") };
