@@ -1,7 +1,7 @@
 /** What each planner does, in a few sentences, and its formulas. */
 interface Words { scene: string; en: string; zh: string; formulas: string }
 
-const GRID = "f(n) = g(n) + h(n)\ng: micro-cells, 1 000 000 straight, 1 414 214 diagonal\nh: manhattan a + b · euclid √(a² + b²) · octile (a − b) + √2·b      a ≥ b: distances in cells";
+const GRID = "f(n) = g(n) + h(n)\ng: micro-cells, 1 000 000 straight, 1 414 214 diagonal\nh: manhattan a + b · euclid √(a² + b²) · octile (a − b) + √2·b · chebyshev a      a ≥ b: distances in cells";
 const HYBRID = "x' = x + R·(sin(θ + s/R) − sin θ),  y' = y − R·(cos(θ + s/R) − cos θ),  θ' = θ + s/R      s: arc length, R: turning radius\nR_min = wheelbase / tan(maxSteer)\nh = max(Reeds–Shepp length, way over the grid)\ncost = length · (reverseCost behind) + gear changes + steering";
 const FIELD = "F = k1·(t − n) + k2·(1/ρ − 1/ρ0)/ρ² away from the nearest blocked cell, ρ ≤ ρ0\nf = g + h·(1 + d(n)/d(s))";
 

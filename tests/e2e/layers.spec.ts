@@ -55,3 +55,30 @@ test("the shortest way at any angle is measured beside a grid planner's path", a
   await expect(yardstick).toBeHidden();
   expect(complaints).toEqual([]);
 });
+
+test("what becomes of a grid planner's path, and the risk field's potential, are drawn in the search tree's layer", async ({ page }) => {
+  const complaints = complaintsOf(page);
+  await open(page);
+  await page.evaluate(async () => {
+    const element = document.querySelector<PlaygroundElement & { app: { complete(): Promise<unknown>; openPreset(id: string): void } }>("parkade-playground")!;
+    await element.app.complete();
+    element.app.openPreset("fig8-30");
+    element.store.set({ focus: "risk-field" });
+  });
+  await settled(page);
+  const canvas = page.locator("parkade-panel").nth(2).locator("canvas"), without = await canvas.screenshot();
+  await page.getByRole("button", { name: "Layers" }).click();
+  await page.getByLabel("Search tree").check();
+  await page.keyboard.press("Escape");
+  await settled(page);
+  const held = await page.evaluate(() => {
+    const { results } = document.querySelector<PlaygroundElement & { store: { state: { results: Record<string, { plan: { stages?: { pruned: unknown[]; arcs: unknown[] } }; layers: Record<string, { data: ArrayLike<number> }> }> } } }>("parkade-playground")!.store.state;
+    const { plan, layers } = results["risk-field"]!;
+    return { pruned: plan.stages!.pruned.length, arcs: plan.stages!.arcs.length, cells: layers["potential"]!.data.length, other: "potential" in results["eight"]!.layers };
+  });
+  expect(held.pruned).toBeGreaterThan(2);
+  expect(held.arcs).toBeGreaterThan(0);
+  expect(held).toMatchObject({ cells: 900, other: false });
+  await expect.poll(async () => (await canvas.screenshot()).equals(without)).toBe(false);
+  expect(complaints).toEqual([]);
+});

@@ -30,7 +30,7 @@ function endOf({ points, speed, start = 0 }: NonNullable<Frame["state"]["scene"]
   return start + length / speed;
 }
 
-const RADIUS = 9, STRIP = { height: 46, side: 56, row: 15, above: 8 };
+const RADIUS = 9, STRIP = { height: 54, side: 56, row: 18, above: 8 };
 
 export function drawEncounter(frame: Frame, drive: Encounter): void {
   const marks = marksOf(frame, drive);
