@@ -53,8 +53,8 @@ pub(super) const SCENES: [Info; 13] = [
         "moving",
         ["Figure 16: stop, wait, go", "图 16：停车、等待、通行"],
         [
-            "An island leads the way through the box's strip: where does the car wait?",
-            "隔离岛使路径穿过移动障碍的区间：车在哪里等？",
+            "A barrier leads the way through the box's strip: where does the car wait?",
+            "路障使路径穿过移动障碍的区间：车在哪里等？",
         ],
     ),
     info(
@@ -100,7 +100,7 @@ pub(super) const SCENES: [Info; 13] = [
 
 /// What makes the way long in `fig16-wait`: the paper's path of 41.8 m runs through the box's strip, the shortest one of 30 m does
 /// not. The way around the island's west end crosses the strip clear of where the box stops.
-const ISLAND: [[f64; 2]; 4] = [[2.0, 15.8], [25.0, 15.8], [25.0, 16.8], [2.0, 16.8]];
+const BARRIER: [[f64; 2]; 4] = [[2.0, 15.8], [25.0, 15.8], [25.0, 16.8], [2.0, 16.8]];
 
 pub(super) fn build(id: &str) -> Option<Scenario> {
     Some(match id {
@@ -116,7 +116,7 @@ pub(super) fn build(id: &str) -> Option<Scenario> {
         }
         "fig16-wait" => {
             let mut scene = paper_row("L0")?;
-            scene.obstacles = vec![polygon("island", ISLAND)];
+            scene.obstacles = vec![polygon("barrier", BARRIER)];
             scene.moving = vec![MovingObstacle {
                 id: Some("box".to_owned()),
                 points: vec![[-20.0, 15.0], [5.0, 15.0]],

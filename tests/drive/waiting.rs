@@ -23,7 +23,7 @@ fn the_papers_figure_needs_no_wait() {
 /// The box of the figure, and a way as long as the paper's: our car stops, waits and goes on, by either rule, and is not touched
 /// where the box ends.
 #[test]
-fn the_papers_figure_is_waited_for_where_an_island_makes_the_way_long() {
+fn the_papers_figure_is_waited_for_where_a_barrier_makes_the_way_long() {
     let (row, movers) = crossing("fig16-wait");
     assert!((40.0..50.0).contains(&row.route.length()), "{}", row.route.length());
     for rule in [Rule::Predictive, Rule::Reactive] {
