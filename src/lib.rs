@@ -27,7 +27,7 @@
 //! [`error`] · `json` (reading settings and scenes) · [`geometry`] (poses, arcs, Reeds–Shepp curves) · [`map`] (cells, rasters, distance and potential fields) ·
 //! [`vehicle`] (dimensions, collision) · [`scenario`] (scenes, their JSON, built-in and generated ones) · `import` (maps of
 //! other programs) · [`search`] (best-first search over any [`search::Domain`]) · [`planners`] · [`post`] (pruning, smoothing) · [`metrics`] (validator, figures) ·
-//! `drive` (paths in time) · `referee` (verdicts on trajectories) ·
+//! `drive` (paths in time) · `referee` (verdicts on trajectories) · `optimise` (plans as trajectories) ·
 //! [`plan`] (joins all of these) · `papers` (the papers' tables) · `wasm` (JavaScript bindings, on wasm32 only).
 //!
 //! # Determinism
@@ -47,6 +47,8 @@ pub mod import;
 mod json;
 pub mod map;
 pub mod metrics;
+#[cfg(feature = "complete")]
+pub mod optimise;
 #[cfg(feature = "complete")]
 pub mod papers;
 pub mod plan;

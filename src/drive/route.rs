@@ -1,6 +1,7 @@
 //! A path as legs of constant curvature.
 
 use crate::error::{Error, ErrorCode};
+use crate::geometry::arcs::Arc;
 use crate::geometry::{Pose, math};
 use crate::planners::cost_map::limit_at;
 use crate::scenario::SpeedLimit;
@@ -150,6 +151,17 @@ impl Route {
         }
     }
 
+    /// The lowest of the speed limits that hold on it, m/s; infinite where there is none.
+    pub(crate) fn lowest_limit(&self) -> f64 {
+        self.slow.iter().fold(f64::INFINITY, |least, slow| least.min(slow.2))
+    }
+
+    /// The route's arcs.
+    pub(crate) fn arcs(&self) -> Vec<Arc> {
+        let arc = |leg: &Leg| Arc { curvature: leg.curvature, length: leg.gear * leg.length };
+        self.legs.iter().map(arc).collect()
+    }
+
     /// Distance driven, metres.
     pub fn length(&self) -> f64 {
         self.length
@@ -197,7 +209,7 @@ impl Route {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::arcs::{self, Arc};
+    use crate::geometry::arcs;
 
     const CAR: Vehicle = Vehicle::PAPER;
 

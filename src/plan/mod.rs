@@ -28,7 +28,7 @@ mod world;
 pub use outcome::Member;
 pub use outcome::{GridMetrics, HybridMetrics, Metrics, Outcome, Plan, PlanTrace, Stats};
 #[cfg(feature = "complete")]
-pub use path::{path_poses, route};
+pub use path::{optimise, path_poses, route};
 #[cfg(feature = "complete")]
 pub use stages::{Stages, TangentArc};
 

@@ -90,6 +90,33 @@ pub fn route(
     crate::drive::Route::new(&geometry.vehicle, &poses, &directions, curvatures)
 }
 
+/// Optimises a path that a car can drive from its first pose to its last; speed limits of the scene hold.
+///
+/// # Errors
+/// As [`route`] and [`crate::optimise::optimise`]; [`ErrorCode::Input`] for a path that fails its check.
+#[cfg(feature = "complete")]
+pub fn optimise(
+    scene: &crate::scenario::Scenario,
+    (path, directions, curvatures): (&[f64], Option<&[i8]>, Option<&[f64]>),
+    options: &crate::optimise::Options,
+) -> Result<crate::optimise::Optimised, Error> {
+    options.validate()?;
+    let mut geometry = scene.geometry()?;
+    let within = |e: Error| e.within("plan");
+    let route = route(&geometry, path, directions, curvatures).map_err(within)?;
+    let poses = way(path)?;
+    let gears = gears(directions, poses.len())?;
+    (geometry.start, geometry.goal, geometry.goals) = (poses[0], poses[poses.len() - 1], None);
+    let body = crate::metrics::Body::new(&geometry);
+    let check = crate::metrics::check(&geometry, &body, &poses, &gears, super::NEAR);
+    if !check.drivable() {
+        let message = format!("must pass its check, got \"{}\"", check.verdict.as_str());
+        return refused("plan.path", message);
+    }
+    let route = route.with_speed_limits(&scene.all_speed_limits());
+    crate::optimise::optimise(&geometry, &route, check.min_clearance, options)
+}
+
 #[cfg(all(test, feature = "complete"))]
 mod tests {
     use super::*;

@@ -8,8 +8,8 @@ use crate::geometry::Pose;
 const LONGEST: usize = 1000;
 /// Most rows.
 const MAX_ROWS: usize = 1_000_000;
-/// The columns that are known.
-const COLUMNS: [&str; 7] = ["t", "x", "y", "theta", "v", "phi", "gear"];
+/// The columns that are known. The controls a and omega follow from v and phi.
+const COLUMNS: [&str; 9] = ["t", "x", "y", "theta", "v", "phi", "a", "omega", "gear"];
 
 /// A place in the text: line and column in characters, both from 1.
 fn at<T>(line: usize, column: usize, rule: impl Into<String>) -> Result<T, Error> {
@@ -55,7 +55,7 @@ fn header(line: &str) -> Result<Vec<&'static str>, Error> {
     if let Some(missing) = ["x", "y", "theta"].iter().find(|name| !columns.contains(name)) {
         return at(1, 1, format!("must have a column {missing}"));
     }
-    let strangers: &[&str] = if is_timed { &["gear"] } else { &["v", "phi"] };
+    let strangers: &[&str] = if is_timed { &["gear"] } else { &["v", "phi", "a", "omega"] };
     match columns.iter().position(|name| strangers.contains(name)) {
         Some(i) if is_timed => at(1, fields(line)[i].0, "must have no column gear beside t"),
         Some(i) => at(1, fields(line)[i].0, format!("must have no column {} without t", columns[i])),
@@ -63,7 +63,7 @@ fn header(line: &str) -> Result<Vec<&'static str>, Error> {
     }
 }
 
-/// Reads `t,x,y,theta[,v,phi]`, a trajectory, or `x,y,theta[,gear]`, a path; columns in any order, empty lines at the end.
+/// Reads `t,x,y,theta[,v,phi[,a,omega]]`, a trajectory, or `x,y,theta[,gear]`, a path; columns in any order, empty lines at the end.
 ///
 /// # Errors
 /// [`ErrorCode::Import`] with `line:column` and the rule.
@@ -153,7 +153,7 @@ mod tests {
         assert_eq!(wrong("t,x,y\n0,0,0\n1,1,1"), "1:1: must have a column theta");
         assert_eq!(
             wrong("t,x,y,yaw\n"),
-            "1:7: must be the name of a column, got \"yaw\"; there are t, x, y, theta, v, phi, gear"
+            "1:7: must be the name of a column, got \"yaw\"; there are t, x, y, theta, v, phi, a, omega, gear"
         );
         assert_eq!(wrong("t,x,y,theta,x\n"), "1:13: must be named once, got x again");
         assert_eq!(wrong("x,y,theta,v\n"), "1:11: must have no column v without t");
@@ -169,8 +169,8 @@ mod tests {
         assert_eq!(wrong("t,x,y,theta\n0.1,0,0,0\n1,0,0,0"), "2:1: t must be 0 in the first row, got 0.1");
         assert_eq!(wrong("x,y,theta,gear\n0,0,0,1\n1,0,0,2"), "3:7: gear must be 1 or -1, got \"2\"");
         assert_eq!(
-            wrong("x,y,theta\n0,0,0\n1,-2e8,0"),
-            "3:3: y must be between -1e7 and 1e7, got -200000000"
+            wrong("x,y,theta\n0,0,0\n1,-2e10,0"),
+            "3:3: y must be between -1e10 and 1e10, got -20000000000"
         );
     }
 }

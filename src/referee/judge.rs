@@ -1,9 +1,10 @@
 //! The verdict on a trajectory.
 
 use super::replay::FRAME;
+use super::submission::MAX_DURATION;
 use super::{Contacts, Figures, MotionLimits, States, Submission, TimedRows, derive, replay, scan};
 use crate::drive::{Motion, Route, follow};
-use crate::error::Error;
+use crate::error::{Error, ErrorCode};
 use crate::geometry::{Pose, math};
 use crate::metrics::Body;
 use crate::scenario::resolve::Geometry;
@@ -185,6 +186,10 @@ fn driven(
     let vehicle = Vehicle { max_steer_rate: limits.steering_rate_of(vehicle), ..*vehicle };
     let route = Route::new(&vehicle, poses, gears, None)?;
     let motion = Motion::trapezoids(&route, limits.speed, limits.acceleration, limits.deceleration)?;
+    if motion.duration() > MAX_DURATION {
+        let message = format!("must be driven within {MAX_DURATION} s, takes {:.0} s", motion.duration());
+        return Err(Error::new(ErrorCode::Input, "path", message));
+    }
     let drive = follow(&vehicle, &route, &motion);
     Ok(TimedRows { t: drive.t, poses: drive.poses, speed: Some(drive.speed), steering: Some(drive.steering) })
 }

@@ -14,6 +14,7 @@ mod replay;
 mod scan;
 mod states;
 mod submission;
+mod tracking;
 
 pub use csv::read;
 pub use figures::Figures;
@@ -22,4 +23,6 @@ pub use limits::MotionLimits;
 pub use replay::{Frame, replay};
 pub use scan::{Contacts, scan};
 pub use states::States;
+pub(crate) use submission::MAX_DURATION;
 pub use submission::{Submission, TimedRows};
+pub use tracking::track;

@@ -13,6 +13,8 @@ use crate::vehicle::Vehicle;
 const SHORTEST: f64 = 1e-5;
 /// What rounding may take from a clearance, metres.
 const ROUNDING: f64 = 1e-9;
+/// Overlaps up to this are contact, which is free, as at the moments themselves, metres.
+const CONTACT: f64 = 1e-6;
 
 /// What a body met along a motion.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -56,7 +58,7 @@ pub fn scan(vehicle: &Vehicle, body: &Body, moments: &[(f64, Pose)]) -> Contacts
             }
         }
         let clearance = here.unwrap_or(0.0);
-        if !touched && here.is_some() && left + clearance < moved + ROUNDING {
+        if !touched && here.is_some() && left + clearance + CONTACT < moved {
             let ends = [(moments[i - 1].1, left), (pose, clearance)];
             found.uncertified += u32::from(!certified(vehicle, body, ends, &mut found));
         }
@@ -81,7 +83,7 @@ fn certified(vehicle: &Vehicle, body: &Body, ends: [(Pose, f64); 2], found: &mut
     let mut parts = vec![ends];
     while let Some([(from, before), (to, after)]) = parts.pop() {
         let moved = displacement(vehicle, from, to);
-        if before + after >= moved + ROUNDING {
+        if before + after + CONTACT >= moved {
             continue;
         }
         if moved < SHORTEST {

@@ -39,6 +39,23 @@ impl States {
         (slopes(&self.speed), slopes(&self.steering))
     }
 
+    /// Distance driven up to each moment, metres.
+    pub fn stations(&self) -> Vec<f64> {
+        let mut stations = vec![0.0];
+        for (t, v) in self.t.windows(2).zip(self.speed.windows(2)) {
+            // Gears change at rest: between two rows the speed has one sign.
+            let driven = (t[1] - t[0]) * (v[0].abs() + v[1].abs()) / 2.0;
+            stations.push(stations[stations.len() - 1] + driven);
+        }
+        stations
+    }
+
+    /// Time at standstill, seconds.
+    pub fn dwell(&self) -> f64 {
+        let steps = self.t.windows(2).zip(self.speed.windows(2));
+        steps.fold(0.0, |sum, (t, v)| if v[0] == 0.0 && v[1] == 0.0 { sum + t[1] - t[0] } else { sum })
+    }
+
     /// FNV-1a-64 over all columns, as 16 hex digits: equal on every platform.
     pub fn hash(&self) -> String {
         let poses = self.poses.iter().flat_map(|p| [p.x, p.y, p.heading]);

@@ -4,10 +4,10 @@ use crate::error::{Error, ErrorCode};
 use crate::geometry::Pose;
 
 /// The longest trajectory that is judged, seconds, and the most rows: time and memory grow with them.
-const MAX_DURATION: f64 = 3600.0;
+pub(crate) const MAX_DURATION: f64 = 3600.0;
 const MAX_ROWS: usize = 1_000_000;
 /// No coordinate is farther out, metres, and no heading, speed or angle is larger.
-const FARTHEST: f64 = 1e7;
+const FARTHEST: f64 = 1e10;
 
 /// Poses with times, and what else is known.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -52,7 +52,7 @@ impl Submission {
         };
         let within = |row: usize, name: &'static str, value: f64| {
             let is_fine = value.abs() <= FARTHEST;
-            (!is_fine).then(|| (row, name, format!("must be between -1e7 and 1e7, got {value}")))
+            (!is_fine).then(|| (row, name, format!("must be between -1e10 and 1e10, got {value}")))
         };
         let outside = poses.iter().enumerate().find_map(|(i, p)| {
             within(i, "x", p.x).or_else(|| within(i, "y", p.y)).or_else(|| within(i, "theta", p.heading))

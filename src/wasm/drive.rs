@@ -4,13 +4,17 @@ use serde_json::json;
 use wasm_bindgen::prelude::*;
 
 use super::codec::{f64s, object, write};
-use super::{JsResult, answer, codec, optional, read_scene};
-use crate::drive::{Controller, Limits, Mover, Route, Rows, WaitOptions, stop_wait_go, track, trajectory};
+use super::{JsResult, answer, codec, optional, read_scene, referee};
+use crate::drive::{
+    Controller, Limits, Mover, Route, Rows, Tracking, WaitOptions, stop_wait_go, track, trajectory,
+};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::Pose;
 use crate::json;
 use crate::metrics::Body;
+use crate::optimise;
 use crate::plan;
+use crate::referee::{States, Submission, TimedRows};
 use crate::scenario::Scenario;
 use crate::scenario::resolve::Geometry;
 
@@ -83,6 +87,61 @@ pub fn js_trajectory(
     ))
 }
 
+/// A path as a trajectory that a car can follow to the centimetre.
+#[wasm_bindgen(js_name = optimise)]
+#[expect(clippy::needless_pass_by_value, reason = "optional arrays arrive as vectors of their own")]
+pub fn js_optimise(
+    scene: JsValue,
+    path: &[f64],
+    directions: Option<Vec<i8>>,
+    curvatures: Option<Vec<f64>>,
+    options: JsValue,
+) -> JsResult {
+    let scene = read_scene(scene)?;
+    let options = js(optimise::Options::default().with(&optional(options, ErrorCode::Config)?))?;
+    let columns = (path, directions.as_deref(), curvatures.as_deref());
+    let made = js(plan::optimise(&scene, columns, &options))?;
+    let states = &made.states;
+    let (accelerations, rates) = states.controls();
+    Ok(object(&[
+        ("t", f64s(&states.t)),
+        ("path", poses(&states.poses)),
+        ("stations", f64s(&states.stations())),
+        ("speeds", f64s(&states.speed)),
+        ("accelerations", f64s(&accelerations)),
+        ("steering", f64s(&states.steering)),
+        ("steeringRates", f64s(&rates)),
+        ("duration", states.duration().into()),
+        ("length", made.check.figures.length.into()),
+        ("dwell", states.dwell().into()),
+        ("maxLateralAcceleration", made.check.figures.max_lateral_acceleration.into()),
+        ("stage", made.stage.as_str().into()),
+        ("check", write(&referee::judgement(&scene, &made.check))),
+        ("hash", states.hash().into()),
+    ]))
+}
+
+/// How closely a simulated car follows a trajectory, at its own speeds.
+#[wasm_bindgen(js_name = trackStates)]
+pub fn js_track_states(
+    scene: JsValue,
+    path: &[f64],
+    t: Vec<f64>,
+    speed: Vec<f64>,
+    steering: Vec<f64>,
+) -> JsResult {
+    let scene = read_scene(scene)?;
+    let geometry = js(scene.geometry())?;
+    let poses = js(plan::path_poses(path).map_err(|e| e.within("plan")))?;
+    let rows = TimedRows { t, poses, speed: Some(speed), steering: Some(steering) };
+    js(Submission::Timed(rows.clone()).validate().map_err(|e| e.within("plan")))?;
+    let TimedRows { t, poses, speed, steering } = rows;
+    let states =
+        States { t, poses, speed: speed.unwrap_or_default(), steering: steering.unwrap_or_default() };
+    let got = crate::referee::track(&geometry.vehicle, &Body::new(&geometry), &states);
+    Ok(tracking(&scene, &got))
+}
+
 /// How closely a simulated car follows a path.
 #[wasm_bindgen(js_name = track)]
 #[expect(clippy::needless_pass_by_value, reason = "optional arrays arrive as vectors of their own")]
@@ -102,8 +161,12 @@ pub fn js_track(
     let limits = js(Limits::default().with(&asked.options))?;
     let body = Body::new(&asked.geometry);
     let got = js(track(&asked.geometry.vehicle, &body, &asked.route, &limits, controller))?;
-    let hit = got.hit.map(|(owner, pose)| answer::hit(&asked.scene, owner, pose));
-    Ok(object(&[
+    Ok(tracking(&asked.scene, &got))
+}
+
+fn tracking(scene: &Scenario, got: &Tracking) -> JsValue {
+    let hit = got.hit.map(|(owner, pose)| answer::hit(scene, owner, pose));
+    object(&[
         ("t", f64s(&got.t)),
         ("path", poses(&got.poses)),
         ("lateral", f64s(&got.lateral)),
@@ -115,7 +178,7 @@ pub fn js_track(
         ("hit", write(&hit)),
         ("passes", got.passes().into()),
         ("hash", got.hash().into()),
-    ]))
+    ])
 }
 
 /// A drive among the scene's moving obstacles.

@@ -67,6 +67,17 @@ test("check says what is wrong with a path, by its exit code too", () => {
   expect(JSON.parse(run(["check", "perpendicular", "corners.csv", "--format", "json"]).out).hits).toBe(checkPath(scenario("perpendicular"), plan.path).hits);
 });
 
+test("a plan's trajectory passes the referee, one that is damaged is refused by line and column", () => {
+  expect(run(["plan", "reverse-in", "--format", "trajectory", "--out", "driven.csv"]).status).toBe(0);
+  const { status, out } = run(["judge", "reverse-in", "driven.csv"]);
+  expect([status, out.split("\n")[0]]).toEqual([0, "passes: goal attained, limits kept"]);
+  expect(JSON.parse(run(["judge", "reverse-in", "driven.csv", "--format", "json"]).out)).toMatchObject({ passes: true, touchingFrames: 0 });
+  expect(run(["judge", "reverse-in", "driven.csv", "--speed", "1"])).toMatchObject({ status: 1 });
+  write("damaged.csv", "t,x,y,theta\n0,1,2,3\n1,1,two,3\n");
+  expect(run(["judge", "reverse-in", "damaged.csv"])).toMatchObject({ status: 2, err: 'parkade: damaged.csv:3:5: y must be a finite number, got "two"\n' });
+  expect(run(["judge", "reverse-in", "driven.csv", "--speed", "fast"]).err).toBe("parkade: --speed fast: must be a number\n");
+}, 60_000);
+
 test("no path is exit code 1, with the reason on standard error", () => {
   const scene = scenario("perpendicular");
   write("shut.json", { ...scene, obstacles: [...(scene.obstacles ?? []), { type: "rectangle", center: [scene.start.x, scene.start.y], size: [3, 3] }] });

@@ -199,6 +199,9 @@ describe("what the package answers is of the types that it declares:", () => {
       for (const limits of [{}, { jerk: 1 }, { profile: "constant" }, { steps: "slow", dwell: false }]) api.call("trajectory", where, plan, limits);
       for (const controller of ["feedback", "pure-pursuit", "stanley"]) api.call("track", where, plan, { controller });
       for (const options of [{}, { rule: "reactive" }, { rule: "reactive", scope: "window" }, { maxTime: 5 }]) api.call("stopWaitGo", where, plan, options);
+      const optimised = api.call("optimise", where, plan, { margin: 0.02 });
+      api.call("toTrajectoryCSV", optimised);
+      api.call("track", where, optimised);
       for (const judged of [plan, parkade.trajectory(where, plan), "t,x,y,theta\n0,0,0,0\n1,1,0,0\n"]) api.call("judge", where, judged, { speed: 2 });
       api.call("toSVG", where, [plan], { theme: "dark" });
       api.call("toCSV", where, plan);

@@ -1,4 +1,8 @@
-//! Trajectories: the referee on files that are damaged.
+//! Trajectories: the referee on files that are damaged, and plans that are optimised.
 #![cfg(feature = "complete")]
 
 mod files;
+mod optimised;
+#[path = "../strewn/mod.rs"]
+#[expect(dead_code, reason = "plans are checked elsewhere")]
+mod strewn;

@@ -1,5 +1,6 @@
 //! `cargo xtask bench grid`: our grid planners against others, in one run; `bench parking`: hybrid A* on public cases, natively
-//! and in WebAssembly, beside the best known; `bench tight`: how tight it can be, drawn into the documentation; `bench batch`: the
+//! and in WebAssembly, beside the best known; `bench tight`: how tight it can be, drawn into the documentation; `bench judge`: the
+//! trajectories of all planners before the referee; `bench batch`: the
 //! command over generated scenes, on two threads and on one.
 
 use std::path::{Path, PathBuf};
@@ -28,9 +29,10 @@ pub(crate) fn bench(arguments: &[String]) -> Result<()> {
         [what] if what == "tight" => tight(false),
         [what, mode] if what == "tight" && mode == "check" => tight(true),
         [what] if what == "batch" => batch(),
+        [what] if what == "judge" => judge(&data),
         _ => bail!(
-            "there are `bench grid [questions] [repeats] [goals, as G6,G8]`, `bench parking`, `bench tight [check]` and \
-             `bench batch`"
+            "there are `bench grid [questions] [repeats] [goals, as G6,G8]`, `bench parking`, `bench tight [check]`, \
+             `bench judge` and `bench batch`"
         ),
     }
 }
@@ -47,6 +49,15 @@ fn parking(data: &Path) -> Result<()> {
     let said = capture(Command::new(examples.join("goals")).env("PARKADE_DATA", data))?;
     fs::write(&hopeless, said).with_context(|| hopeless.display().to_string())?;
     run(node().arg("tests/bench/parking.mjs").args([&file, &native, &hopeless]).env("PARKADE_DATA", data))
+}
+
+/// The referee's leaderboard of all planners, written to `benches/TRAJECTORIES.md`; without the public cases, of the built-in scenes.
+fn judge(data: &Path) -> Result<()> {
+    run(cargo().args(["build", "--release", "--locked", "--example", "trajectories"]))?;
+    let example = Workspace::load()?.target.join("release/examples/trajectories");
+    let tables = capture(Command::new(example).env("PARKADE_DATA", data))?;
+    let file = root().join("benches/TRAJECTORIES.md");
+    fs::write(&file, tables).with_context(|| file.display().to_string())
 }
 
 /// Slots and corners over their sizes, drawn and written into `docs/`; with `is_check`, every so-many-th size is planned again

@@ -48,7 +48,7 @@ const COMMANDS: &[Command] = &[
     },
     Command {
         name: "bench",
-        about: "build, then measure: bench grid [questions] [repeats], bench parking, bench tight [check], bench batch",
+        about: "build, then measure: bench grid [questions] [repeats], bench parking, bench tight [check], bench judge, bench batch",
         run: bench::bench,
     },
     Command {

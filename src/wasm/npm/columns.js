@@ -19,6 +19,16 @@ export function toCSV(scene, plan) {
   return `${rows.join("\n")}\n`;
 }
 
+/** @type {typeof import("./index.js").toTrajectoryCSV} */
+export function toTrajectoryCSV(trajectory) {
+  const { t, path, speeds, steering, accelerations, steeringRates } = object(trajectory, "trajectory");
+  const column = (/** @type {ArrayLike<number>} */ values, /** @type {string} */ name) => numbers(Float64Array, values, `trajectory.${name}`);
+  const poses = column(path, "path");
+  const times = column(t, "t"), rest = [column(speeds, "speeds"), column(steering, "steering"), column(accelerations, "accelerations"), column(steeringRates, "steeringRates")];
+  const rows = Array.from(times, (time, i) => [time, ...poses.subarray(3 * i, 3 * i + 3), ...rest.map((values) => values[i])].join(","));
+  return `${["t,x,y,theta,v,phi,a,omega", ...rows].join("\n")}\n`;
+}
+
 /** Corners have no curvature, undrivable paths no speed: their cells are empty. @param {string | number | undefined} value */
 const cell = (value) => (typeof value === "string" || Number.isFinite(value) ? String(value) : "");
 

@@ -7,8 +7,16 @@ import { call, measures, numbers, object } from "./runtime.js";
 /** @type {typeof import("./index.js").trajectory} */
 export const trajectory = (scene, plan, options = {}) => call(() => raw.trajectory(packedScene(scene), ...columns(plan), options));
 
+/** @type {typeof import("./index.js").optimise} */
+export const optimise = (scene, plan, options = {}) => call(() => raw.optimise(packedScene(scene), ...columns(plan), options));
+
 /** @type {typeof import("./index.js").track} */
-export const track = (scene, plan, options = {}) => call(() => raw.track(packedScene(scene), ...columns(plan), options));
+export function track(scene, plan, options = {}) {
+  const { stage, path, t, speeds, steering } = /** @type {Partial<import("./index.js").OptimisedTrajectory>} */ (object(plan, "plan"));
+  if (stage === undefined) return call(() => raw.track(packedScene(scene), ...columns(plan), options));
+  const column = (/** @type {ArrayLike<number> | undefined} */ values, /** @type {string} */ name) => numbers(Float64Array, values, `plan.${name}`);
+  return call(() => raw.trackStates(packedScene(scene), column(path, "path"), column(t, "t"), column(speeds, "speeds"), column(steering, "steering")));
+}
 
 /** @type {typeof import("./index.js").stopWaitGo} */
 export const stopWaitGo = (scene, plan, options = {}) => call(() => raw.stopWaitGo(packedScene(scene), ...columns(plan), options));

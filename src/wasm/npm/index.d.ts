@@ -977,6 +977,25 @@ export interface Trajectory extends Drive {
   maxLateralAcceleration: number;
 }
 
+/** What `optimise` keeps to. */
+export interface OptimiseOptions extends MotionLimits {
+  /** Metres kept from obstacles where the plan keeps as much; default 0.05. */
+  margin?: number;
+}
+
+/**
+ * A trajectory that a car can follow to the centimetre: at rest with a straight wheel at both ends, speed and steering angle
+ * linear between rows, which are at most 0.05 s apart; headings do not jump by 2π.
+ */
+export interface OptimisedTrajectory extends Trajectory {
+  /** From each row on, rad/s. */
+  steeringRates: Float64Array;
+  /** What made it: the optimised path, or the plan's own with a standstill at each step of the curvature. */
+  stage: "optimised" | "stop-and-steer";
+  /** The referee's verdict. */
+  check: Judgement;
+}
+
 /** How closely a simulated car followed. */
 export interface Tracking {
   t: Float64Array;
@@ -1187,12 +1206,19 @@ export function toSVG(scene: Scenario, plans?: Plan | readonly Plan[], options?:
 export function toCSV(scene: Scenario, plan: Plan): string;
 /** Gives a path times. Throws ParkadeError for paths that this car cannot drive. `parkade` only, not `parkade/core`. */
 export function trajectory(scene: Scenario, plan: DrivenPath, limits?: Limits): Trajectory;
-/** Lets a simulated car follow a path. `parkade` only, not `parkade/core`. */
+/**
+ * Makes a trajectory of a plan that passes its check, from its first pose to its last: the path may change its shape, and
+ * gear changes their places. `parkade` only, not `parkade/core`.
+ */
+export function optimise(scene: Scenario, plan: DrivenPath, options?: OptimiseOptions): OptimisedTrajectory;
+/** A trajectory as CSV, as `judge` reads it: t,x,y,theta,v,phi,a,omega. `parkade` only, not `parkade/core`. */
+export function toTrajectoryCSV(trajectory: OptimisedTrajectory): string;
+/** Lets a simulated car follow a path, or an optimised trajectory at its own speeds. `parkade` only, not `parkade/core`. */
 export function track(
   scene: Scenario, plan: DrivenPath, options?: Limits & { controller?: "feedback" | "pure-pursuit" | "stanley" },
 ): Tracking;
 /**
- * Judges a trajectory or a path: columns, or CSV with a header (`t,x,y,theta[,v,phi]` or `x,y,theta[,gear]`; seconds, metres,
+ * Judges a trajectory or a path: columns, or CSV with a header (`t,x,y,theta[,v,phi[,a,omega]]` or `x,y,theta[,gear]`; seconds, metres,
  * radians). Throws ParkadeError, with `path` the line and column of CSV. `parkade` only, not `parkade/core`.
  */
 export function judge(scene: Scenario, trajectory: JudgedTrajectory | string, limits?: MotionLimits): Judgement;

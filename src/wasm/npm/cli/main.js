@@ -9,7 +9,7 @@ import { Refused, explained, meant, reason, seconds } from "./input.js";
 
 const HELP = `usage: parkade <command> [options]
 
-  plan SCENE       plan a path            --planner ID  --set NAME=VALUE  --format json|csv|svg  --out FILE
+  plan SCENE       plan a path            --planner ID  --set NAME=VALUE  --format json|csv|svg|trajectory  --out FILE
   check SCENE [PATH]   check a scene, or a path against it (plan.json, or CSV as from \`plan\`)
   judge SCENE TRAJECTORY   judge a trajectory or a path by the protocol of the public benchmarks (CSV, or JSON columns)
   bench SCENE      time planners          --planner ID,ID…  --repeats N  --format markdown|csv|json
@@ -33,7 +33,8 @@ const COMMANDS = {
 
   --planner ID         default: hybrid; for svg also several, with commas
   --set NAME=VALUE     a setting of the planner; may be repeated
-  --format json|csv|svg  default: json. NaN and infinities are null in JSON, empty in CSV
+  --format json|csv|svg|trajectory  default: json. NaN and infinities are null in JSON, empty in CSV; trajectory is CSV over
+                       time of what \`optimise\` makes of the plan, as \`judge\` reads it
   --out FILE           default: standard output
   --prefer shortest|fewest-changes|widest|fastest  what hybrid's path is chosen by
   --alternatives       include hybrid's other paths (json)

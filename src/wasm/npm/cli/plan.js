@@ -1,6 +1,6 @@
 // @ts-check
 // `parkade plan`.
-import { Planner, planners, toCSV, toSVG } from "../node.js";
+import { Planner, planners, optimise, toCSV, toSVG, toTrajectoryCSV } from "../node.js";
 import { Refused, choice, plannerIds, scene as read, settings } from "./input.js";
 import { toJSON, write } from "./output.js";
 
@@ -8,7 +8,7 @@ import { toJSON, write } from "./output.js";
 
 /** @type {import("./main.js").Run} */
 export async function plan(places, values) {
-  const format = choice("format", values.format, ["json", "csv", "svg"]);
+  const format = choice("format", values.format, ["json", "csv", "svg", "trajectory"]);
   const theme = choice("theme", values.theme, ["auto", "light", "dark"]);
   const [width, height] = size(values.size);
   const element = values.layout !== undefined || values.controls !== undefined;
@@ -30,12 +30,17 @@ export async function plan(places, values) {
   });
   const [first] = plans;
   if (!first) throw new Refused("--planner: needs a planner");
-  const text = format === "json" ? toJSON(first) : format === "csv" ? toCSV(scene, first) : toSVG(scene, plans, { width, height, theme, layers, ...place });
+  const text = format === "json" ? toJSON(first) : format === "csv" ? toCSV(scene, first) : format === "trajectory" ? trajectory(scene, first) : toSVG(scene, plans, { width, height, theme, layers, ...place });
   await write(text, values.out);
   for (const { planner, goal } of plans) if (goal && format !== "json") process.stderr.write(`parkade: ${plans.length > 1 ? `${planner}: ` : ""}goal: ${named(goal)}\n`);
   const failed = plans.filter((one) => one.outcome !== "found");
   for (const { planner, outcome, reason } of failed) process.stderr.write(`parkade: ${plans.length > 1 ? `${planner}: ` : ""}${outcome}: ${reason ?? ""}\n`);
   return failed.length > 0 ? 1 : 0;
+}
+
+/** What `optimise` makes of a plan; the header alone where there is no path. @param {import("../index.js").Scenario} scene @param {import("../index.js").Plan} found */
+function trajectory(scene, found) {
+  return found.outcome === "found" ? toTrajectoryCSV(optimise(scene, found)) : "t,x,y,theta,v,phi,a,omega\n";
 }
 
 /** @param {import("../index.js").TakenGoal} goal */

@@ -1,0 +1,240 @@
+//! Judges the trajectories of all planners on the built-in parking scenes and on the cases of the TPCAP competition, and prints
+//! the tables of `benches/TRAJECTORIES.md`; or, as JSON, `tests/data/trajectory-hashes.json`; or what became of random scenes.
+//!
+//! ```sh
+//! PARKADE_DATA=folder cargo run --release --example trajectories
+//! cargo run --release --example trajectories hashes > tests/data/trajectory-hashes.json
+//! cargo run --release --example trajectories random 0 1000
+//! ```
+
+#[path = "clock/mod.rs"]
+mod clock;
+#[path = "../tests/strewn/mod.rs"]
+#[expect(dead_code, reason = "plans are checked elsewhere")]
+mod strewn;
+
+use std::path::Path;
+
+use parkade::drive::{Limits, Route, Steps, trajectory};
+use parkade::import::tpcap;
+use parkade::optimise::{Optimised, Options, Stage, optimise};
+use parkade::plan::{Plan, Planner};
+use parkade::planners::registry::planners;
+use parkade::referee::{MotionLimits, Submission, judge};
+use parkade::scenario::resolve::Geometry;
+use parkade::scenario::{Scenario, catalog};
+use serde_json::{Map, Value, json};
+
+type Settings = Map<String, Value>;
+
+/// A plan, what was made of it, and the milliseconds that both took.
+struct Made {
+    geometry: Geometry,
+    plan: Plan,
+    route: Option<Route>,
+    driven: Option<Optimised>,
+    millis: (f64, f64),
+}
+
+fn main() {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        ["hashes"] => print_hashes(),
+        ["random", from, to] => {
+            let number = |text: &str| text.parse().expect("a whole number");
+            print_random(number(from), number(to));
+        }
+        _ => print_tables(),
+    }
+}
+
+fn built_in() -> Vec<(String, Scenario)> {
+    let parking = catalog::scenes().filter(|s| ["parking", "tight", "paper"].contains(&s.group));
+    parking.map(|s| (s.id.to_owned(), catalog::scenario(s.id).expect("a scene of the catalog"))).collect()
+}
+
+fn public() -> Vec<(String, Scenario)> {
+    let folder = std::env::var("PARKADE_DATA").unwrap_or_else(|_| "../shared/data".to_owned());
+    let read = |number: u32| {
+        let name = format!("Case{number}");
+        let text = std::fs::read_to_string(Path::new(&folder).join(format!("tpcap/{name}.csv"))).ok()?;
+        let scene = tpcap::scene(&name, &text).unwrap_or_else(|error| panic!("{name}: {error}"));
+        Some((name, scene))
+    };
+    (1..=20).filter_map(read).collect()
+}
+
+fn make(planner: &str, scene: &Scenario, settings: &Settings) -> Made {
+    let mut planner = Planner::new(planner, scene, settings).expect("valid settings");
+    let begin = clock::now();
+    let plan = planner.plan(parkade::plan::Options::default());
+    let planned = clock::now();
+    let geometry = planner.geometry().clone();
+    let is_drivable = plan.path.len() > 1 && plan.check.drivable();
+    let route = |plan: &Plan| {
+        Route::new(&geometry.vehicle, &plan.path, &plan.directions, Some(&plan.curvatures)).ok()
+    };
+    let route = is_drivable.then(|| route(&plan)).flatten();
+    let driven = route.as_ref().map(|route| {
+        let clearance = plan.metrics.min_clearance;
+        optimise(&geometry, route, clearance, &Options::default()).expect("valid options")
+    });
+    Made { geometry, plan, route, driven, millis: (planned - begin, clock::now() - planned) }
+}
+
+fn median(values: &mut [f64]) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
+}
+
+fn print_hashes() {
+    let mut hashes = Map::new();
+    for (name, scene) in built_in() {
+        if let Some(made) = make("hybrid", &scene, &Map::new()).driven {
+            hashes.insert(name, made.states.hash().into());
+        }
+    }
+    println!("{:#}", json!(hashes));
+}
+
+fn print_random(from: u64, to: u64) {
+    let (mut found, mut optimised, mut passing, mut both, mut worst) = (0, 0, 0, Vec::new(), 0.0_f64);
+    for seed in from..to {
+        let (scene, settings) = strewn::scene(seed);
+        let made = make("hybrid", &scene, &settings);
+        let Some(driven) = made.driven else { continue };
+        found += 1;
+        optimised += u32::from(driven.stage == Stage::Optimised);
+        passing += u32::from(driven.check.passes());
+        both.push(made.millis.0 + made.millis.1);
+        worst = worst.max(made.millis.1);
+        if driven.stage != Stage::Optimised || !driven.check.passes() {
+            println!("seed {seed}: {}, passes: {}", driven.stage.as_str(), driven.check.passes());
+        }
+    }
+    println!("{found} plans, {optimised} optimised, {passing} pass");
+    println!("plan and optimise: median {:.1} ms; optimise alone: at most {worst:.1} ms", median(&mut both));
+}
+
+fn print_tables() {
+    let scenes: Vec<(String, Scenario)> = built_in().into_iter().chain(public()).collect();
+    println!("# Trajectories\n\nWritten by `cargo xtask bench judge`.\n");
+    print_scenes(&scenes);
+    print_planners(&scenes);
+}
+
+/// Seconds from rest to rest over a length without a stop.
+fn bound(limits: &MotionLimits, length: f64) -> f64 {
+    let inverse = 1.0 / limits.acceleration + 1.0 / limits.deceleration;
+    let peak = limits.speed.min((2.0 * length / inverse).sqrt());
+    length / peak + peak / 2.0 * inverse
+}
+
+fn print_scenes(scenes: &[(String, Scenario)]) {
+    println!("## Hybrid A*'s plans, optimised\n");
+    println!(
+        "2.5 m/s, 1 m/s², 0.5 rad/s. `slow` and stop-and-steer drive the plan's own path within the same limits; the bound is \
+         the length at those limits without a stop.\n"
+    );
+    println!(
+        "| scene | made by | s | bound s | `slow` s | stop-and-steer s | length m (plan's) | gear changes (plan's) | clearance m | passes | smoothness | TPCAP cost |"
+    );
+    println!("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |");
+    let (mut saved, mut millis, mut worst) = (Vec::new(), Vec::new(), 0.0_f64);
+    for (name, scene) in scenes {
+        let Made { geometry, plan, route, driven: made, millis: (planned, optimised) } =
+            make("hybrid", scene, &Map::new());
+        let (Some(made), Some(route)) = (made, route) else {
+            println!("| {name} | no path |");
+            continue;
+        };
+        let options = Options::default();
+        let limits = Limits { speed: 2.5, deceleration: 1.0, steps: Steps::Slow, ..Limits::default() };
+        let slow = trajectory(&geometry.vehicle, &route, &limits).expect("a drivable path").duration;
+        let plain = parkade::optimise::stop_and_steer(&geometry.vehicle, &route, &options.limits).duration();
+        let figures = &made.check.figures;
+        println!(
+            "| {name} | {} | {:.2} | {:.2} | {slow:.2} | {plain:.2} | {:.2} ({:.2}) | {} ({}) | {:.3} | {} | {:.1} | {:.0} |",
+            made.stage.as_str(),
+            figures.duration,
+            bound(&options.limits, figures.length),
+            figures.length,
+            plan.metrics.length,
+            figures.gear_changes,
+            plan.metrics.direction_changes,
+            made.check.contacts.min_clearance,
+            if made.check.passes() { "yes" } else { "no" },
+            figures.smoothness(),
+            figures.tpcap_cost(),
+        );
+        saved.push(1.0 - figures.duration / slow);
+        millis.push(planned + optimised);
+        worst = worst.max(optimised);
+    }
+    println!("\nAgainst `slow`: {:.0} % less in the median.", 100.0 * median(&mut saved));
+    eprintln!(
+        "plan and optimise: median {:.1} ms; optimise alone: at most {worst:.1} ms",
+        median(&mut millis)
+    );
+}
+
+/// What a planner reached.
+#[derive(Default)]
+struct Tally {
+    attained: u32,
+    untouched: u32,
+    both: u32,
+    seconds: Vec<f64>,
+    smoothness: Vec<f64>,
+}
+
+impl Tally {
+    fn add(&mut self, found: &parkade::referee::Judgement) {
+        let is_free = found.contacts.touching_frames == 0;
+        self.attained += u32::from(found.attained);
+        self.untouched += u32::from(is_free);
+        self.both += u32::from(found.attained && is_free);
+        self.seconds.push(found.figures.duration);
+        self.smoothness.push(found.figures.smoothness());
+    }
+
+    fn cells(&mut self) -> String {
+        if self.seconds.is_empty() {
+            return "– | – | – | – | –".to_owned();
+        }
+        let (seconds, smoothness) = (median(&mut self.seconds), median(&mut self.smoothness));
+        format!("{} | {} | {} | {seconds:.1} | {smoothness:.0}", self.attained, self.untouched, self.both)
+    }
+}
+
+fn print_planners(scenes: &[(String, Scenario)]) {
+    println!(
+        "\n## All planners\n\nOf {} scenes. Each path is timed and driven by the closed-loop follower as the",
+        scenes.len()
+    );
+    println!(
+        "protocol says (first row), and optimised where a car can drive it (second row). Medians of s and smoothness.\n"
+    );
+    println!("| planner | driven | paths | attained | no touching frame | both | s | smoothness |");
+    println!("| --- | --- | --- | --- | --- | --- | --- | --- |");
+    for planner in planners() {
+        let (mut paths, mut plans, mut followed, mut optimised) = (0, 0, Tally::default(), Tally::default());
+        for (_, scene) in scenes {
+            let Made { geometry, plan, driven, .. } = make(planner.id, scene, &Map::new());
+            if plan.path.len() > 1 {
+                paths += 1;
+                let gears = Some(plan.directions.clone());
+                let submission = Submission::Path { poses: plan.path.clone(), gears };
+                if let Ok(found) = judge(&geometry, &submission, &MotionLimits::default()) {
+                    followed.add(&found);
+                }
+            }
+            if let Some(made) = driven {
+                plans += 1;
+                optimised.add(&made.check);
+            }
+        }
+        println!("| {} | by the follower | {paths} | {} |", planner.id, followed.cells());
+        println!("| {} | optimised | {plans} | {} |", planner.id, optimised.cells());
+    }
+}
