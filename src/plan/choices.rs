@@ -21,14 +21,37 @@ pub(super) struct Wish<'a> {
 }
 
 impl Wish<'_> {
-    /// Whether the first path will do.
+    /// Whether the first path will do. Under the hand what is preferred only says which path stays.
     pub(super) fn is_none(&self) -> bool {
-        self.prefer.is_none() && !self.alternatives && self.improved.is_none()
+        (self.prefer.is_none() || self.stickiness > 0.0) && !self.alternatives && self.improved.is_none()
+    }
+
+    /// Whether a path that stays is about as good as another by what is preferred.
+    pub(super) fn keeps(&self, old: &Plan, new: &Plan) -> bool {
+        let [old, new] = [old, new].map(Figures::of);
+        let about = 1.0 + self.stickiness;
+        match self.prefer {
+            None => true,
+            Some(Prefer::Shortest) => old.length <= new.length * about,
+            Some(Prefer::FewestChanges) => (old.changes, old.length) <= (new.changes, new.length * about),
+            Some(Prefer::Widest) => old.clearance >= new.clearance - SAME_CLEARANCE,
+            Some(Prefer::Fastest) => old.time <= new.time * about,
+        }
     }
 
     /// What alone is searched for.
     pub(super) fn searched(&self) -> Option<Prefer> {
         self.prefer.filter(|_| !self.alternatives)
+    }
+}
+
+/// How long a path of hybrid A*'s takes to drive; longer than any drive where it cannot be told.
+pub(super) fn tell_time(plan: &mut Plan, vehicle: &Vehicle, limits: &[SpeedLimit]) {
+    let route = Route::new(vehicle, &plan.path, &plan.directions, Some(&plan.curvatures));
+    let route = route.map(|route| route.with_speed_limits(limits));
+    let motion = route.and_then(|route| Motion::new(vehicle, &route, &Limits::default()));
+    if let Some(figures) = &mut plan.metrics.hybrid {
+        figures.drive_time = Some(motion.map_or(f64::MAX, |motion| motion.duration()));
     }
 }
 
@@ -51,10 +74,7 @@ impl<'a, 'w> Choosing<'a, 'w> {
 
     /// Takes another path; tells whether to look for more.
     pub(super) fn offer(&mut self, mut plan: Plan) -> ControlFlow<()> {
-        let time = self.time(&plan);
-        if let Some(figures) = &mut plan.metrics.hybrid {
-            figures.drive_time = Some(time);
-        }
+        tell_time(&mut plan, self.vehicle, self.limits);
         let is_first = self.plans.is_empty();
         if is_first {
             self.margin = margin(&plan);
@@ -78,14 +98,6 @@ impl<'a, 'w> Choosing<'a, 'w> {
             Some(improved) if is_best => improved(&self.plans[self.best]),
             _ => ControlFlow::Continue(()),
         }
-    }
-
-    /// Seconds; longer than any drive where it cannot be told.
-    fn time(&self, plan: &Plan) -> f64 {
-        let route = Route::new(self.vehicle, &plan.path, &plan.directions, Some(&plan.curvatures));
-        let route = route.map(|route| route.with_speed_limits(self.limits));
-        let motion = route.and_then(|route| Motion::new(self.vehicle, &route, &Limits::default()));
-        motion.map_or(f64::MAX, |motion| motion.duration())
     }
 
     /// Whether a path is better than the best so far by what is preferred or, where nothing is, costs less and keeps as much

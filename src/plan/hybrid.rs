@@ -3,7 +3,7 @@
 use serde_json::{Map, Value};
 
 #[cfg(feature = "complete")]
-use super::choices::{Choosing, Wish};
+use super::choices::{self, Choosing, Wish};
 #[cfg(feature = "complete")]
 use super::outcome::Member;
 use super::outcome::{HybridMetrics, Outcome, Plan, PlanTrace, Stats};
@@ -17,9 +17,9 @@ use crate::geometry::arcs;
 use crate::metrics::Verdict;
 #[cfg(not(feature = "complete"))]
 use crate::planners::hybrid::plan;
-use crate::planners::hybrid::{Config, Query, Report, Scratch, Status, obstacles};
 #[cfg(feature = "complete")]
-use crate::planners::hybrid::{Last, anchored, choices, plan_any, with_room};
+use crate::planners::hybrid::{self, Last, Prefer, plan_any, stay, with_room};
+use crate::planners::hybrid::{Config, Query, Report, Scratch, Status, obstacles};
 use crate::planners::registry::Kind;
 use crate::scenario::Scenario;
 use crate::scenario::resolve::Geometry;
@@ -95,6 +95,12 @@ impl Engine {
         self.last = before.last.take();
     }
 
+    /// Takes over a path: its poses, one at least, their gears and curvatures.
+    #[cfg(feature = "complete")]
+    pub(super) fn continue_along(&mut self, poses: &[Pose], gears: &[i8], curvatures: &[f64]) {
+        self.last = Some(Last::along(self.obstacles.local(poses[0]), poses, gears, curvatures));
+    }
+
     /// The obstacles have changed.
     #[cfg(feature = "complete")]
     pub(super) fn change(&mut self, world: &World) {
@@ -147,25 +153,43 @@ impl Engine {
         (plan, report)
     }
 
-    /// Keeps to the last path, led to the new ends, where this one is not so much cheaper.
+    /// Keeps to the last path, led to the new ends, where this one is not so much better.
     #[cfg(feature = "complete")]
-    fn settle(&mut self, world: &World, plan: &mut Plan, first: Report, stickiness: f64) -> Report {
-        let geometry = &world.geometry;
-        let query = query(&self.obstacles, geometry);
+    fn settle(
+        &mut self,
+        (scenario, world): (&Scenario, &World),
+        plan: &mut Plan,
+        first: Report,
+        wish: &Wish,
+    ) -> Report {
+        let query = query(&self.obstacles, &world.geometry);
+        let tell_time = |plan: &mut Plan| {
+            if wish.prefer == Some(Prefer::Fastest) {
+                choices::tell_time(plan, &world.geometry.vehicle, &scenario.speed_limits);
+            }
+        };
         let mut report = first;
-        if let Some(last) = self.last.as_ref().filter(|_| stickiness > 0.0) {
-            let kept = anchored(&query, &self.config, last, &report);
-            if let Some(kept) = kept.filter(|kept| kept.cost <= report.cost * (1.0 + stickiness)) {
-                let mut stayed = measured(world, Outcome::Found, drive(&query, &kept), NEAR);
+        if let Some(last) = self.last.as_ref().filter(|_| wish.stickiness > 0.0) {
+            tell_time(plan);
+            let mut stayed = None;
+            let mut is_kept = |kept: &Report| {
+                let mut driven = measured(world, Outcome::Found, drive(&query, kept), NEAR);
+                fill(&query, kept, &mut driven);
+                tell_time(&mut driven);
                 // Among other obstacles than its own the last path may keep less.
                 let margin = report.margin.min(plan.check.min_clearance);
-                if stayed.check.drivable() && stayed.check.min_clearance >= margin - ROUNDING {
-                    fill(&query, &kept, &mut stayed);
-                    (stayed.detail, stayed.stats) = (detail(kept.status), plan.stats.clone());
-                    (stayed.member, stayed.trace) = (plan.member, plan.trace.take());
-                    *plan = stayed;
-                    report = kept;
-                }
+                let is_sound = driven.check.drivable() && driven.check.min_clearance >= margin - ROUNDING;
+                stayed = Some(driven).filter(|driven| is_sound && wish.keeps(driven, plan));
+                stayed.is_some()
+            };
+            let share = if wish.prefer.is_some() { f64::INFINITY } else { wish.stickiness };
+            let asked = (&report, share, wish.prefer != Some(Prefer::Widest));
+            let kept = stay(&query, &self.config, last, asked, &mut self.scratch, &mut is_kept);
+            if let (Some(kept), Some(mut stayed)) = (kept, stayed) {
+                (stayed.detail, stayed.stats) = (detail(kept.status), plan.stats.clone());
+                (stayed.member, stayed.trace) = (plan.member, plan.trace.take());
+                *plan = stayed;
+                report = kept;
             }
         }
         self.last = Some(Last::of(&query, &report));
@@ -201,7 +225,7 @@ impl Engine {
         if plan.outcome != Outcome::Found {
             return plan;
         }
-        let first = self.settle(world, &mut plan, first, wish.stickiness);
+        let first = self.settle((scenario, world), &mut plan, first, &wish);
         if wish.is_none() {
             return plan;
         }
@@ -225,7 +249,7 @@ impl Engine {
                 choosing.offer(plan)
             };
             let memory = (&mut self.scratch, &mut *progress);
-            last = choices(&query, &self.config, (&first, prefer), memory, &mut offer);
+            last = hybrid::choices(&query, &self.config, (&first, prefer), memory, &mut offer);
         }
         if let Some(progress) = progress {
             progress.finish(last.expanded);

@@ -68,6 +68,33 @@ impl Planner {
         }
     }
 
+    /// Takes over the path of a plan of hybrid A* for this scene, as if it were the last one: x, y and heading of its poses, their gears
+    /// and curvatures. Other planners take nothing over.
+    ///
+    /// # Errors
+    /// [`ErrorCode::Input`] when the lists do not belong together, and for numbers that are not finite.
+    #[cfg(feature = "complete")]
+    pub fn continue_along(
+        &mut self,
+        path: &[f64],
+        directions: &[i8],
+        curvatures: &[f64],
+    ) -> Result<(), Error> {
+        let wrong = |message: &str| Error::new(ErrorCode::Input, "before", message);
+        let count = path.len() / 3;
+        if count == 0 || path.len() != 3 * count || directions.len() != count || curvatures.len() != count {
+            return Err(wrong("must have a path, and a direction and a curvature for each of its poses"));
+        }
+        if path.iter().chain(curvatures).any(|number| !number.is_finite()) {
+            return Err(wrong("must be a path without corners, of finite numbers"));
+        }
+        if let Engine::Hybrid(engine) = &mut self.engine {
+            let poses: Vec<Pose> = path.chunks_exact(3).map(|at| Pose::new(at[0], at[1], at[2])).collect();
+            engine.continue_along(&poses, directions, curvatures);
+        }
+        Ok(())
+    }
+
     /// The search of a grid planner between two points, and nothing else: no car follows the path, nothing is checked
     /// or measured. A second search on the same map costs what it touches.
     ///

@@ -92,6 +92,17 @@ impl RawPlanner {
         self.planner.continue_from(&mut before.planner);
     }
 
+    /// Takes over the path of a plan.
+    #[wasm_bindgen(js_name = continueAlong)]
+    pub fn continue_along(
+        &mut self,
+        path: &[f64],
+        directions: &[i8],
+        curvatures: &[f64],
+    ) -> Result<(), JsValue> {
+        self.planner.continue_along(path, directions, curvatures).map_err(|e| codec::js_error(&e))
+    }
+
     /// The any-angle yardstick, metres.
     #[wasm_bindgen(js_name = anyAngleLength)]
     pub fn any_angle_length(&self) -> Option<f64> {

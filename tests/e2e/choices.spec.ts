@@ -1,4 +1,4 @@
-import { expect, test } from "@playwright/test";
+import { expect, test, type Page } from "@playwright/test";
 import { complaintsOf, open, settled, type PlaygroundElement } from "./playground.js";
 
 const chips = "parkade-panel[data-planner=hybrid] parkade-choices button";
@@ -36,6 +36,64 @@ test("chips under hybrid's title show other paths and choose them; the link keep
   await page.locator(chips).first().click();
   await expect.poll(() => playground.evaluate(shown)).toEqual(ordinary);
   expect(complaints).toEqual([]);
+});
+
+/** Everything that hybrid's panel showed: its path's cost and gear changes, and whether better ones were looked for. */
+const watch = (element: PlaygroundElement): void => {
+  const seen: unknown[] = [];
+  Object.assign(window, { seen });
+  (element.store as any).subscribe(({ results, improving, transient }: any) => {
+    const { cost, directionChanges } = results.hybrid?.plan?.metrics ?? {}, next = JSON.stringify([cost, directionChanges, improving ?? null, transient]);
+    if (seen.at(-1) !== next) seen.push(next);
+  });
+};
+const seen = (page: Page): Promise<[number, number, string | null, boolean][]> => page.evaluate(() => (window as any).seen.map((text: string) => JSON.parse(text)));
+
+test("the first answer is drawn at once, cheaper ones replace it while a line runs, and a drag goes on from what is shown", async ({ page }) => {
+  await page.setViewportSize({ width: 1400, height: 900 });
+  const complaints = complaintsOf(page);
+  await open(page);
+  const playground = page.locator("parkade-playground"), choices = page.locator("parkade-panel[data-planner=hybrid] parkade-choices");
+  await expect(page.locator(chips).first()).toBeVisible({ timeout: 20_000 });
+  await playground.evaluate((element: PlaygroundElement) => { element.scene = "par-8.0"; });
+  await settled(page);
+  await playground.evaluate(watch);
+  await expect(choices).toHaveAttribute("searching", { timeout: 20_000 });
+  expect(await choices.evaluate((element) => getComputedStyle(element, "::before").height)).toBe("2px");
+  await expect(page.locator(chips).first()).toBeVisible({ timeout: 20_000 });
+  await expect(choices).not.toHaveAttribute("searching");
+  const steps = await seen(page), costs = steps.map(([cost]) => cost);
+  expect(costs).toEqual([...costs].sort((a, b) => b - a));
+  expect(costs.at(-1)).toBeLessThan(costs[0]!);
+  expect(steps.some(([, , improving]) => improving === "hybrid")).toBe(true);
+  // As the package says it, whose first answer has four gear changes.
+  expect(steps.at(-1)!.slice(1)).toEqual([3, null, false]);
+  for (const title of await page.locator(chips).evaluateAll((all) => all.map((one) => (one as HTMLElement).title))) expect(title).toMatch(/shortest|No path can be shorter than 13\.2 m/);
+  // A drag's first step keeps the path that is shown, not the planner's first answer.
+  await playground.evaluate((element: PlaygroundElement) => {
+    const store = element.store as any, { scene } = store.state;
+    store.edit({ ...scene, start: { ...scene.start, x: scene.start.x + 0.02 } }, { transient: true });
+  });
+  await expect(page.locator(chips)).toHaveCount(0);
+  await expect.poll(async () => (await playground.evaluate((element: PlaygroundElement) => (element.store as any).state.results.hybrid.status))).toBe("done");
+  expect((await playground.evaluate(shown))[1]).toBe(3);
+  expect(complaints).toEqual([]);
+});
+
+test("a path that cannot be shorter is said to be proven, and nothing runs for it", async ({ page }) => {
+  await page.setViewportSize({ width: 1400, height: 900 });
+  await open(page);
+  await expect(page.locator(chips).first()).toBeVisible({ timeout: 20_000 });
+  const playground = page.locator("parkade-playground");
+  await playground.evaluate((element: PlaygroundElement) => { element.scene = "P2"; });
+  await settled(page);
+  await playground.evaluate(watch);
+  await expect(page.locator(chips).first()).toBeVisible({ timeout: 20_000 });
+  await playground.evaluate((element: PlaygroundElement) => (element.store as any).set({ prefer: { hybrid: "shortest" } }));
+  const { gapPercent, rsBound, length } = await playground.evaluate((element: PlaygroundElement) => (element.store as any).state.results.hybrid.plan.metrics);
+  expect(gapPercent).toBeCloseTo((length / rsBound - 1) * 100, 9);
+  const title = await page.locator(chips).and(page.locator("[aria-pressed=true]")).getAttribute("title");
+  expect(title).toContain(gapPercent < 1e-4 ? "Proven shortest." : `Within ${(Math.ceil(gapPercent * 10) / 10).toFixed(1)} % of the shortest possible.`);
 });
 
 test("a drag and another scene end the search for alternatives, and old chips go", async ({ page }) => {

@@ -3,6 +3,8 @@
 
 #[cfg(feature = "complete")]
 mod choices;
+#[cfg(all(feature = "complete", not(target_arch = "wasm32")))]
+mod drags;
 mod limits;
 mod lot;
 mod properties;

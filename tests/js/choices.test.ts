@@ -1,6 +1,7 @@
 import { beforeAll, describe, expect, it } from "vitest";
 import { Planner, init, scenario, type HybridPlan, type Plan, type Prefer } from "parkade";
-import { choicesOf } from "../../www/src/panels/choices-of";
+import { cheapest, choicesOf } from "../../www/src/planning/choices-of";
+import { chosenOf, isProven } from "../../www/src/planning/chosen";
 import { core } from "./core";
 
 beforeAll(async () => {
@@ -91,6 +92,25 @@ describe("the chips", () => {
       [22, ["shortest"], true], [23, ["widest"], false], [26, ["fewest-changes", "fastest"], false],
     ]);
     expect(choicesOf(ordinary, [ordinary])).toHaveLength(1);
+  });
+
+  it("are led by the path that costs least with no less margin than the first", () => {
+    const of = (cost: number, margin: number): HybridPlan => ({ metrics: { cost, margin } }) as HybridPlan;
+    const first = of(20, 0.1), close = of(18, 0.05), best = of(19, 0.1);
+    expect(cheapest(first, [first, close, best])).toBe(best);
+    expect(cheapest(first, [close])).toBe(first);
+    const choices = choicesOf(plan(22, 2, 0.1, 20), [plan(26, 0, 0.12, 18)]);
+    expect(chosenOf(choices, undefined).isOrdinary).toBe(true);
+    expect(chosenOf(choices, "fewest-changes").plan.metrics.directionChanges).toBe(0);
+    expect(chosenOf([], "widest")).toBeUndefined();
+  });
+
+  it("say what is proven only where no path can be better", () => {
+    const of = (length: number, cost: number, directionChanges: number): HybridPlan => ({ metrics: { length, cost, directionChanges, rsBound: 20 } }) as HybridPlan;
+    const said = (one: HybridPlan): boolean[] => ([undefined, "shortest", "fewest-changes", "widest", "fastest"] as const).map((prefer) => isProven(one, prefer));
+    expect(said(of(20, 20, 0))).toEqual([true, true, true, false, false]);
+    expect(said(of(20, 21, 1))).toEqual([false, true, false, false, false]);
+    expect(said(of(20.1, 20.1, 0))).toEqual([false, false, false, false, false]);
   });
 
   it("are four at most", () => {

@@ -296,6 +296,12 @@ describe("a planner", () => {
     expect(other.plan().hash).toBe(hash);
     expect(failure(() => one.continueFrom(one))).toEqual({ code: "bad-input", path: "before" });
     expect(failure(() => one.continueFrom(untyped({})))).toEqual({ code: "bad-input", path: "before" });
+    const chosen = one.plan({ prefer: "widest" });
+    expect(chosen.metrics.minClearance).toBeGreaterThan(one.plan().metrics.minClearance + 0.1);
+    other.continueFrom(chosen);
+    const kept = other.plan({ prefer: "widest", stickiness: 0.03 });
+    expect([kept.metrics.length, kept.metrics.minClearance]).toEqual([expect.closeTo(chosen.metrics.length, 6), expect.closeTo(chosen.metrics.minClearance, 6)]);
+    expect(failure(() => other.continueFrom(untyped({ ...chosen, directions: chosen.directions.slice(1) })))).toEqual({ code: "bad-input", path: "before" });
     other.free();
     expect(failure(() => one.continueFrom(other))).toEqual({ code: "freed", path: "" });
     one.free();

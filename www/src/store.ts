@@ -1,4 +1,5 @@
 import type { Drive, Encounter, Explanation, Layer, LayerName, Narrowest, Plan, PlannerId, Prefer, Road, SceneGeometry } from "parkade";
+import type { Choice } from "./planning/choices-of";
 import type { Timing } from "./planning/protocol";
 import type { Scenario } from "./scene/scenario";
 import { presetLayers } from "./view/layer-sets";
@@ -26,6 +27,8 @@ export type LayerKey =
 export interface PanelResult {
   plan: Plan | null;
   lastGood: Plan | null;
+  /** Whether `plan` is another than the planner's first answer. */
+  chosen?: boolean;
   /** `plan` in time, among moving obstacles where there are some; null where no car drives it, and during drags. */
   drive: Drive | Encounter | null;
   layers: Partial<Record<LayerName, Layer>>;
@@ -92,6 +95,10 @@ export interface State {
   explained: Explanation | null;
   /** What planners' paths are chosen by, where it is not left to them. */
   prefer: Partial<Record<PlannerId, Prefer>>;
+  /** Paths of planners to choose from, for the present scene. */
+  choices?: Partial<Record<PlannerId, readonly Choice[]>>;
+  /** The planner whose paths might be bettered, and for which better ones are being looked for. */
+  improving?: PlannerId | undefined;
   /** Another path of a planner, looked at for a moment, or a place of the one that is shown. */
   preview: { planner: PlannerId; plan: Plan; place?: Narrowest } | null;
   /** How moving obstacles are waited for. */

@@ -1,12 +1,18 @@
-//! The path before, led to other ends: while an end is dragged, of two ways that are about as good the one that is shown stays.
+//! The path before, led to other ends: while something is dragged, of two ways that are about as good the one that is shown stays.
+//!
+//! First the old path itself is joined to the new ends, and led around what has come in its way. Where that fails, a search that
+//! keeps to the corridor around it bends it. That is made only where the new answer lies elsewhere.
 
+use super::config::{Config, Level, SearchFrom};
 use super::cost::{CostModel, Motion};
 use super::domain::take_cheapest;
-use super::{Config, Query, Report, Status, shortcut};
+use super::flood::Flood;
+use super::level::{Search, Work};
+use super::{Query, Report, Scratch, Status, TIGHT, shortcut};
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::reeds_shepp::{self, Word};
-use crate::geometry::{Pose, math};
-use crate::vehicle::collision::Probe;
+use crate::geometry::{Point, Pose, math};
+use crate::vehicle::collision::{Corridor, Probe};
 
 /// Knots of the path are this far apart, metres.
 const KNOT: f64 = 0.5;
@@ -16,6 +22,22 @@ const JOINTS: usize = 16;
 const SPACING: f64 = 0.1;
 /// Ends closer than this are the same, metres and radians.
 const SAME: f64 = 1e-9;
+/// A path no place of which is farther than this from another's, metres, …
+const NEAR: f64 = 0.98;
+/// … or than so many times as far as an end has moved, is the same to the eye.
+const MOVED: f64 = 1.2;
+/// The corridor around a path is narrower by this, half a cell's diagonal, metres.
+const CELL: f64 = 0.14;
+/// Knots before and behind an obstacle between which a path is led around it.
+const AROUND: usize = 12;
+/// Paths are compared this often along them, metres, …
+const LOOK: f64 = 0.25;
+/// … long ones at so many places.
+const LOOKS: f64 = 500.0;
+/// Arcs with less curvature are as long as their chords, 1/m.
+const FLAT: f64 = 1e-6;
+/// Expansions of the search around the old path, on the coarsest level and on the next.
+const EFFORT: [u32; 2] = [1500, 4000];
 
 /// A path and where it begins, in the obstacles' coordinates.
 #[derive(Debug, Clone)]
@@ -29,25 +51,61 @@ impl Last {
     pub fn of(query: &Query, report: &Report) -> Self {
         Self { start: query.obstacles.local(query.start), arcs: report.arcs.clone() }
     }
+
+    /// A path that begins at `start`, in the obstacles' coordinates: its poses in any, their gears and curvatures.
+    pub fn along(start: Pose, poses: &[Pose], gears: &[i8], curvatures: &[f64]) -> Self {
+        let arcs = poses.windows(2).zip(gears).zip(curvatures).map(|((ends, &gear), &curvature)| {
+            let chord = f64::from(gear) * (ends[1].point() - ends[0].point()).norm();
+            let turned = math::turn(ends[0].heading, ends[1].heading);
+            let length = if curvature.abs() < FLAT { chord } else { turned / curvature };
+            Arc { curvature, length }
+        });
+        Self { start, arcs: arcs::merge(arcs) }
+    }
+
+    fn points(&self) -> Vec<Point> {
+        points(self.start, &self.arcs)
+    }
 }
 
-/// The last path between the ends of this question with the margin of its answer `report`; `None` where it cannot be led there.
-/// Its counters are those of `report`.
-pub fn anchored(query: &Query, config: &Config, last: &Last, report: &Report) -> Option<Report> {
+fn poses(start: Pose, path: &[Arc]) -> impl Iterator<Item = Pose> {
+    let step = LOOK.max(arcs::length(path) / LOOKS);
+    arcs::sample(start, path, arcs::end(start, path), step).into_iter().map(|at| at.pose)
+}
+
+fn points(start: Pose, path: &[Arc]) -> Vec<Point> {
+    poses(start, path).map(Pose::point).collect()
+}
+
+/// The last path between the ends of this question with the margin of its answer `report`, where it stays: its cost or its
+/// length is within `share` of the answer's, and `is_sound` is content with it. Its counters are those of `report`. Without `cuts` it
+/// is not made shorter, which would lead it nearer to obstacles.
+pub fn stay(
+    query: &Query,
+    config: &Config,
+    last: &Last,
+    (report, share, cuts): (&Report, f64, bool),
+    scratch: &mut Scratch,
+    is_sound: &mut dyn FnMut(&Report) -> bool,
+) -> Option<Report> {
     let probe = Probe::new(query.obstacles, query.vehicle);
     let [start, goal] = [query.start, query.goal].map(|pose| query.obstacles.local(pose));
     let costs = CostModel::driven(config, query.vehicle.min_turning_radius(), [start, goal]);
-    let joining = Joining { probe: &probe, costs: &costs, margin: report.margin };
-    let knots = split(&last.arcs);
-    let back: Vec<Arc> = arcs::reversed(&knots);
-    let (head, from) = joining.lead(start, last.start, &knots)?;
-    let (tail, to) = joining.lead(goal, arcs::end(last.start, &last.arcs), &back)?;
-    let kept = knots.get(from..knots.len() - to)?;
-    let path = head.into_iter().chain(kept.iter().copied()).chain(arcs::reversed(&tail));
-    let rules = shortcut::Rules { probe: &probe, costs: &costs, spacing: SPACING, margin: report.margin };
-    let path = shortcut::shortcut(rules, start, arcs::merge(path));
-    let cost = costs.path(&probe, start, &path);
-    Some(Report { arcs: path, cost, status: Status::Suboptimal, ..report.clone() })
+    let end = arcs::end(last.start, &last.arcs);
+    let moved = (start.point() - last.start.point()).norm().max((goal.point() - end.point()).norm());
+    let reach = NEAR.max(MOVED * moved);
+    let path = last.points();
+    let old = Old { query, config, last, report, share, cuts, ends: [start, goal], costs, path };
+    let mut is_kept =
+        |path: &Report| old.strays(&path.arcs) <= reach && old.is_as_good(path) && is_sound(path);
+    let free = old.anchored(&probe).filter(&mut is_kept);
+    if free.is_some() || old.strays(&report.arcs) <= reach {
+        return free;
+    }
+    let corridor = Corridor::around(&old.path, reach - CELL);
+    let narrow = probe.within(&corridor);
+    let anchored = old.anchored(&narrow).filter(&mut is_kept);
+    anchored.or_else(|| old.bent(&narrow, reach - CELL, scratch).filter(is_kept))
 }
 
 fn split(path: &[Arc]) -> Vec<Arc> {
@@ -56,6 +114,101 @@ fn split(path: &[Arc]) -> Vec<Arc> {
         core::iter::repeat_n(Arc { length: arc.length / count, ..*arc }, count as usize)
     };
     path.iter().flat_map(parts).collect()
+}
+
+/// The last path and a new question.
+struct Old<'a> {
+    query: &'a Query<'a>,
+    config: &'a Config,
+    last: &'a Last,
+    report: &'a Report,
+    share: f64,
+    cuts: bool,
+    /// The new start and goal, in local coordinates.
+    ends: [Pose; 2],
+    costs: CostModel,
+    /// Places along the last path.
+    path: Vec<Point>,
+}
+
+impl Old<'_> {
+    /// How far a path strays from the last one, or that one from it, metres.
+    fn strays(&self, path: &[Arc]) -> f64 {
+        let other = points(self.ends[0], path);
+        let far = |from: &[Point], to: &[Point]| {
+            let nearest = |p: &Point| to.iter().map(|q| (p - q).norm_squared()).fold(f64::INFINITY, f64::min);
+            from.iter().map(nearest).fold(0.0, f64::max)
+        };
+        far(&self.path, &other).max(far(&other, &self.path)).sqrt()
+    }
+
+    /// Whether a path costs little more than the answer, or that is about as long as it or as the last path.
+    fn is_as_good(&self, path: &Report) -> bool {
+        let [new, old, last] =
+            [&self.report.arcs, &path.arcs, &self.last.arcs].map(|path| arcs::length(path));
+        let is_like = |length: f64| (new - length).abs() <= length * self.share;
+        path.cost <= self.report.cost * (1.0 + self.share) || is_like(old) || is_like(last)
+    }
+
+    fn answer(&self, path: Vec<Arc>, probe: &Probe) -> Report {
+        let cost = self.costs.path(probe, self.ends[0], &path);
+        Report { arcs: path, cost, status: Status::Suboptimal, ..self.report.clone() }
+    }
+
+    /// The old path with other ends; `None` where it cannot be led there.
+    fn anchored(&self, probe: &Probe) -> Option<Report> {
+        let [start, goal] = self.ends;
+        let margin = self.report.margin;
+        let joining = Joining { probe, costs: &self.costs, margin };
+        let knots = split(&self.last.arcs);
+        let back: Vec<Arc> = arcs::reversed(&knots);
+        let (head, from) = joining.lead(start, self.last.start, &knots)?;
+        let (tail, to) = joining.lead(goal, arcs::end(self.last.start, &self.last.arcs), &back)?;
+        let kept = knots.get(from..knots.len() - to)?;
+        let path: Vec<Arc> =
+            head.into_iter().chain(kept.iter().copied()).chain(arcs::reversed(&tail)).collect();
+        let path = joining.mended(start, split(&path))?;
+        let rules = shortcut::Rules { probe, costs: &self.costs, spacing: SPACING, margin };
+        let path = arcs::merge(path);
+        let path = if self.cuts { shortcut::shortcut(rules, start, path) } else { path };
+        Some(self.answer(path, probe))
+    }
+
+    /// The cheapest path within `reach` of the old one that a short search finds.
+    fn bent(&self, probe: &Probe, reach: f64, scratch: &mut Scratch) -> Option<Report> {
+        let Query { obstacles, vehicle, .. } = *self.query;
+        let [start, goal] = self.ends;
+        let mirrored = self.report.from_goal;
+        let [root, target] = if mirrored { [goal, start] } else { [start, goal] };
+        let flood = Flood::new(obstacles, vehicle, target, self.report.margin, None);
+        let discs: Vec<Point> =
+            poses(self.last.start, &self.last.arcs).map(|pose| flood.disc(pose)).collect();
+        let flood = flood.within(&Corridor::around(&discs, reach));
+        let config = &Config { search_from: SearchFrom::Goal, ..*self.config };
+        let room = probe.clearance(start, TIGHT).min(probe.clearance(goal, TIGHT));
+        let search = Search {
+            query: self.query,
+            config,
+            probe,
+            flood: &flood,
+            root,
+            target,
+            mirrored,
+            start,
+            goal,
+            tight: room < TIGHT,
+            trace: false,
+            goals: &[],
+        };
+        (0..config.levels()).zip(EFFORT).find_map(|(number, most)| {
+            let mut report =
+                Report { margin: self.report.margin, level: self.report.level, ..self.report.counters() };
+            let level = config.level(number);
+            let level = Level { max_expansions: most.min(level.max_expansions), ..level };
+            let mut work = Work { report: &mut report, scratch, progress: &mut None };
+            search.level(level, &mut work).then(|| self.answer(report.arcs, probe))
+        })
+    }
 }
 
 struct Joining<'a> {
@@ -84,6 +237,44 @@ impl Joining<'_> {
             pose = pose.advance(arc.curvature, arc.length);
         }
         best.map(|(_, word, replaced)| (word.arcs(self.costs.radius).collect(), replaced))
+    }
+
+    /// A path from `start` led around what is in its way, each time by the curve that is dearer by least.
+    fn mended(&self, start: Pose, mut knots: Vec<Arc>) -> Option<Vec<Arc>> {
+        let mut from = 0;
+        loop {
+            let mut poses = vec![start];
+            poses.extend(knots.iter().scan(start, |pose, arc| {
+                *pose = pose.advance(arc.curvature, arc.length);
+                Some(*pose)
+            }));
+            let is_free = |at: usize| self.probe.arc_free(poses[at], &knots[at], SPACING, self.margin);
+            let Some(first) = (from..knots.len()).find(|&at| !is_free(at)) else { return Some(knots) };
+            let behind = (first + 1..knots.len()).find(|&at| is_free(at)).unwrap_or(knots.len());
+            let mut best: Option<(f64, Word, usize, usize)> = None;
+            for i in (first.saturating_sub(AROUND)..=first).rev() {
+                for j in behind..=knots.len().min(behind + AROUND) {
+                    let saved = self.stretch(&knots[i..j]);
+                    let bound = best.as_ref().map_or(f64::INFINITY, |best| best.0 + saved);
+                    if let Some((cost, word)) = self.curve(poses[i], poses[j], bound) {
+                        best = Some((cost - saved, word, i, j));
+                    }
+                }
+            }
+            let (_, word, i, j) = best?;
+            let around = split(&word.arcs(self.costs.radius).collect::<Vec<_>>());
+            from = i + around.len();
+            knots.splice(i..j, around);
+        }
+    }
+
+    fn stretch(&self, knots: &[Arc]) -> f64 {
+        let mut before = Motion::default();
+        knots.iter().fold(0.0, |cost, arc| {
+            let cost = cost + self.costs.arc(before, arc);
+            before = Motion::after(arc);
+            cost
+        })
     }
 
     /// The cheapest free curve below `bound`.

@@ -4,6 +4,8 @@ use crate::geometry::{Point, Pose, Vector};
 use crate::map::{Cell, Frame};
 use crate::planners::Region;
 use crate::vehicle::Vehicle;
+#[cfg(feature = "complete")]
+use crate::vehicle::collision::Corridor;
 use crate::vehicle::collision::Obstacles;
 
 /// An eight-connected way is at most 1 / cos(π/8) = 1 / 0.924 longer than a straight one; 0.98 is a little greedy.
@@ -80,6 +82,25 @@ impl Flood {
         };
         let steps = source.map_or_else(Vec::new, |cell| spread(&ground, cell));
         Self { ground, source, steps, scale, ahead }
+    }
+
+    /// The same flood where the disc's centre keeps within a corridor.
+    #[cfg(feature = "complete")]
+    pub(super) fn within(mut self, corridor: &Corridor) -> Self {
+        // Another ground than these obstacles have: nobody may take it over.
+        self.ground.fingerprint = !self.ground.fingerprint;
+        let frame = self.ground.frame;
+        for (i, cost) in self.ground.costs.iter_mut().enumerate() {
+            *cost *= u8::from(corridor.holds(frame.center(frame.cell(i))));
+        }
+        self.steps = self.source.map_or_else(Vec::new, |cell| spread(&self.ground, cell));
+        self
+    }
+
+    /// The middle of the disc at a pose.
+    #[cfg(feature = "complete")]
+    pub(super) fn disc(&self, at: Pose) -> Point {
+        at.to_world(Point::new(self.ahead, 0.0))
     }
 
     fn cell(&self, at: Pose) -> Option<Cell> {

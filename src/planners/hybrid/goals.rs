@@ -15,6 +15,9 @@ use crate::vehicle::collision::{Obstacles, Probe};
 /// Expansions after which no further goal is planned for on its own: four goals that nobody can reach may take as many.
 const EFFORT: u32 = 600_000;
 
+/// A goal with less room than another is taken where its path costs less than this share of the other's.
+const WORTH: f64 = 0.97;
+
 /// Plans a path to the cheapest of some goals, one at least; tells which. The query's own goal is ignored.
 ///
 /// Goals at which the body overlaps something are left out. All searches count together.
@@ -104,22 +107,46 @@ struct Many<'a> {
 impl Many<'_> {
     fn plan(&self, scratch: &mut Scratch, progress: &mut Option<Progress>) -> (usize, Report) {
         let clearances: Vec<f64> = self.goals.iter().map(|&goal| self.clearance(goal)).collect();
-        let least = clearances.iter().copied().fold(f64::INFINITY, f64::min);
-        let mut sum = self.at_once(least, scratch, progress);
-        if sum.arcs.is_empty() {
-            return self.one_by_one(sum, scratch, progress);
-        }
-        let at = nearest(self.goals, arcs::end(self.start, &sum.arcs));
-        sum.rs_bound =
-            reeds_shepp::distance(self.start, self.goals[at], self.query.vehicle.min_turning_radius());
-        // Another goal has less room, for which this one need not be entered closely.
-        if self.margin(clearances[at]) > sum.margin {
-            let again = self.alone(at, &sum, scratch, progress);
-            if !again.arcs.is_empty() {
-                return (at, again);
+        let roomiest = clearances.iter().copied().fold(0.0, f64::max);
+        let margin = self.margin(roomiest);
+        let flood = self.flood(margin, scratch);
+        let has_room = |&at: &usize| clearances[at] >= margin;
+        let (roomy, mut tight): (Vec<usize>, Vec<usize>) = (0..self.goals.len()).partition(has_room);
+        let mut sum = Report { margin, ..empty(self.bound()) };
+        self.at_once(&roomy, &clearances, &flood, (&mut sum, scratch, progress));
+        let mut best = self.kept(&mut sum);
+        // Goals with less room only where they may be nearer than what was found with more.
+        let worth = best.as_ref().map_or(f64::INFINITY, |(_, best)| best.cost * WORTH);
+        tight.retain(|&at| self.estimate(at, &flood) < worth);
+        scratch.flood = Some(flood);
+        if !tight.is_empty() {
+            let least = tight.iter().map(|&at| clearances[at]).fold(f64::INFINITY, f64::min);
+            sum.margin = self.margin(least);
+            let flood = self.flood(sum.margin, scratch);
+            self.at_once(&tight, &clearances, &flood, (&mut sum, scratch, progress));
+            scratch.flood = Some(flood);
+            if let Some((at, mut found)) = self.kept(&mut sum) {
+                if self.margin(clearances[at]) > found.margin {
+                    found = Some(self.alone(at, &sum, scratch, progress))
+                        .filter(|again| !again.arcs.is_empty())
+                        .unwrap_or(found);
+                }
+                if best.as_ref().is_none_or(|(_, best)| found.cost < best.cost * WORTH) {
+                    best = Some((at, found));
+                }
             }
         }
-        (at, sum)
+        let Some((at, found)) = best else { return self.one_by_one(sum, scratch, progress) };
+        let Report { expanded, generated, pushes, open_peak, bytes, collision_checks, .. } = sum;
+        let bytes = bytes + self.query.obstacles.bytes();
+        (at, Report { expanded, generated, pushes, open_peak, bytes, collision_checks, ..found })
+    }
+
+    /// The path in a report, with the goal that it leads to; the report then has counters only.
+    fn kept(&self, report: &mut Report) -> Option<(usize, Report)> {
+        let counters = Report { collision_checks: self.probe.checks(), ..report.counters() };
+        let found = core::mem::replace(report, counters);
+        (!found.arcs.is_empty()).then(|| (nearest(self.goals, arcs::end(self.start, &found.arcs)), found))
     }
 
     fn clearance(&self, pose: Pose) -> f64 {
@@ -131,35 +158,60 @@ impl Many<'_> {
         self.config.margin.max(HAIR).min(clearance).min(self.clearance(self.start))
     }
 
-    /// One search of the first level from all goals, the tightest of which has `least` room.
-    fn at_once(&self, least: f64, scratch: &mut Scratch, progress: &mut Option<Progress>) -> Report {
+    fn flood(&self, margin: f64, scratch: &mut Scratch) -> Flood {
         let Query { obstacles, vehicle, .. } = *self.query;
-        let margin = self.margin(least);
-        let flood = Flood::new(obstacles, vehicle, self.start, margin, scratch.flood.take());
-        let mut report = Report { margin, ..empty(0.0) };
-        let first = math::argmin(&self.distances(&flood));
-        if flood.distance(self.goals[first]).is_finite() {
+        Flood::new(obstacles, vehicle, self.start, margin, scratch.flood.take())
+    }
+
+    /// Metres of the way to a goal at least, as far as is known.
+    fn estimate(&self, at: usize, flood: &Flood) -> f64 {
+        let radius = self.query.vehicle.min_turning_radius();
+        let around = flood.distance(self.goals[at]);
+        let curve = reeds_shepp::distance(self.start, self.goals[at], radius);
+        // Where the flood with more margin does not come, less may do.
+        if around.is_finite() { curve.max(around) } else { curve }
+    }
+
+    /// What no path to any goal is shorter than, metres.
+    fn bound(&self) -> f64 {
+        let radius = self.query.vehicle.min_turning_radius();
+        let curves = self.goals.iter().map(|&goal| reeds_shepp::distance(self.start, goal, radius));
+        curves.fold(f64::INFINITY, f64::min)
+    }
+
+    /// One search of the first level from some of the goals with the report's margin.
+    fn at_once(
+        &self,
+        some: &[usize],
+        clearances: &[f64],
+        flood: &Flood,
+        (report, scratch, progress): (&mut Report, &mut Scratch, &mut Option<Progress>),
+    ) {
+        let goals: Vec<Pose> =
+            some.iter().map(|&at| self.goals[at]).filter(|&goal| flood.distance(goal).is_finite()).collect();
+        if let Some(&first) = goals.first() {
+            let least = some.iter().map(|&at| clearances[at]).fold(f64::INFINITY, f64::min);
             let search = Search {
                 query: self.query,
                 config: self.config,
                 probe: self.probe,
-                flood: &flood,
-                root: self.goals[first],
+                flood,
+                root: first,
                 target: self.start,
                 mirrored: true,
                 start: self.start,
-                goal: self.goals[first],
+                goal: first,
                 tight: least.min(self.clearance(self.start)) < TIGHT,
                 trace: self.trace,
-                goals: self.goals,
+                goals: &goals,
             };
-            let mut work = Work { report: &mut report, scratch, progress };
-            search.first(&|| None, self.config.level(0), &mut work);
+            search.first(
+                &|| None,
+                self.config.level(0),
+                &mut Work { report: &mut *report, scratch, progress },
+            );
         }
-        report.bytes += flood.bytes() + obstacles.bytes();
-        report.collision_checks = self.probe.checks();
-        scratch.flood = Some(flood);
-        report
+        report.bytes += flood.bytes();
     }
 
     /// The ways around obstacles to the goals.
@@ -175,8 +227,7 @@ impl Many<'_> {
         scratch: &mut Scratch,
         progress: &mut Option<Progress>,
     ) -> (usize, Report) {
-        let Query { obstacles, vehicle, .. } = *self.query;
-        let flood = Flood::new(obstacles, vehicle, self.start, HAIR.min(sum.margin), scratch.flood.take());
+        let flood = self.flood(HAIR.min(sum.margin), scratch);
         let mut distances = self.distances(&flood);
         scratch.flood = Some(flood);
         let (mut answer, mut is_proven) = (None, true);

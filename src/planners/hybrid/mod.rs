@@ -24,7 +24,7 @@ mod shortcut;
 mod shots;
 
 #[cfg(feature = "complete")]
-pub use anchor::{Last, anchored};
+pub use anchor::{Last, stay};
 #[cfg(feature = "complete")]
 pub use choices::{Prefer, choices};
 pub use config::{Config, Heuristic, Profile, SearchFrom};

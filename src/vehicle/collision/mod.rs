@@ -4,11 +4,15 @@
 //! only once, of the first and last pose ([`Obstacles::inside`]). Most poses are settled by discs that cover the body,
 //! looked up in a distance field; the rest by separating axes against the edges nearby.
 
+#[cfg(feature = "complete")]
+mod corridor;
 mod obstacles;
 mod probe;
 #[cfg(test)]
 mod tests;
 
+#[cfg(feature = "complete")]
+pub use corridor::Corridor;
 #[cfg(feature = "complete")]
 pub(crate) use obstacles::contains;
 pub use obstacles::{Edge, Obstacles, Solid};

@@ -2,6 +2,8 @@
 
 use std::cell::Cell as Counter;
 
+#[cfg(feature = "complete")]
+use super::Corridor;
 use super::Obstacles;
 use super::obstacles::segment_distance;
 use crate::geometry::arcs::Arc;
@@ -45,6 +47,9 @@ pub struct Probe<'a> {
     /// Half the length that one disc covers.
     half_part: f64,
     slack: f64,
+    /// What arcs may not leave.
+    #[cfg(feature = "complete")]
+    corridor: Option<&'a Corridor>,
     checks: Counter<u32>,
 }
 
@@ -62,7 +67,23 @@ impl<'a> Probe<'a> {
         let discs = (0..count as u32).map(|i| (f64::from(i) + 0.5) * part - vehicle.rear_to_back).collect();
         // A point may be half a diagonal away from its cell's centre.
         let slack = obstacles.frame().resolution * core::f64::consts::FRAC_1_SQRT_2 + 1e-5;
-        Self { obstacles, vehicle: *vehicle, discs, half_part: part / 2.0, slack, checks: Counter::new(0) }
+        Self {
+            obstacles,
+            vehicle: *vehicle,
+            discs,
+            half_part: part / 2.0,
+            slack,
+            #[cfg(feature = "complete")]
+            corridor: None,
+            checks: Counter::new(0),
+        }
+    }
+
+    /// The same queries, but arcs are free only within a corridor.
+    #[cfg(feature = "complete")]
+    #[must_use]
+    pub fn within(&self, corridor: &'a Corridor) -> Self {
+        Self { corridor: Some(corridor), ..self.clone() }
     }
 
     /// Poses asked about so far; stays at the largest number.
@@ -86,6 +107,10 @@ impl<'a> Probe<'a> {
     /// The end is tested first: it is the farthest from what is known to be free. Where the body has room, the poses
     /// that the room covers are free without a test.
     pub fn arc_free(&self, from: Pose, arc: &Arc, spacing: f64, margin: f64) -> bool {
+        #[cfg(feature = "complete")]
+        if self.corridor.is_some_and(|corridor| !corridor.holds_arc(from, arc)) {
+            return false;
+        }
         let steps = (arc.length.abs() / spacing).ceil().max(1.0);
         let part = arc.length / steps;
         let start = Place::of(from);

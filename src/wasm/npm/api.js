@@ -99,8 +99,10 @@ export class Planner {
 
   /** @type {import("./index.js").Planner["continueFrom"]} */
   continueFrom(before) {
-    if (!(before instanceof Planner) || before === this) throw mismatch(before, "before", "another planner");
-    before.#call((last) => this.#call((planner) => planner.continueFrom(last), "continueFrom"));
+    if (before instanceof Planner && before !== this) return before.#call((last) => this.#call((planner) => planner.continueFrom(last), "continueFrom"));
+    const { path, directions, curvatures } = Object(before);
+    if (!curvatures) throw mismatch(before, "before", "another planner or a plan");
+    this.#call((planner) => planner.continueAlong(numbers(Float64Array, path, "path"), numbers(Int8Array, directions, "directions"), numbers(Float64Array, curvatures, "curvatures")), "continueFrom");
   }
 
   /** @type {import("./index.js").Planner["brush"]} */

@@ -251,9 +251,14 @@ export interface GridMetrics extends PathMetrics {
 
 /** Of hybrid A*'s path, besides; absent where there is none. */
 export interface HybridMetrics extends PathMetrics {
-  /** Path cost, shortest Reeds–Shepp length without obstacles (m), gap to it in percent. */
+  /** What the path costs by the planner's settings, metres of driving ahead. */
   cost?: number;
+  /**
+   * Metres that no path of this car from start to goal can be shorter than: the shortest Reeds–Shepp curve, obstacles aside. Of several
+   * goals to the nearest by that measure.
+   */
   rsBound?: number;
+  /** By how much the path is longer than `rsBound`, percent of it: no path can save more. 0 proves it the shortest. */
   gapPercent?: number;
   /** The margin planned with, metres: less than asked where start or goal have less, 2 mm where more keeps the car in. */
   margin?: number;
@@ -862,9 +867,10 @@ export class Planner<Id extends PlannerId = PlannerId> {
    * as it is found; what it throws counts as in `onProgress`. All are bounded by counted work, a few times that of an
    * ordinary plan of a tight slot, and the same everywhere.
    *
-   * `stickiness`, 0 to 1, hybrid only, for ends that are dragged: this planner's last path, led to the new ends, stays unless another
-   * one costs less by more than that share of its cost, or keeps a margin that it does not. Without it a plan does not depend on
-   * the one before.
+   * `stickiness`, 0 to 1, hybrid only, for what is dragged: this planner's last path, led to the new ends and around what is in its way,
+   * stays unless another one costs less by more than that share and is longer or shorter by more than it, or keeps a margin that the
+   * last one does not. With `prefer`, and without `alternatives` and `onImproved`, it is that measure by which the other one must be
+   * better, and nothing more is searched for. Without `stickiness` a plan does not depend on the one before.
    */
   plan(options?: {
     trace?: boolean;
@@ -877,10 +883,11 @@ export class Planner<Id extends PlannerId = PlannerId> {
     onImproved?: (plan: PlanOf<Id>) => void;
   }): PlanOf<Id>;
   /**
-   * Takes over the last path of a planner of the scene as it was before an edit, for `stickiness`. Nothing is taken over by other
-   * planners than hybrid, nor where the floor's outline is another. Not in `parkade/core`.
+   * Takes over a path for `stickiness`: the last one of a planner of the scene as it was before an edit, or a plan's, say one of the
+   * `alternatives`. Nothing is taken over by other planners than hybrid, nor from a planner where the floor's outline is another.
+   * Not in `parkade/core`.
    */
-  continueFrom(before: Planner): void;
+  continueFrom(before: Planner | HybridPlan): void;
   /**
    * The search of a grid planner alone, between two points: its cells, neither followed by a car nor checked nor
    * measured. What `plan` does besides grows with the path and often takes longer. Not in `parkade/core`.

@@ -85,7 +85,7 @@ export class App {
     this.planning.start();
     loaded();
     void this.controller.fetchTools();
-    void extras.load().then(({ followGoals }) => followGoals(this.store), () => undefined);
+    void extras.load().then(({ follow }) => follow(this), () => undefined);
     await this.planning.whenSettled();
     if (drives && !looks.playback) this.player.driveIn();
     requestIdle(() => void this.complete().catch(() => undefined));

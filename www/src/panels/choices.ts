@@ -1,13 +1,11 @@
-import type { HybridPlannerId, Plan, PlannerId, Prefer } from "parkade";
-import { css, html, nothing, type TemplateResult } from "lit";
+import type { Plan, PlannerId, Prefer } from "parkade";
+import { css, html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { words } from "../i18n/words";
-import { Helper } from "../planning/helper";
-import { forPlanners } from "../scene/vast";
-import type { Scene, State } from "../store";
+import type { Choice } from "../planning/choices-of";
+import type { State } from "../store";
 import { controls } from "../styles/controls";
-import { identityOf, plannerName } from "../view/identity";
+import { plannerName } from "../view/identity";
 import { AppElement } from "./base";
-import { choicesOf, type Choice } from "./choices-of";
 
 const say = words({
   label: ["{planner}: paths to choose from", "{planner}：可选路径"],
@@ -23,21 +21,13 @@ const say = words({
     "{what}: {length} m, {n} gear {n|change|changes}, {clear} m clear. {proof}",
     "{what}：{length} m，换挡 {n} 次，间距 {clear} m。{proof}",
   ],
-  bound: ["No path can be shorter than {bound} m.", "任何路径都不会短于 {bound} m。"],
   proven: ["Proven shortest.", "已证明最短。"],
+  within: ["Within {share} % of the shortest possible.", "与最短可能值相差不超过 {share}%。"],
+  bound: ["No path can be shorter than {bound} m.", "任何路径都不会短于 {bound} m。"],
 });
 
-/** A scene rests for so long before its planner is asked for more. */
-const REST_MS = 600;
-/** A plan that takes longer is not asked for alternatives by itself. */
-const LONG_MS = 400;
-/** Percent above the shortest way without obstacles: nothing that numbers on the page would show. */
-const PROVEN = 0.05;
-/** Many playgrounds may stand in a document: one that nobody has touched asks for no more. */
-const isPage = (): boolean => document.querySelector("parkade-playground[permalink]") !== null;
-
-/** What has been found of each scene. */
-const found = new WeakMap<Scene, Map<PlannerId, Choice[]>>();
+/** Percent above the shortest way without obstacles: rounding, and what tells more as a length. */
+const ROUNDING = 1e-4, MUCH = 50;
 
 /** Chips under a planner's title: other paths that it found, to look at and to choose. */
 export class Choices extends AppElement {
@@ -61,10 +51,6 @@ export class Choices extends AppElement {
   declare planner: PlannerId | undefined;
   /** Whether better paths are being looked for. */
   declare searching: boolean;
-  private rest: ReturnType<typeof setTimeout> | undefined;
-  private helper: Helper | null = null;
-  /** What was asked last; not again. */
-  private tried: { scene: Scene; planner: PlannerId } | null = null;
 
   constructor() {
     super();
@@ -72,81 +58,29 @@ export class Choices extends AppElement {
   }
 
   protected watches(): readonly (keyof State)[] {
-    return ["results", "scene", "transient", "prefer", "hidden", "complete", "canUndo", "focus"];
+    return ["choices", "improving", "prefer", "hidden", "focus"];
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.giveUp();
+    this.preview(null);
+  }
+
+  protected override willUpdate(changed: PropertyValues): void {
+    super.willUpdate(changed);
+    const { choices, improving } = this.state;
+    this.searching = improving === this.asked;
+    if (!choices?.[this.asked]) this.preview(null);
   }
 
   protected override render(): TemplateResult | typeof nothing {
-    const { state, asked } = this, choices = this.choices();
-    if (!choices || choices.length < 2) return nothing;
-    return html`<div role="group" aria-label=${say(state.lang, "label", { planner: plannerName(state.lang, asked) })}>${choices.map((choice) => this.chip(choice))}</div>`;
-  }
-
-  protected override updated(): void {
-    const { state } = this;
-    if (state.transient || (this.tried && !this.isTried())) this.giveUp();
-    clearTimeout(this.rest);
-    if (this.searching || this.choices() || !this.isWanted()) return;
-    this.rest = setTimeout(() => {
-      if (!this.searching && this.isWanted()) void this.search();
-    }, REST_MS);
+    const { state: { lang, hidden, choices }, asked } = this, list = choices?.[asked];
+    if (!list || list.length < 2 || hidden.has(asked)) return nothing;
+    return html`<div role="group" aria-label=${say(lang, "label", { planner: plannerName(lang, asked) })}>${list.map((choice) => this.chip(choice))}</div>`;
   }
 
   private get asked(): PlannerId {
     return this.planner ?? this.state.focus;
-  }
-
-  private choices(): Choice[] | undefined {
-    const { state, asked } = this, result = state.results[asked];
-    return result?.status === "done" && result.plan?.outcome === "found" && !state.hidden.has(asked) ? found.get(state.scene)?.get(asked) : undefined;
-  }
-
-  private isTried(): boolean {
-    return this.tried?.scene === this.state.scene && this.tried.planner === this.asked;
-  }
-
-  /** Only of an answer that rests, and only once. */
-  private isWanted(): boolean {
-    const { state, asked } = this, result = state.results[asked];
-    const isAlive = state.canUndo || state.hover !== null || isPage();
-    const isHybrid = identityOf(asked).drives;
-    return isAlive && isHybrid && state.complete && !state.transient && !document.hidden && !state.hidden.has(asked) && !this.isTried()
-      && result?.status === "done" && result.plan?.check.drivable === true && (result.time?.total ?? LONG_MS) < LONG_MS;
-  }
-
-  private async search(): Promise<void> {
-    const { asked: planner, state: { scene } } = this, question = { planner, scene };
-    this.tried = question;
-    this.searching = true;
-    try {
-      const engine = await this.app.complete();
-      if (this.tried !== question) return;
-      this.helper = new Helper(engine);
-      const [ordinary, ...alternatives] = await this.helper.call("alternatives", { planner: planner as HybridPlannerId, scene: forPlanners(scene, engine.api.packRuns) });
-      const known = found.get(scene) ?? new Map<PlannerId, Choice[]>();
-      found.set(scene, known.set(planner, choicesOf(ordinary, alternatives)));
-    } catch {
-      // The panel has the ordinary answer, and says what is wrong with the scene.
-    }
-    if (this.tried === question) this.rests();
-  }
-
-  private rests(): void {
-    this.helper?.stop();
-    this.helper = null;
-    this.searching = false;
-    this.requestUpdate();
-  }
-
-  private giveUp(): void {
-    clearTimeout(this.rest);
-    this.tried = null;
-    if (this.searching) this.rests();
-    this.preview(null);
   }
 
   private chip({ plan, by, isOrdinary }: Choice): TemplateResult {
@@ -156,7 +90,8 @@ export class Choices extends AppElement {
     const isWidest = by.length === 1 && by[0] === "widest";
     const isChosen = chosen ? by.includes(chosen) : isOrdinary;
     const what = by.length === 0 ? say(lang, "ordinary") : by.map((one) => say(lang, one)).join(", ");
-    const proof = say(lang, gapPercent < PROVEN ? "proven" : "bound", { bound: this.num(rsBound, 1) });
+    const how = gapPercent < ROUNDING ? "proven" : gapPercent < MUCH ? "within" : "bound";
+    const proof = say(lang, how, { bound: this.num(rsBound, 1), share: this.num(Math.ceil(gapPercent * 10) / 10, 1) });
     const title = say(lang, "title", { ...values, what, proof });
     return html`<button aria-pressed=${isChosen} title=${title} aria-label=${title}
       @click=${() => this.choose(isOrdinary ? undefined : by[0])}

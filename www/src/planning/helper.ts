@@ -13,7 +13,7 @@ export class JobError extends Error {
   }
 }
 
-interface Waiting { resolve(answer: unknown): void; reject(error: Error): void }
+interface Waiting { resolve(answer: unknown): void; reject(error: Error): void; tell: ((told: never) => void) | undefined }
 
 export class Helper {
   private readonly worker: Worker;
@@ -24,6 +24,7 @@ export class Helper {
     this.worker = new Worker(engine.script, { type: "module", name: "parkade jobs" });
     this.worker.onmessage = ({ data }: MessageEvent<JobReply>) => {
       const job = this.waiting.get(data.id);
+      if ("told" in data) return job?.tell?.(data.told as never);
       this.waiting.delete(data.id);
       if ("error" in data) job?.reject(new JobError(data.error));
       else job?.resolve(data.answer);
@@ -34,10 +35,11 @@ export class Helper {
     };
   }
 
-  call<Name extends JobName>(name: Name, input: Parameters<Jobs[Name]>[0], transfer: Transferable[] = []): Promise<ReturnType<Jobs[Name]>> {
+  /** `tell` is given what the job has to say before its answer. */
+  call<Name extends JobName>(name: Name, input: Parameters<Jobs[Name]>[0], transfer: Transferable[] = [], tell?: (told: never) => void): Promise<ReturnType<Jobs[Name]>> {
     const id = ++this.last;
     return new Promise((resolve, reject) => {
-      this.waiting.set(id, { resolve: (answer) => resolve(answer as ReturnType<Jobs[Name]>), reject });
+      this.waiting.set(id, { resolve: (answer) => resolve(answer as ReturnType<Jobs[Name]>), reject, tell });
       const request: JobRequest = { kind: "job", id, module: this.engine.module, name, input };
       this.worker.postMessage(request, transfer);
     });

@@ -1,10 +1,12 @@
 /** What workers of the complete module do beside planning. */
-import type { Family, HybridPlan, HybridPlannerId, ImportOptions, Imported, PaperRow, ParkingRow, ParkingTable, PaperTable, Plan, PlannerId, PaperClaim, RoadFigures, RoadRow, RoadTable, VolumeComparison } from "parkade";
-import { Planner, collisionRisk, generateScenario, importScene, init, packRuns, paperGrid, paperGridRows, paperGridSummary, paperParking, paperParkingRows, paperRoad, paperRoadRows, paperStranded, paperVerdicts, paperVolumes, roadFigures } from "parkade";
+import type { Family, HybridPlan, HybridPlannerId, ImportOptions, Imported, Limits, PaperRow, ParkingRow, ParkingTable, PaperTable, Plan, PlannerId, PaperClaim, Prefer, RoadFigures, RoadRow, RoadTable, VolumeComparison } from "parkade";
+import { Planner, collisionRisk, generateScenario, importScene, init, packRuns, paperGrid, paperGridRows, paperGridSummary, paperParking, paperParkingRows, paperRoad, paperRoadRows, paperStranded, paperVerdicts, paperVolumes, roadFigures, stopWaitGo, trajectory } from "parkade";
 import type { Run } from "../scene/cells";
 import type { Scenario } from "../scene/scenario";
+import { cheapest, choicesOf, type Choice, type Driven } from "./choices-of";
+import { driveOf } from "./drive-of";
 import { failureOf } from "./failure";
-import type { Failure, Request } from "./protocol";
+import type { Failure, Request, Waiting } from "./protocol";
 import type { Risk } from "./risk";
 
 /** Lists of cells longer than this travel as numbers and as a text. */
@@ -24,13 +26,24 @@ const JOBS = {
       made.free();
     }
   },
-  /** The ordinary answer, and all that are worth choosing from. */
-  alternatives: ({ planner, scene }: { planner: HybridPlannerId; scene: Scenario }): [HybridPlan, ...HybridPlan[]] => {
+  /** What there is to choose from; tells of each path that is better than the first one by what is preferred, or costs less. */
+  improve: ({ planner, scene, prefer, waiting, limits }: { planner: HybridPlannerId; scene: Scenario; prefer: Prefer | undefined; waiting: Waiting; limits: Limits }, tell: (better: Driven) => void): Driven[] => {
     const made = new Planner(planner, scene);
-    let ordinary: HybridPlan | null = null;
+    const driven = (choice: Choice): Driven => {
+      try {
+        return { ...choice, drive: driveOf({ stopWaitGo, trajectory }, scene, choice.plan, waiting, limits) };
+      } catch {
+        return { ...choice, drive: null };
+      }
+    };
+    let first: HybridPlan | undefined;
     try {
-      const best = made.plan({ alternatives: true, onImproved: (plan) => { ordinary ??= plan; } });
-      return [ordinary ?? best, ...(best.alternatives ?? [])];
+      const best = made.plan({ ...(prefer && { prefer }), alternatives: true, onImproved: (plan) => {
+        if (first) tell(driven({ plan, by: prefer ? [prefer] : [], isOrdinary: !prefer }));
+        else first = plan;
+      } });
+      const others = best.alternatives ?? [best];
+      return choicesOf(cheapest(first ?? best, others), others).map(driven);
     } finally {
       made.free();
     }
@@ -67,7 +80,7 @@ const JOBS = {
 export type Jobs = typeof JOBS;
 export type JobName = keyof Jobs;
 export interface JobRequest { kind: "job"; id: number; module: WebAssembly.Module; name: JobName; input: unknown }
-export type JobReply = { kind: "job"; id: number; answer: unknown } | { kind: "job"; id: number; error: Failure };
+export type JobReply = { kind: "job"; id: number; told: unknown } | { kind: "job"; id: number; answer: unknown } | { kind: "job"; id: number; error: Failure };
 
 const scope = self as unknown as {
   onmessage: ((event: MessageEvent<Request | JobRequest>) => void) | null;
@@ -83,7 +96,8 @@ export function serveJobs(): void {
 async function work({ id, module, name, input }: JobRequest): Promise<void> {
   try {
     await init({ wasm: module });
-    const answer = (JOBS[name] as (given: unknown) => unknown)(input);
+    const tell = (told: unknown): void => scope.postMessage({ kind: "job", id, told }, []);
+    const answer = (JOBS[name] as (given: unknown, tell: (told: unknown) => void) => unknown)(input, tell);
     const { cells } = Object(answer) as Partial<Moved<unknown>>;
     scope.postMessage({ kind: "job", id, answer }, !Array.isArray(cells) ? [] : cells.map(({ numbers }) => numbers.buffer as ArrayBuffer));
   } catch (error) {

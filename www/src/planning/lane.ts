@@ -1,11 +1,11 @@
-import type { Explanation, LayerName, Limits, PlannerId, Prefer } from "parkade";
+import type { Explanation, LayerName, Limits, Plan, PlannerId, Prefer } from "parkade";
 import { isGoalPose } from "../scene/model";
 import type { Scenario } from "../scene/scenario";
 import type { Holder, WorkerPool } from "./pool";
 import type { Ends, Failure, Layers, Reply, Request, Timing, Waiting } from "./protocol";
 
 /** `every`: cells from one force of the layer `risk` to the next; `budget`: milliseconds after which the plan is given up. */
-export interface Job { id: number; scene: Scenario; layers: LayerName[]; every: number; trace: boolean; waiting: Waiting | null; limits?: Limits; prefer?: Prefer | undefined; budget?: number | null }
+export interface Job { id: number; scene: Scenario; layers: LayerName[]; every: number; trace: boolean; waiting: Waiting | null; limits?: Limits; prefer?: Prefer | undefined; shown?: Plan | null; budget?: number | null }
 
 /** What a lane needs of a Worker; tests put their own in. */
 export interface WorkerLike {

@@ -63,7 +63,7 @@ export class Planning {
 
   start(): void {
     this.unsubscribe ??= this.store.subscribe((state, previous) => {
-      if (state.scene !== previous.scene || state.planners !== previous.planners || state.waiting !== previous.waiting || state.prefer !== previous.prefer) this.replan(previous.scene);
+      if (state.scene !== previous.scene || state.planners !== previous.planners || state.waiting !== previous.waiting) this.replan(previous.scene);
       else if (previous.transient && !state.transient) this.replan(state.scene); // A drag leaves its slower layers behind.
       else if ((["redundant", "cost", "risk", "tree"] as const).some((name) => state.layers[name] && !previous.layers[name])) this.replan(state.scene);
       if (state.hover !== previous.hover) void this.explain(state);
@@ -181,8 +181,8 @@ export class Planning {
     const present = state.planners.filter((planner) => this.engine.extent === "complete" || extentFor([planner]) === "core");
     this.planWhenLoaded(state.planners.filter((planner) => !present.includes(planner)));
     for (const planner of present) {
-      const { waiting, prefer } = state.transient ? DRAG : state;
-      const job = { id: this.job, scene, layers: layersOf(planner, state), every: forceEvery(state), trace: isTraced(planner, state), waiting, limits: limitsOn(scene), prefer: (this.engine.extent === "complete" && prefer[planner]) || undefined, budget: this.budget };
+      const waiting = state.transient ? null : state.waiting, old = state.results[planner];
+      const job = { id: this.job, scene, layers: layersOf(planner, state), every: forceEvery(state), trace: isTraced(planner, state), waiting, limits: limitsOn(scene), prefer: state.prefer[planner], shown: old?.chosen ? old.plan : null, budget: this.budget };
       if (state.transient && identityOf(planner).drives) this.hold(planner, job);
       else {
         this.held.delete(planner);
@@ -269,6 +269,7 @@ export class Planning {
     const result: PanelResult = {
       ...old,
       plan: same ? old.plan : plan,
+      chosen: false,
       // The first module has no drives.
       drive: (same && old.drive) || drive,
       lastGood: plan.outcome === "found" ? plan : old.lastGood,
@@ -370,9 +371,6 @@ const forceEvery = ({ transient, scene: { map: { width, height } } }: State): nu
 /** A drag's plans bring no more than is drawn of them. */
 const isTraced = (planner: PlannerId, { transient, layers, playback }: State): boolean =>
   !transient || playback.base === "search" || (identityOf(planner).drives ? layers.tree : layers.heat);
-
-/** A drag's plans are the ordinary ones, and nobody drives them. */
-const DRAG: Pick<State, "prefer"> & { waiting: null } = { waiting: null, prefer: {} };
 
 const hasCosts = (planner: PlannerId): boolean => infoOf(planner)?.family === "road";
 

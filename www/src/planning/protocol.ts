@@ -21,7 +21,9 @@ export interface PlanRequest {
   trace: boolean;
   waiting: Waiting | null;
   limits?: Limits;
+  /** Of a drag: what the path that stays is chosen by, and, where that is not the worker's last, the path. */
   prefer?: Prefer | undefined;
+  shown?: Plan | null;
 }
 
 /** Where a plan begins and ends; without a goal, at the scene's slot or set of goals. */

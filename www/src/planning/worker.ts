@@ -1,7 +1,8 @@
-import type { Drive, Encounter, Limits, Plan, Planner, PlannerId } from "parkade";
+import type { HybridPlan, Plan, Planner, PlannerId } from "parkade";
 import type { Scenario } from "../scene/scenario";
+import { driveOf } from "./drive-of";
 import { failureOf } from "./failure";
-import type { Ends, Layers, PlanRequest, Reply, Request, Timing, Waiting } from "./protocol";
+import type { Ends, Layers, PlanRequest, Reply, Request, Timing } from "./protocol";
 
 const scope = self as unknown as {
   onmessage: ((event: MessageEvent<Request>) => void) | null;
@@ -23,8 +24,6 @@ let ready: Promise<void> | null = null;
 let held: { planner: Planner; scene: Scenario; ends: Ends } | null = null;
 /** Of two ways about as good the one that is shown stays while something is dragged. */
 const DRAG = { stickiness: 0.03 };
-/** What the last plan was chosen by. */
-let choice: Parameters<Planner["plan"]>[0];
 let plans = 0;
 
 /** Answers the page's requests; called in workers only. */
@@ -81,16 +80,16 @@ function letGo(): undefined {
   held = null;
 }
 
-function plan({ id, scene, ends, layers: names, every, trace, waiting, limits, prefer }: PlanRequest): Extract<Reply, { kind: "planned" }> {
+function plan({ id, scene, ends, layers: names, every, trace, waiting, limits, prefer, shown }: PlanRequest): Extract<Reply, { kind: "planned" }> {
   const warm = plans >= WARM_PLANS;
   const drags = !waiting && !!api.trajectory && planner.startsWith("hybrid"), current = hold(scene, ends, drags);
-  choice = prefer && { prefer, alternatives: true };
-  const [found, time] = timed(current.planner, { trace, ...ends, ...choice, ...(drags && DRAG) }, (expansions) => scope.postMessage({ kind: "progress", id, expansions }, []));
+  if (drags && shown) current.planner.continueFrom(shown as HybridPlan);
+  const [found, time] = timed(current.planner, { trace, ...ends, ...(drags && { ...DRAG, ...(prefer && { prefer }) }) }, (expansions) => scope.postMessage({ kind: "progress", id, expansions }, []));
   const layers: Layers = {};
   for (const name of names) layers[name] = current.planner.layer(name, name === "risk" ? { every } : {});
   const reply = { kind: "planned", id, plan: found, layers, drive: null, undriven: false, time, warm } as const;
   try {
-    return { ...reply, drive: waiting && driveOf({ ...current.scene, ...ends }, found, waiting, limits) };
+    return { ...reply, drive: waiting && driveOf(api, { ...current.scene, ...ends }, found, waiting, limits) };
   } catch (error) {
     // A trap leaves the module's memory in an unknown state.
     if (failureOf(error).code === "internal") throw error;
@@ -100,12 +99,6 @@ function plan({ id, scene, ends, layers: names, every, trace, waiting, limits, p
 
 /** Times depend on the path alone, and reading a huge map takes longer than planning. */
 const withoutCells = (scene: Scenario): Scenario => ({ ...scene, obstacles: (scene.obstacles ?? []).filter(({ type }) => type !== "cells") });
-
-/** The plan in time, among moving obstacles where there are some; null where no car drives it, or without the complete module. */
-function driveOf(scene: Scenario, plan: Plan, rule: Waiting, limits?: Limits): Drive | Encounter | null {
-  if (plan.outcome !== "found" || !plan.check.drivable) return null;
-  return (scene.moving?.length ? api.stopWaitGo?.(scene, plan, { rule }) : api.trajectory?.(scene, plan, limits)) ?? null;
-}
 
 /** A plan and how long it took. */
 function timed(planner: Planner, options: Parameters<Planner["plan"]>[0], tell: (expansions: number) => void = () => {}): [Plan, Timing] {
@@ -121,7 +114,7 @@ function timed(planner: Planner, options: Parameters<Planner["plan"]>[0], tell: 
 
 function time({ runs, budget, scene, ends }: Extract<Request, { kind: "time" }>): Timing[] {
   const samples: Timing[] = [];
-  const current = hold(scene, ends).planner, silent = { trace: false, ...ends, ...choice };
+  const current = hold(scene, ends).planner, silent = { trace: false, ...ends };
   if (scene) timed(current, silent);
   const end = performance.now() + budget;
   while (samples.length < runs && (samples.length === 0 || performance.now() < end)) samples.push(sample(current, silent));

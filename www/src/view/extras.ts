@@ -11,7 +11,7 @@ export { drawDifference } from "./layers/difference";
 export { drawDraft } from "./layers/draft";
 export { drawFailure } from "./layers/failure";
 export { drawExplained } from "./layers/explained";
-export { followGoals } from "../scene/goals";
+export { follow } from "../planning/improver";
 export { drawGoals } from "./layers/goals";
 export { drawOthers, drawPreview } from "./layers/ghosts";
 export { drawLaneStrip } from "./layers/lane-strip";
