@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use super::{Driven, Engine, NEAR, Options, Outcome, Plan, Planner, Tell, measured};
+use super::{Driven, Engine, Improved, NEAR, Options, Outcome, Plan, Planner, Tell, measured};
 use crate::geometry::{Pose, math};
 use crate::scenario::{GoalPose, Goals};
 
@@ -11,7 +11,7 @@ const EFFORT: u32 = 50_000_000;
 
 impl Planner {
     /// Plans to the cheapest goal: in one search with hybrid A*, else to one goal after another.
-    pub(super) fn plan_any(&mut self, start: Pose, goals: &Goals, options: Options) -> Plan {
+    pub(super) fn plan_any(&mut self, start: Pose, goals: &Goals, mut options: Options) -> Plan {
         let mut poses: Vec<Pose> = goals.poses.iter().map(|goal| goal.pose).collect();
         if poses.is_empty() {
             self.world.geometry.start = start;
@@ -25,7 +25,20 @@ impl Planner {
             }
             let ends = [start, poses[0]];
             engine.goals = poses;
-            self.toward(ends, options)
+            match options.improved.take() {
+                None => self.toward(ends, options),
+                Some(improved) => {
+                    let mut told =
+                        |plan: &Plan| improved(&Plan { goal: at_end(goals, plan), ..plan.clone() });
+                    let progress: Option<Tell> = match &mut options.progress {
+                        Some(tell) => Some(&mut **tell),
+                        None => None,
+                    };
+                    let Options { trace, prefer, alternatives, stickiness, .. } = options;
+                    let improved: Option<Improved> = Some(&mut told);
+                    self.toward(ends, Options { trace, progress, prefer, alternatives, stickiness, improved })
+                }
+            }
         } else {
             self.one_by_one(start, &poses, options)
         };
@@ -35,7 +48,12 @@ impl Planner {
         let goal = self.world.geometry.goal;
         let nearest = goals.poses.iter().find(|one| one.pose == goal);
         match (plan.outcome, nearest) {
-            (Outcome::Found, _) => plan.goal = nearest.cloned(),
+            (Outcome::Found, _) => {
+                plan.goal = nearest.cloned();
+                for one in &mut plan.alternatives {
+                    one.goal = at_end(goals, one);
+                }
+            }
             (Outcome::StartBlocked | Outcome::StartOutside, _) => {}
             (_, Some(nearest)) if goals.poses.len() > 1 => {
                 let own = plan.reason.unwrap_or_default();
@@ -104,6 +122,12 @@ impl Planner {
             Outcome::GoalBlocked | Outcome::GoalOutside => f64::INFINITY,
         }
     }
+}
+
+/// The goal at which a path ends.
+fn at_end(goals: &Goals, plan: &Plan) -> Option<GoalPose> {
+    let end = *plan.path.last()?;
+    goals.poses.iter().find(|one| one.pose == end).cloned()
 }
 
 /// Tells of expansions that follow others.

@@ -18,7 +18,7 @@ use crate::metrics::Verdict;
 #[cfg(not(feature = "complete"))]
 use crate::planners::hybrid::plan;
 #[cfg(feature = "complete")]
-use crate::planners::hybrid::{self, Last, Prefer, plan_any, stay, with_room};
+use crate::planners::hybrid::{self, Last, Prefer, goal_of, plan_any, stay, with_room};
 use crate::planners::hybrid::{Config, Query, Report, Scratch, Status, obstacles};
 use crate::planners::registry::Kind;
 use crate::scenario::Scenario;
@@ -209,11 +209,11 @@ impl Engine {
         })
     }
 
-    /// What to choose among further paths, and their plans.
+    /// What to choose among further paths, and their plans. The goal of `world` is then that of the chosen one.
     #[cfg(feature = "complete")]
     pub(super) fn choose(
         &mut self,
-        (scenario, world): (&Scenario, &World),
+        (scenario, world): (&Scenario, &mut World),
         (mut plan, first): (Plan, Report),
         wish: Wish,
         progress: &mut Option<Progress>,
@@ -229,16 +229,21 @@ impl Engine {
         if wish.is_none() {
             return plan;
         }
-        let geometry = &world.geometry;
-        let query = query(&self.obstacles, geometry);
+        let vehicle = world.geometry.vehicle;
+        let Geometry { start, goal, .. } = world.geometry;
+        let query = Query { obstacles: &self.obstacles, vehicle: &vehicle, start, goal };
         let prefer = wish.searched();
         let trace = plan.trace.take();
         let (id, config) = (self.kind.id(), self.config);
         plan.planner = id;
-        let mut choosing = Choosing::new(wish, &geometry.vehicle, &scenario.speed_limits);
+        let mut choosing = Choosing::new(wish, &vehicle, &scenario.speed_limits);
         let mut last = first.clone();
         if choosing.offer(plan).is_continue() {
+            let goals = &self.goals;
             let mut offer = |report: Report| {
+                let goal = if goals.is_empty() { query.goal } else { goal_of(&query, goals, &report) };
+                let query = Query { goal, ..query };
+                world.geometry.goal = goal;
                 let mut plan = measured(world, Outcome::Found, drive(&query, &report), NEAR);
                 if plan.check.verdict == Verdict::Collides {
                     return std::ops::ControlFlow::Continue(());
@@ -249,12 +254,13 @@ impl Engine {
                 choosing.offer(plan)
             };
             let memory = (&mut self.scratch, &mut *progress);
-            last = hybrid::choices(&query, &self.config, (&first, prefer), memory, &mut offer);
+            last = hybrid::choices(&query, (&config, goals), (&first, prefer), memory, &mut offer);
         }
         if let Some(progress) = progress {
             progress.finish(last.expanded);
         }
         let mut plan = choosing.conclude(&stats(&last));
+        world.geometry.goal = plan.path.last().copied().unwrap_or(world.geometry.goal);
         plan.trace = trace;
         plan
     }

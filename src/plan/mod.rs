@@ -250,7 +250,7 @@ impl Planner {
             Engine::Hybrid(engine) => {
                 let found = engine.plan(&self.scenario, &mut self.world, options.trace, &mut progress);
                 #[cfg(feature = "complete")]
-                let found = (engine.choose((&self.scenario, &self.world), found, wish, &mut progress),);
+                let found = (engine.choose((&self.scenario, &mut self.world), found, wish, &mut progress),);
                 found.0
             }
             #[cfg(feature = "complete")]

@@ -27,8 +27,8 @@ export type LayerKey =
 export interface PanelResult {
   plan: Plan | null;
   lastGood: Plan | null;
-  /** Whether `plan` is another than the planner's first answer. */
-  chosen?: boolean;
+  /** `plan`, where that is another than the planner's first answer. */
+  chosen?: Plan | null;
   /** `plan` in time, among moving obstacles where there are some; null where no car drives it, and during drags. */
   drive: Drive | Encounter | null;
   layers: Partial<Record<LayerName, Layer>>;

@@ -6,7 +6,7 @@ use super::config::{Config, Level, Profile, SearchFrom};
 use super::level::{Search, Work};
 use super::portfolio::{COMFORTABLE, Floods};
 use super::{Query, Report, Scratch, Status};
-use crate::geometry::arcs;
+use crate::geometry::{Pose, arcs};
 use crate::json;
 use crate::search::Progress;
 use crate::vehicle::collision::Probe;
@@ -51,24 +51,30 @@ const CHANGE_TIME: f64 = 6.0;
 /// What turning the wheel from straight to full lock costs in time, in metres at full speed.
 const STEER_TIME: f64 = 0.3;
 
-/// Searches for paths that are better than `first` by `prefer`, or in any way where nothing is preferred. Each is given to
-/// `offer`, which answers whether to go on. The counters in each, and in the empty report returned, count everything so far,
+/// Searches for paths that are better than `first` by `prefer`, or in any way where nothing is preferred; with several `goals` to
+/// any of them. Each is given to `offer`, which answers whether to go on. The counters in each, and in the empty report returned, count everything so far,
 /// `first` included.
 pub fn choices(
     query: &Query,
-    config: &Config,
+    (config, goals): (&Config, &[Pose]),
     (first, prefer): (&Report, Option<Prefer>),
     (scratch, progress): (&mut Scratch, &mut Option<Progress>),
     offer: &mut dyn FnMut(Report) -> ControlFlow<()>,
 ) -> Report {
     let probe = Probe::new(query.obstacles, query.vehicle);
     let [start, goal] = [query.start, query.goal].map(|pose| query.obstacles.local(pose));
-    let room = probe.clearance(start, ROOMY).min(probe.clearance(goal, ROOMY));
+    let locals: Vec<Pose> = goals.iter().map(|&pose| query.obstacles.local(pose)).collect();
+    let is_inside = |goal: &Pose| query.obstacles.inside(goal.point()).is_none();
+    let free = |goal: &Pose| is_inside(goal) && probe.hit(*goal, 0.0).is_none();
+    let goals: Vec<Pose> = locals.into_iter().filter(free).collect();
+    let goals = if goals.len() > 1 { &goals[..] } else { &[] };
+    let most = goals.iter().map(|&goal| probe.clearance(goal, ROOMY)).fold(0.0, f64::max);
+    let room = probe.clearance(start, ROOMY).min(probe.clearance(goal, ROOMY).max(most));
     let mut margins: Vec<f64> = SHARES.map(|share| share * room).to_vec();
     margins.retain(|&margin| margin > first.margin);
     let kept = margins.len();
     margins.extend([first.margin, COMFORTABLE]);
-    let mirrored = first.from_goal || config.search_from == SearchFrom::Both;
+    let mirrored = !goals.is_empty() || first.from_goal || config.search_from == SearchFrom::Both;
     let [root, target] = if mirrored { [goal, start] } else { [start, goal] };
     let floods = Floods::with(query, [target, root], margins);
     let config = &Config { search_from: SearchFrom::Goal, ..*config };
@@ -86,7 +92,7 @@ pub fn choices(
         goal,
         tight,
         trace,
-        goals: &[],
+        goals,
     };
     let mut report = first.counters();
     let work = Work { report: &mut report, scratch, progress };
@@ -153,8 +159,12 @@ impl Run<'_, '_> {
     /// in which a change is dearer than any way.
     fn layers(&mut self, number: u32, margin: usize, is_swapped: bool) -> Goes {
         let config = *self.search.config;
-        // Fine steps find nothing without changes that coarse ones do not.
-        if number >= config.levels() || number as usize >= LAYERS.len() || self.changes < number.max(1) {
+        // Fine steps find nothing without changes that coarse ones do not. From the start a search leads to one goal.
+        if (is_swapped && !self.search.goals.is_empty())
+            || number >= config.levels()
+            || number as usize >= LAYERS.len()
+            || self.changes < number.max(1)
+        {
             return Goes::Continue(());
         }
         let price = PRICE + PRICE_LENGTHS * arcs::length(&self.first.arcs);
@@ -233,7 +243,8 @@ impl Run<'_, '_> {
             let counters = self.work.report.counters();
             let mut path = core::mem::replace(self.work.report, counters);
             self.changes = self.changes.min(arcs::direction_changes(&path.arcs));
-            path.cost = self.search.costs().path(self.search.probe, self.search.start, &path.arcs);
+            let costs = self.search.arrived(&path.arcs).costs();
+            path.cost = costs.path(self.search.probe, self.search.start, &path.arcs);
             path.status = Status::Suboptimal;
             self.work.report.status = Status::Suboptimal;
             (self.offer)(path)?;
@@ -252,7 +263,7 @@ mod tests {
     use super::super::flood::Flood;
     use super::super::keys::Keys;
     use super::*;
-    use crate::geometry::{Point, Pose};
+    use crate::geometry::Point;
     use crate::search::{self, Domain, End, Limits, NodeId, Relax, Visit, best_first};
     use crate::vehicle::Vehicle;
     use crate::vehicle::collision::{Obstacles, Solid};

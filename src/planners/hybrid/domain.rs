@@ -113,12 +113,16 @@ impl<'a> Lattice<'a> {
 
     /// The node that a search from `pose` begins at; with many roots none of them, but one before all of them.
     pub(super) fn root(&self, pose: Pose) -> (NodeId, State) {
-        let state = State { pose, ..State::default() };
+        let state = |pose| State { pose, ..State::default() };
         #[cfg(feature = "complete")]
         if !self.roots.is_empty() {
-            return (self.keys.borrow_mut().id(NO_CELL), state);
+            let node = self.keys.borrow_mut().id(NO_CELL);
+            // No path from any of them is cheaper than the least estimate.
+            let estimates: Vec<f64> =
+                self.roots.iter().map(|&pose| self.heuristic(node, state(pose))).collect();
+            return (node, state(self.roots[math::argmin(&estimates)]));
         }
-        (self.node(pose, 0), state)
+        (self.node(pose, 0), state(pose))
     }
 
     #[cfg(feature = "complete")]

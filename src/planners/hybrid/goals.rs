@@ -67,6 +67,12 @@ pub fn plan_any(
     (free[at], report)
 }
 
+/// The one of some goals to which a path leads; in world coordinates.
+pub fn goal_of(query: &Query, goals: &[Pose], report: &Report) -> Pose {
+    let locals: Vec<Pose> = goals.iter().map(|&goal| query.obstacles.local(goal)).collect();
+    goals[nearest(&locals, arcs::end(query.obstacles.local(query.start), &report.arcs))]
+}
+
 /// Of some poses those at which the body keeps `margin`, metres.
 pub fn with_room(obstacles: &Obstacles, vehicle: &Vehicle, poses: &[Pose], margin: f64) -> Vec<usize> {
     let probe = Probe::new(obstacles, vehicle);
@@ -108,8 +114,10 @@ impl Many<'_> {
     fn plan(&self, scratch: &mut Scratch, progress: &mut Option<Progress>) -> (usize, Report) {
         let clearances: Vec<f64> = self.goals.iter().map(|&goal| self.clearance(goal)).collect();
         let roomiest = clearances.iter().copied().fold(0.0, f64::max);
+        let tightest = clearances.iter().copied().fold(f64::INFINITY, f64::min);
         let margin = self.margin(roomiest);
-        let flood = self.flood(margin, scratch);
+        // With the least margin it leads to all of them.
+        let flood = self.flood(self.margin(tightest), scratch);
         let has_room = |&at: &usize| clearances[at] >= margin;
         let (roomy, mut tight): (Vec<usize>, Vec<usize>) = (0..self.goals.len()).partition(has_room);
         let mut sum = Report { margin, ..empty(self.bound()) };
@@ -118,13 +126,10 @@ impl Many<'_> {
         // Goals with less room only where they may be nearer than what was found with more.
         let worth = best.as_ref().map_or(f64::INFINITY, |(_, best)| best.cost * WORTH);
         tight.retain(|&at| self.estimate(at, &flood) < worth);
-        scratch.flood = Some(flood);
         if !tight.is_empty() {
             let least = tight.iter().map(|&at| clearances[at]).fold(f64::INFINITY, f64::min);
             sum.margin = self.margin(least);
-            let flood = self.flood(sum.margin, scratch);
             self.at_once(&tight, &clearances, &flood, (&mut sum, scratch, progress));
-            scratch.flood = Some(flood);
             if let Some((at, mut found)) = self.kept(&mut sum) {
                 if self.margin(clearances[at]) > found.margin {
                     found = Some(self.alone(at, &sum, scratch, progress))
@@ -136,6 +141,8 @@ impl Many<'_> {
                 }
             }
         }
+        sum.bytes += flood.bytes();
+        scratch.flood = Some(flood);
         let Some((at, found)) = best else { return self.one_by_one(sum, scratch, progress) };
         let Report { expanded, generated, pushes, open_peak, bytes, collision_checks, .. } = sum;
         let bytes = bytes + self.query.obstacles.bytes();
@@ -163,13 +170,11 @@ impl Many<'_> {
         Flood::new(obstacles, vehicle, self.start, margin, scratch.flood.take())
     }
 
-    /// Metres of the way to a goal at least, as far as is known.
+    /// Metres of the way to a goal at least, as far as is known; infinite where there is none.
     fn estimate(&self, at: usize, flood: &Flood) -> f64 {
         let radius = self.query.vehicle.min_turning_radius();
         let around = flood.distance(self.goals[at]);
-        let curve = reeds_shepp::distance(self.start, self.goals[at], radius);
-        // Where the flood with more margin does not come, less may do.
-        if around.is_finite() { curve.max(around) } else { curve }
+        around.max(reeds_shepp::distance(self.start, self.goals[at], radius))
     }
 
     /// What no path to any goal is shorter than, metres.
@@ -187,9 +192,11 @@ impl Many<'_> {
         flood: &Flood,
         (report, scratch, progress): (&mut Report, &mut Scratch, &mut Option<Progress>),
     ) {
-        let goals: Vec<Pose> =
-            some.iter().map(|&at| self.goals[at]).filter(|&goal| flood.distance(goal).is_finite()).collect();
-        if let Some(&first) = goals.first() {
+        let near: Vec<usize> =
+            some.iter().copied().filter(|&at| flood.distance(self.goals[at]).is_finite()).collect();
+        if !near.is_empty() {
+            let goals: Vec<Pose> = near.iter().map(|&at| self.goals[at]).collect();
+            let first = goals[0];
             let least = some.iter().map(|&at| clearances[at]).fold(f64::INFINITY, f64::min);
             let search = Search {
                 query: self.query,
@@ -211,7 +218,6 @@ impl Many<'_> {
                 &mut Work { report: &mut *report, scratch, progress },
             );
         }
-        report.bytes += flood.bytes();
     }
 
     /// The ways around obstacles to the goals.

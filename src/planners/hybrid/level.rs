@@ -258,7 +258,7 @@ impl<'a> Search<'a> {
     }
 
     /// The same question, asked of the one goal at which a path ends.
-    fn arrived(&self, arcs: &[Arc]) -> Self {
+    pub(super) fn arrived(&self, arcs: &[Arc]) -> Self {
         #[cfg(feature = "complete")]
         if !self.goals.is_empty() {
             return Self {

@@ -29,7 +29,7 @@ pub use anchor::{Last, stay};
 pub use choices::{Prefer, choices};
 pub use config::{Config, Heuristic, Profile, SearchFrom};
 #[cfg(feature = "complete")]
-pub use goals::{plan_any, with_room};
+pub use goals::{goal_of, plan_any, with_room};
 pub use shots::Shots;
 
 use core::cell::RefCell;

@@ -99,10 +99,10 @@ export class Planner {
 
   /** @type {import("./index.js").Planner["continueFrom"]} */
   continueFrom(before) {
-    if (before instanceof Planner && before !== this) return before.#call((last) => this.#call((planner) => planner.continueFrom(last), "continueFrom"));
-    const { path, directions, curvatures } = Object(before);
-    if (!curvatures) throw mismatch(before, "before", "another planner or a plan");
-    this.#call((planner) => planner.continueAlong(numbers(Float64Array, path, "path"), numbers(Int8Array, directions, "directions"), numbers(Float64Array, curvatures, "curvatures")), "continueFrom");
+    const { path } = Object(before);
+    if (!(before instanceof Planner || path) || before === this) throw mismatch(before, "before", "another planner or a plan");
+    if (path) this.#call((planner) => planner.continueAlong(path, before.directions, before.curvatures), "continueFrom");
+    else before.#call((last) => this.#call((planner) => planner.continueFrom(last), "continueFrom"));
   }
 
   /** @type {import("./index.js").Planner["brush"]} */

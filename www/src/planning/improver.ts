@@ -142,9 +142,9 @@ class Improver {
     if (!choice || !result?.plan || playback.playing || this.shown.get(result.plan) === choice) return;
     const before = this.shown.get(result.plan)?.plan ?? result.plan;
     if (samePath(before, choice.plan)) return void this.shown.set(result.plan, choice);
-    const { trace, stats } = result.plan as HybridPlan, plan: HybridPlan = { ...choice.plan, trace, stats };
+    const { trace, stats, goal } = result.plan as HybridPlan, plan: HybridPlan = { ...(goal && { goal }), ...choice.plan, trace, stats };
     this.shown.set(plan, choice);
-    const patch: PanelResult = { ...result, plan, chosen: true, lastGood: plan, drive: choice.drive };
+    const patch: PanelResult = { ...result, plan, chosen: plan, lastGood: plan, drive: choice.drive };
     this.app.store.set({ results: { ...results, [planner]: patch } });
   }
 }

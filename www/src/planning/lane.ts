@@ -5,7 +5,7 @@ import type { Holder, WorkerPool } from "./pool";
 import type { Ends, Failure, Layers, Reply, Request, Timing, Waiting } from "./protocol";
 
 /** `every`: cells from one force of the layer `risk` to the next; `budget`: milliseconds after which the plan is given up. */
-export interface Job { id: number; scene: Scenario; layers: LayerName[]; every: number; trace: boolean; waiting: Waiting | null; limits?: Limits; prefer?: Prefer | undefined; shown?: Plan | null; budget?: number | null }
+export interface Job { id: number; scene: Scenario; layers: LayerName[]; every: number; trace: boolean; waiting: Waiting | null; limits?: Limits; prefer?: Prefer | undefined; shown?: Plan | null | undefined; budget?: number | null }
 
 /** What a lane needs of a Worker; tests put their own in. */
 export interface WorkerLike {

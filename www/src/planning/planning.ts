@@ -181,8 +181,8 @@ export class Planning {
     const present = state.planners.filter((planner) => this.engine.extent === "complete" || extentFor([planner]) === "core");
     this.planWhenLoaded(state.planners.filter((planner) => !present.includes(planner)));
     for (const planner of present) {
-      const waiting = state.transient ? null : state.waiting, old = state.results[planner];
-      const job = { id: this.job, scene, layers: layersOf(planner, state), every: forceEvery(state), trace: isTraced(planner, state), waiting, limits: limitsOn(scene), prefer: state.prefer[planner], shown: old?.chosen ? old.plan : null, budget: this.budget };
+      const waiting = state.transient ? null : state.waiting;
+      const job = { id: this.job, scene, layers: layersOf(planner, state), every: forceEvery(state), trace: isTraced(planner, state), waiting, limits: limitsOn(scene), prefer: state.prefer[planner], shown: state.results[planner]?.chosen, budget: this.budget };
       if (state.transient && identityOf(planner).drives) this.hold(planner, job);
       else {
         this.held.delete(planner);
@@ -269,7 +269,7 @@ export class Planning {
     const result: PanelResult = {
       ...old,
       plan: same ? old.plan : plan,
-      chosen: false,
+      chosen: null,
       // The first module has no drives.
       drive: (same && old.drive) || drive,
       lastGood: plan.outcome === "found" ? plan : old.lastGood,

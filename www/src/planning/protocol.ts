@@ -23,7 +23,7 @@ export interface PlanRequest {
   limits?: Limits;
   /** Of a drag: what the path that stays is chosen by, and, where that is not the worker's last, the path. */
   prefer?: Prefer | undefined;
-  shown?: Plan | null;
+  shown?: Plan | null | undefined;
 }
 
 /** Where a plan begins and ends; without a goal, at the scene's slot or set of goals. */
