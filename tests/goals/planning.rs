@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
 use parkade::geometry::{Pose, math};
-use parkade::plan::{Ends, Options, Outcome, Plan, Planner, check_path};
+use parkade::plan::{Ends, Options, Outcome, Plan, Planner, Prefer, check_path};
 use parkade::planners::registry::planners;
 use parkade::scenario::{Entry, GoalPose, HEADING_TOLERANCE, Scenario};
 use serde_json::{Map, Value, json};
@@ -81,6 +81,55 @@ fn every_planner_takes_the_cheapest_of_some_poses() {
             .plan_between(Ends { start: None, goal: Some(Pose::new(20.0, 9.0, 0.0)) }, Options::default());
         let [any, alone] = [&plan, &alone.unwrap()].map(|plan| plan.metrics.length);
         assert!((any - alone).abs() < 1e-9, "{}: {any} and {alone}", info.id);
+    }
+}
+
+/// What is preferred, the less the better.
+fn figure(plan: &Plan, prefer: Prefer) -> f64 {
+    match prefer {
+        Prefer::Shortest => plan.metrics.length,
+        Prefer::FewestChanges => f64::from(plan.metrics.direction_changes),
+        Prefer::Widest => -plan.metrics.min_clearance,
+        Prefer::Fastest => plan.metrics.hybrid.as_ref().unwrap().drive_time.unwrap(),
+    }
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn what_is_preferred_chooses_among_the_goals_too() {
+    // The nearest one needs a gear change, the next one is narrow.
+    let goals = [
+        Pose::new(12.0, 6.8, PI),
+        Pose::new(26.0, 3.0, -PI / 2.0),
+        Pose::new(34.0, 3.6, PI / 2.0),
+        Pose::new(36.0, 9.0, 0.0),
+    ];
+    let poses: Vec<Value> =
+        goals.iter().map(|pose| json!({ "x": pose.x, "y": pose.y, "heading": pose.heading })).collect();
+    let mut planner = Planner::new("hybrid", &aisle(&json!(poses)), &Map::new()).unwrap();
+    let mut taken = Vec::new();
+    for prefer in [Prefer::Shortest, Prefer::FewestChanges, Prefer::Widest, Prefer::Fastest] {
+        let wish = || Options { prefer: Some(prefer), ..Options::default() };
+        let mut improved = |plan: &Plan| {
+            assert_eq!(plan.goal.as_ref().map(|goal| goal.pose), plan.path.last().copied());
+            ControlFlow::Continue(())
+        };
+        let any = planner.plan(Options { improved: Some(&mut improved), ..wish() });
+        let singles = goals
+            .map(|pose| planner.plan_between(Ends { start: None, goal: Some(pose) }, wish()).unwrap());
+        let best = singles.iter().map(|plan| figure(plan, prefer)).fold(f64::INFINITY, f64::min);
+        let mine = figure(&any, prefer);
+        assert!(mine <= best + 0.05 * best.abs(), "{prefer:?}: {mine}, of single goals {best}");
+        assert!(any.check.drivable());
+        assert_eq!(any.goal.as_ref().map(|goal| goal.pose), any.path.last().copied());
+        taken.push(any.goal.unwrap().index);
+    }
+    taken.sort_unstable();
+    taken.dedup();
+    assert!(taken.len() > 1, "{taken:?}");
+    let plan = planner.plan(Options { alternatives: true, ..Options::default() });
+    for one in &plan.alternatives {
+        assert_eq!(one.goal.as_ref().map(|goal| goal.pose), one.path.last().copied());
     }
 }
 
