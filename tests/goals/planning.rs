@@ -99,7 +99,7 @@ fn figure(plan: &Plan, prefer: Prefer) -> f64 {
 fn what_is_preferred_chooses_among_the_goals_too() {
     // The nearest one needs a gear change, the next one is narrow.
     let goals = [
-        Pose::new(12.0, 6.8, PI),
+        Pose::new(18.0, 8.0, PI),
         Pose::new(26.0, 3.0, -PI / 2.0),
         Pose::new(34.0, 3.6, PI / 2.0),
         Pose::new(36.0, 9.0, 0.0),
@@ -115,8 +115,11 @@ fn what_is_preferred_chooses_among_the_goals_too() {
             ControlFlow::Continue(())
         };
         let any = planner.plan(Options { improved: Some(&mut improved), ..wish() });
-        let singles = goals
-            .map(|pose| planner.plan_between(Ends { start: None, goal: Some(pose) }, wish()).unwrap());
+        let singles = goals.map(|pose| {
+            let plan = planner.plan_between(Ends { start: None, goal: Some(pose) }, wish()).unwrap();
+            assert_eq!(plan.outcome, Outcome::Found, "{pose:?}");
+            plan
+        });
         let best = singles.iter().map(|plan| figure(plan, prefer)).fold(f64::INFINITY, f64::min);
         let mine = figure(&any, prefer);
         assert!(mine <= best + 0.05 * best.abs(), "{prefer:?}: {mine}, of single goals {best}");

@@ -100,8 +100,8 @@ describe("the chips", () => {
     expect(cheapest(first, [first, close, best])).toBe(best);
     expect(cheapest(first, [close])).toBe(first);
     const choices = choicesOf(plan(22, 2, 0.1, 20), [plan(26, 0, 0.12, 18)]);
-    expect(chosenOf(choices, undefined).isOrdinary).toBe(true);
-    expect(chosenOf(choices, "fewest-changes").plan.metrics.directionChanges).toBe(0);
+    expect(chosenOf(choices, undefined)?.isOrdinary).toBe(true);
+    expect(chosenOf(choices, "fewest-changes")?.plan.metrics.directionChanges).toBe(0);
     expect(chosenOf([], "widest")).toBeUndefined();
   });
 

@@ -13,8 +13,9 @@ interface Scope { onmessage: ((event: { data: Request }) => void) | null; postMe
 const scope: Scope = { onmessage: null, postMessage: () => {} };
 (globalThis as unknown as { self: Scope }).self = scope;
 await init();
+import { driveOf } from "../../www/src/planning/drive-of";
 const { serve } = await import("../../www/src/planning/worker");
-serve({ Planner, init: () => init(), stopWaitGo, trajectory } as unknown as Parameters<typeof serve>[0]);
+serve({ Planner, init: () => init(), driveOf } as unknown as Parameters<typeof serve>[0]);
 
 /** A lane with the worker's own script on this thread, and what that is asked. */
 function setup(planner: PlannerId) {
@@ -131,7 +132,7 @@ it("tells how far a plan is while it runs, but not when it only times it", async
 
 it("shows the plan where its drive fails", async () => {
   const { plan } = setup("hybrid");
-  serve({ Planner, init: () => init(), stopWaitGo, trajectory: () => { throw Object.assign(new Error("must be driven within 100000 s"), { code: "config", path: "path" }); } } as unknown as Parameters<typeof serve>[0]);
+  serve({ Planner, init: () => init(), driveOf: () => { throw Object.assign(new Error("must be driven within 100000 s"), { code: "config", path: "path" }); } } as unknown as Parameters<typeof serve>[0]);
   const reply = await plan(scenario("P0"), []);
   serve({ Planner, init: () => init(), stopWaitGo, trajectory } as unknown as Parameters<typeof serve>[0]);
   expect(reply).toMatchObject({ kind: "planned", drive: null, undriven: true, plan: { outcome: "found" } });

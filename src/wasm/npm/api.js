@@ -99,10 +99,10 @@ export class Planner {
 
   /** @type {import("./index.js").Planner["continueFrom"]} */
   continueFrom(before) {
-    const { path } = Object(before);
-    if (!(before instanceof Planner || path) || before === this) throw mismatch(before, "before", "another planner or a plan");
-    if (path) this.#call((planner) => planner.continueAlong(path, before.directions, before.curvatures), "continueFrom");
-    else before.#call((last) => this.#call((planner) => planner.continueFrom(last), "continueFrom"));
+    const { path, directions, curvatures } = Object(before);
+    if (path && directions && curvatures) return this.#call((planner) => planner.continueAlong(path, directions, curvatures), "continueFrom");
+    if (!(before instanceof Planner) || before === this) throw mismatch(before, "before", "another planner or a plan");
+    before.#call((last) => this.#call((planner) => planner.continueFrom(last), "continueFrom"));
   }
 
   /** @type {import("./index.js").Planner["brush"]} */

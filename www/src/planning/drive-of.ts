@@ -1,11 +1,10 @@
 import type { Drive, Encounter, Limits, Plan } from "parkade";
+import { stopWaitGo, trajectory } from "parkade";
 import type { Scenario } from "../scene/scenario";
 import type { Waiting } from "./protocol";
 
-type Api = Partial<Pick<typeof import("parkade"), "stopWaitGo" | "trajectory">>;
-
-/** A plan in time, among moving obstacles where there are some; null where no car drives it, or without the complete module. */
-export function driveOf({ stopWaitGo, trajectory }: Api, scene: Scenario, plan: Plan, rule: Waiting, limits?: Limits): Drive | Encounter | null {
+/** A plan in time, among moving obstacles where there are some; null where no car drives it. */
+export function driveOf(scene: Scenario, plan: Plan, rule: Waiting, limits?: Limits): Drive | Encounter | null {
   if (plan.outcome !== "found" || !plan.check.drivable) return null;
-  return (scene.moving?.length ? stopWaitGo?.(scene, plan, { rule }) : trajectory?.(scene, plan, limits)) ?? null;
+  return scene.moving?.length ? stopWaitGo(scene, plan, { rule }) : trajectory(scene, plan, limits);
 }

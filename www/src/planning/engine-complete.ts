@@ -1,5 +1,6 @@
 /** The same as `engine.ts` with every planner and format; its workers also do what takes long beside planning. */
-import { Planner, init, stopWaitGo, trajectory } from "parkade";
+import { Planner, init } from "parkade";
+import { driveOf } from "./drive-of";
 import { serveJobs } from "./jobs";
 import { serve } from "./worker";
 
@@ -10,6 +11,6 @@ export { init, packRuns, planners, scenario, sceneGeometry, scenarios, unpackRun
 export const script = import.meta.url;
 
 if (typeof document === "undefined") {
-  serve({ Planner, init, stopWaitGo, trajectory });
+  serve({ Planner, init, driveOf });
   serveJobs();
 }

@@ -1,6 +1,6 @@
 /** What workers of the complete module do beside planning. */
 import type { Family, HybridPlan, HybridPlannerId, ImportOptions, Imported, Limits, PaperRow, ParkingRow, ParkingTable, PaperTable, Plan, PlannerId, PaperClaim, Prefer, RoadFigures, RoadRow, RoadTable, VolumeComparison } from "parkade";
-import { Planner, collisionRisk, generateScenario, importScene, init, packRuns, paperGrid, paperGridRows, paperGridSummary, paperParking, paperParkingRows, paperRoad, paperRoadRows, paperStranded, paperVerdicts, paperVolumes, roadFigures, stopWaitGo, trajectory } from "parkade";
+import { Planner, collisionRisk, generateScenario, importScene, init, packRuns, paperGrid, paperGridRows, paperGridSummary, paperParking, paperParkingRows, paperRoad, paperRoadRows, paperStranded, paperVerdicts, paperVolumes, roadFigures } from "parkade";
 import type { Run } from "../scene/cells";
 import type { Scenario } from "../scene/scenario";
 import { cheapest, choicesOf, type Choice, type Driven } from "./choices-of";
@@ -31,7 +31,7 @@ const JOBS = {
     const made = new Planner(planner, scene);
     const driven = (choice: Choice): Driven => {
       try {
-        return { ...choice, drive: driveOf({ stopWaitGo, trajectory }, scene, choice.plan, waiting, limits) };
+        return { ...choice, drive: driveOf(scene, choice.plan, waiting, limits) };
       } catch {
         return { ...choice, drive: null };
       }

@@ -1,6 +1,6 @@
 import type { HybridPlan, Plan, Planner, PlannerId } from "parkade";
 import type { Scenario } from "../scene/scenario";
-import { driveOf } from "./drive-of";
+import type { driveOf } from "./drive-of";
 import { failureOf } from "./failure";
 import type { Ends, Layers, PlanRequest, Reply, Request, Timing } from "./protocol";
 
@@ -11,7 +11,7 @@ const scope = self as unknown as {
 
 /** What the worker needs of the package. */
 type Package = typeof import("parkade");
-type Api = Pick<Package, "Planner" | "init"> & Partial<Pick<Package, "stopWaitGo" | "trajectory">>;
+type Api = Pick<Package, "Planner" | "init"> & { driveOf?: typeof driveOf };
 
 /** Plans after which times are those of compiled code. */
 const WARM_PLANS = 3;
@@ -82,14 +82,14 @@ function letGo(): undefined {
 
 function plan({ id, scene, ends, layers: names, every, trace, waiting, limits, prefer, shown }: PlanRequest): Extract<Reply, { kind: "planned" }> {
   const warm = plans >= WARM_PLANS;
-  const drags = !waiting && !!api.trajectory && planner.startsWith("hybrid"), current = hold(scene, ends, drags);
+  const drags = !waiting && !!api.driveOf && planner.startsWith("hybrid"), current = hold(scene, ends, drags);
   if (drags && shown) current.planner.continueFrom(shown as HybridPlan);
   const [found, time] = timed(current.planner, { trace, ...ends, ...(drags && { ...DRAG, ...(prefer && { prefer }) }) }, (expansions) => scope.postMessage({ kind: "progress", id, expansions }, []));
   const layers: Layers = {};
   for (const name of names) layers[name] = current.planner.layer(name, name === "risk" ? { every } : {});
   const reply = { kind: "planned", id, plan: found, layers, drive: null, undriven: false, time, warm } as const;
   try {
-    return { ...reply, drive: waiting && driveOf(api, { ...current.scene, ...ends }, found, waiting, limits) };
+    return { ...reply, drive: (waiting && api.driveOf?.({ ...current.scene, ...ends }, found, waiting, limits)) ?? null };
   } catch (error) {
     // A trap leaves the module's memory in an unknown state.
     if (failureOf(error).code === "internal") throw error;
