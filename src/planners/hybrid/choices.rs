@@ -230,7 +230,8 @@ impl Run<'_, '_> {
         let flood = self.floods.get(margin, is_swapped);
         let search = Search { config, ..self.search };
         let search = if is_swapped { search.swapped(flood) } else { Search { flood, ..search } };
-        if flood.distance(search.root).is_infinite() {
+        let reaches = |pose: Pose| flood.distance(pose).is_finite();
+        if !reaches(search.root) && !search.goals.iter().any(|&goal| reaches(goal)) {
             return Goes::Continue(false);
         }
         let level = Level { max_expansions: most.min(level.max_expansions), ..level };
