@@ -134,7 +134,7 @@ it("shows the plan where its drive fails", async () => {
   const { plan } = setup("hybrid");
   serve({ Planner, init: () => init(), driveOf: () => { throw Object.assign(new Error("must be driven within 100000 s"), { code: "config", path: "path" }); } } as unknown as Parameters<typeof serve>[0]);
   const reply = await plan(scenario("P0"), []);
-  serve({ Planner, init: () => init(), stopWaitGo, trajectory } as unknown as Parameters<typeof serve>[0]);
+  serve({ Planner, init: () => init(), driveOf } as unknown as Parameters<typeof serve>[0]);
   expect(reply).toMatchObject({ kind: "planned", drive: null, undriven: true, plan: { outcome: "found" } });
 });
 
