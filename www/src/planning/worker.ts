@@ -84,7 +84,7 @@ function plan({ id, scene, ends, layers: names, every, trace, waiting, limits, p
   const warm = plans >= WARM_PLANS;
   const drags = !waiting && !!api.driveOf && planner.startsWith("hybrid"), current = hold(scene, ends, drags);
   if (drags && shown) current.planner.continueFrom(shown as HybridPlan);
-  const [found, time] = timed(current.planner, { trace, ...ends, ...(drags && { ...DRAG, ...(prefer && { prefer }) }) }, (expansions) => scope.postMessage({ kind: "progress", id, expansions }, []));
+  const [found, time] = timed(current.planner, { trace, ...ends, ...(drags && { ...DRAG, prefer: prefer! }) }, (expansions) => scope.postMessage({ kind: "progress", id, expansions }, []));
   const layers: Layers = {};
   for (const name of names) layers[name] = current.planner.layer(name, name === "risk" ? { every } : {});
   const reply = { kind: "planned", id, plan: found, layers, drive: null, undriven: false, time, warm } as const;
