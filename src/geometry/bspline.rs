@@ -6,7 +6,7 @@
 use super::{Point, Vector};
 
 /// Steps of the bisection for λ, and the powers of ten between which it looks.
-const STEPS: u32 = 24;
+const STEPS: u32 = 14;
 const POWERS: (f64, f64) = (-4.0, 7.0);
 
 /// A cubic B-spline over u from 0 to 1.
@@ -52,18 +52,19 @@ impl Spline {
         let mut fixed = vec![(0, ends[0]), (count - 1, ends[1])];
         fixed.extend(slopes[0].map(|slope| (1, ends[0] + slope * third)));
         fixed.extend(slopes[1].map(|slope| (count - 2, ends[1] - slope * third)));
-        let solve =
-            |power: f64| Self { controls: controls(points, &rows, weights, &fixed, count, power10(power)) };
+        let system = System::new(points, &rows, weights, count);
+        let solve = |power: f64| Self { controls: system.solve(&fixed, power10(power)) };
+        let is_near = |spline: &Self| spline.distance(points, &rows) <= sigma;
         let (mut low, mut high) = POWERS;
         let mut best = solve(high);
-        if best.residual(points, at) <= sigma {
+        if is_near(&best) {
             return best;
         }
         best = solve(low);
         for _ in 0..STEPS {
             let middle = f64::midpoint(low, high);
             let next = solve(middle);
-            if next.residual(points, at) <= sigma {
+            if is_near(&next) {
                 (low, best) = (middle, next);
             } else {
                 high = middle;
@@ -96,7 +97,11 @@ impl Spline {
 
     /// Root mean square distance from points, metres.
     pub fn residual(&self, points: &[Point], at: &[f64]) -> f64 {
-        let rows = at.iter().map(|&u| basis(self.controls.len(), u));
+        let rows: Vec<_> = at.iter().map(|&u| basis(self.controls.len(), u)).collect();
+        self.distance(points, &rows)
+    }
+
+    fn distance(&self, points: &[Point], rows: &[(usize, [f64; 4])]) -> f64 {
         let sum = points.iter().zip(rows).fold(0.0, |sum, (point, (first, values))| {
             let near = (0..4).fold(Vector::zeros(), |s, k| s + self.controls[first + k].coords * values[k]);
             sum + (near - point.coords).norm_squared()
@@ -136,68 +141,77 @@ fn bases(n: usize, u: f64, degree: usize) -> (usize, [f64; 4]) {
     (span - 3, values)
 }
 
-/// Solves for the control points that are not fixed.
-fn controls(
-    points: &[Point],
-    rows: &[(usize, [f64; 4])],
-    weights: &[f64],
-    fixed: &[(usize, Vector)],
-    n: usize,
-    lambda: f64,
-) -> Vec<Point> {
-    // Lower half of the banded matrix: band[i][k] couples i with i − k.
-    let mut band = vec![[0.0; 4]; n];
-    let mut right = vec![Vector::zeros(); n];
-    let mut add = |first: usize, values: &[f64; 4], weight: f64, target: Vector| {
-        for a in 0..4 {
-            right[first + a] += target * (weight * values[a]);
-            for b in 0..=a {
-                band[first + a][a - b] += weight * values[a] * values[b];
+/// The banded normal equations of a fit, without the penalty.
+struct System {
+    /// Lower half of the matrix: `band[i][k]` couples i with i − k.
+    band: Vec<[f64; 4]>,
+    right: Vec<Vector>,
+}
+
+impl System {
+    fn new(points: &[Point], rows: &[(usize, [f64; 4])], weights: &[f64], n: usize) -> Self {
+        let mut system = Self { band: vec![[0.0; 4]; n], right: vec![Vector::zeros(); n] };
+        for ((point, (first, values)), &weight) in points.iter().zip(rows).zip(weights) {
+            for (right, value) in system.right[*first..].iter_mut().zip(values) {
+                *right += point.coords * (weight * value);
+            }
+            add(&mut system.band, *first, values, weight);
+        }
+        system
+    }
+
+    /// The control points that are not fixed, and those that are.
+    fn solve(&self, fixed: &[(usize, Vector)], lambda: f64) -> Vec<Point> {
+        let n = self.right.len();
+        let (mut band, mut right) = (self.band.clone(), self.right.clone());
+        for first in 0..n - 3 {
+            add(&mut band, first, &[-1.0, 3.0, -3.0, 1.0], lambda);
+        }
+        for &(fixed, value) in fixed {
+            let around = fixed.saturating_sub(3)..(fixed + 4).min(n);
+            for (other, sum) in right.iter_mut().enumerate().take(around.end).skip(around.start) {
+                let (high, low) = (fixed.max(other), fixed.min(other));
+                let coupling = std::mem::take(&mut band[high][high - low]);
+                *sum -= value * coupling;
+            }
+            band[fixed][0] = 1.0;
+            right[fixed] = value;
+        }
+        // Cholesky in place, then both substitutions.
+        for i in 0..n {
+            for k in (0..=i.min(3)).rev() {
+                let j = i - k;
+                let mut sum = band[i][k];
+                for m in i.saturating_sub(3)..j {
+                    sum -= band[i][i - m] * band[j][j - m];
+                }
+                band[i][k] = if k == 0 { sum.max(1e-300).sqrt() } else { sum / band[j][0] };
             }
         }
-    };
-    for ((point, (first, values)), &weight) in points.iter().zip(rows).zip(weights) {
-        add(*first, values, weight, point.coords);
-    }
-    for first in 0..n - 3 {
-        add(first, &[-1.0, 3.0, -3.0, 1.0], lambda, Vector::zeros());
-    }
-    for &(fixed, value) in fixed {
-        let around = fixed.saturating_sub(3)..(fixed + 4).min(n);
-        for (other, sum) in right.iter_mut().enumerate().take(around.end).skip(around.start) {
-            let (high, low) = (fixed.max(other), fixed.min(other));
-            let coupling = std::mem::take(&mut band[high][high - low]);
-            *sum -= value * coupling;
-        }
-        band[fixed][0] = 1.0;
-        right[fixed] = value;
-    }
-    // Cholesky in place, then both substitutions.
-    for i in 0..n {
-        for k in (0..=i.min(3)).rev() {
-            let j = i - k;
-            let mut sum = band[i][k];
-            for m in i.saturating_sub(3)..j {
-                sum -= band[i][i - m] * band[j][j - m];
+        for i in 0..n {
+            for m in i.saturating_sub(3)..i {
+                let known = right[m];
+                right[i] -= known * band[i][i - m];
             }
-            band[i][k] = if k == 0 { sum.max(1e-300).sqrt() } else { sum / band[j][0] };
+            right[i] /= band[i][0];
+        }
+        for i in (0..n).rev() {
+            for m in i + 1..(i + 4).min(n) {
+                let known = right[m];
+                right[i] -= known * band[m][m - i];
+            }
+            right[i] /= band[i][0];
+        }
+        right.into_iter().map(Point::from).collect()
+    }
+}
+
+fn add(band: &mut [[f64; 4]], first: usize, values: &[f64; 4], weight: f64) {
+    for a in 0..4 {
+        for b in 0..=a {
+            band[first + a][a - b] += weight * values[a] * values[b];
         }
     }
-    for i in 0..n {
-        for m in i.saturating_sub(3)..i {
-            let known = right[m];
-            right[i] -= known * band[i][i - m];
-        }
-        right[i] /= band[i][0];
-    }
-    for i in (0..n).rev() {
-        for m in i + 1..(i + 4).min(n) {
-            let known = right[m];
-            right[i] -= known * band[m][m - i];
-        }
-        right[i] /= band[i][0];
-    }
-    right.into_iter().map(Point::from).collect()
 }
 
 #[cfg(test)]

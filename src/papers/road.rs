@@ -177,7 +177,8 @@ pub struct Line {
 #[derive(Debug, Clone, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Promise {
-    /// `length`, `turns`, `curvatureVariation`, `clearanceMean`, `clearanceLeast`, `hits`, `curvature` or `bytesPerCell`.
+    /// `length`, `turns`, `curvatureVariation`, `clearanceMean`, `clearanceLeast`, `hits`, `curvature`, `laneDeviation`, `laneLeft` or
+    /// `bytesPerCell`.
     pub figure: &'static str,
     /// Whether the figure must not be less than the bound, rather than not more.
     pub at_least: bool,
@@ -239,7 +240,7 @@ fn line(
     let path: Vec<f64> = plan.path.iter().flat_map(|p| [p.x, p.y, p.heading]).collect();
     let risk = collision_risk(scene, &path, &risk::Options::default())?;
     let metrics = plan.metrics.road.unwrap_or_default();
-    let fell_back = plan.detail.is_some();
+    let fell_back = plan.detail == Some("smoothing-fell-back");
     Ok(Line { id, verdict: plan.check.verdict.as_str(), fell_back, metrics, risk, milliseconds })
 }
 
@@ -256,6 +257,8 @@ fn promises(scene: &str, cells: u32, plain: &Line, ours: &Line) -> Vec<Promise> 
     let least = |line: &Line| line.metrics.figures.body_clearance_min;
     let hits = |line: &Line| f64::from(line.risk.hits);
     let curvature = |line: &Line| line.metrics.figures.middle_curvature;
+    let lane = |line: &Line| line.metrics.figures.lane_deviation_mean.unwrap_or(0.0);
+    let left = |line: &Line| line.metrics.figures.lane_left_share.unwrap_or(0.0);
     let bytes = |line: &Line| line.metrics.bytes as f64 / f64::from(cells);
     let (most_turns, clearances) = match scene {
         "S1" => (2.0, [0.79, 0.79]),
@@ -270,6 +273,8 @@ fn promises(scene: &str, cells: u32, plain: &Line, ours: &Line) -> Vec<Promise> 
         promise("clearanceMean", &mean, true, clearances[0]),
         promise("clearanceLeast", &least, true, clearances[1]),
         promise("hits", &hits, false, 0.05 * hits(plain)),
+        promise("laneDeviation", &lane, false, lane(plain)),
+        promise("laneLeft", &left, false, left(plain)),
         promise("bytesPerCell", &bytes, false, MOST_BYTES),
     ]
 }

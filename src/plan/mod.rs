@@ -15,6 +15,8 @@ mod path;
 mod rasters;
 #[cfg(feature = "complete")]
 mod road;
+#[cfg(feature = "complete")]
+mod road_curve;
 #[cfg(not(target_arch = "wasm32"))]
 mod serialize;
 mod session;

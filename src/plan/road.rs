@@ -3,30 +3,28 @@
 use serde_json::{Map, Value};
 
 use super::outcome::{Outcome, Plan, PlanTrace, Stats};
+use super::road_curve::{Curve, ENDS, along};
 use super::tow::tow;
 use super::world::World;
-use super::{Driven, NEAR, STEP, measured};
+use super::{Driven, NEAR, STEP, TRACE, measured};
 use crate::error::Error;
-use crate::geometry::bspline::{Place, Spline};
+use crate::geometry::bspline::Spline;
 use crate::geometry::{Point, Pose, Vector};
+use crate::metrics::Verdict;
 use crate::metrics::road::{self, RoadMetrics};
 use crate::planners::cost_map::{
     Config, CostMap, Curves, Ground, Query, Report, Scratch, Smoothing, Status, Traffic, corners, dense,
-    kerb_distances, paper_spline, plan, smooth,
+    kerb_distances, paper_spline, plan,
 };
 use crate::scenario::Scenario;
-use crate::search::Watch;
+use crate::search::{Trace, Watch};
 
 /// A path of more poses than this is sampled less often.
 const MAX_POSES: f64 = 50_000.0;
-/// The body is tested at places of a curve this far apart, metres.
-const STATION: f64 = 0.25;
+/// Less of the margin by this is all of it, metres.
+const LESS: f64 = 2e-3;
 /// What is longer than this is smoothed at its own scale, metres.
 const LARGEST_CAR: f64 = 10.0;
-/// How much more a curve may cost by weights than its chords.
-const DEARER: f64 = 1.05;
-/// Nearer to the ends of a curve only its raster clearance counts, metres.
-const ENDS: f64 = 5.0;
 
 /// Cost-map A*, its rasters and its memory.
 pub(super) struct Engine {
@@ -77,22 +75,30 @@ impl Engine {
 
     /// Per cell, what a metre costs beyond its length.
     pub(super) fn costs(&self) -> Vec<f32> {
-        self.costs.layer()
+        self.costs.layer(&self.ground)
     }
 
     pub(super) fn plan(&mut self, scenario: &Scenario, world: &World, mut watch: Watch) -> Plan {
         let mut scratch = std::mem::take(&mut self.scratch);
         self.turn(scenario, world);
-        let query = self.query(world);
-        let report = plan(&query, &self.config, &mut scratch, &mut watch);
+        let mut report = plan(&self.query(world, false), &self.config, &mut scratch, &mut watch);
+        let (mut line, mut plan) = self.driven(world, &report);
+        let is_bad = line.fell_back || plan.check.verdict == Verdict::Collides;
+        if report.has_margin && report.status == Status::Found && is_bad {
+            // A way with the margin that no car can drive is none.
+            let before = watch.0.take();
+            watch.0 = before.as_ref().map(|_| Trace::new(TRACE));
+            let next = self::plan(&self.query(world, true), &self.config, &mut scratch, &mut watch);
+            watch.0 = before.zip(watch.0.take()).map(|(before, after)| before.followed_by(&after));
+            let expanded = report.expanded + next.expanded;
+            report = Report { expanded, ..next };
+            (line, plan) = self.driven(world, &report);
+        }
         if let Some(progress) = &mut watch.1 {
             progress.finish(report.expanded);
         }
+        let query = self.query(world, false);
         let found = report.status == Status::Found;
-        let line = self.line(world, &report);
-        let driven = if found { drive(world, &line) } else { Driven::default() };
-        let mut plan =
-            measured(world, outcome(world, &query, report.status), driven, NEAR.max(world.frame.resolution));
         if line.curve.is_none() && line.chords.len() > 2 {
             plan.metrics.max_curvature = None;
         }
@@ -105,6 +111,10 @@ impl Engine {
         plan.raw_path = report.cells.iter().map(|&c| world.frame.center(c)).collect();
         plan.stats = stats(&report);
         if found {
+            let kept = kept(&plan).min(self.config.kept());
+            if kept < self.config.kept() - LESS {
+                plan.detail = plan.detail.or(Some("less-margin"));
+            }
             let figures = road::figures(&world.geometry, &world.body, &self.traffic.lanes, &plan.path);
             plan.metrics.road = Some(RoadMetrics {
                 cost: report.cost,
@@ -112,6 +122,8 @@ impl Engine {
                 turns_pruned: corners(&report.pruned).len() as u32,
                 start_moved: report.moved[0],
                 goal_moved: report.moved[1],
+                margin: self.config.kept(),
+                margin_kept: kept,
                 bytes: report.bytes as u64,
                 figures,
             });
@@ -121,10 +133,19 @@ impl Engine {
         plan
     }
 
-    fn query(&self, world: &World) -> Query<'_> {
+    fn query(&self, world: &World, less: bool) -> Query<'_> {
         let [start, goal] = middles(world);
-        let radius = radius(world, &self.config);
-        Query { ground: &self.ground, costs: &self.costs, radius, start, goal }
+        let radius = radius(world);
+        Query { ground: &self.ground, costs: &self.costs, radius, start, goal, less }
+    }
+
+    /// What the car follows and how it does, checked.
+    fn driven(&self, world: &World, report: &Report) -> (Line, Plan) {
+        let line = self.line(world, report);
+        let driven = if report.status == Status::Found { drive(world, &line) } else { Driven::default() };
+        let outcome = outcome(world, &self.query(world, false), report.status);
+        let plan = measured(world, outcome, driven, NEAR.max(world.frame.resolution));
+        (line, plan)
     }
 
     fn line(&self, world: &World, report: &Report) -> Line {
@@ -142,18 +163,33 @@ impl Engine {
                     places: self.config.smooth_points,
                     // Of the middle, where the rear axle's is at its limit.
                     max_curvature: limit / (1.0 + lever * lever * limit * limit).sqrt(),
-                    radius: radius(world, &self.config),
-                    margin: self.config.margin,
+                    radius: radius(world),
+                    margin: self.config.kept(),
+                    close: false,
                     ways: ends.map(|end| self.config.headings.then(|| end.direction())),
                     scale: (world.geometry.vehicle.length() / LARGEST_CAR).max(1.0),
                 };
-                let accept = |spline: &Spline| clear(world, spline) && is_cheap(world, &chords, spline);
-                let smooth = smooth(&self.ground, &chords, &how, accept);
-                (smooth.spline, smooth.fell_back)
+                let curve = Curve { world, ground: &self.ground, costs: &self.costs, how };
+                curve.along(&chords, corners(&report.cells).len() == 2)
             }
         };
         Line { chords, curve, fell_back }
     }
+}
+
+/// The least room around the car, metres, without 5 m at the ends, where it stands as it is asked to.
+fn kept(plan: &Plan) -> f64 {
+    let mut station = 0.0;
+    let mut stations = vec![station];
+    for pair in plan.path.windows(2) {
+        station += (pair[1].point() - pair[0].point()).norm();
+        stations.push(station);
+    }
+    let inner = ENDS..=station - ENDS;
+    let rooms = plan.check.clearances.iter().zip(&stations);
+    let least =
+        rooms.filter(|room| inner.contains(room.1)).fold(f64::INFINITY, |least, room| least.min(*room.0));
+    if least.is_finite() { least } else { plan.check.min_clearance }
 }
 
 fn traffic(scenario: &Scenario, world: &World) -> Traffic {
@@ -162,8 +198,8 @@ fn traffic(scenario: &Scenario, world: &World) -> Traffic {
 }
 
 /// What the car needs to either side, metres.
-fn radius(world: &World, config: &Config) -> f64 {
-    world.geometry.vehicle.width / 2.0 + config.margin
+fn radius(world: &World) -> f64 {
+    world.geometry.vehicle.width / 2.0
 }
 
 /// Where the map ends a road goes on, a lot has a wall.
@@ -173,7 +209,7 @@ fn is_open(scenario: &Scenario) -> bool {
 
 fn costs(scenario: &Scenario, world: &World, ground: &Ground, traffic: &Traffic, config: &Config) -> CostMap {
     let kerb = kerb_distances(&world.frame, &world.geometry, is_open(scenario));
-    CostMap::new(ground, &kerb, traffic, radius(world, config), config)
+    CostMap::new(ground, &kerb, traffic, radius(world), config)
 }
 
 /// Where the car's middle starts and shall go.
@@ -185,40 +221,6 @@ fn middles(world: &World) -> [Point; 2] {
 fn ground(scenario: &Scenario, world: &World) -> Ground {
     let ground = Ground::new(world.frame, &world.geometry, is_open(scenario));
     Ground { weights: world.occupancy.weights().cloned(), ..ground }
-}
-
-/// Places of a curve about `step` apart, and the direction there.
-fn along(spline: &Spline, step: f64) -> Vec<(Point, Vector)> {
-    let rough: Vec<Point> = (0..=200).map(|k| spline.at(f64::from(k) / 200.0).point).collect();
-    let length = rough.windows(2).fold(0.0, |sum, w| sum + (w[1] - w[0]).norm());
-    // Parameters are not quite lengths.
-    let count = (length * 1.25 / step).ceil().max(2.0) as u32;
-    let place = |k: u32| {
-        let Place { point, first, .. } = spline.at(f64::from(k) / f64::from(count));
-        (point, first)
-    };
-    (0..=count).map(place).collect()
-}
-
-/// Whether the curve costs hardly more than the chords, where cells have weights: it strays from them by decimetres.
-fn is_cheap(world: &World, chords: &[Point], spline: &Spline) -> bool {
-    let Some(paint) = world.paint() else { return true };
-    let cost = |points: &[Point]| points.windows(2).fold(0.0, |sum, w| sum + paint.along(w[0], w[1]));
-    let places: Vec<Point> = along(spline, STATION).into_iter().map(|place| place.0).collect();
-    cost(&places) <= DEARER * cost(chords)
-}
-
-/// Whether the towed car touches nothing but at the ends.
-fn clear(world: &World, spline: &Spline) -> bool {
-    let towed = tow(&world.geometry, &along(spline, STATION));
-    let middle = |pose: &Pose| pose.advance(0.0, world.geometry.vehicle.middle()).point();
-    let mut stations = vec![0.0];
-    for pair in towed.poses.windows(2) {
-        stations.push(stations[stations.len() - 1] + (middle(&pair[1]) - middle(&pair[0])).norm());
-    }
-    let inner = ENDS..=stations[stations.len() - 1] - ENDS;
-    let inside = |(pose, station): (&Pose, &f64)| !inner.contains(station) || world.body.hit(*pose).is_none();
-    towed.poses.iter().zip(&stations).all(inside)
 }
 
 fn drive(world: &World, line: &Line) -> Driven {

@@ -115,6 +115,16 @@ impl Trace {
     pub fn new(cap: usize) -> Self {
         Self { expanded: Vec::new(), dropped: 0, cap }
     }
+
+    /// This one and what came after it, as one trace.
+    #[cfg(feature = "complete")]
+    #[must_use]
+    pub fn followed_by(mut self, after: &Self) -> Self {
+        let kept = after.expanded.len().min(self.cap.saturating_sub(self.expanded.len()));
+        self.dropped += after.dropped + (after.expanded.len() - kept) as u64;
+        self.expanded.extend_from_slice(&after.expanded[..kept]);
+        self
+    }
 }
 
 impl<C, L> Observer<C, L> for Trace {

@@ -4,7 +4,9 @@
 mod curves;
 mod drawn;
 mod driving;
+mod lanes;
 mod plans;
+mod random_roads;
 mod search;
 
 use parkade::geometry::{Point, Pose};
@@ -54,8 +56,14 @@ impl Scene {
         let traffic =
             Traffic { lanes: self.scenario.lanes.clone(), limits: self.scenario.speed_limits.clone() };
         let costs = CostMap::new(&self.ground, &self.kerb, &traffic, 0.95, config);
-        let query =
-            Query { ground: &self.ground, costs: &costs, radius: 0.95, start: self.start, goal: self.goal };
+        let query = Query {
+            ground: &self.ground,
+            costs: &costs,
+            radius: 0.95,
+            start: self.start,
+            goal: self.goal,
+            less: false,
+        };
         plan(&query, config, &mut Scratch::default(), &mut Watch::default())
     }
 }

@@ -1,5 +1,6 @@
 //! Settings of cost-map A*.
 
+use crate::geometry::math;
 use crate::json;
 use crate::planners::parameters::{EXPANSIONS, Form, parameters, spec};
 
@@ -101,10 +102,11 @@ parameters! {
         speed_weight: f64 = 0.5,
             spec("speedWeight", Form::Number(0.0, 3.0, 0.1), "1", true,
                  ["Speed γ", "速度 γ"], ["Weight of time lost to limits and bends.", "限速与弯道耗时的权重。"]).within(0.0, 3.0);
-        /// Kept free beside the body, metres.
-        margin: f64 = 0.0,
+        /// Kept free around the body wherever there is such a path, metres.
+        margin: f64 = 0.8,
             spec("margin", Form::Number(0.0, 20.0, 0.05), "m", true,
-                 ["Extra margin", "额外余量"], ["Kept free beside the car.", "车身旁须保持的空间。"]).within(0.0, 20.0);
+                 ["Extra margin", "额外余量"],
+                 ["Kept free around the car; where no path has that much room, the plan says how much it keeps.", "车身周围须保持的空间；没有这样的路径时，结果注明实际保持多少。"]).within(0.0, 20.0);
         /// Which chords may replace cells.
         pruning: Pruning = Pruning::Auto,
             spec("pruning", Form::Choice(&["auto", "los", "none"]), "1", true,
@@ -163,6 +165,31 @@ parameters! {
 }
 
 impl Config {
+    /// The margin that plans keep, metres: plain A* and the manuscript's curves know none.
+    pub fn kept(&self) -> f64 {
+        if self.costs == Costs::Steps || self.smoothing == Curves::Paper { 0.0 } else { self.margin }
+    }
+
+    /// What the room beside the body costs that is `clearance` metres from anything, for a car half as wide as `radius`. More
+    /// than `enough` room makes no place cheaper.
+    pub(super) fn base_cost(&self, clearance: f64, radius: f64, enough: Option<f64>) -> f64 {
+        let beside = |room: f64| match self.base {
+            Base::Inverse => self.factor / (room + self.epsilon),
+            Base::Exponential => self.amplitude * math::exp(-self.decay * room),
+        };
+        match (self.costs, self.base) {
+            (Costs::Steps, _) => 0.0,
+            (Costs::Metre, _) => {
+                let spare = enough.map_or(0.0, |room| beside(room.max(0.0)));
+                (beside(clearance - radius) - spare).max(0.0)
+            }
+            (Costs::Paper, Base::Inverse) => self.paper_factor / (clearance + self.paper_epsilon),
+            (Costs::Paper, Base::Exponential) => {
+                self.paper_amplitude * math::exp(-self.paper_decay * clearance)
+            }
+        }
+    }
+
     /// The manuscript's costs, pruning and smoothing.
     pub fn paper() -> Self {
         Self { costs: Costs::Paper, pruning: Pruning::Los, smoothing: Curves::Paper, ..Self::default() }

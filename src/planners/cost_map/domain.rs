@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use super::ground::{lane_at, legs, limit_at};
 use super::numbers::Numbers;
-use super::{Base, Config, Costs, Ground, Traffic};
-use crate::geometry::math;
+use super::{Config, Costs, Ground, Traffic};
+use crate::geometry::Point;
 use crate::map::{Cell, Frame, Weights};
 use crate::search::{Domain, Finish, NodeId, Order, Relax, Visit};
 
@@ -15,11 +15,32 @@ const PACE: f64 = 10.0;
 const LATERAL: f64 = 2.0;
 /// The lane term counts no more than this.
 const LANE_MOST: f64 = 1.5;
+/// Raster distances this share of a cell smaller than what is asked may be due to the cells alone.
+pub(super) const LEEWAY: f64 = 0.25;
+/// Where no path keeps the margin, a metre without any of it counts as so many of the dearest ones with all of it.
+const SHORT: f64 = 2.0;
 /// Plain A* measures in this part of a metre.
 const STEPS: f64 = 4_294_967_296.0;
 
 /// West, east, south, north, south-west, south-east, north-west, north-east.
 const AROUND: [(i32, i32); 8] = [(-1, 0), (1, 0), (0, -1), (0, 1), (-1, -1), (1, -1), (-1, 1), (1, 1)];
+
+/// Room beside the body that shall be kept, and what less of it costs.
+#[derive(Debug, Clone, Copy)]
+struct Margin {
+    radius: f64,
+    /// Metres.
+    asked: f64,
+    /// Per metre, or per cell with the manuscript's costs, where none of it is left.
+    price: f64,
+}
+
+impl Margin {
+    fn surcharge(self, clearance: f64) -> f64 {
+        let room = clearance - self.radius;
+        if room >= self.asked { 0.0 } else { self.price * (1.0 - room / self.asked) }
+    }
+}
 
 /// The cells with room for the car, numbered row by row, and what a metre costs there.
 #[derive(Debug, Clone)]
@@ -27,7 +48,10 @@ pub struct CostMap {
     frame: Frame,
     costs: Costs,
     numbers: Numbers,
-    /// Per number: what a metre costs beyond its length; with the manuscript's costs, what the cell costs.
+    /// Half the car's width, metres, and what shall be free beside it.
+    keeps: Margin,
+    /// Per number: what a metre costs beyond its length; with the manuscript's costs, what the cell costs. What a place costs
+    /// for having less than the margin comes on top of it.
     surcharges: Vec<f32>,
     /// Per number: how many times all that counts, where that is not once everywhere.
     weights: Vec<u8>,
@@ -40,30 +64,33 @@ impl CostMap {
         let frame = ground.frame;
         let numbers = Numbers::new(ground.clearance.iter().map(|&d| f64::from(d) >= radius));
         let legs = legs(&traffic.lanes);
-        let paper = config.costs == Costs::Paper;
-        let base = |d: f64| match (config.base, paper) {
-            (Base::Inverse, false) => config.factor / (d + config.epsilon),
-            (Base::Exponential, false) => config.amplitude * math::exp(-config.decay * d),
-            (Base::Inverse, true) => config.paper_factor / (d + config.paper_epsilon),
-            (Base::Exponential, true) => config.paper_amplitude * math::exp(-config.paper_decay * d),
+        let base = |clearance: f64, enough: Option<f64>| config.base_cost(clearance, radius, enough);
+        let keeps = Margin {
+            radius,
+            asked: (config.kept() - frame.resolution * LEEWAY).max(0.0),
+            price: SHORT * (1.0 + base(radius, None)),
         };
         let surcharge = |index: usize| {
             let clearance = f64::from(ground.clearance[index]);
-            match config.costs {
+            let soft = match config.costs {
                 Costs::Steps => 0.0,
-                Costs::Paper => base(clearance),
+                Costs::Paper => base(clearance, None),
                 Costs::Metre => {
                     let point = frame.center(frame.cell(index));
-                    let near = (f64::from(kerb[index]) - radius).clamp(0.0, 1.0);
-                    let (off, bend) =
-                        lane_at(&legs, point).map_or((0.0, 0.0), |(off, half, bend)| (off / half, bend));
+                    let lane = lane_at(&legs, point);
+                    let (off, bend) = lane.map_or((0.0, 0.0), |(off, half, bend)| (off / half, bend));
+                    // The room in the middle of a lane as wide as this one.
+                    let enough = lane.map(|(_, half, _)| half - radius - frame.resolution * LEEWAY);
+                    let last = enough.unwrap_or(1.0).clamp(0.1, 1.0);
+                    let near = ((f64::from(kerb[index]) - radius) / last).clamp(0.0, 1.0);
                     let pace = limit_at(&traffic.limits, point).min((LATERAL / bend.abs()).sqrt()).min(PACE);
-                    base(clearance - radius)
+                    base(clearance, enough)
                         + config.lane_weight * (off * off).min(LANE_MOST)
                         + config.kerb_weight * (1.0 - near) * (1.0 - near)
                         + config.speed_weight * (PACE / pace - 1.0)
                 }
-            }
+            };
+            soft + keeps.surcharge(clearance)
         };
         let mut surcharges = Vec::with_capacity(numbers.len());
         surcharges.extend((0..frame.len()).filter(|&i| numbers.has(i)).map(|i| surcharge(i) as f32));
@@ -71,20 +98,62 @@ impl CostMap {
             (0..frame.len()).filter(|&i| numbers.has(i)).map(|i| weights.at(frame.cell(i))).collect()
         };
         let weights = ground.weights.as_ref().map(weighed).unwrap_or_default();
-        Self { frame, costs: config.costs, numbers, surcharges, weights }
+        Self { frame, costs: config.costs, numbers, keeps, surcharges, weights }
     }
 
     /// Per cell of the map: what a metre there costs beyond its length (with the manuscript's costs, what the cell
-    /// costs); infinity where there is no room.
-    pub fn layer(&self) -> Vec<f32> {
+    /// costs), whatever the margin; infinity where there is no room.
+    pub fn layer(&self, ground: &Ground) -> Vec<f32> {
         let own = u8::from(self.costs != Costs::Paper);
         let cost = |index| {
             self.numbers.of(index).map_or(f32::INFINITY, |n| {
-                let (surcharge, weight) = (self.surcharges[n as usize], self.weight(n));
+                let (surcharge, weight) = (self.soft(n, ground, index) as f32, self.weight(n));
                 f32::from(weight) * surcharge + f32::from((weight - 1) * own)
             })
         };
         (0..self.frame.len()).map(cost).collect()
+    }
+
+    /// Whether a cell has less than the margin.
+    pub(super) fn is_short(&self, ground: &Ground, cell: Cell) -> bool {
+        ground.at(cell) < self.keeps.radius + self.keeps.asked
+    }
+
+    /// What a node costs, whatever the margin.
+    fn soft(&self, node: NodeId, ground: &Ground, index: usize) -> f64 {
+        f64::from(self.surcharges[node as usize]) - self.keeps.surcharge(f64::from(ground.clearance[index]))
+    }
+
+    /// What a metre through a cell costs, its length and all weights included, the margin if asked; `None` without room.
+    pub(super) fn metre(&self, ground: &Ground, cell: Cell, margin: bool) -> Option<f64> {
+        let node = self.node(cell)?;
+        let surcharge = if margin {
+            f64::from(self.surcharges[node as usize])
+        } else {
+            self.soft(node, ground, self.frame.index(cell))
+        };
+        Some(self.priced(surcharge) * f64::from(self.weight(node)))
+    }
+
+    /// The same between the centres of cells, whatever the margin; `None` where no cell around has room.
+    pub(super) fn soft_metre(&self, ground: &Ground, point: Point) -> Option<f64> {
+        let [x, y] = self.frame.lattice(point).map(|v| v - 0.5);
+        let (x0, y0) = (x.floor(), y.floor());
+        let (mut sum, mut share) = (0.0, 0.0);
+        for (dx, dy) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
+            let cell = Cell::new(x0 as i32 + dx, y0 as i32 + dy);
+            let Some(node) = self.node(cell) else { continue };
+            let part = (1.0 - (x - x0 - f64::from(dx)).abs()) * (1.0 - (y - y0 - f64::from(dy)).abs());
+            let soft = self.priced(self.soft(node, ground, self.frame.index(cell)));
+            sum += part * soft * f64::from(self.weight(node));
+            share += part;
+        }
+        (share > 0.0).then(|| sum / share)
+    }
+
+    /// The manuscript charges a cell, however long the step.
+    fn priced(&self, surcharge: f64) -> f64 {
+        1.0 + if self.costs == Costs::Paper { surcharge / self.frame.resolution } else { surcharge }
     }
 
     /// Number of cells with room.
@@ -117,6 +186,8 @@ impl CostMap {
 pub(super) struct Road<'a> {
     pub(super) map: &'a CostMap,
     pub(super) goal: (Cell, NodeId),
+    /// The raster, where only cells with the margin count.
+    pub(super) strict: Option<&'a Ground>,
 }
 
 impl Road<'_> {
@@ -126,7 +197,11 @@ impl Road<'_> {
         let surcharge = |node: NodeId| f64::from(map.surcharges[node as usize]);
         let (own, weight) = (surcharge(node), map.weight(node));
         for (dx, dy) in AROUND {
-            let Some(target) = map.node(from.offset(dx, dy)) else { continue };
+            let to = from.offset(dx, dy);
+            let Some(target) = map.node(to) else { continue };
+            if self.strict.is_some_and(|ground| map.is_short(ground, to)) {
+                continue;
+            }
             let diagonal = dx != 0 && dy != 0;
             if diagonal && (map.node(from.offset(dx, 0)).is_none() || map.node(from.offset(0, dy)).is_none())
             {

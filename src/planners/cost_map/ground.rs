@@ -123,6 +123,25 @@ pub(crate) fn lane_at(legs: &[(Pose, f64, f64, f64)], point: Point) -> Option<(f
     best
 }
 
+/// How far to the left of the nearest lane's middle a point is, metres, below zero to the right, and half that lane's width.
+pub(crate) fn lane_beside(legs: &[(Pose, f64, f64, f64)], point: Point) -> Option<(f64, f64)> {
+    let mut best: Option<(f64, (f64, f64))> = None;
+    for &(from, length, curvature, half) in legs {
+        let away = distance_to(from, length, curvature, point);
+        if best.is_none_or(|b| away < b.0) {
+            let local = from.to_local(point);
+            let left = if curvature == 0.0 {
+                local.y
+            } else {
+                let radius = curvature.recip();
+                radius - curvature.signum() * (Point::new(local.x, local.y - radius)).coords.norm()
+            };
+            best = Some((away, (left, half)));
+        }
+    }
+    best.map(|b| b.1)
+}
+
 /// The pieces of lanes: beginning, length, curvature, half the width.
 pub(crate) fn legs(lanes: &[Lane]) -> Vec<(Pose, f64, f64, f64)> {
     let legs = |lane: &Lane| {

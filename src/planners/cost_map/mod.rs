@@ -6,6 +6,7 @@
 mod config;
 mod domain;
 mod ground;
+mod lateral;
 mod numbers;
 mod prune;
 mod smooth;
@@ -13,8 +14,9 @@ mod smooth;
 pub use config::{Base, Config, Costs, Curves, Pruning};
 pub use domain::CostMap;
 pub use ground::{Ground, kerb_distances};
-pub(crate) use ground::{lane_at, legs, limit_at};
-pub use prune::{corners, prune};
+pub(crate) use ground::{lane_at, lane_beside, legs, limit_at};
+pub use lateral::{Lateral, Station};
+pub use prune::corners;
 pub use smooth::{Smooth, Smoothing, dense, paper_spline, smooth};
 
 use crate::geometry::{Point, math};
@@ -22,6 +24,7 @@ use crate::map::Cell;
 use crate::scenario::{Lane, SpeedLimit};
 use crate::search::{End, Limits, NodeId, Watch, best_first};
 use domain::{Eager, Fair, Road};
+use prune::Chords;
 
 /// How far a start or goal without room may be moved to one with room, metres.
 const SNAP: f64 = 1.5;
@@ -48,6 +51,8 @@ pub struct Query<'a> {
     pub start: Point,
     /// The car's middle at last.
     pub goal: Point,
+    /// Whether cells with less than the margin count from the beginning, not only where no way has it all.
+    pub less: bool,
 }
 
 /// How planning ended.
@@ -80,6 +85,8 @@ pub struct Report {
     pub moved: [f64; 2],
     /// Expansions.
     pub expanded: u32,
+    /// Whether all cells have the margin, by the raster.
+    pub has_margin: bool,
     /// Distinct cells met.
     pub generated: u32,
     /// Insertions into the open list.
@@ -107,6 +114,7 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, watch: &mut W
         cost: 0.0,
         moved: [0.0; 2],
         expanded: 0,
+        has_margin: false,
         generated: 0,
         pushes: 0,
         open_peak: 0,
@@ -121,30 +129,41 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, watch: &mut W
         return Report { status: Status::GoalBlocked, ..report };
     };
     report.moved[1] = away;
-    let road = Road { map, goal: (goal, last) };
-    let limits = Limits { max_expansions: config.max_expansions, first: false };
     let memory = &mut scratch.0;
-    let found = if config.costs == Costs::Steps {
-        best_first(&mut Fair(road), (root, ()), limits, memory, watch)
-    } else {
-        best_first(&mut Eager(road), (root, ()), limits, memory, watch)
-    };
-    report.status = match found.end {
-        End::Found => Status::Found,
-        End::BudgetSpent => Status::BudgetSpent,
-        End::Exhausted => Status::NoPath,
-    };
-    report.expanded = found.expanded;
-    report.generated = found.generated;
-    report.pushes = found.pushes;
-    report.open_peak = found.open_peak;
+    let ends = [map.cell(root), goal];
+    // First where the margin is everywhere, which is less to search; then wherever the car fits.
+    let is_last = query.less || config.kept() == 0.0 || ends.iter().any(|&end| map.is_short(ground, end));
+    let mut found = None;
+    for strict in [true, false].into_iter().skip(usize::from(is_last)) {
+        let road = Road { map, goal: (goal, last), strict: strict.then_some(ground) };
+        let limits = Limits { max_expansions: config.max_expansions - report.expanded, first: false };
+        let next = if config.costs == Costs::Steps {
+            best_first(&mut Fair(road), (root, ()), limits, memory, watch)
+        } else {
+            best_first(&mut Eager(road), (root, ()), limits, memory, watch)
+        };
+        report.expanded += next.expanded;
+        report.generated = next.generated;
+        report.pushes += next.pushes;
+        report.open_peak = report.open_peak.max(next.open_peak);
+        report.status = match next.end {
+            End::Found => Status::Found,
+            End::BudgetSpent => Status::BudgetSpent,
+            End::Exhausted => Status::NoPath,
+        };
+        found = next.found;
+        report.has_margin = strict;
+        if report.status != Status::NoPath || report.expanded >= config.max_expansions {
+            break;
+        }
+    }
     report.bytes = size_of_val(&ground.clearance[..])
         + map.bytes()
-        + crate::search::Scratch::<f64, ()>::bytes(map.len(), found.open_peak);
-    if let Some((last, cost, ())) = found.found {
+        + crate::search::Scratch::<f64, ()>::bytes(map.len(), report.open_peak);
+    if let Some((last, cost, ())) = found {
         report.cells = memory.chain(last).into_iter().map(|(node, ())| map.cell(node)).collect();
         report.cost = cost;
-        report.pruned = prune(ground, &report.cells, query.radius, config);
+        report.pruned = Chords { ground, costs: map, radius: query.radius, config }.prune(&report.cells);
     }
     if let Some(trace) = &mut watch.0 {
         trace.expanded.iter_mut().for_each(|node| *node = ground.frame.index(map.cell(*node)) as u32);

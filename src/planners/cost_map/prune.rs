@@ -1,6 +1,6 @@
-//! Chords instead of cells, where they keep their distance.
+//! Chords instead of cells, where they keep their distance and are worth what they cost.
 
-use super::{Config, Ground, Pruning};
+use super::{Config, CostMap, Curves, Ground, Pruning};
 use crate::map::Cell;
 use crate::planners::weighted_cost;
 
@@ -8,29 +8,174 @@ use crate::planners::weighted_cost;
 const AROUND: usize = 4;
 /// The best chords are looked for among at most this many cells.
 const MOST: usize = 400;
+/// After so many cells in a row that a chord from one cell cannot reach, no more are tried.
+const MISSES: usize = 40;
+/// A corner counts as much as the way over so many cells.
+const CORNER: f64 = 10.0;
 
-/// The cells that stay: from each one the last that can be reached before the first that cannot; or, where that takes
-/// fewer, the best among the cells near corners.
-pub fn prune(ground: &Ground, cells: &[Cell], radius: f64, config: &Config) -> Vec<Cell> {
-    if config.pruning == Pruning::None || cells.len() < 3 {
-        return cells.to_vec();
+/// A road, what it costs, and how chords over it are chosen.
+pub(super) struct Chords<'a> {
+    pub(super) ground: &'a Ground,
+    pub(super) costs: &'a CostMap,
+    pub(super) radius: f64,
+    pub(super) config: &'a Config,
+}
+
+impl Chords<'_> {
+    /// The cells that stay. Those of which the chords between them cost the least, a corner as much as ten cells; with
+    /// `los` from each one the last that can be seen before the first that cannot.
+    pub(super) fn prune(&self, cells: &[Cell]) -> Vec<Cell> {
+        match self.config.pruning {
+            Pruning::None => cells.to_vec(),
+            _ if cells.len() < 3 => cells.to_vec(),
+            Pruning::Los => self.greedy(cells),
+            Pruning::Auto => self.cheapest(cells),
+        }
     }
-    let greedy = greedy(ground, cells, radius, config);
-    if config.pruning == Pruning::Los {
-        return greedy;
+
+    /// The clearance that a chord over cells of this clearance has to keep.
+    fn needed(&self, least: f64) -> f64 {
+        let Config { pruning, prune_share, prune_cap, .. } = *self.config;
+        match pruning {
+            Pruning::Auto => {
+                let margin = self.config.kept();
+                // A margin beyond what is enough room for chords is theirs, too, as far as the cells have it.
+                let own = if margin > prune_cap { least.min(self.radius + margin) } else { 0.0 };
+                (prune_share * least).clamp(self.radius, self.radius + prune_cap).max(own)
+            }
+            _ => f64::MIN_POSITIVE,
+        }
     }
-    match fewest(ground, cells, radius, config) {
-        Some(fewest) if fewest.len() < greedy.len() => fewest,
-        _ => greedy,
+
+    fn greedy(&self, cells: &[Cell]) -> Vec<Cell> {
+        let spent = spent(self.ground, cells);
+        let mut kept = vec![cells[0]];
+        let mut from = 0;
+        while from + 1 < cells.len() {
+            let mut to = from + 1;
+            while to + 1 < cells.len()
+                && self.chord(cells[from], cells[to + 1], f64::MIN_POSITIVE).is_some()
+                && is_cheap(self.ground, cells, &spent, (from, to + 1))
+            {
+                to += 1;
+            }
+            kept.push(cells[to]);
+            from = to;
+        }
+        kept
+    }
+
+    fn cheapest(&self, cells: &[Cell]) -> Vec<Cell> {
+        let places = places(cells);
+        let spent = spent(self.ground, cells);
+        let sums = self.sums(cells);
+        let corner = CORNER * sums[cells.len() - 1] / (cells.len() - 1) as f64;
+        // Per place: the cost of the way there, the place before.
+        let mut best = vec![(f64::INFINITY, 0); places.len()];
+        best[0] = (0.0, 0);
+        for a in 0..places.len() - 1 {
+            let (before, from) = (best[a].0, places[a]);
+            let (mut least, mut misses) = (f64::INFINITY, 0);
+            for b in a + 1..places.len() {
+                let to = places[b];
+                least = (places[b - 1]..=to).fold(least, |least, i| least.min(self.ground.at(cells[i])));
+                // The cells themselves are a way where they are straight.
+                let is_next = b == a + 1 && is_straight(&cells[from..=to]);
+                let along = || sums[to] - sums[from];
+                let chord = || self.chord(cells[from], cells[to], self.needed(least));
+                let cost = if is_next { Some(along()) } else { chord() };
+                let Some(cost) = cost.filter(|_| is_cheap(self.ground, cells, &spent, (from, to))) else {
+                    misses += 1;
+                    if misses > MISSES {
+                        break;
+                    }
+                    continue;
+                };
+                misses = 0;
+                if before + cost + corner < best[b].0 {
+                    best[b] = (before + cost + corner, a);
+                }
+            }
+        }
+        let mut kept = vec![cells[places[places.len() - 1]]];
+        let mut at = places.len() - 1;
+        while at > 0 {
+            at = best[at].1;
+            kept.push(cells[places[at]]);
+        }
+        kept.reverse();
+        kept
+    }
+
+    /// What a metre costs in a cell. A curve sees to the margin itself.
+    fn metre(&self, cell: Cell) -> f64 {
+        let is_final = self.config.smoothing == Curves::None;
+        self.costs.metre(self.ground, cell, is_final).unwrap_or(1.0)
+    }
+
+    /// Per cell, what the way to it costs.
+    fn sums(&self, cells: &[Cell]) -> Vec<f64> {
+        let mut sums = vec![0.0];
+        for pair in cells.windows(2) {
+            let step = away(pair[0], pair[1]) * self.ground.frame.resolution;
+            sums.push(sums[sums.len() - 1] + step * f64::midpoint(self.metre(pair[0]), self.metre(pair[1])));
+        }
+        sums
+    }
+
+    /// What a chord costs, if every cell of Bresenham's line has this clearance.
+    fn chord(&self, a: Cell, b: Cell, needed: f64) -> Option<f64> {
+        let (dx, dy) = ((b.x - a.x).abs(), -(b.y - a.y).abs());
+        let (sx, sy) = ((b.x - a.x).signum(), (b.y - a.y).signum());
+        let (mut at, mut error) = (a, dx + dy);
+        let mut sum = 0.0;
+        loop {
+            if self.ground.at(at) < needed {
+                return None;
+            }
+            let share = if at == a || at == b { 0.5 } else { 1.0 };
+            sum += share * self.metre(at);
+            if at == b {
+                let steps = f64::from(dx.max(-dy)).max(1.0);
+                return Some(sum * away(a, b) * self.ground.frame.resolution / steps);
+            }
+            let twice = 2 * error;
+            if twice >= dy {
+                error += dy;
+                at.x += sx;
+            }
+            if twice <= dx {
+                error += dx;
+                at.y += sy;
+            }
+        }
     }
 }
 
-/// The clearance that a chord over cells of this clearance has to keep.
-fn needed(config: &Config, radius: f64, least: f64) -> f64 {
-    match config.pruning {
-        Pruning::Auto => (config.prune_share * least).clamp(radius, radius + config.prune_cap),
-        _ => f64::MIN_POSITIVE,
+/// Between two cells, in cells.
+fn away(a: Cell, b: Cell) -> f64 {
+    let (dx, dy) = (f64::from(b.x - a.x), f64::from(b.y - a.y));
+    (dx * dx + dy * dy).sqrt()
+}
+
+fn is_straight(cells: &[Cell]) -> bool {
+    let step = |w: &[Cell]| (w[1].x - w[0].x, w[1].y - w[0].y);
+    cells.windows(2).all(|w| step(w) == step(cells))
+}
+
+/// The cells among which chords are looked for: those near corners of the cells, or every so many of them.
+fn places(cells: &[Cell]) -> Vec<usize> {
+    let step = |i: usize| (cells[i].x - cells[i - 1].x, cells[i].y - cells[i - 1].y);
+    let end = cells.len() - 1;
+    let mut near = vec![false; cells.len()];
+    for i in (1..end).filter(|&i| step(i) != step(i + 1)) {
+        near[i.saturating_sub(AROUND)..=(i + AROUND).min(end)].fill(true);
     }
+    (near[0], near[end]) = (true, true);
+    let places: Vec<usize> = (0..=end).filter(|&i| near[i]).collect();
+    let every = places.len().div_ceil(MOST);
+    let last = places.len() - 1;
+    (0..=last).filter(|i| i % every == 0 || *i == last).map(|i| places[i]).collect()
 }
 
 /// Per cell what the way to it costs by weights; empty where all cells cost the same.
@@ -44,76 +189,10 @@ fn spent(ground: &Ground, cells: &[Cell]) -> Vec<i64> {
     spent
 }
 
-/// Whether a chord between two of the cells costs no more than the cells do.
+/// Whether a chord between two of the cells costs no more by weights than the cells do.
 fn is_cheap(ground: &Ground, cells: &[Cell], spent: &[i64], (a, b): (usize, usize)) -> bool {
     let dearer = |weights| weighted_cost(weights, cells[a], cells[b]) > spent[b] - spent[a];
     !ground.weights.as_deref().is_some_and(dearer)
-}
-
-fn greedy(ground: &Ground, cells: &[Cell], radius: f64, config: &Config) -> Vec<Cell> {
-    let spent = spent(ground, cells);
-    let mut kept = vec![cells[0]];
-    let mut from = 0;
-    while from + 1 < cells.len() {
-        let mut least = ground.at(cells[from]).min(ground.at(cells[from + 1]));
-        let mut to = from + 1;
-        while to + 1 < cells.len() {
-            least = least.min(ground.at(cells[to + 1]));
-            if !clear(ground, cells[from], cells[to + 1], needed(config, radius, least))
-                || !is_cheap(ground, cells, &spent, (from, to + 1))
-            {
-                break;
-            }
-            to += 1;
-        }
-        kept.push(cells[to]);
-        from = to;
-    }
-    kept
-}
-
-/// The fewest chords, the shortest of those, between cells near corners; `None` where there are too many of these.
-fn fewest(ground: &Ground, cells: &[Cell], radius: f64, config: &Config) -> Option<Vec<Cell>> {
-    let step = |i: usize| (cells[i].x - cells[i - 1].x, cells[i].y - cells[i - 1].y);
-    let end = cells.len() - 1;
-    let mut near = vec![false; cells.len()];
-    for i in (1..end).filter(|&i| step(i) != step(i + 1)) {
-        near[i.saturating_sub(AROUND)..=(i + AROUND).min(end)].fill(true);
-    }
-    (near[0], near[end]) = (true, true);
-    let places: Vec<usize> = (0..=end).filter(|&i| near[i]).collect();
-    if places.len() > MOST {
-        return None;
-    }
-    let spent = spent(ground, cells);
-    // Per place: chords so far, their length, the place before.
-    let mut best = vec![(u32::MAX, f64::INFINITY, 0); places.len()];
-    best[0] = (0, 0.0, 0);
-    for a in 0..places.len() {
-        let (chords, length, _) = best[a];
-        let mut least = f64::INFINITY;
-        for b in a + 1..places.len() {
-            least = (places[b - 1]..=places[b]).fold(least, |least, i| least.min(ground.at(cells[i])));
-            let (from, to) = (cells[places[a]], cells[places[b]]);
-            let (dx, dy) = (f64::from(to.x - from.x), f64::from(to.y - from.y));
-            let total = length + (dx * dx + dy * dy).sqrt();
-            if chords != u32::MAX
-                && (chords + 1, total) < (best[b].0, best[b].1)
-                && (places[b] == places[a] + 1 || clear(ground, from, to, needed(config, radius, least)))
-                && is_cheap(ground, cells, &spent, (places[a], places[b]))
-            {
-                best[b] = (chords + 1, total, a);
-            }
-        }
-    }
-    let mut kept = vec![cells[end]];
-    let mut at = places.len() - 1;
-    while at > 0 {
-        at = best[at].2;
-        kept.push(cells[places[at]]);
-    }
-    kept.reverse();
-    Some(kept)
 }
 
 /// The ends and the corners: cells in a straight row vanish.
@@ -130,28 +209,4 @@ pub fn corners(cells: &[Cell]) -> Vec<Cell> {
         kept.push(cell);
     }
     kept
-}
-
-/// Whether every cell of Bresenham's line has this clearance.
-fn clear(ground: &Ground, a: Cell, b: Cell, needed: f64) -> bool {
-    let (dx, dy) = ((b.x - a.x).abs(), -(b.y - a.y).abs());
-    let (sx, sy) = ((b.x - a.x).signum(), (b.y - a.y).signum());
-    let (mut at, mut error) = (a, dx + dy);
-    loop {
-        if ground.at(at) < needed {
-            return false;
-        }
-        if at == b {
-            return true;
-        }
-        let twice = 2 * error;
-        if twice >= dy {
-            error += dy;
-            at.x += sx;
-        }
-        if twice <= dx {
-            error += dx;
-            at.y += sy;
-        }
-    }
 }

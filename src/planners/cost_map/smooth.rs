@@ -26,11 +26,12 @@ pub struct Smoothing {
     pub max_curvature: f64,
     /// Half the car's width, metres.
     pub radius: f64,
-    /// Part of `radius` that is no body. Cells with room for the chords' line need not have it for the line itself; a curve
-    /// has to keep as much of it as that.
+    /// Room beside the body of which the curve keeps as much as the line has, metres.
     pub margin: f64,
     /// How many times as large as a car; its points are that much farther apart.
     pub scale: f64,
+    /// Whether the line is smooth already, so that control points shall be close from the beginning.
+    pub close: bool,
     /// Unit vectors in which the curve begins and ends, where that is asked.
     pub ways: [Option<Vector>; 2],
 }
@@ -69,9 +70,8 @@ pub fn smooth(ground: &Ground, line: &[Point], how: &Smoothing, accept: impl Fn(
     for pair in data.windows(2) {
         at.push(at[at.len() - 1] + (pair[1] - pair[0]).norm() / length);
     }
-    let least = dense(line, 0.5).iter().fold(f64::INFINITY, |least, &p| least.min(room(p)));
-    let lowest = |room: f64| least.max(room - how.margin).min(room);
-    let target = (least.min(0.8) - 0.02).max(lowest(0.25));
+    let target = |p: Point| (room(p).min(how.margin.max(0.8)) - 0.02).max(0.25);
+    let targets: Vec<f64> = data.iter().map(|&p| target(p)).collect();
     let slopes = how.ways.map(|way| way.map(|way| way * length));
     let count = |spacing: f64| ((length / (spacing * how.scale)).ceil() as usize + 3).max(6);
     let finish = |spline: Spline| {
@@ -80,24 +80,25 @@ pub fn smooth(ground: &Ground, line: &[Point], how: &Smoothing, accept: impl Fn(
         let curvatures: Vec<f64> = curve.iter().map(Place::curvature).collect();
         let clearance = points.iter().fold(f64::INFINITY, |least, &p| least.min(room(p)));
         let bends = curvatures.iter().all(|k| k.abs() <= how.max_curvature);
-        let is_good = clearance >= lowest(LEAST) && bends && accept(&spline);
+        let is_good = clearance >= LEAST && bends && accept(&spline);
         is_good.then_some(Smooth { points, curvatures, spline: Some(spline), clearance, fell_back: false })
     };
-    for spacing in SPACINGS {
+    for spacing in SPACINGS.into_iter().skip(usize::from(how.close)) {
         let count = count(spacing);
         let (mut weights, mut sigma) = (vec![1.0_f64; data.len()], how.sigma);
         let mut best: Option<(f64, Spline)> = None;
         for _ in 0..ROUNDS {
             let spline = Spline::fit(&data, &at, &weights, count, sigma, slopes);
             let rooms: Vec<f64> = at.iter().map(|&u| room(spline.at(u).point)).collect();
-            let worst = rooms.iter().fold(f64::INFINITY, |least, &r| least.min(r));
+            let over = rooms.iter().zip(&targets).map(|(room, target)| room - target);
+            let worst = over.fold(f64::INFINITY, f64::min);
             if best.as_ref().is_none_or(|b| worst > b.0) {
                 best = Some((worst, spline));
             }
-            if worst >= target {
+            if worst >= 0.0 {
                 break;
             }
-            for near in (0..data.len()).filter(|&i| rooms[i] < target) {
+            for near in (0..data.len()).filter(|&i| rooms[i] < targets[i]) {
                 for weight in &mut weights[near.saturating_sub(3)..(near + 4).min(data.len())] {
                     *weight = (*weight * 4.0).min(1e4);
                 }
@@ -121,7 +122,7 @@ pub fn smooth(ground: &Ground, line: &[Point], how: &Smoothing, accept: impl Fn(
             factors[around(i, reach)].fill(0.25);
         }
         let is_tight = factors.contains(&0.25);
-        for i in (0..data.len()).filter(|&i| room(met[i].point) < lowest(LEAST)) {
+        for i in (0..data.len()).filter(|&i| room(met[i].point) < LEAST) {
             factors[around(i, 3)].fill(4.0);
         }
         if let Some(curve) = finish(spline) {
@@ -169,7 +170,7 @@ pub fn dense(line: &[Point], step: f64) -> Vec<Point> {
 }
 
 /// The clearance between cell centres, metres; at the map's edge that of the outermost centres.
-fn bilinear(ground: &Ground, point: Point) -> f64 {
+pub(super) fn bilinear(ground: &Ground, point: Point) -> f64 {
     let [x, y] = ground.frame.lattice(point).map(|v| v - 0.5);
     let (w, h) = (f64::from(ground.frame.width - 1), f64::from(ground.frame.height - 1));
     let (x, y) = (x.clamp(0.0, w), y.clamp(0.0, h));

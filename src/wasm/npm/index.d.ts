@@ -8,7 +8,8 @@ export type Outcome =
 
 /** A finer word for the outcome. */
 export type Detail =
-  | "unreachable" | "too-narrow" | "boxed-in" | "stranded" | "suboptimal" | "verification-failed" | "smoothing-fell-back";
+  | "unreachable" | "too-narrow" | "boxed-in" | "stranded" | "suboptimal" | "verification-failed" | "smoothing-fell-back"
+  | "less-margin";
 
 export interface Pose { x: number; y: number; heading: number }
 
@@ -279,6 +280,9 @@ export interface RoadMetrics extends PathMetrics, Partial<RoadFigures> {
   /** How far the ends were moved to have room, metres. */
   startMoved?: number;
   goalMoved?: number;
+  /** Room that was asked for around the car, metres, and what the path keeps of it, 5 m at the ends left out. */
+  margin?: number;
+  marginKept?: number;
   /** Bytes of the arrays that planning holds. */
   bytes?: number;
 }
@@ -738,13 +742,15 @@ export interface RoadTable {
     fellBack: boolean;
     metrics: Required<Pick<RoadMetrics,
       | "cost" | "turnsRaw" | "turnsPruned" | "startMoved" | "goalMoved" | "bytes" | "middleLength" | "bodyClearanceMin" | "bodyClearanceMean"
-      | "sideClearanceMin" | "sideClearanceMean" | "curvatureVariation" | "middleCurvature" | "laneDeviationMax" | "laneDeviationMean">>;
+      | "sideClearanceMin" | "sideClearanceMean" | "curvatureVariation" | "middleCurvature" | "laneDeviationMax" | "laneDeviationMean"
+      | "laneLeftShare" | "margin" | "marginKept">>;
     risk: { trials: number; hits: number; discHits: number };
     milliseconds: number;
   }[];
   /** What the second line is held to; none for ships. */
   promises: {
-    figure: "length" | "turns" | "curvatureVariation" | "curvature" | "clearanceMean" | "clearanceLeast" | "hits" | "bytesPerCell";
+    figure: "length" | "turns" | "curvatureVariation" | "curvature" | "clearanceMean" | "clearanceLeast" | "hits" | "laneDeviation"
+      | "laneLeft" | "bytesPerCell";
     atLeast: boolean;
     bound: number;
     found: number;
@@ -1159,6 +1165,8 @@ export interface RoadFigures {
   /** Metres from the nearest lane's middle; null without lanes. */
   laneDeviationMax: number | null;
   laneDeviationMean: number | null;
+  /** Share of the way, 0 to 1, on which the middle is to the left of all lanes. */
+  laneLeftShare: number | null;
 }
 
 /** Figures of any path on a scene's road. `parkade` only, not `parkade/core`. */

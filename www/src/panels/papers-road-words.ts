@@ -24,6 +24,7 @@ export const say = words({
   sideLeast: ["Centre clearance minus half the width, m", "中心净距减半车宽，m"],
   hits: ["Collisions in 1,000 drives (disc)", "千次碰撞数（圆盘）"],
   lane: ["Offset from lane centre, mean / max, m", "偏离车道中心，均值 / 最大，m"],
+  laneLeft: ["Left of the lanes, % of the way", "越过车道左侧的路程，%"],
   memory: ["Memory, MB", "内存，MB"],
   bytesPerCell: ["Bytes per cell", "每格字节"],
   time: ["Time, ms", "时间，ms"],

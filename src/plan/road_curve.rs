@@ -1,0 +1,235 @@
+//! The curve of a road plan: smooth, as cheap as the search's costs allow, and with the margin around the whole car.
+
+use super::tow::tow;
+use super::world::World;
+use crate::geometry::bspline::{Place, Spline};
+use crate::geometry::{Point, Pose, Vector};
+use crate::planners::cost_map::{CostMap, Ground, Lateral, Smooth, Smoothing, Station, dense, smooth};
+
+/// The body is tested at places of a curve this far apart, metres.
+const STATION: f64 = 0.25;
+/// The room around it at this.
+const ROOMS: f64 = 0.5;
+/// How much more a curve may cost by weights than its chords.
+const DEARER: f64 = 1.05;
+/// Nearer to the ends of a curve only its raster clearance counts, metres.
+pub(super) const ENDS: f64 = 5.0;
+/// Cosine of the angle up to which a curve takes the car's heading at an end.
+const ALIGNED: f64 = 0.7;
+/// The same of the angle between the heading and the first chord.
+const FORWARD: f64 = 0.5;
+/// A curve strays from a line that is smooth already by this share of what it may stray from chords.
+const CLOSER: f64 = 0.7;
+/// Curves tried for one that keeps the margin.
+const ROUNDS: u32 = 4;
+/// Less room than the margin by this is as good as the margin, metres.
+const HAIR: f64 = 1e-3;
+/// Where room was missing so much more is asked for than was missing, metres.
+const SPARE: f64 = 0.02;
+/// And not only there but at so many stations around.
+const AROUND: usize = 1;
+/// But no more than this beyond the margin, metres.
+const MOST_MORE: f64 = 0.5;
+
+/// What a curve is made from.
+pub(super) struct Curve<'a> {
+    pub(super) world: &'a World,
+    pub(super) ground: &'a Ground,
+    pub(super) costs: &'a CostMap,
+    pub(super) how: Smoothing,
+}
+
+/// A curve and what it is worth.
+struct Candidate {
+    spline: Spline,
+    /// Room around the towed car, at most the margin, metres.
+    kept: f64,
+    cost: f64,
+}
+
+impl Candidate {
+    fn is_better_than(&self, other: &Self) -> bool {
+        let more = self.kept - other.kept;
+        more > HAIR || (more > -HAIR && self.cost < other.cost)
+    }
+}
+
+impl Curve<'_> {
+    /// A curve near the chords' ends; `None` where none is good enough, or where a straight line is.
+    pub(super) fn along(&self, chords: &[Point], is_straight: bool) -> (Option<Spline>, bool) {
+        let accept = |spline: &Spline| self.is_clear(spline) && self.is_cheap(chords, spline);
+        let first = self.first(chords, &accept);
+        if first.fell_back || is_straight && self.rooms(&straight(chords)).iter().all(|r| self.is_kept(r.1)) {
+            return (first.spline, first.fell_back);
+        }
+        let room = |point: Point| {
+            self.world.body.point_clearance(point, self.how.radius + self.how.margin + 2.0) - self.how.radius
+        };
+        let lateral = Lateral {
+            room: &room,
+            ground: self.ground,
+            costs: self.costs,
+            radius: self.how.radius,
+            half_length: self.world.geometry.vehicle.length() / 2.0,
+            scale: self.how.scale,
+        };
+        let mut stations = stations(first.spline.as_ref(), chords, lateral.step());
+        let sigma = self.how.sigma * CLOSER;
+        let ways = self.ways(&stations);
+        let how = Smoothing { ways: ways.map(Some), close: true, sigma, ..self.how };
+        let mut asked = vec![self.how.margin; stations.len()];
+        let mut best = first.spline.map(|spline| self.candidate(spline, &lateral).0);
+        for round in 0..ROUNDS {
+            let line = lateral.line(&stations, &asked, ways, round > 0);
+            let Some(spline) = smooth(self.ground, &line, &how, accept).spline else { break };
+            // The next line is looked for beside this one, on which the car stands as it will there.
+            stations = along_curve(&spline, lateral.step());
+            let (next, rooms) = self.candidate(spline, &lateral);
+            let is_kept = self.is_kept(next.kept);
+            let is_better = best.as_ref().is_none_or(|best| next.is_better_than(best));
+            if is_better {
+                best = Some(next);
+            }
+            if is_kept || !is_better && round > 0 {
+                break;
+            }
+            asked = self.asked(&asked, &stations, &rooms);
+        }
+        (best.map(|best| best.spline), false)
+    }
+
+    /// In the car's headings at the ends where that is possible.
+    fn first(&self, chords: &[Point], accept: &dyn Fn(&Spline) -> bool) -> Smooth {
+        let is_bent = chords.len() > 2 && self.how.ways == [None; 2];
+        let ends = [self.world.geometry.start, self.world.geometry.goal].map(Pose::direction);
+        let own = [chords[1] - chords[0], chords[chords.len() - 1] - chords[chords.len() - 2]];
+        let ways = [0, 1].map(|i| (ends[i].dot(&own[i].normalize()) > FORWARD).then_some(ends[i]));
+        if is_bent && ways != [None; 2] {
+            let curve = smooth(self.ground, chords, &Smoothing { ways, ..self.how }, accept);
+            if !curve.fell_back {
+                return curve;
+            }
+        }
+        smooth(self.ground, chords, &self.how, accept)
+    }
+
+    /// The directions at the ends: the car's where the curve hardly turns from them, else the curve's.
+    fn ways(&self, stations: &[Station]) -> [Vector; 2] {
+        let ends = [self.world.geometry.start, self.world.geometry.goal].map(Pose::direction);
+        let own = [stations[0].way, stations[stations.len() - 1].way];
+        [0, 1].map(|i| if ends[i].dot(&own[i]) > ALIGNED { ends[i] } else { own[i] })
+    }
+
+    fn is_kept(&self, room: f64) -> bool {
+        room >= self.how.margin - HAIR
+    }
+
+    fn candidate(&self, spline: Spline, lateral: &Lateral) -> (Candidate, Vec<(Point, f64)>) {
+        let places = along(&spline, ROOMS * self.how.scale);
+        let rooms = self.rooms(&places);
+        let kept = inner(&rooms).iter().fold(self.how.margin, |least, room| least.min(room.1));
+        let metre = |w: &[(Point, Vector)]| {
+            (w[1].0 - w[0].0).norm() * lateral.metre(nalgebra::center(&w[0].0, &w[1].0))
+        };
+        let cost = places.windows(2).map(metre).sum();
+        (Candidate { spline, kept, cost }, rooms)
+    }
+
+    /// Where the car's middle is and the room around the car there.
+    fn rooms(&self, places: &[(Point, Vector)]) -> Vec<(Point, f64)> {
+        let towed = tow(&self.world.geometry, places);
+        let room = |pose: &Pose| self.world.body.signed_clearance(*pose);
+        places.iter().zip(&towed.poses).map(|(place, pose)| (place.0, room(pose))).collect()
+    }
+
+    /// What to ask for at new stations: what was asked for there, and more where that was not enough.
+    fn asked(&self, before: &[f64], stations: &[Station], rooms: &[(Point, f64)]) -> Vec<f64> {
+        let mut short = vec![0.0_f64; stations.len()];
+        let mut near = 0;
+        for (point, room) in inner(rooms).iter().filter(|room| !self.is_kept(room.1)) {
+            let away = |i: usize| (stations[i].point - point).norm();
+            while near + 1 < stations.len() && away(near + 1) <= away(near) {
+                near += 1;
+            }
+            short[near] = short[near].max(self.how.margin - room + SPARE);
+        }
+        let scale = before.len() as f64 / stations.len() as f64;
+        let ask = |i: usize| {
+            let around = &short[i.saturating_sub(AROUND)..(i + AROUND + 1).min(short.len())];
+            let missing = around.iter().fold(0.0, |most: f64, s| most.max(*s));
+            let old = before[((i as f64 * scale) as usize).min(before.len() - 1)];
+            (old + missing).min(self.how.margin + MOST_MORE)
+        };
+        (0..stations.len()).map(ask).collect()
+    }
+
+    /// Whether the curve costs hardly more than the chords, where cells have weights: it strays from them by decimetres.
+    fn is_cheap(&self, chords: &[Point], spline: &Spline) -> bool {
+        let Some(paint) = self.world.paint() else { return true };
+        let cost = |points: &[Point]| points.windows(2).fold(0.0, |sum, w| sum + paint.along(w[0], w[1]));
+        let places: Vec<Point> = along(spline, STATION).into_iter().map(|place| place.0).collect();
+        cost(&places) <= DEARER * cost(chords)
+    }
+
+    /// Whether the towed car touches nothing but at the ends.
+    fn is_clear(&self, spline: &Spline) -> bool {
+        let world = self.world;
+        let towed = tow(&world.geometry, &along(spline, STATION));
+        let middle = |pose: &Pose| pose.advance(0.0, world.geometry.vehicle.middle()).point();
+        let mut stations = vec![0.0];
+        for pair in towed.poses.windows(2) {
+            stations.push(stations[stations.len() - 1] + (middle(&pair[1]) - middle(&pair[0])).norm());
+        }
+        let inner = ENDS..=stations[stations.len() - 1] - ENDS;
+        let inside =
+            |(pose, station): (&Pose, &f64)| !inner.contains(station) || world.body.hit(*pose).is_none();
+        towed.poses.iter().zip(&stations).all(inside)
+    }
+}
+
+/// Places of a curve about `step` apart, and the direction there.
+pub(super) fn along(spline: &Spline, step: f64) -> Vec<(Point, Vector)> {
+    let rough: Vec<Point> = (0..=200).map(|k| spline.at(f64::from(k) / 200.0).point).collect();
+    let length = rough.windows(2).fold(0.0, |sum, w| sum + (w[1] - w[0]).norm());
+    // Parameters are not quite lengths.
+    let count = (length * 1.25 / step).ceil().max(2.0) as u32;
+    let place = |k: u32| {
+        let Place { point, first, .. } = spline.at(f64::from(k) / f64::from(count));
+        (point, first)
+    };
+    (0..=count).map(place).collect()
+}
+
+/// Without the places near the ends, where the car stands as it does.
+fn inner(rooms: &[(Point, f64)]) -> &[(Point, f64)] {
+    let near = |end: Point| move |room: &(Point, f64)| (room.0 - end).norm() < ENDS;
+    let (first, last) = (rooms[0].0, rooms[rooms.len() - 1].0);
+    let from = rooms.iter().take_while(|room| near(first)(room)).count();
+    let to = rooms.len() - rooms.iter().rev().take_while(|room| near(last)(room)).count();
+    if from < to { &rooms[from..to] } else { rooms }
+}
+
+fn straight(chords: &[Point]) -> Vec<(Point, Vector)> {
+    let points = dense(chords, ROOMS);
+    let way = chords[chords.len() - 1] - chords[0];
+    points.into_iter().map(|point| (point, way)).collect()
+}
+
+/// Of a curve, or of the straight line that is one.
+fn stations(spline: Option<&Spline>, chords: &[Point], step: f64) -> Vec<Station> {
+    let Some(spline) = spline else {
+        let way = (chords[chords.len() - 1] - chords[0]).normalize();
+        return dense(chords, step).into_iter().map(|point| Station { point, way, curvature: 0.0 }).collect();
+    };
+    along_curve(spline, step)
+}
+
+fn along_curve(spline: &Spline, step: f64) -> Vec<Station> {
+    let length = along(spline, step).windows(2).fold(0.0, |sum, w| sum + (w[1].0 - w[0].0).norm());
+    let count = (length / step).ceil().max(2.0) as u32;
+    let station = |k: u32| {
+        let place = spline.at(f64::from(k) / f64::from(count));
+        Station { point: place.point, way: place.first.normalize(), curvature: place.curvature() }
+    };
+    (0..=count).map(station).collect()
+}

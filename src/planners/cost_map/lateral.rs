@@ -1,0 +1,176 @@
+//! A line beside a curve that costs the least: the search's own costs, without its eight directions.
+//!
+//! Every two metres of the curve have places to both sides of it. The cheapest row of them, one at each, is found by dynamic
+//! programming. A way that turns away from the curve costs more, so that lanes are changed gently.
+
+use super::smooth::bilinear;
+use super::{CostMap, Ground};
+use crate::geometry::{Point, Vector};
+
+/// Places are this far apart along the curve and across, metres.
+const ALONG: f64 = 2.0;
+const ACROSS: f64 = 0.1;
+/// So many places lie on either side of a curve that may be far from the cheapest, and of one that is near it.
+const SIDES: [usize; 2] = [40, 12];
+/// From one station to the next the line moves by this many places at most, and so it does at `SLOPES` slopes.
+const SLOPE: usize = 6;
+const SLOPES: usize = 2 * SLOPE + 1;
+/// From one step to the next the slope changes by this many places at most.
+const CHANGE: usize = 2;
+/// A way of curvature 1/m is dearer by this factor times its square: a lane is changed in some 25 m then, m².
+const BENDING: f64 = 60.0;
+/// At so many stations near either end a bend counts this many times as much: the rear axle shall be on its way by then.
+const END: usize = 10;
+const AT_ENDS: f64 = 20.0;
+/// Dearer than any way: a metre on which none of the room is left that is asked for.
+const SHORT: f64 = 1e6;
+/// Nearer to the middle of a bend than this share of its radius no place lies.
+const INNER: f64 = 0.3;
+
+/// A place of a curve.
+#[derive(Debug, Clone, Copy)]
+pub struct Station {
+    /// Where.
+    pub point: Point,
+    /// Of length 1.
+    pub way: Vector,
+    /// 1/m, positive to the left.
+    pub curvature: f64,
+}
+
+/// What lines are chosen by.
+#[derive(Clone, Copy)]
+pub struct Lateral<'a> {
+    /// The road's raster.
+    pub ground: &'a Ground,
+    /// Costs on it.
+    pub costs: &'a CostMap,
+    /// Half the car's width, metres.
+    pub radius: f64,
+    /// Half the car's length, metres.
+    pub half_length: f64,
+    /// How many times as large as a car.
+    pub scale: f64,
+    /// The exact room at a place for a disc of the car's width, metres.
+    pub room: &'a dyn Fn(Point) -> f64,
+}
+
+impl Lateral<'_> {
+    /// How far apart stations shall be, metres.
+    pub fn step(&self) -> f64 {
+        ALONG * self.scale
+    }
+
+    /// What a metre costs at a place, whatever the room there; infinity without any.
+    pub fn metre(&self, point: Point) -> f64 {
+        self.costs.soft_metre(self.ground, point).unwrap_or(f64::INFINITY)
+    }
+
+    /// By the raster where that is sure to be more or less than what is asked.
+    fn room_at(&self, point: Point, asked: f64) -> f64 {
+        let rough = bilinear(self.ground, point) - self.radius;
+        if (rough - asked).abs() < self.ground.frame.resolution { (self.room)(point) } else { rough }
+    }
+
+    /// The cheapest line along a curve, from its first to its last point; at every station the room asked for, metres, is
+    /// kept around the car, as far as that goes.
+    /// It begins and ends in the directions `ways` as far as its slopes go. Near the curve alone if that `is_near`.
+    pub fn line(&self, stations: &[Station], asked: &[f64], ways: [Vector; 2], is_near: bool) -> Vec<Point> {
+        let side = SIDES[usize::from(is_near)];
+        let places = 2 * side + 1;
+        let prices = self.prices(stations, asked, side);
+        let last = stations.len() - 1;
+        // Per place and slope of the step to it: the cost of the way there.
+        let mut spent = vec![f64::INFINITY; places * SLOPES];
+        let end = |at: usize, way: Vector, length: f64| {
+            let own = stations[at].way;
+            let slope = own.perp(&way) / own.dot(&way).max(0.1) * length / (ACROSS * self.scale);
+            (SLOPE as f64 + slope.round().clamp(-(SLOPE as f64), SLOPE as f64)) as usize
+        };
+        let length = |i: usize| (stations[i].point - stations[i - 1].point).norm();
+        let ends = [end(0, ways[0], length(1)), end(last, ways[1], length(last))];
+        spent[side * SLOPES + ends[0]] = 0.0;
+        // And the slope of the step before.
+        let mut before: Vec<Vec<u8>> = vec![Vec::new()];
+        for i in 1..=last {
+            let length = length(i);
+            let slope = |d: usize| (d as f64 - SLOPE as f64) * ACROSS * self.scale / length;
+            let bend = |from: usize, to: usize| {
+                let curvature = (stations[i - 1].curvature + (slope(to) - slope(from)) / length) * self.scale;
+                let is_end = i <= END || i + END > last;
+                1.0 + if is_end { AT_ENDS } else { 1.0 } * BENDING * curvature * curvature
+            };
+            let mut next = vec![f64::INFINITY; places * SLOPES];
+            let mut from = vec![0_u8; places * SLOPES];
+            for d in 0..SLOPES {
+                let longer = slope(d) * slope(d) / 2.0;
+                for e in d.saturating_sub(CHANGE)..=(d + CHANGE).min(SLOPES - 1) {
+                    let factor = length * bend(e, d);
+                    // Place k is reached from place k + SLOPE − d.
+                    for k in d.saturating_sub(SLOPE)..places.min(places + d - SLOPE) {
+                        let p = k + SLOPE - d;
+                        let middle = f64::midpoint(prices[i - 1][p], prices[i][k]);
+                        let cost = spent[p * SLOPES + e] + factor * (middle + longer);
+                        let place = k * SLOPES + d;
+                        if cost < next[place] {
+                            (next[place], from[place]) = (cost, e as u8);
+                        }
+                    }
+                }
+            }
+            before.push(from);
+            spent = next;
+        }
+        let cost = |d: usize| spent[side * SLOPES + d];
+        let nearest = (0..SLOPES).filter(|&d| cost(d) < f64::INFINITY).min_by_key(|d| d.abs_diff(ends[1]));
+        let Some(slope) = nearest else { return stations.iter().map(|s| s.point).collect() };
+        let (mut k, mut d) = (side, slope);
+        let mut line = Vec::with_capacity(stations.len());
+        for i in (0..=last).rev() {
+            line.push(self.place(&stations[i], k, side));
+            if i > 0 {
+                let e = usize::from(before[i][k * SLOPES + d]);
+                (k, d) = (k + SLOPE - d, e);
+            }
+        }
+        line.reverse();
+        line
+    }
+
+    fn across(&self, k: usize, side: usize) -> f64 {
+        (k as f64 - side as f64) * ACROSS * self.scale
+    }
+
+    fn place(&self, station: &Station, k: usize, side: usize) -> Point {
+        station.point + Vector::new(-station.way.y, station.way.x) * self.across(k, side)
+    }
+
+    /// Per station and place: what a metre costs there, and the price of too little room.
+    fn prices(&self, stations: &[Station], asked: &[f64], side: usize) -> Vec<Vec<f64>> {
+        let places = 2 * side + 1;
+        let inner = |s: &Station, k: usize| 1.0 - s.curvature * self.across(k, side);
+        // The car stands there as it does on the curve: a disc at either end and one between.
+        let ahead = self.half_length - self.radius / 2.0;
+        let room = |i: usize, k: usize| {
+            let s = &stations[i];
+            if inner(s, k) <= INNER {
+                return -self.radius;
+            }
+            let at = self.place(s, k, side);
+            [0.0, -ahead, ahead].into_iter().fold(f64::INFINITY, |least, by| {
+                // What is short anyway is not looked at any closer.
+                if least < asked[i] - ahead {
+                    least
+                } else {
+                    least.min(self.room_at(at + s.way * by, asked[i]))
+                }
+            })
+        };
+        let price = |i: usize, k: usize| {
+            let metre = self.metre(self.place(&stations[i], k, side)).min(SHORT);
+            let short = (asked[i] - room(i, k)).max(0.0) / asked[i].max(0.05);
+            metre * inner(&stations[i], k).max(INNER) + SHORT * short
+        };
+        (0..stations.len()).map(|i| (0..places).map(|k| price(i, k)).collect()).collect()
+    }
+}
