@@ -40,11 +40,7 @@ fn header(line: &str) -> Result<Vec<&'static str>, Error> {
     for (place, name) in fields(line) {
         let Some(&column) = COLUMNS.iter().find(|known| **known == name) else {
             let known = COLUMNS.join(", ");
-            return at(
-                1,
-                place,
-                format!("must be the name of a column, got {}; there are {known}", quoted(name)),
-            );
+            return at(1, place, format!("must be one of {known}, got {}", quoted(name)));
         };
         if columns.contains(&column) {
             return at(1, place, format!("must be named once, got {column} again"));
@@ -153,7 +149,7 @@ mod tests {
         assert_eq!(wrong("t,x,y\n0,0,0\n1,1,1"), "1:1: must have a column theta");
         assert_eq!(
             wrong("t,x,y,yaw\n"),
-            "1:7: must be the name of a column, got \"yaw\"; there are t, x, y, theta, v, phi, a, omega, gear"
+            "1:7: must be one of t, x, y, theta, v, phi, a, omega, gear, got \"yaw\""
         );
         assert_eq!(wrong("t,x,y,theta,x\n"), "1:13: must be named once, got x again");
         assert_eq!(wrong("x,y,theta,v\n"), "1:11: must have no column v without t");

@@ -21,7 +21,7 @@ function rules(): string[] {
 }
 
 /** A text that says what must be, what is missing or unknown, or how something was read. */
-const STATED = /"((?:[^"\\]|\\.)*(?:\bmust |\bmissing\b|unknown field|no such |unknown cells|cells between|Turned by)(?:[^"\\]|\\.)*)"/g;
+const STATED = /"((?:[^"\\\n]|\\.)*(?:\bmust |\bmissing\b|unknown field|no such |unknown cells|cells between|Turned by)(?:[^"\\\n]|\\.)*)"/g;
 
 /** The page's own reasons. */
 function sentences(): string[] {
