@@ -75,7 +75,7 @@ impl Word {
     }
 
     /// Its arcs, metres, for turning radius `radius`.
-    pub fn arcs(&self, radius: f64) -> impl Iterator<Item = Arc> + use<> {
+    pub fn arcs(&self, radius: f64) -> impl DoubleEndedIterator<Item = Arc> + use<> {
         let (turns, lengths) = (self.turns, self.lengths);
         (0..self.count).filter(move |&i| lengths[i].abs() > EPS).map(move |i| {
             let curvature = match turns[i] {

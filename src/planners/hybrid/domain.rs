@@ -12,7 +12,7 @@ use crate::geometry::reeds_shepp::{self, Word};
 use crate::geometry::{Pose, math};
 use crate::search::{Domain, Finish, NodeId, Order, Relax, Visit};
 use crate::vehicle::Vehicle;
-use crate::vehicle::collision::Probe;
+use crate::vehicle::collision::{Probe, Reach, Sampling};
 
 /// While shuffling, where the body has this much room around it, metres, …
 const ROOM: f64 = 0.1;
@@ -55,6 +55,9 @@ pub(super) struct Lattice<'a> {
     watch: Option<&'a RefCell<Watch>>,
     primitives: Vec<Arc>,
     words: Vec<(f64, Word)>,
+    sampling: Sampling,
+    /// How far the body can go from the pose that was asked about last, and back from the target.
+    reach: [RefCell<Reach>; 2],
     /// Words tried so far, and the checks that they took.
     tried: Cell<(u32, u32)>,
 }
@@ -91,6 +94,7 @@ impl<'a> Lattice<'a> {
             .into_iter()
             .flat_map(|length| curvatures.iter().map(move |&curvature| Arc { curvature, length }))
             .collect();
+        let sampling = Sampling::new(level.spacing, margin, setting.costs.radius);
         Self {
             probe: setting.probe,
             flood: setting.flood,
@@ -107,6 +111,8 @@ impl<'a> Lattice<'a> {
             watch: setting.watch,
             primitives,
             words: Vec::new(),
+            sampling,
+            reach: [(), ()].map(|()| RefCell::new(Reach::new(target, sampling))),
             tried: Cell::new((0, 0)),
         }
     }
@@ -147,6 +153,25 @@ impl<'a> Lattice<'a> {
         self.probe.arc_free(from, arc, self.level.spacing, self.margin)
     }
 
+    /// Whether an arc at full lock or straight can be driven from `from`.
+    fn starts_free(&self, from: Pose, arc: &Arc) -> bool {
+        let mut reach = self.reach[0].borrow_mut();
+        if reach.from() != from {
+            *reach = Reach::new(from, self.sampling);
+        }
+        reach.is_free(self.probe, arc)
+    }
+
+    fn is_primitive_free(&self, from: Pose, arc: &Arc) -> bool {
+        let is_tightest = arc.curvature == 0.0 || self.level.steer_samples == 1;
+        if is_tightest { self.starts_free(from, arc) } else { self.free(from, arc) }
+    }
+
+    /// Whether an arc at full lock or straight can be driven to the target.
+    fn ends_free(&self, arc: &Arc) -> bool {
+        self.reach[1].borrow_mut().is_free(self.probe, &Arc { length: -arc.length, ..*arc })
+    }
+
     /// How far to drive along a primitive: its length or, while shuffling, until something is in the way, and half as far.
     fn lengths(&self, from: Pose, arc: &Arc) -> [f64; 2] {
         if !self.level.shuffle {
@@ -163,14 +188,27 @@ impl<'a> Lattice<'a> {
             self.tried.set((words + 1, checks));
             return false;
         }
-        let (before, mut pose) = (self.probe.checks(), from);
-        let free = word.arcs(self.costs.radius).all(|arc| {
+        let before = self.probe.checks();
+        let free = self.is_word_free(from, word);
+        self.tried.set((words + 1, checks.saturating_add(self.probe.checks() - before)));
+        free
+    }
+}
+
+impl Lattice<'_> {
+    /// Looks at the word's ends first: what is known of them decides most words.
+    fn is_word_free(&self, from: Pose, word: &Word) -> bool {
+        let mut arcs = word.arcs(self.costs.radius);
+        let (Some(first), last) = (arcs.next(), arcs.next_back()) else { return true };
+        if !last.is_none_or(|last| self.ends_free(&last)) || !self.starts_free(from, &first) {
+            return false;
+        }
+        let mut pose = from.advance(first.curvature, first.length);
+        arcs.all(|arc| {
             let free = self.free(pose, &arc);
             pose = pose.advance(arc.curvature, arc.length);
             free
-        });
-        self.tried.set((words + 1, checks.saturating_add(self.probe.checks() - before)));
-        free
+        })
     }
 }
 
@@ -205,7 +243,7 @@ impl Domain for Lattice<'_> {
                     continue;
                 }
                 let node = self.node(end, after.gear);
-                if !sink.worth(node, cost) || !(self.level.shuffle || self.free(pose, &arc)) {
+                if !sink.worth(node, cost) || !(self.level.shuffle || self.is_primitive_free(pose, &arc)) {
                     continue;
                 }
                 cost += self.costs.places(self.probe, pose, &arc);

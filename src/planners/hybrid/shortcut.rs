@@ -5,7 +5,7 @@ use super::domain::take_cheapest;
 use crate::geometry::Pose;
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::reeds_shepp::{self, Word};
-use crate::vehicle::collision::Probe;
+use crate::vehicle::collision::{Probe, Reach, Sampling};
 
 /// Arcs are split at most this far apart, metres: first coarsely, which does most of it, then finely.
 const KNOTS: [f64; 2] = [1.0, 0.5];
@@ -64,12 +64,18 @@ struct Pass<'a> {
     poses: Vec<Pose>,
     /// Cost up to there.
     spent: Vec<f64>,
+    sampling: Sampling,
+    /// How far the body can go ahead from the knot at hand, and back from each of the others.
+    ahead: Option<Reach>,
+    back: Vec<Option<Reach>>,
 }
 
 impl<'a> Pass<'a> {
     fn new(rules: Rules<'a>, start: Pose, knots: Vec<Arc>) -> Self {
         let reach = PAIRS / knots.len().max(1);
-        let mut pass = Self { rules, reach, knots, poses: vec![start], spent: vec![0.0] };
+        let sampling = Sampling::new(rules.spacing, rules.margin, rules.costs.radius);
+        let (poses, spent, back) = (vec![start], vec![0.0], Vec::new());
+        let mut pass = Self { rules, reach, knots, poses, spent, sampling, ahead: None, back };
         pass.measure(0);
         pass
     }
@@ -78,6 +84,8 @@ impl<'a> Pass<'a> {
     fn measure(&mut self, from: usize) {
         self.poses.truncate(from + 1);
         self.spent.truncate(from + 1);
+        self.back.truncate(from + 1);
+        self.back.resize(self.knots.len() + 1, None);
         for k in from..self.knots.len() {
             let (arc, pose) = (self.knots[k], self.poses[k]);
             let cost = self.rules.costs.arc(self.before(k), &arc)
@@ -100,6 +108,7 @@ impl<'a> Pass<'a> {
         let mut improved = false;
         let mut i = 0;
         while i < self.knots.len() {
+            self.ahead = Some(Reach::new(self.poses[i], self.sampling));
             for j in (i + 2..=self.knots.len().min(i + self.reach)).rev() {
                 if self.rules.probe.checks() >= limit {
                     return improved;
@@ -117,7 +126,7 @@ impl<'a> Pass<'a> {
     }
 
     /// The cheapest free curve from knot `i` to knot `j` that costs less than the stretch and has no more gear changes.
-    fn better(&self, i: usize, j: usize) -> Option<Word> {
+    fn better(&mut self, i: usize, j: usize) -> Option<Word> {
         let Rules { probe, costs, .. } = self.rules;
         let (from, to) = (self.poses[i], self.poses[j]);
         let old = self.spent[j] - self.spent[i] + self.join(j, &self.knots[j - 1]) - GAIN;
@@ -142,14 +151,26 @@ impl<'a> Pass<'a> {
             }
         }
         core::iter::from_fn(|| take_cheapest(&mut found))
-            .find(|(cost, word)| self.free(from, word) && cost + costs.word_places(probe, from, word) < old)
+            .find(|(cost, word)| self.free((from, j), word) && cost + costs.word_places(probe, from, word) < old)
             .map(|found| found.1)
     }
 
-    fn free(&self, from: Pose, word: &Word) -> bool {
+    /// Looks at the word's ends first: what is known of them decides most words.
+    fn free(&mut self, (from, to): (Pose, usize), word: &Word) -> bool {
         let Rules { probe, costs, spacing, margin } = self.rules;
-        let mut pose = from;
-        word.arcs(costs.radius).all(|arc| {
+        let mut arcs = word.arcs(costs.radius);
+        let (Some(first), last) = (arcs.next(), arcs.next_back()) else { return true };
+        if let Some(last) = last {
+            let back = self.back[to].get_or_insert_with(|| Reach::new(self.poses[to], self.sampling));
+            if !back.is_free(probe, &Arc { length: -last.length, ..last }) {
+                return false;
+            }
+        }
+        if !self.ahead.as_mut().is_none_or(|ahead| ahead.is_free(probe, &first)) {
+            return false;
+        }
+        let mut pose = from.advance(first.curvature, first.length);
+        arcs.all(|arc| {
             let free = probe.arc_free(pose, &arc, spacing, margin);
             pose = pose.advance(arc.curvature, arc.length);
             free

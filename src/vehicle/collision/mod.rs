@@ -8,6 +8,7 @@
 mod corridor;
 mod obstacles;
 mod probe;
+mod reach;
 #[cfg(test)]
 mod tests;
 
@@ -17,3 +18,4 @@ pub use corridor::Corridor;
 pub(crate) use obstacles::contains;
 pub use obstacles::{Edge, Obstacles, Solid};
 pub use probe::Probe;
+pub use reach::{Reach, Sampling};

@@ -12,23 +12,34 @@ use crate::map::Paint;
 use crate::vehicle::Vehicle;
 
 /// Overlaps shallower than this are contact, which is free, metres.
-const CONTACT: f64 = 1e-6;
+pub(super) const CONTACT: f64 = 1e-6;
 /// Poses of a long arc that are looked at first are this far apart, in spacings.
 const STRIDE: u32 = 16;
 
 /// A place of the body: the rear axle's middle and the heading's sine and cosine.
-#[derive(Clone, Copy)]
-struct Place {
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Place {
     x: f64,
     y: f64,
-    sin: f64,
-    cos: f64,
+    pub(super) sin: f64,
+    pub(super) cos: f64,
 }
 
 impl Place {
-    fn of(pose: Pose) -> Self {
+    pub(super) fn of(pose: Pose) -> Self {
         let (sin, cos) = math::sin_cos(pose.heading);
         Self { x: pose.x, y: pose.y, sin, cos }
+    }
+
+    /// The place after an arc of signed `length`, at whose end the heading has this sine and cosine.
+    #[inline(always)]
+    pub(super) fn along(self, curvature: f64, length: f64, sin: f64, cos: f64) -> Self {
+        let (x, y) = if curvature == 0.0 {
+            (self.x + length * self.cos, self.y + length * self.sin)
+        } else {
+            (self.x + (sin - self.sin) / curvature, self.y - (cos - self.cos) / curvature)
+        };
+        Self { x, y, sin, cos }
     }
 
     fn local(self, p: Point) -> Point {
@@ -91,7 +102,7 @@ impl<'a> Probe<'a> {
         self.checks.get()
     }
 
-    fn count(&self, checks: u32) {
+    pub(super) fn count(&self, checks: u32) {
         self.checks.set(self.checks.get().saturating_add(checks));
     }
 
@@ -118,15 +129,7 @@ impl<'a> Probe<'a> {
         let (turn_sin, turn_cos) = math::sin_cos(turn);
         let radius = self.disc_radius(margin);
         let pace = part.abs() * self.pace(arc.curvature);
-        let at = |k: u32, sin: f64, cos: f64| {
-            let (x, y) = if arc.curvature == 0.0 {
-                let along = part * f64::from(k);
-                (start.x + along * start.cos, start.y + along * start.sin)
-            } else {
-                (start.x + (sin - start.sin) / arc.curvature, start.y - (cos - start.cos) / arc.curvature)
-            };
-            Place { x, y, sin, cos }
-        };
+        let at = |k: u32, sin: f64, cos: f64| start.along(arc.curvature, part * f64::from(k), sin, cos);
         let mut k = steps as u32;
         let mut checks = 0;
         let (mut sin, mut cos) = math::sin_cos(from.heading + turn * f64::from(k));
@@ -193,28 +196,38 @@ impl<'a> Probe<'a> {
     }
 
     /// How far a disc's centre moves per metre of an arc, at most.
-    fn pace(&self, curvature: f64) -> f64 {
+    pub(super) fn pace(&self, curvature: f64) -> f64 {
         let farthest = self.discs.iter().fold(0.0_f64, |far, d| far.max(d.abs()));
         let swing = curvature * farthest;
         (1.0 + swing * swing).sqrt()
     }
 
     /// Radius of a disc that covers its part of the grown body.
-    fn disc_radius(&self, margin: f64) -> f64 {
+    pub(super) fn disc_radius(&self, margin: f64) -> f64 {
         let (along, across) = (self.half_part + margin, self.vehicle.width / 2.0 + margin);
         (along * along + across * across).sqrt()
     }
 
     /// A lower bound on the distance from the discs' centres to the nearest edge.
-    fn room(&self, at: Place) -> f64 {
+    pub(super) fn room(&self, at: Place) -> f64 {
         let field = |&d: &f64| self.obstacles.field_at(at.x + d * at.cos, at.y + d * at.sin);
         self.discs.iter().map(field).fold(f64::INFINITY, f64::min) - self.slack
     }
 
-    fn exact(&self, at: Place, margin: f64) -> Option<u32> {
+    pub(super) fn is_free_at(&self, at: Place, margin: f64) -> bool {
+        self.room(at) > self.disc_radius(margin) || self.exact(at, margin - CONTACT).is_none()
+    }
+
+    pub(super) fn exact(&self, at: Place, margin: f64) -> Option<u32> {
         let sides = self.sides(margin);
         let (low, high) = self.bounds(at, margin);
-        self.obstacles.find(low, high, |edge| segment_meets_box(at.local(edge.a), at.local(edge.b), sides))
+        self.obstacles.find(low, high, |edge| {
+            let is_apart = (edge.a.x < low.x && edge.b.x < low.x)
+                || (edge.a.x > high.x && edge.b.x > high.x)
+                || (edge.a.y < low.y && edge.b.y < low.y)
+                || (edge.a.y > high.y && edge.b.y > high.y);
+            !is_apart && segment_meets_box(at.local(edge.a), at.local(edge.b), sides)
+        })
     }
 
     /// Distance from the body to the nearest edge, metres, at most `limit`; 0 where it overlaps.

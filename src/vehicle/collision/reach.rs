@@ -1,0 +1,113 @@
+//! How far the body can go from one pose at full lock and straight on.
+//!
+//! Every Reeds–Shepp curve begins with one of six motions: full lock to either side or straight, in either gear. What blocks
+//! one of them blocks every curve that begins with a longer one, so each motion is followed once, no farther than it is asked
+//! for.
+
+use super::Probe;
+use super::probe::{CONTACT, Place};
+use crate::geometry::arcs::Arc;
+use crate::geometry::{Pose, math};
+
+/// How motions are sampled.
+#[derive(Debug, Clone, Copy)]
+pub struct Sampling {
+    /// Distance of the samples, metres; more where the body has room.
+    spacing: f64,
+    /// Kept free around the body, metres.
+    margin: f64,
+    /// Sine and cosine of the turn from one sample to the next at full lock to the left.
+    turn: (f64, f64),
+}
+
+impl Sampling {
+    /// Samples `spacing` metres apart with `margin` metres around the body, for a car that turns with `radius` metres.
+    pub fn new(spacing: f64, margin: f64, radius: f64) -> Self {
+        Self { spacing, margin, turn: math::sin_cos(spacing / radius) }
+    }
+}
+
+/// What is known of one motion.
+#[derive(Debug, Clone, Copy, Default)]
+struct Motion {
+    /// The body is free at every sample up to here, metres.
+    free: f64,
+    /// The first sample at which it is not, metres; 0 while none is known.
+    blocked: f64,
+}
+
+/// The six motions from one pose, as far as they were followed.
+#[derive(Debug, Clone)]
+pub struct Reach {
+    from: Pose,
+    start: Place,
+    sampling: Sampling,
+    motions: [Motion; 6],
+}
+
+impl Reach {
+    /// Nothing is known yet.
+    pub fn new(from: Pose, sampling: Sampling) -> Self {
+        Self { from, start: Place::of(from), sampling, motions: [Motion::default(); 6] }
+    }
+
+    /// Where the motions begin.
+    pub fn from(&self) -> Pose {
+        self.from
+    }
+
+    /// Whether the body is free along an arc from the pose, at full lock or straight: at every sample and at its end.
+    pub fn is_free(&mut self, probe: &Probe, arc: &Arc) -> bool {
+        let length = arc.length.abs();
+        let side = if arc.curvature == 0.0 { 0 } else { 1 + usize::from(arc.curvature < 0.0) };
+        let which = 2 * side + usize::from(arc.length < 0.0);
+        let mut motion = self.motions[which];
+        if length > motion.free && motion.blocked == 0.0 {
+            motion = self.follow(probe, arc, motion.free);
+            self.motions[which] = motion;
+        }
+        if length <= motion.free || (motion.blocked != 0.0 && length >= motion.blocked) {
+            return length <= motion.free;
+        }
+        let (sin, cos) = math::sin_cos(self.from.heading + arc.curvature * arc.length);
+        let end = self.start.along(arc.curvature, arc.length, sin, cos);
+        probe.count(1);
+        probe.is_free_at(end, self.sampling.margin)
+    }
+
+    /// Follows an arc that is free for some metres until its end or what blocks it.
+    fn follow(&self, probe: &Probe, arc: &Arc, mut free: f64) -> Motion {
+        let Sampling { spacing, margin, turn } = self.sampling;
+        let radius = probe.disc_radius(margin);
+        let pace = probe.pace(arc.curvature);
+        let (sign, length) = (1.0_f64.copysign(arc.length), arc.length.abs());
+        let turn_sin = turn.0 * sign.copysign(arc.curvature * arc.length);
+        let at = |along: f64| math::sin_cos(self.from.heading + arc.curvature * along * sign);
+        let (mut sin, mut cos) = if free == 0.0 { (self.start.sin, self.start.cos) } else { at(free) };
+        let mut checks = 0;
+        let mut blocked = 0.0;
+        while free < length {
+            let next = free + spacing;
+            if arc.curvature != 0.0 {
+                (sin, cos) = (sin * turn.1 + cos * turn_sin, cos * turn.1 - sin * turn_sin);
+            }
+            let place = self.start.along(arc.curvature, next * sign, sin, cos);
+            checks += 1;
+            let spare = probe.room(place) - radius;
+            if spare <= 0.0 {
+                if probe.exact(place, margin - CONTACT).is_some() {
+                    blocked = next;
+                    break;
+                }
+                free = next;
+            } else {
+                free = next + spare / pace;
+                if arc.curvature != 0.0 && free < length {
+                    (sin, cos) = at(free);
+                }
+            }
+        }
+        probe.count(checks);
+        Motion { free, blocked }
+    }
+}
