@@ -247,6 +247,8 @@ pub(super) struct Level {
     /// What costs as much is left out.
     #[cfg(feature = "complete")]
     pub(super) bound: f64,
+    /// Every so-many-th state is tried with a curve to the target: on a fine lattice neighbours see the same.
+    pub(super) connect_every: u32,
     /// Whether a car that can hardly move drives as far as it can each time, `step` at most.
     pub(super) shuffle: bool,
 }
@@ -281,6 +283,7 @@ impl Config {
             _ => (0.03, 0.5, 1.0, 1, 0.05, 10_000, 1.2),
         };
         let shuffle = number >= SHUFFLING;
+        let connect_every = if shuffle { 1 } else { number.max(1) };
         let level = Level {
             xy,
             yaw: yaw * DEGREE,
@@ -294,6 +297,7 @@ impl Config {
             plain: false,
             #[cfg(feature = "complete")]
             bound: f64::INFINITY,
+            connect_every,
             shuffle,
         };
         if shuffle {

@@ -55,6 +55,8 @@ pub(super) struct Lattice<'a> {
     watch: Option<&'a RefCell<Watch>>,
     primitives: Vec<Arc>,
     words: Vec<(f64, Word)>,
+    /// States that were asked for a connection so far.
+    asked: u32,
     sampling: Sampling,
     /// How far the body can go from the pose that was asked about last, and back from the target.
     reach: [RefCell<Reach>; 2],
@@ -111,6 +113,7 @@ impl<'a> Lattice<'a> {
             watch: setting.watch,
             primitives,
             words: Vec::new(),
+            asked: 0,
             sampling,
             reach: [(), ()].map(|()| RefCell::new(Reach::new(target, sampling))),
             tried: Cell::new((0, 0)),
@@ -275,6 +278,13 @@ impl Domain for Lattice<'_> {
             return None;
         }
         let State { pose, motion, .. } = at.label;
+        self.asked += 1;
+        if !(self.asked - 1).is_multiple_of(self.level.connect_every) {
+            if let Some(watch) = self.watch {
+                watch.borrow_mut().skip();
+            }
+            return None;
+        }
         #[cfg(feature = "complete")]
         let bound = bound.min(self.level.bound);
         let mut found = core::mem::take(&mut self.words);

@@ -38,6 +38,11 @@ impl Watch {
         Self { shots: Shots::default(), origin, expansions: 0 }
     }
 
+    /// A search has expanded a pose without a try.
+    pub(super) fn skip(&mut self) {
+        self.expansions += 1;
+    }
+
     /// A search has expanded `pose`; `missed` is the cheapest connection that it tried in vain. `mirrored` where the tree
     /// grows from the goal. The probe counts, so it must not be the search's own.
     pub(super) fn note(
