@@ -253,6 +253,27 @@ pub(super) struct Level {
     pub(super) shuffle: bool,
 }
 
+impl Level {
+    /// As it serves best where a way out of every slot is known and the way to the target is not: coarser headings, and hardly any
+    /// connections.
+    pub(super) fn in_open_space(self, max_expansions: u32) -> Self {
+        let (xy, yaw) = (self.xy.max(OPEN.0), self.yaw.max(OPEN.1 * DEGREE));
+        Self {
+            xy,
+            yaw,
+            step: self.step.max(OPEN.2),
+            connect_every: OPEN_CONNECT_EVERY,
+            max_expansions,
+            ..self
+        }
+    }
+}
+
+/// The finest lattice in open space: metres, degrees, metres.
+const OPEN: (f64, f64, f64) = (0.08, 1.0, 0.12);
+/// Every so-many-th state is tried with a curve to the target there.
+const OPEN_CONNECT_EVERY: u32 = 16;
+
 const DEGREE: f64 = core::f64::consts::PI / 180.0;
 
 /// How many levels there are.
@@ -283,7 +304,7 @@ impl Config {
             _ => (0.03, 0.5, 1.0, 1, 0.05, 10_000, 1.2),
         };
         let shuffle = number >= SHUFFLING;
-        let connect_every = if shuffle { 1 } else { number.max(1) };
+        let connect_every = if shuffle { 1 } else { (2 * number).max(1) };
         let level = Level {
             xy,
             yaw: yaw * DEGREE,

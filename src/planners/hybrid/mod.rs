@@ -15,6 +15,7 @@ mod domain;
 mod flood;
 #[cfg(feature = "complete")]
 mod goals;
+mod holonomic;
 mod keys;
 mod level;
 mod obstruction;

@@ -9,6 +9,7 @@ use core::cell::OnceCell;
 
 use super::config::{Level, SHUFFLING};
 use super::flood::Flood;
+use super::holonomic;
 use super::level::{First, Search, Work};
 use super::{Config, HAIR, Query, Report, SearchFrom, Status};
 use crate::geometry::{Pose, arcs};
@@ -29,6 +30,14 @@ const MANY: u32 = 4;
 /// A member that has searched more than this many poses to the end, times its level, came out of any slot: there are many gear
 /// changes, or no way.
 const WIDE: u32 = 1000;
+/// Levels of the searches in open space, …
+const OPEN_COARSE: u32 = 2;
+const OPEN_FINE: u32 = 3;
+/// … expansions of each, from the hard end and from the other one, …
+const OPEN_HARD: u32 = 80_000;
+const OPEN_OTHER: u32 = 130_000;
+/// … and of all members together where they are asked.
+const OPEN_EFFORT: u32 = 300_000;
 /// Up to this level a search with the least margin is worth its while before finer ones with more are.
 const CHEAP: u32 = 3;
 
@@ -145,6 +154,8 @@ pub(super) fn plan(search: Search, floods: &Floods, widest: usize, work: &mut Wo
         best: None,
         is_way_out: false,
         doubt: None,
+        is_hope_known: false,
+        apart: None,
         proof: None,
     };
     run.rounds(work);
@@ -200,6 +211,10 @@ struct Run<'a> {
     is_way_out: bool,
     /// How a member ended that has proven nothing.
     doubt: Option<Status>,
+    /// Whether it was asked if the body could get there at all, …
+    is_hope_known: bool,
+    /// … and where it ends up if it cannot.
+    apart: Option<Pose>,
     /// Margin and level of the search that came to its end with the least margin, the first of them, and where that ended.
     proof: Option<(f64, u32, Option<Pose>)>,
 }
@@ -234,11 +249,30 @@ impl Run<'_> {
                     Turn::Exhausted => self.exhausted(at, expanded, work.report),
                     Turn::Found => self.found(at, work.report),
                 };
+                if self.is_way_out && !self.is_hope_known {
+                    if self.is_hopeless(work) {
+                        return;
+                    }
+                    self.effort = OPEN_EFFORT;
+                }
             }
             if self.members.is_empty() {
                 return;
             }
         }
+    }
+
+    /// Whether the body could not get there either if it moved in any direction; else more work is worth its while.
+    fn is_hopeless(&mut self, work: &Work) -> bool {
+        let least = self.floods.margins.len() - 1;
+        let flood = self.floods.get(least, self.is_swapped);
+        let search = if self.is_swapped { self.search.swapped(flood) } else { self.search };
+        let car = (search.probe, search.query.vehicle);
+        let keys = &mut work.scratch.keys.borrow_mut();
+        self.is_hope_known = true;
+        self.apart =
+            holonomic::proven_apart(car, flood, [search.root, search.target], self.floods.least(), keys);
+        self.apart.is_some()
     }
 
     /// Whether the proof is to be sought before a search with more margin goes on: it may find a way sooner, too.
@@ -268,15 +302,22 @@ impl Run<'_> {
             return next;
         }
         self.is_way_out = true;
-        self.members.retain(|one| one.level < SHUFFLING);
-        if self.may_swap {
-            let finer = member.level + 1..SHUFFLING.min(self.search.config.levels());
-            self.members.extend(finer.map(|level| Member { level, from_other: true, ..member }));
-        }
-        arrange(&mut self.members, &|one| {
-            [usize::from(one.margin != member.margin), one.level as usize, usize::from(one.from_other)]
-        });
+        self.ask_open_space(member);
         0
+    }
+
+    /// The members for open space: from the hard end with the least margin, finer with the least that is no creeping, and from the
+    /// other end.
+    fn ask_open_space(&mut self, proof: Member) {
+        let creeping = self.floods.margins.iter().position(|&margin| margin < COMFORTABLE);
+        let finer = Member { margin: creeping.unwrap_or(proof.margin), level: OPEN_FINE, ..proof };
+        let other = Member { level: OPEN_COARSE, from_other: true, ..finer };
+        let tries =
+            [Member { level: OPEN_COARSE, ..proof }, finer, other, Member { level: OPEN_FINE, ..other }];
+        let levels = self.search.config.levels();
+        let is_new = |one: &Member| one.level < levels && (one.level > proof.level || one.from_other);
+        self.members =
+            tries.into_iter().filter(is_new).filter(|one| self.may_swap || !one.from_other).collect();
     }
 
     /// A member has found a path. Only those go on that may keep more margin, a little more first, or, where there are many gear
@@ -339,7 +380,7 @@ impl Run<'_> {
             level.extra_change = 0.0;
         }
         if self.is_way_out {
-            level.max_expansions = u32::MAX;
+            level = level.in_open_space(if member.from_other { OPEN_OTHER } else { OPEN_HARD });
         }
         let is_last = slice >= level.max_expansions;
         if search.level(Level { max_expansions: slice.min(level.max_expansions), ..level }, work) {
@@ -357,6 +398,10 @@ impl Run<'_> {
         if let Some(best) = self.best {
             let Report { expanded, generated, pushes, open_peak, bytes, .. } = *report;
             *report = Report { expanded, generated, pushes, open_peak, bytes, ..best };
+        } else if let Some(nearest) = self.apart {
+            report.status = Status::NoPath;
+            report.margin = self.floods.least();
+            report.closest = Some(self.search.world(nearest));
         } else if let Some(proof) = self.proof {
             report.status = Status::NoPath;
             (report.margin, report.level, report.closest) = proof;

@@ -151,7 +151,9 @@ impl<'a> Pass<'a> {
             }
         }
         core::iter::from_fn(|| take_cheapest(&mut found))
-            .find(|(cost, word)| self.free((from, j), word) && cost + costs.word_places(probe, from, word) < old)
+            .find(|(cost, word)| {
+                self.free((from, j), word) && cost + costs.word_places(probe, from, word) < old
+            })
             .map(|found| found.1)
     }
 

@@ -113,6 +113,14 @@ impl<'a> Probe<'a> {
         if self.room(place) > self.disc_radius(margin) { None } else { self.exact(place, margin - CONTACT) }
     }
 
+    /// Whether the body, grown by `margin` metres on every side or shrunk where that is negative, meets nothing with its rear
+    /// axle at `at` and a heading of this sine and cosine.
+    pub fn fits(&self, at: Point, (sin, cos): (f64, f64), margin: f64) -> bool {
+        self.count(1);
+        let place = Place { x: at.x, y: at.y, sin, cos };
+        self.room(place) > self.disc_radius(margin.max(0.0)) || self.exact(place, margin - CONTACT).is_none()
+    }
+
     /// Whether the body with `margin` around it stays free along an arc, tested every `spacing` metres and at its end.
     ///
     /// The end is tested first: it is the farthest from what is known to be free. Where the body has room, the poses

@@ -1,0 +1,178 @@
+//! Whether the body could get from one end to the other if it moved like a shopping trolley: in any direction, and turning
+//! on the spot. Where it could not, no car of its shape gets there, however many gear changes it takes.
+//!
+//! The poses are cut into boxes. A box is closed when the body, shrunk by as much as a point of it moves within the box, meets
+//! something in the box's middle; then no pose in the box is free. A way passes through neighbouring open boxes, so where the
+//! boxes that can be reached from one end do not hold the other end, that is a proof.
+
+use super::flood::Flood;
+use super::keys::Keys;
+use crate::geometry::{Point, Pose, Vector, math};
+use crate::vehicle::Vehicle;
+use crate::vehicle::collision::Probe;
+
+/// Sides of the boxes that are tried in turn, in widths of the body; their turn moves a corner of it as far.
+const SIDES: [f64; 3] = [1.0 / 16.0, 1.0 / 32.0, 1.0 / 64.0];
+/// Boxes looked at with each, at most.
+const BOXES: [u32; 3] = [100_000, 200_000, 400_000];
+/// Width of a class of boxes by their way to the target, metres.
+const CLASS: f64 = 0.25;
+/// Shrunk by this much more, so that a touch on a box's face counts for both sides, metres.
+const ROUNDING: f64 = 1e-4;
+
+/// How the boxes from one end were searched.
+enum Search {
+    /// The other end is among them.
+    Reached,
+    /// They came to an end; the one nearest to the target.
+    Closed(Pose),
+    /// Too many.
+    Unknown,
+}
+
+/// Proves that the body cannot get from `root` to `target`, whichever way it moves, with `margin` metres around it: tells the
+/// pose nearest to the target that it may reach.
+#[inline(never)]
+pub(super) fn proven_apart(
+    car: (&Probe, &Vehicle),
+    flood: &Flood,
+    [root, target]: [Pose; 2],
+    margin: f64,
+    keys: &mut Keys,
+) -> Option<Pose> {
+    for (side, most) in SIDES.into_iter().zip(BOXES) {
+        match Boxes::new(car, flood, root, side * car.1.width, margin).search(target, most, keys) {
+            Search::Reached => {}
+            Search::Closed(nearest) => return Some(nearest),
+            Search::Unknown => return None,
+        }
+    }
+    None
+}
+
+/// A box: steps from the root's along both axes and round.
+type Box3 = [i32; 3];
+
+/// The boxes about one pose.
+struct Boxes<'a> {
+    probe: &'a Probe<'a>,
+    flood: &'a Flood,
+    root: Pose,
+    /// Middle of the body at the root.
+    origin: Point,
+    /// From the rear axle to the middle of the body, metres.
+    ahead: f64,
+    side: f64,
+    /// Sine and cosine of each heading, from the root's on all the way round.
+    headings: Vec<(f64, f64)>,
+    /// Added around the body: less than nothing.
+    margin: f64,
+}
+
+impl<'a> Boxes<'a> {
+    fn new(
+        (probe, vehicle): (&'a Probe<'a>, &Vehicle),
+        flood: &'a Flood,
+        root: Pose,
+        side: f64,
+        margin: f64,
+    ) -> Self {
+        let corner = math::hypot(vehicle.length(), vehicle.width) / 2.0;
+        let count = (math::TAU * corner / side).ceil();
+        let heading = |k: u32| math::sin_cos(root.heading + math::TAU * f64::from(k) / count);
+        let moved = side * core::f64::consts::FRAC_1_SQRT_2 + corner * math::PI / count;
+        let ahead = vehicle.middle();
+        Self {
+            probe,
+            flood,
+            root,
+            origin: root.to_world(Point::new(ahead, 0.0)),
+            ahead,
+            side,
+            headings: (0..count as u32).map(heading).collect(),
+            margin: margin - moved - ROUNDING,
+        }
+    }
+
+    fn turn(&self) -> f64 {
+        math::TAU / self.headings.len() as f64
+    }
+
+    /// The box of a pose.
+    fn at(&self, pose: Pose) -> Box3 {
+        let way = pose.to_world(Point::new(self.ahead, 0.0)) - self.origin;
+        let turn = (math::turn(self.root.heading, pose.heading) / self.turn()).round() as i32;
+        let steps = |metres: f64| (metres / self.side).round() as i32;
+        [steps(way.x), steps(way.y), turn.rem_euclid(self.headings.len() as i32)]
+    }
+
+    /// The pose in the middle of a box, and the sine and cosine of its heading.
+    fn middle(&self, [x, y, turn]: Box3) -> (Pose, (f64, f64)) {
+        let (sin, cos) = self.headings[turn as usize];
+        let middle = self.origin + Vector::new(f64::from(x), f64::from(y)) * self.side;
+        let heading = self.root.heading + self.turn() * f64::from(turn);
+        (Pose::new(middle.x - self.ahead * cos, middle.y - self.ahead * sin, heading), (sin, cos))
+    }
+
+    fn around(&self, [x, y, turn]: Box3) -> [Box3; 6] {
+        let count = self.headings.len() as i32;
+        let (left, right) = ((turn + 1) % count, (turn + count - 1) % count);
+        [[x + 1, y, turn], [x - 1, y, turn], [x, y + 1, turn], [x, y - 1, turn], [x, y, left], [x, y, right]]
+    }
+
+    /// Goes through the boxes that can be reached from the root, those nearest to the target by the flood first.
+    fn search(&self, target: Pose, most: u32, keys: &mut Keys) -> Search {
+        keys.clear();
+        let wanted = self.at(target);
+        let mut boxes: Vec<Box3> = Vec::new();
+        let mut classes: Vec<Vec<u32>> = Vec::new();
+        let mut enter = |one: Box3, boxes: &mut Vec<Box3>| {
+            let key = one.iter().fold(0, |key, &step| key << 21 | u64::from((step + (1 << 20)) as u32));
+            let is_new = keys.id(key) as usize == boxes.len();
+            if is_new {
+                boxes.push(one);
+            }
+            is_new
+        };
+        let mut nearest = (usize::MAX, self.root);
+        let mut low = self.open(&mut classes, 0, self.root);
+        enter([0; 3], &mut boxes);
+        while low < classes.len() {
+            let Some(index) = classes[low].pop() else {
+                low += 1;
+                continue;
+            };
+            let at = boxes[index as usize];
+            if at == wanted {
+                return Search::Reached;
+            }
+            if low < nearest.0 {
+                nearest = (low, self.middle(at).0);
+            }
+            for one in self.around(at) {
+                if !enter(one, &mut boxes) {
+                    continue;
+                }
+                if boxes.len() as u32 > most {
+                    return Search::Unknown;
+                }
+                let (pose, heading) = self.middle(one);
+                if one == wanted || self.probe.fits(pose.point(), heading, self.margin) {
+                    low = low.min(self.open(&mut classes, boxes.len() as u32 - 1, pose));
+                }
+            }
+        }
+        Search::Closed(nearest.1)
+    }
+
+    /// Notes an open box under its way to the target; tells its class.
+    fn open(&self, classes: &mut Vec<Vec<u32>>, index: u32, pose: Pose) -> usize {
+        let far = self.flood.distance(pose);
+        let class = if far.is_finite() { (far / CLASS) as usize } else { classes.len() };
+        if class >= classes.len() {
+            classes.resize_with(class + 1, Vec::new);
+        }
+        classes[class].push(index);
+        class
+    }
+}
