@@ -14,7 +14,7 @@ pub(crate) enum Ending {
     Solved,
     /// Proven: the car can hardly move at one of its ends.
     BoxedIn,
-    /// Proven: a gap is narrower than the car.
+    /// Proven: the body does not fit through.
     TooNarrow,
     /// Proven: all that a lattice can reach was searched.
     Searched,
@@ -42,7 +42,7 @@ impl Answer {
         let ending = match report.status {
             Status::Found | Status::Suboptimal => Ending::Solved,
             Status::BoxedIn { .. } => Ending::BoxedIn,
-            Status::TooNarrow(_) | Status::Unreachable => Ending::TooNarrow,
+            Status::TooNarrow(_) | Status::NoRoom | Status::Unreachable => Ending::TooNarrow,
             Status::NoPath => Ending::Searched,
             Status::BudgetExhausted(_) => Ending::BudgetSpent,
             _ => Ending::Failed,

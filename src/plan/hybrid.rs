@@ -293,7 +293,12 @@ fn reason(scenario: &Scenario, geometry: &Geometry, report: &Report) -> Option<S
                 gap.width, geometry.vehicle.width
             )
         }
-        Status::NoPath => format!("No way through for this car at these settings.{near}"),
+        Status::NoRoom => format!(
+            "No way through: the body would not fit even if it could move sideways and turn on the spot.{near}"
+        ),
+        Status::NoPath => {
+            format!("No way through for this car at these settings, with any number of gear changes.{near}")
+        }
         Status::BoxedIn { at_start, travel } => {
             let end = if at_start { "start" } else { "goal" };
             format!("The car is boxed in at the {end}: it can move {travel:.2} m in all.")
@@ -343,6 +348,7 @@ fn outcome(status: Status) -> Outcome {
         Status::GoalInCollision(_) => Outcome::GoalBlocked,
         Status::Unreachable
         | Status::TooNarrow(_)
+        | Status::NoRoom
         | Status::NoPath
         | Status::BoxedIn { .. }
         | Status::VerificationFailed => Outcome::NoPath,
@@ -355,6 +361,7 @@ fn detail(status: Status) -> Option<&'static str> {
         Status::Suboptimal => Some("suboptimal"),
         Status::Unreachable => Some("unreachable"),
         Status::TooNarrow(_) => Some("too-narrow"),
+        Status::NoRoom => Some("no-room"),
         Status::BoxedIn { .. } => Some("boxed-in"),
         Status::VerificationFailed => Some("verification-failed"),
         _ => None,

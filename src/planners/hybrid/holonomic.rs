@@ -176,3 +176,55 @@ impl<'a> Boxes<'a> {
         class
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::vehicle::collision::{Edge, Obstacles, Solid};
+
+    const CART: Vehicle = Vehicle {
+        wheelbase: 1.2,
+        width: 0.9,
+        rear_to_front: 1.6,
+        rear_to_back: 0.4,
+        max_steer: 0.6,
+        max_steer_rate: 0.5,
+    };
+
+    fn is_apart(walls: &[[f64; 4]], floor: &[(f64, f64)], ends: [Pose; 2]) -> bool {
+        let edge = |&[x, y, u, v]: &[f64; 4]| Edge { a: Point::new(x, y), b: Point::new(u, v), owner: 1 };
+        let walls: Vec<Edge> = walls.iter().map(edge).collect();
+        let outline = floor.iter().map(|&(x, y)| Point::new(x, y)).collect();
+        let obstacles = Obstacles::new(&walls, &[], &Solid { outline, owner: 0 });
+        let probe = Probe::new(&obstacles, &CART);
+        let [root, target] = ends.map(|pose| obstacles.local(pose));
+        assert!([root, target].iter().all(|&pose| probe.hit(pose, 0.0).is_none()));
+        let flood = Flood::new(&obstacles, &CART, target, 0.0, None);
+        proven_apart((&probe, &CART), &flood, [root, target], 0.0, &mut Keys::default()).is_some()
+    }
+
+    #[test]
+    fn a_door_is_passed_by_what_is_narrower() {
+        let floor = [(0.0, 0.0), (9.0, 0.0), (9.0, 1.6), (0.0, 1.6)];
+        for turn in [0.0, 0.2, math::PI] {
+            let ends = [Pose::new(2.0, 0.8, turn), Pose::new(6.5, 0.7, turn - 0.1)];
+            for (door, closed) in [(0.8, true), (0.86, true), (0.901, false), (1.1, false)] {
+                let walls = [[4.5, 0.0, 4.5, 0.3], [4.5, 0.3 + door, 4.5, 1.6]];
+                assert_eq!(is_apart(&walls, &floor, ends), closed, "{door} m, turned {turn}");
+            }
+        }
+    }
+
+    /// Round a right angle between lanes of one width a rectangle gets where that is (length / 2 + width) / √2.
+    #[test]
+    fn a_corner_is_passed_by_what_can_turn_in_it() {
+        let needed = (CART.length() / 2.0 + CART.width) * core::f64::consts::FRAC_1_SQRT_2;
+        for (more, closed) in [(-0.15, true), (-0.06, true), (0.001, false), (0.2, false)] {
+            let a = needed + more;
+            let floor = [(0.0, 0.0), (6.0, 0.0), (6.0, 6.0), (6.0 - a, 6.0), (6.0 - a, a), (0.0, a)];
+            let ends = [Pose::new(1.0, a / 2.0, 0.0), Pose::new(6.0 - a / 2.0, 4.0, math::FRAC_PI_2)];
+            assert_eq!(is_apart(&[], &floor, ends), closed, "{a} m");
+            assert_eq!(is_apart(&[], &floor, [ends[1], ends[0]]), closed, "{a} m, the other way");
+        }
+    }
+}

@@ -99,6 +99,8 @@ pub enum Status {
     Unreachable,
     /// A place on every way is narrower than the body; in world coordinates.
     TooNarrow(Gap),
+    /// The body would not fit through if it moved in any direction and turned on the spot.
+    NoRoom,
     /// Some level was searched to its end with the least margin.
     NoPath,
     /// So it was, and the car can hardly move where it starts or arrives.

@@ -154,8 +154,7 @@ pub(super) fn plan(search: Search, floods: &Floods, widest: usize, work: &mut Wo
         best: None,
         is_way_out: false,
         doubt: None,
-        is_hope_known: false,
-        apart: None,
+        hope: Hope::Unasked,
         proof: None,
     };
     run.rounds(work);
@@ -195,6 +194,14 @@ fn arrange(members: &mut [Member], key: &dyn Fn(&Member) -> [usize; 3]) {
     }
 }
 
+/// Whether the body could get to the other end if it moved in any direction.
+enum Hope {
+    Unasked,
+    Some,
+    /// It could not; the pose nearest to the other end that it may reach.
+    None(Pose),
+}
+
 struct Run<'a> {
     search: Search<'a>,
     floods: &'a Floods<'a>,
@@ -211,10 +218,8 @@ struct Run<'a> {
     is_way_out: bool,
     /// How a member ended that has proven nothing.
     doubt: Option<Status>,
-    /// Whether it was asked if the body could get there at all, …
-    is_hope_known: bool,
-    /// … and where it ends up if it cannot.
-    apart: Option<Pose>,
+    /// Whether the body could get there if it moved in any direction.
+    hope: Hope,
     /// Margin and level of the search that came to its end with the least margin, the first of them, and where that ended.
     proof: Option<(f64, u32, Option<Pose>)>,
 }
@@ -249,7 +254,7 @@ impl Run<'_> {
                     Turn::Exhausted => self.exhausted(at, expanded, work.report),
                     Turn::Found => self.found(at, work.report),
                 };
-                if self.is_way_out && !self.is_hope_known {
+                if self.is_way_out && matches!(self.hope, Hope::Unasked) {
                     if self.is_hopeless(work) {
                         return;
                     }
@@ -269,10 +274,10 @@ impl Run<'_> {
         let search = if self.is_swapped { self.search.swapped(flood) } else { self.search };
         let car = (search.probe, search.query.vehicle);
         let keys = &mut work.scratch.keys.borrow_mut();
-        self.is_hope_known = true;
-        self.apart =
-            holonomic::proven_apart(car, flood, [search.root, search.target], self.floods.least(), keys);
-        self.apart.is_some()
+        let ends = [search.root, search.target];
+        let nearest = holonomic::proven_apart(car, flood, ends, self.floods.least(), keys);
+        self.hope = nearest.map_or(Hope::Some, Hope::None);
+        nearest.is_some()
     }
 
     /// Whether the proof is to be sought before a search with more margin goes on: it may find a way sooner, too.
@@ -398,8 +403,8 @@ impl Run<'_> {
         if let Some(best) = self.best {
             let Report { expanded, generated, pushes, open_peak, bytes, .. } = *report;
             *report = Report { expanded, generated, pushes, open_peak, bytes, ..best };
-        } else if let Some(nearest) = self.apart {
-            report.status = Status::NoPath;
+        } else if let Hope::None(nearest) = self.hope {
+            report.status = Status::NoRoom;
             report.margin = self.floods.least();
             report.closest = Some(self.search.world(nearest));
         } else if let Some(proof) = self.proof {

@@ -8,8 +8,8 @@ export type Outcome =
 
 /** A finer word for the outcome. */
 export type Detail =
-  | "unreachable" | "too-narrow" | "boxed-in" | "stranded" | "suboptimal" | "verification-failed" | "smoothing-fell-back"
-  | "less-margin";
+  | "unreachable" | "too-narrow" | "no-room" | "boxed-in" | "stranded" | "suboptimal" | "verification-failed"
+  | "smoothing-fell-back" | "less-margin";
 
 export interface Pose { x: number; y: number; heading: number }
 
