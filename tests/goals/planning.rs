@@ -108,7 +108,7 @@ fn what_is_preferred_chooses_among_the_goals_too() {
     let poses: Vec<Value> =
         goals.iter().map(|pose| json!({ "x": pose.x, "y": pose.y, "heading": pose.heading })).collect();
     let mut planner = Planner::new("hybrid", &aisle(&json!(poses)), &Map::new()).unwrap();
-    for prefer in [Prefer::Shortest, Prefer::FewestChanges, Prefer::Fastest] {
+    for prefer in [Prefer::Shortest, Prefer::FewestChanges, Prefer::Widest, Prefer::Fastest] {
         let wish = || Options { prefer: Some(prefer), ..Options::default() };
         let mut improved = |plan: &Plan| {
             assert_eq!(plan.goal.as_ref().map(|goal| goal.pose), plan.path.last().copied());

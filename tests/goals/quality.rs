@@ -1,10 +1,11 @@
 //! One search for many goals against one plan for each of them, on lots by seed.
 
-use parkade::plan::{Ends, Options, Plan, Planner};
-use parkade::scenario::GoalPose;
-use serde_json::Map;
+use parkade::geometry::Pose;
+use parkade::plan::{Ends, Options, Plan, Planner, Prefer};
+use parkade::scenario::{GoalPose, Scenario};
+use serde_json::{Map, json};
 
-use crate::lots::lot;
+use crate::lots::{Random, lot};
 
 /// Twenty plans a lot take their time without optimization.
 const LOTS: u64 = if cfg!(debug_assertions) { 20 } else { 100 };
@@ -48,4 +49,40 @@ fn the_cheapest_of_ten_slots_is_taken_at_little_more_work_than_one() {
     );
     assert!(100 * near >= 95 * LOTS, "{near} of {LOTS} are within 5 % of the best");
     assert!(median <= 1.5 && middle <= 0.5, "{median} {middle}");
+}
+
+/// On a dozen lots: of four free slots, and on half of the lots of three places in the aisle too, the one with the widest path is
+/// taken. No plan for a single goal stays farther away, by more than a twentieth.
+#[test]
+fn the_widest_path_is_the_widest_to_any_goal() {
+    let wish = || Options { prefer: Some(Prefer::Widest), ..Options::default() };
+    let clearance = |plan: &Plan| if plan.path.is_empty() { 0.0 } else { plan.metrics.min_clearance };
+    let mut wider = 0;
+    for seed in 100..112 {
+        let (scene, poses) = lot_with_places(seed, if seed % 2 == 0 { &[-9.0, 4.0, 11.0] } else { &[] });
+        let mut planner = Planner::new("hybrid", &scene, &Map::new()).unwrap();
+        let [any, ordinary] = [wish(), Options::default()].map(|options| planner.plan(options));
+        let mut alone = |&pose| planner.plan_between(Ends { start: None, goal: Some(pose) }, wish()).unwrap();
+        let best = poses.iter().map(|pose| clearance(&alone(pose))).fold(0.0, f64::max);
+        assert!(best > 0.0 && any.check.drivable(), "lot {seed}");
+        assert!(clearance(&any) >= 0.95 * best, "lot {seed}: {} m of {best} m", clearance(&any));
+        assert_eq!(any.goal.as_ref().map(|goal| goal.pose), any.path.last().copied());
+        wider += u32::from(clearance(&any) > 1.2 * clearance(&ordinary));
+    }
+    assert!(wider >= 6, "wider than the ordinary path on {wider} lots");
+}
+
+/// A lot with four free slots and some more goals so far ahead of the car, and the poses of all.
+fn lot_with_places(seed: u64, ahead: &[f64]) -> (Scenario, Vec<Pose>) {
+    let (scene, mut random) = (lot(seed, 4), Random::new(seed));
+    let free = scene.geometry().unwrap().goals.unwrap().poses;
+    let mut poses: Vec<Pose> = free.iter().map(|goal| goal.pose).collect();
+    for &ahead in ahead {
+        let place = scene.start.advance(0.0, ahead);
+        poses.push(Pose::new(place.x, place.y + random.between(-1.0, 1.0), place.heading));
+    }
+    let pose = |pose: &Pose| json!({ "x": pose.x, "y": pose.y, "heading": pose.heading });
+    let mut value = serde_json::to_value(&scene).unwrap();
+    value["goal"] = poses.iter().map(pose).collect();
+    (Scenario::from_json(&value).unwrap(), poses)
 }

@@ -5,6 +5,7 @@ use core::ops::ControlFlow;
 use super::config::{Config, Level, Profile, SearchFrom};
 use super::level::{Search, Work};
 use super::portfolio::{COMFORTABLE, Floods};
+use super::widest::{self, PARTS};
 use super::{Query, Report, Scratch, Status};
 use crate::geometry::{Pose, arcs};
 use crate::json;
@@ -29,7 +30,7 @@ json::words!(Prefer: "shortest" = Shortest, "fewest-changes" = FewestChanges, "w
 /// More room than this is room enough, metres.
 const ROOMY: f64 = 1.0;
 /// Margins that are tried for more room, as shares of the room at the ends.
-const SHARES: [f64; 5] = [0.95, 0.8, 0.65, 0.5, 0.35];
+pub(super) const SHARES: [f64; 5] = [0.95, 0.8, 0.65, 0.5, 0.35];
 /// Expansions of each level's search with one margin.
 const WIDER: [u32; 2] = [3000, 8000];
 /// Expansions of each level's search for fewer gear changes in layers.
@@ -68,10 +69,15 @@ pub fn choices(
     let free = |goal: &Pose| is_inside(goal) && probe.hit(*goal, 0.0).is_none();
     let goals: Vec<Pose> = locals.into_iter().filter(free).collect();
     let goals = if goals.len() > 1 { &goals[..] } else { &[] };
-    let most = goals.iter().map(|&goal| probe.clearance(goal, ROOMY)).fold(0.0, f64::max);
-    let room = probe.clearance(start, ROOMY).min(probe.clearance(goal, ROOMY).max(most));
-    let mut margins: Vec<f64> = SHARES.map(|share| share * room).to_vec();
+    let widest = if goals.is_empty() { 0.0 } else { widest::clearance(&probe, start, &first.arcs) };
+    let mut margins = if goals.is_empty() {
+        let room = probe.clearance(start, ROOMY).min(probe.clearance(goal, ROOMY));
+        SHARES.map(|share| share * room).to_vec()
+    } else {
+        widest::margins(&probe, start, goals, widest)
+    };
     margins.retain(|&margin| margin > first.margin);
+    let parts = if goals.is_empty() { 1 } else { PARTS };
     let kept = margins.len();
     margins.extend([first.margin, COMFORTABLE]);
     let mirrored = !goals.is_empty() || first.from_goal || config.search_from == SearchFrom::Both;
@@ -97,7 +103,7 @@ pub fn choices(
     let mut report = first.counters();
     let work = Work { report: &mut report, scratch, progress };
     let changes = arcs::direction_changes(&first.arcs);
-    let mut run = Run { search, floods: &floods, kept, changes, first, work, offer };
+    let mut run = Run { search, floods: &floods, kept, parts, widest, changes, first, work, offer };
     let wants = |one| prefer.is_none_or(|prefer| prefer == one);
     let _ = run.all(&wants);
     report.collision_checks += probe.checks();
@@ -113,6 +119,10 @@ struct Run<'a, 'p> {
     floods: &'a Floods<'a>,
     /// Which margin the first path keeps; those before it are larger.
     kept: usize,
+    /// Every how many of those are tried before the ones between.
+    parts: usize,
+    /// Clearance of the widest path so far to one of several goals, metres.
+    widest: f64,
     /// Gear changes of the path with the fewest so far.
     changes: u32,
     first: &'a Report,
@@ -205,17 +215,50 @@ impl Run<'_, '_> {
         Goes::Continue(())
     }
 
-    /// A path with the largest margin that there is one with.
+    /// A path with the largest margin that there is one with, and with that margin a path to each goal that has more room.
     fn wider(&mut self) -> Goes {
-        let config = *self.search.config;
-        for margin in 0..self.kept {
-            for (number, most) in (0..config.levels()).zip(WIDER) {
-                if self.attempt(&config, (config.level(number), number, most), margin, false)? {
-                    return Goes::Continue(());
-                }
+        let tried = (0..self.kept).step_by(self.parts);
+        let (mut found, mut failed) = (self.kept, self.kept);
+        for margin in tried {
+            if self.with_margin(margin)? {
+                (found, failed) = (margin, margin.saturating_sub(self.parts));
+                break;
             }
         }
+        while found > failed + 1 {
+            let middle = usize::midpoint(found, failed);
+            if self.with_margin(middle)? {
+                found = middle;
+            } else {
+                failed = middle;
+            }
+        }
+        self.wider_to_each(found)
+    }
+
+    /// A path with one of the margins to each goal that has more room than any path so far, those with the most room first.
+    fn wider_to_each(&mut self, margin: usize) -> Goes {
+        let goals = self.search.goals;
+        for (room, at) in widest::by_room(self.search.probe, self.search.start, goals) {
+            if room <= self.widest {
+                break;
+            }
+            self.search.goals = &goals[at..=at];
+            self.with_margin(margin)?;
+        }
+        self.search.goals = goals;
         Goes::Continue(())
+    }
+
+    /// A path with one of the margins; tells whether there is one.
+    fn with_margin(&mut self, margin: usize) -> Goes<bool> {
+        let config = *self.search.config;
+        for (number, most) in (0..config.levels()).zip(WIDER) {
+            if self.attempt(&config, (config.level(number), number, most), margin, false)? {
+                return Goes::Continue(true);
+            }
+        }
+        Goes::Continue(false)
     }
 
     /// One search with at most so many expansions; tells whether there is a path, which is offered.
@@ -244,6 +287,10 @@ impl Run<'_, '_> {
             let counters = self.work.report.counters();
             let mut path = core::mem::replace(self.work.report, counters);
             self.changes = self.changes.min(arcs::direction_changes(&path.arcs));
+            if !self.search.goals.is_empty() {
+                let clearance = widest::clearance(self.search.probe, self.search.start, &path.arcs);
+                self.widest = self.widest.max(clearance);
+            }
             let costs = self.search.arrived(&path.arcs).costs();
             path.cost = costs.path(self.search.probe, self.search.start, &path.arcs);
             path.status = Status::Suboptimal;

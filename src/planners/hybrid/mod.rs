@@ -23,6 +23,8 @@ mod passage;
 mod portfolio;
 mod shortcut;
 mod shots;
+#[cfg(feature = "complete")]
+mod widest;
 
 #[cfg(feature = "complete")]
 pub use anchor::{Last, stay};
