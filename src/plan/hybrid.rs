@@ -293,6 +293,7 @@ fn reason(scenario: &Scenario, geometry: &Geometry, report: &Report) -> Option<S
                 gap.width, geometry.vehicle.width
             )
         }
+        #[cfg(feature = "complete")]
         Status::NoRoom => format!(
             "No way through: the body would not fit even if it could move sideways and turn on the spot.{near}"
         ),
@@ -348,10 +349,11 @@ fn outcome(status: Status) -> Outcome {
         Status::GoalInCollision(_) => Outcome::GoalBlocked,
         Status::Unreachable
         | Status::TooNarrow(_)
-        | Status::NoRoom
         | Status::NoPath
         | Status::BoxedIn { .. }
         | Status::VerificationFailed => Outcome::NoPath,
+        #[cfg(feature = "complete")]
+        Status::NoRoom => Outcome::NoPath,
         Status::BudgetExhausted(_) => Outcome::BudgetSpent,
     }
 }
@@ -361,6 +363,7 @@ fn detail(status: Status) -> Option<&'static str> {
         Status::Suboptimal => Some("suboptimal"),
         Status::Unreachable => Some("unreachable"),
         Status::TooNarrow(_) => Some("too-narrow"),
+        #[cfg(feature = "complete")]
         Status::NoRoom => Some("no-room"),
         Status::BoxedIn { .. } => Some("boxed-in"),
         Status::VerificationFailed => Some("verification-failed"),

@@ -10,7 +10,7 @@ use crate::tools::{self, WASM_TARGET, Workspace, capture, cargo, node, node_tool
 
 /// Bytes after gzip: what a visitor downloads.
 const CORE_LIMIT: u64 = 200_000;
-const COMPLETE_LIMIT: u64 = 550_000;
+const COMPLETE_LIMIT: u64 = 560_000;
 const PAGE_LIMIT: u64 = 80_000;
 const LATER_LIMIT: u64 = 176_000;
 const LOADER_LIMIT: u64 = 6_000;
@@ -30,7 +30,7 @@ const WASM_FILE: &str = "parkade_bg.wasm";
 /// What the searches' loops need is marked to be inlined; the usual threshold copies much that they do not.
 const COMPLETE_FLAGS: &[&str] = &["-C", "llvm-args=--inline-threshold=50"];
 /// The first download shall be small; it plans for a few seconds only, until the complete module is there.
-const CORE_FLAGS: &[&str] = &["-C", "opt-level=s", "-C", "llvm-args=--inline-threshold=10"];
+const CORE_FLAGS: &[&str] = &["-C", "opt-level=s", "-C", "llvm-args=--inline-threshold=5"];
 /// Lets the compiler use WebAssembly's vectors, which the package does without.
 const VECTORS: &[&str] = &["-C", "target-feature=+simd128"];
 

@@ -1,6 +1,6 @@
 //! The search space: poses on a lattice of position, heading and gear, joined by arcs.
 
-use core::cell::{Cell, RefCell};
+use core::cell::{Cell, RefCell, RefMut};
 
 use super::config::{Config, Heuristic, Level};
 use super::cost::{CostModel, Motion};
@@ -156,23 +156,22 @@ impl<'a> Lattice<'a> {
         self.probe.arc_free(from, arc, self.level.spacing, self.margin)
     }
 
-    /// Whether an arc at full lock or straight can be driven from `from`.
-    fn starts_free(&self, from: Pose, arc: &Arc) -> bool {
-        let mut reach = self.reach[0].borrow_mut();
+    /// How far the body can go from `from`.
+    fn ahead<'r>(&self, reach: &'r RefCell<Reach>, from: Pose) -> RefMut<'r, Reach> {
+        let mut reach = reach.borrow_mut();
         if reach.from() != from {
             *reach = Reach::new(from, self.sampling);
         }
-        reach.is_free(self.probe, arc)
+        reach
     }
 
     fn is_primitive_free(&self, from: Pose, arc: &Arc) -> bool {
         let is_tightest = arc.curvature == 0.0 || self.level.steer_samples == 1;
-        if is_tightest { self.starts_free(from, arc) } else { self.free(from, arc) }
-    }
-
-    /// Whether an arc at full lock or straight can be driven to the target.
-    fn ends_free(&self, arc: &Arc) -> bool {
-        self.reach[1].borrow_mut().is_free(self.probe, &Arc { length: -arc.length, ..*arc })
+        if is_tightest {
+            self.ahead(&self.reach[0], from).is_free(self.probe, arc)
+        } else {
+            self.free(from, arc)
+        }
     }
 
     /// How far to drive along a primitive: its length or, while shuffling, until something is in the way, and half as far.
@@ -192,26 +191,11 @@ impl<'a> Lattice<'a> {
             return false;
         }
         let before = self.probe.checks();
-        let free = self.is_word_free(from, word);
+        let [ahead, back] = &self.reach;
+        let free =
+            self.ahead(ahead, from).is_word_free(&mut back.borrow_mut(), self.probe, word, self.costs.radius);
         self.tried.set((words + 1, checks.saturating_add(self.probe.checks() - before)));
         free
-    }
-}
-
-impl Lattice<'_> {
-    /// Looks at the word's ends first: what is known of them decides most words.
-    fn is_word_free(&self, from: Pose, word: &Word) -> bool {
-        let mut arcs = word.arcs(self.costs.radius);
-        let (Some(first), last) = (arcs.next(), arcs.next_back()) else { return true };
-        if !last.is_none_or(|last| self.ends_free(&last)) || !self.starts_free(from, &first) {
-            return false;
-        }
-        let mut pose = from.advance(first.curvature, first.length);
-        arcs.all(|arc| {
-            let free = self.free(pose, &arc);
-            pose = pose.advance(arc.curvature, arc.length);
-            free
-        })
     }
 }
 

@@ -15,6 +15,7 @@ mod domain;
 mod flood;
 #[cfg(feature = "complete")]
 mod goals;
+#[cfg(feature = "complete")]
 mod holonomic;
 mod keys;
 mod level;
@@ -102,6 +103,7 @@ pub enum Status {
     /// A place on every way is narrower than the body; in world coordinates.
     TooNarrow(Gap),
     /// The body would not fit through if it moved in any direction and turned on the spot.
+    #[cfg(feature = "complete")]
     NoRoom,
     /// Some level was searched to its end with the least margin.
     NoPath,

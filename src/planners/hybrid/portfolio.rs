@@ -9,6 +9,7 @@ use core::cell::OnceCell;
 
 use super::config::{Level, SHUFFLING};
 use super::flood::Flood;
+#[cfg(feature = "complete")]
 use super::holonomic;
 use super::level::{First, Search, Work};
 use super::{Config, HAIR, Query, Report, SearchFrom, Status};
@@ -199,6 +200,7 @@ enum Hope {
     Unasked,
     Some,
     /// It could not; the pose nearest to the other end that it may reach.
+    #[cfg(feature = "complete")]
     None(Pose),
 }
 
@@ -267,7 +269,16 @@ impl Run<'_> {
         }
     }
 
+    /// Whether the body could not get there either if it moved in any direction; else more work is worth its while. The small
+    /// module does not ask.
+    #[cfg(not(feature = "complete"))]
+    fn is_hopeless(&mut self, _: &Work) -> bool {
+        self.hope = Hope::Some;
+        false
+    }
+
     /// Whether the body could not get there either if it moved in any direction; else more work is worth its while.
+    #[cfg(feature = "complete")]
     fn is_hopeless(&mut self, work: &Work) -> bool {
         let least = self.floods.margins.len() - 1;
         let flood = self.floods.get(least, self.is_swapped);
@@ -400,13 +411,15 @@ impl Run<'_> {
 
     /// Says what came of it; the counters are those of all members.
     fn conclude(self, report: &mut Report) {
+        #[cfg(feature = "complete")]
+        if let Hope::None(nearest) = self.hope {
+            (report.status, report.margin) = (Status::NoRoom, self.floods.least());
+            report.closest = Some(self.search.world(nearest));
+            return;
+        }
         if let Some(best) = self.best {
             let Report { expanded, generated, pushes, open_peak, bytes, .. } = *report;
             *report = Report { expanded, generated, pushes, open_peak, bytes, ..best };
-        } else if let Hope::None(nearest) = self.hope {
-            report.status = Status::NoRoom;
-            report.margin = self.floods.least();
-            report.closest = Some(self.search.world(nearest));
         } else if let Some(proof) = self.proof {
             report.status = Status::NoPath;
             (report.margin, report.level, report.closest) = proof;

@@ -66,7 +66,7 @@ struct Pass<'a> {
     spent: Vec<f64>,
     sampling: Sampling,
     /// How far the body can go ahead from the knot at hand, and back from each of the others.
-    ahead: Option<Reach>,
+    ahead: Reach,
     back: Vec<Option<Reach>>,
 }
 
@@ -75,7 +75,8 @@ impl<'a> Pass<'a> {
         let reach = PAIRS / knots.len().max(1);
         let sampling = Sampling::new(rules.spacing, rules.margin, rules.costs.radius);
         let (poses, spent, back) = (vec![start], vec![0.0], Vec::new());
-        let mut pass = Self { rules, reach, knots, poses, spent, sampling, ahead: None, back };
+        let ahead = Reach::new(start, sampling);
+        let mut pass = Self { rules, reach, knots, poses, spent, sampling, ahead, back };
         pass.measure(0);
         pass
     }
@@ -108,7 +109,7 @@ impl<'a> Pass<'a> {
         let mut improved = false;
         let mut i = 0;
         while i < self.knots.len() {
-            self.ahead = Some(Reach::new(self.poses[i], self.sampling));
+            self.ahead = Reach::new(self.poses[i], self.sampling);
             for j in (i + 2..=self.knots.len().min(i + self.reach)).rev() {
                 if self.rules.probe.checks() >= limit {
                     return improved;
@@ -151,32 +152,15 @@ impl<'a> Pass<'a> {
             }
         }
         core::iter::from_fn(|| take_cheapest(&mut found))
-            .find(|(cost, word)| {
-                self.free((from, j), word) && cost + costs.word_places(probe, from, word) < old
-            })
+            .find(|(cost, word)| self.free(j, word) && cost + costs.word_places(probe, from, word) < old)
             .map(|found| found.1)
     }
 
-    /// Looks at the word's ends first: what is known of them decides most words.
-    fn free(&mut self, (from, to): (Pose, usize), word: &Word) -> bool {
-        let Rules { probe, costs, spacing, margin } = self.rules;
-        let mut arcs = word.arcs(costs.radius);
-        let (Some(first), last) = (arcs.next(), arcs.next_back()) else { return true };
-        if let Some(last) = last {
-            let back = self.back[to].get_or_insert_with(|| Reach::new(self.poses[to], self.sampling));
-            if !back.is_free(probe, &Arc { length: -last.length, ..last }) {
-                return false;
-            }
-        }
-        if !self.ahead.as_mut().is_none_or(|ahead| ahead.is_free(probe, &first)) {
-            return false;
-        }
-        let mut pose = from.advance(first.curvature, first.length);
-        arcs.all(|arc| {
-            let free = probe.arc_free(pose, &arc, spacing, margin);
-            pose = pose.advance(arc.curvature, arc.length);
-            free
-        })
+    /// Whether a word from the knot at hand to knot `to` can be driven.
+    fn free(&mut self, to: usize, word: &Word) -> bool {
+        let Rules { probe, costs, .. } = self.rules;
+        let back = self.back[to].get_or_insert_with(|| Reach::new(self.poses[to], self.sampling));
+        self.ahead.is_word_free(back, probe, word, costs.radius)
     }
 }
 

@@ -115,6 +115,7 @@ impl<'a> Probe<'a> {
 
     /// Whether the body, grown by `margin` metres on every side or shrunk where that is negative, meets nothing with its rear
     /// axle at `at` and a heading of this sine and cosine.
+    #[cfg(feature = "complete")]
     pub fn fits(&self, at: Point, (sin, cos): (f64, f64), margin: f64) -> bool {
         self.count(1);
         let place = Place { x: at.x, y: at.y, sin, cos };

@@ -7,6 +7,7 @@
 use super::Probe;
 use super::probe::{CONTACT, Place};
 use crate::geometry::arcs::Arc;
+use crate::geometry::reeds_shepp::Word;
 use crate::geometry::{Pose, math};
 
 /// How motions are sampled.
@@ -57,6 +58,7 @@ impl Reach {
     }
 
     /// Whether the body is free along an arc from the pose, at full lock or straight: at every sample and at its end.
+    #[inline(never)]
     pub fn is_free(&mut self, probe: &Probe, arc: &Arc) -> bool {
         let length = arc.length.abs();
         let side = if arc.curvature == 0.0 { 0 } else { 1 + usize::from(arc.curvature < 0.0) };
@@ -75,7 +77,27 @@ impl Reach {
         probe.is_free_at(end, self.sampling.margin)
     }
 
+    /// Whether the body is free along a word that leads from this pose to that of `back`, for turning radius `radius`. The
+    /// word's ends come first: what is known of them decides most words.
+    #[inline(never)]
+    pub fn is_word_free(&mut self, back: &mut Self, probe: &Probe, word: &Word, radius: f64) -> bool {
+        let mut arcs = word.arcs(radius);
+        let (Some(first), last) = (arcs.next(), arcs.next_back()) else { return true };
+        let is_last_free = last.is_none_or(|last| back.is_free(probe, &Arc { length: -last.length, ..last }));
+        if !is_last_free || !self.is_free(probe, &first) {
+            return false;
+        }
+        let Sampling { spacing, margin, .. } = self.sampling;
+        let mut pose = self.from.advance(first.curvature, first.length);
+        arcs.all(|arc| {
+            let free = probe.arc_free(pose, &arc, spacing, margin);
+            pose = pose.advance(arc.curvature, arc.length);
+            free
+        })
+    }
+
     /// Follows an arc that is free for some metres until its end or what blocks it.
+    #[inline(never)]
     fn follow(&self, probe: &Probe, arc: &Arc, mut free: f64) -> Motion {
         let Sampling { spacing, margin, turn } = self.sampling;
         let radius = probe.disc_radius(margin);

@@ -171,7 +171,7 @@ export interface RoadSettings {
   kerbWeight?: number;
   /** Weight of time lost to limits and bends. Usual range: 0 to 3. Default: 0.5. */
   speedWeight?: number;
-  /** Kept free beside the car. Usual range: 0 to 20 m. Default: 0. */
+  /** Kept free around the car; where no path has that much room, the plan says how much it keeps. Usual range: 0 to 20 m. Default: 0.8. */
   margin?: number;
   /** Auto: chords keep most of the clearance; los: line of sight only (the paper). Default: "auto". */
   pruning?: "auto" | "los" | "none";
