@@ -319,7 +319,7 @@ fn resolution(member: &Member) -> String {
     };
     let (cell, margin) = (small(member.xy_resolution), small(member.margin));
     let degrees = (member.heading_resolution.to_degrees() * 10.0).round() / 10.0;
-    format!("at {cell} and {degrees}° with {margin} of margin")
+    format!("at {cell} and {degrees}° with {margin} of margin, with any number of gear changes")
 }
 
 fn drive(query: &Query, report: &Report) -> Driven {

@@ -253,6 +253,7 @@ pub(super) struct Level {
     pub(super) shuffle: bool,
 }
 
+#[cfg(feature = "complete")]
 impl Level {
     /// As it serves best where a way out of every slot is known and the way to the target is not: coarser headings, and hardly any
     /// connections.
@@ -270,8 +271,10 @@ impl Level {
 }
 
 /// The finest lattice in open space: metres, degrees, metres.
+#[cfg(feature = "complete")]
 const OPEN: (f64, f64, f64) = (0.08, 1.0, 0.12);
 /// Every so-many-th state is tried with a curve to the target there.
+#[cfg(feature = "complete")]
 const OPEN_CONNECT_EVERY: u32 = 16;
 
 const DEGREE: f64 = core::f64::consts::PI / 180.0;

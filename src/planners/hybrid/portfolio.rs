@@ -32,12 +32,17 @@ const MANY: u32 = 4;
 /// changes, or no way.
 const WIDE: u32 = 1000;
 /// Levels of the searches in open space, …
+#[cfg(feature = "complete")]
 const OPEN_COARSE: u32 = 2;
+#[cfg(feature = "complete")]
 const OPEN_FINE: u32 = 3;
 /// … expansions of each, from the hard end and from the other one, …
+#[cfg(feature = "complete")]
 const OPEN_HARD: u32 = 80_000;
+#[cfg(feature = "complete")]
 const OPEN_OTHER: u32 = 130_000;
 /// … and of all members together where they are asked.
+#[cfg(feature = "complete")]
 const OPEN_EFFORT: u32 = 300_000;
 /// Up to this level a search with the least margin is worth its while before finer ones with more are.
 const CHEAP: u32 = 3;
@@ -149,12 +154,14 @@ pub(super) fn plan(search: Search, floods: &Floods, widest: usize, work: &mut Wo
         search,
         floods,
         is_swapped,
+        #[cfg(feature = "complete")]
         may_swap,
         members,
         effort: EFFORT,
         best: None,
         is_way_out: false,
         doubt: None,
+        #[cfg(feature = "complete")]
         hope: Hope::Unasked,
         proof: None,
     };
@@ -196,11 +203,11 @@ fn arrange(members: &mut [Member], key: &dyn Fn(&Member) -> [usize; 3]) {
 }
 
 /// Whether the body could get to the other end if it moved in any direction.
+#[cfg(feature = "complete")]
 enum Hope {
     Unasked,
     Some,
     /// It could not; the pose nearest to the other end that it may reach.
-    #[cfg(feature = "complete")]
     None(Pose),
 }
 
@@ -210,6 +217,7 @@ struct Run<'a> {
     /// Whether the trees grow from the other end.
     is_swapped: bool,
     /// Whether they may grow from either end.
+    #[cfg(feature = "complete")]
     may_swap: bool,
     members: Vec<Member>,
     /// Expansions of all members together.
@@ -221,6 +229,7 @@ struct Run<'a> {
     /// How a member ended that has proven nothing.
     doubt: Option<Status>,
     /// Whether the body could get there if it moved in any direction.
+    #[cfg(feature = "complete")]
     hope: Hope,
     /// Margin and level of the search that came to its end with the least margin, the first of them, and where that ended.
     proof: Option<(f64, u32, Option<Pose>)>,
@@ -256,6 +265,7 @@ impl Run<'_> {
                     Turn::Exhausted => self.exhausted(at, expanded, work.report),
                     Turn::Found => self.found(at, work.report),
                 };
+                #[cfg(feature = "complete")]
                 if self.is_way_out && matches!(self.hope, Hope::Unasked) {
                     if self.is_hopeless(work) {
                         return;
@@ -267,14 +277,6 @@ impl Run<'_> {
                 return;
             }
         }
-    }
-
-    /// Whether the body could not get there either if it moved in any direction; else more work is worth its while. The small
-    /// module does not ask.
-    #[cfg(not(feature = "complete"))]
-    fn is_hopeless(&mut self, _: &Work) -> bool {
-        self.hope = Hope::Some;
-        false
     }
 
     /// Whether the body could not get there either if it moved in any direction; else more work is worth its while.
@@ -318,12 +320,16 @@ impl Run<'_> {
             return next;
         }
         self.is_way_out = true;
+        #[cfg(feature = "complete")]
         self.ask_open_space(member);
+        #[cfg(not(feature = "complete"))]
+        self.members.clear();
         0
     }
 
-    /// The members for open space: from the hard end with the least margin, finer with the least that is no creeping, and from the
+    /// The members for open space, which the small module lacks: from the hard end with the least margin, finer with the least that is no creeping, and from the
     /// other end.
+    #[cfg(feature = "complete")]
     fn ask_open_space(&mut self, proof: Member) {
         let creeping = self.floods.margins.iter().position(|&margin| margin < COMFORTABLE);
         let finer = Member { margin: creeping.unwrap_or(proof.margin), level: OPEN_FINE, ..proof };
@@ -395,6 +401,7 @@ impl Run<'_> {
             // In open space what it saves on rocking is less than it costs on detours.
             level.extra_change = 0.0;
         }
+        #[cfg(feature = "complete")]
         if self.is_way_out {
             level = level.in_open_space(if member.from_other { OPEN_OTHER } else { OPEN_HARD });
         }
