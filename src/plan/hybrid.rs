@@ -297,9 +297,7 @@ fn reason(scenario: &Scenario, geometry: &Geometry, report: &Report) -> Option<S
         Status::NoRoom => format!(
             "No way through: the body would not fit even if it could move sideways and turn on the spot.{near}"
         ),
-        Status::NoPath => {
-            format!("No way through for this car at these settings, with any number of gear changes.{near}")
-        }
+        Status::NoPath => format!("No way through for this car at these settings.{near}"),
         Status::BoxedIn { at_start, travel } => {
             let end = if at_start { "start" } else { "goal" };
             format!("The car is boxed in at the {end}: it can move {travel:.2} m in all.")

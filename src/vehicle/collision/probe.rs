@@ -122,13 +122,19 @@ impl<'a> Probe<'a> {
         self.room(place) > self.disc_radius(margin.max(0.0)) || self.exact(place, margin - CONTACT).is_none()
     }
 
+    /// Whether an arc stays within the corridor, if there is one.
+    #[cfg(feature = "complete")]
+    pub(super) fn corridor_holds(&self, from: Pose, arc: &Arc) -> bool {
+        self.corridor.is_none_or(|corridor| corridor.holds_arc(from, arc))
+    }
+
     /// Whether the body with `margin` around it stays free along an arc, tested every `spacing` metres and at its end.
     ///
     /// The end is tested first: it is the farthest from what is known to be free. Where the body has room, the poses
     /// that the room covers are free without a test.
     pub fn arc_free(&self, from: Pose, arc: &Arc, spacing: f64, margin: f64) -> bool {
         #[cfg(feature = "complete")]
-        if self.corridor.is_some_and(|corridor| !corridor.holds_arc(from, arc)) {
+        if !self.corridor_holds(from, arc) {
             return false;
         }
         let steps = (arc.length.abs() / spacing).ceil().max(1.0);

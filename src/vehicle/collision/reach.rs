@@ -60,6 +60,10 @@ impl Reach {
     /// Whether the body is free along an arc from the pose, at full lock or straight: at every sample and at its end.
     #[inline(never)]
     pub fn is_free(&mut self, probe: &Probe, arc: &Arc) -> bool {
+        #[cfg(feature = "complete")]
+        if !probe.corridor_holds(self.from, arc) {
+            return false;
+        }
         let length = arc.length.abs();
         let side = if arc.curvature == 0.0 { 0 } else { 1 + usize::from(arc.curvature < 0.0) };
         let which = 2 * side + usize::from(arc.length < 0.0);
