@@ -23,7 +23,7 @@ describe("the planner of roads", () => {
   test("says what its path is worth", () => {
     const { check, metrics } = planned("road-narrow");
     expect(check.verdict).toBe("ok");
-    expect(metrics.turnsPruned).toBe(10);
+    expect(metrics.turnsPruned).toBe(11);
     expect(metrics.bodyClearanceMin).toBeGreaterThan(0.5);
     expect(metrics.laneDeviationMax).toBeGreaterThan(0);
     expect(planned("perpendicular").metrics.laneDeviationMax).toBeNull();
@@ -33,7 +33,9 @@ describe("the planner of roads", () => {
     const planner = new Planner("cost-map", scenario("road-narrow"));
     const { width, height, data } = planner.layer("cost");
     expect(data.length).toBe(width * height);
-    expect(Math.min(...data)).toBeGreaterThan(0);
+    // In the middle of a lane nothing is dearer than a metre is.
+    expect(Math.min(...data)).toBe(0);
+    expect(data.some((cost) => cost > 0 && cost < Infinity)).toBe(true);
     expect(Math.max(...data)).toBe(Infinity);
     planner.free();
   });
