@@ -29,6 +29,8 @@ export interface PanelResult {
   lastGood: Plan | null;
   /** `plan`, where that is another than the planner's first answer. */
   chosen?: Plan | null;
+  /** The planner's first answer, where `chosen` stands in its place. */
+  ordinary?: Plan | null;
   /** `plan` in time, among moving obstacles where there are some; null where no car drives it, and during drags. */
   drive: Drive | Encounter | null;
   layers: Partial<Record<LayerName, Layer>>;

@@ -36,9 +36,9 @@ async function markdownLink(app: App): Promise<string> {
   return `[${(app.store.state.scene.name || "Parkade").replace(/[\\[\]]/g, "\\$&")}](${href})`;
 }
 
-/** Holds the focused planner's answer by its hash. */
+/** Holds the focused planner's own answer by its hash. */
 async function nodeTest(app: App): Promise<string> {
-  const { focus, results } = app.store.state, plan = results[focus]?.plan;
+  const { focus, results } = app.store.state, result = results[focus], plan = (result?.chosen && result.ordinary) ?? result?.plan;
   if (!plan) throw new Error(app.t("error.noPath"));
   return `import assert from "node:assert/strict";
 import { test } from "node:test";

@@ -144,7 +144,7 @@ class Improver {
     if (samePath(before, choice.plan)) return void this.shown.set(result.plan, choice);
     const { trace, stats, goal } = result.plan as HybridPlan, plan: HybridPlan = { ...(goal && { goal }), ...choice.plan, trace, stats };
     this.shown.set(plan, choice);
-    const patch: PanelResult = { ...result, plan, chosen: plan, lastGood: plan, drive: choice.drive };
+    const patch: PanelResult = { ...result, ordinary: (result.chosen && result.ordinary) ?? result.plan, plan, chosen: plan, lastGood: plan, drive: choice.drive };
     this.app.store.set({ results: { ...results, [planner]: patch } });
   }
 }
