@@ -16,7 +16,15 @@ const squeezeTemplates: Plugin = {
     if (!id.includes("/www/src/") || !id.endsWith(".ts")) return null;
     return code.replace(/\b(css|html|svg)`([^`\\]*)`/g, (_, tag: string, text: string) => {
       const lines = text.replace(/\n\s+/g, tag === "css" ? "\n" : " ");
-      return `${tag}\`${tag === "css" ? lines.replace(/\s*([{};,])\s*/g, "$1").replace(/: /g, ":").replace(/;}/g, "}").replace(/([ :,(])0\./g, "$1.") : lines}\``;
+      return `${tag}\`${
+        tag === "css"
+          ? lines
+              .replace(/\s*([{};,])\s*/g, "$1")
+              .replace(/: /g, ":")
+              .replace(/;}/g, "}")
+              .replace(/([ :,(])0\./g, "$1.")
+          : lines
+      }\``;
     });
   },
 };
@@ -26,14 +34,21 @@ const serviceWorker: Plugin = {
   name: "service-worker",
   // The files are on the disk then, also those that other plugins make last.
   async closeBundle() {
-    const dist = here("dist"), hash = createHash("sha256");
+    const dist = here("dist"),
+      hash = createHash("sha256");
     const files = (await readdir(dist, { recursive: true, withFileTypes: true }))
-      .filter((file) => file.isFile() && file.name !== "sw.js").map((file) => relative(dist, join(file.parentPath, file.name)).replaceAll("\\", "/"))
-      .filter((file) => !file.startsWith(".vite/")).sort();
+      .filter((file) => file.isFile() && file.name !== "sw.js")
+      .map((file) => relative(dist, join(file.parentPath, file.name)).replaceAll("\\", "/"))
+      .filter((file) => !file.startsWith(".vite/"))
+      .sort();
     for (const file of files) hash.update(file).update(await readFile(join(dist, file)));
     const text = await readFile(here("www/sw.js"), "utf8");
-    await writeFile(join(dist, "sw.js"), text.replace("const FILES = [];", `const FILES = ${JSON.stringify(files)};`)
-      .replace('const VERSION = "";', `const VERSION = "${hash.digest("hex").slice(0, 16)}";`));
+    await writeFile(
+      join(dist, "sw.js"),
+      text
+        .replace("const FILES = [];", `const FILES = ${JSON.stringify(files)};`)
+        .replace('const VERSION = "";', `const VERSION = "${hash.digest("hex").slice(0, 16)}";`),
+    );
   },
 };
 
@@ -41,9 +56,12 @@ const serviceWorker: Plugin = {
 const nameEmbedded: Plugin = {
   name: "name-embedded",
   writeBundle({ dir = "" }, bundle) {
-    const file = (name: string) => Object.values(bundle).find((one) => one.type === "chunk" && one.name === name)?.fileName ?? "";
-    const path = join(dir, file("parkade-playground")), code = readFileSync(path, "utf8");
-    if (!file("parkade-embedded") || code.split(EMBEDDED).length !== 2) throw new Error("the loader does not name what it loads, once");
+    const file = (name: string) =>
+      Object.values(bundle).find((one) => one.type === "chunk" && one.name === name)?.fileName ?? "";
+    const path = join(dir, file("parkade-playground")),
+      code = readFileSync(path, "utf8");
+    if (!file("parkade-embedded") || code.split(EMBEDDED).length !== 2)
+      throw new Error("the loader does not name what it loads, once");
     writeFileSync(path, code.replace(EMBEDDED, `./${file("parkade-embedded")}`));
   },
 };
@@ -55,7 +73,8 @@ const keepStylesheets: Plugin = {
   name: "keep-stylesheets",
   writeBundle({ dir = "" }, bundle) {
     for (const { fileName } of Object.values(bundle).filter((one) => one.type === "chunk")) {
-      const path = join(dir, fileName), code = readFileSync(path, "utf8");
+      const path = join(dir, fileName),
+        code = readFileSync(path, "utf8");
       const kept = code.replace(/^const __vite__mapDeps=.*?\["[^\]]*\.css"\].*?;\n/m, "");
       if (kept !== code) writeFileSync(path, kept.replace(/__vite__mapDeps\(\[\d+\]\)/g, "[]"));
     }
@@ -67,22 +86,34 @@ function isFirst(id: string, graph: Graph, seen = new Set<string>()): boolean {
   if (seen.has(id)) return false;
   seen.add(id);
   const info = graph.getModuleInfo(id);
-  return info !== null && (id.endsWith("/index.html") || info.importers.some((importer) => isFirst(importer, graph, seen)));
+  return (
+    info !== null && (id.endsWith("/index.html") || info.importers.some((importer) => isFirst(importer, graph, seen)))
+  );
 }
 
 /** The engines' files are also the workers' scripts, where the page's own code would not run. */
 const workersAlone: Plugin = {
   name: "workers-alone",
   generateBundle(_, bundle) {
-    const chunkOf = (file: string) => { const chunk = bundle[file]; return chunk?.type === "chunk" ? chunk : undefined; };
+    const chunkOf = (file: string) => {
+      const chunk = bundle[file];
+      return chunk?.type === "chunk" ? chunk : undefined;
+    };
     const pageIn = (file: string, seen = new Set<string>()): string | undefined => {
       if (seen.has(file)) return undefined;
       seen.add(file);
-      return chunkOf(file)?.isEntry ? file : chunkOf(file)?.imports.map((next) => pageIn(next, seen)).find(Boolean);
+      return chunkOf(file)?.isEntry
+        ? file
+        : chunkOf(file)
+            ?.imports.map((next) => pageIn(next, seen))
+            .find(Boolean);
     };
     for (const { fileName, facadeModuleId } of Object.keys(bundle).flatMap((file) => chunkOf(file) ?? [])) {
       const page = /\/planning\/engine(-complete)?\.ts$/.test(facadeModuleId ?? "") && pageIn(fileName);
-      if (page) this.error(`${fileName} imports the page's ${page}, by itself or through others: a module that the page and the workers share must not be imported by both.`);
+      if (page)
+        this.error(
+          `${fileName} imports the page's ${page}, by itself or through others: a module that the page and the workers share must not be imported by both.`,
+        );
     }
   },
 };
@@ -95,7 +126,8 @@ export default defineConfig({
   base: "./",
   resolve: {
     alias: [
-      { find: "parkade/core", replacement: here("pkg/core/index.js") }, { find: "parkade", replacement: here("pkg/index.js") },
+      { find: "parkade/core", replacement: here("pkg/core/index.js") },
+      { find: "parkade", replacement: here("pkg/index.js") },
       // The package brings the page's drawing, which is here.
       { find: "./drawing.js", replacement: here("www/src/picture/draw.ts") },
     ],
@@ -111,8 +143,10 @@ export default defineConfig({
     // What the page opens with is one file, also where a part fetched later uses it too: every request costs a round trip.
     rolldownOptions: {
       input: {
-        index: here("www/index.html"), embed: here("www/embed.html"),
-        "parkade-playground": here("www/src/element/loader.ts"), "parkade-embedded": here("www/src/element/embedded.ts"),
+        index: here("www/index.html"),
+        embed: here("www/embed.html"),
+        "parkade-playground": here("www/src/element/loader.ts"),
+        "parkade-embedded": here("www/src/element/embedded.ts"),
       },
       preserveEntrySignatures: "allow-extension",
       output: {

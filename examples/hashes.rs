@@ -2,7 +2,7 @@
 //!
 //! ```sh
 //! cargo run --release --example hashes > tests/data/plan-hashes.json
-//! cargo run --release --example hashes strewn > tests/data/strewn-hashes.json
+//! cargo run --release --example hashes random_scenes > tests/data/random-scene-hashes.json
 //! ```
 
 use parkade::plan::{Options, Planner};
@@ -10,12 +10,12 @@ use parkade::planners::registry::planners;
 use parkade::scenario::catalog;
 use serde_json::{Map, json};
 
-#[path = "../tests/strewn/mod.rs"]
-mod strewn;
+#[path = "../tests/random_scenes/mod.rs"]
+mod random_scenes;
 
 fn main() {
-    if std::env::args().nth(1).as_deref() == Some("strewn") {
-        let hashes: Vec<String> = (0..40).map(|seed| strewn::plan(seed).hash()).collect();
+    if std::env::args().nth(1).as_deref() == Some("random_scenes") {
+        let hashes: Vec<String> = (0..40).map(|seed| random_scenes::plan(seed).hash()).collect();
         println!("{:#}", json!(hashes));
         return;
     }

@@ -11,7 +11,7 @@ use std::time::Instant;
 use parkade::geometry::arcs;
 use parkade::planners::hybrid::{Config, Query, Report, Scratch, obstacles, plan};
 use parkade::scenario::catalog;
-use parkade::vehicle::collision::Probe;
+use parkade::vehicle::collision::CollisionChecker;
 
 const RUNS: usize = 7;
 
@@ -68,7 +68,7 @@ fn settings() -> Config {
 }
 
 fn clearance(query: &Query, report: &Report) -> f64 {
-    let probe = Probe::new(query.obstacles, query.vehicle);
+    let probe = CollisionChecker::new(query.obstacles, query.vehicle);
     let points = arcs::sample(query.start, &report.arcs, query.goal, 0.02);
     points.iter().fold(10.0, |least, p| probe.clearance(query.obstacles.local(p.pose), least).min(least))
 }

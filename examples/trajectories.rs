@@ -9,9 +9,9 @@
 
 #[path = "clock/mod.rs"]
 mod clock;
-#[path = "../tests/strewn/mod.rs"]
+#[path = "../tests/random_scenes/mod.rs"]
 #[expect(dead_code, reason = "plans are checked elsewhere")]
-mod strewn;
+mod random_scenes;
 
 use std::path::Path;
 
@@ -100,7 +100,7 @@ fn print_hashes() {
 fn print_random(from: u64, to: u64) {
     let (mut found, mut optimised, mut passing, mut both, mut worst) = (0, 0, 0, Vec::new(), 0.0_f64);
     for seed in from..to {
-        let (scene, settings) = strewn::scene(seed);
+        let (scene, settings) = random_scenes::scene(seed);
         let made = make("hybrid", &scene, &settings);
         let Some(driven) = made.driven else { continue };
         found += 1;

@@ -255,7 +255,7 @@ fn planners_of_equal_costs_refuse_others() {
 fn costs_survive_and_are_refused_with_words() {
     let scene = striped(4, 3);
     assert_eq!(Scenario::from_json(&serde_json::to_value(&scene).unwrap()).unwrap(), scene);
-    let packed = parkade::scenario::packed::pack(&scene.costs[0].runs);
+    let packed = parkade::scenario::run_length::pack(&scene.costs[0].runs);
     let refused = |costs: Value| {
         let mut value = serde_json::to_value(&scene).unwrap();
         value["costs"] = costs;

@@ -13,12 +13,26 @@ function declarations(all) {
   const families = [...new Set(all.map(({ family }) => family))];
   return [
     "/** The planners' ids and settings: written by `cargo xtask build` from the planners' registry. */",
-    families.map((family) => union(`${pascal(family)}PlannerId`, all.filter((one) => one.family === family).map(({ id }) => id))).join("\n"),
+    families
+      .map((family) =>
+        union(
+          `${pascal(family)}PlannerId`,
+          all.filter((one) => one.family === family).map(({ id }) => id),
+        ),
+      )
+      .join("\n"),
     `export type PlannerId = ${families.map((family) => `${pascal(family)}PlannerId`).join(" | ")};`,
-    ...families.flatMap((family) => familySettings(family, all.filter((one) => one.family === family))),
+    ...families.flatMap((family) =>
+      familySettings(
+        family,
+        all.filter((one) => one.family === family),
+      ),
+    ),
     `/** The settings of each planner, all of them optional. */\nexport interface PlannerSettings {\n${all.map((one) => `  ${key(one.id)}: ${settingsName(one, all)};`).join("\n")}\n}`,
     "",
-  ].join("\n\n").replace(/\n+$/, "\n");
+  ]
+    .join("\n\n")
+    .replace(/\n+$/, "\n");
 }
 
 /** @param {string} name @param {string[]} words */
@@ -34,7 +48,9 @@ function familySettings(family, members) {
   const [first = []] = texts.values();
   const shared = first.filter((text) => [...texts.values()].every((others) => others.includes(text)));
   const base = `${pascal(family)}Settings`;
-  const blocks = [`/** Settings of ${members.length > 1 ? `every ${family} planner` : key(members[0]?.id ?? "")}. */\nexport interface ${base} {\n${shared.join("\n")}\n}`];
+  const blocks = [
+    `/** Settings of ${members.length > 1 ? `every ${family} planner` : key(members[0]?.id ?? "")}. */\nexport interface ${base} {\n${shared.join("\n")}\n}`,
+  ];
   for (const one of members) {
     const own = (texts.get(one) ?? []).filter((text) => !shared.includes(text));
     if (own.length > 0 && settingsName(one, members) === `${pascal(one.id)}Settings`) {
@@ -64,7 +80,10 @@ function settingsName(planner, all) {
  */
 function fields({ id, parameters }, family) {
   const fixed = Object.entries(defaultConfig(id)).filter(([name]) => parameters.every((one) => one.name !== name));
-  return [...parameters.map((parameter) => field(parameter, family)), ...fixed.map(([name, value]) => `  /** Nothing else in this module. */\n  ${name}?: ${JSON.stringify(value)};`)];
+  return [
+    ...parameters.map((parameter) => field(parameter, family)),
+    ...fixed.map(([name, value]) => `  /** Nothing else in this module. */\n  ${name}?: ${JSON.stringify(value)};`),
+  ];
 }
 
 /**
@@ -73,10 +92,15 @@ function fields({ id, parameters }, family) {
  * @param {PlannerInfo[]} family
  */
 function field(parameter, family) {
-  const alike = family.flatMap(({ parameters }) => parameters).filter((one) => one.name === parameter.name && kind(one) === kind(parameter));
+  const alike = family
+    .flatMap(({ parameters }) => parameters)
+    .filter((one) => one.name === parameter.name && kind(one) === kind(parameter));
   const isNullable = alike.some((one) => one.default === null);
   const defaults = new Set(alike.map((one) => JSON.stringify(one.default)));
-  const range = parameter.min === undefined ? "" : ` Usual range: ${parameter.min} to ${parameter.max}${parameter.unit === "1" ? "" : ` ${parameter.unit}`}.`;
+  const range =
+    parameter.min === undefined
+      ? ""
+      : ` Usual range: ${parameter.min} to ${parameter.max}${parameter.unit === "1" ? "" : ` ${parameter.unit}`}.`;
   const standard = defaults.size > 1 ? "" : ` Default: ${[...defaults][0]}.`;
   return `  /** ${parameter.doc.en}${range}${standard} */\n  ${parameter.name}?: ${kind(parameter)}${isNullable ? " | null" : ""};`;
 }

@@ -2,7 +2,8 @@ import { defineConfig } from "vitepress";
 import { known } from "./planners";
 
 const planners = await known();
-const list = (lang: "en" | "zh", root: string) => planners.map(({ id, title }) => ({ text: title[lang], link: `${root}/planners/${id}` }));
+const list = (lang: "en" | "zh", root: string) =>
+  planners.map(({ id, title }) => ({ text: title[lang], link: `${root}/planners/${id}` }));
 const papers = [
   { text: "Risk field, 2024", link: "/papers/risk-field" },
   { text: "Sixteen neighbours from both ends", link: "/papers/sixteen" },
@@ -21,7 +22,10 @@ const BASE = process.env["PARKADE_DOCS_BASE"] ?? "/docs/";
 const SEARCH_IN_CHINESE = {
   button: { buttonText: "搜索", buttonAriaLabel: "搜索" },
   modal: {
-    displayDetails: "显示详细列表", resetButtonTitle: "清除", backButtonTitle: "返回", noResultsText: "没有结果",
+    displayDetails: "显示详细列表",
+    resetButtonTitle: "清除",
+    backButtonTitle: "返回",
+    noResultsText: "没有结果",
     footer: { selectText: "选择", navigateText: "移动", closeText: "关闭" },
   },
 };
@@ -31,7 +35,9 @@ export default defineConfig({
   // The page around may lie anywhere; figures take the element from the folder above this one.
   base: BASE,
   // Frontmatter is not interpolated: a page made from a template brings its title with it.
-  transformPageData: (page) => { page.title = page.params?.["title"] ?? page.title; },
+  transformPageData: (page) => {
+    page.title = page.params?.["title"] ?? page.title;
+  },
   head: [["link", { rel: "icon", href: "data:," }]],
   srcExclude: ["**/README.md", "zh/design.md"],
   vue: { template: { compilerOptions: { isCustomElement: (tag) => tag === "parkade-playground" } } },
@@ -42,27 +48,68 @@ export default defineConfig({
   },
   locales: {
     root: {
-      label: "English", lang: "en",
+      label: "English",
+      lang: "en",
       description: "Vehicle path planners in WebAssembly",
       themeConfig: {
-        nav: [{ text: "Guide", link: "/guide" }, { text: "Planners", link: "/planners/hybrid" }, { text: "API", link: "/api/reference" }],
+        nav: [
+          { text: "Guide", link: "/guide" },
+          { text: "Planners", link: "/planners/hybrid" },
+          { text: "API", link: "/api/reference" },
+        ],
         sidebar: [
-          { text: "Start", items: [{ text: "First scene in five minutes", link: "/guide" }, { text: "Embed it", link: "/embed" }, { text: "Bundlers and servers", link: "/bundlers" }, { text: "Command line", link: "/command" }, { text: "Many machines", link: "/machines" }] },
-          { text: "Planners", items: [...list("en", ""), { text: "How tight can it be", link: "/planners/how-tight" }] },
+          {
+            text: "Start",
+            items: [
+              { text: "First scene in five minutes", link: "/guide" },
+              { text: "Embed it", link: "/embed" },
+              { text: "Bundlers and servers", link: "/bundlers" },
+              { text: "Command line", link: "/command" },
+              { text: "Many machines", link: "/machines" },
+            ],
+          },
+          {
+            text: "Planners",
+            items: [...list("en", ""), { text: "How tight can it be", link: "/planners/how-tight" }],
+          },
           { text: "Papers", items: [...papers, { text: "What of them is here", link: "/papers/coverage" }] },
-          { text: "Reference", items: [{ text: "JavaScript", link: "/api/reference" }, { text: "Rust", link: "/api/rust" }] },
+          {
+            text: "Reference",
+            items: [
+              { text: "JavaScript", link: "/api/reference" },
+              { text: "Rust", link: "/api/rust" },
+            ],
+          },
         ],
       },
     },
     zh: {
-      label: "简体中文", lang: "zh-CN", link: "/zh/",
+      label: "简体中文",
+      lang: "zh-CN",
+      link: "/zh/",
       description: "WebAssembly 车辆路径规划",
       themeConfig: {
-        nav: [{ text: "指南", link: "/zh/guide" }, { text: "规划器", link: "/zh/planners/hybrid" }],
-        sidebar: [{ text: "开始", items: [{ text: "五分钟第一个场景", link: "/zh/guide" }] }, { text: "规划器", items: [...list("zh", "/zh"), { text: "能停进多窄的地方", link: "/zh/planners/how-tight" }] }, { text: "论文", items: papersInChinese }],
-        outline: { label: "本页内容" }, docFooter: { prev: "上一页", next: "下一页" },
-        sidebarMenuLabel: "目录", returnToTopLabel: "回到顶部", langMenuLabel: "语言", darkModeSwitchLabel: "外观",
-        lightModeSwitchTitle: "切换到浅色", darkModeSwitchTitle: "切换到深色", skipToContentLabel: "跳到正文",
+        nav: [
+          { text: "指南", link: "/zh/guide" },
+          { text: "规划器", link: "/zh/planners/hybrid" },
+        ],
+        sidebar: [
+          { text: "开始", items: [{ text: "五分钟第一个场景", link: "/zh/guide" }] },
+          {
+            text: "规划器",
+            items: [...list("zh", "/zh"), { text: "能停进多窄的地方", link: "/zh/planners/how-tight" }],
+          },
+          { text: "论文", items: papersInChinese },
+        ],
+        outline: { label: "本页内容" },
+        docFooter: { prev: "上一页", next: "下一页" },
+        sidebarMenuLabel: "目录",
+        returnToTopLabel: "回到顶部",
+        langMenuLabel: "语言",
+        darkModeSwitchLabel: "外观",
+        lightModeSwitchTitle: "切换到浅色",
+        darkModeSwitchTitle: "切换到深色",
+        skipToContentLabel: "跳到正文",
       },
     },
   },

@@ -15,16 +15,44 @@ export async function known(): Promise<PlannerInfo[]> {
 }
 
 const TEXT = {
-  en: { figure: "Drag a car or draw a wall: the planner replans.", parameters: "Settings", name: "Name", unit: "Unit", range: "Range", default: "Default", why: "What it does", paper: "After", use: "In code", formulas: "Formulas and choices", drawn: "Scene and path" },
-  zh: { figure: "拖动车辆、画一堵墙，路径随即重新规划。", parameters: "参数", name: "名称", unit: "单位", range: "范围", default: "默认", why: "作用", paper: "出处", use: "代码", formulas: "公式", drawn: "场景与路径" },
+  en: {
+    figure: "Drag a car or draw a wall: the planner replans.",
+    parameters: "Settings",
+    name: "Name",
+    unit: "Unit",
+    range: "Range",
+    default: "Default",
+    why: "What it does",
+    paper: "After",
+    use: "In code",
+    formulas: "Formulas and choices",
+    drawn: "Scene and path",
+  },
+  zh: {
+    figure: "拖动车辆、画一堵墙，路径随即重新规划。",
+    parameters: "参数",
+    name: "名称",
+    unit: "单位",
+    range: "范围",
+    default: "默认",
+    why: "作用",
+    paper: "出处",
+    use: "代码",
+    formulas: "公式",
+    drawn: "场景与路径",
+  },
 };
 
 export async function pages(lang: Lang): Promise<{ params: { id: string; title: string }; content: string }[]> {
-  return (await known()).map((info) => ({ params: { id: info.id, title: info.title[lang] }, content: page(info, lang) }));
+  return (await known()).map((info) => ({
+    params: { id: info.id, title: info.title[lang] },
+    content: page(info, lang),
+  }));
 }
 
 function page(info: PlannerInfo, lang: Lang): string {
-  const words = WORDS[info.id]!, t = TEXT[lang];
+  const words = WORDS[info.id]!,
+    t = TEXT[lang];
   return `# ${info.title[lang]}
 
 \`${info.id}\` · ${t.paper}: ${info.paper}
@@ -64,7 +92,11 @@ ${info.parameters.map((one) => row(one, lang)).join("\n")}
 }
 
 function row({ name, unit, min, max, choices, default: value, title, doc }: ParameterInfo, lang: Lang): string {
-  const range = choices ? choices.map((one) => `\`${one}\``).join(" ") : min !== undefined || max !== undefined ? `${min ?? ""} … ${max ?? ""}` : "";
+  const range = choices
+    ? choices.map((one) => `\`${one}\``).join(" ")
+    : min !== undefined || max !== undefined
+      ? `${min ?? ""} … ${max ?? ""}`
+      : "";
   return `| \`${name}\` | ${unit} | ${range} | \`${JSON.stringify(value)}\` | ${escaped(`${title[lang]}. ${doc[lang]}`)} |`;
 }
 

@@ -6,14 +6,21 @@ const KINDS = { class: "Classes", function: "Functions", interface: "Shapes", ty
 
 export function reference(): string {
   const parts: Record<string, string[]> = { Classes: [], Functions: [], Shapes: [], Words: [] };
-  for (const { kind, name, comment, code } of declarations(TYPES.map((file) => readFileSync(file, "utf8")).join("\n"))) {
+  for (const { kind, name, comment, code } of declarations(
+    TYPES.map((file) => readFileSync(file, "utf8")).join("\n"),
+  )) {
     parts[KINDS[kind]]!.push(`### ${name}\n\n${comment}\n\n\`\`\`ts\n${code}\n\`\`\``);
   }
   const all = Object.entries(parts).map(([title, texts]) => `## ${title}\n\n${texts.join("\n\n")}`);
   return `# JavaScript\n\nSI units, radians; x east, y north, headings counter-clockwise from east. What is bad throws a \`ParkadeError\`.\n\n${all.join("\n\n")}\n`;
 }
 
-interface Declaration { kind: keyof typeof KINDS; name: string; comment: string; code: string }
+interface Declaration {
+  kind: keyof typeof KINDS;
+  name: string;
+  comment: string;
+  code: string;
+}
 
 /** Declarations of the file, each until the next one's comment; overloads and neighbours without a comment stay apart. */
 export function declarations(text: string): Declaration[] {
@@ -24,7 +31,12 @@ export function declarations(text: string): Declaration[] {
     if (!match) continue;
     const from = i;
     while (!isEnd(lines.slice(from, i + 1).join("\n"))) i++;
-    found.push({ kind: match[1] as Declaration["kind"], name: match[2]!, comment: commentBefore(lines, from), code: lines.slice(from, i + 1).join("\n") });
+    found.push({
+      kind: match[1] as Declaration["kind"],
+      name: match[2]!,
+      comment: commentBefore(lines, from),
+      code: lines.slice(from, i + 1).join("\n"),
+    });
   }
   return found;
 }
@@ -41,5 +53,12 @@ function commentBefore(lines: string[], at: number): string {
   if (!lines[end]?.trimEnd().endsWith("*/")) return "";
   let from = end;
   while (!lines[from]!.trimStart().startsWith("/**")) from--;
-  return lines.slice(from, end + 1).join("\n").replace(/^\s*\/\*\*|\*\/\s*$/g, "").replace(/^\s*\* ?/gm, "").replaceAll("<", "&lt;").replaceAll("{{", "{ {").trim();
+  return lines
+    .slice(from, end + 1)
+    .join("\n")
+    .replace(/^\s*\/\*\*|\*\/\s*$/g, "")
+    .replace(/^\s*\* ?/gm, "")
+    .replaceAll("<", "&lt;")
+    .replaceAll("{{", "{ {")
+    .trim();
 }

@@ -9,7 +9,7 @@ use serde_json::{Map, Value, json};
 use crate::Outcome;
 use crate::field::Field;
 use crate::random::Random;
-use crate::strewn;
+use crate::random_scenes;
 
 /// A planner's id, a scene, and settings for it.
 pub(crate) struct Question {
@@ -23,7 +23,7 @@ pub(crate) struct Question {
 pub(crate) fn question(r: &mut Random, seed: u64) -> Question {
     let planners = all();
     let planner = r.pick(&planners);
-    let scene = if r.one_in(3) { Field::random(r).scene() } else { strewn::scene(seed).0 };
+    let scene = if r.one_in(3) { Field::random(r).scene() } else { random_scenes::scene(seed).0 };
     let mut settings = Map::new();
     let mut good = true;
     for parameter in &planner.parameters {

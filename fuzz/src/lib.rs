@@ -10,9 +10,9 @@ mod mutate;
 mod oracles;
 mod parsers;
 mod random;
+#[path = "../../tests/random_scenes/mod.rs"]
+mod random_scenes;
 mod soak;
-#[path = "../../tests/strewn/mod.rs"]
-mod strewn;
 
 use parkade::planners::registry::planners;
 use parkade::scenario::catalog::{scenario, scenes};
@@ -47,7 +47,7 @@ pub const TARGETS: &[Target] = &[
         name: "hybrid",
         about: "hybrid A* among random obstacles, far from the origin too, against the validator and the Reeds-Shepp bound",
         sample: 20,
-        run: |seed| Ok(strewn::plan(seed).outcome.as_str()),
+        run: |seed| Ok(random_scenes::plan(seed).outcome.as_str()),
     },
     Target {
         name: "planners",
@@ -100,8 +100,8 @@ pub fn questions(random: u64) -> impl Iterator<Item = Value> {
 /// Hybrid A* in its random scenes of these seeds, each answer held against what is promised, as [`questions`] are.
 pub fn parking(seeds: core::ops::Range<u64>) -> impl Iterator<Item = Value> {
     seeds.map(|seed| {
-        let (scene, settings) = strewn::scene(seed);
-        json!({ "planner": "hybrid", "scene": scene, "settings": settings, "answer": strewn::plan(seed).hash() })
+        let (scene, settings) = random_scenes::scene(seed);
+        json!({ "planner": "hybrid", "scene": scene, "settings": settings, "answer": random_scenes::plan(seed).hash() })
     })
 }
 

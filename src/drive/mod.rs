@@ -4,19 +4,19 @@
 //! [`Trajectory`] samples that. [`track()`] lets a simulated car follow it, [`stop_wait_go`] lets it wait for moving
 //! obstacles.
 
-mod motion;
-mod moving;
-mod route;
-mod scurve;
+mod jerk_limited;
+mod moving_obstacles;
+mod path_segments;
+mod speed_profile;
+mod stop_wait_go;
 mod track;
 mod trajectory;
-mod wait;
 
-pub use motion::{Limits, Motion, Profile, Steps};
-pub use moving::Mover;
-pub use route::Route;
+pub use moving_obstacles::Mover;
+pub use path_segments::Route;
+pub use speed_profile::{Limits, Motion, Profile, Steps};
+pub use stop_wait_go::{Contact, Encounter, Ending, Rule, Scope, Wait, WaitOptions, stop_wait_go};
 pub(crate) use track::follow;
 pub use track::{Controller, Tracking, track};
 pub(crate) use trajectory::hash;
 pub use trajectory::{Rows, Trajectory, trajectory};
-pub use wait::{Contact, Encounter, Ending, Rule, Scope, Wait, WaitOptions, stop_wait_go};

@@ -1,7 +1,7 @@
 //! A route sampled in time.
 
-use super::motion::{Limits, Motion, angle, preview};
-use super::route::Route;
+use super::path_segments::Route;
+use super::speed_profile::{Limits, Motion, angle, preview};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::Pose;
 use crate::vehicle::Vehicle;
@@ -134,7 +134,7 @@ pub fn trajectory(vehicle: &Vehicle, route: &Route, limits: &Limits) -> Result<T
     }
     let (mut rows, mut wheel, mut lateral) = (Rows::default(), Wheel::default(), 0.0_f64);
     let mut tick = 0.0;
-    let mut add = |phase: &super::motion::Phase, after: f64| {
+    let mut add = |phase: &super::speed_profile::Phase, after: f64| {
         let (station, speed, acceleration) = phase.after(after);
         let now = Moment { t: phase.time + after, station, speed, acceleration, run: phase.run };
         rows.push(vehicle, route, now, &mut wheel);
@@ -154,7 +154,7 @@ pub fn trajectory(vehicle: &Vehicle, route: &Route, limits: &Limits) -> Result<T
     }
     match motion.phases.last() {
         Some(last) => add(last, last.duration),
-        None => add(&super::motion::Phase::default(), 0.0),
+        None => add(&super::speed_profile::Phase::default(), 0.0),
     }
     if let (Some(station), Some(acceleration)) = (rows.station.last_mut(), rows.acceleration.last_mut()) {
         (*station, *acceleration) = (route.length(), 0.0);

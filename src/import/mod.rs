@@ -4,7 +4,7 @@
 //! (TPCAP cases), `.json` (scenes, and lots of lines and polygons). Files that belong together are given together. Every file is distrusted: sizes are compared with the bytes that are there before
 //! anything is allocated for them, and what is wrong is said with the file's name and line.
 
-mod lines;
+mod line_reader;
 pub mod lots;
 mod movingai;
 mod options;
@@ -83,7 +83,7 @@ pub fn import(files: &[File], options: &Options) -> Result<Imported, Error> {
             let line = file.bytes[..MAX_BYTES].split(|&b| b == b'\n').count();
             let rule =
                 format!("must end the file, which may have {MAX_BYTES} bytes and has {}", file.bytes.len());
-            return Err(lines::at(file.name, line, rule));
+            return Err(line_reader::at(file.name, line, rule));
         }
         if !MAIN.iter().any(|kind| has(file, kind)) {
             return Err(Error::new(
@@ -132,7 +132,7 @@ fn read_scenes(file: File) -> Result<Imported, Error> {
         return Ok(done("tpcap", vec![tpcap::scene(stem(file.name), text).map_err(numbered)?]));
     }
     let value: Value =
-        serde_json::from_str(text).map_err(|e| lines::at(file.name, e.line(), e.to_string()))?;
+        serde_json::from_str(text).map_err(|e| line_reader::at(file.name, e.line(), e.to_string()))?;
     if value.get("version").is_some() {
         return Ok(done("scene", vec![Scenario::from_json(&value).map_err(inside)?]));
     }

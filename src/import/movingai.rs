@@ -3,7 +3,7 @@
 //! A map's first line is the northern row; `.`, `G` and `S` are free, `@`, `O`, `T` and `W` are blocked. Questions count
 //! rows from the north; a cell is a metre, and the centre of the south-western one is the origin, unless asked otherwise.
 
-use super::lines::{Line, Lines, at, quoted};
+use super::line_reader::{Line, Lines, at, quoted};
 use super::{File, Imported, Options, Question, Raster, base, lattice, poses};
 use crate::error::{Error, ErrorCode};
 use crate::map::{Cell, Frame, Occupancy};

@@ -1,7 +1,7 @@
 //! Grey pictures of the Netpbm family: PGM as text (P2) and as bytes (P5).
 
 use super::File;
-use super::lines::{at, quoted};
+use super::line_reader::{at, quoted};
 use crate::error::Error;
 use crate::scenario::MAX_CELLS;
 

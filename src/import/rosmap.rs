@@ -4,7 +4,7 @@
 //! third number. A turned picture is laid on a lattice along the world's axes: a cell is blocked where a blocked pixel
 //! overlaps it, and the picture's outline becomes the floor's boundary.
 
-use super::lines::{Line, Lines, quoted};
+use super::line_reader::{Line, Lines, quoted};
 use super::{File, Imported, Options, Raster, Unknown, base, ending, lattice, pgm};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::{Point, Pose};

@@ -83,14 +83,14 @@ impl Weights {
 
 /// Weights at their place in the world.
 #[derive(Debug, Clone)]
-pub struct Paint {
+pub struct WeightMap {
     /// The lattice.
     pub frame: Frame,
     /// Its cells' weights.
     pub weights: Arc<Weights>,
 }
 
-impl Paint {
+impl WeightMap {
     /// The length of a straight line, every part of it times the weight there, metres.
     pub fn along(&self, from: Point, to: Point) -> f64 {
         let [from, to] = [from, to].map(|point| self.frame.lattice(point).map(|v| v - 0.5));

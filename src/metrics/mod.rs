@@ -2,8 +2,8 @@
 
 #[cfg(feature = "complete")]
 mod any_angle;
-mod body;
 pub mod check;
+mod footprint_distance;
 pub mod grid;
 #[cfg(feature = "complete")]
 mod narrowest;
@@ -12,13 +12,13 @@ pub mod risk;
 #[cfg(feature = "complete")]
 pub mod road;
 #[cfg(feature = "complete")]
-mod signed;
+mod signed_distance;
 
 #[cfg(feature = "complete")]
 pub use any_angle::any_angle_length;
-#[cfg(feature = "complete")]
-pub(crate) use body::gap;
-pub use body::{Body, FAR};
 pub use check::{Check, Verdict, check};
+#[cfg(feature = "complete")]
+pub(crate) use footprint_distance::gap;
+pub use footprint_distance::{Body, FAR};
 #[cfg(feature = "complete")]
 pub use narrowest::Narrowest;

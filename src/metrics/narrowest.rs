@@ -1,7 +1,7 @@
 //! Where a path is narrowest.
 
 use super::Body;
-use super::body::FAR;
+use super::footprint_distance::FAR;
 use crate::geometry::{Point, Pose};
 use crate::scenario::resolve::Owner;
 

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use super::{Driven, Engine, Improved, NEAR, Options, Outcome, Plan, Planner, Tell, measured};
+use super::{Driven, Engine, Improved, NEAR, Options, Outcome, Plan, Planner, ProgressCallback, measured};
 use crate::geometry::{Pose, math};
 use crate::scenario::{GoalPose, Goals};
 
@@ -30,7 +30,7 @@ impl Planner {
                 Some(improved) => {
                     let mut told =
                         |plan: &Plan| improved(&Plan { goal: at_end(goals, plan), ..plan.clone() });
-                    let progress: Option<Tell> = match &mut options.progress {
+                    let progress: Option<ProgressCallback> = match &mut options.progress {
                         Some(tell) => Some(&mut **tell),
                         None => None,
                     };
@@ -131,7 +131,7 @@ fn at_end(goals: &Goals, plan: &Plan) -> Option<GoalPose> {
 }
 
 /// Tells of expansions that follow others.
-fn told(tell: &mut Option<Tell>, before: u32, count: u32) -> ControlFlow<()> {
+fn told(tell: &mut Option<ProgressCallback>, before: u32, count: u32) -> ControlFlow<()> {
     match tell {
         Some(tell) => tell(before.saturating_add(count)),
         None => ControlFlow::Continue(()),

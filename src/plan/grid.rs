@@ -2,9 +2,9 @@
 
 use serde_json::{Map, Value};
 
-use super::drive;
 use super::grid_search::Search;
 use super::outcome::{GridMetrics, Outcome, Plan, PlanTrace, Stats};
+use super::path_sampling;
 use super::rasters::Rasters;
 #[cfg(feature = "complete")]
 use super::stages::Stages;
@@ -18,7 +18,7 @@ use crate::metrics::any_angle_length;
 use crate::metrics::grid as cells;
 use crate::planners::Obstruction;
 use crate::planners::query::{Detail, GridReport, GridScratch, Query, Status};
-use crate::planners::registry::Kind;
+use crate::planners::registry::PlannerId;
 #[cfg(feature = "complete")]
 use crate::planners::risk_field;
 use crate::planners::settings::{Common, Inflation, Post};
@@ -41,7 +41,7 @@ pub(super) struct Engine {
 }
 
 impl Engine {
-    pub(super) fn new(world: &World, kind: Kind, config: &Map<String, Value>) -> Result<Self, Error> {
+    pub(super) fn new(world: &World, kind: PlannerId, config: &Map<String, Value>) -> Result<Self, Error> {
         let search = Search::new(kind, config)?;
         let settings = search.common();
         settings.validate()?;
@@ -220,7 +220,7 @@ impl Finish<'_> {
             return super::Driven { poses, directions: vec![1], curvatures: vec![0.0] };
         }
         let length: f64 = pieces.iter().map(Piece::length).sum::<f64>() * frame.resolution;
-        drive::follow(frame, pieces, start, STEP.max(length / MAX_POSES))
+        path_sampling::follow(frame, pieces, start, STEP.max(length / MAX_POSES))
     }
 
     fn metrics(

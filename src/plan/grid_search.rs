@@ -7,7 +7,7 @@ use super::rasters::Rasters;
 use crate::error::Error;
 use crate::planners::moves::Neighbourhood;
 use crate::planners::query::{GridReport, GridScratch, Query};
-use crate::planners::registry::Kind;
+use crate::planners::registry::PlannerId;
 use crate::planners::settings::Common;
 #[cfg(feature = "complete")]
 use crate::planners::{any_angle, bidirectional, jump_point};
@@ -26,7 +26,7 @@ pub(super) enum Search {
 }
 
 impl Search {
-    pub(super) fn new(kind: Kind, config: &Map<String, Value>) -> Result<Self, Error> {
+    pub(super) fn new(kind: PlannerId, config: &Map<String, Value>) -> Result<Self, Error> {
         if let Some(around) = kind.neighbourhood() {
             let config = grid_astar::Config::new(around).with(config)?;
             config.validate_for(around)?;
@@ -34,15 +34,15 @@ impl Search {
         }
         Ok(match kind {
             #[cfg(feature = "complete")]
-            Kind::Bidirectional => Self::Bidirectional(bidirectional::Config::default().with(config)?),
+            PlannerId::Bidirectional => Self::Bidirectional(bidirectional::Config::default().with(config)?),
             #[cfg(feature = "complete")]
-            Kind::JumpPoint => Self::JumpPoint(jump_point::Config::default().with(config)?),
+            PlannerId::JumpPoint => Self::JumpPoint(jump_point::Config::default().with(config)?),
             #[cfg(feature = "complete")]
-            Kind::AnyAngle => Self::AnyAngle(any_angle::Config::default().with(config)?),
+            PlannerId::AnyAngle => Self::AnyAngle(any_angle::Config::default().with(config)?),
             kind => {
                 let defaults = match kind {
                     #[cfg(feature = "complete")]
-                    Kind::RiskFieldPlus => risk_field::Config::PLUS,
+                    PlannerId::RiskFieldPlus => risk_field::Config::PLUS,
                     _ => risk_field::Config::default(),
                 };
                 let config = defaults.with(config)?;

@@ -20,7 +20,7 @@ use crate::planners::hybrid::plan;
 #[cfg(feature = "complete")]
 use crate::planners::hybrid::{self, Last, Prefer, goal_of, plan_any, stay, with_room};
 use crate::planners::hybrid::{Config, Query, Report, Scratch, Status, obstacles};
-use crate::planners::registry::Kind;
+use crate::planners::registry::PlannerId;
 use crate::scenario::Scenario;
 use crate::scenario::resolve::Geometry;
 use crate::search::Progress;
@@ -35,7 +35,7 @@ const PAPER_SPEED: f64 = 2.0;
 /// Hybrid A*, its obstacles and its memory.
 pub(super) struct Engine {
     #[cfg(feature = "complete")]
-    kind: Kind,
+    kind: PlannerId,
     /// The path of the last plan that found one.
     #[cfg(feature = "complete")]
     last: Option<Last>,
@@ -48,7 +48,7 @@ pub(super) struct Engine {
 }
 
 impl Engine {
-    pub(super) fn new(world: &World, kind: Kind, config: &Map<String, Value>) -> Result<Self, Error> {
+    pub(super) fn new(world: &World, kind: PlannerId, config: &Map<String, Value>) -> Result<Self, Error> {
         let frame = &world.frame;
         let side = f64::from(frame.width.max(frame.height)) * frame.resolution;
         if side > MAX_LENGTH {
@@ -57,11 +57,11 @@ impl Engine {
             return Err(Error::new(ErrorCode::Input, "map", message));
         }
         let defaults = match kind {
-            Kind::HybridForward => Config::forward(),
+            PlannerId::HybridForward => Config::forward(),
             #[cfg(feature = "complete")]
-            Kind::HybridBidirectional => Config::both_ways(),
+            PlannerId::HybridBidirectional => Config::bidirectional(),
             #[cfg(feature = "complete")]
-            Kind::HybridClassic => Config::classic(),
+            PlannerId::HybridClassic => Config::classic(),
             _ => Config::default(),
         };
         let config = defaults.with(config)?;

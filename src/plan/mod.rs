@@ -4,7 +4,6 @@
 mod brush;
 #[cfg(feature = "complete")]
 mod choices;
-mod drive;
 #[cfg(feature = "complete")]
 mod goals;
 mod grid;
@@ -12,6 +11,8 @@ mod grid_search;
 mod hybrid;
 mod outcome;
 mod path;
+mod path_sampling;
+mod queries;
 mod rasters;
 #[cfg(feature = "complete")]
 mod road;
@@ -19,11 +20,10 @@ mod road;
 mod road_curve;
 #[cfg(not(target_arch = "wasm32"))]
 mod serialize;
-mod session;
 #[cfg(feature = "complete")]
 mod stages;
 #[cfg(feature = "complete")]
-mod tow;
+mod tractrix;
 mod world;
 
 #[cfg(feature = "complete")]
@@ -36,8 +36,8 @@ pub use stages::{Stages, TangentArc};
 
 #[cfg(feature = "complete")]
 pub use crate::planners::hybrid::Prefer;
-pub use crate::search::Tell;
-pub use session::{Ends, Found};
+pub use crate::search::ProgressCallback;
+pub use queries::{Ends, Found};
 
 use std::num::NonZeroU32;
 
@@ -51,7 +51,7 @@ use crate::metrics::risk::{self, Risk};
 #[cfg(feature = "complete")]
 use crate::metrics::road::{Figures, figures};
 use crate::metrics::{Body, Check, check};
-use crate::planners::registry::{Family, Kind, default_config};
+use crate::planners::registry::{Family, PlannerId, default_config};
 #[cfg(feature = "complete")]
 use crate::scenario::Goals;
 use crate::scenario::Scenario;
@@ -80,7 +80,7 @@ pub struct Options<'a> {
     /// Told of the expansions so far each 16 384 cells, or 256 poses of a car, and never of more than
     /// [`Stats::expanded`]. The plan is the same with and without; where it breaks, the search ends as if its budget were
     /// spent.
-    pub progress: Option<Tell<'a>>,
+    pub progress: Option<ProgressCallback<'a>>,
     /// What hybrid A*'s path is chosen by, if not as ever.
     #[cfg(feature = "complete")]
     pub prefer: Option<Prefer>,
@@ -151,7 +151,7 @@ enum Engine {
 /// assert!(plan.metrics.length < 23.25);
 /// ```
 pub struct Planner {
-    kind: Kind,
+    kind: PlannerId,
     scenario: Scenario,
     /// Its `geometry` has the ends of the last plan.
     world: World,
@@ -172,7 +172,7 @@ impl Planner {
     /// # Errors
     /// What is wrong with the scene or the settings, by field, value and rule.
     pub fn new(id: &str, scenario: &Scenario, config: &Map<String, Value>) -> Result<Self, Error> {
-        let kind = Kind::of(id)?;
+        let kind = PlannerId::of(id)?;
         let mut settings = scenario.planners.get(id).cloned().unwrap_or_default();
         settings.extend(config.clone());
         for (name, other) in scenario.planners.iter().filter(|p| p.0 != id) {
@@ -187,7 +187,7 @@ impl Planner {
         let mut world = World::new(scenario)?;
         let engine = match kind {
             #[cfg(feature = "complete")]
-            Kind::CostMap => Engine::Road(Box::new(road::Engine::new(scenario, &world, &settings)?)),
+            PlannerId::CostMap => Engine::Road(Box::new(road::Engine::new(scenario, &world, &settings)?)),
             kind if kind.family() == Family::Hybrid => {
                 Engine::Hybrid(Box::new(hybrid::Engine::new(&world, kind, &settings)?))
             }

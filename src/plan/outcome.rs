@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::geometry::{Point, Pose, math};
 use crate::metrics::Check;
 use crate::planners::Obstruction;
-use crate::planners::hybrid::Shots;
+use crate::planners::hybrid::FailedExpansions;
 #[cfg(feature = "complete")]
 use crate::scenario::GoalPose;
 
@@ -200,7 +200,7 @@ pub enum PlanTrace {
         /// Arcs beyond the cap.
         dropped: u64,
         /// Analytic connections that hit something.
-        shots: Shots,
+        shots: FailedExpansions,
     },
 }
 

@@ -4,7 +4,7 @@ use serde_json::{Map, Value};
 
 use super::outcome::{Outcome, Plan, PlanTrace, Stats};
 use super::road_curve::{Curve, ENDS, along};
-use super::tow::tow;
+use super::tractrix::tractrix;
 use super::world::World;
 use super::{Driven, NEAR, STEP, TRACE, measured};
 use crate::error::Error;
@@ -13,7 +13,7 @@ use crate::geometry::{Point, Pose, Vector};
 use crate::metrics::Verdict;
 use crate::metrics::road::{self, RoadMetrics};
 use crate::planners::cost_map::{
-    Config, CostMap, Curves, Ground, Query, Report, Scratch, Smoothing, Status, Traffic, corners, dense,
+    Config, CostMap, Curves, Query, Report, RoadRasters, Scratch, Smoothing, Status, Traffic, corners, dense,
     kerb_distances, paper_spline, plan,
 };
 use crate::scenario::Scenario;
@@ -29,7 +29,7 @@ const LARGEST_CAR: f64 = 10.0;
 /// Cost-map A*, its rasters and its memory.
 pub(super) struct Engine {
     config: Config,
-    ground: Ground,
+    ground: RoadRasters,
     traffic: Traffic,
     costs: CostMap,
     scratch: Scratch,
@@ -207,7 +207,13 @@ fn is_open(scenario: &Scenario) -> bool {
     !scenario.lanes.is_empty()
 }
 
-fn costs(scenario: &Scenario, world: &World, ground: &Ground, traffic: &Traffic, config: &Config) -> CostMap {
+fn costs(
+    scenario: &Scenario,
+    world: &World,
+    ground: &RoadRasters,
+    traffic: &Traffic,
+    config: &Config,
+) -> CostMap {
     let kerb = kerb_distances(&world.frame, &world.geometry, is_open(scenario));
     CostMap::new(ground, &kerb, traffic, radius(world), config)
 }
@@ -218,9 +224,9 @@ fn middles(world: &World) -> [Point; 2] {
     [world.geometry.start, world.geometry.goal].map(|pose| pose.advance(0.0, lever).point())
 }
 
-fn ground(scenario: &Scenario, world: &World) -> Ground {
-    let ground = Ground::new(world.frame, &world.geometry, is_open(scenario));
-    Ground { weights: world.occupancy.weights().cloned(), ..ground }
+fn ground(scenario: &Scenario, world: &World) -> RoadRasters {
+    let ground = RoadRasters::new(world.frame, &world.geometry, is_open(scenario));
+    RoadRasters { weights: world.occupancy.weights().cloned(), ..ground }
 }
 
 fn drive(world: &World, line: &Line) -> Driven {
@@ -232,12 +238,12 @@ fn drive(world: &World, line: &Line) -> Driven {
     let length = line.chords.windows(2).fold(0.0, |sum, w| sum + (w[1] - w[0]).norm());
     let step = STEP.max(length * 1.25 / MAX_POSES);
     if let Some(curve) = &line.curve {
-        return tow(&world.geometry, &along(curve, step));
+        return tractrix(&world.geometry, &along(curve, step));
     }
     let points = dense(&line.chords, step);
     let way = |i: usize| points[(i + 1).min(points.len() - 1)] - points[i.min(points.len() - 2)];
     let places: Vec<(Point, Vector)> = (0..points.len()).map(|i| (points[i], way(i))).collect();
-    tow(&world.geometry, &places)
+    tractrix(&world.geometry, &places)
 }
 
 fn outcome(world: &World, query: &Query, status: Status) -> Outcome {

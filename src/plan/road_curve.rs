@@ -1,10 +1,10 @@
 //! The curve of a road plan: smooth, as cheap as the search's costs allow, and with the margin around the whole car.
 
-use super::tow::tow;
+use super::tractrix::tractrix;
 use super::world::World;
 use crate::geometry::bspline::{Place, Spline};
 use crate::geometry::{Point, Pose, Vector};
-use crate::planners::cost_map::{CostMap, Ground, Lateral, Smooth, Smoothing, Station, dense, smooth};
+use crate::planners::cost_map::{CostMap, Lateral, RoadRasters, Smooth, Smoothing, Station, dense, smooth};
 
 /// The body is tested at places of a curve this far apart, metres.
 const STATION: f64 = 0.25;
@@ -34,7 +34,7 @@ const MOST_MORE: f64 = 0.5;
 /// What a curve is made from.
 pub(super) struct Curve<'a> {
     pub(super) world: &'a World,
-    pub(super) ground: &'a Ground,
+    pub(super) ground: &'a RoadRasters,
     pub(super) costs: &'a CostMap,
     pub(super) how: Smoothing,
 }
@@ -137,7 +137,7 @@ impl Curve<'_> {
 
     /// Where the car's middle is and the room around the car there.
     fn rooms(&self, places: &[(Point, Vector)]) -> Vec<(Point, f64)> {
-        let towed = tow(&self.world.geometry, places);
+        let towed = tractrix(&self.world.geometry, places);
         let room = |pose: &Pose| self.world.body.signed_clearance(*pose);
         places.iter().zip(&towed.poses).map(|(place, pose)| (place.0, room(pose))).collect()
     }
@@ -174,7 +174,7 @@ impl Curve<'_> {
     /// Whether the towed car touches nothing but at the ends.
     fn is_clear(&self, spline: &Spline) -> bool {
         let world = self.world;
-        let towed = tow(&world.geometry, &along(spline, STATION));
+        let towed = tractrix(&world.geometry, &along(spline, STATION));
         let middle = |pose: &Pose| pose.advance(0.0, world.geometry.vehicle.middle()).point();
         let mut stations = vec![0.0];
         for pair in towed.poses.windows(2) {

@@ -1,6 +1,6 @@
 //! A scene as the planners need it: exact for the car, rasters for the grid.
 
-use crate::map::{Frame, Occupancy, Paint, Weights, raster};
+use crate::map::{Frame, Occupancy, WeightMap, Weights, raster};
 use crate::metrics::Body;
 use crate::scenario::resolve::{Form, Geometry, Owner};
 use crate::scenario::{Obstacle, Scenario};
@@ -43,8 +43,8 @@ impl World {
 
 impl World {
     /// What the floor costs, where it does not cost the same everywhere.
-    pub(super) fn paint(&self) -> Option<Paint> {
-        self.occupancy.weights().map(|weights| Paint { frame: self.frame, weights: weights.clone() })
+    pub(super) fn paint(&self) -> Option<WeightMap> {
+        self.occupancy.weights().map(|weights| WeightMap { frame: self.frame, weights: weights.clone() })
     }
 }
 

@@ -11,7 +11,7 @@ use super::query::{GridReport, GridScratch, Query};
 use super::settings::Common;
 use super::weighted::Weighted;
 use crate::json;
-use crate::search::{Observer, Stop, both_ways};
+use crate::search::{Observer, Stop, bidirectional};
 
 json::words!(Stop: "first" = First, "best" = Best, "nba" = Optimal);
 
@@ -61,7 +61,7 @@ pub fn plan<O: Observer<i64, ()>>(
         let grid =
             Weighted::new(Grid::new(&query, config.neighbours, config.common.corner, estimate), &query);
         let most = config.common.max_expansions;
-        let found = both_ways(&grid, query.ends(), config.stop, most, &mut scratch.lattice, observer);
+        let found = bidirectional(&grid, query.ends(), config.stop, most, &mut scratch.lattice, observer);
         return GridReport::along(&query, &found, grid.lattice.los_calls());
     }
     match config.neighbours {
@@ -85,6 +85,6 @@ fn search<E: Estimate, O: Observer<i64, ()>>(
         grid = grid.on_shortest_ways();
     }
     let most = config.common.max_expansions;
-    let found = both_ways(&grid, query.ends(), config.stop, most, &mut scratch.lattice, observer);
+    let found = bidirectional(&grid, query.ends(), config.stop, most, &mut scratch.lattice, observer);
     GridReport::along(&query, &found, grid.los_calls())
 }

@@ -6,8 +6,8 @@ use super::heuristics::Estimate;
 use super::moves::{D, DIRECTIONS, LEGAL, Move, Neighbourhood, R2, cost};
 use super::query::Query;
 use crate::map::{Cell, Corner, Occupancy, line_of_sight};
-use crate::search::lattice::{Lattice, Leg, Sink};
-use crate::search::{NodeId, Short};
+use crate::search::lattice::{Edge, EdgeSink, Lattice};
+use crate::search::{NodeId, PackedEntry};
 
 /// A step to one of the cells around.
 struct Single {
@@ -16,7 +16,7 @@ struct Single {
     dx: i32,
     dy: i32,
     /// As the search from the start takes it, and the one from the goal, which goes against its direction.
-    legs: [Leg; 2],
+    legs: [Edge; 2],
 }
 
 struct Step {
@@ -66,7 +66,7 @@ impl<'a, E: Estimate> Grid<'a, E> {
         let diagonals = neighbourhood != Neighbourhood::Four;
         let single = |direction: usize| {
             let (dx, dy) = DIRECTIONS[direction];
-            let leg = |number: usize| Leg::new(number as u32 >> u32::from(!diagonals), cost(dx, dy));
+            let leg = |number: usize| Edge::new(number as u32 >> u32::from(!diagonals), cost(dx, dy));
             Single { offset: dy * width + dx, dx, dy, legs: [leg(direction), leg(direction ^ 4)] }
         };
         Self {
@@ -96,7 +96,7 @@ impl<'a, E: Estimate> Grid<'a, E> {
     }
 
     #[inline]
-    fn offer<S: Sink>(&self, node: NodeId, last: Option<u32>, back: bool, sink: &mut S) {
+    fn offer<S: EdgeSink>(&self, node: NodeId, last: Option<u32>, back: bool, sink: &mut S) {
         // The search from the goal takes steps against their direction.
         let turned = if back { 4 } else { 0 };
         let free = self.map.free_around_index(node);
@@ -131,7 +131,7 @@ impl<'a, E: Estimate> Grid<'a, E> {
         self.los_calls.set(self.los_calls.get() + calls);
     }
 
-    fn offer_long<S: Sink>(&self, node: NodeId, back: bool, sink: &mut S) -> u32 {
+    fn offer_long<S: EdgeSink>(&self, node: NodeId, back: bool, sink: &mut S) -> u32 {
         let cell = self.map.cell(node);
         let window = self.map.window(cell);
         let mut calls = 0;
@@ -147,7 +147,7 @@ impl<'a, E: Estimate> Grid<'a, E> {
                     && (self.corner != Corner::NoSqueeze || line_of_sight(self.map, cell, to(), self.corner))
                 {
                     let number = if back { step.opposite } else { number as u32 };
-                    sink.take(Leg::new(number, step.cost), target, self.ahead(to(), back));
+                    sink.take(Edge::new(number, step.cost), target, self.ahead(to(), back));
                 }
             }
         }
@@ -163,7 +163,7 @@ impl<'a, E: Estimate> Grid<'a, E> {
 }
 
 impl<E: Estimate> Lattice for Grid<'_, E> {
-    type Entry = Short;
+    type Entry = PackedEntry;
 
     fn node_count(&self) -> usize {
         self.map.len()
@@ -173,11 +173,11 @@ impl<E: Estimate> Lattice for Grid<'_, E> {
         self.map.width() as usize + 1
     }
 
-    fn successors<S: Sink>(&self, node: NodeId, last: Option<u32>, sink: &mut S) {
+    fn successors<S: EdgeSink>(&self, node: NodeId, last: Option<u32>, sink: &mut S) {
         self.offer(node, last, false, sink);
     }
 
-    fn predecessors<S: Sink>(&self, node: NodeId, last: Option<u32>, sink: &mut S) {
+    fn predecessors<S: EdgeSink>(&self, node: NodeId, last: Option<u32>, sink: &mut S) {
         self.offer(node, last, true, sink);
     }
 

@@ -13,8 +13,8 @@ use super::parameters::{Form, parameters, spec};
 use super::query::{GridReport, GridScratch, Query};
 use super::settings::Common;
 use crate::map::{Bits, Cell};
-use crate::search::lattice::{Lattice, Leg, Sink, one_way};
-use crate::search::{NodeId, Observer, Short};
+use crate::search::lattice::{Edge, EdgeSink, Lattice, one_way};
+use crate::search::{NodeId, Observer, PackedEntry};
 
 parameters! {
     /// Settings of jump point search. Corners are strict.
@@ -75,10 +75,10 @@ impl Jumps<'_> {
 
     /// Offers a node that is reached in a direction.
     #[inline(always)]
-    fn emit<S: Sink>(&self, to: Cell, cost: i64, direction: u32, sink: &mut S) {
+    fn emit<S: EdgeSink>(&self, to: Cell, cost: i64, direction: u32, sink: &mut S) {
         let node = self.query.map.index(to);
         if sink.worth(node, cost) {
-            sink.take(Leg::new(direction, cost), node, self.ahead(to));
+            sink.take(Edge::new(direction, cost), node, self.ahead(to));
         }
     }
 
@@ -87,7 +87,7 @@ impl Jumps<'_> {
     }
 
     /// Jumps in one of a cell's [`Jumps::ways`].
-    fn jump<S: Sink>(&self, from: Cell, direction: u32, sink: &mut S) {
+    fn jump<S: EdgeSink>(&self, from: Cell, direction: u32, sink: &mut S) {
         if direction % 2 == 1 {
             self.diagonal(from, direction, sink);
         } else if let Some((to, steps)) = self.straight(from, direction) {
@@ -95,7 +95,7 @@ impl Jumps<'_> {
         }
     }
 
-    fn diagonal<S: Sink>(&self, from: Cell, direction: u32, sink: &mut S) {
+    fn diagonal<S: EdgeSink>(&self, from: Cell, direction: u32, sink: &mut S) {
         let goal = self.query.goal;
         let (dx, dy) = DIRECTIONS[direction as usize % 8];
         let (left, right) = ((direction + 1) % 8, (direction + 7) % 8);
@@ -133,7 +133,7 @@ impl Jumps<'_> {
 }
 
 impl Lattice for Jumps<'_> {
-    type Entry = Short;
+    type Entry = PackedEntry;
 
     /// A move's number is the direction in which the node was reached, as in [`DIRECTIONS`].
     const JUMPS: bool = true;
@@ -142,7 +142,7 @@ impl Lattice for Jumps<'_> {
         self.query.map.len()
     }
 
-    fn successors<S: Sink>(&self, node: NodeId, last: Option<u32>, sink: &mut S) {
+    fn successors<S: EdgeSink>(&self, node: NodeId, last: Option<u32>, sink: &mut S) {
         let cell = self.query.map.cell(node);
         let ways = self.ways(cell);
         let Some(reached) = last else {
@@ -163,7 +163,7 @@ impl Lattice for Jumps<'_> {
         }
     }
 
-    fn predecessors<S: Sink>(&self, _: NodeId, _: Option<u32>, _: &mut S) {
+    fn predecessors<S: EdgeSink>(&self, _: NodeId, _: Option<u32>, _: &mut S) {
         unreachable!("jumps lead forwards");
     }
 

@@ -2,7 +2,7 @@
 
 use crate::map::{Cell, Occupancy};
 use crate::search::lattice::Found;
-use crate::search::{End, Memory, NodeId, Short, Wide};
+use crate::search::{End, NodeId, PackedEntry, PackedScratch, WideEntry};
 #[cfg(feature = "complete")]
 use crate::search::{Report, Scratch};
 
@@ -91,14 +91,14 @@ pub struct GridReport {
 /// A grid search's memory, reused between queries.
 #[derive(Debug, Default)]
 pub struct GridScratch {
-    pub(super) lattice: Memory<Short>,
-    pub(super) risk: Memory<Wide>,
+    pub(super) lattice: PackedScratch<PackedEntry>,
+    pub(super) risk: PackedScratch<WideEntry>,
     #[cfg(feature = "complete")]
     pub(super) lengths: Scratch<f64, Cell>,
 }
 
 impl GridScratch {
-    /// Memory with nothing in it yet.
+    /// PackedScratch with nothing in it yet.
     pub fn new() -> Self {
         Self::default()
     }

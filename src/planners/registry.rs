@@ -85,7 +85,7 @@ pub struct Info {
 
 /// A planner as the composer dispatches it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum PlannerId {
     /// 4 neighbours.
     Four,
     /// 8 neighbours.
@@ -130,50 +130,62 @@ pub enum Kind {
 
 /// What is known of each planner, in the order of menus.
 const ROWS: &[Row] = &[
-    row(Kind::Four, "four", Family::Grid, ["4-neighbour", "四邻域"], "Hart, Nilsson, Raphael 1968"),
-    row(Kind::Eight, "eight", Family::Grid, ["8-neighbour", "八邻域"], "Hart, Nilsson, Raphael 1968"),
+    row(PlannerId::Four, "four", Family::Grid, ["4-neighbour", "四邻域"], "Hart, Nilsson, Raphael 1968"),
+    row(PlannerId::Eight, "eight", Family::Grid, ["8-neighbour", "八邻域"], "Hart, Nilsson, Raphael 1968"),
     #[cfg(feature = "complete")]
-    row(Kind::Sixteen, "sixteen", Family::Grid, ["16-neighbour", "十六邻域"], "Yuan 2020"),
+    row(PlannerId::Sixteen, "sixteen", Family::Grid, ["16-neighbour", "十六邻域"], "Yuan 2020"),
     #[cfg(feature = "complete")]
-    row(Kind::TwentyFour, "twenty-four", Family::Grid, ["24-neighbour", "二十四邻域"], "Yuan 2020"),
+    row(PlannerId::TwentyFour, "twenty-four", Family::Grid, ["24-neighbour", "二十四邻域"], "Yuan 2020"),
     #[cfg(feature = "complete")]
-    row(Kind::FortyEight, "forty-eight", Family::Grid, ["48-neighbour", "四十八邻域"], "Yuan 2020"),
+    row(PlannerId::FortyEight, "forty-eight", Family::Grid, ["48-neighbour", "四十八邻域"], "Yuan 2020"),
     #[cfg(feature = "complete")]
     row(
-        Kind::Bidirectional,
+        PlannerId::Bidirectional,
         "sixteen-bidirectional",
         Family::Grid,
         ["From both ends", "双向搜索"],
         "Yuan 2020; Pijls, Post 2009",
     ),
     #[cfg(feature = "complete")]
-    row(Kind::JumpPoint, "jump-point", Family::Grid, ["Jump points", "跳点搜索"], "Harabor, Grastien 2011"),
+    row(
+        PlannerId::JumpPoint,
+        "jump-point",
+        Family::Grid,
+        ["Jump points", "跳点搜索"],
+        "Harabor, Grastien 2011",
+    ),
     #[cfg(feature = "complete")]
     row(
-        Kind::AnyAngle,
+        PlannerId::AnyAngle,
         "any-angle",
         Family::Grid,
         ["Any angle", "任意角（Theta*）"],
         "Nash, Daniel, Koenig, Felner 2007",
     ),
-    row(Kind::RiskField, "risk-field", Family::Grid, ["Risk field", "改进A*（风险场）"], "Hu et al. 2024"),
+    row(
+        PlannerId::RiskField,
+        "risk-field",
+        Family::Grid,
+        ["Risk field", "改进A*（风险场）"],
+        "Hu et al. 2024",
+    ),
     #[cfg(feature = "complete")]
     row(
-        Kind::RiskFieldPlus,
+        PlannerId::RiskFieldPlus,
         "risk-field-plus",
         Family::Grid,
         ["Risk field plus", "改进A*+（风险场）"],
         "Hu et al. 2024, beyond",
     ),
     row(
-        Kind::Hybrid,
+        PlannerId::Hybrid,
         "hybrid",
         Family::Hybrid,
         ["Hybrid A*", "混合A*"],
         "Reverse-search hybrid A* for parking, 2025",
     ),
     row(
-        Kind::HybridForward,
+        PlannerId::HybridForward,
         "hybrid-forward",
         Family::Hybrid,
         ["Hybrid A*, forward", "混合A*（从起点搜索）"],
@@ -181,7 +193,7 @@ const ROWS: &[Row] = &[
     ),
     #[cfg(feature = "complete")]
     row(
-        Kind::HybridBidirectional,
+        PlannerId::HybridBidirectional,
         "hybrid-bidirectional",
         Family::Hybrid,
         ["Hybrid A*, both ends", "混合A*（双向搜索）"],
@@ -189,7 +201,7 @@ const ROWS: &[Row] = &[
     ),
     #[cfg(feature = "complete")]
     row(
-        Kind::HybridClassic,
+        PlannerId::HybridClassic,
         "hybrid-classic",
         Family::Hybrid,
         ["Hybrid A*, classic", "混合A*（经典）"],
@@ -197,7 +209,7 @@ const ROWS: &[Row] = &[
     ),
     #[cfg(feature = "complete")]
     row(
-        Kind::CostMap,
+        PlannerId::CostMap,
         "cost-map",
         Family::Road,
         ["Cost map", "代价地图A*"],
@@ -206,7 +218,7 @@ const ROWS: &[Row] = &[
 ];
 
 struct Row {
-    kind: Kind,
+    kind: PlannerId,
     id: &'static str,
     family: Family,
     /// English and Chinese.
@@ -215,7 +227,7 @@ struct Row {
 }
 
 const fn row(
-    kind: Kind,
+    kind: PlannerId,
     id: &'static str,
     family: Family,
     title: [&'static str; 2],
@@ -224,7 +236,7 @@ const fn row(
     Row { kind, id, family, title, paper }
 }
 
-impl Kind {
+impl PlannerId {
     /// The planner of this id.
     ///
     /// # Errors
@@ -298,7 +310,7 @@ impl Kind {
             Self::Hybrid => Box::new(hybrid::Config::DEFAULT),
             Self::HybridForward => Box::new(hybrid::Config::forward()),
             #[cfg(feature = "complete")]
-            Self::HybridBidirectional => Box::new(hybrid::Config::both_ways()),
+            Self::HybridBidirectional => Box::new(hybrid::Config::bidirectional()),
             #[cfg(feature = "complete")]
             Self::HybridClassic => Box::new(hybrid::Config::classic()),
             #[cfg(feature = "complete")]
@@ -325,7 +337,7 @@ impl Kind {
 /// # Errors
 /// [`ErrorCode::UnknownPlanner`].
 pub fn default_config(id: &str) -> Result<Map<String, Value>, Error> {
-    Ok(written(Kind::of(id)?.defaults().fields()))
+    Ok(written(PlannerId::of(id)?.defaults().fields()))
 }
 
 /// All planners.
@@ -383,16 +395,16 @@ mod tests {
     #[test]
     fn every_planner_has_one_row() {
         for (i, row) in ROWS.iter().enumerate() {
-            assert_eq!((row.kind.id(), Kind::of(row.id).unwrap()), (row.id, row.kind));
+            assert_eq!((row.kind.id(), PlannerId::of(row.id).unwrap()), (row.id, row.kind));
             assert_eq!(row.kind.neighbourhood().is_some(), i < 5, "{}", row.id);
         }
         // The last one of the enum.
-        assert_eq!(ROWS.len(), Kind::CostMap as usize + 1);
+        assert_eq!(ROWS.len(), PlannerId::CostMap as usize + 1);
     }
 
     #[test]
     fn an_unknown_planner_is_named() {
-        let error = Kind::of("rrt").unwrap_err();
+        let error = PlannerId::of("rrt").unwrap_err();
         assert!(error.message.starts_with("no planner \"rrt\"; there are four, eight"), "{error}");
     }
 }

@@ -6,7 +6,7 @@ use super::moves::{D, DIRECTIONS, R2, cost};
 use super::query::Query;
 use crate::map::{Cell, Occupancy, Weights};
 use crate::search::NodeId;
-use crate::search::lattice::{Hold, Lattice, Leg, Sink};
+use crate::search::lattice::{Edge, EdgeSink, Hold, Lattice};
 
 /// The cost of a straight move between two cells, every part of it times the weight of its cell, rounded up. Micro-cells.
 pub(crate) fn weighted_cost(weights: &Weights, from: Cell, to: Cell) -> i64 {
@@ -51,7 +51,7 @@ impl<'a, L> Weighted<'a, L> {
     }
 }
 
-impl<S: Sink> Weighing<'_, S> {
+impl<S: EdgeSink> Weighing<'_, S> {
     /// Those of the eight directions, every `stride`-th, that would improve what is known there.
     fn worth_in(&self, stride: usize) -> u32 {
         let worth = |c: usize| {
@@ -63,7 +63,7 @@ impl<S: Sink> Weighing<'_, S> {
     }
 }
 
-impl<S: Sink> Sink for Weighing<'_, S> {
+impl<S: EdgeSink> EdgeSink for Weighing<'_, S> {
     fn worth(&self, target: NodeId, _: i64) -> bool {
         self.sink.worth(target, weighted_cost(self.weights, self.from, self.map.cell(target)))
     }
@@ -76,7 +76,7 @@ impl<S: Sink> Sink for Weighing<'_, S> {
         self.worth_in(2)
     }
 
-    fn take(&mut self, leg: Leg, target: NodeId, h: i64) {
+    fn take(&mut self, leg: Edge, target: NodeId, h: i64) {
         let cost = weighted_cost(self.weights, self.from, self.map.cell(target));
         self.sink.take(leg.at(cost), target, h);
     }
@@ -97,11 +97,11 @@ impl<L: Lattice> Lattice for Weighted<'_, L> {
     }
 
     /// What the cell before could have been offered is not cheaper from there any more, so all moves are.
-    fn successors<S: Sink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
+    fn successors<S: EdgeSink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
         self.lattice.successors(node, None, &mut self.weighing(node, sink));
     }
 
-    fn predecessors<S: Sink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
+    fn predecessors<S: EdgeSink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
         self.lattice.predecessors(node, None, &mut self.weighing(node, sink));
     }
 
@@ -113,11 +113,11 @@ impl<L: Lattice> Lattice for Weighted<'_, L> {
         self.lattice.before(node, number)
     }
 
-    fn held_back<S: Sink>(&self, node: NodeId, note: u32, sink: &mut S) {
+    fn held_back<S: EdgeSink>(&self, node: NodeId, note: u32, sink: &mut S) {
         self.lattice.held_back(node, note, &mut self.weighing(node, sink));
     }
 
-    fn held_back_at_once<S: Sink>(&self, node: NodeId, sink: &mut S) {
+    fn held_back_at_once<S: EdgeSink>(&self, node: NodeId, sink: &mut S) {
         self.lattice.held_back_at_once(node, &mut self.weighing(node, sink));
     }
 

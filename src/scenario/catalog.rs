@@ -40,7 +40,7 @@ pub fn scenes() -> impl Iterator<Item = &'static Info> {
     let all = SCENES.iter();
     #[cfg(feature = "complete")]
     let all = all
-        .chain(&super::crossing::SCENES)
+        .chain(&super::moving_scenes::SCENES)
         .chain(&super::road_scenes::SCENES)
         .chain(&super::figure_scenes::SCENES);
     all
@@ -189,7 +189,7 @@ fn build(id: &str) -> Option<Scenario> {
         return Some(row);
     }
     #[cfg(feature = "complete")]
-    if let Some(scene) = super::crossing::build(id)
+    if let Some(scene) = super::moving_scenes::build(id)
         .or_else(|| super::road_scenes::build(id))
         .or_else(|| super::figure_scenes::build(id))
     {

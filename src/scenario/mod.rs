@@ -5,7 +5,6 @@ use std::collections::BTreeMap;
 
 use crate::geometry::Pose;
 use crate::vehicle::Vehicle;
-pub use drawn::Road;
 #[cfg(feature = "complete")]
 pub use goal_region::{GoalRegion, HEADING_TOLERANCE};
 #[cfg(feature = "complete")]
@@ -14,11 +13,9 @@ pub use goal_set::{EntryChoice, GoalPose, GoalSet, Goals, SlotChoice, SlotsGoal}
 pub use moving::MovingObstacle;
 #[cfg(feature = "complete")]
 pub use road::{Lane, LanePiece, SpeedLimit};
+pub use road_obstacle::Road;
 
 pub mod catalog;
-#[cfg(feature = "complete")]
-mod crossing;
-mod drawn;
 #[cfg(feature = "complete")]
 mod figure_scenes;
 pub mod generate;
@@ -28,13 +25,16 @@ mod goal_region;
 mod goal_set;
 #[cfg(feature = "complete")]
 mod moving;
-pub mod packed;
+#[cfg(feature = "complete")]
+mod moving_scenes;
 pub(crate) mod parse;
 pub mod resolve;
 #[cfg(feature = "complete")]
 mod road;
+mod road_obstacle;
 #[cfg(feature = "complete")]
 mod road_scenes;
+pub mod run_length;
 pub mod slot;
 pub(crate) mod validate;
 

@@ -4,7 +4,7 @@ use serde::de::{Deserialize, Deserializer, Error as _};
 use serde_json::Value;
 use std::collections::BTreeMap;
 
-use super::packed;
+use super::run_length;
 use super::{
     CostArea, Entry, Goal, Lean, MapFrame, Obstacle, Road, Scenario, Slot, SlotGoal, SlotKind, VehicleSpec,
 };
@@ -54,7 +54,7 @@ pub(crate) fn vehicle(value: &Value) -> Result<VehicleSpec> {
 
 /// Runs of cells: threes of numbers, or packed.
 fn runs(value: &Value) -> Result<Vec<[u32; 3]>> {
-    value.as_str().map_or_else(|| list(exactly(count))(value), packed::unpack)
+    value.as_str().map_or_else(|| list(exactly(count))(value), run_length::unpack)
 }
 
 fn obstacle(value: &Value) -> Result<Obstacle> {

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 #[cfg(feature = "complete")]
 use super::Goals;
-use super::drawn::kerbs;
+use super::road_obstacle::kerbs;
 use super::validate::{bad, finite_pose};
 use super::{Entry, Goal, MAX_CELLS, Obstacle, Road, Scenario, Slot};
 use crate::error::Error;

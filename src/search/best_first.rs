@@ -1,6 +1,6 @@
 //! A* and its kin: one loop for every planner.
 
-use super::open::Kind;
+use super::open_list::Kind;
 use super::{Budget, Cost, Domain, End, NodeId, Observer, Scratch, Tree};
 
 /// When to stop short of the cheapest completion.

@@ -1,4 +1,4 @@
-//! Entries of the [open list](super::queue) of lattice searches.
+//! Entries of the [open list](super::bucket_queue) of lattice searches.
 
 use super::NodeId;
 
@@ -51,12 +51,12 @@ const NOTE: u32 = 28;
 
 /// An entry in 16 bytes, whose costs must be from 0 to below 2⁴⁸: f, then h, then the node, from the highest bit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Short {
+pub struct PackedEntry {
     high: u64,
     low: u64,
 }
 
-impl Entry for Short {
+impl Entry for PackedEntry {
     const WIDTH: u32 = 12;
     const TIES: bool = true;
 
@@ -93,13 +93,13 @@ impl Entry for Short {
 
 /// An entry of any costs, whose f is taken to be spread widely.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Wide {
+pub struct WideEntry {
     f: i64,
     h: i64,
     node: u32,
 }
 
-impl Entry for Wide {
+impl Entry for WideEntry {
     const WIDTH: u32 = 18;
     const TIES: bool = false;
 
@@ -139,15 +139,15 @@ mod tests {
     #[test]
     fn entries_hold_what_they_are_given() {
         for (f, h) in [(0, 0), (3, 1 << 40), ((1 << 48) - 1, (1 << 48) - 1), (1 << 47, 1 << 32)] {
-            let entry = Short::new(f, h, u32::MAX);
+            let entry = PackedEntry::new(f, h, u32::MAX);
             assert_eq!((entry.f(), entry.h(), entry.mark()), (f, h, u32::MAX));
         }
     }
 
     #[test]
     fn smaller_f_then_smaller_h_then_the_newer_comes_first() {
-        ordered::<Short>();
-        ordered::<Wide>();
+        ordered::<PackedEntry>();
+        ordered::<WideEntry>();
     }
 
     fn ordered<E: Entry>() {
@@ -167,11 +167,11 @@ mod tests {
     #[test]
     fn a_mark_tells_node_note_and_whether_moves_are_held_back() {
         for (mark, told) in [
-            (Short::open(77), (77, 0, false)),
-            (Short::held(77, 5), (77, 5, true)),
-            (Short::held((1 << 28) - 1, 0), ((1 << 28) - 1, 0, true)),
+            (PackedEntry::open(77), (77, 0, false)),
+            (PackedEntry::held(77, 5), (77, 5, true)),
+            (PackedEntry::held((1 << 28) - 1, 0), ((1 << 28) - 1, 0, true)),
         ] {
-            let entry = Short::new(0, 0, mark);
+            let entry = PackedEntry::new(0, 0, mark);
             assert_eq!((entry.node(), entry.note(), entry.is_held()), told);
         }
     }

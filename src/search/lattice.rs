@@ -1,18 +1,18 @@
 //! Best-first search where every node has the same few moves and costs are whole numbers: eight bytes a node.
 //!
 //! The order, the counters and the result are those of [`best_first`](super::best_first); nodes carry no label and
-//! remember the move that led to them instead of their parent, so that a large map fits the caches. `both_ways`
+//! remember the move that led to them instead of their parent, so that a large map fits the caches. `bidirectional`
 //! searches from both ends.
 //!
 //! A lattice may hold back part of a node's moves ([`Lattice::HOLDS_BACK`]) until [`Lattice::hold`] lets them go.
 
 use super::entry::Entry;
-use super::side::{MOVE, Memory, Record, Relaxing, Side, cost_of, move_of};
+use super::frontier::{Frontier, MOVE, PackedScratch, Record, Relaxing, cost_of, move_of};
 use super::{Budget, End, NodeId, Observer};
 
 /// A graph whose nodes have numbered moves, at most 255, the same at each.
 pub trait Lattice {
-    /// What the open list keeps: [`Short`](super::Short), or [`Wide`](super::Wide) where priorities may be below zero or
+    /// What the open list keeps: [`PackedEntry`](super::PackedEntry), or [`WideEntry`](super::WideEntry) where priorities may be below zero or
     /// beyond 2⁴⁸.
     type Entry: Entry;
 
@@ -24,18 +24,18 @@ pub trait Lattice {
     /// Number of nodes.
     fn node_count(&self) -> usize;
 
-    /// How many numbers below 0 or from [`Lattice::node_count`] on its moves may name in [`Sink::worth_around`].
+    /// How many numbers below 0 or from [`Lattice::node_count`] on its moves may name in [`EdgeSink::worth_around`].
     fn rim(&self) -> usize {
         0
     }
 
     /// Offers the legal moves out of the node to `sink`. `last` is the move that led to it, where there was one: what
     /// the node before has been offered at no higher cost need not be offered again.
-    fn successors<S: Sink>(&self, node: NodeId, last: Option<u32>, sink: &mut S);
+    fn successors<S: EdgeSink>(&self, node: NodeId, last: Option<u32>, sink: &mut S);
 
     /// Offers the legal moves into the node: its number, the node that it comes from and its cost *from there*. `last`
     /// is the move that leads out of the node.
-    fn predecessors<S: Sink>(&self, node: NodeId, last: Option<u32>, sink: &mut S);
+    fn predecessors<S: EdgeSink>(&self, node: NodeId, last: Option<u32>, sink: &mut S);
 
     /// The node that the move leads to.
     fn after(&self, node: NodeId, number: u32) -> NodeId;
@@ -44,12 +44,12 @@ pub trait Lattice {
     fn before(&self, node: NodeId, number: u32) -> NodeId;
 
     /// Offers the moves that [`Lattice::successors`] held back, with the node's [`Lattice::note`].
-    fn held_back<S: Sink>(&self, node: NodeId, note: u32, sink: &mut S) {
+    fn held_back<S: EdgeSink>(&self, node: NodeId, note: u32, sink: &mut S) {
         let _ = (node, note, sink);
     }
 
     /// Offers them right after [`Lattice::successors`] of the same node, which improved nothing.
-    fn held_back_at_once<S: Sink>(&self, node: NodeId, sink: &mut S) {
+    fn held_back_at_once<S: EdgeSink>(&self, node: NodeId, sink: &mut S) {
         let _ = (node, sink);
     }
 
@@ -90,14 +90,14 @@ pub enum Hold {
 
 /// A move as a search keeps it.
 #[derive(Debug, Clone, Copy)]
-pub struct Leg {
+pub struct Edge {
     /// What it costs.
     pub(super) cost: i64,
     /// The cost and, in the lowest bits, the number.
     pub(super) code: u64,
 }
 
-impl Leg {
+impl Edge {
     /// The move of a number, at most 254, and a cost.
     #[inline]
     pub const fn new(number: u32, cost: i64) -> Self {
@@ -112,7 +112,7 @@ impl Leg {
 }
 
 /// Where a [`Lattice`] offers its moves.
-pub trait Sink {
+pub trait EdgeSink {
     /// Whether a move of this cost would improve what is known of `target`.
     fn worth(&self, target: NodeId, cost: i64) -> bool;
     /// The same for steps to the eight nodes around one, where rows have `row` nodes: bit c for the c-th of E, NE, N, NW,
@@ -120,8 +120,8 @@ pub trait Sink {
     fn worth_around(&self, node: NodeId, row: usize, straight: i64, diagonal: i64) -> u32;
     /// The same for steps to the east, north, west and south: bits 0, 2, 4 and 6.
     fn worth_beside(&self, node: NodeId, row: usize, straight: i64) -> u32;
-    /// Takes a move for which [`Sink::worth`] has just said yes, with the estimate beyond `target`.
-    fn take(&mut self, leg: Leg, target: NodeId, h: i64);
+    /// Takes a move for which [`EdgeSink::worth`] has just said yes, with the estimate beyond `target`.
+    fn take(&mut self, leg: Edge, target: NodeId, h: i64);
 }
 
 /// What a search found and what it did.
@@ -156,7 +156,7 @@ pub fn one_way<L: Lattice, O: Observer<i64, ()>>(
     lattice: &L,
     (start, goal): (NodeId, NodeId),
     max_expansions: u32,
-    memory: &mut Memory<L::Entry>,
+    memory: &mut PackedScratch<L::Entry>,
     observer: &mut O,
 ) -> Found {
     let h = lattice.to_goal(start);
@@ -218,7 +218,7 @@ pub fn one_way<L: Lattice, O: Observer<i64, ()>>(
 /// Relaxing in a search of one side.
 fn only<'a, L: Lattice, O>(
     lattice: &L,
-    memory: &'a mut Memory<L::Entry>,
+    memory: &'a mut PackedScratch<L::Entry>,
     observer: &'a mut O,
     at: (NodeId, Record),
 ) -> Relaxing<'a, L, O, 1, 0> {
@@ -242,7 +242,7 @@ impl Found {
         }
     }
 
-    pub(super) fn count<L: Lattice>(&mut self, lattice: &L, sides: &[Side<L::Entry>]) {
+    pub(super) fn count<L: Lattice>(&mut self, lattice: &L, sides: &[Frontier<L::Entry>]) {
         for side in sides {
             self.generated += side.generated;
             self.pushes += side.open.pushes();

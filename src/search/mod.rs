@@ -2,21 +2,21 @@
 
 mod best_first;
 #[cfg(feature = "complete")]
-mod bidirectional_best_first;
+mod bidirectional;
 #[cfg(feature = "complete")]
-mod both_ways;
+mod bidirectional_best_first;
+mod bucket_queue;
+mod bucket_sort;
 mod budget;
 mod entry;
+mod frontier;
 pub mod lattice;
+mod node_table;
 mod observer;
-mod open;
+mod open_list;
 #[cfg(test)]
 #[cfg(feature = "complete")]
-mod plain;
-mod queue;
-mod side;
-mod sorting;
-mod table;
+mod reference;
 #[cfg(test)]
 #[cfg(feature = "complete")]
 mod tests;
@@ -24,15 +24,15 @@ mod tree;
 
 pub use best_first::{Limits, Report, best_first};
 #[cfg(feature = "complete")]
-pub use bidirectional_best_first::{Join, Summary, Trees, bidirectional_best_first};
+pub use bidirectional::{Stop, bidirectional};
 #[cfg(feature = "complete")]
-pub use both_ways::{Stop, both_ways};
+pub use bidirectional_best_first::{Join, Summary, Trees, bidirectional_best_first};
 pub(crate) use budget::Budget;
-pub use entry::{Entry, Short, Wide};
-pub use observer::{Observer, Progress, Tell, Trace, Watch};
-pub use open::Order;
-pub use side::Memory;
-pub use table::Scratch;
+pub use entry::{Entry, PackedEntry, WideEntry};
+pub use frontier::PackedScratch;
+pub use node_table::Scratch;
+pub use observer::{Observer, Progress, ProgressCallback, Trace, Watch};
+pub use open_list::Order;
 pub use tree::Tree;
 
 /// Index of a node. Indices are dense: the search's memory grows with the largest.

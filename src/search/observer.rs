@@ -138,7 +138,7 @@ impl<C, L> Observer<C, L> for Trace {
 }
 
 /// Who is told how many nodes have been expanded, and says whether to go on.
-pub type Tell<'a> = &'a mut dyn FnMut(u32) -> ControlFlow<()>;
+pub type ProgressCallback<'a> = &'a mut dyn FnMut(u32) -> ControlFlow<()>;
 
 /// Tells how many nodes a plan's searches have expanded: at each multiple of some number, and when they have ended.
 pub struct Progress<'a> {
@@ -151,12 +151,12 @@ pub struct Progress<'a> {
     /// Expansions of the plan's searches before this one.
     before: u32,
     stopped: bool,
-    tell: Tell<'a>,
+    tell: ProgressCallback<'a>,
 }
 
 impl<'a> Progress<'a> {
     /// Tells after every so many expansions.
-    pub fn new(every: NonZeroU32, tell: Tell<'a>) -> Self {
+    pub fn new(every: NonZeroU32, tell: ProgressCallback<'a>) -> Self {
         Self {
             every,
             next: every.get(),

@@ -1,9 +1,9 @@
 //! Searches along a line of nodes, down to the last counter; a bidirectional one on random graphs, against Dijkstra's.
 
-use super::lattice::{Found, Hold, Lattice, Leg, Sink, one_way};
+use super::lattice::{Edge, EdgeSink, Found, Hold, Lattice, one_way};
 use super::{
-    Domain, End, Finish, Join, Limits, Memory, NodeId, Observer, Relax, Scratch, Stop, Summary, Tree, Trees,
-    Visit, Wide, bidirectional_best_first, both_ways,
+    Domain, End, Finish, Join, Limits, NodeId, Observer, PackedScratch, Relax, Scratch, Stop, Summary, Tree,
+    Trees, Visit, WideEntry, bidirectional, bidirectional_best_first,
 };
 
 /// Nodes 0 to 9 with steps of cost 1 up (number 0) and down (number 1). With `HOLDS`, steps down are held back.
@@ -22,19 +22,19 @@ impl<const JUMPS: bool, const HOLDS: bool> Line<JUMPS, HOLDS> {
         Self { ends: (start, goal), hold: Hold::UntilStuck, shot: None }
     }
 
-    fn offer<S: Sink>(to: NodeId, number: u32, h: i64, sink: &mut S) {
+    fn offer<S: EdgeSink>(to: NodeId, number: u32, h: i64, sink: &mut S) {
         if to < NODES && sink.worth(to, 1) {
-            sink.take(Leg::new(number, 1), to, h);
+            sink.take(Edge::new(number, 1), to, h);
         }
     }
 
     fn one_way(&self, expansions: u32) -> Found {
-        one_way(self, self.ends, expansions, &mut Memory::default(), &mut ())
+        one_way(self, self.ends, expansions, &mut PackedScratch::default(), &mut ())
     }
 }
 
 impl<const JUMPS: bool, const HOLDS: bool> Lattice for Line<JUMPS, HOLDS> {
-    type Entry = Wide;
+    type Entry = WideEntry;
     const JUMPS: bool = JUMPS;
     const HOLDS_BACK: bool = HOLDS;
 
@@ -44,21 +44,21 @@ impl<const JUMPS: bool, const HOLDS: bool> Lattice for Line<JUMPS, HOLDS> {
     fn rim(&self) -> usize {
         3
     }
-    fn successors<S: Sink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
+    fn successors<S: EdgeSink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
         Self::offer(node + 1, 0, self.to_goal(node + 1), sink);
         if !HOLDS {
             self.held_back_at_once(node, sink);
         }
     }
-    fn predecessors<S: Sink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
+    fn predecessors<S: EdgeSink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
         Self::offer(node.wrapping_sub(1), 0, self.to_start(node.wrapping_sub(1)), sink);
         Self::offer(node + 1, 1, self.to_start(node + 1), sink);
     }
-    fn held_back<S: Sink>(&self, node: NodeId, note: u32, sink: &mut S) {
+    fn held_back<S: EdgeSink>(&self, node: NodeId, note: u32, sink: &mut S) {
         assert_eq!(note, NOTE);
         self.held_back_at_once(node, sink);
     }
-    fn held_back_at_once<S: Sink>(&self, node: NodeId, sink: &mut S) {
+    fn held_back_at_once<S: EdgeSink>(&self, node: NodeId, sink: &mut S) {
         let down = node.wrapping_sub(1);
         Self::offer(down, 1, self.to_goal(down), sink);
     }
@@ -88,7 +88,7 @@ impl<const JUMPS: bool, const HOLDS: bool> Lattice for Line<JUMPS, HOLDS> {
 
 /// Records of all nodes and of three more on either side, eight bytes for each side that searches.
 const RECORDS: u64 = 16 * 8;
-const ENTRY: u64 = size_of::<Wide>() as u64;
+const ENTRY: u64 = size_of::<WideEntry>() as u64;
 
 #[test]
 fn one_side_counts_what_it_does() {
@@ -120,7 +120,7 @@ fn a_budget_ends_a_search_where_it_is() {
     }
     let line = Line::<false, false>::new(2, 5);
     for stop in [Stop::First, Stop::Best, Stop::Optimal] {
-        let found = both_ways(&line, line.ends, stop, 2, &mut Memory::default(), &mut ());
+        let found = bidirectional(&line, line.ends, stop, 2, &mut PackedScratch::default(), &mut ());
         assert_eq!((found.end, found.expanded, found.nodes.len()), (End::BudgetSpent, 2, 0));
     }
 }
@@ -157,7 +157,7 @@ fn moves_that_are_held_back_wait() {
 #[test]
 fn two_sides_count_what_they_do() {
     let line = Line::<false, false>::new(2, 7);
-    let found = |stop| both_ways(&line, line.ends, stop, 100, &mut Memory::default(), &mut ());
+    let found = |stop| bidirectional(&line, line.ends, stop, 100, &mut PackedScratch::default(), &mut ());
     let want = Found {
         end: End::Found,
         cost: 5,
@@ -182,7 +182,7 @@ fn two_sides_count_what_they_do() {
 
 #[test]
 fn a_memory_serves_more_searches_than_it_has_generations() {
-    let mut memory = Memory::default();
+    let mut memory = PackedScratch::default();
     for k in 0..5000 {
         let line = Line::<false, false>::new(k % NODES, k * 7 % NODES);
         let found = one_way(&line, line.ends, 100, &mut memory, &mut ());
@@ -196,7 +196,7 @@ fn a_memory_serves_more_searches_than_it_has_generations() {
 
 #[test]
 fn a_leg_at_another_cost_is_the_same_move() {
-    let (leg, other) = (Leg::new(200, 5).at(1 << 40), Leg::new(200, 1 << 40));
+    let (leg, other) = (Edge::new(200, 5).at(1 << 40), Edge::new(200, 1 << 40));
     assert_eq!((leg.cost, leg.code), (other.cost, other.code));
 }
 

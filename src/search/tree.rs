@@ -2,8 +2,8 @@
 //!
 //! [`best_first`](super::best_first()) grows one, a bidirectional search two, by the same steps.
 
-use super::open::{Entry, Kind};
-use super::table::{NO_PARENT, Slot};
+use super::node_table::{NO_PARENT, Slot};
+use super::open_list::{Entry, Kind};
 use super::{Cost, Domain, Finish, NodeId, Observer, Relax, Scratch, Visit};
 
 /// A domain, and what a search has found in it so far.

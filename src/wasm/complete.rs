@@ -11,9 +11,9 @@ use crate::import::{self, Question};
 use crate::metrics::risk;
 use crate::papers::{claims, grid, parking, road, stranded, verdicts, volumes};
 use crate::plan;
-use crate::scenario::{Obstacle, Scenario, generate, packed};
+use crate::scenario::{Obstacle, Scenario, generate, run_length};
 
-/// Runs of one obstacle beyond which they cross the border packed.
+/// Runs of one obstacle beyond which they cross the border run-length encoded.
 const MANY: usize = 200;
 
 /// Reads the files of another program; their bytes in the order of their names.
@@ -78,7 +78,7 @@ impl RawPlanner {
     ) -> JsResult {
         let (mut options, ends) = self.options(options)?;
         let mut told = tell.map(|tell| move |expanded: u32| goes_on(&tell, &expanded.into()));
-        options.progress = told.as_mut().map(|told| told as plan::Tell);
+        options.progress = told.as_mut().map(|told| told as plan::ProgressCallback);
         let (scene, geometry) = (self.planner.scenario().clone(), self.planner.geometry().clone());
         let mut better = |plan: &plan::Plan| goes_on(improved, &answer::plan(&scene, &geometry, plan));
         options.improved = Some(&mut better);
@@ -251,13 +251,15 @@ fn question(question: &Question) -> Value {
     json!({ "bucket": bucket, "start": start, "goal": goal, "length": length })
 }
 
-/// A scene as JSON, long lists of cells packed: `api.js` unpacks them faster than the border passes their numbers.
+/// A scene as JSON, long lists of cells run-length encoded: `api.js` unpacks them faster than the border passes their numbers.
 fn scene(mut scene: Scenario) -> Value {
     let long: Vec<Option<String>> = scene
         .obstacles
         .iter_mut()
         .map(|obstacle| match obstacle {
-            Obstacle::Cells { runs, .. } if runs.len() > MANY => Some(packed::pack(&std::mem::take(runs))),
+            Obstacle::Cells { runs, .. } if runs.len() > MANY => {
+                Some(run_length::pack(&std::mem::take(runs)))
+            }
             _ => None,
         })
         .collect();

@@ -124,7 +124,7 @@ impl RawPlanner {
     pub fn plan(&mut self, options: JsValue, tell: Option<js_sys::Function>) -> JsResult {
         let (mut options, ends) = self.options(options)?;
         let mut told = tell.map(|tell| move |expanded: u32| goes_on(&tell, &expanded.into()));
-        options.progress = told.as_mut().map(|told| told as plan::Tell);
+        options.progress = told.as_mut().map(|told| told as plan::ProgressCallback);
         let plan = self.planner.plan_between(ends, options).map_err(|e| codec::js_error(&e))?;
         Ok(answer::plan(self.planner.scenario(), self.planner.geometry(), &plan))
     }

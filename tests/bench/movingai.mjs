@@ -12,11 +12,15 @@ export function load(folder, name) {
   for (let y = 0; y < height; y++) {
     for (let x = 0; x < width; x++) blocked[y * width + x] = ".GS".includes(lines[4 + y][x]) ? 0 : 1;
   }
-  const rows = readFileSync(join(folder, `${name}.map.scen`), "latin1").split(/\r?\n/).slice(1);
-  const questions = rows.filter((row) => row.trim() !== "").map((row) => {
-    const [x0, y0, x1, y1, length] = row.split(/\s+/).slice(4).map(Number);
-    return { x0, y0, x1, y1, length };
-  });
+  const rows = readFileSync(join(folder, `${name}.map.scen`), "latin1")
+    .split(/\r?\n/)
+    .slice(1);
+  const questions = rows
+    .filter((row) => row.trim() !== "")
+    .map((row) => {
+      const [x0, y0, x1, y1, length] = row.split(/\s+/).slice(4).map(Number);
+      return { x0, y0, x1, y1, length };
+    });
   return { name, width, height, blocked, questions, text };
 }
 
@@ -38,7 +42,8 @@ export function walk(map, question, path, { four = false, cuts = false } = {}) {
   const isBlocked = (x, y) => x < 0 || y < 0 || x >= width || y >= height || blocked[y * width + x] === 1;
   const last = path.length - 2;
   const ends = [path[0], path[1], path[last], path[last + 1]];
-  if (path.length < 2 || ends.join() !== [question.x0, question.y0, question.x1, question.y1].join()) return "other ends";
+  if (path.length < 2 || ends.join() !== [question.x0, question.y0, question.x1, question.y1].join())
+    return "other ends";
   let length = 0;
   for (let i = 2; i < path.length; i += 2) {
     const [x, y, dx, dy] = [path[i - 2], path[i - 1], path[i] - path[i - 2], path[i + 1] - path[i - 1]];

@@ -66,14 +66,19 @@ say(`| scene | check | length, m (best known) | bound, m | gear changes (best kn
 for (const row of rows) {
   const { name, verdict, length, bound, changes, clearance, margin, level, expanded, query, whole, wasm, best } = row;
   const nearly = row.near ? `${row.near.length.toFixed(2)}, ${row.near.changes}` : "–";
-  say(`| ${name} | ${verdict} | ${length.toFixed(2)}${known(best?.length)} | ${bound.toFixed(2)} | ${changes}${known(best?.changes)} | ${nearly} | ${clearance.toFixed(3)} | ${margin} | ${level} | ${expanded} | ${ms(query)}${known(best?.milliseconds)} | ${ms(whole)} | ${ms(wasm)} |`);
+  say(
+    `| ${name} | ${verdict} | ${length.toFixed(2)}${known(best?.length)} | ${bound.toFixed(2)} | ${changes}${known(best?.changes)} | ${nearly} | ${clearance.toFixed(3)} | ${margin} | ${level} | ${expanded} | ${ms(query)}${known(best?.milliseconds)} | ${ms(whole)} | ${ms(wasm)} |`,
+  );
 }
 
 say("\n| goal | reached | floor | aim | |\n| --- | --- | --- | --- | --- |");
 function goal(what, values, floors, aims, unit, digits = 2) {
   const within = (bounds) => values.every((value, at) => value <= bounds[at]);
-  const text = (list) => list.map((value) => `${Number.isInteger(value) ? value : value.toFixed(digits)}${unit}`).join(" / ");
-  say(`| ${what} | ${text(values)} | ${text(floors)} | ${text(aims)} | ${within(aims) ? "aim" : within(floors) ? "floor" : "BELOW"} |`);
+  const text = (list) =>
+    list.map((value) => `${Number.isInteger(value) ? value : value.toFixed(digits)}${unit}`).join(" / ");
+  say(
+    `| ${what} | ${text(values)} | ${text(floors)} | ${text(aims)} | ${within(aims) ? "aim" : within(floors) ? "floor" : "BELOW"} |`,
+  );
 }
 
 const settings = [
@@ -84,16 +89,39 @@ const cases = of("tpcap");
 if (cases.length > 0) {
   for (const [what, side] of settings) {
     const unsolved = cases.filter((row) => side(row).verdict !== "ok").map(({ name }) => name);
-    goal(`H1 TPCAP cases not solved, of ${cases.length}, ${what}`, [unsolved.length], [Number(unsolved.every((name) => name === "Case7"))], [0], "");
+    goal(
+      `H1 TPCAP cases not solved, of ${cases.length}, ${what}`,
+      [unsolved.length],
+      [Number(unsolved.every((name) => name === "Case7"))],
+      [0],
+      "",
+    );
     const queries = cases.map((row) => side(row).query);
-    goal(`H2 TPCAP, query, native, ${what}: median / worst`, [median(queries), worst(queries)], [8, 300], [3, 150], " ms");
+    goal(
+      `H2 TPCAP, query, native, ${what}: median / worst`,
+      [median(queries), worst(queries)],
+      [8, 300],
+      [3, 150],
+      " ms",
+    );
   }
 }
-for (const [name, group] of [["TPCAP", "tpcap"], ["lots", "lots"], ["paper rows", "paper"], ["tight slots", "tight"]]) {
+for (const [name, group] of [
+  ["TPCAP", "tpcap"],
+  ["lots", "lots"],
+  ["paper rows", "paper"],
+  ["tight slots", "tight"],
+]) {
   const some = of(group);
   if (some.length === 0) continue;
   const total = (key) => some.reduce((sum, row) => sum + row[key], 0);
-  goal(`H3 ${name}, WebAssembly / native: median / of the sums`, [median(some.map(({ wasm, whole }) => wasm / whole)), total("wasm") / total("whole")], [2, 2], [1.4, 1.4], "x");
+  goal(
+    `H3 ${name}, WebAssembly / native: median / of the sums`,
+    [median(some.map(({ wasm, whole }) => wasm / whole)), total("wasm") / total("whole")],
+    [2, 2],
+    [1.4, 1.4],
+    "x",
+  );
 }
 const paper = of("paper").map(({ wasm }) => wasm);
 goal("H4 paper rows, WebAssembly: median / worst", [median(paper), worst(paper)], [60, 200], [15, 60], " ms");
@@ -105,13 +133,22 @@ for (const [what, side] of settings) {
   goal(`H5 length over the best known, ${what}: worst`, [worst(lengths)], [1.05], [1], "x", 3);
   const extra = compared.map((row) => side(row).changes - row.best.changes);
   const more = extra.filter((n) => n > 0).length;
-  goal(`H6 gear changes beyond the best known, ${what}: most / percent of ${compared.length} scenes with more`, [worst(extra), (more / compared.length) * 100], [1, 20], [0, 0], "", 0);
+  goal(
+    `H6 gear changes beyond the best known, ${what}: most / percent of ${compared.length} scenes with more`,
+    [worst(extra), (more / compared.length) * 100],
+    [1, 20],
+    [0, 0],
+    "",
+    0,
+  );
 }
 goal("H7 before the first query: worst", [worst(rows.map(({ prepare }) => prepare))], [20], [5], " ms");
 say(`\n${readFileSync(hopeless, "utf8").trim()}`);
 
 if (cases.length === 0) {
-  console.log("\nskipped: no TPCAP cases in PARKADE_DATA (tpcap/Case1.csv of libai1943/TPCAP_benchmarks); the built-in scenes alone are not written down");
+  console.log(
+    "\nskipped: no TPCAP cases in PARKADE_DATA (tpcap/Case1.csv of libai1943/TPCAP_benchmarks); the built-in scenes alone are not written down",
+  );
 } else {
   const head = `# Parking
 

@@ -21,7 +21,8 @@ if (what === "memory") {
   // The engine compiles what is called often, on threads of its own; that is not to be measured.
   for (const { id } of rows) paperRoad({ row: id, rounds: 2 });
   const tables = rows.map(({ id }) => paperRoad({ row: id, rounds: Number(what) }));
-  const node = (...words) => execFileSync(process.execPath, [fileURLToPath(import.meta.url), ...words], { encoding: "utf8" });
+  const node = (...words) =>
+    execFileSync(process.execPath, [fileURLToPath(import.meta.url), ...words], { encoding: "utf8" });
   const grown = tables.map(({ row }) => (row.ship ? null : Number(node("memory", row.scene))));
   console.log(JSON.stringify({ tables, grown }));
 }

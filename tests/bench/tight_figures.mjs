@@ -14,16 +14,23 @@ import { heatMap } from "./heat_map.mjs";
 const FAMILIES = {
   kerb: { title: "Kerb slots", x: "Slot length minus car length, m", y: "Street width, m" },
   bay: { title: "Perpendicular slots", x: "Slot width minus car width, m", y: "Aisle width, m" },
-  corner: { title: "Right-angle corners", x: "Width of the lane before the corner, m", y: "Width of the lane after it, m" },
+  corner: {
+    title: "Right-angle corners",
+    x: "Width of the lane before the corner, m",
+    y: "Width of the lane after it, m",
+  },
 };
 /** @type {Record<string, string>} */
 const VEHICLES = { sedan: "sedan", paper: "the parking paper’s car" };
 
 /** Where the colours change: shares solved, and gear changes. */
-const SHARES = [0.001, 0.25, 0.5, 0.75, 1], CHANGES = [2, 4, 7, 11, 21];
+const SHARES = [0.001, 0.25, 0.5, 0.75, 1],
+  CHANGES = [2, 4, 7, 11, 21];
 
-const step = (/** @type {number[]} */ bounds, /** @type {number} */ value) => bounds.filter((bound) => value >= bound).length;
-const of = (/** @type {TightMap} */ { family, vehicle }) => /** @type {const} */ ([FAMILIES[family], VEHICLES[vehicle]]);
+const step = (/** @type {number[]} */ bounds, /** @type {number} */ value) =>
+  bounds.filter((bound) => value >= bound).length;
+const of = (/** @type {TightMap} */ { family, vehicle }) =>
+  /** @type {const} */ ([FAMILIES[family], VEHICLES[vehicle]]);
 
 export const fileOf = (/** @type {TightMap} */ { family, vehicle }) => `tight-${family}-${vehicle}.svg`;
 
@@ -36,8 +43,26 @@ export function figureOf(map, count) {
     along: { title: family?.x ?? "", sizes: map.x },
     up: { title: family?.y ?? "", sizes: map.y },
     panels: [
-      { title: `Solved, % of ${count} scenes`, scale: "good", cells: map.cells.map((row) => row.map(([solved, undecided]) => ({ text: String(percent(solved)), step: step(SHARES, solved / count), isMarked: undecided > 0 }))) },
-      { title: "Gear changes, median of the solved", scale: "bad", cells: map.cells.map((row) => row.map(([, , changes]) => changes === null ? null : { text: String(changes), step: step(CHANGES, changes) })) },
+      {
+        title: `Solved, % of ${count} scenes`,
+        scale: "good",
+        cells: map.cells.map((row) =>
+          row.map(([solved, undecided]) => ({
+            text: String(percent(solved)),
+            step: step(SHARES, solved / count),
+            isMarked: undecided > 0,
+          })),
+        ),
+      },
+      {
+        title: "Gear changes, median of the solved",
+        scale: "bad",
+        cells: map.cells.map((row) =>
+          row.map(([, , changes]) =>
+            changes === null ? null : { text: String(changes), step: step(CHANGES, changes) },
+          ),
+        ),
+      },
     ],
     note: "at least one scene has neither a path nor a proof that there is none",
   });
@@ -68,29 +93,55 @@ function leastInWords(map, count, up) {
 }
 
 /** From which sizes on every scene is solved. @param {Tight} tight */
-export const shortTable = ({ count, maps }) => table([["all scenes are solved from", ...Object.keys(VEHICLES)], ...TYPICAL.map(({ family, up, what }) =>
-  [what, ...maps.filter((map) => map.family === family).map((map) => leastInWords(map, count, up))])]);
+export const shortTable = ({ count, maps }) =>
+  table([
+    ["all scenes are solved from", ...Object.keys(VEHICLES)],
+    ...TYPICAL.map(({ family, up, what }) => [
+      what,
+      ...maps.filter((map) => map.family === family).map((map) => leastInWords(map, count, up)),
+    ]),
+  ]);
 
 const sum = (/** @type {number[]} */ values) => values.reduce((total, value) => total + value, 0);
 
 /** @param {(string | number)[][]} rows */
-const table = (rows) => rows.map((row, i) => `| ${row.join(" | ")} |${i === 0 ? `\n|${" --- |".repeat(row.length)}` : ""}`).join("\n");
+const table = (rows) =>
+  rows.map((row, i) => `| ${row.join(" | ")} |${i === 0 ? `\n|${" --- |".repeat(row.length)}` : ""}`).join("\n");
 
 /** Solved, proven impossible and neither, of so many scenes. */
-const outcomes = (/** @type {number} */ scenes, /** @type {number} */ solved, /** @type {number} */ undecided) => [scenes, solved, scenes - solved - undecided, undecided];
+const outcomes = (/** @type {number} */ scenes, /** @type {number} */ solved, /** @type {number} */ undecided) => [
+  scenes,
+  solved,
+  scenes - solved - undecided,
+  undecided,
+];
 
 const OUTCOMES = ["scenes", "solved", "no way, proven", "neither"];
 
 /** Outcomes over all cells of each map, with what `time` says of it. @param {Tight} tight @param {(map: TightMap) => string} time */
-export const mapTable = ({ count, maps }, time) => table([["", "car", ...OUTCOMES, "median time"], ...maps.map((map) => {
-  const cells = map.cells.flat(), [family] = of(map);
-  const total = (/** @type {0 | 1} */ at) => sum(cells.map((cell) => cell[at]));
-  return [family?.title ?? "", map.vehicle, ...outcomes(cells.length * count, total(0), total(1)), time(map)];
-})]);
+export const mapTable = ({ count, maps }, time) =>
+  table([
+    ["", "car", ...OUTCOMES, "median time"],
+    ...maps.map((map) => {
+      const cells = map.cells.flat(),
+        [family] = of(map);
+      const total = (/** @type {0 | 1} */ at) => sum(cells.map((cell) => cell[at]));
+      return [family?.title ?? "", map.vehicle, ...outcomes(cells.length * count, total(0), total(1)), time(map)];
+    }),
+  ]);
 
 /** @param {Tight} tight */
-export const kindTable = ({ kinds }) => table([["", "car", ...OUTCOMES, "gear changes", "margin, cm"], ...kinds.map(({ kind, vehicle, scenes, solved, undecided, changes, margin }) =>
-  [kind, vehicle, ...outcomes(scenes, solved, undecided), changes ?? "–", margin === null ? "–" : (margin * 100).toFixed(1)])]);
+export const kindTable = ({ kinds }) =>
+  table([
+    ["", "car", ...OUTCOMES, "gear changes", "margin, cm"],
+    ...kinds.map(({ kind, vehicle, scenes, solved, undecided, changes, margin }) => [
+      kind,
+      vehicle,
+      ...outcomes(scenes, solved, undecided),
+      changes ?? "–",
+      margin === null ? "–" : (margin * 100).toFixed(1),
+    ]),
+  ]);
 
 /** 10 ms, 100 ms, 1 s. @param {number} milliseconds */
 export function magnitude(milliseconds) {
@@ -101,7 +152,8 @@ export function magnitude(milliseconds) {
 /** The text with what stands between the marks of a block replaced. @param {string} text @param {string} name @param {string} block */
 export function withBlock(text, name, block) {
   const [head, tail] = [`<!-- ${name} -->\n`, `\n<!-- /${name} -->`];
-  const from = text.indexOf(head), to = text.indexOf(tail);
+  const from = text.indexOf(head),
+    to = text.indexOf(tail);
   if (from < 0 || to < from) throw new Error(`the page has no block ${name}`);
   return text.slice(0, from + head.length) + block + text.slice(to);
 }

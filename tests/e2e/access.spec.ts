@@ -5,7 +5,9 @@ import { complaintsOf, expectFourAnswers, onScreen, open, sceneOf, type Playgrou
 const PHONE = { width: 390, height: 844 };
 
 async function violations(page: Page): Promise<string[]> {
-  const { violations } = await new AxeBuilder({ page }).withTags(["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"]).analyze();
+  const { violations } = await new AxeBuilder({ page })
+    .withTags(["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"])
+    .analyze();
   return violations.map((one) => `${one.id}: ${one.nodes.map((node) => node.target.join(" ")).join("; ")}`);
 }
 
@@ -53,16 +55,20 @@ test("a phone shows one map, nothing to scroll sideways, and the start pose in t
     document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ camera: view.view.camera });
   });
   const at = await onScreen(page, start.x, start.y);
-  const top = await page.evaluate(([x, y]) => {
-    let root: Document | ShadowRoot = document, found: Element | null = null;
-    for (;;) {
-      const next: Element | null = root.elementFromPoint(x, y);
-      if (!next || next === found) return found?.localName;
-      found = next;
-      if (!next.shadowRoot) return next.localName;
-      root = next.shadowRoot;
-    }
-  }, [at.x, at.y] as const);
+  const top = await page.evaluate(
+    ([x, y]) => {
+      let root: Document | ShadowRoot = document,
+        found: Element | null = null;
+      for (;;) {
+        const next: Element | null = root.elementFromPoint(x, y);
+        if (!next || next === found) return found?.localName;
+        found = next;
+        if (!next.shadowRoot) return next.localName;
+        root = next.shadowRoot;
+      }
+    },
+    [at.x, at.y] as const,
+  );
   expect(top).toBe("canvas");
   expect(complaints).toEqual([]);
 });
@@ -77,7 +83,8 @@ test("controls of the phone are large enough for fingers", async ({ browser }) =
         if (element.shadowRoot) visit(element.shadowRoot);
         if (element.localName !== "button") continue;
         const { width, height } = element.getBoundingClientRect();
-        if (width > 0 && (width < 40 || height < 24)) list.push(`${element.ariaLabel ?? element.textContent?.trim()} ${width}×${height}`);
+        if (width > 0 && (width < 40 || height < 24))
+          list.push(`${element.ariaLabel ?? element.textContent?.trim()} ${width}×${height}`);
       }
     };
     visit(document);
@@ -99,13 +106,23 @@ test("the language changes everywhere at once", async ({ page }) => {
     const visit = (root: ParentNode): void => {
       for (const element of root.querySelectorAll("*")) {
         if (element.shadowRoot) visit(element.shadowRoot);
-        const texts = [...element.childNodes].filter((node) => node.nodeType === Node.TEXT_NODE).map((node) => node.textContent!.trim());
+        const texts = [...element.childNodes]
+          .filter((node) => node.nodeType === Node.TEXT_NODE)
+          .map((node) => node.textContent!.trim());
         const names = ["aria-label", "title"].map((name) => element.getAttribute(name) ?? "");
-        for (const text of [...texts, ...names]) if (/[A-Za-z]{4,}/.test(text) && !/\p{Script=Han}/u.test(text) && !["STYLE", "SCRIPT"].includes(element.tagName)) left.push(text);
+        for (const text of [...texts, ...names])
+          if (
+            /[A-Za-z]{4,}/.test(text) &&
+            !/\p{Script=Han}/u.test(text) &&
+            !["STYLE", "SCRIPT"].includes(element.tagName)
+          )
+            left.push(text);
       }
     };
     visit(document.querySelector("parkade-playground")!.shadowRoot!);
-    return [...new Set(left)].filter((text) => !/^(Parkade|English|Ctrl|Markdown)/.test(text) && !/Parkade|Ctrl|Markdown|JSON|Shift/.test(text));
+    return [...new Set(left)].filter(
+      (text) => !/^(Parkade|English|Ctrl|Markdown)/.test(text) && !/Parkade|Ctrl|Markdown|JSON|Shift/.test(text),
+    );
   });
   expect(english).toEqual([]);
 });
@@ -115,7 +132,9 @@ test.describe("with a finger", () => {
 
   test("a tap on a phone writes out force, slope and region of the cell", async ({ page }) => {
     await open(page);
-    await page.waitForFunction(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.state.complete);
+    await page.waitForFunction(
+      () => document.querySelector<PlaygroundElement>("parkade-playground")!.store.state.complete,
+    );
     await page.evaluate(() => {
       const playground = document.querySelector<PlaygroundElement>("parkade-playground")!;
       playground.scene = "random-60";
@@ -131,7 +150,9 @@ test.describe("with a finger", () => {
       await page.touchscreen.tap(x + width * (at += 0.03), y + height * 0.45);
       await expect(readout).toContainText(/F[\d.]+.*k.*Table [12], region.*[1-8A-D]/, { timeout: 2000 });
     }).toPass();
-    await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ hover: null }));
+    await page.evaluate(() =>
+      document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ hover: null }),
+    );
     await expect(readout).toHaveCount(0);
   });
 });

@@ -12,21 +12,25 @@ test("in the example book playgrounds come alive, move nothing, and leave the bo
   await page.emulateMedia({ reducedMotion: "reduce" });
   const shifts = await watchShifts(page);
   await page.goto("/book/parking.html");
-  const outcomes = () => page.evaluate(async () => {
-    const found: (string | undefined)[] = [];
-    for (const element of document.querySelectorAll<Embed>("parkade-playground")) {
-      element.scrollIntoView({ block: "center" });
-      await element.ready;
-      found.push(...Object.values(element.results).map((plan) => plan?.outcome));
-    }
-    return found;
-  });
+  const outcomes = () =>
+    page.evaluate(async () => {
+      const found: (string | undefined)[] = [];
+      for (const element of document.querySelectorAll<Embed>("parkade-playground")) {
+        element.scrollIntoView({ block: "center" });
+        await element.ready;
+        found.push(...Object.values(element.results).map((plan) => plan?.outcome));
+      }
+      return found;
+    });
   await expect.poll(outcomes).toEqual(["found", "found"]);
   const shown = await page.locator("parkade-playground").boundingBox();
   expect(shown!.width).toBeGreaterThan(400);
 
   await page.getByRole("button", { name: "Tap to edit" }).click();
-  await page.locator("parkade-playground canvas").first().click({ position: { x: 30, y: 30 } });
+  await page
+    .locator("parkade-playground canvas")
+    .first()
+    .click({ position: { x: 30, y: 30 } });
   await page.keyboard.press("ArrowRight");
   expect(page.url()).toContain("parking.html");
   await page.locator("main h1").click();
@@ -34,6 +38,6 @@ test("in the example book playgrounds come alive, move nothing, and leave the bo
   await page.waitForURL("**/grids.html");
   await expect.poll(outcomes).toEqual(["found", "found", "found", "found", "no-path"]);
   // The book's own fonts move its text by a few thousandths when they arrive.
-  expect(Math.max(0, ...await shifts())).toBeLessThan(0.01);
+  expect(Math.max(0, ...(await shifts()))).toBeLessThan(0.01);
   expect(complaints).toEqual([]);
 });

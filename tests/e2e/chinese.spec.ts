@@ -4,12 +4,78 @@ import { open, sceneOf, settled, type PlaygroundElement } from "./playground";
 test.use({ locale: "zh-CN" });
 
 /** What Chinese engineers write in Latin letters: names, formats, units, fields of the scene and of files, values of settings, keys, and the names of this test's files. */
-const NAMES = new RegExp([
-  "Parkade", "English", "EN", "[0-9a-f]{16}", "[0-9a-f]{8}", "Markdown", "Node", "PNG", "SVG", "CSV", "JSON", "MovingAI", "ROS", "TPCAP", "Theta", "NBA", "Reeds", "Shepp", "Dubins", "Voronoi", "RMS",
-  "Ctrl", "Shift", "Alt", "Cmd", "Enter", "Esc(ape)?", "Del(ete)?", "Backspace", "Tab", "kB", "MB", "ms", "rad", "exp", "Bd", "id", "los", "auto", "comfort", "classic",
-  "vehicle", "max", "none", "first", "best", "nba", "spline", "paper", "octile", "L_aa", "steps", "cargo xtask paper \\w+", "slot-\\d+", "obstacle-\\d+",
-  "practical", "metre", "\\.GS@OTW", "free_thresh", "occupied_thresh", "\\.(map|scen|yaml|pgm|csv|json)", "(room|floor|case|note|lot)(\\.\\w+)*", "start\\.\\w+", "vehicle\\.\\w+", "broken\\.[\\w.]+",
-].map((name) => `(?<![A-Za-z])${name}(?![A-Za-z])`).join("|"), "g");
+const NAMES = new RegExp(
+  [
+    "Parkade",
+    "English",
+    "EN",
+    "[0-9a-f]{16}",
+    "[0-9a-f]{8}",
+    "Markdown",
+    "Node",
+    "PNG",
+    "SVG",
+    "CSV",
+    "JSON",
+    "MovingAI",
+    "ROS",
+    "TPCAP",
+    "Theta",
+    "NBA",
+    "Reeds",
+    "Shepp",
+    "Dubins",
+    "Voronoi",
+    "RMS",
+    "Ctrl",
+    "Shift",
+    "Alt",
+    "Cmd",
+    "Enter",
+    "Esc(ape)?",
+    "Del(ete)?",
+    "Backspace",
+    "Tab",
+    "kB",
+    "MB",
+    "ms",
+    "rad",
+    "exp",
+    "Bd",
+    "id",
+    "los",
+    "auto",
+    "comfort",
+    "classic",
+    "vehicle",
+    "max",
+    "none",
+    "first",
+    "best",
+    "nba",
+    "spline",
+    "paper",
+    "octile",
+    "L_aa",
+    "steps",
+    "cargo xtask paper \\w+",
+    "slot-\\d+",
+    "obstacle-\\d+",
+    "practical",
+    "metre",
+    "\\.GS@OTW",
+    "free_thresh",
+    "occupied_thresh",
+    "\\.(map|scen|yaml|pgm|csv|json)",
+    "(room|floor|case|note|lot)(\\.\\w+)*",
+    "start\\.\\w+",
+    "vehicle\\.\\w+",
+    "broken\\.[\\w.]+",
+  ]
+    .map((name) => `(?<![A-Za-z])${name}(?![A-Za-z])`)
+    .join("|"),
+  "g",
+);
 
 /** Papers as they are cited: their authors and the year. */
 const CITED = /(?:[A-Z][a-z]+, )*[A-Z][a-z]+(?: 等)? \d{4}/g;
@@ -17,7 +83,8 @@ const CITED = /(?:[A-Z][a-z]+, )*[A-Z][a-z]+(?: 等)? \d{4}/g;
 /** What is drawn into the maps and charts is kept, too. */
 test.beforeEach(async ({ page }) => {
   await page.addInitScript(() => {
-    const drawn = new Set<string>(), { fillText } = CanvasRenderingContext2D.prototype;
+    const drawn = new Set<string>(),
+      { fillText } = CanvasRenderingContext2D.prototype;
     CanvasRenderingContext2D.prototype.fillText = function (text: string, ...at: [number, number]) {
       drawn.add(text);
       fillText.call(this, text, ...at);
@@ -29,7 +96,8 @@ test.beforeEach(async ({ page }) => {
 /** Every visible text and every name for those who cannot see it, shadow trees included, and every text drawn since the last time. */
 function textsOf(page: Page): Promise<string[]> {
   return page.evaluate(() => {
-    const { drawn = new Set<string>() } = window as unknown as { drawn?: Set<string> }, texts = new Set<string>(drawn);
+    const { drawn = new Set<string>() } = window as unknown as { drawn?: Set<string> },
+      texts = new Set<string>(drawn);
     drawn.clear();
     const visit = (node: Node): void => {
       if (node instanceof HTMLElement || node instanceof SVGElement) {
@@ -52,10 +120,21 @@ function textsOf(page: Page): Promise<string[]> {
 async function expectChinese(page: Page, where: string): Promise<void> {
   const texts = await textsOf(page);
   expect(texts.length, where).toBeGreaterThan(20);
-  expect.soft(texts.filter((text) => /[A-Za-z]{2,}/.test(text.replaceAll(NAMES, "").replace(CITED, ""))), where).toEqual([]);
+  expect
+    .soft(
+      texts.filter((text) => /[A-Za-z]{2,}/.test(text.replaceAll(NAMES, "").replace(CITED, ""))),
+      where,
+    )
+    .toEqual([]);
 }
 
-interface Inside extends PlaygroundElement { app: { complete(): Promise<unknown>; openPreset(id: string): void; catalog: { scenarios: { id: string }[]; planners: { id: string }[] } } }
+interface Inside extends PlaygroundElement {
+  app: {
+    complete(): Promise<unknown>;
+    openPreset(id: string): void;
+    catalog: { scenarios: { id: string }[]; planners: { id: string }[] };
+  };
+}
 
 const set = (page: Page, patch: Record<string, unknown>): Promise<void> =>
   page.evaluate((given) => document.querySelector<PlaygroundElement>("parkade-playground")!.store.set(given), patch);
@@ -69,12 +148,30 @@ test("the Chinese page is Chinese: tools, layouts, layers, settings and menus", 
     await set(page, { mode });
     await expectChinese(page, mode);
   }
-  for (const tool of ["brush", "cost", "wall", "rectangle", "polygon", "car", "slot", "moving", "road", "eraser", "hand", "select"]) {
+  for (const tool of [
+    "brush",
+    "cost",
+    "wall",
+    "rectangle",
+    "polygon",
+    "car",
+    "slot",
+    "moving",
+    "road",
+    "eraser",
+    "hand",
+    "select",
+  ]) {
     await set(page, { tool });
     await expectChinese(page, tool);
   }
   const scene = await sceneOf(page);
-  for (const selection of [{ kind: "start" }, { kind: "goal" }, { kind: "slot", id: scene.slots![0]!.id }, ...scene.obstacles!.map(({ id }) => ({ kind: "obstacle", id }))]) {
+  for (const selection of [
+    { kind: "start" },
+    { kind: "goal" },
+    { kind: "slot", id: scene.slots![0]!.id },
+    ...scene.obstacles!.map(({ id }) => ({ kind: "obstacle", id })),
+  ]) {
     await set(page, { selection });
     await expectChinese(page, JSON.stringify(selection));
   }
@@ -108,7 +205,7 @@ test("the Chinese page is Chinese: a new lot, block by block", async ({ page }) 
   await expect(form.getByRole("status")).toHaveText(/^驶入 1 号车位/);
   for (const block of ["场地", "车位", "障碍", "车辆"]) {
     const head = form.locator(".head", { hasText: block }).first();
-    if (await head.getAttribute("aria-expanded") !== "true") await head.click();
+    if ((await head.getAttribute("aria-expanded")) !== "true") await head.click();
     await expectChinese(page, block);
   }
   await form.getByRole("button", { name: "自定" }).click();
@@ -132,7 +229,9 @@ test("the Chinese page is Chinese: every scene, with its failures and waits", as
   }
 });
 
-test("the Chinese page is Chinese: layers, cars' labels, the menu under the pointer, the ground and more planners", async ({ page }) => {
+test("the Chinese page is Chinese: layers, cars' labels, the menu under the pointer, the ground and more planners", async ({
+  page,
+}) => {
   test.setTimeout(120_000);
   await open(page);
   const planners = await page.evaluate(async () => {
@@ -143,7 +242,8 @@ test("the Chinese page is Chinese: layers, cars' labels, the menu under the poin
   for (const focus of planners) {
     await set(page, { planners: [focus, "four"], focus });
     await settled(page);
-    for (const button of await page.locator("parkade-inspector").getByRole("button", { name: "更多设置" }).all()) await button.click();
+    for (const button of await page.locator("parkade-inspector").getByRole("button", { name: "更多设置" }).all())
+      await button.click();
     await expectChinese(page, focus);
   }
   await set(page, { planners: ["four", "risk-field", "hybrid", "cost-map"], focus: "hybrid" });
@@ -152,8 +252,13 @@ test("the Chinese page is Chinese: layers, cars' labels, the menu under the poin
     await settled(page);
     await expectChinese(page, "layers");
   }
-  const canvas = page.locator("parkade-panel[active] canvas").first(), box = (await canvas.boundingBox())!;
-  for (const [x, y] of [[0.5, 0.5], [0.3, 0.3], [0.05, 0.1]] as const) {
+  const canvas = page.locator("parkade-panel[active] canvas").first(),
+    box = (await canvas.boundingBox())!;
+  for (const [x, y] of [
+    [0.5, 0.5],
+    [0.3, 0.3],
+    [0.05, 0.1],
+  ] as const) {
     await page.mouse.move(box.x + box.width * x, box.y + box.height * y);
     await expectChinese(page, "under the pointer");
     await page.mouse.click(box.x + box.width * x, box.y + box.height * y, { button: "right" });
@@ -161,7 +266,16 @@ test("the Chinese page is Chinese: layers, cars' labels, the menu under the poin
     await expectChinese(page, "menu under the pointer");
     await page.keyboard.press("Escape");
   }
-  await set(page, { playback: { ...await page.evaluate(() => (document.querySelector<Inside>("parkade-playground")!.store.state as unknown as { playback: object }).playback), base: "search" } });
+  await set(page, {
+    playback: {
+      ...(await page.evaluate(
+        () =>
+          (document.querySelector<Inside>("parkade-playground")!.store.state as unknown as { playback: object })
+            .playback,
+      )),
+      base: "search",
+    },
+  });
   await expectChinese(page, "search in the timeline");
 });
 
@@ -169,7 +283,8 @@ test("the Chinese page is Chinese: the papers' tables, measured", async ({ page 
   test.setTimeout(180_000);
   await open(page);
   await page.keyboard.press("y");
-  const dialog = page.locator("parkade-papers dialog"), measure = dialog.getByRole("button", { name: "测量", exact: true });
+  const dialog = page.locator("parkade-papers dialog"),
+    measure = dialog.getByRole("button", { name: "测量", exact: true });
   await expect(measure).toBeVisible({ timeout: 60_000 });
   await expectChinese(page, "grid");
   await dialog.getByLabel("起始种子").fill("300");
@@ -183,20 +298,35 @@ test("the Chinese page is Chinese: the papers' tables, measured", async ({ page 
 
 test("the Chinese page is Chinese: maps and pictures from elsewhere", async ({ page }) => {
   await open(page);
-  const input = page.locator("parkade-playground input[type=file]"), notice = page.locator("parkade-notices .notice");
-  const file = (name: string, text: string | Buffer) => ({ name, mimeType: "application/octet-stream", buffer: Buffer.from(text as string) });
-  const room = `type octile\nheight 4\nwidth 4\nmap\n${"....\n".repeat(4)}`, query = (x: number) => `0\troom.map\t4\t4\t0\t0\t${x}\t0\t${x}`;
-  await input.setInputFiles([file("room.map", room), file("room.map.scen", ["version 1", query(2), query(3)].join("\n"))]);
+  const input = page.locator("parkade-playground input[type=file]"),
+    notice = page.locator("parkade-notices .notice");
+  const file = (name: string, text: string | Buffer) => ({
+    name,
+    mimeType: "application/octet-stream",
+    buffer: Buffer.from(text as string),
+  });
+  const room = `type octile\nheight 4\nwidth 4\nmap\n${"....\n".repeat(4)}`,
+    query = (x: number) => `0\troom.map\t4\t4\t0\t0\t${x}\t0\t${x}`;
+  await input.setInputFiles([
+    file("room.map", room),
+    file("room.map.scen", ["version 1", query(2), query(3)].join("\n")),
+  ]);
   await expect(page.locator("parkade-import .bar")).toBeVisible();
   await expectChinese(page, "queries");
-  const yaml = (more: string) => `image: floor.pgm\nresolution: 0.5\norigin: [0, 0, 0.3]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: ${more}\n`;
+  const yaml = (more: string) =>
+    `image: floor.pgm\nresolution: 0.5\norigin: [0, 0, 0.3]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: ${more}\n`;
   const pgm = Buffer.concat([Buffer.from("P5\n40 30\n255\n"), Buffer.alloc(600, 254), Buffer.alloc(600, 205)]);
   await input.setInputFiles([file("floor.yaml", yaml("0.1")), file("floor.pgm", pgm)]);
   await expect(notice).toContainText("未知格");
   await expectChinese(page, "notes");
   for (const [named, said] of [
-    [[file("room.map", room.replace("....", "..x."))], "第 3 列"], [[file("room.map", room.replace("height 4", "height 0"))], "高度"], [[file("room.map.scen", "version 1")], ".map"],
-    [[file("floor.yaml", yaml("0.9")), file("floor.pgm", pgm)], "free_thresh"], [[file("floor.yaml", yaml("0.1"))], "floor.pgm"], [[file("case.csv", "1,2,3,4,5,6,1,2")], "角点数"], [[file("note.txt", "?")], "文件名"],
+    [[file("room.map", room.replace("....", "..x."))], "第 3 列"],
+    [[file("room.map", room.replace("height 4", "height 0"))], "高度"],
+    [[file("room.map.scen", "version 1")], ".map"],
+    [[file("floor.yaml", yaml("0.9")), file("floor.pgm", pgm)], "free_thresh"],
+    [[file("floor.yaml", yaml("0.1"))], "floor.pgm"],
+    [[file("case.csv", "1,2,3,4,5,6,1,2")], "角点数"],
+    [[file("note.txt", "?")], "文件名"],
     [[file("lot.png", "nothing")], "lot.png"],
   ] as const) {
     await input.setInputFiles([...named]);
@@ -213,7 +343,10 @@ test("the Chinese page is Chinese: maps and pictures from elsewhere", async ({ p
   await expectChinese(page, "picture");
 });
 
-for (const [width, height] of [[390, 844], [844, 390]] as const) {
+for (const [width, height] of [
+  [390, 844],
+  [844, 390],
+] as const) {
   test(`the Chinese page is Chinese at ${width} × ${height}`, async ({ page }) => {
     await page.setViewportSize({ width, height });
     await open(page);
@@ -235,17 +368,27 @@ for (const [width, height] of [[390, 844], [844, 390]] as const) {
 test("an embedded playground is Chinese in Chinese", async ({ page }) => {
   for (const controls of ["none", "minimal", "full"]) {
     await page.goto(`./embed.html?${controls}#lang=zh&scene=narrow-gap&layout=overlay&controls=${controls}`);
-    await page.waitForFunction(() => document.querySelector<HTMLElement & { loaded: boolean }>("parkade-playground")?.loaded);
+    await page.waitForFunction(
+      () => document.querySelector<HTMLElement & { loaded: boolean }>("parkade-playground")?.loaded,
+    );
     await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.settled());
     const texts = await textsOf(page);
-    expect.soft(texts.filter((text) => /[A-Za-z]{2,}/.test(text.replaceAll(NAMES, ""))), controls).toEqual([]);
+    expect
+      .soft(
+        texts.filter((text) => /[A-Za-z]{2,}/.test(text.replaceAll(NAMES, ""))),
+        controls,
+      )
+      .toEqual([]);
   }
 });
 
 test("the page stays in sight when its language changes", async ({ page }) => {
   await open(page);
   for (const name of ["4-neighbour", "四邻域"]) {
-    await page.locator("parkade-toolbar").getByRole("button", { name: /English|中文/ }).click();
+    await page
+      .locator("parkade-toolbar")
+      .getByRole("button", { name: /English|中文/ })
+      .click();
     await expect(page.locator("parkade-panel").first()).toBeVisible();
     await expect(page.locator("parkade-panel").first()).toContainText(name);
   }
@@ -256,8 +399,26 @@ test("the Chinese page is Chinese where something is wrong", async ({ page }) =>
   await open(page, "#s=1nonsense");
   await expect(notice).toContainText("此链接已损坏或不完整。");
   await expectChinese(page, "broken link");
-  const scene = await sceneOf(page), input = page.locator("parkade-playground input[type=file]");
-  for (const [text, said] of [["{", "JSON 语法错误"], ["[]", "须为"], [JSON.stringify({ ...scene, vehicle: { ...(typeof scene.vehicle === "object" ? scene.vehicle : {}), wheelbase: -1, width: 2, rearToFront: 4, rearToBack: 1, maxSteer: 0.6 } }), "wheelbase"]] as const) {
+  const scene = await sceneOf(page),
+    input = page.locator("parkade-playground input[type=file]");
+  for (const [text, said] of [
+    ["{", "JSON 语法错误"],
+    ["[]", "须为"],
+    [
+      JSON.stringify({
+        ...scene,
+        vehicle: {
+          ...(typeof scene.vehicle === "object" ? scene.vehicle : {}),
+          wheelbase: -1,
+          width: 2,
+          rearToFront: 4,
+          rearToBack: 1,
+          maxSteer: 0.6,
+        },
+      }),
+      "wheelbase",
+    ],
+  ] as const) {
     await input.setInputFiles({ name: "broken.json", mimeType: "application/json", buffer: Buffer.from(text) });
     await expect(notice).toContainText(said);
     await expectChinese(page, said);

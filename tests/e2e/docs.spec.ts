@@ -13,13 +13,18 @@ const PLAYGROUND = "/index.html";
 test.beforeAll(() => {
   test.setTimeout(240_000);
   // `cargo xtask test` has built it already.
-  if (!existsSync(SITE)) execFileSync(process.execPath, ["node_modules/vitepress/bin/vitepress.js", "build", "docs"], { stdio: "ignore" });
+  if (!existsSync(SITE))
+    execFileSync(process.execPath, ["node_modules/vitepress/bin/vitepress.js", "build", "docs"], { stdio: "ignore" });
 });
 
-const pages = () => readdirSync(SITE, { recursive: true, encoding: "utf8" }).map((file) => file.replaceAll("\\", "/")).filter((file) => file.endsWith(".html") && file !== "404.html");
+const pages = () =>
+  readdirSync(SITE, { recursive: true, encoding: "utf8" })
+    .map((file) => file.replaceAll("\\", "/"))
+    .filter((file) => file.endsWith(".html") && file !== "404.html");
 
 test("every internal link leads to a page, and every fragment to a heading", () => {
-  const all = new Set(pages()), text = (file: string) => readFileSync(SITE + file, "utf8");
+  const all = new Set(pages()),
+    text = (file: string) => readFileSync(SITE + file, "utf8");
   expect(all.size).toBeGreaterThan(35);
   const dead: string[] = [];
   for (const file of all) {
@@ -36,7 +41,9 @@ test("every internal link leads to a page, and every fragment to a heading", () 
 });
 
 test("each page's title is words, and no two pages of a language share one", () => {
-  const titles = pages().map((file) => [file, /<title>([^<]*)<\/title>/.exec(readFileSync(SITE + file, "utf8"))?.[1] ?? ""] as const);
+  const titles = pages().map(
+    (file) => [file, /<title>([^<]*)<\/title>/.exec(readFileSync(SITE + file, "utf8"))?.[1] ?? ""] as const,
+  );
   expect(titles.filter(([, title]) => !title || /[{}$]|params/.test(title))).toEqual([]);
   for (const chinese of [true, false]) {
     const own = titles.filter(([file]) => file.startsWith("zh/") === chinese).map(([, title]) => title);
@@ -54,7 +61,15 @@ for (const home of ["", "zh/"]) {
   });
 }
 
-for (const file of ["planners/hybrid.html", "planners/risk-field.html", "planners/jump-point.html", "papers/road.html", "papers/sixteen.html", "zh/planners/hybrid.html", "zh/guide.html"]) {
+for (const file of [
+  "planners/hybrid.html",
+  "planners/risk-field.html",
+  "planners/jump-point.html",
+  "papers/road.html",
+  "papers/sixteen.html",
+  "zh/planners/hybrid.html",
+  "zh/guide.html",
+]) {
   test(`the figures of ${file} come alive when they are near, without a complaint`, async ({ page }) => {
     const complaints = complaintsOf(page);
     await page.emulateMedia({ reducedMotion: "reduce" });
@@ -62,7 +77,9 @@ for (const file of ["planners/hybrid.html", "planners/risk-field.html", "planner
     const outcomes = await page.evaluate(async () => {
       await customElements.whenDefined("parkade-playground");
       const found = [];
-      for (const figure of document.querySelectorAll<HTMLElement & { ready: Promise<void>; results: Record<string, { outcome: string } | null> }>("parkade-playground")) {
+      for (const figure of document.querySelectorAll<
+        HTMLElement & { ready: Promise<void>; results: Record<string, { outcome: string } | null> }
+      >("parkade-playground")) {
         figure.scrollIntoView({ block: "center" });
         await figure.ready;
         found.push(...Object.values(figure.results).map((plan) => plan?.outcome));

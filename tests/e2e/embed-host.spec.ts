@@ -9,7 +9,14 @@ const add = async (page: Page, attributes: Record<string, string>) => {
   await page.goto(HOST);
   await page.evaluate((given) => {
     const element = document.createElement("parkade-playground");
-    for (const [name, value] of Object.entries({ id: "own", loading: "eager", controls: "none", layout: "single", ...given })) element.setAttribute(name, value);
+    for (const [name, value] of Object.entries({
+      id: "own",
+      loading: "eager",
+      controls: "none",
+      layout: "single",
+      ...given,
+    }))
+      element.setAttribute(name, value);
     const told: unknown[] = [];
     Object.assign(window, { told });
     element.addEventListener("error", (event) => told.push((event as Event as CustomEvent).detail));
@@ -17,16 +24,23 @@ const add = async (page: Page, attributes: Record<string, string>) => {
   }, attributes);
 };
 const own = <T>(page: Page, run: (element: Embed) => T | Promise<T>) =>
-  page.evaluate((text) => (new Function(`return (${text})(document.getElementById("own"))`) as () => unknown)(), run.toString()) as Promise<T>;
+  page.evaluate(
+    (text) => (new Function(`return (${text})(document.getElementById("own"))`) as () => unknown)(),
+    run.toString(),
+  ) as Promise<T>;
 const told = (page: Page) => page.evaluate(() => (window as unknown as { told: unknown[] }).told) as Promise<Told[]>;
-const outcome = (page: Page, call: "ready" | "settled" | "plan") => page.evaluate(async (name) => {
-  const element = document.getElementById("own") as Embed;
-  const value = element[name];
-  return Promise.race([
-    Promise.resolve(typeof value === "function" ? (value as () => unknown).call(element) : value).then(() => "resolved", (error: Error) => error.message),
-    new Promise((done) => setTimeout(done, 20_000, "pending")),
-  ]);
-}, call);
+const outcome = (page: Page, call: "ready" | "settled" | "plan") =>
+  page.evaluate(async (name) => {
+    const element = document.getElementById("own") as Embed;
+    const value = element[name];
+    return Promise.race([
+      Promise.resolve(typeof value === "function" ? (value as () => unknown).call(element) : value).then(
+        () => "resolved",
+        (error: Error) => error.message,
+      ),
+      new Promise((done) => setTimeout(done, 20_000, "pending")),
+    ]);
+  }, call);
 
 test.beforeEach(async ({ page }) => {
   // The pages' policy allows no `eval`, which the helpers use.
@@ -36,20 +50,29 @@ test.beforeEach(async ({ page }) => {
   });
 });
 
-for (const [attribute, value] of [["scene", "perpendiclar"], ["src", "nowhere.json"]] as const) {
-  test(`a wrong ${attribute} settles every promise with one error, and a valid one takes its place`, async ({ page }) => {
+for (const [attribute, value] of [
+  ["scene", "perpendiclar"],
+  ["src", "nowhere.json"],
+] as const) {
+  test(`a wrong ${attribute} settles every promise with one error, and a valid one takes its place`, async ({
+    page,
+  }) => {
     await add(page, { [attribute]: value });
     const message = await outcome(page, "ready");
     expect(message).toMatch(new RegExp(`^${attribute}: must be .*got "${value}"$`));
     expect(await outcome(page, "settled")).toBe(message);
     expect(await outcome(page, "plan")).toBe(message);
-    expect(await told(page)).toEqual([{ code: "value", field: attribute, value, rule: expect.stringMatching(/^must be/), message }]);
+    expect(await told(page)).toEqual([
+      { code: "value", field: attribute, value, rule: expect.stringMatching(/^must be/), message },
+    ]);
     await own(page, (element) => element.setAttribute("scene", "parallel"));
     expect(await outcome(page, "settled")).toBe("resolved");
     expect(await own(page, (element) => element.sceneData.name)).toMatch(/parallel/i);
     expect(await told(page)).toHaveLength(1);
     await own(page, (element) => element.setAttribute("scene", "nope"));
-    await expect.poll(async () => (await told(page)).slice(1)).toEqual([expect.objectContaining({ code: "value", field: "scene", value: "nope" })]);
+    await expect
+      .poll(async () => (await told(page)).slice(1))
+      .toEqual([expect.objectContaining({ code: "value", field: "scene", value: "nope" })]);
   });
 }
 
@@ -58,20 +81,38 @@ test("a scene that is set mends a wrong one", async ({ page }) => {
   await outcome(page, "ready");
   await page.evaluate(async () => {
     const element = document.getElementById("own") as Embed;
-    const scene = { version: 1, name: "Mine", map: { origin: [0, 0], width: 40, height: 30, resolution: 0.5 }, start: { x: 3, y: 7, heading: 0 }, goal: { x: 15, y: 7, heading: 0 } };
+    const scene = {
+      version: 1,
+      name: "Mine",
+      map: { origin: [0, 0], width: 40, height: 30, resolution: 0.5 },
+      start: { x: 3, y: 7, heading: 0 },
+      goal: { x: 15, y: 7, heading: 0 },
+    };
     // As Vue wraps what is reactive.
-    const wrap = (value: object): object => new Proxy(value, { get: (target, key) => { const one = Reflect.get(target, key) as unknown; return typeof one === "object" && one !== null ? wrap(one) : one; } });
+    const wrap = (value: object): object =>
+      new Proxy(value, {
+        get: (target, key) => {
+          const one = Reflect.get(target, key) as unknown;
+          return typeof one === "object" && one !== null ? wrap(one) : one;
+        },
+      });
     await (element["setScene"] as (scene: object) => Promise<void>)(wrap(scene));
   });
   expect(await own(page, (element) => Object.values(element.results).map((plan) => plan?.outcome))).toEqual(["found"]);
   expect(await own(page, (element) => element.sceneData.name)).toBe("Mine");
 });
 
-test("an element that is moved keeps its drawing, and undefined attributes are those that are not there", async ({ page }) => {
+test("an element that is moved keeps its drawing, and undefined attributes are those that are not there", async ({
+  page,
+}) => {
   await add(page, {});
   await outcome(page, "settled");
   const start = await own(page, async (element) => {
-    await (element["setScene"] as (scene: object) => Promise<void>)({ ...element.sceneData, start: { x: 4, y: 8, heading: 0 }, name: "Moved" });
+    await (element["setScene"] as (scene: object) => Promise<void>)({
+      ...element.sceneData,
+      start: { x: 4, y: 8, heading: 0 },
+      name: "Moved",
+    });
     document.querySelector("h1")!.after(element);
     const box = document.createElement("div");
     document.body.append(box);
@@ -90,20 +131,42 @@ test("events with names of others stay at the element", async ({ page }) => {
     const heard: string[] = [];
     Object.assign(window, { heard });
     window.onerror = () => void heard.push("onerror");
-    for (const name of ["error", "select", "progress"]) addEventListener(name, (event) => { if (event instanceof CustomEvent) heard.push(name); });
+    for (const name of ["error", "select", "progress"])
+      addEventListener(name, (event) => {
+        if (event instanceof CustomEvent) heard.push(name);
+      });
   });
   await add(page, { layout: "gird", controls: "non" });
   await outcome(page, "ready");
-  expect((await told(page)).map(({ code, field, value }) => [code, field, value])).toEqual([["value", "layout", "gird"], ["value", "controls", "non"]]);
+  expect((await told(page)).map(({ code, field, value }) => [code, field, value])).toEqual([
+    ["value", "layout", "gird"],
+    ["value", "controls", "non"],
+  ]);
   expect(await page.evaluate(() => (window as unknown as { heard: string[] }).heard)).toEqual([]);
 });
 
 for (const [host, dark, light] of [
-  ["VitePress", 'document.documentElement.className = "dark"', 'document.documentElement.className = ""; document.body.style.background = "white"'],
-  ["Docusaurus and Starlight", 'document.documentElement.dataset.theme = "dark"', 'document.documentElement.dataset.theme = "light"'],
-  ["Material for MkDocs", 'document.body.dataset.mdColorScheme = "slate"', 'document.body.dataset.mdColorScheme = "default"'],
+  [
+    "VitePress",
+    'document.documentElement.className = "dark"',
+    'document.documentElement.className = ""; document.body.style.background = "white"',
+  ],
+  [
+    "Docusaurus and Starlight",
+    'document.documentElement.dataset.theme = "dark"',
+    'document.documentElement.dataset.theme = "light"',
+  ],
+  [
+    "Material for MkDocs",
+    'document.body.dataset.mdColorScheme = "slate"',
+    'document.body.dataset.mdColorScheme = "default"',
+  ],
   ["mdBook", 'document.documentElement.className = "navy"', 'document.documentElement.className = "rust"'],
-  ["color-scheme", 'document.documentElement.style.colorScheme = "dark"', 'document.documentElement.style.colorScheme = "light"'],
+  [
+    "color-scheme",
+    'document.documentElement.style.colorScheme = "dark"',
+    'document.documentElement.style.colorScheme = "light"',
+  ],
 ] as const) {
   test(`theme="auto" follows the switch of ${host}`, async ({ page }) => {
     const scheme = () => own(page, (element) => getComputedStyle(element).colorScheme);
@@ -111,7 +174,11 @@ for (const [host, dark, light] of [
       await page.emulateMedia({ colorScheme: system });
       await add(page, { theme: "auto" });
       await outcome(page, "ready");
-      for (const [code, expected] of [[dark, "dark"], [light, "light"], [dark, "dark"]] as const) {
+      for (const [code, expected] of [
+        [dark, "dark"],
+        [light, "light"],
+        [dark, "dark"],
+      ] as const) {
         await page.evaluate(code);
         await expect.poll(scheme).toBe(expected);
       }
@@ -125,11 +192,19 @@ test("an element is as wide as its place on a phone, and a height alone leaves i
   for (const width of [320, 375, 768]) {
     await page.setViewportSize({ width, height: 700 });
     await add(page, {});
-    await page.evaluate(() => { document.body.style.cssText = "display: flex; flex-direction: column; align-items: start"; });
-    const box = () => own(page, (element) => { const { width: w, height: h } = element.getBoundingClientRect(); return [Math.round(w), Math.round(h)]; });
+    await page.evaluate(() => {
+      document.body.style.cssText = "display: flex; flex-direction: column; align-items: start";
+    });
+    const box = () =>
+      own(page, (element) => {
+        const { width: w, height: h } = element.getBoundingClientRect();
+        return [Math.round(w), Math.round(h)];
+      });
     const inside = await page.evaluate(() => document.body.clientWidth);
     expect(await box()).toEqual([inside, Math.max(280, Math.round((inside * 7) / 12))]);
-    await own(page, (element) => { element.style.height = "300px"; });
+    await own(page, (element) => {
+      element.style.height = "300px";
+    });
     expect(await box()).toEqual([inside, 300]);
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
   }
@@ -140,7 +215,13 @@ for (const holder of ["script", "template", "pre"] as const) {
     await page.goto(HOST);
     const name = await page.evaluate(async (tag) => {
       const map = { origin: [0, 0], width: 40, height: 30, resolution: 0.5 };
-      const scene = { version: 1, name: `In a ${tag}`, map, start: { x: 3, y: 7, heading: 0 }, goal: { x: 15, y: 7, heading: 0 } };
+      const scene = {
+        version: 1,
+        name: `In a ${tag}`,
+        map,
+        start: { x: 3, y: 7, heading: 0 },
+        goal: { x: 15, y: 7, heading: 0 },
+      };
       const type = tag === "script" ? ' type="application/json"' : "";
       const host = document.createElement("div");
       host.innerHTML = `<parkade-playground loading="eager" controls="none" layout="single"><${tag}${type} slot="scene" hidden>${JSON.stringify(scene)}</${tag}></parkade-playground>`;

@@ -7,24 +7,64 @@ import { installed } from "../js/pack";
 import { HOST, near, watch, type Embed } from "./embed";
 import { hashesOf, open, sceneOf } from "./playground";
 
-test("planners tell how far they are while they search, and nothing of a scene that is no longer there", async ({ page }) => {
+test("planners tell how far they are while they search, and nothing of a scene that is no longer there", async ({
+  page,
+}) => {
   await watch(page);
   await page.goto(HOST);
   const heard = await page.evaluate(async () => {
     type Told = { planner: string; expansions: number; plan?: Plan };
     const element = document.getElementById("two") as Embed;
-    const call = <T>(name: string, ...args: unknown[]) => (element[name] as (...given: unknown[]) => Promise<T>)(...args);
+    const call = <T>(name: string, ...args: unknown[]) =>
+      (element[name] as (...given: unknown[]) => Promise<T>)(...args);
     element.setAttribute("planners", "four eight risk-field hybrid");
     element.scrollIntoView();
     await call("settled");
     // A way out of a dead end to a narrow slot beside a narrow aisle: long for grids and for cars.
     const slow = {
-      version: 1, vehicle: "paper", start: { x: 0, y: 20, heading: Math.PI / 2 }, goal: { x: -2.25, y: 3.5, heading: Math.PI },
-      map: { origin: [-25, 0], width: 500, height: 400, resolution: 0.1, boundary: [[-25, 5], [-8, 5], [-8, 2], [0, 2], [0, 5], [25, 5], [25, 40], [-25, 40]] },
-      obstacles: [{ type: "wall", points: [[-20, 34], [-20, 9], [20, 9], [20, 34]], thickness: 0.2 }], planners: { hybrid: { maxExpansions: 1500 } },
+      version: 1,
+      vehicle: "paper",
+      start: { x: 0, y: 20, heading: Math.PI / 2 },
+      goal: { x: -2.25, y: 3.5, heading: Math.PI },
+      map: {
+        origin: [-25, 0],
+        width: 500,
+        height: 400,
+        resolution: 0.1,
+        boundary: [
+          [-25, 5],
+          [-8, 5],
+          [-8, 2],
+          [0, 2],
+          [0, 5],
+          [25, 5],
+          [25, 40],
+          [-25, 40],
+        ],
+      },
+      obstacles: [
+        {
+          type: "wall",
+          points: [
+            [-20, 34],
+            [-20, 9],
+            [20, 9],
+            [20, 34],
+          ],
+          thickness: 0.2,
+        },
+      ],
+      planners: { hybrid: { maxExpansions: 1500 } },
     };
-    const quick = { version: 1, map: { origin: [0, 0], width: 40, height: 30, resolution: 0.5 }, start: { x: 3, y: 7, heading: 0 }, goal: { x: 15, y: 7, heading: 0 } };
-    const told: Record<string, number[]> = {}, expanded: Record<string, number> = {}, late: Told[] = [];
+    const quick = {
+      version: 1,
+      map: { origin: [0, 0], width: 40, height: 30, resolution: 0.5 },
+      start: { x: 3, y: 7, heading: 0 },
+      goal: { x: 15, y: 7, heading: 0 },
+    };
+    const told: Record<string, number[]> = {},
+      expanded: Record<string, number> = {},
+      late: Told[] = [];
     const note = (event: Event) => {
       const { planner, expansions, plan } = (event as CustomEvent<Told>).detail;
       if (plan) expanded[planner] = plan.stats.expanded;
@@ -38,13 +78,21 @@ test("planners tell how far they are while they search, and nothing of a scene t
     void call("setScene", { ...slow, start: { ...slow.start, x: 1 } });
     await begun;
     const after: number[] = [];
-    element.addEventListener("scene-change", () => element.addEventListener("plan-progress", (event) => after.push((event as CustomEvent<Told>).detail.expansions)), { once: true });
+    element.addEventListener(
+      "scene-change",
+      () =>
+        element.addEventListener("plan-progress", (event) =>
+          after.push((event as CustomEvent<Told>).detail.expansions),
+        ),
+      { once: true },
+    );
     await call("setScene", quick);
     return { told, expanded, late, after };
   });
   expect(Object.keys(heard.expanded).sort()).toEqual(["eight", "four", "hybrid", "risk-field"]);
   for (const [planner, expanded] of Object.entries(heard.expanded)) {
-    const every = planner === "hybrid" ? 256 : 16_384, times = Math.floor(expanded / every);
+    const every = planner === "hybrid" ? 256 : 16_384,
+      times = Math.floor(expanded / every);
     expect(times).toBeGreaterThan(1);
     expect(heard.told[planner]).toEqual([...Array.from({ length: times }, (_, k) => every * (k + 1)), expanded]);
   }
@@ -60,13 +108,29 @@ test("a plan that takes longer than its budget is given up, in words", async ({ 
     const element = document.getElementById("one") as Embed;
     await (element["settled"] as () => Promise<void>)();
     element.setAttribute("budget-ms", "1");
-    const stopped = new Promise<{ code: string; message: string }>((done) => element.addEventListener("error", (event) => done((event as unknown as CustomEvent).detail)));
+    const stopped = new Promise<{ code: string; message: string }>((done) =>
+      element.addEventListener("error", (event) => done((event as unknown as CustomEvent).detail)),
+    );
     // The circle inside the car's fits round the corner, the car does not: the search looks everywhere, for seconds.
-    const walls = [[47, 29.5, 14, 1], [45.4, 36.2, 10.8, 8], [53.5, 36, 1, 12], [52.4, 42.5, 3.2, 1]];
+    const walls = [
+      [47, 29.5, 14, 1],
+      [45.4, 36.2, 10.8, 8],
+      [53.5, 36, 1, 12],
+      [52.4, 42.5, 3.2, 1],
+    ];
     void (element["setScene"] as (scene: unknown) => Promise<void>)({
-      version: 1, map: { origin: [0, 0], width: 120, height: 120, resolution: 0.5 }, vehicle: "sedan",
-      obstacles: walls.map(([x, y, ...size], k) => ({ type: "rectangle", id: `wall-${k}`, center: [x, y], size, heading: 0 })),
-      start: { x: 10, y: 10, heading: 0 }, goal: { x: 51.9, y: 36, heading: Math.PI / 2 },
+      version: 1,
+      map: { origin: [0, 0], width: 120, height: 120, resolution: 0.5 },
+      vehicle: "sedan",
+      obstacles: walls.map(([x, y, ...size], k) => ({
+        type: "rectangle",
+        id: `wall-${k}`,
+        center: [x, y],
+        size,
+        heading: 0,
+      })),
+      start: { x: 10, y: 10, heading: 0 },
+      goal: { x: 51.9, y: 36, heading: Math.PI / 2 },
     });
     return stopped;
   });
@@ -112,7 +176,9 @@ test.describe("what the page copies to paste elsewhere", () => {
       element.sceneData = { ...element.sceneData, name: given };
       await (element["settled"] as () => Promise<void>)();
     }, name);
-    const code = await copied(page, "Copy embed code"), link = await copied(page, "Copy Markdown link"), script = await copied(page, "Copy as Node test");
+    const code = await copied(page, "Copy embed code"),
+      link = await copied(page, "Copy Markdown link"),
+      script = await copied(page, "Copy as Node test");
     const hashes = await hashesOf(page);
 
     const [, href] = /^\[A "name" <\/script> \\\[x\\\]\]\((.*)\)$/.exec(link)!;
@@ -120,14 +186,21 @@ test.describe("what the page copies to paste elsewhere", () => {
     await page.evaluate(() => (document.querySelector("parkade-playground") as Embed).ready);
     expect((await sceneOf(page)).name).toBe(name);
 
-    await page.route("**/host/pasted.html", (route) => route.fulfill({ contentType: "text/html", body: `<!doctype html><title>Pasted</title>${code}` }));
+    await page.route("**/host/pasted.html", (route) =>
+      route.fulfill({ contentType: "text/html", body: `<!doctype html><title>Pasted</title>${code}` }),
+    );
     await page.goto("/host/pasted.html");
     await page.evaluate(() => (document.querySelector("parkade-playground") as Embed).ready);
-    expect(await page.evaluate(() => (document.querySelector("parkade-playground") as Embed).sceneData.name)).toBe(name);
+    expect(await page.evaluate(() => (document.querySelector("parkade-playground") as Embed).sceneData.name)).toBe(
+      name,
+    );
 
     const folder = installed();
     writeFileSync(join(folder, "pasted.test.mjs"), script);
-    const out = execFileSync(process.execPath, ["--test", "--test-reporter=tap", "pasted.test.mjs"], { cwd: folder, encoding: "utf8" });
+    const out = execFileSync(process.execPath, ["--test", "--test-reporter=tap", "pasted.test.mjs"], {
+      cwd: folder,
+      encoding: "utf8",
+    });
     rmSync(folder, { recursive: true, force: true });
     expect(out).toMatch(/^# pass 1$/m);
     expect(script).toContain(hashes["hybrid"]!);

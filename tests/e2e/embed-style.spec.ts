@@ -2,48 +2,71 @@ import { expect, test, type Page } from "@playwright/test";
 import { PARTS } from "../../www/src/element/vocabulary";
 import { watchShifts } from "./playground";
 
-interface Embed extends HTMLElement { ready: Promise<void>; dismissPoster(): Promise<void>; settled(): Promise<void> }
+interface Embed extends HTMLElement {
+  ready: Promise<void>;
+  dismissPoster(): Promise<void>;
+  settled(): Promise<void>;
+}
 
 /** A page with one playground, and how it is dressed. */
 async function visit(page: Page, attributes: string, css: string, inside = ""): Promise<void> {
-  await page.emulateMedia({ reducedMotion: attributes.includes("autoplay") ? "no-preference" : "reduce", colorScheme: "light" });
+  await page.emulateMedia({
+    reducedMotion: attributes.includes("autoplay") ? "no-preference" : "reduce",
+    colorScheme: "light",
+  });
   await page.setViewportSize({ width: 1300, height: 800 });
-  await page.route("**/host/styled.html", (route) => route.fulfill({ contentType: "text/html", body: `<!doctype html><title>Styled</title><style>parkade-playground { width: 1280px; height: 760px } ${css}</style>
-    <script type="module" src="../sub/path/parkade-playground.js"></script><parkade-playground ${attributes}>${inside}</parkade-playground>` }));
+  await page.route("**/host/styled.html", (route) =>
+    route.fulfill({
+      contentType: "text/html",
+      body: `<!doctype html><title>Styled</title><style>parkade-playground { width: 1280px; height: 760px } ${css}</style>
+    <script type="module" src="../sub/path/parkade-playground.js"></script><parkade-playground ${attributes}>${inside}</parkade-playground>`,
+    }),
+  );
   await page.goto("/host/styled.html");
 }
 
-const ready = (page: Page) => page.evaluate(async () => {
-  const element = document.querySelector("parkade-playground") as Embed;
-  await element.ready;
-  await element.settled();
-});
+const ready = (page: Page) =>
+  page.evaluate(async () => {
+    const element = document.querySelector("parkade-playground") as Embed;
+    await element.ready;
+    await element.settled();
+  });
 
 test("every part takes the page's style", async ({ page }) => {
-  await visit(page, 'controls="full" layout="grid"', PARTS.map((part, i) => `parkade-playground::part(${part}) { scroll-margin: ${i + 1}px }`).join(" "));
+  await visit(
+    page,
+    'controls="full" layout="grid"',
+    PARTS.map((part, i) => `parkade-playground::part(${part}) { scroll-margin: ${i + 1}px }`).join(" "),
+  );
   await ready(page);
-  const found = () => page.evaluate(() => {
-    const margins = new Set<string>();
-    const look = (root: ParentNode): void => {
-      for (const element of root.querySelectorAll("*")) {
-        margins.add(getComputedStyle(element).scrollMarginTop);
-        if (element.shadowRoot) look(element.shadowRoot);
-      }
-    };
-    look(document);
-    return [...margins];
-  });
+  const found = () =>
+    page.evaluate(() => {
+      const margins = new Set<string>();
+      const look = (root: ParentNode): void => {
+        for (const element of root.querySelectorAll("*")) {
+          margins.add(getComputedStyle(element).scrollMarginTop);
+          if (element.shadowRoot) look(element.shadowRoot);
+        }
+      };
+      look(document);
+      return [...margins];
+    });
   await expect.poll(found).toEqual(expect.arrayContaining(PARTS.map((_, i) => `${i + 1}px`)));
 });
 
 test("the poster's and the progress bar's parts and slots are there until the playground is", async ({ page }) => {
-  await visit(page, 'reveal="interaction" alt="A car"', "parkade-playground::part(poster) { scroll-margin: 5px } parkade-playground::part(progress) { scroll-margin: 6px }",
-    '<b slot="poster">Before</b><i slot="toolbar-extra">Mine</i>');
+  await visit(
+    page,
+    'reveal="interaction" alt="A car"',
+    "parkade-playground::part(poster) { scroll-margin: 5px } parkade-playground::part(progress) { scroll-margin: 6px }",
+    '<b slot="poster">Before</b><i slot="toolbar-extra">Mine</i>',
+  );
   await expect(page.getByText("Before")).toBeVisible();
   const root = page.locator("parkade-playground");
   expect(await root.locator(".poster").evaluate((element) => getComputedStyle(element).scrollMarginTop)).toBe("5px");
   const seen = await page.evaluate(async () => {
-    const element = document.querySelector("parkade-playground") as Embed, margins: string[] = [];
+    const element = document.querySelector("parkade-playground") as Embed,
+      margins: string[] = [];
     element.addEventListener("progress", () => {
       const bar = element.shadowRoot!.querySelector(".bar");
       if (bar) margins.push(getComputedStyle(bar).scrollMarginTop);
@@ -56,22 +79,42 @@ test("the poster's and the progress bar's parts and slots are there until the pl
   await expect(page.getByText("Mine")).toBeVisible();
 });
 
-test("panels follow the map under the poster, where no press can miss them, and those without room are not built", async ({ page }) => {
+test("panels follow the map under the poster, where no press can miss them, and those without room are not built", async ({
+  page,
+}) => {
   const shifts = await watchShifts(page);
-  await visit(page, 'controls="full" layout="overlay" planners="eight hybrid" loading="lazy"', "parkade-playground { display: block; width: 720px; height: 420px }");
+  await visit(
+    page,
+    'controls="full" layout="overlay" planners="eight hybrid" loading="lazy"',
+    "parkade-playground { display: block; width: 720px; height: 420px }",
+  );
   const seen = await page.evaluate(async () => {
-    const element = document.querySelector("parkade-playground") as Embed, root = element.shadowRoot!;
+    const element = document.querySelector("parkade-playground") as Embed,
+      root = element.shadowRoot!;
     const built = () => {
       const inner = root.querySelector("parkade-embedded")!.shadowRoot!;
-      const count = (piece: string) => inner.querySelector(`parkade-${piece}`)?.shadowRoot?.querySelectorAll("button, td").length ?? 0;
-      return { bar: count("toolbar") > 10, table: count("table") > 10, timeline: count("timeline") > 5, pressed: root.elementFromPoint(30, 30)!.className };
+      const count = (piece: string) =>
+        inner.querySelector(`parkade-${piece}`)?.shadowRoot?.querySelectorAll("button, td").length ?? 0;
+      return {
+        bar: count("toolbar") > 10,
+        table: count("table") > 10,
+        timeline: count("timeline") > 5,
+        pressed: root.elementFromPoint(30, 30)!.className,
+      };
     };
     Object.assign(window, { built });
     const first = new Promise((done) => element.addEventListener("ready", () => done(built()), { once: true }));
-    const shown = new Promise((done) => new MutationObserver(() => { if (!root.querySelector(".poster")) done(built()); }).observe(root, { childList: true }));
+    const shown = new Promise((done) =>
+      new MutationObserver(() => {
+        if (!root.querySelector(".poster")) done(built());
+      }).observe(root, { childList: true }),
+    );
     return { first: await first, shown: await shown };
   });
-  expect(seen).toMatchObject({ first: { bar: false, table: false, timeline: false, pressed: "poster" }, shown: { bar: true, table: false, timeline: true } });
+  expect(seen).toMatchObject({
+    first: { bar: false, table: false, timeline: false, pressed: "poster" },
+    shown: { bar: true, table: false, timeline: true },
+  });
   await page.getByRole("button", { name: "More", exact: true }).click();
   await expect(page.getByRole("checkbox", { name: "Swept area" })).toBeVisible();
   expect((await shifts()).reduce((a, b) => a + b, 0)).toBeLessThan(0.0005);
@@ -82,24 +125,44 @@ test("panels follow the map under the poster, where no press can miss them, and 
 });
 
 for (const [width, height, attributes] of [
-  [1280, 720, 'controls="full" layout="overlay"'], [1280, 720, 'controls="full" layout="grid"'], [720, 420, 'controls="full" layout="overlay"'],
-  [390, 700, 'controls="full" layout="overlay"'], [390, 420, 'controls="full" layout="overlay"'], [390, 420, 'controls="minimal" layout="single"'],
+  [1280, 720, 'controls="full" layout="overlay"'],
+  [1280, 720, 'controls="full" layout="grid"'],
+  [720, 420, 'controls="full" layout="overlay"'],
+  [390, 700, 'controls="full" layout="overlay"'],
+  [390, 420, 'controls="full" layout="overlay"'],
+  [390, 420, 'controls="minimal" layout="single"'],
 ] as const) {
   test(`the first map is already where it stays: ${attributes}, ${width} × ${height}`, async ({ page }) => {
     await page.addInitScript(() => {
       const looks: unknown[] = [];
       Object.assign(window, { looks });
-      document.addEventListener("plan-start", ({ target }) => {
-        const root = (target as Element).shadowRoot!, stage = () => root.querySelector("parkade-embedded")!.shadowRoot!.querySelector("parkade-stage")!;
-        const look = () => {
-          const views = [stage(), ...stage().shadowRoot!.querySelectorAll("parkade-panel")].flatMap(({ shadowRoot }) => [...shadowRoot!.querySelectorAll("parkade-scene-view")]);
-          looks.push({ maps: views.map((view) => view.getBoundingClientRect().toJSON()), covered: root.querySelector(".poster") !== null });
-        };
-        requestAnimationFrame(() => look());
-        new MutationObserver(() => { if (!root.querySelector(".poster")) look(); }).observe(root, { childList: true });
-      }, { once: true });
+      document.addEventListener(
+        "plan-start",
+        ({ target }) => {
+          const root = (target as Element).shadowRoot!,
+            stage = () => root.querySelector("parkade-embedded")!.shadowRoot!.querySelector("parkade-stage")!;
+          const look = () => {
+            const views = [stage(), ...stage().shadowRoot!.querySelectorAll("parkade-panel")].flatMap(
+              ({ shadowRoot }) => [...shadowRoot!.querySelectorAll("parkade-scene-view")],
+            );
+            looks.push({
+              maps: views.map((view) => view.getBoundingClientRect().toJSON()),
+              covered: root.querySelector(".poster") !== null,
+            });
+          };
+          requestAnimationFrame(() => look());
+          new MutationObserver(() => {
+            if (!root.querySelector(".poster")) look();
+          }).observe(root, { childList: true });
+        },
+        { once: true },
+      );
     });
-    await visit(page, `${attributes} planners="four eight hybrid"`, `parkade-playground { width: ${width}px !important; height: ${height}px !important }`);
+    await visit(
+      page,
+      `${attributes} planners="four eight hybrid"`,
+      `parkade-playground { width: ${width}px !important; height: ${height}px !important }`,
+    );
     type Look = { maps: DOMRect[]; covered: boolean };
     const looks = () => page.evaluate(() => (window as unknown as { looks: Look[] }).looks);
     await expect.poll(async () => (await looks()).length, { timeout: 30_000 }).toBeGreaterThan(1);
@@ -113,7 +176,8 @@ for (const [width, height, attributes] of [
 test("a progress bar of the page's own stands in the slot", async ({ page }) => {
   await visit(page, 'reveal="interaction"', "", '<b slot="progress">Wait</b>');
   const visible = await page.evaluate(async () => {
-    const element = document.querySelector("parkade-playground") as Embed, seen: boolean[] = [];
+    const element = document.querySelector("parkade-playground") as Embed,
+      seen: boolean[] = [];
     element.addEventListener("progress", () => seen.push(element.querySelector("b")!.checkVisibility()));
     await element.dismissPoster();
     return seen;
@@ -123,42 +187,88 @@ test("a progress bar of the page's own stands in the slot", async ({ page }) => 
 });
 
 test("every colour, the radius and the font are the page's", async ({ page }) => {
-  const colours: Record<string, string> = { bg: "#fffbe6", obstacle: "#123456", "planner-1": "#ff0000", "planner-2": "#00aa00", "planner-3": "#0000ff", "planner-4": "#aa00aa", "planner-5": "#009999", "planner-6": "#664400", accent: "#ff8800", fg: "#220022" };
-  await visit(page, 'controls="full" layout="grid" planners="four eight risk-field hybrid hybrid-forward sixteen" layers="clean"',
-    `parkade-playground { ${Object.entries(colours).map(([name, value]) => `--parkade-${name}: ${value}`).join("; ")}; --parkade-radius: 3; --parkade-font: monospace }`);
+  const colours: Record<string, string> = {
+    bg: "#fffbe6",
+    obstacle: "#123456",
+    "planner-1": "#ff0000",
+    "planner-2": "#00aa00",
+    "planner-3": "#0000ff",
+    "planner-4": "#aa00aa",
+    "planner-5": "#009999",
+    "planner-6": "#664400",
+    accent: "#ff8800",
+    fg: "#220022",
+  };
+  await visit(
+    page,
+    'controls="full" layout="grid" planners="four eight risk-field hybrid hybrid-forward sixteen" layers="clean"',
+    `parkade-playground { ${Object.entries(colours)
+      .map(([name, value]) => `--parkade-${name}: ${value}`)
+      .join("; ")}; --parkade-radius: 3; --parkade-font: monospace }`,
+  );
   await ready(page);
-  const drawn = () => page.evaluate((wanted) => {
-    const found = new Set<string>();
-    const look = (root: ParentNode): void => {
-      for (const element of root.querySelectorAll("*")) {
-        if (element instanceof HTMLCanvasElement && element.width > 0) {
-          const { data } = element.getContext("2d")!.getImageData(0, 0, element.width, element.height);
-          for (let i = 0; i < data.length; i += 4) found.add(`#${[data[i]!, data[i + 1]!, data[i + 2]!].map((part) => part.toString(16).padStart(2, "0")).join("")}`);
+  const drawn = () =>
+    page.evaluate((wanted) => {
+      const found = new Set<string>();
+      const look = (root: ParentNode): void => {
+        for (const element of root.querySelectorAll("*")) {
+          if (element instanceof HTMLCanvasElement && element.width > 0) {
+            const { data } = element.getContext("2d")!.getImageData(0, 0, element.width, element.height);
+            for (let i = 0; i < data.length; i += 4)
+              found.add(
+                `#${[data[i]!, data[i + 1]!, data[i + 2]!].map((part) => part.toString(16).padStart(2, "0")).join("")}`,
+              );
+          }
+          if (element.shadowRoot) look(element.shadowRoot);
         }
-        if (element.shadowRoot) look(element.shadowRoot);
-      }
-    };
-    look(document);
-    return wanted.filter((value) => !found.has(value));
-  }, Object.values(colours));
+      };
+      look(document);
+      return wanted.filter((value) => !found.has(value));
+    }, Object.values(colours));
   await expect.poll(drawn).toEqual([]);
   const title = page.locator("parkade-panel h2").first();
   expect(await title.evaluate((element) => getComputedStyle(element).fontFamily)).toBe("monospace");
-  const radius = () => page.locator("parkade-toolbar button").first().evaluate((element) => parseFloat(getComputedStyle(element).borderTopLeftRadius));
+  const radius = () =>
+    page
+      .locator("parkade-toolbar button")
+      .first()
+      .evaluate((element) => parseFloat(getComputedStyle(element).borderTopLeftRadius));
   const wide = await radius();
-  await page.evaluate(() => document.querySelector<HTMLElement>("parkade-playground")!.style.setProperty("--parkade-radius", "1"));
+  await page.evaluate(() =>
+    document.querySelector<HTMLElement>("parkade-playground")!.style.setProperty("--parkade-radius", "1"),
+  );
   expect(wide).toBeGreaterThan(0);
   expect(await radius()).toBe(wide / 3);
 });
 
 test("attributes are properties, and do what they say before and after the playground is there", async ({ page }) => {
-  await visit(page, 'layout="single" controls="minimal" autoplay speed="0.01" layers="clean" wheel="always" editable', "");
+  await visit(
+    page,
+    'layout="single" controls="minimal" autoplay speed="0.01" layers="clean" wheel="always" editable',
+    "",
+  );
   await ready(page);
-  const read = () => page.evaluate(() => {
-    const element = document.querySelector("parkade-playground") as Embed & Record<string, unknown>;
-    return { layout: element["layout"], autoplay: element["autoplay"], speed: element["speed"], wheel: element["wheel"], budgetMs: element["budgetMs"], camera: element["camera"], playhead: element["playhead"] as number };
+  const read = () =>
+    page.evaluate(() => {
+      const element = document.querySelector("parkade-playground") as Embed & Record<string, unknown>;
+      return {
+        layout: element["layout"],
+        autoplay: element["autoplay"],
+        speed: element["speed"],
+        wheel: element["wheel"],
+        budgetMs: element["budgetMs"],
+        camera: element["camera"],
+        playhead: element["playhead"] as number,
+      };
+    });
+  expect(await read()).toMatchObject({
+    layout: "single",
+    autoplay: true,
+    speed: "0.01",
+    wheel: "always",
+    budgetMs: null,
+    camera: null,
   });
-  expect(await read()).toMatchObject({ layout: "single", autoplay: true, speed: "0.01", wheel: "always", budgetMs: null, camera: null });
   // It drives in, slowly.
   await expect.poll(async () => (await read()).playhead).toBeLessThan(0.5);
   await expect.poll(async () => (await read()).playhead).toBeGreaterThan(0);
@@ -177,9 +287,25 @@ test("attributes are properties, and do what they say before and after the playg
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
   expect((await read()).camera).toEqual(camera);
   // A scene's address, a link, another scene: each in its turn; selecting is told.
-  await page.route("**/host/own.json", (route) => route.fulfill({ json: { version: 1, name: "Own", map: { origin: [0, 0], width: 40, height: 30, resolution: 0.5 }, start: { x: 3, y: 7, heading: 0 }, goal: { x: 15, y: 7, heading: 0 } } }));
+  await page.route("**/host/own.json", (route) =>
+    route.fulfill({
+      json: {
+        version: 1,
+        name: "Own",
+        map: { origin: [0, 0], width: 40, height: 30, resolution: 0.5 },
+        start: { x: 3, y: 7, heading: 0 },
+        goal: { x: 15, y: 7, heading: 0 },
+      },
+    }),
+  );
   const names = await page.evaluate(async () => {
-    const element = document.querySelector("parkade-playground") as Embed & { getScene(): Promise<{ name?: string }>; openLink(link: string): Promise<void>; shareURL(): Promise<string>; src: string; scene: string };
+    const element = document.querySelector("parkade-playground") as Embed & {
+      getScene(): Promise<{ name?: string }>;
+      openLink(link: string): Promise<void>;
+      shareURL(): Promise<string>;
+      src: string;
+      scene: string;
+    };
     const name = async () => (await element.getScene()).name;
     const changed = () => new Promise((done) => element.addEventListener("scene-change", done, { once: true }));
     const seen: (string | undefined)[] = [await name()];
@@ -197,7 +323,14 @@ test("attributes are properties, and do what they say before and after the playg
     return seen;
   });
   expect(names).toEqual(["perpendicular", "Own", "parallel", "Own"]);
-  const selected = page.evaluate(() => new Promise((done) => document.querySelector("parkade-playground")!.addEventListener("select", (event) => { if (event instanceof CustomEvent) done(event.detail); })));
+  const selected = page.evaluate(
+    () =>
+      new Promise((done) =>
+        document.querySelector("parkade-playground")!.addEventListener("select", (event) => {
+          if (event instanceof CustomEvent) done(event.detail);
+        }),
+      ),
+  );
   await page.evaluate(() => (document.querySelector("parkade-playground") as Embed & { fit(): Promise<void> }).fit());
   const box = (await canvas.boundingBox())!;
   // The whole lot of 20 × 15 m is fitted; the start car's middle is 5.6 m left of its own.
@@ -215,28 +348,41 @@ test("workers and modules come from the folders that are named", async ({ page }
   });
   await visit(page, 'layout="single" worker-url="copies" wasm-url="copies/"', "");
   await ready(page);
-  expect(asked).toEqual(expect.arrayContaining([expect.stringMatching(/^engine-.*\.js$/), expect.stringMatching(/^parkade_bg-.*\.wasm$/)]));
+  expect(asked).toEqual(
+    expect.arrayContaining([expect.stringMatching(/^engine-.*\.js$/), expect.stringMatching(/^parkade_bg-.*\.wasm$/)]),
+  );
   await page.unrouteAll({ behavior: "ignoreErrors" });
 });
 
-test("at every width the toolbar ends inside the playground, and what it has no room for is in its menu", async ({ page }) => {
+test("at every width the toolbar ends inside the playground, and what it has no room for is in its menu", async ({
+  page,
+}) => {
   await visit(page, 'controls="full" layout="focus"', "");
   await ready(page);
   await expect(page.getByRole("button", { name: "Focus" })).toHaveAttribute("aria-pressed", "true");
   await expect(page.locator("parkade-stage .focus")).toBeVisible();
   // The loader's bar, or one that has just been redrawn, is measured until it stays.
-  const beyond = (width: number) => page.evaluate(async (width) => {
-    document.querySelector<HTMLElement>("parkade-playground")!.style.width = `${width}px`;
-    const inner = document.querySelector("parkade-playground")!.shadowRoot!;
-    const all = (root: ParentNode): Element[] => [...root.querySelectorAll("*")].flatMap((one) => [one, ...(one.shadowRoot ? all(one.shadowRoot) : [])]);
-    const bar = all(inner).find((one) => one.localName === "parkade-toolbar")!;
-    await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
-    const right = bar.getBoundingClientRect().right;
-    return { width: bar.getBoundingClientRect().width, beyond: [...bar.shadowRoot!.querySelectorAll("*")].filter((one) => one.checkVisibility() && one.getBoundingClientRect().right > right + 0.5).map((one) => one.getAttribute("aria-label") ?? one.className) };
-  }, width);
+  const beyond = (width: number) =>
+    page.evaluate(async (width) => {
+      document.querySelector<HTMLElement>("parkade-playground")!.style.width = `${width}px`;
+      const inner = document.querySelector("parkade-playground")!.shadowRoot!;
+      const all = (root: ParentNode): Element[] =>
+        [...root.querySelectorAll("*")].flatMap((one) => [one, ...(one.shadowRoot ? all(one.shadowRoot) : [])]);
+      const bar = all(inner).find((one) => one.localName === "parkade-toolbar")!;
+      await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+      const right = bar.getBoundingClientRect().right;
+      return {
+        width: bar.getBoundingClientRect().width,
+        beyond: [...bar.shadowRoot!.querySelectorAll("*")]
+          .filter((one) => one.checkVisibility() && one.getBoundingClientRect().right > right + 0.5)
+          .map((one) => one.getAttribute("aria-label") ?? one.className),
+      };
+    }, width);
   for (const lang of ["en", "zh"]) {
     await page.evaluate((lang) => document.querySelector("parkade-playground")!.setAttribute("lang", lang), lang);
-    for (const width of [320, 480, 640, 641, 718, 800, 830, 831, 900, 925, 926, 1000, 1140, 1141, 1200, 1230, 1231, 1280, 1390, 1391, 1400]) {
+    for (const width of [
+      320, 480, 640, 641, 718, 800, 830, 831, 900, 925, 926, 1000, 1140, 1141, 1200, 1230, 1231, 1280, 1390, 1391, 1400,
+    ]) {
       await expect.poll(() => beyond(width), `${lang}, ${width} px`).toEqual({ width, beyond: [] });
     }
   }

@@ -7,7 +7,9 @@ import { complaintsOf } from "./playground";
 
 const wasm = (urls: string[]) => urls.filter((url) => url.endsWith(".wasm"));
 
-test("nothing but the loader is fetched before a playground is near; then it moves nothing, and the second costs no byte", async ({ page }) => {
+test("nothing but the loader is fetched before a playground is near; then it moves nothing, and the second costs no byte", async ({
+  page,
+}) => {
   const complaints = complaintsOf(page);
   const { urls, shifted } = await watch(page);
   await page.goto(HOST);
@@ -26,13 +28,16 @@ test("nothing but the loader is fetched before a playground is near; then it mov
   await quiet(urls);
   // A worker's script comes from the cache; nothing is new.
   expect(urls.slice(before).filter((url) => !urls.slice(0, before).includes(url))).toEqual([]);
-  const answers = () => page.evaluate(() => Object.values((document.getElementById("two") as Embed).results).map((plan) => plan?.outcome));
+  const answers = () =>
+    page.evaluate(() => Object.values((document.getElementById("two") as Embed).results).map((plan) => plan?.outcome));
   await expect.poll(answers).toEqual(["found", "found"]);
   expect(await shifted()).toBeLessThan(UNSEEN);
   expect(complaints).toEqual([]);
 });
 
-test("a playground shows its first plans once, and the next one begins on the module that is there", async ({ page }) => {
+test("a playground shows its first plans once, and the next one begins on the module that is there", async ({
+  page,
+}) => {
   await watch(page);
   await page.addInitScript(() => {
     const counts = { modules: new Set<unknown>(), heard: [] as string[] };
@@ -43,18 +48,30 @@ test("a playground shows its first plans once, and the next one begins on the mo
         super.postMessage(message);
       }
     };
-    for (const name of ["plan-start", "plan-result"]) document.addEventListener(name, (event) => counts.heard.push(`${(event.target as Element).id} ${name}`));
+    for (const name of ["plan-start", "plan-result"])
+      document.addEventListener(name, (event) => counts.heard.push(`${(event.target as Element).id} ${name}`));
   });
-  const counts = () => page.evaluate(() => {
-    const { modules, heard } = (window as unknown as { counts: { modules: Set<unknown>; heard: string[] } }).counts;
-    return { modules: modules.size, heard: heard.sort() };
-  });
+  const counts = () =>
+    page.evaluate(() => {
+      const { modules, heard } = (window as unknown as { counts: { modules: Set<unknown>; heard: string[] } }).counts;
+      return { modules: modules.size, heard: heard.sort() };
+    });
   await page.goto(HOST);
   await near(page, "one");
   // The first two begin on the small module; the whole one takes over without a word.
   await expect.poll(async () => (await counts()).modules).toBe(2);
-  for (const id of ["one", "two"]) await page.evaluate((name) => (document.getElementById(name) as unknown as { settled(): Promise<void> }).settled(), id);
-  expect((await counts()).heard).toEqual(["one plan-result", "one plan-start", "two plan-result", "two plan-result", "two plan-start"]);
+  for (const id of ["one", "two"])
+    await page.evaluate(
+      (name) => (document.getElementById(name) as unknown as { settled(): Promise<void> }).settled(),
+      id,
+    );
+  expect((await counts()).heard).toEqual([
+    "one plan-result",
+    "one plan-start",
+    "two plan-result",
+    "two plan-result",
+    "two plan-start",
+  ]);
   await page.evaluate(async () => {
     const third = document.getElementById("three") as Embed & { load(): Promise<unknown>; toCSV(): Promise<string> };
     third.setAttribute("planners", "eight hybrid");
@@ -64,7 +81,11 @@ test("a playground shows its first plans once, and the next one begins on the mo
   });
   const after = await counts();
   expect(after.modules).toBe(2);
-  expect(after.heard.filter((one) => one.startsWith("three"))).toEqual(["three plan-result", "three plan-result", "three plan-start"]);
+  expect(after.heard.filter((one) => one.startsWith("three"))).toEqual([
+    "three plan-result",
+    "three plan-result",
+    "three plan-start",
+  ]);
 });
 
 test("another playground plans with the workers that rest at those before it, and starts none", async ({ page }) => {
@@ -74,17 +95,28 @@ test("another playground plans with the workers that rest at those before it, an
   await page.goto(HOST);
   for (const id of ["one", "two"]) await near(page, id);
   await quiet(urls);
-  const again = () => page.evaluate(() => Promise.all(["one", "two"].map((id) => (document.getElementById(id) as unknown as { plan(): Promise<void> }).plan())));
+  const again = () =>
+    page.evaluate(() =>
+      Promise.all(
+        ["one", "two"].map((id) => (document.getElementById(id) as unknown as { plan(): Promise<void> }).plan()),
+      ),
+    );
   await again();
   const before = started;
   expect(before).toBeGreaterThanOrEqual(3);
-  const hashes = () => page.evaluate(async () => {
-    const other = document.createElement("parkade-playground") as Embed;
-    for (const [name, value] of [["planners", "four eight hybrid"], ["layout", "overlay"], ["loading", "eager"]]) other.setAttribute(name!, value!);
-    document.getElementById("two")!.before(other);
-    await other.ready;
-    return Object.values(other.results).map((plan) => plan?.hash);
-  });
+  const hashes = () =>
+    page.evaluate(async () => {
+      const other = document.createElement("parkade-playground") as Embed;
+      for (const [name, value] of [
+        ["planners", "four eight hybrid"],
+        ["layout", "overlay"],
+        ["loading", "eager"],
+      ])
+        other.setAttribute(name!, value!);
+      document.getElementById("two")!.before(other);
+      await other.ready;
+      return Object.values(other.results).map((plan) => plan?.hash);
+    });
   expect((await hashes()).filter((hash) => hash?.length === 16)).toHaveLength(3);
   expect(started).toBe(before);
   // What was lent comes back.
@@ -97,15 +129,23 @@ test("playgrounds share the workers of one pool, and keep none of the first pict
   await page.goto(HOST);
   for (const id of ["one", "two"]) await near(page, id);
   // A promise that nothing in the page refers to may be collected before its answer is told.
-  await page.evaluate(async () => { await (document.getElementById("three") as unknown as { load(): Promise<unknown> }).load(); });
+  await page.evaluate(async () => {
+    await (document.getElementById("three") as unknown as { load(): Promise<unknown> }).load();
+  });
   await near(page, "three");
   const most = await page.evaluate(() => Math.min(8, Math.max(6, navigator.hardwareConcurrency)));
   await expect.poll(() => page.workers().length).toBeLessThanOrEqual(most);
-  for (const id of ["one", "two", "three"]) await page.evaluate((name) => (document.getElementById(name) as unknown as { settled(): Promise<void> }).settled(), id);
+  for (const id of ["one", "two", "three"])
+    await page.evaluate(
+      (name) => (document.getElementById(name) as unknown as { settled(): Promise<void> }).settled(),
+      id,
+    );
   expect(page.workers().length).toBeLessThanOrEqual(most);
 });
 
-test("what waits for a press fetches nothing until it is pressed, also by the keyboard, and then speaks its own language and colours", async ({ page }) => {
+test("what waits for a press fetches nothing until it is pressed, also by the keyboard, and then speaks its own language and colours", async ({
+  page,
+}) => {
   const { urls, shifted } = await watch(page);
   await page.goto(HOST);
   await page.evaluate(() => document.getElementById("three")!.scrollIntoView({ block: "center" }));
@@ -118,7 +158,12 @@ test("what waits for a press fetches nothing until it is pressed, also by the ke
   const scene = await page.evaluate(() => (document.getElementById("three") as Embed).sceneData);
   expect([scene.name, scene.goal]).toEqual(["Own", { x: 15, y: 7, heading: 0 }]);
   await expect(page.locator("#three").getByRole("button", { name: "撤销" }).first()).toBeAttached();
-  expect(await page.locator("#three").locator("parkade-embedded").evaluate((element) => getComputedStyle(element).colorScheme)).toBe("dark");
+  expect(
+    await page
+      .locator("#three")
+      .locator("parkade-embedded")
+      .evaluate((element) => getComputedStyle(element).colorScheme),
+  ).toBe("dark");
   expect(await shifted()).toBeLessThan(UNSEEN);
 });
 
@@ -126,11 +171,23 @@ test("the page's colours, parts and slots reach into the playground", async ({ p
   await watch(page);
   await page.goto(HOST);
   await near(page, "one");
-  expect(await page.locator("#one").locator("parkade-stage").evaluate((element) => getComputedStyle(element).getPropertyValue("--parkade-accent").trim())).toBe("rgb(1, 2, 3)");
-  expect(await page.locator("#one").locator("parkade-timeline").evaluate((element) => getComputedStyle(element).opacity)).toBe("0.9");
+  expect(
+    await page
+      .locator("#one")
+      .locator("parkade-stage")
+      .evaluate((element) => getComputedStyle(element).getPropertyValue("--parkade-accent").trim()),
+  ).toBe("rgb(1, 2, 3)");
+  expect(
+    await page
+      .locator("#one")
+      .locator("parkade-timeline")
+      .evaluate((element) => getComputedStyle(element).opacity),
+  ).toBe("0.9");
 });
 
-test("the page keeps its wheel and its keys; a press on the chip begins editing, Ctrl and the wheel zoom", async ({ page }) => {
+test("the page keeps its wheel and its keys; a press on the chip begins editing, Ctrl and the wheel zoom", async ({
+  page,
+}) => {
   await watch(page);
   await page.goto(HOST);
   await near(page, "one");
@@ -180,7 +237,11 @@ test("keys that the playground uses do not reach the page's own", async ({ page 
   expect(await heard()).toEqual([]);
   await page.keyboard.press("j");
   expect(await heard()).toEqual(["j"]);
-  await page.locator("#one").locator("canvas").first().click({ position: { x: 40, y: 40 } });
+  await page
+    .locator("#one")
+    .locator("canvas")
+    .first()
+    .click({ position: { x: 40, y: 40 } });
   await page.keyboard.press("b");
   expect(await heard()).toEqual([]);
   await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
@@ -193,7 +254,13 @@ test("properties set before the element is there are kept", async ({ page }) => 
   await page.route("**/parkade-playground.js", async (route) => {
     await page.evaluate(() => {
       const element = document.getElementById("one") as Embed;
-      element.sceneData = { version: 1, name: "Early", map: { origin: [0, 0], width: 40, height: 30, resolution: 0.5 }, start: { x: 3, y: 7, heading: 0 }, goal: { x: 15, y: 7, heading: 0 } };
+      element.sceneData = {
+        version: 1,
+        name: "Early",
+        map: { origin: [0, 0], width: 40, height: 30, resolution: 0.5 },
+        start: { x: 3, y: 7, heading: 0 },
+        goal: { x: 15, y: 7, heading: 0 },
+      };
     });
     await route.continue();
   });
@@ -208,9 +275,23 @@ test("every method and event of the element does what it says", async ({ page })
   const said = await page.evaluate(async () => {
     const element = document.getElementById("two") as Embed;
     const heard: Record<string, unknown[]> = {};
-    const names = ["ready", "scene-change", "plan-start", "plan-progress", "plan-result", "plan-complete", "seek", "select", "error", "progress", "visibility"];
-    for (const name of names) element.addEventListener(name, (event) => (heard[name] ??= []).push((event as CustomEvent).detail));
-    const call = <T>(name: string, ...args: unknown[]) => (element[name] as (...given: unknown[]) => Promise<T>)(...args);
+    const names = [
+      "ready",
+      "scene-change",
+      "plan-start",
+      "plan-progress",
+      "plan-result",
+      "plan-complete",
+      "seek",
+      "select",
+      "error",
+      "progress",
+      "visibility",
+    ];
+    for (const name of names)
+      element.addEventListener(name, (event) => (heard[name] ??= []).push((event as CustomEvent).detail));
+    const call = <T>(name: string, ...args: unknown[]) =>
+      (element[name] as (...given: unknown[]) => Promise<T>)(...args);
     await call("settled");
     element.scrollIntoView();
     const first = await call<Scenario>("getScene");
@@ -232,34 +313,105 @@ test("every method and event of the element does what it says", async ({ page })
     element.camera = { x: 5, y: 5, scale: 20 };
     const camera = element.camera;
     await call("fit");
-    const svg = await call<string>("toSVG"), csv = await call<string>("toCSV"), blob = await call<Blob>("toBlob", { type: "image/webp" }), url = await call<string>("shareURL");
+    const svg = await call<string>("toSVG"),
+      csv = await call<string>("toCSV"),
+      blob = await call<Blob>("toBlob", { type: "image/webp" }),
+      url = await call<string>("shareURL");
     await call("cancel");
-    const refused = await call("setScene", { version: 1 }).then(() => "taken", (error: Error) => error.message);
-    const undrivable = await call("setScene", { ...moved, vehicle: { wheelbase: -1 } }).then(() => "taken", (error: Error) => error.message);
-    return { heard, undone, back, params, playhead, camera, fitted: element.camera, svg: svg.slice(0, 4), csv: csv.split("\n")[0], blob: blob.type, url, refused, undrivable, after: (await call<Scenario>("getScene")).vehicle, before: moved.vehicle, loaded: element.loaded, moved: moved.start.x };
+    const refused = await call("setScene", { version: 1 }).then(
+      () => "taken",
+      (error: Error) => error.message,
+    );
+    const undrivable = await call("setScene", { ...moved, vehicle: { wheelbase: -1 } }).then(
+      () => "taken",
+      (error: Error) => error.message,
+    );
+    return {
+      heard,
+      undone,
+      back,
+      params,
+      playhead,
+      camera,
+      fitted: element.camera,
+      svg: svg.slice(0, 4),
+      csv: csv.split("\n")[0],
+      blob: blob.type,
+      url,
+      refused,
+      undrivable,
+      after: (await call<Scenario>("getScene")).vehicle,
+      before: moved.vehicle,
+      loaded: element.loaded,
+      moved: moved.start.x,
+    };
   });
   const { heard } = said;
-  expect(said).toMatchObject({ undone: true, back: true, params: { reverseCost: 3 }, playhead: 0.25, camera: { x: 5, y: 5, scale: 20 }, svg: "<svg", csv: "s,x,y,theta,kappa,clearance,v,direction", blob: "image/webp", loaded: true });
+  expect(said).toMatchObject({
+    undone: true,
+    back: true,
+    params: { reverseCost: 3 },
+    playhead: 0.25,
+    camera: { x: 5, y: 5, scale: 20 },
+    svg: "<svg",
+    csv: "s,x,y,theta,kappa,clearance,v,direction",
+    blob: "image/webp",
+    loaded: true,
+  });
   expect(said.url).toMatch(/\/sub\/path\/index\.html#s=/);
-  expect([said.refused, said.undrivable]).toEqual([expect.stringContaining("map: missing field"), expect.stringContaining("vehicle.width: missing field")]);
+  expect([said.refused, said.undrivable]).toEqual([
+    expect.stringContaining("map: missing field"),
+    expect.stringContaining("vehicle.width: missing field"),
+  ]);
   expect(said.after).toEqual(said.before);
-  expect(Object.keys(heard).sort()).toEqual(["error", "plan-complete", "plan-progress", "plan-result", "plan-start", "progress", "ready", "scene-change", "seek", "visibility"]);
+  expect(Object.keys(heard).sort()).toEqual([
+    "error",
+    "plan-complete",
+    "plan-progress",
+    "plan-result",
+    "plan-start",
+    "progress",
+    "ready",
+    "scene-change",
+    "seek",
+    "visibility",
+  ]);
   expect(heard["progress"]!.at(-1)).toEqual({ totalProgress: 1 });
-  expect((heard["scene-change"] as { reason: string; transient: boolean }[]).map(({ reason }) => reason)).toEqual(expect.arrayContaining(["open", "undo", "redo", "params"]));
-  expect((heard["plan-result"] as { planner: string }[]).map(({ planner }) => planner)).toEqual(expect.arrayContaining(["eight", "hybrid"]));
+  expect((heard["scene-change"] as { reason: string; transient: boolean }[]).map(({ reason }) => reason)).toEqual(
+    expect.arrayContaining(["open", "undo", "redo", "params"]),
+  );
+  expect((heard["plan-result"] as { planner: string }[]).map(({ planner }) => planner)).toEqual(
+    expect.arrayContaining(["eight", "hybrid"]),
+  );
   expect((heard["plan-progress"] as { expansions: number }[])[0]!.expansions).toBeGreaterThan(0);
-  expect(heard["plan-complete"]!.at(-1)).toMatchObject({ id: expect.any(Number), results: { hybrid: { outcome: "found" } } });
-  expect(await page.evaluate(() => [...document.styleSheets].map(({ href }) => href))).toEqual([expect.stringMatching(/\/host\/page\.css$/)]);
-  expect(heard["error"]!.at(-1)).toMatchObject({ code: "bad-scenario", field: "vehicle.width", message: expect.stringContaining("vehicle.width: missing field") });
+  expect(heard["plan-complete"]!.at(-1)).toMatchObject({
+    id: expect.any(Number),
+    results: { hybrid: { outcome: "found" } },
+  });
+  expect(await page.evaluate(() => [...document.styleSheets].map(({ href }) => href))).toEqual([
+    expect.stringMatching(/\/host\/page\.css$/),
+  ]);
+  expect(heard["error"]!.at(-1)).toMatchObject({
+    code: "bad-scenario",
+    field: "vehicle.width",
+    message: expect.stringContaining("vehicle.width: missing field"),
+  });
 });
 
 test("the example page says what its playground found, also after an edit", async ({ page }) => {
   const complaints: string[] = [];
-  page.on("console", (message) => { if (message.type() === "error") complaints.push(message.text()); });
+  page.on("console", (message) => {
+    if (message.type() === "error") complaints.push(message.text());
+  });
   await page.route("**/examples/html/**", async (route) => {
     const path = new URL(route.request().url()).pathname.slice("/examples/html/".length);
-    if (path.startsWith("parkade/")) return route.fulfill({ response: await route.fetch({ url: new URL(`/sub/path/${path.slice("parkade/".length)}`, page.url()).href }) });
-    return route.fulfill({ path: fileURLToPath(new URL(`../../examples/html/${path || "index.html"}`, import.meta.url)) });
+    if (path.startsWith("parkade/"))
+      return route.fulfill({
+        response: await route.fetch({ url: new URL(`/sub/path/${path.slice("parkade/".length)}`, page.url()).href }),
+      });
+    return route.fulfill({
+      path: fileURLToPath(new URL(`../../examples/html/${path || "index.html"}`, import.meta.url)),
+    });
   });
   await page.goto("/host/three.html");
   await page.goto("/examples/html/");
@@ -268,7 +420,10 @@ test("the example page says what its playground found, also after an edit", asyn
   await page.evaluate(async () => {
     const element = document.querySelector<Embed>("parkade-playground")!;
     const scene = await (element["getScene"] as () => Promise<Scenario>)();
-    await (element["setScene"] as (next: Scenario) => Promise<void>)({ ...scene, start: { ...scene.start, x: scene.start.x + 1 } });
+    await (element["setScene"] as (next: Scenario) => Promise<void>)({
+      ...scene,
+      start: { ...scene.start, x: scene.start.x + 1 },
+    });
   });
   await expect(page.locator("#answer")).not.toHaveText(before!);
   expect(complaints).toEqual([]);
@@ -277,10 +432,17 @@ test("the example page says what its playground found, also after an edit", asyn
 });
 
 test("the documentation's lines of HTML show a playground", async ({ page }) => {
-  const samples = [...readFileSync(new URL("../../docs/embed.md", import.meta.url), "utf8").matchAll(/```html\n([^]*?)```/g)].map((match) => match[1]!);
+  const samples = [
+    ...readFileSync(new URL("../../docs/embed.md", import.meta.url), "utf8").matchAll(/```html\n([^]*?)```/g),
+  ].map((match) => match[1]!);
   expect(samples.length).toBeGreaterThanOrEqual(4);
   for (const sample of samples) {
-    await page.route("**/host/sample.html", (route) => route.fulfill({ contentType: "text/html", body: `<!doctype html><title>Sample</title>${sample.replaceAll("parkade/", "/sub/path/")}` }));
+    await page.route("**/host/sample.html", (route) =>
+      route.fulfill({
+        contentType: "text/html",
+        body: `<!doctype html><title>Sample</title>${sample.replaceAll("parkade/", "/sub/path/")}`,
+      }),
+    );
     await page.goto("/host/sample.html");
     const frame = sample.includes("<iframe") ? page.frameLocator("iframe") : page;
     await frame.locator("parkade-playground .poster").first().waitFor({ state: "attached" });
@@ -291,36 +453,56 @@ test("the documentation's lines of HTML show a playground", async ({ page }) => 
 });
 
 test.describe("in a frame of another origin", () => {
-  interface Host { heard: { type: string; [key: string]: unknown }[]; ask(name: string, rest?: object): Promise<{ result?: unknown; error?: string }> }
+  interface Host {
+    heard: { type: string; [key: string]: unknown }[];
+    ask(name: string, rest?: object): Promise<{ result?: unknown; error?: string }>;
+  }
 
-  test("the same methods and events pass as messages, the frame tells its height, nothing moves, strangers are not heard", async ({ page }) => {
+  test("the same methods and events pass as messages, the frame tells its height, nothing moves, strangers are not heard", async ({
+    page,
+  }) => {
     const { shifted } = await watch(page);
     await page.goto("/host/frame.html");
     const heard = () => page.evaluate(() => (window as unknown as Host).heard.map(({ type }) => type));
     await expect.poll(heard, { timeout: 30_000 }).toContain("parkade:plan-complete");
-    await expect.poll(heard).toEqual(expect.arrayContaining(["parkade:height", "parkade:progress", "parkade:ready", "parkade:plan-result"]));
+    await expect
+      .poll(heard)
+      .toEqual(expect.arrayContaining(["parkade:height", "parkade:progress", "parkade:ready", "parkade:plan-result"]));
     expect(await page.locator("iframe").getAttribute("height")).toBe("420");
-    const inside = await page.frames()[1]!.evaluate(() => (window as unknown as { shifts: number[] }).shifts.reduce((a, b) => a + b, 0));
+    const inside = await page
+      .frames()[1]!
+      .evaluate(() => (window as unknown as { shifts: number[] }).shifts.reduce((a, b) => a + b, 0));
     expect(Math.max(await shifted(), inside)).toBeLessThan(UNSEEN);
     const talked = await page.evaluate(async () => {
       const { ask } = window as unknown as Host;
       const scene = (await ask("getScene")).result as Scenario;
       const set = await ask("setScene", { args: [{ ...scene, name: "From outside" }] });
       const after = (await ask("getScene")).result as Scenario;
-      return { set, name: after.name, svg: String((await ask("toSVG")).result).slice(0, 4), bad: (await ask("setScene", { args: [{}] })).error, unknown: (await ask("constructor")).error };
+      return {
+        set,
+        name: after.name,
+        svg: String((await ask("toSVG")).result).slice(0, 4),
+        bad: (await ask("setScene", { args: [{}] })).error,
+        unknown: (await ask("constructor")).error,
+      };
     });
     expect(talked).toMatchObject({ name: "From outside", svg: "<svg", unknown: "there is no parkade:constructor" });
     expect(talked.bad).toContain("version");
   });
 
   test("with an allow-list of others this page hears nothing", async ({ page }) => {
-    await page.goto(`/host/frame.html?hash=${encodeURIComponent("layout=single&controls=none&origins=https://example.org")}`);
+    await page.goto(
+      `/host/frame.html?hash=${encodeURIComponent("layout=single&controls=none&origins=https://example.org")}`,
+    );
     await page.locator("iframe").scrollIntoViewIfNeeded();
     await page.frameLocator("iframe").locator("parkade-playground canvas").waitFor();
     await page.frames()[1]!.evaluate(() => (document.querySelector("parkade-playground") as Embed).ready);
     const state = await page.evaluate(async () => {
       const { ask, heard } = window as unknown as Host;
-      const answered = await Promise.race([ask("getScene").then(() => true), new Promise((done) => setTimeout(() => done(false), 500))]);
+      const answered = await Promise.race([
+        ask("getScene").then(() => true),
+        new Promise((done) => setTimeout(() => done(false), 500)),
+      ]);
       return { answered, heard: heard.length };
     });
     expect(state).toEqual({ answered: false, heard: 0 });

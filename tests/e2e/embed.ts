@@ -36,8 +36,9 @@ export const quiet = async (urls: string[]) => {
   await expect.poll(() => seen === (seen = urls.length), { intervals: [1000], timeout: 30_000 }).toBe(true);
 };
 
-export const near = (page: Page, id: string) => page.evaluate(async (name) => {
-  const element = document.getElementById(name) as Embed;
-  element.scrollIntoView({ block: "center" });
-  await element.ready;
-}, id);
+export const near = (page: Page, id: string) =>
+  page.evaluate(async (name) => {
+    const element = document.getElementById(name) as Embed;
+    element.scrollIntoView({ block: "center" });
+    await element.ready;
+  }, id);

@@ -1,5 +1,12 @@
 import { expect, test } from "@playwright/test";
-import { complaintsOf, damagedLinks, damagedMessages, damagedStores, ready, watchTurns } from "../endurance/damaged-page.mjs";
+import {
+  complaintsOf,
+  damagedLinks,
+  damagedMessages,
+  damagedStores,
+  ready,
+  watchTurns,
+} from "../endurance/damaged-page.mjs";
 import { monkey } from "../endurance/monkey-page.mjs";
 import { random } from "../endurance/random.mjs";
 
@@ -14,7 +21,9 @@ test.beforeEach(async ({ page }) => {
   await page.addInitScript(watchTurns);
 });
 
-test("damaged links and stored states: nothing is thrown, no frame is held, and the page plans afterwards", async ({ page }) => {
+test("damaged links and stored states: nothing is thrown, no frame is held, and the page plans afterwards", async ({
+  page,
+}) => {
   const complaints = complaintsOf(page);
   await page.goto("./");
   await ready(page);
@@ -32,11 +41,19 @@ test("damaged messages to a frame: nothing is thrown, no frame is held, and it p
   expect(complaints).toEqual([]);
 });
 
-for (const [name, address] of [["the page", "./"], ["a frame", `/host/frame.html?hash=${encodeURIComponent("layout=grid&controls=full&editable")}`]] as const) {
-  test(`300 random clicks, keys and touches on ${name}: nothing is said on the console, no text reads NaN, and it plans afterwards`, async ({ page }) => {
+for (const [name, address] of [
+  ["the page", "./"],
+  ["a frame", `/host/frame.html?hash=${encodeURIComponent("layout=grid&controls=full&editable")}`],
+] as const) {
+  test(`300 random clicks, keys and touches on ${name}: nothing is said on the console, no text reads NaN, and it plans afterwards`, async ({
+    page,
+  }) => {
     await page.goto(address);
     await page.waitForTimeout(1500);
-    const found = await monkey(page, random(SEED), { frame: () => page.frames().at(-1), enough: (actions: number) => actions >= 300 });
+    const found = await monkey(page, random(SEED), {
+      frame: () => page.frames().at(-1),
+      enough: (actions: number) => actions >= 300,
+    });
     expect(found.complaints).toEqual([]);
     expect(found.usable).toBe(true);
   });
@@ -45,10 +62,16 @@ for (const [name, address] of [["the page", "./"], ["a frame", `/host/frame.html
 test.describe("on a phone", () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
-  test("300 random touches: nothing is said on the console, no text reads NaN, and the page plans afterwards", async ({ page }) => {
+  test("300 random touches: nothing is said on the console, no text reads NaN, and the page plans afterwards", async ({
+    page,
+  }) => {
     await page.goto("./");
     await page.waitForTimeout(1500);
-    const found = await monkey(page, random(SEED), { frame: () => page.frames().at(-1), touch: true, enough: (actions: number) => actions >= 300 });
+    const found = await monkey(page, random(SEED), {
+      frame: () => page.frames().at(-1),
+      touch: true,
+      enough: (actions: number) => actions >= 300,
+    });
     expect(found.complaints).toEqual([]);
     expect(found.usable).toBe(true);
   });

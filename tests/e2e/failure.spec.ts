@@ -10,32 +10,62 @@ const open = async (page: Page, path = "/"): Promise<void> => {
   });
 };
 
-const failing = (page: Page): Promise<string[]> => page.evaluate(() => Object.entries(document.querySelector<PlaygroundElement>("[permalink]")!.results)
-  .filter(([, plan]) => plan?.outcome === "found" && plan.check.verdict === "collides").map(([planner]) => planner));
-const camera = (page: Page) => page.evaluate(() => document.querySelector<PlaygroundElement>("[permalink]")!.store.state.camera as { x: number; y: number; scale: number } | null);
-const set = (page: Page, patch: Record<string, unknown>) => page.evaluate((given) => document.querySelector<PlaygroundElement>("[permalink]")!.store.set(given), patch);
-const firstHit = (page: Page, planner: string) => page.evaluate((id) => document.querySelector<PlaygroundElement>("[permalink]")!.results[id]!.check.firstHit!.pose, planner);
+const failing = (page: Page): Promise<string[]> =>
+  page.evaluate(() =>
+    Object.entries(document.querySelector<PlaygroundElement>("[permalink]")!.results)
+      .filter(([, plan]) => plan?.outcome === "found" && plan.check.verdict === "collides")
+      .map(([planner]) => planner),
+  );
+const camera = (page: Page) =>
+  page.evaluate(
+    () =>
+      document.querySelector<PlaygroundElement>("[permalink]")!.store.state.camera as {
+        x: number;
+        y: number;
+        scale: number;
+      } | null,
+  );
+const set = (page: Page, patch: Record<string, unknown>) =>
+  page.evaluate((given) => document.querySelector<PlaygroundElement>("[permalink]")!.store.set(given), patch);
+const firstHit = (page: Page, planner: string) =>
+  page.evaluate(
+    (id) => document.querySelector<PlaygroundElement>("[permalink]")!.results[id]!.check.firstHit!.pose,
+    planner,
+  );
 
 const SENTENCE = /^(Hits .+ after \d+\.\d m\.|Overlaps .+ at the start\.) .+/;
 
 /** The line is inside the panel and wholly visible. */
 async function expectWhole(line: Locator): Promise<void> {
   await expect(line.locator("p")).toHaveText(SENTENCE);
-  const cut = await line.locator("p").evaluate((p) => p.scrollHeight > p.clientHeight + 1 || p.scrollWidth > p.clientWidth + 1);
+  const cut = await line
+    .locator("p")
+    .evaluate((p) => p.scrollHeight > p.clientHeight + 1 || p.scrollWidth > p.clientWidth + 1);
   expect(cut, await line.locator("p").innerText()).toBe(false);
 }
 
 test("in a grid each panel that fails says what it hits, and one click zooms to it", async ({ page }) => {
-  const complaints = complaintsOf(page), shifts = await watchShifts(page);
+  const complaints = complaintsOf(page),
+    shifts = await watchShifts(page);
   await open(page);
-  const [planner] = await failing(page), id = planner!;
-  const order = await page.evaluate(() => Object.keys(document.querySelector<PlaygroundElement>("[permalink]")!.results));
-  const panel = page.locator("parkade-panel").nth(order.indexOf(id)), line = panel.locator("parkade-failure");
+  const [planner] = await failing(page),
+    id = planner!;
+  const order = await page.evaluate(() =>
+    Object.keys(document.querySelector<PlaygroundElement>("[permalink]")!.results),
+  );
+  const panel = page.locator("parkade-panel").nth(order.indexOf(id)),
+    line = panel.locator("parkade-failure");
   await expectWhole(line);
-  const before = await panel.locator("canvas").boundingBox(), moved = (await shifts()).length;
+  const before = await panel.locator("canvas").boundingBox(),
+    moved = (await shifts()).length;
   await line.getByRole("button").click();
   const hit = await firstHit(page, id);
-  await expect.poll(async () => { const at = await camera(page); return at ? Math.hypot(at.x - hit.x, at.y - hit.y) : Infinity; }).toBeLessThan(6);
+  await expect
+    .poll(async () => {
+      const at = await camera(page);
+      return at ? Math.hypot(at.x - hit.x, at.y - hit.y) : Infinity;
+    })
+    .toBeLessThan(6);
   await expect.poll(async () => (await camera(page))!.scale).toBeGreaterThan(12);
   expect(await panel.locator("canvas").boundingBox()).toEqual(before);
   expect((await shifts()).slice(moved).reduce((sum, one) => sum + one, 0)).toBeLessThan(0.005);
@@ -62,22 +92,29 @@ for (const mode of ["overlay", "focus"] as const) {
     await open(page);
     const [planner] = await failing(page);
     await set(page, { mode, focus: planner });
-    const line = page.locator(mode === "focus" ? "parkade-panel.large parkade-failure" : "parkade-stage .one > parkade-failure");
+    const line = page.locator(
+      mode === "focus" ? "parkade-panel.large parkade-failure" : "parkade-stage .one > parkade-failure",
+    );
     await expectWhole(line);
     await line.getByRole("button").click();
     await expect.poll(() => camera(page)).not.toBeNull();
   });
 }
 
-test("on a phone it stands on the map's lower edge, above the chips, and nothing moves when another planner is chosen", async ({ page }) => {
+test("on a phone it stands on the map's lower edge, above the chips, and nothing moves when another planner is chosen", async ({
+  page,
+}) => {
   await page.setViewportSize({ width: 390, height: 844 });
   await open(page);
-  const [planner] = await failing(page), map = page.locator("parkade-stage canvas"), line = page.locator(".phone > parkade-failure");
+  const [planner] = await failing(page),
+    map = page.locator("parkade-stage canvas"),
+    line = page.locator(".phone > parkade-failure");
   const before = await map.boundingBox();
   await set(page, { focus: planner });
   await expectWhole(line);
   expect(await map.boundingBox()).toEqual(before);
-  const at = (await line.boundingBox())!, chips = (await page.locator("parkade-chips button[aria-pressed]").first().boundingBox())!;
+  const at = (await line.boundingBox())!,
+    chips = (await page.locator("parkade-chips button[aria-pressed]").first().boundingBox())!;
   expect(at.y).toBeGreaterThanOrEqual(before!.y + before!.height - 41);
   expect(at.y + at.height).toBeLessThanOrEqual(chips.y);
   await line.getByRole("button").click();
@@ -101,10 +138,18 @@ test("the line lies on neither car at the cameras that fit", async ({ page }) =>
       await element.settled();
     }, scene);
     const covered = await page.evaluate(() => {
-      const element = document.querySelector<PlaygroundElement>("[permalink]")!, { start } = element.sceneData;
-      return [...element.shadowRoot!.querySelector("parkade-stage")!.shadowRoot!.querySelectorAll("parkade-panel")].filter((panel) => {
-        const view = (panel.shadowRoot!.querySelector("parkade-scene-view") as unknown as { view: { camera: { y: number; scale: number }; height: number } }).view;
-        const line = panel.shadowRoot!.querySelector("parkade-failure")!.getBoundingClientRect(), map = panel.shadowRoot!.querySelector(".body")!.getBoundingClientRect();
+      const element = document.querySelector<PlaygroundElement>("[permalink]")!,
+        { start } = element.sceneData;
+      return [
+        ...element.shadowRoot!.querySelector("parkade-stage")!.shadowRoot!.querySelectorAll("parkade-panel"),
+      ].filter((panel) => {
+        const view = (
+          panel.shadowRoot!.querySelector("parkade-scene-view") as unknown as {
+            view: { camera: { y: number; scale: number }; height: number };
+          }
+        ).view;
+        const line = panel.shadowRoot!.querySelector("parkade-failure")!.getBoundingClientRect(),
+          map = panel.shadowRoot!.querySelector(".body")!.getBoundingClientRect();
         const y = map.top + view.height / 2 - (start.y - view.camera.y) * view.camera.scale;
         return line.height > 0 && y > line.top && y < line.bottom;
       }).length;

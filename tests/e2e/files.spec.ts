@@ -27,14 +27,16 @@ test("the path is saved as a table of its poses", async ({ page }) => {
 test("pictures come at one and two pixels for each on the screen", async ({ page }) => {
   await open(page);
   const width = ({ bytes }: { bytes: Buffer }): number => bytes.readUInt32BE(16);
-  const one = await exported(page, "PNG image, 1×"), two = await exported(page, "PNG image, 2×");
+  const one = await exported(page, "PNG image, 1×"),
+    two = await exported(page, "PNG image, 2×");
   expect(width(two)).toBe(2 * width(one));
 });
 
 test("a saved drawing opens again as the scene it shows", async ({ page }) => {
   const complaints = complaintsOf(page);
   await open(page);
-  const before = await sceneOf(page), hashes = await hashesOf(page);
+  const before = await sceneOf(page),
+    hashes = await hashesOf(page);
   const { name, bytes } = await exported(page, "SVG drawing (can be reopened)");
   expect(name).toMatch(/\.svg$/);
   await page.evaluate(() => {
@@ -42,12 +44,18 @@ test("a saved drawing opens again as the scene it shows", async ({ page }) => {
     element.sceneData = { ...element.sceneData, slots: [], obstacles: [], goal: { x: 20, y: 20, heading: 0 } };
   });
   await settled(page);
-  await page.locator("parkade-playground input[type=file]").setInputFiles({ name, mimeType: "image/svg+xml", buffer: bytes });
+  await page
+    .locator("parkade-playground input[type=file]")
+    .setInputFiles({ name, mimeType: "image/svg+xml", buffer: bytes });
   await expect(page.locator("parkade-notices .notice.info")).toContainText("Opened");
   await settled(page);
   expect(await sceneOf(page)).toEqual(before);
   expect(await hashesOf(page)).toEqual(hashes);
-  await page.locator("parkade-playground input[type=file]").setInputFiles({ name: "other.svg", mimeType: "image/svg+xml", buffer: Buffer.from("<svg xmlns='http://www.w3.org/2000/svg'/>") });
+  await page.locator("parkade-playground input[type=file]").setInputFiles({
+    name: "other.svg",
+    mimeType: "image/svg+xml",
+    buffer: Buffer.from("<svg xmlns='http://www.w3.org/2000/svg'/>"),
+  });
   await expect(page.locator("parkade-notices .notice.err")).toContainText("holds no scene");
   expect(complaints).toEqual([]);
 });
@@ -60,13 +68,18 @@ test("a picture becomes a map by threshold and scale", async ({ page }) => {
     canvas.width = 60;
     canvas.height = 40;
     const ctx = canvas.getContext("2d")!;
-    for (const [colour, ...box] of [["#fff", 0, 0, 60, 40], ["#000", 28, 10, 3, 30], ["#999", 44, 0, 3, 30]] as [string, number, number, number, number][]) {
+    for (const [colour, ...box] of [
+      ["#fff", 0, 0, 60, 40],
+      ["#000", 28, 10, 3, 30],
+      ["#999", 44, 0, 3, 30],
+    ] as [string, number, number, number, number][]) {
       ctx.fillStyle = colour;
       ctx.fillRect(...box);
     }
     return canvas.toDataURL("image/png").split(",")[1]!;
   });
-  const before = await sceneOf(page), input = page.locator("parkade-playground input[type=file]");
+  const before = await sceneOf(page),
+    input = page.locator("parkade-playground input[type=file]");
   await input.setInputFiles({ name: "lot.png", mimeType: "image/png", buffer: Buffer.from(png, "base64") });
   const dialog = page.locator("parkade-image dialog");
   await expect(dialog).toContainText("60 × 40 cells");
@@ -84,7 +97,10 @@ test("a picture becomes a map by threshold and scale", async ({ page }) => {
   await expect(page.locator("parkade-notices .notice.err")).toContainText("broken.png could not be read as an image");
 });
 
-test("a drawing is offered again after its tab is closed, and each open tab keeps its own", async ({ context, baseURL }) => {
+test("a drawing is offered again after its tab is closed, and each open tab keeps its own", async ({
+  context,
+  baseURL,
+}) => {
   const visit = async (): Promise<Page> => {
     const page = await context.newPage();
     await page.emulateMedia({ reducedMotion: "reduce" });
@@ -98,7 +114,13 @@ test("a drawing is offered again after its tab is closed, and each open tab keep
       const element = document.querySelector<PlaygroundElement>("parkade-playground")!;
       element.sceneData = { ...element.sceneData, start: { ...element.sceneData.start, x: at } };
     }, x);
-    await page.waitForFunction((at) => Object.keys(localStorage).some((key) => key.startsWith("parkade.tab.") && localStorage.getItem(key)!.includes(`"x":${at},`)), x);
+    await page.waitForFunction(
+      (at) =>
+        Object.keys(localStorage).some(
+          (key) => key.startsWith("parkade.tab.") && localStorage.getItem(key)!.includes(`"x":${at},`),
+        ),
+      x,
+    );
   };
   const first = await visit();
   await draw(first, 17.25);

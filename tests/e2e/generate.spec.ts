@@ -18,7 +18,9 @@ test("the gallery draws a map by numbers, the next one by the next seed", async 
   await form.getByRole("button", { name: "Next seed" }).click();
   await expect(form.getByLabel("Seed", { exact: true })).toHaveValue("2");
   await expect.poll(async () => (await picture()).equals(first)).toBe(false);
-  const { violations } = await new AxeBuilder({ page }).withTags(["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"]).analyze();
+  const { violations } = await new AxeBuilder({ page })
+    .withTags(["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"])
+    .analyze();
   expect(violations.map((one) => one.id)).toEqual([]);
   await form.getByLabel("Cells per side").fill("60");
   await form.getByRole("button", { name: "Open" }).click();
@@ -36,7 +38,12 @@ test("numbers that make no map are refused by field, and nothing opens", async (
   await page.locator("parkade-toolbar .scene").click();
   await page.getByRole("button", { name: "Generate" }).click();
   const form = page.locator("parkade-generate form");
-  for (const [label, value] of [["Cells per side", "3"], ["Seed", "-1"], ["Blocked cells", "two"], ["Block size from", "9"]] as const) {
+  for (const [label, value] of [
+    ["Cells per side", "3"],
+    ["Seed", "-1"],
+    ["Blocked cells", "two"],
+    ["Block size from", "9"],
+  ] as const) {
     const input = form.getByLabel(label, { exact: false }).first();
     const good = await input.inputValue();
     await input.fill(value);

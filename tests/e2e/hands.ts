@@ -6,25 +6,43 @@ export type Spot = [x: number, y: number];
 
 /** An empty lot with its cars out of the way; 20 px to the metre, (20, 15) in the middle. */
 export const LOT: Scenario = {
-  version: 1, map: { origin: [0, 0], width: 80, height: 60, resolution: 0.5 }, obstacles: [], slots: [], vehicle: "sedan",
-  start: { x: 4, y: 3, heading: 0 }, goal: { x: 30, y: 3, heading: 0 },
+  version: 1,
+  map: { origin: [0, 0], width: 80, height: 60, resolution: 0.5 },
+  obstacles: [],
+  slots: [],
+  vehicle: "sedan",
+  start: { x: 4, y: 3, heading: 0 },
+  goal: { x: 30, y: 3, heading: 0 },
 };
 
 export async function openLot(page: Page, scene: Partial<Scenario> = {}): Promise<void> {
   await open(page);
-  await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ mode: "overlay", planners: ["four", "eight"], focus: "four" }));
+  await page.evaluate(() =>
+    document
+      .querySelector<PlaygroundElement>("parkade-playground")!
+      .store.set({ mode: "overlay", planners: ["four", "eight"], focus: "four" }),
+  );
   await fillLot(page, scene);
 }
 
 /** The lot again, with these things in it. */
 export async function fillLot(page: Page, scene: Partial<Scenario> = {}): Promise<void> {
-  await page.evaluate((lot) => { document.querySelector<PlaygroundElement>("parkade-playground")!.sceneData = lot; }, { ...LOT, ...scene });
+  await page.evaluate(
+    (lot) => {
+      document.querySelector<PlaygroundElement>("parkade-playground")!.sceneData = lot;
+    },
+    { ...LOT, ...scene },
+  );
   await settled(page);
   await look(page, 20, 15, 20);
 }
 
 /** Presses, moves along the way, releases. */
-export async function drag(page: Page, way: readonly Spot[], options: { button?: "left" | "right"; steps?: number } = {}): Promise<void> {
+export async function drag(
+  page: Page,
+  way: readonly Spot[],
+  options: { button?: "left" | "right"; steps?: number } = {},
+): Promise<void> {
   const [first, ...rest] = await Promise.all(way.map(([x, y]) => onScreen(page, x, y)));
   await page.mouse.move(first!.x, first!.y);
   await page.mouse.down({ button: options.button ?? "left" });
@@ -41,7 +59,11 @@ export async function click(page: Page, [x, y]: Spot): Promise<void> {
 let clock = 0;
 
 /** Fingers that go down together (or after `gap` milliseconds), move together and leave. */
-export async function fingers(page: Page, ways: readonly (readonly Spot[])[], options: { gap?: number; hold?: number } = {}): Promise<void> {
+export async function fingers(
+  page: Page,
+  ways: readonly (readonly Spot[])[],
+  options: { gap?: number; hold?: number } = {},
+): Promise<void> {
   const session = await page.context().newCDPSession(page);
   const points = await Promise.all(ways.map((way) => Promise.all(way.map(([x, y]) => onScreen(page, x, y)))));
   const at = (step: number, count = points.length): { x: number; y: number; id: number }[] =>
@@ -60,8 +82,16 @@ export async function fingers(page: Page, ways: readonly (readonly Spot[])[], op
   const steps = Math.max(...points.map((way) => way.length));
   for (let step = 1; step < steps; step++) {
     for (let part = 1; part <= 4; part++) {
-      const before = at(step - 1), next = at(step);
-      await send("touchMove", next.map((p, i) => ({ x: before[i]!.x + ((p.x - before[i]!.x) * part) / 4, y: before[i]!.y + ((p.y - before[i]!.y) * part) / 4, id: p.id })));
+      const before = at(step - 1),
+        next = at(step);
+      await send(
+        "touchMove",
+        next.map((p, i) => ({
+          x: before[i]!.x + ((p.x - before[i]!.x) * part) / 4,
+          y: before[i]!.y + ((p.y - before[i]!.y) * part) / 4,
+          id: p.id,
+        })),
+      );
     }
   }
   await send("touchEnd", []);

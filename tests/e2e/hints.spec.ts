@@ -9,9 +9,18 @@ test("one sentence after another leads from the first drag to a wall and to a pl
   const complaints = complaintsOf(page);
   await open(page);
   await expect(page.locator(hint)).toContainText("Drag me");
-  const { x, y } = await page.evaluate(() => (document.querySelector<PlaygroundElement>("parkade-playground")!.store as any).state.geometry.goal as { x: number; y: number });
+  const { x, y } = await page.evaluate(
+    () =>
+      (document.querySelector<PlaygroundElement>("parkade-playground")!.store as any).state.geometry.goal as {
+        x: number;
+        y: number;
+      },
+  );
   await look(page, x, y, 14);
-  await drag(page, [[x, y], [x + 0.8, y + 0.4]]);
+  await drag(page, [
+    [x, y],
+    [x + 0.8, y + 0.4],
+  ]);
   await settled(page);
   await expect(page.locator(hint)).toHaveText("Draw a wall and every planner replans.");
   // A hint goes with the next action, whichever it is.
@@ -31,7 +40,14 @@ test("one sentence after another leads from the first drag to a wall and to a pl
 });
 
 test("a hint covers no control, no text and neither car at any size, and its button closes it", async ({ browser }) => {
-  for (const [width, height] of [[320, 480], [390, 844], [844, 390], [1024, 768], [1400, 900], [1920, 1080]] as const) {
+  for (const [width, height] of [
+    [320, 480],
+    [390, 844],
+    [844, 390],
+    [1024, 768],
+    [1400, 900],
+    [1920, 1080],
+  ] as const) {
     const page = await browser.newPage({ viewport: { width, height } });
     await open(page);
     await page.waitForFunction(() => customElements.get("parkade-hints"));
@@ -40,24 +56,43 @@ test("a hint covers no control, no text and neither car at any size, and its but
     if (height === 480 && (await bubble.count()) === 0) continue;
     await expect(bubble).toContainText("Drag me");
     const covered = await bubble.evaluate((element) => {
-      const box = element.getBoundingClientRect(), found: string[] = [];
-      const walk = (root: ParentNode): void => root.querySelectorAll("*").forEach((one) => {
-        if (one.localName === "parkade-hints") return;
-        if (one.shadowRoot) walk(one.shadowRoot);
-        const text = [...one.childNodes].filter((node) => node.nodeType === 3).map((node) => node.textContent!.trim()).join("");
-        if ((!text && !one.matches("button, input")) || !one.checkVisibility({ visibilityProperty: true }) || one.matches(".sr")) return;
-        const { left, right, top, bottom } = one.getBoundingClientRect();
-        if (left < box.right && right > box.left && top < box.bottom && bottom > box.top) found.push(`${one.localName} ${text}`);
-      });
+      const box = element.getBoundingClientRect(),
+        found: string[] = [];
+      const walk = (root: ParentNode): void =>
+        root.querySelectorAll("*").forEach((one) => {
+          if (one.localName === "parkade-hints") return;
+          if (one.shadowRoot) walk(one.shadowRoot);
+          const text = [...one.childNodes]
+            .filter((node) => node.nodeType === 3)
+            .map((node) => node.textContent!.trim())
+            .join("");
+          if (
+            (!text && !one.matches("button, input")) ||
+            !one.checkVisibility({ visibilityProperty: true }) ||
+            one.matches(".sr")
+          )
+            return;
+          const { left, right, top, bottom } = one.getBoundingClientRect();
+          if (left < box.right && right > box.left && top < box.bottom && bottom > box.top)
+            found.push(`${one.localName} ${text}`);
+        });
       walk(document.querySelector("parkade-playground")!.shadowRoot!);
       return found;
     });
     expect(covered, `${width}x${height}`).toEqual([]);
     // Its line begins at its edge and ends at the grip, however far that is.
     const apart = await page.locator("parkade-hints u").evaluate((line) => {
-      const hints = (line.getRootNode() as ShadowRoot).host as HTMLElement & { bubble: { tip: [number, number]; to: [number, number] } };
-      const { tip, to } = hints.bubble, { left, top, right, bottom } = line.getBoundingClientRect(), origin = hints.getBoundingClientRect();
-      return Math.max(...[tip, to].map(([x, y]) => Math.max(left - origin.left - x, x - right + origin.left, top - origin.top - y, y - bottom + origin.top)));
+      const hints = (line.getRootNode() as ShadowRoot).host as HTMLElement & {
+        bubble: { tip: [number, number]; to: [number, number] };
+      };
+      const { tip, to } = hints.bubble,
+        { left, top, right, bottom } = line.getBoundingClientRect(),
+        origin = hints.getBoundingClientRect();
+      return Math.max(
+        ...[tip, to].map(([x, y]) =>
+          Math.max(left - origin.left - x, x - right + origin.left, top - origin.top - y, y - bottom + origin.top),
+        ),
+      );
     });
     expect(apart, `${width}x${height}`).toBeLessThanOrEqual(1);
     await bubble.getByRole("button", { name: "Close this hint" }).click();
@@ -72,9 +107,13 @@ test.describe("on a phone", () => {
   test("a swipe over the map's title brings the next planner to the front", async ({ page }) => {
     await open(page);
     const title = page.locator("parkade-stage .title");
-    const focus = () => page.evaluate(() => (document.querySelector<PlaygroundElement>("parkade-playground")!.store.state as any).focus as string);
+    const focus = () =>
+      page.evaluate(
+        () => (document.querySelector<PlaygroundElement>("parkade-playground")!.store.state as any).focus as string,
+      );
     expect(await focus()).toBe("hybrid");
-    const box = (await title.boundingBox())!, middle = box.y + box.height / 2;
+    const box = (await title.boundingBox())!,
+      middle = box.y + box.height / 2;
     const swipe = async (from: number, to: number): Promise<void> => {
       await page.mouse.move(box.x + from, middle);
       await page.mouse.down();

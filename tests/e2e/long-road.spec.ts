@@ -2,17 +2,27 @@ import { expect, test, type Page } from "@playwright/test";
 import type { PlaygroundElement } from "./playground";
 
 /** Where the first map's camera is, and how much it shows (metres). */
-const seen = (page: Page) => page.evaluate(() => {
-  const element = document.querySelector<PlaygroundElement>("[permalink]")!, stage = element.shadowRoot!.querySelector("parkade-stage")!.shadowRoot!;
-  const map = (stage.querySelector("parkade-panel")?.shadowRoot ?? stage).querySelector("parkade-scene-view") as unknown as { view: { camera: { x: number; y: number; scale: number }; width: number } };
-  const { camera, width } = map.view;
-  return { x: camera.x, metres: width / camera.scale };
-});
-const state = (page: Page) => page.evaluate(() => {
-  const { planners, focus, follow } = document.querySelector<PlaygroundElement>("[permalink]")!.store.state as unknown as { planners: string[]; focus: string; follow: boolean };
-  return { planners, focus, follow };
-});
-const seek = (page: Page, to: number) => page.evaluate((fraction) => (document.querySelector("[permalink]") as unknown as { seek(f: number): void }).seek(fraction), to);
+const seen = (page: Page) =>
+  page.evaluate(() => {
+    const element = document.querySelector<PlaygroundElement>("[permalink]")!,
+      stage = element.shadowRoot!.querySelector("parkade-stage")!.shadowRoot!;
+    const map = (stage.querySelector("parkade-panel")?.shadowRoot ?? stage).querySelector(
+      "parkade-scene-view",
+    ) as unknown as { view: { camera: { x: number; y: number; scale: number }; width: number } };
+    const { camera, width } = map.view;
+    return { x: camera.x, metres: width / camera.scale };
+  });
+const state = (page: Page) =>
+  page.evaluate(() => {
+    const { planners, focus, follow } = document.querySelector<PlaygroundElement>("[permalink]")!.store
+      .state as unknown as { planners: string[]; focus: string; follow: boolean };
+    return { planners, focus, follow };
+  });
+const seek = (page: Page, to: number) =>
+  page.evaluate(
+    (fraction) => (document.querySelector("[permalink]") as unknown as { seek(f: number): void }).seek(fraction),
+    to,
+  );
 
 async function open(page: Page, scene: string): Promise<void> {
   await page.goto("/");
@@ -21,10 +31,17 @@ async function open(page: Page, scene: string): Promise<void> {
     await element.ready;
     element.scene = id;
   }, scene);
-  await expect.poll(() => page.evaluate(() => document.querySelector<PlaygroundElement>("[permalink]")!.results["cost-map"]?.outcome), { timeout: 20_000 }).toBe("found");
+  await expect
+    .poll(
+      () => page.evaluate(() => document.querySelector<PlaygroundElement>("[permalink]")!.results["cost-map"]?.outcome),
+      { timeout: 20_000 },
+    )
+    .toBe("found");
 }
 
-test("a road opens on its planner's car, the camera follows the drive, and the whole map is one click away", async ({ page }) => {
+test("a road opens on its planner's car, the camera follows the drive, and the whole map is one click away", async ({
+  page,
+}) => {
   await open(page, "road-narrow");
   expect(await state(page)).toMatchObject({ focus: "cost-map", follow: true });
   expect((await state(page)).planners[0]).toBe("cost-map");
@@ -43,7 +60,9 @@ test("a road opens on its planner's car, the camera follows the drive, and the w
 
 test("another scene is fitted, with the planners of before", async ({ page }) => {
   await open(page, "road-straight");
-  await page.evaluate(() => { document.querySelector<PlaygroundElement>("[permalink]")!.scene = "angled"; });
+  await page.evaluate(() => {
+    document.querySelector<PlaygroundElement>("[permalink]")!.scene = "angled";
+  });
   await expect.poll(async () => (await state(page)).planners).toEqual(["four", "eight", "risk-field", "hybrid"]);
   expect((await state(page)).follow).toBe(false);
   await expect(page.locator("parkade-timeline button[aria-label='Follow the car']")).toHaveCount(0);

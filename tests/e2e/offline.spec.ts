@@ -3,7 +3,11 @@ import { expectFourAnswers, open, settled, type PlaygroundElement } from "./play
 
 test.use({ viewport: { width: 1400, height: 900 }, serviceWorkers: "allow" });
 
-test("after the first visit the page works without a network, below its sub-path", async ({ page, context, baseURL }) => {
+test("after the first visit the page works without a network, below its sub-path", async ({
+  page,
+  context,
+  baseURL,
+}) => {
   await open(page);
   const scope = await page.evaluate(async () => (await navigator.serviceWorker.ready).scope);
   expect(scope).toBe(baseURL);
@@ -12,7 +16,9 @@ test("after the first visit the page works without a network, below its sub-path
   await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.ready);
   await settled(page);
   await expectFourAnswers(page);
-  await page.waitForFunction(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.state.complete);
+  await page.waitForFunction(
+    () => document.querySelector<PlaygroundElement>("parkade-playground")!.store.state.complete,
+  );
   await page.locator("parkade-toolbar .scene").click();
   await expect(page.locator("parkade-presets li button").first()).toBeVisible();
 });

@@ -9,12 +9,18 @@ test.use({ viewport: { width: 1400, height: 900 } });
 const told = expect.configure({ timeout: 30_000 });
 
 const linkOf = async (page: Page): Promise<string> =>
-  new URL((await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.shareURL()))!).hash;
+  new URL((await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.shareURL()))!)
+    .hash;
 
-const looksOf = (page: Page) => page.evaluate(() => {
-  const { mode, focus, planners, layers, playback, camera } = (document.querySelector<PlaygroundElement>("parkade-playground")! as unknown as { store: { state: Record<string, any> } }).store.state;
-  return { mode, focus, planners, layers, base: playback.base, fraction: playback.fraction, camera };
-});
+const looksOf = (page: Page) =>
+  page.evaluate(() => {
+    const { mode, focus, planners, layers, playback, camera } = (
+      document.querySelector<PlaygroundElement>("parkade-playground")! as unknown as {
+        store: { state: Record<string, any> };
+      }
+    ).store.state;
+    return { mode, focus, planners, layers, base: playback.base, fraction: playback.fraction, camera };
+  });
 
 /** Every field of a link's view, broken in turn. */
 const DAMAGED: [view: string, field: string][] = [
@@ -36,10 +42,13 @@ const DAMAGED: [view: string, field: string][] = [
   ["0", "planners[0]"],
 ];
 
-test("a link whose view makes no sense opens its scene with its own view and says so in one sentence", async ({ page }) => {
+test("a link whose view makes no sense opens its scene with its own view and says so in one sentence", async ({
+  page,
+}) => {
   const complaints = complaintsOf(page);
   await open(page);
-  const own = await looksOf(page), hash = await linkOf(page);
+  const own = await looksOf(page),
+    hash = await linkOf(page);
   for (const [view, field] of DAMAGED.filter((_, i) => i % 3 === 1 || i === 6)) {
     await page.goto("about:blank");
     await open(page, `${hash}&v=${view}`);
@@ -53,15 +62,22 @@ test("a link whose view makes no sense opens its scene with its own view and say
   expect(complaints).toEqual([]);
 });
 
-test("a damaged view that comes while the page is open leaves planners, layers and camera as they are", async ({ page }) => {
+test("a damaged view that comes while the page is open leaves planners, layers and camera as they are", async ({
+  page,
+}) => {
   test.setTimeout(180_000);
   const complaints = complaintsOf(page);
   await open(page);
-  const own = await looksOf(page), hash = await linkOf(page);
+  const own = await looksOf(page),
+    hash = await linkOf(page);
   const scene = await sceneOf(page);
   for (const [view, field] of DAMAGED) {
-    await page.evaluate((next) => { location.hash = next; }, `${hash}&v=${view}`);
-    await told(page.locator("parkade-notices .notice.err"), view).toContainText(`The view in this link is damaged (${field}: must be `);
+    await page.evaluate((next) => {
+      location.hash = next;
+    }, `${hash}&v=${view}`);
+    await told(page.locator("parkade-notices .notice.err"), view).toContainText(
+      `The view in this link is damaged (${field}: must be `,
+    );
     await settled(page);
     expect(await looksOf(page), view).toEqual(own);
     await page.locator("parkade-notices").getByRole("button", { name: "Dismiss" }).click();
@@ -76,15 +92,22 @@ test("a link to a scene that no planner can take is refused, and the scene stays
   await open(page);
   const before = await sceneOf(page);
   const bad = await page.evaluate(async () => {
-    const element = document.querySelector<PlaygroundElement>("parkade-playground")! as unknown as { store: { state: { scene: Scenario }; set(patch: object): void }; app: { links: { address(): Promise<string> } } };
+    const element = document.querySelector<PlaygroundElement>("parkade-playground")! as unknown as {
+      store: { state: { scene: Scenario }; set(patch: object): void };
+      app: { links: { address(): Promise<string> } };
+    };
     const { scene } = element.store.state;
     element.store.set({ scene: { ...scene, start: { ...scene.start, x: 3e13 } } });
     const href = await element.app.links.address();
     element.store.set({ scene });
     return new URL(href).hash;
   });
-  await page.evaluate((hash) => { location.hash = hash; }, bad);
-  await told(page.locator("parkade-notices .notice.err")).toContainText("The link could not be opened: start.x: must be finite, within ±1e11 m");
+  await page.evaluate((hash) => {
+    location.hash = hash;
+  }, bad);
+  await told(page.locator("parkade-notices .notice.err")).toContainText(
+    "The link could not be opened: start.x: must be finite, within ±1e11 m",
+  );
   expect(await sceneOf(page)).toEqual(before);
   expect(complaints).toEqual([]);
 });
@@ -92,7 +115,13 @@ test("a link to a scene that no planner can take is refused, and the scene stays
 test("whatever a camera is set to, the page draws, and a fit comes back", async ({ page }) => {
   const complaints = complaintsOf(page);
   await open(page);
-  for (const camera of [{ x: NaN, y: 1e308, scale: -1 }, { x: 1e20, y: 0, scale: 20 }, { x: 0, y: 0, scale: 1e-300 }, { x: 0, y: 0, scale: Infinity }, { x: -Infinity, y: 0, scale: 0 }]) {
+  for (const camera of [
+    { x: NaN, y: 1e308, scale: -1 },
+    { x: 1e20, y: 0, scale: 20 },
+    { x: 0, y: 0, scale: 1e-300 },
+    { x: 0, y: 0, scale: Infinity },
+    { x: -Infinity, y: 0, scale: 0 },
+  ]) {
     const drawn = await page.evaluate(async (wanted) => {
       document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ camera: wanted });
       for (let frame = 0; frame < 4; frame++) await new Promise(requestAnimationFrame);
@@ -100,7 +129,9 @@ test("whatever a camera is set to, the page draws, and a fit comes back", async 
     }, camera);
     expect(drawn).toBe(true);
   }
-  const moved = page.evaluate(() => document.querySelector<PlaygroundElement & { seek(to: unknown): void }>("parkade-playground")!.seek("x"));
+  const moved = page.evaluate(() =>
+    document.querySelector<PlaygroundElement & { seek(to: unknown): void }>("parkade-playground")!.seek("x"),
+  );
   await expect(moved).rejects.toThrow("playhead: must be a number from 0 to 1, got x");
   expect((await looksOf(page)).fraction).toBe(1);
   expect(complaints).toEqual([]);
@@ -113,7 +144,9 @@ test("a context menu that is closed before it is drawn throws nothing", async ({
   await canvas.click({ button: "right" });
   await expect(page.locator("parkade-context .popover")).toBeVisible();
   await page.evaluate(() => {
-    const menu = document.querySelector("parkade-playground")!.shadowRoot!.querySelector("parkade-context") as unknown as { show(request: object): Promise<void> };
+    const menu = document
+      .querySelector("parkade-playground")!
+      .shadowRoot!.querySelector("parkade-context") as unknown as { show(request: object): Promise<void> };
     const shown = menu.show({ x: 300, y: 300, at: [1, 1] });
     document.dispatchEvent(new PointerEvent("pointerdown"));
     return shown;
@@ -123,7 +156,10 @@ test("a context menu that is closed before it is drawn throws nothing", async ({
 });
 
 test.describe("in a frame", () => {
-  interface Host { heard: { type: string; [key: string]: unknown }[]; ask(name: string, rest?: object): Promise<{ result?: unknown; error?: string }> }
+  interface Host {
+    heard: { type: string; [key: string]: unknown }[];
+    ask(name: string, rest?: object): Promise<{ result?: unknown; error?: string }>;
+  }
 
   /** Values that break a rule, the field that is named, and the rule's beginning. */
   const REFUSED: [message: string, rest: Record<string, unknown>, field: string, rule: string][] = [
@@ -136,31 +172,49 @@ test.describe("in a frame", () => {
     ["seek", { args: [NaN] }, "seek", "must be a number from 0 to 1"],
     ["seek", { args: [0.5, { base: "walk" }] }, "seek.options.base", "must be one of drive, search"],
     ["params", { value: { constructor: {} } }, "params", "must be one of four,"],
-    ["params", { value: { hybrid: { maxExpansions: -1 } } }, "params.hybrid.maxExpansions", "must be a whole number from"],
+    [
+      "params",
+      { value: { hybrid: { maxExpansions: -1 } } },
+      "params.hybrid.maxExpansions",
+      "must be a whole number from",
+    ],
     ["params", { value: { hybrid: null } }, "params.hybrid", "must be an object of"],
     ["toBlob", { args: [{ type: 5 }] }, "toBlob.options.type", "must be one of image/png"],
     ["openLink", { args: [5] }, "openLink", "must be a text of at most"],
   ];
 
-  test("a message with a value that makes no sense is answered by an error that names field, value and rule, and changes nothing", async ({ page }) => {
+  test("a message with a value that makes no sense is answered by an error that names field, value and rule, and changes nothing", async ({
+    page,
+  }) => {
     const complaints = complaintsOf(page);
     await page.goto("/host/frame.html");
-    await expect.poll(() => page.evaluate(() => (window as unknown as Host).heard.map(({ type }) => type)), { timeout: 30_000 }).toContain("parkade:plan-complete");
+    await expect
+      .poll(() => page.evaluate(() => (window as unknown as Host).heard.map(({ type }) => type)), { timeout: 30_000 })
+      .toContain("parkade:plan-complete");
     const inside = page.frames()[1]!;
-    const state = () => inside.evaluate(() => {
-      const { camera, playhead, params, sceneData } = document.querySelector("parkade-playground") as Embed;
-      return JSON.stringify({ camera, playhead, params, sceneData });
-    });
+    const state = () =>
+      inside.evaluate(() => {
+        const { camera, playhead, params, sceneData } = document.querySelector("parkade-playground") as Embed;
+        return JSON.stringify({ camera, playhead, params, sceneData });
+      });
     const before = await state();
     for (const [message, rest, field, rule] of REFUSED) {
-      const error = await page.evaluate(async ([name, more]) => {
-        const { ask, heard } = window as unknown as Host;
-        heard.length = 0;
-        await ask(name, more);
-        await new Promise((done) => setTimeout(done, 150));
-        return heard.find(({ type }) => type === "parkade:error");
-      }, [message, rest] as const);
-      expect(error, `${message} ${JSON.stringify(rest)}`).toMatchObject({ field, code: "value", rule: expect.stringMatching(`^${rule}`), message: expect.stringContaining(`${field}: ${rule}`) as unknown });
+      const error = await page.evaluate(
+        async ([name, more]) => {
+          const { ask, heard } = window as unknown as Host;
+          heard.length = 0;
+          await ask(name, more);
+          await new Promise((done) => setTimeout(done, 150));
+          return heard.find(({ type }) => type === "parkade:error");
+        },
+        [message, rest] as const,
+      );
+      expect(error, `${message} ${JSON.stringify(rest)}`).toMatchObject({
+        field,
+        code: "value",
+        rule: expect.stringMatching(`^${rule}`),
+        message: expect.stringContaining(`${field}: ${rule}`) as unknown,
+      });
       expect(await state()).toBe(before);
     }
     const scene = await page.evaluate(async () => {
@@ -174,31 +228,53 @@ test.describe("in a frame", () => {
     expect(scene.told).toMatchObject({ field: "map.width", code: "bad-scenario" });
     expect(await state()).toBe(before);
     // What makes sense is taken.
-    expect(await page.evaluate(async () => {
-      const { ask } = window as unknown as Host;
-      await ask("playhead", { value: 0.25 });
-      await ask("params", { value: { sixteen: {} } });
-      return ask("camera", { value: { x: 10, y: 8, scale: 30 } });
-    })).toMatchObject({ result: undefined });
+    expect(
+      await page.evaluate(async () => {
+        const { ask } = window as unknown as Host;
+        await ask("playhead", { value: 0.25 });
+        await ask("params", { value: { sixteen: {} } });
+        return ask("camera", { value: { x: 10, y: 8, scale: 30 } });
+      }),
+    ).toMatchObject({ result: undefined });
     await expect.poll(state).toContain('"camera":{"x":10,"y":8,"scale":30},"playhead":0.25,"params":{"sixteen":{}}');
     expect(complaints).toEqual([]);
   });
 
   test("an attribute that breaks its rule is told and changes nothing", async ({ page }) => {
     const complaints = complaintsOf(page);
-    await page.goto(`/host/frame.html?hash=${encodeURIComponent("layout=sideways&controls=full&speed=Infinity&layers=clean+constructor&theme=blue&planners=four+four+eight&wheel=never&budget-ms=-5")}`);
+    await page.goto(
+      `/host/frame.html?hash=${encodeURIComponent("layout=sideways&controls=full&speed=Infinity&layers=clean+constructor&theme=blue&planners=four+four+eight&wheel=never&budget-ms=-5")}`,
+    );
     const heard = () => page.evaluate(() => (window as unknown as Host).heard);
-    await expect.poll(async () => (await heard()).map(({ type }) => type), { timeout: 30_000 }).toContain("parkade:plan-complete");
+    await expect
+      .poll(async () => (await heard()).map(({ type }) => type), { timeout: 30_000 })
+      .toContain("parkade:plan-complete");
     const fields = (await heard()).filter(({ type }) => type === "parkade:error").map(({ field }) => field);
     expect(fields.sort()).toEqual(["budget-ms", "layers[1]", "layout", "speed", "theme", "wheel"]);
     const { planners, mode, theme, speed } = await page.frames()[1]!.evaluate(() => {
-      const inner = document.querySelector("parkade-playground")!.shadowRoot!.querySelector("parkade-embedded") as unknown as { store: { state: Record<string, any> } };
+      const inner = document
+        .querySelector("parkade-playground")!
+        .shadowRoot!.querySelector("parkade-embedded") as unknown as { store: { state: Record<string, any> } };
       const { state } = inner.store;
-      return { planners: state["planners"], mode: state["mode"], theme: state["theme"], speed: state["playback"].speed };
+      return {
+        planners: state["planners"],
+        mode: state["mode"],
+        theme: state["theme"],
+        speed: state["playback"].speed,
+      };
     });
-    expect({ planners, mode, theme, speed }).toEqual({ planners: ["four", "eight"], mode: "grid", theme: "auto", speed: 1 });
-    await page.frames()[1]!.evaluate(() => document.querySelector("parkade-playground")!.setAttribute("planners", "four toString"));
-    await expect.poll(async () => (await heard()).filter(({ type }) => type === "parkade:error").map(({ field }) => field)).toContain("planners[1]");
+    expect({ planners, mode, theme, speed }).toEqual({
+      planners: ["four", "eight"],
+      mode: "grid",
+      theme: "auto",
+      speed: 1,
+    });
+    await page
+      .frames()[1]!
+      .evaluate(() => document.querySelector("parkade-playground")!.setAttribute("planners", "four toString"));
+    await expect
+      .poll(async () => (await heard()).filter(({ type }) => type === "parkade:error").map(({ field }) => field))
+      .toContain("planners[1]");
     expect(complaints).toEqual([]);
   });
 });

@@ -5,7 +5,8 @@ import { complaintsOf, open } from "./playground.js";
 test.use({ viewport: { width: 1400, height: 900 }, permissions: ["clipboard-read", "clipboard-write"] });
 
 const dialog = (page: Page) => page.locator("parkade-papers dialog");
-const measured = (page: Page) => expect(dialog(page).getByRole("button", { name: "Measure" })).toBeVisible({ timeout: 60_000 });
+const measured = (page: Page) =>
+  expect(dialog(page).getByRole("button", { name: "Measure" })).toBeVisible({ timeout: 60_000 });
 
 test("the papers' tables are measured beside the printed ones, and impossible rows are flagged", async ({ page }) => {
   const complaints = complaintsOf(page);
@@ -23,7 +24,9 @@ test("the papers' tables are measured beside the printed ones, and impossible ro
   const row = dialog(page).locator("table").first().locator("tbody tr").filter({ hasText: "Risk field" }).first();
   await expect(row).toContainText("81");
   await expect(row).toContainText("42.29");
-  const { violations } = await new AxeBuilder({ page }).withTags(["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"]).analyze();
+  const { violations } = await new AxeBuilder({ page })
+    .withTags(["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"])
+    .analyze();
   expect(violations.map((one) => `${one.id} ${one.nodes.map((node) => node.target.join(" ")).join("; ")}`)).toEqual([]);
 
   await dialog(page).getByRole("button", { name: "Copy as Markdown" }).click();
@@ -31,7 +34,10 @@ test("the papers' tables are measured beside the printed ones, and impossible ro
   expect(markdown).toContain("### Table 4: random obstacles, 100 × 100 (20 maps)");
   expect(markdown).toMatch(/\| 8-neighbour \| 599 \|.*135\.86 \(below the straight line, 140\.01\)/);
   await dialog(page).getByRole("button", { name: "Copy as JSON" }).click();
-  const json = JSON.parse(await page.evaluate(() => navigator.clipboard.readText())) as { tables: { maps: number }[]; claims: unknown[] };
+  const json = JSON.parse(await page.evaluate(() => navigator.clipboard.readText())) as {
+    tables: { maps: number }[];
+    claims: unknown[];
+  };
   expect(json.tables.map((one) => one.maps)).toEqual([20, 20, 20, 20, 20, 20]);
   expect(complaints).toEqual([]);
 });
@@ -40,8 +46,14 @@ test("the range can be chosen and extended, and measuring can be cancelled", asy
   await open(page);
   await page.keyboard.press("y");
   await measured(page);
-  const from = dialog(page).getByLabel("First seed"), to = dialog(page).getByLabel("Last seed");
-  for (const [first, last] of [["0", "20"], ["5", "4"], ["1", "201"], ["1", ""]] as const) {
+  const from = dialog(page).getByLabel("First seed"),
+    to = dialog(page).getByLabel("Last seed");
+  for (const [first, last] of [
+    ["0", "20"],
+    ["5", "4"],
+    ["1", "201"],
+    ["1", ""],
+  ] as const) {
     await from.fill(first);
     await to.fill(last);
     await expect(dialog(page).getByRole("alert")).toContainText("whole numbers from 1 to 200");
@@ -69,9 +81,27 @@ test("the parking paper's tables stand beside ours, and what no car can drive is
   await page.keyboard.press("y");
   await dialog(page).getByRole("tab", { name: "Parking" }).click();
   await measured(page);
-  await expect(dialog(page).locator("h3")).toHaveText([/Claims/, /saved/, /Searched/, /^P0/, /^P1/, /^P2/, /^P3/, /^P4/, /^L0/, /^L1/, /^L2/, /^L3.*tables 8 to 11/, /^L4/, /Bounding volumes/]);
+  await expect(dialog(page).locator("h3")).toHaveText([
+    /Claims/,
+    /saved/,
+    /Searched/,
+    /^P0/,
+    /^P1/,
+    /^P2/,
+    /^P3/,
+    /^P4/,
+    /^L0/,
+    /^L1/,
+    /^L2/,
+    /^L3.*tables 8 to 11/,
+    /^L4/,
+    /Bounding volumes/,
+  ]);
   await expect(dialog(page).locator("td .chip.err")).toHaveText([/below 22\.10/, /below 22\.10/, /below 26\.44/]);
-  const nodes = dialog(page).locator("table").nth(5).getByRole("row", { name: /^Nodes/ });
+  const nodes = dialog(page)
+    .locator("table")
+    .nth(5)
+    .getByRole("row", { name: /^Nodes/ });
   await expect(nodes.getByRole("cell")).toHaveText(["256", "233", "233", "233", "233", "233"]);
   await expect(dialog(page).getByRole("img", { name: "kept" })).toHaveCount(10);
   const saved = dialog(page).locator(".saved");
@@ -81,10 +111,14 @@ test("the parking paper's tables stand beside ours, and what no car can drive is
   await expect(saved.nth(1).getByRole("row", { name: /^L0/ }).getByRole("cell").nth(1)).toHaveText("26");
   await expect(dialog(page).locator(".claims li")).toHaveCount(5);
   await expect(dialog(page).locator("#K3 .chip")).toContainText("holds");
-  const { violations } = await new AxeBuilder({ page }).withTags(["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"]).analyze();
+  const { violations } = await new AxeBuilder({ page })
+    .withTags(["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"])
+    .analyze();
   expect(violations.map((one) => `${one.id} ${one.nodes.map((node) => node.target.join(" ")).join("; ")}`)).toEqual([]);
   await dialog(page).getByRole("button", { name: "Copy as Markdown" }).click();
-  expect(await page.evaluate(() => navigator.clipboard.readText())).toMatch(/\| Length, m \| 26\.7 \| 20\.2 ⚠ below 26\.44 \|/);
+  expect(await page.evaluate(() => navigator.clipboard.readText())).toMatch(
+    /\| Length, m \| 26\.7 \| 20\.2 ⚠ below 26\.44 \|/,
+  );
   expect(complaints).toEqual([]);
 });
 
@@ -101,17 +135,40 @@ test("the road manuscript's tables stand beside ours, with percentages and what 
   await expect(dialog(page).getByRole("alert")).toContainText("Cancelled.");
   await dialog(page).getByRole("button", { name: "Measure" }).click();
   await expect(dialog(page).getByRole("button", { name: "Measure" })).toBeVisible({ timeout: 150_000 });
-  await expect(dialog(page).locator("h3")).toHaveText([/Claims/, /^S1/, /^S2/, /^S3/, /^S4/, /^S1.*ship/, /^S2.*ship/, /^S3.*ship/, /^S4.*ship/, /Contradictions/]);
-  const turns = dialog(page).locator("table").nth(3).getByRole("row", { name: /^Turning points/ });
+  await expect(dialog(page).locator("h3")).toHaveText([
+    /Claims/,
+    /^S1/,
+    /^S2/,
+    /^S3/,
+    /^S4/,
+    /^S1.*ship/,
+    /^S2.*ship/,
+    /^S3.*ship/,
+    /^S4.*ship/,
+    /Contradictions/,
+  ]);
+  const turns = dialog(page)
+    .locator("table")
+    .nth(3)
+    .getByRole("row", { name: /^Turning points/ });
   await expect(turns.getByRole("cell")).toHaveText(["22", /^9\s*−59 %$/, "21", /^11\s*−48 %/, /^11/, /^4/]);
   await expect(turns.getByRole("img")).toHaveAttribute("aria-label", "Promised: ≤ 11 – kept");
-  await expect(dialog(page).locator("table").nth(1).getByRole("row", { name: /^Length/ })).toContainText("impossible");
+  await expect(
+    dialog(page)
+      .locator("table")
+      .nth(1)
+      .getByRole("row", { name: /^Length/ }),
+  ).toContainText("impossible");
   await expect(dialog(page).locator("table").nth(2).locator(".chip.err", { hasText: "collides" })).toHaveCount(2);
   await expect(dialog(page).locator(".flags li")).toHaveCount(11);
-  const { violations } = await new AxeBuilder({ page }).withTags(["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"]).analyze();
+  const { violations } = await new AxeBuilder({ page })
+    .withTags(["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"])
+    .analyze();
   expect(violations.map((one) => `${one.id} ${one.nodes.map((node) => node.target.join(" ")).join("; ")}`)).toEqual([]);
   await dialog(page).getByRole("button", { name: "Copy as Markdown" }).click();
-  expect(await page.evaluate(() => navigator.clipboard.readText())).toMatch(/\| Turning points \| 22\.0 \| 9\.0 −59 % \| 21 \| 11 −48 %/);
+  expect(await page.evaluate(() => navigator.clipboard.readText())).toMatch(
+    /\| Turning points \| 22\.0 \| 9\.0 −59 % \| 21 \| 11 −48 %/,
+  );
   expect(complaints).toEqual([]);
 });
 

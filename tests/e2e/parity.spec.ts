@@ -13,11 +13,14 @@ test("every planner's plan on every preset has the native hash in the browser", 
   await settled(page);
   for (const [id, hashes] of Object.entries(expected)) {
     const scene = scenario(id);
-    await page.evaluate(([next, planners]) => {
-      const element = document.querySelector<PlaygroundElement>("parkade-playground")!;
-      element.store.set({ planners });
-      element.sceneData = next;
-    }, [scene, Object.keys(hashes)] as const);
+    await page.evaluate(
+      ([next, planners]) => {
+        const element = document.querySelector<PlaygroundElement>("parkade-playground")!;
+        element.store.set({ planners });
+        element.sceneData = next;
+      },
+      [scene, Object.keys(hashes)] as const,
+    );
     await settled(page);
     const found = await page.evaluate(() => {
       const { results } = document.querySelector<PlaygroundElement>("parkade-playground")!;

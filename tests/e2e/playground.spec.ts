@@ -1,6 +1,18 @@
 import { expect, test } from "@playwright/test";
 import type { Obstacle } from "parkade";
-import { complaintsOf, dragWorld, expectFourAnswers, hashesOf, look, onScreen, open, sceneOf, settled, watchShifts, type PlaygroundElement } from "./playground.js";
+import {
+  complaintsOf,
+  dragWorld,
+  expectFourAnswers,
+  hashesOf,
+  look,
+  onScreen,
+  open,
+  sceneOf,
+  settled,
+  watchShifts,
+  type PlaygroundElement,
+} from "./playground.js";
 
 test.use({ viewport: { width: 1400, height: 900 } });
 
@@ -16,36 +28,54 @@ test("the page opens solved by four planners, without a complaint", async ({ pag
   expect(complaints).toEqual([]);
 });
 
-for (const [name, size] of [["desk", { width: 1400, height: 900 }], ["phone", { width: 390, height: 844 }], ["phone on its side", { width: 844, height: 390 }]] as const) {
+for (const [name, size] of [
+  ["desk", { width: 1400, height: 900 }],
+  ["phone", { width: 390, height: 844 }],
+  ["phone on its side", { width: 844, height: 390 }],
+] as const) {
   test(`what comes while the page loads moves nothing that is there: ${name}`, async ({ page }) => {
     await page.setViewportSize(size);
     const shifts = await watchShifts(page);
     await open(page);
     await settled(page);
-    await page.waitForFunction(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.state.complete);
+    await page.waitForFunction(
+      () => document.querySelector<PlaygroundElement>("parkade-playground")!.store.state.complete,
+    );
     if (size.height > 480) await expect(page.locator("parkade-table tbody tr").first()).toContainText("15.00");
     expect((await shifts()).reduce((a, b) => a + b, 0)).toBeLessThan(0.0001);
   });
 }
 
 test("a planner chosen before its module is there is planned when it comes", async ({ page }) => {
-  let modules = 0, letGo = (): void => {};
-  const held = new Promise<void>((resolve) => { letGo = resolve; });
+  let modules = 0,
+    letGo = (): void => {};
+  const held = new Promise<void>((resolve) => {
+    letGo = resolve;
+  });
   await page.route("**/*.wasm", async (route) => {
     if (++modules > 1) await held;
     await route.continue();
   });
   await open(page);
-  await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ planners: ["eight", "jump-point"], focus: "eight" }));
+  await page.evaluate(() =>
+    document
+      .querySelector<PlaygroundElement>("parkade-playground")!
+      .store.set({ planners: ["eight", "jump-point"], focus: "eight" }),
+  );
   let done = false;
-  const answered = settled(page).then(() => { done = true; });
+  const answered = settled(page).then(() => {
+    done = true;
+  });
   await expect(page.locator("parkade-panel")).toHaveCount(2);
   await page.waitForTimeout(300);
   expect(done).toBe(false);
   letGo();
   await answered;
   const hashes = await hashesOf(page);
-  expect(Object.values(hashes).every((hash) => hash !== undefined), JSON.stringify(hashes)).toBe(true);
+  expect(
+    Object.values(hashes).every((hash) => hash !== undefined),
+    JSON.stringify(hashes),
+  ).toBe(true);
 });
 
 test("a planner whose module cannot be loaded says so, and the others stay", async ({ page }) => {
@@ -53,7 +83,11 @@ test("a planner whose module cannot be loaded says so, and the others stay", asy
   await page.route("**/*.wasm", (route) => (++modules > 1 ? route.abort() : route.continue()));
   await open(page);
   const before = await hashesOf(page);
-  await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ planners: ["eight", "jump-point"], focus: "eight" }));
+  await page.evaluate(() =>
+    document
+      .querySelector<PlaygroundElement>("parkade-playground")!
+      .store.set({ planners: ["eight", "jump-point"], focus: "eight" }),
+  );
   await settled(page);
   expect((await hashesOf(page))["eight"]).toBe(before["eight"]);
   await expect(page.getByText("Could not finish loading")).toBeVisible();
@@ -65,7 +99,13 @@ test("dragging the goal changes every planner's answer, and undo brings them bac
   const scene = await sceneOf(page);
   await page.evaluate(() => {
     const element = document.querySelector<PlaygroundElement>("parkade-playground")!;
-    element.sceneData = { ...element.sceneData, slots: [], obstacles: [], start: { x: -8, y: 9, heading: 0 }, goal: { x: 4, y: 9, heading: 0 } };
+    element.sceneData = {
+      ...element.sceneData,
+      slots: [],
+      obstacles: [],
+      start: { x: -8, y: 9, heading: 0 },
+      goal: { x: 4, y: 9, heading: 0 },
+    };
   });
   await settled(page);
   const opened = await hashesOf(page);
@@ -90,16 +130,28 @@ test("dragging the goal changes every planner's answer, and undo brings them bac
 test("a fast brush stroke leaves no holes", async ({ page }) => {
   await open(page);
   const { map } = await sceneOf(page);
-  const middle: [number, number] = [map.origin[0] + (map.width * map.resolution) / 2, map.origin[1] + (map.height * map.resolution) * 0.75];
+  const middle: [number, number] = [
+    map.origin[0] + (map.width * map.resolution) / 2,
+    map.origin[1] + map.height * map.resolution * 0.75,
+  ];
   await look(page, middle[0], middle[1], 16);
   await page.keyboard.press("b");
-  const from: [number, number] = [middle[0] - 6, middle[1] - 2], to: [number, number] = [middle[0] + 6, middle[1] + 2];
+  const from: [number, number] = [middle[0] - 6, middle[1] - 2],
+    to: [number, number] = [middle[0] + 6, middle[1] + 2];
   await dragWorld(page, from, to, 2);
-  const cells = (await sceneOf(page)).obstacles!.find((one): one is Extract<Obstacle, { type: "cells" }> => one.type === "cells")!;
-  const painted = new Set(cells.runs.flatMap(([x, y, count]) => Array.from({ length: count }, (_, i) => `${x + i},${y}`)));
+  const cells = (await sceneOf(page)).obstacles!.find(
+    (one): one is Extract<Obstacle, { type: "cells" }> => one.type === "cells",
+  )!;
+  const painted = new Set(
+    cells.runs.flatMap(([x, y, count]) => Array.from({ length: count }, (_, i) => `${x + i},${y}`)),
+  );
   for (let i = 0; i <= 400; i++) {
-    const x = from[0] + ((to[0] - from[0]) * i) / 400, y = from[1] + ((to[1] - from[1]) * i) / 400;
-    const cell = [Math.floor((x - map.origin[0]) / map.resolution), Math.floor((y - map.origin[1]) / map.resolution)].join();
+    const x = from[0] + ((to[0] - from[0]) * i) / 400,
+      y = from[1] + ((to[1] - from[1]) * i) / 400;
+    const cell = [
+      Math.floor((x - map.origin[0]) / map.resolution),
+      Math.floor((y - map.origin[1]) / map.resolution),
+    ].join();
     expect(painted.has(cell), `${x} ${y}`).toBe(true);
   }
 });
@@ -144,7 +196,11 @@ test("a broken file leaves the scene and says why; a good one opens", async ({ p
     await page.locator("parkade-notices button").click();
   }
   const moved = { ...before, name: "Moved", start: { ...before.start, x: before.start.x - 2 } };
-  await input.setInputFiles({ name: "good.json", mimeType: "application/json", buffer: Buffer.from(JSON.stringify(moved)) });
+  await input.setInputFiles({
+    name: "good.json",
+    mimeType: "application/json",
+    buffer: Buffer.from(JSON.stringify(moved)),
+  });
   await expect(page.locator("parkade-notices .notice.info")).toContainText("Opened good.json");
   expect((await sceneOf(page)).start.x).toBeCloseTo(before.start.x - 2, 6);
 });
@@ -153,8 +209,13 @@ test("a scene no planner can take keeps the last plans and says what is wrong", 
   await open(page);
   const before = await hashesOf(page);
   await page.evaluate(() => {
-    const { store } = document.querySelector("parkade-playground") as unknown as { store: { state: { scene: object }; edit(scene: object): void } };
-    store.edit({ ...store.state.scene, vehicle: { wheelbase: -1, width: 2, rearToFront: 4, rearToBack: 1, maxSteer: 0.6 } });
+    const { store } = document.querySelector("parkade-playground") as unknown as {
+      store: { state: { scene: object }; edit(scene: object): void };
+    };
+    store.edit({
+      ...store.state.scene,
+      vehicle: { wheelbase: -1, width: 2, rearToFront: 4, rearToBack: 1, maxSteer: 0.6 },
+    });
   });
   await expect(page.locator("parkade-notices .notice.err")).toContainText("vehicle");
   expect(await hashesOf(page)).toEqual(before);
@@ -165,7 +226,10 @@ test("a scene no planner can take keeps the last plans and says what is wrong", 
   const scene = await sceneOf(page);
   await page.evaluate(() => {
     const element = document.querySelector<PlaygroundElement>("parkade-playground")!;
-    element.sceneData = { ...element.sceneData, vehicle: { wheelbase: -1, width: 2, rearToFront: 4, rearToBack: 1, maxSteer: 0.6 } };
+    element.sceneData = {
+      ...element.sceneData,
+      vehicle: { wheelbase: -1, width: 2, rearToFront: 4, rearToBack: 1, maxSteer: 0.6 },
+    };
   });
   await expect(page.locator("parkade-notices .notice.err")).toContainText("vehicle.wheelbase: ");
   expect(await sceneOf(page)).toEqual(scene);
@@ -235,7 +299,9 @@ test("hovering one map shows the pointer's place on all of them", async ({ page 
 
 test("a moving obstacle is drawn, waited for, and kept by a link", async ({ page }) => {
   await open(page);
-  await page.waitForFunction(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.state.complete);
+  await page.waitForFunction(
+    () => document.querySelector<PlaygroundElement>("parkade-playground")!.store.state.complete,
+  );
   await page.evaluate(async () => {
     const element = document.querySelector<PlaygroundElement>("parkade-playground")!;
     element.scene = "fig16-conflict";
@@ -273,7 +339,8 @@ test("a moving obstacle is drawn, waited for, and kept by a link", async ({ page
 
 test("a dragged goal sends the planners nothing else, and they answer as for the whole scene", async ({ page }) => {
   await page.addInitScript(() => {
-    const sent: boolean[] = [], post = Worker.prototype.postMessage;
+    const sent: boolean[] = [],
+      post = Worker.prototype.postMessage;
     Object.assign(window, { sent });
     Worker.prototype.postMessage = function (this: Worker, ...args: unknown[]) {
       const request = args[0] as { kind: string; scene?: unknown };
@@ -283,12 +350,17 @@ test("a dragged goal sends the planners nothing else, and they answer as for the
   });
   const sent = (): Promise<boolean[]> => page.evaluate(() => (window as unknown as { sent: boolean[] }).sent.splice(0));
   await open(page);
-  await page.evaluate(() => { document.querySelector<PlaygroundElement>("parkade-playground")!.scene = "random-60"; });
-  await page.waitForFunction(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.state.complete);
-  const again = () => page.evaluate(() => {
-    const playground = document.querySelector<PlaygroundElement>("parkade-playground")!;
-    playground.sceneData = structuredClone(playground.sceneData);
+  await page.evaluate(() => {
+    document.querySelector<PlaygroundElement>("parkade-playground")!.scene = "random-60";
   });
+  await page.waitForFunction(
+    () => document.querySelector<PlaygroundElement>("parkade-playground")!.store.state.complete,
+  );
+  const again = () =>
+    page.evaluate(() => {
+      const playground = document.querySelector<PlaygroundElement>("parkade-playground")!;
+      playground.sceneData = structuredClone(playground.sceneData);
+    });
   // The complete module's workers have the scene only when they have planned it; one that is at work on the first module ends that first.
   await settled(page);
   await again();

@@ -11,7 +11,15 @@ export interface PlaygroundElement extends HTMLElement {
   settled(): Promise<void>;
   shareURL(): Promise<string | null>;
   store: {
-    state: { scene: Scenario; canUndo: boolean; message: { tone: string; text: string } | null; camera: unknown; mode: string; lang: string; complete: boolean };
+    state: {
+      scene: Scenario;
+      canUndo: boolean;
+      message: { tone: string; text: string } | null;
+      camera: unknown;
+      mode: string;
+      lang: string;
+      complete: boolean;
+    };
     set(patch: Record<string, unknown>): void;
   };
 }
@@ -33,7 +41,8 @@ export async function watchShifts(page: Page): Promise<() => Promise<number[]>> 
     Object.assign(window, { shifts });
     new PerformanceObserver((list) => {
       // As cumulative layout shift is defined: what follows a press is no surprise.
-      for (const entry of list.getEntries() as unknown as { value: number; hadRecentInput: boolean }[]) if (!entry.hadRecentInput) shifts.push(entry.value);
+      for (const entry of list.getEntries() as unknown as { value: number; hadRecentInput: boolean }[])
+        if (!entry.hadRecentInput) shifts.push(entry.value);
     }).observe({ type: "layout-shift", buffered: true });
   });
   return () => page.evaluate(() => (window as unknown as { shifts: number[] }).shifts);
@@ -65,32 +74,46 @@ export function hashesOf(page: Page): Promise<Record<string, string | undefined>
 
 /** Where a world point is in the window, in the panel of the focused planner. */
 export function onScreen(page: Page, x: number, y: number): Promise<{ x: number; y: number }> {
-  return page.evaluate(([wx, wy]) => {
-    const inner = (root: ParentNode): HTMLCanvasElement | null => {
-      for (const element of root.querySelectorAll("*")) {
-        if (element.localName === "parkade-panel" && !element.hasAttribute("active")) continue;
-        if (element.localName === "parkade-scene-view") return element.shadowRoot!.querySelector("canvas");
-        const found = element.shadowRoot ? inner(element.shadowRoot) : null;
-        if (found) return found;
-      }
-      return null;
-    };
-    const box = inner(document)!.getBoundingClientRect();
-    const camera = document.querySelector<PlaygroundElement>("parkade-playground")!.store.state.camera as { x: number; y: number; scale: number };
-    return { x: box.left + box.width / 2 + (wx - camera.x) * camera.scale, y: box.top + box.height / 2 - (wy - camera.y) * camera.scale };
-  }, [x, y] as const);
+  return page.evaluate(
+    ([wx, wy]) => {
+      const inner = (root: ParentNode): HTMLCanvasElement | null => {
+        for (const element of root.querySelectorAll("*")) {
+          if (element.localName === "parkade-panel" && !element.hasAttribute("active")) continue;
+          if (element.localName === "parkade-scene-view") return element.shadowRoot!.querySelector("canvas");
+          const found = element.shadowRoot ? inner(element.shadowRoot) : null;
+          if (found) return found;
+        }
+        return null;
+      };
+      const box = inner(document)!.getBoundingClientRect();
+      const camera = document.querySelector<PlaygroundElement>("parkade-playground")!.store.state.camera as {
+        x: number;
+        y: number;
+        scale: number;
+      };
+      return {
+        x: box.left + box.width / 2 + (wx - camera.x) * camera.scale,
+        y: box.top + box.height / 2 - (wy - camera.y) * camera.scale,
+      };
+    },
+    [x, y] as const,
+  );
 }
 
 /** Fixes the camera, so that world points can be aimed at: when the canvases have their sizes and are drawn, some frames later. */
 export async function look(page: Page, x: number, y: number, scale: number): Promise<void> {
-  await page.evaluate(async (camera) => {
-    document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ camera });
-    for (let frame = 0; frame < 6; frame++) await new Promise(requestAnimationFrame);
-  }, { x, y, scale });
+  await page.evaluate(
+    async (camera) => {
+      document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ camera });
+      for (let frame = 0; frame < 6; frame++) await new Promise(requestAnimationFrame);
+    },
+    { x, y, scale },
+  );
 }
 
 export async function dragWorld(page: Page, from: [number, number], to: [number, number], steps = 6): Promise<void> {
-  const a = await onScreen(page, ...from), b = await onScreen(page, ...to);
+  const a = await onScreen(page, ...from),
+    b = await onScreen(page, ...to);
   await page.mouse.move(a.x, a.y);
   await page.mouse.down();
   await page.mouse.move(b.x, b.y, { steps });

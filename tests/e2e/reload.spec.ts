@@ -1,5 +1,14 @@
 import { expect, test, type Page } from "@playwright/test";
-import { complaintsOf, dragWorld, hashesOf, look, open, sceneOf, settled, type PlaygroundElement } from "./playground.js";
+import {
+  complaintsOf,
+  dragWorld,
+  hashesOf,
+  look,
+  open,
+  sceneOf,
+  settled,
+  type PlaygroundElement,
+} from "./playground.js";
 
 test.use({ viewport: { width: 1400, height: 900 } });
 
@@ -12,8 +21,12 @@ async function reload(page: Page): Promise<void> {
     await customElements.whenDefined("parkade-playground");
     await document.querySelector<PlaygroundElement>("parkade-playground")!.ready;
   });
-  await page.waitForFunction(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.state.complete);
-  await page.waitForFunction(async () => ((await navigator.locks.query()).held ?? []).some(({ name }) => name?.startsWith("parkade.tab.")));
+  await page.waitForFunction(
+    () => document.querySelector<PlaygroundElement>("parkade-playground")!.store.state.complete,
+  );
+  await page.waitForFunction(async () =>
+    ((await navigator.locks.query()).held ?? []).some(({ name }) => name?.startsWith("parkade.tab.")),
+  );
   await page.waitForTimeout(300);
 }
 
@@ -21,29 +34,49 @@ async function reload(page: Page): Promise<void> {
 async function draw(page: Page): Promise<void> {
   await look(page, 12, 10, 30);
   await page.evaluate(() => {
-    const { store } = document.querySelector("parkade-playground") as unknown as { store: { state: { scene: Record<string, any> }; edit(scene: object, options: object): void } };
+    const { store } = document.querySelector("parkade-playground") as unknown as {
+      store: { state: { scene: Record<string, any> }; edit(scene: object, options: object): void };
+    };
     const { scene } = store.state;
-    store.edit({ ...scene, start: { ...scene["start"], x: scene["start"].x + 0.0149, heading: 0.02345 } }, { label: "start" });
+    store.edit(
+      { ...scene, start: { ...scene["start"], x: scene["start"].x + 0.0149, heading: 0.02345 } },
+      { label: "start" },
+    );
   });
   await page.keyboard.press("w");
   await dragWorld(page, [6, 16], [9, 16]);
   await page.keyboard.press("Escape");
   await page.evaluate(() => {
-    const { store } = document.querySelector("parkade-playground") as unknown as { store: { state: { scene: Record<string, any> }; edit(scene: object, options: object): void } };
+    const { store } = document.querySelector("parkade-playground") as unknown as {
+      store: { state: { scene: Record<string, any> }; edit(scene: object, options: object): void };
+    };
     const { scene } = store.state;
-    store.edit({ ...scene, name: "Mine", obstacles: [...scene["obstacles"], { type: "rectangle", id: "mine", center: [3.1234, 3.4321], size: [1.005, 0.995] }] }, { label: "add" });
+    store.edit(
+      {
+        ...scene,
+        name: "Mine",
+        obstacles: [
+          ...scene["obstacles"],
+          { type: "rectangle", id: "mine", center: [3.1234, 3.4321], size: [1.005, 0.995] },
+        ],
+      },
+      { label: "add" },
+    );
   });
   await settled(page);
 }
 
-test("a reload brings back the scene to the last digit, the same plans, undo and redo, and offers nothing", async ({ page }) => {
+test("a reload brings back the scene to the last digit, the same plans, undo and redo, and offers nothing", async ({
+  page,
+}) => {
   const complaints = complaintsOf(page);
   await open(page);
   const first = await sceneOf(page);
   await draw(page);
   await page.keyboard.press("Control+z");
   await settled(page);
-  const scene = await sceneOf(page), hashes = await hashesOf(page);
+  const scene = await sceneOf(page),
+    hashes = await hashesOf(page);
   await reload(page);
   expect(await sceneOf(page)).toEqual(scene);
   await settled(page);
@@ -55,18 +88,27 @@ test("a reload brings back the scene to the last digit, the same plans, undo and
   await page.waitForTimeout(1800);
   await reload(page);
   await expect(notice(page)).toHaveCount(0);
-  while (await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.state.canUndo)) await page.keyboard.press("Control+z");
+  while (
+    await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.state.canUndo)
+  )
+    await page.keyboard.press("Control+z");
   expect(await sceneOf(page)).toEqual(first);
   await page.waitForTimeout(1800);
   await reload(page);
   await expect(notice(page)).toHaveCount(0);
   expect(await sceneOf(page)).toEqual(first);
-  expect(await page.evaluate(() => (document.querySelector("parkade-playground") as unknown as { canRedo: boolean }).canRedo)).toBe(true);
+  expect(
+    await page.evaluate(
+      () => (document.querySelector("parkade-playground") as unknown as { canRedo: boolean }).canRedo,
+    ),
+  ).toBe(true);
   expect(complaints).toEqual([]);
 });
 
 test("an edit before the page has done what it does when it is idle survives a reload", async ({ page }) => {
-  await page.addInitScript(() => { window.requestIdleCallback = () => 0; });
+  await page.addInitScript(() => {
+    window.requestIdleCallback = () => 0;
+  });
   await open(page);
   const first = await sceneOf(page);
   await page.evaluate(() => {
@@ -86,7 +128,9 @@ test("an edit before the page has done what it does when it is idle survives a r
 
 test("another link in the same tab opens its own scene, and the drawing is offered", async ({ page }) => {
   await open(page);
-  const first = new URL((await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.shareURL()))!).hash;
+  const first = new URL(
+    (await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.shareURL()))!,
+  ).hash;
   await draw(page);
   await page.waitForTimeout(1800);
   await page.goto("about:blank");
@@ -97,7 +141,10 @@ test("another link in the same tab opens its own scene, and the drawing is offer
   expect((await sceneOf(page)).name).toBe("Mine");
 });
 
-test("a new tab is offered what a closed one has left, but not what its link shows already", async ({ page, context }) => {
+test("a new tab is offered what a closed one has left, but not what its link shows already", async ({
+  page,
+  context,
+}) => {
   await open(page);
   await draw(page);
   await page.waitForTimeout(1800);
@@ -118,14 +165,29 @@ test("damaged storage is dropped without a word, and the page is as on a first v
     sessionStorage.setItem("parkade.tab", "../../x");
     sessionStorage.setItem("parkade.history", '{"hash":"","at":0,"scenes":[{"version":0,"map":7}],"parts":[1]}');
     const kept: Record<string, string> = {
-      "parkade.theme": "blue", "parkade.lang": "tlh", "parkade.pane.side": "NaN", "parkade.pane.strip": "1e300", "parkade.pane.chart": "-5", "parkade.hint.drag": "no",
-      "parkade.tab.a": "{", "parkade.tab.b": '{"at":1e300,"scene":{}}', "parkade.tab.c": '{"at":1,"scene":{"version":1,"map":{"origin":[0,0],"width":40,"height":30,"resolution":0.5},"start":{"x":1,"y":1,"heading":0},"goal":{"x":2e300,"y":1,"heading":0},"obstacles":[null]}}',
+      "parkade.theme": "blue",
+      "parkade.lang": "tlh",
+      "parkade.pane.side": "NaN",
+      "parkade.pane.strip": "1e300",
+      "parkade.pane.chart": "-5",
+      "parkade.hint.drag": "no",
+      "parkade.tab.a": "{",
+      "parkade.tab.b": '{"at":1e300,"scene":{}}',
+      "parkade.tab.c":
+        '{"at":1,"scene":{"version":1,"map":{"origin":[0,0],"width":40,"height":30,"resolution":0.5},"start":{"x":1,"y":1,"heading":0},"goal":{"x":2e300,"y":1,"heading":0},"obstacles":[null]}}',
     };
     for (const [key, value] of Object.entries(kept)) localStorage.setItem(key, value);
   });
   await open(page);
-  await page.waitForFunction(async () => ((await navigator.locks.query()).held ?? []).some(({ name }) => name?.startsWith("parkade.tab.")));
-  const kept = () => page.evaluate(() => Object.entries(localStorage).filter(([key]) => key.startsWith("parkade.")).map(([key, value]) => `${key}=${value}`));
+  await page.waitForFunction(async () =>
+    ((await navigator.locks.query()).held ?? []).some(({ name }) => name?.startsWith("parkade.tab.")),
+  );
+  const kept = () =>
+    page.evaluate(() =>
+      Object.entries(localStorage)
+        .filter(([key]) => key.startsWith("parkade."))
+        .map(([key, value]) => `${key}=${value}`),
+    );
   await expect.poll(kept, { timeout: 30_000 }).toEqual([]);
   await expect(notice(page)).toHaveCount(0);
   await draw(page);

@@ -6,8 +6,14 @@ import { complaintsOf, look, onScreen, open, sceneOf, settled, type PlaygroundEl
 test.use({ viewport: { width: 1400, height: 900 } });
 
 const FLOOR: Scenario = {
-  version: 1, name: "floor", map: { origin: [0, 0], width: 240, height: 160, resolution: 0.5 }, obstacles: [], slots: [], vehicle: "sedan",
-  start: { x: 12, y: 18.25, heading: 0 }, goal: { x: 61.75, y: 60, heading: Math.PI / 2 },
+  version: 1,
+  name: "floor",
+  map: { origin: [0, 0], width: 240, height: 160, resolution: 0.5 },
+  obstacles: [],
+  slots: [],
+  vehicle: "sedan",
+  start: { x: 12, y: 18.25, heading: 0 },
+  goal: { x: 61.75, y: 60, heading: Math.PI / 2 },
 };
 
 /** An empty floor under the cost map. */
@@ -41,26 +47,55 @@ async function press(page: Page, x: number, y: number): Promise<void> {
 }
 
 const obstacles = async (page: Page) => (await sceneOf(page)).obstacles ?? [];
-const verdict = (page: Page) => page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.results["cost-map"]?.check.verdict);
+const verdict = (page: Page) =>
+  page.evaluate(
+    () => document.querySelector<PlaygroundElement>("parkade-playground")!.results["cost-map"]?.check.verdict,
+  );
 
 test("a road is drawn, edited and coned off with the mouse, and its risk is told", async ({ page }) => {
   const complaints = complaintsOf(page);
   await floor(page);
   await page.keyboard.press("d");
-  for (const [x, y] of [[4, 20], [60, 20], [60, 74]] as const) await press(page, x, y);
+  for (const [x, y] of [
+    [4, 20],
+    [60, 20],
+    [60, 74],
+  ] as const)
+    await press(page, x, y);
   await page.keyboard.press("Enter");
   await settled(page);
-  expect(await obstacles(page)).toMatchObject([{ type: "road", id: "road-1", points: [[4, 20], [60, 20], [60, 74]], lanes: [1, 1], laneWidth: 3.5, kerbs: true }]);
+  expect(await obstacles(page)).toMatchObject([
+    {
+      type: "road",
+      id: "road-1",
+      points: [
+        [4, 20],
+        [60, 20],
+        [60, 74],
+      ],
+      lanes: [1, 1],
+      laneWidth: 3.5,
+      kerbs: true,
+    },
+  ]);
   expect(await verdict(page)).toBe("ok");
 
   await page.keyboard.press("c");
   await page.getByRole("button", { name: "Cone" }).click();
   await page.keyboard.press("q");
-  for (const [x, y] of [[30, 17], [33, 17]] as const) await press(page, x, y);
+  for (const [x, y] of [
+    [30, 17],
+    [33, 17],
+  ] as const)
+    await press(page, x, y);
   await page.keyboard.press("Escape");
   await page.keyboard.press("v");
   await settled(page);
-  expect((await obstacles(page)).map(({ id, type }) => [id, type])).toEqual([["road-1", "road"], ["cone-1", "polygon"], ["cone-2", "polygon"]]);
+  expect((await obstacles(page)).map(({ id, type }) => [id, type])).toEqual([
+    ["road-1", "road"],
+    ["cone-1", "polygon"],
+    ["cone-2", "polygon"],
+  ]);
   expect(await verdict(page)).toBe("ok");
 
   await expect(page.locator("parkade-objects").getByRole("button", { name: "Cone 2" })).toContainText("33.00, 17.00");
@@ -69,12 +104,16 @@ test("a road is drawn, edited and coned off with the mouse, and its risk is told
   await card.getByRole("button", { name: "Simulate 1,000 drives" }).click();
   await expect(card.getByRole("progressbar")).toBeVisible();
   await expect(card.getByRole("status")).toContainText(/of 1000 drives collide/, { timeout: 30_000 });
-  const { violations } = await new AxeBuilder({ page }).include("parkade-playground").withTags(["wcag2a", "wcag2aa"]).analyze();
+  const { violations } = await new AxeBuilder({ page })
+    .include("parkade-playground")
+    .withTags(["wcag2a", "wcag2aa"])
+    .analyze();
   expect(violations.map((one) => `${one.id} ${one.nodes.map((node) => node.target.join(" ")).join("; ")}`)).toEqual([]);
 
   // The corner of the selected road is dragged, its lanes are typed, and both are taken back.
   await page.getByRole("button", { name: /^Road 1/ }).click();
-  const from = await onScreen(page, 60, 20), to = await onScreen(page, 64, 22);
+  const from = await onScreen(page, 60, 20),
+    to = await onScreen(page, 64, 22);
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
   await page.mouse.move(to.x, to.y, { steps: 5 });
@@ -87,7 +126,14 @@ test("a road is drawn, edited and coned off with the mouse, and its risk is told
   expect((await obstacles(page))[0]).toMatchObject({ lanes: [2, 1] });
   await page.getByLabel("Lanes forward").blur();
   for (let i = 0; i < 2; i++) await page.getByRole("button", { name: "Undo" }).first().click();
-  expect((await obstacles(page))[0]).toMatchObject({ points: [[4, 20], [60, 20], [60, 74]], lanes: [1, 1] });
+  expect((await obstacles(page))[0]).toMatchObject({
+    points: [
+      [4, 20],
+      [60, 20],
+      [60, 74],
+    ],
+    lanes: [1, 1],
+  });
   expect(complaints).toEqual([]);
 });
 
@@ -102,14 +148,21 @@ test("a road is drawn with keys, travels in a link, and is refused where it cann
   await settled(page);
   const [road] = await obstacles(page);
   expect(road?.type).toBe("road");
-  const link = (await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.shareURL()))!;
+  const link = (await page.evaluate(() =>
+    document.querySelector<PlaygroundElement>("parkade-playground")!.shareURL(),
+  ))!;
   await page.goto(link);
   await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.ready);
   expect((await obstacles(page))[0]).toMatchObject({ type: "road", lanes: [1, 1], radius: 20 });
 
   await floor(page);
   await page.keyboard.press("d");
-  for (const [x, y] of [[10, 40], [30, 40], [14, 41]] as const) await press(page, x, y);
+  for (const [x, y] of [
+    [10, 40],
+    [30, 40],
+    [14, 41],
+  ] as const)
+    await press(page, x, y);
   await page.keyboard.press("Enter");
   await expect(page.getByText("The road is too wide to turn here")).toBeVisible();
   expect(await obstacles(page)).toEqual([]);
@@ -123,9 +176,15 @@ test.describe("by touch", () => {
     await floor(page);
     await look(page, 30, 30, 5);
     await page.getByRole("button", { name: "Road", exact: true }).click();
-    const client = await page.context().newCDPSession(page), a = await onScreen(page, 10, 30), b = await onScreen(page, 50, 30);
+    const client = await page.context().newCDPSession(page),
+      a = await onScreen(page, 10, 30),
+      b = await onScreen(page, 50, 30);
     await client.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [a] });
-    for (let k = 1; k <= 5; k++) await client.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: [{ x: a.x + ((b.x - a.x) * k) / 5, y: a.y }] });
+    for (let k = 1; k <= 5; k++)
+      await client.send("Input.dispatchTouchEvent", {
+        type: "touchMove",
+        touchPoints: [{ x: a.x + ((b.x - a.x) * k) / 5, y: a.y }],
+      });
     await client.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
     await settled(page);
     const [road] = await obstacles(page);
@@ -139,8 +198,14 @@ test.describe("by touch", () => {
 test("every term of the costs follows its slider at once", async ({ page }) => {
   await road(page, "road-crossing", 810);
   await settled(page);
-  const hash = () => page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.results["cost-map"]?.hash);
-  for (const [name, value] of [["Kerb β", "3"], ["K", "2"], ["Lane α", "0"], ["Speed γ", "0"]] as const) {
+  const hash = () =>
+    page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.results["cost-map"]?.hash);
+  for (const [name, value] of [
+    ["Kerb β", "3"],
+    ["K", "2"],
+    ["Lane α", "0"],
+    ["Speed γ", "0"],
+  ] as const) {
     const before = await hash();
     // A drag that has not ended: input, no change.
     await page.getByRole("slider", { name, exact: true }).evaluate((slider: HTMLInputElement, to) => {
@@ -163,7 +228,10 @@ test("what fails when the manuscript is taken literally is explained beside the 
   await expect(page.locator("parkade-road-card")).not.toContainText("a metre");
   await page.evaluate(() => {
     const playground = document.querySelector<PlaygroundElement>("parkade-playground")!;
-    playground.sceneData = { ...playground.sceneData, planners: { "cost-map": { costs: "paper", pruning: "los", smoothing: "paper" } } };
+    playground.sceneData = {
+      ...playground.sceneData,
+      planners: { "cost-map": { costs: "paper", pruning: "los", smoothing: "paper" } },
+    };
   });
   await settled(page);
   expect(await verdict(page)).toBe("collides");

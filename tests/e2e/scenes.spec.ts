@@ -2,27 +2,47 @@ import { expect, test, type Page } from "@playwright/test";
 import type { Plan, Scenario } from "parkade";
 import { open, settled, type PlaygroundElement } from "./playground";
 
-interface Shown { plan: Plan | null; lastGood: Plan | null; drive: { duration: number } | null; status: string; error: unknown; millis: number | null }
+interface Shown {
+  plan: Plan | null;
+  lastGood: Plan | null;
+  drive: { duration: number } | null;
+  status: string;
+  error: unknown;
+  millis: number | null;
+}
 interface Inside extends PlaygroundElement {
-  app: { openPreset(id: string): void; openScene(scene: Scenario): void; complete(): Promise<unknown>; catalog: { scenarios: { id: string }[]; planners: { id: string }[] } };
-  store: PlaygroundElement["store"] & { state: { results: Record<string, Shown>; playback: { playing: boolean } }; undo(): void; redo(): void; edit(scene: Scenario, options?: object): void };
+  app: {
+    openPreset(id: string): void;
+    openScene(scene: Scenario): void;
+    complete(): Promise<unknown>;
+    catalog: { scenarios: { id: string }[]; planners: { id: string }[] };
+  };
+  store: PlaygroundElement["store"] & {
+    state: { results: Record<string, Shown>; playback: { playing: boolean } };
+    undo(): void;
+    redo(): void;
+    edit(scene: Scenario, options?: object): void;
+  };
 }
 
 /** Plans that stand anywhere in the results at the moment that the scene changes, with nothing answered yet. */
-const rightAfter = (page: Page, how: string) => page.evaluate(async (way) => {
-  const element = document.querySelector<Inside>("parkade-playground")!;
-  const { store, app } = element;
-  const elsewhere = { ...store.state.scene, start: { ...store.state.scene.start, x: store.state.scene.start.x + 1 } };
-  if (way === "openScene") app.openScene(elsewhere);
-  else if (way === "sceneData") element.sceneData = elsewhere;
-  else if (way === "undo") store.undo();
-  else if (way === "redo") store.redo();
-  else if (way === "link") location.hash = (await element.shareURL())!.split("#")[1]!.replace(/&v=.*/, "");
-  else if (way === "edit") store.edit(elsewhere);
-  await element.updateComplete;
-  const { results } = store.state;
-  return Object.values(results).flatMap(({ plan, lastGood, drive }) => [plan, lastGood, drive]).filter(Boolean).length;
-}, how);
+const rightAfter = (page: Page, how: string) =>
+  page.evaluate(async (way) => {
+    const element = document.querySelector<Inside>("parkade-playground")!;
+    const { store, app } = element;
+    const elsewhere = { ...store.state.scene, start: { ...store.state.scene.start, x: store.state.scene.start.x + 1 } };
+    if (way === "openScene") app.openScene(elsewhere);
+    else if (way === "sceneData") element.sceneData = elsewhere;
+    else if (way === "undo") store.undo();
+    else if (way === "redo") store.redo();
+    else if (way === "link") location.hash = (await element.shareURL())!.split("#")[1]!.replace(/&v=.*/, "");
+    else if (way === "edit") store.edit(elsewhere);
+    await element.updateComplete;
+    const { results } = store.state;
+    return Object.values(results)
+      .flatMap(({ plan, lastGood, drive }) => [plan, lastGood, drive])
+      .filter(Boolean).length;
+  }, how);
 
 test("another scene shows no plan of the one before, however it is opened", async ({ page }) => {
   await open(page);
@@ -44,7 +64,8 @@ test("every planner on every preset: no error, and a drive in plausible time", a
     await app.complete();
     const planners = app.catalog.planners.map(({ id }) => id);
     const faults: string[] = [];
-    let pairs = 0, drives = 0;
+    let pairs = 0,
+      drives = 0;
     for (const { id } of app.catalog.scenarios) {
       store.set({ message: null });
       app.openPreset(id);
@@ -60,8 +81,10 @@ test("every planner on every preset: no error, and a drive in plausible time", a
         else if (plan.outcome === "found" && plan.check.drivable && !scene.moving?.length) {
           drives++;
           const { length, directionChanges } = plan.metrics;
-          const least = length / 10, most = 20 + 2 * length + 10 * directionChanges;
-          if (!drive || !(drive.duration >= least && drive.duration <= most)) faults.push(`${name}: ${length} m in ${drive?.duration} s`);
+          const least = length / 10,
+            most = 20 + 2 * length + 10 * directionChanges;
+          if (!drive || !(drive.duration >= least && drive.duration <= most))
+            faults.push(`${name}: ${length} m in ${drive?.duration} s`);
         }
       }
     }

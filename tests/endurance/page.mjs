@@ -14,7 +14,9 @@ export async function withPage(use, prepare, viewport = { width: 1400, height: 9
       await route.fulfill({ response, body: `${KEEP_MEMORIES}\n${await response.text()}` });
     });
     const complaints = [];
-    page.on("console", (message) => { if (message.type() === "error") complaints.push(message.text()); });
+    page.on("console", (message) => {
+      if (message.type() === "error") complaints.push(message.text());
+    });
     page.on("pageerror", (error) => complaints.push(error.message));
     if (prepare) await page.addInitScript(prepare);
     await page.goto(url);

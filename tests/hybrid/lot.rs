@@ -6,7 +6,7 @@ use parkade::geometry::arcs::{self, Arc};
 use parkade::geometry::{Point, Pose, math};
 use parkade::planners::hybrid::{Config, Query, Report, Scratch, Status, plan};
 use parkade::vehicle::Vehicle;
-use parkade::vehicle::collision::{Obstacles, Probe, Solid};
+use parkade::vehicle::collision::{CollisionChecker, Obstacles, Solid};
 
 pub(crate) const CAR: Vehicle = Vehicle::PAPER;
 pub(crate) const BORDER: u32 = 0;
@@ -105,7 +105,7 @@ impl Lot {
     /// The least distance from the car to anything along a path, 1 m at most.
     pub(crate) fn clearance(&self, path: &[Arc]) -> f64 {
         let obstacles = self.obstacles();
-        let probe = Probe::new(&obstacles, &CAR);
+        let probe = CollisionChecker::new(&obstacles, &CAR);
         let points = arcs::sample(pose(self.start), path, pose(self.goal), 0.02);
         points.iter().fold(1.0, |least, p| probe.clearance(obstacles.local(p.pose), least).min(least))
     }
@@ -162,8 +162,8 @@ pub(crate) fn random(state: &mut u64) -> f64 {
     (*state >> 11) as f64 / (1_u64 << 53) as f64
 }
 
-/// A lot with boxes strewn over it.
-pub(crate) fn strewn(seed: u64) -> Lot {
+/// A lot with boxes random_scenes over it.
+pub(crate) fn random_scenes(seed: u64) -> Lot {
     let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
     let mut between = |low: f64, high: f64| low + (high - low) * random(&mut state);
     let mut lot = Lot::paper(-10.0, 10.0, 5.0, [0.0; 3], [0.0; 3]);

@@ -5,14 +5,14 @@ use std::f64::consts::{PI, TAU};
 use parkade::geometry::{Pose, arcs, math, reeds_shepp};
 use parkade::planners::hybrid::{Config, Status};
 
-use crate::lot::{CAR, Lot, random, strewn};
+use crate::lot::{CAR, Lot, random, random_scenes};
 
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn random_lots_give_drivable_paths() {
     let mut found = 0;
     for seed in 0..40 {
-        let lot = strewn(seed);
+        let lot = random_scenes(seed);
         let name = format!("seed {seed}");
         let config = Config { ladder: false, max_expansions: Some(3000), ..Config::default() };
         let report = lot.plan(&config);
@@ -93,7 +93,7 @@ fn a_hundred_thousand_words_arrive() {
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn an_obstacle_more_makes_no_path_shorter() {
     for seed in 0..25 {
-        let full = strewn(seed);
+        let full = random_scenes(seed);
         let mut fewer = full.clone();
         fewer.solids.pop();
         let config = Config { ladder: false, max_expansions: Some(3000), ..Config::default() };

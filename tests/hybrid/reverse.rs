@@ -8,7 +8,7 @@ use parkade::planners::hybrid::{Config, Profile, Status};
 use parkade::scenario::catalog;
 use serde_json::Map;
 
-use crate::lot::{Lot, ROWS, pose, strewn};
+use crate::lot::{Lot, ROWS, pose, random_scenes};
 
 fn shortest() -> Config {
     Config { profile: Profile::Shortest, ..Config::default() }
@@ -72,7 +72,7 @@ fn long_halls_are_driven_forwards() {
 fn the_profile_costs_no_path_and_never_more_than_it_saves() {
     let config = Config { max_expansions: Some(3000), ladder: false, ..Config::default() };
     for seed in 0..40 {
-        let lot = strewn(seed);
+        let lot = random_scenes(seed);
         let short = lot.plan(&Config { profile: Profile::Shortest, ..config });
         let report = lot.plan(&config);
         assert_eq!(short.arcs.is_empty(), report.arcs.is_empty(), "seed {seed}");

@@ -46,12 +46,12 @@ fn the_papers_rows_are_reached_from_the_start_too() {
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn two_trees_reach_the_papers_rows() {
     for (id, _, length, changes) in MUST_REACH {
-        let (got, got_changes, report) = Lot::row(id).solve(id, &Config::both_ways());
+        let (got, got_changes, report) = Lot::row(id).solve(id, &Config::bidirectional());
         println!("{id}: {got:.2} m, {got_changes} changes, {} expansions", report.expanded);
         assert!(got <= length * 1.05 && got_changes <= changes, "{id}: {got} m, {got_changes} changes");
     }
     let boxed = Lot::paper(-8.0, -1.4, 3.0, [10.0, 8.0, PI], [-2.95, 3.5, PI]);
-    let report = boxed.plan(&Config { finest_level: 4, ..Config::both_ways() });
+    let report = boxed.plan(&Config { finest_level: 4, ..Config::bidirectional() });
     assert!(report.arcs.is_empty(), "{:?}", report.status);
 }
 

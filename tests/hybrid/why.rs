@@ -66,7 +66,7 @@ fn failed_connections_lead_from_the_tree_to_what_they_hit() {
             // What is hit is within the margin, and nothing else stands in this lot.
             assert_eq!(shots.owners[k], BORDER);
             let obstacles = lot.obstacles();
-            let probe = parkade::vehicle::collision::Probe::new(&obstacles, &CAR);
+            let probe = parkade::vehicle::collision::CollisionChecker::new(&obstacles, &CAR);
             assert!(probe.hit(obstacles.local(hit), 0.1).is_some(), "{k}");
             assert!(probe.hit(obstacles.local(at), 0.1 - 1e-6).is_none(), "{k}");
         }
@@ -77,7 +77,7 @@ fn failed_connections_lead_from_the_tree_to_what_they_hit() {
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn two_trees_show_their_failed_connections() {
-    let report = traced(&Lot::row("L2"), &Config::both_ways());
+    let report = traced(&Lot::row("L2"), &Config::bidirectional());
     assert!(report.shots.first.len() > 5);
     assert!(report.shots.expansions.windows(2).all(|w| w[0] < w[1]), "one an expansion, in order");
 }

@@ -1,7 +1,17 @@
 import { readFileSync } from "node:fs";
 import { beforeAll, describe, expect, test } from "vitest";
 import * as parkade from "parkade";
-import { type PlannerId, type Scenario, ParkadeError, Planner, checkPath, defaultConfig, init, scenario, scenarios } from "parkade";
+import {
+  type PlannerId,
+  type Scenario,
+  ParkadeError,
+  Planner,
+  checkPath,
+  defaultConfig,
+  init,
+  scenario,
+  scenarios,
+} from "parkade";
 
 /** The ParkadeError that `run` throws, in parts. */
 function failure(run: () => unknown) {
@@ -41,7 +51,12 @@ describe("after init", () => {
   });
 
   test("another module than the loaded one is refused, the same one is not", async () => {
-    await expect(init({ wasm: "bogus" })).rejects.toMatchObject({ name: "ParkadeError", code: "bad-input", path: "wasm", message: expect.stringContaining("must be as in the first `init`, got string") });
+    await expect(init({ wasm: "bogus" })).rejects.toMatchObject({
+      name: "ParkadeError",
+      code: "bad-input",
+      path: "wasm",
+      message: expect.stringContaining("must be as in the first `init`, got string"),
+    });
     await expect(init()).resolves.toBeUndefined();
     const compiled = await WebAssembly.compile(new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0]));
     await expect(init({ wasm: structuredClone(compiled) })).resolves.toBeUndefined();
@@ -49,15 +64,25 @@ describe("after init", () => {
   });
 
   test("plans may end in any slot of the scene, as the scene itself may", () => {
-    const scene = scenario("perpendicular"), goal = { slot: "slot-1", entry: "reverse-in" } as const;
+    const scene = scenario("perpendicular"),
+      goal = { slot: "slot-1", entry: "reverse-in" } as const;
     using planner = new Planner("eight", scene);
     using other = new Planner("eight", { ...scene, goal });
     expect(planner.plan({ goal }).hash).toBe(other.plan().hash);
     expect(planner.plan({ goal }).hash).not.toBe(planner.plan().hash);
     expect(planner.plan({ start: goal }).path.slice(0, 2)).toEqual(other.plan().path.slice(-3, -1));
-    expect(failure(() => planner.plan({ goal: { slot: "nowhere", entry: "head-in" } }))).toEqual({ code: "bad-input", path: "goal.slot" });
-    expect(failure(() => planner.plan({ goal: untyped({ slot: "slot-1", entry: "sideways" }) }))).toEqual({ code: "bad-input", path: "goal.entry" });
-    expect(failure(() => planner.plan({ goal: untyped({ x: 1, y: 2 }) }))).toEqual({ code: "bad-input", path: "goal.heading" });
+    expect(failure(() => planner.plan({ goal: { slot: "nowhere", entry: "head-in" } }))).toEqual({
+      code: "bad-input",
+      path: "goal.slot",
+    });
+    expect(failure(() => planner.plan({ goal: untyped({ slot: "slot-1", entry: "sideways" }) }))).toEqual({
+      code: "bad-input",
+      path: "goal.entry",
+    });
+    expect(failure(() => planner.plan({ goal: untyped({ x: 1, y: 2 }) }))).toEqual({
+      code: "bad-input",
+      path: "goal.heading",
+    });
   });
 
   test("the types declare what the package exports", () => {
@@ -113,16 +138,31 @@ describe("after init", () => {
     expect(trace.arcs.length).toBeLessThanOrEqual(5 * stats.expanded);
     const { first, hits, obstacles, expansions, arcs, dropped } = trace.shots;
     expect(first.length).toBeGreaterThan(20);
-    expect([hits.length, obstacles.length, expansions.length, arcs.length % 5, dropped]).toEqual([3 * first.length, first.length, first.length, 0, 0]);
+    expect([hits.length, obstacles.length, expansions.length, arcs.length % 5, dropped]).toEqual([
+      3 * first.length,
+      first.length,
+      first.length,
+      0,
+      0,
+    ]);
     expect(Math.max(...obstacles)).toBeLessThan(scene.obstacles?.length ?? 0);
   });
 
   test("a failure has a place", () => {
     const hall: Scenario = {
-       version: 1, map: { origin: [0, 0], width: 40, height: 20, resolution: 1 }, vehicle: "sedan",
-      start: { x: 5, y: 10, heading: 0 }, goal: { x: 32, y: 10, heading: 0 },
+      version: 1,
+      map: { origin: [0, 0], width: 40, height: 20, resolution: 1 },
+      vehicle: "sedan",
+      start: { x: 5, y: 10, heading: 0 },
+      goal: { x: 32, y: 10, heading: 0 },
     };
-    const wall = (y1: number, y2: number) => ({ type: "wall" as const, points: [[22, y1], [22, y2]] as [number, number][] });
+    const wall = (y1: number, y2: number) => ({
+      type: "wall" as const,
+      points: [
+        [22, y1],
+        [22, y2],
+      ] as [number, number][],
+    });
     const ask = (obstacles: Scenario["obstacles"], planner: PlannerId = "hybrid") => {
       using session = new Planner(planner, { ...hall, obstacles: obstacles! });
       return session.plan().obstruction;
@@ -141,7 +181,9 @@ describe("after init", () => {
     expect(gap.needed).toBe(1.9);
     expect([gap.width, gap.x, gap.y].map(Math.round)).toEqual([2, 22, 10]);
     expect(ask([wall(0, 4), { type: "car", pose: hall.start }])).toEqual({
-      kind: "contact", end: "start", hit: { obstacle: "parked car", index: 1, pose: hall.start },
+      kind: "contact",
+      end: "start",
+      hit: { obstacle: "parked car", index: 1, pose: hall.start },
     });
     expect(ask([wall(0, 20)], "eight")).toMatchObject({ kind: "nearest", heading: null });
   });

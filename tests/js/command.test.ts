@@ -8,7 +8,8 @@ import { PACKAGE, parkade, slowly } from "./pack";
 
 let folder = "";
 const run = (args: string[], input?: string) => parkade(args, folder, input);
-const write = (name: string, value: unknown) => writeFileSync(join(folder, name), typeof value === "string" ? value : JSON.stringify(value));
+const write = (name: string, value: unknown) =>
+  writeFileSync(join(folder, name), typeof value === "string" ? value : JSON.stringify(value));
 
 beforeAll(async () => {
   await init();
@@ -19,7 +20,11 @@ afterAll(() => rmSync(folder, { recursive: true, force: true }));
 test("plan prints the plan as the library has it, from a file, an id or standard input", () => {
   write("scene.json", scenario("perpendicular"));
   const plan = new Planner("hybrid", scenario("perpendicular"), { reverseCost: 1.5 }).plan();
-  for (const [place, input] of [["scene.json", ""], ["perpendicular", ""], ["-", JSON.stringify(scenario("perpendicular"))]] as const) {
+  for (const [place, input] of [
+    ["scene.json", ""],
+    ["perpendicular", ""],
+    ["-", JSON.stringify(scenario("perpendicular"))],
+  ] as const) {
     const { status, out, err } = run(["plan", place, "--set", "reverseCost=1.5"], input);
     expect([status, err]).toEqual([0, ""]);
     const printed: Plan = JSON.parse(out);
@@ -35,7 +40,10 @@ test("plan reads maps of other programs with their questions and pictures", () =
   const { status, out } = run(["plan", "maps/room.map", "--planner", "eight"]);
   expect([status, JSON.parse(out).outcome]).toEqual([0, "found"]);
   write("maps/yard.pgm", `P2\n5 4\n255\n${"254 ".repeat(20)}\n`);
-  write("maps/yard.yaml", "image: yard.pgm\nresolution: 2\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n");
+  write(
+    "maps/yard.yaml",
+    "image: yard.pgm\nresolution: 2\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n",
+  );
   expect(run(["check", "maps/yard.yaml"]).out).toMatch(/^ok:/);
 });
 
@@ -54,8 +62,11 @@ test("a path's CSV has a row for each pose, distances that add up, and passes th
   // In JSON the curvature of a corner is null.
   const corners: Plan = JSON.parse(run(["plan", "perpendicular", "--planner", "eight"]).out);
   expect([...corners.curvatures]).toContain(null);
-  expect(toCSV(scenario("perpendicular"), corners)).toBe(run(["plan", "perpendicular", "--planner", "eight", "--format", "csv"]).out);
-  for (const file of ["path.csv", "plan.json"]) expect(run(["check", "perpendicular", file])).toMatchObject({ status: 0, err: "" });
+  expect(toCSV(scenario("perpendicular"), corners)).toBe(
+    run(["plan", "perpendicular", "--planner", "eight", "--format", "csv"]).out,
+  );
+  for (const file of ["path.csv", "plan.json"])
+    expect(run(["check", "perpendicular", file])).toMatchObject({ status: 0, err: "" });
 });
 
 test("check says what is wrong with a path, by its exit code too", () => {
@@ -64,71 +75,142 @@ test("check says what is wrong with a path, by its exit code too", () => {
   expect(status).toBe(1);
   expect(out).toMatch(/^collides: overlaps at \d+ poses/);
   const plan = new Planner("four", scenario("perpendicular")).plan();
-  expect(JSON.parse(run(["check", "perpendicular", "corners.csv", "--format", "json"]).out).hits).toBe(checkPath(scenario("perpendicular"), plan.path).hits);
+  expect(JSON.parse(run(["check", "perpendicular", "corners.csv", "--format", "json"]).out).hits).toBe(
+    checkPath(scenario("perpendicular"), plan.path).hits,
+  );
 });
 
 test("a plan's trajectory passes the referee, one that is damaged is refused by line and column", () => {
   expect(run(["plan", "reverse-in", "--format", "trajectory", "--out", "driven.csv"]).status).toBe(0);
   const { status, out } = run(["judge", "reverse-in", "driven.csv"]);
   expect([status, out.split("\n")[0]]).toEqual([0, "passes: goal attained, limits kept"]);
-  expect(JSON.parse(run(["judge", "reverse-in", "driven.csv", "--format", "json"]).out)).toMatchObject({ passes: true, touchingFrames: 0 });
+  expect(JSON.parse(run(["judge", "reverse-in", "driven.csv", "--format", "json"]).out)).toMatchObject({
+    passes: true,
+    touchingFrames: 0,
+  });
   expect(run(["judge", "reverse-in", "driven.csv", "--speed", "1"])).toMatchObject({ status: 1 });
   write("damaged.csv", "t,x,y,theta\n0,1,2,3\n1,1,two,3\n");
-  expect(run(["judge", "reverse-in", "damaged.csv"])).toMatchObject({ status: 2, err: 'parkade: damaged.csv:3:5: y must be a finite number, got "two"\n' });
-  expect(run(["judge", "reverse-in", "driven.csv", "--speed", "fast"]).err).toBe("parkade: --speed fast: must be a number\n");
+  expect(run(["judge", "reverse-in", "damaged.csv"])).toMatchObject({
+    status: 2,
+    err: 'parkade: damaged.csv:3:5: y must be a finite number, got "two"\n',
+  });
+  expect(run(["judge", "reverse-in", "driven.csv", "--speed", "fast"]).err).toBe(
+    "parkade: --speed fast: must be a number\n",
+  );
 }, 60_000);
 
 test("no path is exit code 1, with the reason on standard error", () => {
   const scene = scenario("perpendicular");
-  write("shut.json", { ...scene, obstacles: [...(scene.obstacles ?? []), { type: "rectangle", center: [scene.start.x, scene.start.y], size: [3, 3] }] });
+  write("shut.json", {
+    ...scene,
+    obstacles: [
+      ...(scene.obstacles ?? []),
+      { type: "rectangle", center: [scene.start.x, scene.start.y], size: [3, 3] },
+    ],
+  });
   const { status, err } = run(["plan", "shut.json", "--planner", "eight"]);
   expect(status).toBe(1);
   expect(err).toMatch(/start-blocked/);
 });
 
 test("bench answers for every planner with its hash and the number of runs", () => {
-  const { status, out } = run(["bench", "perpendicular", "--planner", "eight,hybrid", "--repeats", "3", "--format", "json"]);
+  const { status, out } = run([
+    "bench",
+    "perpendicular",
+    "--planner",
+    "eight,hybrid",
+    "--repeats",
+    "3",
+    "--format",
+    "json",
+  ]);
   const rows: { planner: string; n: number; hash: string; medianMs: number }[] = JSON.parse(out);
   expect(status).toBe(0);
-  expect(rows.map(({ planner, n }) => [planner, n])).toEqual([["eight", 3], ["hybrid", 3]]);
+  expect(rows.map(({ planner, n }) => [planner, n])).toEqual([
+    ["eight", 3],
+    ["hybrid", 3],
+  ]);
   expect(rows[1]!.hash).toBe(new Planner("hybrid", scenario("perpendicular")).plan().hash);
-  expect(run(["bench", "perpendicular", "--planner", "eight", "--repeats", "1"]).out.split("\n")[1]).toMatch(/^\| --- /);
+  expect(run(["bench", "perpendicular", "--planner", "eight", "--repeats", "1"]).out.split("\n")[1]).toMatch(
+    /^\| --- /,
+  );
 });
 
 test("the SVG picture is well formed, holds the scene, and draws each planner's line", () => {
   const scene = { ...scenario("perpendicular"), name: 'a "name" <with> & signs' };
   const plans = (["eight", "hybrid"] as const).map((planner) => new Planner(planner, scene).plan());
   const svg = toSVG(scene, plans, { width: 640, height: 360, theme: "light" });
-  const metadata = /<metadata>([^]*?)<\/metadata>/.exec(svg)![1]!.replace(/&#(\d+);/g, (_, code) => String.fromCharCode(Number(code)));
+  const metadata = /<metadata>([^]*?)<\/metadata>/
+    .exec(svg)![1]!
+    .replace(/&#(\d+);/g, (_, code) => String.fromCharCode(Number(code)));
   expect(JSON.parse(metadata)).toEqual(scene);
   expect(svg).toContain('width="640" height="360"');
   expect(svg).toContain("#D55E00");
   expect(svg).toContain("#CC79A7");
   expect(svg).not.toMatch(/NaN|undefined|<with>/);
-  const [plan] = plans, plain = { ...plan!, path: [...plan!.path], curvatures: [...plan!.curvatures], clearances: [...plan!.clearances], trace: null };
-  expect(toSVG(scene, JSON.parse(JSON.stringify({ ...plain, check: { ...plan!.check, hitPoses: [...plan!.check.hitPoses] } })) as Plan)).toBe(toSVG(scene, { ...plan!, trace: null }));
+  const [plan] = plans,
+    plain = {
+      ...plan!,
+      path: [...plan!.path],
+      curvatures: [...plan!.curvatures],
+      clearances: [...plan!.clearances],
+      trace: null,
+    };
+  expect(
+    toSVG(
+      scene,
+      JSON.parse(JSON.stringify({ ...plain, check: { ...plan!.check, hitPoses: [...plan!.check.hitPoses] } })) as Plan,
+    ),
+  ).toBe(toSVG(scene, { ...plan!, trace: null }));
   const bad = (change: object) => () => toSVG(scene, { ...plan!, ...change } as Plan);
-  expect(bad({ check: { ...plan!.check, hitPoses: null } })).toThrow("plan.check.hitPoses: must be an array of numbers, got null");
+  expect(bad({ check: { ...plan!.check, hitPoses: null } })).toThrow(
+    "plan.check.hitPoses: must be an array of numbers, got null",
+  );
   expect(bad({ clearances: [1, "2"] })).toThrow("plan.clearances[1]: must be a number that fits, got 2");
   expect(bad({ metrics: null })).toThrow("plan.metrics: must be an object, got null");
-  expect(bad({ outcome: "no-path", obstruction: { kind: "gap", x: 10n, y: 1, width: 2, needed: 3 } })).toThrow(/^plans: must be as planners answer them: .*BigInt/);
+  expect(bad({ outcome: "no-path", obstruction: { kind: "gap", x: 10n, y: 1, width: 2, needed: 3 } })).toThrow(
+    /^plans: must be as planners answer them: .*BigInt/,
+  );
   expect(() => toSVG(scene, plans, { width: 0 })).toThrow("width: must be 16 to 8192 pixels, got 0");
-  expect(() => toSVG(scene, plans, { controls: "full" as "none" })).toThrow("controls: must be none or minimal, got full");
-  expect(() => toSVG(scene, plans, { camera: { x: 0, y: 0, scale: 0 } })).toThrow("camera.scale: must be a positive number, got 0");
+  expect(() => toSVG(scene, plans, { controls: "full" as "none" })).toThrow(
+    "controls: must be none or minimal, got full",
+  );
+  expect(() => toSVG(scene, plans, { camera: { x: 0, y: 0, scale: 0 } })).toThrow(
+    "camera.scale: must be a positive number, got 0",
+  );
   const { status, out } = run(["plan", "perpendicular", "--format", "svg", "--size", "300x200"]);
   expect([status, out.slice(0, 4), out.includes('width="300" height="200"')]).toEqual([0, "<svg", true]);
 });
 
 test("a picture is a playground's poster where its layout is given, of one planner or several", () => {
-  const { status, out } = run(["plan", "perpendicular", "--planner", "eight,hybrid", "--format", "svg", "--layout", "single", "--controls", "minimal", "--theme", "light"]);
-  expect([status, /<svg y="(\d+)" width="(\d+)" height="(\d+)">/.exec(out)?.slice(1)]).toEqual([0, ["32", "720", "344"]]);
+  const { status, out } = run([
+    "plan",
+    "perpendicular",
+    "--planner",
+    "eight,hybrid",
+    "--format",
+    "svg",
+    "--layout",
+    "single",
+    "--controls",
+    "minimal",
+    "--theme",
+    "light",
+  ]);
+  expect([status, /<svg y="(\d+)" width="(\d+)" height="(\d+)">/.exec(out)?.slice(1)]).toEqual([
+    0,
+    ["32", "720", "344"],
+  ]);
   expect(out).toMatch(/stroke:#D55E00[^]*stroke:#CC79A7/);
-  expect(run(["plan", "perpendicular", "--format", "svg", "--planner", "risk-field", "--theme", "light"]).out).toMatch(/<pattern/);
+  expect(run(["plan", "perpendicular", "--format", "svg", "--planner", "risk-field", "--theme", "light"]).out).toMatch(
+    /<pattern/,
+  );
 });
 
 test("every preset has a picture, with a plan that fails and without one", () => {
   for (const { id } of scenarios()) {
-    const scene = scenario(id), plan = new Planner("eight", scene).plan();
+    const scene = scenario(id),
+      plan = new Planner("eight", scene).plan();
     for (const plans of [[], [plan]]) expect(toSVG(scene, plans), id).toMatch(/^<svg/);
   }
 });
@@ -136,16 +218,41 @@ test("every preset has a picture, with a plan that fails and without one", () =>
 test("every kind of obstacle is drawn, also paths that no car drives", () => {
   const cells = generateScenario({ family: "random", size: 21, seed: 3 });
   const plan = new Planner("eight", cells).plan();
-  const filled = (svg: string, colour: string) => [...svg.matchAll(/\.(k\w+)\{fill:(#\w+)\}/g)].filter(([, , fill]) => fill === colour)
-    .reduce((sum, [, name]) => sum + svg.split(`class="${name}"`).length - 1, 0);
+  const filled = (svg: string, colour: string) =>
+    [...svg.matchAll(/\.(k\w+)\{fill:(#\w+)\}/g)]
+      .filter(([, , fill]) => fill === colour)
+      .reduce((sum, [, name]) => sum + svg.split(`class="${name}"`).length - 1, 0);
   expect(filled(toSVG(cells, plan, { theme: "light" }), "#B4B8BE")).toBe(1);
   expect(toCSV(cells, plan).split("\n")[1]!.split(",")[6]).toBe("");
-  const scene = { ...scenario("perpendicular"), obstacles: [
-    { type: "wall", points: [[1, 1], [3, 1]], thickness: 0.2 }, { type: "polygon", points: [[1, 2], [2, 2], [2, 3]] },
-    { type: "rectangle", center: [3, 3], size: [1, 2], heading: 0.3 }, { type: "car", pose: { x: 3, y: 8, heading: 1 }, vehicle: "sedan" },
-  ] } as ReturnType<typeof scenario>;
+  const scene = {
+    ...scenario("perpendicular"),
+    obstacles: [
+      {
+        type: "wall",
+        points: [
+          [1, 1],
+          [3, 1],
+        ],
+        thickness: 0.2,
+      },
+      {
+        type: "polygon",
+        points: [
+          [1, 2],
+          [2, 2],
+          [2, 3],
+        ],
+      },
+      { type: "rectangle", center: [3, 3], size: [1, 2], heading: 0.3 },
+      { type: "car", pose: { x: 3, y: 8, heading: 1 }, vehicle: "sedan" },
+    ],
+  } as ReturnType<typeof scenario>;
   const svg = toSVG(scene, [], { theme: "light" });
-  expect([svg.split('stroke-linejoin="round"').length > 5, filled(svg, "#B4B8BE"), filled(svg, "#D5D8DC")]).toEqual([true, 2, 1 + scene.slots!.filter(({ occupied }) => occupied).length]);
+  expect([svg.split('stroke-linejoin="round"').length > 5, filled(svg, "#B4B8BE"), filled(svg, "#D5D8DC")]).toEqual([
+    true,
+    2,
+    1 + scene.slots!.filter(({ occupied }) => occupied).length,
+  ]);
 });
 
 test.each([
@@ -183,25 +290,50 @@ test("every command explains itself", () => {
 });
 
 test("a word that is nearly right is answered by the right one", () => {
-  expect(run(["plann", "perpendicular"])).toMatchObject({ status: 2, err: expect.stringContaining("did you mean plan?") });
+  expect(run(["plann", "perpendicular"])).toMatchObject({
+    status: 2,
+    err: expect.stringContaining("did you mean plan?"),
+  });
   expect(run(["plan", "perpendiclar"]).err).toContain("did you mean perpendicular?");
   expect(run(["plan", "perpendicular", "--planner", "hybird"]).err).toContain("did you mean hybrid?");
   expect(run(["plan", "perpendicular", "--planer", "hybrid"]).err).toContain("did you mean --planner?");
   expect(run(["plan", "perpendicular", "--set", "reverseCst=2"]).err).toContain("did you mean reverseCost?");
-  expect(run(["batch", ".", "--planner", "eight", "--set", "cornr=free"])).toMatchObject({ status: 2, err: expect.stringContaining("eight has no such setting; did you mean corner?") });
-  for (const [change, meant] of [[{ vehicle: "sedn" }, "sedan"], [{ vehicle: { wheelbas: 1 } }, "wheelbase"], [{ obstacels: [] }, "obstacles"], [{ goal: { slot: "slot-3", entry: "hed-in" } }, "head-in"]] as const) {
-    expect(run(["plan", "-"], JSON.stringify({ ...scenario("perpendicular"), ...change }))).toMatchObject({ status: 2, err: expect.stringContaining(`; did you mean ${meant}?`) });
+  expect(run(["batch", ".", "--planner", "eight", "--set", "cornr=free"])).toMatchObject({
+    status: 2,
+    err: expect.stringContaining("eight has no such setting; did you mean corner?"),
+  });
+  for (const [change, meant] of [
+    [{ vehicle: "sedn" }, "sedan"],
+    [{ vehicle: { wheelbas: 1 } }, "wheelbase"],
+    [{ obstacels: [] }, "obstacles"],
+    [{ goal: { slot: "slot-3", entry: "hed-in" } }, "head-in"],
+  ] as const) {
+    expect(run(["plan", "-"], JSON.stringify({ ...scenario("perpendicular"), ...change }))).toMatchObject({
+      status: 2,
+      err: expect.stringContaining(`; did you mean ${meant}?`),
+    });
   }
   expect(run(["plan", "perpendicular", "--planner", "zzzzzzzz"]).err).not.toContain("did you mean");
 });
 
 test("check refuses a scene whose car has no place at its start or goal, and says what is there", () => {
-  const scene = scenario("perpendicular"), block = { type: "rectangle", id: "crate", center: [scene.start.x, scene.start.y], size: [1, 1] };
+  const scene = scenario("perpendicular"),
+    block = { type: "rectangle", id: "crate", center: [scene.start.x, scene.start.y], size: [1, 1] };
   write("start.json", { ...scene, obstacles: [block] });
-  expect(run(["check", "start.json"])).toEqual({ status: 1, out: "start-blocked: the car overlaps crate at the start\n", err: "" });
+  expect(run(["check", "start.json"])).toEqual({
+    status: 1,
+    out: "start-blocked: the car overlaps crate at the start\n",
+    err: "",
+  });
   write("goal.json", { ...scene, goal: { x: 1000, y: 0, heading: 0 } });
-  expect(run(["check", "goal.json"])).toEqual({ status: 1, out: "goal-blocked: the car overlaps border at the goal\n", err: "" });
-  expect(JSON.parse(run(["check", "start.json", "--format", "json"]).out).blocked).toEqual([{ end: "start", obstacle: "crate" }]);
+  expect(run(["check", "goal.json"])).toEqual({
+    status: 1,
+    out: "goal-blocked: the car overlaps border at the goal\n",
+    err: "",
+  });
+  expect(JSON.parse(run(["check", "start.json", "--format", "json"]).out).blocked).toEqual([
+    { end: "start", obstacle: "crate" },
+  ]);
   for (const { id } of scenarios()) expect([id, run(["check", id]).status]).toEqual([id, 0]);
 }, 60_000);
 
@@ -209,27 +341,47 @@ test("a file of more than 80 MB is refused before it is read, and so is such an 
   write("large.json", "");
   truncateSync(join(folder, "large.json"), 114_000_000);
   const words = "must have at most 80000000 bytes, has 114000000";
-  for (const command of ["plan", "check"]) expect(run([command, "large.json"])).toEqual({ status: 2, out: "", err: `parkade: large.json: ${words}\n` });
-  expect(run(["check", "-"], " ".repeat(80_000_001))).toMatchObject({ status: 2, err: "parkade: standard input: must have at most 80000000 bytes, has 80000001\n" });
-  expect(run(["batch", "large.json", "--out", "large.jsonl", "--quiet"])).toMatchObject({ status: 1, err: `parkade: large.json (hybrid): ${words}\n` });
+  for (const command of ["plan", "check"])
+    expect(run([command, "large.json"])).toEqual({ status: 2, out: "", err: `parkade: large.json: ${words}\n` });
+  expect(run(["check", "-"], " ".repeat(80_000_001))).toMatchObject({
+    status: 2,
+    err: "parkade: standard input: must have at most 80000000 bytes, has 80000001\n",
+  });
+  expect(run(["batch", "large.json", "--out", "large.jsonl", "--quiet"])).toMatchObject({
+    status: 1,
+    err: `parkade: large.json (hybrid): ${words}\n`,
+  });
 });
 
 test("a command that takes longer than --timeout ends with code 124", () => {
   const scene = scenario("perpendicular");
-  write("slow.json", { ...scene, obstacles: [...scene.obstacles ?? [], ...slowly(5000)] });
-  const before = performance.now(), late = run(["plan", "slow.json", "--timeout", "1"]);
+  write("slow.json", { ...scene, obstacles: [...(scene.obstacles ?? []), ...slowly(5000)] });
+  const before = performance.now(),
+    late = run(["plan", "slow.json", "--timeout", "1"]);
   expect(late).toEqual({ status: 124, out: "", err: "parkade: took longer than 1 s (--timeout)\n" });
   expect(performance.now() - before).toBeLessThan(6000);
-  expect(run(["plan", "perpendicular", "--trace", "--timeout", "60"])).toEqual(run(["plan", "perpendicular", "--trace"]));
+  expect(run(["plan", "perpendicular", "--trace", "--timeout", "60"])).toEqual(
+    run(["plan", "perpendicular", "--trace"]),
+  );
   expect(run(["check", "-", "--timeout", "60"], JSON.stringify(scene)).out).toMatch(/^ok/);
-  expect(run(["plan", "nowhere.json", "--timeout", "60"])).toMatchObject({ status: 2, err: expect.stringContaining("there is no such file") });
-  expect(run(["plan", "perpendicular", "--timeout", "soon"])).toMatchObject({ status: 2, err: expect.stringContaining("--timeout soon: must be a whole number") });
+  expect(run(["plan", "nowhere.json", "--timeout", "60"])).toMatchObject({
+    status: 2,
+    err: expect.stringContaining("there is no such file"),
+  });
+  expect(run(["plan", "perpendicular", "--timeout", "soon"])).toMatchObject({
+    status: 2,
+    err: expect.stringContaining("--timeout soon: must be a whole number"),
+  });
 });
 
 test("obstacles on the same place count once: 200 000 of them take seconds", () => {
-  const scene = scenario("perpendicular"), block = { type: "rectangle", center: [0, 7.5], size: [1, 1] };
+  const scene = scenario("perpendicular"),
+    block = { type: "rectangle", center: [0, 7.5], size: [1, 1] };
   const within = (count: number) => {
-    write("pile.json", { ...scene, obstacles: [...scene.obstacles ?? [], ...Array.from({ length: count }, () => block)] });
+    write("pile.json", {
+      ...scene,
+      obstacles: [...(scene.obstacles ?? []), ...Array.from({ length: count }, () => block)],
+    });
     return run(["plan", "pile.json", "--timeout", "100"]);
   };
   const [one, many] = [within(1), within(200_000)].map(({ status, out }) => [status, (JSON.parse(out) as Plan).hash]);
@@ -238,7 +390,10 @@ test("obstacles on the same place count once: 200 000 of them take seconds", () 
 
 test("what cannot be read or written is said in a sentence, with code 2", () => {
   write("plain.json", scenario("perpendicular"));
-  expect(run(["plan", "plain.json/scene.json"])).toMatchObject({ status: 2, err: "parkade: plain.json/scene.json: a part of its path is a file, not a folder\n" });
+  expect(run(["plan", "plain.json/scene.json"])).toMatchObject({
+    status: 2,
+    err: "parkade: plain.json/scene.json: a part of its path is a file, not a folder\n",
+  });
   mkdirSync(join(folder, "some"), { recursive: true });
   write("some/a.json", scenario("perpendicular"));
   for (const out of ["plain.json/out.jsonl", "missing/out.jsonl", "some"]) {
@@ -249,6 +404,10 @@ test("what cannot be read or written is said in a sentence, with code 2", () => 
 });
 
 test.runIf(existsSync("/dev/full"))("a full disk behind standard output is said, with code 2", () => {
-  const { status, stderr } = spawnSync("sh", ["-c", `"${process.execPath}" "${join(PACKAGE, "cli/main.js")}" plan perpendicular > /dev/full`], { encoding: "utf8" });
+  const { status, stderr } = spawnSync(
+    "sh",
+    ["-c", `"${process.execPath}" "${join(PACKAGE, "cli/main.js")}" plan perpendicular > /dev/full`],
+    { encoding: "utf8" },
+  );
   expect([status, stderr]).toEqual([2, "parkade: standard output: no space left on the device\n"]);
 });

@@ -1,7 +1,25 @@
 import { readFileSync } from "node:fs";
 import { beforeAll, describe, expect, test } from "vitest";
 import {
-  type Narrowest, type Run, type Scenario, ParkadeError, Planner, checkPath, generateScenario, importScene, init, packRuns, paperGrid, paperGridRows, paperGridSummary, paperParking, paperParkingRows, planners, scenario, sceneGeometry, unpackRuns,
+  type Narrowest,
+  type Run,
+  type Scenario,
+  ParkadeError,
+  Planner,
+  checkPath,
+  generateScenario,
+  importScene,
+  init,
+  packRuns,
+  paperGrid,
+  paperGridRows,
+  paperGridSummary,
+  paperParking,
+  paperParkingRows,
+  planners,
+  scenario,
+  sceneGeometry,
+  unpackRuns,
 } from "parkade";
 import { chineseReasons } from "../../www/src/i18n/reasons-zh";
 import catalogue from "../../www/src/i18n/reasons-zh.json";
@@ -34,11 +52,21 @@ function runsOf(scene: Scenario): Run[] {
 
 describe("importScene", () => {
   test("reads a map and its questions", () => {
-    const { format, scene, scenes, queries } = importScene({ "room.map": MAP, "room.map.scen": new TextEncoder().encode(SCEN) });
+    const { format, scene, scenes, queries } = importScene({
+      "room.map": MAP,
+      "room.map.scen": new TextEncoder().encode(SCEN),
+    });
     expect(format).toBe("movingai");
     expect(scenes).toEqual([scene]);
-    expect(runsOf(scene)).toEqual([[0, 0, 1], [3, 0, 1], [1, 2, 1], [3, 2, 1]]);
-    expect(queries).toEqual([{ bucket: 0, length: 4, start: { x: 0, y: 2, heading: 0 }, goal: { x: 2, y: 2, heading: 0 } }]);
+    expect(runsOf(scene)).toEqual([
+      [0, 0, 1],
+      [3, 0, 1],
+      [1, 2, 1],
+      [3, 2, 1],
+    ]);
+    expect(queries).toEqual([
+      { bucket: 0, length: 4, start: { x: 0, y: 2, heading: 0 }, goal: { x: 2, y: 2, heading: 0 } },
+    ]);
     const planner = new Planner("eight", scene);
     expect(planner.plan().metrics.lengthRaw).toBeCloseTo(queries[0]!.length, 6);
     planner.free();
@@ -52,30 +80,63 @@ describe("importScene", () => {
   });
 
   test("what is wrong is named by file and line, or by option", () => {
-    expect(failure(() => importScene({ "room.map": MAP.replace("S...", "S..") }))).toEqual({ code: "bad-import", path: "room.map:6" });
+    expect(failure(() => importScene({ "room.map": MAP.replace("S...", "S..") }))).toEqual({
+      code: "bad-import",
+      path: "room.map:6",
+    });
     expect(failure(() => importScene({}))).toEqual({ code: "bad-import", path: "files" });
-    expect(failure(() => importScene({ "room.map": untyped(7) }))).toEqual({ code: "bad-input", path: 'files["room.map"]' });
-    expect(failure(() => importScene({ "room.map": MAP }, { resolution: -1 }))).toEqual({ code: "bad-input", path: "resolution" });
-    expect(failure(() => importScene({ "room.map": MAP }, untyped({ size: 1 })))).toEqual({ code: "bad-input", path: "size" });
+    expect(failure(() => importScene({ "room.map": untyped(7) }))).toEqual({
+      code: "bad-input",
+      path: 'files["room.map"]',
+    });
+    expect(failure(() => importScene({ "room.map": MAP }, { resolution: -1 }))).toEqual({
+      code: "bad-input",
+      path: "resolution",
+    });
+    expect(failure(() => importScene({ "room.map": MAP }, untyped({ size: 1 })))).toEqual({
+      code: "bad-input",
+      path: "size",
+    });
     for (const files of [undefined, null, 7, "map", [MAP]]) {
       expect(failure(() => importScene(untyped(files)))).toEqual({ code: "bad-input", path: "files" });
     }
     const junk = new Uint8Array(100_000_000).fill(46);
     expect(failure(() => importScene({ "junk.map": junk }))).toEqual({ code: "bad-import", path: "junk.map:1" });
-    expect(failure(() => importScene({ "junk.map": "@".repeat(100_000_000) }))).toEqual({ code: "bad-import", path: "junk.map:1" });
+    expect(failure(() => importScene({ "junk.map": "@".repeat(100_000_000) }))).toEqual({
+      code: "bad-import",
+      path: "junk.map:1",
+    });
     junk[7] = junk[79_999_999] = junk[80_000_001] = 10;
     expect(failure(() => importScene({ "junk.map": junk }))).toEqual({ code: "bad-import", path: "junk.map:3" });
-    expect(failure(() => importScene({ "junk.map": junk.subarray(0, 80_000_000) }))).toEqual({ code: "bad-import", path: "junk.map:1" });
+    expect(failure(() => importScene({ "junk.map": junk.subarray(0, 80_000_000) }))).toEqual({
+      code: "bad-import",
+      path: "junk.map:1",
+    });
   });
 });
 
 describe("generateScenario", () => {
-  interface Golden { family: string; n: number; seed: number; map_fnv1a64: string; params?: Record<string, number> }
-  const golden: Golden[] = JSON.parse(readFileSync(new URL("../data/grid-golden-vectors.json", import.meta.url), "utf8")).maps;
+  interface Golden {
+    family: string;
+    n: number;
+    seed: number;
+    map_fnv1a64: string;
+    params?: Record<string, number>;
+  }
+  const golden: Golden[] = JSON.parse(
+    readFileSync(new URL("../data/grid-golden-vectors.json", import.meta.url), "utf8"),
+  ).maps;
 
   test("draws the golden maps bit for bit", () => {
     for (const { family, n, seed, params, map_fnv1a64 } of golden) {
-      const fields = { family, size: n, seed, densityPermille: params?.["density_permille"], blockMin: params?.["block_min"], blockMax: params?.["block_max"] };
+      const fields = {
+        family,
+        size: n,
+        seed,
+        densityPermille: params?.["density_permille"],
+        blockMin: params?.["block_min"],
+        blockMax: params?.["block_max"],
+      };
       const scene = generateScenario(untyped(family === "random" ? fields : { family, size: n, seed }));
       let hash = 0xcbf29ce484222325n;
       const cells = new Uint8Array(n * n);
@@ -86,11 +147,26 @@ describe("generateScenario", () => {
   });
 
   test("names the field that is wrong", () => {
-    expect(failure(() => generateScenario(untyped({ family: "maze", size: 30, seed: 1 })))).toEqual({ code: "bad-input", path: "family" });
-    expect(failure(() => generateScenario({ family: "trap", size: 9, seed: 1 }))).toEqual({ code: "bad-input", path: "size" });
-    expect(failure(() => generateScenario({ family: "trap", size: 30, seed: 0.5 }))).toEqual({ code: "bad-input", path: "seed" });
-    expect(failure(() => generateScenario({ family: "random", size: 30, seed: 1, blockMin: 5 }))).toEqual({ code: "bad-input", path: "blockMin" });
-    expect(failure(() => generateScenario(untyped({ family: "regular", size: 30, seed: 1, blockMin: 5 })))).toEqual({ code: "bad-input", path: "blockMin" });
+    expect(failure(() => generateScenario(untyped({ family: "maze", size: 30, seed: 1 })))).toEqual({
+      code: "bad-input",
+      path: "family",
+    });
+    expect(failure(() => generateScenario({ family: "trap", size: 9, seed: 1 }))).toEqual({
+      code: "bad-input",
+      path: "size",
+    });
+    expect(failure(() => generateScenario({ family: "trap", size: 30, seed: 0.5 }))).toEqual({
+      code: "bad-input",
+      path: "seed",
+    });
+    expect(failure(() => generateScenario({ family: "random", size: 30, seed: 1, blockMin: 5 }))).toEqual({
+      code: "bad-input",
+      path: "blockMin",
+    });
+    expect(failure(() => generateScenario(untyped({ family: "regular", size: 30, seed: 1, blockMin: 5 })))).toEqual({
+      code: "bad-input",
+      path: "blockMin",
+    });
     expect(failure(() => generateScenario(untyped(undefined))).code).toBe("bad-input");
   });
 });
@@ -112,10 +188,27 @@ describe("packed cells", () => {
 
   test("come back as they were, joined where they touch or overlap", () => {
     expect(packRuns([])).toBe("");
-    expect(packRuns([[2, 0, 3], [2, 1, 40]])).toBe("CD9/DoB");
+    expect(
+      packRuns([
+        [2, 0, 3],
+        [2, 1, 40],
+      ]),
+    ).toBe("CD9/DoB");
     const runs = checkered(300);
     expect(unpackRuns(packRuns(runs))).toEqual(runs);
-    expect(unpackRuns(packRuns([[5, 1, 2], [0, 0, 2], [6, 1, 4], [2, 0, 1]]))).toEqual([[0, 0, 3], [5, 1, 5]]);
+    expect(
+      unpackRuns(
+        packRuns([
+          [5, 1, 2],
+          [0, 0, 2],
+          [6, 1, 4],
+          [2, 0, 1],
+        ]),
+      ),
+    ).toEqual([
+      [0, 0, 3],
+      [5, 1, 5],
+    ]);
   });
 
   test("are read wherever scenes are, in both modules", () => {
@@ -133,7 +226,10 @@ describe("packed cells", () => {
     const runs: unknown[] = runsOf(generateScenario({ family: "random", size: 100, seed: 1 })).slice();
     runs[300] = [1, "2", 3];
     const wrong = { ...scene, obstacles: [{ type: "cells", runs }] };
-    expect(failure(() => sceneGeometry(untyped(wrong)))).toEqual({ code: "bad-scenario", path: "obstacles[0].runs[300][1]" });
+    expect(failure(() => sceneGeometry(untyped(wrong)))).toEqual({
+      code: "bad-scenario",
+      path: "obstacles[0].runs[300][1]",
+    });
   });
 
   test("of large maps load quickly", () => {
@@ -146,7 +242,9 @@ describe("packed cells", () => {
       const planner = new Planner("eight", scene);
       const ready = performance.now();
       const plan = planner.plan();
-      console.log(`${size}²: ${runs.length} runs ready in ${(ready - start).toFixed(0)} ms, planned in ${(performance.now() - ready).toFixed(0)} ms`);
+      console.log(
+        `${size}²: ${runs.length} runs ready in ${(ready - start).toFixed(0)} ms, planned in ${(performance.now() - ready).toFixed(0)} ms`,
+      );
       expect(plan.outcome).toBe("found");
       planner.free();
     }
@@ -159,8 +257,12 @@ describe("explain", () => {
     const told = planner.explain({ x: 0.2, y: -0.3 })!;
     expect(told).toMatchObject({ cell: [0, 0], mode: "oblique", region: "2", center: 1 });
     expect(told.slope).toBeCloseTo(1, 9);
-    expect(told.candidates.filter((candidate) => candidate.role === "primary").map((candidate) => candidate.direction)).toEqual(["NE", "N", "E"]);
-    expect(told.candidates.filter((candidate) => candidate.role === "extension").map((candidate) => candidate.cell)).toEqual([[2, 2]]);
+    expect(
+      told.candidates.filter((candidate) => candidate.role === "primary").map((candidate) => candidate.direction),
+    ).toEqual(["NE", "N", "E"]);
+    expect(
+      told.candidates.filter((candidate) => candidate.role === "extension").map((candidate) => candidate.cell),
+    ).toEqual([[2, 2]]);
     expect(told.candidates).toHaveLength(9);
     expect(planner.explain({ x: 3, y: 3 })).toBeNull();
     expect(planner.explain({ x: -9, y: 3 })).toBeNull();
@@ -180,13 +282,23 @@ describe("the paper's tables", () => {
     const { rows, planners, columns } = paperGridRows();
     expect(rows.map((row) => row.id)).toContain("regular-30");
     const whole = paperGrid({ row: "regular-30", from: 1, to: 4 });
-    const [low, high] = [paperGrid({ row: "regular-30", from: 1, to: 2 }), paperGrid({ row: "regular-30", from: 3, to: 4 })];
-    const timeless = (figures: Float64Array) => [...figures].filter((_, i) => columns[i % columns.length] !== "milliseconds");
+    const [low, high] = [
+      paperGrid({ row: "regular-30", from: 1, to: 2 }),
+      paperGrid({ row: "regular-30", from: 3, to: 4 }),
+    ];
+    const timeless = (figures: Float64Array) =>
+      [...figures].filter((_, i) => columns[i % columns.length] !== "milliseconds");
     expect(whole).toHaveLength(4 * planners.length * columns.length);
     expect(timeless(whole)).toEqual([...timeless(low!), ...timeless(high!)]);
-    const { tables: [table], claims } = paperGridSummary({ "regular-30": whole });
+    const {
+      tables: [table],
+      claims,
+    } = paperGridSummary({ "regular-30": whole });
     expect(table).toMatchObject({ maps: 4, row: { id: "regular-30", table: 3 } });
-    expect(table!.lines.find((line) => line.planner === "risk-field")).toMatchObject({ printedNodes: 81, impossible: false });
+    expect(table!.lines.find((line) => line.planner === "risk-field")).toMatchObject({
+      printedNodes: 81,
+      impossible: false,
+    });
     expect(claims.every((claim) => claim.holds === "unknown")).toBe(true);
     const chinese = chineseReasons(catalogue);
     for (const claim of claims) {
@@ -201,9 +313,18 @@ describe("the paper's tables", () => {
   test("name what is wrong", () => {
     expect(failure(() => paperGrid({ row: "regular-31", from: 1, to: 2 }))).toEqual({ code: "bad-input", path: "row" });
     expect(failure(() => paperGrid({ row: "regular-30", from: 2, to: 1 }))).toEqual({ code: "bad-input", path: "to" });
-    expect(failure(() => paperGrid({ row: "regular-30", from: 0.5, to: 1 }))).toEqual({ code: "bad-input", path: "from" });
-    expect(failure(() => paperGridSummary({ "regular-30": new Float64Array(3) }))).toEqual({ code: "bad-input", path: "regular-30.figures" });
-    expect(failure(() => paperGridSummary(untyped({ "regular-30": [1] })))).toEqual({ code: "bad-input", path: "regular-30" });
+    expect(failure(() => paperGrid({ row: "regular-30", from: 0.5, to: 1 }))).toEqual({
+      code: "bad-input",
+      path: "from",
+    });
+    expect(failure(() => paperGridSummary({ "regular-30": new Float64Array(3) }))).toEqual({
+      code: "bad-input",
+      path: "regular-30.figures",
+    });
+    expect(failure(() => paperGridSummary(untyped({ "regular-30": [1] })))).toEqual({
+      code: "bad-input",
+      path: "regular-30",
+    });
   });
 
   test("a row of the parking paper is planned in its rounding, impossible lengths are marked", () => {
@@ -212,7 +333,12 @@ describe("the paper's tables", () => {
     const table = paperParking({ row: "L3" });
     expect(table.row).toEqual(rows[8]);
     expect([table.impossible, table.kept, table.row.improved.length]).toEqual([[false, true], true, 20.2]);
-    expect(table.lines.map((line) => line.planner)).toEqual(["hybrid-forward", "hybrid", "hybrid-bidirectional", "hybrid-classic"]);
+    expect(table.lines.map((line) => line.planner)).toEqual([
+      "hybrid-forward",
+      "hybrid",
+      "hybrid-bidirectional",
+      "hybrid-classic",
+    ]);
     const ours = table.lines[1]!;
     expect(ours).toMatchObject({ verdict: "ok", changes: 0, nodes: Math.round(ours.length * 10) + 1 });
     expect(ours.time * 2).toBeCloseTo(ours.length, 9);
@@ -226,18 +352,35 @@ describe("the risk field's settings", () => {
   const options = () => {
     const { parameters } = planners().find((planner) => planner.id === "risk-field")!;
     return parameters.flatMap(({ name, choices, type }) =>
-      (type === "boolean" ? [false, true] : type === "choice" ? choices! : []).map((value) => [name, value] as const));
+      (type === "boolean" ? [false, true] : type === "choice" ? choices! : []).map((value) => [name, value] as const),
+    );
   };
 
   test("are all reachable, alone and with every other", () => {
     const scene = generateScenario({ family: "random", size: 30, seed: 1 });
     const all = options();
-    expect(all.map(([name]) => name)).toEqual(expect.arrayContaining(["heuristic", "attraction", "obstacleSet", "fallback", "goalSide", "goalShot", "post", "smoothMode"]));
+    expect(all.map(([name]) => name)).toEqual(
+      expect.arrayContaining([
+        "heuristic",
+        "attraction",
+        "obstacleSet",
+        "fallback",
+        "goalSide",
+        "goalShot",
+        "post",
+        "smoothMode",
+      ]),
+    );
     for (const [name, value] of all) {
       for (const [other, choice] of all) {
         const planner = new Planner("risk-field", scene, { extLen: 2, [name]: value, [other]: choice });
         const { outcome, detail } = planner.plan();
-        if (outcome !== "found") expect([outcome, detail, [value, choice].some((v) => v === "none" || v === "stuck-only" || v === "half-diagonal" || v === "width")]).toEqual([outcome, detail, true]);
+        if (outcome !== "found")
+          expect([
+            outcome,
+            detail,
+            [value, choice].some((v) => v === "none" || v === "stuck-only" || v === "half-diagonal" || v === "width"),
+          ]).toEqual([outcome, detail, true]);
         planner.free();
       }
     }
@@ -246,12 +389,22 @@ describe("the risk field's settings", () => {
   test("of `risk-field-plus` and `risk-field` give the golden counts", () => {
     const golden = JSON.parse(readFileSync(new URL("../data/grid-golden-vectors.json", import.meta.url), "utf8")).maps;
     for (const { family, n, seed, params, ...record } of golden) {
-      const fields = family === "random" ? { densityPermille: params.density_permille, blockMin: params.block_min, blockMax: params.block_max } : {};
+      const fields =
+        family === "random"
+          ? { densityPermille: params.density_permille, blockMin: params.block_min, blockMax: params.block_max }
+          : {};
       const scene = generateScenario(untyped({ family, size: n, seed, ...fields }));
-      for (const [id, want] of [["risk-field", record.risk], ["risk-field-plus", record.risk_plus]] as const) {
+      for (const [id, want] of [
+        ["risk-field", record.risk],
+        ["risk-field-plus", record.risk_plus],
+      ] as const) {
         const planner = new Planner(id, scene);
         const { stats, metrics } = planner.plan();
-        expect([stats.costMicro, stats.expanded, stats.generated], `${id} ${family} ${n} ${seed}`).toEqual([want.cost_micro, want.expanded, want.generated]);
+        expect([stats.costMicro, stats.expanded, stats.generated], `${id} ${family} ${n} ${seed}`).toEqual([
+          want.cost_micro,
+          want.expanded,
+          want.generated,
+        ]);
         expect(metrics.lengthDp).toBeCloseTo(want.length_dp, 5);
         planner.free();
       }
@@ -264,33 +417,41 @@ describe("a planner", () => {
     const owners = new Set<string>();
     const room = ({ body, point }: Narrowest): number => Math.hypot(body[0] - point[0], body[1] - point[1]);
     for (const id of ["perpendicular", "parallel", "angled"]) {
-      const plain = scenario(id), slots = plain.slots ?? [];
+      const plain = scenario(id),
+        slots = plain.slots ?? [];
       const scene = { ...plain, obstacles: (plain.obstacles ?? []).map((one, i) => ({ ...one, id: `thing ${i}` })) };
-      const planner = new Planner("hybrid", scene), { check, clearances, metrics, path, directions } = planner.plan(), narrowest = check.narrowest!;
+      const planner = new Planner("hybrid", scene),
+        { check, clearances, metrics, path, directions } = planner.plan(),
+        narrowest = check.narrowest!;
       planner.free();
       expect(clearances[narrowest.pose]).toBe(metrics.minClearance);
       expect(clearances.length).toBe(path.length / 3);
       expect(room(narrowest)).toBeCloseTo(metrics.minClearance, 6);
-      const { obstacle, index } = narrowest, taken = slots.findIndex(({ id }) => id === obstacle);
+      const { obstacle, index } = narrowest,
+        taken = slots.findIndex(({ id }) => id === obstacle);
       const among = (keep: (owner: string) => boolean): Narrowest => {
-        const obstacles = scene.obstacles.filter(({ id }) => keep(id)), others = slots.map((slot) => ({ ...slot, occupied: slot.occupied === true && keep(slot.id!) }));
+        const obstacles = scene.obstacles.filter(({ id }) => keep(id)),
+          others = slots.map((slot) => ({ ...slot, occupied: slot.occupied === true && keep(slot.id!) }));
         return checkPath({ ...scene, obstacles, slots: others }, path, directions).narrowest!;
       };
       // Alone it leaves as little room, and without it there is more.
       expect(room(among((owner) => owner === obstacle))).toBeCloseTo(metrics.minClearance, 6);
-      if (obstacle !== "border") expect(room(among((owner) => owner !== obstacle))).toBeGreaterThan(metrics.minClearance);
+      if (obstacle !== "border")
+        expect(room(among((owner) => owner !== obstacle))).toBeGreaterThan(metrics.minClearance);
       expect(obstacle).toBe(index >= 0 ? `thing ${index}` : taken >= 0 ? slots[taken]!.id : "border");
       owners.add(obstacle);
     }
     expect(owners.size).toBeGreaterThan(1);
     // Where something is overlapped there is no narrowest place.
-    const hit = new Planner("four", scenario("perpendicular")), { check } = hit.plan();
+    const hit = new Planner("four", scenario("perpendicular")),
+      { check } = hit.plan();
     hit.free();
     expect([check.verdict, check.narrowest]).toEqual(["collides", undefined]);
   });
 
   test("takes over the last path of another planner, and of nothing else", () => {
-    const scene = scenario("perpendicular"), [one, other] = [new Planner("hybrid", scene), new Planner("hybrid", scene)];
+    const scene = scenario("perpendicular"),
+      [one, other] = [new Planner("hybrid", scene), new Planner("hybrid", scene)];
     const { hash } = one.plan();
     other.continueFrom(one);
     expect(other.plan().hash).toBe(hash);
@@ -300,8 +461,14 @@ describe("a planner", () => {
     expect(chosen.metrics.minClearance).toBeGreaterThan(one.plan().metrics.minClearance + 0.1);
     other.continueFrom(chosen);
     const kept = other.plan({ prefer: "widest", stickiness: 0.03 });
-    expect([kept.metrics.length, kept.metrics.minClearance]).toEqual([expect.closeTo(chosen.metrics.length, 6), expect.closeTo(chosen.metrics.minClearance, 6)]);
-    expect(failure(() => other.continueFrom(untyped({ ...chosen, directions: chosen.directions.slice(1) })))).toEqual({ code: "bad-input", path: "before" });
+    expect([kept.metrics.length, kept.metrics.minClearance]).toEqual([
+      expect.closeTo(chosen.metrics.length, 6),
+      expect.closeTo(chosen.metrics.minClearance, 6),
+    ]);
+    expect(failure(() => other.continueFrom(untyped({ ...chosen, directions: chosen.directions.slice(1) })))).toEqual({
+      code: "bad-input",
+      path: "before",
+    });
     other.free();
     expect(failure(() => one.continueFrom(other))).toEqual({ code: "freed", path: "" });
     one.free();

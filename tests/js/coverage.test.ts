@@ -5,16 +5,32 @@ import { expect, test } from "vitest";
 
 const root = fileURLToPath(new URL("../../", import.meta.url));
 const text = readFileSync(join(root, "docs/papers/coverage.md"), "utf8");
-const rows = text.split("\n").filter((line) => /^\| \d/.test(line)).map((line) => line.split(/(?<!\\)\|/).map((cell) => cell.trim()).slice(1, -1));
+const rows = text
+  .split("\n")
+  .filter((line) => /^\| \d/.test(line))
+  .map((line) =>
+    line
+      .split(/(?<!\\)\|/)
+      .map((cell) => cell.trim())
+      .slice(1, -1),
+  );
 
-const rust = ["src", "tests"].flatMap((folder) => readdirSync(join(root, folder), { recursive: true, encoding: "utf8" })
-  .filter((name) => name.endsWith(".rs")).map((name) => readFileSync(join(root, folder, name), "utf8"))).join("\n");
+const rust = ["src", "tests"]
+  .flatMap((folder) =>
+    readdirSync(join(root, folder), { recursive: true, encoding: "utf8" })
+      .filter((name) => name.endsWith(".rs"))
+      .map((name) => readFileSync(join(root, folder, name), "utf8")),
+  )
+  .join("\n");
 
 /** Whether a test of this name is there: a Rust function that is marked as one, or a title of a file of `tests/js` or `tests/e2e`. */
 function exists(name: string): boolean {
-  if (/^\w+$/.test(name)) return new RegExp(`#\\[(cfg_attr\\([^\\n]*)?test[^\\n]*\\n(#\\[[^\\n]*\\n|\\s)*fn ${name}\\(`).test(rust);
+  if (/^\w+$/.test(name))
+    return new RegExp(`#\\[(cfg_attr\\([^\\n]*)?test[^\\n]*\\n(#\\[[^\\n]*\\n|\\s)*fn ${name}\\(`).test(rust);
   const [file, ...title] = name.split(": ");
-  const path = [`tests/e2e/${file}.spec.ts`, `tests/js/${file}.test.ts`].map((one) => join(root, one)).find((one) => existsSync(one));
+  const path = [`tests/e2e/${file}.spec.ts`, `tests/js/${file}.test.ts`]
+    .map((one) => join(root, one))
+    .find((one) => existsSync(one));
   return path !== undefined && readFileSync(path, "utf8").includes(`"${title.join(": ")}"`);
 }
 

@@ -11,7 +11,8 @@ const ts = createRequire(createRequire(import.meta.url).resolve("ts-json-schema-
 /** What stands for a typed array in a schema. */
 const TYPED = "@typed";
 
-const marked = (/** @type {string} */ text) => text.replaceAll(/\b(?:Float|Int|Uint)\d+Array\b/g, `{ ${JSON.stringify(TYPED)}: "$&" }`);
+const marked = (/** @type {string} */ text) =>
+  text.replaceAll(/\b(?:Float|Int|Uint)\d+Array\b/g, `{ ${JSON.stringify(TYPED)}: "$&" }`);
 
 /**
  * The exported types and values, and the types of what functions and methods of classes answer, by `name` and `Class.name`. What
@@ -28,11 +29,15 @@ export function declared(file) {
     if (!/^void$|^Promise</.test(text)) answers[name] = text;
   };
   for (const node of source.statements) {
-    if (ts.isExportDeclaration(node) && node.exportClause) (node.isTypeOnly ? types : values).push(...node.exportClause.elements.map((one) => one.name.text));
+    if (ts.isExportDeclaration(node) && node.exportClause)
+      (node.isTypeOnly ? types : values).push(...node.exportClause.elements.map((one) => one.name.text));
     if (ts.isInterfaceDeclaration(node) || ts.isTypeAliasDeclaration(node)) types.push(node.name.text);
     if (ts.isFunctionDeclaration(node) || ts.isClassDeclaration(node)) values.push(node.name.text);
     if (ts.isFunctionDeclaration(node)) take(node.name.text, node);
-    if (ts.isClassDeclaration(node)) node.members.filter(ts.isMethodDeclaration).forEach((one) => take(`${node.name.text}.${one.name.getText()}`, one));
+    if (ts.isClassDeclaration(node))
+      node.members
+        .filter(ts.isMethodDeclaration)
+        .forEach((one) => take(`${node.name.text}.${one.name.getText()}`, one));
   }
   return { types, values, answers };
 }
@@ -43,17 +48,36 @@ export function declared(file) {
  * @param {Record<string, string>} types
  */
 export function schemaOf(file, types) {
-  const root = file.replace(/core.index\.d\.ts$|index\.d\.ts$/, ""), folder = mkdtempSync(join(tmpdir(), "parkade-types-"));
+  const root = file.replace(/core.index\.d\.ts$|index\.d\.ts$/, ""),
+    folder = mkdtempSync(join(tmpdir(), "parkade-types-"));
   try {
-    for (const name of readdirSync(root, { recursive: true, encoding: "utf8" }).filter((one) => one.endsWith(".d.ts"))) {
+    for (const name of readdirSync(root, { recursive: true, encoding: "utf8" }).filter((one) =>
+      one.endsWith(".d.ts"),
+    )) {
       mkdirSync(join(folder, name, ".."), { recursive: true });
       writeFileSync(join(folder, name), marked(readFileSync(join(root, name), "utf8")));
     }
-    const index = join(folder, file.slice(root.length)), path = index.replace("index.d.ts", "answers.ts");
+    const index = join(folder, file.slice(root.length)),
+      path = index.replace("index.d.ts", "answers.ts");
     const names = [index, index.replace("index.d.ts", "settings.d.ts")].flatMap((one) => declared(one).types);
-    const fields = Object.entries(types).map(([name, type]) => `  ${JSON.stringify(name)}: ${marked(type.replace("complete.", ""))};`);
-    writeFileSync(path, [`import type { ${names.join(", ")} } from "./index.js";`, "export interface Answers {", ...fields, "}"].join("\n"));
-    const schema = createGenerator({ path, type: "Answers", expose: "none", topRef: false, skipTypeCheck: true, additionalProperties: false, jsDoc: "none" }).createSchema();
+    const fields = Object.entries(types).map(
+      ([name, type]) => `  ${JSON.stringify(name)}: ${marked(type.replace("complete.", ""))};`,
+    );
+    writeFileSync(
+      path,
+      [`import type { ${names.join(", ")} } from "./index.js";`, "export interface Answers {", ...fields, "}"].join(
+        "\n",
+      ),
+    );
+    const schema = createGenerator({
+      path,
+      type: "Answers",
+      expose: "none",
+      topRef: false,
+      skipTypeCheck: true,
+      additionalProperties: false,
+      jsDoc: "none",
+    }).createSchema();
     return JSON.parse(JSON.stringify(schema), (_, value) => {
       const name = value?.properties?.[TYPED]?.const;
       return name ? { typedArray: name } : value;

@@ -10,13 +10,23 @@ import { installed, parkade } from "./pack";
 
 const DOCS = fileURLToPath(new URL("../../docs/", import.meta.url));
 let folder = "";
-beforeAll(() => { folder = installed(); }, 120_000);
+beforeAll(() => {
+  folder = installed();
+}, 120_000);
 afterAll(() => rmSync(folder, { recursive: true, force: true }));
 
-interface Sample { where: string; language: string; code: string }
+interface Sample {
+  where: string;
+  language: string;
+  code: string;
+}
 
 const samplesOf = (where: string, text: string): Sample[] =>
-  [...text.matchAll(/```(\w+)\n([^]*?)```/g)].map(([, language, code]) => ({ where, language: language!, code: code! }));
+  [...text.matchAll(/```(\w+)\n([^]*?)```/g)].map(([, language, code]) => ({
+    where,
+    language: language!,
+    code: code!,
+  }));
 
 const written = readdirSync(DOCS, { recursive: true, encoding: "utf8" })
   .filter((file) => file.endsWith(".md") && !file.includes(".vitepress"))
@@ -30,14 +40,19 @@ function run(code: string): { printed: string[]; expected: string[] } {
   return { printed, expected: logs.map((line, i) => /\/\/ (.*)$/.exec(line)?.[1] ?? printed[i]!) };
 }
 
-test.each(written.filter(({ language }) => language === "js").map(({ where, code }, i) => [`${where}, ${i}`, code]))("the script in %s prints what it says", (_, code) => {
-  const { printed, expected } = run(code!);
-  expect(printed).toEqual(expected);
-});
+test.each(written.filter(({ language }) => language === "js").map(({ where, code }, i) => [`${where}, ${i}`, code]))(
+  "the script in %s prints what it says",
+  (_, code) => {
+    const { printed, expected } = run(code!);
+    expect(printed).toEqual(expected);
+  },
+);
 
 /** A page without its words: headings' levels, figures' attributes but their language, and code. */
-const skeletonOf = (text: string): string[] => [...text.matchAll(/^#+ |<parkade-playground [^>]*>|```\w+\n[^]*?```/gm)]
-  .map(([one]) => one.replace(/ (lang|alt)="[^"]*"/g, ""));
+const skeletonOf = (text: string): string[] =>
+  [...text.matchAll(/^#+ |<parkade-playground [^>]*>|```\w+\n[^]*?```/gm)].map(([one]) =>
+    one.replace(/ (lang|alt)="[^"]*"/g, ""),
+  );
 
 test("the Chinese guide has the sections, figures and scripts of the English one", () => {
   const [en, zh] = ["guide.md", "zh/guide.md"].map((file) => skeletonOf(readFileSync(join(DOCS, file), "utf8")));
@@ -67,28 +82,47 @@ test.each(Object.keys(WORDS))("the Chinese chapter on %s has the code and the nu
 });
 
 test("every planner's script finds a path", async () => {
-  const scripts = (await pages("en")).flatMap(({ params, content }) => samplesOf(params.id, content).filter(({ language }) => language === "js"));
+  const scripts = (await pages("en")).flatMap(({ params, content }) =>
+    samplesOf(params.id, content).filter(({ language }) => language === "js"),
+  );
   expect(scripts.length).toBeGreaterThanOrEqual(15);
-  for (const { where, code } of scripts) expect([where, run(code).printed[0]]).toEqual([where, expect.stringMatching(/^found \d/)]);
+  for (const { where, code } of scripts)
+    expect([where, run(code).printed[0]]).toEqual([where, expect.stringMatching(/^found \d/)]);
 }, 120_000);
 
-test.each(written.filter(({ language }) => language === "sh").flatMap(({ code }) => code.trim().split("\n")).filter((line) => line.startsWith("npx parkade")))("`%s` works", (line) => {
-  const { status, err } = parkade(line.split(/\s+#/)[0]!.split(/\s+/).slice(2), folder, "", join(folder, "node_modules/parkade/cli/main.js"));
+test.each(
+  written
+    .filter(({ language }) => language === "sh")
+    .flatMap(({ code }) => code.trim().split("\n"))
+    .filter((line) => line.startsWith("npx parkade")),
+)("`%s` works", (line) => {
+  const { status, err } = parkade(
+    line.split(/\s+#/)[0]!.split(/\s+/).slice(2),
+    folder,
+    "",
+    join(folder, "node_modules/parkade/cli/main.js"),
+  );
   expect([status, err]).toEqual([0, ""]);
 });
 
 test("every sample is of a kind that is run or only shown", () => {
   const kinds = new Set(written.map(({ language }) => language));
   // html runs in the browser's tests, rust in cargo's; css is the example book's; text, toml, yaml and python belong to other programs.
-  expect([...kinds].filter((kind) => !["js", "sh", "html", "rust", "css", "text", "toml", "yaml", "python"].includes(kind))).toEqual([]);
-  expect(readFileSync(new URL("../../README.md", import.meta.url), "utf8")).toContain(written.find(({ language }) => language === "rust")!.code);
+  expect(
+    [...kinds].filter((kind) => !["js", "sh", "html", "rust", "css", "text", "toml", "yaml", "python"].includes(kind)),
+  ).toEqual([]);
+  expect(readFileSync(new URL("../../README.md", import.meta.url), "utf8")).toContain(
+    written.find(({ language }) => language === "rust")!.code,
+  );
   const book = readFileSync(new URL("../../examples/mdbook/parkade.css", import.meta.url), "utf8");
   expect(book.replace(/\s+/g, " ")).toContain(written.find(({ language }) => language === "css")!.code.trim());
 });
 
 test("the reference has every exported name, each declaration whole", () => {
   const text = readFileSync(new URL("../../src/wasm/npm/index.d.ts", import.meta.url), "utf8");
-  const names = [...text.matchAll(/^export (?:declare )?(?:class|function|interface|type) (\w+)/gm)].map((match) => match[1]);
+  const names = [...text.matchAll(/^export (?:declare )?(?:class|function|interface|type) (\w+)/gm)].map(
+    (match) => match[1],
+  );
   const found = declarations(text);
   expect(found.map(({ name }) => name)).toEqual(names);
   expect(found.find(({ name }) => name === "Planner")!.code).toMatch(/\[Symbol\.dispose\]\(\): void;\n}$/);

@@ -42,7 +42,8 @@ function failure(run: () => unknown) {
 
 describe("driving has the native bytes", () => {
   it.each(Object.keys(rows))("on row %s", (id) => {
-    const row = rows[id]!, scene = scenario(id);
+    const row = rows[id]!,
+      scene = scenario(id);
     expect(trajectory(scene, row).hash).toBe(row.limited);
     expect(trajectory(scene, row, { jerk: 2 }).hash).toBe(row.jerk);
     expect(trajectory(scene, row, { steps: "slow" }).hash).toBe(row.slow);
@@ -72,7 +73,8 @@ test("a plan becomes a trajectory from rest to rest", () => {
 });
 
 test("a simulated car follows", () => {
-  const plan = planned("P3"), scene = scenario("P3");
+  const plan = planned("P3"),
+    scene = scenario("P3");
   const feedback = track(scene, plan, { profile: "constant", speed: 1 });
   expect(feedback.passes).toBe(true);
   expect(feedback.maxLateral).toBeLessThan(0.05);
@@ -82,7 +84,8 @@ test("a simulated car follows", () => {
 });
 
 test("a car waits for what crosses its way", () => {
-  const scene = scenario("fig16-conflict"), plan = planned("fig16-conflict");
+  const scene = scenario("fig16-conflict"),
+    plan = planned("fig16-conflict");
   const safe = stopWaitGo(scene, plan);
   expect([safe.ending, safe.waits.length, safe.contact]).toEqual(["arrived", 1, null]);
   expect(Math.min(...safe.clearances)).toBeGreaterThan(0.2);
@@ -97,7 +100,8 @@ test("a car waits for what crosses its way", () => {
 });
 
 test("mistakes are named", () => {
-  const scene = scenario("P3"), plan = planned("P3");
+  const scene = scenario("P3"),
+    plan = planned("P3");
   expect(failure(() => trajectory(scene, untyped(null)))).toEqual({ code: "bad-input", path: "plan" });
   expect(failure(() => trajectory(scene, untyped({})))).toEqual({ code: "bad-input", path: "plan.path" });
   expect(failure(() => trajectory(scene, { path: [] })).path).toBe("plan.path");
@@ -108,7 +112,10 @@ test("mistakes are named", () => {
   expect(failure(() => trajectory(scene, plan, { speed: -1 }))).toEqual({ code: "bad-config", path: "speed" });
   expect(failure(() => track(scene, plan, { controller: untyped("mpc") })).path).toBe("controller");
   expect(failure(() => stopWaitGo(scene, plan, untyped({ haste: 1 }))).path).toBe("haste");
-  expect(failure(() => stopWaitGo({ ...scene, moving: [untyped({})] }, plan))).toEqual({ code: "bad-scenario", path: "moving[0].points" });
+  expect(failure(() => stopWaitGo({ ...scene, moving: [untyped({})] }, plan))).toEqual({
+    code: "bad-scenario",
+    path: "moving[0].points",
+  });
   using planner = new Planner("eight", scene);
   expect(failure(() => trajectory(scene, planner.plan())).code).toBe("bad-input");
 });

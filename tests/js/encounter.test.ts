@@ -6,14 +6,17 @@ import { marksOf } from "../../www/src/view/layers/encounter";
 beforeAll(() => init());
 
 function marks(id: string) {
-  const scene = scenario(id), planner = new Planner("hybrid", scene), plan = planner.plan();
+  const scene = scenario(id),
+    planner = new Planner("hybrid", scene),
+    plan = planner.plan();
   planner.free();
   const drive = stopWaitGo(scene, plan);
   return { scene, drive, marks: marksOf({ state: { scene } } as unknown as Frame, drive) };
 }
 
 test("a wait is marked as in the paper's figure: A to D of the box, S, W, E of the car, in their order", () => {
-  const { scene, drive, marks: found } = marks("fig16-wait"), of = (name: string) => found.find((one) => one.name === name)!;
+  const { scene, drive, marks: found } = marks("fig16-wait"),
+    of = (name: string) => found.find((one) => one.name === name)!;
   expect(found.map(({ name }) => name).join("")).toBe("ABCDSWE");
   const [first, last] = [scene.moving![0]!.points[0]!, scene.moving![0]!.points.at(-1)!];
   expect([of("A").at, of("D").at]).toEqual([first, last]);

@@ -14,11 +14,21 @@ beforeAll(async () => {
   await init();
   folder = installed();
   mkdirSync(join(folder, "scenes"));
-  for (let seed = 0; seed < 40; seed++) writeFileSync(join(folder, `scenes/${seed}.json`), JSON.stringify(generateScenario({ family: "random", size: 15, seed })));
+  for (let seed = 0; seed < 40; seed++)
+    writeFileSync(
+      join(folder, `scenes/${seed}.json`),
+      JSON.stringify(generateScenario({ family: "random", size: 15, seed })),
+    );
   // What `npx` would start, and a machine with the package has.
   mkdirSync(join(folder, "bin"));
-  for (const [name, skip] of [["npx", "shift; "], ["parkade", ""]] as const) {
-    writeFileSync(join(folder, `bin/${name}`), `#!/bin/sh\n${skip}exec "${process.execPath}" "${join(folder, "node_modules/parkade/cli/main.js")}" "$@"\n`);
+  for (const [name, skip] of [
+    ["npx", "shift; "],
+    ["parkade", ""],
+  ] as const) {
+    writeFileSync(
+      join(folder, `bin/${name}`),
+      `#!/bin/sh\n${skip}exec "${process.execPath}" "${join(folder, "node_modules/parkade/cli/main.js")}" "$@"\n`,
+    );
     chmodSync(join(folder, `bin/${name}`), 0o755);
   }
   path = `${join(folder, "bin")}:${process.env["PATH"]}`;
@@ -29,7 +39,11 @@ const digestOf = (...files: string[]) => parkade(["digest", ...files], folder).o
 
 test("the Node test suite passes", () => {
   copyFileSync(join(EXAMPLES, "node/planners.test.mjs"), join(folder, "planners.test.mjs"));
-  const out = execFileSync(process.execPath, ["--test", "--test-reporter=tap", "planners.test.mjs"], { cwd: folder, encoding: "utf8", env: { ...process.env, NODE_OPTIONS: "" } });
+  const out = execFileSync(process.execPath, ["--test", "--test-reporter=tap", "planners.test.mjs"], {
+    cwd: folder,
+    encoding: "utf8",
+    env: { ...process.env, NODE_OPTIONS: "" },
+  });
   expect(out).toMatch(/^# pass 5$/m);
   expect(out).toMatch(/^# fail 0$/m);
 });
@@ -37,30 +51,47 @@ test("the Node test suite passes", () => {
 test("the worker example answers for its three scenes", () => {
   cpSync(join(EXAMPLES, "worker"), folder, { recursive: true });
   const lines = execFileSync(process.execPath, ["main.mjs"], { cwd: folder, encoding: "utf8" }).trim().split("\n");
-  expect(lines.map((line) => line.replace(/\d+(\.\d+)?/g, "n"))).toEqual(["perpendicular: found, n m, n poses", "parallel: found, n m, n poses", "angled: found, n m, n poses"]);
+  expect(lines.map((line) => line.replace(/\d+(\.\d+)?/g, "n"))).toEqual([
+    "perpendicular: found, n m, n poses",
+    "parallel: found, n m, n poses",
+    "angled: found, n m, n poses",
+  ]);
 });
 
-test.skipIf(process.platform === "win32")("Slurm's array and Kubernetes' indexed Job plan every scene once, whatever the number of shards", () => {
-  parkade(["batch", "scenes", "--planner", "eight", "--out", "whole.jsonl", "--quiet"], folder);
-  const whole = digestOf("whole.jsonl");
-  expect(whole).toContain("40 results");
-  const env = { ...process.env, PATH: path };
-  for (const at of ["1", "2", "3"]) {
-    execFileSync("sh", [join(EXAMPLES, "cluster/array.sh"), "scenes"], { cwd: folder, env: { ...env, PLANNER: "eight", SLURM_ARRAY_TASK_ID: at, SLURM_ARRAY_TASK_COUNT: "3" } });
-  }
-  expect(digestOf("results-1.jsonl", "results-2.jsonl", "results-3.jsonl")).toBe(whole);
-  const job = readFileSync(join(EXAMPLES, "cluster/job.yaml"), "utf8");
-  const [, script] = /command: \["sh", "-c", "(.*)"\]/.exec(job)!, completions = Number(/completions: (\d+)/.exec(job)![1]);
-  expect(script).toContain(`/${completions} `);
-  const local = script!.replaceAll("/data/", `${folder}/`).replace("hybrid", "eight").replace(`/${completions} `, "/4 ").replace("results-", "pod-");
-  const files = Array.from({ length: 4 }, (_, index) => {
-    execFileSync("sh", ["-c", local], { cwd: folder, env: { ...env, JOB_COMPLETION_INDEX: String(index) } });
-    return `pod-${index}.jsonl`;
-  });
-  expect(digestOf(...files)).toBe(whole);
-}, 120_000);
+test.skipIf(process.platform === "win32")(
+  "Slurm's array and Kubernetes' indexed Job plan every scene once, whatever the number of shards",
+  () => {
+    parkade(["batch", "scenes", "--planner", "eight", "--out", "whole.jsonl", "--quiet"], folder);
+    const whole = digestOf("whole.jsonl");
+    expect(whole).toContain("40 results");
+    const env = { ...process.env, PATH: path };
+    for (const at of ["1", "2", "3"]) {
+      execFileSync("sh", [join(EXAMPLES, "cluster/array.sh"), "scenes"], {
+        cwd: folder,
+        env: { ...env, PLANNER: "eight", SLURM_ARRAY_TASK_ID: at, SLURM_ARRAY_TASK_COUNT: "3" },
+      });
+    }
+    expect(digestOf("results-1.jsonl", "results-2.jsonl", "results-3.jsonl")).toBe(whole);
+    const job = readFileSync(join(EXAMPLES, "cluster/job.yaml"), "utf8");
+    const [, script] = /command: \["sh", "-c", "(.*)"\]/.exec(job)!,
+      completions = Number(/completions: (\d+)/.exec(job)![1]);
+    expect(script).toContain(`/${completions} `);
+    const local = script!
+      .replaceAll("/data/", `${folder}/`)
+      .replace("hybrid", "eight")
+      .replace(`/${completions} `, "/4 ")
+      .replace("results-", "pod-");
+    const files = Array.from({ length: 4 }, (_, index) => {
+      execFileSync("sh", ["-c", local], { cwd: folder, env: { ...env, JOB_COMPLETION_INDEX: String(index) } });
+      return `pod-${index}.jsonl`;
+    });
+    expect(digestOf(...files)).toBe(whole);
+  },
+  120_000,
+);
 
 test("the CI matrix names the command's options as it has them", () => {
-  const help = parkade(["batch", "--help"], folder).out, text = readFileSync(join(EXAMPLES, "cluster/matrix.yml"), "utf8");
+  const help = parkade(["batch", "--help"], folder).out,
+    text = readFileSync(join(EXAMPLES, "cluster/matrix.yml"), "utf8");
   for (const [option] of text.matchAll(/--[a-z]+/g)) expect(help).toContain(option);
 });

@@ -21,25 +21,43 @@ beforeAll(async () => {
   introduce(planners());
 });
 
-const car = vehicleOf("paper"), pose = { x: 0, y: 0, heading: 0 };
-const lot = (parts: Partial<Scenario>): Scenario =>
-  ({ version: 1, map: { origin: [-20, -20], width: 160, height: 160, resolution: 0.25 }, vehicle: "paper", start: { x: -10, y: 0, heading: 0 }, goal: { x: 10, y: 0, heading: 0 }, ...parts });
-const box = (center: Point, size: Point, id = "box-1") => ({ type: "rectangle", id, center, size } as const);
+const car = vehicleOf("paper"),
+  pose = { x: 0, y: 0, heading: 0 };
+const lot = (parts: Partial<Scenario>): Scenario => ({
+  version: 1,
+  map: { origin: [-20, -20], width: 160, height: 160, resolution: 0.25 },
+  vehicle: "paper",
+  start: { x: -10, y: 0, heading: 0 },
+  goal: { x: 10, y: 0, heading: 0 },
+  ...parts,
+});
+const box = (center: Point, size: Point, id = "box-1") => ({ type: "rectangle", id, center, size }) as const;
 
 function answer(id: PlannerId, scene: Scenario): Plan {
-  const planner = new Planner(id, scene), plan = planner.plan();
+  const planner = new Planner(id, scene),
+    plan = planner.plan();
   planner.free();
   return plan;
 }
 
 function stateWith(scene: Scenario, ids: PlannerId[], lang: State["lang"] = "en"): State {
-  const results = Object.fromEntries(ids.map((id) => [id, { ...emptyResult, status: "done" as const, plan: answer(id, scene) }]));
+  const results = Object.fromEntries(
+    ids.map((id) => [id, { ...emptyResult, status: "done" as const, plan: answer(id, scene) }]),
+  );
   return { ...initialState(), scene, planners: ids, results, lang };
 }
 
 describe("how deep something reaches into the car", () => {
   it("is exact for each kind, over the nearest side", () => {
-    const wall = { type: "wall", id: "wall-1", points: [[2, 1], [2, 6]] as Point[], thickness: 0.2 } as const;
+    const wall = {
+      type: "wall",
+      id: "wall-1",
+      points: [
+        [2, 1],
+        [2, 6],
+      ] as Point[],
+      thickness: 0.2,
+    } as const;
     const cells = { type: "cells", id: "cells-1", runs: [[80, 76, 4]] as [number, number, number][] } as const;
     const scene = lot({ obstacles: [box([2, 1.8], [2, 1.4]), wall, cells, box([9, 9], [1, 1], "box-2")] });
     const at = (index: number) => overlapAt(scene, { obstacle: "", index }, pose, car);
@@ -59,19 +77,36 @@ describe("how deep something reaches into the car", () => {
 
   it("frees the car when it moves by so much away from it", () => {
     let seed = 7;
-    const random = (from: number, to: number): number => from + (to - from) * ((seed = (seed * 48271) % 2147483647) / 2147483647);
+    const random = (from: number, to: number): number =>
+      from + (to - from) * ((seed = (seed * 48271) % 2147483647) / 2147483647);
     for (let round = 0; round < 300; round++) {
-      const corners = [0, 1, 2].map((): Point => [random(-4, 7), random(-4, 4)]), place = { x: random(-1, 1), y: random(-1, 1), heading: random(-3, 3) };
-      const scene = lot({ obstacles: [{ type: "polygon", id: "polygon-1", points: corners }] }), owner = { obstacle: "polygon-1", index: 0 };
+      const corners = [0, 1, 2].map((): Point => [random(-4, 7), random(-4, 4)]),
+        place = { x: random(-1, 1), y: random(-1, 1), heading: random(-3, 3) };
+      const scene = lot({ obstacles: [{ type: "polygon", id: "polygon-1", points: corners }] }),
+        owner = { obstacle: "polygon-1", index: 0 };
       const found = overlapAt(scene, owner, place, car);
-      const inside = footprint(place, car).some((corner) => insidePolygon(corner, corners)) || corners.some((corner) => insidePolygon(corner, footprint(place, car)));
+      const inside =
+        footprint(place, car).some((corner) => insidePolygon(corner, corners)) ||
+        corners.some((corner) => insidePolygon(corner, footprint(place, car)));
       if (inside) expect(found, `round ${round}`).not.toBeNull();
       if (!found) continue;
-      const k = 1 + 1e-6, moved = { ...place, x: place.x + k * (found.to[0] - found.from[0]), y: place.y + k * (found.to[1] - found.from[1]) };
+      const k = 1 + 1e-6,
+        moved = {
+          ...place,
+          x: place.x + k * (found.to[0] - found.from[0]),
+          y: place.y + k * (found.to[1] - found.from[1]),
+        };
       expect(Math.hypot(found.to[0] - found.from[0], found.to[1] - found.from[1])).toBeCloseTo(found.depth, 9);
       // Another part may come in over the other sides, but nothing stays over this one beyond what stood within.
       const after = overlapAt(scene, owner, moved, car);
-      expect(after?.shared.some((p) => found.shared.some((q) => Math.hypot(p[0] - q[0], p[1] - q[1]) < 1e-9 && insidePolygon(p, footprint(moved, car, -1e-6)))) ?? false, `round ${round}`).toBe(false);
+      expect(
+        after?.shared.some((p) =>
+          found.shared.some(
+            (q) => Math.hypot(p[0] - q[0], p[1] - q[1]) < 1e-9 && insidePolygon(p, footprint(moved, car, -1e-6)),
+          ),
+        ) ?? false,
+        `round ${round}`,
+      ).toBe(false);
     }
   });
 });
@@ -87,8 +122,10 @@ describe("the gap", () => {
 describe("why it fails", () => {
   it("names what the check hits first, and after how many metres", () => {
     const scene = lot({ obstacles: [box([4.4, 1.6], [1, 1], "crate")] });
-    const state = stateWith(scene, ["four", "hybrid"]), plan = state.results["four"]!.plan!;
-    const failure = failureOf(scene, plan)!, along = distancesOf(plan);
+    const state = stateWith(scene, ["four", "hybrid"]),
+      plan = state.results["four"]!.plan!;
+    const failure = failureOf(scene, plan)!,
+      along = distancesOf(plan);
     expect(plan.check.firstHit!.obstacle).toBe("crate");
     expect(failure.along).toBeGreaterThan(along[plan.check.hitPoses[0]!]! - 0.11);
     expect(failure.along).toBeLessThanOrEqual(along[plan.check.hitPoses[0]!]! + 1e-6);
@@ -97,29 +134,49 @@ describe("why it fails", () => {
     expect(failure.along).toBeCloseTo(plan.check.firstHit!.pose.x - plan.path[0]!, 6);
     // Its left side passes y + 1.3, the crate reaches down to 1.1.
     expect(failure.overlap!.depth).toBeCloseTo(plan.path[1]! + 1.3 - 1.1, 6);
-    expect(whyOf(state, "four")).toBe("Hits “crate” after 9.3 m. Its path passes too close to obstacles for this car. Hybrid A* finds a path.");
+    expect(whyOf(state, "four")).toBe(
+      "Hits “crate” after 9.3 m. Its path passes too close to obstacles for this car. Hybrid A* finds a path.",
+    );
     expect(whyOf(state, "hybrid")).toBeNull();
     expect(whyOf({ ...state, lang: "zh" }, "four")).toContain("9.3 m 后撞上“crate”");
   });
 
   it("says that a path has corners, and where it is too tight", () => {
     const state = stateWith(lot({ goal: { x: 5, y: 9, heading: 0 } }), ["four"]);
-    expect(whyOf(state, "four")).toMatch(/^(Turns in place after \d+\.\d m: this car needs a radius of 5\.41 m\.|Starts)/);
+    expect(whyOf(state, "four")).toMatch(
+      /^(Turns in place after \d+\.\d m: this car needs a radius of 5\.41 m\.|Starts)/,
+    );
     expect(whyOf(state, "four")).toContain("plans for the car’s shape");
   });
 
   it("names things by their names, else by kind and number", () => {
-    const obstacles: Scenario["obstacles"] = [box([0, 0], [1, 1], "rectangle-1"), box([3, 0], [1, 1], "rectangle-2"), { type: "car", id: "car-1", pose }, box([6, 0], [1, 1], "planter"), box([6, 0], [1, 1], "Fred’s van"), box([9, 0], [1, 1], "barrier-1")];
+    const obstacles: Scenario["obstacles"] = [
+      box([0, 0], [1, 1], "rectangle-1"),
+      box([3, 0], [1, 1], "rectangle-2"),
+      { type: "car", id: "car-1", pose },
+      box([6, 0], [1, 1], "planter"),
+      box([6, 0], [1, 1], "Fred’s van"),
+      box([9, 0], [1, 1], "barrier-1"),
+    ];
     const state = { ...initialState(), scene: lot({ obstacles, slots: [] }) };
     const name = (index: number) => thingName(state, { index, obstacle: obstacles[index]?.id ?? "border" });
-    expect([0, 1, 2, 3, 4, 5, -1].map(name)).toEqual(["rectangle 1", "rectangle 2", "the parked car", "the planter", "“Fred’s van”", "barrier 1", "the boundary"]);
+    expect([0, 1, 2, 3, 4, 5, -1].map(name)).toEqual([
+      "rectangle 1",
+      "rectangle 2",
+      "the parked car",
+      "the planter",
+      "“Fred’s van”",
+      "barrier 1",
+      "the boundary",
+    ]);
   });
 
   it("gives every failing answer of the built-in scenes a sentence and, where it is known, a place", () => {
     for (const id of ["perpendicular", "reverse-in", "parallel", "angled", "narrow-gap", "P1", "regular-60"]) {
       const state = stateWith(scenario(id), ["four", "eight", "risk-field", "hybrid"]);
       for (const planner of state.planners) {
-        const plan = state.results[planner]!.plan!, why = whyOf(state, planner);
+        const plan = state.results[planner]!.plan!,
+          why = whyOf(state, planner);
         expect(why === null, `${id} ${planner}`).toBe(plan.check.drivable);
         if (why === null) continue;
         expect(why, `${id} ${planner}`).not.toMatch(/[{}]|undefined|NaN/);
@@ -129,16 +186,20 @@ describe("why it fails", () => {
   });
 
   it("tells the gap of the narrow gap as it is drawn", () => {
-    expect(whyOf(stateWith(scenario("narrow-gap"), ["hybrid"]), "hybrid")).toBe("No way through: the gap is 2.50 m wide, the car needs 2.60 m. Widen it by 0.10 m or more.");
+    expect(whyOf(stateWith(scenario("narrow-gap"), ["hybrid"]), "hybrid")).toBe(
+      "No way through: the gap is 2.50 m wide, the car needs 2.60 m. Widen it by 0.10 m or more.",
+    );
   });
 });
 
 it("the planners of the first picture drive, or do not, as the module says", () => {
-  for (const { id, family, hasRiskField } of planners()) expect([id, identityOf(id).drives, hasField(id)]).toEqual([id, family === "hybrid", hasRiskField]);
+  for (const { id, family, hasRiskField } of planners())
+    expect([id, identityOf(id).drives, hasField(id)]).toEqual([id, family === "hybrid", hasRiskField]);
 });
 
 it("a flight begins and ends at its cameras and moves evenly on the screen", () => {
-  const from = { x: 0, y: 0, scale: 10 }, to = { x: 8, y: -4, scale: 80 };
+  const from = { x: 0, y: 0, scale: 10 },
+    to = { x: 8, y: -4, scale: 80 };
   expect(between(from, to, 0)).toEqual(from);
   const end = between(from, to, 1);
   expect([end.x, end.y, end.scale]).toEqual([8, -4, 80].map((n) => expect.closeTo(n, 9)));
@@ -151,7 +212,14 @@ it("the strip over a long road tells metres along it and to the left of its midd
 });
 
 it("the strip is laid over roads, not over wide ground", () => {
-  const ground = lot({ map: { origin: [0, 0], width: 420, height: 300, resolution: 0.5 }, start: { x: 10, y: 4, heading: 0 }, goal: { x: 180, y: 4, heading: 0 }, obstacles: [], slots: [] });
+  const ground = lot({
+    map: { origin: [0, 0], width: 420, height: 300, resolution: 0.5 },
+    start: { x: 10, y: 4, heading: 0 },
+    goal: { x: 180, y: 4, heading: 0 },
+    obstacles: [],
+    slots: [],
+  });
   expect(stripOf(stateWith(ground, ["eight"]))).toBeNull();
-  for (const id of ["road-straight", "road-curve", "road-crossing", "road-narrow"]) expect(stripOf(stateWith(scenario(id), ["eight"])), id).not.toBeNull();
+  for (const id of ["road-straight", "road-curve", "road-crossing", "road-narrow"])
+    expect(stripOf(stateWith(scenario(id), ["eight"])), id).not.toBeNull();
 });

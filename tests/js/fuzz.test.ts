@@ -1,7 +1,17 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
 import * as parkade from "parkade";
-import { ParkadeError, Planner, defaultConfig, init, planners, scenario, scenarios, sceneGeometry, type Scenario } from "parkade";
+import {
+  ParkadeError,
+  Planner,
+  defaultConfig,
+  init,
+  planners,
+  scenario,
+  scenarios,
+  sceneGeometry,
+  type Scenario,
+} from "parkade";
 
 /** More of it, with another seed, `-t toSVG` for one function: `PARKADE_FUZZ=100000:7 vitest run tests/js/fuzz.test.ts`. */
 const [times = "300", seed = "20260101"] = (process.env["PARKADE_FUZZ"] ?? "").split(":").filter(Boolean);
@@ -10,7 +20,17 @@ const HOURS = 36_000_000;
 const options = { numRuns: Number(times), seed: Number(seed), endOnFailure: true };
 
 /** Errors that callers can cause; "internal" is none of them. */
-const CODES = ["bad-config", "bad-scenario", "bad-vehicle", "bad-input", "bad-import", "unknown-planner", "unknown-scenario", "not-drivable", "freed"];
+const CODES = [
+  "bad-config",
+  "bad-scenario",
+  "bad-vehicle",
+  "bad-input",
+  "bad-import",
+  "unknown-planner",
+  "unknown-scenario",
+  "not-drivable",
+  "freed",
+];
 
 /** An answer, or a ParkadeError that says whose fault it is. */
 function answersOrExplains(run: () => unknown) {
@@ -32,7 +52,24 @@ const number = fc.oneof(
   fc.constantFrom(0, -0, 1e-300, 1e9, 1e300, -1, 2 ** 31, 2 ** 53, Infinity, -Infinity, NaN),
 );
 const POLLUTING = JSON.parse('{"__proto__":{"polluted":1},"constructor":{"prototype":{"polluted":1}}}') as unknown;
-const value = fc.oneof(number, fc.constantFrom(null, undefined, true, "", "hybrid", 10n, () => 0, [], {}, POLLUTING, { toString: 1, valueOf: 1 }, Object.create(null)), fc.anything());
+const value = fc.oneof(
+  number,
+  fc.constantFrom(
+    null,
+    undefined,
+    true,
+    "",
+    "hybrid",
+    10n,
+    () => 0,
+    [],
+    {},
+    POLLUTING,
+    { toString: 1, valueOf: 1 },
+    Object.create(null),
+  ),
+  fc.anything(),
+);
 
 /** A copy of `whole` with one of its fields, at any depth, replaced. */
 function damaged<T extends object>(whole: T, choices: number[], by: unknown): T {
@@ -65,28 +102,47 @@ function smallest(): Scenario {
 await init();
 const small = smallest();
 
-test("any value for a scene, and a preset with one damaged field, is geometry or an explained error", () => {
-  const scenes = scenarios().map(({ id }) => scenario(id));
-  const scene = fc.oneof(value, fc.tuple(fc.constantFrom(...scenes), choices, value).map(([whole, path, by]) => damaged(whole, path, by)));
-  fc.assert(fc.property(scene, (any) => answersOrExplains(() => sceneGeometry(untyped(any)))), options);
-}, HOURS);
+test(
+  "any value for a scene, and a preset with one damaged field, is geometry or an explained error",
+  () => {
+    const scenes = scenarios().map(({ id }) => scenario(id));
+    const scene = fc.oneof(
+      value,
+      fc.tuple(fc.constantFrom(...scenes), choices, value).map(([whole, path, by]) => damaged(whole, path, by)),
+    );
+    fc.assert(
+      fc.property(scene, (any) => answersOrExplains(() => sceneGeometry(untyped(any)))),
+      options,
+    );
+  },
+  HOURS,
+);
 
-test("settings with one damaged field prepare a planner or are explained", () => {
-  const ids = planners().map(({ id }) => id);
-  fc.assert(
-    fc.property(fc.constantFrom(...ids), choices, value, (id, path, by) =>
-      answersOrExplains(() => new Planner(id, small, untyped(damaged(defaultConfig(id), path, by))).free()),
-    ),
-    options,
-  );
-}, HOURS);
+test(
+  "settings with one damaged field prepare a planner or are explained",
+  () => {
+    const ids = planners().map(({ id }) => id);
+    fc.assert(
+      fc.property(fc.constantFrom(...ids), choices, value, (id, path, by) =>
+        answersOrExplains(() => new Planner(id, small, untyped(damaged(defaultConfig(id), path, by))).free()),
+      ),
+      options,
+    );
+  },
+  HOURS,
+);
 
 /** Every function that takes something, with arguments that it accepts. */
 function calls(): [name: string, run: (...args: never[]) => unknown, args: unknown[]][] {
-  const plan = new Planner("hybrid", small).plan(), road = scenario("road-narrow");
-  const four = new Planner("four", small), risk = new Planner("risk-field", small);
+  const plan = new Planner("hybrid", small).plan(),
+    road = scenario("road-narrow");
+  const four = new Planner("four", small),
+    risk = new Planner("risk-field", small);
   const cells = Array.from({ length: 300 }, (_, i) => [2 * (i % 20), Math.floor(i / 20), 1]);
-  const files = { "a.map": "type octile\nheight 2\nwidth 2\nmap\n..\n..\n", "a.map.scen": "version 1\n0\ta.map\t2\t2\t0\t0\t1\t1\t1.41\n" };
+  const files = {
+    "a.map": "type octile\nheight 2\nwidth 2\nmap\n..\n..\n",
+    "a.map.scen": "version 1\n0\ta.map\t2\t2\t0\t0\t1\t1\t1.41\n",
+  };
   const rows = Object.fromEntries(parkade.paperGridRows().rows.map(({ id }) => [id, new Float64Array(12)]));
   return [
     ["defaultConfig", defaultConfig, ["hybrid"]],
@@ -96,7 +152,11 @@ function calls(): [name: string, run: (...args: never[]) => unknown, args: unkno
     ["packRuns", parkade.packRuns, [cells]],
     ["unpackRuns", parkade.unpackRuns, ["AABB"]],
     ["importScene", parkade.importScene, [files, {}]],
-    ["generateScenario", parkade.generateScenario, [{ family: "random", size: 15, seed: 1, densityPermille: 150, blockMin: 1, blockMax: 3 }]],
+    [
+      "generateScenario",
+      parkade.generateScenario,
+      [{ family: "random", size: 15, seed: 1, densityPermille: 150, blockMin: 1, blockMax: 3 }],
+    ],
     ["paperGrid", parkade.paperGrid, [{ row: "regular-20", from: 1, to: 1 }]],
     ["paperGridSummary", parkade.paperGridSummary, [rows]],
     ["paperRoad", parkade.paperRoad, [{ row: "none", rounds: 1 }]],
@@ -112,10 +172,31 @@ function calls(): [name: string, run: (...args: never[]) => unknown, args: unkno
     ["track", parkade.track, [small, plan, { controller: "stanley" }]],
     ["stopWaitGo", parkade.stopWaitGo, [small, plan, {}]],
     ["optimise", parkade.optimise, [small, plan, { margin: 0.1, speed: 2 }]],
-    ["judge", parkade.judge, [small, { path: [...plan.path], t: [...plan.path.keys()].slice(0, plan.path.length / 3) }, { speed: 2 }]],
+    [
+      "judge",
+      parkade.judge,
+      [small, { path: [...plan.path], t: [...plan.path.keys()].slice(0, plan.path.length / 3) }, { speed: 2 }],
+    ],
     ["judge of text", parkade.judge, [small, "t,x,y,theta\n0,1,2,3\n1,2,2,3\n", {}]],
-    ["toTrajectoryCSV", parkade.toTrajectoryCSV, [{ t: [0, 1], path: [0, 0, 0, 1, 0, 0], speeds: [0, 0], steering: [0, 0], accelerations: [0, 0], steeringRates: [0, 0] }]],
-    ["Planner", (...args) => new Planner(...(args as unknown as ConstructorParameters<typeof Planner>)).free(), ["eight", small, {}]],
+    [
+      "toTrajectoryCSV",
+      parkade.toTrajectoryCSV,
+      [
+        {
+          t: [0, 1],
+          path: [0, 0, 0, 1, 0, 0],
+          speeds: [0, 0],
+          steering: [0, 0],
+          accelerations: [0, 0],
+          steeringRates: [0, 0],
+        },
+      ],
+    ],
+    [
+      "Planner",
+      (...args) => new Planner(...(args as unknown as ConstructorParameters<typeof Planner>)).free(),
+      ["eight", small, {}],
+    ],
     ["plan", (given) => four.plan(given), [{ trace: true, start: small.start, goal: small.goal }]],
     ["search", (from, to) => four.search(from, to), [small.start, small.goal]],
     ["brush", (runs, blocked) => four.brush(runs, blocked), [[[1, 1, 2]], true]],
@@ -129,15 +210,31 @@ const all = calls();
 test("every function of the package that takes something is called", () => {
   const tried = new Set(all.map(([, run]) => run));
   for (const [name, run] of Object.entries(parkade)) {
-    expect(tried.has(run as never) || run.length === 0 || ["init", "Planner", "ParkadeError"].includes(name), name).toBe(true);
+    expect(
+      tried.has(run as never) || run.length === 0 || ["init", "Planner", "ParkadeError"].includes(name),
+      name,
+    ).toBe(true);
   }
 });
 
-test.each(all)("arguments of %s, one damaged at any depth or another altogether, are answered or explained", (_, run, args) => {
-  answersOrExplains(() => run(...(args as never[])));
-  const given = fc.tuple(choices, value).map(([path, by]) => ({ args: damaged(args, path, by), by: [path, by] as unknown }));
-  const any = fc.oneof({ weight: 5, arbitrary: given }, fc.array(value, { maxLength: 3 }).map((some) => ({ args: some, by: some as unknown })));
-  const found = fc.check(fc.property(any, (some) => answersOrExplains(() => run(...(some.args as never[])))), options);
-  const words = ({ errorInstance, counterexample }: typeof found) => `${errorInstance}, of ${fc.stringify(counterexample?.[0].by)}`;
-  expect(found.failed && words(found)).toBe(false);
-}, HOURS);
+test.each(all)(
+  "arguments of %s, one damaged at any depth or another altogether, are answered or explained",
+  (_, run, args) => {
+    answersOrExplains(() => run(...(args as never[])));
+    const given = fc
+      .tuple(choices, value)
+      .map(([path, by]) => ({ args: damaged(args, path, by), by: [path, by] as unknown }));
+    const any = fc.oneof(
+      { weight: 5, arbitrary: given },
+      fc.array(value, { maxLength: 3 }).map((some) => ({ args: some, by: some as unknown })),
+    );
+    const found = fc.check(
+      fc.property(any, (some) => answersOrExplains(() => run(...(some.args as never[])))),
+      options,
+    );
+    const words = ({ errorInstance, counterexample }: typeof found) =>
+      `${errorInstance}, of ${fc.stringify(counterexample?.[0].by)}`;
+    expect(found.failed && words(found)).toBe(false);
+  },
+  HOURS,
+);

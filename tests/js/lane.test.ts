@@ -20,7 +20,18 @@ class FakeWorker implements WorkerLike {
   }
 
   answer(id: number): void {
-    this.onmessage?.({ data: { kind: "planned", id, plan: {} as Plan, layers: {}, drive: null, undriven: false, time: { search: 1, total: 2 }, warm: false } } as MessageEvent<Reply>);
+    this.onmessage?.({
+      data: {
+        kind: "planned",
+        id,
+        plan: {} as Plan,
+        layers: {},
+        drive: null,
+        undriven: false,
+        time: { search: 1, total: 2 },
+        warm: false,
+      },
+    } as MessageEvent<Reply>);
   }
 
   tell(id: number, expansions: number): void {
@@ -29,11 +40,19 @@ class FakeWorker implements WorkerLike {
 
   /** Answers the last question for times. */
   times(): void {
-    this.onmessage?.({ data: { kind: "timed", id: this.asked.at(-1)!.kind === "time" ? this.lastId : 0, samples: [{ search: 1, total: 2 }] } } as MessageEvent<Reply>);
+    this.onmessage?.({
+      data: {
+        kind: "timed",
+        id: this.asked.at(-1)!.kind === "time" ? this.lastId : 0,
+        samples: [{ search: 1, total: 2 }],
+      },
+    } as MessageEvent<Reply>);
   }
 
   failTiming(): void {
-    this.onmessage?.({ data: { kind: "failed", id: this.lastId, error: { code: "internal", path: "", message: "boom" } } } as MessageEvent<Reply>);
+    this.onmessage?.({
+      data: { kind: "failed", id: this.lastId, error: { code: "internal", path: "", message: "boom" } },
+    } as MessageEvent<Reply>);
   }
 
   private get lastId(): number {
@@ -68,8 +87,12 @@ function setup() {
 }
 
 describe("a planner's lane", () => {
-  beforeEach(() => { vi.useFakeTimers(); });
-  afterEach(() => { vi.useRealTimers(); });
+  beforeEach(() => {
+    vi.useFakeTimers();
+  });
+  afterEach(() => {
+    vi.useRealTimers();
+  });
 
   it("runs one plan at a time and then only the newest that waits", () => {
     const { workers, heard, plan } = setup();
@@ -128,7 +151,8 @@ describe("a planner's lane", () => {
 
   it("sends all of the scene to a new worker and only its ends to one that has it", () => {
     const { workers, plan } = setup();
-    const scenes = (worker: number): unknown[] => workers[worker]!.asked.flatMap((request) => (request.kind === "plan" ? [request.scene] : []));
+    const scenes = (worker: number): unknown[] =>
+      workers[worker]!.asked.flatMap((request) => (request.kind === "plan" ? [request.scene] : []));
     plan(1);
     workers[0]!.answer(1);
     plan(2);
@@ -155,7 +179,8 @@ describe("a planner's lane", () => {
 
   it("gives a plan up that its second worker dies of, and takes the next", () => {
     const { workers, heard, plan } = setup();
-    const die = (worker: number): void => workers[worker]!.onerror?.({ message: "boom", preventDefault() {} } as ErrorEvent);
+    const die = (worker: number): void =>
+      workers[worker]!.onerror?.({ message: "boom", preventDefault() {} } as ErrorEvent);
     plan(1);
     die(0);
     die(1);

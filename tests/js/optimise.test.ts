@@ -4,16 +4,22 @@ import { Planner, init, judge, optimise, scenario, toTrajectoryCSV, track } from
 
 beforeAll(() => init());
 
-const hashes = JSON.parse(readFileSync(new URL("../data/trajectory-hashes.json", import.meta.url), "utf8")) as Record<string, string>;
+const hashes = JSON.parse(readFileSync(new URL("../data/trajectory-hashes.json", import.meta.url), "utf8")) as Record<
+  string,
+  string
+>;
 
 const planned = (id: string) => {
-  const scene = scenario(id), planner = new Planner("hybrid", scene), plan = planner.plan();
+  const scene = scenario(id),
+    planner = new Planner("hybrid", scene),
+    plan = planner.plan();
   planner.free();
   return { scene, plan };
 };
 
 test.each(Object.keys(hashes))("the trajectory of %s has the native hash, and passes", (id) => {
-  const { scene, plan } = planned(id), made = optimise(scene, plan);
+  const { scene, plan } = planned(id),
+    made = optimise(scene, plan);
   expect(made.hash).toBe(hashes[id]);
   expect(made.check).toMatchObject({ passes: true, touchingFrames: 0, uncertified: 0 });
   expect(made.duration).toBe(made.t.at(-1));
@@ -21,8 +27,10 @@ test.each(Object.keys(hashes))("the trajectory of %s has the native hash, and pa
 });
 
 test("its CSV is judged as it is, and a car follows it to the centimetre", () => {
-  const { scene, plan } = planned("L2"), made = optimise(scene, plan, { margin: 0.1 });
-  const csv = toTrajectoryCSV(made), verdict = judge(scene, csv);
+  const { scene, plan } = planned("L2"),
+    made = optimise(scene, plan, { margin: 0.1 });
+  const csv = toTrajectoryCSV(made),
+    verdict = judge(scene, csv);
   expect(csv.split("\n")[0]).toBe("t,x,y,theta,v,phi,a,omega");
   expect(verdict).toMatchObject({ passes: true, duration: made.duration, gearChanges: made.check.gearChanges });
   expect(verdict.effort).toBeCloseTo(made.check.effort, 9);
@@ -32,7 +40,8 @@ test("its CSV is judged as it is, and a car follows it to the centimetre", () =>
 });
 
 test("a plan between other ends is optimised between them, and a path that hits something is refused", () => {
-  const scene = scenario("perpendicular"), planner = new Planner("hybrid", scene);
+  const scene = scenario("perpendicular"),
+    planner = new Planner("hybrid", scene);
   const plan = planner.plan({ start: { x: 0, y: 9, heading: Math.PI } });
   expect(optimise(scene, plan).check.passes).toBe(true);
   expect(() => optimise(scene, { path: [4, 3, 0, 40, 3, 0] })).toThrow(/plan\.path: must pass its check/);

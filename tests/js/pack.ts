@@ -18,7 +18,9 @@ export function npm(args: string[], cwd: string): string {
 /** A new folder with nothing but the packed package and what it depends on. */
 export function installed(): string {
   const folder = mkdtempSync(join(tmpdir(), "parkade-"));
-  const packed = [PACKAGE, here("node_modules/tinypool")].map((from) => JSON.parse(npm(["pack", "--json", "--ignore-scripts", "--pack-destination", folder], from))[0].filename);
+  const packed = [PACKAGE, here("node_modules/tinypool")].map(
+    (from) => JSON.parse(npm(["pack", "--json", "--ignore-scripts", "--pack-destination", folder], from))[0].filename,
+  );
   writeFileSync(join(folder, "package.json"), JSON.stringify({ private: true, type: "module" }));
   npm(["install", ...packed.map((file) => `./${file}`)], folder);
   return folder;
@@ -28,10 +30,19 @@ export function installed(): string {
 export const slowly = (count: number): Obstacle[] =>
   Array.from({ length: count }, (_, i) => ({ type: "rectangle", center: [i * 1e-9, 7.5], size: [1, 1] }));
 
-export interface Ran { status: number | null; out: string; err: string }
+export interface Ran {
+  status: number | null;
+  out: string;
+  err: string;
+}
 
 /** Runs the package's command, the one built or the one installed in a folder. */
 export function parkade(args: string[], cwd: string, input = "", script = join(PACKAGE, "cli/main.js")): Ran {
-  const { status, stdout, stderr } = spawnSync(process.execPath, [script, ...args], { cwd, input, encoding: "utf8", maxBuffer: 1e8 });
+  const { status, stdout, stderr } = spawnSync(process.execPath, [script, ...args], {
+    cwd,
+    input,
+    encoding: "utf8",
+    maxBuffer: 1e8,
+  });
   return { status, out: stdout, err: stderr };
 }

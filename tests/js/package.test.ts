@@ -14,10 +14,13 @@ import { PACKAGE, installed, npm, parkade } from "./pack";
 /** The README's only JavaScript; a comment behind `console.log` is what it prints. */
 const SCRIPT = /```js\n([^]*?)```/.exec(readFileSync(new URL("../../README.md", import.meta.url), "utf8"))![1]!;
 const PRINTED = [...SCRIPT.matchAll(/console\.log.*\/\/ (.*)/g)].map((match) => match[1]);
-const HASHES: Record<string, Record<string, string>> = JSON.parse(readFileSync(new URL("../data/plan-hashes.json", import.meta.url), "utf8"));
+const HASHES: Record<string, Record<string, string>> = JSON.parse(
+  readFileSync(new URL("../data/plan-hashes.json", import.meta.url), "utf8"),
+);
 
 let folder = "";
-const run = (script: string, ...args: string[]) => execFileSync(process.execPath, [script, ...args], { cwd: folder, encoding: "utf8" });
+const run = (script: string, ...args: string[]) =>
+  execFileSync(process.execPath, [script, ...args], { cwd: folder, encoding: "utf8" });
 const write = (name: string, text: string) => writeFileSync(join(folder, name), text);
 
 beforeAll(async () => {
@@ -33,22 +36,29 @@ test("the packed package, installed into an empty folder, runs the README's line
 });
 
 test("a worker thread plans with the installed package", () => {
-  write("worker.mjs", `
+  write(
+    "worker.mjs",
+    `
     import { Worker, isMainThread, parentPort } from "node:worker_threads";
     import { init, Planner, scenario } from "parkade";
     if (isMainThread) new Worker(new URL(import.meta.url)).on("message", (hash) => console.log(hash));
     else {
       await init();
       parentPort.postMessage(new Planner("hybrid", scenario("perpendicular")).plan().hash);
-    }`);
+    }`,
+  );
   expect(run("worker.mjs").trim()).toBe(HASHES["perpendicular"]!["hybrid"]);
 });
 
 test("the installed command plans ten scenes as the library does", () => {
   const command = join(folder, "node_modules/.bin/parkade");
   expect(existsSync(command) || existsSync(`${command}.cmd`)).toBe(true);
-  const presets = scenarios().map(({ id }) => id).filter((id) => HASHES[id]?.["eight"]);
-  const drawn = Array.from({ length: 10 - presets.length }, (_, seed) => generateScenario({ family: "random", size: 21, seed }));
+  const presets = scenarios()
+    .map(({ id }) => id)
+    .filter((id) => HASHES[id]?.["eight"]);
+  const drawn = Array.from({ length: 10 - presets.length }, (_, seed) =>
+    generateScenario({ family: "random", size: 21, seed }),
+  );
   drawn.forEach((scene, i) => write(`drawn-${i}.json`, JSON.stringify(scene)));
   const expected = [
     ...presets.map((id) => [id, HASHES[id]!["eight"]!] as const),
@@ -56,7 +66,12 @@ test("the installed command plans ten scenes as the library does", () => {
   ];
   expect(expected).toHaveLength(10);
   for (const [place, hash] of expected) {
-    const { status, out } = parkade(["plan", place, "--planner", "eight"], folder, "", join(folder, "node_modules/parkade/cli/main.js"));
+    const { status, out } = parkade(
+      ["plan", place, "--planner", "eight"],
+      folder,
+      "",
+      join(folder, "node_modules/parkade/cli/main.js"),
+    );
     const plan: Plan = JSON.parse(out);
     expect([place, plan.hash, status]).toEqual([place, hash, plan.outcome === "found" ? 0 : 1]);
   }
@@ -70,25 +85,49 @@ export async function answer(wasm) {
 }`;
 
 async function answerOf(bundle: string): Promise<string> {
-  const { answer } = (await import(/* @vite-ignore */ pathToFileURL(bundle).href)) as { answer(wasm: Uint8Array): Promise<string> };
+  const { answer } = (await import(/* @vite-ignore */ pathToFileURL(bundle).href)) as {
+    answer(wasm: Uint8Array): Promise<string>;
+  };
   return answer(readFileSync(join(folder, "node_modules/parkade/parkade_bg.wasm")));
 }
 
 test("esbuild bundles the browser's entry, without anything of Node", async () => {
   write("entry.js", ENTRY);
   const outfile = join(folder, "esbuild/entry.mjs");
-  await esbuild({ absWorkingDir: folder, entryPoints: ["entry.js"], bundle: true, minify: true, format: "esm", platform: "browser", outfile, logLevel: "silent" });
+  await esbuild({
+    absWorkingDir: folder,
+    entryPoints: ["entry.js"],
+    bundle: true,
+    minify: true,
+    format: "esm",
+    platform: "browser",
+    outfile,
+    logLevel: "silent",
+  });
   expect(readFileSync(outfile, "utf8")).not.toMatch(/node:|tinypool/);
   expect(await answerOf(outfile)).toBe(HASHES["perpendicular"]!["hybrid"]);
 });
 
 test("Vite bundles the browser's entry and takes the module along", async () => {
   write("entry.js", ENTRY);
-  write("index.html", '<script type="module">import { answer } from "./entry.js"; document.title = await answer();</script>');
+  write(
+    "index.html",
+    '<script type="module">import { answer } from "./entry.js"; document.title = await answer();</script>',
+  );
   await vite({ root: folder, configFile: false, logLevel: "silent", build: { outDir: "vite", target: "es2022" } });
   const assets = readdirSync(join(folder, "vite/assets"));
   expect(assets.filter((name) => name.endsWith(".wasm"))).toHaveLength(1);
-  await vite({ root: folder, configFile: false, logLevel: "silent", build: { outDir: "vite-lib", target: "es2022", assetsInlineLimit: 0, lib: { entry: "entry.js", formats: ["es"], fileName: () => "entry.mjs" } } });
+  await vite({
+    root: folder,
+    configFile: false,
+    logLevel: "silent",
+    build: {
+      outDir: "vite-lib",
+      target: "es2022",
+      assetsInlineLimit: 0,
+      lib: { entry: "entry.js", formats: ["es"], fileName: () => "entry.mjs" },
+    },
+  });
   expect(await answerOf(join(folder, "vite-lib/entry.mjs"))).toBe(HASHES["perpendicular"]!["hybrid"]);
 });
 
@@ -100,20 +139,39 @@ export async function answer() {
 
 /** A bundle's answer in a process and a folder of its own, where nothing of the package is near. */
 function alone(bundle: string): string {
-  const place = mkdtempSync(join(tmpdir(), "parkade-bundle-")), name = basename(bundle);
+  const place = mkdtempSync(join(tmpdir(), "parkade-bundle-")),
+    name = basename(bundle);
   try {
     copyFileSync(bundle, join(place, name));
-    writeFileSync(join(place, "run.mjs"), `const bundle = await import("./${name}"); console.log(await (bundle.answer ?? bundle.default.answer)());`);
+    writeFileSync(
+      join(place, "run.mjs"),
+      `const bundle = await import("./${name}"); console.log(await (bundle.answer ?? bundle.default.answer)());`,
+    );
     return execFileSync(process.execPath, ["run.mjs"], { cwd: place, encoding: "utf8" }).trim();
   } finally {
     rmSync(place, { recursive: true });
   }
 }
 
-test.each([["browser", "esm"], ["browser", "cjs"], ["node", "esm"], ["node", "cjs"], ["neutral", "esm"]] as const)("esbuild's bundle of `parkade/inline` for %s as %s runs alone", async (platform, format) => {
+test.each([
+  ["browser", "esm"],
+  ["browser", "cjs"],
+  ["node", "esm"],
+  ["node", "cjs"],
+  ["neutral", "esm"],
+] as const)("esbuild's bundle of `parkade/inline` for %s as %s runs alone", async (platform, format) => {
   write("inline.js", INLINE);
   const outfile = join(folder, `inline-${platform}-${format}/entry.${format === "esm" ? "mjs" : "cjs"}`);
-  const { warnings } = await esbuild({ absWorkingDir: folder, entryPoints: ["inline.js"], bundle: true, minify: true, format, platform, outfile, logLevel: "silent" });
+  const { warnings } = await esbuild({
+    absWorkingDir: folder,
+    entryPoints: ["inline.js"],
+    bundle: true,
+    minify: true,
+    format,
+    platform,
+    outfile,
+    logLevel: "silent",
+  });
   expect([warnings, readFileSync(outfile, "utf8").includes("parkade_bg.wasm")]).toEqual([[], false]);
   expect(alone(outfile)).toBe(HASHES["perpendicular"]!["hybrid"]);
 });
@@ -121,31 +179,78 @@ test.each([["browser", "esm"], ["browser", "cjs"], ["node", "esm"], ["node", "cj
 test("the bundles of `parkade/inline` by Rollup, Rolldown and Vite run alone", async () => {
   write("inline.js", INLINE);
   const input = join(folder, "inline.js");
-  const parkadeOnly = { name: "parkade", resolveId: (id: string) => (id === "parkade/inline" ? join(folder, "node_modules/parkade/inline.js") : null) };
+  const parkadeOnly = {
+    name: "parkade",
+    resolveId: (id: string) => (id === "parkade/inline" ? join(folder, "node_modules/parkade/inline.js") : null),
+  };
   const rolled = await rollup({ input, plugins: [parkadeOnly] });
   await rolled.write({ file: join(folder, "inline-rollup.mjs"), format: "es" });
   await (await rolldown({ input })).write({ file: join(folder, "inline-rolldown.mjs"), format: "es" });
-  await vite({ root: folder, configFile: false, logLevel: "silent", build: { outDir: "inline-vite", emptyOutDir: false, target: "es2022", lib: { entry: "inline.js", formats: ["es"], fileName: () => "entry.mjs" } } });
-  await vite({ root: folder, configFile: false, logLevel: "silent", ssr: { noExternal: true }, build: { outDir: "inline-ssr", ssr: "inline.js", rolldownOptions: { output: { entryFileNames: "entry.mjs" } } } });
+  await vite({
+    root: folder,
+    configFile: false,
+    logLevel: "silent",
+    build: {
+      outDir: "inline-vite",
+      emptyOutDir: false,
+      target: "es2022",
+      lib: { entry: "inline.js", formats: ["es"], fileName: () => "entry.mjs" },
+    },
+  });
+  await vite({
+    root: folder,
+    configFile: false,
+    logLevel: "silent",
+    ssr: { noExternal: true },
+    build: { outDir: "inline-ssr", ssr: "inline.js", rolldownOptions: { output: { entryFileNames: "entry.mjs" } } },
+  });
   for (const file of ["inline-rollup.mjs", "inline-rolldown.mjs", "inline-vite/entry.mjs", "inline-ssr/entry.mjs"]) {
     expect([file, alone(join(folder, file))]).toEqual([file, HASHES["perpendicular"]!["hybrid"]]);
   }
 }, 60_000);
 
 test("the module's address comes from Vite's `?url` and from esbuild's file loader", async () => {
-  const addressed = (wasm: string) => ENTRY.replace("answer(wasm) {", "answer() {").replace("import {", `import wasm from "${wasm}";\nimport {`);
+  const addressed = (wasm: string) =>
+    ENTRY.replace("answer(wasm) {", "answer() {").replace("import {", `import wasm from "${wasm}";\nimport {`);
   write("url.js", addressed("parkade/parkade_bg.wasm?url"));
-  await vite({ root: folder, configFile: false, logLevel: "silent", build: { outDir: "url-vite", target: "es2022", lib: { entry: "url.js", formats: ["es"], fileName: () => "entry.mjs" } } });
+  await vite({
+    root: folder,
+    configFile: false,
+    logLevel: "silent",
+    build: {
+      outDir: "url-vite",
+      target: "es2022",
+      lib: { entry: "url.js", formats: ["es"], fileName: () => "entry.mjs" },
+    },
+  });
   expect(alone(join(folder, "url-vite/entry.mjs"))).toBe(HASHES["perpendicular"]!["hybrid"]);
   write("file.js", addressed("parkade/parkade_bg.wasm"));
   const outdir = join(folder, "url-esbuild");
-  await esbuild({ absWorkingDir: folder, entryPoints: ["file.js"], bundle: true, format: "esm", platform: "node", outdir, outExtension: { ".js": ".mjs" }, loader: { ".wasm": "file" }, publicPath: pathToFileURL(outdir).href, logLevel: "silent" });
+  await esbuild({
+    absWorkingDir: folder,
+    entryPoints: ["file.js"],
+    bundle: true,
+    format: "esm",
+    platform: "node",
+    outdir,
+    outExtension: { ".js": ".mjs" },
+    loader: { ".wasm": "file" },
+    publicPath: pathToFileURL(outdir).href,
+    logLevel: "silent",
+  });
   expect(alone(join(outdir, "file.mjs"))).toBe(HASHES["perpendicular"]!["hybrid"]);
 });
 
 test("Vite's development server hands out `parkade/inline`, optimised, with its module", async () => {
   write("inline.js", INLINE);
-  const server = await createServer({ root: folder, configFile: false, logLevel: "silent", cacheDir: join(folder, "inline-cache"), optimizeDeps: { include: ["parkade/inline"], noDiscovery: true }, server: { middlewareMode: true, ws: false, watch: null } });
+  const server = await createServer({
+    root: folder,
+    configFile: false,
+    logLevel: "silent",
+    cacheDir: join(folder, "inline-cache"),
+    optimizeDeps: { include: ["parkade/inline"], noDiscovery: true },
+    server: { middlewareMode: true, ws: false, watch: null },
+  });
   try {
     await server.environments.client.depsOptimizer?.init();
     const { code } = (await server.transformRequest("/inline.js"))!;
@@ -159,23 +264,35 @@ test("Vite's development server hands out `parkade/inline`, optimised, with its 
 }, 60_000);
 
 test("`parkade/inline` takes bytes and modules, and refuses other things", () => {
-  write("given.mjs", `import { readFileSync } from "node:fs";
+  write(
+    "given.mjs",
+    `import { readFileSync } from "node:fs";
     import { init, version } from "parkade/inline";
     await init({ wasm: "file.wasm" }).catch(({ code, path }) => console.log(code, path));
     await init({ wasm: readFileSync("node_modules/parkade/parkade_bg.wasm") });
-    console.log(version());`);
+    console.log(version());`,
+  );
   expect(run("given.mjs").trim().split("\n")).toEqual(["bad-input wasm", version()]);
 });
 
 /** What `require` does in this Node.js, and in those of before 20.19, which cannot require modules. */
-test.each([["as it is", []], ["without `require` of modules", ["--no-experimental-require-module"]]])("CommonJS plans with `require`, in Node %s", (_, flags) => {
-  write("plan.cjs", `const { init, Planner, ParkadeError, scenario } = require("parkade");
+test.each([
+  ["as it is", []],
+  ["without `require` of modules", ["--no-experimental-require-module"]],
+])("CommonJS plans with `require`, in Node %s", (_, flags) => {
+  write(
+    "plan.cjs",
+    `const { init, Planner, ParkadeError, scenario } = require("parkade");
     init().then(async () => {
       console.log(new Planner("hybrid", scenario("perpendicular")).plan().hash);
       try { new Planner("hybird", scenario("perpendicular")); } catch (error) { console.log(error instanceof ParkadeError, error.code); }
-    });`);
+    });`,
+  );
   const known = process.allowedNodeEnvironmentFlags.has("--experimental-require-module");
-  const printed = execFileSync(process.execPath, [...(known ? flags : []), "plan.cjs"], { cwd: folder, encoding: "utf8" });
+  const printed = execFileSync(process.execPath, [...(known ? flags : []), "plan.cjs"], {
+    cwd: folder,
+    encoding: "utf8",
+  });
   expect(printed.trim().split("\n")).toEqual([HASHES["perpendicular"]!["hybrid"], "true unknown-planner"]);
 });
 
@@ -183,7 +300,16 @@ test("a bundle that uses no planner leaves them out", async () => {
   write("small.js", 'export { packRuns } from "parkade";');
   write("large.js", 'export * from "parkade";');
   const size = async (entry: string) => {
-    const { outputFiles } = await esbuild({ absWorkingDir: folder, entryPoints: [entry], bundle: true, minify: true, format: "esm", platform: "browser", write: false, logLevel: "silent" });
+    const { outputFiles } = await esbuild({
+      absWorkingDir: folder,
+      entryPoints: [entry],
+      bundle: true,
+      minify: true,
+      format: "esm",
+      platform: "browser",
+      write: false,
+      logLevel: "silent",
+    });
     return outputFiles[0]!.contents.length;
   };
   expect(await size("small.js")).toBeLessThan((await size("large.js")) / 4);
@@ -194,7 +320,22 @@ const TSC = fileURLToPath(new URL("../../node_modules/typescript/bin/tsc", impor
 /** What the compiler complains about in a file. */
 function check(name: string, text: string, module = "nodenext", resolution = module): string {
   write(name, text);
-  const flags = ["--strict", "--noEmit", "--target", "es2022", "--lib", "es2023,esnext.disposable,dom", "--module", module, "--moduleResolution", resolution, "--types", "", "--exactOptionalPropertyTypes", "--noUncheckedIndexedAccess"];
+  const flags = [
+    "--strict",
+    "--noEmit",
+    "--target",
+    "es2022",
+    "--lib",
+    "es2023,esnext.disposable,dom",
+    "--module",
+    module,
+    "--moduleResolution",
+    resolution,
+    "--types",
+    "",
+    "--exactOptionalPropertyTypes",
+    "--noUncheckedIndexedAccess",
+  ];
   try {
     return execFileSync(process.execPath, [TSC, ...flags, name], { cwd: folder, encoding: "utf8" });
   } catch (error) {
@@ -203,9 +344,15 @@ function check(name: string, text: string, module = "nodenext", resolution = mod
 }
 
 test("the types are found by modules and by CommonJS, as old and new compilers resolve them", () => {
-  const text = 'import { init, Planner, type Scenario } from "parkade";\nexport const plan = (scene: Scenario) => init().then(() => new Planner("hybrid", scene).plan());';
+  const text =
+    'import { init, Planner, type Scenario } from "parkade";\nexport const plan = (scene: Scenario) => init().then(() => new Planner("hybrid", scene).plan());';
   for (const module of ["node16", "node18", "nodenext"]) {
-    for (const name of ["types.cts", "types.mts"]) expect([module, name, check(name, text, module, module === "node18" ? "node16" : module)]).toEqual([module, name, ""]);
+    for (const name of ["types.cts", "types.mts"])
+      expect([module, name, check(name, text, module, module === "node18" ? "node16" : module)]).toEqual([
+        module,
+        name,
+        "",
+      ]);
   }
   expect(check("types.ts", text, "esnext", "bundler")).toBe("");
   expect(check("inline.ts", text.replace('"parkade"', '"parkade/inline"'))).toBe("");
@@ -219,43 +366,69 @@ test.each(["guide.md", "zh/guide.md"])("the scripts of %s are strict TypeScript 
 });
 
 test("`parkade/core` has types of its own: what it lacks does not compile", () => {
-  expect(check("core.ts", `import { Planner, init, scenario, type Scenario } from "parkade/core";
+  expect(
+    check(
+      "core.ts",
+      `import { Planner, init, scenario, type Scenario } from "parkade/core";
     await init();
     const scene: Scenario = { ...scenario("perpendicular"), vehicle: "sedan" };
-    export const plan = new Planner("hybrid", scene, { reverseCost: 2 }).plan({ trace: true });`)).toBe("");
-  const refused = check("core-bad.ts", `import { Planner, scenario, toSVG, type Scenario } from "parkade/core";
+    export const plan = new Planner("hybrid", scene, { reverseCost: 2 }).plan({ trace: true });`,
+    ),
+  ).toBe("");
+  const refused = check(
+    "core-bad.ts",
+    `import { Planner, scenario, toSVG, type Scenario } from "parkade/core";
     export const plan = new Planner("cost-map", scenario("a")), scene: Scenario = { ...scenario("a"), vehicle: "ship" };
     export const eight = new Planner("eight", scenario("a"), { stop: "nba" });
     export const layer = eight.layer("cost"), found = eight.search({ x: 0, y: 0 }, { x: 1, y: 1 });
-    export const best = eight.plan({ prefer: "widest" });`);
-  for (const what of ["toSVG", "cost-map", "ship", "stop", '"cost"', "search", "prefer"]) expect(refused).toContain(what);
+    export const best = eight.plan({ prefer: "widest" });`,
+  );
+  for (const what of ["toSVG", "cost-map", "ship", "stop", '"cost"', "search", "prefer"])
+    expect(refused).toContain(what);
 });
 
 test("settings are typed by planner, figures by family, and errors by code", () => {
-  expect(check("typed.ts", `import { defaultConfig, ParkadeError, Planner, type Plan, type Scenario } from "parkade";
+  expect(
+    check(
+      "typed.ts",
+      `import { defaultConfig, ParkadeError, Planner, type Plan, type Scenario } from "parkade";
     declare const scene: Scenario, any: Plan, error: ParkadeError;
     export const clearance: number | undefined = new Planner("eight", scene, { post: "smooth", minRadius: "vehicle" }).plan().metrics.lengthRaw;
     export const gap: number | undefined = new Planner("hybrid", scene, { margin: 0.2, xyResolution: null }).plan().metrics.gapPercent;
     export const moved = any.planner === "cost-map" ? any.metrics.startMoved : any.metrics.length;
     export const factor: number = defaultConfig("cost-map").factor, weight: "none" | "distance" = defaultConfig("four").weight;
-    export const isMine = error.code === "bad-config";`)).toBe("");
-  const refused = check("typed-bad.ts", `import { Planner, ParkadeError, type Plan, type Scenario } from "parkade";
+    export const isMine = error.code === "bad-config";`,
+    ),
+  ).toBe("");
+  const refused = check(
+    "typed-bad.ts",
+    `import { Planner, ParkadeError, type Plan, type Scenario } from "parkade";
     declare const scene: Scenario, any: Plan, error: ParkadeError;
     new Planner("eight", scene, { reverseCost: 1 });
     new Planner("hybrid", scene, { profile: "sporty" });
     export const raw = any.metrics.lengthRaw, gap = new Planner("four", scene).plan().metrics.gapPercent;
-    export const wrong = error.code === "bad-luck", never = any.outcome === "interrupted";`);
-  for (const what of ["reverseCost", "sporty", "lengthRaw", "gapPercent", "bad-luck", "interrupted"]) expect(refused).toContain(what);
+    export const wrong = error.code === "bad-luck", never = any.outcome === "interrupted";`,
+  );
+  for (const what of ["reverseCost", "sporty", "lengthRaw", "gapPercent", "bad-luck", "interrupted"])
+    expect(refused).toContain(what);
 });
 
 test("strict TypeScript accepts good use of the types and refuses bad", () => {
-  expect(check("good.ts", `import { init, Planner, scenario, toSVG, type Plan, type Scenario } from "parkade";
+  expect(
+    check(
+      "good.ts",
+      `import { init, Planner, scenario, toSVG, type Plan, type Scenario } from "parkade";
     await init();
     const scene: Scenario = scenario("perpendicular");
     const plan: Plan = new Planner("hybrid", scene, { reverseCost: 1.5 }).plan({ trace: false });
     const svg: string = toSVG(scene, [plan], { width: 300, height: 200 });
-    export const x: number | undefined = plan.path[0] ?? svg.length;`)).toBe("");
-  const refused = check("bad.ts", 'import { Planner, scenario } from "parkade";\nexport const plan = new Planner("hybird", scenario(3)).plan().lenght;');
+    export const x: number | undefined = plan.path[0] ?? svg.length;`,
+    ),
+  ).toBe("");
+  const refused = check(
+    "bad.ts",
+    'import { Planner, scenario } from "parkade";\nexport const plan = new Planner("hybird", scenario(3)).plan().lenght;',
+  );
   expect(refused).toMatch(/hybird/);
   expect(refused).toMatch(/lenght/);
 });

@@ -21,7 +21,11 @@ describe("plans in Node", () => {
   const hashes = read("plan-hashes.json") as Record<string, Record<PlannerId, string>>;
 
   it.each(Object.keys(hashes))("have the native hashes on %s", (id) => {
-    expect(Object.keys(hashes[id]!).sort()).toEqual(planners().map((p) => p.id).sort());
+    expect(Object.keys(hashes[id]!).sort()).toEqual(
+      planners()
+        .map((p) => p.id)
+        .sort(),
+    );
     for (const [planner, hash] of Object.entries(hashes[id]!)) {
       const session = new Planner(planner as PlannerId, scenario(id));
       expect(session.plan().hash, `${planner} on ${id}`).toBe(hash);
@@ -43,13 +47,25 @@ describe("plans in Node", () => {
     const { maps } = read("grid-golden-vectors.json") as { maps: Golden[] };
     const golden = maps.find((m) => m.family === family && m.n === 60 && m.seed === 7)!;
     const plan = <Id extends PlannerId>(id: Id) => new Planner(id, scenario(`${family}-60`)).plan();
-    const four = plan("four").stats, eight = plan("eight").stats, risk = plan("risk-field");
-    expect([four.costMicro, four.expanded, four.generated]).toEqual(
-      [golden.optimal_cost_micro["a4"], golden.expanded["a4_manhattan"], golden.generated["a4_manhattan"]]);
-    expect([eight.costMicro, eight.expanded, eight.generated]).toEqual(
-      [golden.optimal_cost_micro["a8"], golden.expanded["a8_euclid"], golden.generated["a8_euclid"]]);
-    expect([risk.stats.costMicro, risk.stats.expanded, risk.stats.generated, risk.stats.deferred]).toEqual(
-      [golden.risk.cost_micro, golden.risk.expanded, golden.risk.generated, golden.risk.deferred]);
+    const four = plan("four").stats,
+      eight = plan("eight").stats,
+      risk = plan("risk-field");
+    expect([four.costMicro, four.expanded, four.generated]).toEqual([
+      golden.optimal_cost_micro["a4"],
+      golden.expanded["a4_manhattan"],
+      golden.generated["a4_manhattan"],
+    ]);
+    expect([eight.costMicro, eight.expanded, eight.generated]).toEqual([
+      golden.optimal_cost_micro["a8"],
+      golden.expanded["a8_euclid"],
+      golden.generated["a8_euclid"],
+    ]);
+    expect([risk.stats.costMicro, risk.stats.expanded, risk.stats.generated, risk.stats.deferred]).toEqual([
+      golden.risk.cost_micro,
+      golden.risk.expanded,
+      golden.risk.generated,
+      golden.risk.deferred,
+    ]);
     expect(risk.metrics.lengthPruned).toBeCloseTo(golden.risk.length_pruned, 6);
   });
 });

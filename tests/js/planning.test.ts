@@ -41,12 +41,21 @@ class ColdWorker implements WorkerLike {
 }
 
 function setup(planners: PlannerId[], workers = 8) {
-  const log: string[] = [], shown: (Timing | null)[] = [];
+  const log: string[] = [],
+    shown: (Timing | null)[] = [];
   const store = createStore({ planners });
   const pool = new WorkerPool(() => new ColdWorker(log), workers);
-  const api = { packRuns: () => "", sceneGeometry: () => null, failureOf: (error: unknown) => { throw error; } };
+  const api = {
+    packRuns: () => "",
+    sceneGeometry: () => null,
+    failureOf: (error: unknown) => {
+      throw error;
+    },
+  };
   const engine = { extent: "complete", api, module: {}, pool, script: "" } as unknown as Engine;
-  store.subscribe(({ results }) => shown.push(...Object.values(results).flatMap(({ plan, time }) => (plan ? [time] : []))));
+  store.subscribe(({ results }) =>
+    shown.push(...Object.values(results).flatMap(({ plan, time }) => (plan ? [time] : []))),
+  );
   const planning = new Planning(store, engine, () => Promise.resolve(engine));
   planning.start();
   return { store, planning, log, shown };
@@ -55,14 +64,21 @@ function setup(planners: PlannerId[], workers = 8) {
 const moved = (scene: Scene, x: number): Scene => ({ ...scene, start: { ...scene.start, x } });
 
 describe("times of plans", () => {
-  beforeEach(() => { vi.useFakeTimers(); });
-  afterEach(() => { vi.useRealTimers(); });
+  beforeEach(() => {
+    vi.useFakeTimers();
+  });
+  afterEach(() => {
+    vi.useRealTimers();
+  });
 
   it("are shown when the code is warm, never of a first plan, and before the planners count as settled", async () => {
     const { store, planning, log, shown } = setup(["four", "hybrid"]);
     await planning.whenSettled();
     expect(log).toEqual(["plan", "plan", "time", "time"]);
-    expect(Object.values(store.state.results).map(({ time, samples }) => [time, samples.length])).toEqual([[WARM, 3], [WARM, 3]]);
+    expect(Object.values(store.state.results).map(({ time, samples }) => [time, samples.length])).toEqual([
+      [WARM, 3],
+      [WARM, 3],
+    ]);
     expect(shown).toContain(null);
     expect(shown).not.toContain(COLD);
   });

@@ -7,15 +7,21 @@ class Fake implements WorkerLike {
   onerror = null;
   terminated = false;
   postMessage(): void {}
-  terminate(): void { this.terminated = true; }
+  terminate(): void {
+    this.terminated = true;
+  }
 }
 
 class Asker implements Holder {
   busy = true;
   worker: WorkerLike | null = null;
   constructor(readonly of: object) {}
-  readonly take = (worker: WorkerLike): void => { this.worker = worker; };
-  revoked(): void { this.worker = null; }
+  readonly take = (worker: WorkerLike): void => {
+    this.worker = worker;
+  };
+  revoked(): void {
+    this.worker = null;
+  }
 }
 
 function setup(most: number) {
@@ -40,8 +46,10 @@ it("has as many workers as there are processors, within what a comparison needs 
 
 it("lends what rests at one playground to another before it makes more, and leaves a playground's own planners theirs", () => {
   const { made, ask } = setup(8);
-  const here = {}, there = {};
-  const one = ask(here), two = ask(here);
+  const here = {},
+    there = {};
+  const one = ask(here),
+    two = ask(here);
   one.busy = two.busy = false;
   const own = ask(here);
   expect([made.length, one.worker, own.worker]).toEqual([3, made[0], made[2]]);
@@ -53,7 +61,8 @@ it("lends what rests at one playground to another before it makes more, and leav
 
 it("makes no more workers than it may, and takes one from whoever rests", () => {
   const { made, ask } = setup(2);
-  const one = ask(), two = ask();
+  const one = ask(),
+    two = ask();
   one.busy = false;
   const three = ask();
   expect([made.length, one.worker, two.worker, three.worker]).toEqual([2, null, made[1], made[0]]);
@@ -61,7 +70,9 @@ it("makes no more workers than it may, and takes one from whoever rests", () => 
 
 it("serves those that wait in turn, as soon as a holder rests", () => {
   const { pool, made, ask } = setup(1);
-  const one = ask(), two = ask(), three = ask();
+  const one = ask(),
+    two = ask(),
+    three = ask();
   expect([two.worker, three.worker]).toEqual([null, null]);
   one.busy = false;
   pool.rested(one);
@@ -72,7 +83,9 @@ it("serves those that wait in turn, as soon as a holder rests", () => {
 
 it("replaces a dropped worker for those that wait, and forgets who gave up waiting", () => {
   const { pool, made, ask } = setup(1);
-  const one = ask(), two = ask(), three = ask();
+  const one = ask(),
+    two = ask(),
+    three = ask();
   pool.release(two);
   pool.drop(one);
   expect([made[0]!.terminated, two.worker, three.worker]).toEqual([true, null, made[1]]);
@@ -81,7 +94,8 @@ it("replaces a dropped worker for those that wait, and forgets who gave up waiti
 it("keeps workers at rest while somebody is at work, and a little longer for who comes next", () => {
   vi.useFakeTimers();
   const { pool, made, ask } = setup(4);
-  const one = ask(), two = ask();
+  const one = ask(),
+    two = ask();
   pool.release(one);
   expect([pool.size, made[0]!.terminated]).toEqual([2, false]);
   pool.release(two);

@@ -12,28 +12,41 @@ const ROOT = join(import.meta.dirname, "../..");
 
 /** Every rule, complaint and note that the Rust sources state, with figures for its values. */
 function rules(): string[] {
-  const files = readdirSync(join(ROOT, "src"), { recursive: true, encoding: "utf8" }).filter((name) => name.endsWith(".rs"));
+  const files = readdirSync(join(ROOT, "src"), { recursive: true, encoding: "utf8" }).filter((name) =>
+    name.endsWith(".rs"),
+  );
   const found = files.flatMap((name) => {
-    const code = readFileSync(join(ROOT, "src", name), "utf8").split("#[cfg(test)]")[0]!.replaceAll(/^\s*\/\/.*$/gm, "").replaceAll(/\\\n\s*/g, "");
-    return [...code.replaceAll(/(?:expect|assert!?|panic!|unreachable!)\("[^"]*"/g, "").matchAll(STATED)].map(([, text]) => text!.replaceAll('\\"', '"').replaceAll(/\{[^}]*\}/g, "7"));
+    const code = readFileSync(join(ROOT, "src", name), "utf8")
+      .split("#[cfg(test)]")[0]!
+      .replaceAll(/^\s*\/\/.*$/gm, "")
+      .replaceAll(/\\\n\s*/g, "");
+    return [...code.replaceAll(/(?:expect|assert!?|panic!|unreachable!)\("[^"]*"/g, "").matchAll(STATED)].map(
+      ([, text]) => text!.replaceAll('\\"', '"').replaceAll(/\{[^}]*\}/g, "7"),
+    );
   });
   return [...new Set(found)];
 }
 
 /** A text that says what must be, what is missing or unknown, or how something was read. */
-const STATED = /"((?:[^"\\\n]|\\.)*(?:\bmust |\bmissing\b|unknown field|no such |unknown cells|cells between|Turned by)(?:[^"\\\n]|\\.)*)"/g;
+const STATED =
+  /"((?:[^"\\\n]|\\.)*(?:\bmust |\bmissing\b|unknown field|no such |unknown cells|cells between|Turned by)(?:[^"\\\n]|\\.)*)"/g;
 
 /** The page's own reasons. */
 function sentences(): string[] {
   return ["scene/link", "scene/files", "scene/compact"].flatMap((name) =>
-    [...readFileSync(join(ROOT, `www/src/${name}.ts`), "utf8").matchAll(/Error\([`"](T[^`"]+)[`"]\)/g)].map(([, text]) => text!.replaceAll(/\$\{[^}]*\}/g, "slots")));
+    [...readFileSync(join(ROOT, `www/src/${name}.ts`), "utf8").matchAll(/Error\([`"](T[^`"]+)[`"]\)/g)].map(
+      ([, text]) => text!.replaceAll(/\$\{[^}]*\}/g, "slots"),
+    ),
+  );
 }
 
 describe("reasons in Chinese", () => {
   it("are there for every rule of the planners and importers", () => {
     const all = rules();
     expect(all.length).toBeGreaterThan(80);
-    const english = (text: string): boolean => !/[\u4e00-\u9fff]/.test(text) || /\b(must|got|which|that|there|the|or|and|numbers|at|count|cells between)\b/.test(text);
+    const english = (text: string): boolean =>
+      !/[\u4e00-\u9fff]/.test(text) ||
+      /\b(must|got|which|that|there|the|or|and|numbers|at|count|cells between)\b/.test(text);
     expect(all.filter((rule) => english(chineseReason(rule)))).toEqual([]);
   });
 
@@ -44,7 +57,8 @@ describe("reasons in Chinese", () => {
   });
 
   it("are there for what is too large for a page", () => {
-    const start = { x: 0, y: 0, heading: 0 }, map = { origin: [0, 0], width: 9, height: 9, resolution: 1 };
+    const start = { x: 0, y: 0, heading: 0 },
+      map = { origin: [0, 0], width: 9, height: 9, resolution: 1 };
     const reasonOf = (more: object): string => {
       try {
         bounded({ version: 1, map, start, goal: start, ...more } as unknown as Scenario);
@@ -53,21 +67,33 @@ describe("reasons in Chinese", () => {
       }
       return "";
     };
-    expect(chineseReason(reasonOf({ slots: [], obstacles: Array(2001).fill({ type: "polygon", points: [] }) }))).toBe("slots、obstacles：最多为 2000 个对象，实际为 2001。");
-    expect(chineseReason(reasonOf({ obstacles: [{ type: "polygon", points: Array(50_001).fill([0, 0]) }] }))).toBe("points：最多为 50000 个点，实际为 50001。");
+    expect(chineseReason(reasonOf({ slots: [], obstacles: Array(2001).fill({ type: "polygon", points: [] }) }))).toBe(
+      "slots、obstacles：最多为 2000 个对象，实际为 2001。",
+    );
+    expect(chineseReason(reasonOf({ obstacles: [{ type: "polygon", points: Array(50_001).fill([0, 0]) }] }))).toBe(
+      "points：最多为 50000 个点，实际为 50001。",
+    );
     expect(chineseReason(reasonOf({ name: "x".repeat(201) }))).toBe("name：最多为 200 个字符，实际为 201。");
   });
 
   it("name what a rule is about", () => {
-    expect(chineseReason("column 4: must be one of .GS@OTW, got 'x'.")).toBe("第 4 列须为下列之一：.GS@OTW，实际为 'x'。");
+    expect(chineseReason("column 4: must be one of .GS@OTW, got 'x'.")).toBe(
+      "第 4 列须为下列之一：.GS@OTW，实际为 'x'。",
+    );
     expect(chineseReason("resolution must be 0.001 to 1000 m, got 0.")).toBe("分辨率须为 0.001 到 1000 m，实际为 0。");
-    expect(chineseReason("number 5, the corners of obstacle 2, must be a whole number from 3, got 1")).toBe("第 5 个数（障碍物 2 的角点数）须为不小于 3 的整数，实际为 1。");
+    expect(chineseReason("number 5, the corners of obstacle 2, must be a whole number from 3, got 1")).toBe(
+      "第 5 个数（障碍物 2 的角点数）须为不小于 3 的整数，实际为 1。",
+    );
     expect(chineseReason("12 unknown cells count as blocked.")).toBe("12 个未知格按占用处理。");
   });
 
   it("keep field, figures and order", () => {
-    expect(chineseReason("start.x: must be finite, within ±1e11 m, got 1e22.")).toBe("start.x：须为有限值且在 ±1e11 m 以内，实际为 1e22。");
-    expect(chineseReason("path: must be driven within 100000 s, takes 127106 s")).toBe("path：须在 100000 s 内驶完，实际需要 127106 s。");
+    expect(chineseReason("start.x: must be finite, within ±1e11 m, got 1e22.")).toBe(
+      "start.x：须为有限值且在 ±1e11 m 以内，实际为 1e22。",
+    );
+    expect(chineseReason("path: must be driven within 100000 s, takes 127106 s")).toBe(
+      "path：须在 100000 s 内驶完，实际需要 127106 s。",
+    );
     expect(chineseReason("must be at least 2 for 9 s, got 1")).toBe("时长 9 s 时须不小于 2，实际为 1。");
     expect(chineseReason("must have 12 characters, got 3.")).toBe("须有 12 个字符，实际为 3。");
     expect(chineseReason("EOF while parsing an object at line 1 column 1.")).toBe("JSON 语法错误，第 1 行第 1 列。");

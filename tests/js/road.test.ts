@@ -15,7 +15,9 @@ function planned(id: string, settings = {}) {
 
 describe("the planner of roads", () => {
   test("plans as it does natively", () => {
-    const held = readFileSync(new URL("../road/plans.rs", import.meta.url), "utf8").match(/assert_eq!\(hashes, \[([^\]]*)\]/)![1]!.match(/[0-9a-f]{16}/g);
+    const held = readFileSync(new URL("../road/plans.rs", import.meta.url), "utf8")
+      .match(/assert_eq!\(hashes, \[([^\]]*)\]/)![1]!
+      .match(/[0-9a-f]{16}/g);
     const hashes = ["road-straight", "road-curve", "road-crossing", "road-narrow"].map((id) => planned(id).hash);
     expect(hashes).toEqual(held);
   });
@@ -44,7 +46,9 @@ describe("the planner of roads", () => {
     const { family, parameters } = planners().find(({ id }) => id === "cost-map")!;
     expect(family).toBe("road");
     for (const { title, doc, unit } of parameters) expect([title.en, title.zh, doc.en, doc.zh, unit]).not.toContain("");
-    expect(() => new Planner("cost-map", scenario("road-narrow"), { laneWeight: 9 })).toThrow("laneWeight: must be between 0 and 3, got 9");
+    expect(() => new Planner("cost-map", scenario("road-narrow"), { laneWeight: 9 })).toThrow(
+      "laneWeight: must be between 0 and 3, got 9",
+    );
   });
 });
 
@@ -52,10 +56,16 @@ describe("any path on a road", () => {
   test("has figures and a risk, in slices", () => {
     const scene = scenario("road-narrow");
     const plan = planned("road-narrow", PLAIN);
-    expect(roadFigures(scene, plan)).toMatchObject({ bodyClearanceMin: plan.metrics.bodyClearanceMin, curvatureVariation: plan.metrics.curvatureVariation });
+    expect(roadFigures(scene, plan)).toMatchObject({
+      bodyClearanceMin: plan.metrics.bodyClearanceMin,
+      curvatureVariation: plan.metrics.curvatureVariation,
+    });
     const whole = collisionRisk(scene, plan);
     expect(whole.hits).toBeGreaterThan(700);
-    const slices = [[0, 400], [400, 600]].map(([from, trials]) => collisionRisk(scene, { path: [...plan.path] }, { from: from!, trials: trials! }));
+    const slices = [
+      [0, 400],
+      [400, 600],
+    ].map(([from, trials]) => collisionRisk(scene, { path: [...plan.path] }, { from: from!, trials: trials! }));
     expect(slices.reduce((sum, slice) => sum + slice.hits, 0)).toBe(whole.hits);
     expect(collisionRisk(scene, planned("road-narrow"), { seed: 7 }).hits).toBeLessThan(10);
   });

@@ -26,16 +26,28 @@ function bench(initial: Partial<State> = {}): Bench & { draft: Draft | null } {
     draft: null,
     canvas: null,
     view: { camera: { x: 15, y: 10, scale: 20 }, width: 600, height: 400 },
-    show(draft) { this.draft = draft; },
+    show(draft) {
+      this.draft = draft;
+    },
     preview: (scene) => store.edit(scene, { transient: true }),
     commit: (scene, label) => store.edit(scene, { label }),
-    revert: () => { if (store.state.transient) store.undo(); },
+    revert: () => {
+      if (store.state.transient) store.undo();
+    },
     done: () => store.set({ tool: "select" }),
   };
 }
 
-const input = (x: number, y: number, more: Partial<Input> = {}): Input =>
-  ({ at: [x, y], pixel: [x * 20, -y * 20], trail: [[x, y]], shift: false, alt: false, ctrl: false, touch: false, ...more });
+const input = (x: number, y: number, more: Partial<Input> = {}): Input => ({
+  at: [x, y],
+  pixel: [x * 20, -y * 20],
+  trail: [[x, y]],
+  shift: false,
+  alt: false,
+  ctrl: false,
+  touch: false,
+  ...more,
+});
 
 function drag(tool: Tool, on: Bench, points: [number, number][], more: Partial<Input> = {}): void {
   tool.down?.(on, input(...points[0]!, more));
@@ -52,7 +64,11 @@ const steps = ({ store }: Bench): number => {
 describe("a drag", () => {
   it("moves the goal about its rear axle in one undo step", () => {
     const on = bench();
-    drag(new SelectTool(), on, [[16, 5], [17, 7], [19, 8.5]]);
+    drag(new SelectTool(), on, [
+      [16, 5],
+      [17, 7],
+      [19, 8.5],
+    ]);
     expect(goalPose(on.store.state.scene)).toEqual({ x: 17, y: 8.5, heading: 0 });
     expect(on.store.state.selection).toEqual({ kind: "goal" });
     expect(steps(on)).toBe(1);
@@ -60,7 +76,9 @@ describe("a drag", () => {
   });
 
   it("of the grip turns the goal, and snaps to 15 degrees unless Alt is held", () => {
-    const { goal, vehicle } = resolve(yard), grip = gripOf(goal, vehicle), far = Math.hypot(grip[0] - goal.x, grip[1] - goal.y);
+    const { goal, vehicle } = resolve(yard),
+      grip = gripOf(goal, vehicle),
+      far = Math.hypot(grip[0] - goal.x, grip[1] - goal.y);
     const turned = (angle: number, alt: boolean): number => {
       const on = bench();
       drag(new SelectTool(), on, [grip, [goal.x + far * Math.cos(angle), goal.y + far * Math.sin(angle)]], { alt });
@@ -73,7 +91,15 @@ describe("a drag", () => {
 
   it("with Alt leaves a copy", () => {
     const on = bench();
-    drag(new SelectTool(), on, [[20, 15], [22, 17]], { alt: true });
+    drag(
+      new SelectTool(),
+      on,
+      [
+        [20, 15],
+        [22, 17],
+      ],
+      { alt: true },
+    );
     const [first, second] = on.store.state.scene.obstacles as { center: [number, number] }[];
     expect(first!.center).toEqual([20, 15]);
     expect(second!.center).toEqual([22, 17]);
@@ -91,15 +117,43 @@ describe("a drag", () => {
   });
 
   it("brings the goal into the nearest free slot within 1.2 m and 35 degrees, either way round, and shows which", () => {
-    const bays = [21, 24, 27].map((x, i) => ({ id: `bay-${i}`, kind: "perpendicular" as const, x, y: 6, heading: -Math.PI / 2, width: 3, length: 6, occupied: i === 1 }));
-    let seed = 5, snapped = 0, missed = 0;
-    const random = (least: number, most: number): number => least + (most - least) * ((seed = (seed * 48_271) % 2_147_483_647) / 2_147_483_647);
+    const bays = [21, 24, 27].map((x, i) => ({
+      id: `bay-${i}`,
+      kind: "perpendicular" as const,
+      x,
+      y: 6,
+      heading: -Math.PI / 2,
+      width: 3,
+      length: 6,
+      occupied: i === 1,
+    }));
+    let seed = 5,
+      snapped = 0,
+      missed = 0;
+    const random = (least: number, most: number): number =>
+      least + (most - least) * ((seed = (seed * 48_271) % 2_147_483_647) / 2_147_483_647);
     for (let i = 0; i < 400; i++) {
       const at = { x: random(18, 29), y: random(-1, 8), heading: random(-Math.PI, Math.PI) };
-      const scene: Scene = { ...yard, slots: bays, goal: { ...at, x: at.x - 8 } }, on = bench({ scene });
-      const there = bays.filter((bay) => !bay.occupied).flatMap((bay) => (["reverse-in", "head-in"] as const).map((entry) => ({ slot: bay.id, entry, pose: poseInSlot(bay, entry, resolve(scene).vehicle) })))
-        .map((one) => ({ ...one, away: Math.hypot(one.pose.x - at.x, one.pose.y - at.y), turned: Math.abs(Math.atan2(Math.sin(one.pose.heading - at.heading), Math.cos(one.pose.heading - at.heading))) }))
-        .filter(({ away, turned }) => away <= 1.2 && turned <= (35 * Math.PI) / 180).sort((a, b) => a.away - b.away)[0];
+      const scene: Scene = { ...yard, slots: bays, goal: { ...at, x: at.x - 8 } },
+        on = bench({ scene });
+      const there = bays
+        .filter((bay) => !bay.occupied)
+        .flatMap((bay) =>
+          (["reverse-in", "head-in"] as const).map((entry) => ({
+            slot: bay.id,
+            entry,
+            pose: poseInSlot(bay, entry, resolve(scene).vehicle),
+          })),
+        )
+        .map((one) => ({
+          ...one,
+          away: Math.hypot(one.pose.x - at.x, one.pose.y - at.y),
+          turned: Math.abs(
+            Math.atan2(Math.sin(one.pose.heading - at.heading), Math.cos(one.pose.heading - at.heading)),
+          ),
+        }))
+        .filter(({ away, turned }) => away <= 1.2 && turned <= (35 * Math.PI) / 180)
+        .sort((a, b) => a.away - b.away)[0];
       const tool = new SelectTool();
       const moveTo = (ctrl: boolean): Scene => {
         tool.down(on, input(at.x - 8, at.y));
@@ -123,7 +177,10 @@ describe("a drag", () => {
   it("brings the goal to rest in a slot close by; a click puts it there at once", () => {
     const on = bench();
     const there = { slot: "bay", entry: "reverse-in" };
-    drag(new SelectTool(), on, [[25, 3], [25, 3]]);
+    drag(new SelectTool(), on, [
+      [25, 3],
+      [25, 3],
+    ]);
     expect(on.store.state.scene.goal).toEqual(there);
   });
 });
@@ -133,7 +190,16 @@ describe("the brush", () => {
     const on = bench();
     const tool = new BrushTool();
     tool.down(on, input(2, 18));
-    tool.move(on, input(28, 18, { trail: [[8, 19], [15, 17], [28, 18]] }));
+    tool.move(
+      on,
+      input(28, 18, {
+        trail: [
+          [8, 19],
+          [15, 17],
+          [28, 18],
+        ],
+      }),
+    );
     tool.up(on, input(28, 18));
     const cells = on.store.state.scene.obstacles!.find((o) => o.type === "cells")!;
     const columns = new Set(cells.runs.flatMap(([x, , count]) => Array.from({ length: count }, (_, i) => x + i)));
@@ -144,8 +210,15 @@ describe("the brush", () => {
 
   it("turned round takes cells and shapes away", () => {
     const on = bench();
-    drag(new BrushTool(), on, [[2, 18], [10, 18]]);
-    drag(new EraserTool(), on, [[1, 18], [11, 18], [20, 16.2]]);
+    drag(new BrushTool(), on, [
+      [2, 18],
+      [10, 18],
+    ]);
+    drag(new EraserTool(), on, [
+      [1, 18],
+      [11, 18],
+      [20, 16.2],
+    ]);
     expect(on.store.state.scene.obstacles).toEqual([]);
     expect(steps(on)).toBe(2);
   });
@@ -157,35 +230,73 @@ describe("corner by corner", () => {
   it("walls end with Enter", () => {
     const on = bench();
     const tool = new WallTool();
-    for (const [x, y] of [[1, 1], [3, 1], [3, 4]] as const) click(tool, on, x, y);
+    for (const [x, y] of [
+      [1, 1],
+      [3, 1],
+      [3, 4],
+    ] as const)
+      click(tool, on, x, y);
     expect(tool.confirm(on)).toBe(true);
-    expect(on.store.state.scene.obstacles!.at(-1)).toMatchObject({ type: "wall", points: [[1, 1], [3, 1], [3, 4]] });
+    expect(on.store.state.scene.obstacles!.at(-1)).toMatchObject({
+      type: "wall",
+      points: [
+        [1, 1],
+        [3, 1],
+        [3, 4],
+      ],
+    });
   });
 
   it("polygons close on their first corner and refuse one that would cross", () => {
     const on = bench();
     const tool = new PolygonTool();
-    for (const [x, y] of [[1, 1], [5, 1], [5, 4]] as const) click(tool, on, x, y);
+    for (const [x, y] of [
+      [1, 1],
+      [5, 1],
+      [5, 4],
+    ] as const)
+      click(tool, on, x, y);
     click(tool, on, 3, 0.25);
     expect(on.store.state.message).toEqual({ tone: "err", text: "This corner would cross an edge." });
     click(tool, on, 1, 4);
     click(tool, on, 1, 1);
-    expect(on.store.state.scene.obstacles!.at(-1)).toMatchObject({ type: "polygon", points: [[1, 1], [5, 1], [5, 4], [1, 4]] });
+    expect(on.store.state.scene.obstacles!.at(-1)).toMatchObject({
+      type: "polygon",
+      points: [
+        [1, 1],
+        [5, 1],
+        [5, 4],
+        [1, 4],
+      ],
+    });
     expect(on.store.state.tool).toBe("select");
   });
 });
 
 describe("a slot row", () => {
   it("lies where there is room for it and its aisle, and on the other side with Alt", () => {
-    const south = -Math.PI / 2, headings = (points: [number, number][], alt = false): number[] => {
-      const on = bench();
-      drag(new SlotTool(), on, points, { alt });
-      return [...new Set(on.store.state.scene.slots!.slice(1).map(({ heading }) => Math.round(heading * 1e6) / 1e6))];
-    };
+    const south = -Math.PI / 2,
+      headings = (points: [number, number][], alt = false): number[] => {
+        const on = bench();
+        drag(new SlotTool(), on, points, { alt });
+        return [...new Set(on.store.state.scene.slots!.slice(1).map(({ heading }) => Math.round(heading * 1e6) / 1e6))];
+      };
     const rounded = (angle: number): number => Math.round(angle * 1e6) / 1e6;
     // Along the upper wall the ground is below, whichever way one draws; along the lower one it is above.
-    for (const [y, away] of [[19.5, south], [0.5, -south]] as const) {
-      for (const points of [[[2, y], [14, y]], [[14, y], [2, y]]] as [number, number][][]) {
+    for (const [y, away] of [
+      [19.5, south],
+      [0.5, -south],
+    ] as const) {
+      for (const points of [
+        [
+          [2, y],
+          [14, y],
+        ],
+        [
+          [14, y],
+          [2, y],
+        ],
+      ] as [number, number][][]) {
         expect(headings(points)).toEqual([rounded(away)]);
         expect(headings(points, true)).toEqual([rounded(-away)]);
       }
@@ -194,7 +305,10 @@ describe("a slot row", () => {
 
   it("holds as many slots as its length gives, to the right of the drag", () => {
     const on = bench();
-    drag(new SlotTool(), on, [[2, 18], [18.1, 18]]);
+    drag(new SlotTool(), on, [
+      [2, 18],
+      [18.1, 18],
+    ]);
     const row = on.store.state.scene.slots!.slice(1);
     expect(row).toHaveLength(5);
     for (const slot of row) expect(slot.heading).toBeCloseTo(-Math.PI / 2, 9);

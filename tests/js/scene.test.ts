@@ -24,13 +24,45 @@ const frame: MapFrame = { origin: [-10, -5], width: 80, height: 60, resolution: 
 const scene: Scenario = model.ensureIds({
   version: 1,
   name: "yard",
-  map: { origin: [-10, -5], width: 80, height: 60, resolution: 0.25, boundary: [[-10, -5], [10, -5], [10, 10], [-10, 10]] },
+  map: {
+    origin: [-10, -5],
+    width: 80,
+    height: 60,
+    resolution: 0.25,
+    boundary: [
+      [-10, -5],
+      [10, -5],
+      [10, 10],
+      [-10, 10],
+    ],
+  },
   obstacles: [
-    { type: "polygon", id: "planter", points: [[1.1, 6.6], [4.3, 5.9], [5.8, 3.7]] },
-    { type: "wall", points: [[-9, 9], [-3.25, 8.5]], thickness: 0.2 },
+    {
+      type: "polygon",
+      id: "planter",
+      points: [
+        [1.1, 6.6],
+        [4.3, 5.9],
+        [5.8, 3.7],
+      ],
+    },
+    {
+      type: "wall",
+      points: [
+        [-9, 9],
+        [-3.25, 8.5],
+      ],
+      thickness: 0.2,
+    },
     { type: "rectangle", center: [6, 8], size: [4.4, 2], heading: Math.PI / 9 },
     { type: "car", pose: { x: -8, y: 0.5, heading: Math.PI / 2 }, vehicle: "sedan" },
-    { type: "cells", runs: [[40, 50, 6], [39, 51, 8]] },
+    {
+      type: "cells",
+      runs: [
+        [40, 50, 6],
+        [39, 51, 8],
+      ],
+    },
   ],
   slots: slotRow({ kind: "angled", width: 2.8, length: 5.4, angle: Math.PI / 4, lean: "right" }, [-9, -4], [9, -4]),
   vehicle: "paper",
@@ -44,11 +76,15 @@ const cellsOf = (runs: readonly Run[]): Set<string> =>
 function isConnected(cells: Set<string>): boolean {
   const [first] = cells;
   if (first === undefined) return true;
-  const seen = new Set([first]), queue = [first];
+  const seen = new Set([first]),
+    queue = [first];
   for (let cell = queue.pop(); cell !== undefined; cell = queue.pop()) {
     const [x, y] = cell.split(",").map(Number) as [number, number];
     for (const next of [`${x + 1},${y}`, `${x - 1},${y}`, `${x},${y + 1}`, `${x},${y - 1}`]) {
-      if (cells.has(next) && !seen.has(next)) { seen.add(next); queue.push(next); }
+      if (cells.has(next) && !seen.has(next)) {
+        seen.add(next);
+        queue.push(next);
+      }
     }
   }
   return seen.size === cells.size;
@@ -58,29 +94,43 @@ const inside = fc.tuple(fc.double({ min: -9, max: 9, noNaN: true }), fc.double({
 
 describe("brush strokes", () => {
   it("hold together along their sides, however far apart the pointer events are", () => {
-    fc.assert(fc.property(fc.array(inside, { minLength: 2, maxLength: 6 }), fc.double({ min: 0.01, max: 2, noNaN: true }), (points, radius) => {
-      const runs = points.slice(1).flatMap((to, i) => capsuleRuns(frame, points[i]!, to, radius));
-      expect(isConnected(cellsOf(runs))).toBe(true);
-    }));
+    fc.assert(
+      fc.property(
+        fc.array(inside, { minLength: 2, maxLength: 6 }),
+        fc.double({ min: 0.01, max: 2, noNaN: true }),
+        (points, radius) => {
+          const runs = points.slice(1).flatMap((to, i) => capsuleRuns(frame, points[i]!, to, radius));
+          expect(isConnected(cellsOf(runs))).toBe(true);
+        },
+      ),
+    );
   });
 
   it("cover exactly the cells whose centre is within the radius", () => {
-    fc.assert(fc.property(inside, inside, fc.double({ min: 0.2, max: 2, noNaN: true }), (a, b, radius) => {
-      const painted = cellsOf(capsuleRuns(frame, a, b, radius)), wrong: string[] = [];
-      for (let y = 0; y < frame.height; y++) {
-        for (let x = 0; x < frame.width; x++) {
-          const gap = distanceTo([-10 + (x + 0.5) * 0.25, -5 + (y + 0.5) * 0.25], a, b);
-          if (Math.abs(gap - radius) > 1e-6 && painted.has(`${x},${y}`) !== gap < radius) wrong.push(`${x},${y}`);
+    fc.assert(
+      fc.property(inside, inside, fc.double({ min: 0.2, max: 2, noNaN: true }), (a, b, radius) => {
+        const painted = cellsOf(capsuleRuns(frame, a, b, radius)),
+          wrong: string[] = [];
+        for (let y = 0; y < frame.height; y++) {
+          for (let x = 0; x < frame.width; x++) {
+            const gap = distanceTo([-10 + (x + 0.5) * 0.25, -5 + (y + 0.5) * 0.25], a, b);
+            if (Math.abs(gap - radius) > 1e-6 && painted.has(`${x},${y}`) !== gap < radius) wrong.push(`${x},${y}`);
+          }
         }
-      }
-      expect(wrong).toEqual([]);
-    }), { numRuns: 25 });
+        expect(wrong).toEqual([]);
+      }),
+      { numRuns: 25 },
+    );
   });
 
   it("spare the start and goal cars", () => {
     const painted = brushCells(scene, capsuleRuns(scene.map, [-9, 3], [9, 3], 1), "add");
     const cells = painted.obstacles!.find((o) => o.type === "cells")!;
-    for (const [x, y] of [[-4, 3], [-2, 3.5], [0, 2.2]] as Point[]) {
+    for (const [x, y] of [
+      [-4, 3],
+      [-2, 3.5],
+      [0, 2.2],
+    ] as Point[]) {
       const key = `${Math.floor((x + 10) / 0.25)},${Math.floor((y + 5) / 0.25)}`;
       expect(cellsOf(cells.runs).has(key)).toBe(false);
     }
@@ -88,35 +138,45 @@ describe("brush strokes", () => {
   });
 
   it("are taken back by the same stroke of the eraser", () => {
-    const stroke = capsuleRuns(frame, [-3, -2], [5, 6], 0.6), dot = capsuleRuns(frame, [1, 1], [1, 1], 1);
+    const stroke = capsuleRuns(frame, [-3, -2], [5, 6], 0.6),
+      dot = capsuleRuns(frame, [1, 1], [1, 1], 1);
     expect(subtractRuns(unionRuns(stroke, dot), stroke)).toEqual(subtractRuns(dot, stroke));
     expect(subtractRuns(stroke, stroke)).toEqual([]);
   });
 });
 
 describe("painted cells", () => {
-  const weights = (of: Scenario): Map<string, number> => new Map((of.costs ?? []).flatMap(({ runs, weight }) => [...cellsOf(runs)].map((cell) => [cell, weight] as const)));
+  const weights = (of: Scenario): Map<string, number> =>
+    new Map((of.costs ?? []).flatMap(({ runs, weight }) => [...cellsOf(runs)].map((cell) => [cell, weight] as const)));
 
   it("have the weight of the last stroke over them, each in one area, and an area for each weight", () => {
-    const stroke = fc.tuple(inside, inside, fc.double({ min: 0.2, max: 2, noNaN: true }), fc.integer({ min: 1, max: 10 }));
-    fc.assert(fc.property(fc.array(stroke, { maxLength: 8 }), (strokes) => {
-      const wanted = new Map<string, number>();
-      const painted = strokes.reduce((before, [from, to, radius, weight]) => {
-        const runs = capsuleRuns(frame, from, to, radius);
-        for (const cell of cellsOf(runs)) weight > 1 ? wanted.set(cell, weight) : wanted.delete(cell);
-        return paintCosts(before, runs, weight);
-      }, scene);
-      expect(weights(painted)).toEqual(wanted);
-      const areas = painted.costs ?? [];
-      expect(areas.reduce((sum, { runs }) => sum + countCells(runs), 0)).toBe(wanted.size);
-      expect(new Set(areas.map(({ weight }) => weight)).size).toBe(areas.length);
-      expect(new Set(areas.map(({ id }) => id)).size).toBe(areas.length);
-      expect("costs" in painted).toBe(areas.length > 0);
-    }));
+    const stroke = fc.tuple(
+      inside,
+      inside,
+      fc.double({ min: 0.2, max: 2, noNaN: true }),
+      fc.integer({ min: 1, max: 10 }),
+    );
+    fc.assert(
+      fc.property(fc.array(stroke, { maxLength: 8 }), (strokes) => {
+        const wanted = new Map<string, number>();
+        const painted = strokes.reduce((before, [from, to, radius, weight]) => {
+          const runs = capsuleRuns(frame, from, to, radius);
+          for (const cell of cellsOf(runs)) weight > 1 ? wanted.set(cell, weight) : wanted.delete(cell);
+          return paintCosts(before, runs, weight);
+        }, scene);
+        expect(weights(painted)).toEqual(wanted);
+        const areas = painted.costs ?? [];
+        expect(areas.reduce((sum, { runs }) => sum + countCells(runs), 0)).toBe(wanted.size);
+        expect(new Set(areas.map(({ weight }) => weight)).size).toBe(areas.length);
+        expect(new Set(areas.map(({ id }) => id)).size).toBe(areas.length);
+        expect("costs" in painted).toBe(areas.length > 0);
+      }),
+    );
   });
 
   it("change nothing twice, are told by cell, and change weight as a whole", () => {
-    const runs = capsuleRuns(frame, [0, 0], [4, 0], 1), once = paintCosts(scene, runs, 5);
+    const runs = capsuleRuns(frame, [0, 0], [4, 0], 1),
+      once = paintCosts(scene, runs, 5);
     expect(paintCosts(once, runs, 5)).toBe(once);
     expect(paintCosts(scene, runs, 1)).toBe(scene);
     expect(weightAt(once, 20 * 80 + 44)).toBe(5);
@@ -136,7 +196,8 @@ describe("painted cells", () => {
   });
 
   it("move by whole cells and go by their ids", () => {
-    const painted = paintCosts(scene, [[10, 10, 4]], 5), id = painted.costs![0]!.id!;
+    const painted = paintCosts(scene, [[10, 10, 4]], 5),
+      id = painted.costs![0]!.id!;
     expect(moveThings(painted, [id], 0.5, 0.25).costs![0]!.runs).toEqual([[12, 11, 4]]);
     expect(removeThings(painted, [id]).costs).toBeUndefined();
   });
@@ -151,7 +212,9 @@ describe("a car's front wheels", () => {
 });
 
 function distanceTo([x, y]: Point, [ax, ay]: Point, [bx, by]: Point): number {
-  const dx = bx - ax, dy = by - ay, along = dx * dx + dy * dy;
+  const dx = bx - ax,
+    dy = by - ay,
+    along = dx * dx + dy * dy;
   const t = along === 0 ? 0 : Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / along));
   return Math.hypot(x - ax - t * dx, y - ay - t * dy);
 }
@@ -195,11 +258,26 @@ describe("edits", () => {
     const edits: ((s: Scenario) => Scenario)[] = [
       (s) => model.moveStart(s, { x: 1, y: 2, heading: 7 }),
       (s) => model.moveGoal(s, { x: 1, y: 2, heading: 3 }),
-      (s) => model.addObstacle(s, { type: "wall", points: [[0, 0], [1, 1]] }).scene,
+      (s) =>
+        model.addObstacle(s, {
+          type: "wall",
+          points: [
+            [0, 0],
+            [1, 1],
+          ],
+        }).scene,
       (s) => moveThings(s, ["planter"], 1, -1),
       (s) => turnThings(s, ["rectangle-1"], 0.3),
       (s) => removeObstacle(s, "car-1"),
-      (s) => brushCells(s, [[0, 0, 80], [3, 1, 2]], "add"),
+      (s) =>
+        brushCells(
+          s,
+          [
+            [0, 0, 80],
+            [3, 1, 2],
+          ],
+          "add",
+        ),
       (s) => brushCells(s, [[0, 50, 80]], "erase"),
       (s) => model.updateSlot(s, "slot-1", { occupied: true }),
       (s) => model.setGoalFromSlot(s, "slot-1"),
@@ -217,7 +295,14 @@ describe("edits", () => {
   });
 
   it("give every object an id of its own", () => {
-    const twins = model.ensureIds({ ...scene, obstacles: [{ type: "wall", id: "w", points: [] }, { type: "wall", id: "w", points: [] }, { type: "wall", points: [] }] });
+    const twins = model.ensureIds({
+      ...scene,
+      obstacles: [
+        { type: "wall", id: "w", points: [] },
+        { type: "wall", id: "w", points: [] },
+        { type: "wall", points: [] },
+      ],
+    });
     expect(new Set(twins.obstacles!.map((o) => o.id)).size).toBe(3);
   });
 
@@ -234,16 +319,71 @@ function freeze<T>(value: T): T {
 
 describe("polygons", () => {
   it("that cross themselves are told from those that do not", () => {
-    expect(crossesItself([[0, 0], [4, 0], [4, 4], [0, 4]])).toBe(false);
-    expect(crossesItself([[0, 0], [4, 4], [4, 0], [0, 4]])).toBe(true);
-    expect(crossesItself([[0, 0], [4, 0], [2, 0], [2, 4]])).toBe(true);
-    expect(crossesItself([[0, 0], [4, 0], [2, 0.5], [4, 4]])).toBe(false);
+    expect(
+      crossesItself([
+        [0, 0],
+        [4, 0],
+        [4, 4],
+        [0, 4],
+      ]),
+    ).toBe(false);
+    expect(
+      crossesItself([
+        [0, 0],
+        [4, 4],
+        [4, 0],
+        [0, 4],
+      ]),
+    ).toBe(true);
+    expect(
+      crossesItself([
+        [0, 0],
+        [4, 0],
+        [2, 0],
+        [2, 4],
+      ]),
+    ).toBe(true);
+    expect(
+      crossesItself([
+        [0, 0],
+        [4, 0],
+        [2, 0.5],
+        [4, 4],
+      ]),
+    ).toBe(false);
   });
 
   it("refuse a corner whose edge would cross, and one that folds back", () => {
-    expect(canExtend([[0, 0], [4, 0], [4, 4]], [2, -2])).toBe(false);
-    expect(canExtend([[0, 0], [4, 0], [4, 4]], [4, 2])).toBe(false);
-    expect(canExtend([[0, 0], [4, 0], [4, 4]], [0, 4])).toBe(true);
+    expect(
+      canExtend(
+        [
+          [0, 0],
+          [4, 0],
+          [4, 4],
+        ],
+        [2, -2],
+      ),
+    ).toBe(false);
+    expect(
+      canExtend(
+        [
+          [0, 0],
+          [4, 0],
+          [4, 4],
+        ],
+        [4, 2],
+      ),
+    ).toBe(false);
+    expect(
+      canExtend(
+        [
+          [0, 0],
+          [4, 0],
+          [4, 4],
+        ],
+        [0, 4],
+      ),
+    ).toBe(true);
   });
 });
 
@@ -251,12 +391,14 @@ describe("the camera", () => {
   const view = { camera: { x: 3, y: -2, scale: 17.5 }, width: 560, height: 300 };
 
   it("turns pixels into metres and back", () => {
-    fc.assert(fc.property(inside, ([x, y]) => {
-      const [u, v] = worldToScreen(view, x, y);
-      const [p, q] = screenToWorld(view, u, v);
-      expect(p).toBeCloseTo(x, 9);
-      expect(q).toBeCloseTo(y, 9);
-    }));
+    fc.assert(
+      fc.property(inside, ([x, y]) => {
+        const [u, v] = worldToScreen(view, x, y);
+        const [p, q] = screenToWorld(view, u, v);
+        expect(p).toBeCloseTo(x, 9);
+        expect(q).toBeCloseTo(y, 9);
+      }),
+    );
   });
 
   it("holds the point under the pointer while it zooms", () => {
@@ -293,8 +435,14 @@ describe("scenes of very many cells", () => {
   const runs = Array.from({ length: 900 }, (_, i): Run => [(i % 3) * 10, Math.floor(i / 3), 4]);
 
   it("change only in the rows that are touched", () => {
-    const cells: Run[] = [[2, 100, 20], [5, 101, 1]];
-    for (const [change, small] of [[unionRuns(runs, cells), unionRuns], [subtractRuns(runs, cells), subtractRuns]] as const) {
+    const cells: Run[] = [
+      [2, 100, 20],
+      [5, 101, 1],
+    ];
+    for (const [change, small] of [
+      [unionRuns(runs, cells), unionRuns],
+      [subtractRuns(runs, cells), subtractRuns],
+    ] as const) {
       const row = (list: readonly Run[], y: number): Run[] => list.filter((run) => run[1] === y);
       expect(row(change, 100)).toEqual(small(row(runs, 100), cells.slice(0, 1)));
       expect(change.find((run) => run[1] === 99)).toBe(runs.find((run) => run[1] === 99));
@@ -309,7 +457,9 @@ describe("scenes of very many cells", () => {
     let made = 0;
     const pack = (): string => `text ${++made}`;
     expect(forPlanners(vast, pack).obstacles).toEqual([{ type: "cells", id: "cells-1", runs: "text 1" }]);
-    expect(forPlanners({ ...vast, start: scene.goal as typeof scene.start }, pack).obstacles).toEqual([{ type: "cells", id: "cells-1", runs: "text 1" }]);
+    expect(forPlanners({ ...vast, start: scene.goal as typeof scene.start }, pack).obstacles).toEqual([
+      { type: "cells", id: "cells-1", runs: "text 1" },
+    ]);
     expect(withoutCells(vast).obstacles).toEqual([{ type: "cells", id: "cells-1", runs: [] }]);
     expect(forPlanners(scene, pack)).toBe(scene);
     expect(fitsLink(vast)).toBe(true);
@@ -321,11 +471,43 @@ describe("a link", () => {
     const scene: Scenario = {
       version: 1,
       map: { origin: [0, 0], width: 200, height: 40, resolution: 0.5 },
-      obstacles: [], slots: [],
-      moving: [{ id: "walker", points: [[1, 2], [30, 12.5]], size: [0.6, 0.5], speed: 1.2, start: 2 }],
-      lanes: [{ id: "road", start: { x: 0, y: 5, heading: 0.123456 }, pieces: [{ length: 60, curvature: 0 }, { length: 30.5, curvature: -0.012345 }], width: 3.5 }],
-      speedLimits: [{ points: [[0, 0], [10, 0], [10, 10]], speed: 8.33 }],
-      start: { x: 5, y: 5, heading: 0 }, goal: { x: 90, y: 10, heading: 0 },
+      obstacles: [],
+      slots: [],
+      moving: [
+        {
+          id: "walker",
+          points: [
+            [1, 2],
+            [30, 12.5],
+          ],
+          size: [0.6, 0.5],
+          speed: 1.2,
+          start: 2,
+        },
+      ],
+      lanes: [
+        {
+          id: "road",
+          start: { x: 0, y: 5, heading: 0.123456 },
+          pieces: [
+            { length: 60, curvature: 0 },
+            { length: 30.5, curvature: -0.012345 },
+          ],
+          width: 3.5,
+        },
+      ],
+      speedLimits: [
+        {
+          points: [
+            [0, 0],
+            [10, 0],
+            [10, 10],
+          ],
+          speed: 8.33,
+        },
+      ],
+      start: { x: 5, y: 5, heading: 0 },
+      goal: { x: 90, y: 10, heading: 0 },
     };
     const back = await decodeScene(await encodeScene(scene));
     expect([back.moving, back.lanes, back.speedLimits]).toEqual([scene.moving, scene.lanes, scene.speedLimits]);

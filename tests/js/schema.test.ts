@@ -40,7 +40,18 @@ describe("the published schema", () => {
       { ...scene, map: { ...scene.map, resolution: -1 } },
       { ...scene, vehicle: "truck" },
       { ...scene, goal: { slot: "slot-1", entry: "sideways" } },
-      { ...scene, obstacles: [{ type: "polygon", points: [[0, 0], [1, 1]] }] },
+      {
+        ...scene,
+        obstacles: [
+          {
+            type: "polygon",
+            points: [
+              [0, 0],
+              [1, 1],
+            ],
+          },
+        ],
+      },
       { ...scene, obstacles: [{ type: "hole" }] },
       { ...scene, slots: [{ ...scene.slots![0], width: 0 }] },
       { ...scene, costs: [{ runs: [[0, 0, 1]], weight: 11 }] },

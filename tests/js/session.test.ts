@@ -26,8 +26,12 @@ describe("a planner used again", () => {
       const planner = new Planner(id, scene);
       const route = planner.search(scene.start, goalOf("trap-60"));
       const plan = planner.plan();
-      expect([route.outcome, route.costMicro, route.expanded, route.generated]).toEqual(
-        [plan.outcome, plan.stats.costMicro, plan.stats.expanded, plan.stats.generated]);
+      expect([route.outcome, route.costMicro, route.expanded, route.generated]).toEqual([
+        plan.outcome,
+        plan.stats.costMicro,
+        plan.stats.expanded,
+        plan.stats.generated,
+      ]);
       expect(route.path).toEqual(plan.rawPath);
       expect(planner.search({ x: -9, y: 0 }, scene.start).outcome).toBe("start-outside");
       expect(() => planner.search({ x: 0, y: Number.NaN }, scene.start)).toThrow(/start\.y/);
@@ -64,19 +68,34 @@ describe("a planner used again", () => {
 /** Long searches: no way through noise, and a tight slot. */
 function slow(): Map<PlannerId, Scenario> {
   const noise = generateScenario({ family: "random", size: 400, seed: 7, densityPermille: 250, blockMax: 1 });
-  const wall: Scenario = { ...noise, obstacles: [...noise.obstacles!, { type: "cells", runs: Array.from({ length: 400 }, (_, y) => [300, y, 1]) }] };
+  const wall: Scenario = {
+    ...noise,
+    obstacles: [...noise.obstacles!, { type: "cells", runs: Array.from({ length: 400 }, (_, y) => [300, y, 1]) }],
+  };
   const tight: Scenario = { ...scenario("par-8.0"), planners: { hybrid: { maxExpansions: 1500 } } };
-  return new Map([["eight", wall], ["risk-field", wall], ["hybrid", tight]]);
+  return new Map([
+    ["eight", wall],
+    ["risk-field", wall],
+    ["hybrid", tight],
+  ]);
 }
 
-describe.each([["parkade", { Planner }], ["parkade/core", core]])("a plan's progress, in %s", (_, api) => {
+describe.each([
+  ["parkade", { Planner }],
+  ["parkade/core", core],
+])("a plan's progress, in %s", (_, api) => {
   it("is told at fixed counts and at the search's end, of a plan that stays the same", () => {
     for (const [id, scene] of slow()) {
-      const every = id === "hybrid" ? 256 : 16_384, planner = new api.Planner(id, scene), told: number[] = [];
+      const every = id === "hybrid" ? 256 : 16_384,
+        planner = new api.Planner(id, scene),
+        told: number[] = [];
       const plan = planner.plan({ onProgress: (expansions) => told.push(expansions) });
       expect(told.length).toBeGreaterThan(2);
       const { expanded } = plan.stats;
-      expect(told).toEqual([...Array.from({ length: Math.floor(expanded / every) }, (_, k) => every * (k + 1)), expanded]);
+      expect(told).toEqual([
+        ...Array.from({ length: Math.floor(expanded / every) }, (_, k) => every * (k + 1)),
+        expanded,
+      ]);
       expect(planner.plan({ onProgress: undefined }).hash).toBe(plan.hash);
       planner.free();
     }
@@ -84,12 +103,19 @@ describe.each([["parkade", { Planner }], ["parkade/core", core]])("a plan's prog
 
   it("ends where its function throws: the same error comes out, and the planner plans on", () => {
     for (const [id, scene] of slow()) {
-      const planner = new api.Planner(id, scene), own = planner.plan().hash, error = new RangeError("enough");
+      const planner = new api.Planner(id, scene),
+        own = planner.plan().hash,
+        error = new RangeError("enough");
       for (const thrown of [error, undefined]) {
         let times = 0;
         const caught = ((): unknown => {
           try {
-            return planner.plan({ onProgress: () => { times++; throw thrown; } });
+            return planner.plan({
+              onProgress: () => {
+                times++;
+                throw thrown;
+              },
+            });
           } catch (reason) {
             return { reason };
           }
@@ -103,15 +129,26 @@ describe.each([["parkade", { Planner }], ["parkade/core", core]])("a plan's prog
   });
 
   it("cannot use its own planner, but others", () => {
-    const tight = slow().get("hybrid")!, planner = new api.Planner("hybrid", tight), own = planner.plan().hash;
-    const other = new api.Planner("eight", scenario("perpendicular")), outcomes = new Set<string>();
+    const tight = slow().get("hybrid")!,
+      planner = new api.Planner("hybrid", tight),
+      own = planner.plan().hash;
+    const other = new api.Planner("eight", scenario("perpendicular")),
+      outcomes = new Set<string>();
     for (const use of [() => planner.plan(), () => planner.layer("occupancy"), () => planner.free()]) {
-      expect(() => planner.plan({ onProgress: use })).toThrow(expect.objectContaining({ name: "ParkadeError", code: "bad-input", message: expect.stringContaining("is planning") }));
+      expect(() => planner.plan({ onProgress: use })).toThrow(
+        expect.objectContaining({
+          name: "ParkadeError",
+          code: "bad-input",
+          message: expect.stringContaining("is planning"),
+        }),
+      );
     }
     const plan = planner.plan({ onProgress: () => outcomes.add(other.plan().outcome) });
     expect([plan.hash, [...outcomes]]).toEqual([own, ["found"]]);
     for (const wrong of [null, 1, "log", {}]) {
-      expect(() => planner.plan({ onProgress: wrong as never })).toThrow(expect.objectContaining({ code: "bad-input", path: "onProgress" }));
+      expect(() => planner.plan({ onProgress: wrong as never })).toThrow(
+        expect.objectContaining({ code: "bad-input", path: "onProgress" }),
+      );
     }
   });
 });

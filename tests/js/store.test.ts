@@ -77,7 +77,19 @@ describe("undo", () => {
 
   it("drops the selection of what undo removes", () => {
     const store = createStore({});
-    const scene: Scene = { ...store.state.scene, obstacles: [{ type: "wall", id: "wall1", points: [[0, 0], [1, 0]] }] };
+    const scene: Scene = {
+      ...store.state.scene,
+      obstacles: [
+        {
+          type: "wall",
+          id: "wall1",
+          points: [
+            [0, 0],
+            [1, 0],
+          ],
+        },
+      ],
+    };
     store.edit(scene);
     store.set({ selection: { kind: "obstacle", id: "wall1" } });
     store.undo();
@@ -102,7 +114,8 @@ describe("a scene that is opened", () => {
   it("is counted, also when undo and redo come to it, and edits are not", () => {
     const store = createStore({});
     const count = () => store.state.opened;
-    const first = store.state.scene, other = at(first, 9);
+    const first = store.state.scene,
+      other = at(first, 9);
     store.edit(at(first, 1));
     store.edit(at(first, 2), { transient: true });
     store.edit(at(first, 3));

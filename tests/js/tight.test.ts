@@ -2,16 +2,33 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
 import { INK, SCALES } from "../bench/heat_map.mjs";
-import { figureOf, fileOf, kindTable, leastSolved, magnitude, mapTable, shortTable, withBlock } from "../bench/tight_figures.mjs";
+import {
+  figureOf,
+  fileOf,
+  kindTable,
+  leastSolved,
+  magnitude,
+  mapTable,
+  shortTable,
+  withBlock,
+} from "../bench/tight_figures.mjs";
 import type { Tight } from "../bench/tight_figures.mjs";
 
 const read = (path: string): string => readFileSync(new URL(`../../${path}`, import.meta.url), "utf8");
 const data = JSON.parse(read("tests/data/tight-maps.json")) as Tight;
 const page = read("docs/planners/how-tight.md");
 
-interface Text { x: number; y: number; text: string }
-const textsOf = (svg: string): Text[] => [...svg.matchAll(/<text x="([\d.]+)" y="(\d+)"[^>]*>([^<]*)<\/text>/g)]
-  .map(([, x, y, text]) => ({ x: Number(x), y: Number(y), text: text! }));
+interface Text {
+  x: number;
+  y: number;
+  text: string;
+}
+const textsOf = (svg: string): Text[] =>
+  [...svg.matchAll(/<text x="([\d.]+)" y="(\d+)"[^>]*>([^<]*)<\/text>/g)].map(([, x, y, text]) => ({
+    x: Number(x),
+    y: Number(y),
+    text: text!,
+  }));
 
 test.each(data.maps)("the figure of $family for the $vehicle is drawn from its data", (map) => {
   const svg = read(`docs/public/figures/${fileOf(map)}`);
@@ -28,11 +45,19 @@ test.each(data.maps)("each number over $family for the $vehicle stands where its
   const below = texts.filter((one) => isSize(one) && one.x > 62);
   const cells = texts.filter(({ text }) => /^(\d+|–)$/.test(text));
   expect([left.length, below.length]).toEqual([map.y.length, map.x.length].map((n) => 2 * n));
-  const [solved, changes] = [0, 1].map((panel) => map.y.map((up, j) => map.x.map((along, i) => {
-    const row = left[panel * map.y.length + j]!, column = below[panel * map.x.length + i]!;
-    expect([row.text, column.text]).toEqual([up.toFixed(1), along.toFixed(1)]);
-    return cells.filter(({ x, y }) => x === column.x && y === row.y).map(({ text }) => text).join(" and ");
-  })));
+  const [solved, changes] = [0, 1].map((panel) =>
+    map.y.map((up, j) =>
+      map.x.map((along, i) => {
+        const row = left[panel * map.y.length + j]!,
+          column = below[panel * map.x.length + i]!;
+        expect([row.text, column.text]).toEqual([up.toFixed(1), along.toFixed(1)]);
+        return cells
+          .filter(({ x, y }) => x === column.x && y === row.y)
+          .map(({ text }) => text)
+          .join(" and ");
+      }),
+    ),
+  );
   expect(solved).toEqual(map.cells.map((row) => row.map(([count]) => String(Math.round((count / data.count) * 100)))));
   expect(changes).toEqual(map.cells.map((row) => row.map(([, , median]) => (median === null ? "–" : String(median)))));
 });
@@ -53,20 +78,47 @@ test("a size without a path has no gear changes, and outcomes add up to the scen
 });
 
 test("the page's tables say what the data say; times are orders of magnitude", () => {
-  const times = [...page.matchAll(/\| ([^|]*) \|\n/g)].map(([, last]) => last!).filter((last) => last.startsWith("about "));
+  const times = [...page.matchAll(/\| ([^|]*) \|\n/g)]
+    .map(([, last]) => last!)
+    .filter((last) => last.startsWith("about "));
   expect(times).toHaveLength(data.maps.length);
   for (const time of times) expect(time).toMatch(/^about (1|10|100) (ms|s)$/);
   const left = [...times];
-  expect(withBlock(page, "maps", mapTable(data, () => left.shift()!))).toBe(page);
+  expect(
+    withBlock(
+      page,
+      "maps",
+      mapTable(data, () => left.shift()!),
+    ),
+  ).toBe(page);
   expect(withBlock(page, "kinds", kindTable(data))).toBe(page);
   expect(withBlock(page, "short", shortTable(data))).toBe(page);
-  expect([0.4, 8, 31, 32, 900].map(magnitude)).toEqual(["about 1 ms", "about 10 ms", "about 10 ms", "about 100 ms", "about 1 s"]);
+  expect([0.4, 8, 31, 32, 900].map(magnitude)).toEqual([
+    "about 1 ms",
+    "about 10 ms",
+    "about 10 ms",
+    "about 100 ms",
+    "about 1 s",
+  ]);
   expect(() => withBlock(page, "nothing", "")).toThrow("the page has no block nothing");
 });
 
 test("the least size is the one from which on no scene is left unsolved", () => {
-  const cells = [[2, 1, 2, 2], [0, 2, 2, 2], [0, 0, 0, 2], [0, 0, 0, 1]].map((row) => row.map((solved) => [solved, 0, null] as [number, number, null]));
-  const map = { family: "kerb", vehicle: "sedan", length: 4.7, width: 1.9, x: [0.3, 0.5, 0.7, 0.9], y: [4, 5, 6, 7], cells };
+  const cells = [
+    [2, 1, 2, 2],
+    [0, 2, 2, 2],
+    [0, 0, 0, 2],
+    [0, 0, 0, 1],
+  ].map((row) => row.map((solved) => [solved, 0, null] as [number, number, null]));
+  const map = {
+    family: "kerb",
+    vehicle: "sedan",
+    length: 4.7,
+    width: 1.9,
+    x: [0.3, 0.5, 0.7, 0.9],
+    y: [4, 5, 6, 7],
+    cells,
+  };
   expect([4, 5, 6, 7].map((up) => leastSolved(map, 2, up))).toEqual([0.7, 0.5, 0.9, null]);
   expect(leastSolved(map, 2, null)).toBe(null);
   expect(leastSolved({ ...map, cells: cells.map((row) => row.map(() => [2, 0, 1])) }, 2, null)).toBe(0.3);
@@ -75,14 +127,20 @@ test("the least size is the one from which on no scene is left unsolved", () => 
 /** WCAG's contrast of two colours. */
 function contrast(...colours: [string, string]): number {
   const light = colours.map((colour) => {
-    const [r, g, b] = [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16) / 255).map((c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));
+    const [r, g, b] = [1, 3, 5]
+      .map((at) => parseInt(colour.slice(at, at + 2), 16) / 255)
+      .map((c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));
     return 0.2126 * r! + 0.7152 * g! + 0.0722 * b! + 0.05;
   });
   return Math.max(...light) / Math.min(...light);
 }
 
 test("numbers and axes can be read in either scheme", () => {
-  const pairs = [...Object.values(SCALES).flatMap(({ light, dark }) => [...light, ...dark]), [INK.light, "#ffffff"], [INK.dark, "#1b1b1f"]] as [string, string][];
+  const pairs = [
+    ...Object.values(SCALES).flatMap(({ light, dark }) => [...light, ...dark]),
+    [INK.light, "#ffffff"],
+    [INK.dark, "#1b1b1f"],
+  ] as [string, string][];
   expect(pairs).toHaveLength(26);
   for (const [fill, text] of pairs) expect(contrast(fill, text), `${text} on ${fill}`).toBeGreaterThanOrEqual(4.5);
 });

@@ -64,7 +64,10 @@ test("init loads once, and again only after it failed", async () => {
   raw.initSync.mockImplementationOnce(() => {
     throw new Error("no room");
   });
-  await expect(Promise.all([init(), init()])).rejects.toMatchObject({ code: "internal", message: expect.stringContaining("no room") });
+  await expect(Promise.all([init(), init()])).rejects.toMatchObject({
+    code: "internal",
+    message: expect.stringContaining("no room"),
+  });
   expect(raw.initSync).toHaveBeenCalledTimes(1);
   await Promise.all([init(), init()]);
   await init();

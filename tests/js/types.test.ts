@@ -9,7 +9,8 @@ import type { Goal, GoalSet, HybridPlannerId, Plan, PlannerId, PlannerSettings, 
 import { declared, schemaOf } from "./declared.mjs";
 
 const here = (path: string): string => fileURLToPath(new URL(`../../${path}`, import.meta.url));
-const WHOLE = here("src/wasm/npm/index.d.ts"), CORE = here("src/wasm/npm/core/index.d.ts");
+const WHOLE = here("src/wasm/npm/index.d.ts"),
+  CORE = here("src/wasm/npm/core/index.d.ts");
 
 type Function = (...args: unknown[]) => unknown;
 
@@ -19,14 +20,29 @@ class Watched {
   readonly rules: Record<string, ValidateFunction>;
   readonly answers: Record<string, string>;
 
-  constructor(readonly api: Record<string, unknown>, file: string, ids: readonly string[]) {
+  constructor(
+    readonly api: Record<string, unknown>,
+    file: string,
+    ids: readonly string[],
+  ) {
     this.answers = declared(file).answers;
     const types = Object.entries(this.answers).flatMap(([name, type]) =>
-      /\bId\b/.test(type) ? ids.map((id) => [`${name}:${id}`, type.replaceAll(/\bId\b/g, JSON.stringify(id))]) : [[name, type]]);
-    const { properties, definitions = {} } = schemaOf(file, Object.fromEntries(types) as Record<string, string>) as { properties: Record<string, object>; definitions?: object };
+      /\bId\b/.test(type)
+        ? ids.map((id) => [`${name}:${id}`, type.replaceAll(/\bId\b/g, JSON.stringify(id))])
+        : [[name, type]],
+    );
+    const { properties, definitions = {} } = schemaOf(file, Object.fromEntries(types) as Record<string, string>) as {
+      properties: Record<string, object>;
+      definitions?: object;
+    };
     const ajv = new Ajv({ allErrors: true, allowUnionTypes: true });
-    ajv.addKeyword({ keyword: "typedArray", validate: (name: string, data: unknown) => Object.prototype.toString.call(data) === `[object ${name}]` });
-    this.rules = Object.fromEntries(Object.entries(properties).map(([name, schema]) => [name, ajv.compile({ ...schema, definitions })]));
+    ajv.addKeyword({
+      keyword: "typedArray",
+      validate: (name: string, data: unknown) => Object.prototype.toString.call(data) === `[object ${name}]`,
+    });
+    this.rules = Object.fromEntries(
+      Object.entries(properties).map(([name, schema]) => [name, ajv.compile({ ...schema, definitions })]),
+    );
   }
 
   /** The answer, once it is found to be of its type. */
@@ -44,10 +60,21 @@ class Watched {
   }
 
   /** Everything that a planner answers. */
-  planner(id: string, scene: unknown, config: object = {}): { plan(options?: object): Plan; call(method: string, ...args: unknown[]): unknown; free(): void } {
+  planner(
+    id: string,
+    scene: unknown,
+    config: object = {},
+  ): { plan(options?: object): Plan; call(method: string, ...args: unknown[]): unknown; free(): void } {
     const made = new (this.api["Planner"] as new (...args: unknown[]) => Record<string, Function>)(id, scene, config);
-    const call = (method: string, ...args: unknown[]): unknown => this.check(`Planner.${method}`, made[method]!(...args), id);
-    return { call, plan: (options) => call("plan", options) as Plan, free: () => { made["free"]!(); } };
+    const call = (method: string, ...args: unknown[]): unknown =>
+      this.check(`Planner.${method}`, made[method]!(...args), id);
+    return {
+      call,
+      plan: (options) => call("plan", options) as Plan,
+      free: () => {
+        made["free"]!();
+      },
+    };
   }
 
   unseen(): string[] {
@@ -59,47 +86,120 @@ const scene = (id: string): Scenario<Goal> => parkade.scenario(id);
 
 /** Scenes that fail, each in its way. */
 function failing(): Record<string, [PlannerId, Scenario, object?]> {
-  const lot = scene("perpendicular"), wall = { type: "rectangle" as const, size: [3, 3] as [number, number] };
+  const lot = scene("perpendicular"),
+    wall = { type: "rectangle" as const, size: [3, 3] as [number, number] };
   const at = (where: "start" | "goal"): Scenario => {
     const { [where]: pose } = parkade.sceneGeometry(lot);
     return { ...lot, obstacles: [...(lot.obstacles ?? []), { ...wall, center: [pose.x, pose.y] }] };
   };
   const far = { x: 1e4, y: 1e4, heading: 0 };
   const walled: Scenario = {
-    version: 1, map: { origin: [0, 0], width: 60, height: 30, resolution: 0.5 }, vehicle: "sedan",
-    obstacles: [{ type: "wall", points: [[15, 0], [15, 15]], thickness: 0.2 }],
-    start: { x: 6, y: 7, heading: 0 }, goal: { x: 24, y: 7, heading: 0 },
+    version: 1,
+    map: { origin: [0, 0], width: 60, height: 30, resolution: 0.5 },
+    vehicle: "sedan",
+    obstacles: [
+      {
+        type: "wall",
+        points: [
+          [15, 0],
+          [15, 15],
+        ],
+        thickness: 0.2,
+      },
+    ],
+    start: { x: 6, y: 7, heading: 0 },
+    goal: { x: 24, y: 7, heading: 0 },
   };
-  const gap: Scenario = { ...walled, obstacles: [{ type: "wall", points: [[15, 0], [15, 7]], thickness: 0.2 }, { type: "wall", points: [[15, 8.2], [15, 15]], thickness: 0.2 }] };
+  const gap: Scenario = {
+    ...walled,
+    obstacles: [
+      {
+        type: "wall",
+        points: [
+          [15, 0],
+          [15, 7],
+        ],
+        thickness: 0.2,
+      },
+      {
+        type: "wall",
+        points: [
+          [15, 8.2],
+          [15, 15],
+        ],
+        thickness: 0.2,
+      },
+    ],
+  };
   const box: Scenario = {
-    ...walled, start: { x: 6, y: 7, heading: 0 },
-    obstacles: [{ type: "wall", points: [[5, 8], [5, 6], [9.8, 6], [9.8, 8]] }],
+    ...walled,
+    start: { x: 6, y: 7, heading: 0 },
+    obstacles: [
+      {
+        type: "wall",
+        points: [
+          [5, 8],
+          [5, 6],
+          [9.8, 6],
+          [9.8, 8],
+        ],
+      },
+    ],
   };
   return {
-    "start-blocked": ["hybrid", at("start")], "goal-blocked": ["hybrid", at("goal")],
-    "start-outside": ["eight", { ...lot, start: far }], "goal-outside": ["four", { ...lot, goal: far }],
+    "start-blocked": ["hybrid", at("start")],
+    "goal-blocked": ["hybrid", at("goal")],
+    "start-outside": ["eight", { ...lot, start: far }],
+    "goal-outside": ["four", { ...lot, goal: far }],
     "budget-spent": ["four", scene("trap-60"), { maxExpansions: 5 }],
-    walled: ["hybrid", walled], gap: ["hybrid", gap], box: ["hybrid-forward", box],
-    cells: ["eight", walled], road: ["cost-map", walled],
-    stranded: ["risk-field", parkade.generateScenario({ family: "random", size: 40, seed: 2, densityPermille: 300 }), { fallback: "none" }],
+    walled: ["hybrid", walled],
+    gap: ["hybrid", gap],
+    box: ["hybrid-forward", box],
+    cells: ["eight", walled],
+    road: ["cost-map", walled],
+    stranded: [
+      "risk-field",
+      parkade.generateScenario({ family: "random", size: 40, seed: 2, densityPermille: 300 }),
+      { fallback: "none" },
+    ],
   };
 }
 
 const GOALS: GoalSet[] = [
   { slots: "free", entry: "either" },
   { slots: ["slot-1"], entry: "reverse-in" },
-  [{ x: 6, y: 9, heading: 0 }, { x: 10, y: 9, heading: 0 }],
-  { region: [[1, 1], [30, 1], [30, 30], [1, 30]] },
+  [
+    { x: 6, y: 9, heading: 0 },
+    { x: 10, y: 9, heading: 0 },
+  ],
+  {
+    region: [
+      [1, 1],
+      [30, 1],
+      [30, 30],
+      [1, 30],
+    ],
+  },
 ];
 
 describe("what the package answers is of the types that it declares:", () => {
   let api: Watched, core: Watched;
-  const outcomes = new Set<string>(), kinds = new Set<string>(), groups = new Set<string>();
+  const outcomes = new Set<string>(),
+    kinds = new Set<string>(),
+    groups = new Set<string>();
 
   beforeAll(async () => {
     await Promise.all([parkade.init(), small.init()]);
-    api = new Watched(parkade, WHOLE, parkade.planners().map(({ id }) => id));
-    core = new Watched(small, CORE, small.planners().map(({ id }) => id));
+    api = new Watched(
+      parkade,
+      WHOLE,
+      parkade.planners().map(({ id }) => id),
+    );
+    core = new Watched(
+      small,
+      CORE,
+      small.planners().map(({ id }) => id),
+    );
   }, 120_000);
 
   const note = (plan: Plan): Plan => {
@@ -112,7 +212,8 @@ describe("what the package answers is of the types that it declares:", () => {
     for (const module of [api, core]) {
       if (module === api) module.call("version");
       for (const { id } of module.call("planners") as { id: string }[]) module.call("defaultConfig", id);
-      const all = module === core ? small.scenarios() : (module.call("scenarios") as ReturnType<typeof parkade.scenarios>);
+      const all =
+        module === core ? small.scenarios() : (module.call("scenarios") as ReturnType<typeof parkade.scenarios>);
       for (const { id, group } of all) {
         groups.add(group);
         module.call("sceneGeometry", module.call("scenario", id));
@@ -120,19 +221,27 @@ describe("what the package answers is of the types that it declares:", () => {
     }
   });
 
-  it.each(["perpendicular", "narrow-gap", "trap-60", "L2", "road-narrow", "fig16"])("every planner's plan of %s, with its trace, and its layers", (id) => {
-    for (const { id: planner, family } of parkade.planners()) {
-      const made = api.planner(planner, scene(id), family === "hybrid" ? { maxExpansions: 4000, finestLevel: 1 } : {});
-      note(made.plan());
-      const { path, directions } = note(made.plan({ trace: true }));
-      if (path.length > 0) api.call("checkPath", scene(id), path, directions);
-      for (const layer of ["occupancy", "safety", "clearance"]) made.call("layer", layer);
-      if (family === "road") made.call("layer", "cost");
-      if (family === "grid") made.call("layer", "redundant");
-      if (planner.startsWith("risk-field")) made.call("layer", "risk", { every: 3 });
-      made.free();
-    }
-  }, 120_000);
+  it.each(["perpendicular", "narrow-gap", "trap-60", "L2", "road-narrow", "fig16"])(
+    "every planner's plan of %s, with its trace, and its layers",
+    (id) => {
+      for (const { id: planner, family } of parkade.planners()) {
+        const made = api.planner(
+          planner,
+          scene(id),
+          family === "hybrid" ? { maxExpansions: 4000, finestLevel: 1 } : {},
+        );
+        note(made.plan());
+        const { path, directions } = note(made.plan({ trace: true }));
+        if (path.length > 0) api.call("checkPath", scene(id), path, directions);
+        for (const layer of ["occupancy", "safety", "clearance"]) made.call("layer", layer);
+        if (family === "road") made.call("layer", "cost");
+        if (family === "grid") made.call("layer", "redundant");
+        if (planner.startsWith("risk-field")) made.call("layer", "risk", { every: 3 });
+        made.free();
+      }
+    },
+    120_000,
+  );
 
   it("five planners' plans by the small module", () => {
     for (const { id: planner } of small.planners()) {
@@ -159,7 +268,11 @@ describe("what the package answers is of the types that it declares:", () => {
     for (const planner of ["hybrid", "hybrid-forward", "hybrid-bidirectional"] satisfies HybridPlannerId[]) {
       const made = api.planner(planner, scene("L2"));
       const told: number[] = [];
-      made.plan({ alternatives: true, onProgress: (expansions: number) => told.push(expansions), onImproved: (plan: Plan) => void api.check("Planner.plan", plan, planner) });
+      made.plan({
+        alternatives: true,
+        onProgress: (expansions: number) => told.push(expansions),
+        onImproved: (plan: Plan) => void api.check("Planner.plan", plan, planner),
+      });
       for (const prefer of ["shortest", "fewest-changes", "widest", "fastest"]) made.plan({ prefer, stickiness: 0.1 });
       expect(told.length).toBeGreaterThan(0);
       made.free();
@@ -176,33 +289,49 @@ describe("what the package answers is of the types that it declares:", () => {
   }, 120_000);
 
   it("cells that cost, closed passages, searches alone, brushes, fields and the shortest path at any angle", () => {
-    const map = scene("random-60"), costs = [{ runs: [[10, 10, 20]] as [number, number, number][], weight: 3 }];
-    for (const planner of ["eight", "sixteen-bidirectional", "risk-field", "cost-map", "hybrid"] satisfies PlannerId[]) {
-      const config: PlannerSettings[PlannerId] = planner === "sixteen-bidirectional" ? { stop: "nba", minPassage: 2, trapMouth: 3 } : {};
+    const map = scene("random-60"),
+      costs = [{ runs: [[10, 10, 20]] as [number, number, number][], weight: 3 }];
+    for (const planner of [
+      "eight",
+      "sixteen-bidirectional",
+      "risk-field",
+      "cost-map",
+      "hybrid",
+    ] satisfies PlannerId[]) {
+      const config: PlannerSettings[PlannerId] =
+        planner === "sixteen-bidirectional" ? { stop: "nba", minPassage: 2, trapMouth: 3 } : {};
       const made = api.planner(planner, { ...map, costs }, config);
       made.plan();
       made.free();
     }
-    const eight = api.planner("eight", map), risk = api.planner("risk-field", map), { start, goal } = parkade.sceneGeometry(map);
+    const eight = api.planner("eight", map),
+      risk = api.planner("risk-field", map),
+      { start, goal } = parkade.sceneGeometry(map);
     eight.call("search", start, goal);
     eight.call("search", start, { x: -5, y: 0 });
     eight.call("anyAngleLength");
-    for (let cell = 0; cell < 60; cell += 7) for (let row = 0; row < 60; row += 5) risk.call("explain", { x: cell + 0.5, y: row + 0.5 });
+    for (let cell = 0; cell < 60; cell += 7)
+      for (let row = 0; row < 60; row += 5) risk.call("explain", { x: cell + 0.5, y: row + 0.5 });
     eight.free();
     risk.free();
   });
 
   it("drives, waits and pictures", () => {
     for (const { id, group } of parkade.scenarios().filter((one) => one.group === "moving" || one.id === "L2")) {
-      const where = scene(id), made = api.planner("hybrid", where), plan = made.plan();
+      const where = scene(id),
+        made = api.planner("hybrid", where),
+        plan = made.plan();
       expect(plan.outcome, `${group} ${id}`).toBe("found");
-      for (const limits of [{}, { jerk: 1 }, { profile: "constant" }, { steps: "slow", dwell: false }]) api.call("trajectory", where, plan, limits);
+      for (const limits of [{}, { jerk: 1 }, { profile: "constant" }, { steps: "slow", dwell: false }])
+        api.call("trajectory", where, plan, limits);
       for (const controller of ["feedback", "pure-pursuit", "stanley"]) api.call("track", where, plan, { controller });
-      for (const options of [{}, { rule: "reactive" }, { rule: "reactive", scope: "window" }, { maxTime: 5 }]) api.call("stopWaitGo", where, plan, options);
+      for (const options of [{}, { rule: "reactive" }, { rule: "reactive", scope: "window" }, { maxTime: 5 }])
+        api.call("stopWaitGo", where, plan, options);
       const optimised = api.call("optimise", where, plan, { margin: 0.02 });
       api.call("toTrajectoryCSV", optimised);
       api.call("track", where, optimised);
-      for (const judged of [plan, parkade.trajectory(where, plan), "t,x,y,theta\n0,0,0,0\n1,1,0,0\n"]) api.call("judge", where, judged, { speed: 2 });
+      for (const judged of [plan, parkade.trajectory(where, plan), "t,x,y,theta\n0,0,0,0\n1,1,0,0\n"])
+        api.call("judge", where, judged, { speed: 2 });
       api.call("toSVG", where, [plan], { theme: "dark" });
       api.call("toCSV", where, plan);
       api.call("roadFigures", where, plan);
@@ -212,10 +341,20 @@ describe("what the package answers is of the types that it declares:", () => {
   });
 
   it("maps of other programs, drawn maps and runs as text", () => {
-    const map = "type octile\nheight 3\nwidth 4\nmap\n.@GT\nS...\nO..W\n", runs = [[0, 0, 2], [5, 1, 2]];
-    api.call("importScene", { "room.map": map, "room.map.scen": "version 1\n0\tmaps/room.map\t4\t3\t0\t0\t2\t0\t4.0000\n" });
+    const map = "type octile\nheight 3\nwidth 4\nmap\n.@GT\nS...\nO..W\n",
+      runs = [
+        [0, 0, 2],
+        [5, 1, 2],
+      ];
+    api.call("importScene", {
+      "room.map": map,
+      "room.map.scen": "version 1\n0\tmaps/room.map\t4\t3\t0\t0\t2\t0\t4.0000\n",
+    });
     const picture = new Uint8Array([...new TextEncoder().encode("P5 3 2 255\n"), 0, 254, 254, 205, 254, 0]);
-    api.call("importScene", { "lot.yaml": "image: lot.pgm\nresolution: 0.5\norigin: [-1.0, 2.0, 0.0]\nfree_thresh: 0.196\n", "lot.pgm": picture });
+    api.call("importScene", {
+      "lot.yaml": "image: lot.pgm\nresolution: 0.5\norigin: [-1.0, 2.0, 0.0]\nfree_thresh: 0.196\n",
+      "lot.pgm": picture,
+    });
     api.call("importScene", { "scene.json": JSON.stringify(scene("fig16")) });
     for (const family of ["random", "regular", "trap"]) api.call("generateScenario", { family, size: 40, seed: 3 });
     api.call("unpackRuns", api.call("packRuns", runs));
@@ -225,12 +364,19 @@ describe("what the package answers is of the types that it declares:", () => {
     const { rows } = api.call("paperGridRows") as ReturnType<typeof parkade.paperGridRows>;
     const figures = Object.fromEntries(rows.map(({ id }) => [id, api.call("paperGrid", { row: id, from: 0, to: 2 })]));
     api.call("paperGridSummary", figures);
-    const lots = (api.call("paperParkingRows") as { id: string }[]).map(({ id: row }) => api.call("paperParking", { row }));
+    const lots = (api.call("paperParkingRows") as { id: string }[]).map(({ id: row }) =>
+      api.call("paperParking", { row }),
+    );
     api.call("paperStranded", { row: "regular-30", from: 1, to: 40 });
     api.call("paperVolumes", { scene: "park-fig13", poses: 500 });
     const road = api.call("paperRoadRows") as { id: string; ship: boolean }[];
-    const [cars, ships] = [false, true].map((wanted) => road.filter(({ ship }) => ship === wanted).slice(0, wanted ? 1 : 4)) as [typeof road, typeof road];
-    api.call("paperVerdicts", { parking: lots, road: [...cars, ...ships].map(({ id: row }) => api.call("paperRoad", { row })) });
+    const [cars, ships] = [false, true].map((wanted) =>
+      road.filter(({ ship }) => ship === wanted).slice(0, wanted ? 1 : 4),
+    ) as [typeof road, typeof road];
+    api.call("paperVerdicts", {
+      parking: lots,
+      road: [...cars, ...ships].map(({ id: row }) => api.call("paperRoad", { row })),
+    });
     api.call("paperVerdicts", { parking: lots.slice(1) });
   }, 120_000);
 
@@ -239,14 +385,26 @@ describe("what the package answers is of the types that it declares:", () => {
   });
 
   it("every word of a list can be met", () => {
-    const lists = { PlannerId: "PlannerId", group: 'ScenarioInfo["group"]', family: 'PlannerInfo["family"]', Outcome: "Outcome", Verdict: 'Check["verdict"]', ErrorCode: "ErrorCode" };
+    const lists = {
+      PlannerId: "PlannerId",
+      group: 'ScenarioInfo["group"]',
+      family: 'PlannerInfo["family"]',
+      Outcome: "Outcome",
+      Verdict: 'Check["verdict"]',
+      ErrorCode: "ErrorCode",
+    };
     const { properties } = schemaOf(WHOLE, lists) as { properties: Record<keyof typeof lists, { enum: string[] }> };
     const words = Object.fromEntries(Object.entries(properties).map(([name, list]) => [name, list.enum.sort()]));
-    expect(words).toEqual(sorted({
-      PlannerId: parkade.planners().map(({ id }) => id), family: parkade.planners().map(({ family }) => family), group: groups,
-      Outcome: outcomes, Verdict: rustWords("src/metrics/check.rs", "Verdict"),
-      ErrorCode: [...rustWords("src/error.rs", "ErrorCode"), "freed", "not-initialised", "internal"],
-    }));
+    expect(words).toEqual(
+      sorted({
+        PlannerId: parkade.planners().map(({ id }) => id),
+        family: parkade.planners().map(({ family }) => family),
+        group: groups,
+        Outcome: outcomes,
+        Verdict: rustWords("src/metrics/check.rs", "Verdict"),
+        ErrorCode: [...rustWords("src/error.rs", "ErrorCode"), "freed", "not-initialised", "internal"],
+      }),
+    );
     expect(sorted({ Outcome: rustWords("src/plan/outcome.rs", "Outcome") })).toEqual({ Outcome: words["Outcome"] });
   });
 });
@@ -256,10 +414,18 @@ const sorted = (lists: Record<string, Iterable<string>>): Record<string, string[
 
 /** The words of an enum in Rust, from its `as_str`. */
 const rustWords = (file: string, name: string): string[] =>
-  [...readFileSync(here(file), "utf8").split(`impl ${name} {`)[1]!.split("\n}\n")[0]!.matchAll(/Self::\w+ => "([^"]+)"/g)].map(([, word]) => word!);
+  [
+    ...readFileSync(here(file), "utf8")
+      .split(`impl ${name} {`)[1]!
+      .split("\n}\n")[0]!
+      .matchAll(/Self::\w+ => "([^"]+)"/g),
+  ].map(([, word]) => word!);
 
 describe("each module declares what it exports:", () => {
-  it.each([["parkade", WHOLE, parkade], ["parkade/core", CORE, small]])("%s", (_, file, api) => {
+  it.each([
+    ["parkade", WHOLE, parkade],
+    ["parkade/core", CORE, small],
+  ])("%s", (_, file, api) => {
     expect(Object.keys(api).sort()).toEqual(declared(file).values.sort());
   });
 });

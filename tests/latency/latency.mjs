@@ -16,7 +16,9 @@ await withBrowser(async (browser, url) => {
   const metrics = await meter(page);
   await page.goto(url);
   await page.evaluate(installProbe);
-  console.log(`\n${await page.evaluate(() => navigator.userAgent)}; ${availableParallelism()} processors, load ${loadavg()[0]?.toFixed(1)}`);
+  console.log(
+    `\n${await page.evaluate(() => navigator.userAgent)}; ${availableParallelism()} processors, load ${loadavg()[0]?.toFixed(1)}`,
+  );
   await calm(page, metrics);
   await fast(page, "default scene, fast drag");
   await open(page, "narrow-gap");
@@ -37,14 +39,32 @@ async function calm(page, metrics) {
   }
   const after = await metrics();
   await page.mouse.up();
-  console.log(`\ndefault scene, goal dragged by ${steps.length} moves, each after the last was drawn (${steps.filter((one) => one.found).length} with a hybrid path)`);
-  row("pointer to all grid planners drawn", steps.map((one) => one.grid), TARGET.grid);
-  row("pointer to hybrid drawn", steps.map((one) => one.hybrid), TARGET.hybrid);
+  console.log(
+    `\ndefault scene, goal dragged by ${steps.length} moves, each after the last was drawn (${steps.filter((one) => one.found).length} with a hybrid path)`,
+  );
+  row(
+    "pointer to all grid planners drawn",
+    steps.map((one) => one.grid),
+    TARGET.grid,
+  );
+  row(
+    "pointer to hybrid drawn",
+    steps.map((one) => one.hybrid),
+    TARGET.hybrid,
+  );
   const idle = idleFlips(steps.filter((one) => one.found));
-  console.log(`leaps of hybrid's path to a way within 3 % of the length: ${idle}; target none: ${idle === 0 ? "met" : "missed"}`);
-  for (const planner of Object.keys(steps[0]?.plans ?? {})) row(`  planning alone, ${planner}`, steps.map((one) => one.plans[planner] ?? NaN));
+  console.log(
+    `leaps of hybrid's path to a way within 3 % of the length: ${idle}; target none: ${idle === 0 ? "met" : "missed"}`,
+  );
+  for (const planner of Object.keys(steps[0]?.plans ?? {}))
+    row(
+      `  planning alone, ${planner}`,
+      steps.map((one) => one.plans[planner] ?? NaN),
+    );
   const each = (name) => ((1000 * (after[name] - before[name])) / steps.length).toFixed(1);
-  console.log(`main thread, CPU time a step         ${each("TaskDuration")} ms: scripts ${each("ScriptDuration")}, style and layout ${(Number(each("RecalcStyleDuration")) + Number(each("LayoutDuration"))).toFixed(1)}`);
+  console.log(
+    `main thread, CPU time a step         ${each("TaskDuration")} ms: scripts ${each("ScriptDuration")}, style and layout ${(Number(each("RecalcStyleDuration")) + Number(each("LayoutDuration"))).toFixed(1)}`,
+  );
 }
 
 /** Answers more than a metre off the one before, although about as long. */
@@ -53,19 +73,24 @@ function idleFlips(steps) {
     let most = 0;
     for (let i = 0; i < one.length; i += 3) {
       let least = Infinity;
-      for (let j = 0; j < other.length; j += 3) least = Math.min(least, Math.hypot(one[i] - other[j], one[i + 1] - other[j + 1]));
+      for (let j = 0; j < other.length; j += 3)
+        least = Math.min(least, Math.hypot(one[i] - other[j], one[i + 1] - other[j + 1]));
       most = Math.max(most, least);
     }
     return most;
   };
-  return steps.filter((one, i) => i > 0 && Math.abs(one.length / steps[i - 1].length - 1) < 0.03 && strays(one.path, steps[i - 1].path) > 1).length;
+  return steps.filter(
+    (one, i) =>
+      i > 0 && Math.abs(one.length / steps[i - 1].length - 1) < 0.03 && strays(one.path, steps[i - 1].path) > 1,
+  ).length;
 }
 
 /** Sums of the main thread's CPU time by kind (s), which other programs disturb little. */
 async function meter(page) {
   const session = await page.context().newCDPSession(page);
   await session.send("Performance.enable", { timeDomain: "threadTicks" });
-  return async () => Object.fromEntries((await session.send("Performance.getMetrics")).metrics.map(({ name, value }) => [name, value]));
+  return async () =>
+    Object.fromEntries((await session.send("Performance.getMetrics")).metrics.map(({ name, value }) => [name, value]));
 }
 
 /** Moves as fast as a mouse reports them, whatever the page does. */
@@ -84,15 +109,21 @@ async function fast(page, title) {
   await page.mouse.up();
   const released = performance.now();
   await page.evaluate(() => document.querySelector("parkade-playground").settled());
-  console.log(`\n${title}: ${STEPS} moves in ${took.toFixed(0)} ms, ${frames.length} frames, answers ${JSON.stringify(results)}, all settled ${(performance.now() - released).toFixed(0)} ms after release`);
+  console.log(
+    `\n${title}: ${STEPS} moves in ${took.toFixed(0)} ms, ${frames.length} frames, answers ${JSON.stringify(results)}, all settled ${(performance.now() - released).toFixed(0)} ms after release`,
+  );
   row("between frames", frames);
-  console.log(`main-thread tasks over 50 ms: ${tasks.length}${tasks.length > 0 ? `, longest ${Math.max(...tasks).toFixed(0)} ms` : ""}; target none: ${tasks.length === 0 ? "met" : "missed"}`);
+  console.log(
+    `main-thread tasks over 50 ms: ${tasks.length}${tasks.length > 0 ? `, longest ${Math.max(...tasks).toFixed(0)} ms` : ""}; target none: ${tasks.length === 0 ? "met" : "missed"}`,
+  );
 }
 
 function row(name, values, target) {
   const at = (share) => quantile(values, share);
   const verdict = target === undefined ? "" : `; target ${target} ms at p95: ${at(0.95) <= target ? "met" : "missed"}`;
-  console.log(`${name.padEnd(36)} p50 ${at(0.5).toFixed(1)}  p95 ${at(0.95).toFixed(1)}  max ${at(1).toFixed(1)} ms${verdict}`);
+  console.log(
+    `${name.padEnd(36)} p50 ${at(0.5).toFixed(1)}  p95 ${at(0.95).toFixed(1)}  max ${at(1).toFixed(1)} ms${verdict}`,
+  );
 }
 
 async function open(page, preset) {
@@ -131,20 +162,33 @@ async function installProbe() {
   await element.settled();
   const { store } = element;
   /** After the frame in which everything scheduled until now is painted. */
-  const painted = () => new Promise((resolve) => requestAnimationFrame(() => {
-    const { port1, port2 } = new MessageChannel();
-    port1.onmessage = () => resolve(performance.now());
-    port2.postMessage(null);
-  }));
+  const painted = () =>
+    new Promise((resolve) =>
+      requestAnimationFrame(() => {
+        const { port1, port2 } = new MessageChannel();
+        port1.onmessage = () => resolve(performance.now());
+        port2.postMessage(null);
+      }),
+    );
   const isGrid = (planner) => !planner.startsWith("hybrid");
   let step = null;
   for (const type of ["pointerrawupdate", "pointermove"]) {
-    addEventListener(type, (event) => { if (step) step.from ??= event.timeStamp; }, { capture: true });
+    addEventListener(
+      type,
+      (event) => {
+        if (step) step.from ??= event.timeStamp;
+      },
+      { capture: true },
+    );
   }
   store.subscribe((state) => {
     if (!step || step.from === undefined) return;
-    const fresh = (planner) => state.results[planner].status !== "planning" && state.results[planner].plan !== step.before[planner];
-    for (const [name, ids] of [["grid", state.planners.filter(isGrid)], ["hybrid", state.planners.filter((id) => !isGrid(id))]]) {
+    const fresh = (planner) =>
+      state.results[planner].status !== "planning" && state.results[planner].plan !== step.before[planner];
+    for (const [name, ids] of [
+      ["grid", state.planners.filter(isGrid)],
+      ["hybrid", state.planners.filter((id) => !isGrid(id))],
+    ]) {
       if (step.asked[name] || !ids.every(fresh)) continue;
       const mine = step;
       mine.asked[name] = true;
@@ -158,41 +202,74 @@ async function installProbe() {
   window.probe = {
     painted,
     goal() {
-      const view = element.shadowRoot.querySelector("parkade-stage").shadowRoot.querySelector("parkade-panel[active]").shadowRoot.querySelector("parkade-scene-view");
-      const box = view.getBoundingClientRect(), { camera, width, height } = view.view;
+      const view = element.shadowRoot
+        .querySelector("parkade-stage")
+        .shadowRoot.querySelector("parkade-panel[active]")
+        .shadowRoot.querySelector("parkade-scene-view");
+      const box = view.getBoundingClientRect(),
+        { camera, width, height } = view.view;
       const { x, y } = store.state.geometry.goal;
-      return { x: box.left + width / 2 + (x - camera.x) * camera.scale, y: box.top + height / 2 - (y - camera.y) * camera.scale, scale: camera.scale };
+      return {
+        x: box.left + width / 2 + (x - camera.x) * camera.scale,
+        y: box.top + height / 2 - (y - camera.y) * camera.scale,
+        scale: camera.scale,
+      };
     },
     expect() {
       let resolve;
-      const done = new Promise((end) => { resolve = end; });
-      step = { before: Object.fromEntries(Object.entries(store.state.results).map(([id, { plan }]) => [id, plan])), asked: {}, took: {}, done, resolve };
+      const done = new Promise((end) => {
+        resolve = end;
+      });
+      step = {
+        before: Object.fromEntries(Object.entries(store.state.results).map(([id, { plan }]) => [id, plan])),
+        asked: {},
+        took: {},
+        done,
+        resolve,
+      };
     },
     async drawn(patience) {
       let timer;
-      await Promise.race([step.done, new Promise((resolve) => { timer = setTimeout(resolve, patience); })]);
+      await Promise.race([
+        step.done,
+        new Promise((resolve) => {
+          timer = setTimeout(resolve, patience);
+        }),
+      ]);
       clearTimeout(timer);
       await element.settled();
       const { results } = store.state;
       return {
-        grid: step.took.grid ?? patience, hybrid: step.took.hybrid ?? patience, found: results.hybrid.plan?.outcome === "found",
-        path: [...results.hybrid.plan?.path ?? []], length: results.hybrid.plan?.metrics.length,
+        grid: step.took.grid ?? patience,
+        hybrid: step.took.hybrid ?? patience,
+        found: results.hybrid.plan?.outcome === "found",
+        path: [...(results.hybrid.plan?.path ?? [])],
+        length: results.hybrid.plan?.metrics.length,
         plans: Object.fromEntries(Object.entries(results).map(([id, { millis }]) => [id, millis])),
       };
     },
     watch() {
-      const tasks = [], frames = [], results = {};
-      const observer = new PerformanceObserver((list) => tasks.push(...list.getEntries().map(({ duration }) => duration)));
+      const tasks = [],
+        frames = [],
+        results = {};
+      const observer = new PerformanceObserver((list) =>
+        tasks.push(...list.getEntries().map(({ duration }) => duration)),
+      );
       observer.observe({ type: "longtask" });
-      let last = performance.now(), frame = 0;
+      let last = performance.now(),
+        frame = 0;
       const tick = (now) => {
         frames.push(now - last);
         last = now;
         frame = requestAnimationFrame(tick);
       };
-      frame = requestAnimationFrame((now) => { last = now; frame = requestAnimationFrame(tick); });
+      frame = requestAnimationFrame((now) => {
+        last = now;
+        frame = requestAnimationFrame(tick);
+      });
       const stop = store.subscribe((state, previous) => {
-        for (const id of state.planners) if (state.results[id]?.plan !== previous.results[id]?.plan) results[id] = (results[id] ?? 0) + 1;
+        for (const id of state.planners)
+          if (state.results[id]?.plan !== previous.results[id]?.plan) results[id] = (results[id] ?? 0) + 1;
       });
       watching = () => {
         tasks.push(...observer.takeRecords().map(({ duration }) => duration));

@@ -2,18 +2,18 @@
 #![cfg(feature = "complete")]
 
 mod curves;
-mod drawn;
 mod driving;
 mod lanes;
 mod plans;
 mod random_roads;
+mod road_obstacle;
 mod search;
 
 use parkade::geometry::{Point, Pose};
 use parkade::map::{Cell, Frame};
 use parkade::plan::{Options, Plan, Planner};
 use parkade::planners::cost_map::{
-    Config, CostMap, Ground, Query, Report, Scratch, Status, Traffic, kerb_distances, plan,
+    Config, CostMap, Query, Report, RoadRasters, Scratch, Status, Traffic, kerb_distances, plan,
 };
 use parkade::scenario::{Scenario, catalog};
 use parkade::search::Watch;
@@ -23,7 +23,7 @@ pub(crate) const IDS: [&str; 4] = ["road-straight", "road-curve", "road-crossing
 
 pub(crate) struct Scene {
     pub(crate) scenario: Scenario,
-    pub(crate) ground: Ground,
+    pub(crate) ground: RoadRasters,
     pub(crate) kerb: Vec<f32>,
     pub(crate) start: Point,
     pub(crate) goal: Point,
@@ -48,7 +48,7 @@ impl Scene {
         let middle = |pose: Pose| pose.advance(0.0, (car.rear_to_front - car.rear_to_back) / 2.0).point();
         let (start, goal) = (middle(geometry.start), middle(geometry.goal));
         let kerb = kerb_distances(&frame, &geometry, true);
-        Self { ground: Ground::new(frame, &geometry, true), kerb, scenario, start, goal }
+        Self { ground: RoadRasters::new(frame, &geometry, true), kerb, scenario, start, goal }
     }
 
     pub(crate) fn plan(&self, config: &Config) -> Report {

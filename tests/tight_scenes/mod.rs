@@ -9,7 +9,7 @@ pub(crate) use slots::{angled, bay, kerb};
 
 use parkade::geometry::{Point, Pose, math};
 use parkade::vehicle::Vehicle;
-use parkade::vehicle::collision::{Obstacles, Probe, Solid};
+use parkade::vehicle::collision::{CollisionChecker, Obstacles, Solid};
 
 /// Something to plan.
 pub(crate) struct Scene {
@@ -81,7 +81,8 @@ fn obstacles(solids: Vec<Vec<Point>>, floor: Vec<Point>) -> Obstacles {
 
 fn is_clear(obstacles: &Obstacles, car: &Vehicle, pose: Pose, margin: f64) -> bool {
     let local = obstacles.local(pose);
-    obstacles.inside(local.point()).is_none() && Probe::new(obstacles, car).hit(local, margin).is_none()
+    obstacles.inside(local.point()).is_none()
+        && CollisionChecker::new(obstacles, car).hit(local, margin).is_none()
 }
 
 /// The first of the drawn poses where the car has room.

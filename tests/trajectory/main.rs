@@ -3,6 +3,6 @@
 
 mod files;
 mod optimised;
-#[path = "../strewn/mod.rs"]
+#[path = "../random_scenes/mod.rs"]
 #[expect(dead_code, reason = "plans are checked elsewhere")]
-mod strewn;
+mod random_scenes;

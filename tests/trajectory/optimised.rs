@@ -13,7 +13,7 @@ use parkade::scenario::{Scenario, catalog};
 use parkade::vehicle::Vehicle;
 use serde_json::{Map, Value};
 
-use crate::strewn;
+use crate::random_scenes;
 
 struct Driven {
     made: Optimised,
@@ -126,7 +126,7 @@ fn curvature_does_not_jump() {
 fn random_scenes_pass_and_most_are_optimised() {
     let (mut count, mut optimised) = (0, 0);
     for seed in 1000..1060 {
-        let (scene, settings) = strewn::scene(seed);
+        let (scene, settings) = random_scenes::scene(seed);
         let Some(driven) = driven(&scene, &settings, &Options::default()) else { continue };
         count += 1;
         optimised += usize::from(driven.made.stage == Stage::Optimised);

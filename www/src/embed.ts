@@ -16,7 +16,10 @@ for (const name of [...ATTRIBUTES, "reveal", "poster", "alt"]) {
   if (value !== null && !["worker-url", "wasm-url", "src"].includes(name)) element.setAttribute(name, value);
 }
 element.setAttribute("loading", wanted.get("loading") ?? "eager");
-for (const name of EVENTS) element.addEventListener(name, ({ detail }: CustomEventInit) => tell({ type: `parkade:${name}`, ...portable(detail) }));
+for (const name of EVENTS)
+  element.addEventListener(name, ({ detail }: CustomEventInit) =>
+    tell({ type: `parkade:${name}`, ...portable(detail) }),
+  );
 addEventListener("message", (event) => void hear(event));
 new ResizeObserver(() => tellHeight()).observe(element);
 document.body.append(element);
@@ -47,11 +50,18 @@ function tellHeight(): void {
   if (width > 0) tell({ type: "parkade:height", height: Math.max(280, Math.round((width * 7) / 12)) });
 }
 
-interface Asked { type?: unknown; id?: unknown; args?: unknown; value?: unknown }
+interface Asked {
+  type?: unknown;
+  id?: unknown;
+  args?: unknown;
+  value?: unknown;
+}
 
 async function hear({ origin, data, source }: MessageEvent<Asked | null>): Promise<void> {
-  if (source !== parent || !origins.has(origin) || typeof data?.type !== "string" || !data.type.startsWith("parkade:")) return;
-  const name = data.type.slice("parkade:".length), { id } = data;
+  if (source !== parent || !origins.has(origin) || typeof data?.type !== "string" || !data.type.startsWith("parkade:"))
+    return;
+  const name = data.type.slice("parkade:".length),
+    { id } = data;
   try {
     tell({ type: "parkade:reply", id, result: await answer(name, data) });
   } catch (error) {
@@ -60,8 +70,12 @@ async function hear({ origin, data, source }: MessageEvent<Asked | null>): Promi
 }
 
 function answer(name: string, { args, value }: Asked): unknown {
-  const methods: readonly string[] = [...METHODS, "dismissPoster"], settable: readonly string[] = SETTABLE;
-  if (methods.includes(name)) return (element as unknown as Record<string, (...given: unknown[]) => unknown>)[name]!(...(Array.isArray(args) ? args : []));
+  const methods: readonly string[] = [...METHODS, "dismissPoster"],
+    settable: readonly string[] = SETTABLE;
+  if (methods.includes(name))
+    return (element as unknown as Record<string, (...given: unknown[]) => unknown>)[name]!(
+      ...(Array.isArray(args) ? args : []),
+    );
   if (settable.includes(name)) return void ((element as unknown as Record<string, unknown>)[name] = value);
   throw new Error(`there is no parkade:${name}`);
 }

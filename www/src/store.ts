@@ -1,11 +1,35 @@
-import type { Drive, Encounter, Explanation, Layer, LayerName, Narrowest, Plan, PlannerId, Prefer, Road, SceneGeometry } from "parkade";
+import type {
+  Drive,
+  Encounter,
+  Explanation,
+  Layer,
+  LayerName,
+  Narrowest,
+  Plan,
+  PlannerId,
+  Prefer,
+  Road,
+  SceneGeometry,
+} from "parkade";
 import type { Choice } from "./planning/choices-of";
 import type { Timing } from "./planning/protocol";
 import type { Scenario } from "./scene/scenario";
 import { presetLayers } from "./view/layer-sets";
 
 export type Scene = Scenario;
-export type ToolId = "select" | "brush" | "wall" | "rectangle" | "polygon" | "car" | "slot" | "moving" | "road" | "cost" | "eraser" | "hand";
+export type ToolId =
+  | "select"
+  | "brush"
+  | "wall"
+  | "rectangle"
+  | "polygon"
+  | "car"
+  | "slot"
+  | "moving"
+  | "road"
+  | "cost"
+  | "eraser"
+  | "hand";
 export type Selection =
   | { kind: "start" | "goal" }
   | { kind: "obstacle" | "slot" | "moving" | "cost"; id: string }
@@ -13,16 +37,38 @@ export type Selection =
   | null;
 
 /** Everything in a scene that has an id. */
-export const thingsOf = ({ obstacles = [], slots = [], costs = [], moving = [] }: Scene) => [...obstacles, ...slots, ...costs, ...moving];
+export const thingsOf = ({ obstacles = [], slots = [], costs = [], moving = [] }: Scene) => [
+  ...obstacles,
+  ...slots,
+  ...costs,
+  ...moving,
+];
 
 export const isPose = (selection: Selection | undefined): selection is { kind: "start" | "goal" } =>
   selection?.kind === "start" || selection?.kind === "goal";
 
 /** World centre in metres, CSS pixels per metre; shared by all panels. */
-export interface Camera { x: number; y: number; scale: number }
+export interface Camera {
+  x: number;
+  y: number;
+  scale: number;
+}
 
 export type LayerKey =
-  | "slots" | "obstacles" | "safety" | "redundant" | "cost" | "heat" | "risk" | "tree" | "sweep" | "path" | "car" | "ghosts" | "difference" | "grid";
+  | "slots"
+  | "obstacles"
+  | "safety"
+  | "redundant"
+  | "cost"
+  | "heat"
+  | "risk"
+  | "tree"
+  | "sweep"
+  | "path"
+  | "car"
+  | "ghosts"
+  | "difference"
+  | "grid";
 
 export interface PanelResult {
   plan: Plan | null;
@@ -120,14 +166,26 @@ export interface State {
   opened: number;
   /** What changed the scene last: "edit", "undo", "redo", or an edit's label. */
   reason: string;
-  message: { tone: "err" | "warn" | "info"; text: string; code?: string; action?: { name: string; run(): void } } | null;
+  message: {
+    tone: "err" | "warn" | "info";
+    text: string;
+    code?: string;
+    action?: { name: string; run(): void };
+  } | null;
   live: ReadonlyMap<string, string> | null;
 }
 
 /** The steps behind and ahead of the scene, the nearest last. */
-export interface History { past: readonly Scene[]; scene: Scene; future: readonly Scene[] }
+export interface History {
+  past: readonly Scene[];
+  scene: Scene;
+  future: readonly Scene[];
+}
 
-export interface EditOptions { transient?: boolean; label?: string }
+export interface EditOptions {
+  transient?: boolean;
+  label?: string;
+}
 export type Listener = (state: State, previous: State) => void;
 
 export interface Store {
@@ -146,7 +204,14 @@ export interface Store {
 export const UNDO_STEPS = 500;
 
 export const emptyResult: PanelResult = {
-  plan: null, lastGood: null, drive: null, layers: {}, status: "idle", error: null, time: null, samples: [],
+  plan: null,
+  lastGood: null,
+  drive: null,
+  layers: {},
+  status: "idle",
+  error: null,
+  time: null,
+  samples: [],
 };
 
 const emptyScene: Scene = {
@@ -166,9 +231,15 @@ export function initialState(): State {
     selection: null,
     tool: "select",
     toolOptions: {
-      brushRadius: 0.5, costWeight: 5, wallThickness: 0.2, carProfile: "sedan", road: { lanes: [1, 1], laneWidth: 3.5, radius: 20, kerbs: true },
+      brushRadius: 0.5,
+      costWeight: 5,
+      wallThickness: 0.2,
+      carProfile: "sedan",
+      road: { lanes: [1, 1], laneWidth: 3.5, radius: 20, kerbs: true },
       slot: { kind: "perpendicular", angle: Math.PI / 4, lean: "right", width: null, length: null, aisle: 6 },
-      locked: false, snap: true, penDraws: true,
+      locked: false,
+      snap: true,
+      penDraws: true,
     },
     penSeen: false,
     planners: FIRST_PLANNERS,

@@ -48,8 +48,8 @@ pub(crate) fn test(arguments: &[String]) -> Result<()> {
     suites.push(suite("lint, wasm", || lint(&["--target", WASM_TARGET, "--lib", "--tests"])));
     suites.push(suite("lint, core", || lint(&["--target", WASM_TARGET, "--lib", "--no-default-features"])));
     suites.push(suite("lint, documentation", rustdoc));
-    suites.push(suite("lint, JavaScript", || {
-        check(tools::run(node_tool("@biomejs/biome/bin/biome").args(["lint", "--diagnostic-level=error"])))
+    suites.push(suite("format and lint, JavaScript", || {
+        check(tools::run(node_tool("@biomejs/biome/bin/biome").args(["ci", "--diagnostic-level=error"])))
     }));
     suites.push(suite("Rust, native", || rust_tests(&[])));
     suites.push(suite("Rust, tool", || rust_tests(TOOL)));

@@ -9,7 +9,11 @@ import { road } from "./road";
 /** Maps of each kind and size; `cargo xtask paper grid` takes 200. */
 const SEEDS = 20;
 
-export interface Page { id: string; title: string; blocks: Block[] }
+export interface Page {
+  id: string;
+  title: string;
+  blocks: Block[];
+}
 
 export { escaped, html, markdown } from "./blocks";
 export { picture } from "./figures";
@@ -23,10 +27,17 @@ export async function pages(lang: Lang, seeds = SEEDS): Promise<Page[]> {
   return [riskField(lang, measured), sixteen(lang, measured), parking(lang, measured), road(lang, measured)];
 }
 
-const playground = (lang: Lang) => ({ scene, planners, draws, caption, svg }: Figure): string => svg !== undefined ? `*${caption}*`
-  : `<parkade-playground scene="${scene}" planners="${planners.join(" ")}" layout="${planners.length > 1 ? "grid" : "single"}" controls="minimal" editable lang="${lang}"${draws === "stages" || draws === "potential" ? ' layers="slots obstacles path tree grid"' : ""} alt="${caption.replaceAll('"', "")}"></parkade-playground>\n\n*${caption}*`;
+const playground =
+  (lang: Lang) =>
+  ({ scene, planners, draws, caption, svg }: Figure): string =>
+    svg !== undefined
+      ? `*${caption}*`
+      : `<parkade-playground scene="${scene}" planners="${planners.join(" ")}" layout="${planners.length > 1 ? "grid" : "single"}" controls="minimal" editable lang="${lang}"${draws === "stages" || draws === "potential" ? ' layers="slots obstacles path tree grid"' : ""} alt="${caption.replaceAll('"', "")}"></parkade-playground>\n\n*${caption}*`;
 
 /** For the site. */
 export async function papers(lang: Lang = "en"): Promise<{ params: { id: string; title: string }; content: string }[]> {
-  return (await pages(lang)).map(({ id, title, blocks }) => ({ params: { id, title }, content: markdown(blocks, playground(lang)).replaceAll("{{", "{ {") }));
+  return (await pages(lang)).map(({ id, title, blocks }) => ({
+    params: { id, title },
+    content: markdown(blocks, playground(lang)).replaceAll("{{", "{ {"),
+  }));
 }

@@ -1,6 +1,17 @@
 /** Everything that the papers' pages hold, measured once. */
 import type { PaperClaim, PaperTable, ParkingTable, RoadTable, VolumeComparison } from "parkade";
-import { paperGrid, paperGridRows, paperGridSummary, paperParking, paperParkingRows, paperRoad, paperRoadRows, paperStranded, paperVerdicts, paperVolumes } from "../../../pkg/node.js";
+import {
+  paperGrid,
+  paperGridRows,
+  paperGridSummary,
+  paperParking,
+  paperParkingRows,
+  paperRoad,
+  paperRoadRows,
+  paperStranded,
+  paperVerdicts,
+  paperVolumes,
+} from "../../../pkg/node.js";
 import catalogue from "../../../www/src/i18n/reasons-zh.json";
 import { chineseReasons } from "../../../www/src/i18n/reasons-zh";
 import { table, type Block, type Lang } from "./blocks";
@@ -17,10 +28,15 @@ export interface Measured {
 }
 
 export function measure(seeds: number): Measured {
-  const { rows, columns } = paperGridRows(), slice = (row: string) => ({ row, from: 1, to: seeds });
-  const parking = paperParkingRows().map(({ id }) => paperParking({ row: id })), road = paperRoadRows().map(({ id }) => paperRoad({ row: id }));
+  const { rows, columns } = paperGridRows(),
+    slice = (row: string) => ({ row, from: 1, to: seeds });
+  const parking = paperParkingRows().map(({ id }) => paperParking({ row: id })),
+    road = paperRoadRows().map(({ id }) => paperRoad({ row: id }));
   return {
-    seeds, columns, parking, road,
+    seeds,
+    columns,
+    parking,
+    road,
     grid: paperGridSummary(Object.fromEntries(rows.map(({ id }) => [id, paperGrid(slice(id))]))),
     stranded: Object.fromEntries(rows.map(({ id }) => [id, paperStranded({ row: id, from: 1, to: 200 })])),
     verdicts: paperVerdicts({ parking, road }),
@@ -28,17 +44,31 @@ export function measure(seeds: number): Measured {
   };
 }
 
-export const fixed = (value: number | null | undefined, digits = 2): string => (value === null || value === undefined ? "–" : value.toFixed(digits).replace("-", "−"));
+export const fixed = (value: number | null | undefined, digits = 2): string =>
+  value === null || value === undefined ? "–" : value.toFixed(digits).replace("-", "−");
 /** Words of both languages. */
-export const words = (lang: Lang) => (en: string, zh: string): string => (lang === "zh" ? zh : en);
+export const words =
+  (lang: Lang) =>
+  (en: string, zh: string): string =>
+    lang === "zh" ? zh : en;
 
 const inChinese = chineseReasons(catalogue);
-const HOLDS = { yes: ["holds", "成立"], partly: ["holds in part", "部分成立"], no: ["does not hold", "不成立"], unknown: ["not judged", "未判定"] } as const;
+const HOLDS = {
+  yes: ["holds", "成立"],
+  partly: ["holds in part", "部分成立"],
+  no: ["does not hold", "不成立"],
+  unknown: ["not judged", "未判定"],
+} as const;
 /** Times are measured by the reader's machine; none stands in a page. */
 const TIME = /,? time [^;,]*?(?= of sixteen|;|$)/g;
 
 export function claims(lang: Lang, all: readonly PaperClaim[]): Block {
-  const t = words(lang), said = (english: string): string => (lang === "zh" ? inChinese(english) : english);
-  const found = (one: string): string => (lang === "zh" ? said(one).replaceAll(/，?时间 [^；，。]*/g, "") : one.replaceAll(TIME, ""));
-  return table([t("claim", "论断"), t("verdict", "判定"), t("found here", "本地结果")], all.map((one) => [said(one.text), HOLDS[one.holds][lang === "zh" ? 1 : 0], found(one.found)]));
+  const t = words(lang),
+    said = (english: string): string => (lang === "zh" ? inChinese(english) : english);
+  const found = (one: string): string =>
+    lang === "zh" ? said(one).replaceAll(/，?时间 [^；，。]*/g, "") : one.replaceAll(TIME, "");
+  return table(
+    [t("claim", "论断"), t("verdict", "判定"), t("found here", "本地结果")],
+    all.map((one) => [said(one.text), HOLDS[one.holds][lang === "zh" ? 1 : 0], found(one.found)]),
+  );
 }

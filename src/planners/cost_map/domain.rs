@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use super::ground::{lane_at, legs, limit_at};
-use super::numbers::Numbers;
-use super::{Config, Costs, Ground, Traffic};
+use super::rank_bitmap::RankBitmap;
+use super::road_rasters::{lane_at, legs, limit_at};
+use super::{Config, Costs, RoadRasters, Traffic};
 use crate::geometry::Point;
 use crate::map::{Cell, Frame, Weights};
 use crate::search::{Domain, Finish, NodeId, Order, Relax, Visit};
@@ -47,7 +47,7 @@ impl Margin {
 pub struct CostMap {
     frame: Frame,
     costs: Costs,
-    numbers: Numbers,
+    numbers: RankBitmap,
     /// Half the car's width, metres, and what shall be free beside it.
     keeps: Margin,
     /// Per number: what a metre costs beyond its length; with the manuscript's costs, what the cell costs. What a place costs
@@ -60,9 +60,9 @@ pub struct CostMap {
 impl CostMap {
     /// Of a road for cars that need `radius` metres to either side. `kerb` has the distance of every cell to what is no
     /// road.
-    pub fn new(ground: &Ground, kerb: &[f32], traffic: &Traffic, radius: f64, config: &Config) -> Self {
+    pub fn new(ground: &RoadRasters, kerb: &[f32], traffic: &Traffic, radius: f64, config: &Config) -> Self {
         let frame = ground.frame;
-        let numbers = Numbers::new(ground.clearance.iter().map(|&d| f64::from(d) >= radius));
+        let numbers = RankBitmap::new(ground.clearance.iter().map(|&d| f64::from(d) >= radius));
         let legs = legs(&traffic.lanes);
         let base = |clearance: f64, enough: Option<f64>| config.base_cost(clearance, radius, enough);
         let keeps = Margin {
@@ -103,7 +103,7 @@ impl CostMap {
 
     /// Per cell of the map: what a metre there costs beyond its length (with the manuscript's costs, what the cell
     /// costs), whatever the margin; infinity where there is no room.
-    pub fn layer(&self, ground: &Ground) -> Vec<f32> {
+    pub fn layer(&self, ground: &RoadRasters) -> Vec<f32> {
         let own = u8::from(self.costs != Costs::Paper);
         let cost = |index| {
             self.numbers.of(index).map_or(f32::INFINITY, |n| {
@@ -115,17 +115,17 @@ impl CostMap {
     }
 
     /// Whether a cell has less than the margin.
-    pub(super) fn is_short(&self, ground: &Ground, cell: Cell) -> bool {
+    pub(super) fn is_short(&self, ground: &RoadRasters, cell: Cell) -> bool {
         ground.at(cell) < self.keeps.radius + self.keeps.asked
     }
 
     /// What a node costs, whatever the margin.
-    fn soft(&self, node: NodeId, ground: &Ground, index: usize) -> f64 {
+    fn soft(&self, node: NodeId, ground: &RoadRasters, index: usize) -> f64 {
         f64::from(self.surcharges[node as usize]) - self.keeps.surcharge(f64::from(ground.clearance[index]))
     }
 
     /// What a metre through a cell costs, its length and all weights included, the margin if asked; `None` without room.
-    pub(super) fn metre(&self, ground: &Ground, cell: Cell, margin: bool) -> Option<f64> {
+    pub(super) fn metre(&self, ground: &RoadRasters, cell: Cell, margin: bool) -> Option<f64> {
         let node = self.node(cell)?;
         let surcharge = if margin {
             f64::from(self.surcharges[node as usize])
@@ -136,7 +136,7 @@ impl CostMap {
     }
 
     /// The same between the centres of cells, whatever the margin; `None` where no cell around has room.
-    pub(super) fn soft_metre(&self, ground: &Ground, point: Point) -> Option<f64> {
+    pub(super) fn soft_metre(&self, ground: &RoadRasters, point: Point) -> Option<f64> {
         let [x, y] = self.frame.lattice(point).map(|v| v - 0.5);
         let (x0, y0) = (x.floor(), y.floor());
         let (mut sum, mut share) = (0.0, 0.0);
@@ -187,7 +187,7 @@ pub(super) struct Road<'a> {
     pub(super) map: &'a CostMap,
     pub(super) goal: (Cell, NodeId),
     /// The raster, where only cells with the margin count.
-    pub(super) strict: Option<&'a Ground>,
+    pub(super) strict: Option<&'a RoadRasters>,
 }
 
 impl Road<'_> {
@@ -233,9 +233,9 @@ impl Road<'_> {
 }
 
 /// Of equal cells the one met last.
-pub(super) struct Eager<'a>(pub(super) Road<'a>);
+pub(super) struct LifoTies<'a>(pub(super) Road<'a>);
 /// Of equal cells the one met first.
-pub(super) struct Fair<'a>(pub(super) Road<'a>);
+pub(super) struct FifoTies<'a>(pub(super) Road<'a>);
 
 macro_rules! domain {
     ($name:ident, $order:expr) => {
@@ -265,5 +265,5 @@ macro_rules! domain {
     };
 }
 
-domain!(Eager, Order::Newest);
-domain!(Fair, Order::Oldest);
+domain!(LifoTies, Order::Newest);
+domain!(FifoTies, Order::Oldest);

@@ -4,7 +4,7 @@
 //! programming. A way that turns away from the curve costs more, so that lanes are changed gently.
 
 use super::smooth::bilinear;
-use super::{CostMap, Ground};
+use super::{CostMap, RoadRasters};
 use crate::geometry::{Point, Vector};
 
 /// Places are this far apart along the curve and across, metres.
@@ -42,7 +42,7 @@ pub struct Station {
 #[derive(Clone, Copy)]
 pub struct Lateral<'a> {
     /// The road's raster.
-    pub ground: &'a Ground,
+    pub ground: &'a RoadRasters,
     /// Costs on it.
     pub costs: &'a CostMap,
     /// Half the car's width, metres.

@@ -5,25 +5,25 @@
 
 mod config;
 mod domain;
-mod ground;
 mod lateral;
-mod numbers;
 mod prune;
+mod rank_bitmap;
+mod road_rasters;
 mod smooth;
 
 pub use config::{Base, Config, Costs, Curves, Pruning};
 pub use domain::CostMap;
-pub use ground::{Ground, kerb_distances};
-pub(crate) use ground::{lane_at, lane_beside, legs, limit_at};
 pub use lateral::{Lateral, Station};
 pub use prune::corners;
+pub use road_rasters::{RoadRasters, kerb_distances};
+pub(crate) use road_rasters::{lane_at, lane_beside, legs, limit_at};
 pub use smooth::{Smooth, Smoothing, dense, paper_spline, smooth};
 
 use crate::geometry::{Point, math};
 use crate::map::Cell;
 use crate::scenario::{Lane, SpeedLimit};
 use crate::search::{End, Limits, NodeId, Watch, best_first};
-use domain::{Eager, Fair, Road};
+use domain::{FifoTies, LifoTies, Road};
 use prune::Chords;
 
 /// How far a start or goal without room may be moved to one with room, metres.
@@ -42,7 +42,7 @@ pub struct Traffic {
 #[derive(Debug, Clone, Copy)]
 pub struct Query<'a> {
     /// The road's raster.
-    pub ground: &'a Ground,
+    pub ground: &'a RoadRasters,
     /// Costs on it.
     pub costs: &'a CostMap,
     /// Half the car's width, metres.
@@ -138,9 +138,9 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, watch: &mut W
         let road = Road { map, goal: (goal, last), strict: strict.then_some(ground) };
         let limits = Limits { max_expansions: config.max_expansions - report.expanded, first: false };
         let next = if config.costs == Costs::Steps {
-            best_first(&mut Fair(road), (root, ()), limits, memory, watch)
+            best_first(&mut FifoTies(road), (root, ()), limits, memory, watch)
         } else {
-            best_first(&mut Eager(road), (root, ()), limits, memory, watch)
+            best_first(&mut LifoTies(road), (root, ()), limits, memory, watch)
         };
         report.expanded += next.expanded;
         report.generated = next.generated;

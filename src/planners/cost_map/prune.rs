@@ -1,6 +1,6 @@
 //! Chords instead of cells, where they keep their distance and are worth what they cost.
 
-use super::{Config, CostMap, Curves, Ground, Pruning};
+use super::{Config, CostMap, Curves, Pruning, RoadRasters};
 use crate::map::Cell;
 use crate::planners::weighted_cost;
 
@@ -15,7 +15,7 @@ const CORNER: f64 = 10.0;
 
 /// A road, what it costs, and how chords over it are chosen.
 pub(super) struct Chords<'a> {
-    pub(super) ground: &'a Ground,
+    pub(super) ground: &'a RoadRasters,
     pub(super) costs: &'a CostMap,
     pub(super) radius: f64,
     pub(super) config: &'a Config,
@@ -179,7 +179,7 @@ fn places(cells: &[Cell]) -> Vec<usize> {
 }
 
 /// Per cell what the way to it costs by weights; empty where all cells cost the same.
-fn spent(ground: &Ground, cells: &[Cell]) -> Vec<i64> {
+fn spent(ground: &RoadRasters, cells: &[Cell]) -> Vec<i64> {
     let Some(weights) = &ground.weights else { return Vec::new() };
     let mut spent = vec![0];
     spent.extend(cells.windows(2).scan(0, |sum, pair| {
@@ -190,7 +190,7 @@ fn spent(ground: &Ground, cells: &[Cell]) -> Vec<i64> {
 }
 
 /// Whether a chord between two of the cells costs no more by weights than the cells do.
-fn is_cheap(ground: &Ground, cells: &[Cell], spent: &[i64], (a, b): (usize, usize)) -> bool {
+fn is_cheap(ground: &RoadRasters, cells: &[Cell], spent: &[i64], (a, b): (usize, usize)) -> bool {
     let dearer = |weights| weighted_cost(weights, cells[a], cells[b]) > spent[b] - spent[a];
     !ground.weights.as_deref().is_some_and(dearer)
 }

@@ -1,6 +1,6 @@
 //! From chords to a curve: a penalised spline, drawn closer to the chords where it comes too near to something.
 
-use super::Ground;
+use super::RoadRasters;
 use crate::geometry::bspline::{Place, Spline};
 use crate::geometry::{Point, Vector};
 
@@ -52,7 +52,12 @@ pub struct Smooth {
 }
 
 /// Smooths a polyline; `accept` has the last word on a curve.
-pub fn smooth(ground: &Ground, line: &[Point], how: &Smoothing, accept: impl Fn(&Spline) -> bool) -> Smooth {
+pub fn smooth(
+    ground: &RoadRasters,
+    line: &[Point],
+    how: &Smoothing,
+    accept: impl Fn(&Spline) -> bool,
+) -> Smooth {
     let room = |p: Point| bilinear(ground, p) - how.radius;
     let chords = |points: Vec<Point>| {
         let clearance = points.iter().fold(f64::INFINITY, |least, &p| least.min(room(p)));
@@ -170,7 +175,7 @@ pub fn dense(line: &[Point], step: f64) -> Vec<Point> {
 }
 
 /// The clearance between cell centres, metres; at the map's edge that of the outermost centres.
-pub(super) fn bilinear(ground: &Ground, point: Point) -> f64 {
+pub(super) fn bilinear(ground: &RoadRasters, point: Point) -> f64 {
     let [x, y] = ground.frame.lattice(point).map(|v| v - 0.5);
     let (w, h) = (f64::from(ground.frame.width - 1), f64::from(ground.frame.height - 1));
     let (x, y) = (x.clamp(0.0, w), y.clamp(0.0, h));

@@ -6,13 +6,13 @@
 use super::config::{Config, Level, SearchFrom};
 use super::cost::{CostModel, Motion};
 use super::domain::take_cheapest;
-use super::flood::Flood;
 use super::level::{Search, Work};
+use super::obstacle_heuristic::ObstacleHeuristic;
 use super::{Query, Report, Scratch, Status, TIGHT, shortcut};
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::reeds_shepp::{self, Word};
 use crate::geometry::{Point, Pose, math};
-use crate::vehicle::collision::{Corridor, Probe};
+use crate::vehicle::collision::{CollisionChecker, Corridor};
 
 /// Knots of the path are this far apart, metres.
 const KNOT: f64 = 0.5;
@@ -88,7 +88,7 @@ pub fn stay(
     scratch: &mut Scratch,
     is_sound: &mut dyn FnMut(&Report) -> bool,
 ) -> Option<Report> {
-    let probe = Probe::new(query.obstacles, query.vehicle);
+    let probe = CollisionChecker::new(query.obstacles, query.vehicle);
     let [start, goal] = [query.start, query.goal].map(|pose| query.obstacles.local(pose));
     let costs = CostModel::driven(config, query.vehicle.min_turning_radius(), [start, goal]);
     let end = arcs::end(last.start, &last.arcs);
@@ -150,13 +150,13 @@ impl Old<'_> {
         path.cost <= self.report.cost * (1.0 + self.share) || is_like(old) || is_like(last)
     }
 
-    fn answer(&self, path: Vec<Arc>, probe: &Probe) -> Report {
+    fn answer(&self, path: Vec<Arc>, probe: &CollisionChecker) -> Report {
         let cost = self.costs.path(probe, self.ends[0], &path);
         Report { arcs: path, cost, status: Status::Suboptimal, ..self.report.clone() }
     }
 
     /// The old path with other ends; `None` where it cannot be led there.
-    fn anchored(&self, probe: &Probe) -> Option<Report> {
+    fn anchored(&self, probe: &CollisionChecker) -> Option<Report> {
         let [start, goal] = self.ends;
         let margin = self.report.margin;
         let joining = Joining { probe, costs: &self.costs, margin };
@@ -175,12 +175,12 @@ impl Old<'_> {
     }
 
     /// The cheapest path within `reach` of the old one that a short search finds.
-    fn bent(&self, probe: &Probe, reach: f64, scratch: &mut Scratch) -> Option<Report> {
+    fn bent(&self, probe: &CollisionChecker, reach: f64, scratch: &mut Scratch) -> Option<Report> {
         let Query { obstacles, vehicle, .. } = *self.query;
         let [start, goal] = self.ends;
         let mirrored = self.report.from_goal;
         let [root, target] = if mirrored { [goal, start] } else { [start, goal] };
-        let flood = Flood::new(obstacles, vehicle, target, self.report.margin, None);
+        let flood = ObstacleHeuristic::new(obstacles, vehicle, target, self.report.margin, None);
         let discs: Vec<Point> =
             poses(self.last.start, &self.last.arcs).map(|pose| flood.disc(pose)).collect();
         let flood = flood.within(&Corridor::around(&discs, reach));
@@ -212,7 +212,7 @@ impl Old<'_> {
 }
 
 struct Joining<'a> {
-    probe: &'a Probe<'a>,
+    probe: &'a CollisionChecker<'a>,
     costs: &'a CostModel,
     margin: f64,
 }

@@ -5,12 +5,12 @@
 
 use core::cell::RefCell;
 
+use super::analytic_expansion::Recorder;
 use super::config::Level;
 use super::cost::CostModel;
-use super::domain::{self, Lattice, Setting, State};
-use super::flood::Flood;
+use super::domain::{self, Setting, State, StateLattice};
 use super::level::{Search, Work};
-use super::shots::Watch;
+use super::obstacle_heuristic::ObstacleHeuristic;
 use super::{Status, Tree};
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::reeds_shepp::{self, Word};
@@ -26,18 +26,18 @@ struct Cheapest<'a> {
     arcs: Vec<Arc>,
 }
 
-impl Join<Lattice<'_>> for Cheapest<'_> {
+impl Join<StateLattice<'_>> for Cheapest<'_> {
     fn best(&self) -> f64 {
         self.cost
     }
 
-    fn complete(&mut self, trees: Trees<Lattice>, side: usize, at: Visit, finish: Finish<f64, Word>) {
+    fn complete(&mut self, trees: Trees<StateLattice>, side: usize, at: Visit, finish: Finish<f64, Word>) {
         let arcs = domain::path(&trees[side].chain(at.node), &finish.tail, self.costs.radius);
         self.keep(if side == 0 { arcs } else { arcs::reversed(&arcs) });
     }
 
     /// Tries the states of the other tree in the cell of this pose, whatever their gear.
-    fn join(&mut self, trees: Trees<Lattice>, side: usize, at: Visit) {
+    fn join(&mut self, trees: Trees<StateLattice>, side: usize, at: Visit) {
         let other = &trees[1 - side];
         for gear in [-1, 0, 1] {
             if let Some(there) = other.reached(other.domain.node(at.label.pose, gear)) {
@@ -56,7 +56,7 @@ impl Cheapest<'_> {
     }
 
     /// Joins a state of the tree from the start to one of the tree from the goal.
-    fn bridge(&mut self, trees: Trees<Lattice>, [from, to]: [Visit; 2]) {
+    fn bridge(&mut self, trees: Trees<StateLattice>, [from, to]: [Visit; 2]) {
         let (here, there) = (from.label.pose, to.label.pose);
         let (lattice, radius) = (&trees[0].domain, self.costs.radius);
         let words = reeds_shepp::list_below(here, there, radius, self.cost - from.g - to.g);
@@ -78,12 +78,18 @@ pub(super) fn search(
     level: Level,
     work: &mut Work,
     tree: &mut Option<Tree>,
-    watch: Option<&RefCell<Watch>>,
+    watch: Option<&RefCell<Recorder>>,
 ) -> Option<(Vec<Arc>, Status)> {
     let Work { report, scratch, progress } = work;
     let other = scratch.other.get_or_insert_default();
     let Search { query, config, probe, .. } = *search;
-    let back = Flood::new(query.obstacles, query.vehicle, search.root, report.margin, other.flood.take());
+    let back = ObstacleHeuristic::new(
+        query.obstacles,
+        query.vehicle,
+        search.root,
+        report.margin,
+        other.flood.take(),
+    );
     let floods = if search.mirrored { [&back, search.flood] } else { [search.flood, &back] };
     let driven = search.costs().searching(&level);
     let ends = [search.start, search.goal];
@@ -91,7 +97,7 @@ pub(super) fn search(
         let mirrored = side == 1;
         let costs = if mirrored { driven.mirrored() } else { driven };
         let setting = Setting { probe, flood: floods[side], keys, costs, mirrored, watch, roots: &[] };
-        Lattice::new(setting, query.vehicle, config, level, ends[1 - side], report.margin)
+        StateLattice::new(setting, query.vehicle, config, level, ends[1 - side], report.margin)
     };
     let (mut first, mut second) = (lattice(0, &scratch.keys), lattice(1, &other.keys));
     let roots = ends.map(|pose| State { pose, ..State::default() });

@@ -10,7 +10,7 @@ use super::{Query, Report, Scratch, Status};
 use crate::geometry::{Pose, arcs};
 use crate::json;
 use crate::search::Progress;
-use crate::vehicle::collision::Probe;
+use crate::vehicle::collision::CollisionChecker;
 
 /// What a path may be chosen by.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -62,7 +62,7 @@ pub fn choices(
     (scratch, progress): (&mut Scratch, &mut Option<Progress>),
     offer: &mut dyn FnMut(Report) -> ControlFlow<()>,
 ) -> Report {
-    let probe = Probe::new(query.obstacles, query.vehicle);
+    let probe = CollisionChecker::new(query.obstacles, query.vehicle);
     let [start, goal] = [query.start, query.goal].map(|pose| query.obstacles.local(pose));
     let locals: Vec<Pose> = goals.iter().map(|&pose| query.obstacles.local(pose)).collect();
     let is_inside = |goal: &Pose| query.obstacles.inside(goal.point()).is_none();
@@ -307,9 +307,9 @@ mod tests {
     use std::cmp::Ordering;
     use std::collections::{BinaryHeap, HashMap, HashSet};
 
-    use super::super::domain::{Lattice, Setting, State};
-    use super::super::flood::Flood;
-    use super::super::keys::Keys;
+    use super::super::domain::{Setting, State, StateLattice};
+    use super::super::obstacle_heuristic::ObstacleHeuristic;
+    use super::super::state_index::StateIndex;
     use super::*;
     use crate::geometry::Point;
     use crate::search::{self, Domain, End, Limits, NodeId, Relax, Visit, best_first};
@@ -349,7 +349,7 @@ mod tests {
             boxes.push(rectangle(width * next(), height * next(), 0.3 + next(), 0.3 + next(), owner));
         }
         let obstacles = Obstacles::new(&[], &boxes, &rectangle(-0.5, -0.5, width + 1.0, height + 1.0, 0));
-        let probe = Probe::new(&obstacles, &CART);
+        let probe = CollisionChecker::new(&obstacles, &CART);
         let mut pose = || {
             Pose::new(
                 width * next(),
@@ -365,13 +365,13 @@ mod tests {
 
     /// With `weight` 0 both searches expand in the same order, so that each cell has the same pose in both.
     fn lattice<'a>(
-        probe: &'a Probe<'a>,
-        flood: &'a Flood,
-        keys: &'a RefCell<Keys>,
+        probe: &'a CollisionChecker<'a>,
+        flood: &'a ObstacleHeuristic,
+        keys: &'a RefCell<StateIndex>,
         target: Pose,
         weight: f64,
         bound: f64,
-    ) -> Lattice<'a> {
+    ) -> StateLattice<'a> {
         let config = Config { profile: Profile::Shortest, max_direction_changes: 1, ..Config::default() };
         let level = Level {
             xy: 0.5,
@@ -386,7 +386,7 @@ mod tests {
         let costs =
             super::super::cost::CostModel::driven(&config, radius, [target, target]).searching(&level);
         let setting = Setting { probe, flood, keys, costs, mirrored: false, watch: None, roots: &[] };
-        Lattice::new(setting, &CART, &config, level, target, 0.02)
+        StateLattice::new(setting, &CART, &config, level, target, 0.02)
     }
 
     struct Moves(Vec<(NodeId, f64, State)>);
@@ -424,7 +424,7 @@ mod tests {
     }
 
     /// The fewest changes, by going through everything that can be reached with none, then with one, and so on.
-    fn exhaustive(lattice: &mut Lattice, root: Pose) -> Option<u32> {
+    fn exhaustive(lattice: &mut StateLattice, root: Pose) -> Option<u32> {
         let node = lattice.node(root, 0);
         let mut layers =
             vec![BinaryHeap::from([Waiting(0.0, 0, node, State { pose: root, ..State::default() })])];
@@ -474,8 +474,9 @@ mod tests {
         let limits = Limits { max_expansions: 1_000_000, first: false };
         let (mut rooms, mut tally, mut alike) = (0, [0; 6], 0);
         for (obstacles, [root, target]) in (0..).filter_map(room) {
-            let (probe, keys) = (Probe::new(&obstacles, &CART), RefCell::new(Keys::default()));
-            let flood = Flood::new(&obstacles, &CART, target, 0.02, None);
+            let (probe, keys) =
+                (CollisionChecker::new(&obstacles, &CART), RefCell::new(StateIndex::default()));
+            let flood = ObstacleHeuristic::new(&obstacles, &CART, target, 0.02, None);
             if flood.distance(root).is_infinite() {
                 continue;
             }

@@ -85,7 +85,7 @@ parameters! {
         motion_primitive_length: Option<f64> = None,
             spec("motionPrimitiveLength", Form::Number(0.1, 4.0, 0.1), "m", true,
                  ["Primitive length", "基元长度"],
-                 ["Short steps fit tight slots but take longer.", "短步适合窄位，但更慢。"]).within(0.02, 20.0);
+                 ["PackedEntry steps fit tight slots but take longer.", "短步适合窄位，但更慢。"]).within(0.02, 20.0);
         /// Width of a heading bin, radians; by the level where absent.
         heading_resolution: Option<f64> = None,
             spec("headingResolution", Form::Number(0.01, 0.35, 0.01), "rad", true,
@@ -175,7 +175,7 @@ impl Config {
 
     /// The tree of both ends.
     #[cfg(feature = "complete")]
-    pub fn both_ways() -> Self {
+    pub fn bidirectional() -> Self {
         Self { search_from: SearchFrom::Both, ..Self::default() }
     }
 

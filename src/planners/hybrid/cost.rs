@@ -5,7 +5,7 @@ use super::config::Level;
 use crate::geometry::arcs::Arc;
 use crate::geometry::reeds_shepp::Word;
 use crate::geometry::{Point, Pose};
-use crate::vehicle::collision::Probe;
+use crate::vehicle::collision::CollisionChecker;
 
 /// Places are looked at this often along an arc, metres.
 const CLEARANCE_STEP: f64 = 0.5;
@@ -107,7 +107,7 @@ impl CostModel {
     }
 
     /// What a word from `from` costs for where it leads.
-    pub(super) fn word_places(&self, probe: &Probe, from: Pose, word: &Word) -> f64 {
+    pub(super) fn word_places(&self, probe: &CollisionChecker, from: Pose, word: &Word) -> f64 {
         let mut pose = from;
         word.arcs(self.radius).fold(0.0, |cost, arc| {
             let cost = cost + self.places(probe, pose, &arc);
@@ -118,7 +118,7 @@ impl CostModel {
 
     /// What `arc` from `from` costs for where it leads: near obstacles, in reverse away from both ends, and with the middle of
     /// the rear axle over cells whose weight is above 1.
-    pub(super) fn places(&self, probe: &Probe, from: Pose, arc: &Arc) -> f64 {
+    pub(super) fn places(&self, probe: &CollisionChecker, from: Pose, arc: &Arc) -> f64 {
         let reverse = self.in_reverse(arc);
         let far_reverse = if reverse { self.far_reverse } else { 0.0 };
         if far_reverse == 0.0 && self.obstacle == 0.0 && probe.paint().is_none() {
@@ -148,7 +148,7 @@ impl CostModel {
     }
 
     /// Cost of a whole path from `start`.
-    pub(super) fn path(&self, probe: &Probe, start: Pose, arcs: &[Arc]) -> f64 {
+    pub(super) fn path(&self, probe: &CollisionChecker, start: Pose, arcs: &[Arc]) -> f64 {
         let (mut pose, mut before) = (start, Motion::default());
         let mut cost = 0.0;
         for arc in arcs {

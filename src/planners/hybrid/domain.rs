@@ -2,17 +2,17 @@
 
 use core::cell::{Cell, RefCell, RefMut};
 
+use super::analytic_expansion::Recorder;
 use super::config::{Config, Heuristic, Level};
 use super::cost::{CostModel, Motion};
-use super::flood::Flood;
-use super::keys::Keys;
-use super::shots::Watch;
+use super::obstacle_heuristic::ObstacleHeuristic;
+use super::state_index::StateIndex;
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::reeds_shepp::{self, Word};
 use crate::geometry::{Pose, math};
 use crate::search::{Domain, Finish, NodeId, Order, Relax, Visit};
 use crate::vehicle::Vehicle;
-use crate::vehicle::collision::{Probe, Reach, Sampling};
+use crate::vehicle::collision::{CollisionChecker, Reach, Sampling};
 
 /// While shuffling, where the body has this much room around it, metres, …
 const ROOM: f64 = 0.1;
@@ -38,10 +38,10 @@ pub(super) struct State {
 }
 
 /// One search, from `root` to `target`, in local coordinates.
-pub(super) struct Lattice<'a> {
-    pub(super) probe: &'a Probe<'a>,
-    pub(super) flood: &'a Flood,
-    pub(super) keys: &'a RefCell<Keys>,
+pub(super) struct StateLattice<'a> {
+    pub(super) probe: &'a CollisionChecker<'a>,
+    pub(super) flood: &'a ObstacleHeuristic,
+    pub(super) keys: &'a RefCell<StateIndex>,
     pub(super) costs: CostModel,
     pub(super) level: Level,
     pub(super) heuristic: Heuristic,
@@ -52,7 +52,7 @@ pub(super) struct Lattice<'a> {
     #[cfg(feature = "complete")]
     roots: &'a [Pose],
     mirrored: bool,
-    watch: Option<&'a RefCell<Watch>>,
+    watch: Option<&'a RefCell<Recorder>>,
     primitives: Vec<Arc>,
     words: Vec<(f64, Word)>,
     /// States that were asked for a connection so far.
@@ -67,18 +67,18 @@ pub(super) struct Lattice<'a> {
 /// What a lattice is made of.
 #[derive(Clone, Copy)]
 pub(super) struct Setting<'a> {
-    pub(super) probe: &'a Probe<'a>,
-    pub(super) flood: &'a Flood,
-    pub(super) keys: &'a RefCell<Keys>,
+    pub(super) probe: &'a CollisionChecker<'a>,
+    pub(super) flood: &'a ObstacleHeuristic,
+    pub(super) keys: &'a RefCell<StateIndex>,
     pub(super) costs: CostModel,
     /// Whether the tree grows from the goal; `costs` are then, too.
     pub(super) mirrored: bool,
-    pub(super) watch: Option<&'a RefCell<Watch>>,
+    pub(super) watch: Option<&'a RefCell<Recorder>>,
     #[cfg(feature = "complete")]
     pub(super) roots: &'a [Pose],
 }
 
-impl<'a> Lattice<'a> {
+impl<'a> StateLattice<'a> {
     pub(super) fn new(
         setting: Setting<'a>,
         vehicle: &Vehicle,
@@ -141,14 +141,14 @@ impl<'a> Lattice<'a> {
 
     /// The number of a state's lattice cell.
     pub(super) fn node(&self, pose: Pose, gear: i8) -> NodeId {
-        let roomy = self.level.shuffle && self.probe.roomy(pose, ROOM);
-        let (xy, yaw) = if roomy { ROOMY } else { (self.level.xy, self.level.yaw) };
+        let clear_by = self.level.shuffle && self.probe.clear_by(pose, ROOM);
+        let (xy, yaw) = if clear_by { ROOMY } else { (self.level.xy, self.level.yaw) };
         // The offset keeps what lies left of or below the origin positive.
         let cell = |v: f64| (v / xy + f64::from(1 << 20)) as u64 & 0x1f_ffff;
         let bins = (math::TAU / yaw).ceil() as u64;
         let yaw = ((pose.heading + math::PI) / yaw) as u64 % bins;
         let key = (cell(pose.x) << 43) | (cell(pose.y) << 22) | (yaw << 3) | (gear + 1) as u64;
-        let key = key | u64::from(roomy) << 2;
+        let key = key | u64::from(clear_by) << 2;
         self.keys.borrow_mut().id(key)
     }
 
@@ -199,7 +199,7 @@ impl<'a> Lattice<'a> {
     }
 }
 
-impl Domain for Lattice<'_> {
+impl Domain for StateLattice<'_> {
     type Cost = f64;
     type Label = State;
     type Tail = Word;

@@ -4,13 +4,13 @@
 //! the first connection to the start comes from the goal of the cheapest path. It searches the coarse level, which answers
 //! nearly always; where it does not, each goal is planned for on its own until one has a path.
 
-use super::flood::Flood;
 use super::level::{Search, Work};
+use super::obstacle_heuristic::ObstacleHeuristic;
 use super::{Config, HAIR, Query, Report, Scratch, Status, TIGHT, empty, plan};
 use crate::geometry::{Pose, arcs, math, reeds_shepp};
 use crate::search::Progress;
 use crate::vehicle::Vehicle;
-use crate::vehicle::collision::{Obstacles, Probe};
+use crate::vehicle::collision::{CollisionChecker, Obstacles};
 
 /// Expansions after which no further goal is planned for on its own: four goals that nobody can reach may take as many.
 const EFFORT: u32 = 600_000;
@@ -49,7 +49,7 @@ pub fn plan_any(
     trace: bool,
     progress: &mut Option<Progress>,
 ) -> (usize, Report) {
-    let probe = Probe::new(query.obstacles, query.vehicle);
+    let probe = CollisionChecker::new(query.obstacles, query.vehicle);
     let local = |pose| query.obstacles.local(pose);
     let mut free: Vec<usize> = Vec::new();
     if goals.len() > 1 {
@@ -75,12 +75,12 @@ pub fn goal_of(query: &Query, goals: &[Pose], report: &Report) -> Pose {
 
 /// Of some poses those at which the body keeps `margin`, metres.
 pub fn with_room(obstacles: &Obstacles, vehicle: &Vehicle, poses: &[Pose], margin: f64) -> Vec<usize> {
-    let probe = Probe::new(obstacles, vehicle);
+    let probe = CollisionChecker::new(obstacles, vehicle);
     let has_room = |&at: &usize| is_free(&probe, obstacles, poses[at], margin);
     (0..poses.len()).filter(has_room).collect()
 }
 
-fn is_free(probe: &Probe, obstacles: &Obstacles, pose: Pose, margin: f64) -> bool {
+fn is_free(probe: &CollisionChecker, obstacles: &Obstacles, pose: Pose, margin: f64) -> bool {
     let pose = obstacles.local(pose);
     obstacles.inside(pose.point()).is_none() && probe.hit(pose, margin).is_none()
 }
@@ -103,7 +103,7 @@ struct Many<'a> {
     query: &'a Query<'a>,
     config: &'a Config,
     trace: bool,
-    probe: &'a Probe<'a>,
+    probe: &'a CollisionChecker<'a>,
     /// In local coordinates, as the goals.
     start: Pose,
     goals: &'a [Pose],
@@ -119,9 +119,9 @@ impl Many<'_> {
         // With the least margin it leads to all of them.
         let flood = self.flood(self.margin(tightest), scratch);
         let has_room = |&at: &usize| clearances[at] >= margin;
-        let (roomy, mut tight): (Vec<usize>, Vec<usize>) = (0..self.goals.len()).partition(has_room);
+        let (clear_by, mut tight): (Vec<usize>, Vec<usize>) = (0..self.goals.len()).partition(has_room);
         let mut sum = Report { margin, ..empty(self.bound()) };
-        self.at_once(&roomy, &clearances, &flood, (&mut sum, scratch, progress));
+        self.at_once(&clear_by, &clearances, &flood, (&mut sum, scratch, progress));
         let mut best = self.kept(&mut sum);
         // Goals with less room only where they may be nearer than what was found with more.
         let worth = best.as_ref().map_or(f64::INFINITY, |(_, best)| best.cost * WORTH);
@@ -165,13 +165,13 @@ impl Many<'_> {
         self.config.margin.max(HAIR).min(clearance).min(self.clearance(self.start))
     }
 
-    fn flood(&self, margin: f64, scratch: &mut Scratch) -> Flood {
+    fn flood(&self, margin: f64, scratch: &mut Scratch) -> ObstacleHeuristic {
         let Query { obstacles, vehicle, .. } = *self.query;
-        Flood::new(obstacles, vehicle, self.start, margin, scratch.flood.take())
+        ObstacleHeuristic::new(obstacles, vehicle, self.start, margin, scratch.flood.take())
     }
 
     /// Metres of the way to a goal at least, as far as is known; infinite where there is none.
-    fn estimate(&self, at: usize, flood: &Flood) -> f64 {
+    fn estimate(&self, at: usize, flood: &ObstacleHeuristic) -> f64 {
         let radius = self.query.vehicle.min_turning_radius();
         let around = flood.distance(self.goals[at]);
         around.max(reeds_shepp::distance(self.start, self.goals[at], radius))
@@ -189,7 +189,7 @@ impl Many<'_> {
         &self,
         some: &[usize],
         clearances: &[f64],
-        flood: &Flood,
+        flood: &ObstacleHeuristic,
         (report, scratch, progress): (&mut Report, &mut Scratch, &mut Option<Progress>),
     ) {
         let near: Vec<usize> =
@@ -221,7 +221,7 @@ impl Many<'_> {
     }
 
     /// The ways around obstacles to the goals.
-    fn distances(&self, flood: &Flood) -> Vec<f64> {
+    fn distances(&self, flood: &ObstacleHeuristic) -> Vec<f64> {
         self.goals.iter().map(|&goal| flood.distance(goal)).collect()
     }
 

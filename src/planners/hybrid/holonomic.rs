@@ -5,11 +5,11 @@
 //! something in the box's middle; then no pose in the box is free. A way passes through neighbouring open boxes, so where the
 //! boxes that can be reached from one end do not hold the other end, that is a proof.
 
-use super::flood::Flood;
-use super::keys::Keys;
+use super::obstacle_heuristic::ObstacleHeuristic;
+use super::state_index::StateIndex;
 use crate::geometry::{Point, Pose, Vector, math};
 use crate::vehicle::Vehicle;
-use crate::vehicle::collision::Probe;
+use crate::vehicle::collision::CollisionChecker;
 
 /// Sides of the boxes that are tried in turn, in widths of the body; their turn moves a corner of it as far.
 const SIDES: [f64; 3] = [1.0 / 16.0, 1.0 / 32.0, 1.0 / 64.0];
@@ -34,11 +34,11 @@ enum Search {
 /// pose nearest to the target that it may reach.
 #[inline(never)]
 pub(super) fn proven_apart(
-    car: (&Probe, &Vehicle),
-    flood: &Flood,
+    car: (&CollisionChecker, &Vehicle),
+    flood: &ObstacleHeuristic,
     [root, target]: [Pose; 2],
     margin: f64,
-    keys: &mut Keys,
+    keys: &mut StateIndex,
 ) -> Option<Pose> {
     for (side, most) in SIDES.into_iter().zip(BOXES) {
         match Boxes::new(car, flood, root, side * car.1.width, margin).search(target, most, keys) {
@@ -55,8 +55,8 @@ type Box3 = [i32; 3];
 
 /// The boxes about one pose.
 struct Boxes<'a> {
-    probe: &'a Probe<'a>,
-    flood: &'a Flood,
+    probe: &'a CollisionChecker<'a>,
+    flood: &'a ObstacleHeuristic,
     root: Pose,
     /// Middle of the body at the root.
     origin: Point,
@@ -71,8 +71,8 @@ struct Boxes<'a> {
 
 impl<'a> Boxes<'a> {
     fn new(
-        (probe, vehicle): (&'a Probe<'a>, &Vehicle),
-        flood: &'a Flood,
+        (probe, vehicle): (&'a CollisionChecker<'a>, &Vehicle),
+        flood: &'a ObstacleHeuristic,
         root: Pose,
         side: f64,
         margin: f64,
@@ -121,7 +121,7 @@ impl<'a> Boxes<'a> {
     }
 
     /// Goes through the boxes that can be reached from the root, those nearest to the target by the flood first.
-    fn search(&self, target: Pose, most: u32, keys: &mut Keys) -> Search {
+    fn search(&self, target: Pose, most: u32, keys: &mut StateIndex) -> Search {
         keys.clear();
         let wanted = self.at(target);
         let mut boxes: Vec<Box3> = Vec::new();
@@ -196,11 +196,11 @@ mod tests {
         let walls: Vec<Edge> = walls.iter().map(edge).collect();
         let outline = floor.iter().map(|&(x, y)| Point::new(x, y)).collect();
         let obstacles = Obstacles::new(&walls, &[], &Solid { outline, owner: 0 });
-        let probe = Probe::new(&obstacles, &CART);
+        let probe = CollisionChecker::new(&obstacles, &CART);
         let [root, target] = ends.map(|pose| obstacles.local(pose));
         assert!([root, target].iter().all(|&pose| probe.hit(pose, 0.0).is_none()));
-        let flood = Flood::new(&obstacles, &CART, target, 0.0, None);
-        proven_apart((&probe, &CART), &flood, [root, target], 0.0, &mut Keys::default()).is_some()
+        let flood = ObstacleHeuristic::new(&obstacles, &CART, target, 0.0, None);
+        proven_apart((&probe, &CART), &flood, [root, target], 0.0, &mut StateIndex::default()).is_some()
     }
 
     #[test]

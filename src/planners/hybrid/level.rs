@@ -2,16 +2,16 @@
 
 use core::cell::RefCell;
 
+use super::analytic_expansion::Recorder;
 use super::config::Level;
 use super::cost::CostModel;
-use super::domain::{self, Lattice, Setting, State};
-use super::flood::Flood;
-use super::shots::Watch;
+use super::domain::{self, Setting, State, StateLattice};
+use super::obstacle_heuristic::ObstacleHeuristic;
 use super::{Config, Query, Report, Scratch, Status, Tree, shortcut};
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::{Pose, math};
 use crate::search::{End, Limits, Progress, best_first};
-use crate::vehicle::collision::Probe;
+use crate::vehicle::collision::CollisionChecker;
 
 /// Spacing of the last check of a path, metres.
 const VERIFY: f64 = 0.01;
@@ -45,8 +45,8 @@ pub(super) struct Work<'a, 'p> {
 pub(super) struct Search<'a> {
     pub(super) query: &'a Query<'a>,
     pub(super) config: &'a Config,
-    pub(super) probe: &'a Probe<'a>,
-    pub(super) flood: &'a Flood,
+    pub(super) probe: &'a CollisionChecker<'a>,
+    pub(super) flood: &'a ObstacleHeuristic,
     pub(super) root: Pose,
     pub(super) target: Pose,
     pub(super) mirrored: bool,
@@ -72,7 +72,7 @@ pub(super) enum First {
 
 impl<'a> Search<'a> {
     /// The same question from the other end.
-    pub(super) fn swapped(self, flood: &'a Flood) -> Self {
+    pub(super) fn swapped(self, flood: &'a ObstacleHeuristic) -> Self {
         Self { flood, root: self.target, target: self.root, mirrored: !self.mirrored, ..self }
     }
 
@@ -201,7 +201,7 @@ impl<'a> Search<'a> {
             origin: self.origin(),
             mirrored: self.mirrored,
         });
-        let watch = self.trace.then(|| RefCell::new(Watch::new(self.origin())));
+        let watch = self.trace.then(|| RefCell::new(Recorder::new(self.origin())));
         #[cfg(feature = "complete")]
         if self.config.search_from == super::SearchFrom::Both && !level.shuffle && self.goals.is_empty() {
             let mut tree = tree;
@@ -228,7 +228,7 @@ impl<'a> Search<'a> {
             roots: self.goals,
         };
         let mut lattice =
-            Lattice::new(setting, self.query.vehicle, self.config, level, self.target, report.margin);
+            StateLattice::new(setting, self.query.vehicle, self.config, level, self.target, report.margin);
         let limits =
             Limits { max_expansions: level.max_expansions, first: self.config.first_shot || level.shuffle };
         let root = lattice.root(self.root);

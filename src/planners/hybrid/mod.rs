@@ -3,30 +3,31 @@
 //! The tree grows from the goal by default (the parking paper's reverse search): the car model drives the same way
 //! back, and leaving a slot needs far fewer expansions than finding it. Dolgov et al. 2010 for the search itself.
 
+mod analytic_expansion;
 #[cfg(feature = "complete")]
 mod anchor;
 #[cfg(feature = "complete")]
 mod bidirectional;
+mod bottleneck;
 #[cfg(feature = "complete")]
 mod choices;
 mod config;
 mod cost;
 mod domain;
-mod flood;
 #[cfg(feature = "complete")]
 mod goals;
 #[cfg(feature = "complete")]
 mod holonomic;
-mod keys;
 mod level;
+mod obstacle_heuristic;
 mod obstruction;
-mod passage;
 mod portfolio;
 mod shortcut;
-mod shots;
+mod state_index;
 #[cfg(feature = "complete")]
 mod widest;
 
+pub use analytic_expansion::FailedExpansions;
 #[cfg(feature = "complete")]
 pub use anchor::{Last, stay};
 #[cfg(feature = "complete")]
@@ -34,16 +35,15 @@ pub use choices::{Prefer, choices};
 pub use config::{Config, Heuristic, Profile, SearchFrom};
 #[cfg(feature = "complete")]
 pub use goals::{goal_of, plan_any, with_room};
-pub use shots::Shots;
 
 use core::cell::RefCell;
 
+use analytic_expansion::Recorder;
 use domain::State;
-use flood::Flood;
-use keys::Keys;
 use level::{Search, Work};
+use obstacle_heuristic::ObstacleHeuristic;
 use portfolio::Floods;
-use shots::Watch;
+use state_index::StateIndex;
 
 use super::{Gap, Obstruction};
 use crate::geometry::arcs::Arc;
@@ -51,7 +51,7 @@ use crate::geometry::{Pose, math, reeds_shepp};
 use crate::scenario::resolve::{Form, Geometry};
 use crate::search::{NodeId, Observer, Progress};
 use crate::vehicle::Vehicle;
-use crate::vehicle::collision::{Edge, Obstacles, Probe, Solid};
+use crate::vehicle::collision::{CollisionChecker, Edge, Obstacles, Solid};
 
 /// A car that can go no farther than this, ahead and back together, is stuck, metres.
 const STUCK: f64 = 1.0;
@@ -161,15 +161,15 @@ pub struct Report {
     /// Tree arcs beyond the cap.
     pub tree_dropped: u64,
     /// Connections that hit something, of the same search.
-    pub shots: Shots,
+    pub shots: FailedExpansions,
 }
 
 /// The memory of hybrid A*, reused between queries.
 #[derive(Debug, Default)]
 pub struct Scratch {
     search: crate::search::Scratch<f64, State>,
-    keys: RefCell<Keys>,
-    flood: Option<Flood>,
+    keys: RefCell<StateIndex>,
+    flood: Option<ObstacleHeuristic>,
     /// Of the other tree, where two grow.
     #[cfg(feature = "complete")]
     other: Option<Box<Self>>,
@@ -217,7 +217,7 @@ impl Report {
         }
     }
 
-    fn keep(&mut self, tree: Option<Tree>, watch: Option<&RefCell<Watch>>) {
+    fn keep(&mut self, tree: Option<Tree>, watch: Option<&RefCell<Recorder>>) {
         if let (Some(tree), Some(watch)) = (tree, watch) {
             (self.tree, self.tree_dropped) = (tree.arcs, tree.dropped);
             self.shots = core::mem::take(&mut watch.borrow_mut().shots);
@@ -261,7 +261,7 @@ pub fn plan(
 ) -> Report {
     let local = |pose| query.obstacles.local(pose);
     let (start, goal) = (local(query.start), local(query.goal));
-    let probe = Probe::new(query.obstacles, query.vehicle);
+    let probe = CollisionChecker::new(query.obstacles, query.vehicle);
     let radius = query.vehicle.min_turning_radius();
     let mut report = empty(reeds_shepp::distance(start, goal, radius));
     let blocked = |pose: Pose| query.obstacles.inside(pose.point()).or_else(|| probe.hit(pose, 0.0));
@@ -346,7 +346,7 @@ pub fn plan(
 
 /// Why there is no way at all, and where it ends.
 fn unreachable(query: &Query, ends: [Pose; 2], margin: f64) -> (Status, Option<Obstruction>) {
-    let Some(gap) = passage::too_narrow(query.obstacles, query.vehicle, ends[0], ends[1]) else {
+    let Some(gap) = bottleneck::too_narrow(query.obstacles, query.vehicle, ends[0], ends[1]) else {
         return (Status::Unreachable, Some(obstruction::enclosed(query, ends, margin)));
     };
     let gap = Gap { at: gap.at + (query.start.point() - ends[0].point()), ..gap };
@@ -354,7 +354,7 @@ fn unreachable(query: &Query, ends: [Pose; 2], margin: f64) -> (Status, Option<O
 }
 
 /// How far the body can go ahead and back from a pose, together, metres; a metre each way at most.
-fn travel(probe: &Probe, vehicle: &Vehicle, pose: Pose, margin: f64) -> f64 {
+fn travel(probe: &CollisionChecker, vehicle: &Vehicle, pose: Pose, margin: f64) -> f64 {
     let limit = vehicle.max_curvature();
     let way = |length: f64| {
         let far = |curvature: f64| probe.free_length(pose, &Arc { curvature, length }, 0.05, margin);
@@ -383,6 +383,6 @@ fn empty(rs_bound: f64) -> Report {
         obstruction: None,
         tree: Vec::new(),
         tree_dropped: 0,
-        shots: Shots::default(),
+        shots: FailedExpansions::default(),
     }
 }

@@ -1,18 +1,18 @@
 //! Finding where it fails.
 
 use super::Query;
-use super::flood::Flood;
+use super::obstacle_heuristic::ObstacleHeuristic;
 use crate::geometry::Pose;
 use crate::geometry::arcs::Arc;
 use crate::planners::{Obstruction, Region};
-use crate::vehicle::collision::Probe;
+use crate::vehicle::collision::CollisionChecker;
 
 /// Beyond what stops the car, to see what that is, metres.
 const TOUCH: f64 = 0.01;
 
 /// The smaller of the regions around start and goal that no way joins; local poses.
 pub(super) fn enclosed(query: &Query, [start, goal]: [Pose; 2], margin: f64) -> Obstruction {
-    let flood = |pose| Flood::new(query.obstacles, query.vehicle, pose, margin, None);
+    let flood = |pose| ObstacleHeuristic::new(query.obstacles, query.vehicle, pose, margin, None);
     let (from_start, from_goal) = (flood(start), flood(goal));
     let at_start = from_start.reached() <= from_goal.reached();
     let Region { cell, runs } = if at_start { from_start } else { from_goal }.region();
@@ -24,7 +24,7 @@ pub(super) fn enclosed(query: &Query, [start, goal]: [Pose; 2], margin: f64) -> 
 }
 
 /// How far the car gets from a local pose that it can hardly leave, and what stops it.
-pub(super) fn stops(probe: &Probe, query: &Query, pose: Pose, margin: f64) -> Vec<(Pose, u32)> {
+pub(super) fn stops(probe: &CollisionChecker, query: &Query, pose: Pose, margin: f64) -> Vec<(Pose, u32)> {
     let limit = query.vehicle.max_curvature();
     let shift = query.start.point() - query.obstacles.local(query.start).point();
     let mut stops = Vec::new();

@@ -8,10 +8,10 @@
 use core::cell::OnceCell;
 
 use super::config::{Level, SHUFFLING};
-use super::flood::Flood;
 #[cfg(feature = "complete")]
 use super::holonomic;
 use super::level::{First, Search, Work};
+use super::obstacle_heuristic::ObstacleHeuristic;
 use super::{Config, HAIR, Query, Report, SearchFrom, Status};
 use crate::geometry::{Pose, arcs};
 use crate::search::Progress;
@@ -53,7 +53,7 @@ pub(super) struct Floods<'a> {
     /// Towards which the tree grows, and from where.
     ends: [Pose; 2],
     margins: Vec<f64>,
-    made: Vec<[OnceCell<Flood>; 2]>,
+    made: Vec<[OnceCell<ObstacleHeuristic>; 2]>,
 }
 
 impl<'a> Floods<'a> {
@@ -63,7 +63,7 @@ impl<'a> Floods<'a> {
         config: &Config,
         ends: [Pose; 2],
         asked: f64,
-        memory: Option<Flood>,
+        memory: Option<ObstacleHeuristic>,
     ) -> Self {
         let mut margins = vec![asked];
         if config.levels() > SHUFFLING {
@@ -81,20 +81,26 @@ impl<'a> Floods<'a> {
         Self { query, ends, margins, made }
     }
 
-    pub(super) fn get(&self, margin: usize, is_swapped: bool) -> &Flood {
+    pub(super) fn get(&self, margin: usize, is_swapped: bool) -> &ObstacleHeuristic {
         self.get_from(margin, is_swapped, None)
     }
 
     /// Towards the first end, or the second, with one of the margins.
     #[inline(never)]
-    fn get_from(&self, margin: usize, is_swapped: bool, memory: Option<Flood>) -> &Flood {
+    fn get_from(
+        &self,
+        margin: usize,
+        is_swapped: bool,
+        memory: Option<ObstacleHeuristic>,
+    ) -> &ObstacleHeuristic {
         let (Query { obstacles, vehicle, .. }, end) = (self.query, usize::from(is_swapped));
-        self.made[margin][end]
-            .get_or_init(|| Flood::new(obstacles, vehicle, self.ends[end], self.margins[margin], memory))
+        self.made[margin][end].get_or_init(|| {
+            ObstacleHeuristic::new(obstacles, vehicle, self.ends[end], self.margins[margin], memory)
+        })
     }
 
     /// The largest margin with which a disc of the car's width gets from end to end.
-    pub(super) fn widest(&self) -> Option<(usize, &Flood)> {
+    pub(super) fn widest(&self) -> Option<(usize, &ObstacleHeuristic)> {
         let reaches = |&at: &usize| self.get(at, false).distance(self.ends[1]).is_finite();
         (0..self.margins.len()).find(reaches).map(|at| (at, self.get(at, false)))
     }
@@ -109,11 +115,11 @@ impl<'a> Floods<'a> {
     }
 
     pub(super) fn bytes(&self) -> u64 {
-        self.made.iter().flatten().filter_map(OnceCell::get).map(Flood::bytes).sum()
+        self.made.iter().flatten().filter_map(OnceCell::get).map(ObstacleHeuristic::bytes).sum()
     }
 
     /// The first one's memory.
-    pub(super) fn into_memory(mut self) -> Option<Flood> {
+    pub(super) fn into_memory(mut self) -> Option<ObstacleHeuristic> {
         self.made[0][0].take()
     }
 }

@@ -5,7 +5,7 @@ use super::domain::take_cheapest;
 use crate::geometry::Pose;
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::reeds_shepp::{self, Word};
-use crate::vehicle::collision::{Probe, Reach, Sampling};
+use crate::vehicle::collision::{CollisionChecker, Reach, Sampling};
 
 /// Arcs are split at most this far apart, metres: first coarsely, which does most of it, then finely.
 const KNOTS: [f64; 2] = [1.0, 0.5];
@@ -20,7 +20,7 @@ const PAIRS: usize = 6000;
 /// How a replacement is tested.
 #[derive(Clone, Copy)]
 pub(super) struct Rules<'a> {
-    pub(super) probe: &'a Probe<'a>,
+    pub(super) probe: &'a CollisionChecker<'a>,
     pub(super) costs: &'a CostModel,
     /// Spacing of collision checks, metres.
     pub(super) spacing: f64,

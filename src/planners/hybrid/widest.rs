@@ -3,7 +3,7 @@
 use super::choices::SHARES;
 use crate::geometry::Pose;
 use crate::geometry::arcs::Arc;
-use crate::vehicle::collision::Probe;
+use crate::vehicle::collision::CollisionChecker;
 
 /// More room than this is room enough where a path may lead to one of several goals, metres. Some of them may lie in the open.
 const OPEN: f64 = 3.0;
@@ -18,7 +18,7 @@ const EACH: usize = 8;
 
 /// Margins for the widest path to one of some goals, largest first: shares of the room at each, which counts up to the room at the
 /// start. All are more than `least`. Between two of them are more, by which the gap is halved.
-pub(super) fn margins(probe: &Probe, start: Pose, goals: &[Pose], least: f64) -> Vec<f64> {
+pub(super) fn margins(probe: &CollisionChecker, start: Pose, goals: &[Pose], least: f64) -> Vec<f64> {
     let at_start = probe.clearance(start, OPEN);
     let rooms = goals.iter().map(|&goal| probe.clearance(goal, OPEN).min(at_start));
     let mut shares: Vec<f64> = rooms.flat_map(|room| SHARES.map(|share| share * room)).collect();
@@ -39,7 +39,7 @@ pub(super) fn margins(probe: &Probe, start: Pose, goals: &[Pose], least: f64) ->
 }
 
 /// The least distance from the body to an obstacle along a path, metres; three at most.
-pub(super) fn clearance(probe: &Probe, start: Pose, path: &[Arc]) -> f64 {
+pub(super) fn clearance(probe: &CollisionChecker, start: Pose, path: &[Arc]) -> f64 {
     let mut pose = start;
     let mut least = probe.clearance(start, OPEN);
     for arc in path {
@@ -54,7 +54,7 @@ pub(super) fn clearance(probe: &Probe, start: Pose, path: &[Arc]) -> f64 {
 }
 
 /// The room at the goals that have the most, no more than at the start, largest first, each with the goal's number.
-pub(super) fn by_room(probe: &Probe, start: Pose, goals: &[Pose]) -> Vec<(f64, usize)> {
+pub(super) fn by_room(probe: &CollisionChecker, start: Pose, goals: &[Pose]) -> Vec<(f64, usize)> {
     let at_start = probe.clearance(start, OPEN);
     let rooms = goals.iter().map(|&goal| probe.clearance(goal, OPEN).min(at_start));
     let mut rooms: Vec<(f64, usize)> = rooms.zip(0..).collect();

@@ -9,8 +9,8 @@ use crate::map::{Cell, Corner, line_of_sight};
 use crate::planners::heuristics::DistanceWeight;
 use crate::planners::moves::{D, DIRECTIONS, LEGAL, R2, cost};
 use crate::planners::query::Query;
-use crate::search::lattice::{Hold, Lattice, Leg, Sink};
-use crate::search::{NodeId, Wide};
+use crate::search::lattice::{Edge, EdgeSink, Hold, Lattice};
+use crate::search::{NodeId, WideEntry};
 
 pub(super) struct RiskGrid<'a> {
     query: Query<'a>,
@@ -74,21 +74,21 @@ impl<'a> RiskGrid<'a> {
     /// The steps from a cell that lead to free cells and would improve what is known of them, and those of all that are
     /// legal.
     #[inline(always)]
-    fn look<S: Sink>(&self, node: NodeId, sink: &S) -> (u32, u32) {
+    fn look<S: EdgeSink>(&self, node: NodeId, sink: &S) -> (u32, u32) {
         let free = self.query.map.free_around_index(node);
         let worth = sink.worth_around(node, self.query.map.width() as usize, D, R2);
         (worth & u32::from(free), u32::from(self.legal[usize::from(free)]))
     }
 
     #[inline]
-    fn step<S: Sink>(&self, (node, at): (NodeId, Cell), c: usize, sink: &mut S) {
+    fn step<S: EdgeSink>(&self, (node, at): (NodeId, Cell), c: usize, sink: &mut S) {
         let (dx, dy) = DIRECTIONS[c % 8];
         let to = node.wrapping_add_signed(self.offsets[c % 8]);
-        sink.take(Leg::new(c as u32, step_cost(c)), to, self.ahead(at.offset(dx, dy)));
+        sink.take(Edge::new(c as u32, step_cost(c)), to, self.ahead(at.offset(dx, dy)));
     }
 
     /// Offers the steps of two and more cells in one direction, where a step of one is legal or not.
-    fn extensions<S: Sink>(&self, (node, at): (NodeId, Cell), c: usize, mut is_open: bool, sink: &mut S) {
+    fn extensions<S: EdgeSink>(&self, (node, at): (NodeId, Cell), c: usize, mut is_open: bool, sink: &mut S) {
         let (map, (dx, dy), offset) = (self.query.map, DIRECTIONS[c % 8], self.offsets[c % 8]);
         let is_legal = |from: NodeId| self.legal[usize::from(map.free_around_index(from))] >> c & 1 == 1;
         let (mut before, mut to) = (node, at.offset(dx, dy));
@@ -105,7 +105,7 @@ impl<'a> RiskGrid<'a> {
             if sink.worth(target, cost) {
                 self.count_los(1);
                 if is_open && is_legal(before) {
-                    sink.take(Leg::new(count as u32 * 8 + c as u32, cost), target, self.ahead(to));
+                    sink.take(Edge::new(count as u32 * 8 + c as u32, cost), target, self.ahead(to));
                 }
             }
         }
@@ -149,7 +149,7 @@ impl RiskGrid<'_> {
 
     /// Takes the steps of which a bit each is set.
     #[inline]
-    fn take_all<S: Sink>(&self, node: NodeId, mut steps: u32, sink: &mut S) {
+    fn take_all<S: EdgeSink>(&self, node: NodeId, mut steps: u32, sink: &mut S) {
         if steps == 0 {
             return;
         }
@@ -162,7 +162,7 @@ impl RiskGrid<'_> {
 }
 
 impl Lattice for RiskGrid<'_> {
-    type Entry = Wide;
+    type Entry = WideEntry;
 
     const HOLDS_BACK: bool = true;
 
@@ -174,7 +174,7 @@ impl Lattice for RiskGrid<'_> {
         self.query.map.width() as usize + 1
     }
 
-    fn successors<S: Sink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
+    fn successors<S: EdgeSink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
         let at = self.query.map.cell(node);
         let (dx, dy) = self.toward_goal(at);
         let oblique = is_oblique(dx, dy);
@@ -201,7 +201,7 @@ impl Lattice for RiskGrid<'_> {
         }
     }
 
-    fn predecessors<S: Sink>(&self, _: NodeId, _: Option<u32>, _: &mut S) {
+    fn predecessors<S: EdgeSink>(&self, _: NodeId, _: Option<u32>, _: &mut S) {
         unreachable!("the field leads forwards");
     }
 
@@ -210,14 +210,14 @@ impl Lattice for RiskGrid<'_> {
         self.center.get() as u32
     }
 
-    fn held_back<S: Sink>(&self, node: NodeId, note: u32, sink: &mut S) {
+    fn held_back<S: EdgeSink>(&self, node: NodeId, note: u32, sink: &mut S) {
         let (worth, legal) = self.look(node, sink);
         let worth = worth & !mask(primaries(note as usize));
         self.count_los(worth.count_ones());
         self.take_all(node, worth & legal, sink);
     }
 
-    fn held_back_at_once<S: Sink>(&self, node: NodeId, sink: &mut S) {
+    fn held_back_at_once<S: EdgeSink>(&self, node: NodeId, sink: &mut S) {
         let (worth, legal) = self.others.get();
         self.count_los(worth.count_ones());
         self.take_all(node, worth & legal, sink);

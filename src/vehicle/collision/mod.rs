@@ -4,18 +4,18 @@
 //! only once, of the first and last pose ([`Obstacles::inside`]). Most poses are settled by discs that cover the body,
 //! looked up in a distance field; the rest by separating axes against the edges nearby.
 
+mod checker;
 #[cfg(feature = "complete")]
 mod corridor;
 mod obstacles;
-mod probe;
 mod reach;
 #[cfg(test)]
 mod tests;
 
+pub use checker::CollisionChecker;
 #[cfg(feature = "complete")]
 pub use corridor::Corridor;
 #[cfg(feature = "complete")]
 pub(crate) use obstacles::contains;
 pub use obstacles::{Edge, Obstacles, Solid};
-pub use probe::Probe;
 pub use reach::{Reach, Sampling};

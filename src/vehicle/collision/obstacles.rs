@@ -1,7 +1,7 @@
 //! Everything that blocks, sorted into buckets, and how far each place is from it.
 
 use crate::geometry::{Point, Pose, Vector, math};
-use crate::map::{Frame, Layer, Occupancy, Paint, distance, raster};
+use crate::map::{Frame, Layer, Occupancy, WeightMap, distance, raster};
 
 /// Side of a broad-phase bucket, metres.
 const BUCKET: f64 = 2.0;
@@ -48,7 +48,7 @@ pub struct Obstacles {
     field: Layer<f32>,
     fingerprint: u64,
     /// What the floor costs, where it does not cost the same everywhere.
-    paint: Option<Paint>,
+    paint: Option<WeightMap>,
 }
 
 impl Obstacles {
@@ -95,11 +95,11 @@ impl Obstacles {
 
     /// The same world on a floor with these costs, placed in world coordinates.
     #[must_use]
-    pub fn painted(self, paint: Option<Paint>) -> Self {
+    pub fn painted(self, paint: Option<WeightMap>) -> Self {
         let low = self.origin;
-        let local = |paint: Paint| {
+        let local = |paint: WeightMap| {
             let frame = Frame { origin: Point::from(paint.frame.origin - low), ..paint.frame };
-            Paint { frame, ..paint }
+            WeightMap { frame, ..paint }
         };
         Self { paint: paint.map(local), ..self }
     }
@@ -111,7 +111,7 @@ impl Obstacles {
     }
 
     /// What the floor costs, in the frame of all queries, where it does not cost the same everywhere.
-    pub fn paint(&self) -> Option<&Paint> {
+    pub fn paint(&self) -> Option<&WeightMap> {
         self.paint.as_ref()
     }
 

@@ -4,8 +4,8 @@
 //! one of them blocks every curve that begins with a longer one, so each motion is followed once, no farther than it is asked
 //! for.
 
-use super::Probe;
-use super::probe::{CONTACT, Place};
+use super::CollisionChecker;
+use super::checker::{CONTACT, Placement};
 use crate::geometry::arcs::Arc;
 use crate::geometry::reeds_shepp::Word;
 use crate::geometry::{Pose, math};
@@ -41,7 +41,7 @@ struct Motion {
 #[derive(Debug, Clone)]
 pub struct Reach {
     from: Pose,
-    start: Place,
+    start: Placement,
     sampling: Sampling,
     motions: [Motion; 6],
 }
@@ -49,7 +49,7 @@ pub struct Reach {
 impl Reach {
     /// Nothing is known yet.
     pub fn new(from: Pose, sampling: Sampling) -> Self {
-        Self { from, start: Place::of(from), sampling, motions: [Motion::default(); 6] }
+        Self { from, start: Placement::of(from), sampling, motions: [Motion::default(); 6] }
     }
 
     /// Where the motions begin.
@@ -59,7 +59,7 @@ impl Reach {
 
     /// Whether the body is free along an arc from the pose, at full lock or straight: at every sample and at its end.
     #[inline(never)]
-    pub fn is_free(&mut self, probe: &Probe, arc: &Arc) -> bool {
+    pub fn is_free(&mut self, probe: &CollisionChecker, arc: &Arc) -> bool {
         #[cfg(feature = "complete")]
         if !probe.corridor_holds(self.from, arc) {
             return false;
@@ -84,7 +84,13 @@ impl Reach {
     /// Whether the body is free along a word that leads from this pose to that of `back`, for turning radius `radius`. The
     /// word's ends come first: what is known of them decides most words.
     #[inline(never)]
-    pub fn is_word_free(&mut self, back: &mut Self, probe: &Probe, word: &Word, radius: f64) -> bool {
+    pub fn is_word_free(
+        &mut self,
+        back: &mut Self,
+        probe: &CollisionChecker,
+        word: &Word,
+        radius: f64,
+    ) -> bool {
         let mut arcs = word.arcs(radius);
         let (Some(first), last) = (arcs.next(), arcs.next_back()) else { return true };
         let is_last_free = last.is_none_or(|last| back.is_free(probe, &Arc { length: -last.length, ..last }));
@@ -102,10 +108,10 @@ impl Reach {
 
     /// Follows an arc that is free for some metres until its end or what blocks it.
     #[inline(never)]
-    fn follow(&self, probe: &Probe, arc: &Arc, mut free: f64) -> Motion {
+    fn follow(&self, probe: &CollisionChecker, arc: &Arc, mut free: f64) -> Motion {
         let Sampling { spacing, margin, turn } = self.sampling;
         let radius = probe.disc_radius(margin);
-        let pace = probe.pace(arc.curvature);
+        let max_disc_speed = probe.max_disc_speed(arc.curvature);
         let (sign, length) = (1.0_f64.copysign(arc.length), arc.length.abs());
         let turn_sin = turn.0 * sign.copysign(arc.curvature * arc.length);
         let at = |along: f64| math::sin_cos(self.from.heading + arc.curvature * along * sign);
@@ -127,7 +133,7 @@ impl Reach {
                 }
                 free = next;
             } else {
-                free = next + spare / pace;
+                free = next + spare / max_disc_speed;
                 if arc.curvature != 0.0 && free < length {
                     (sin, cos) = at(free);
                 }

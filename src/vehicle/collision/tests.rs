@@ -2,10 +2,10 @@
 
 use std::sync::Arc as Shared;
 
-use super::{Edge, Obstacles, Probe, Solid};
+use super::{CollisionChecker, Edge, Obstacles, Solid};
 use crate::geometry::arcs::Arc;
 use crate::geometry::{Point, Pose, Vector};
-use crate::map::{Frame, Paint, Weights};
+use crate::map::{Frame, WeightMap, Weights};
 use crate::vehicle::Vehicle;
 
 /// Numbers from 0 to 1 that fill squares and cubes evenly.
@@ -85,7 +85,7 @@ fn pose(k: u32) -> Pose {
 #[test]
 fn a_body_hits_what_is_in_its_box() {
     let (world, car) = (world(12), Vehicle::PAPER);
-    let probe = Probe::new(&world.obstacles, &car);
+    let probe = CollisionChecker::new(&world.obstacles, &car);
     let mut hits = 0;
     for k in 0..5000 {
         let (pose, margin) = (pose(k), f64::from(k % 3) * 0.2);
@@ -106,7 +106,7 @@ fn a_body_hits_what_is_in_its_box() {
 #[test]
 fn clearance_is_the_distance_to_the_nearest_edge() {
     let (world, car) = (world(12), Vehicle::SEDAN);
-    let probe = Probe::new(&world.obstacles, &car);
+    let probe = CollisionChecker::new(&world.obstacles, &car);
     let [front, back, left, right] = sides(&car, 0.0);
     let mut measured = 0;
     for k in 0..3000 {
@@ -122,9 +122,9 @@ fn clearance_is_the_distance_to_the_nearest_edge() {
         assert!((told - nearest).abs() < 1e-5, "{pose:?}: {told} {nearest}");
         measured += u32::from(told > 0.0 && told < limit);
         // Room enough is what surely is free, and is seen where there is plenty.
-        assert!(!probe.roomy(pose, 0.2) || told >= limit.min(0.2), "{pose:?}");
+        assert!(!probe.clear_by(pose, 0.2) || told >= limit.min(0.2), "{pose:?}");
         let within = world.obstacles.inside(pose.point()).is_none();
-        assert!(!within || told < 1.5 || probe.roomy(pose, 0.2), "{pose:?}");
+        assert!(!within || told < 1.5 || probe.clear_by(pose, 0.2), "{pose:?}");
     }
     assert!(measured > 500, "{measured}");
 }
@@ -145,7 +145,7 @@ fn points_are_as_far_as_the_nearest_edge() {
 #[test]
 fn an_arc_is_free_until_a_sixteenth_of_a_spacing_before_a_hit() {
     let (world, spacing) = (world(8), 0.4);
-    let probe = Probe::new(&world.obstacles, &Vehicle::SEDAN);
+    let probe = CollisionChecker::new(&world.obstacles, &Vehicle::SEDAN);
     let (mut stopped, mut whole) = (0, 0);
     for k in 0..2000 {
         let (from, [.., bend, length]) = (pose(k), spread(k));
@@ -170,7 +170,7 @@ fn an_arc_is_free_until_a_sixteenth_of_a_spacing_before_a_hit() {
 #[test]
 fn where_there_is_room_one_look_settles_an_arc() {
     let world = world(0);
-    let probe = Probe::new(&world.obstacles, &Vehicle::SEDAN);
+    let probe = CollisionChecker::new(&world.obstacles, &Vehicle::SEDAN);
     let from = Pose::new(12.0, 10.0, 0.0);
     let looks = |length: f64| {
         let before = probe.checks();
@@ -220,9 +220,9 @@ fn the_frame_begins_at_the_boundary() {
     assert_eq!(field.data.len(), 18 * 13);
     let weights = Shared::new(Weights::new(2, 2));
     let placed = Frame { origin: Point::new(CORNER.x + 1.0, CORNER.y + 2.0), ..*frame };
-    let painted = obstacles.painted(Some(Paint { frame: placed, weights }));
+    let painted = obstacles.painted(Some(WeightMap { frame: placed, weights }));
     assert_eq!(painted.paint().unwrap().frame.origin, Point::new(1.0, 2.0));
-    assert!(Probe::new(&painted, &Vehicle::PAPER).paint().is_some());
+    assert!(CollisionChecker::new(&painted, &Vehicle::PAPER).paint().is_some());
 }
 
 #[test]
@@ -269,7 +269,7 @@ fn inside_is_told_of_outlines_with_dents() {
 fn contact_is_free_along_the_way() {
     let hall = world(0).obstacles;
     let car = Vehicle::PAPER;
-    let probe = Probe::new(&hall, &car);
+    let probe = CollisionChecker::new(&hall, &car);
     let along = |y: f64, length: f64| {
         let (from, arc) = (Pose::new(5.0, y, 0.0), Arc { curvature: 0.0, length });
         (probe.arc_free(from, &arc, 0.1, 0.0), probe.free_length(from, &arc, 0.1, 0.0))
@@ -289,7 +289,7 @@ fn a_wall_may_be_a_point() {
     let boundary = Solid { outline: rim.to_vec(), owner: 9 };
     let hall = Obstacles::new(&[Edge { a: post, b: post, owner: 1 }], &[], &boundary);
     assert_eq!(hall.distance(Point::new(13.0, 14.0), 6.0), 5.0);
-    let probe = Probe::new(&hall, &Vehicle::PAPER);
+    let probe = CollisionChecker::new(&hall, &Vehicle::PAPER);
     assert_eq!(probe.hit(Pose::new(8.0, 10.0, 0.0), 0.0), Some(1));
     assert!((probe.clearance(Pose::new(8.0, 12.0, 0.0), 3.0) - 0.7).abs() < 1e-12);
 }

@@ -80,7 +80,10 @@ export class Planner {
     const tell = told(onProgress, "onProgress");
     const improved = told(onImproved, "onImproved");
     const method = improved && "improve";
-    const plan = this.#call((planner) => planner[method ?? "plan"](others, tell, /** @type {any} */ (improved)), method);
+    const plan = this.#call(
+      (planner) => planner[method ?? "plan"](others, tell, /** @type {any} */ (improved)),
+      method,
+    );
     if (thrown !== undefined) throw thrown.error;
     return plan;
   }
@@ -89,7 +92,13 @@ export class Planner {
   search(start, goal) {
     const found = this.#call((planner) => planner.search(...point(start, "start"), ...point(goal, "goal")), "search");
     const [outcome = 0, costMicro = 0, expanded = 0, generated = 0] = found;
-    return { outcome: /** @type {import("./index.js").Outcome} */ (OUTCOMES[outcome]), path: found.subarray(4), costMicro, expanded, generated };
+    return {
+      outcome: /** @type {import("./index.js").Outcome} */ (OUTCOMES[outcome]),
+      path: found.subarray(4),
+      costMicro,
+      expanded,
+      generated,
+    };
   }
 
   /** @type {import("./index.js").Planner["anyAngleLength"]} */
@@ -100,7 +109,8 @@ export class Planner {
   /** @type {import("./index.js").Planner["continueFrom"]} */
   continueFrom(before) {
     const { path, directions, curvatures } = Object(before);
-    if (path && directions && curvatures) return this.#call((planner) => planner.continueAlong(path, directions, curvatures), "continueFrom");
+    if (path && directions && curvatures)
+      return this.#call((planner) => planner.continueAlong(path, directions, curvatures), "continueFrom");
     if (!(before instanceof Planner) || before === this) throw mismatch(before, "before", "another planner or a plan");
     before.#call((last) => this.#call((planner) => planner.continueFrom(last), "continueFrom"));
   }
@@ -148,7 +158,8 @@ export class Planner {
     this.#rest();
     const planner = this.#raw;
     if (planner === undefined) throw new ParkadeError("this planner has been freed", "freed");
-    if (method && !planner[method]) throw new ParkadeError(`${method}: not in parkade/core, but in parkade`, "bad-input");
+    if (method && !planner[method])
+      throw new ParkadeError(`${method}: not in parkade/core, but in parkade`, "bad-input");
     return call(() => run(planner));
   }
 
@@ -158,9 +169,7 @@ export class Planner {
 }
 
 /** In the module's order. @type {import("./index.js").Outcome[]} */
-const OUTCOMES = [
-  "found", "no-path", "budget-spent", "start-blocked", "goal-blocked", "start-outside", "goal-outside",
-];
+const OUTCOMES = ["found", "no-path", "budget-spent", "start-blocked", "goal-blocked", "start-outside", "goal-outside"];
 
 /**
  * @param {{ x: number, y: number }} at

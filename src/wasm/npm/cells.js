@@ -18,7 +18,10 @@ export const packRuns = (runs) => (Array.isArray(runs) && runs.every(isRun) ? pa
 export function unpackRuns(packed) {
   /** @type {Run[]} */
   const runs = [];
-  let value = 0, factor = 1, gap = -1, at = 0;
+  let value = 0,
+    factor = 1,
+    gap = -1,
+    at = 0;
   for (const letter of text(packed, "text")) {
     const digit = DIGITS.indexOf(letter);
     if (digit < 0 || factor > COLUMNS * COLUMNS) throw unreadable();
@@ -91,7 +94,8 @@ function mapCells(scene, change) {
  * @param {readonly Run[]} runs
  */
 function pack(runs) {
-  let text = "", at = 0;
+  let text = "",
+    at = 0;
   for (const run of runs) {
     if (!isRun(run)) return undefined;
     const [x, y, count] = run;

@@ -6,7 +6,8 @@ import { measures, numbers, object } from "./runtime.js";
 /** @type {typeof import("./index.js").toCSV} */
 export function toCSV(scene, plan) {
   const path = numbers(Float64Array, object(plan, "plan").path, "plan.path");
-  const curvatures = measures(plan.curvatures, "plan.curvatures"), clearances = measures(plan.clearances, "plan.clearances");
+  const curvatures = measures(plan.curvatures, "plan.curvatures"),
+    clearances = measures(plan.clearances, "plan.clearances");
   const directions = numbers(Int8Array, plan.directions, "plan.directions");
   const rows = ["s,x,y,theta,kappa,clearance,v,direction"];
   const speedAt = speeds(scene, plan);
@@ -22,10 +23,19 @@ export function toCSV(scene, plan) {
 /** @type {typeof import("./index.js").toTrajectoryCSV} */
 export function toTrajectoryCSV(trajectory) {
   const { t, path, speeds, steering, accelerations, steeringRates } = object(trajectory, "trajectory");
-  const column = (/** @type {ArrayLike<number>} */ values, /** @type {string} */ name) => numbers(Float64Array, values, `trajectory.${name}`);
+  const column = (/** @type {ArrayLike<number>} */ values, /** @type {string} */ name) =>
+    numbers(Float64Array, values, `trajectory.${name}`);
   const poses = column(path, "path");
-  const times = column(t, "t"), rest = [column(speeds, "speeds"), column(steering, "steering"), column(accelerations, "accelerations"), column(steeringRates, "steeringRates")];
-  const rows = Array.from(times, (time, i) => [time, ...poses.subarray(3 * i, 3 * i + 3), ...rest.map((values) => values[i])].join(","));
+  const times = column(t, "t"),
+    rest = [
+      column(speeds, "speeds"),
+      column(steering, "steering"),
+      column(accelerations, "accelerations"),
+      column(steeringRates, "steeringRates"),
+    ];
+  const rows = Array.from(times, (time, i) =>
+    [time, ...poses.subarray(3 * i, 3 * i + 3), ...rest.map((values) => values[i])].join(","),
+  );
   return `${["t,x,y,theta,v,phi,a,omega", ...rows].join("\n")}\n`;
 }
 
@@ -44,9 +54,11 @@ function speeds(scene, plan) {
   let i = 0;
   return (s) => {
     while (i + 1 < drive.stations.length - 1 && (drive.stations[i + 1] ?? 0) < s) i++;
-    const from = drive.stations[i] ?? 0, to = drive.stations[i + 1] ?? from;
+    const from = drive.stations[i] ?? 0,
+      to = drive.stations[i + 1] ?? from;
     const part = to > from ? Math.min(1, Math.max(0, (s - from) / (to - from))) : 0;
-    const a = drive.speeds[i] ?? 0, b = drive.speeds[i + 1] ?? a;
+    const a = drive.speeds[i] ?? 0,
+      b = drive.speeds[i + 1] ?? a;
     return Math.round((a + (b - a) * part) * 1e6) / 1e6;
   };
 }

@@ -88,7 +88,11 @@ export const paperStranded = (slice) => {
 /** @type {typeof import("./index.js").paperVolumes} */
 export const paperVolumes = (options) => {
   const { scene, poses = 10000, seed = 1, rounds = 1 } = object(options, "options");
-  return call(() => raw.paperVolumes(text(scene, "scene"), number(poses, "poses"), number(seed, "seed"), number(rounds, "rounds"), () => performance.now()));
+  return call(() =>
+    raw.paperVolumes(text(scene, "scene"), number(poses, "poses"), number(seed, "seed"), number(rounds, "rounds"), () =>
+      performance.now(),
+    ),
+  );
 };
 
 /**
@@ -113,7 +117,11 @@ function bytes(name, content) {
     const lineEnd = (from) => (typeof whole === "string" ? whole.indexOf("\n", from) : whole.indexOf(10, from));
     let line = 1;
     for (let end = lineEnd(0); end >= 0 && end < MAX_BYTES; end = lineEnd(end + 1)) line++;
-    throw new ParkadeError(`${name}:${line}: must end the file, which may have ${MAX_BYTES} bytes and has ${size}`, "bad-import", `${name}:${line}`);
+    throw new ParkadeError(
+      `${name}:${line}: must end the file, which may have ${MAX_BYTES} bytes and has ${size}`,
+      "bad-import",
+      `${name}:${line}`,
+    );
   }
   return typeof whole === "string" ? new TextEncoder().encode(whole) : whole;
 }

@@ -5,21 +5,35 @@ import * as raw from "./parkade.js";
 import { call, measures, numbers, object } from "./runtime.js";
 
 /** @type {typeof import("./index.js").trajectory} */
-export const trajectory = (scene, plan, options = {}) => call(() => raw.trajectory(packedScene(scene), ...columns(plan), options));
+export const trajectory = (scene, plan, options = {}) =>
+  call(() => raw.trajectory(packedScene(scene), ...columns(plan), options));
 
 /** @type {typeof import("./index.js").optimise} */
-export const optimise = (scene, plan, options = {}) => call(() => raw.optimise(packedScene(scene), ...columns(plan), options));
+export const optimise = (scene, plan, options = {}) =>
+  call(() => raw.optimise(packedScene(scene), ...columns(plan), options));
 
 /** @type {typeof import("./index.js").track} */
 export function track(scene, plan, options = {}) {
-  const { stage, path, t, speeds, steering } = /** @type {Partial<import("./index.js").OptimisedTrajectory>} */ (object(plan, "plan"));
+  const { stage, path, t, speeds, steering } = /** @type {Partial<import("./index.js").OptimisedTrajectory>} */ (
+    object(plan, "plan")
+  );
   if (stage === undefined) return call(() => raw.track(packedScene(scene), ...columns(plan), options));
-  const column = (/** @type {ArrayLike<number> | undefined} */ values, /** @type {string} */ name) => numbers(Float64Array, values, `plan.${name}`);
-  return call(() => raw.trackStates(packedScene(scene), column(path, "path"), column(t, "t"), column(speeds, "speeds"), column(steering, "steering")));
+  const column = (/** @type {ArrayLike<number> | undefined} */ values, /** @type {string} */ name) =>
+    numbers(Float64Array, values, `plan.${name}`);
+  return call(() =>
+    raw.trackStates(
+      packedScene(scene),
+      column(path, "path"),
+      column(t, "t"),
+      column(speeds, "speeds"),
+      column(steering, "steering"),
+    ),
+  );
 }
 
 /** @type {typeof import("./index.js").stopWaitGo} */
-export const stopWaitGo = (scene, plan, options = {}) => call(() => raw.stopWaitGo(packedScene(scene), ...columns(plan), options));
+export const stopWaitGo = (scene, plan, options = {}) =>
+  call(() => raw.stopWaitGo(packedScene(scene), ...columns(plan), options));
 
 /** @type {typeof import("./index.js").judge} */
 export function judge(scene, trajectory, limits = {}) {
@@ -27,10 +41,17 @@ export function judge(scene, trajectory, limits = {}) {
   const { path, t, speeds, steering, directions } = object(trajectory, "trajectory");
   const column = (/** @type {ArrayLike<number> | undefined} */ values, /** @type {string} */ name) =>
     values === undefined ? undefined : numbers(Float64Array, values, `trajectory.${name}`);
-  return call(() => raw.judgeColumns(
-    packedScene(scene), numbers(Float64Array, path, "trajectory.path"), column(t, "t"), column(speeds, "speeds"), column(steering, "steering"),
-    directions === undefined ? undefined : numbers(Int8Array, directions, "trajectory.directions"), limits,
-  ));
+  return call(() =>
+    raw.judgeColumns(
+      packedScene(scene),
+      numbers(Float64Array, path, "trajectory.path"),
+      column(t, "t"),
+      column(speeds, "speeds"),
+      column(steering, "steering"),
+      directions === undefined ? undefined : numbers(Int8Array, directions, "trajectory.directions"),
+      limits,
+    ),
+  );
 }
 
 /**

@@ -14,7 +14,8 @@ export const init = initializer(async (wasm = decoded()) => {
 });
 
 function decoded() {
-  const text = atob(base64), bytes = new Uint8Array(text.length);
+  const text = atob(base64),
+    bytes = new Uint8Array(text.length);
   for (let i = 0; i < text.length; i++) bytes[i] = text.charCodeAt(i);
   return bytes;
 }

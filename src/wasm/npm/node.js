@@ -15,7 +15,9 @@ export const init = initializer(async (wasm = BESIDE) => {
   const isBytes = given instanceof ArrayBuffer || ArrayBuffer.isView(given);
   const module = isBytes ? await WebAssembly.compile(/** @type {BufferSource} */ (given)) : given;
   // `load` asks whether it was given a `Response`, for which Node.js reads in its HTTP client: tens of milliseconds.
-  return module instanceof WebAssembly.Module ? initSync({ module }) : load({ module_or_path: /** @type {any} */ (module) });
+  return module instanceof WebAssembly.Module
+    ? initSync({ module })
+    : load({ module_or_path: /** @type {any} */ (module) });
 });
 
 /** @param {unknown} wasm bytes, a module, a URL or a path */

@@ -175,5 +175,9 @@ export function numbers(Numbers, values, path) {
  * @param {string} path
  */
 export function measures(values, path) {
-  return numbers(Float64Array, Array.isArray(values) ? Array.from(values, (value) => value ?? Number.NaN) : values, path);
+  return numbers(
+    Float64Array,
+    Array.isArray(values) ? Array.from(values, (value) => value ?? Number.NaN) : values,
+    path,
+  );
 }

@@ -43,7 +43,11 @@ export class App {
   readonly store: Store = createStore();
   readonly controller = new ToolController(this.store);
   readonly player = new Player(this.store);
-  readonly links = new LinkSync(this.store, (scene, view) => this.openLink(scene, view), (reason) => this.refuse("error.link", { reason }));
+  readonly links = new LinkSync(
+    this.store,
+    (scene, view) => this.openLink(scene, view),
+    (reason) => this.refuse("error.link", { reason }),
+  );
   catalog: Catalog | null = null;
   planning: Planning | null = null;
   /** Id of the catalogue's scene last opened. */
@@ -64,16 +68,21 @@ export class App {
     const { signal } = (this.starting = new AbortController());
     const view = syncAddress ? await this.links.view() : null;
     let missed = false;
-    const engine = await persistently(() => loadEngine(extentFor(view?.planners ?? this.store.state.planners)), (error) => {
-      missed = true;
-      if (syncAddress) document.documentElement.classList.add("failed");
-      this.refuse("app.unsupported", { reason: sentence(error) });
-    }, signal);
+    const engine = await persistently(
+      () => loadEngine(extentFor(view?.planners ?? this.store.state.planners)),
+      (error) => {
+        missed = true;
+        if (syncAddress) document.documentElement.classList.add("failed");
+        this.refuse("app.unsupported", { reason: sentence(error) });
+      },
+      signal,
+    );
     if (!engine) return;
     if (missed) this.store.set({ message: null });
     this.catalog = catalogOf(engine);
     this.dropUnknownPlanners();
-    const outside = await given, first = outside ? await this.checked(outside) : await this.firstScene(preset, syncAddress);
+    const outside = await given,
+      first = outside ? await this.checked(outside) : await this.firstScene(preset, syncAddress);
     this.origin = first;
     const looks = this.preset === null ? this.looksOf(view, first) : {};
     this.store.set({ scene: first, ...looks });
@@ -85,7 +94,10 @@ export class App {
     this.planning.start();
     loaded();
     void this.controller.fetchTools();
-    void extras.load().then(({ follow }) => follow(this), () => undefined);
+    void extras.load().then(
+      ({ follow }) => follow(this),
+      () => undefined,
+    );
     await this.planning.whenSettled();
     if (drives && !looks.playback) this.player.driveIn();
     requestIdle(() => void this.complete().catch(() => undefined));
@@ -191,7 +203,11 @@ export class App {
     } catch (error) {
       // The module of the first picture knows the first scenes only.
       if (this.store.state.complete) this.refuse("error.load", { reason: sentence(error) });
-      else void this.complete().then(() => this.openPreset(id), (cause: unknown) => this.refuse("error.load", { reason: sentence(cause) }));
+      else
+        void this.complete().then(
+          () => this.openPreset(id),
+          (cause: unknown) => this.refuse("error.load", { reason: sentence(cause) }),
+        );
       return;
     }
     void this.links.mark();
@@ -326,7 +342,8 @@ const catalogs = new WeakMap<Engine, Catalog>();
 function catalogOf(engine: Engine): Catalog {
   let catalog = catalogs.get(engine);
   if (!catalog) {
-    const { api } = engine, opened = new Map<string, Scene>();
+    const { api } = engine,
+      opened = new Map<string, Scene>();
     catalog = {
       planners: api.planners(),
       scenarios: api.scenarios(),

@@ -22,12 +22,16 @@ const MOST_KEPT = 5;
 /** Milliseconds; `Date` knows no later one. */
 const LAST_DATE = 8.64e15;
 
-interface Kept { at: number; scene: Scene }
+interface Kept {
+  at: number;
+  scene: Scene;
+}
 
 /** Starts keeping this tab's drawing. */
 export async function startAutosave(app: App): Promise<() => void> {
   const own = await nameOf();
-  let timer: ReturnType<typeof setTimeout> | undefined, hash: string | null = null;
+  let timer: ReturnType<typeof setTimeout> | undefined,
+    hash: string | null = null;
   dropDamaged();
   const save = (): void => {
     clearTimeout(timer);
@@ -38,7 +42,9 @@ export async function startAutosave(app: App): Promise<() => void> {
     hash = location.hash;
   };
   // The address may have been written since.
-  const leaving = (): void => { if (timer || (hash !== null && hash !== location.hash)) save(); };
+  const leaving = (): void => {
+    if (timer || (hash !== null && hash !== location.hash)) save();
+  };
   addEventListener("pagehide", leaving);
   const saveSoon = (): void => {
     clearTimeout(timer);
@@ -90,7 +96,8 @@ function quietly(store: () => void): void {
 
 /** Settings that somebody else has written, or another version. */
 function dropDamaged(): void {
-  for (const [key, text] of Object.entries(localStorage)) if (!keepsRule(key, String(text))) localStorage.removeItem(key);
+  for (const [key, text] of Object.entries(localStorage))
+    if (!keepsRule(key, String(text))) localStorage.removeItem(key);
 }
 
 /** Drawings of tabs that are closed; a tab that was only reloaded finds its own. */
@@ -99,19 +106,25 @@ async function offer(app: App, own: string): Promise<void> {
   const keys = Object.keys(localStorage).filter((key) => key.startsWith(KEY) && (key === own || !open.has(key)));
   // The first module knows no sets of goals.
   if (keys.length === 0 || !(await app.complete().catch(() => null))) return;
-  const left = keys.flatMap((key) => {
+  const left = keys
+    .flatMap((key) => {
       const kept = read(key, app);
       if (!kept) localStorage.removeItem(key);
       return kept ? [{ key, ...kept }] : [];
     })
     .sort((a, b) => b.at - a.at);
   for (const { key } of left.slice(MOST_KEPT)) localStorage.removeItem(key);
-  const [last] = left, { scene, lang, canUndo } = app.store.state;
+  const [last] = left,
+    { scene, lang, canUndo } = app.store.state;
   if (!last || canUndo || alike(last.scene, scene)) return;
-  const time = new Intl.DateTimeFormat(lang === "zh" ? "zh-CN" : "en", { dateStyle: "medium", timeStyle: "short" }).format(last.at);
+  const time = new Intl.DateTimeFormat(lang === "zh" ? "zh-CN" : "en", {
+    dateStyle: "medium",
+    timeStyle: "short",
+  }).format(last.at);
   app.store.set({
     message: {
-      tone: "info", text: say(lang, "found", { time }),
+      tone: "info",
+      text: say(lang, "found", { time }),
       action: {
         name: say(lang, "open"),
         run: () => {

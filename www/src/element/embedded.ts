@@ -19,7 +19,16 @@ export const colours = css`${unsafeCSS(tokens.cssText.replace(/:not\(\[theme="?l
 type Layout = State["mode"] | "single";
 
 /** What an attribute is when it is not there. */
-const DEFAULTS: Record<string, string> = { scene: FIRST_SCENE, planners: "", layout: "grid", theme: "auto", controls: "full", layers: "", wheel: "ctrl", speed: "1" };
+const DEFAULTS: Record<string, string> = {
+  scene: FIRST_SCENE,
+  planners: "",
+  layout: "grid",
+  theme: "auto",
+  controls: "full",
+  layers: "",
+  wheel: "ctrl",
+  speed: "1",
+};
 
 /**
  * A playground in somebody else's page: looked at until somebody wants to edit, quiet out of sight, and never in the way of
@@ -27,9 +36,18 @@ const DEFAULTS: Record<string, string> = { scene: FIRST_SCENE, planners: "", lay
  */
 export class Embedded extends SceneOpening {
   static override properties = {
-    ...Playground.properties, src: { type: String }, controls: { type: String, reflect: true }, editable: { type: String }, autoplay: { type: Boolean },
-    speed: { type: Number }, layers: { type: String }, wheel: { type: String }, budgetMs: { type: Number, attribute: "budget-ms" },
-    workerUrl: { type: String, attribute: "worker-url" }, wasmUrl: { type: String, attribute: "wasm-url" }, viewing: { type: Boolean, reflect: true },
+    ...Playground.properties,
+    src: { type: String },
+    controls: { type: String, reflect: true },
+    editable: { type: String },
+    autoplay: { type: Boolean },
+    speed: { type: Number },
+    layers: { type: String },
+    wheel: { type: String },
+    budgetMs: { type: Number, attribute: "budget-ms" },
+    workerUrl: { type: String, attribute: "worker-url" },
+    wasmUrl: { type: String, attribute: "wasm-url" },
+    viewing: { type: Boolean, reflect: true },
   };
   /** The colours are the outer element's, where the page can change them. */
   static override styles = [controls, layout, chip];
@@ -99,7 +117,8 @@ export class Embedded extends SceneOpening {
 
   set params(planners: Scene["planners"]) {
     this.later(async () => {
-      const ids = Object.keys(planners ?? {}) as PlannerId[], known = this.app.catalog!.planners;
+      const ids = Object.keys(planners ?? {}) as PlannerId[],
+        known = this.app.catalog!.planners;
       if (!ids.every((id) => known.some((info) => info.id === id))) await this.app.complete();
       check(planners ?? {}, RULES.params(this.known), "params");
       this.store.edit({ ...this.store.state.scene, planners: planners ?? {} }, { label: "params" });
@@ -127,8 +146,12 @@ export class Embedded extends SceneOpening {
     return this.settled();
   }
 
-  cancel(): void { this.app.planning?.cancel(); }
-  getScene(): Scene { return this.store.state.scene; }
+  cancel(): void {
+    this.app.planning?.cancel();
+  }
+  getScene(): Scene {
+    return this.store.state.scene;
+  }
 
   /** Rejects what is no scene. */
   async setScene(scene: Scene): Promise<void> {
@@ -209,7 +232,10 @@ export class Embedded extends SceneOpening {
     if (this.loaded && !this.app.planning) return;
     super.adopt();
     const { playback } = this.store.state;
-    this.store.set({ ...(this.layers ? { layers: layersOf(this.layers) } : {}), playback: { ...playback, speed: this.speed } });
+    this.store.set({
+      ...(this.layers ? { layers: layersOf(this.layers) } : {}),
+      playback: { ...playback, speed: this.speed },
+    });
   }
 
   protected override arrange(): void {
@@ -225,7 +251,8 @@ export class Embedded extends SceneOpening {
     const broken = value !== null && faultOfAttribute(name, value);
     // The loader sets attributes before this element is in the page, where events are heard.
     if (broken) return void Promise.resolve().then(() => this.emitRefusal(broken));
-    if (name === "planners" && value && this.loaded) void this.change(() => this.showPlanners(value)).catch(() => undefined);
+    if (name === "planners" && value && this.loaded)
+      void this.change(() => this.showPlanners(value)).catch(() => undefined);
     else this.take(name, old, value);
   }
 
@@ -272,8 +299,11 @@ export class Embedded extends SceneOpening {
   }
 
   protected override render(): TemplateResult {
-    return html`${super.render()}${this.viewing && this.loaded && this.editable !== "false" && this.controls !== "none"
-      ? html`<button class="edit" part="chip" @click=${this.edit}>${this.app.t("embed.edit")}</button>` : nothing}`;
+    return html`${super.render()}${
+      this.viewing && this.loaded && this.editable !== "false" && this.controls !== "none"
+        ? html`<button class="edit" part="chip" @click=${this.edit}>${this.app.t("embed.edit")}</button>`
+        : nothing
+    }`;
   }
 
   protected override onState(state: State, previous: State): void {
@@ -281,7 +311,8 @@ export class Embedded extends SceneOpening {
     this.begun(state, previous, busy);
     super.onState(state, previous);
     if (state.theme !== previous.theme) this.onTheme(state.theme);
-    if (state.playback.fraction !== previous.playback.fraction) this.emit("seek", { playhead: state.playback.fraction, base: state.playback.base });
+    if (state.playback.fraction !== previous.playback.fraction)
+      this.emit("seek", { playhead: state.playback.fraction, base: state.playback.base });
     if (state.selection !== previous.selection) this.emit("select", { selection: state.selection });
     if (state.message !== previous.message && state.message?.tone === "err") {
       this.becomeDrawable();
@@ -301,7 +332,8 @@ export class Embedded extends SceneOpening {
       // Answers to a scene that has changed since are no progress.
       const answered = status === "done" && plan && plan !== previous.results[planner]?.plan;
       const expansions = answered ? plan.stats.expanded : state.progress[planner];
-      if (expansions !== undefined && expansions !== previous.progress[planner]) this.emit("plan-progress", { planner, expansions });
+      if (expansions !== undefined && expansions !== previous.progress[planner])
+        this.emit("plan-progress", { planner, expansions });
     }
   }
 

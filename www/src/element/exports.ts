@@ -12,7 +12,8 @@ const MAKERS: Record<ExportKind, (app: App) => Promise<Blob | null>> = { svg: pi
 export async function saveAs(app: App, kind: ExportKind): Promise<void> {
   try {
     const blob = await MAKERS[kind](app);
-    if (blob) download(blob, `${fileName(app.store.state.scene)}${kind === "csv" ? `-${app.store.state.focus}` : ""}.${kind}`);
+    if (blob)
+      download(blob, `${fileName(app.store.state.scene)}${kind === "csv" ? `-${app.store.state.focus}` : ""}.${kind}`);
     else app.say("warn", "error.noPath");
   } catch (error) {
     app.refuse("error.export", { reason: sentence(error) });
@@ -21,8 +22,9 @@ export async function saveAs(app: App, kind: ExportKind): Promise<void> {
 
 /** A drawing with the scene inside: it opens here again. */
 async function pictureFile(app: App): Promise<Blob> {
-  const { toSVG } = await formats(app), { scene, planners, hidden, results, theme } = app.store.state;
-  const plans = planners.flatMap((planner) => (hidden.has(planner) ? [] : results[planner]?.plan ?? []));
+  const { toSVG } = await formats(app),
+    { scene, planners, hidden, results, theme } = app.store.state;
+  const plans = planners.flatMap((planner) => (hidden.has(planner) ? [] : (results[planner]?.plan ?? [])));
   return new Blob([toSVG(scene, plans, { width: 1200, height: 700, theme })], { type: "image/svg+xml" });
 }
 

@@ -12,11 +12,17 @@ const RUN = 8;
 const REFERENCE = 5;
 
 /** Scenes share most of their parts: each part once, and every scene as the numbers of its own. */
-interface Kept { hash: string; at: number; scenes: Record<string, number | number[]>[]; parts: unknown[] }
+interface Kept {
+  hash: string;
+  at: number;
+  scenes: Record<string, number | number[]>[];
+  parts: unknown[];
+}
 
 /** The history as text with as many of the nearest steps as fit; null where not even the scene does. `hash` is the address it belongs to. */
 export function encodeHistory({ past, scene, future }: History, hash: string): string | null {
-  const numbers = new Map<unknown, number>(), texts: string[] = [];
+  const numbers = new Map<unknown, number>(),
+    texts: string[] = [];
   let room = LARGEST;
   const refer = (part: unknown): number => {
     const known = numbers.get(part);
@@ -31,8 +37,13 @@ export function encodeHistory({ past, scene, future }: History, hash: string): s
     const isKnown = (one.obstacles ?? []).every((obstacle) => obstacle.type !== "cells" || numbers.has(obstacle));
     // Making the text of a huge map would hold up the page for nothing.
     if (!isKnown && countRuns(one) * RUN > room) return null;
-    const entries = Object.entries(one).filter(([, value]) => value !== undefined).map(([key, value]) => [key, Array.isArray(value) ? value.map(refer) : refer(value)] as const);
-    room -= entries.reduce((sum, [key, value]) => sum + key.length + REFERENCE * (Array.isArray(value) ? value.length + 1 : 1), 0);
+    const entries = Object.entries(one)
+      .filter(([, value]) => value !== undefined)
+      .map(([key, value]) => [key, Array.isArray(value) ? value.map(refer) : refer(value)] as const);
+    room -= entries.reduce(
+      (sum, [key, value]) => sum + key.length + REFERENCE * (Array.isArray(value) ? value.length + 1 : 1),
+      0,
+    );
     return room < 0 ? null : Object.fromEntries(entries);
   };
   const whileRoom = (some: readonly Scene[]): Kept["scenes"] => {
@@ -46,7 +57,8 @@ export function encodeHistory({ past, scene, future }: History, hash: string): s
   };
   const now = add(scene);
   if (!now) return null;
-  const before = whileRoom(past.toReversed()).reverse(), after = whileRoom(future.toReversed()).reverse();
+  const before = whileRoom(past.toReversed()).reverse(),
+    after = whileRoom(future.toReversed()).reverse();
   return `{"hash":${JSON.stringify(hash)},"at":${before.length},"scenes":${JSON.stringify([...before, now, ...after])},"parts":[${texts.join()}]}`;
 }
 
@@ -60,11 +72,18 @@ export function decodeHistory(text: string, checked: (scene: Scene) => Scene): H
   // Equal lists are one list: what has not changed is not sent to the planners again.
   const lists = new Map<string, unknown[]>();
   const list = (some: number[]): unknown[] => {
-    const name = some.join(), known = lists.get(name) ?? some.map(part);
+    const name = some.join(),
+      known = lists.get(name) ?? some.map(part);
     lists.set(name, known);
     return known;
   };
-  const all = scenes.map((one) => checked(Object.fromEntries(Object.entries(one).map(([key, value]) => [key, Array.isArray(value) ? list(value) : part(value)])) as unknown as Scene));
+  const all = scenes.map((one) =>
+    checked(
+      Object.fromEntries(
+        Object.entries(one).map(([key, value]) => [key, Array.isArray(value) ? list(value) : part(value)]),
+      ) as unknown as Scene,
+    ),
+  );
   const scene = Number.isInteger(at) ? all[at] : undefined;
   if (typeof hash !== "string" || !scene) throw new RangeError(`at: must name one of ${all.length} scenes, got ${at}`);
   return { hash, past: all.slice(0, at), scene, future: all.slice(at + 1) };

@@ -4,7 +4,15 @@ import { parseColour } from "../view/tokens";
 export type Scheme = "light" | "dark";
 
 /** Attributes by which themes are switched: VitePress and Tailwind have classes, Docusaurus and Starlight `data-theme`, Material for MkDocs its own. */
-const ATTRIBUTES = ["data-theme", "data-bs-theme", "data-md-color-scheme", "data-color-scheme", "data-color-mode", "data-mode", "data-scheme"];
+const ATTRIBUTES = [
+  "data-theme",
+  "data-bs-theme",
+  "data-md-color-scheme",
+  "data-color-scheme",
+  "data-color-mode",
+  "data-mode",
+  "data-scheme",
+];
 /** Names of themes: `slate` is Material's, `coal`, `navy`, `ayu` and `rust` are mdBook's. */
 const DARK = ["dark", "theme-dark", "dark-mode", "dark-theme", "slate", "coal", "navy", "ayu"];
 const LIGHT = ["light", "theme-light", "light-mode", "light-theme", "default", "rust"];
@@ -16,7 +24,8 @@ export function watchScheme(element: HTMLElement, tell: (scheme: Scheme) => void
     const scheme = schemeAround(element);
     if (scheme !== told) tell((told = scheme));
   };
-  const observer = new MutationObserver(look), system = matchMedia("(prefers-color-scheme: dark)");
+  const observer = new MutationObserver(look),
+    system = matchMedia("(prefers-color-scheme: dark)");
   for (const one of ancestors(element)) observer.observe(one, { attributes: true });
   // A background may fade to its colour.
   document.addEventListener("transitionend", look);
@@ -33,8 +42,12 @@ export function watchScheme(element: HTMLElement, tell: (scheme: Scheme) => void
 function schemeAround(element: HTMLElement): Scheme {
   const around = ancestors(element);
   const [parent = document.documentElement] = around;
-  return first(around, named) ?? declared(getComputedStyle(parent).colorScheme) ?? first(around, painted)
-    ?? (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
+  return (
+    first(around, named) ??
+    declared(getComputedStyle(parent).colorScheme) ??
+    first(around, painted) ??
+    (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light")
+  );
 }
 
 /** From the parent outwards, out of shadow roots too. */
@@ -60,10 +73,12 @@ function named(element: Element): Scheme | null {
   return null;
 }
 
-const declared = (value: string): Scheme | null => (/^(only )?(light|dark)( only)?$/.test(value) ? (value.includes("dark") ? "dark" : "light") : null);
+const declared = (value: string): Scheme | null =>
+  /^(only )?(light|dark)( only)?$/.test(value) ? (value.includes("dark") ? "dark" : "light") : null;
 
 function painted(element: Element): Scheme | null {
-  const text = getComputedStyle(element).backgroundColor, colour = parseColour(text);
+  const text = getComputedStyle(element).backgroundColor,
+    colour = parseColour(text);
   // Four numbers: a colour that is seen through.
   if (!colour || text.startsWith("rgba")) return null;
   const [r, g, b] = colour;

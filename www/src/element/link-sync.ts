@@ -3,7 +3,8 @@ import type { Known } from "./schema";
 import { fitsLink } from "../scene/vast";
 import type { Scene, State, Store } from "../store";
 
-const PREFIX = "#s=", VIEW = "&v=";
+const PREFIX = "#s=",
+  VIEW = "&v=";
 const SETTLE_MS = 500;
 /** Longer addresses are cut off by chats and mail. */
 export const LINK_LIMIT = 8000;
@@ -49,10 +50,14 @@ export class LinkSync {
 
   /** The address of `page` that opens the present scene, if wanted as it is looked at; null when it would be too long. */
   async address(looks = false, page = location.href): Promise<string | null> {
-    const { scene } = this.store.state, url = new URL(page);
+    const { scene } = this.store.state,
+      url = new URL(page);
     if (!fitsLink(scene)) return null;
     const { encodeScene } = await linkFormat();
-    url.hash = PREFIX.slice(1) + (await encodeScene(scene)) + (looks ? VIEW + (await viewFormat()).encodeView(this.store.state) : "");
+    url.hash =
+      PREFIX.slice(1) +
+      (await encodeScene(scene)) +
+      (looks ? VIEW + (await viewFormat()).encodeView(this.store.state) : "");
     return url.href.length > LINK_LIMIT ? null : url.href;
   }
 
@@ -65,13 +70,15 @@ export class LinkSync {
   async view(hash = location.hash): Promise<LinkView | null> {
     const at = hash.indexOf(VIEW);
     if (at < 0) return null;
-    const text = hash.slice(at + VIEW.length), { plannersOf, decodeView } = await viewFormat();
+    const text = hash.slice(at + VIEW.length),
+      { plannersOf, decodeView } = await viewFormat();
     return { planners: plannersOf(text), read: (known) => decodeView(text, known, this.store.state.playback) };
   }
 
   async write(): Promise<string | null> {
     clearTimeout(this.timer);
-    const { hash } = location, href = await this.address();
+    const { hash } = location,
+      href = await this.address();
     if (href && href !== location.href && hash === location.hash) {
       this.written = new URL(href).hash;
       history.replaceState(history.state, "", href);
@@ -86,11 +93,13 @@ export class LinkSync {
 
   private async arrive(): Promise<void> {
     if (location.hash === this.written) return;
-    const hash = (this.written = location.hash), turn = ++this.turn;
+    const hash = (this.written = location.hash),
+      turn = ++this.turn;
     // The address of the scene before it is not to be written over it.
     clearTimeout(this.timer);
     try {
-      const scene = await this.read(hash), view = await this.view(hash);
+      const scene = await this.read(hash),
+        view = await this.view(hash);
       // Another one may have come meanwhile.
       if (scene && turn === this.turn) await this.open(scene, view);
     } catch (error) {

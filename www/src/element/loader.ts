@@ -45,7 +45,10 @@ export class ParkadePlayground extends Base {
   private inner: Embedded | null = null;
   private starting: Promise<Embedded> | null = null;
   private readonly early = new Map<string, unknown>();
-  private readonly observer = new IntersectionObserver((entries) => this.near(entries.some((entry) => entry.isIntersecting)), { rootMargin: NEAR });
+  private readonly observer = new IntersectionObserver(
+    (entries) => this.near(entries.some((entry) => entry.isIntersecting)),
+    { rootMargin: NEAR },
+  );
   private dismissed = false;
 
   constructor() {
@@ -63,7 +66,9 @@ export class ParkadePlayground extends Base {
   }
 
   private renew(): void {
-    this.ready = new Promise((ready, failed) => { this.settle = { ready, failed }; });
+    this.ready = new Promise((ready, failed) => {
+      this.settle = { ready, failed };
+    });
     this.ready.catch(() => undefined);
   }
 
@@ -72,7 +77,8 @@ export class ParkadePlayground extends Base {
   }
 
   connectedCallback(): void {
-    if (this.mode("loading") === "eager" && this.mode("reveal") !== "interaction") void this.load().catch(() => undefined);
+    if (this.mode("loading") === "eager" && this.mode("reveal") !== "interaction")
+      void this.load().catch(() => undefined);
     else if (!this.starting) this.observer.observe(this);
   }
 
@@ -83,14 +89,17 @@ export class ParkadePlayground extends Base {
   attributeChangedCallback(name: string, old: string | null, value: string | null): void {
     if (old === value) return;
     if (name === "poster" || name === "alt" || name === "reveal") this.cover();
-    else if (name === "loading") { if (this.isConnected) this.connectedCallback(); }
-    else if (this.inner) this.pass(this.inner, name);
+    else if (name === "loading") {
+      if (this.isConnected) this.connectedCallback();
+    } else if (this.inner) this.pass(this.inner, name);
   }
 
   /** Shows what is alive, loading it if need be. */
   dismissPoster(): Promise<void> {
     this.dismissed = true;
-    return this.load().then((inner) => inner.ready).then(() => this.uncover());
+    return this.load()
+      .then((inner) => inner.ready)
+      .then(() => this.uncover());
   }
 
   /** The element that does the work, once its code is there. */
@@ -106,7 +115,9 @@ export class ParkadePlayground extends Base {
 
   private async start(): Promise<Embedded> {
     this.progress(0.1);
-    const { Embedded, colours } = (await import(/* @vite-ignore */ new URL(EMBEDDED, import.meta.url).href)) as typeof import("./embedded");
+    const { Embedded, colours } = (await import(
+      /* @vite-ignore */ new URL(EMBEDDED, import.meta.url).href
+    )) as typeof import("./embedded");
     this.progress(0.4);
     if (colours.styleSheet) this.root.adoptedStyleSheets = [colours.styleSheet, style];
     const inner = new Embedded();
@@ -122,7 +133,11 @@ export class ParkadePlayground extends Base {
     this.inner = inner;
     // What went wrong is said below the poster.
     inner.addEventListener("error", () => this.uncover(), { once: true });
-    const follow = (): void => void inner.ready.then(() => this.live(), (error: unknown) => this.settle.failed(error));
+    const follow = (): void =>
+      void inner.ready.then(
+        () => this.live(),
+        (error: unknown) => this.settle.failed(error),
+      );
     follow();
     inner.onRenew = () => {
       this.renew();
@@ -151,7 +166,8 @@ export class ParkadePlayground extends Base {
   }
 
   private pass(inner: HTMLElement, name: string): void {
-    const value = this.getAttribute(name) ?? (name === "lang" ? this.closest("[lang]")?.getAttribute("lang") ?? null : null);
+    const value =
+      this.getAttribute(name) ?? (name === "lang" ? (this.closest("[lang]")?.getAttribute("lang") ?? null) : null);
     if (value === null) inner.removeAttribute(name);
     else if (inner.getAttribute(name) !== value) inner.setAttribute(name, value);
   }
@@ -166,7 +182,8 @@ export class ParkadePlayground extends Base {
     poster.setAttribute("part", "poster");
     const slot = document.createElement("slot");
     slot.name = "poster";
-    const url = this.getAttribute("poster"), alt = this.getAttribute("alt") ?? "";
+    const url = this.getAttribute("poster"),
+      alt = this.getAttribute("alt") ?? "";
     if (url) {
       const image = document.createElement("img");
       image.src = url;
@@ -176,7 +193,10 @@ export class ParkadePlayground extends Base {
     poster.append(slot);
     if (waits) {
       poster.ariaLabel = alt || "Parkade";
-      poster.onclick = () => void this.dismissPoster().then(() => this.inner?.focus()).catch(() => undefined);
+      poster.onclick = () =>
+        void this.dismissPoster()
+          .then(() => this.inner?.focus())
+          .catch(() => undefined);
     }
     this.root.append(poster);
   }
@@ -219,7 +239,8 @@ export class ParkadePlayground extends Base {
     const { prototype } = ParkadePlayground;
     for (const name of METHODS) {
       Object.defineProperty(prototype, name, {
-        configurable: true, writable: true,
+        configurable: true,
+        writable: true,
         value(this: ParkadePlayground, ...args: unknown[]) {
           return this.load().then(async (inner) => {
             // A scene that is set mends what a wrong one broke.
@@ -230,9 +251,10 @@ export class ParkadePlayground extends Base {
         },
       });
     }
-    const read = (name: string) => function get(this: ParkadePlayground): unknown {
-      return this.early.get(name) ?? (this.inner as unknown as Record<string, unknown> | null)?.[name];
-    };
+    const read = (name: string) =>
+      function get(this: ParkadePlayground): unknown {
+        return this.early.get(name) ?? (this.inner as unknown as Record<string, unknown> | null)?.[name];
+      };
     for (const name of READABLE) Object.defineProperty(prototype, name, { get: read(name) });
     for (const name of SETTABLE) {
       Object.defineProperty(prototype, name, {
@@ -248,7 +270,9 @@ export class ParkadePlayground extends Base {
       if (property in prototype && property !== "lang") continue;
       if (property === "lang") continue;
       Object.defineProperty(prototype, property, {
-        get(this: HTMLElement) { return ["editable", "autoplay"].includes(name) ? this.hasAttribute(name) : this.getAttribute(name); },
+        get(this: HTMLElement) {
+          return ["editable", "autoplay"].includes(name) ? this.hasAttribute(name) : this.getAttribute(name);
+        },
         set(this: HTMLElement, value: unknown) {
           if (value === null || value === undefined || value === false) this.removeAttribute(name);
           else this.setAttribute(name, value === true ? "" : String(value));
@@ -262,4 +286,5 @@ export class ParkadePlayground extends Base {
   }
 }
 
-if (globalThis.customElements && !customElements.get("parkade-playground")) customElements.define("parkade-playground", ParkadePlayground);
+if (globalThis.customElements && !customElements.get("parkade-playground"))
+  customElements.define("parkade-playground", ParkadePlayground);

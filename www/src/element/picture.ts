@@ -6,12 +6,18 @@ import type { App } from "./app";
 const TITLE = 28;
 
 /** A picture of the maps as they are on screen, `scale` pixels for each of the page's, each under its planner's name and answer. */
-export async function picture(app: App, views: readonly SceneView[], { scale = 2, type = "image/png" } = {}): Promise<Blob | null> {
+export async function picture(
+  app: App,
+  views: readonly SceneView[],
+  { scale = 2, type = "image/png" } = {},
+): Promise<Blob | null> {
   const shown = views.filter((view) => view.canvas && view.clientWidth > 0);
   if (shown.length === 0) return null;
   const boxes = shown.map((view) => view.getBoundingClientRect());
-  const left = Math.min(...boxes.map((box) => box.left)), top = Math.min(...boxes.map((box) => box.top)) - TITLE;
-  const right = Math.max(...boxes.map((box) => box.right)), bottom = Math.max(...boxes.map((box) => box.bottom));
+  const left = Math.min(...boxes.map((box) => box.left)),
+    top = Math.min(...boxes.map((box) => box.top)) - TITLE;
+  const right = Math.max(...boxes.map((box) => box.right)),
+    bottom = Math.max(...boxes.map((box) => box.bottom));
   const ratio = scale;
   const canvas = document.createElement("canvas");
   canvas.width = Math.round((right - left) * ratio);
@@ -23,7 +29,8 @@ export async function picture(app: App, views: readonly SceneView[], { scale = 2
   ctx.fillRect(0, 0, right - left, bottom - top);
   shown.forEach((view, i) => {
     const box = boxes[i]!;
-    const x = box.left - left, y = box.top - top;
+    const x = box.left - left,
+      y = box.top - top;
     const drawn = view.snapshot(ratio);
     if (drawn) ctx.drawImage(drawn, x, y, box.width, box.height);
     ctx.fillStyle = colour.t1;
@@ -35,8 +42,10 @@ export async function picture(app: App, views: readonly SceneView[], { scale = 2
 
 function titleOf(app: App, view: SceneView): string {
   const { state } = app.store;
-  return view.planners.map((planner) => {
-    const name = plannerName(state.lang, planner);
-    return view.planners.length > 1 ? name : `${name} — ${statusOf(state, planner).chip}`;
-  }).join(" · ");
+  return view.planners
+    .map((planner) => {
+      const name = plannerName(state.lang, planner);
+      return view.planners.length > 1 ? name : `${name} — ${statusOf(state, planner).chip}`;
+    })
+    .join(" · ");
 }

@@ -22,8 +22,21 @@ const SHORT_HEIGHT = 560;
 const RAILS = { height: 480, width: 480 };
 export const FIRST_SCENE = "perpendicular";
 /** What the first picture does without, fetched at once or when it is opened. */
-const PARTS = [() => import("../panels/toolbar"), () => import("../panels/table"), () => import("../panels/inspector"), () => import("../panels/charts"), () => import("../panels/options"), () => import("../panels/view-controls"), () => import("../panels/splitter")];
-const DIALOGS = { presets: () => import("../panels/presets"), keys: () => import("../panels/keys-dialog"), import: () => import("../panels/import"), papers: () => import("../panels/papers") };
+const PARTS = [
+  () => import("../panels/toolbar"),
+  () => import("../panels/table"),
+  () => import("../panels/inspector"),
+  () => import("../panels/charts"),
+  () => import("../panels/options"),
+  () => import("../panels/view-controls"),
+  () => import("../panels/splitter"),
+];
+const DIALOGS = {
+  presets: () => import("../panels/presets"),
+  keys: () => import("../panels/keys-dialog"),
+  import: () => import("../panels/import"),
+  papers: () => import("../panels/papers"),
+};
 
 /**
  * Draws a scene and plans it with several planners at once: the page. What other pages embed is `Embedded`.
@@ -34,9 +47,19 @@ const DIALOGS = { presets: () => import("../panels/presets"), keys: () => import
  */
 export class Playground extends LitElement {
   static override properties = {
-    scene: { type: String }, planners: { type: String }, layout: { type: String }, theme: { type: String, reflect: true },
-    permalink: { type: Boolean }, compact: { type: Boolean, reflect: true }, rails: { type: Boolean, reflect: true }, short: { type: Boolean, reflect: true }, loaded: { state: true }, folded: { type: Boolean, reflect: true }, inspecting: { type: Boolean, reflect: true },
-    dropping: { state: true }, bare: { state: true },
+    scene: { type: String },
+    planners: { type: String },
+    layout: { type: String },
+    theme: { type: String, reflect: true },
+    permalink: { type: Boolean },
+    compact: { type: Boolean, reflect: true },
+    rails: { type: Boolean, reflect: true },
+    short: { type: Boolean, reflect: true },
+    loaded: { state: true },
+    folded: { type: Boolean, reflect: true },
+    inspecting: { type: Boolean, reflect: true },
+    dropping: { state: true },
+    bare: { state: true },
   };
   static override styles = [tokens, controls, layout];
   static override get observedAttributes(): string[] {
@@ -75,13 +98,27 @@ export class Playground extends LitElement {
 
   constructor() {
     super();
-    this.ready = new Promise((resolve) => { this.becomeReady = resolve; });
-    this.drawable = new Promise((resolve) => { this.becomeDrawable = resolve; });
+    this.ready = new Promise((resolve) => {
+      this.becomeReady = resolve;
+    });
+    this.drawable = new Promise((resolve) => {
+      this.becomeDrawable = resolve;
+    });
     this.scene = FIRST_SCENE;
     this.planners = "";
     this.layout = "grid";
     this.theme = "auto";
-    this.viewing = this.permalink = this.compact = this.rails = this.short = this.loaded = this.folded = this.inspecting = this.dropping = this.bare = false;
+    this.viewing =
+      this.permalink =
+      this.compact =
+      this.rails =
+      this.short =
+      this.loaded =
+      this.folded =
+      this.inspecting =
+      this.dropping =
+      this.bare =
+        false;
     this.takeEarly("sceneData");
   }
 
@@ -95,7 +132,9 @@ export class Playground extends LitElement {
   }
 
   get results(): Record<string, Plan | null> {
-    return Object.fromEntries(Object.entries(this.store.state.results).map(([planner, result]) => [planner, result.plan]));
+    return Object.fromEntries(
+      Object.entries(this.store.state.results).map(([planner, result]) => [planner, result.plan]),
+    );
   }
 
   get sceneData(): Scene {
@@ -120,12 +159,24 @@ export class Playground extends LitElement {
     return this.store.state.canRedo;
   }
 
-  undo(): void { this.store.undo(); }
-  redo(): void { this.store.redo(); }
-  reset(): void { this.app.reset(); }
-  fit(): void { this.app.controller.fit(); }
-  play(): void { this.app.player.play(); }
-  pause(): void { this.app.player.pause(); }
+  undo(): void {
+    this.store.undo();
+  }
+  redo(): void {
+    this.store.redo();
+  }
+  reset(): void {
+    this.app.reset();
+  }
+  fit(): void {
+    this.app.controller.fit();
+  }
+  play(): void {
+    this.app.player.play();
+  }
+  pause(): void {
+    this.app.player.pause();
+  }
   seek(fraction: number, options: { base?: "search" | "drive" } = {}): void {
     if (options.base) this.app.player.set({ base: options.base });
     this.app.player.seek(fraction);
@@ -176,7 +227,8 @@ export class Playground extends LitElement {
 
   override attributeChangedCallback(name: string, old: string | null, value: string | null): void {
     super.attributeChangedCallback(name, old, value);
-    if (name === "lang" && this.isConnected && value && value !== this.store.state.lang) void this.app.setLang(pickLang(value));
+    if (name === "lang" && this.isConnected && value && value !== this.store.state.lang)
+      void this.app.setLang(pickLang(value));
   }
 
   /** Whether there is more than the map and the timeline. */
@@ -204,9 +256,15 @@ export class Playground extends LitElement {
 
   protected override render(): TemplateResult {
     return html`<div class="${this.rails ? "phone rails" : this.compact ? "phone" : "desk"} ${this.bare ? "bare" : ""}" role="region" aria-label=${this.app.t("app.label")}
-        @parkade-scenes=${() => void this.openDialog("presets")} @parkade-keys=${() => void this.openDialog("keys")} @parkade-papers=${() => void this.openDialog("papers")} @parkade-fold=${() => { this.folded = !this.folded; }} @parkade-inspect=${() => { this.inspecting = !this.inspecting; }}
+        @parkade-scenes=${() => void this.openDialog("presets")} @parkade-keys=${() => void this.openDialog("keys")} @parkade-papers=${() => void this.openDialog("papers")} @parkade-fold=${() => {
+          this.folded = !this.folded;
+        }} @parkade-inspect=${() => {
+          this.inspecting = !this.inspecting;
+        }}
         @parkade-menu=${this.showMenu} @parkade-open-file=${() => this.fileInput?.click()} @parkade-png=${this.savePicture}
-        @dragover=${this.onDragOver} @dragleave=${() => { this.dropping = false; }} @drop=${this.onDrop}>
+        @dragover=${this.onDragOver} @dragleave=${() => {
+          this.dropping = false;
+        }} @drop=${this.onDrop}>
       ${this.isFull && !this.bare ? html`<parkade-toolbar part="toolbar" .app=${this.app} .ready=${this.loaded} ?compact=${this.compact} ?rail=${this.rails} .inspecting=${this.inspecting}><slot name="toolbar-extra"></slot></parkade-toolbar>` : nothing}
       <parkade-stage exportparts="panel, canvas" .app=${this.app} ?compact=${this.compact} .bare=${this.bare}></parkade-stage>
       ${this.bare ? nothing : this.rest()}
@@ -266,7 +324,8 @@ export class Playground extends LitElement {
       ...(ids.length > 0 ? { planners: ids, focus: ids.includes("hybrid") ? "hybrid" : ids.at(-1)! } : {}),
     });
     this.arrange();
-    this.words = this.app.setLang(pickLang((this.permalink ? recall("lang") : null) ?? this.getAttribute("lang")))
+    this.words = this.app
+      .setLang(pickLang((this.permalink ? recall("lang") : null) ?? this.getAttribute("lang")))
       .then(() => this.setAttribute("lang", this.store.state.lang));
   }
 
@@ -289,10 +348,13 @@ export class Playground extends LitElement {
 
   protected async begin(): Promise<void> {
     try {
-      await this.app.start({ ...this.beginning(), loaded: () => {
-        this.loaded = true;
-        this.becomeDrawable();
-      } });
+      await this.app.start({
+        ...this.beginning(),
+        loaded: () => {
+          this.loaded = true;
+          this.becomeDrawable();
+        },
+      });
       if (!this.loaded) return;
       if (this.permalink) requestAnimationFrame(() => document.getElementById("poster")?.remove());
       this.becomeReady();
@@ -335,7 +397,9 @@ export class Playground extends LitElement {
 
   private readonly showMenu = async ({ detail }: CustomEvent<MenuRequest>): Promise<void> => {
     await import("../panels/context-menu");
-    await this.renderRoot.querySelector<HTMLElement & { show(request: MenuRequest): Promise<void> }>("parkade-context")?.show(detail);
+    await this.renderRoot
+      .querySelector<HTMLElement & { show(request: MenuRequest): Promise<void> }>("parkade-context")
+      ?.show(detail);
   };
 
   private readonly savePicture = async ({ detail }: CustomEvent<number>): Promise<void> => {
@@ -365,13 +429,17 @@ export class Playground extends LitElement {
   private async openFiles(files: File[]): Promise<void> {
     if (files.length === 0) return;
     await DIALOGS.import();
-    await this.renderRoot.querySelector<HTMLElement & { openFiles(files: File[]): Promise<void> }>("parkade-import")?.openFiles(files);
+    await this.renderRoot
+      .querySelector<HTMLElement & { openFiles(files: File[]): Promise<void> }>("parkade-import")
+      ?.openFiles(files);
   }
 
   protected views(): SceneView[] {
     const stage = this.renderRoot.querySelector("parkade-stage")?.shadowRoot;
     if (!stage) return [];
-    const panels = [...stage.querySelectorAll("parkade-panel")].flatMap((panel) => [...(panel.shadowRoot?.querySelectorAll<SceneView>("parkade-scene-view") ?? [])]);
+    const panels = [...stage.querySelectorAll("parkade-panel")].flatMap((panel) => [
+      ...(panel.shadowRoot?.querySelectorAll<SceneView>("parkade-scene-view") ?? []),
+    ]);
     return [...stage.querySelectorAll<SceneView>("parkade-scene-view"), ...panels];
   }
 
@@ -380,7 +448,9 @@ export class Playground extends LitElement {
     this.renderRoot.querySelector<HTMLElement & { open(): void }>(`parkade-${name}`)?.open();
   }
 
-  private get fileInput(): HTMLInputElement | null { return this.renderRoot.querySelector(".file"); }
+  private get fileInput(): HTMLInputElement | null {
+    return this.renderRoot.querySelector(".file");
+  }
 
   /** Values set before this element was defined hide its accessors. */
   private takeEarly(name: "sceneData"): void {

@@ -28,7 +28,11 @@ export abstract class SceneOpening extends Playground {
 
   override set sceneData(scene: Scene) {
     if (this.loaded) this.takeScene(scene);
-    else void this.ready.then(() => this.takeScene(scene), () => this.retry(plain(scene)));
+    else
+      void this.ready.then(
+        () => this.takeScene(scene),
+        () => this.retry(plain(scene)),
+      );
   }
 
   override get sceneData(): Scene {
@@ -38,10 +42,13 @@ export abstract class SceneOpening extends Playground {
   protected override async begin(): Promise<void> {
     const { loaded: again } = this;
     try {
-      await this.app.start({ ...this.beginning(), loaded: () => {
-        this.loaded = true;
-        this.becomeDrawable();
-      } });
+      await this.app.start({
+        ...this.beginning(),
+        loaded: () => {
+          this.loaded = true;
+          this.becomeDrawable();
+        },
+      });
       if (!this.loaded) return;
       this.becomeReady();
       if (!again) this.emit("ready", {});
@@ -54,7 +61,11 @@ export abstract class SceneOpening extends Playground {
   private async failed(error: unknown): Promise<void> {
     let cause = error;
     if ((error as Partial<ParkadeError>).code === "unknown-scenario") {
-      if (!this.store.state.complete) return this.app.complete().then(() => this.begin(), (reason: unknown) => this.failed(reason));
+      if (!this.store.state.complete)
+        return this.app.complete().then(
+          () => this.begin(),
+          (reason: unknown) => this.failed(reason),
+        );
       cause = this.unknownScene(this.scene);
     }
     this.failure = cause;
@@ -103,7 +114,14 @@ export abstract class SceneOpening extends Playground {
 
   /** Nothing has changed, and this is why: which field, what it was, and what it must be. */
   protected emitRefusal(error: unknown): void {
-    const { field = "", value, rule = "", path = field, code = "value", message } = error as Partial<ValueError> & Partial<ParkadeError>;
+    const {
+      field = "",
+      value,
+      rule = "",
+      path = field,
+      code = "value",
+      message,
+    } = error as Partial<ValueError> & Partial<ParkadeError>;
     this.emit("error", { code, field: path || field, value, rule, message });
   }
 
@@ -119,15 +137,22 @@ export abstract class SceneOpening extends Playground {
     try {
       return JSON.parse(this.inline) as Scene;
     } catch (error) {
-      throw broken("scene", this.inline, `must be a scene as JSON (${(error as Error).message})`, "必须是 JSON 格式的场景");
+      throw broken(
+        "scene",
+        this.inline,
+        `must be a scene as JSON (${(error as Error).message})`,
+        "必须是 JSON 格式的场景",
+      );
     }
   }
 }
 
-const broken = (field: string, value: unknown, ...words: [en: string, zh: string]): ValueError => new ValueError({ field, value, words });
+const broken = (field: string, value: unknown, ...words: [en: string, zh: string]): ValueError =>
+  new ValueError({ field, value, words });
 
 async function fetched(src: string): Promise<Scene> {
-  const refuse = (why: string): ValueError => broken("src", src, `must be the address of a scene as JSON (${why})`, `必须是 JSON 场景的地址（${why}）`);
+  const refuse = (why: string): ValueError =>
+    broken("src", src, `must be the address of a scene as JSON (${why})`, `必须是 JSON 场景的地址（${why}）`);
   let answer: Response;
   try {
     answer = await fetch(new URL(src, document.baseURI));
@@ -135,7 +160,9 @@ async function fetched(src: string): Promise<Scene> {
     throw refuse((error as Error).message);
   }
   if (!answer.ok) throw refuse(`the server answered ${answer.status}`);
-  return answer.json().catch((error: unknown) => { throw refuse((error as Error).message); }) as Promise<Scene>;
+  return answer.json().catch((error: unknown) => {
+    throw refuse((error as Error).message);
+  }) as Promise<Scene>;
 }
 
 /** Frameworks wrap data in proxies, which no worker can be sent. */

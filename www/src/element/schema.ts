@@ -5,7 +5,11 @@ import { ALL_LAYERS, LAYER_PRESETS } from "../view/layer-sets";
 import { cameraLimits } from "../view/camera";
 
 type Words = readonly [en: string, zh: string];
-interface Fault { field: string; value: unknown; words: Words }
+interface Fault {
+  field: string;
+  value: unknown;
+  words: Words;
+}
 /** The first fault of a value, or null. */
 export type Rule = (value: unknown, field: string) => Fault | null;
 
@@ -42,7 +46,12 @@ const LONGEST_SHOWN = 40;
 function shown(value: unknown): string {
   let text: string | undefined;
   try {
-    text = typeof value !== "number" ? JSON.stringify(value) : Math.abs(value) < 1e7 ? String(value) : value.toExponential().replace("+", "");
+    text =
+      typeof value !== "number"
+        ? JSON.stringify(value)
+        : Math.abs(value) < 1e7
+          ? String(value)
+          : value.toExponential().replace("+", "");
   } catch {
     // Cycles and big integers have no JSON.
   }
@@ -50,40 +59,79 @@ function shown(value: unknown): string {
   return text.length > LONGEST_SHOWN ? `${text.slice(0, LONGEST_SHOWN)}…` : text;
 }
 
-const rule = (holds: (value: unknown) => boolean, en: string, zh: string): Rule => (value, field) => (holds(value) ? null : { field, value, words: [en, zh] });
+const rule =
+  (holds: (value: unknown) => boolean, en: string, zh: string): Rule =>
+  (value, field) =>
+    holds(value) ? null : { field, value, words: [en, zh] };
 
-export const oneOf = (names: readonly unknown[]): Rule => rule((value) => names.includes(value), `must be one of ${names.join(", ")}`, `必须是 ${names.join("、")} 之一`);
+export const oneOf = (names: readonly unknown[]): Rule =>
+  rule((value) => names.includes(value), `must be one of ${names.join(", ")}`, `必须是 ${names.join("、")} 之一`);
 
 export const numberFrom = (least: number, most: number): Rule =>
-  rule((value) => typeof value === "number" && value >= least && value <= most, `must be a number from ${least} to ${most}`, `必须是 ${least} 到 ${most} 之间的数`);
+  rule(
+    (value) => typeof value === "number" && value >= least && value <= most,
+    `must be a number from ${least} to ${most}`,
+    `必须是 ${least} 到 ${most} 之间的数`,
+  );
 
 const wholeFrom = (least: number, most: number): Rule =>
-  rule((value) => Number.isInteger(value) && Number(value) >= least && Number(value) <= most, `must be a whole number from ${least} to ${most}`, `必须是 ${least} 到 ${most} 之间的整数`);
+  rule(
+    (value) => Number.isInteger(value) && Number(value) >= least && Number(value) <= most,
+    `must be a whole number from ${least} to ${most}`,
+    `必须是 ${least} 到 ${most} 之间的整数`,
+  );
 
-export const textUpTo = (most: number): Rule => rule((value) => typeof value === "string" && value.length <= most, `must be a text of at most ${most} characters`, `必须是不超过 ${most} 个字符的文本`);
+export const textUpTo = (most: number): Rule =>
+  rule(
+    (value) => typeof value === "string" && value.length <= most,
+    `must be a text of at most ${most} characters`,
+    `必须是不超过 ${most} 个字符的文本`,
+  );
 
 const boolean = rule((value) => typeof value === "boolean", "must be true or false", "必须是 true 或 false");
-const isRecord = (value: unknown): value is Record<string, unknown> => typeof value === "object" && value !== null && !Array.isArray(value);
+const isRecord = (value: unknown): value is Record<string, unknown> =>
+  typeof value === "object" && value !== null && !Array.isArray(value);
 
-const orNull = (inner: Rule): Rule => (value, field) => (value === null ? null : inner(value, field));
+const orNull =
+  (inner: Rule): Rule =>
+  (value, field) =>
+    value === null ? null : inner(value, field);
 
 /** A list of different values. */
 const listOf = (each: Rule, least: number, most: number): Rule => {
-  const size = rule((value) => Array.isArray(value) && value.length >= least && value.length <= most, `must be a list of ${least} to ${most}`, `必须是 ${least} 到 ${most} 项的列表`);
-  const distinct = rule((value) => new Set(value as unknown[]).size === (value as unknown[]).length, "must be a list of different values", "必须是互不相同的列表");
-  return (value, field) => size(value, field) ?? firstFault((value as unknown[]).map((one, i) => each(one, `${field}[${i}]`))) ?? distinct(value, field);
+  const size = rule(
+    (value) => Array.isArray(value) && value.length >= least && value.length <= most,
+    `must be a list of ${least} to ${most}`,
+    `必须是 ${least} 到 ${most} 项的列表`,
+  );
+  const distinct = rule(
+    (value) => new Set(value as unknown[]).size === (value as unknown[]).length,
+    "must be a list of different values",
+    "必须是互不相同的列表",
+  );
+  return (value, field) =>
+    size(value, field) ??
+    firstFault((value as unknown[]).map((one, i) => each(one, `${field}[${i}]`))) ??
+    distinct(value, field);
 };
 
 /** An object of these fields and no others. */
 export const objectOf = (fields: Record<string, Rule>, optional: readonly string[] = []): Rule => {
-  const isObject = rule(isRecord, `must be an object of ${Object.keys(fields).join(", ")}`, `必须是包含 ${Object.keys(fields).join("、")} 的对象`);
+  const isObject = rule(
+    isRecord,
+    `must be an object of ${Object.keys(fields).join(", ")}`,
+    `必须是包含 ${Object.keys(fields).join("、")} 的对象`,
+  );
   const known = oneOf(Object.keys(fields));
-  return (value, field) => isObject(value, field)
-    ?? firstFault(Object.keys(value as object).map((key) => known(key, field)))
-    ?? firstFault(Object.entries(fields).map(([key, one]) => {
-      const inner = (value as Record<string, unknown>)[key];
-      return inner === undefined && optional.includes(key) ? null : one(inner, `${field}.${key}`);
-    }));
+  return (value, field) =>
+    isObject(value, field) ??
+    firstFault(Object.keys(value as object).map((key) => known(key, field))) ??
+    firstFault(
+      Object.entries(fields).map(([key, one]) => {
+        const inner = (value as Record<string, unknown>)[key];
+        return inner === undefined && optional.includes(key) ? null : one(inner, `${field}.${key}`);
+      }),
+    );
 };
 
 const firstFault = (faults: readonly (Fault | null)[]): Fault | null => faults.find((fault) => fault !== null) ?? null;
@@ -97,7 +145,10 @@ const HOUR_MS = 3_600_000;
 const LONGEST_LINK = 1_000_000;
 
 /** What the rules depend on. */
-export interface Known { planners: readonly PlannerInfo[]; map: Scenario["map"] }
+export interface Known {
+  planners: readonly PlannerInfo[];
+  map: Scenario["map"];
+}
 
 /** Every field that comes from outside, whichever way it comes. */
 export const RULES = {
@@ -118,7 +169,11 @@ export const RULES = {
     const { x, y, scale } = cameraLimits(map);
     return orNull(objectOf({ x: numberFrom(...x), y: numberFrom(...y), scale: numberFrom(...scale) }));
   },
-  params: ({ planners }: Known) => objectOf(Object.fromEntries(planners.map(({ id, parameters }) => [id, settings(parameters)])), planners.map(({ id }) => id)),
+  params: ({ planners }: Known) =>
+    objectOf(
+      Object.fromEntries(planners.map(({ id, parameters }) => [id, settings(parameters)])),
+      planners.map(({ id }) => id),
+    ),
 } as const;
 
 /** What an attribute's text must be; the others may be anything. */
@@ -129,7 +184,10 @@ const ATTRIBUTES: Record<string, (text: string) => [value: unknown, rule: Rule]>
   theme: (text) => [text, RULES.theme()],
   speed: (text) => [numeral(text), numberFrom(0.01, 100)],
   "budget-ms": (text) => [numeral(text), numberFrom(1, HOUR_MS)],
-  layers: (text) => [text.split(/\s+/).filter(Boolean), listOf(oneOf([...LAYER_PRESETS, ...ALL_LAYERS]), 0, ALL_LAYERS.length)],
+  layers: (text) => [
+    text.split(/\s+/).filter(Boolean),
+    listOf(oneOf([...LAYER_PRESETS, ...ALL_LAYERS]), 0, ALL_LAYERS.length),
+  ],
 };
 
 export function faultOfAttribute(name: string, text: string): ValueError | null {
@@ -158,9 +216,17 @@ export function keepsRule(key: string, text: string): boolean {
 
 /** A planner's own settings. */
 const settings = (parameters: readonly ParameterInfo[]): Rule =>
-  objectOf(Object.fromEntries(parameters.map((info) => [info.name, setting(info)])), parameters.map(({ name }) => name));
+  objectOf(
+    Object.fromEntries(parameters.map((info) => [info.name, setting(info)])),
+    parameters.map(({ name }) => name),
+  );
 
 function setting({ type, min = -Infinity, max = Infinity, choices = [], default: usual }: ParameterInfo): Rule {
-  const one = type === "boolean" ? boolean : type === "choice" ? oneOf(choices) : (type === "integer" ? wholeFrom : numberFrom)(min, max);
+  const one =
+    type === "boolean"
+      ? boolean
+      : type === "choice"
+        ? oneOf(choices)
+        : (type === "integer" ? wholeFrom : numberFrom)(min, max);
   return usual === null ? orNull(one) : one;
 }

@@ -5,7 +5,11 @@ import { sentence, type App } from "./app";
 
 export type SnippetKind = "embed" | "markdown" | "test";
 
-const MAKERS: Record<SnippetKind, (app: App) => Promise<string>> = { embed: embedSnippet, markdown: markdownLink, test: nodeTest };
+const MAKERS: Record<SnippetKind, (app: App) => Promise<string>> = {
+  embed: embedSnippet,
+  markdown: markdownLink,
+  test: nodeTest,
+};
 
 /** Copies a snippet and says so, or why not. */
 export async function copySnippet(app: App, kind: SnippetKind): Promise<void> {
@@ -17,7 +21,8 @@ export async function copySnippet(app: App, kind: SnippetKind): Promise<void> {
 }
 
 /** A quotation mark or a `</script>` in a name must stay text. */
-const asAttribute = (text: string): string => text.replaceAll("&", "&amp;").replaceAll('"', "&quot;").replaceAll("<", "&lt;");
+const asAttribute = (text: string): string =>
+  text.replaceAll("&", "&amp;").replaceAll('"', "&quot;").replaceAll("<", "&lt;");
 const asScript = (value: unknown): string => JSON.stringify(value).replaceAll("<", "\\u003c");
 
 async function embedSnippet(app: App): Promise<string> {
@@ -38,7 +43,9 @@ async function markdownLink(app: App): Promise<string> {
 
 /** Holds the focused planner's own answer by its hash. */
 async function nodeTest(app: App): Promise<string> {
-  const { focus, results } = app.store.state, result = results[focus], plan = (result?.chosen && result.ordinary) ?? result?.plan;
+  const { focus, results } = app.store.state,
+    result = results[focus],
+    plan = (result?.chosen && result.ordinary) ?? result?.plan;
   if (!plan) throw new Error(app.t("error.noPath"));
   return `import assert from "node:assert/strict";
 import { test } from "node:test";
@@ -57,4 +64,5 @@ test(${JSON.stringify(`${focus}: ${app.store.state.scene.name || "a scene"}`)}, 
 `;
 }
 
-const sceneOf = async (app: App): Promise<unknown> => forPlanners(app.store.state.scene, (await app.complete()).api.packRuns);
+const sceneOf = async (app: App): Promise<unknown> =>
+  forPlanners(app.store.state.scene, (await app.complete()).api.packRuns);

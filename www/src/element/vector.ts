@@ -6,23 +6,43 @@ import { makeTokens, type Tokens } from "../view/tokens";
 
 /** Each map where it stands in the element, as it is seen. */
 export function svgOf(host: HTMLElement, views: readonly SceneView[], state: State, tokens: Tokens): string {
-  const outer = host.getBoundingClientRect(), colours = coloursOf(tokens);
+  const outer = host.getBoundingClientRect(),
+    colours = coloursOf(tokens);
   const theme = state.theme === "auto" ? "auto" : tokens.dark ? "dark" : "light";
-  const maps = views.filter((view) => view.clientWidth > 0).map((view) => {
-    const box = view.getBoundingClientRect(), plans = plansOf(state, view.planners), camera = view.view?.camera ?? null;
-    const layers = plans.length === 1 ? state.results[plans[0]!.planner]?.layers ?? {} : {};
-    const svg = toSVG(state.scene, plans, { width: Math.round(box.width), height: Math.round(box.height), theme, camera, colours, layers });
-    return svg.replace("<svg ", `<svg x="${Math.round(box.left - outer.left)}" y="${Math.round(box.top - outer.top)}" `);
-  });
-  const width = Math.round(outer.width), height = Math.round(outer.height);
+  const maps = views
+    .filter((view) => view.clientWidth > 0)
+    .map((view) => {
+      const box = view.getBoundingClientRect(),
+        plans = plansOf(state, view.planners),
+        camera = view.view?.camera ?? null;
+      const layers = plans.length === 1 ? (state.results[plans[0]!.planner]?.layers ?? {}) : {};
+      const svg = toSVG(state.scene, plans, {
+        width: Math.round(box.width),
+        height: Math.round(box.height),
+        theme,
+        camera,
+        colours,
+        layers,
+      });
+      return svg.replace(
+        "<svg ",
+        `<svg x="${Math.round(box.left - outer.left)}" y="${Math.round(box.top - outer.top)}" `,
+      );
+    });
+  const width = Math.round(outer.width),
+    height = Math.round(outer.height);
   return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}">${maps.join("")}</svg>\n`;
 }
 
 /** The colours that the page has set. */
 function coloursOf(tokens: Tokens): Record<string, string> {
   const usual = makeTokens(tokens.dark);
-  const own = (Object.keys(usual.colour) as (keyof Tokens["colour"])[]).filter((name) => tokens.colour[name] !== usual.colour[name]).map((name) => [name, tokens.colour[name]]);
-  const planners = tokens.planner.flatMap((colour, i) => (colour === usual.planner[i] ? [] : [[`planner-${i + 1}`, colour]]));
+  const own = (Object.keys(usual.colour) as (keyof Tokens["colour"])[])
+    .filter((name) => tokens.colour[name] !== usual.colour[name])
+    .map((name) => [name, tokens.colour[name]]);
+  const planners = tokens.planner.flatMap((colour, i) =>
+    colour === usual.planner[i] ? [] : [[`planner-${i + 1}`, colour]],
+  );
   return Object.fromEntries([...own, ...planners, ...(tokens.font === usual.font ? [] : [["font", tokens.font]])]);
 }
 
@@ -34,4 +54,5 @@ export function csvOf(state: State): string {
   return toCSV(state.scene, plan);
 }
 
-const plansOf = (state: State, planners: readonly string[]): Plan[] => planners.flatMap((planner) => state.results[planner]?.plan ?? []);
+const plansOf = (state: State, planners: readonly string[]): Plan[] =>
+  planners.flatMap((planner) => state.results[planner]?.plan ?? []);

@@ -6,23 +6,46 @@ import { limited } from "../view/camera";
 
 /** In the order of their bits; new ones only at the end, for links open for ever. */
 const BITS: readonly LayerKey[] = [
-  "slots", "obstacles", "safety", "redundant", "cost", "heat", "risk", "tree", "sweep", "path", "car", "ghosts", "grid", "difference",
+  "slots",
+  "obstacles",
+  "safety",
+  "redundant",
+  "cost",
+  "heat",
+  "risk",
+  "tree",
+  "sweep",
+  "path",
+  "car",
+  "ghosts",
+  "grid",
+  "difference",
 ];
 const WAYS = ["drive-percent", "search-percent", "search-expansions"] as const;
 /** Cameras are kept to a hundredth, steps to a ten-thousandth. */
 /** Between a planner and what its path is chosen by. */
 const CHOICE = "!";
-const FINE = 100, STEPS = 10_000;
+const FINE = 100,
+  STEPS = 10_000;
 
 type Looks = Pick<State, "mode" | "focus" | "planners" | "layers" | "playback" | "camera" | "prefer">;
 
 export function encodeView({ mode, focus, planners, layers, playback, camera, prefer, scene }: State): string {
   const bits = BITS.reduce((sum, key, i) => sum + (layers[key] ? 2 ** i : 0), 0);
-  const way = playback.base === "drive" ? 0 : playback.searchMode === "percent" ? 1 : 2, held = limited(camera, scene.map);
+  const way = playback.base === "drive" ? 0 : playback.searchMode === "percent" ? 1 : 2,
+    held = limited(camera, scene.map);
   // The smallest scale must not be rounded below itself.
   const place = held ? [Math.round(held.x * FINE), Math.round(held.y * FINE), Math.ceil(held.scale * FINE - 1e-6)] : [];
   const shown = planners.map((planner) => [planner, ...(prefer[planner] ? [prefer[planner]] : [])].join(CHOICE));
-  return [MODES.indexOf(mode), focus, shown.join("."), bits.toString(36), way, Math.round(playback.fraction * STEPS), ...place].join("~");
+  return [
+    MODES.indexOf(mode),
+    focus,
+    shown.join("."),
+    bits.toString(36),
+    way,
+    Math.round(playback.fraction * STEPS),
+    ...place,
+  ].join("~");
 }
 
 /** The planners that a view names, which need not exist. */
@@ -41,11 +64,16 @@ export function decodeView(text: string, known: Known, playback: Playback): Look
   return {
     mode: check(MODES[Number(mode)] ?? mode, RULES.mode(), "mode"),
     planners,
-    prefer: Object.fromEntries(shownIn(text).filter(([, by]) => by !== undefined).map(([planner, by]) => [planner, check(by, RULES.prefer(), "prefer")])),
+    prefer: Object.fromEntries(
+      shownIn(text)
+        .filter(([, by]) => by !== undefined)
+        .map(([planner, by]) => [planner, check(by, RULES.prefer(), "prefer")]),
+    ),
     focus: check(focus, RULES.focus(planners), "focus"),
     layers: Object.fromEntries(BITS.map((key) => [key, layers.includes(key)])) as Record<LayerKey, boolean>,
     playback: {
-      ...playback, playing: false,
+      ...playback,
+      playing: false,
       base: check(base, RULES.base(), "base"),
       searchMode: check(searchMode ?? SEARCH_MODES[0], RULES.searchMode(), "searchMode"),
       fraction: check(numeral(fraction) / STEPS, RULES.playhead(), "playhead"),

@@ -2,7 +2,21 @@
 
 /** Attributes that pass from the element to what it loads. */
 export const ATTRIBUTES = [
-  "src", "scene", "planners", "layout", "controls", "editable", "autoplay", "speed", "layers", "theme", "lang", "budget-ms", "wheel", "worker-url", "wasm-url",
+  "src",
+  "scene",
+  "planners",
+  "layout",
+  "controls",
+  "editable",
+  "autoplay",
+  "speed",
+  "layers",
+  "theme",
+  "lang",
+  "budget-ms",
+  "wheel",
+  "worker-url",
+  "wasm-url",
 ] as const;
 
 /** Properties that can be set before there is anything to set them on. */
@@ -12,11 +26,37 @@ export const READABLE = ["results", "canUndo", "canRedo"] as const;
 
 /** Methods; through the element and through messages each gives a promise. */
 export const METHODS = [
-  "plan", "cancel", "play", "pause", "seek", "undo", "redo", "reset", "fit", "getScene", "setScene", "openLink", "toBlob", "toSVG", "toCSV", "shareURL", "settled",
+  "plan",
+  "cancel",
+  "play",
+  "pause",
+  "seek",
+  "undo",
+  "redo",
+  "reset",
+  "fit",
+  "getScene",
+  "setScene",
+  "openLink",
+  "toBlob",
+  "toSVG",
+  "toCSV",
+  "shareURL",
+  "settled",
 ] as const;
 
 export const EVENTS = [
-  "ready", "scene-change", "plan-start", "plan-progress", "plan-result", "plan-complete", "seek", "select", "error", "progress", "visibility",
+  "ready",
+  "scene-change",
+  "plan-start",
+  "plan-progress",
+  "plan-result",
+  "plan-complete",
+  "seek",
+  "select",
+  "error",
+  "progress",
+  "visibility",
 ] as const;
 
 /** Parts that can be styled from outside. */

@@ -22,7 +22,8 @@ const formats = new Map<string, Intl.NumberFormat>();
 const reasons: Partial<Record<Lang, (english: string) => string>> = {};
 
 /** `{name}` is a value; `{n|pose|poses}` picks a word by the number `n`. */
-export const translate = (lang: Lang, key: MessageKey, values: Values = {}): string => fill(lang, (tables[lang] ?? english)[key] ?? "", values);
+export const translate = (lang: Lang, key: MessageKey, values: Values = {}): string =>
+  fill(lang, (tables[lang] ?? english)[key] ?? "", values);
 
 /** Words that come with a piece of the page. */
 export const addEnglish = (words: Table): void => void Object.assign(english, words);
@@ -45,7 +46,11 @@ export async function loadLang(lang: Lang): Promise<Lang> {
   if (tables[lang] || !files) return lang;
   const read = async (url: string): Promise<unknown> => (await fetch(new URL(url, import.meta.url))).json();
   try {
-    const [table, catalogue, { chineseReasons }] = await Promise.all([read(files[0]), read(files[1]), import("./reasons-zh")]);
+    const [table, catalogue, { chineseReasons }] = await Promise.all([
+      read(files[0]),
+      read(files[1]),
+      import("./reasons-zh"),
+    ]);
     tables[lang] = table as Table;
     reasons[lang] = chineseReasons(catalogue as Catalogue);
     return lang;
@@ -63,7 +68,10 @@ export function number(lang: Lang, value: number, digits: number): string {
   let format = formats.get(id);
   if (!format) {
     format = new Intl.NumberFormat(lang === "zh" ? "zh-CN" : "en", {
-      minimumFractionDigits: digits, maximumFractionDigits: digits, signDisplay: "negative", useGrouping: "min2",
+      minimumFractionDigits: digits,
+      maximumFractionDigits: digits,
+      signDisplay: "negative",
+      useGrouping: "min2",
     } as Intl.NumberFormatOptions);
     formats.set(id, format);
   }

@@ -9,8 +9,18 @@ type Say = (text: string) => string | undefined;
 
 /** What says in Chinese a text that one of the templates fits. */
 function templates(table: Record<string, string>, valueOf: (text: string) => string): Say {
-  const patterns = Object.entries(table).map(([en, zh]) =>
-    [new RegExp(`^${en.split("{}").map((part) => part.replace(/[.*+?^$()[\]{}|\\]/g, "\\$&")).join("(.*?)")}$`), zh] as const);
+  const patterns = Object.entries(table).map(
+    ([en, zh]) =>
+      [
+        new RegExp(
+          `^${en
+            .split("{}")
+            .map((part) => part.replace(/[.*+?^$()[\]{}|\\]/g, "\\$&"))
+            .join("(.*?)")}$`,
+        ),
+        zh,
+      ] as const,
+  );
   return (text) => {
     for (const [pattern, zh] of patterns) {
       const found = pattern.exec(text)?.slice(1).map(valueOf);
@@ -24,21 +34,26 @@ function templates(table: Record<string, string>, valueOf: (text: string) => str
 /** What says a reason in Chinese; one that the catalogue does not have stays as it is. */
 export function chineseReasons({ reasons, values }: Catalogue): (english: string) => string {
   // What is quoted stays as it was written.
-  const valueOf = (text: string): string => (/^["'[]/.test(text) ? text : wordOf(text) ?? text);
-  const wordOf = templates(values, valueOf), plainOf = templates(reasons, valueOf);
+  const valueOf = (text: string): string => (/^["'[]/.test(text) ? text : (wordOf(text) ?? text));
+  const wordOf = templates(values, valueOf),
+    plainOf = templates(reasons, valueOf);
   const sentenceOf: Say = (body) => {
-    const [, subject, rule] = /^(.+?):? (must .*)$/.exec(body) ?? [], said = plainOf(body);
+    const [, subject, rule] = /^(.+?):? (must .*)$/.exec(body) ?? [],
+      said = plainOf(body);
     if (said || !subject) return said;
     const ruled = plainOf(rule!);
     return ruled && (wordOf(subject) ?? `${subject} `) + ruled;
   };
   return (text) => {
-    const whole = text.replace(/\.$/, ""), [, path = "", rest = whole] = /^([\w.[\]]+(?: and \w+)*: )?(.*)$/s.exec(whole) ?? [];
+    const whole = text.replace(/\.$/, ""),
+      [, path = "", rest = whole] = /^([\w.[\]]+(?: and \w+)*: )?(.*)$/s.exec(whole) ?? [];
     const [, body = rest, got] = /^(.*?)(?:, got (.*?))?$/s.exec(rest) ?? [];
     const rule = sentenceOf(body);
     // A text may begin like a field, or have "got" of its own.
     const alone = path || rule === undefined ? plainOf(whole) : undefined;
     if (alone !== undefined) return `${alone}。`;
-    return rule === undefined ? text : `${path.replaceAll(" and ", "、").replace(": ", "：")}${rule}${got === undefined ? "" : `，实际为 ${valueOf(got)}`}。`;
+    return rule === undefined
+      ? text
+      : `${path.replaceAll(" and ", "、").replace(": ", "：")}${rule}${got === undefined ? "" : `，实际为 ${valueOf(got)}`}。`;
   };
 }

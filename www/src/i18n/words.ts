@@ -9,8 +9,14 @@ export function words<Key extends string>(table: Record<Key, readonly [en: strin
   return (lang, key, values = {}) => fill(lang, table[key][lang === "zh" ? 1 : 0], values);
 }
 
-type KeyAt<Prefix extends string> = MessageKey extends infer Key ? (Key extends `${Prefix}.${infer Name}` ? Name : never) : never;
+type KeyAt<Prefix extends string> = MessageKey extends infer Key
+  ? Key extends `${Prefix}.${infer Name}`
+    ? Name
+    : never
+  : never;
 
 /** The words of a piece that most visits fetch: they stand in the tables. */
-export const wordsAt = <Prefix extends string>(prefix: Prefix): Say<KeyAt<Prefix>> =>
-  (lang, key, values) => translate(lang, `${prefix}.${key}` as MessageKey, values);
+export const wordsAt =
+  <Prefix extends string>(prefix: Prefix): Say<KeyAt<Prefix>> =>
+  (lang, key, values) =>
+    translate(lang, `${prefix}.${key}` as MessageKey, values);

@@ -8,10 +8,12 @@ let frame: Promise<void> | null = null;
 /** Pages in the background get no frames, but must not fall behind for good. */
 function nextFrame(): Promise<void> {
   if (document.hidden) return Promise.resolve();
-  frame ??= new Promise((done) => requestAnimationFrame(() => {
-    frame = null;
-    done();
-  }));
+  frame ??= new Promise((done) =>
+    requestAnimationFrame(() => {
+      frame = null;
+      done();
+    }),
+  );
   return frame;
 }
 

@@ -12,12 +12,32 @@ import { drivablePlan } from "./status";
 import { focusedPlan, reverseSpans } from "./timeline";
 
 type Quantity = "curvature" | "clearance" | "speed";
-interface Position { at: number; clock: number | null }
+interface Position {
+  at: number;
+  clock: number | null;
+}
 /** `timed`: it has a drive, or will have one when the pointer rests. */
-interface Line { planner: PlannerId; plan: Plan; drive: Drive | null; timed: boolean }
-interface Content { lines: Line[]; total: number; plots: Plot[]; drawn: SVGTemplateResult }
+interface Line {
+  planner: PlannerId;
+  plan: Plan;
+  drive: Drive | null;
+  timed: boolean;
+}
+interface Content {
+  lines: Line[];
+  total: number;
+  plots: Plot[];
+  drawn: SVGTemplateResult;
+}
 /** `blank`: there is nothing to show yet. */
-interface Plot { quantity: Quantity; top: number; height: number; low: number; high: number; blank?: boolean }
+interface Plot {
+  quantity: Quantity;
+  top: number;
+  height: number;
+  low: number;
+  high: number;
+  blank?: boolean;
+}
 
 const WIDTH = 1000;
 const HEIGHT = 160;
@@ -29,7 +49,9 @@ const HOVER_REACH = 1.5;
 
 /** Curvature, clearance and speed over the way driven, marked where the pointer is on the map. */
 export class Charts extends AppElement {
-  static override styles = [controls, css`
+  static override styles = [
+    controls,
+    css`
     :host { display: grid; grid-template-columns: 54px 1fr 96px; min-height: 0; background: var(--parkade-panel); border-left: 1px solid var(--parkade-hair); font-size: 12px; line-height: 16px; padding: 8px 0 0; }
     .plots { position: relative; min-width: 0; }
     .all { position: absolute; inset: 0 0 20px; width: 100%; height: calc(100% - 20px); overflow: visible; cursor: crosshair; }
@@ -52,7 +74,8 @@ export class Charts extends AppElement {
     .right div { position: absolute; left: 12px; transform: translateY(-50%); color: var(--parkade-t2); }
     .right b { display: block; font-weight: 600; color: var(--parkade-t1); white-space: nowrap; }
     .none { grid-column: 1 / -1; place-self: center; color: var(--parkade-t3); }
-  `];
+  `,
+  ];
 
   protected override pace = 100;
   protected override waits = true;
@@ -65,11 +88,18 @@ export class Charts extends AppElement {
   protected override render(): TemplateResult {
     const { lines, total, plots, drawn } = this.content();
     if (lines.length === 0) return html`<p class="none">${this.t("chart.none")}</p>`;
-    const position = this.position(), at = position && position.at;
+    const position = this.position(),
+      at = position && position.at;
     const percent = (y: number): string => `top:calc((100% - 20px) * ${y / HEIGHT})`;
     return html`
-      <div class="left" aria-hidden="true">${plots.map((plot) => plot.blank ? nothing : [plot.high, plot.low].map((value) => html`
-        <span .style=${percent(yOf(plot, value))}>${this.num(value, plot.quantity === "curvature" ? 3 : 1)}</span>`))}</div>
+      <div class="left" aria-hidden="true">${plots.map((plot) =>
+        plot.blank
+          ? nothing
+          : [plot.high, plot.low].map(
+              (value) => html`
+        <span .style=${percent(yOf(plot, value))}>${this.num(value, plot.quantity === "curvature" ? 3 : 1)}</span>`,
+            ),
+      )}</div>
       <div class="plots" role="img" aria-label="${this.t("chart.label")}: ${plots.map(({ quantity }) => this.t(`chart.${quantity}`)).join(", ")}">
         <svg class="all" viewBox="0 0 ${WIDTH} ${HEIGHT}" preserveAspectRatio="none" @pointermove=${(e: PointerEvent) => this.point(e, total)} @pointerleave=${() => this.app.store.set({ hover: null })}>
           <rect width=${WIDTH} height=${HEIGHT} fill="transparent"/>
@@ -87,17 +117,24 @@ export class Charts extends AppElement {
   private content(): Content {
     const { results, focus, hidden } = this.state;
     const { cached } = this;
-    if (cached && cached.results === results && cached.focus === focus && cached.hidden === hidden) return cached.content;
+    if (cached && cached.results === results && cached.focus === focus && cached.hidden === hidden)
+      return cached.content;
     const lines = linesOf(this.state);
     const total = Math.max(...lines.map(({ plan }) => distancesOf(plan).at(-1) ?? 0), 0.1);
     const plots = lines.length > 0 ? plotsOf(lines) : [];
-    const content = { lines, total, plots, drawn: svg`${this.reverse(total)}${plots.map((plot) => this.plot(plot, lines, total))}` };
+    const content = {
+      lines,
+      total,
+      plots,
+      drawn: svg`${this.reverse(total)}${plots.map((plot) => this.plot(plot, lines, total))}`,
+    };
     this.cached = { results, focus, hidden, content };
     return content;
   }
 
   private plot(plot: Plot, lines: readonly Line[], total: number): SVGTemplateResult {
-    const limit = lines[0]!.plan.metrics.curvatureLimit, metrics = focusedPlan(this.state)?.metrics;
+    const limit = lines[0]!.plan.metrics.curvatureLimit,
+      metrics = focusedPlan(this.state)?.metrics;
     const margin = metrics && "margin" in metrics ? metrics.margin : undefined;
     const rule = (value: number, name: string): SVGTemplateResult =>
       svg`<line class=${name} x1="0" x2=${WIDTH} y1=${yOf(plot, value)} y2=${yOf(plot, value)}/>`;
@@ -109,9 +146,9 @@ export class Charts extends AppElement {
     const plan = focusedPlan(this.state);
     if (!plan) return nothing;
     const length = distancesOf(plan).at(-1) ?? 0;
-    return svg`${reverseSpans(plan).map(([from, to]) => svg`<rect class="band" x=${(from * length / total) * WIDTH} width=${((to - from) * length / total) * WIDTH} y="0" height=${HEIGHT}/>`)}
+    return svg`${reverseSpans(plan).map(([from, to]) => svg`<rect class="band" x=${((from * length) / total) * WIDTH} width=${(((to - from) * length) / total) * WIDTH} y="0" height=${HEIGHT}/>`)}
       ${this.cusps(total).map((x) => svg`<line class="cusp" x1=${x * WIDTH} x2=${x * WIDTH} y1="0" y2=${HEIGHT}/>`)}
-      ${reverseSpans(plan).map(([from, to]) => svg`<line class="reverse" x1=${(from * length / total) * WIDTH} x2=${(to * length / total) * WIDTH} y1=${HEIGHT} y2=${HEIGHT}/>`)}`;
+      ${reverseSpans(plan).map(([from, to]) => svg`<line class="reverse" x1=${((from * length) / total) * WIDTH} x2=${((to * length) / total) * WIDTH} y1=${HEIGHT} y2=${HEIGHT}/>`)}`;
   }
 
   /** Where the focused path changes gear, as shares of the axis. */
@@ -135,8 +172,15 @@ export class Charts extends AppElement {
   }
 
   /** The focused line's value at the cursor. */
-  private dot(plot: Plot, position: Position, total: number, percent: (y: number) => string): TemplateResult | typeof nothing {
-    const { at } = position, plan = focusedPlan(this.state), pose = plan && poseAtDistance(plan, at);
+  private dot(
+    plot: Plot,
+    position: Position,
+    total: number,
+    percent: (y: number) => string,
+  ): TemplateResult | typeof nothing {
+    const { at } = position,
+      plan = focusedPlan(this.state),
+      pose = plan && poseAtDistance(plan, at);
     if (!pose) return nothing;
     const value = plot.quantity === "speed" ? this.speed(position) : pose[plot.quantity];
     if (value === undefined || !Number.isFinite(value)) return nothing;
@@ -171,11 +215,16 @@ export class Charts extends AppElement {
 
 /** The drivable paths in sight, and the focused one. */
 function linesOf(state: State): Line[] {
-  return state.planners.filter((planner) => !state.hidden.has(planner)).flatMap((planner) => {
-    const result = state.results[planner], drivable = drivablePlan(result);
-    const plan = drivable ?? (planner === state.focus ? focusedPlan(state) : null);
-    return plan ? [{ planner, plan, drive: result?.plan === plan ? result.drive : null, timed: drivable !== null }] : [];
-  });
+  return state.planners
+    .filter((planner) => !state.hidden.has(planner))
+    .flatMap((planner) => {
+      const result = state.results[planner],
+        drivable = drivablePlan(result);
+      const plan = drivable ?? (planner === state.focus ? focusedPlan(state) : null);
+      return plan
+        ? [{ planner, plan, drive: result?.plan === plan ? result.drive : null, timed: drivable !== null }]
+        : [];
+    });
 }
 
 function plotsOf(lines: readonly Line[]): Plot[] {
@@ -192,7 +241,14 @@ function plotsOf(lines: readonly Line[]): Plot[] {
   return [
     { quantity: "curvature", top: 6, height: 40, low: -limit, high: limit },
     { quantity: "clearance", top: 60, height: 40, low: 0, high },
-    { quantity: "speed", top: 114, height: 40, low: Math.min(0, ...drives.map((drive) => extremesOf(drive)[0])), high: Math.max(0.5, ...drives.map((drive) => extremesOf(drive)[1])), blank: drives.length === 0 },
+    {
+      quantity: "speed",
+      top: 114,
+      height: 40,
+      low: Math.min(0, ...drives.map((drive) => extremesOf(drive)[0])),
+      high: Math.max(0.5, ...drives.map((drive) => extremesOf(drive)[1])),
+      blank: drives.length === 0,
+    },
   ];
 }
 
@@ -202,12 +258,13 @@ const extremes = new WeakMap<Drive, readonly [low: number, high: number]>();
 function extremesOf(drive: Drive): readonly [low: number, high: number] {
   let known = extremes.get(drive);
   if (!known) {
-    let low = 0, high = 0.5;
+    let low = 0,
+      high = 0.5;
     for (const speed of drive.speeds) {
       if (speed < low) low = speed;
       if (speed > high) high = speed;
     }
-    extremes.set(drive, known = [low, high]);
+    extremes.set(drive, (known = [low, high]));
   }
   return known;
 }
@@ -218,10 +275,15 @@ const drawn = new WeakMap<object, Map<Quantity, { key: string; text: string }>>(
 function lineOf(plot: Plot, plan: Plan, drive: Drive | null, total: number): string {
   const of = plot.quantity === "speed" ? drive : plan;
   if (!of) return "";
-  const key = [total, plot.top, plot.height, plot.low, plot.high].join(" "), lines = drawn.get(of) ?? new Map<Quantity, { key: string; text: string }>();
+  const key = [total, plot.top, plot.height, plot.low, plot.high].join(" "),
+    lines = drawn.get(of) ?? new Map<Quantity, { key: string; text: string }>();
   drawn.set(of, lines);
   let line = lines.get(plot.quantity);
-  if (line?.key !== key) lines.set(plot.quantity, line = { key, text: of === drive ? speedPath(plot, drive, total) : pathOf(plot, plan, total) });
+  if (line?.key !== key)
+    lines.set(
+      plot.quantity,
+      (line = { key, text: of === drive ? speedPath(plot, drive, total) : pathOf(plot, plan, total) }),
+    );
   return line.text;
 }
 
@@ -235,7 +297,10 @@ function pathOf(plot: Plot, plan: Plan, total: number): string {
   const along = distancesOf(plan);
   const values = plot.quantity === "curvature" ? plan.curvatures : plan.clearances;
   const steps = plot.quantity === "curvature";
-  let text = "", before: number | null = null, lastX = -MIN_STEP, peak = 0;
+  let text = "",
+    before: number | null = null,
+    lastX = -MIN_STEP,
+    peak = 0;
   for (let i = 0; i < along.length; i++) {
     const value = values[i]!;
     const x = (along[i]! / total) * WIDTH;
@@ -260,10 +325,13 @@ function pathOf(plot: Plot, plan: Plan, total: number): string {
 
 /** Speed over the way driven, negative in reverse. */
 function speedPath(plot: Plot, drive: Drive, total: number): string {
-  let text = "", lastX = -MIN_STEP, lastY = "";
+  let text = "",
+    lastX = -MIN_STEP,
+    lastY = "";
   const { stations, speeds } = drive;
   for (let i = 0; i < stations.length; i++) {
-    const x = (stations[i]! / total) * WIDTH, inside = i > 0 && i < stations.length - 1;
+    const x = (stations[i]! / total) * WIDTH,
+      inside = i > 0 && i < stations.length - 1;
     if (inside && x - lastX < MIN_GAP) continue;
     const y = yOf(plot, speeds[i]!).toFixed(1);
     if (inside && x - lastX < MIN_STEP && y === lastY) continue;

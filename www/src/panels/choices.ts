@@ -9,10 +9,10 @@ import { AppElement } from "./base";
 
 const say = words({
   label: ["{planner}: paths to choose from", "{planner}：可选路径"],
-  "shortest": ["shortest", "最短"],
+  shortest: ["shortest", "最短"],
   "fewest-changes": ["fewest gear changes", "换挡最少"],
-  "widest": ["most room", "间距最大"],
-  "fastest": ["fastest", "最快"],
+  widest: ["most room", "间距最大"],
+  fastest: ["fastest", "最快"],
   ordinary: ["as planned", "默认结果"],
   changes: ["{length} m · {n} ⇄", "{length} m · {n} ⇄"],
   none: ["{length} m · 0", "{length} m · 0"],
@@ -27,12 +27,19 @@ const say = words({
 });
 
 /** Percent above the shortest way without obstacles: rounding, and what tells more as a length. */
-const ROUNDING = 1e-4, MUCH = 50;
+const ROUNDING = 1e-4,
+  MUCH = 50;
 
 /** Chips under a planner's title: other paths that it found, to look at and to choose. */
 export class Choices extends AppElement {
-  static override properties = { ...AppElement.properties, planner: { type: String }, searching: { type: Boolean, reflect: true } };
-  static override styles = [controls, css`
+  static override properties = {
+    ...AppElement.properties,
+    planner: { type: String },
+    searching: { type: Boolean, reflect: true },
+  };
+  static override styles = [
+    controls,
+    css`
     :host { position: absolute; z-index: 2; inset: 0 0 auto; display: block; pointer-events: none; }
     :host([searching])::before { content: ""; position: absolute; inset: 0 0 auto; height: 2px; background: linear-gradient(90deg, transparent, var(--parkade-accent), transparent) 0 0 / 40% 100% no-repeat; animation: run 1.2s linear infinite; }
     @keyframes run { from { background-position: -40% 0; } to { background-position: 140% 0; } }
@@ -46,7 +53,8 @@ export class Choices extends AppElement {
     @media (pointer: coarse) { button { height: 34px; padding: 0 12px; } }
     /* On a low screen the start is more often above. */
     @media (max-height: 479px) { :host { align-self: end !important; top: auto !important; bottom: 26px !important; } }
-  `];
+  `,
+  ];
   /** Unset: the focused one. */
   declare planner: PlannerId | undefined;
   /** Whether better paths are being looked for. */
@@ -74,7 +82,11 @@ export class Choices extends AppElement {
   }
 
   protected override render(): TemplateResult | typeof nothing {
-    const { state: { lang, hidden, choices }, asked } = this, list = choices?.[asked];
+    const {
+        state: { lang, hidden, choices },
+        asked,
+      } = this,
+      list = choices?.[asked];
     if (!list || list.length < 2 || hidden.has(asked)) return nothing;
     return html`<div role="group" aria-label=${say(lang, "label", { planner: plannerName(lang, asked) })}>${list.map((choice) => this.chip(choice))}</div>`;
   }
@@ -84,7 +96,8 @@ export class Choices extends AppElement {
   }
 
   private chip({ plan, by, isOrdinary }: Choice): TemplateResult {
-    const { lang, prefer } = this.state, chosen = prefer[this.asked];
+    const { lang, prefer } = this.state,
+      chosen = prefer[this.asked];
     const { length, directionChanges: n, minClearance, gapPercent = 0, rsBound = 0 } = plan.metrics;
     const values = { length: this.num(length, 1), n, clear: this.num(minClearance, 2) };
     const isWidest = by.length === 1 && by[0] === "widest";
@@ -107,7 +120,8 @@ export class Choices extends AppElement {
 
   private preview(plan: Plan | null): void {
     const preview = plan && { planner: this.asked, plan };
-    if (this.app?.store.state.preview?.plan !== plan && (plan || this.app.store.state.preview?.planner === this.asked)) this.app.store.set({ preview });
+    if (this.app?.store.state.preview?.plan !== plan && (plan || this.app.store.state.preview?.planner === this.asked))
+      this.app.store.set({ preview });
   }
 }
 

@@ -36,11 +36,14 @@ const say = words({
 /** What can be done where the pointer is: a right click, or a finger that rests. */
 export class ContextMenu extends AppElement {
   static override properties = { ...AppElement.properties, request: { state: true } };
-  static override styles = [controls, css`
+  static override styles = [
+    controls,
+    css`
     .popover { position: fixed; z-index: 40; min-width: 190px; }
     .item[aria-checked] svg { visibility: hidden; }
     .item[aria-checked="true"] svg { visibility: visible; }
-  `];
+  `,
+  ];
   declare request: MenuRequest | null;
 
   constructor() {
@@ -77,14 +80,16 @@ export class ContextMenu extends AppElement {
   protected override render(): TemplateResult | typeof nothing {
     const { request } = this;
     if (!request) return nothing;
-    const { scene, selection, canUndo, toolOptions, penSeen } = this.state, { store } = this.app;
+    const { scene, selection, canUndo, toolOptions, penSeen } = this.state,
+      { store } = this.app;
     const some = idsOf(selection).length > 0;
     const slot = selection?.kind === "slot" ? findSlot(scene, selection.id) : undefined;
     const place = (which: "start" | "goal"): void => {
       store.edit(movePose(scene, which, poseAt(scene, which, request)), { label: which });
       store.set({ selection: { kind: which } });
     };
-    const toggle = (name: "snap" | "penDraws"): void => store.set({ toolOptions: { ...toolOptions, [name]: !toolOptions[name] } });
+    const toggle = (name: "snap" | "penDraws"): void =>
+      store.set({ toolOptions: { ...toolOptions, [name]: !toolOptions[name] } });
     return html`<div class="popover" role="menu" aria-label=${say(this.state.lang, "menu")} @keydown=${this.onKey}>
       ${some ? html`${this.item("copy", "duplicate", "Ctrl D", () => duplicateSelected(store))}${this.item("trash", "remove", "Del", () => removeSelected(store))}` : nothing}
       ${slot && !slot.occupied ? this.item("slot", "slotGoal", "", () => store.edit(setGoalFromSlot(scene, slot.id!), { label: "goal" })) : nothing}
@@ -100,23 +105,43 @@ export class ContextMenu extends AppElement {
 
   /** Sets of goals. */
   private goals(request: MenuRequest): TemplateResult | typeof nothing {
-    const { scene, selection } = this.state, ids = idsOf(selection), named = slotsOfGoal(scene).map((slot) => slot.id!);
-    const goal = (name: IconName, key: Parameters<typeof say>[1], make: () => Scene): TemplateResult => this.item(name, key, "", () => this.app.store.edit(make(), { label: "goal" }));
-    if (selection?.kind === "start") return slotOfStart(scene) ? goal("slot", "leave", () => leaveSlot(scene)) : nothing;
+    const { scene, selection } = this.state,
+      ids = idsOf(selection),
+      named = slotsOfGoal(scene).map((slot) => slot.id!);
+    const goal = (name: IconName, key: Parameters<typeof say>[1], make: () => Scene): TemplateResult =>
+      this.item(name, key, "", () => this.app.store.edit(make(), { label: "goal" }));
+    if (selection?.kind === "start")
+      return slotOfStart(scene) ? goal("slot", "leave", () => leaveSlot(scene)) : nothing;
     if (selection === null) return goal("car", "orHere", () => orThere(scene, poseAt(scene, "goal", request)));
     const slots = ids.filter((id) => findSlot(scene, id));
-    if (slots.length > 1 && slots.length === ids.length) return goal("slot", "slotsGoal", () => anyOfSlots(scene, slots));
-    if (slots.length === 1 && named.length > 0 && !named.includes(slots[0]!)) return goal("slot", "orSlot", () => anyOfSlots(scene, [...named, slots[0]!]));
+    if (slots.length > 1 && slots.length === ids.length)
+      return goal("slot", "slotsGoal", () => anyOfSlots(scene, slots));
+    if (slots.length === 1 && named.length > 0 && !named.includes(slots[0]!))
+      return goal("slot", "orSlot", () => anyOfSlots(scene, [...named, slots[0]!]));
     const shape = ids.length === 1 ? findObstacle(scene, ids[0]!) : undefined;
-    return shape?.type === "polygon" || shape?.type === "rectangle" ? goal("polygon", "region", () => anywhereIn(removeObstacle(scene, ids[0]!), cornersOf(shape))) : nothing;
+    return shape?.type === "polygon" || shape?.type === "rectangle"
+      ? goal("polygon", "region", () => anywhereIn(removeObstacle(scene, ids[0]!), cornersOf(shape)))
+      : nothing;
   }
 
-  private item(name: IconName, key: Parameters<typeof say>[1], keys: string, run: () => void, disabled = false): TemplateResult {
-    return html`<button class="item" role="menuitem" ?disabled=${disabled} @click=${() => { this.close(); run(); }}>${icon(name)}${say(this.state.lang, key)}${keys ? html`<span class="keys">${keys}</span>` : nothing}</button>`;
+  private item(
+    name: IconName,
+    key: Parameters<typeof say>[1],
+    keys: string,
+    run: () => void,
+    disabled = false,
+  ): TemplateResult {
+    return html`<button class="item" role="menuitem" ?disabled=${disabled} @click=${() => {
+      this.close();
+      run();
+    }}>${icon(name)}${say(this.state.lang, key)}${keys ? html`<span class="keys">${keys}</span>` : nothing}</button>`;
   }
 
   private check(key: "snap" | "pen", on: boolean, run: () => void): TemplateResult {
-    return html`<button class="item" role="menuitemcheckbox" aria-checked=${on} @click=${() => { this.close(); run(); }}>${icon("check")}${say(this.state.lang, key)}</button>`;
+    return html`<button class="item" role="menuitemcheckbox" aria-checked=${on} @click=${() => {
+      this.close();
+      run();
+    }}>${icon("check")}${say(this.state.lang, key)}</button>`;
   }
 
   private close(): void {
@@ -139,7 +164,10 @@ export class ContextMenu extends AppElement {
 }
 
 /** Headed as the goal is or, of the start and where the goal is not one pose, as the start. */
-const poseAt = ({ goal, start }: Scene, which: "start" | "goal", { at: [x, y] }: MenuRequest): Pose =>
-  ({ x, y, heading: which === "goal" && isGoalPose(goal) ? goal.heading : start.heading });
+const poseAt = ({ goal, start }: Scene, which: "start" | "goal", { at: [x, y] }: MenuRequest): Pose => ({
+  x,
+  y,
+  heading: which === "goal" && isGoalPose(goal) ? goal.heading : start.heading,
+});
 
 customElements.define("parkade-context", ContextMenu);

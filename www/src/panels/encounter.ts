@@ -17,4 +17,10 @@ export function encounterOf({ lang }: State, drive: Drive | Encounter | null | u
   return waited > 0 ? say("warn", translate(lang, "moving.waits", { s: number(lang, waited, 1) })) : null;
 }
 
-const say = (tone: Status["tone"], text: string): Status => ({ tone, icon: tone === "err" ? "warning" : "clock", chip: text, brief: text, tiny: text });
+const say = (tone: Status["tone"], text: string): Status => ({
+  tone,
+  icon: tone === "err" ? "warning" : "clock",
+  chip: text,
+  brief: text,
+  tiny: text,
+});

@@ -18,13 +18,16 @@ const say = words({
 /** Beside a goal car that stands in a slot: how it enters, and another way at a press. */
 export class EntrySwitch extends AppElement {
   static override properties = { ...AppElement.properties, spot: { state: true } };
-  static override styles = [controls, css`
+  static override styles = [
+    controls,
+    css`
     :host { position: absolute; inset: 0; z-index: 10; pointer-events: none; overflow: hidden; }
     button { position: absolute; pointer-events: auto; height: 28px; gap: 6px; padding: 0 10px 0 8px; font-size: 12px; font-weight: 500; white-space: nowrap; color: var(--parkade-t1); background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair2); border-radius: calc(6px * var(--parkade-radius)); }
     button:hover { background: var(--parkade-panel); border-color: var(--parkade-accent); }
     button.out { visibility: hidden; }
     @media (pointer: coarse) { button { height: 44px; } }
-  `];
+  `,
+  ];
   declare spot: Spot | null;
   private readonly observer = new ResizeObserver(() => this.place());
   private readonly onHint = (): void => this.place();
@@ -53,9 +56,19 @@ export class EntrySwitch extends AppElement {
   }
 
   protected override render(): TemplateResult | typeof nothing {
-    const { scene: { goal }, lang } = this.state;
+    const {
+      scene: { goal },
+      lang,
+    } = this.state;
     if (!("entry" in goal)) return nothing;
-    const next = goal.entry === "either" ? "reverse-in" : goal.entry === "head-in" ? ("slots" in goal ? "either" : "reverse-in") : "head-in";
+    const next =
+      goal.entry === "either"
+        ? "reverse-in"
+        : goal.entry === "head-in"
+          ? "slots" in goal
+            ? "either"
+            : "reverse-in"
+          : "head-in";
     const title = say(lang, "title", { now: say(lang, goal.entry), next: say(lang, next) });
     return html`<button class=${this.spot ? "" : "out"} aria-label=${title} aria-keyshortcuts="X" title="${title} · X" .style=${`left:${this.spot?.x ?? 0}px;top:${this.spot?.y ?? 0}px`}
       @click=${() => this.app.store.edit(withEntry(this.state.scene, next), { label: "entry" })}>${icon("flip", 14)}${say(lang, goal.entry)}</button>`;
@@ -74,14 +87,30 @@ export class EntrySwitch extends AppElement {
   }
 
   private placed(): Spot | null {
-    const { state, host } = this, button = this.renderRoot.querySelector("button");
+    const { state, host } = this,
+      button = this.renderRoot.querySelector("button");
     // A hint speaks of the same car.
     const isHinted = host?.shadowRoot?.querySelector<Hints>("parkade-hints")?.bubble?.step === "hint.drag";
-    if (!button || !host || isHinted || state.transient || state.playback.playing || state.tool !== "select" || host.matches("[viewing], [controls=none]")) return null;
+    if (
+      !button ||
+      !host ||
+      isHinted ||
+      state.transient ||
+      state.playback.playing ||
+      state.tool !== "select" ||
+      host.matches("[viewing], [controls=none]")
+    )
+      return null;
     const goal = goalOnMap(host, state);
     if (!goal) return null;
-    const origin = this.getBoundingClientRect(), taken = [...goal.cars, ...boxesOf(host.shadowRoot!, "parkade-entry")];
-    return freeSpot(moved(goal.grip, origin), button, origin, taken.filter((box) => box.maxX > box.minX).map((box) => moved(box, origin)));
+    const origin = this.getBoundingClientRect(),
+      taken = [...goal.cars, ...boxesOf(host.shadowRoot!, "parkade-entry")];
+    return freeSpot(
+      moved(goal.grip, origin),
+      button,
+      origin,
+      taken.filter((box) => box.maxX > box.minX).map((box) => moved(box, origin)),
+    );
   }
 }
 

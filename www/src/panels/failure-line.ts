@@ -16,7 +16,9 @@ const say = words({ show: ["Show", "显示"], where: ["Show on the map where it 
 /** One line under a planner's title: why its answer fails; a click shows the place. */
 export class FailureLine extends AppElement {
   static override properties = { ...AppElement.properties, planner: { type: String }, short: { type: Boolean } };
-  static override styles = [controls, css`
+  static override styles = [
+    controls,
+    css`
     :host { display: block; z-index: 3; font-size: 12px; line-height: 15px; }
     div { display: flex; align-items: start; gap: 8px; min-height: 28px; padding: 6px 4px 2px 12px; color: var(--parkade-t2); }
     .err { background: var(--parkade-err-soft); color: var(--parkade-err); font-weight: 500; }
@@ -28,7 +30,8 @@ export class FailureLine extends AppElement {
     /* The rest is in its tooltip. */
     :host([slim]) div { align-items: center; min-height: 22px; padding: 0 0 0 8px; gap: 6px; } :host([slim]) p { -webkit-line-clamp: 1; }
     @media (pointer: coarse) { button { height: 34px; margin: -9px 0; padding: 0 12px; } }
-  `];
+  `,
+  ];
   /** Unset: the focused one. */
   declare planner: PlannerId | undefined;
   /** On a phone: two lines at most, so the cause gives way to what would help. */
@@ -49,25 +52,34 @@ export class FailureLine extends AppElement {
   }
 
   protected override render(): TemplateResult | typeof nothing {
-    const { state, asked } = this, why = state.hidden.has(asked) ? null : whyOf(state, asked, this.short);
+    const { state, asked } = this,
+      why = state.hidden.has(asked) ? null : whyOf(state, asked, this.short);
     if (why === null) return nothing;
-    const plan = state.results[asked]?.plan, failure = plan && failureOf(state.scene, plan);
+    const plan = state.results[asked]?.plan,
+      failure = plan && failureOf(state.scene, plan);
     return html`<div class="err">${icon("warning", 12)}<p title=${whyOf(state, asked)}>${why}</p>
       ${failure ? html`<button title=${say(state.lang, "where")} aria-label=${say(state.lang, "where")} @click=${this.show}>${say(state.lang, "show")}</button>` : nothing}</div>`;
   }
 
   private readonly show = (): void => {
-    const { scene, results } = this.state, plan = results[this.asked]?.plan, view = this.map?.view;
+    const { scene, results } = this.state,
+      plan = results[this.asked]?.plan,
+      view = this.map?.view;
     const failure = plan && failureOf(scene, plan);
     if (!failure || !view) return;
     const inset = isLong(scene) ? STRIP.room : LINE;
-    flyTo(this.app.store, view.camera, below(inset, frameBox(failure.box, view.width, view.height - inset, leastScale(scene.map))));
+    flyTo(
+      this.app.store,
+      view.camera,
+      below(inset, frameBox(failure.box, view.width, view.height - inset, leastScale(scene.map))),
+    );
   };
 
   /** The map beside it, or the one of the stage. */
   private get map(): SceneView | null {
     for (let root = this.getRootNode(); root instanceof ShadowRoot; root = root.host.getRootNode()) {
-      const inside = root.querySelector("parkade-stage")?.shadowRoot ?? root, map = inside.querySelector<SceneView>("parkade-scene-view");
+      const inside = root.querySelector("parkade-stage")?.shadowRoot ?? root,
+        map = inside.querySelector<SceneView>("parkade-scene-view");
       if (map) return map;
     }
     return null;

@@ -21,20 +21,26 @@ export function whyOf(state: State, planner: PlannerId, brief = false): string |
   if (!plan || plan.check.drivable) return null;
   const parts = plan.outcome === "found" ? ofPath(state, plan) : ofObstruction(state, plan);
   const remedy = literally(state, plan) ?? helps(state, planner);
-  return [...(brief && remedy ? parts.slice(0, 1) : parts), remedy].filter(Boolean).join(state.lang === "zh" ? "" : " ");
+  return [...(brief && remedy ? parts.slice(0, 1) : parts), remedy]
+    .filter(Boolean)
+    .join(state.lang === "zh" ? "" : " ");
 }
 
 function ofPath(state: State, plan: Plan): string[] {
-  const { lang } = state, { check } = plan, failure = failureOf(state.scene, plan);
+  const { lang } = state,
+    { check } = plan,
+    failure = failureOf(state.scene, plan);
   const metres = (value: number, digits = 2): string => number(lang, value, digits);
-  const radii = { radius: metres(check.tightestRadius ?? 0), limit: metres(check.minTurningRadius) }, along = failure?.along ?? 0;
+  const radii = { radius: metres(check.tightestRadius ?? 0), limit: metres(check.minTurningRadius) },
+    along = failure?.along ?? 0;
   if (!check.firstHit) return [turn(state, check, { ...radii, along: metres(along, 1) })];
   const values = { thing: thingName(state, check.firstHit), along: metres(along, 1) };
   const sharp = check.tightestRadius === 0 ? "corners" : isTight(check) ? "curves" : "room";
   return [say(lang, along < 0.05 ? "atStart" : "hit", values), say(lang, sharp, radii)];
 }
 
-const isTight = ({ tightestRadius, minTurningRadius }: Check): boolean => (tightestRadius ?? Infinity) < minTurningRadius / 1.001;
+const isTight = ({ tightestRadius, minTurningRadius }: Check): boolean =>
+  (tightestRadius ?? Infinity) < minTurningRadius / 1.001;
 
 function turn({ lang }: State, check: Check, values: Record<string, string>): string {
   if (check.tightestRadius === 0) return say(lang, "spot", values);
@@ -54,33 +60,56 @@ function literally({ lang, scene }: State, { planner, outcome }: Plan): string |
 /** Another planner in sight that this car can follow; else one that knows cars. */
 function helps(state: State, planner: PlannerId): string | null {
   const { lang, planners, results, hidden } = state;
-  if (["start-blocked", "goal-blocked", "start-outside", "goal-outside"].includes(results[planner]?.plan?.outcome ?? "")) return null;
-  const good = planners.filter((one) => one !== planner && !hidden.has(one) && results[one]?.status === "done" && statusOf(state, one).tone === "ok");
+  if (
+    ["start-blocked", "goal-blocked", "start-outside", "goal-outside"].includes(results[planner]?.plan?.outcome ?? "")
+  )
+    return null;
+  const good = planners.filter(
+    (one) =>
+      one !== planner && !hidden.has(one) && results[one]?.status === "done" && statusOf(state, one).tone === "ok",
+  );
   const best = good.find((one) => identityOf(one).drives) ?? good[0];
   if (best) return say(lang, "drives", { planner: plannerName(lang, best) });
-  return identityOf(planner).drives || planners.includes("hybrid") ? null : say(lang, "shape", { planner: plannerName(lang, "hybrid") });
+  return identityOf(planner).drives || planners.includes("hybrid")
+    ? null
+    : say(lang, "shape", { planner: plannerName(lang, "hybrid") });
 }
 
 function ofObstruction(state: State, plan: Plan): (string | null)[] {
-  const { lang } = state, { obstruction, outcome, reason } = plan;
+  const { lang } = state,
+    { obstruction, outcome, reason } = plan;
   if (obstruction?.kind === "gap") return [say(lang, "gap", gapValues(state, obstruction))];
   if (obstruction?.kind === "contact") {
-    return [say(lang, "contact", { thing: thingName(state, obstruction.hit), end: say(lang, obstruction.end) }), small(state, plan)];
+    return [
+      say(lang, "contact", { thing: thingName(state, obstruction.hit), end: say(lang, obstruction.end) }),
+      small(state, plan),
+    ];
   }
-  const key = `reason.${outcome}`, own = isMessage(key) ? translate(lang, key) : null;
-  const place = !obstruction || (obstruction.kind === "nearest" && outcome === "budget-spent") ? null : say(lang, obstruction.kind);
+  const key = `reason.${outcome}`,
+    own = isMessage(key) ? translate(lang, key) : null;
+  const place =
+    !obstruction || (obstruction.kind === "nearest" && outcome === "budget-spent") ? null : say(lang, obstruction.kind);
   return [lang === "en" && reason ? reason : own, place];
 }
 
 /** The gap as it is drawn, where the planner's cells agree with it; shown figures keep their order. */
-function gapValues({ lang, scene }: State, { x, y, width, needed }: Extract<Obstruction, { kind: "gap" }>): Record<string, string> {
-  const exact = gapAt(scene, [x, y], width, 1.5 * scene.map.resolution)?.width ?? width, wide = exact < needed ? exact : width;
-  return { width: number(lang, wide, 2), needed: number(lang, needed, 2), more: number(lang, Math.ceil((needed - wide) * 100 - 1e-6) / 100, 2) };
+function gapValues(
+  { lang, scene }: State,
+  { x, y, width, needed }: Extract<Obstruction, { kind: "gap" }>,
+): Record<string, string> {
+  const exact = gapAt(scene, [x, y], width, 1.5 * scene.map.resolution)?.width ?? width,
+    wide = exact < needed ? exact : width;
+  return {
+    width: number(lang, wide, 2),
+    needed: number(lang, needed, 2),
+    more: number(lang, Math.ceil((needed - wide) * 100 - 1e-6) / 100, 2),
+  };
 }
 
 /** That the car is larger than the slot it shall stand in. */
 function small({ lang, scene, geometry }: State, { obstruction }: Plan): string | null {
-  const { goal } = scene, slot = "slot" in goal ? scene.slots?.find(({ id }) => id === goal.slot) : undefined;
+  const { goal } = scene,
+    slot = "slot" in goal ? scene.slots?.find(({ id }) => id === goal.slot) : undefined;
   const car = geometry?.vehicle;
   if (!slot || !car || obstruction?.kind !== "contact" || obstruction.end !== "goal") return null;
   const length = car.rearToFront + car.rearToBack;

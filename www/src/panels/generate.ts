@@ -38,8 +38,16 @@ const TYPING_MS = 250;
 
 /** A form for the seeded families of maps, with a picture of what would open. */
 export class Generate extends AppElement {
-  static override properties = { ...AppElement.properties, family: { state: true }, values: { state: true }, fault: { state: true }, drawn: { state: true } };
-  static override styles = [controls, css`
+  static override properties = {
+    ...AppElement.properties,
+    family: { state: true },
+    values: { state: true },
+    fault: { state: true },
+    drawn: { state: true },
+  };
+  static override styles = [
+    controls,
+    css`
     :host { display: block; }
     form { display: grid; grid-template-columns: minmax(160px, 250px) 1fr; gap: 14px 16px; border: 1px solid var(--parkade-hair2); border-radius: calc(10px * var(--parkade-radius)); overflow: hidden; background: var(--parkade-panel); }
     .picture { min-height: 168px; display: grid; background: var(--parkade-out); border-right: 1px solid var(--parkade-hair); }
@@ -51,7 +59,8 @@ export class Generate extends AppElement {
     .fault { color: var(--parkade-err); display: flex; gap: 6px; align-items: center; min-height: 18px; overflow-wrap: anywhere; }
     .seed { display: flex; align-items: center; gap: 2px; }
     @media (max-width: 640px) { form { grid-template-columns: 1fr; gap: 0; } .picture { min-height: 140px; border-right: 0; border-bottom: 1px solid var(--parkade-hair); } .words { padding: 12px; } }
-  `];
+  `,
+  ];
   declare family: (typeof FAMILIES)[number];
   declare values: Record<Field, string>;
   declare fault: { field: string; reason: string } | null;
@@ -89,8 +98,13 @@ export class Generate extends AppElement {
     return html`<form novalidate aria-labelledby="heading" @submit=${this.submit}>
       <div class="picture">${this.drawn ? html`<parkade-thumbnail .app=${this.app} .scene=${this.drawn} whole></parkade-thumbnail>` : nothing}</div>
       <div class="words"><h3 id="heading">${say(lang, "title")}</h3><p>${say(lang, "lead")}</p>
-        <div class="segmented" role="group" aria-label=${say(lang, "family")}>${FAMILIES.map((one) => html`
-          <button type="button" aria-pressed=${one === this.family} @click=${() => { this.family = one; void this.draw(); }}>${say(lang, one)}</button>`)}</div>
+        <div class="segmented" role="group" aria-label=${say(lang, "family")}>${FAMILIES.map(
+          (one) => html`
+          <button type="button" aria-pressed=${one === this.family} @click=${() => {
+            this.family = one;
+            void this.draw();
+          }}>${say(lang, one)}</button>`,
+        )}</div>
         <div class="fields">${this.field("size")}
           <span class="seed">${this.field("seed")}<button type="button" class="icon small" aria-label=${say(lang, "nextSeed")} title=${say(lang, "nextSeed")} @click=${this.nextSeed}>${icon("next")}</button></span></div>
         ${random ? html`<div class="fields">${this.field("densityPermille", "‰")}${this.field("blockMin")}${this.field("blockMax", say(lang, "cells"))}</div>` : nothing}
@@ -105,7 +119,8 @@ export class Generate extends AppElement {
   }
 
   private faultText(): string {
-    const { field, reason } = this.fault!, { lang } = this.state;
+    const { field, reason } = this.fault!,
+      { lang } = this.state;
     return field in this.values ? `${say(lang, field as Field)}: ${reason}` : say(lang, "failed", { reason });
   }
 
@@ -123,9 +138,15 @@ export class Generate extends AppElement {
 
   /** Numbers as they were typed: what is none is refused by name. */
   private asked(): Family {
-    const number = (text: string): unknown => (text.trim() !== "" && Number.isFinite(Number(text)) ? Number(text) : text);
-    const names = (Object.keys(this.values) as Field[]).filter((name) => this.family === "random" || !ONLY_RANDOM.includes(name));
-    return { family: this.family, ...Object.fromEntries(names.map((name) => [name, number(this.values[name])])) } as Family;
+    const number = (text: string): unknown =>
+      text.trim() !== "" && Number.isFinite(Number(text)) ? Number(text) : text;
+    const names = (Object.keys(this.values) as Field[]).filter(
+      (name) => this.family === "random" || !ONLY_RANDOM.includes(name),
+    );
+    return {
+      family: this.family,
+      ...Object.fromEntries(names.map((name) => [name, number(this.values[name])])),
+    } as Family;
   }
 
   private async draw(): Promise<void> {
@@ -146,7 +167,10 @@ export class Generate extends AppElement {
     } catch (error) {
       if (turn !== this.turn) return undefined;
       const { path, message } = error instanceof JobError ? error.failure : { path: "", message: sentence(error) };
-      this.fault = { field: path, reason: sentence(path && message.startsWith(path) ? message.slice(path.length).replace(/^:\s*/, "") : message) };
+      this.fault = {
+        field: path,
+        reason: sentence(path && message.startsWith(path) ? message.slice(path.length).replace(/^:\s*/, "") : message),
+      };
       return null;
     }
   }

@@ -18,13 +18,22 @@ const say = words({ close: ["Close this hint", "关闭此提示"] });
 const STEPS = ["hint.drag", "hint.wall", "hint.fails"] as const;
 type Step = (typeof STEPS)[number];
 
-interface Bubble extends Spot { step: Step; text: string }
-interface Anchor { box: Box; text: string; /** Also not to be covered. */ near: readonly Box[] }
+interface Bubble extends Spot {
+  step: Step;
+  text: string;
+}
+interface Anchor {
+  box: Box;
+  text: string /** Also not to be covered. */;
+  near: readonly Box[];
+}
 
 /** What can be done next: one sentence beside the thing it speaks of, over no control and no text, until anything is done. */
 export class Hints extends AppElement {
   static override properties = { ...AppElement.properties, bubble: { state: true } };
-  static override styles = [controls, css`
+  static override styles = [
+    controls,
+    css`
     :host { position: absolute; inset: 0; z-index: 20; pointer-events: none; overflow: hidden; }
     div { position: absolute; width: max-content; max-width: min(300px, calc(100% - 16px)); display: flex; align-items: center; gap: 4px; padding: 3px 3px 3px 12px; border-radius: calc(6px * var(--parkade-radius)); background: var(--parkade-t1); color: var(--parkade-panel); font-weight: 500; font-size: 13px; line-height: 18px; }
     div.out { visibility: hidden; }
@@ -32,7 +41,8 @@ export class Hints extends AppElement {
     u { position: absolute; margin: -1px; min-width: 2px; min-height: 2px; background: var(--parkade-t1); }
     button { pointer-events: auto; width: 26px; height: 26px; min-width: 0; flex: none; }
     @media (pointer: coarse) { button { width: 44px; height: 44px; } }
-  `];
+  `,
+  ];
   /** What is shown. */
   declare bubble: Bubble | null;
   private readonly observer = new ResizeObserver(() => this.place());
@@ -47,17 +57,34 @@ export class Hints extends AppElement {
     super.connectedCallback();
     this.observer.observe(this);
     this.host = (this.getRootNode() as ShadowRoot).host as HTMLElement;
-    for (const kind of ["pointerdown", "keydown", "wheel"]) this.host.addEventListener(kind, this.onAction, { capture: true, passive: true });
+    for (const kind of ["pointerdown", "keydown", "wheel"])
+      this.host.addEventListener(kind, this.onAction, { capture: true, passive: true });
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.observer.disconnect();
-    for (const kind of ["pointerdown", "keydown", "wheel"]) this.host?.removeEventListener(kind, this.onAction, { capture: true });
+    for (const kind of ["pointerdown", "keydown", "wheel"])
+      this.host?.removeEventListener(kind, this.onAction, { capture: true });
   }
 
   protected watches(): readonly (keyof State)[] {
-    return this.step ? ["scene", "camera", "geometry", "transient", "tool", "results", "focus", "mode", "layers", "playback", "selection", "canUndo"] : [];
+    return this.step
+      ? [
+          "scene",
+          "camera",
+          "geometry",
+          "transient",
+          "tool",
+          "results",
+          "focus",
+          "mode",
+          "layers",
+          "playback",
+          "selection",
+          "canUndo",
+        ]
+      : [];
   }
 
   protected override render(): TemplateResult | typeof nothing {
@@ -97,40 +124,73 @@ export class Hints extends AppElement {
   }
 
   private placed(): Bubble | null {
-    const { step, state } = this, words = this.renderRoot.querySelector("div");
-    if (!step || !words || !this.host || state.transient || state.playback.playing || this.host.hasAttribute("viewing")) return null;
-    const anchor = step === "hint.drag" ? this.grip() : state.canUndo && state.tool === "select" ? this.anchor(step) : null;
+    const { step, state } = this,
+      words = this.renderRoot.querySelector("div");
+    if (!step || !words || !this.host || state.transient || state.playback.playing || this.host.hasAttribute("viewing"))
+      return null;
+    const anchor =
+      step === "hint.drag" ? this.grip() : state.canUndo && state.tool === "select" ? this.anchor(step) : null;
     if (!anchor) return null;
     // The switch at the same car gives way.
-    const origin = this.getBoundingClientRect(), taken = [...anchor.near];
-    for (const box of boxesOf(this.host.shadowRoot!, step === "hint.drag" ? "parkade-hints, parkade-entry" : "parkade-hints")) taken.push(moved(box, origin));
-    const spot = freeSpot(moved(anchor.box, origin), words, origin, taken.filter((box) => box.maxX > box.minX));
+    const origin = this.getBoundingClientRect(),
+      taken = [...anchor.near];
+    for (const box of boxesOf(
+      this.host.shadowRoot!,
+      step === "hint.drag" ? "parkade-hints, parkade-entry" : "parkade-hints",
+    ))
+      taken.push(moved(box, origin));
+    const spot = freeSpot(
+      moved(anchor.box, origin),
+      words,
+      origin,
+      taken.filter((box) => box.maxX > box.minX),
+    );
     return spot && { ...spot, step, text: anchor.text };
   }
 
   /** The goal car's grip in the map in front. */
   private grip(): Anchor | null {
-    const { state } = this, goal = goalOnMap(this.host!, state);
+    const { state } = this,
+      goal = goalOnMap(this.host!, state);
     if (!goal || (state.selection !== null && state.selection.kind !== "goal")) return null;
-    return { box: goal.grip, text: this.t("hint.drag"), near: goal.cars.map((box) => moved(box, this.getBoundingClientRect())) };
+    return {
+      box: goal.grip,
+      text: this.t("hint.drag"),
+      near: goal.cars.map((box) => moved(box, this.getBoundingClientRect())),
+    };
   }
 
   private anchor(step: "hint.wall" | "hint.fails"): Anchor | null {
     const root = this.host!.shadowRoot!;
-    const inside = (piece: string, query: string, from: ParentNode = root): Element | null => from.querySelector(piece)?.shadowRoot?.querySelector(query) ?? null;
+    const inside = (piece: string, query: string, from: ParentNode = root): Element | null =>
+      from.querySelector(piece)?.shadowRoot?.querySelector(query) ?? null;
     if (step === "hint.wall") {
       const element = inside("parkade-toolbar", '[data-tool="wall"]') ?? inside("parkade-sheet", '[data-tool="wall"]');
       return element && { box: boxAround(element), text: this.t(step), near: [] };
     }
     const planner = this.failing();
     if (!planner || planner === this.state.focus) return null;
-    const element = inside("parkade-chips", `[data-planner="${planner}"]`) ?? inside("parkade-stage", `.legend [data-planner="${planner}"]`)
-      ?? inside(`parkade-panel[data-planner="${planner}"]`, ".chip", root.querySelector("parkade-stage")?.shadowRoot ?? root);
-    return element && { box: boxAround(element), text: this.t(step, { planner: plannerName(this.state.lang, planner) }), near: [] };
+    const element =
+      inside("parkade-chips", `[data-planner="${planner}"]`) ??
+      inside("parkade-stage", `.legend [data-planner="${planner}"]`) ??
+      inside(
+        `parkade-panel[data-planner="${planner}"]`,
+        ".chip",
+        root.querySelector("parkade-stage")?.shadowRoot ?? root,
+      );
+    return (
+      element && {
+        box: boxAround(element),
+        text: this.t(step, { planner: plannerName(this.state.lang, planner) }),
+        near: [],
+      }
+    );
   }
 
   private failing(): PlannerId | undefined {
-    return this.state.planners.find((planner) => this.state.results[planner]?.status === "done" && statusOf(this.state, planner).tone === "err");
+    return this.state.planners.find(
+      (planner) => this.state.results[planner]?.status === "done" && statusOf(this.state, planner).tone === "err",
+    );
   }
 }
 

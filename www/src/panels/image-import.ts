@@ -16,10 +16,19 @@ const say = words({
   invertOn: ["Light pixels are walls", "亮像素为墙"],
   metres: ["Metres per pixel", "每像素米数"],
   perCell: ["Pixels per cell", "每格像素数"],
-  size: ["{width} × {height} cells of {side} m: {across} × {up} m, {share} % wall.", "{width} × {height} 格，每格 {side} m：{across} × {up} m，墙占 {share} %。"],
-  tight: ["The car fits nowhere. Increase the metres per pixel or change the threshold.", "地图中没有可容纳车辆的位置。请增大每像素米数或调整阈值。"],
+  size: [
+    "{width} × {height} cells of {side} m: {across} × {up} m, {share} % wall.",
+    "{width} × {height} 格，每格 {side} m：{across} × {up} m，墙占 {share} %。",
+  ],
+  tight: [
+    "The car fits nowhere. Increase the metres per pixel or change the threshold.",
+    "地图中没有可容纳车辆的位置。请增大每像素米数或调整阈值。",
+  ],
   bad: ["Metres per pixel must be above 0 and at most 100.", "每像素米数须大于 0 且不超过 100。"],
-  broken: ["{name} could not be read as an image: {reason} Your scene is unchanged.", "无法将 {name} 读取为图片：{reason}您的场景未改变。"],
+  broken: [
+    "{name} could not be read as an image: {reason} Your scene is unchanged.",
+    "无法将 {name} 读取为图片：{reason}您的场景未改变。",
+  ],
   open: ["Open", "打开"],
   close: ["Close", "关闭"],
   preview: ["Map preview: walls dark, floor light", "地图预览：深色为墙，浅色为空地"],
@@ -27,8 +36,16 @@ const say = words({
 
 /** Asks how a picture is to be read, and shows the map that comes of it. */
 export class ImageDialog extends AppElement {
-  static override properties = { ...AppElement.properties, name: { state: true }, pixels: { state: true }, options: { state: true } };
-  static override styles = [controls, dialogs, css`
+  static override properties = {
+    ...AppElement.properties,
+    name: { state: true },
+    pixels: { state: true },
+    options: { state: true },
+  };
+  static override styles = [
+    controls,
+    dialogs,
+    css`
     dialog { --dialog-width: 720px; }
     .split { display: grid; grid-template-columns: minmax(0, 1fr) 250px; gap: 18px; }
     .picture { min-height: 240px; max-height: 420px; display: grid; place-items: center; background: var(--parkade-out); border-radius: calc(8px * var(--parkade-radius)); overflow: hidden; }
@@ -38,7 +55,8 @@ export class ImageDialog extends AppElement {
     p { margin: 0 0 12px; color: var(--parkade-t2); font-size: 12px; line-height: 16px; } .warn { color: var(--parkade-warn); }
     input[type="checkbox"] { accent-color: var(--parkade-accent); margin: 0; } .solid { width: 100%; }
     @media (max-width: 640px) { .split { grid-template-columns: 1fr; } .picture { min-height: 160px; max-height: 240px; } canvas { max-height: 240px; } }
-  `];
+  `,
+  ];
   declare name: string;
   declare pixels: Pixels | null;
   declare options: ImageOptions;
@@ -59,21 +77,34 @@ export class ImageDialog extends AppElement {
     try {
       this.pixels = await pixelsOf(file, this.state.lang);
     } catch (error) {
-      this.app.store.set({ message: { tone: "err", text: say(this.state.lang, "broken", { name: file.name, reason: sentence(error) }) } });
+      this.app.store.set({
+        message: { tone: "err", text: say(this.state.lang, "broken", { name: file.name, reason: sentence(error) }) },
+      });
       return;
     }
     this.name = file.name;
     const longer = Math.max(this.pixels.width, this.pixels.height);
-    this.options = { threshold: 128, invert: false, perCell: Math.max(1, Math.ceil(longer / 512)), metres: Number((40 / longer).toPrecision(2)) };
+    this.options = {
+      threshold: 128,
+      invert: false,
+      perCell: Math.max(1, Math.ceil(longer / 512)),
+      metres: Number((40 / longer).toPrecision(2)),
+    };
     this.app.store.set({ message: null });
     await this.updateComplete;
     this.dialog?.showModal();
   }
 
   protected override render(): TemplateResult {
-    const { lang } = this.state, { options } = this, bad = !(options.metres > 0 && options.metres <= 100);
+    const { lang } = this.state,
+      { options } = this,
+      bad = !(options.metres > 0 && options.metres <= 100);
     this.made = this.pixels && !bad ? imageMap(this.pixels, options, this.name.replace(/\.\w+$/, "")) : null;
-    return html`<dialog aria-labelledby="title" @close=${() => { this.pixels = null; }}>${this.pixels ? html`
+    return html`<dialog aria-labelledby="title" @close=${() => {
+      this.pixels = null;
+    }}>${
+      this.pixels
+        ? html`
       <div class="top"><h2 id="title">${say(lang, "title")}</h2><p>${this.name}</p><button class="icon" aria-label=${say(lang, "close")} @click=${() => this.dialog?.close()}>${icon("close")}</button></div>
       <form class="scroll split" novalidate @submit=${this.open}>
         <div class="picture"><canvas role="img" aria-label=${say(lang, "preview")}></canvas></div>
@@ -85,35 +116,51 @@ export class ImageDialog extends AppElement {
           <label>${say(lang, "perCell")}<span class="field"><input type="number" min="1" max="64" step="1" .value=${String(options.perCell)} @change=${this.coarsen}></span></label>
           ${bad ? html`<p class="warn" role="alert">${say(lang, "bad")}</p>` : this.summary()}
           <button class="button solid" ?disabled=${bad}>${say(lang, "open")}</button>
-        </div></form>` : nothing}</dialog>`;
+        </div></form>`
+        : nothing
+    }</dialog>`;
   }
 
   private summary(): TemplateResult | typeof nothing {
-    const { made, state: { lang } } = this;
+    const {
+      made,
+      state: { lang },
+    } = this;
     if (!made) return nothing;
     const { width, height, resolution } = made.scene.map;
     const text = say(lang, "size", {
-      width, height, side: Number(resolution.toPrecision(3)), across: this.num(width * resolution, 1), up: this.num(height * resolution, 1), share: this.num((100 * made.blocked) / made.cells, 0),
+      width,
+      height,
+      side: Number(resolution.toPrecision(3)),
+      across: this.num(width * resolution, 1),
+      up: this.num(height * resolution, 1),
+      share: this.num((100 * made.blocked) / made.cells, 0),
     });
     return html`<p aria-live="polite">${text}</p>${made.roomy ? nothing : html`<p class="warn">${say(lang, "tight")}</p>`}`;
   }
 
   protected override updated(): void {
-    const canvas = this.renderRoot.querySelector("canvas"), scene = this.made?.scene;
+    const canvas = this.renderRoot.querySelector("canvas"),
+      scene = this.made?.scene;
     if (!canvas || !scene) return;
-    const { map: { width, height } } = scene, { colour } = this.app.tokens();
+    const {
+        map: { width, height },
+      } = scene,
+      { colour } = this.app.tokens();
     canvas.width = width;
     canvas.height = height;
     const ctx = canvas.getContext("2d")!;
     ctx.fillStyle = colour.floor;
     ctx.fillRect(0, 0, width, height);
     ctx.fillStyle = colour["obs-edge"];
-    for (const one of scene.obstacles ?? []) if (one.type === "cells") for (const [x, y, count] of one.runs) ctx.fillRect(x, height - 1 - y, count, 1);
+    for (const one of scene.obstacles ?? [])
+      if (one.type === "cells") for (const [x, y, count] of one.runs) ctx.fillRect(x, height - 1 - y, count, 1);
   }
 
   /** A cell is at least one pixel, and a map at most so many cells wide. */
   private readonly coarsen = (event: Event): void => {
-    const { pixels } = this, typed = Math.round(read(event));
+    const { pixels } = this,
+      typed = Math.round(read(event));
     const least = pixels ? Math.ceil(Math.max(pixels.width, pixels.height) / MOST_CELLS) : 1;
     if (Number.isFinite(typed) && typed >= least && typed <= 64) this.set({ perCell: typed });
     (event.target as HTMLInputElement).value = String(this.options.perCell);

@@ -14,8 +14,14 @@ import { icon, type IconName } from "./icons";
 
 const say = words({
   reading: ["Reading {name}…", "正在读取 {name}…"],
-  opened: ["Opened {name}: {width} × {height} cells of {side} m.", "已打开 {name}：{width} × {height} 格，每格 {side} m。"],
-  line: ["{name} could not be read. Line {line}: {reason} Your scene is unchanged.", "无法读取 {name}。第 {line} 行：{reason}您的场景未改变。"],
+  opened: [
+    "Opened {name}: {width} × {height} cells of {side} m.",
+    "已打开 {name}：{width} × {height} 格，每格 {side} m。",
+  ],
+  line: [
+    "{name} could not be read. Line {line}: {reason} Your scene is unchanged.",
+    "无法读取 {name}。第 {line} 行：{reason}您的场景未改变。",
+  ],
   bad: ["{name} could not be read: {reason} Your scene is unchanged.", "无法读取 {name}：{reason}您的场景未改变。"],
   queries: ["Start and goal from the file", "文件中的起点与目标"],
   scenes: ["Scenes in the file", "文件中的场景"],
@@ -38,16 +44,24 @@ const ENTITIES: Record<string, string> = { amp: "&", lt: "<", gt: ">", quot: '"'
 async function sceneInside(file: File): Promise<readonly [string, Uint8Array<ArrayBuffer>]> {
   const found = /<metadata\b[^>]*>([^<]*)<\/metadata>/.exec(await file.text())?.[1]?.trim();
   if (!found) throw new Error("this drawing holds no scene; only those saved here do.");
-  const text = found.replace(/&(?:#(\d+)|(\w+));/g, (whole, code?: string, name?: string) => (code ? String.fromCharCode(Number(code)) : ENTITIES[name ?? ""] ?? whole));
+  const text = found.replace(/&(?:#(\d+)|(\w+));/g, (whole, code?: string, name?: string) =>
+    code ? String.fromCharCode(Number(code)) : (ENTITIES[name ?? ""] ?? whole),
+  );
   return [file.name.replace(/\.svg$/i, ".json"), new TextEncoder().encode(text)];
 }
 
-interface Opened { name: string; scenes: Scene[]; queries: readonly ImportedQuery[] }
+interface Opened {
+  name: string;
+  scenes: Scene[];
+  queries: readonly ImportedQuery[];
+}
 
 /** Opens files of many kinds, and offers the questions or scenes that come with them. */
 export class ImportBar extends AppElement {
   static override properties = { ...AppElement.properties, opened: { state: true }, at: { state: true } };
-  static override styles = [controls, css`
+  static override styles = [
+    controls,
+    css`
     :host { grid-area: stage; align-self: end; z-index: 9; display: grid; justify-items: center; pointer-events: none; padding: 0 10px 46px; min-width: 0; }
     .bar { pointer-events: auto; display: flex; align-items: center; flex-wrap: wrap; gap: 6px 12px; padding: 6px 6px 6px 12px; max-width: 100%; background: var(--parkade-raise); border: 1px solid var(--parkade-hair); border-radius: calc(10px * var(--parkade-radius)); box-shadow: var(--parkade-float); }
     b { font-weight: 600; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; max-width: 200px; }
@@ -58,7 +72,8 @@ export class ImportBar extends AppElement {
     select { color: var(--parkade-t1); max-width: 150px; }
     .length { color: var(--parkade-t2); }
     @media (max-width: 640px) { :host { padding: 0 8px 8px; } .length { display: none; } b { order: -2; flex: 1 0 calc(100% - 64px); max-width: none; } .close { order: -1; } .bar { gap: 2px 8px; padding: 2px 4px 6px 12px; width: 100%; } select { max-width: 112px; } label { font-size: 0; } select { font-size: 13px; } .step { margin-left: auto; } }
-  `];
+  `,
+  ];
   declare opened: Opened | null;
   declare at: number;
   private helper: Helper | null = null;
@@ -83,7 +98,8 @@ export class ImportBar extends AppElement {
   /** Opens files that belong together; bad ones leave everything as it was. */
   async openFiles(files: readonly File[]): Promise<void> {
     if (files.length === 1 && IMAGE.test(files[0]!.name)) return this.openImage(files[0]!);
-    const turn = ++this.turn, name = files.map((file) => file.name).join(", ");
+    const turn = ++this.turn,
+      name = files.map((file) => file.name).join(", ");
     const { lang } = this.state;
     const reading = { tone: "info" as const, text: say(lang, "reading", { name }) };
     this.app.store.set({ message: reading });
@@ -93,14 +109,20 @@ export class ImportBar extends AppElement {
       if (turn !== this.turn) return;
       // The first questions are of a few steps, the last ones lead through the whole map.
       const fair = opened.queries.findIndex(({ bucket }) => bucket >= (opened.queries.at(-1)?.bucket ?? 0) / 4);
-      const first = opened.scenes[0]!, query = opened.queries[fair];
+      const first = opened.scenes[0]!,
+        query = opened.queries[fair];
       this.app.preset = null;
       this.app.openScene(query ? { ...first, start: query.start, goal: query.goal } : first);
       this.opened = opened;
       this.at = Math.max(0, fair);
       const { width, height, resolution } = first.map;
       const text = say(lang, "opened", { name, width, height, side: Number(resolution.toPrecision(4)) });
-      this.app.store.set({ message: { tone: "info", text: [text, ...opened.notes.map((reason) => reasonIn(lang, sentence(reason)))].join(" ") } });
+      this.app.store.set({
+        message: {
+          tone: "info",
+          text: [text, ...opened.notes.map((reason) => reasonIn(lang, sentence(reason)))].join(" "),
+        },
+      });
     } catch (error) {
       if (turn === this.turn) this.app.store.set({ message: { tone: "err", text: this.complaint(error, name) } });
     }
@@ -119,7 +141,14 @@ export class ImportBar extends AppElement {
     this.helper ??= new Helper(engine);
     const described = files.some((file) => /\.ya?ml$/i.test(file.name));
     const contents = await Promise.all(files.map((file) => this.contents(file, described)));
-    const [moved, { prepare }] = await Promise.all([this.helper.call("import", { files: Object.fromEntries(contents), options: {} }, contents.map(([, { buffer }]) => buffer)), vast.load()]);
+    const [moved, { prepare }] = await Promise.all([
+      this.helper.call(
+        "import",
+        { files: Object.fromEntries(contents), options: {} },
+        contents.map(([, { buffer }]) => buffer),
+      ),
+      vast.load(),
+    ]);
     const scenes = (await joined(moved, moved.value.scenes)).map(ensureIds);
     this.app.catalog?.geometry(scenes[0]!);
     await prepare(scenes[0]!, this.app.tokens());
@@ -136,14 +165,19 @@ export class ImportBar extends AppElement {
   private complaint(error: unknown, name: string): string {
     const { lang } = this.state;
     const { path, message } = error instanceof JobError ? error.failure : { path: "", message: sentence(error) };
-    const reason = sentence(path && message.startsWith(path) ? message.slice(path.length).replace(/^:\s*/, "") : message);
+    const reason = sentence(
+      path && message.startsWith(path) ? message.slice(path.length).replace(/^:\s*/, "") : message,
+    );
     const place = /^(.*):(\d+)$/.exec(path);
     if (place) return say(lang, "line", { name: place[1]!, line: place[2]!, reason });
     return say(lang, "bad", { name, reason: path && !name.includes(path) ? `${path}: ${reason}` : reason });
   }
 
   protected override render(): TemplateResult | typeof nothing {
-    const { opened, state: { lang, scene } } = this;
+    const {
+      opened,
+      state: { lang, scene },
+    } = this;
     if (!opened || !opened.scenes.some((one) => one.map === scene.map)) return nothing;
     const { queries, scenes, name } = opened;
     const many = queries.length || scenes.length;
@@ -155,7 +189,9 @@ export class ImportBar extends AppElement {
           @change=${(e: Event) => this.choose(Math.round(Number((e.target as HTMLInputElement).value)) - 1)}></span>
         ${this.button("next", "next", this.at + 1, many)} ${say(lang, "of", { n: this.num(many, 0) })}</span>
       ${queries[this.at] ? html`<span class="length">${say(lang, "shortest", { length: this.num(queries[this.at]!.length, 2) })}</span>` : nothing}
-      <button class="icon small close" aria-label=${say(lang, "close")} title=${say(lang, "close")} @click=${() => { this.opened = null; }}>${icon("close", 14)}</button></div>`;
+      <button class="icon small close" aria-label=${say(lang, "close")} title=${say(lang, "close")} @click=${() => {
+        this.opened = null;
+      }}>${icon("close", 14)}</button></div>`;
   }
 
   /** Questions come in groups of about the same length; a group's first one is chosen. */
@@ -182,7 +218,8 @@ export class ImportBar extends AppElement {
     const { opened, app } = this;
     this.requestUpdate();
     if (!opened) return;
-    const query = opened.queries[at], scene = opened.scenes[at];
+    const query = opened.queries[at],
+      scene = opened.scenes[at];
     if (query) this.edit({ ...app.store.state.scene, start: query.start, goal: query.goal });
     else if (scene && opened.queries.length === 0) app.openScene(scene);
     else return;

@@ -14,11 +14,14 @@ import "./yardstick";
 /** The column at the right: the tool in hand, what is selected, the car, the focused planner's settings, every object. */
 export class Inspector extends AppElement {
   static override properties = { ...AppElement.properties, ready: { type: Boolean } };
-  static override styles = [controls, css`
+  static override styles = [
+    controls,
+    css`
     :host { display: block; overflow-y: auto; overflow-x: hidden; background: var(--parkade-panel); border-left: 1px solid var(--parkade-hair); scrollbar-width: thin; scrollbar-color: var(--parkade-hair2) transparent; }
     section { padding: 14px; border-top: 1px solid var(--parkade-hair); }
     section:has(> [hidden]) { display: none; } section:first-child, section:first-child:has(> [hidden]) + section { border-top: 0; }
-  `];
+  `,
+  ];
   declare ready: boolean;
   protected override waits = true;
 

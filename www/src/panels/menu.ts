@@ -37,8 +37,15 @@ export class Menus<Name extends string> implements ReactiveController {
   }
 
   private readonly onPress = (event: Event): void => {
-    const inside = event.composedPath().some((node) =>
-      node === this.opener || (node instanceof HTMLElement && node.classList.contains("popover") && node.getRootNode() === this.host.shadowRoot));
+    const inside = event
+      .composedPath()
+      .some(
+        (node) =>
+          node === this.opener ||
+          (node instanceof HTMLElement &&
+            node.classList.contains("popover") &&
+            node.getRootNode() === this.host.shadowRoot),
+      );
     if (!inside) this.close();
   };
 

@@ -10,7 +10,20 @@ import { icon, marker, type IconName } from "./icons";
 import type { Toolbar } from "./toolbar";
 
 const LAYER_ORDER: readonly LayerKey[] = [
-  "path", "car", "sweep", "ghosts", "difference", "heat", "tree", "risk", "cost", "safety", "redundant", "obstacles", "slots", "grid",
+  "path",
+  "car",
+  "sweep",
+  "ghosts",
+  "difference",
+  "heat",
+  "tree",
+  "risk",
+  "cost",
+  "safety",
+  "redundant",
+  "obstacles",
+  "slots",
+  "grid",
 ];
 
 /** Papers are cited by authors and year; in Chinese, what is not a name is translated. */
@@ -19,23 +32,31 @@ const CHINESE: Readonly<Record<string, string>> = {
   "A* path planning for intelligent-vehicle road navigation, manuscript": "智能车道路导航A*路径规划（手稿）",
   "Hu et al. 2024, beyond": "Hu 等 2024（扩展）",
 };
-const cited = (lang: Lang, paper: string): string => (lang === "zh" ? CHINESE[paper] ?? paper.replace(" et al.", " 等") : paper);
+const cited = (lang: Lang, paper: string): string =>
+  lang === "zh" ? (CHINESE[paper] ?? paper.replace(" et al.", " 等")) : paper;
 
 export function planners(bar: Toolbar): TemplateResult {
-  const { app } = bar, { planners, lang } = app.store.state;
-  return html`${app.catalog?.planners.map(({ id, title, paper }) => html`<label class="check" title=${cited(lang, paper)}>
+  const { app } = bar,
+    { planners, lang } = app.store.state;
+  return html`${app.catalog?.planners.map(
+    ({ id, title, paper }) => html`<label class="check" title=${cited(lang, paper)}>
     <input type="checkbox" .checked=${planners.includes(id)} ?disabled=${planners.length === 1 && planners[0] === id} @change=${() => app.togglePlanner(id)}>
-    ${marker(id)}${title[lang]}</label>`)}
+    ${marker(id)}${title[lang]}</label>`,
+  )}
     <hr>${item(bar, "undo", "planners.first", () => app.showFirstPlanners())}`;
 }
 
 export function layers({ app }: Toolbar): TemplateResult {
-  const { store } = app, { lang, layers } = store.state, now = presetOf(layers);
+  const { store } = app,
+    { lang, layers } = store.state,
+    now = presetOf(layers);
   return html`<div class="segmented" role="group" aria-label=${translate(lang, "layers.presets")}>
       ${LAYER_PRESETS.map((preset) => html`<button aria-pressed=${preset === now} @click=${() => store.set({ layers: presetLayers(preset) })}>${translate(lang, `layers.${preset}`)}</button>`)}
     </div>
-    ${LAYER_ORDER.map((key) => html`<label class="check"><input type="checkbox" .checked=${layers[key]}
-      @change=${() => store.set({ layers: { ...store.state.layers, [key]: !store.state.layers[key] } })}>${translate(lang, `layer.${key}`)}</label>`)}`;
+    ${LAYER_ORDER.map(
+      (key) => html`<label class="check"><input type="checkbox" .checked=${layers[key]}
+      @change=${() => store.set({ layers: { ...store.state.layers, [key]: !store.state.layers[key] } })}>${translate(lang, `layer.${key}`)}</label>`,
+    )}`;
 }
 
 export function exports(bar: Toolbar): TemplateResult {
@@ -71,11 +92,15 @@ export function more(bar: Toolbar): TemplateResult {
 
 /** What stands in the bar itself where that is a row. */
 function railed(bar: Toolbar): TemplateResult {
-  const { store } = bar.app, { canUndo, canRedo } = store.state;
+  const { store } = bar.app,
+    { canUndo, canRedo } = store.state;
   return html`${item(bar, "file", "bar.scene", () => bar.emit("scenes"))}
     ${item(bar, "undo", "bar.undo", () => store.undo(), !canUndo)}${item(bar, "redo", "bar.redo", () => store.redo(), !canRedo)}`;
 }
 
 function item(bar: Toolbar, name: IconName, key: MessageKey, run: () => void, disabled = false): TemplateResult {
-  return html`<button class="item" ?disabled=${disabled} @click=${() => { bar.menus.close(); run(); }}>${icon(name)}${translate(bar.app.store.state.lang, key)}</button>`;
+  return html`<button class="item" ?disabled=${disabled} @click=${() => {
+    bar.menus.close();
+    run();
+  }}>${icon(name)}${translate(bar.app.store.state.lang, key)}</button>`;
 }

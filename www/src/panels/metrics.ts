@@ -5,10 +5,26 @@ import type { PanelResult, State } from "../store";
 import { drivablePlan, searchTime, statusOf, timeTitle, type Status } from "./status";
 import { paceOn } from "../scene/pace";
 
-export const COLUMNS = ["length", "drive", "gears", "curvature", "clearance", "heading", "expanded", "open", "plan", "memory"] as const;
+export const COLUMNS = [
+  "length",
+  "drive",
+  "gears",
+  "curvature",
+  "clearance",
+  "heading",
+  "expanded",
+  "open",
+  "plan",
+  "memory",
+] as const;
 export type Column = (typeof COLUMNS)[number];
 
-export interface Cell { value: number | null; text: string; best: boolean; title: string }
+export interface Cell {
+  value: number | null;
+  text: string;
+  best: boolean;
+  title: string;
+}
 export interface Row {
   planner: PlannerId;
   name: string;
@@ -20,7 +36,16 @@ export interface Row {
 }
 
 const DIGITS: Record<Column, number> = {
-  length: 2, drive: 1, gears: 0, curvature: 3, clearance: 2, heading: 1, expanded: 0, open: 0, plan: 2, memory: 0,
+  length: 2,
+  drive: 1,
+  gears: 0,
+  curvature: 3,
+  clearance: 2,
+  heading: 1,
+  expanded: 0,
+  open: 0,
+  plan: 2,
+  memory: 0,
 };
 
 export function rowsOf(state: State): Row[] {
@@ -37,12 +62,24 @@ export function runsOf(state: State): number {
 function rowOf(state: State, planner: PlannerId): Row {
   const result = state.results[planner];
   const drivable = drivablePlan(result) !== null;
-  const cells = Object.fromEntries(COLUMNS.map((column) => {
-    const value = valueOf(result, column, drivable, paceOn(state.scene));
-    return [column, { value, text: textOf(state.lang, result, column, value), best: false, title: titleOf(state.lang, result, column) }];
-  })) as Record<Column, Cell>;
+  const cells = Object.fromEntries(
+    COLUMNS.map((column) => {
+      const value = valueOf(result, column, drivable, paceOn(state.scene));
+      return [
+        column,
+        {
+          value,
+          text: textOf(state.lang, result, column, value),
+          best: false,
+          title: titleOf(state.lang, result, column),
+        },
+      ];
+    }),
+  ) as Record<Column, Cell>;
   return {
-    planner, drivable, cells,
+    planner,
+    drivable,
+    cells,
     name: plannerName(state.lang, planner),
     hidden: state.hidden.has(planner),
     stale: result?.status === "error",
@@ -63,13 +100,20 @@ function valueOf(result: PanelResult | undefined, column: Column, drivable: bool
 
 function pathValue({ metrics, check }: Plan, column: Column, drivable: boolean, pace: number): number | null {
   switch (column) {
-    case "length": return metrics.length;
-    case "drive": return drivable ? metrics.length / pace : null;
-    case "gears": return drivable ? metrics.directionChanges : null;
-    case "curvature": return metrics.maxCurvature;
-    case "clearance": return metrics.minClearance;
-    case "heading": return Math.abs(check.goalHeadingError) * (180 / Math.PI);
-    default: return null;
+    case "length":
+      return metrics.length;
+    case "drive":
+      return drivable ? metrics.length / pace : null;
+    case "gears":
+      return drivable ? metrics.directionChanges : null;
+    case "curvature":
+      return metrics.maxCurvature;
+    case "clearance":
+      return metrics.minClearance;
+    case "heading":
+      return Math.abs(check.goalHeadingError) * (180 / Math.PI);
+    default:
+      return null;
   }
 }
 
@@ -85,7 +129,8 @@ export const BENCH_RUNS = 25;
 
 /** A benchmark shows its middle half beside the median. */
 function timeText(lang: Lang, result: PanelResult): string {
-  const text = searchTime(lang, result).replace(" ms", ""), spread = result.samples.length >= BENCH_RUNS ? quartiles(searchesOf(result)) : null;
+  const text = searchTime(lang, result).replace(" ms", ""),
+    spread = result.samples.length >= BENCH_RUNS ? quartiles(searchesOf(result)) : null;
   return spread ? `${text} [${millis(lang, spread[0])}–${millis(lang, spread[1])}]` : text;
 }
 
@@ -99,7 +144,8 @@ function quartiles(samples: readonly number[]): [number, number] {
 
 function titleOf(lang: Lang, result: PanelResult | undefined, column: Column): string {
   if (column !== "plan" || !result) return "";
-  const title = timeTitle(lang, result), n = result.samples.length;
+  const title = timeTitle(lang, result),
+    n = result.samples.length;
   if (n < 4) return title;
   const [low, high] = quartiles(searchesOf(result));
   return `${title} ${translate(lang, "tip.quartiles", { n, low: millis(lang, low), high: millis(lang, high) })}`;
@@ -111,7 +157,8 @@ function markBest(rows: Row[], column: Column): void {
   if (ranked.length === 0) return;
   const values = ranked.map((row) => row.cells[column].value!);
   const best = column === "clearance" ? Math.max(...values) : Math.min(...values);
-  const read = (cell: Cell): string => cell.text.split(" [")[0]!, text = read(ranked.find((row) => row.cells[column].value === best)!.cells[column]);
+  const read = (cell: Cell): string => cell.text.split(" [")[0]!,
+    text = read(ranked.find((row) => row.cells[column].value === best)!.cells[column]);
   for (const row of ranked) row.cells[column].best = read(row.cells[column]) === text;
 }
 

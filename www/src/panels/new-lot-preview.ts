@@ -9,14 +9,28 @@ import { say } from "./new-lot-words";
 import "./thumbnail";
 
 /** A size that the border is dragged to, metres; null gives the drag up. */
-export interface Resize { field: "width" | "depth"; metres: number | null }
+export interface Resize {
+  field: "width" | "depth";
+  metres: number | null;
+}
 
 /** `from` is the size at the press, `at` the pixel. */
-interface Drag { side: Side; from: number; at: number; camera: Camera }
+interface Drag {
+  side: Side;
+  from: number;
+  at: number;
+  camera: Camera;
+}
 
 /** The lot in its ground, whose sides are dragged or moved by arrow keys. */
 export class LotPreview extends AppElement {
-  static override properties = { ...AppElement.properties, scene: { attribute: false }, plan: { attribute: false }, stale: { type: Boolean }, drag: { state: true } };
+  static override properties = {
+    ...AppElement.properties,
+    scene: { attribute: false },
+    plan: { attribute: false },
+    stale: { type: Boolean },
+    drag: { state: true },
+  };
   static override styles = css`
     :host { position: relative; min-width: 0; overflow: hidden; background: var(--parkade-out); } parkade-thumbnail { position: absolute; inset: 0; } .stale { opacity: .4; }
     button { position: absolute; width: 24px; height: 24px; margin: -12px 0 0 -12px; padding: 0; border: 0; background: none; cursor: ew-resize; touch-action: none; } .up { cursor: ns-resize; }
@@ -46,10 +60,15 @@ export class LotPreview extends AppElement {
   protected override render(): TemplateResult | typeof nothing {
     const { clientWidth: width, clientHeight: height, scene } = this;
     if (width === 0) return nothing;
-    const camera = this.camera(width, height), box = groundOf(scene), middle = [(box.minX + box.maxX) / 2, (box.minY + box.maxY) / 2] as const;
+    const camera = this.camera(width, height),
+      box = groundOf(scene),
+      middle = [(box.minX + box.maxX) / 2, (box.minY + box.maxY) / 2] as const;
     return html`<parkade-thumbnail class=${this.stale ? "stale" : ""} role="img" aria-label=${say(this.state.lang, "lot")} .app=${this.app} .scene=${scene} .plan=${this.plan} .camera=${camera}></parkade-thumbnail>
       ${SIDES.map((side) => {
-        const k = axisOf(side), at = coordinateOf(box, side), [left, top] = worldToScreen({ camera, width, height }, k === 0 ? at : middle[0], k === 0 ? middle[1] : at), size = `${this.num(sizeAlong(box, k), 1)} m`;
+        const k = axisOf(side),
+          at = coordinateOf(box, side),
+          [left, top] = worldToScreen({ camera, width, height }, k === 0 ? at : middle[0], k === 0 ? middle[1] : at),
+          size = `${this.num(sizeAlong(box, k), 1)} m`;
         return html`<button type="button" role="slider" class="${side} ${k === 1 ? "up" : ""} ${this.drag?.side === side ? "held" : ""}" .style=${`left:${left}px;top:${top}px`} aria-label=${say(this.state.lang, `${side}Side`)}
           aria-orientation=${k === 0 ? "horizontal" : "vertical"} aria-valuemin="6" aria-valuemax="200" aria-valuenow=${sizeAlong(box, k)} aria-valuetext=${size}
           @pointerdown=${(e: PointerEvent) => this.press(e, side)} @pointermove=${this.pull} @pointerup=${this.release} @pointercancel=${this.giveUp} @keydown=${(e: KeyboardEvent) => this.key(e, side)}><span>${size}</span></button>`;
@@ -60,7 +79,8 @@ export class LotPreview extends AppElement {
   private camera(width: number, height: number): Camera {
     const { drag, scene } = this;
     if (!drag) return fitMap(scene, width, height);
-    const grown = outward(drag.side) < 0 ? this.sizeOf(drag.side) - drag.from : 0, k = axisOf(drag.side);
+    const grown = outward(drag.side) < 0 ? this.sizeOf(drag.side) - drag.from : 0,
+      k = axisOf(drag.side);
     return { ...drag.camera, x: drag.camera.x + (k === 0 ? grown : 0), y: drag.camera.y + (k === 1 ? grown : 0) };
   }
 
@@ -72,7 +92,12 @@ export class LotPreview extends AppElement {
     if (event.button !== 0 || this.drag) return;
     const target = event.currentTarget as HTMLElement;
     target.setPointerCapture(event.pointerId);
-    this.drag = { side, from: this.sizeOf(side), at: pixelOf(event, side), camera: fitMap(this.scene, this.clientWidth, this.clientHeight) };
+    this.drag = {
+      side,
+      from: this.sizeOf(side),
+      at: pixelOf(event, side),
+      camera: fitMap(this.scene, this.clientWidth, this.clientHeight),
+    };
   }
 
   private readonly pull = (event: PointerEvent): void => {
@@ -99,12 +124,16 @@ export class LotPreview extends AppElement {
   }
 
   private ask(side: Side, metres: number | null): void {
-    const detail: Resize = { field: axisOf(side) === 0 ? "width" : "depth", metres: metres === null ? null : Math.round(metres * 10) / 10 };
+    const detail: Resize = {
+      field: axisOf(side) === 0 ? "width" : "depth",
+      metres: metres === null ? null : Math.round(metres * 10) / 10,
+    };
     this.dispatchEvent(new CustomEvent<Resize>("parkade-ground", { detail }));
   }
 }
 
 /** Pixels outward. */
-const pixelOf = (event: PointerEvent, side: Side): number => (axisOf(side) === 0 ? event.clientX : -event.clientY) * outward(side);
+const pixelOf = (event: PointerEvent, side: Side): number =>
+  (axisOf(side) === 0 ? event.clientX : -event.clientY) * outward(side);
 
 customElements.define("parkade-lot-preview", LotPreview);

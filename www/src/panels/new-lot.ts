@@ -2,7 +2,16 @@ import { css, html, nothing, type TemplateResult } from "lit";
 import type { Plan } from "parkade";
 import { sentence, type App } from "../element/app";
 import { Helper } from "../planning/helper";
-import { buildLot, firstForm, LIMITS, sizesOf, type LotFault, type LotForm, type NumberField, type Sizes } from "../scene/lot";
+import {
+  buildLot,
+  firstForm,
+  LIMITS,
+  sizesOf,
+  type LotFault,
+  type LotForm,
+  type NumberField,
+  type Sizes,
+} from "../scene/lot";
 import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
@@ -22,8 +31,11 @@ const BLOCKS: Record<Block, readonly (keyof LotForm)[]> = {
   vehicle: ["car", "carLength", "carWidth", "wheelbase", "radius", "entry"],
 };
 const CHOICES: { [K in Choice]: readonly LotForm[K][] } = {
-  kind: ["perpendicular", "angled", "parallel"], sides: ["one", "both"], entrance: ["left", "right", "bottom", "top"],
-  entry: ["reverse-in", "head-in"], car: ["sedan", "paper", "own"],
+  kind: ["perpendicular", "angled", "parallel"],
+  sides: ["one", "both"],
+  entrance: ["left", "right", "bottom", "top"],
+  entry: ["reverse-in", "head-in"],
+  car: ["sedan", "paper", "own"],
 };
 const UNITS: Partial<Record<NumberField, string>> = { angle: "°", count: "", aisles: "", parked: "", every: "" };
 /** A plan for numbers that are no longer asked is given up after so many milliseconds. */
@@ -33,8 +45,19 @@ const isChoice = (field: keyof LotForm): field is Choice => field in CHOICES;
 
 /** A lot from a few numbers, drawn and planned while they change. */
 export class NewLot extends AppElement {
-  static override properties = { ...AppElement.properties, form: { state: true }, shown: { state: true }, block: { state: true }, plan: { state: true }, trouble: { state: true }, typed: { state: true } };
-  static override styles = [controls, dialogs, css`
+  static override properties = {
+    ...AppElement.properties,
+    form: { state: true },
+    shown: { state: true },
+    block: { state: true },
+    plan: { state: true },
+    trouble: { state: true },
+    typed: { state: true },
+  };
+  static override styles = [
+    controls,
+    dialogs,
+    css`
     dialog { --dialog-width: 880px; height: min(560px, 92dvh); }
     form { flex: 1; min-height: 0; display: grid; grid-template: minmax(0, 1fr) auto / 320px minmax(0, 1fr); border-top: 1px solid var(--parkade-hair); }
     .blocks { overflow-y: auto; border-right: 1px solid var(--parkade-hair); overscroll-behavior: contain; }
@@ -56,7 +79,8 @@ export class NewLot extends AppElement {
       form { grid-template: 45dvh minmax(0, 1fr) auto / 100%; } parkade-lot-preview { order: -1; border-bottom: 1px solid var(--parkade-hair); } .blocks { border: 0; }
       .head { height: 44px; padding: 0 16px; } .rows { padding: 0 16px 10px; } .row { min-height: 44px; } .row .field { height: 36px; } footer { padding: 10px 16px; flex-wrap: wrap; } footer p { flex: 1 0 100%; min-height: 20px; } footer .button { height: 44px; flex: 1; }
     }
-  `];
+  `,
+  ];
   declare form: LotForm;
   declare shown: boolean;
   declare block: Block | null;
@@ -99,62 +123,115 @@ export class NewLot extends AppElement {
   }
 
   private content(): TemplateResult {
-    const { lang } = this.state, sizes = sizesOf(this.form), found = this.plan?.outcome === "found";
+    const { lang } = this.state,
+      sizes = sizesOf(this.form),
+      found = this.plan?.outcome === "found";
     return html`<div class="top"><h2 id="title">${say(lang, "title")}</h2>
         <button class="icon" aria-label=${say(lang, "close")} @click=${this.close}>${icon("close")}</button></div>
       <form novalidate @submit=${this.submit}>
         <div class="blocks">${(Object.keys(BLOCKS) as Block[]).map((block) => this.section(block, sizes))}</div>
-        ${this.scene ? html`<parkade-lot-preview .app=${this.app} .scene=${this.scene} .plan=${found && !this.fault ? this.plan : null} .stale=${this.fault !== null} @pointerdown=${() => { this.grabbed = this.form; }} @parkade-ground=${this.resize}></parkade-lot-preview>` : nothing}
-        <footer><p role="status" id="fault" class=${this.fault ?? this.stopped ? "bad" : ""}>${this.sentence()}</p>
+        ${
+          this.scene
+            ? html`<parkade-lot-preview .app=${this.app} .scene=${this.scene} .plan=${found && !this.fault ? this.plan : null} .stale=${this.fault !== null} @pointerdown=${() => {
+                this.grabbed = this.form;
+              }} @parkade-ground=${this.resize}></parkade-lot-preview>`
+            : nothing
+        }
+        <footer><p role="status" id="fault" class=${(this.fault ?? this.stopped) ? "bad" : ""}>${this.sentence()}</p>
           <button class="button outline" type="button" @click=${this.close}>${say(lang, "cancel")}</button>
           <button class="button solid" autofocus ?disabled=${this.fault !== null}>${say(lang, "open")}</button></footer>
       </form>`;
   }
 
   private section(block: Block, sizes: Sizes): TemplateResult {
-    const { lang } = this.state, isOpen = this.block === block, bad = this.fault !== null && BLOCKS[block].includes(this.fault.field);
-    return html`<section><button type="button" class="head ${bad ? "bad" : ""}" aria-expanded=${isOpen} @click=${() => { this.block = isOpen ? null : block; }}>
+    const { lang } = this.state,
+      isOpen = this.block === block,
+      bad = this.fault !== null && BLOCKS[block].includes(this.fault.field);
+    return html`<section><button type="button" class="head ${bad ? "bad" : ""}" aria-expanded=${isOpen} @click=${() => {
+      this.block = isOpen ? null : block;
+    }}>
         <b>${say(lang, block)}</b><span>${isOpen ? nothing : this.summary(block, sizes)}</span>${icon("down", 14)}</button>
       ${isOpen ? html`<div class="rows">${BLOCKS[block].filter((field) => this.isAsked(field)).map((field) => (isChoice(field) ? this.choice(field) : this.number(field, sizes)))}</div>` : nothing}</section>`;
   }
 
   /** What a closed block holds, in one line. */
   private summary(block: Block, { car, bay, rows, width, depth }: Sizes): string {
-    const { form } = this, { lang } = this.state, metres = (value: number): string => this.num(value, 1);
+    const { form } = this,
+      { lang } = this.state,
+      metres = (value: number): string => this.num(value, 1);
     switch (block) {
-      case "ground": return say(lang, "groundIs", { width: metres(width), depth: metres(depth) });
-      case "bays": return say(lang, "baysAre", { n: rows * form.count, kind: say(lang, form.kind).toLowerCase(), width: metres(bay.width), length: metres(bay.length) });
-      case "obstacles": return [say(lang, "parkedCars", { n: form.parked }), ...(form.wall > 0 ? [say(lang, "walls")] : []), ...(form.every > 0 ? [say(lang, "columns")] : [])].join(lang === "zh" ? "，" : ", ");
-      case "vehicle": return say(lang, "carIs", { car: say(lang, form.car), length: metres(car.rearToFront + car.rearToBack), width: metres(car.width) });
+      case "ground":
+        return say(lang, "groundIs", { width: metres(width), depth: metres(depth) });
+      case "bays":
+        return say(lang, "baysAre", {
+          n: rows * form.count,
+          kind: say(lang, form.kind).toLowerCase(),
+          width: metres(bay.width),
+          length: metres(bay.length),
+        });
+      case "obstacles":
+        return [
+          say(lang, "parkedCars", { n: form.parked }),
+          ...(form.wall > 0 ? [say(lang, "walls")] : []),
+          ...(form.every > 0 ? [say(lang, "columns")] : []),
+        ].join(lang === "zh" ? "，" : ", ");
+      case "vehicle":
+        return say(lang, "carIs", {
+          car: say(lang, form.car),
+          length: metres(car.rearToFront + car.rearToBack),
+          width: metres(car.width),
+        });
     }
   }
 
   private isAsked(field: keyof LotForm): boolean {
     const { kind, every, car } = this.form;
     switch (field) {
-      case "angle": return kind === "angled";
-      case "column": return every > 0;
-      case "entry": return kind !== "parallel";
-      case "carLength": case "carWidth": case "wheelbase": case "radius": return car === "own";
-      default: return true;
+      case "angle":
+        return kind === "angled";
+      case "column":
+        return every > 0;
+      case "entry":
+        return kind !== "parallel";
+      case "carLength":
+      case "carWidth":
+      case "wheelbase":
+      case "radius":
+        return car === "own";
+      default:
+        return true;
     }
   }
 
   private choice(field: Choice): TemplateResult {
-    const { lang } = this.state, name = say(lang, field);
-    return html`<div class="row">${field === "kind" ? nothing : html`<span class="name">${name}</span>`}<div class="segmented" role="group" aria-label=${name}>${CHOICES[field].map((value) => html`
-      <button type="button" aria-pressed=${this.form[field] === value} @click=${() => this.change({ [field]: value })}>${say(lang, value as Word)}</button>`)}</div></div>`;
+    const { lang } = this.state,
+      name = say(lang, field);
+    return html`<div class="row">${field === "kind" ? nothing : html`<span class="name">${name}</span>`}<div class="segmented" role="group" aria-label=${name}>${CHOICES[
+      field
+    ].map(
+      (value) => html`
+      <button type="button" aria-pressed=${this.form[field] === value} @click=${() => this.change({ [field]: value })}>${say(lang, value as Word)}</button>`,
+    )}</div></div>`;
   }
 
   private number(field: NumberField, sizes: Sizes): TemplateResult {
-    const { lang } = this.state, [least, most, digits, usual] = LIMITS[field], step = digits > 0 ? 0.1 : 1, unit = UNITS[field] ?? "m";
-    const given = this.form[field], now = given ?? followed(field, sizes), bad = this.fault?.field === field, top = Math.min(most, Math.max(usual, now || 0));
-    const text = this.typed?.field === field ? this.typed.text : Number.isFinite(now) ? String(Math.round(now * 100) / 100) : "";
+    const { lang } = this.state,
+      [least, most, digits, usual] = LIMITS[field],
+      step = digits > 0 ? 0.1 : 1,
+      unit = UNITS[field] ?? "m";
+    const given = this.form[field],
+      now = given ?? followed(field, sizes),
+      bad = this.fault?.field === field,
+      top = Math.min(most, Math.max(usual, now || 0));
+    const text =
+      this.typed?.field === field ? this.typed.text : Number.isFinite(now) ? String(Math.round(now * 100) / 100) : "";
     return html`<div class="row"><label for=${field}>${say(lang, field)}</label>
       <input class="slider" type="range" tabindex="-1" aria-label=${say(lang, field)} min=${least} max=${top} step=${step} .value=${String(now)} .style=${`--at: ${((now - least) / (top - least)) * 100}%`} @input=${(e: Event) => this.set(field, (e.target as HTMLInputElement).valueAsNumber)}>
       ${given !== null && firstForm[field] === null ? html`<button type="button" class="icon" title=${say(lang, "auto")} aria-label=${`${say(lang, field)}: ${say(lang, "auto")}`} @click=${() => this.set(field, null)}>${icon("undo", 14)}</button>` : nothing}
       <span class="field ${bad ? "bad" : ""} ${given === null ? "auto" : ""}"><input id=${field} inputmode="decimal" autocomplete="off" .value=${text} aria-invalid=${bad} aria-describedby=${bad ? "fault" : nothing}
-        @input=${(e: Event) => this.type(field, (e.target as HTMLInputElement).value)} @blur=${() => { this.typed = null; }} @keydown=${(e: KeyboardEvent) => this.onArrow(e, field, now, step)}>${unit ? html`<span>${unit}</span>` : nothing}</span></div>`;
+        @input=${(e: Event) => this.type(field, (e.target as HTMLInputElement).value)} @blur=${() => {
+          this.typed = null;
+        }} @keydown=${(e: KeyboardEvent) => this.onArrow(e, field, now, step)}>${unit ? html`<span>${unit}</span>` : nothing}</span></div>`;
   }
 
   /** An emptied field follows the other numbers again, where it can. */
@@ -165,7 +242,8 @@ export class NewLot extends AppElement {
   }
 
   private onArrow(event: KeyboardEvent, field: NumberField, now: number, step: number): void {
-    const sign = event.key === "ArrowUp" ? 1 : event.key === "ArrowDown" ? -1 : 0, [least, most] = LIMITS[field];
+    const sign = event.key === "ArrowUp" ? 1 : event.key === "ArrowDown" ? -1 : 0,
+      [least, most] = LIMITS[field];
     if (sign === 0 || !Number.isFinite(now)) return;
     event.preventDefault();
     this.set(field, Math.min(most, Math.max(least, Math.round((now + sign * step) / step) * step)));
@@ -189,13 +267,17 @@ export class NewLot extends AppElement {
   }
 
   private sentence(): string {
-    const { lang } = this.state, { plan, scene } = this;
+    const { lang } = this.state,
+      { plan, scene } = this;
     const fault = this.fault ?? this.stopped;
     if (fault) return faultText(lang, fault);
     if (this.trouble) return say(lang, "failed", { reason: this.trouble });
-    const goal = scene?.goal, bay = goal && "slot" in goal ? goal.slot.replace("slot-", "") : "";
+    const goal = scene?.goal,
+      bay = goal && "slot" in goal ? goal.slot.replace("slot-", "") : "";
     if (!plan) return say(lang, "planning", { bay });
-    return plan.outcome === "found" ? say(lang, "reaches", { bay, length: this.num(plan.metrics.length, 1), n: plan.metrics.directionChanges }) : say(lang, "noWay", { bay });
+    return plan.outcome === "found"
+      ? say(lang, "reaches", { bay, length: this.num(plan.metrics.length, 1), n: plan.metrics.directionChanges })
+      : say(lang, "noWay", { bay });
   }
 
   /** The border stops where a number would make no lot. */
@@ -204,8 +286,11 @@ export class NewLot extends AppElement {
       if (this.grabbed) this.change({ [field]: this.grabbed[field] });
       return;
     }
-    const [least, most] = LIMITS[field], within = Math.min(most, Math.max(least, metres)), { fault } = buildLot({ ...this.form, [field]: within });
-    const stop: LotFault | null = fault?.field === field ? fault : within === metres ? null : { field, rule: "limits", least };
+    const [least, most] = LIMITS[field],
+      within = Math.min(most, Math.max(least, metres)),
+      { fault } = buildLot({ ...this.form, [field]: within });
+    const stop: LotFault | null =
+      fault?.field === field ? fault : within === metres ? null : { field, rule: "limits", least };
     this.block = "ground";
     this.set(field, fault?.field === field ? fault.least : within);
     this.stopped = stop;
@@ -261,11 +346,16 @@ export class NewLot extends AppElement {
 /** The number that a field shows while it follows others. */
 function followed(field: NumberField, { width, depth, bay }: Sizes): number {
   switch (field) {
-    case "width": return width;
-    case "depth": return depth;
-    case "bayWidth": return bay.width;
-    case "bayLength": return bay.length;
-    default: return NaN;
+    case "width":
+      return width;
+    case "depth":
+      return depth;
+    case "bayWidth":
+      return bay.width;
+    case "bayLength":
+      return bay.length;
+    default:
+      return NaN;
   }
 }
 

@@ -13,7 +13,9 @@ const INFO_MS = 4000;
 /** What went wrong, in words, over the page; and what screen readers are told. */
 export class Notices extends AppElement {
   static override properties = { ...AppElement.properties, spoken: { state: true } };
-  static override styles = [controls, css`
+  static override styles = [
+    controls,
+    css`
     :host { position: absolute; left: 0; right: 0; top: 56px; z-index: 25; display: grid; justify-items: center; pointer-events: none; padding: 0 12px; }
     .notice { display: flex; align-items: center; gap: 10px; max-width: 640px; padding: 6px 6px 6px 12px; pointer-events: auto; border-radius: calc(10px * var(--parkade-radius)); box-shadow: var(--parkade-float); background: var(--parkade-raise); border: 1px solid var(--parkade-hair2); animation: appear var(--parkade-mid) var(--parkade-ease); }
     .notice span { overflow-wrap: anywhere; }
@@ -21,7 +23,8 @@ export class Notices extends AppElement {
     .warn { background: var(--parkade-warn-soft); color: var(--parkade-warn); border-color: transparent; }
     .notice .icon { color: inherit; }
     @keyframes appear { from { opacity: 0; transform: translateY(-4px); } }
-  `];
+  `,
+  ];
   protected override pace = 100;
   /** By its language. */
   declare spoken: Partial<Record<State["lang"], string>>;
@@ -44,9 +47,20 @@ export class Notices extends AppElement {
     if (message !== this.lastMessage) this.keep(message);
     if (results !== this.lastResults) this.speakLater(results);
     return html`
-      <div role="alert">${message ? html`<div class="notice ${message.tone}">${icon(message.tone === "info" ? "check" : "warning")}<span>${message.text}</span>
-        ${message.action ? html`<button class="button outline" @click=${() => { this.app.store.set({ message: null }); message.action?.run(); }}>${message.action.name}</button>` : nothing}
-        <button class="icon small" aria-label=${this.t("error.dismiss")} @click=${() => this.app.store.set({ message: null })}>${icon("close", 14)}</button></div>` : nothing}</div>
+      <div role="alert">${
+        message
+          ? html`<div class="notice ${message.tone}">${icon(message.tone === "info" ? "check" : "warning")}<span>${message.text}</span>
+        ${
+          message.action
+            ? html`<button class="button outline" @click=${() => {
+                this.app.store.set({ message: null });
+                message.action?.run();
+              }}>${message.action.name}</button>`
+            : nothing
+        }
+        <button class="icon small" aria-label=${this.t("error.dismiss")} @click=${() => this.app.store.set({ message: null })}>${icon("close", 14)}</button></div>`
+          : nothing
+      }</div>
       <output class="sr" aria-live="polite">${this.spoken[this.state.lang]}</output>`;
   }
 
@@ -62,20 +76,32 @@ export class Notices extends AppElement {
   private speakLater(results: State["results"]): void {
     this.lastResults = results;
     clearTimeout(this.quiet);
-    this.quiet = setTimeout(() => { this.spoken = { [this.state.lang]: this.sentence() }; }, SETTLE_MS);
+    this.quiet = setTimeout(() => {
+      this.spoken = { [this.state.lang]: this.sentence() };
+    }, SETTLE_MS);
   }
 
   private sentence(): string {
     const { state } = this;
-    return state.planners.filter((planner) => !state.hidden.has(planner)).map((planner) => {
-      const result = state.results[planner];
-      const values = { planner: plannerName(state.lang, planner), status: extras()?.whyOf(state, planner) ?? statusOf(state, planner).chip };
-      const plan = result?.plan;
-      if (!plan || plan.outcome !== "found") return this.t("say.failed", values);
-      return this.t("say.result", {
-        ...values, length: this.num(plan.metrics.length, 1), gears: plan.metrics.directionChanges,
-      }) + (result.time ? this.t("say.time", { millis: this.num(result.time.search, 1) }) : "");
-    }).join(". ");
+    return state.planners
+      .filter((planner) => !state.hidden.has(planner))
+      .map((planner) => {
+        const result = state.results[planner];
+        const values = {
+          planner: plannerName(state.lang, planner),
+          status: extras()?.whyOf(state, planner) ?? statusOf(state, planner).chip,
+        };
+        const plan = result?.plan;
+        if (!plan || plan.outcome !== "found") return this.t("say.failed", values);
+        return (
+          this.t("say.result", {
+            ...values,
+            length: this.num(plan.metrics.length, 1),
+            gears: plan.metrics.directionChanges,
+          }) + (result.time ? this.t("say.time", { millis: this.num(result.time.search, 1) }) : "")
+        );
+      })
+      .join(". ");
   }
 }
 

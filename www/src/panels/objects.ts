@@ -13,15 +13,29 @@ import { icon, type IconName } from "./icons";
 
 const say = words({ cone: ["Cone", "锥桶"] });
 
-interface Item { key: string; icon: IconName; name: string; detail: string; selection: NonNullable<Selection> }
+interface Item {
+  key: string;
+  icon: IconName;
+  name: string;
+  detail: string;
+  selection: NonNullable<Selection>;
+}
 
 const ICONS: Record<Obstacle["type"], IconName> = {
-  cells: "brush", wall: "wall", polygon: "polygon", rectangle: "rectangle", car: "car", road: "road",
+  cells: "brush",
+  wall: "wall",
+  polygon: "polygon",
+  rectangle: "rectangle",
+  car: "car",
+  road: "road",
 };
 
 /** Everything in the scene by name: the way to it without a pointer. */
 export class ObjectList extends AppElement {
-  static override styles = [controls, sections, css`
+  static override styles = [
+    controls,
+    sections,
+    css`
     ul { list-style: none; margin: 0 -8px; padding: 0; }
     li button { width: 100%; height: 27px; padding: 0 8px; gap: 10px; justify-content: flex-start; }
     li button:hover { background: var(--parkade-hover); }
@@ -29,7 +43,8 @@ export class ObjectList extends AppElement {
     li span:last-child { margin-left: auto; color: var(--parkade-t2); font-size: 12px; overflow: hidden; text-overflow: ellipsis; }
     li svg { color: var(--parkade-t2); }
     @media (pointer: coarse) { li button { height: 44px; } }
-  `];
+  `,
+  ];
 
   protected override pace = 100;
   protected watches(): readonly (keyof State)[] {
@@ -40,8 +55,12 @@ export class ObjectList extends AppElement {
     const items = itemsOf(this.state);
     const now = this.state.selection;
     return html`<div class="head"><h2>${this.t("inspect.objects")}</h2><span>${items.length}</span></div>
-      <ul>${items.map((item) => html`<li><button aria-pressed=${isSame(item.selection, now)} @click=${() => this.pick(item)} @keydown=${(e: KeyboardEvent) => this.key(e, item)}>
-        ${icon(item.icon)}<span>${item.name}</span><span>${item.detail}</span></button></li>`)}</ul>`;
+      <ul>${items.map(
+        (
+          item,
+        ) => html`<li><button aria-pressed=${isSame(item.selection, now)} @click=${() => this.pick(item)} @keydown=${(e: KeyboardEvent) => this.key(e, item)}>
+        ${icon(item.icon)}<span>${item.name}</span><span>${item.detail}</span></button></li>`,
+      )}</ul>`;
   }
 
   private pick(item: Item): void {
@@ -67,41 +86,70 @@ export function objectName(lang: Lang, obstacle: Obstacle): string {
 }
 
 function itemsOf({ scene, lang }: State): Item[] {
-  const slots = (scene.slots ?? []).map((slot, i): Item => ({
-    key: slot.id!, icon: "slot", selection: { kind: "slot", id: slot.id! },
-    name: `${translate(lang, "thing.slotName")} ${i + 1}`,
-    detail: slot.occupied ? translate(lang, "inspect.occupied") : translate(lang, `option.${slot.kind}`),
-  }));
+  const slots = (scene.slots ?? []).map(
+    (slot, i): Item => ({
+      key: slot.id!,
+      icon: "slot",
+      selection: { kind: "slot", id: slot.id! },
+      name: `${translate(lang, "thing.slotName")} ${i + 1}`,
+      detail: slot.occupied ? translate(lang, "inspect.occupied") : translate(lang, `option.${slot.kind}`),
+    }),
+  );
   const counts = new Map<string, number>();
   const obstacles = (scene.obstacles ?? []).map((obstacle): Item => {
-    const kind = objectName(lang, obstacle), n = (counts.get(kind) ?? 0) + 1;
+    const kind = objectName(lang, obstacle),
+      n = (counts.get(kind) ?? 0) + 1;
     counts.set(kind, n);
     return {
-      key: obstacle.id!, icon: ICONS[obstacle.type], selection: { kind: "obstacle", id: obstacle.id! },
-      name: `${kind} ${n}`, detail: detailOf(lang, obstacle),
+      key: obstacle.id!,
+      icon: ICONS[obstacle.type],
+      selection: { kind: "obstacle", id: obstacle.id! },
+      name: `${kind} ${n}`,
+      detail: detailOf(lang, obstacle),
     };
   });
-  const moving = (scene.moving ?? []).map((one, i): Item => ({
-    key: one.id!, icon: "moving", selection: { kind: "moving", id: one.id! },
-    name: `${translate(lang, "thing.movingName")} ${i + 1}`, detail: `${number(lang, one.speed, 2)} m/s`,
-  }));
-  const costs = (scene.costs ?? []).map((area): Item => ({
-    key: area.id!, icon: "cost", selection: { kind: "cost", id: area.id! },
-    name: `${translate(lang, "thing.costName")} ×${area.weight}`, detail: translate(lang, "thing.cellCount", { n: cellsOf(area.runs) }),
-  }));
-  const pose = (kind: "start" | "goal", at: Pose): Item =>
-    ({ key: kind, icon: "car", selection: { kind }, name: translate(lang, `inspect.${kind}`), detail: poseText(lang, at) });
+  const moving = (scene.moving ?? []).map(
+    (one, i): Item => ({
+      key: one.id!,
+      icon: "moving",
+      selection: { kind: "moving", id: one.id! },
+      name: `${translate(lang, "thing.movingName")} ${i + 1}`,
+      detail: `${number(lang, one.speed, 2)} m/s`,
+    }),
+  );
+  const costs = (scene.costs ?? []).map(
+    (area): Item => ({
+      key: area.id!,
+      icon: "cost",
+      selection: { kind: "cost", id: area.id! },
+      name: `${translate(lang, "thing.costName")} ×${area.weight}`,
+      detail: translate(lang, "thing.cellCount", { n: cellsOf(area.runs) }),
+    }),
+  );
+  const pose = (kind: "start" | "goal", at: Pose): Item => ({
+    key: kind,
+    icon: "car",
+    selection: { kind },
+    name: translate(lang, `inspect.${kind}`),
+    detail: poseText(lang, at),
+  });
   return [pose("start", scene.start), pose("goal", goalPose(scene)), ...slots, ...obstacles, ...costs, ...moving];
 }
 
 function detailOf(lang: Lang, obstacle: Obstacle): string {
   switch (obstacle.type) {
-    case "cells": return translate(lang, "thing.cellCount", { n: cellsOf(obstacle.runs) });
+    case "cells":
+      return translate(lang, "thing.cellCount", { n: cellsOf(obstacle.runs) });
     case "road":
     case "wall":
-    case "polygon": return isCone(obstacle) ? conePlace(lang, obstacle.points) : translate(lang, "thing.corners", { n: obstacle.points.length });
-    case "rectangle": return `${number(lang, obstacle.size[0], 2)} × ${number(lang, obstacle.size[1], 2)} m`;
-    case "car": return poseText(lang, obstacle.pose);
+    case "polygon":
+      return isCone(obstacle)
+        ? conePlace(lang, obstacle.points)
+        : translate(lang, "thing.corners", { n: obstacle.points.length });
+    case "rectangle":
+      return `${number(lang, obstacle.size[0], 2)} × ${number(lang, obstacle.size[1], 2)} m`;
+    case "car":
+      return poseText(lang, obstacle.pose);
   }
 }
 

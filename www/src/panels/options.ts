@@ -30,7 +30,9 @@ const say = words({
 
 /** What the active tool can be set to: a row above the map, `flat` in a sheet, or the first lines (`form`) of the inspector. */
 export class ToolOptionsBar extends AppElement {
-  static override styles = [controls, css`
+  static override styles = [
+    controls,
+    css`
     :host { display: block; min-width: 0; background: var(--parkade-panel); }
     :host([hidden]) { display: none; }
     .bar { display: flex; align-items: center; gap: 6px 12px; padding: 6px 12px; }
@@ -47,7 +49,8 @@ export class ToolOptionsBar extends AppElement {
     :host([form]) label { justify-content: space-between; } :host([form]) label:has([type="checkbox"]) { justify-content: start; }
     :host([form]) .segmented { display: flex; } :host([form]) .segmented button { flex: 1 0 auto; padding: 0 6px; }
     :host([form]) .lock { justify-content: start; margin: 0 -10px; }
-  `];
+  `,
+  ];
 
   protected watches(): readonly (keyof State)[] {
     return ["tool", "toolOptions", "scene"];
@@ -63,13 +66,27 @@ export class ToolOptionsBar extends AppElement {
   private fields(options: ToolOptions): TemplateResult | typeof nothing {
     switch (this.state.tool) {
       case "brush":
-      case "eraser": return this.metres(this.t("option.radius"), options.brushRadius, 0.1, (brushRadius) => ({ brushRadius }));
-      case "cost": return html`${this.metres(this.t("option.radius"), options.brushRadius, 0.1, (brushRadius) => ({ brushRadius }))}${this.weight(options.costWeight)}`;
-      case "wall": return this.metres(this.t("option.thickness"), options.wallThickness, 0, (wallThickness) => ({ wallThickness }));
-      case "car": return this.choice(["sedan", "paper", "cone"] as const, options.carProfile, (name) => (name === "cone" ? say(this.state.lang, "cone") : this.t(`vehicle.${name}`)), (carProfile) => ({ carProfile }));
-      case "slot": return this.slotRow(options.slot);
-      case "road": return this.road(options.road);
-      default: return nothing;
+      case "eraser":
+        return this.metres(this.t("option.radius"), options.brushRadius, 0.1, (brushRadius) => ({ brushRadius }));
+      case "cost":
+        return html`${this.metres(this.t("option.radius"), options.brushRadius, 0.1, (brushRadius) => ({ brushRadius }))}${this.weight(options.costWeight)}`;
+      case "wall":
+        return this.metres(this.t("option.thickness"), options.wallThickness, 0, (wallThickness) => ({
+          wallThickness,
+        }));
+      case "car":
+        return this.choice(
+          ["sedan", "paper", "cone"] as const,
+          options.carProfile,
+          (name) => (name === "cone" ? say(this.state.lang, "cone") : this.t(`vehicle.${name}`)),
+          (carProfile) => ({ carProfile }),
+        );
+      case "slot":
+        return this.slotRow(options.slot);
+      case "road":
+        return this.road(options.road);
+      default:
+        return nothing;
     }
   }
 
@@ -77,30 +94,67 @@ export class ToolOptionsBar extends AppElement {
     const put = (patch: Partial<ToolOptions["slot"]>): Partial<ToolOptions> => ({ slot: { ...slot, ...patch } });
     const { width, length } = sizedShape(slot, vehicleOf(this.state.scene.vehicle));
     return html`
-      ${this.choice(KINDS, slot.kind, (kind) => this.t(`option.${kind}`), (kind) => put({ kind, width: null, length: null, aisle: AISLES[kind] }))}
-      ${slot.kind === "angled" ? html`
-        ${this.choice(ANGLES, Math.round((slot.angle * 180) / Math.PI) as 45, (angle) => `${angle}°`, (angle) => put({ angle: (angle * Math.PI) / 180 }))}
-        ${this.choice(["left", "right"] as const, slot.lean, (lean) => this.t(`option.${lean}`), (lean) => put({ lean }))}` : nothing}
+      ${this.choice(
+        KINDS,
+        slot.kind,
+        (kind) => this.t(`option.${kind}`),
+        (kind) => put({ kind, width: null, length: null, aisle: AISLES[kind] }),
+      )}
+      ${
+        slot.kind === "angled"
+          ? html`
+        ${this.choice(
+          ANGLES,
+          Math.round((slot.angle * 180) / Math.PI) as 45,
+          (angle) => `${angle}°`,
+          (angle) => put({ angle: (angle * Math.PI) / 180 }),
+        )}
+        ${this.choice(
+          ["left", "right"] as const,
+          slot.lean,
+          (lean) => this.t(`option.${lean}`),
+          (lean) => put({ lean }),
+        )}`
+          : nothing
+      }
       ${this.metres(this.t("option.width"), width, 1, (width) => put({ width }))}
       ${this.metres(this.t("option.depth"), length, 1, (length) => put({ length }))}
       ${this.metres(say(this.state.lang, "aisle"), slot.aisle, 0, (aisle) => put({ aisle }))}`;
   }
 
   private road(road: ToolOptions["road"]): TemplateResult {
-    const { lang } = this.state, put = (patch: Partial<ToolOptions["road"]>): Partial<ToolOptions> => ({ road: { ...road, ...patch } });
+    const { lang } = this.state,
+      put = (patch: Partial<ToolOptions["road"]>): Partial<ToolOptions> => ({ road: { ...road, ...patch } });
     return html`
-      ${this.choice(LANES, road.lanes.join("+") as "1+1", (one) => say(lang, one), (one) => put({ lanes: one.split("+").map(Number) as [number, number] }))}
+      ${this.choice(
+        LANES,
+        road.lanes.join("+") as "1+1",
+        (one) => say(lang, one),
+        (one) => put({ lanes: one.split("+").map(Number) as [number, number] }),
+      )}
       ${this.metres(say(lang, "laneWidth"), road.laneWidth, 2, (laneWidth) => put({ laneWidth }))}
       ${this.metres(say(lang, "bend"), road.radius, 1, (radius) => put({ radius }))}
       <label><input type="checkbox" .checked=${road.kerbs} @change=${(e: Event) => this.set(put({ kerbs: (e.target as HTMLInputElement).checked }))}>${say(lang, "kerbs")}</label>`;
   }
 
-  private choice<T extends string | number>(all: readonly T[], now: T, name: (one: T) => string, put: (one: T) => Partial<ToolOptions>): TemplateResult {
-    return html`<div class="segmented" role="group" aria-label=${this.t(`tool.${this.state.tool}`)}>${all.map((one) => html`
-      <button aria-pressed=${one === now} @click=${() => this.set(put(one))}>${name(one)}</button>`)}</div>`;
+  private choice<T extends string | number>(
+    all: readonly T[],
+    now: T,
+    name: (one: T) => string,
+    put: (one: T) => Partial<ToolOptions>,
+  ): TemplateResult {
+    return html`<div class="segmented" role="group" aria-label=${this.t(`tool.${this.state.tool}`)}>${all.map(
+      (one) => html`
+      <button aria-pressed=${one === now} @click=${() => this.set(put(one))}>${name(one)}</button>`,
+    )}</div>`;
   }
 
-  private metres(name: string, value: number, min: number, put: (value: number) => Partial<ToolOptions>): TemplateResult {
+  private metres(
+    name: string,
+    value: number,
+    min: number,
+    put: (value: number) => Partial<ToolOptions>,
+  ): TemplateResult {
     return html`<label>${name}<span class="field"><input type="number" step="0.1" min=${min} .value=${value.toFixed(2)}
       @change=${(e: Event) => {
         const typed = Number((e.target as HTMLInputElement).value);
@@ -116,7 +170,8 @@ export class ToolOptionsBar extends AppElement {
 
   private lock(): TemplateResult {
     const { locked } = this.state.toolOptions;
-    const { snap } = this.state.toolOptions, { lang, tool } = this.state;
+    const { snap } = this.state.toolOptions,
+      { lang, tool } = this.state;
     const snaps = tool !== "brush" && tool !== "cost" && tool !== "eraser" && tool !== "car";
     return html`${snaps ? html`<button class="button lock" aria-pressed=${snap} title=${say(lang, "snapHelp")} @click=${() => this.set({ snap: !snap })}>${icon("fit", 14)}${say(lang, "snap")}</button>` : nothing}
       <button class="button lock" aria-pressed=${locked} title="${this.t("option.lock")} · Q" @click=${() => this.set({ locked: !locked })}>${icon("lock", 14)}${this.t("option.lock")}<span class="keys">Q</span></button>`;

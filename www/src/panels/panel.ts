@@ -25,9 +25,13 @@ const SLOW_MS = 300;
 export class PlannerPanel extends AppElement {
   static override properties = {
     ...AppElement.properties,
-    planner: { type: String }, thumb: { type: Boolean, reflect: true }, slow: { state: true },
+    planner: { type: String },
+    thumb: { type: Boolean, reflect: true },
+    slow: { state: true },
   };
-  static override styles = [controls, css`
+  static override styles = [
+    controls,
+    css`
     :host { display: grid; container-type: inline-size; grid-template-rows: 32px 1fr; min-width: 0; min-height: 0; background: var(--parkade-panel); position: relative; }
     :host([active])::before { content: ""; position: absolute; inset: 0 0 auto; height: 2px; background: var(--parkade-accent); z-index: 2; }
     header { display: flex; align-items: center; gap: 8px; padding: 0 8px 0 12px; border-bottom: 1px solid var(--parkade-hair); min-width: 0; overflow: hidden; cursor: default; user-select: none; -webkit-user-select: none; }
@@ -62,7 +66,8 @@ export class PlannerPanel extends AppElement {
     .veil { position: absolute; inset: 0; display: grid; place-items: center; background: var(--parkade-panel); color: var(--parkade-t3); text-align: center; padding: 12px; }
     :host([thumb]) .time, :host([thumb]) .pill, :host([thumb]) parkade-failure { display: none; }
     :host([thumb]) { --panel-gap: 6px; }
-  `];
+  `,
+  ];
   declare planner: PlannerId;
   declare thumb: boolean;
   declare slow: boolean;
@@ -123,12 +128,16 @@ export class PlannerPanel extends AppElement {
         <span class="end">${this.buttons(hidden)}</span>
       </header>
       <div class="body ${slim ? "slim" : ""}" @pointerdown=${this.takeFocus}>
-        ${hidden ? html`<div class="veil">${this.t("panel.hidden")}</div>` : html`
+        ${
+          hidden
+            ? html`<div class="veil">${this.t("panel.hidden")}</div>`
+            : html`
           <parkade-scene-view exportparts="canvas" .app=${this.app} .planners=${[planner]} .label=${label}></parkade-scene-view>
           <parkade-failure class=${this.isLow() ? "low" : ""} ?slim=${slim} .app=${this.app} .planner=${planner}></parkade-failure>
           ${this.thumb ? nothing : html`<parkade-choices class=${this.isLow() ? "low" : ""} .app=${this.app} .planner=${planner}></parkade-choices>`}
           <div class="corner ${this.corner("left")}">${extras()?.readoutOf(state, planner)}</div>
-          <div class="corner right ${this.corner("right")}">${extras()?.legendOf(state, planner)}</div>`}
+          <div class="corner right ${this.corner("right")}">${extras()?.legendOf(state, planner)}</div>`
+        }
       </div>`;
   }
 
@@ -143,8 +152,9 @@ export class PlannerPanel extends AppElement {
     const { width, height } = this.size;
     if (width === 0) return "";
     const reach = side === "left" ? READOUT : LEGEND;
-    const covered = handlePoints(this.state, width, height).some(([x, y]) =>
-      y > height - reach.height && (side === "left" ? x < reach.width : x > width - reach.width));
+    const covered = handlePoints(this.state, width, height).some(
+      ([x, y]) => y > height - reach.height && (side === "left" ? x < reach.width : x > width - reach.width),
+    );
     return covered ? "top" : "";
   }
 
@@ -152,7 +162,9 @@ export class PlannerPanel extends AppElement {
     const told = this.state.progress[this.planner];
     const updating = told === undefined ? this.t("status.updating") : `${this.num(told, 0)} ${this.t("unit.expanded")}`;
     const busy = this.slow && (told !== undefined || this.state.results[this.planner]?.plan);
-    const shown: Status = busy ? { ...status, tone: "quiet", icon: "clock", chip: updating, brief: updating, tiny: updating } : status;
+    const shown: Status = busy
+      ? { ...status, tone: "quiet", icon: "clock", chip: updating, brief: updating, tiny: updating }
+      : status;
     return html`<span class="chip ${shown.tone}" title=${shown.chip}>${icon(shown.icon, 12)}<span class="long">${shown.chip}</span><span class="short" aria-hidden="true">${this.thumb ? shown.tiny : shown.brief}</span></span>`;
   }
 
@@ -182,7 +194,10 @@ export class PlannerPanel extends AppElement {
   };
 
   private watchTheClock(planning: boolean): void {
-    if (planning && this.timer === undefined) this.timer = setTimeout(() => { this.slow = true; }, SLOW_MS);
+    if (planning && this.timer === undefined)
+      this.timer = setTimeout(() => {
+        this.slow = true;
+      }, SLOW_MS);
     if (planning) return;
     clearTimeout(this.timer);
     this.timer = undefined;
@@ -195,8 +210,11 @@ function handlePoints(state: State, width: number, height: number): [number, num
   const view = { camera: cameraFor(state, width, height), width, height };
   const nose = vehicleOf(state.scene.vehicle).rearToFront;
   const goal = goalPose(state.scene);
-  return [state.scene.start, goal].flatMap(({ x, y, heading }) => [0, nose, nose + 1.2].map((ahead) =>
-    worldToScreen(view, x + ahead * Math.cos(heading), y + ahead * Math.sin(heading))));
+  return [state.scene.start, goal].flatMap(({ x, y, heading }) =>
+    [0, nose, nose + 1.2].map((ahead) =>
+      worldToScreen(view, x + ahead * Math.cos(heading), y + ahead * Math.sin(heading)),
+    ),
+  );
 }
 
 customElements.define("parkade-panel", PlannerPanel);

@@ -14,15 +14,19 @@ import "./thumbnail";
 const solved = new Map<string, Plan | null>();
 /** One after the other, by one worker that ends when nothing waits. */
 let queue: Promise<void> = Promise.resolve();
-let helper: Helper | null = null, waiting = 0;
+let helper: Helper | null = null,
+  waiting = 0;
 
 export class PaperPicture extends AppElement {
   static override properties = { ...AppElement.properties, scene: {}, planner: {}, wide: { type: Boolean } };
-  static override styles = [controls, css`
+  static override styles = [
+    controls,
+    css`
     :host { display: block; width: 230px; } button { display: block; width: 100%; padding: 0; border: 1px solid var(--parkade-hair2); border-radius: calc(10px * var(--parkade-radius)); overflow: hidden; text-align: left; background: var(--parkade-panel); height: auto; }
     button:hover { border-color: var(--parkade-t3); } parkade-thumbnail { height: 120px; border-bottom: 1px solid var(--parkade-hair); pointer-events: none; }
     span { display: flex; align-items: center; gap: 6px; padding: 6px 10px; font-size: 12px; line-height: 16px; white-space: normal; }
-  `];
+  `,
+  ];
   declare scene: string;
   declare planner: PlannerId;
   declare wide: boolean;
@@ -38,7 +42,9 @@ export class PaperPicture extends AppElement {
   }
 
   protected override render(): TemplateResult {
-    const { lang } = this.state, scene = (this.shown ??= this.app.catalog!.scenario(this.scene)), title = this.app.catalog!.scenarios.find(({ id }) => id === this.scene)?.title[lang] ?? this.scene;
+    const { lang } = this.state,
+      scene = (this.shown ??= this.app.catalog!.scenario(this.scene)),
+      title = this.app.catalog!.scenarios.find(({ id }) => id === this.scene)?.title[lang] ?? this.scene;
     return html`<button @click=${this.open} title=${say(lang, "open")}><parkade-thumbnail .app=${this.app} .scene=${scene} .plan=${solved.get(this.key)} ?whole=${this.wide}></parkade-thumbnail>
       <span>${marker(this.planner)}${title}, ${plannerName(lang, this.planner)}</span></button>`;
   }
@@ -66,7 +72,13 @@ export class PaperPicture extends AppElement {
   }
 
   private readonly open = (): void => {
-    this.dispatchEvent(new CustomEvent("parkade-open-scene", { detail: { id: this.scene, planner: this.planner }, bubbles: true, composed: true }));
+    this.dispatchEvent(
+      new CustomEvent("parkade-open-scene", {
+        detail: { id: this.scene, planner: this.planner },
+        bubbles: true,
+        composed: true,
+      }),
+    );
   };
 }
 

@@ -6,7 +6,10 @@ import { icon, type IconName } from "./icons";
 import { say } from "./papers-words";
 
 const VERDICT: Record<PaperClaim["holds"], { tone: string; icon: IconName }> = {
-  yes: { tone: "", icon: "check" }, partly: { tone: "warn", icon: "warning" }, no: { tone: "err", icon: "close" }, unknown: { tone: "quiet", icon: "clock" },
+  yes: { tone: "", icon: "check" },
+  partly: { tone: "warn", icon: "warning" },
+  no: { tone: "err", icon: "close" },
+  unknown: { tone: "quiet", icon: "clock" },
 };
 
 export const claimStyles = css`
@@ -15,11 +18,19 @@ export const claimStyles = css`
   @media (max-width: 640px) { .claims li { grid-template-columns: 1fr; } }
 `;
 
-export const claimList = (lang: Lang, claims: readonly PaperClaim[]): TemplateResult => html`<h3>${say(lang, "claims")}</h3><ul class="claims">${claims.map((claim) => {
-  const { tone, icon: name } = VERDICT[claim.holds];
-  return html`<li id=${claim.id}><span class="chip ${tone}">${icon(name, 12)}<span>${say(lang, claim.holds)}</span></span><div>${reasonIn(lang, claim.text)}<p>${reasonIn(lang, claim.found)}</p></div></li>`;
-})}</ul>`;
+export const claimList = (lang: Lang, claims: readonly PaperClaim[]): TemplateResult =>
+  html`<h3>${say(lang, "claims")}</h3><ul class="claims">${claims.map((claim) => {
+    const { tone, icon: name } = VERDICT[claim.holds];
+    return html`<li id=${claim.id}><span class="chip ${tone}">${icon(name, 12)}<span>${say(lang, claim.holds)}</span></span><div>${reasonIn(lang, claim.text)}<p>${reasonIn(lang, claim.found)}</p></div></li>`;
+  })}</ul>`;
 
 export const claimsMarkdown = (lang: Lang, claims: readonly PaperClaim[]): string[] => [
-  `### ${say(lang, "claims")}`, "", "| | | |", "| --- | --- | --- |", ...claims.map((one) => `| ${reasonIn(lang, one.text)} | **${say(lang, one.holds)}** | ${reasonIn(lang, one.found)} |`), "",
+  `### ${say(lang, "claims")}`,
+  "",
+  "| | | |",
+  "| --- | --- | --- |",
+  ...claims.map(
+    (one) => `| ${reasonIn(lang, one.text)} | **${say(lang, one.holds)}** | ${reasonIn(lang, one.found)} |`,
+  ),
+  "",
 ];

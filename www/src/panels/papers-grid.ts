@@ -23,12 +23,21 @@ let last: Summary | null = null;
 
 /** Tables 3 and 4 of the risk-field paper and the claims of the 16-neighbour paper. */
 export class PapersGrid extends PapersTab<Summary> {
-  static override properties = { ...PapersTab.properties, from: { state: true }, to: { state: true }, lost: { state: true } };
-  static override styles = [PapersTab.styles, claimStyles, css`
+  static override properties = {
+    ...PapersTab.properties,
+    from: { state: true },
+    to: { state: true },
+    lost: { state: true },
+  };
+  static override styles = [
+    PapersTab.styles,
+    claimStyles,
+    css`
     .range { display: flex; align-items: center; gap: 6px; color: var(--parkade-t2); } .field { width: 56px; color: var(--parkade-t1); } .bad { border-color: var(--parkade-err); }
     td.printed { border-left: 1px solid var(--parkade-hair); padding-left: 14px; }
     details { margin-top: 6px; } summary { cursor: pointer; color: var(--parkade-t2); font-size: 12px; line-height: 20px; }
-  `];
+  `,
+  ];
   declare from: string;
   declare to: string;
   declare lost: Record<string, number[]>;
@@ -51,7 +60,10 @@ export class PapersGrid extends PapersTab<Summary> {
 
   protected override render(): TemplateResult {
     const { summary } = this;
-    return this.frame(this.range(), summary ? html`${this.claims(summary.claims)}${summary.tables.map((table) => this.table(table))}` : nothing);
+    return this.frame(
+      this.range(),
+      summary ? html`${this.claims(summary.claims)}${summary.tables.map((table) => this.table(table))}` : nothing,
+    );
   }
 
   protected told({ done, of }: Progress): string {
@@ -82,12 +94,25 @@ export class PapersGrid extends PapersTab<Summary> {
   }
 
   private range(): TemplateResult {
-    const { lang } = this.state, bad = !this.seeds;
-    const field = (name: "from" | "to"): TemplateResult => html`<span class="field ${bad ? "bad" : ""}"><input inputmode="numeric" aria-label=${say(lang, name)} aria-invalid=${bad} .value=${this[name]}
-      @input=${(e: Event) => { this[name] = (e.target as HTMLInputElement).value; }} @keydown=${(e: KeyboardEvent) => { if (e.key === "Enter") void this.measure(); }}></span>`;
+    const { lang } = this.state,
+      bad = !this.seeds;
+    const field = (
+      name: "from" | "to",
+    ): TemplateResult => html`<span class="field ${bad ? "bad" : ""}"><input inputmode="numeric" aria-label=${say(lang, name)} aria-invalid=${bad} .value=${this[name]}
+      @input=${(e: Event) => {
+        this[name] = (e.target as HTMLInputElement).value;
+      }} @keydown=${(e: KeyboardEvent) => {
+        if (e.key === "Enter") void this.measure();
+      }}></span>`;
     return html`<span class="range">${say(lang, "seeds")} ${field("from")} – ${field("to")}</span>
-      <div class="segmented" role="group" aria-label=${say(lang, "seeds")}>${RANGES.map((n) => html`
-        <button aria-pressed=${this.from === "1" && this.to === String(n)} @click=${() => { this.from = "1"; this.to = String(n); void this.measure(); }}>1–${n}</button>`)}</div>
+      <div class="segmented" role="group" aria-label=${say(lang, "seeds")}>${RANGES.map(
+        (n) => html`
+        <button aria-pressed=${this.from === "1" && this.to === String(n)} @click=${() => {
+          this.from = "1";
+          this.to = String(n);
+          void this.measure();
+        }}>1–${n}</button>`,
+      )}</div>
       ${this.button(bad)}`;
   }
 
@@ -106,21 +131,35 @@ export class PapersGrid extends PapersTab<Summary> {
           <th class="first">${say(lang, "turns")}</th><th>${say(lang, "turning")}</th><th title=${say(lang, "timeTip")}>${say(lang, "time")}</th></tr>
         <tr><th>${say(lang, "planner")}</th>${[0, 1].map(() => html`<th class="first">${say(lang, "printed")}</th><th>${say(lang, "median")}</th><th>${say(lang, "p95")}</th><th>${say(lang, "worst")}</th>`)}
           <th class="first">${say(lang, "median")}</th><th>${say(lang, "median")}</th><th>${say(lang, "mean")}</th></tr></thead>
-        <tbody>${table.lines.map((line, at) => html`<tr><th scope="row">${lineName(lang, line.planner)}</th>
+        <tbody>${table.lines.map(
+          (line, at) => html`<tr><th scope="row">${lineName(lang, line.planner)}</th>
           <td class="printed">${line.printedNodes ?? "–"}</td>${this.spread(this.of(line, SHOWN.nodes), 0)}
           <td class="printed">${line.impossible ? html`<span class="chip err" title=${say(lang, "straight", { length })}>${icon("warning", 12)}<span>${say(lang, "impossible", { length })}</span></span>` : nothing}${line.printedLength === null ? "–" : this.num(line.printedLength, 2)}</td>
           ${this.spread(this.of(line, SHOWN.length), 2)}
-          <td class="first">${this.median(this.of(line, "turns"), 0)}</td><td>${this.median(this.of(line, "turnAngleDeg"), 0)}</td><td>${this.time(table, at)}</td></tr>`)}</tbody></table></div>
+          <td class="first">${this.median(this.of(line, "turns"), 0)}</td><td>${this.median(this.of(line, "turnAngleDeg"), 0)}</td><td>${this.time(table, at)}</td></tr>`,
+        )}</tbody></table></div>
       ${table.lines.some((line) => line.impossible) ? html`<p class="note">${say(lang, "straight", { length })}</p>` : nothing}
-      ${this.stranded(table)}${this.running ? nothing : this.pictures(["four", "eight", "risk-field"].map((planner) => [scene, planner as PlannerId]), true)}
+      ${this.stranded(table)}${
+        this.running
+          ? nothing
+          : this.pictures(
+              ["four", "eight", "risk-field"].map((planner) => [scene, planner as PlannerId]),
+              true,
+            )
+      }
       <details><summary>${say(lang, "ratios")}</summary><div class="wide"><table><thead><tr><th>${say(lang, "ratio")}</th><th>${say(lang, "printed")}</th><th>${say(lang, "median")}</th><th>${say(lang, "p95")}</th><th>${say(lang, "worst")}</th></tr></thead>
-        <tbody>${table.ratios.map((ratio) => html`<tr><th scope="row">${say(lang, "over", { planner: lineName(lang, ratio.planner), over: lineName(lang, ratio.over), figure: figureName(ratio) })}</th>
-          <td class="printed">${ratio.printed === null ? "–" : this.num(ratio.printed, 3)}</td>${this.spread(ratio.ours, 3)}</tr>`)}</tbody></table></div></details>`;
+        <tbody>${table.ratios.map(
+          (
+            ratio,
+          ) => html`<tr><th scope="row">${say(lang, "over", { planner: lineName(lang, ratio.planner), over: lineName(lang, ratio.over), figure: figureName(ratio) })}</th>
+          <td class="printed">${ratio.printed === null ? "–" : this.num(ratio.printed, 3)}</td>${this.spread(ratio.ours, 3)}</tr>`,
+        )}</tbody></table></div></details>`;
   }
 
   /** The maps on which the literal planner is stranded, each to open. */
   private stranded({ row: { id, size }, maps }: PaperTable): TemplateResult | typeof nothing {
-    const { lang } = this.state, seeds = this.lost[id];
+    const { lang } = this.state,
+      seeds = this.lost[id];
     if (!seeds || this.running) return nothing;
     const open = async (seed: number): Promise<void> => {
       const scene = await this.drawn({ family: id.startsWith("random") ? "random" : "regular", size, seed });
@@ -134,7 +173,8 @@ export class PapersGrid extends PapersTab<Summary> {
   private async drawn(family: Family): Promise<Scene> {
     const helper = new Helper(await this.app.complete());
     try {
-      const answer = await helper.call("generate", family), [scene] = await joined(answer, answer.value);
+      const answer = await helper.call("generate", family),
+        [scene] = await joined(answer, answer.value);
       return ensureIds(scene!);
     } finally {
       helper.stop();
@@ -161,7 +201,8 @@ export class PapersGrid extends PapersTab<Summary> {
 
   /** Null where the fields hold no range. */
   private get seeds(): { from: number; to: number } | null {
-    const from = Number(this.from), to = Number(this.to);
+    const from = Number(this.from),
+      to = Number(this.to);
     const whole = [from, to].every((n) => Number.isInteger(n) && n >= 1 && n <= MOST);
     return whole && from <= to && this.from.trim() && this.to.trim() ? { from, to } : null;
   }

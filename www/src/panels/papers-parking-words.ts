@@ -23,7 +23,10 @@ export const say = words({
   milliseconds: ["Planning, ms", "规划时间，ms"],
   impossible: ["below {bound}", "短于 {bound}"],
   bound: ["Without obstacles this car's shortest path is {bound} m.", "即使没有障碍物，该车的最短路径也有 {bound} m。"],
-  reach: ["Promised: ≤ {length} m, ≤ {changes} {changes|gear change|gear changes}", "承诺：≤ {length} m，换挡 ≤ {changes} 次"],
+  reach: [
+    "Promised: ≤ {length} m, ≤ {changes} {changes|gear change|gear changes}",
+    "承诺：≤ {length} m，换挡 ≤ {changes} 次",
+  ],
   saved: ["Driving time saved", "节省的行驶时间"],
   rows: ["Rows", "行"],
   abstract: ["abstract", "摘要"],
@@ -32,13 +35,34 @@ export const say = words({
   overClassic: ["here, against coarse and greedy", "本地，相对粗糙贪心"],
   searched: ["Searched, from the start and from the goal", "搜索量：从起点与从终点"],
   share: ["Share", "占比"],
-  sameNote: ["Here “from the start” is the same planner with the same shortcuts: its paths are as short, but it takes longer. “Coarse and greedy” reproduces the paper's program.", "此处从起点搜索使用同一规划器（含捷径优化），路径同样短，只是更慢；“粗糙贪心”相当于论文所用的程序。"],
-  P0: ["The printed path is the shortest one without obstacles: the car's front crosses the slot's end by 0.09 m. Figure 12 has no obstacles.", "印刷值是无障碍最短路径，车头会穿过车位底边 0.09 m；图 12 没有障碍。"],
-  P1: ["The printed times are 1.0 and 0.9 s longer than the lengths at 2 m/s. The start touches a wall, so no margin is kept.", "印刷时间比 2 m/s 的行驶时间长 1.0 与 0.9 s。起点贴墙，因此不留余量。"],
-  P2: ["The goal is printed as (−7.5, −π/2) for (−7, 5, −π/2). The paper's program drops the first 3.1 m: 22.2 m.", "终点 (−7, 5, −π/2) 印成 (−7.5, −π/2)。论文程序漏掉前 3.1 m：实为 22.2 m。"],
+  sameNote: [
+    "Here “from the start” is the same planner with the same shortcuts: its paths are as short, but it takes longer. “Coarse and greedy” reproduces the paper's program.",
+    "此处从起点搜索使用同一规划器（含捷径优化），路径同样短，只是更慢；“粗糙贪心”相当于论文所用的程序。",
+  ],
+  P0: [
+    "The printed path is the shortest one without obstacles: the car's front crosses the slot's end by 0.09 m. Figure 12 has no obstacles.",
+    "印刷值是无障碍最短路径，车头会穿过车位底边 0.09 m；图 12 没有障碍。",
+  ],
+  P1: [
+    "The printed times are 1.0 and 0.9 s longer than the lengths at 2 m/s. The start touches a wall, so no margin is kept.",
+    "印刷时间比 2 m/s 的行驶时间长 1.0 与 0.9 s。起点贴墙，因此不留余量。",
+  ],
+  P2: [
+    "The goal is printed as (−7.5, −π/2) for (−7, 5, −π/2). The paper's program drops the first 3.1 m: 22.2 m.",
+    "终点 (−7, 5, −π/2) 印成 (−7.5, −π/2)。论文程序漏掉前 3.1 m：实为 22.2 m。",
+  ],
   P3: ["The goal is printed as (−2.5, −π/2) for (−2, 5, −π/2).", "终点 (−2, 5, −π/2) 印成 (−2.5, −π/2)。"],
   P4: ["The improved time is printed 0.5 s shorter than the length at 2 m/s.", "改进时间比 2 m/s 的行驶时间短 0.5 s。"],
-  L0: ["L0 starts 4 m from L1, but its printed path is 13.5 m longer: far from the shortest.", "与 L1 仅差 4 m 却长 13.5 m：印刷路径远非最短。"],
-  L3: ["The straight line is 26.18 m long. Two omitted pieces of 3.1 m, or a start at x = 9, would explain 20.2 m.", "直线距离为 26.18 m。漏掉两段 3.1 m，或起点 x = 9，可以解释 20.2 m。"],
-  L4: ["The shortest path without obstacles has 1.6 m of clearance here. The printed path is 29 % longer.", "此处无障碍最短路径可行，四周有 1.6 m：印刷路径长 29 %。"],
+  L0: [
+    "L0 starts 4 m from L1, but its printed path is 13.5 m longer: far from the shortest.",
+    "与 L1 仅差 4 m 却长 13.5 m：印刷路径远非最短。",
+  ],
+  L3: [
+    "The straight line is 26.18 m long. Two omitted pieces of 3.1 m, or a start at x = 9, would explain 20.2 m.",
+    "直线距离为 26.18 m。漏掉两段 3.1 m，或起点 x = 9，可以解释 20.2 m。",
+  ],
+  L4: [
+    "The shortest path without obstacles has 1.6 m of clearance here. The printed path is 29 % longer.",
+    "此处无障碍最短路径可行，四周有 1.6 m：印刷路径长 29 %。",
+  ],
 });

@@ -5,7 +5,17 @@ import { icon } from "./icons";
 import "./paper-picture";
 import { claimList, claimStyles, claimsMarkdown } from "./papers-claims";
 import "./papers-volumes";
-import { FIGURES, lineName, noteOf, parkingMarkdown, printedOf, reachText, savings, titleOf, type Figure } from "./papers-parking-text";
+import {
+  FIGURES,
+  lineName,
+  noteOf,
+  parkingMarkdown,
+  printedOf,
+  reachText,
+  savings,
+  titleOf,
+  type Figure,
+} from "./papers-parking-text";
 import { say } from "./papers-parking-words";
 import { Measured, PapersRowsTab } from "./papers-rows-tab";
 
@@ -16,10 +26,14 @@ const figuresOf = (id: string): readonly string[] => (id === "P0" ? ["park-free"
 
 /** Tables 2 to 11 of the parking paper. */
 export class PapersParking extends PapersRowsTab<"parking"> {
-  static override styles = [PapersRowsTab.styles, claimStyles, css`
+  static override styles = [
+    PapersRowsTab.styles,
+    claimStyles,
+    css`
     .held { display: inline-flex; vertical-align: -2px; margin-left: 6px; } .held.missed { color: var(--parkade-err); } .held svg { width: 12px; height: 12px; }
     td .chip { margin-right: 6px; } .saved { width: auto; }
-  `];
+  `,
+  ];
 
   constructor() {
     super(measured);
@@ -39,31 +53,53 @@ export class PapersParking extends PapersRowsTab<"parking"> {
   }
 
   private table(table: ParkingTable): TemplateResult {
-    const { lang } = this.state, note = noteOf(lang, table);
+    const { lang } = this.state,
+      note = noteOf(lang, table);
     return html`<h3 id=${table.row.id}>${titleOf(lang, table)}${this.link(table.row.id)}</h3>
       <div class="wide"><table><thead>
         <tr class="over"><th></th><th class="first" colspan="2">${say(lang, "printedHead")}</th><th class="first" colspan=${table.lines.length}>${say(lang, "oursHead")}</th></tr>
         <tr><th>${say(lang, "figure")}</th><th class="first">${say(lang, "traditional")}</th><th>${say(lang, "improved")}</th>
           ${table.lines.map((line, at) => html`<th class=${at === 0 ? "first" : ""}>${lineName(lang, line)}</th>`)}</tr></thead>
         <tbody>${FIGURES.map((figure) => this.figure(table, figure))}
-          <tr><th scope="row">${say(lang, "verdict")}</th><td class="printed first">–</td><td class="printed">–</td>${table.lines.map(({ verdict }, at) => html`
-            <td class=${at === 0 ? "first" : ""}><span class="chip ${verdict === "ok" ? "" : "err"}">${icon(verdict === "ok" ? "check" : "warning", 12)}<span>${say(lang, verdict)}</span></span></td>`)}</tr></tbody></table></div>
+          <tr><th scope="row">${say(lang, "verdict")}</th><td class="printed first">–</td><td class="printed">–</td>${table.lines.map(
+            ({ verdict }, at) => html`
+            <td class=${at === 0 ? "first" : ""}><span class="chip ${verdict === "ok" ? "" : "err"}">${icon(verdict === "ok" ? "check" : "warning", 12)}<span>${say(lang, verdict)}</span></span></td>`,
+          )}</tr></tbody></table></div>
       ${note ? html`<p class="note">${note}</p>` : nothing}
-      ${this.running ? nothing : this.pictures(([...figuresOf(table.row.id), table.row.id]).flatMap((scene) => [[scene, "hybrid-classic"], [scene, "hybrid"]] as const))}`;
+      ${
+        this.running
+          ? nothing
+          : this.pictures(
+              [...figuresOf(table.row.id), table.row.id].flatMap(
+                (scene) =>
+                  [
+                    [scene, "hybrid-classic"],
+                    [scene, "hybrid"],
+                  ] as const,
+              ),
+            )
+      }`;
   }
 
   /** How much each end has to search. */
   private search(tables: readonly ParkingTable[]): TemplateResult | typeof nothing {
-    const { lang } = this.state, [forward, reverse] = ["hybrid-forward", "hybrid"] as const;
+    const { lang } = this.state,
+      [forward, reverse] = ["hybrid-forward", "hybrid"] as const;
     if (tables.length < 10) return nothing;
     return html`<h3>${say(lang, "searched")}</h3><div class="wide"><table class="saved"><thead><tr><th>${say(lang, "rows")}</th>${[forward, reverse].map((planner) => html`<th>${say(lang, "expanded")}, ${say(lang, planner)}</th>`)}<th>${say(lang, "share")}</th>${[forward, reverse].map((planner) => html`<th>${say(lang, "milliseconds")}, ${say(lang, planner)}</th>`)}</tr></thead>
       <tbody>${tables.map(({ row: { id }, lines: [before, after] }) => html`<tr><th scope="row">${id}</th><td>${this.num(before!.expanded, 0)}</td><td class="ours">${this.num(after!.expanded, 0)}</td><td>${this.num((100 * after!.expanded) / before!.expanded, 1)} %</td><td>${this.num(before!.milliseconds, 1)}</td><td class="ours">${this.num(after!.milliseconds, 1)}</td></tr>`)}</tbody></table></div>`;
   }
 
   private figure(table: ParkingTable, figure: Figure): TemplateResult {
-    const { lang } = this.state, printed = printedOf(table, figure), bound = this.num(table.bound, 2);
-    const cell = (at: 0 | 1): TemplateResult => html`<td class="printed ${at === 0 ? "first" : ""}">${figure.key === "length" && table.impossible[at]
-      ? html`<span class="chip err" title=${say(lang, "bound", { bound })}>${icon("warning", 12)}<span>${say(lang, "impossible", { bound })}</span></span>` : nothing}${printed ? this.num(printed[at], figure.digits) : "–"}</td>`;
+    const { lang } = this.state,
+      printed = printedOf(table, figure),
+      bound = this.num(table.bound, 2);
+    const cell = (at: 0 | 1): TemplateResult =>
+      html`<td class="printed ${at === 0 ? "first" : ""}">${
+        figure.key === "length" && table.impossible[at]
+          ? html`<span class="chip err" title=${say(lang, "bound", { bound })}>${icon("warning", 12)}<span>${say(lang, "impossible", { bound })}</span></span>`
+          : nothing
+      }${printed ? this.num(printed[at], figure.digits) : "–"}</td>`;
     const reach = reachText(lang, table);
     const held = html`<span class="held ${table.kept ? "" : "missed"}" role="img" title=${reach} aria-label=${reach}>${icon(table.kept ? "check" : "close", 12)}</span>`;
     return html`<tr><th scope="row">${say(lang, figure.key)}</th>${cell(0)}${cell(1)}
@@ -71,7 +107,8 @@ export class PapersParking extends PapersRowsTab<"parking"> {
   }
 
   private saved(tables: readonly ParkingTable[]): TemplateResult | typeof nothing {
-    const { lang } = this.state, lines = savings(tables);
+    const { lang } = this.state,
+      lines = savings(tables);
     if (lines.length === 0) return nothing;
     const percent = (value: number): string => `${this.num(value, 2)} %`;
     return html`<h3>${say(lang, "saved")}</h3><div class="wide"><table class="saved"><thead><tr><th>${say(lang, "rows")}</th><th>${say(lang, "abstract")}</th><th>${say(lang, "ofRows")}</th><th>${say(lang, "ours")}</th><th>${say(lang, "overClassic")}</th></tr></thead>

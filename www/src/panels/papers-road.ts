@@ -4,7 +4,20 @@ import type { Values } from "../i18n/index";
 import { icon } from "./icons";
 import "./paper-picture";
 import { claimList, claimStyles, claimsMarkdown } from "./papers-claims";
-import { cell, change, changeOf, FIGURES, flagOf, lineName, printedOf, promiseOf, promiseText, roadMarkdown, titleOf, type Figure } from "./papers-road-text";
+import {
+  cell,
+  change,
+  changeOf,
+  FIGURES,
+  flagOf,
+  lineName,
+  printedOf,
+  promiseOf,
+  promiseText,
+  roadMarkdown,
+  titleOf,
+  type Figure,
+} from "./papers-road-text";
 import { FLAGS, say } from "./papers-road-words";
 import { Measured, PapersRowsTab } from "./papers-rows-tab";
 
@@ -12,12 +25,16 @@ const measured = new Measured("road");
 
 /** Section 4 of the road manuscript. */
 export class PapersRoad extends PapersRowsTab<"road"> {
-  static override styles = [PapersRowsTab.styles, claimStyles, css`
+  static override styles = [
+    PapersRowsTab.styles,
+    claimStyles,
+    css`
     td small, th small { font-size: inherit; color: var(--parkade-t2); font-weight: 400; margin-left: 6px; } small:empty { display: none; }
     .held { display: inline-flex; vertical-align: -2px; margin-left: 6px; } .held.missed { color: var(--parkade-err); } .held svg { width: 12px; height: 12px; }
     .flags { margin: 6px 0 0; padding-left: 18px; font-size: 12.5px; line-height: 17px; color: var(--parkade-t2); } .flags li { padding: 3px 0; }
     td .chip { margin-right: 0; }
-  `];
+  `,
+  ];
 
   constructor() {
     super(measured);
@@ -45,16 +62,31 @@ export class PapersRoad extends PapersRowsTab<"road"> {
         <tr><th>${say(lang, "figure")}</th><th class="first">${say(lang, "plain")}</th><th>${say(lang, "improved")}</th>
           ${table.lines.map((line, at) => html`<th class=${at === 0 ? "first" : ""}>${lineName(lang, line)}</th>`)}</tr></thead>
         <tbody>${FIGURES.map((figure) => this.figure(table, figure))}
-          <tr><th scope="row">${say(lang, "verdict")}</th><td class="printed first">–</td><td class="printed">–</td>${table.lines.map((line, at) => html`
-            <td class=${at === 0 ? "first" : ""}><span class="chip ${line.verdict === "ok" ? "" : line.verdict === "collides" || line.verdict === "none" ? "err" : "warn"}">${icon(line.verdict === "ok" ? "check" : "warning", 12)}<span>${say(lang, line.verdict)}</span></span>${line.fellBack ? html` <small title=${say(lang, "fellBackTip")}>${say(lang, "fellBack")}</small>` : nothing}</td>`)}</tr></tbody></table></div>
+          <tr><th scope="row">${say(lang, "verdict")}</th><td class="printed first">–</td><td class="printed">–</td>${table.lines.map(
+            (line, at) => html`
+            <td class=${at === 0 ? "first" : ""}><span class="chip ${line.verdict === "ok" ? "" : line.verdict === "collides" || line.verdict === "none" ? "err" : "warn"}">${icon(line.verdict === "ok" ? "check" : "warning", 12)}<span>${say(lang, line.verdict)}</span></span>${line.fellBack ? html` <small title=${say(lang, "fellBackTip")}>${say(lang, "fellBack")}</small>` : nothing}</td>`,
+          )}</tr></tbody></table></div>
       ${table.lines.some(({ id, verdict }) => id === "literal" && verdict === "collides") ? html`<p class="note">${say(lang, "literalNote")}</p>` : nothing}
-      ${this.running || table.row.ship ? nothing : this.pictures((["eight", "cost-map"] as const).map((planner) => [table.row.scene, planner]), true)}`;
+      ${
+        this.running || table.row.ship
+          ? nothing
+          : this.pictures(
+              (["eight", "cost-map"] as const).map((planner) => [table.row.scene, planner]),
+              true,
+            )
+      }`;
   }
 
   private figure(table: RoadTable, figure: Figure): TemplateResult {
-    const { lang } = this.state, printed = printedOf(table, figure), flag = flagOf(lang, table, figure), promise = promiseOf(table, figure);
-    const was = (value: number | undefined): string => (value === undefined ? "–" : this.num(value, Number.isInteger(value) ? 0 : 1));
-    const held = promise ? html`<span class="held ${promise.kept ? "" : "missed"}" role="img" title=${promiseText(lang, figure, promise)} aria-label=${promiseText(lang, figure, promise)}>${icon(promise.kept ? "check" : "close", 12)}</span>` : nothing;
+    const { lang } = this.state,
+      printed = printedOf(table, figure),
+      flag = flagOf(lang, table, figure),
+      promise = promiseOf(table, figure);
+    const was = (value: number | undefined): string =>
+      value === undefined ? "–" : this.num(value, Number.isInteger(value) ? 0 : 1);
+    const held = promise
+      ? html`<span class="held ${promise.kept ? "" : "missed"}" role="img" title=${promiseText(lang, figure, promise)} aria-label=${promiseText(lang, figure, promise)}>${icon(promise.kept ? "check" : "close", 12)}</span>`
+      : nothing;
     return html`<tr><th scope="row" title=${figure.tip ? say(lang, figure.tip) : nothing}>${say(lang, figure.key)}</th>
       <td class="printed first">${flag ? html`<span class="chip err" title=${flag}>${icon("warning", 12)}<span>${say(lang, "impossible")}</span></span> ` : nothing}${was(printed?.[0])}</td>
       <td class="printed">${was(printed?.[1])}${printed ? html`<small>${change(lang, printed[1], printed[0])}</small>` : nothing}</td>

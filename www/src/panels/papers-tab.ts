@@ -11,9 +11,15 @@ import { say } from "./papers-words";
 /** One paper's tables: measured when first shown, with progress, cancelled when left, copied as text. */
 export abstract class PapersTab<Summary> extends AppElement {
   static override properties = {
-    ...AppElement.properties, progress: { state: true }, summary: { state: true }, notice: { state: true }, copied: { state: true },
+    ...AppElement.properties,
+    progress: { state: true },
+    summary: { state: true },
+    notice: { state: true },
+    copied: { state: true },
   };
-  static override styles: CSSResultGroup = [controls, css`
+  static override styles: CSSResultGroup = [
+    controls,
+    css`
     :host { display: contents; }
     .tools { display: flex; align-items: center; flex-wrap: wrap; gap: 8px 12px; padding: 0 24px 12px; border-bottom: 1px solid var(--parkade-hair); }
     .state { display: flex; align-items: center; gap: 8px; color: var(--parkade-t2); min-width: 0; }
@@ -28,7 +34,8 @@ export abstract class PapersTab<Summary> extends AppElement {
     td .chip { margin-right: 8px; vertical-align: middle; } .note { margin: 4px 0 0; color: var(--parkade-t2); font-size: 12px; line-height: 16px; }
     .link { border: 0; background: none; padding: 0; min-height: 24px; font: inherit; font-weight: 400; color: var(--parkade-accent); cursor: pointer; text-decoration: underline; } h3 .link { margin-left: 6px; } p .link { margin-left: 4px; } .pictures { display: flex; flex-wrap: wrap; gap: 10px; margin: 8px 0; }
     @media (max-width: 640px) { .tools { padding: 0 16px 10px; } .scroll { padding: 14px 16px 16px; } .copy { margin-left: 0; } th:first-child { position: sticky; left: 0; background: var(--parkade-raise); padding-right: 12px; } }
-  `];
+  `,
+  ];
   declare progress: Progress | null;
   declare summary: Summary | null;
   declare notice: string | null;
@@ -75,14 +82,16 @@ export abstract class PapersTab<Summary> extends AppElement {
   /** Measure, or cancel while it runs. */
   protected button(disabled = false): TemplateResult {
     const { lang } = this.state;
-    return this.running ? html`<button class="button outline" @click=${this.cancel}>${icon("close", 14)}${say(lang, "cancel")}</button>`
+    return this.running
+      ? html`<button class="button outline" @click=${this.cancel}>${icon("close", 14)}${say(lang, "cancel")}</button>`
       : html`<button class="button solid" ?disabled=${disabled} @click=${() => void this.measure()}>${say(lang, "measure")}</button>`;
   }
 
   /** Opens a scene of the gallery, beside the planner that a paper means where one is named. */
   protected openScene(id: string, planner?: PlannerId): void {
     this.closest("dialog")?.close();
-    if (planner) this.app.store.set({ planners: [...new Set([planner, ...this.state.planners])].slice(0, 4), focus: planner });
+    if (planner)
+      this.app.store.set({ planners: [...new Set([planner, ...this.state.planners])].slice(0, 4), focus: planner });
     this.app.openPreset(id);
   }
 
@@ -93,8 +102,10 @@ export abstract class PapersTab<Summary> extends AppElement {
 
   /** The paths of planners in scenes, as pictures that open them. */
   protected pictures(pairs: readonly (readonly [scene: string, planner: PlannerId])[], wide = false): TemplateResult {
-    return html`<div class="pictures" role="group" aria-label=${say(this.state.lang, "pictures")} @parkade-open-scene=${(e: CustomEvent<{ id: string; planner: PlannerId }>) => this.openScene(e.detail.id, e.detail.planner)}>${pairs.map(([scene, planner]) => html`
-      <parkade-paper-picture .app=${this.app} .scene=${scene} .planner=${planner} ?wide=${wide}></parkade-paper-picture>`)}</div>`;
+    return html`<div class="pictures" role="group" aria-label=${say(this.state.lang, "pictures")} @parkade-open-scene=${(e: CustomEvent<{ id: string; planner: PlannerId }>) => this.openScene(e.detail.id, e.detail.planner)}>${pairs.map(
+      ([scene, planner]) => html`
+      <parkade-paper-picture .app=${this.app} .scene=${scene} .planner=${planner} ?wide=${wide}></parkade-paper-picture>`,
+    )}</div>`;
   }
 
   /** What keeps it from measuring, if anything. */
@@ -103,7 +114,8 @@ export abstract class PapersTab<Summary> extends AppElement {
   }
 
   private status(): TemplateResult | typeof nothing {
-    const { progress, notice } = this, refusal = this.refusal();
+    const { progress, notice } = this,
+      refusal = this.refusal();
     if (refusal) return html`<span class="state" role="alert">${icon("warning", 14)}${refusal}</span>`;
     if (notice) return html`<span class="state" role="alert">${notice}</span>`;
     if (!progress || !this.running) return nothing;
@@ -130,8 +142,11 @@ export abstract class PapersTab<Summary> extends AppElement {
 
   private async copy(format: "markdown" | "json"): Promise<void> {
     if (!this.summary) return;
-    if (!(await this.app.copy(format === "json" ? JSON.stringify(this.summary, null, 2) : this.markdown(this.summary)))) return;
+    if (!(await this.app.copy(format === "json" ? JSON.stringify(this.summary, null, 2) : this.markdown(this.summary))))
+      return;
     this.copied = format;
-    setTimeout(() => { this.copied = null; }, 2000);
+    setTimeout(() => {
+      this.copied = null;
+    }, 2000);
   }
 }

@@ -10,7 +10,9 @@ export const SHOWN = { nodes: "generated", length: "lengthPruned" } as const;
 
 /** Variants of planners that only these tables have. */
 const VARIANTS: Record<string, readonly [planner: string, en: string, zh: string]> = {
-  "eight-octile": ["eight", "octile", "八向距离"], "eight-weighted": ["eight", "weighted", "加权"], "sixteen-nba": ["sixteen-bidirectional", "NBA*", "NBA*"],
+  "eight-octile": ["eight", "octile", "八向距离"],
+  "eight-weighted": ["eight", "weighted", "加权"],
+  "sixteen-nba": ["sixteen-bidirectional", "NBA*", "NBA*"],
 };
 
 export function lineName(lang: Lang, id: string): string {
@@ -20,7 +22,11 @@ export function lineName(lang: Lang, id: string): string {
 }
 
 export function titleOf(lang: Lang, { row }: PaperTable): string {
-  return say(lang, "tableOf", { table: row.table, size: row.size, family: say(lang, row.id.startsWith("random") ? "random" : "regular") });
+  return say(lang, "tableOf", {
+    table: row.table,
+    size: row.size,
+    family: say(lang, row.id.startsWith("random") ? "random" : "regular"),
+  });
 }
 
 export const figureName = ({ figure, overFigure }: PaperTable["ratios"][number]): string =>
@@ -30,16 +36,32 @@ export function papersMarkdown(lang: Lang, { tables, claims }: Summary, columns:
   const row = (cells: readonly string[]): string => `| ${cells.join(" | ")} |`;
   const three = (spread: Spread | undefined, digits: number): string[] =>
     spread ? [spread.median, spread.p95, spread.worst].map((value) => number(lang, value, digits)) : ["–", "–", "–"];
-  const heads = (name: string): string[] => ["printed", "median", "p95", "worst"].map((key) => `${name}, ${say(lang, key as "printed")}`);
-  const parts = [row([say(lang, "claims"), "", ""]), row(["---", "---", "---"]), ...claims.map((one) => row([reasonIn(lang, one.text), `**${say(lang, one.holds)}**`, reasonIn(lang, one.found)])), ""];
+  const heads = (name: string): string[] =>
+    ["printed", "median", "p95", "worst"].map((key) => `${name}, ${say(lang, key as "printed")}`);
+  const parts = [
+    row([say(lang, "claims"), "", ""]),
+    row(["---", "---", "---"]),
+    ...claims.map((one) => row([reasonIn(lang, one.text), `**${say(lang, one.holds)}**`, reasonIn(lang, one.found)])),
+    "",
+  ];
   for (const table of tables) {
     const length = number(lang, table.straight, 2);
     parts.push(`### ${titleOf(lang, table)} (${say(lang, "maps", { n: table.maps })})`, "");
-    parts.push(row([say(lang, "planner"), ...heads(say(lang, "nodes")), ...heads(say(lang, "length"))]), row(["---", ...Array.from({ length: 8 }, () => "---:")]));
+    parts.push(
+      row([say(lang, "planner"), ...heads(say(lang, "nodes")), ...heads(say(lang, "length"))]),
+      row(["---", ...Array.from({ length: 8 }, () => "---:")]),
+    );
     for (const line of table.lines) {
       const printed = line.printedLength === null ? "–" : number(lang, line.printedLength, 2);
-      parts.push(row([lineName(lang, line.planner), String(line.printedNodes ?? "–"), ...three(line.figures[columns.indexOf(SHOWN.nodes)], 0),
-        line.impossible ? `${printed} (${say(lang, "impossible", { length })})` : printed, ...three(line.figures[columns.indexOf(SHOWN.length)], 2)]));
+      parts.push(
+        row([
+          lineName(lang, line.planner),
+          String(line.printedNodes ?? "–"),
+          ...three(line.figures[columns.indexOf(SHOWN.nodes)], 0),
+          line.impossible ? `${printed} (${say(lang, "impossible", { length })})` : printed,
+          ...three(line.figures[columns.indexOf(SHOWN.length)], 2),
+        ]),
+      );
     }
     parts.push("");
   }

@@ -9,7 +9,10 @@ import { AppElement } from "./base";
 
 const say = words({
   title: ["Bounding volumes, figures 4 and 5", "包围盒，图 4 与图 5"],
-  lead: ["Each volume is tested against the same lines on {poses} random poses. A false alarm refuses a pose that is free.", "在 {poses} 个随机位姿上，各包围盒与相同的线段检测。误报：拒绝了本可通行的位姿。"],
+  lead: [
+    "Each volume is tested against the same lines on {poses} random poses. A false alarm refuses a pose that is free.",
+    "在 {poses} 个随机位姿上，各包围盒与相同的线段检测。误报：拒绝了本可通行的位姿。",
+  ],
   heading: ["Heading", "航向"],
   scene: ["Scene", "场景"],
   volume: ["Volume", "包围盒"],
@@ -24,19 +27,24 @@ const say = words({
   area: ["Area, bodies", "面积，车身倍数"],
   micros: ["µs a pose", "µs/位姿"],
 });
-const POSES = 20_000, SCENES = ["P0", "park-fig13", "reverse-in"] as const;
+const POSES = 20_000,
+  SCENES = ["P0", "park-fig13", "reverse-in"] as const;
 /** The paper's car: half its length, half its width, metres. */
-const HALF = [2.75, 1.3] as const, RADIUS = Math.hypot(...HALF);
+const HALF = [2.75, 1.3] as const,
+  RADIUS = Math.hypot(...HALF);
 
 let measured: VolumeComparison[] | null = null;
 
 export class PapersVolumes extends AppElement {
   static override properties = { ...AppElement.properties, heading: { state: true } };
-  static override styles = [controls, css`
+  static override styles = [
+    controls,
+    css`
     :host { display: block; } h3 { margin: 18px 0 6px; font: inherit; font-weight: 600; } p { margin: 0 0 6px; color: var(--parkade-t2); font-size: 12px; line-height: 16px; }
     .both { display: flex; flex-wrap: wrap; gap: 12px 24px; align-items: flex-start; } svg.car { width: 220px; height: 220px; flex: none; } label { display: grid; gap: 4px; width: 220px; font-size: 12px; }
     .wide { overflow-x: auto; flex: 1; min-width: 0; } table { border-collapse: collapse; font-size: 12px; line-height: 16px; } th, td { text-align: right; padding: 5px 8px; white-space: nowrap; font-weight: 400; } th:first-child, th:nth-child(2) { text-align: left; } thead th { color: var(--parkade-t2); } tbody tr { border-top: 1px solid var(--parkade-hair); }
-  `];
+  `,
+  ];
   declare heading: number;
 
   constructor() {
@@ -55,7 +63,8 @@ export class PapersVolumes extends AppElement {
 
   private async measure(): Promise<void> {
     if (measured) return;
-    const helper = new Helper(await this.app.complete()), found: VolumeComparison[] = [];
+    const helper = new Helper(await this.app.complete()),
+      found: VolumeComparison[] = [];
     try {
       for (const scene of SCENES) found.push(await helper.call("volumes", { scene, poses: POSES, rounds: 3 }));
       measured = found;
@@ -68,15 +77,28 @@ export class PapersVolumes extends AppElement {
   protected override render(): TemplateResult {
     const { lang } = this.state;
     return html`<h3>${say(lang, "title")}</h3><p>${say(lang, "lead", { poses: this.num(POSES, 0) })}</p><div class="both">
-      <div>${this.picture()}<label>${say(lang, "heading")}: ${this.heading}°<input class="slider" type="range" min="0" max="90" step="1" .value=${String(this.heading)} @input=${(e: Event) => { this.heading = Number((e.target as HTMLInputElement).value); }}></label></div>
+      <div>${this.picture()}<label>${say(lang, "heading")}: ${this.heading}°<input class="slider" type="range" min="0" max="90" step="1" .value=${String(this.heading)} @input=${(
+        e: Event,
+      ) => {
+        this.heading = Number((e.target as HTMLInputElement).value);
+      }}></label></div>
       <div class="wide"><table><thead><tr>${(["scene", "volume", "collisions", "hits", "falseAlarms", "share", "missed", "area", "micros"] as const).map((key) => html`<th>${say(lang, key)}</th>`)}</tr></thead>
-        <tbody>${(measured ?? []).flatMap(({ scene, collisions, poses, volumes }) => volumes.map((one) => html`<tr><th scope="row">${scene}</th><th>${say(lang, one.volume)}</th><td>${this.num(collisions, 0)}</td><td>${this.num(one.hits, 0)}</td><td>${this.num(one.falseAlarms, 0)}</td>
-          <td>${this.num((100 * one.falseAlarms) / (poses - collisions), 1)} %</td><td>${this.num(one.missed, 0)}</td><td>${this.num(one.area, 2)}</td><td>${this.num(one.micros, 2)}</td></tr>`))}</tbody></table></div></div>`;
+        <tbody>${(measured ?? []).flatMap(({ scene, collisions, poses, volumes }) =>
+          volumes.map(
+            (
+              one,
+            ) => html`<tr><th scope="row">${scene}</th><th>${say(lang, one.volume)}</th><td>${this.num(collisions, 0)}</td><td>${this.num(one.hits, 0)}</td><td>${this.num(one.falseAlarms, 0)}</td>
+          <td>${this.num((100 * one.falseAlarms) / (poses - collisions), 1)} %</td><td>${this.num(one.missed, 0)}</td><td>${this.num(one.area, 2)}</td><td>${this.num(one.micros, 2)}</td></tr>`,
+          ),
+        )}</tbody></table></div></div>`;
   }
 
   private picture(): TemplateResult {
-    const turn = (this.heading * Math.PI) / 180, [a, b] = HALF;
-    const x = a * Math.cos(turn) + b * Math.sin(turn), y = a * Math.sin(turn) + b * Math.cos(turn), ink = { fill: "none", width: "0.05" };
+    const turn = (this.heading * Math.PI) / 180,
+      [a, b] = HALF;
+    const x = a * Math.cos(turn) + b * Math.sin(turn),
+      y = a * Math.sin(turn) + b * Math.cos(turn),
+      ink = { fill: "none", width: "0.05" };
     return html`<svg class="car" viewBox="-3.4 -3.4 6.8 6.8" role="img" aria-label=${say(this.state.lang, "title")}>${svg`
       <circle r=${RADIUS} fill=${ink.fill} stroke="#CC79A7" stroke-width=${ink.width} stroke-dasharray="0.05 0.12" stroke-linecap="round"></circle>
       <rect x=${-x} y=${-y} width=${2 * x} height=${2 * y} fill=${ink.fill} stroke="#D55E00" stroke-width=${ink.width} stroke-dasharray="0.25 0.12"></rect>

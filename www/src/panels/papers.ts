@@ -20,12 +20,21 @@ const NAMES = Object.keys(TABS) as TabName[];
 
 /** The papers' printed values beside ours, measured while one looks on. */
 export class PapersDialog extends AppElement {
-  static override properties = { ...AppElement.properties, shown: { state: true }, tab: { state: true }, content: { state: true } };
-  static override styles = [controls, dialogs, css`
+  static override properties = {
+    ...AppElement.properties,
+    shown: { state: true },
+    tab: { state: true },
+    content: { state: true },
+  };
+  static override styles = [
+    controls,
+    dialogs,
+    css`
     dialog { --dialog-width: 1240px; height: 94vh; height: 94dvh; max-height: 94vh; max-height: 94dvh; }
     .top p { min-width: 0; } .tabs { margin: 0 24px 12px; align-self: start; } .panel { display: contents; }
     @media (max-width: 640px) { .tabs { margin: 0 16px 10px; } }
-  `];
+  `,
+  ];
   declare shown: boolean;
   declare tab: TabName;
   declare content: Tab | null;
@@ -49,22 +58,26 @@ export class PapersDialog extends AppElement {
   }
 
   protected override render(): TemplateResult {
-    return html`<dialog aria-labelledby="title" @close=${this.closed} @click=${(e: Event) => { if (e.target === this.dialog) this.dialog?.close(); }}>${this.shown ? this.inside() : nothing}</dialog>`;
+    return html`<dialog aria-labelledby="title" @close=${this.closed} @click=${(e: Event) => {
+      if (e.target === this.dialog) this.dialog?.close();
+    }}>${this.shown ? this.inside() : nothing}</dialog>`;
   }
 
   private inside(): TemplateResult {
     const { lang } = this.state;
     return html`<div class="top"><h2 id="title">${say(lang, "title")}</h2><p>${say(lang, `${this.tab}Lead`)}</p>
         <button class="icon" aria-label=${say(lang, "close")} @click=${() => this.dialog?.close()}>${icon("close")}</button></div>
-      <div class="segmented tabs" role="tablist" aria-label=${say(lang, "title")} @keydown=${this.keys}>${NAMES.map((name) => html`
-        <button id="tab-${name}" role="tab" aria-selected=${name === this.tab} aria-controls="panel" tabindex=${name === this.tab ? 0 : -1} @click=${() => void this.show(name)}>${say(lang, name)}</button>`)}</div>
+      <div class="segmented tabs" role="tablist" aria-label=${say(lang, "title")} @keydown=${this.keys}>${NAMES.map(
+        (name) => html`
+        <button id="tab-${name}" role="tab" aria-selected=${name === this.tab} aria-controls="panel" tabindex=${name === this.tab ? 0 : -1} @click=${() => void this.show(name)}>${say(lang, name)}</button>`,
+      )}</div>
       <div id="panel" class="panel" role="tabpanel" aria-labelledby="tab-${this.tab}">${this.content ?? nothing}</div>`;
   }
 
   private async show(name: TabName): Promise<void> {
     if (name !== this.tab) this.content?.leave();
     this.tab = name;
-    const content = this.made.get(name) ?? await TABS[name]();
+    const content = this.made.get(name) ?? (await TABS[name]());
     content.app = this.app;
     this.made.set(name, content);
     if (!this.shown || this.tab !== name) return;

@@ -16,11 +16,26 @@ type Settings = Record<string, unknown>;
 
 const DEGREES = 180 / Math.PI;
 const say = words({
-  fromGoal: ["Found from the goal: cells of {cell} and {angle}°, {margin} of margin kept.", "自目标搜索得到：格 {cell}、{angle}°，保持余量 {margin}。"],
-  fromStart: ["Found from the start: cells of {cell} and {angle}°, {margin} of margin kept.", "自起点搜索得到：格 {cell}、{angle}°，保持余量 {margin}。"],
-  none: ["No way with cells of {cell} and {angle}° and {margin} of margin.", "以格 {cell}、{angle}° 与余量 {margin} 搜索，没有路。"],
-  narrow: ["Keeps {kept} of the {margin} asked for. Narrowest after {along} m, at {thing}.", "保持 {kept}，要求为 {margin}。最窄处在行驶 {along} m 后，{thing}旁。"],
-  spent: ["Tried last: cells of {cell} and {angle}°, {margin} of margin.", "最后尝试：格 {cell}、{angle}°，余量 {margin}。"],
+  fromGoal: [
+    "Found from the goal: cells of {cell} and {angle}°, {margin} of margin kept.",
+    "自目标搜索得到：格 {cell}、{angle}°，保持余量 {margin}。",
+  ],
+  fromStart: [
+    "Found from the start: cells of {cell} and {angle}°, {margin} of margin kept.",
+    "自起点搜索得到：格 {cell}、{angle}°，保持余量 {margin}。",
+  ],
+  none: [
+    "No way with cells of {cell} and {angle}° and {margin} of margin.",
+    "以格 {cell}、{angle}° 与余量 {margin} 搜索，没有路。",
+  ],
+  narrow: [
+    "Keeps {kept} of the {margin} asked for. Narrowest after {along} m, at {thing}.",
+    "保持 {kept}，要求为 {margin}。最窄处在行驶 {along} m 后，{thing}旁。",
+  ],
+  spent: [
+    "Tried last: cells of {cell} and {angle}°, {margin} of margin.",
+    "最后尝试：格 {cell}、{angle}°，余量 {margin}。",
+  ],
 });
 /** Less than this short of the margin asked for is not said, metres: figures show centimetres. */
 const SHORT = 0.005;
@@ -29,7 +44,10 @@ const UNITS: Record<string, string> = { rad: "°", "1": "" };
 /** The focused planner's settings, from what the planner says of them. */
 export class Parameters extends AppElement {
   static override properties = { ...AppElement.properties, all: { state: true } };
-  static override styles = [controls, sections, css`
+  static override styles = [
+    controls,
+    sections,
+    css`
     .one { padding: 5px 0; }
     .member { margin: 2px 0 6px; }
     .narrow { padding: 0; text-align: left; font: inherit; line-height: inherit; height: auto; color: var(--parkade-warn); white-space: normal; }
@@ -42,7 +60,8 @@ export class Parameters extends AppElement {
     .segmented { margin: 4px 0; flex-wrap: wrap; }
     .range { display: flex; justify-content: space-between; margin-top: -2px; color: var(--parkade-t3); font-size: 12px; line-height: 14px; }
     .more { margin-top: 6px; }
-  `];
+  `,
+  ];
   protected override pace = 100;
   declare all: boolean;
 
@@ -66,16 +85,26 @@ export class Parameters extends AppElement {
         <button class="link" ?disabled=${Object.keys(settings).length === 0} @click=${() => this.app.store.edit(withSettings(scene, focus, {}))}>${this.t("inspect.reset")}</button></div>
       ${this.member()}${this.narrowest(Number(settings["margin"] ?? parameters.find(({ name }) => name === "margin")?.default ?? 0))}
       ${shown.map((info) => this.parameter(info, settings))}
-      ${basic.length > 0 && basic.length < parameters.length
-        ? html`<button class="link more" aria-expanded=${this.all} @click=${() => { this.all = !this.all; }}>${this.t(this.all ? "inspect.less" : "inspect.more")}</button>` : nothing}`;
+      ${
+        basic.length > 0 && basic.length < parameters.length
+          ? html`<button class="link more" aria-expanded=${this.all} @click=${() => {
+              this.all = !this.all;
+            }}>${this.t(this.all ? "inspect.less" : "inspect.more")}</button>`
+          : nothing
+      }`;
   }
 
   /** Which of hybrid's searches answered. */
   private member(): TemplateResult | typeof nothing {
-    const { focus, results, lang } = this.state, plan = results[focus]?.plan;
+    const { focus, results, lang } = this.state,
+      plan = results[focus]?.plan;
     if (!plan || !("member" in plan) || !plan.member) return nothing;
     const { member } = plan;
-    const values = { cell: this.metres(member.xyResolution), angle: this.num(member.headingResolution * DEGREES, member.headingResolution * DEGREES < 1 ? 1 : 0), margin: this.metres(member.margin) };
+    const values = {
+      cell: this.metres(member.xyResolution),
+      angle: this.num(member.headingResolution * DEGREES, member.headingResolution * DEGREES < 1 ? 1 : 0),
+      margin: this.metres(member.margin),
+    };
     return html`<p class="member">${say(lang, plan.outcome === "found" ? (member.fromGoal ? "fromGoal" : "fromStart") : plan.outcome === "no-path" ? "none" : "spent", values)}</p>`;
   }
 
@@ -85,10 +114,18 @@ export class Parameters extends AppElement {
 
   /** How much of the margin a path keeps where it keeps less, and where; shown on the map while it is pointed at. */
   private narrowest(margin: number): TemplateResult | typeof nothing {
-    const { focus, results, lang } = this.state, plan = results[focus]?.plan, place = plan?.check.narrowest;
+    const { focus, results, lang } = this.state,
+      plan = results[focus]?.plan,
+      place = plan?.check.narrowest;
     if (!place || !plan.check.drivable || plan.metrics.minClearance > margin - SHORT) return nothing;
-    const values = { kept: this.metres(plan.metrics.minClearance), margin: this.metres(margin), along: this.num(distancesOf(plan)[place.pose]!, 1), thing: thingName(this.state, place) };
-    const show = (): void => this.app.store.set({ preview: { planner: focus, plan, place } }), hide = (): void => this.app.store.set({ preview: null });
+    const values = {
+      kept: this.metres(plan.metrics.minClearance),
+      margin: this.metres(margin),
+      along: this.num(distancesOf(plan)[place.pose]!, 1),
+      thing: thingName(this.state, place),
+    };
+    const show = (): void => this.app.store.set({ preview: { planner: focus, plan, place } }),
+      hide = (): void => this.app.store.set({ preview: null });
     return html`<p class="member"><button class="narrow" @pointerenter=${show} @pointerleave=${hide} @focus=${show} @blur=${hide}>${say(lang, "narrow", values)}</button></p>`;
   }
 
@@ -109,8 +146,10 @@ export class Parameters extends AppElement {
         @change=${(e: Event) => this.change(info, (e.target as HTMLInputElement).checked, false)}></label>`;
     }
     if (info.type === "choice") {
-      return html`<div class="segmented" role="group" aria-labelledby="n-${info.name}">${(info.choices ?? []).map((choice) => html`
-        <button aria-pressed=${choice === value} @click=${() => this.change(info, choice, false)}>${this.choiceName(choice)}</button>`)}</div>`;
+      return html`<div class="segmented" role="group" aria-labelledby="n-${info.name}">${(info.choices ?? []).map(
+        (choice) => html`
+        <button aria-pressed=${choice === value} @click=${() => this.change(info, choice, false)}>${this.choiceName(choice)}</button>`,
+      )}</div>`;
     }
     return this.slider(info, value);
   }
@@ -136,8 +175,9 @@ export class Parameters extends AppElement {
     if (typeof value !== "number") return this.t("inspect.noPath");
     const angle = info.unit === "rad";
     const shown = angle ? value * DEGREES : value;
-    const digits = info.type === "integer" ? 0 : digitsOf(angle ? (info.step ?? 0.0175) * DEGREES : info.step ?? 0.01);
-    const unit = info.unit === "cells" ? this.t("unitname.cells") : UNITS[info.unit] ?? info.unit;
+    const digits =
+      info.type === "integer" ? 0 : digitsOf(angle ? (info.step ?? 0.0175) * DEGREES : (info.step ?? 0.01));
+    const unit = info.unit === "cells" ? this.t("unitname.cells") : (UNITS[info.unit] ?? info.unit);
     return `${this.num(shown, digits)}${unit === "°" || unit === "" ? unit : ` ${unit}`}`;
   }
 

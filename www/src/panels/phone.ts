@@ -23,7 +23,9 @@ const DRAG_PX = 6;
 /** Planner chips of the phone, in a row or a column: a tap brings one to the front, a long press hides it. */
 export class Chips extends AppElement {
   static override properties = { ...AppElement.properties, rail: { type: Boolean, reflect: true } };
-  static override styles = [controls, css`
+  static override styles = [
+    controls,
+    css`
     :host { display: block; background: var(--parkade-panel); border-top: 1px solid var(--parkade-hair); }
     .chips { display: grid; grid-auto-flow: column; grid-auto-columns: minmax(76px, 1fr); gap: 6px; padding: 6px 10px; overflow: auto; scrollbar-width: none; }
     button { display: grid; grid-template-columns: 12px 1fr; gap: 0 6px; padding: 4px 8px; min-width: 0; min-height: 44px; text-align: left; align-items: center; font-size: 12px; line-height: 15px; border: 1px solid var(--parkade-hair2); border-radius: calc(10px * var(--parkade-radius)); touch-action: manipulation; user-select: none; -webkit-user-select: none; }
@@ -36,7 +38,8 @@ export class Chips extends AppElement {
     :host([rail]) .chips { grid-auto-flow: row; grid-template-columns: 1fr; align-content: start; gap: 4px; padding: 4px; height: 100%; }
     :host([rail]) button { grid-template-columns: 1fr; justify-items: center; gap: 2px 0; padding: 4px 0; min-height: 48px; border-radius: calc(6px * var(--parkade-radius)); }
     :host([rail]) span { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); } :host([rail]) b { max-width: 100%; }
-  `];
+  `,
+  ];
   declare rail: boolean;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private held = false;
@@ -74,8 +77,17 @@ export class Chips extends AppElement {
 
 /** The phone's bottom sheet with three heights, and the row of tools under it; on its side a drawer at the right. */
 export class Sheet extends AppElement {
-  static override properties = { ...AppElement.properties, ready: { type: Boolean }, drawer: { type: Boolean, reflect: true }, open: { state: true }, tab: { state: true }, size: { state: true } };
-  static override styles = [controls, css`
+  static override properties = {
+    ...AppElement.properties,
+    ready: { type: Boolean },
+    drawer: { type: Boolean, reflect: true },
+    open: { state: true },
+    tab: { state: true },
+    size: { state: true },
+  };
+  static override styles = [
+    controls,
+    css`
     :host { display: block; background: var(--parkade-app); }
     .sheet { background: var(--parkade-raise); border-radius: calc(14px * var(--parkade-radius)) calc(14px * var(--parkade-radius)) 0 0; box-shadow: 0 -1px 0 var(--parkade-hair); }
     .grip { display: block; width: 100%; height: 24px; touch-action: none; cursor: ns-resize; position: relative; }
@@ -96,7 +108,8 @@ export class Sheet extends AppElement {
     .drawer .body { flex: 1; min-height: 0; }
     @keyframes slide { from { transform: translateX(100%); opacity: 0; } }
     .road { padding: 14px; border-top: 1px solid var(--parkade-hair); } .road:has(> [hidden]) { display: none; }
-  `];
+  `,
+  ];
   declare ready: boolean;
   declare drawer: boolean;
   declare open: boolean;
@@ -127,9 +140,15 @@ export class Sheet extends AppElement {
 
   private asDrawer(): TemplateResult {
     const { open } = this;
-    return html`<button class="icon toggle" aria-label=${this.t("sheet.label")} aria-expanded=${open} @click=${() => { this.open = !open; }}>${icon(open ? "close" : "sliders", 18)}</button>
-      ${open ? html`<div class="drawer" role="region" aria-label=${this.t("sheet.label")}>${this.tabs()}
-        <div class="body" id="body" role="tabpanel" tabindex="0" aria-label=${this.t(`sheet.${this.tab}`)}>${this.content()}</div></div>` : nothing}`;
+    return html`<button class="icon toggle" aria-label=${this.t("sheet.label")} aria-expanded=${open} @click=${() => {
+      this.open = !open;
+    }}>${icon(open ? "close" : "sliders", 18)}</button>
+      ${
+        open
+          ? html`<div class="drawer" role="region" aria-label=${this.t("sheet.label")}>${this.tabs()}
+        <div class="body" id="body" role="tabpanel" tabindex="0" aria-label=${this.t(`sheet.${this.tab}`)}>${this.content()}</div></div>`
+          : nothing
+      }`;
   }
 
   private asSheet(): TemplateResult {
@@ -138,13 +157,17 @@ export class Sheet extends AppElement {
         ${this.tabs()}
         <div class="body" id="body" role="tabpanel" tabindex="0" aria-label=${this.t(`sheet.${this.tab}`)} .style=${`height:${HEIGHTS[this.size]}`}>${this.size > 0 ? this.content() : nothing}</div>
       </div>
-      <div class="tools" role="toolbar" aria-label=${this.t("tools.label")}>${TOOLS.map((tool) => html`
-        <button data-tool=${tool.id} aria-pressed=${tool.id === this.state.tool} aria-label=${this.t(`tool.${tool.id}`)} @click=${() => this.arm(tool.id)}>${icon(tool.icon, 20)}</button>`)}</div>`;
+      <div class="tools" role="toolbar" aria-label=${this.t("tools.label")}>${TOOLS.map(
+        (tool) => html`
+        <button data-tool=${tool.id} aria-pressed=${tool.id === this.state.tool} aria-label=${this.t(`tool.${tool.id}`)} @click=${() => this.arm(tool.id)}>${icon(tool.icon, 20)}</button>`,
+      )}</div>`;
   }
 
   private tabs(): TemplateResult {
-    return html`<div class="segmented" role="tablist" aria-label=${this.t("sheet.label")}>${TABS.map((tab) => html`
-      <button role="tab" aria-selected=${tab === this.tab} aria-controls="body" @click=${() => this.show(tab)}>${this.t(`sheet.${tab}`)}</button>`)}</div>`;
+    return html`<div class="segmented" role="tablist" aria-label=${this.t("sheet.label")}>${TABS.map(
+      (tab) => html`
+      <button role="tab" aria-selected=${tab === this.tab} aria-controls="body" @click=${() => this.show(tab)}>${this.t(`sheet.${tab}`)}</button>`,
+    )}</div>`;
   }
 
   /** A tool's settings are shown with it. */
@@ -156,8 +179,10 @@ export class Sheet extends AppElement {
   }
 
   private content(): TemplateResult {
-    if (this.tab === "results") return html`<parkade-table .app=${this.app} compact></parkade-table>${this.ready ? html`<div class="road"><parkade-road-card .app=${this.app}></parkade-road-card></div>` : nothing}`;
-    if (this.tab === "params") return html`<parkade-inspector .app=${this.app} .ready=${this.ready}></parkade-inspector>`;
+    if (this.tab === "results")
+      return html`<parkade-table .app=${this.app} compact></parkade-table>${this.ready ? html`<div class="road"><parkade-road-card .app=${this.app}></parkade-road-card></div>` : nothing}`;
+    if (this.tab === "params")
+      return html`<parkade-inspector .app=${this.app} .ready=${this.ready}></parkade-inspector>`;
     return html`${this.drawer ? nothing : html`<parkade-options .app=${this.app} flat></parkade-options>`}${this.ready ? html`<div class="draw"><parkade-selection .app=${this.app}></parkade-selection></div><div class="draw"><parkade-objects .app=${this.app}></parkade-objects></div>` : nothing}`;
   }
 
@@ -180,7 +205,10 @@ export class Sheet extends AppElement {
   };
 
   private readonly drop = (): void => {
-    if (this.drag?.moved) setTimeout(() => { this.drag = null; });
+    if (this.drag?.moved)
+      setTimeout(() => {
+        this.drag = null;
+      });
     else this.drag = null;
   };
 

@@ -8,21 +8,29 @@ import type { PoseRequest } from "../view/pose-label";
 const say = words({
   start: ["Start pose: x and y in metres, heading in degrees", "起始位姿：x、y（米），朝向（度）"],
   goal: ["Goal pose: x and y in metres, heading in degrees", "目标位姿：x、y（米），朝向（度）"],
-  refused: ["Enter x and y in metres and, to turn the car, a heading in degrees.", "请输入 x、y（米）；如需转向，再输入朝向（度）。"],
+  refused: [
+    "Enter x and y in metres and, to turn the car, a heading in degrees.",
+    "请输入 x、y（米）；如需转向，再输入朝向（度）。",
+  ],
 });
 
 const DEGREES = 180 / Math.PI;
 
 /** Two numbers, or three; null for anything else. */
 export function poseFromText(text: string, before: Pose): Pose | null {
-  const numbers = text.replaceAll("\u2212", "-").match(/[+-]?(\d+\.?\d*|\.\d+)/g)?.map(Number) ?? [];
+  const numbers =
+    text
+      .replaceAll("\u2212", "-")
+      .match(/[+-]?(\d+\.?\d*|\.\d+)/g)
+      ?.map(Number) ?? [];
   const [x, y, heading] = numbers;
   if (x === undefined || y === undefined || numbers.length > 3) return null;
   return { x, y, heading: heading === undefined ? before.heading : heading / DEGREES };
 }
 
 export function openPoseEntry(app: App, root: ShadowRoot, { which, box }: PoseRequest): void {
-  const { state } = app.store, pose = resolve(state.scene)[which];
+  const { state } = app.store,
+    pose = resolve(state.scene)[which];
   const input = document.createElement("input");
   input.className = "pose";
   input.value = `${pose.x.toFixed(2)} ${pose.y.toFixed(2)} ${(pose.heading * DEGREES).toFixed(1)}`;

@@ -16,10 +16,21 @@ import "./generate";
 import "./thumbnail";
 
 /** Groups whose words the page does not have. */
-const say = words({ newLot: ["New lot", "新建停车场"], numbers: ["Bays, aisles, walls and a car from a few numbers.", "用几个数值设定车位、通道、墙体和车辆。"], generate: ["Generate", "生成"], moving: ["Moving obstacles", "移动障碍物"], road: ["Roads", "道路"], figures: ["Figures", "论文插图"], cases: ["Best and worst", "最佳与最差"], best: ["Best case", "最佳情形"], worst: ["Worst case", "最差情形"], suits: ["Path by {planner}", "路径：{planner}"],
+const say = words({
+  newLot: ["New lot", "新建停车场"],
+  numbers: ["Bays, aisles, walls and a car from a few numbers.", "用几个数值设定车位、通道、墙体和车辆。"],
+  generate: ["Generate", "生成"],
+  moving: ["Moving obstacles", "移动障碍物"],
+  road: ["Roads", "道路"],
+  figures: ["Figures", "论文插图"],
+  cases: ["Best and worst", "最佳与最差"],
+  best: ["Best case", "最佳情形"],
+  worst: ["Worst case", "最差情形"],
+  suits: ["Path by {planner}", "路径：{planner}"],
   path: ["{length} m, {n} {n|gear change|gear changes}", "{length} m，换挡 {n} 次"],
 });
-const GENERATE = "generate", CASE = "cases";
+const GENERATE = "generate",
+  CASE = "cases";
 /** Whose path a card shows. */
 const DRAWN: Record<string, PlannerId> = { grid: "risk-field", road: "cost-map" };
 /** Answers are kept while the page is open; null where there is none. */
@@ -28,7 +39,10 @@ const solved = new Map<string, Plan | null>();
 /** The gallery of scenes, each asking a question. */
 export class Presets extends AppElement {
   static override properties = { ...AppElement.properties, group: { state: true }, shown: { state: true } };
-  static override styles = [controls, dialogs, css`
+  static override styles = [
+    controls,
+    dialogs,
+    css`
     dialog { --dialog-width: 984px; }
     ul { list-style: none; margin: 0; padding: 0; display: grid; grid-template-columns: repeat(auto-fill, minmax(250px, 1fr)); gap: 16px; }
     li { display: grid; } li button { flex-direction: column; align-items: stretch; justify-content: flex-start; gap: 0; text-align: left; white-space: normal; border-radius: calc(10px * var(--parkade-radius)); border: 1px solid var(--parkade-hair2); overflow: hidden; background: var(--parkade-panel); }
@@ -49,7 +63,8 @@ export class Presets extends AppElement {
     .tables { margin-left: auto; flex: none; } .top .tables + .icon { margin-left: 0; } .top p { min-width: 0; }
     .groups { padding: 0 24px 14px; } .groups .segmented { max-width: 100%; overflow-x: auto; } .groups button { flex: none; }
     @media (max-width: 640px) { ul { grid-template-columns: 1fr 1fr; gap: 10px; } parkade-thumbnail, .new { height: 92px; } footer b + p { display: none; } .groups { padding: 0 16px 12px; } .top p { display: none; } }
-  `];
+  `,
+  ];
   declare group: string;
   declare shown: boolean;
   private readonly scenes = new Map<string, Scene>();
@@ -85,8 +100,12 @@ export class Presets extends AppElement {
       <div class="top"><h2 id="title">${this.t("scenes.title")}</h2><p>${this.t("scenes.lead")}</p>
         <button class="button outline tables" @click=${this.showTables}>${icon("cells", 14)}${this.t("bar.papers")}</button>
         <button class="icon" aria-label=${this.t("scenes.close")} @click=${this.close}>${icon("close")}</button></div>
-      <div class="groups"><div class="segmented" role="group" aria-label=${this.t("scenes.title")}>${groups.map((group) => html`
-          <button aria-pressed=${group === this.group} @click=${() => { this.group = group; }}>${this.groupName(group)}</button>`)}</div></div>
+      <div class="groups"><div class="segmented" role="group" aria-label=${this.t("scenes.title")}>${groups.map(
+        (group) => html`
+          <button aria-pressed=${group === this.group} @click=${() => {
+            this.group = group;
+          }}>${this.groupName(group)}</button>`,
+      )}</div></div>
       <div class="scroll">${this.group === CASE ? this.cases(all) : html`<ul>${this.group === "all" ? this.newCard() : nothing}${shown.map((info) => this.card(info, DRAWN[info.group] ?? "hybrid"))}</ul>`}
         ${["all", "grid", GENERATE].includes(this.group) ? html`<parkade-generate .app=${this.app} @opened=${this.close}></parkade-generate>` : nothing}</div>
       <footer>${icon("open")}<b>${this.t("scenes.own")}</b><p>${this.t("scenes.ownHelp")}</p>
@@ -99,8 +118,15 @@ export class Presets extends AppElement {
       <span class="words"><b>${say(lang, "newLot")}</b><i>${say(lang, "numbers")}</i></span></button></li>`;
   }
 
-  private card(info: ScenarioInfo, planner: PlannerId, title = info.title[this.state.lang], question = captionOf(info, this.state.lang), run = () => this.pick(info.id)): TemplateResult {
-    const key = `${info.id} ${planner}`, suits = say(this.state.lang, "suits", { planner: plannerName(this.state.lang, planner) });
+  private card(
+    info: ScenarioInfo,
+    planner: PlannerId,
+    title = info.title[this.state.lang],
+    question = captionOf(info, this.state.lang),
+    run = () => this.pick(info.id),
+  ): TemplateResult {
+    const key = `${info.id} ${planner}`,
+      suits = say(this.state.lang, "suits", { planner: plannerName(this.state.lang, planner) });
     if (!solved.has(key)) this.asked.push([info.id, planner]);
     return html`<li><button aria-current=${info.id === this.app.preset} @click=${run}>
       <parkade-thumbnail .app=${this.app} .scene=${this.sceneOf(info.id)} .plan=${solved.get(key)} ?whole=${info.group === "grid" || info.group === "road"}></parkade-thumbnail>
@@ -109,22 +135,40 @@ export class Presets extends AppElement {
 
   /** What the plan on the card does; empty until it is there. */
   private factOf(id: string, planner: PlannerId): string {
-    const { state } = this, plan = solved.get(`${id} ${planner}`);
+    const { state } = this,
+      plan = solved.get(`${id} ${planner}`);
     if (!plan) return "";
-    const { brief, tone } = statusOf({ ...state, scene: this.sceneOf(id), results: { [planner]: { ...emptyResult, status: "done", plan } } }, planner);
+    const { brief, tone } = statusOf(
+      { ...state, scene: this.sceneOf(id), results: { [planner]: { ...emptyResult, status: "done", plan } } },
+      planner,
+    );
     if (plan.outcome !== "found") return brief;
-    const path = say(state.lang, "path", { length: this.num(plan.metrics.length, 1), n: plan.metrics.directionChanges });
+    const path = say(state.lang, "path", {
+      length: this.num(plan.metrics.length, 1),
+      n: plan.metrics.directionChanges,
+    });
     return tone === "ok" ? path : `${path} · ${brief}`;
   }
 
   /** Two scenes for each planner. */
   private cases(all: readonly ScenarioInfo[]): TemplateResult {
     const { lang } = this.state;
-    return html`${CASES.map(([planner, cases]) => html`<h3>${marker(planner)}${plannerName(lang, planner)}</h3>
+    return html`${CASES.map(
+      ([planner, cases]) => html`<h3>${marker(planner)}${plannerName(lang, planner)}</h3>
       <ul>${(["best", "worst"] as const).map((which) => {
-        const { scene, question } = cases[which], info = all.find((one) => one.id === scene);
-        return info ? this.card(info, planner, `${say(lang, which)}: ${info.title[lang]}`, question[lang === "zh" ? 1 : 0], () => void this.pickCase(scene, planner)) : nothing;
-      })}</ul>`)}`;
+        const { scene, question } = cases[which],
+          info = all.find((one) => one.id === scene);
+        return info
+          ? this.card(
+              info,
+              planner,
+              `${say(lang, which)}: ${info.title[lang]}`,
+              question[lang === "zh" ? 1 : 0],
+              () => void this.pickCase(scene, planner),
+            )
+          : nothing;
+      })}</ul>`,
+    )}`;
   }
 
   /** The planner beside those of the first picture. */
@@ -144,9 +188,16 @@ export class Presets extends AppElement {
     if (!next || this.helper) return;
     const helper = (this.helper = new Helper(await this.app.complete()));
     try {
-      for (let ask: typeof next | undefined = next; ask && this.helper === helper; ask = this.asked.find(([id, planner]) => !solved.has(`${id} ${planner}`))) {
+      for (
+        let ask: typeof next | undefined = next;
+        ask && this.helper === helper;
+        ask = this.asked.find(([id, planner]) => !solved.has(`${id} ${planner}`))
+      ) {
         const [id, planner] = ask;
-        solved.set(`${id} ${planner}`, await helper.call("solve", { planner, scene: this.sceneOf(id) }).catch(() => null));
+        solved.set(
+          `${id} ${planner}`,
+          await helper.call("solve", { planner, scene: this.sceneOf(id) }).catch(() => null),
+        );
         if (this.helper !== helper) solved.delete(`${id} ${planner}`);
         this.requestUpdate();
         await this.updateComplete;
@@ -173,7 +224,8 @@ export class Presets extends AppElement {
   }
 
   private groupName(group: string): string {
-    if (group === GENERATE || group === CASE || group === "moving" || group === "road" || group === "figures") return say(this.state.lang, group);
+    if (group === GENERATE || group === CASE || group === "moving" || group === "road" || group === "figures")
+      return say(this.state.lang, group);
     const key = `scenes.${group}`;
     return isMessage(key) ? this.t(key) : group;
   }

@@ -26,8 +26,10 @@ export function legendOf(state: State, planner: PlannerId): TemplateResult {
 export function weightsOf({ scene: { costs = [] }, lang }: State): TemplateResult | typeof nothing {
   if (costs.length === 0) return nothing;
   const weights = [...new Set(costs.map(({ weight }) => weight))].sort((a, b) => a - b);
-  return html`<div class="pill weights" title=${translate(lang, "read.weights")}><span class="sr">${translate(lang, "read.weights")}</span>${weights.map((weight) => html`
-    <i .style=${`background:repeating-linear-gradient(135deg,var(--parkade-warn) 0 1.25px,color-mix(in srgb,var(--parkade-warn) ${Math.round(4 + 2.2 * weight)}%,transparent) 0 ${spacingOf(weight)}px)`}></i><span>×${weight}</span>`)}</div>`;
+  return html`<div class="pill weights" title=${translate(lang, "read.weights")}><span class="sr">${translate(lang, "read.weights")}</span>${weights.map(
+    (weight) => html`
+    <i .style=${`background:repeating-linear-gradient(135deg,var(--parkade-warn) 0 1.25px,color-mix(in srgb,var(--parkade-warn) ${Math.round(4 + 2.2 * weight)}%,transparent) 0 ${spacingOf(weight)}px)`}></i><span>×${weight}</span>`,
+  )}</div>`;
 }
 
 function countsOf(state: State, planner: PlannerId): TemplateResult | typeof nothing {
@@ -71,10 +73,15 @@ function entriesOf(state: State, planner: PlannerId): Entry[] {
   if (!cell) return [];
   const entries: Entry[] = [];
   if (result.plan.trace?.kind === "cells") entries.push([text("read.rank"), rankText(state, result.plan, cell.index)]);
-  const risk = result.layers.risk, { explained } = state;
+  const risk = result.layers.risk,
+    { explained } = state;
   if (risk && explained && explained.cell[1] * state.scene.map.width + explained.cell[0] === cell.index) {
     entries.push(...fieldEntries(state, explained));
-  } else if (risk?.every === 1) entries.push([text("read.risk"), number(state.lang, Math.hypot(at(risk, cell.index * 2), at(risk, cell.index * 2 + 1)), 2)]);
+  } else if (risk?.every === 1)
+    entries.push([
+      text("read.risk"),
+      number(state.lang, Math.hypot(at(risk, cell.index * 2), at(risk, cell.index * 2 + 1)), 2),
+    ]);
   const weight = weightAt(state.scene, cell.index);
   if (weight > 1) entries.push([text("read.weight"), `×${weight}`]);
   const cost = state.layers.cost ? result.layers.cost : undefined;

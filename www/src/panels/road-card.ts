@@ -17,15 +17,25 @@ const say = wordsAt("roadCard");
 
 /** Room, bends and lanes along the focused planner's path, and how often it would be hit by chance. */
 export class RoadCard extends AppElement {
-  static override properties = { ...AppElement.properties, figures: { state: true }, risk: { state: true }, running: { state: true }, failure: { state: true } };
-  static override styles = [controls, sections, css`
+  static override properties = {
+    ...AppElement.properties,
+    figures: { state: true },
+    risk: { state: true },
+    running: { state: true },
+    failure: { state: true },
+  };
+  static override styles = [
+    controls,
+    sections,
+    css`
     dl { display: grid; grid-template-columns: 1fr auto; gap: 4px 10px; margin: 0; font-size: 12px; line-height: 16px; } dt { color: var(--parkade-t2); } dd { margin: 0; text-align: right; }
     dl.old { color: var(--parkade-t3); } h3 { margin: 12px 0 4px; font: inherit; font-weight: 500; } dd small { font-size: inherit; color: var(--parkade-t3); }
     progress { appearance: none; flex: 1; height: 4px; border: 0; border-radius: 2px; background: var(--parkade-hair2); overflow: hidden; min-width: 0; }
     progress::-webkit-progress-bar { background: var(--parkade-hair2); } progress::-webkit-progress-value { background: var(--parkade-t1); } progress::-moz-progress-bar { background: var(--parkade-t1); }
     .small { height: 28px; font-size: 12px; } .warn { color: var(--parkade-warn); margin-top: 8px; } .done { margin-top: 8px; color: var(--parkade-t1); }
     @media (pointer: coarse) { .small { min-height: 44px; } }
-  `];
+  `,
+  ];
   declare figures: { of: Plan; values: RoadFigures } | null;
   declare risk: { of: Plan; value: Risk; trials: number } | null;
   declare running: boolean;
@@ -57,7 +67,8 @@ export class RoadCard extends AppElement {
   protected override willUpdate(changed: PropertyValues): void {
     super.willUpdate(changed);
     const { scene, focus } = this.state;
-    this.hidden = !scene.lanes?.length && infoOf(focus)?.family !== "road" && !scene.obstacles?.some((one) => one.type === "road");
+    this.hidden =
+      !scene.lanes?.length && infoOf(focus)?.family !== "road" && !scene.obstacles?.some((one) => one.type === "road");
   }
 
   protected override updated(changed: PropertyValues): void {
@@ -71,7 +82,8 @@ export class RoadCard extends AppElement {
   }
 
   protected override render(): TemplateResult | typeof nothing {
-    const { lang, focus } = this.state, { plan } = this;
+    const { lang, focus } = this.state,
+      { plan } = this;
     if (this.hidden) return nothing;
     return html`<div class="head"><h2>${say(lang, "title")}</h2><span>${plannerName(lang, focus)}</span></div>
       ${plan ? html`${this.rows(plan)}${plan.detail === "smoothing-fell-back" ? html`<p class="warn">${say(lang, "fellBack")}</p>` : nothing}${plan.planner === "cost-map" && plan.detail === "less-margin" ? html`<p class="warn">${say(lang, "lessMargin", { kept: this.num(plan.metrics.marginKept ?? 0, 2), margin: this.num(plan.metrics.margin ?? 0, 2) })}</p>` : nothing}${this.chances(plan)}` : html`<p>${say(lang, "none")}</p>`}
@@ -79,10 +91,12 @@ export class RoadCard extends AppElement {
   }
 
   private rows(plan: Plan): TemplateResult | typeof nothing {
-    const { lang } = this.state, { figures } = this;
+    const { lang } = this.state,
+      { figures } = this;
     if (!figures) return nothing;
     const f = figures.values;
-    const row = (name: string, value: string, unit: string): TemplateResult => html`<dt>${name}</dt><dd>${value} <small>${unit}</small></dd>`;
+    const row = (name: string, value: string, unit: string): TemplateResult =>
+      html`<dt>${name}</dt><dd>${value} <small>${unit}</small></dd>`;
     return html`<dl class=${figures.of === plan ? "" : "old"}>
       ${row(say(lang, "bodyClearance"), `${this.num(f.bodyClearanceMin, 2)} / ${this.num(f.bodyClearanceMean, 2)}`, "m")}
       ${row(say(lang, "sideClearance"), `${this.num(f.sideClearanceMin, 2)} / ${this.num(f.sideClearanceMean, 2)}`, "m")}
@@ -92,16 +106,22 @@ export class RoadCard extends AppElement {
   }
 
   private chances(plan: Plan): TemplateResult {
-    const { lang } = this.state, risk = this.risk?.of === plan ? this.risk : null, text = say(lang, "progress", { done: risk?.value.trials ?? 0, of: risk?.trials ?? 1000 });
+    const { lang } = this.state,
+      risk = this.risk?.of === plan ? this.risk : null,
+      text = say(lang, "progress", { done: risk?.value.trials ?? 0, of: risk?.trials ?? 1000 });
     return html`<h3>${say(lang, "risk")}</h3><p>${say(lang, "riskHelp")}</p>
-      <div class="row">${this.running ? html`<button class="button outline small" @click=${this.cancel}>${icon("close", 14)}${say(lang, "cancel")}</button>
+      <div class="row">${
+        this.running
+          ? html`<button class="button outline small" @click=${this.cancel}>${icon("close", 14)}${say(lang, "cancel")}</button>
         <progress max=${risk?.trials ?? 1000} .value=${risk?.value.trials ?? 0} aria-label=${text}></progress><span>${text}</span>`
-        : html`<button class="button outline small" @click=${() => void this.drive(plan)}>${say(lang, risk ? "again" : "run")}</button>`}</div>
+          : html`<button class="button outline small" @click=${() => void this.drive(plan)}>${say(lang, risk ? "again" : "run")}</button>`
+      }</div>
       ${risk ? html`<p class="done" role="status">${say(lang, "hits", { hits: this.num(risk.value.hits, 0), of: risk.value.trials, disc: this.num(risk.value.discHits, 0) })}</p>` : nothing}`;
   }
 
   private get plan(): Plan | null {
-    const { results, focus } = this.state, plan = results[focus]?.plan ?? null;
+    const { results, focus } = this.state,
+      plan = results[focus]?.plan ?? null;
     return plan?.outcome === "found" && plan.path.length > 3 ? plan : null;
   }
 
@@ -115,9 +135,11 @@ export class RoadCard extends AppElement {
   private async drive(plan: Plan): Promise<void> {
     this.risk = null;
     this.running = true;
-    await this.attempt(plan, (measures) => measures.risk(this.state.scene, plan, (value, trials) => {
-      if (this.asked === plan) this.risk = { of: plan, value, trials };
-    }));
+    await this.attempt(plan, (measures) =>
+      measures.risk(this.state.scene, plan, (value, trials) => {
+        if (this.asked === plan) this.risk = { of: plan, value, trials };
+      }),
+    );
     if (this.asked === plan) this.running = false;
   }
 

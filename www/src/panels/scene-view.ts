@@ -19,7 +19,11 @@ const isAnswer = (now: PanelResult | undefined, before: PanelResult | undefined)
 
 /** One canvas of the scene with one planner's answer, or several over another; every tool works on it. */
 export class SceneView extends LitElement {
-  static override properties = { app: { attribute: false }, planners: { attribute: false, hasChanged: (now: unknown, before: unknown) => String(now) !== String(before) }, label: { type: String } };
+  static override properties = {
+    app: { attribute: false },
+    planners: { attribute: false, hasChanged: (now: unknown, before: unknown) => String(now) !== String(before) },
+    label: { type: String },
+  };
   static override styles = css`
     :host { display: block; position: relative; min-width: 0; min-height: 0; overflow: hidden; background: var(--parkade-out); contain: strict; }
     canvas { position: absolute; inset: 0; width: 100%; height: 100%; display: block; touch-action: none; outline: none; user-select: none; -webkit-user-select: none; }
@@ -96,7 +100,11 @@ export class SceneView extends LitElement {
     const keys = Object.keys(state) as (keyof State)[];
     const changed = keys.filter((key) => state[key] !== previous[key] && !UNSEEN.includes(key));
     if (changed.length === 0) return;
-    const isDrag = state.transient && !state.layers.ghosts && state.playback.base !== "search" && changed.every((key) => DRAGGED.includes(key));
+    const isDrag =
+      state.transient &&
+      !state.layers.ghosts &&
+      state.playback.base !== "search" &&
+      changed.every((key) => DRAGGED.includes(key));
     const answered = this.planners.some((planner) => isAnswer(state.results[planner], previous.results[planner]));
     if (!isDrag || answered) this.schedule();
     else if (changed.length === 1 && changed[0] === "results") return;

@@ -2,8 +2,16 @@ import type { CostArea, MovingObstacle, Obstacle, Pose, Road, Slot } from "parka
 import { css, html, nothing, type TemplateResult } from "lit";
 import { wordsAt } from "../i18n/words";
 import {
-  findCost, findMoving, findObstacle, findSlot, goalPose, movePose, setGoalFromSlot, updateMoving,
-  updateObstacle, updateSlot,
+  findCost,
+  findMoving,
+  findObstacle,
+  findSlot,
+  goalPose,
+  movePose,
+  setGoalFromSlot,
+  updateMoving,
+  updateObstacle,
+  updateSlot,
 } from "../scene/model";
 import { removeCost, removeMoving, removeObstacle, removeSlot } from "../scene/removal";
 import { reweigh } from "../scene/costs";
@@ -23,17 +31,30 @@ const say = wordsAt("selected");
 
 const DEGREES = 180 / Math.PI;
 
-interface Field { label: string; unit: string; value: number; digits: number; step: number; min?: number; max?: number; apply: (value: number) => Scene }
+interface Field {
+  label: string;
+  unit: string;
+  value: number;
+  digits: number;
+  step: number;
+  min?: number;
+  max?: number;
+  apply: (value: number) => Scene;
+}
 
 /** The numbers of what is selected; typing them is one undo step each. */
 export class SelectionCard extends AppElement {
-  static override styles = [controls, sections, css`
+  static override styles = [
+    controls,
+    sections,
+    css`
     .slots { color: var(--parkade-t2); } parkade-ground + p { margin-top: 8px; }
     label.check { display: flex; gap: 8px; align-items: center; }
     label.check input { accent-color: var(--parkade-accent); }
     .danger { color: var(--parkade-err); margin-left: -8px; }
     .small { height: 28px; font-size: 12px; }
-  `];
+  `,
+  ];
 
   protected override pace = 100;
 
@@ -76,9 +97,17 @@ export class SelectionCard extends AppElement {
 
   private obstacleFields(obstacle: Obstacle): Field[] {
     const apply = (next: Obstacle): Scene => updateObstacle(this.state.scene, obstacle.id!, next);
-    if (obstacle.type === "car") return poseFields(obstacle.pose, (patch) => apply({ ...obstacle, pose: { ...obstacle.pose, ...patch } }));
+    if (obstacle.type === "car")
+      return poseFields(obstacle.pose, (patch) => apply({ ...obstacle, pose: { ...obstacle.pose, ...patch } }));
     if (obstacle.type === "wall") {
-      return [metres(this.t("option.thickness"), obstacle.thickness ?? 0, (thickness) => apply({ ...obstacle, thickness }), 0)];
+      return [
+        metres(
+          this.t("option.thickness"),
+          obstacle.thickness ?? 0,
+          (thickness) => apply({ ...obstacle, thickness }),
+          0,
+        ),
+      ];
     }
     if (obstacle.type !== "rectangle") return [];
     const { center, size, heading = 0 } = obstacle;
@@ -92,30 +121,71 @@ export class SelectionCard extends AppElement {
   }
 
   private road(road: Road): TemplateResult {
-    const { lang } = this.state, apply = (patch: Partial<Road>): Scene => updateObstacle(this.state.scene, road.id!, { ...road, ...patch });
+    const { lang } = this.state,
+      apply = (patch: Partial<Road>): Scene => updateObstacle(this.state.scene, road.id!, { ...road, ...patch });
     const [along, against] = lanesOf(road);
-    const lanes = (label: string, value: number, put: (n: number) => [number, number]): Field =>
-      ({ label, unit: "", value, digits: 0, step: 1, min: value === along + against ? 1 : 0, max: 8, apply: (n) => apply({ lanes: put(Math.round(n)) }) });
-    return html`${this.fields([
-        lanes(say(lang, "along"), along, (n) => [n, against]), lanes(say(lang, "against"), against, (n) => [along, n]),
+    const lanes = (label: string, value: number, put: (n: number) => [number, number]): Field => ({
+      label,
+      unit: "",
+      value,
+      digits: 0,
+      step: 1,
+      min: value === along + against ? 1 : 0,
+      max: 8,
+      apply: (n) => apply({ lanes: put(Math.round(n)) }),
+    });
+    return html`${this.fields(
+      [
+        lanes(say(lang, "along"), along, (n) => [n, against]),
+        lanes(say(lang, "against"), against, (n) => [along, n]),
         metres(say(lang, "laneWidth"), laneWidthOf(road), (laneWidth) => apply({ laneWidth }), 1),
         metres(say(lang, "bend"), road.radius ?? 20, (radius) => apply({ radius }), 1),
-        { label: say(lang, "limit"), unit: "m/s", value: road.speed ?? 0, digits: 2, step: 0.5, min: 0, apply: (speed) => withoutSpeed(this.state.scene, { ...road, speed }) },
-      ], 2)}
+        {
+          label: say(lang, "limit"),
+          unit: "m/s",
+          value: road.speed ?? 0,
+          digits: 2,
+          step: 0.5,
+          min: 0,
+          apply: (speed) => withoutSpeed(this.state.scene, { ...road, speed }),
+        },
+      ],
+      2,
+    )}
       <div class="row"><label class="check"><input type="checkbox" .checked=${road.kerbs ?? true} @change=${(e: Event) => this.edit(apply({ kerbs: (e.target as HTMLInputElement).checked }))}>${say(lang, "kerbs")}</label></div>
       <p>${say(lang, "vertices")}</p>`;
   }
 
   private moving(one: MovingObstacle): TemplateResult {
     const patch = (change: Partial<MovingObstacle>): Scene => updateMoving(this.state.scene, one.id!, change);
-    const { lang } = this.state, [length, width] = one.size;
+    const { lang } = this.state,
+      [length, width] = one.size;
     return html`${this.heading(this.t("thing.movingName"))}
-      ${this.fields([
-        { label: say(lang, "speed"), unit: "m/s", value: one.speed, digits: 2, step: 0.1, min: 0.05, apply: (speed) => patch({ speed }) },
-        { label: say(lang, "starts"), unit: "s", value: one.start ?? 0, digits: 1, step: 0.5, min: 0, apply: (start) => patch({ start }) },
-        metres(say(lang, "length"), length, (to) => patch({ size: [to, width] }), 0.05),
-        metres(say(lang, "width"), width, (to) => patch({ size: [length, to] }), 0.05),
-      ], 2)}
+      ${this.fields(
+        [
+          {
+            label: say(lang, "speed"),
+            unit: "m/s",
+            value: one.speed,
+            digits: 2,
+            step: 0.1,
+            min: 0.05,
+            apply: (speed) => patch({ speed }),
+          },
+          {
+            label: say(lang, "starts"),
+            unit: "s",
+            value: one.start ?? 0,
+            digits: 1,
+            step: 0.5,
+            min: 0,
+            apply: (start) => patch({ start }),
+          },
+          metres(say(lang, "length"), length, (to) => patch({ size: [to, width] }), 0.05),
+          metres(say(lang, "width"), width, (to) => patch({ size: [length, to] }), 0.05),
+        ],
+        2,
+      )}
       ${this.deleteRow(() => this.edit(removeMoving(this.state.scene, one.id!)))}`;
   }
 
@@ -159,7 +229,13 @@ export class SelectionCard extends AppElement {
       @change=${(e: Event) => {
         const input = e.target as HTMLInputElement;
         const typed = Number(input.value);
-        if (input.value === "" || !Number.isFinite(typed) || (min !== undefined && typed < min) || (max !== undefined && typed > max)) input.value = value.toFixed(digits);
+        if (
+          input.value === "" ||
+          !Number.isFinite(typed) ||
+          (min !== undefined && typed < min) ||
+          (max !== undefined && typed > max)
+        )
+          input.value = value.toFixed(digits);
         else this.edit(apply(typed));
       }}><span>${unit}</span></label>`;
   }
@@ -179,7 +255,11 @@ function withoutSpeed(scene: Scene, { speed, ...road }: Road): Scene {
 }
 
 function poseFields(pose: Pose, move: (patch: Partial<Pose>) => Scene): Field[] {
-  return [metres("x", pose.x, (x) => move({ x })), metres("y", pose.y, (y) => move({ y })), angle(pose.heading, (heading) => move({ heading }))];
+  return [
+    metres("x", pose.x, (x) => move({ x })),
+    metres("y", pose.y, (y) => move({ y })),
+    angle(pose.heading, (heading) => move({ heading })),
+  ];
 }
 
 function metres(label: string, value: number, apply: (value: number) => Scene, min?: number): Field {
@@ -187,7 +267,14 @@ function metres(label: string, value: number, apply: (value: number) => Scene, m
 }
 
 function angle(value: number, apply: (value: number) => Scene): Field {
-  return { label: "θ", unit: "°", value: value * DEGREES, digits: 1, step: 1, apply: (degrees) => apply(degrees / DEGREES) };
+  return {
+    label: "θ",
+    unit: "°",
+    value: value * DEGREES,
+    digits: 1,
+    step: 1,
+    apply: (degrees) => apply(degrees / DEGREES),
+  };
 }
 
 customElements.define("parkade-selection", SelectionCard);

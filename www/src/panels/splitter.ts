@@ -11,7 +11,11 @@ const say = words({
 
 export type Pane = "side" | "strip" | "chart";
 /** Pixels: least, usual, most. */
-const SIZES: Record<Pane, readonly [number, number, number]> = { side: [220, 280, 520], strip: [110, 202, 520], chart: [260, 500, 900] };
+const SIZES: Record<Pane, readonly [number, number, number]> = {
+  side: [220, 280, 520],
+  strip: [110, 202, 520],
+  chart: [260, 500, 900],
+};
 const STEP = 16;
 
 /** A bar between two panes: drag it, or move it by arrow keys; a double click takes the usual size. */

@@ -15,8 +15,14 @@ const SWIPE_PX = 24;
 
 /** The maps: side by side, overlaid, or one in focus. */
 export class Stage extends AppElement {
-  static override properties = { ...AppElement.properties, compact: { type: Boolean, reflect: true }, bare: { attribute: false } };
-  static override styles = [controls, css`
+  static override properties = {
+    ...AppElement.properties,
+    compact: { type: Boolean, reflect: true },
+    bare: { attribute: false },
+  };
+  static override styles = [
+    controls,
+    css`
     :host { --parkade-buttons: 60px; display: block; position: relative; min-height: 0; min-width: 0; overflow: hidden; background: var(--parkade-hair); }
     @media (pointer: coarse) { :host { --parkade-buttons: 78px; } }
     .grid { position: absolute; inset: 0; display: grid; gap: 1px; grid-auto-rows: 1fr; grid-template-columns: repeat(4, 1fr); }
@@ -47,7 +53,8 @@ export class Stage extends AppElement {
     :host([compact]) .weights { left: auto; right: 10px; bottom: auto; top: 60px; }
     .readout b { font-weight: 500; color: var(--parkade-t1); margin-left: 4px; }
     :host([compact]) .title { pointer-events: auto; touch-action: none; user-select: none; -webkit-user-select: none; cursor: ew-resize; }
-  `];
+  `,
+  ];
   declare compact: boolean;
   /** Whether only the maps are wanted yet. */
   declare bare: boolean;
@@ -64,9 +71,12 @@ export class Stage extends AppElement {
 
   protected override render(): TemplateResult {
     const { mode, planners, focus } = this.state;
-    const view = this.bare ? nothing : html`<parkade-view-controls .app=${this.app} ?compact=${this.compact}></parkade-view-controls>`;
+    const view = this.bare
+      ? nothing
+      : html`<parkade-view-controls .app=${this.app} ?compact=${this.compact}></parkade-view-controls>`;
     if (this.compact || mode === "overlay") return html`${this.overlay()}${view}`;
-    if (mode === "grid") return html`<div class="grid" data-n=${planners.length}>${planners.map((planner) => this.panel(planner))}</div>${view}`;
+    if (mode === "grid")
+      return html`<div class="grid" data-n=${planners.length}>${planners.map((planner) => this.panel(planner))}</div>${view}`;
     const others = planners.filter((planner) => planner !== focus);
     return html`<div class="focus" .style=${`--thumbs:${Math.max(1, others.length)}`}>
       <parkade-panel part="panel" exportparts="canvas" class="large" .app=${this.app} .planner=${focus}></parkade-panel>
@@ -107,7 +117,8 @@ export class Stage extends AppElement {
 
   /** A swipe brings the planner beside to the front; chips and keys do the same. */
   private readonly flip = (event: PointerEvent): void => {
-    const { planners, focus } = this.state, way = event.clientX - this.grabbed;
+    const { planners, focus } = this.state,
+      way = event.clientX - this.grabbed;
     if (Math.abs(way) < SWIPE_PX) return;
     const next = planners.indexOf(focus) + (way < 0 ? 1 : -1);
     this.app.store.set({ focus: planners.at(next % planners.length)! });

@@ -28,7 +28,8 @@ export function statusOf(state: State, planner: PlannerId): Status {
   if (result?.status === "error") {
     return say(state, { name: "error" }, "err", "warning");
   }
-  if (!result?.plan) return say(state, { name: result?.status === "planning" ? "planning" : "waiting" }, "quiet", "clock");
+  if (!result?.plan)
+    return say(state, { name: result?.status === "planning" ? "planning" : "waiting" }, "quiet", "clock");
   return ofPlan(state, result.plan);
 }
 
@@ -39,7 +40,12 @@ export function searchTime(lang: Lang, result: PanelResult | undefined): string 
 
 /** … and with all that follows it. */
 export function timeTitle(lang: Lang, result: PanelResult | undefined): string {
-  return result?.time ? translate(lang, "panel.time", { search: millis(lang, result.time.search), total: millis(lang, result.time.total) }) : "";
+  return result?.time
+    ? translate(lang, "panel.time", {
+        search: millis(lang, result.time.search),
+        total: millis(lang, result.time.total),
+      })
+    : "";
 }
 
 /** The result's plan when its car can drive it. */
@@ -77,14 +83,23 @@ function tight({ lang }: State, check: Check): Word {
 }
 
 /** By the name that a person gave it, else by its kind, counted where there are several. */
-export function thingName({ lang, scene: { obstacles = [], slots = [] } }: State, { index, obstacle: id }: Pick<Hit, "index" | "obstacle">): string {
-  const obstacle = obstacles[index], slot = slots.findIndex((one) => one.id === id);
+export function thingName(
+  { lang, scene: { obstacles = [], slots = [] } }: State,
+  { index, obstacle: id }: Pick<Hit, "index" | "obstacle">,
+): string {
+  const obstacle = obstacles[index],
+    slot = slots.findIndex((one) => one.id === id);
   if (obstacle?.id && !(obstacle.id.startsWith(`${obstacle.type}-`) && MADE.test(obstacle.id))) {
-    const [, own, n] = /^(.*?)(?:-(\d+))?$/.exec(obstacle.id)!, key = `thing.${own}`;
+    const [, own, n] = /^(.*?)(?:-(\d+))?$/.exec(obstacle.id)!,
+      key = `thing.${own}`;
     return !isMessage(key) ? `“${id}”` : n ? counted(translate(lang, key), n) : translate(lang, key);
   }
-  if (!obstacle) return translate(lang, slot >= 0 ? "thing.slot" : id === "border" ? "thing.border" : "thing.other", { n: slot + 1 });
-  const alike = obstacles.filter(({ type }) => type === obstacle.type), kind = translate(lang, `thing.${obstacle.type}`);
+  if (!obstacle)
+    return translate(lang, slot >= 0 ? "thing.slot" : id === "border" ? "thing.border" : "thing.other", {
+      n: slot + 1,
+    });
+  const alike = obstacles.filter(({ type }) => type === obstacle.type),
+    kind = translate(lang, `thing.${obstacle.type}`);
   return alike.length > 1 ? counted(kind, alike.indexOf(obstacle) + 1) : kind;
 }
 

@@ -7,18 +7,32 @@ export type TableFormat = "markdown" | "csv" | "json";
 
 export function formatTable(state: State, format: TableFormat): string {
   const rows = rowsOf(state);
-  if (format === "json") return JSON.stringify(rows.map((row) => plain(row, state)), null, 2);
-  const heads = ["table.planner", "table.status", ...COLUMNS.map((column) => `table.${column}`)]
-    .map((key) => translate(state.lang, key as MessageKey));
+  if (format === "json")
+    return JSON.stringify(
+      rows.map((row) => plain(row, state)),
+      null,
+      2,
+    );
+  const heads = ["table.planner", "table.status", ...COLUMNS.map((column) => `table.${column}`)].map((key) =>
+    translate(state.lang, key as MessageKey),
+  );
   const units = COLUMNS.map((column) => translate(state.lang, `unit.${column}`, unitValues(state)));
-  const titles = [...heads.map((head, i) => (i < 2 ? head : `${head} (${units[i - 2]})`)), translate(state.lang, "table.total")];
+  const titles = [
+    ...heads.map((head, i) => (i < 2 ? head : `${head} (${units[i - 2]})`)),
+    translate(state.lang, "table.total"),
+  ];
   const totals = rows.map((row) => totalOf(row, state));
   if (format === "csv") return csv(rows, titles, totals);
   const lines = rows.map((row, i) => [
-    row.name, row.status.brief, ...COLUMNS.map((column) => markdownCell(row.cells[column])), totals[i] === null ? "–" : millis(state.lang, totals[i]!),
+    row.name,
+    row.status.brief,
+    ...COLUMNS.map((column) => markdownCell(row.cells[column])),
+    totals[i] === null ? "–" : millis(state.lang, totals[i]!),
   ]);
   const rule = titles.map((_, i) => (i < 2 ? "---" : "---:"));
-  return [titles.map((title) => title.replaceAll("|", "\\|")), rule, ...lines].map((line) => `| ${line.join(" | ")} |`).join("\n");
+  return [titles.map((title) => title.replaceAll("|", "\\|")), rule, ...lines]
+    .map((line) => `| ${line.join(" | ")} |`)
+    .join("\n");
 }
 
 const markdownCell = ({ text, best }: Cell): string => (best ? `★ **${text}**` : text);
@@ -28,7 +42,11 @@ const totalOf = (row: Row, state: State): number | null => state.results[row.pla
 
 function csv(rows: Row[], titles: string[], totals: (number | null)[]): string {
   const quote = (text: string): string => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
-  const lines = rows.map((row, i) => [row.name, row.status.brief, ...[...COLUMNS.map((column) => row.cells[column].value), totals[i]].map((value) => String(value ?? ""))]);
+  const lines = rows.map((row, i) => [
+    row.name,
+    row.status.brief,
+    ...[...COLUMNS.map((column) => row.cells[column].value), totals[i]].map((value) => String(value ?? "")),
+  ]);
   return [titles, ...lines].map((line) => line.map(quote).join(",")).join("\n");
 }
 

@@ -11,12 +11,20 @@ import type { TableFormat } from "./table-format";
 
 const SMALL: readonly Column[] = ["length", "gears", "clearance", "plan"];
 /** Percent: as wide as their usual contents, so that no column moves when answers come. */
-const WIDTHS = [14, 16, 6.9, 5.3, 7, 8.6, 8.1, 6.9, 8.1, 5, 7.1, 7], SMALL_WIDTHS = [21.5, 18, 17, 11, 13.3, 19.2];
+const WIDTHS = [14, 16, 6.9, 5.3, 7, 8.6, 8.1, 6.9, 8.1, 5, 7.1, 7],
+  SMALL_WIDTHS = [21.5, 18, 17, 11, 13.3, 19.2];
 
 /** The planners' numbers side by side, the best drivable ones starred. */
 export class MetricsTable extends AppElement {
-  static override properties = { ...AppElement.properties, compact: { type: Boolean, reflect: true }, copied: { state: true }, benching: { state: true } };
-  static override styles = [controls, css`
+  static override properties = {
+    ...AppElement.properties,
+    compact: { type: Boolean, reflect: true },
+    copied: { state: true },
+    benching: { state: true },
+  };
+  static override styles = [
+    controls,
+    css`
     :host { display: grid; grid-template: minmax(0, 1fr) auto / minmax(0, 1fr); min-width: 0; min-height: 0; background: var(--parkade-panel); font-size: 12px; line-height: 16px; container-type: inline-size; }
     .scroll { overflow: auto; min-height: 0; }
     table { border-collapse: collapse; width: 100%; }
@@ -49,7 +57,8 @@ export class MetricsTable extends AppElement {
     :host([compact]) thead small { display: inline; }
     :host([compact]) tbody th button { min-height: 0; }
     @media (pointer: coarse) { tbody th button { min-height: 0; } }
-  `];
+  `,
+  ];
   declare compact: boolean;
   declare copied: boolean;
   declare benching: boolean;
@@ -83,7 +92,7 @@ export class MetricsTable extends AppElement {
     const small = this.compact && (column === "gears" || column === "clearance");
     const name = small ? this.t(`short.${column as "gears" | "clearance"}`) : this.t(`table.${column}`);
     const units: Partial<Record<Column, string>> = { length: "m", gears: "", clearance: "m", plan: "ms" };
-    return html`<th scope="col" title=${this.t(`tip.${column}`)}>${name} <small .textContent=${this.compact ? units[column] ?? "" : unit}></small></th>`;
+    return html`<th scope="col" title=${this.t(`tip.${column}`)}>${name} <small .textContent=${this.compact ? (units[column] ?? "") : unit}></small></th>`;
   }
 
   private row(row: Row, columns: readonly Column[]): TemplateResult {
@@ -91,12 +100,16 @@ export class MetricsTable extends AppElement {
     const tone = row.status.tone === "err" ? "err" : "";
     return html`<tr data-planner=${row.planner} class="${row.planner === focus ? "chosen" : ""} ${row.drivable ? "" : "grey"}" @click=${() => this.app.store.set({ focus: row.planner })}>
       <th scope="row"><button aria-pressed=${row.planner === focus}>${marker(row.planner)}${this.compact ? shortName(this.state.lang, row.planner) : row.name}</button></th>
-      ${row.hidden ? html`<td></td>${columns.map(() => html`<td></td>`)}` : html`
+      ${
+        row.hidden
+          ? html`<td></td>${columns.map(() => html`<td></td>`)}`
+          : html`
         <td class=${tone}>${this.compact ? row.status.tiny : row.status.brief}</td>
         ${columns.map((column) => {
           const { text, best, title } = row.cells[column];
           return html`<td class=${best ? "best" : ""} title=${title || nothing}>${best ? html`<span class="star" aria-hidden="true">★</span><span class="sr">${this.t("table.best")} </span>` : nothing}<span .textContent=${text}></span></td>`;
-        })}`}
+        })}`
+      }
     </tr>`;
   }
 
@@ -105,8 +118,14 @@ export class MetricsTable extends AppElement {
       <span class="end">
         <button class="button" aria-expanded=${this.menus.open === "copy"} @click=${(e: Event) => this.menus.toggle("copy", e.currentTarget as HTMLElement)}>
           ${icon(this.copied ? "check" : "copy", 14)}${this.t(this.copied ? "table.copied" : "table.copy")}${icon("down", 14)}</button>
-        ${this.menus.open === "copy" ? html`<div class="popover">${(["markdown", "csv", "json"] as const).map((format) => html`
-          <button class="item" @click=${() => void this.copy(format)}>${this.t(`table.${format}`)}</button>`)}</div>` : nothing}
+        ${
+          this.menus.open === "copy"
+            ? html`<div class="popover">${(["markdown", "csv", "json"] as const).map(
+                (format) => html`
+          <button class="item" @click=${() => void this.copy(format)}>${this.t(`table.${format}`)}</button>`,
+              )}</div>`
+            : nothing
+        }
         <button class="button" ?disabled=${this.benching} @click=${this.bench}>${this.t(this.benching ? "table.benching" : "table.bench")}</button>
       </span></footer>`;
   }
@@ -114,14 +133,19 @@ export class MetricsTable extends AppElement {
   /** What the focused plan is known by, wherever it is made. */
   private hash(): TemplateResult | typeof nothing {
     const hash = this.state.results[this.state.focus]?.plan?.hash;
-    return hash ? html`<button class="button hash" title="${this.t("table.hash")} ${hash}" @click=${() => void this.app.copy(hash)}>${marker(this.state.focus, 9)}${this.t("table.hashName")} ${hash.slice(0, 8)}</button>` : nothing;
+    return hash
+      ? html`<button class="button hash" title="${this.t("table.hash")} ${hash}" @click=${() => void this.app.copy(hash)}>${marker(this.state.focus, 9)}${this.t("table.hashName")} ${hash.slice(0, 8)}</button>`
+      : nothing;
   }
 
   private async copy(format: TableFormat): Promise<void> {
     this.menus.close();
     const { formatTable } = await import("./table-format");
     this.copied = await this.app.copy(formatTable(this.state, format));
-    if (this.copied) setTimeout(() => { this.copied = false; }, 2000);
+    if (this.copied)
+      setTimeout(() => {
+        this.copied = false;
+      }, 2000);
   }
 
   private readonly bench = async (): Promise<void> => {

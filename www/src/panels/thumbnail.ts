@@ -8,7 +8,13 @@ import { fit, fitMap } from "../view/camera";
 
 /** A small picture of a scene, with a planner's answer where there is one. */
 export class Thumbnail extends LitElement {
-  static override properties = { app: { attribute: false }, scene: { attribute: false }, plan: { attribute: false }, whole: { type: Boolean }, camera: { attribute: false } };
+  static override properties = {
+    app: { attribute: false },
+    scene: { attribute: false },
+    plan: { attribute: false },
+    whole: { type: Boolean },
+    camera: { attribute: false },
+  };
   static override styles = css`
     :host { display: block; position: relative; overflow: hidden; background: var(--parkade-out); }
     canvas { position: absolute; inset: 0; width: 100%; height: 100%; }
@@ -44,11 +50,39 @@ export class Thumbnail extends LitElement {
     const { clientWidth: width, clientHeight: height } = canvas;
     const geometry = this.app.catalog!.geometry(scene);
     // Cars are lost in the picture of a whole lot; in one of a wide map they are not the point.
-    const { plan } = this, shown = plan ? [plan.planner] : [], swept = plan?.check.drivable ? [plan] : [];
-    const camera = this.camera ?? (this.whole ? fitMap(scene, width, height) : fit(scene, geometry, width, height, swept));
-    const results = plan ? { [plan.planner]: { ...emptyResult, plan, lastGood: plan.outcome === "found" ? plan : null, status: "done" as const } } : {};
+    const { plan } = this,
+      shown = plan ? [plan.planner] : [],
+      swept = plan?.check.drivable ? [plan] : [];
+    const camera =
+      this.camera ?? (this.whole ? fitMap(scene, width, height) : fit(scene, geometry, width, height, swept));
+    const results = plan
+      ? {
+          [plan.planner]: {
+            ...emptyResult,
+            plan,
+            lastGood: plan.outcome === "found" ? plan : null,
+            status: "done" as const,
+          },
+        }
+      : {};
     const layers = { ...presetLayers("clean"), sweep: true, grid: false, car: !this.whole };
-    this.drawer.draw({ ...base, lang: this.app.store.state.lang, scene, geometry, camera, planners: shown, results, layers, focus: plan?.planner ?? base.focus, tool: "hand" }, shown, this.app.tokens(), null);
+    this.drawer.draw(
+      {
+        ...base,
+        lang: this.app.store.state.lang,
+        scene,
+        geometry,
+        camera,
+        planners: shown,
+        results,
+        layers,
+        focus: plan?.planner ?? base.focus,
+        tool: "hand",
+      },
+      shown,
+      this.app.tokens(),
+      null,
+    );
   }
 }
 

@@ -13,8 +13,14 @@ const SPEEDS = [0.25, 0.5, 1, 2, 4] as const;
 
 /** The slider that moves every car, or every search, at once. */
 export class Timeline extends AppElement {
-  static override properties = { ...AppElement.properties, compact: { type: Boolean, reflect: true }, folded: { type: Boolean } };
-  static override styles = [controls, css`
+  static override properties = {
+    ...AppElement.properties,
+    compact: { type: Boolean, reflect: true },
+    folded: { type: Boolean },
+  };
+  static override styles = [
+    controls,
+    css`
     :host { display: block; container-type: inline-size; background: var(--parkade-panel); border-top: 1px solid var(--parkade-hair); }
     .row { display: flex; align-items: center; height: 43px; padding: 0 14px 0 10px; gap: 2px; }
     .segmented { margin: 0 16px 0 14px; flex: none; }
@@ -42,7 +48,8 @@ export class Timeline extends AppElement {
     :host([compact]) .icon { width: 44px; height: 44px; }
     :host([compact]) .segmented button { height: 30px; }
     :host([slim]) .row { height: 36px; } :host([slim]) :is(.icon, .slider, .track) { height: 36px; min-height: 0; }
-  `];
+  `,
+  ];
   declare compact: boolean;
   declare folded: boolean;
 
@@ -59,9 +66,12 @@ export class Timeline extends AppElement {
 
   protected override render(): unknown {
     const { playing } = this.state.playback;
-    const play = this.button(playing ? "pause" : "play", playing ? "time.pause" : "time.play", () => this.app.player.toggle());
+    const play = this.button(playing ? "pause" : "play", playing ? "time.pause" : "time.play", () =>
+      this.app.player.toggle(),
+    );
     const fold = this.t(this.folded ? "chart.expand" : "chart.collapse");
-    if (this.compact) return html`<div class="row" role="group" aria-label=${this.t("time.label")}>${play}${this.scrubber()}${this.bases()}</div>`;
+    if (this.compact)
+      return html`<div class="row" role="group" aria-label=${this.t("time.label")}>${play}${this.scrubber()}${this.bases()}</div>`;
     return html`<div class="row" role="group" aria-label=${this.t("time.label")}>
       ${this.button("first", "time.first", () => this.app.player.seek(0))}
       ${this.button("back", "time.back", (e) => this.app.player.step(-1, e.shiftKey))}
@@ -75,9 +85,16 @@ export class Timeline extends AppElement {
       ${this.state.scene.moving?.length ? this.waiting() : nothing}
       ${this.speed()}
       <button class="icon ${this.app.player.loop ? "on" : ""}" aria-pressed=${this.app.player.loop} aria-label=${this.t("time.loop")} title=${this.t("time.loop")}
-        @click=${() => { this.app.player.loop = !this.app.player.loop; this.requestUpdate(); }}>${icon("loop")}</button>
-      ${isLong(this.state.scene) ? html`<button class="icon ${this.state.follow ? "on" : ""}" aria-pressed=${this.state.follow} aria-label=${this.t("time.follow")} title=${this.t("time.follow")}
-        @click=${() => this.app.store.set({ follow: !this.state.follow, camera: null })}>${icon("car")}</button>` : nothing}
+        @click=${() => {
+          this.app.player.loop = !this.app.player.loop;
+          this.requestUpdate();
+        }}>${icon("loop")}</button>
+      ${
+        isLong(this.state.scene)
+          ? html`<button class="icon ${this.state.follow ? "on" : ""}" aria-pressed=${this.state.follow} aria-label=${this.t("time.follow")} title=${this.t("time.follow")}
+        @click=${() => this.app.store.set({ follow: !this.state.follow, camera: null })}>${icon("car")}</button>`
+          : nothing
+      }
       <button class="icon ${this.folded ? "up" : ""}" aria-expanded=${!this.folded} aria-label=${fold} title=${fold}
         @click=${() => this.dispatchEvent(new CustomEvent("parkade-fold", { bubbles: true, composed: true }))}>${icon("down")}</button>
     </div>`;
@@ -122,9 +139,13 @@ export class Timeline extends AppElement {
       const total = durationOf(this.state);
       return this.t("time.drivenOf", { now: this.num(playback.fraction * total, 1), total: this.num(total, 1) });
     }
-    if (playback.searchMode === "percent") return this.t("time.searchOf", { now: this.num(playback.fraction * 100, 0) });
+    if (playback.searchMode === "percent")
+      return this.t("time.searchOf", { now: this.num(playback.fraction * 100, 0) });
     const total = mostExpanded(this.state);
-    return this.t("time.countOf", { now: this.num(Math.round(playback.fraction * total), 0), total: this.num(total, 0) });
+    return this.t("time.countOf", {
+      now: this.num(Math.round(playback.fraction * total), 0),
+      total: this.num(total, 0),
+    });
   }
 
   private scrubber(): TemplateResult {
@@ -140,7 +161,11 @@ export class Timeline extends AppElement {
     </div>`;
   }
 
-  private button(name: IconName, key: "time.first" | "time.back" | "time.play" | "time.pause" | "time.next" | "time.last", run: (event: MouseEvent) => void): TemplateResult {
+  private button(
+    name: IconName,
+    key: "time.first" | "time.back" | "time.play" | "time.pause" | "time.next" | "time.last",
+    run: (event: MouseEvent) => void,
+  ): TemplateResult {
     return html`<button class="icon" aria-label=${this.t(key)} title=${this.t(key)} @click=${run}>${icon(name)}</button>`;
   }
 }
@@ -151,18 +176,21 @@ export function focusedPlan(state: State): Plan | null {
 }
 
 function cuspFractions(plan: Plan): number[] {
-  const along = distancesOf(plan), total = along.at(-1) ?? 0;
+  const along = distancesOf(plan),
+    total = along.at(-1) ?? 0;
   return total > 0 ? cuspsOf(plan).map((index) => along[index]! / total) : [];
 }
 
 /** Shares of the way driven in reverse. */
 export function reverseSpans(plan: Plan): [number, number][] {
-  const along = distancesOf(plan), total = along.at(-1) ?? 0;
+  const along = distancesOf(plan),
+    total = along.at(-1) ?? 0;
   if (total === 0) return [];
   const bounds = [0, ...cuspsOf(plan), along.length - 1];
   const spans: [number, number][] = [];
   for (let i = 0; i + 1 < bounds.length; i++) {
-    const from = bounds[i]!, to = bounds[i + 1]!;
+    const from = bounds[i]!,
+      to = bounds[i + 1]!;
     if (plan.directions[Math.min(from + 1, to)]! < 0) spans.push([along[from]! / total, along[to]! / total]);
   }
   return spans;

@@ -24,15 +24,26 @@ export const TOOLS: readonly { id: ToolId; icon: IconName; key: string; digit: s
 ];
 
 const MODES: readonly { id: State["mode"]; icon: IconName }[] = [
-  { id: "grid", icon: "grid" }, { id: "overlay", icon: "overlay" }, { id: "focus", icon: "focus" },
+  { id: "grid", icon: "grid" },
+  { id: "overlay", icon: "overlay" },
+  { id: "focus", icon: "focus" },
 ];
 
 type MenuName = "planners" | "layers" | "export" | "more";
 
 /** The bar at the top: scene, history, tools, layers, layout, export, theme, language, share. */
 export class Toolbar extends AppElement {
-  static override properties = { ...AppElement.properties, compact: { type: Boolean, reflect: true }, rail: { type: Boolean, reflect: true }, inspecting: { type: Boolean }, ready: { type: Boolean }, shared: { state: true } };
-  static override styles = [controls, css`
+  static override properties = {
+    ...AppElement.properties,
+    compact: { type: Boolean, reflect: true },
+    rail: { type: Boolean, reflect: true },
+    inspecting: { type: Boolean },
+    ready: { type: Boolean },
+    shared: { state: true },
+  };
+  static override styles = [
+    controls,
+    css`
     :host { display: block; container-type: inline-size; background: var(--parkade-panel); border-bottom: 1px solid var(--parkade-hair); position: relative; z-index: 20; }
     .bar { display: flex; align-items: center; height: 48px; padding: 0 12px; gap: 5px; }
     .brand { display: flex; align-items: center; gap: 8px; font-size: 14px; line-height: 18px; font-weight: 650; margin: 0 8px 0 0; }
@@ -82,7 +93,8 @@ export class Toolbar extends AppElement {
     :host([rail]) .tool { flex: none; width: 48px; height: 44px; padding: 0; } :host([rail]) kbd { display: none; }
     :host([rail]) .popover { inset: 4px auto auto 52px; max-height: calc(100cqh - 8px); }
     :host([compact]) .scene { border: 0; background: none; font-weight: 600; flex: none; max-width: 230px; height: 44px; }
-  `];
+  `,
+  ];
   declare compact: boolean;
   /** A column at the left, with the rest in a menu. */
   declare rail: boolean;
@@ -194,10 +206,19 @@ export class Toolbar extends AppElement {
   /** What a menu holds is fetched after the first picture. */
   private toggle(name: MenuName, { currentTarget }: Event): void {
     const opener = currentTarget as HTMLElement;
-    void menus.load().then(() => this.menus.toggle(name, opener), (error: unknown) => this.app.refuse("error.load", { reason: sentence(error) }));
+    void menus.load().then(
+      () => this.menus.toggle(name, opener),
+      (error: unknown) => this.app.refuse("error.load", { reason: sentence(error) }),
+    );
   }
 
-  private button(name: IconName, label: string, run: (event: Event) => void, kind: string, disabled = false): TemplateResult {
+  private button(
+    name: IconName,
+    label: string,
+    run: (event: Event) => void,
+    kind: string,
+    disabled = false,
+  ): TemplateResult {
     return html`<button class="icon ${kind}" ?disabled=${disabled} aria-label=${label} title=${label} @click=${run}>${icon(name)}</button>`;
   }
 
@@ -215,7 +236,10 @@ export class Toolbar extends AppElement {
   readonly share = (): void => {
     void this.app.share().then((copied) => {
       this.shared = copied;
-      if (copied) setTimeout(() => { this.shared = false; }, 2000);
+      if (copied)
+        setTimeout(() => {
+          this.shared = false;
+        }, 2000);
     });
   };
 
@@ -225,9 +249,14 @@ export class Toolbar extends AppElement {
 }
 
 /** The scene's title in the page's language, also of a changed preset that came by a link; empty for a drawing without a name. */
-export function sceneTitle(preset: string | null, infos: readonly { id: string; title: { en: string; zh: string } }[], state: State): string {
-  const name = preset ?? state.scene.name, info = infos.find((one) => one.id === name);
-  return info ? info.title[state.lang] : state.scene.name ?? "";
+export function sceneTitle(
+  preset: string | null,
+  infos: readonly { id: string; title: { en: string; zh: string } }[],
+  state: State,
+): string {
+  const name = preset ?? state.scene.name,
+    info = infos.find((one) => one.id === name);
+  return info ? info.title[state.lang] : (state.scene.name ?? "");
 }
 
 customElements.define("parkade-toolbar", Toolbar);

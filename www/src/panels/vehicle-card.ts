@@ -7,7 +7,10 @@ import { AppElement } from "./base";
 
 /** Which car plans, with the three numbers that matter for parking. */
 export class VehicleCard extends AppElement {
-  static override styles = [controls, sections, css`
+  static override styles = [
+    controls,
+    sections,
+    css`
     .card { display: grid; grid-template-columns: 92px 1fr; gap: 14px; align-items: center; }
     .facts { display: grid; font-size: 12px; line-height: 17px; }
     .facts span + span { color: var(--parkade-t2); }
@@ -16,7 +19,8 @@ export class VehicleCard extends AppElement {
     select:hover { background: var(--parkade-hover); color: var(--parkade-t1); }
     option { background: var(--parkade-raise); color: var(--parkade-t1); }
     @media (pointer: coarse) { select { min-height: 44px; } }
-  `];
+  `,
+  ];
 
   protected override pace = 100;
   protected watches(): readonly (keyof State)[] {
@@ -27,7 +31,12 @@ export class VehicleCard extends AppElement {
     const spec = this.state.scene.vehicle ?? "paper";
     const car = vehicleOf(spec);
     const length = car.rearToFront + car.rearToBack;
-    const names = ["paper", "sedan", ...(spec === "ship" ? ["ship"] : typeof spec === "string" ? [] : ["own"])] as ("paper" | "sedan" | "ship" | "own")[];
+    const names = ["paper", "sedan", ...(spec === "ship" ? ["ship"] : typeof spec === "string" ? [] : ["own"])] as (
+      | "paper"
+      | "sedan"
+      | "ship"
+      | "own"
+    )[];
     const now = typeof spec === "string" ? spec : "own";
     return html`
       <div class="head"><h2>${this.t("inspect.vehicle")}</h2>
@@ -47,7 +56,10 @@ export class VehicleCard extends AppElement {
 
 /** The car from above to scale, nose to the right, front wheels at full lock as far as a sketch shows. */
 function drawing(back: number, front: number, width: number, wheelbase: number): TemplateResult {
-  const k = 92 / (front + back), w = width * k, rear = back * k, axle = rear + wheelbase * k;
+  const k = 92 / (front + back),
+    w = width * k,
+    rear = back * k,
+    axle = rear + wheelbase * k;
   const wheel = (x: number, y: number, turn: number): TemplateResult =>
     svg`<rect x=${x - 5.5} y=${y - 2} width="11" height="4" rx="1" transform="rotate(${turn} ${x} ${y})" fill="currentColor"/>` as unknown as TemplateResult;
   return html`<svg width="92" height=${w + 6} viewBox="0 -3 92 ${w + 6}" fill="none" stroke="currentColor" stroke-width="1.25" aria-hidden="true">

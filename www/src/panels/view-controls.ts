@@ -17,7 +17,9 @@ const say = words({
 /** Zoom and fit for all maps, and a word where a path is cut off. */
 export class ViewControls extends AppElement {
   static override properties = { ...AppElement.properties, compact: { type: Boolean, reflect: true } };
-  static override styles = [controls, css`
+  static override styles = [
+    controls,
+    css`
     :host { position: absolute; left: 0; right: 0; bottom: 8px; z-index: 4; display: grid; justify-items: center; gap: 8px; pointer-events: none; }
     div { display: flex; background: var(--parkade-panel); border: 1px solid var(--parkade-hair2); border-radius: calc(6px * var(--parkade-radius)); overflow: hidden; pointer-events: auto; }
     div > * + * { border-left: 1px solid var(--parkade-hair); }
@@ -28,7 +30,8 @@ export class ViewControls extends AppElement {
     /* Fingers zoom by themselves, and a narrow map has no room to spare. */
     :host([compact]) { justify-items: end; inset: 8px 8px auto auto; } :host([compact]) div button:not(.fit) { display: none; }
     @media (pointer: coarse) { div button { width: 44px; height: 44px; } .pill { height: 44px; } }
-  `];
+  `,
+  ];
 
   declare compact: boolean;
   protected override pace = 100;
@@ -38,7 +41,9 @@ export class ViewControls extends AppElement {
   }
 
   protected override render(): TemplateResult {
-    const { controller } = this.app, { lang } = this.state, leaves = !this.state.follow && pathLeaves(this.state, controller.view());
+    const { controller } = this.app,
+      { lang } = this.state,
+      leaves = !this.state.follow && pathLeaves(this.state, controller.view());
     const button = (name: "out" | "fit" | "in", key: string, face: unknown, run: () => void): TemplateResult =>
       html`<button class=${name} aria-label=${say(lang, name)} aria-keyshortcuts=${key} title="${say(lang, name)} · ${key}" @click=${run}>${face}</button>`;
     return html`${leaves ? html`<button class="pill" @click=${() => controller.fit()}>${say(lang, "leaves")}</button>` : nothing}

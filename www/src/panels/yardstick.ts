@@ -13,10 +13,14 @@ const MOST = 40_000;
 
 /** How much longer a grid planner's path is than any over cell centres must be. */
 export class Yardstick extends AppElement {
-  static override styles = [controls, sections, css`
+  static override styles = [
+    controls,
+    sections,
+    css`
     h2 + button, h2 + output { margin-left: auto; white-space: nowrap; }
     p { margin-top: 4px; }
-  `];
+  `,
+  ];
   private helper: Helper | null = null;
   /** The scene and planner that were asked about, and metres; undefined while they are measured. */
   private asked: { scene: Scene; planner: string; metres: number | null | undefined } | null = null;
@@ -38,11 +42,15 @@ export class Yardstick extends AppElement {
     if (this.hidden) return nothing;
     const asked = this.asked?.scene === scene && this.asked.planner === focus ? this.asked : null;
     const large = scene.map.width * scene.map.height > MOST;
-    const plan = results[focus]?.plan, found = plan?.outcome === "found" ? plan.metrics.length : null;
+    const plan = results[focus]?.plan,
+      found = plan?.outcome === "found" ? plan.metrics.length : null;
     const metres = asked?.metres;
     return html`<div class="head"><h2>${say(lang, "title")}</h2>
-      ${typeof metres === "number" ? html`<output>${this.num(metres, 2)} m</output>`
-        : html`<button class="link" ?disabled=${large || asked !== null} @click=${() => void this.measure()}>${say(lang, asked && metres === undefined ? "measuring" : "measure")}</button>`}</div>
+      ${
+        typeof metres === "number"
+          ? html`<output>${this.num(metres, 2)} m</output>`
+          : html`<button class="link" ?disabled=${large || asked !== null} @click=${() => void this.measure()}>${say(lang, asked && metres === undefined ? "measuring" : "measure")}</button>`
+      }</div>
       ${large ? html`<p>${say(lang, "large", { n: this.num(MOST, 0) })}</p>` : nothing}
       ${metres === null ? html`<p>${say(lang, "none")}</p>` : nothing}
       ${metres && found !== null ? html`<p>${say(lang, "path", { share: `${found < metres ? "−" : "+"}${this.num(Math.abs(found / metres - 1) * 100, 1)}` })}</p>` : nothing}

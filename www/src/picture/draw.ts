@@ -37,34 +37,67 @@ export const draw = (sheet: Sheet): string => drawOn(file, () => drawn(sheet));
 function drawn(sheet: Sheet): string {
   const { width, height, theme, title, data } = sheet;
   introduce(sheet.planners);
-  const state = stateOf(sheet), room = roomOf(sheet);
-  const size = { width, height: height - room.above - room.below }, view = { camera: cameraFor(state, size.width, size.height), ...size };
+  const state = stateOf(sheet),
+    room = roomOf(sheet);
+  const size = { width, height: height - room.above - room.below },
+    view = { camera: cameraFor(state, size.width, size.height), ...size };
   const sides = (theme === "auto" ? [false, true] : [theme === "dark"]).map((dark) => {
-    const canvas = new Canvas(), bars = new Canvas(), tokens = makeTokens(dark, (name) => sheet.colours[name] ?? "");
-    const shown = sheet.plans.map((plan) => ({ planner: plan.planner, plan, result: { ...state.results[plan.planner]!, plan }, ghost: false }));
-    new SceneLayers().draw(makeFrame({ ctx: canvas.getContext() as unknown as Context, view, ratio: 1, state, tokens, shown, draft: null }));
+    const canvas = new Canvas(),
+      bars = new Canvas(),
+      tokens = makeTokens(dark, (name) => sheet.colours[name] ?? "");
+    const shown = sheet.plans.map((plan) => ({
+      planner: plan.planner,
+      plan,
+      result: { ...state.results[plan.planner]!, plan },
+      ghost: false,
+    }));
+    new SceneLayers().draw(
+      makeFrame({ ctx: canvas.getContext() as unknown as Context, view, ratio: 1, state, tokens, shown, draft: null }),
+    );
     drawBars(bars.getContext(), sheet, room, tokens);
     return { canvas, bars };
   });
-  const map = svgOf(sides.map(({ canvas }) => canvas)), around = svgOf(sides.map(({ bars }) => bars));
-  return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" role="img">`
-    + `<title>${escaped(title)}</title><metadata>${escaped(data)}</metadata>`
-    + (room.above + room.below > 0 ? `${around}<svg y="${room.above}" width="${width}" height="${size.height}">${map}</svg></svg>\n` : `${map}</svg>\n`);
+  const map = svgOf(sides.map(({ canvas }) => canvas)),
+    around = svgOf(sides.map(({ bars }) => bars));
+  return (
+    `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" role="img">` +
+    `<title>${escaped(title)}</title><metadata>${escaped(data)}</metadata>` +
+    (room.above + room.below > 0
+      ? `${around}<svg y="${room.above}" width="${width}" height="${size.height}">${map}</svg></svg>\n`
+      : `${map}</svg>\n`)
+  );
 }
 
 /** Pixels that a playground keeps from its map. */
-interface Room { above: number; below: number }
+interface Room {
+  above: number;
+  below: number;
+}
 
 /** The page's measures: a panel's title, the timeline on a desk and on a phone. */
-const TITLE = 32, TIMELINE = 44, PHONE_TIMELINE = 48, PHONE = 640;
+const TITLE = 32,
+  TIMELINE = 44,
+  PHONE_TIMELINE = 48,
+  PHONE = 640;
 
 function roomOf({ element, width }: Sheet): Room {
   const phone = width <= PHONE;
-  return { above: element?.layout === "single" && !phone ? TITLE : 0, below: element?.controls === "minimal" ? (phone ? PHONE_TIMELINE : TIMELINE) : 0 };
+  return {
+    above: element?.layout === "single" && !phone ? TITLE : 0,
+    below: element?.controls === "minimal" ? (phone ? PHONE_TIMELINE : TIMELINE) : 0,
+  };
 }
 
-function drawBars(ctx: ReturnType<Canvas["getContext"]>, { width, height }: Sheet, { above, below }: Room, { colour }: Tokens): void {
-  for (const [top, tall, line] of [[0, above, above - 1], [height - below, below, height - below]] as const) {
+function drawBars(
+  ctx: ReturnType<Canvas["getContext"]>,
+  { width, height }: Sheet,
+  { above, below }: Room,
+  { colour }: Tokens,
+): void {
+  for (const [top, tall, line] of [
+    [0, above, above - 1],
+    [height - below, below, height - below],
+  ] as const) {
     if (tall === 0) continue;
     ctx.fillStyle = colour.panel;
     ctx.fillRect(0, top, width, tall);
@@ -75,9 +108,27 @@ function drawBars(ctx: ReturnType<Canvas["getContext"]>, { width, height }: Shee
 
 function stateOf({ scene, geometry, plans, layers, camera }: Sheet): State {
   const planners = [...new Set(plans.map((plan) => plan.planner))];
-  const focus = planners.includes("hybrid") ? "hybrid" : planners.at(-1) ?? "hybrid";
-  const results = Object.fromEntries(plans.map((plan) => [plan.planner, {
-    ...emptyResult, plan, status: "done" as const, layers: plan.planner === focus ? layers : {},
-  }]));
-  return { ...initialState(), scene, geometry, planners, focus, mode: plans.length > 1 ? "overlay" : "grid", results, camera, complete: true };
+  const focus = planners.includes("hybrid") ? "hybrid" : (planners.at(-1) ?? "hybrid");
+  const results = Object.fromEntries(
+    plans.map((plan) => [
+      plan.planner,
+      {
+        ...emptyResult,
+        plan,
+        status: "done" as const,
+        layers: plan.planner === focus ? layers : {},
+      },
+    ]),
+  );
+  return {
+    ...initialState(),
+    scene,
+    geometry,
+    planners,
+    focus,
+    mode: plans.length > 1 ? "overlay" : "grid",
+    results,
+    camera,
+    complete: true,
+  };
 }

@@ -3,17 +3,25 @@ import type { Drive, Encounter, HybridPlan, Prefer } from "parkade";
 
 const MOST = 4;
 /** What differs by less looks the same: a share of the length or the time, and metres of clearance. */
-const SAME = 0.01, SAME_CLEARANCE = 0.05;
+const SAME = 0.01,
+  SAME_CLEARANCE = 0.05;
 
 /** What a chip stands for: a path that is the best by some measures, or the one that costs least. */
-export interface Choice { plan: HybridPlan; by: Prefer[]; isOrdinary: boolean }
+export interface Choice {
+  plan: HybridPlan;
+  by: Prefer[];
+  isOrdinary: boolean;
+}
 
 /** A choice with its drive, as of a plan. */
-export interface Driven extends Choice { drive: Drive | Encounter | null }
+export interface Driven extends Choice {
+  drive: Drive | Encounter | null;
+}
 
 /** The path that costs least with as much margin as the first, which is told first. */
 export const cheapest = (first: HybridPlan, others: readonly HybridPlan[]): HybridPlan =>
-  others.filter(({ metrics: { margin = 0 } }) => margin >= (first.metrics.margin ?? 0))
+  others
+    .filter(({ metrics: { margin = 0 } }) => margin >= (first.metrics.margin ?? 0))
     .reduce((best, plan) => ((plan.metrics.cost ?? Infinity) < (best.metrics.cost ?? Infinity) ? plan : best), first);
 
 const MEASURES: Record<Prefer, (plan: HybridPlan) => readonly [number, number]> = {
@@ -43,4 +51,6 @@ const bestBy = (prefer: Prefer, plans: readonly HybridPlan[]): HybridPlan | unde
 };
 
 const alike = ({ metrics: a }: HybridPlan, { metrics: b }: HybridPlan): boolean =>
-  a.directionChanges === b.directionChanges && Math.abs(a.length - b.length) <= SAME * a.length && Math.abs(a.minClearance - b.minClearance) <= SAME_CLEARANCE;
+  a.directionChanges === b.directionChanges &&
+  Math.abs(a.length - b.length) <= SAME * a.length &&
+  Math.abs(a.minClearance - b.minClearance) <= SAME_CLEARANCE;

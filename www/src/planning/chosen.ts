@@ -10,7 +10,10 @@ export const chosenOf = <T extends Choice>(choices: readonly T[], prefer: Prefer
 const ROUNDING = 1e-6;
 
 /** Whether no path of this car can be better by what is preferred: it is as short as it could be without obstacles. */
-export function isProven({ metrics: { length, rsBound = 0, cost = Infinity, directionChanges } }: HybridPlan, prefer: Prefer | undefined): boolean {
+export function isProven(
+  { metrics: { length, rsBound = 0, cost = Infinity, directionChanges } }: HybridPlan,
+  prefer: Prefer | undefined,
+): boolean {
   const isLeast = (value: number): boolean => value <= rsBound * (1 + ROUNDING);
   if (prefer === undefined) return isLeast(cost);
   return isLeast(length) && (prefer === "shortest" || (prefer === "fewest-changes" && directionChanges === 0));

@@ -13,7 +13,11 @@ export class JobError extends Error {
   }
 }
 
-interface Waiting { resolve(answer: unknown): void; reject(error: Error): void; tell: ((told: never) => void) | undefined }
+interface Waiting {
+  resolve(answer: unknown): void;
+  reject(error: Error): void;
+  tell: ((told: never) => void) | undefined;
+}
 
 export class Helper {
   private readonly worker: Worker;
@@ -36,7 +40,12 @@ export class Helper {
   }
 
   /** `tell` is given what the job has to say before its answer. */
-  call<Name extends JobName>(name: Name, input: Parameters<Jobs[Name]>[0], transfer: Transferable[] = [], tell?: (told: never) => void): Promise<ReturnType<Jobs[Name]>> {
+  call<Name extends JobName>(
+    name: Name,
+    input: Parameters<Jobs[Name]>[0],
+    transfer: Transferable[] = [],
+    tell?: (told: never) => void,
+  ): Promise<ReturnType<Jobs[Name]>> {
     const id = ++this.last;
     return new Promise((resolve, reject) => {
       this.waiting.set(id, { resolve: (answer) => resolve(answer as ReturnType<Jobs[Name]>), reject, tell });
@@ -71,7 +80,10 @@ export async function joined({ cells }: Moved<unknown>, scenes: readonly Scenari
     }
     rememberPacked(runs, text);
     const { obstacles = [], ...rest } = whole[scene]!;
-    whole[scene] = { ...rest, obstacles: obstacles.map((one, i) => (i === obstacle && one.type === "cells" ? { ...one, runs } : one)) };
+    whole[scene] = {
+      ...rest,
+      obstacles: obstacles.map((one, i) => (i === obstacle && one.type === "cells" ? { ...one, runs } : one)),
+    };
   }
   return whole;
 }

@@ -17,8 +17,17 @@ const LONG_MS = 1500;
 /** Many playgrounds may stand in a document: one that nobody has touched asks for no more. */
 const isPage = (): boolean => document.querySelector("parkade-playground[permalink]") !== null;
 
-interface App { readonly store: Store; readonly planning: object | null; complete(): Promise<Engine> }
-interface Question { scene: Scene; planner: PlannerId; prefer: State["prefer"][PlannerId]; waiting: State["waiting"] }
+interface App {
+  readonly store: Store;
+  readonly planning: object | null;
+  complete(): Promise<Engine>;
+}
+interface Question {
+  scene: Scene;
+  planner: PlannerId;
+  prefer: State["prefer"][PlannerId];
+  waiting: State["waiting"];
+}
 
 const following = new WeakSet<Store>();
 
@@ -31,7 +40,19 @@ export function follow(app: App): void {
 }
 
 /** What may change which paths are shown or asked for. */
-const WATCHED = ["scene", "transient", "waiting", "results", "prefer", "planners", "hidden", "complete", "canUndo", "hover", "playback"] as const;
+const WATCHED = [
+  "scene",
+  "transient",
+  "waiting",
+  "results",
+  "prefer",
+  "planners",
+  "hidden",
+  "complete",
+  "canUndo",
+  "hover",
+  "playback",
+] as const;
 
 class Improver {
   /** What has been found of each scene, by planner and how moving obstacles are waited for. */
@@ -61,7 +82,8 @@ class Improver {
 
   /** Shows what is known of the present scene, and sees whether there is more to ask. */
   private follow(): void {
-    const { state } = this, { choices: old = {} } = state;
+    const { state } = this,
+      { choices: old = {} } = state;
     const choices: NonNullable<State["choices"]> = {};
     for (const planner of state.planners) {
       const known = this.known(planner);
@@ -69,7 +91,8 @@ class Improver {
       choices[planner] = known;
       this.show(planner, chosenOf(known, state.prefer[planner]));
     }
-    if (this.better && this.question && isGood(state, this.question.planner)) this.show(this.question.planner, this.better);
+    if (this.better && this.question && isGood(state, this.question.planner))
+      this.show(this.question.planner, this.better);
     const ids = Object.keys({ ...old, ...choices }) as PlannerId[];
     if (ids.some((planner) => old[planner] !== choices[planner])) this.app.store.set({ choices });
     this.tell();
@@ -91,15 +114,28 @@ class Improver {
   /** A planner whose answer rests and has not been asked for more; the one in front first. */
   private next(): PlannerId | undefined {
     const { state } = this;
-    if (!this.app.planning || !state.complete || state.transient || state.playback.playing || document.hidden) return undefined;
+    if (!this.app.planning || !state.complete || state.transient || state.playback.playing || document.hidden)
+      return undefined;
     const isAlive = state.canUndo || state.hover !== null || isPage();
-    const isQuick = (planner: PlannerId): boolean => isAlive && (state.results[planner]?.time?.total ?? LONG_MS) < LONG_MS;
-    return [state.focus, ...state.planners].find((planner) => state.planners.includes(planner) && !state.hidden.has(planner)
-      && isGood(state, planner) && !this.known(planner) && (state.prefer[planner] || isQuick(planner)));
+    const isQuick = (planner: PlannerId): boolean =>
+      isAlive && (state.results[planner]?.time?.total ?? LONG_MS) < LONG_MS;
+    return [state.focus, ...state.planners].find(
+      (planner) =>
+        state.planners.includes(planner) &&
+        !state.hidden.has(planner) &&
+        isGood(state, planner) &&
+        !this.known(planner) &&
+        (state.prefer[planner] || isQuick(planner)),
+    );
   }
 
   private async search(planner: PlannerId): Promise<void> {
-    const { scene, waiting, prefer: { [planner]: prefer } } = this.state, question: Question = { scene, planner, prefer, waiting };
+    const {
+        scene,
+        waiting,
+        prefer: { [planner]: prefer },
+      } = this.state,
+      question: Question = { scene, planner, prefer, waiting };
     this.question = question;
     let choices: readonly Driven[] = [];
     try {
@@ -107,7 +143,13 @@ class Improver {
       const engine = await this.app.complete();
       if (this.question !== question) return;
       this.helper = new Helper(engine);
-      const asked = { planner: planner as HybridPlannerId, scene: forPlanners(scene, engine.api.packRuns), prefer, waiting, limits: limitsOn(scene) };
+      const asked = {
+        planner: planner as HybridPlannerId,
+        scene: forPlanners(scene, engine.api.packRuns),
+        prefer,
+        waiting,
+        limits: limitsOn(scene),
+      };
       choices = await this.helper.call("improve", asked, [], (better: Driven) => {
         if (this.question !== question) return;
         this.better = better;
@@ -131,20 +173,30 @@ class Improver {
 
   /** Says for which planner better paths are looked for, while there may be some. */
   private tell(): void {
-    const { question, state } = this, plan = question && state.results[question.planner]?.plan;
+    const { question, state } = this,
+      plan = question && state.results[question.planner]?.plan;
     const improving = question && plan && !isProven(plan as HybridPlan, question.prefer) ? question.planner : undefined;
     if (improving !== state.improving) this.app.store.set({ improving });
   }
 
   /** Puts a path in the place of a planner's first answer, whose search, time and work stay in sight; not under a car that drives. */
   private show(planner: PlannerId, choice: Driven | undefined): void {
-    const { results, playback } = this.state, result = results[planner];
+    const { results, playback } = this.state,
+      result = results[planner];
     if (!choice || !result?.plan || playback.playing || this.shown.get(result.plan) === choice) return;
     const before = this.shown.get(result.plan)?.plan ?? result.plan;
     if (samePath(before, choice.plan)) return void this.shown.set(result.plan, choice);
-    const { trace, stats, goal } = result.plan as HybridPlan, plan: HybridPlan = { ...(goal && { goal }), ...choice.plan, trace, stats };
+    const { trace, stats, goal } = result.plan as HybridPlan,
+      plan: HybridPlan = { ...(goal && { goal }), ...choice.plan, trace, stats };
     this.shown.set(plan, choice);
-    const patch: PanelResult = { ...result, ordinary: (result.chosen && result.ordinary) ?? result.plan, plan, chosen: plan, lastGood: plan, drive: choice.drive };
+    const patch: PanelResult = {
+      ...result,
+      ordinary: (result.chosen && result.ordinary) ?? result.plan,
+      plan,
+      chosen: plan,
+      lastGood: plan,
+      drive: choice.drive,
+    };
     this.app.store.set({ results: { ...results, [planner]: patch } });
   }
 }
@@ -153,12 +205,23 @@ const keyOf = (planner: PlannerId, waiting: State["waiting"]): string => `${plan
 
 /** Whether a question still is the one to answer. */
 const isAsked = ({ scene, planner, prefer, waiting }: Question, state: State): boolean =>
-  state.scene === scene && !state.transient && state.waiting === waiting && state.prefer[planner] === prefer && state.planners.includes(planner) && !state.hidden.has(planner);
+  state.scene === scene &&
+  !state.transient &&
+  state.waiting === waiting &&
+  state.prefer[planner] === prefer &&
+  state.planners.includes(planner) &&
+  !state.hidden.has(planner);
 
 /** Whether a planner's answer is one that may be bettered. */
 function isGood({ results }: State, planner: PlannerId): boolean {
   const result = results[planner];
-  return identityOf(planner).drives && result?.status === "done" && result.plan?.outcome === "found" && result.plan.check.drivable;
+  return (
+    identityOf(planner).drives &&
+    result?.status === "done" &&
+    result.plan?.outcome === "found" &&
+    result.plan.check.drivable
+  );
 }
 
-const samePath = ({ path: a }: Plan, { path: b }: Plan): boolean => a.length === b.length && a.every((value, at) => value === b[at]);
+const samePath = ({ path: a }: Plan, { path: b }: Plan): boolean =>
+  a.length === b.length && a.every((value, at) => value === b[at]);

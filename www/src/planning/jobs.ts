@@ -1,6 +1,43 @@
 /** What workers of the complete module do beside planning. */
-import type { Family, HybridPlan, HybridPlannerId, ImportOptions, Imported, Limits, PaperRow, ParkingRow, ParkingTable, PaperTable, Plan, PlannerId, PaperClaim, Prefer, RoadFigures, RoadRow, RoadTable, VolumeComparison } from "parkade";
-import { Planner, collisionRisk, generateScenario, importScene, init, packRuns, paperGrid, paperGridRows, paperGridSummary, paperParking, paperParkingRows, paperRoad, paperRoadRows, paperStranded, paperVerdicts, paperVolumes, roadFigures } from "parkade";
+import type {
+  Family,
+  HybridPlan,
+  HybridPlannerId,
+  ImportOptions,
+  Imported,
+  Limits,
+  PaperRow,
+  ParkingRow,
+  ParkingTable,
+  PaperTable,
+  Plan,
+  PlannerId,
+  PaperClaim,
+  Prefer,
+  RoadFigures,
+  RoadRow,
+  RoadTable,
+  VolumeComparison,
+} from "parkade";
+import {
+  Planner,
+  collisionRisk,
+  generateScenario,
+  importScene,
+  init,
+  packRuns,
+  paperGrid,
+  paperGridRows,
+  paperGridSummary,
+  paperParking,
+  paperParkingRows,
+  paperRoad,
+  paperRoadRows,
+  paperStranded,
+  paperVerdicts,
+  paperVolumes,
+  roadFigures,
+} from "parkade";
 import type { Run } from "../scene/cells";
 import type { Scenario } from "../scene/scenario";
 import { cheapest, choicesOf, type Choice, type Driven } from "./choices-of";
@@ -13,8 +50,16 @@ import type { Risk } from "./risk";
 const MANY = 2000;
 
 /** The cells of an obstacle: x, y, count of each run. */
-export interface Cells { scene: number; obstacle: number; numbers: Int32Array; text: string }
-export interface Moved<T> { value: T; cells: Cells[] }
+export interface Cells {
+  scene: number;
+  obstacle: number;
+  numbers: Int32Array;
+  text: string;
+}
+export interface Moved<T> {
+  value: T;
+  cells: Cells[];
+}
 
 const JOBS = {
   /** The answer alone, without its search. */
@@ -27,7 +72,16 @@ const JOBS = {
     }
   },
   /** What there is to choose from; tells of each path that is better than the first one by what is preferred, or costs less. */
-  improve: ({ planner, scene, prefer, waiting, limits }: { planner: HybridPlannerId; scene: Scenario; prefer: Prefer | undefined; waiting: Waiting; limits: Limits }, tell: (better: Driven) => void): Driven[] => {
+  improve: (
+    {
+      planner,
+      scene,
+      prefer,
+      waiting,
+      limits,
+    }: { planner: HybridPlannerId; scene: Scenario; prefer: Prefer | undefined; waiting: Waiting; limits: Limits },
+    tell: (better: Driven) => void,
+  ): Driven[] => {
     const made = new Planner(planner, scene);
     const driven = (choice: Choice): Driven => {
       try {
@@ -38,10 +92,14 @@ const JOBS = {
     };
     let first: HybridPlan | undefined;
     try {
-      const best = made.plan({ ...(prefer && { prefer }), alternatives: true, onImproved: (plan) => {
-        if (first) tell(driven({ plan, by: prefer ? [prefer] : [], isOrdinary: !prefer }));
-        else first = plan;
-      } });
+      const best = made.plan({
+        ...(prefer && { prefer }),
+        alternatives: true,
+        onImproved: (plan) => {
+          if (first) tell(driven({ plan, by: prefer ? [prefer] : [], isOrdinary: !prefer }));
+          else first = plan;
+        },
+      });
       const others = best.alternatives ?? [best];
       return choicesOf(cheapest(first ?? best, others), others).map(driven);
     } finally {
@@ -57,7 +115,13 @@ const JOBS = {
       made.free();
     }
   },
-  import: ({ files, options }: { files: Record<string, Uint8Array>; options: ImportOptions }): Moved<Omit<Imported, "scene" | "scenes"> & { scenes: Scenario[] }> => {
+  import: ({
+    files,
+    options,
+  }: {
+    files: Record<string, Uint8Array>;
+    options: ImportOptions;
+  }): Moved<Omit<Imported, "scene" | "scenes"> & { scenes: Scenario[] }> => {
     const { format, scenes, queries, notes } = importScene(files, options);
     const { value, cells } = apart(scenes);
     return { value: { format, scenes: value, queries, notes }, cells };
@@ -65,22 +129,34 @@ const JOBS = {
   generate: (family: Family): Moved<Scenario[]> => apart([generateScenario(family)]),
   rows: (): { rows: PaperRow[]; planners: string[]; columns: string[] } => paperGridRows(),
   paper: (slice: { row: string; from: number; to: number }): Float64Array => paperGrid(slice),
-  summary: (measured: Record<string, Float64Array>): { tables: PaperTable[]; claims: PaperClaim[] } => paperGridSummary(measured),
+  summary: (measured: Record<string, Float64Array>): { tables: PaperTable[]; claims: PaperClaim[] } =>
+    paperGridSummary(measured),
   parkingRows: (): ParkingRow[] => paperParkingRows(),
   parking: (options: { row: string }): ParkingTable => paperParking(options),
   roadRows: (): RoadRow[] => paperRoadRows(),
   roadFigures: ({ scene, path }: { scene: Scenario; path: Float64Array }): RoadFigures => roadFigures(scene, { path }),
-  risk: ({ scene, path, ...trials }: { scene: Scenario; path: Float64Array; from: number; trials: number }): Risk => collisionRisk(scene, { path }, trials),
+  risk: ({ scene, path, ...trials }: { scene: Scenario; path: Float64Array; from: number; trials: number }): Risk =>
+    collisionRisk(scene, { path }, trials),
   road: (options: { row: string }): RoadTable => paperRoad(options),
-  verdicts: (tables: { parking?: ParkingTable[]; road?: RoadTable[] }): ReturnType<typeof paperVerdicts> => paperVerdicts(tables),
+  verdicts: (tables: { parking?: ParkingTable[]; road?: RoadTable[] }): ReturnType<typeof paperVerdicts> =>
+    paperVerdicts(tables),
   stranded: (slice: { row: string; from: number; to: number }): number[] => paperStranded(slice),
   volumes: (options: { scene: string; poses: number; rounds: number }): VolumeComparison => paperVolumes(options),
 };
 
 export type Jobs = typeof JOBS;
 export type JobName = keyof Jobs;
-export interface JobRequest { kind: "job"; id: number; module: WebAssembly.Module; name: JobName; input: unknown }
-export type JobReply = { kind: "job"; id: number; told: unknown } | { kind: "job"; id: number; answer: unknown } | { kind: "job"; id: number; error: Failure };
+export interface JobRequest {
+  kind: "job";
+  id: number;
+  module: WebAssembly.Module;
+  name: JobName;
+  input: unknown;
+}
+export type JobReply =
+  | { kind: "job"; id: number; told: unknown }
+  | { kind: "job"; id: number; answer: unknown }
+  | { kind: "job"; id: number; error: Failure };
 
 const scope = self as unknown as {
   onmessage: ((event: MessageEvent<Request | JobRequest>) => void) | null;
@@ -99,7 +175,10 @@ async function work({ id, module, name, input }: JobRequest): Promise<void> {
     const tell = (told: unknown): void => scope.postMessage({ kind: "job", id, told }, []);
     const answer = (JOBS[name] as (given: unknown, tell: (told: unknown) => void) => unknown)(input, tell);
     const { cells } = Object(answer) as Partial<Moved<unknown>>;
-    scope.postMessage({ kind: "job", id, answer }, !Array.isArray(cells) ? [] : cells.map(({ numbers }) => numbers.buffer as ArrayBuffer));
+    scope.postMessage(
+      { kind: "job", id, answer },
+      !Array.isArray(cells) ? [] : cells.map(({ numbers }) => numbers.buffer as ArrayBuffer),
+    );
   } catch (error) {
     scope.postMessage({ kind: "job", id, error: failureOf(error) }, []);
   }
@@ -108,14 +187,16 @@ async function work({ id, module, name, input }: JobRequest): Promise<void> {
 /** Scenes without their long lists of cells, and these. */
 function apart(scenes: Scenario[]): Moved<Scenario[]> {
   const cells: Cells[] = [];
-  const value = scenes.map((scene, at): Scenario => ({
-    ...scene,
-    obstacles: (scene.obstacles ?? []).map((one, obstacle) => {
-      if (one.type !== "cells" || one.runs.length <= MANY) return one;
-      cells.push({ scene: at, obstacle, numbers: flat(one.runs), text: packRuns(one.runs) });
-      return { ...one, runs: [] };
+  const value = scenes.map(
+    (scene, at): Scenario => ({
+      ...scene,
+      obstacles: (scene.obstacles ?? []).map((one, obstacle) => {
+        if (one.type !== "cells" || one.runs.length <= MANY) return one;
+        cells.push({ scene: at, obstacle, numbers: flat(one.runs), text: packRuns(one.runs) });
+        return { ...one, runs: [] };
+      }),
     }),
-  }));
+  );
   return { value, cells };
 }
 

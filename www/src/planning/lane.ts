@@ -5,7 +5,18 @@ import type { Holder, WorkerPool } from "./pool";
 import type { Ends, Failure, Layers, Reply, Request, Timing, Waiting } from "./protocol";
 
 /** `every`: cells from one force of the layer `risk` to the next; `budget`: milliseconds after which the plan is given up. */
-export interface Job { id: number; scene: Scenario; layers: LayerName[]; every: number; trace: boolean; waiting: Waiting | null; limits?: Limits; prefer?: Prefer | undefined; shown?: Plan | null | undefined; budget?: number | null }
+export interface Job {
+  id: number;
+  scene: Scenario;
+  layers: LayerName[];
+  every: number;
+  trace: boolean;
+  waiting: Waiting | null;
+  limits?: Limits;
+  prefer?: Prefer | undefined;
+  shown?: Plan | null | undefined;
+  budget?: number | null;
+}
 
 /** What a lane needs of a Worker; tests put their own in. */
 export interface WorkerLike {
@@ -124,10 +135,11 @@ export class Lane implements Holder {
 
   private withWorker(use: (worker: WorkerLike) => void): void {
     if (this.worker) use(this.worker);
-    else this.pool.lease(this, (worker) => {
-      this.begin(worker);
-      use(worker);
-    });
+    else
+      this.pool.lease(this, (worker) => {
+        this.begin(worker);
+        use(worker);
+      });
   }
 
   private post(): void {
@@ -201,7 +213,8 @@ export class Lane implements Holder {
    * as what filled the memory may have come before it.
    */
   private died(message: string): void {
-    const lost = this.running, next = this.renew();
+    const lost = this.running,
+      next = this.renew();
     const again = next ?? (lost?.id === this.tried ? null : lost);
     this.tried = lost?.id ?? null;
     this.events.restarted();
@@ -245,6 +258,7 @@ const endsOf = ({ start, goal }: Scenario): Ends => (isGoalPose(goal) ? { start,
 
 /** Whether nothing else differs, so that a planner of one scene can answer for the other; a slot as goal is emptied for it, a set of goals resolved. */
 function differInEnds(a: Scenario, b: Scenario): boolean {
-  const isSame = (key: keyof Scenario): boolean => a[key] === b[key] || key === "start" || (key === "goal" && isGoalPose(a.goal) && isGoalPose(b.goal));
+  const isSame = (key: keyof Scenario): boolean =>
+    a[key] === b[key] || key === "start" || (key === "goal" && isGoalPose(a.goal) && isGoalPose(b.goal));
   return (Object.keys({ ...a, ...b }) as (keyof Scenario)[]).every(isSame);
 }

@@ -8,7 +8,13 @@ import completeUrl from "../../../pkg/parkade_bg.wasm?url";
 type Api = typeof import("./engine-complete");
 
 /** The planners' functions, ready to be called, their compiled module for the workers, and these; of all playgrounds of a page. */
-export interface Engine { extent: Extent; api: Api; module: WebAssembly.Module; pool: WorkerPool; script: string }
+export interface Engine {
+  extent: Extent;
+  api: Api;
+  module: WebAssembly.Module;
+  pool: WorkerPool;
+  script: string;
+}
 
 /** Where worker scripts and modules are when not beside this script: pages of one host that embed another's need their own copies. */
 export const elsewhere: { worker: string | null; wasm: string | null } = { worker: null, wasm: null };
@@ -41,21 +47,29 @@ export function loadEngine(extent: Extent): Promise<Engine> {
 
 async function load(extent: Extent): Promise<Engine> {
   const { url, script } = SOURCES[extent];
-  const [api, module] = await Promise.all([script() as Promise<unknown> as Promise<Api>, compile(beside(elsewhere.wasm, url))]);
+  const [api, module] = await Promise.all([
+    script() as Promise<unknown> as Promise<Api>,
+    compile(beside(elsewhere.wasm, url)),
+  ]);
   await api.init({ wasm: module });
   const source = beside(elsewhere.worker, api.script);
   const pool = new WorkerPool(() => new Worker(source, { type: "module", name: "parkade" }) as WorkerLike);
   const engine = { extent, api, module, pool, script: source };
   if (extent === "complete") {
     whole = engine;
-    void loading.core?.then((first) => first.pool.retire(), () => undefined);
+    void loading.core?.then(
+      (first) => first.pool.retire(),
+      () => undefined,
+    );
   }
   return engine;
 }
 
 /** The file of the same name in another folder. */
 const beside = (folder: string | null, url: string): string =>
-  folder === null ? new URL(url, import.meta.url).href : new URL(url.slice(url.lastIndexOf("/") + 1), new URL(folder.replace(/\/?$/, "/"), document.baseURI)).href;
+  folder === null
+    ? new URL(url, import.meta.url).href
+    : new URL(url.slice(url.lastIndexOf("/") + 1), new URL(folder.replace(/\/?$/, "/"), document.baseURI)).href;
 
 async function compile(url: string): Promise<WebAssembly.Module> {
   const response = await fetch(url);

@@ -4,12 +4,18 @@ import { workersHere, type Progress } from "./crew";
 import { Helper } from "./helper";
 import type { Engine } from "./module";
 
-export interface Tables { road: RoadTable; parking: ParkingTable }
+export interface Tables {
+  road: RoadTable;
+  parking: ParkingTable;
+}
 
 export class RowPapers<Name extends keyof Tables> {
   private helpers: Helper[] = [];
 
-  constructor(private readonly engine: Engine, private readonly name: Name) {}
+  constructor(
+    private readonly engine: Engine,
+    private readonly name: Name,
+  ) {}
 
   get running(): boolean {
     return this.helpers.length > 0;
@@ -21,15 +27,23 @@ export class RowPapers<Name extends keyof Tables> {
     const helpers = (this.helpers = Array.from({ length: workersHere() }, () => new Helper(this.engine)));
     try {
       const rows = await helpers[0]!.call(`${this.name}Rows`, undefined as never);
-      const order = rows.map(({ id }) => id), waiting = [...order], tables = new Map<string, Tables[Name]>();
-      const tell = (): void => told({ done: tables.size, of: order.length }, order.flatMap((id) => tables.get(id) ?? []));
+      const order = rows.map(({ id }) => id),
+        waiting = [...order],
+        tables = new Map<string, Tables[Name]>();
+      const tell = (): void =>
+        told(
+          { done: tables.size, of: order.length },
+          order.flatMap((id) => tables.get(id) ?? []),
+        );
       tell();
-      await Promise.all(helpers.map(async (helper) => {
-        for (let row = waiting.shift(); row; row = waiting.shift()) {
-          tables.set(row, await helper.call(this.name, { row }) as Tables[Name]);
-          if (this.helpers === helpers) tell();
-        }
-      }));
+      await Promise.all(
+        helpers.map(async (helper) => {
+          for (let row = waiting.shift(); row; row = waiting.shift()) {
+            tables.set(row, (await helper.call(this.name, { row })) as Tables[Name]);
+            if (this.helpers === helpers) tell();
+          }
+        }),
+      );
     } catch (error) {
       if (this.helpers === helpers) throw error;
     } finally {

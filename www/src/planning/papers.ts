@@ -6,10 +6,19 @@ import type { Engine } from "./module";
 import { median } from "./planning";
 
 /** `times`: mean milliseconds per row and planner. */
-export interface Summary { tables: PaperTable[]; claims: PaperClaim[]; times: Record<string, number[]> }
-export interface Seeds { from: number; to: number }
+export interface Summary {
+  tables: PaperTable[];
+  claims: PaperClaim[];
+  times: Record<string, number[]>;
+}
+export interface Seeds {
+  from: number;
+  to: number;
+}
 
-interface Slice extends Seeds { row: PaperRow }
+interface Slice extends Seeds {
+  row: PaperRow;
+}
 
 /** Cells whose searches take about as long as a worker should be silent. */
 const SLICE_CELLS = 30_000;
@@ -36,10 +45,16 @@ export class Papers {
     const helpers = (this.helpers = Array.from({ length: workersHere() + 1 }, () => new Helper(this.engine)));
     const [clerk, ...crew] = helpers as [Helper, ...Helper[]];
     try {
-      ({ rows: this.rows, planners: this.planners, columns: this.columns } = await clerk.call("rows", undefined as never));
+      ({
+        rows: this.rows,
+        planners: this.planners,
+        columns: this.columns,
+      } = await clerk.call("rows", undefined as never));
       const of = this.rows.length * (seeds.to - seeds.from + 1);
       const slices = this.missing(seeds);
-      let done = of - slices.reduce((sum, one) => sum + one.to - one.from + 1, 0), shown = 0, asking = false;
+      let done = of - slices.reduce((sum, one) => sum + one.to - one.from + 1, 0),
+        shown = 0,
+        asking = false;
       const tell = async (): Promise<void> => {
         told({ done, of }, null);
         if (asking || performance.now() - shown < SUMMARY_MS) return;
@@ -50,13 +65,15 @@ export class Papers {
         if (summary && this.helpers === helpers) told({ done, of }, summary);
       };
       told({ done, of }, null);
-      await Promise.all(crew.map(async (helper) => {
-        for (let slice = slices.shift(); slice; slice = slices.shift()) {
-          this.keep(slice, await helper.call("paper", { row: slice.row.id, from: slice.from, to: slice.to }));
-          done += slice.to - slice.from + 1;
-          void tell().catch(() => undefined);
-        }
-      }));
+      await Promise.all(
+        crew.map(async (helper) => {
+          for (let slice = slices.shift(); slice; slice = slices.shift()) {
+            this.keep(slice, await helper.call("paper", { row: slice.row.id, from: slice.from, to: slice.to }));
+            done += slice.to - slice.from + 1;
+            void tell().catch(() => undefined);
+          }
+        }),
+      );
       told({ done, of }, await this.summary(clerk, seeds));
       return true;
     } catch (error) {
@@ -71,7 +88,9 @@ export class Papers {
   async stranded(seeds: Seeds): Promise<Record<string, number[]>> {
     const helper = new Helper(this.engine);
     try {
-      const found = this.rows.map(async ({ id }) => [id, await helper.call("stranded", { row: id, ...seeds })] as const);
+      const found = this.rows.map(
+        async ({ id }) => [id, await helper.call("stranded", { row: id, ...seeds })] as const,
+      );
       return Object.fromEntries(await Promise.all(found));
     } finally {
       helper.stop();
@@ -88,7 +107,8 @@ export class Papers {
   /** Small seeds of every row first, so that all tables fill together. */
   private missing({ from, to }: Seeds): Slice[] {
     const slices = this.rows.flatMap((row) => {
-      const known = this.figures.get(row.id), most = Math.max(1, Math.floor(SLICE_CELLS / (row.size * row.size)));
+      const known = this.figures.get(row.id),
+        most = Math.max(1, Math.floor(SLICE_CELLS / (row.size * row.size)));
       const list: Slice[] = [];
       for (let seed = from; seed <= to; seed++) {
         if (known?.has(seed)) continue;
@@ -114,7 +134,12 @@ export class Papers {
    * far beyond the others are the machine's, not the search's.
    */
   private takeTimes(figures: Float64Array): number[] {
-    const { columns: { length: step }, planners } = this, width = step * planners.length, column = this.columns.indexOf("milliseconds");
+    const {
+        columns: { length: step },
+        planners,
+      } = this,
+      width = step * planners.length,
+      column = this.columns.indexOf("milliseconds");
     return planners.map((_, planner) => {
       const times: number[] = [];
       for (let i = planner * step + column; i < figures.length; i += width) {
@@ -127,7 +152,8 @@ export class Papers {
   }
 
   private async summary(clerk: Helper, { from, to }: Seeds): Promise<Summary | null> {
-    const measured: Record<string, Float64Array> = {}, times: Summary["times"] = {};
+    const measured: Record<string, Float64Array> = {},
+      times: Summary["times"] = {};
     for (const { id } of this.rows) {
       const parts: Float64Array[] = [];
       for (let seed = from; seed <= to; seed++) {
@@ -145,8 +171,14 @@ export class Papers {
     if (crossOriginIsolated) return { tables, claims, times };
     return {
       times,
-      tables: tables.map((table) => ({ ...table, ratios: table.ratios.filter(({ figure }) => figure !== "milliseconds") })),
-      claims: claims.map((claim) => ({ ...claim, found: claim.found.replace(/time 1\.000 to 1\.000/g, "time not judged") })),
+      tables: tables.map((table) => ({
+        ...table,
+        ratios: table.ratios.filter(({ figure }) => figure !== "milliseconds"),
+      })),
+      claims: claims.map((claim) => ({
+        ...claim,
+        found: claim.found.replace(/time 1\.000 to 1\.000/g, "time not judged"),
+      })),
     };
   }
 }

@@ -16,7 +16,8 @@ const WARM_UP = 3;
 const WARM_UP_MS = 400;
 const SLICE_MS = 40;
 /** A plan longer than this is not repeated again and again just to time it, one longer than the second not once. */
-const TOO_LONG_MS = 400, FAR_TOO_LONG_MS = 3000;
+const TOO_LONG_MS = 400,
+  FAR_TOO_LONG_MS = 3000;
 const QUIET_MS = 350;
 const HOLD_MS = 12;
 /** Of the risk field, that a step of a drag brings. */
@@ -63,9 +64,14 @@ export class Planning {
 
   start(): void {
     this.unsubscribe ??= this.store.subscribe((state, previous) => {
-      if (state.scene !== previous.scene || state.planners !== previous.planners || state.waiting !== previous.waiting) this.replan(previous.scene);
-      else if (previous.transient && !state.transient) this.replan(state.scene); // A drag leaves its slower layers behind.
-      else if ((["redundant", "cost", "risk", "tree"] as const).some((name) => state.layers[name] && !previous.layers[name])) this.replan(state.scene);
+      if (state.scene !== previous.scene || state.planners !== previous.planners || state.waiting !== previous.waiting)
+        this.replan(previous.scene);
+      else if (previous.transient && !state.transient)
+        this.replan(state.scene); // A drag leaves its slower layers behind.
+      else if (
+        (["redundant", "cost", "risk", "tree"] as const).some((name) => state.layers[name] && !previous.layers[name])
+      )
+        this.replan(state.scene);
       if (state.hover !== previous.hover) void this.explain(state);
     });
     this.replan(null);
@@ -95,7 +101,14 @@ export class Planning {
     this.absent.clear();
     for (const lane of this.lanes.values()) if (lane.busy) lane.stop();
     const { results } = this.store.state;
-    this.store.set({ results: Object.fromEntries(Object.entries(results).map(([planner, result]) => [planner, result.status === "planning" ? { ...result, status: "idle" as const } : result])) });
+    this.store.set({
+      results: Object.fromEntries(
+        Object.entries(results).map(([planner, result]) => [
+          planner,
+          result.status === "planning" ? { ...result, status: "idle" as const } : result,
+        ]),
+      ),
+    });
     this.afterResult();
   }
 
@@ -115,24 +128,36 @@ export class Planning {
     if (!this.isBusy() && !this.isWarmingUp) return Promise.resolve();
     if (!this.settled) {
       let resolve = (): void => {};
-      const promise = new Promise<void>((done) => { resolve = done; });
+      const promise = new Promise<void>((done) => {
+        resolve = done;
+      });
       this.settled = { promise, resolve };
     }
     return this.settled.promise;
   }
 
   /** Times planners again, one after another; their `results` then hold that many samples. */
-  async measure(runs: number, planners: readonly PlannerId[] = this.store.state.planners, limit = Infinity): Promise<void> {
+  async measure(
+    runs: number,
+    planners: readonly PlannerId[] = this.store.state.planners,
+    limit = Infinity,
+  ): Promise<void> {
     this.endMeasurement();
     const measurement = (this.measuring = {});
     for (const planner of planners) {
-      const samples: Timing[] = [], end = performance.now() + limit;
-      while (samples.length < runs && measurement === this.measuring && (samples.length === 0 || performance.now() < end)) {
+      const samples: Timing[] = [],
+        end = performance.now() + limit;
+      while (
+        samples.length < runs &&
+        measurement === this.measuring &&
+        (samples.length === 0 || performance.now() < end)
+      ) {
         const more = await this.lanes.get(planner)?.time(runs - samples.length, SLICE_MS);
         if (!more || more.length === 0) break;
         samples.push(...more);
       }
-      if (samples.length > 0 && measurement === this.measuring) this.update(planner, { samples, time: medians(samples) });
+      if (samples.length > 0 && measurement === this.measuring)
+        this.update(planner, { samples, time: medians(samples) });
     }
   }
 
@@ -143,8 +168,10 @@ export class Planning {
 
   /** The cell under the pointer in the terms of the risk field's paper, wherever its arrows are shown. */
   private async explain({ hover, layers, planners, transient }: State): Promise<void> {
-    const planner = planners.find(hasField), lane = planner && this.lanes.get(planner);
-    const wanted = hover && layers.risk && !transient && lane && lane.module === this.engine.module && this.store.state.complete;
+    const planner = planners.find(hasField),
+      lane = planner && this.lanes.get(planner);
+    const wanted =
+      hover && layers.risk && !transient && lane && lane.module === this.engine.module && this.store.state.complete;
     const explained = wanted ? await lane.explain(hover.x, hover.y).catch(() => null) : null;
     if (explained !== this.store.state.explained && this.store.state.hover === hover) this.store.set({ explained });
   }
@@ -162,7 +189,11 @@ export class Planning {
     if (opens) [this.opened, this.firstJob] = [state.opened, this.job];
     const isOtherMap = previous !== null && !sameMap(previous, state.scene);
     if (isOtherMap) this.mapJob = this.job;
-    const before = opens ? {} : isOtherMap ? Object.fromEntries(Object.entries(state.results).map(([id, result]) => [id, offLattice(result)])) : state.results;
+    const before = opens
+      ? {}
+      : isOtherMap
+        ? Object.fromEntries(Object.entries(state.results).map(([id, result]) => [id, offLattice(result)]))
+        : state.results;
     if (!this.resolve(state, before)) return;
     // A stroke over a huge map is planned when it ends.
     if (state.transient && isUnpacked(state.scene)) return;
@@ -178,11 +209,24 @@ export class Planning {
       this.lanes.delete(planner);
     }
     const scene = forPlanners(state.scene, this.engine.api.packRuns);
-    const present = state.planners.filter((planner) => this.engine.extent === "complete" || extentFor([planner]) === "core");
+    const present = state.planners.filter(
+      (planner) => this.engine.extent === "complete" || extentFor([planner]) === "core",
+    );
     this.planWhenLoaded(state.planners.filter((planner) => !present.includes(planner)));
     for (const planner of present) {
       const waiting = state.transient ? null : state.waiting;
-      const job = { id: this.job, scene, layers: layersOf(planner, state), every: forceEvery(state), trace: isTraced(planner, state), waiting, limits: limitsOn(scene), prefer: state.prefer[planner], shown: state.results[planner]?.chosen, budget: this.budget };
+      const job = {
+        id: this.job,
+        scene,
+        layers: layersOf(planner, state),
+        every: forceEvery(state),
+        trace: isTraced(planner, state),
+        waiting,
+        limits: limitsOn(scene),
+        prefer: state.prefer[planner],
+        shown: state.results[planner]?.chosen,
+        budget: this.budget,
+      };
       if (state.transient && identityOf(planner).drives) this.hold(planner, job);
       else {
         this.held.delete(planner);
@@ -198,7 +242,9 @@ export class Planning {
       const failed = [...this.absent];
       this.absent.clear();
       const failure = this.engine.api.failureOf(error);
-      this.store.set({ message: { tone: "err", text: translate(this.store.state.lang, "error.load", { reason: failure.message }) } });
+      this.store.set({
+        message: { tone: "err", text: translate(this.store.state.lang, "error.load", { reason: failure.message }) },
+      });
       for (const planner of failed) this.failed(planner, failure, false);
     });
   }
@@ -225,8 +271,12 @@ export class Planning {
     } catch (error) {
       const failure = this.engine.api.failureOf(error);
       this.refused = failure;
-      const results = Object.fromEntries(state.planners.map((planner) =>
-        [planner, { ...(before[planner] ?? emptyResult), status: "error" as const, error: failure }]));
+      const results = Object.fromEntries(
+        state.planners.map((planner) => [
+          planner,
+          { ...(before[planner] ?? emptyResult), status: "error" as const, error: failure },
+        ]),
+      );
       const key = failure.path ? "error.sceneAt" : "error.scene";
       const text = translate(state.lang, key, { path: failure.path, reason: withoutPath(failure) });
       this.store.set({ results, message: { tone: "err", text, code: failure.code } });
@@ -256,7 +306,8 @@ export class Planning {
   /** Only of plans of the present scene that are waited for. */
   private progressed(planner: PlannerId, id: number, expansions: number): void {
     const { progress, results } = this.store.state;
-    if (id === this.job && results[planner]?.status === "planning") this.store.set({ progress: { ...progress, [planner]: expansions } });
+    if (id === this.job && results[planner]?.status === "planning")
+      this.store.set({ progress: { ...progress, [planner]: expansions } });
   }
 
   private planned(planner: PlannerId, reply: Extract<Reply, { kind: "planned" }>, newerWaits: boolean): void {
@@ -282,7 +333,9 @@ export class Planning {
     this.update(planner, reply.id < this.mapJob ? offLattice(result) : result);
     if (reply.undriven && !newerWaits) {
       const { lang } = this.store.state;
-      this.store.set({ message: { tone: "warn", text: translate(lang, "error.drive", { planner: plannerName(lang, planner) }) } });
+      this.store.set({
+        message: { tone: "warn", text: translate(lang, "error.drive", { planner: plannerName(lang, planner) }) },
+      });
     }
     if (!newerWaits) this.afterResult();
   }
@@ -291,10 +344,12 @@ export class Planning {
     this.update(planner, { status: newerWaits ? "planning" : "error", error });
     if (newerWaits) return;
     if (error.code !== "internal") {
-      const { lang } = this.store.state, name = plannerName(lang, planner);
-      const text = error.code === "interrupted"
-        ? translate(lang, "error.budget", { planner: name, ms: error.message })
-        : translate(lang, "error.config", { planner: name, path: error.path, reason: withoutPath(error) });
+      const { lang } = this.store.state,
+        name = plannerName(lang, planner);
+      const text =
+        error.code === "interrupted"
+          ? translate(lang, "error.budget", { planner: name, ms: error.message })
+          : translate(lang, "error.config", { planner: name, path: error.path, reason: withoutPath(error) });
       this.store.set({ message: { tone: "err", text, code: error.code } });
     }
     this.afterResult();
@@ -320,7 +375,9 @@ export class Planning {
   /** Times what has no time yet, before anything moves. */
   private async warmUp(): Promise<void> {
     const { results, planners, transient } = this.store.state;
-    const untimed = transient ? [] : planners.filter((planner) => results[planner]?.status === "done" && !results[planner].time);
+    const untimed = transient
+      ? []
+      : planners.filter((planner) => results[planner]?.status === "done" && !results[planner].time);
     this.isWarmingUp = true;
     if (untimed.length > 0) await this.measure(WARM_UP, untimed, WARM_UP_MS);
     if (this.isBusy()) return;
@@ -344,8 +401,10 @@ export class Planning {
   }
 }
 
-const medians = (samples: readonly Timing[]): Timing =>
-  ({ search: median(samples.map((one) => one.search)), total: median(samples.map((one) => one.total)) });
+const medians = (samples: readonly Timing[]): Timing => ({
+  search: median(samples.map((one) => one.search)),
+  total: median(samples.map((one) => one.total)),
+});
 
 export function median(values: readonly number[]): number {
   const sorted = [...values].sort((a, b) => a - b);
@@ -365,8 +424,12 @@ function layersOf(planner: PlannerId, state: State): LayerName[] {
 }
 
 /** A drag over a huge map moves as many arrows as are drawn of all of it. */
-const forceEvery = ({ transient, scene: { map: { width, height } } }: State): number =>
-  transient ? Math.max(1, Math.ceil(Math.sqrt((width * height) / MOST_FORCES))) : 1;
+const forceEvery = ({
+  transient,
+  scene: {
+    map: { width, height },
+  },
+}: State): number => (transient ? Math.max(1, Math.ceil(Math.sqrt((width * height) / MOST_FORCES))) : 1);
 
 /** A drag's plans bring no more than is drawn of them. */
 const isTraced = (planner: PlannerId, { transient, layers, playback }: State): boolean =>
@@ -376,7 +439,8 @@ const hasCosts = (planner: PlannerId): boolean => infoOf(planner)?.family === "r
 
 /** Whether a grid planner's settings close free cells. */
 const closes = (settings: PlannerSettings[PlannerId] = {}): boolean =>
-  "minPassage" in settings && Number(settings.minPassage) > 1 || "trapMouth" in settings && Number(settings.trapMouth) > 1;
+  ("minPassage" in settings && Number(settings.minPassage) > 1) ||
+  ("trapMouth" in settings && Number(settings.trapMouth) > 1);
 
 const withOld = (layers: Layers, old: Layers, transient: boolean): Layers =>
   transient && old.clearance && !layers.clearance ? { ...layers, clearance: old.clearance } : layers;

@@ -15,7 +15,10 @@ export const mostWorkers = (processors: number): number => Math.min(8, Math.max(
 /** How long workers are kept when nobody has one: a reader comes to the next figure in this time. */
 export const KEPT_MS = 60_000;
 
-interface Member { worker: WorkerLike; holder: Holder | null }
+interface Member {
+  worker: WorkerLike;
+  holder: Holder | null;
+}
 
 /** The workers of all playgrounds of a page that plan with one module. */
 export class WorkerPool {
@@ -24,7 +27,10 @@ export class WorkerPool {
   private retired = false;
   private waiting: { holder: Holder; give: (worker: WorkerLike) => void }[] = [];
 
-  constructor(private readonly spawn: () => WorkerLike, private readonly most = mostWorkers(navigator.hardwareConcurrency || 1)) {}
+  constructor(
+    private readonly spawn: () => WorkerLike,
+    private readonly most = mostWorkers(navigator.hardwareConcurrency || 1),
+  ) {}
 
   get size(): number {
     return this.members.length;
@@ -36,7 +42,11 @@ export class WorkerPool {
    */
   lease(holder: Holder, give: (worker: WorkerLike) => void): void {
     this.forget(holder);
-    const member = this.members.find((one) => one.holder === null) ?? this.take((other) => other.of !== holder.of) ?? this.grow() ?? this.take(() => true);
+    const member =
+      this.members.find((one) => one.holder === null) ??
+      this.take((other) => other.of !== holder.of) ??
+      this.grow() ??
+      this.take(() => true);
     if (!member) {
       this.waiting.push({ holder, give });
       return;
@@ -95,7 +105,10 @@ export class WorkerPool {
   }
 
   private serve(): void {
-    while (this.waiting.length > 0 && (this.members.length < this.most || this.members.some((one) => one.holder === null))) {
+    while (
+      this.waiting.length > 0 &&
+      (this.members.length < this.most || this.members.some((one) => one.holder === null))
+    ) {
       const { holder, give } = this.waiting.shift()!;
       this.lease(holder, give);
     }

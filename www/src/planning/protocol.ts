@@ -27,24 +27,48 @@ export interface PlanRequest {
 }
 
 /** Where a plan begins and ends; without a goal, at the scene's slot or set of goals. */
-export interface Ends { start: Pose; goal?: Pose }
+export interface Ends {
+  start: Pose;
+  goal?: Pose;
+}
 
 /** How moving obstacles are waited for. */
 export type Waiting = "predictive" | "reactive";
 
 /** What the risk field does at a point of the last scene. */
-export interface Explain { kind: "explain"; id: number; x: number; y: number }
+export interface Explain {
+  kind: "explain";
+  id: number;
+  x: number;
+  y: number;
+}
 
 /** Milliseconds of a plan: until its search ended, and with what follows, measures and checks its path. */
-export interface Timing { search: number; total: number }
+export interface Timing {
+  search: number;
+  total: number;
+}
 
-export interface Failure { code: string; path: string; message: string }
+export interface Failure {
+  code: string;
+  path: string;
+  message: string;
+}
 export type Layers = Partial<Record<LayerName, Layer>>;
 
 export type Reply =
   /** Expansions so far. */
   | { kind: "progress"; id: number; expansions: number }
-  | { kind: "planned"; id: number; plan: Plan; layers: Layers; drive: Drive | Encounter | null; /** There should be a drive, and its computation failed. */ undriven: boolean; time: Timing; /** Whether the worker has planned before. */ warm: boolean }
+  | {
+      kind: "planned";
+      id: number;
+      plan: Plan;
+      layers: Layers;
+      drive: Drive | Encounter | null /** There should be a drive, and its computation failed. */;
+      undriven: boolean;
+      time: Timing /** Whether the worker has planned before. */;
+      warm: boolean;
+    }
   | { kind: "timed"; id: number; samples: Timing[] }
   | { kind: "explained"; id: number; explanation: Explanation | null }
   | { kind: "failed"; id: number; error: Failure };

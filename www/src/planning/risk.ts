@@ -5,9 +5,14 @@ import type { Scene } from "../store";
 import { Helper } from "./helper";
 import type { Engine } from "./module";
 
-export interface Risk { trials: number; hits: number; discHits: number }
+export interface Risk {
+  trials: number;
+  hits: number;
+  discHits: number;
+}
 
-const TRIALS = 1000, SLICES = 10;
+const TRIALS = 1000,
+  SLICES = 10;
 
 /** One worker, started when it is first needed. */
 export class RoadMeasures {
@@ -21,9 +26,15 @@ export class RoadMeasures {
 
   /** Tells after every slice; the last one has all trials. Rejects where it is stopped. */
   async risk(scene: Scene, plan: Plan, told: (risk: Risk, of: number) => void): Promise<void> {
-    const worker = this.worker(), sum = { trials: 0, hits: 0, discHits: 0 };
+    const worker = this.worker(),
+      sum = { trials: 0, hits: 0, discHits: 0 };
     for (let k = 0; k < SLICES; k++) {
-      const slice = await worker.call("risk", { scene: this.packed(scene), path: plan.path, from: sum.trials, trials: TRIALS / SLICES });
+      const slice = await worker.call("risk", {
+        scene: this.packed(scene),
+        path: plan.path,
+        from: sum.trials,
+        trials: TRIALS / SLICES,
+      });
       sum.trials += slice.trials;
       sum.hits += slice.hits;
       sum.discHits += slice.discHits;

@@ -52,9 +52,12 @@ async function answer(request: Exclude<Request, { kind: "start" }>): Promise<voi
 function answerTo(request: Exclude<Request, { kind: "start" }>): Reply {
   const { id } = request;
   switch (request.kind) {
-    case "plan": return plan(request);
-    case "time": return { kind: "timed", id, samples: time(request) };
-    case "explain": return { kind: "explained", id, explanation: held?.planner.explain(request) ?? null };
+    case "plan":
+      return plan(request);
+    case "time":
+      return { kind: "timed", id, samples: time(request) };
+    case "explain":
+      return { kind: "explained", id, explanation: held?.planner.explain(request) ?? null };
   }
 }
 
@@ -80,16 +83,35 @@ function letGo(): undefined {
   held = null;
 }
 
-function plan({ id, scene, ends, layers: names, every, trace, waiting, limits, prefer, shown }: PlanRequest): Extract<Reply, { kind: "planned" }> {
+function plan({
+  id,
+  scene,
+  ends,
+  layers: names,
+  every,
+  trace,
+  waiting,
+  limits,
+  prefer,
+  shown,
+}: PlanRequest): Extract<Reply, { kind: "planned" }> {
   const warm = plans >= WARM_PLANS;
-  const drags = !waiting && !!api.driveOf && planner.startsWith("hybrid"), current = hold(scene, ends, drags);
+  const drags = !waiting && !!api.driveOf && planner.startsWith("hybrid"),
+    current = hold(scene, ends, drags);
   if (drags && shown) current.planner.continueFrom(shown as HybridPlan);
-  const [found, time] = timed(current.planner, { trace, ...ends, ...(drags && { ...DRAG, prefer: prefer! }) }, (expansions) => scope.postMessage({ kind: "progress", id, expansions }, []));
+  const [found, time] = timed(
+    current.planner,
+    { trace, ...ends, ...(drags && { ...DRAG, prefer: prefer! }) },
+    (expansions) => scope.postMessage({ kind: "progress", id, expansions }, []),
+  );
   const layers: Layers = {};
   for (const name of names) layers[name] = current.planner.layer(name, name === "risk" ? { every } : {});
   const reply = { kind: "planned", id, plan: found, layers, drive: null, undriven: false, time, warm } as const;
   try {
-    return { ...reply, drive: (waiting && api.driveOf?.({ ...current.scene, ...ends }, found, waiting, limits)) ?? null };
+    return {
+      ...reply,
+      drive: (waiting && api.driveOf?.({ ...current.scene, ...ends }, found, waiting, limits)) ?? null,
+    };
   } catch (error) {
     // A trap leaves the module's memory in an unknown state.
     if (failureOf(error).code === "internal") throw error;
@@ -98,33 +120,47 @@ function plan({ id, scene, ends, layers: names, every, trace, waiting, limits, p
 }
 
 /** Times depend on the path alone, and reading a huge map takes longer than planning. */
-const withoutCells = (scene: Scenario): Scenario => ({ ...scene, obstacles: (scene.obstacles ?? []).filter(({ type }) => type !== "cells") });
+const withoutCells = (scene: Scenario): Scenario => ({
+  ...scene,
+  obstacles: (scene.obstacles ?? []).filter(({ type }) => type !== "cells"),
+});
 
 /** A plan and how long it took. */
-function timed(planner: Planner, options: Parameters<Planner["plan"]>[0], tell: (expansions: number) => void = () => {}): [Plan, Timing] {
+function timed(
+  planner: Planner,
+  options: Parameters<Planner["plan"]>[0],
+  tell: (expansions: number) => void = () => {},
+): [Plan, Timing] {
   const from = performance.now();
   let search = 0;
-  const found = planner.plan({ ...options, onProgress: (expansions) => {
-    search = performance.now() - from;
-    tell(expansions);
-  } });
+  const found = planner.plan({
+    ...options,
+    onProgress: (expansions) => {
+      search = performance.now() - from;
+      tell(expansions);
+    },
+  });
   plans++;
   return [found, { search, total: performance.now() - from }];
 }
 
 function time({ runs, budget, scene, ends }: Extract<Request, { kind: "time" }>): Timing[] {
   const samples: Timing[] = [];
-  const current = hold(scene, ends).planner, silent = { trace: false, ...ends };
+  const current = hold(scene, ends).planner,
+    silent = { trace: false, ...ends };
   if (scene) timed(current, silent);
   const end = performance.now() + budget;
-  while (samples.length < runs && (samples.length === 0 || performance.now() < end)) samples.push(sample(current, silent));
+  while (samples.length < runs && (samples.length === 0 || performance.now() < end))
+    samples.push(sample(current, silent));
   return samples;
 }
 
 /** The mean of as many plans as clocks need that tell a tenth of a millisecond, or only a whole one. */
 function sample(planner: Planner, options: Parameters<Planner["plan"]>[0]): Timing {
   const from = performance.now();
-  let search = 0, runs = 0, total = 0;
+  let search = 0,
+    runs = 0,
+    total = 0;
   while (runs === 0 || total < SAMPLE_MS) {
     search += timed(planner, options)[1].search;
     total = performance.now() - from;
@@ -135,7 +171,12 @@ function sample(planner: Planner, options: Parameters<Planner["plan"]>[0]): Timi
 
 function buffers(plan: Plan, layers: Layers): Transferable[] {
   const arrays: (ArrayBufferView | undefined)[] = [
-    plan.path, plan.directions, plan.curvatures, plan.clearances, plan.rawPath, plan.check.hitPoses,
+    plan.path,
+    plan.directions,
+    plan.curvatures,
+    plan.clearances,
+    plan.rawPath,
+    plan.check.hitPoses,
     plan.trace?.kind === "cells" ? plan.trace.cells : plan.trace?.arcs,
     ...Object.values(layers).map((layer) => layer.data),
   ];

@@ -1,5 +1,16 @@
 /** The short form of a scene behind a link: whole centimetres, tenths of a degree, lists instead of names. */
-import type { CostArea, Goal, GoalSet, Lane, MovingObstacle, Obstacle, Pose, Slot, SpeedLimit, VehicleSpec } from "parkade";
+import type {
+  CostArea,
+  Goal,
+  GoalSet,
+  Lane,
+  MovingObstacle,
+  Obstacle,
+  Pose,
+  Slot,
+  SpeedLimit,
+  VehicleSpec,
+} from "parkade";
 import type { Point } from "./plane";
 import type { Scenario } from "./scenario";
 
@@ -11,7 +22,8 @@ const metres = (value: Item | undefined): number => number(value) / 100;
 const angle = (value: Item | undefined): number => (number(value) * Math.PI) / 1800;
 
 function number(value: Item | undefined): number {
-  if (typeof value !== "number" || !Number.isFinite(value)) throw new Error("This link is damaged: a number is missing.");
+  if (typeof value !== "number" || !Number.isFinite(value))
+    throw new Error("This link is damaged: a number is missing.");
   return value;
 }
 function list(value: unknown): Item[] {
@@ -28,30 +40,37 @@ const cmExactly = (metres: number): number => Math.round(metres * 1e9) / 1e7 + 0
 /** To centimetres, but never off the map. */
 function packBoundary({ origin, width, height, resolution }: Scenario["map"], points: readonly Point[]): number[] {
   const within = (value: number, k: 0 | 1): number =>
-    Math.min(Math.floor((origin[k] + [width, height][k]! * resolution) * 100 + 1e-6), Math.max(Math.ceil(origin[k] * 100 - 1e-6), cm(value))) / 100;
+    Math.min(
+      Math.floor((origin[k] + [width, height][k]! * resolution) * 100 + 1e-6),
+      Math.max(Math.ceil(origin[k] * 100 - 1e-6), cm(value)),
+    ) / 100;
   return packPoints(points.map(([x, y]): Point => [within(x, 0), within(y, 1)]));
 }
 
 /** Differences from point to point are short and repeat, so they deflate well. */
 function packPoints(points: readonly Point[]): number[] {
-  let x = 0, y = 0;
+  let x = 0,
+    y = 0;
   return points.flatMap((p) => {
     const step = [cm(p[0]) - x, cm(p[1]) - y];
-    x += step[0]!; y += step[1]!;
+    x += step[0]!;
+    y += step[1]!;
     return step;
   });
 }
 function unpackPoints(items: Item[]): Point[] {
   const points: Point[] = [];
   for (let i = 0, x = 0, y = 0; i + 1 < items.length; i += 2) {
-    x += number(items[i]); y += number(items[i + 1]);
+    x += number(items[i]);
+    y += number(items[i + 1]);
     points.push([x / 100, y / 100]);
   }
   return points;
 }
 
 function packRuns(runs: readonly [number, number, number][]): number[] {
-  let x = 0, y = 0;
+  let x = 0,
+    y = 0;
   return runs.flatMap((run) => {
     const step = [run[0] - x, run[1] - y, run[2]];
     [x, y] = run;
@@ -61,7 +80,8 @@ function packRuns(runs: readonly [number, number, number][]): number[] {
 function unpackRuns(items: Item[]): [number, number, number][] {
   const runs: [number, number, number][] = [];
   for (let i = 0, x = 0, y = 0; i + 2 < items.length; i += 3) {
-    x += number(items[i]); y += number(items[i + 1]);
+    x += number(items[i]);
+    y += number(items[i + 1]);
     runs.push([x, y, number(items[i + 2])]);
   }
   return runs;
@@ -73,12 +93,29 @@ const ownName = (id: string | undefined): string => (id === undefined || /^[a-z]
 function packObstacle(o: Obstacle): Item[] {
   const id = ownName(o.id);
   switch (o.type) {
-    case "cells": return ["k", id, packRuns(o.runs)];
-    case "wall": return ["w", id, packPoints(o.points), cm(o.thickness ?? 0)];
-    case "road": return ["a", id, packPoints(o.points), [cm(o.radius ?? 20), ...(o.lanes ?? [1, 1]), cm(o.laneWidth ?? 3.5), cm(o.speed ?? 0), o.kerbs === false ? 0 : 1]];
-    case "polygon": return ["p", id, packPoints(o.points)];
-    case "rectangle": return ["r", id, [...packPoints([o.center]), cm(o.size[0]), cm(o.size[1]), tenths(o.heading ?? 0)]];
-    case "car": return ["c", id, packPose(o.pose), packVehicle(o.vehicle)];
+    case "cells":
+      return ["k", id, packRuns(o.runs)];
+    case "wall":
+      return ["w", id, packPoints(o.points), cm(o.thickness ?? 0)];
+    case "road":
+      return [
+        "a",
+        id,
+        packPoints(o.points),
+        [
+          cm(o.radius ?? 20),
+          ...(o.lanes ?? [1, 1]),
+          cm(o.laneWidth ?? 3.5),
+          cm(o.speed ?? 0),
+          o.kerbs === false ? 0 : 1,
+        ],
+      ];
+    case "polygon":
+      return ["p", id, packPoints(o.points)];
+    case "rectangle":
+      return ["r", id, [...packPoints([o.center]), cm(o.size[0]), cm(o.size[1]), tenths(o.heading ?? 0)]];
+    case "car":
+      return ["c", id, packPose(o.pose), packVehicle(o.vehicle)];
   }
 }
 
@@ -87,22 +124,43 @@ function unpackObstacle(item: Item): Obstacle {
   const data = list(raw);
   const id = name ? { id: String(name) } : {};
   switch (type) {
-    case "k": return { type: "cells", ...id, runs: unpackRuns(data) };
-    case "w": return { type: "wall", ...id, points: unpackPoints(data), thickness: metres(extra) };
-    case "a": return unpackRoad(id, unpackPoints(data), list(extra));
-    case "p": return { type: "polygon", ...id, points: unpackPoints(data) };
-    case "r": return {
-      type: "rectangle", ...id, center: [metres(data[0]), metres(data[1])], size: [metres(data[2]), metres(data[3])], heading: angle(data[4]),
-    };
-    case "c": return { type: "car", ...id, pose: unpackPose(data), ...unpackVehicle(extra) };
-    default: throw new Error("This link is damaged: an obstacle of an unknown type.");
+    case "k":
+      return { type: "cells", ...id, runs: unpackRuns(data) };
+    case "w":
+      return { type: "wall", ...id, points: unpackPoints(data), thickness: metres(extra) };
+    case "a":
+      return unpackRoad(id, unpackPoints(data), list(extra));
+    case "p":
+      return { type: "polygon", ...id, points: unpackPoints(data) };
+    case "r":
+      return {
+        type: "rectangle",
+        ...id,
+        center: [metres(data[0]), metres(data[1])],
+        size: [metres(data[2]), metres(data[3])],
+        heading: angle(data[4]),
+      };
+    case "c":
+      return { type: "car", ...id, pose: unpackPose(data), ...unpackVehicle(extra) };
+    default:
+      throw new Error("This link is damaged: an obstacle of an unknown type.");
   }
 }
 
-function unpackRoad(id: { id?: string }, points: Point[], [radius, along, against, width, speed, kerbs]: Item[]): Obstacle {
+function unpackRoad(
+  id: { id?: string },
+  points: Point[],
+  [radius, along, against, width, speed, kerbs]: Item[],
+): Obstacle {
   return {
-    type: "road", ...id, points, radius: metres(radius), lanes: [number(along), number(against)], laneWidth: metres(width),
-    ...(speed ? { speed: metres(speed) } : {}), kerbs: kerbs === 1,
+    type: "road",
+    ...id,
+    points,
+    radius: metres(radius),
+    lanes: [number(along), number(against)],
+    laneWidth: metres(width),
+    ...(speed ? { speed: metres(speed) } : {}),
+    kerbs: kerbs === 1,
   };
 }
 
@@ -114,7 +172,16 @@ const unpackVehicle = (item: Item | undefined): { vehicle?: VehicleSpec } =>
 const KINDS = ["perpendicular", "parallel", "angled"] as const;
 
 function packSlot(slot: Slot): Item[] {
-  const base: Item[] = [KINDS.indexOf(slot.kind), cm(slot.x), cm(slot.y), tenths(slot.heading), cm(slot.width), cm(slot.length), slot.occupied ? 1 : 0, ownName(slot.id)];
+  const base: Item[] = [
+    KINDS.indexOf(slot.kind),
+    cm(slot.x),
+    cm(slot.y),
+    tenths(slot.heading),
+    cm(slot.width),
+    cm(slot.length),
+    slot.occupied ? 1 : 0,
+    ownName(slot.id),
+  ];
   return slot.kind === "angled" ? [...base, tenths(slot.angle ?? Math.PI / 4), slot.lean === "right" ? 1 : 0] : base;
 }
 
@@ -124,20 +191,34 @@ function unpackSlot(item: Item): Slot {
   if (!word) throw new Error("This link is damaged: a slot of an unknown kind.");
   return {
     ...(name ? { id: String(name) } : {}),
-    kind: word, x: metres(x), y: metres(y), heading: angle(heading), width: metres(width), length: metres(length),
+    kind: word,
+    x: metres(x),
+    y: metres(y),
+    heading: angle(heading),
+    width: metres(width),
+    length: metres(length),
     ...(word === "angled" ? { angle: angle(lean), lean: side === 1 ? ("right" as const) : ("left" as const) } : {}),
     occupied: occupied === 1,
   };
 }
 
-const packMoving = (one: MovingObstacle): Item[] =>
-  [packPoints(one.points), cm(one.size[0]), cm(one.size[1]), cm(one.speed), cm(one.start ?? 0), ownName(one.id)];
+const packMoving = (one: MovingObstacle): Item[] => [
+  packPoints(one.points),
+  cm(one.size[0]),
+  cm(one.size[1]),
+  cm(one.speed),
+  cm(one.start ?? 0),
+  ownName(one.id),
+];
 
 function unpackMoving(item: Item): MovingObstacle {
   const [points, length, width, speed, start, name] = list(item);
   return {
-    ...(name ? { id: String(name) } : {}), points: unpackPoints(list(points)), size: [metres(length), metres(width)],
-    speed: metres(speed), start: metres(start),
+    ...(name ? { id: String(name) } : {}),
+    points: unpackPoints(list(points)),
+    size: [metres(length), metres(width)],
+    speed: metres(speed),
+    start: metres(start),
   };
 }
 
@@ -145,14 +226,25 @@ function unpackMoving(item: Item): MovingObstacle {
 const millionths = (value: number): number => Math.round(value * 1e6) + 0;
 
 const packLane = ({ start, pieces, width, id }: Lane): Item[] => [
-  cm(start.x), cm(start.y), millionths(start.heading), cm(width), pieces.flatMap(({ length, curvature = 0 }) => [cm(length), millionths(curvature)]), ownName(id),
+  cm(start.x),
+  cm(start.y),
+  millionths(start.heading),
+  cm(width),
+  pieces.flatMap(({ length, curvature = 0 }) => [cm(length), millionths(curvature)]),
+  ownName(id),
 ];
 
 function unpackLane(item: Item): Lane {
-  const [x, y, heading, width, numbers, name] = list(item), flat = list(numbers), pieces: Lane["pieces"] = [];
-  for (let i = 0; i + 1 < flat.length; i += 2) pieces.push({ length: metres(flat[i]), curvature: number(flat[i + 1]) / 1e6 });
+  const [x, y, heading, width, numbers, name] = list(item),
+    flat = list(numbers),
+    pieces: Lane["pieces"] = [];
+  for (let i = 0; i + 1 < flat.length; i += 2)
+    pieces.push({ length: metres(flat[i]), curvature: number(flat[i + 1]) / 1e6 });
   return {
-    ...(name ? { id: String(name) } : {}), start: { x: metres(x), y: metres(y), heading: number(heading) / 1e6 }, pieces, width: metres(width),
+    ...(name ? { id: String(name) } : {}),
+    start: { x: metres(x), y: metres(y), heading: number(heading) / 1e6 },
+    pieces,
+    width: metres(width),
   };
 }
 
@@ -187,10 +279,16 @@ function unpackGoal(item: Item[], slots: readonly Slot[]): Goal | GoalSet {
     return id;
   };
   switch (first) {
-    case "p": return item.slice(1).map((pose) => unpackPose(list(pose)));
-    case "s": return { slots: third === 0 ? "free" : list(third).map(idAt), entry: ENTRIES[number(second)] ?? "either" };
-    case "r": return { region: unpackPoints(list(second)), ...(third === null ? {} : { heading: angle(third) }) };
-    default: return item.length === 2 ? { slot: idAt(first), entry: second === 1 ? "head-in" : "reverse-in" } : unpackPose(item);
+    case "p":
+      return item.slice(1).map((pose) => unpackPose(list(pose)));
+    case "s":
+      return { slots: third === 0 ? "free" : list(third).map(idAt), entry: ENTRIES[number(second)] ?? "either" };
+    case "r":
+      return { region: unpackPoints(list(second)), ...(third === null ? {} : { heading: angle(third) }) };
+    default:
+      return item.length === 2
+        ? { slot: idAt(first), entry: second === 1 ? "head-in" : "reverse-in" }
+        : unpackPose(item);
   }
 }
 
@@ -220,7 +318,10 @@ export function unpack(data: Record<string, unknown>, name: (scene: Scenario) =>
     version: 1 as const,
     ...(typeof data["n"] === "string" ? { name: data["n"] } : {}),
     map: {
-      origin: [metres(x), metres(y)] as Point, width: number(width), height: number(height), resolution: number(resolution),
+      origin: [metres(x), metres(y)] as Point,
+      width: number(width),
+      height: number(height),
+      resolution: number(resolution),
       ...(data["b"] ? { boundary: unpackPoints(list(data["b"])) } : {}),
     },
     obstacles: list(data["o"] ?? []).map(unpackObstacle),

@@ -5,14 +5,17 @@ import { nextId, withCosts, type Scene } from "./model";
 
 /** Gives cells this weight, whatever they had; 1 takes the paint away. The same object where nothing changes. */
 export function paintCosts(scene: Scene, cells: readonly Run[], weight: number): Scene {
-  const { costs = [] } = scene, own = weight > 1 ? costs.find((area) => area.weight === weight) : undefined;
+  const { costs = [] } = scene,
+    own = weight > 1 ? costs.find((area) => area.weight === weight) : undefined;
   let changed = false;
   const put = (area: CostArea, runs: Run[]): CostArea[] => {
     if (sameRuns(runs, area.runs)) return [area];
     changed = true;
     return runs.length > 0 ? [{ ...area, runs }] : [];
   };
-  const next = costs.flatMap((area) => put(area, area === own ? unionRuns(area.runs, cells) : subtractRuns(area.runs, cells)));
+  const next = costs.flatMap((area) =>
+    put(area, area === own ? unionRuns(area.runs, cells) : subtractRuns(area.runs, cells)),
+  );
   if (weight > 1 && !own && cells.length > 0) {
     changed = true;
     next.push({ id: nextId(scene, "cost"), runs: unionRuns(cells, []), weight });
@@ -25,7 +28,10 @@ export function reweigh(scene: Scene, id: string, weight: number): Scene {
   const area = scene.costs?.find((one) => one.id === id);
   if (!area || area.weight === weight) return scene;
   if (weight === 1 || scene.costs!.some((one) => one.weight === weight)) return paintCosts(scene, area.runs, weight);
-  return withCosts(scene, scene.costs!.map((one) => (one === area ? { ...area, weight } : one)));
+  return withCosts(
+    scene,
+    scene.costs!.map((one) => (one === area ? { ...area, weight } : one)),
+  );
 }
 
 const sorted = new WeakMap<readonly CostArea[], Map<number, number>>();
@@ -37,7 +43,9 @@ export function weightAt({ costs, map }: Scene, index: number): number {
   if (!cells) {
     cells = new Map();
     for (const { runs, weight } of costs) {
-      for (const [x, y, count] of runs) for (let i = y * map.width + x, end = i + count; i < end; i++) cells.set(i, Math.max(weight, cells.get(i) ?? 1));
+      for (const [x, y, count] of runs)
+        for (let i = y * map.width + x, end = i + count; i < end; i++)
+          cells.set(i, Math.max(weight, cells.get(i) ?? 1));
     }
     sorted.set(costs, cells);
   }

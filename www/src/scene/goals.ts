@@ -1,7 +1,18 @@
 /** What is asked of the goal: one place, or any of several. */
 import type { Goal, GoalSet, Pose, Slot, TakenGoal } from "parkade";
 import type { State, Store } from "../store";
-import { findSlot, goalPose, isGoalPose, isOneGoal, moveGoal, resolve, showGoal, vehicleOf, type Entry, type Scene } from "./model";
+import {
+  findSlot,
+  goalPose,
+  isGoalPose,
+  isOneGoal,
+  moveGoal,
+  resolve,
+  showGoal,
+  vehicleOf,
+  type Entry,
+  type Scene,
+} from "./model";
 import { fromPose, insidePolygon, type Point } from "./plane";
 import { slotOutline } from "./slots";
 
@@ -23,10 +34,12 @@ export function withSet(scene: Scene, goal: GoalSet): Scene {
 
 export const freeSlots = ({ slots = [] }: Scene): Slot[] => slots.filter((slot) => !slot.occupied);
 
-export const anyFreeSlot = (scene: Scene, entry: AnyEntry = "either"): Scene => withSet(scene, { slots: "free", entry });
+export const anyFreeSlot = (scene: Scene, entry: AnyEntry = "either"): Scene =>
+  withSet(scene, { slots: "free", entry });
 
 /** Any of these slots. */
-export const anyOfSlots = (scene: Scene, slots: string[], entry: AnyEntry = "either"): Scene => withSet(scene, { slots, entry });
+export const anyOfSlots = (scene: Scene, slots: string[], entry: AnyEntry = "either"): Scene =>
+  withSet(scene, { slots, entry });
 
 /** The slots that a goal names, whether they are free or not. */
 export function slotsOfGoal(scene: Scene): Slot[] {
@@ -47,18 +60,22 @@ export const orThere = (scene: Scene, pose: Pose): Scene =>
 /** The goal of a set that an answer leads to, or that is shown, alone. */
 export function onlyOne(scene: Scene, taken?: TakenGoal): Scene {
   const { slot, entry, pose = goalPose(scene) } = taken ?? {};
-  return slot !== undefined && entry && findSlot(scene, slot) ? { ...scene, goal: { slot, entry } } : moveGoal(scene, pose);
+  return slot !== undefined && entry && findSlot(scene, slot)
+    ? { ...scene, goal: { slot, entry } }
+    : moveGoal(scene, pose);
 }
 
 /** A rectangle about the goal car with room to stand in more ways than one. */
 export function regionAroundGoal(scene: Scene): Point[] {
-  const { goal, vehicle } = resolve(scene), length = vehicle.rearToFront + vehicle.rearToBack;
+  const { goal, vehicle } = resolve(scene),
+    length = vehicle.rearToFront + vehicle.rearToBack;
   return boxAt(goal, vehicle.rearToFront - length * 1.5, vehicle.rearToFront + length * 0.5, length * 0.75);
 }
 
 /** The slot in which the car stands at its start. */
 export function slotOfStart(scene: Scene): Slot | undefined {
-  const { start, vehicle } = resolve(scene), middle = fromPose(start, (vehicle.rearToFront - vehicle.rearToBack) / 2, 0);
+  const { start, vehicle } = resolve(scene),
+    middle = fromPose(start, (vehicle.rearToFront - vehicle.rearToBack) / 2, 0);
   return scene.slots?.find((slot) => insidePolygon(middle, slotOutline(slot)));
 }
 
@@ -66,15 +83,24 @@ export function slotOfStart(scene: Scene): Slot | undefined {
 export function leaveSlot(scene: Scene): Scene {
   const slot = slotOfStart(scene);
   if (!slot) return scene;
-  const { rearToFront, rearToBack, width } = resolve(scene).vehicle, length = rearToFront + rearToBack;
+  const { rearToFront, rearToBack, width } = resolve(scene).vehicle,
+    length = rearToFront + rearToBack;
   const reach = slot.kind === "parallel" ? 2 * width : length + width / 2;
   return anywhereIn(scene, boxAt(slot, -CLEAR - reach, -CLEAR, 2 * length));
 }
 
 /** A rectangle that reaches from `back` to `front` along a heading, and `half` to either side, whole centimetres. */
 function boxAt(at: Pose, back: number, front: number, half: number): Point[] {
-  return ([[back, -half], [front, -half], [front, half], [back, half]] as const)
-    .map(([along, across]) => fromPose(at, along, across).map((value) => Math.round(value * 100) / 100) as unknown as Point);
+  return (
+    [
+      [back, -half],
+      [front, -half],
+      [front, half],
+      [back, half],
+    ] as const
+  ).map(
+    ([along, across]) => fromPose(at, along, across).map((value) => Math.round(value * 100) / 100) as unknown as Point,
+  );
 }
 
 export function withEntry(scene: Scene, entry: AnyEntry): Scene {
@@ -91,17 +117,21 @@ export function flipGoal(scene: Scene): Scene {
   const { rearToFront, rearToBack } = vehicleOf(scene.vehicle);
   const shift = rearToFront - rearToBack;
   return moveGoal(scene, {
-    x: goal.x + Math.cos(goal.heading) * shift, y: goal.y + Math.sin(goal.heading) * shift, heading: goal.heading + Math.PI,
+    x: goal.x + Math.cos(goal.heading) * shift,
+    y: goal.y + Math.sin(goal.heading) * shift,
+    heading: goal.heading + Math.PI,
   });
 }
 
 /** Keeps the goal of a set that is shown the one that the planner in front leads to. */
 export function followGoals(store: Store): void {
   const follow = ({ scene, results, focus, geometry }: State): void => {
-    const { goal } = scene, known = goalPose(scene);
+    const { goal } = scene,
+      known = goalPose(scene);
     if (isOneGoal(goal)) return;
     const pose = results[focus]?.plan?.goal?.pose ?? (known === scene.start ? geometry?.goal : undefined);
-    if (pose && (pose.x !== known.x || pose.y !== known.y || pose.heading !== known.heading)) showGoal(scene, goal, pose);
+    if (pose && (pose.x !== known.x || pose.y !== known.y || pose.heading !== known.heading))
+      showGoal(scene, goal, pose);
   };
   follow(store.state);
   store.subscribe(follow);

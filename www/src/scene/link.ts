@@ -36,7 +36,12 @@ export async function decodeScene(link: string): Promise<Scenario> {
 type Bytes = Uint8Array<ArrayBuffer>;
 
 const stream = (bytes: Bytes): ReadableStream<Bytes> =>
-  new ReadableStream({ start(controller) { controller.enqueue(bytes); controller.close(); } });
+  new ReadableStream({
+    start(controller) {
+      controller.enqueue(bytes);
+      controller.close();
+    },
+  });
 
 async function collect(source: ReadableStream<Uint8Array>, limit: number): Promise<Bytes> {
   const chunks: Uint8Array[] = [];
@@ -44,12 +49,18 @@ async function collect(source: ReadableStream<Uint8Array>, limit: number): Promi
   const reader = source.getReader();
   for (let part = await reader.read(); !part.done; part = await reader.read()) {
     size += part.value.length;
-    if (size > limit) { await reader.cancel(); throw new Error("too large"); }
+    if (size > limit) {
+      await reader.cancel();
+      throw new Error("too large");
+    }
     chunks.push(part.value);
   }
   const all = new Uint8Array(size);
   let at = 0;
-  for (const chunk of chunks) { all.set(chunk, at); at += chunk.length; }
+  for (const chunk of chunks) {
+    all.set(chunk, at);
+    at += chunk.length;
+  }
   return all;
 }
 

@@ -47,28 +47,46 @@ export function ensureIds(scene: Scene): Scene {
   };
 }
 
-export const findObstacle = (scene: Scene, id: string): Obstacle | undefined => scene.obstacles?.find((o) => o.id === id);
+export const findObstacle = (scene: Scene, id: string): Obstacle | undefined =>
+  scene.obstacles?.find((o) => o.id === id);
 export const findSlot = (scene: Scene, id: string): Slot | undefined => scene.slots?.find((s) => s.id === id);
 
-export const findMoving = (scene: Scene, id: string): MovingObstacle | undefined => scene.moving?.find((m) => m.id === id);
+export const findMoving = (scene: Scene, id: string): MovingObstacle | undefined =>
+  scene.moving?.find((m) => m.id === id);
 
 export function addMoving(scene: Scene, one: Omit<MovingObstacle, "id">): { scene: Scene; id: string } {
   const id = nextId(scene, "moving");
   return { scene: { ...scene, moving: [...(scene.moving ?? []), { ...one, id }] }, id };
 }
 
-export const updateMoving = (scene: Scene, id: string, patch: Partial<MovingObstacle>): Scene =>
-  ({ ...scene, moving: (scene.moving ?? []).map((m) => (m.id === id ? { ...m, ...patch, id } : m)) });
+export const updateMoving = (scene: Scene, id: string, patch: Partial<MovingObstacle>): Scene => ({
+  ...scene,
+  moving: (scene.moving ?? []).map((m) => (m.id === id ? { ...m, ...patch, id } : m)),
+});
 
 /** Without painted cells the scene holds no list of them. */
-export const withCosts = ({ costs: _, ...scene }: Scene, costs: CostArea[]): Scene => (costs.length > 0 ? { ...scene, costs } : scene);
+export const withCosts = ({ costs: _, ...scene }: Scene, costs: CostArea[]): Scene =>
+  costs.length > 0 ? { ...scene, costs } : scene;
 export const findCost = (scene: Scene, id: string): CostArea | undefined => scene.costs?.find((one) => one.id === id);
 
-
 export const mapOutline = (scene: Scene): Point[] => {
-  const { origin: [x, y], width, height, resolution, boundary } = scene.map;
-  const right = x + width * resolution, top = y + height * resolution;
-  return boundary ?? [[x, y], [right, y], [right, top], [x, top]];
+  const {
+    origin: [x, y],
+    width,
+    height,
+    resolution,
+    boundary,
+  } = scene.map;
+  const right = x + width * resolution,
+    top = y + height * resolution;
+  return (
+    boundary ?? [
+      [x, y],
+      [right, y],
+      [right, top],
+      [x, top],
+    ]
+  );
 };
 
 export const isOneGoal = (goal: Goal | GoalSet): goal is Goal => "x" in goal || "slot" in goal;
@@ -112,7 +130,9 @@ export function resolve(scene: Scene): Resolved {
     vehicle: vehicleOf(scene.vehicle),
     boundary: mapOutline(scene),
     slots: slots.map((slot) => ({ slot, outline: slotOutline(slot) })),
-    parked: slots.filter((slot) => slot.occupied).map((slot) => ({ slot, pose: parkedPose(slot), vehicle: vehicleOf("sedan") })),
+    parked: slots
+      .filter((slot) => slot.occupied)
+      .map((slot) => ({ slot, pose: parkedPose(slot), vehicle: vehicleOf("sedan") })),
   };
   resolutions.set(scene, result);
   return result;
@@ -152,8 +172,10 @@ export function addSlots(scene: Scene, slots: readonly Omit<Slot, "id">[]): { sc
 }
 export const addSlot = (scene: Scene, slot: Omit<Slot, "id">): Scene => addSlots(scene, [slot]).scene;
 
-export const updateSlot = (scene: Scene, id: string, patch: Partial<Slot>): Scene =>
-  ({ ...scene, slots: (scene.slots ?? []).map((s) => (s.id === id ? { ...s, ...patch, id } : s)) });
+export const updateSlot = (scene: Scene, id: string, patch: Partial<Slot>): Scene => ({
+  ...scene,
+  slots: (scene.slots ?? []).map((s) => (s.id === id ? { ...s, ...patch, id } : s)),
+});
 
 /** The goal in a slot; `entry` stays as it was where it is not given. */
 export function setGoalFromSlot(scene: Scene, slot: string, entry?: Entry): Scene {

@@ -6,10 +6,20 @@ import { cornersOf, rectangleCorners } from "./shapes";
 import { footprint, vehicleOf, type ResolvedVehicle } from "./vehicle";
 
 /** `from` is on the car's side, `to` the innermost point; `shared` are the corners of what car and obstacle share. */
-export interface Overlap { pose: Pose; depth: number; from: Point; to: Point; shared: Point[] }
+export interface Overlap {
+  pose: Pose;
+  depth: number;
+  from: Point;
+  to: Point;
+  shared: Point[];
+}
 
 /** An area (or, for the boundary, all but an area) with its edges; a line has no area. */
-export interface Form { points: readonly Point[]; closed: boolean; outside?: boolean }
+export interface Form {
+  points: readonly Point[];
+  closed: boolean;
+  outside?: boolean;
+}
 
 export type Owner = Pick<Hit, "obstacle" | "index">;
 
@@ -23,10 +33,14 @@ export function formsOf(scene: Scene, { obstacle: id, index }: Owner, near: read
     return id === "border" ? [{ ...area(mapOutline(scene)), outside: true }] : [];
   }
   switch (obstacle.type) {
-    case "road": return [];
-    case "cells": return cellsNear(scene, obstacle.runs, near).map(area);
-    case "wall": return obstacle.points.slice(1).map((b, i) => wallPiece(obstacle.points[i]!, b, obstacle.thickness ?? 0));
-    default: return [area(cornersOf(obstacle))];
+    case "road":
+      return [];
+    case "cells":
+      return cellsNear(scene, obstacle.runs, near).map(area);
+    case "wall":
+      return obstacle.points.slice(1).map((b, i) => wallPiece(obstacle.points[i]!, b, obstacle.thickness ?? 0));
+    default:
+      return [area(cornersOf(obstacle))];
   }
 }
 
@@ -34,24 +48,55 @@ export function formsOf(scene: Scene, { obstacle: id, index }: Owner, near: read
 function wallPiece(a: Point, b: Point, thickness: number): Form {
   if (thickness === 0) return { points: [a, b], closed: false };
   const size: Point = [distance(a, b) + thickness, thickness];
-  return { points: rectangleCorners({ center: [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2], size, heading: Math.atan2(b[1] - a[1], b[0] - a[0]) }), closed: true };
+  return {
+    points: rectangleCorners({
+      center: [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2],
+      size,
+      heading: Math.atan2(b[1] - a[1], b[0] - a[0]),
+    }),
+    closed: true,
+  };
 }
 
-function cellsNear({ map: { origin: [ox, oy], resolution: side } }: Scene, runs: readonly (readonly [number, number, number])[], near: readonly Point[]): Point[][] {
+function cellsNear(
+  {
+    map: {
+      origin: [ox, oy],
+      resolution: side,
+    },
+  }: Scene,
+  runs: readonly (readonly [number, number, number])[],
+  near: readonly Point[],
+): Point[][] {
   const { minX, minY, maxX, maxY } = boxOf([...near]);
   return runs.flatMap(([x, y, count]): Point[][] => {
-    const left = ox + x * side, right = left + count * side, low = oy + y * side, high = low + side;
-    return right < minX || left > maxX || high < minY || low > maxY ? [] : [[[left, low], [right, low], [right, high], [left, high]]];
+    const left = ox + x * side,
+      right = left + count * side,
+      low = oy + y * side,
+      high = low + side;
+    return right < minX || left > maxX || high < minY || low > maxY
+      ? []
+      : [
+          [
+            [left, low],
+            [right, low],
+            [right, high],
+            [left, high],
+          ],
+        ];
   });
 }
 
 /** The part of a segment within a box, as its two ends; null where it passes by. */
 function clipped(a: Point, b: Point, low: Point, high: Point): [Point, Point] | null {
-  let from = 0, to = 1;
+  let from = 0,
+    to = 1;
   for (const k of [0, 1] as const) {
     const along = b[k] - a[k];
-    const [enter, leave] = along === 0 ? [a[k] >= low[k] && a[k] <= high[k] ? -Infinity : Infinity, Infinity]
-      : [(low[k] - a[k]) / along, (high[k] - a[k]) / along].sort((s, t) => s - t) as [number, number];
+    const [enter, leave] =
+      along === 0
+        ? [a[k] >= low[k] && a[k] <= high[k] ? -Infinity : Infinity, Infinity]
+        : ([(low[k] - a[k]) / along, (high[k] - a[k]) / along].sort((s, t) => s - t) as [number, number]);
     from = Math.max(from, enter);
     to = Math.min(to, leave);
   }
@@ -61,23 +106,45 @@ function clipped(a: Point, b: Point, low: Point, high: Point): [Point, Point] | 
 
 /** How deep a thing reaches into the car that stands at `pose`, over the nearest side; null where it does not. */
 export function overlapAt(scene: Scene, owner: Owner, pose: Pose, vehicle: ResolvedVehicle): Overlap | null {
-  const side = vehicle.width / 2, low: Point = [-vehicle.rearToBack, -side], high: Point = [vehicle.rearToFront, side];
-  const corners = footprint(pose, vehicle), shared: Point[] = [];
+  const side = vehicle.width / 2,
+    low: Point = [-vehicle.rearToBack, -side],
+    high: Point = [vehicle.rearToFront, side];
+  const corners = footprint(pose, vehicle),
+    shared: Point[] = [];
   for (const { points, closed, outside = false } of formsOf(scene, owner, corners)) {
     const local = points.map((p) => intoPose(pose, p));
-    for (let i = closed ? 0 : 1; i < local.length; i++) shared.push(...clipped(local.at(i - 1)!, local[i]!, low, high) ?? []);
-    if (closed) shared.push(...corners.filter((corner) => insidePolygon(corner, points) !== outside).map((corner) => intoPose(pose, corner)));
+    for (let i = closed ? 0 : 1; i < local.length; i++)
+      shared.push(...(clipped(local.at(i - 1)!, local[i]!, low, high) ?? []));
+    if (closed)
+      shared.push(
+        ...corners
+          .filter((corner) => insidePolygon(corner, points) !== outside)
+          .map((corner) => intoPose(pose, corner)),
+      );
   }
   if (shared.length === 0) return null;
-  return { pose, ...innermost(shared, low, high, (p) => fromPose(pose, ...p)), shared: shared.map((p) => fromPose(pose, ...p)) };
+  return {
+    pose,
+    ...innermost(shared, low, high, (p) => fromPose(pose, ...p)),
+    shared: shared.map((p) => fromPose(pose, ...p)),
+  };
 }
 
 /** The side over which the least is shared, and the point farthest from it. */
-function innermost(shared: readonly Point[], low: Point, high: Point, world: (p: Point) => Point): Pick<Overlap, "depth" | "from" | "to"> {
+function innermost(
+  shared: readonly Point[],
+  low: Point,
+  high: Point,
+  world: (p: Point) => Point,
+): Pick<Overlap, "depth" | "from" | "to"> {
   let best = { depth: Infinity, from: low, to: low };
   for (const k of [0, 1] as const) {
-    for (const [edge, sign] of [[low[k], 1], [high[k], -1]] as const) {
-      const to = shared.reduce((far, p) => (sign * (p[k] - far[k]) > 0 ? p : far)), depth = sign * (to[k] - edge);
+    for (const [edge, sign] of [
+      [low[k], 1],
+      [high[k], -1],
+    ] as const) {
+      const to = shared.reduce((far, p) => (sign * (p[k] - far[k]) > 0 ? p : far)),
+        depth = sign * (to[k] - edge);
       if (depth < best.depth) best = { depth, from: k === 0 ? [edge, to[1]] : [to[0], edge], to };
     }
   }

@@ -2,7 +2,12 @@
 import type { Pose } from "parkade";
 
 export type Point = [number, number];
-export interface Box { minX: number; minY: number; maxX: number; maxY: number }
+export interface Box {
+  minX: number;
+  minY: number;
+  maxX: number;
+  maxY: number;
+}
 
 export const TAU = 2 * Math.PI;
 export const radians = (degrees: number): number => (degrees * Math.PI) / 180;
@@ -19,27 +24,33 @@ export const towards = (a: Point, b: Point): number => Math.atan2(b[1] - a[1], b
 
 /** A point given in the frame of `pose` (x ahead, y to its left). */
 export function fromPose(pose: Pose, ahead: number, left: number): Point {
-  const c = Math.cos(pose.heading), s = Math.sin(pose.heading);
+  const c = Math.cos(pose.heading),
+    s = Math.sin(pose.heading);
   return [pose.x + ahead * c - left * s, pose.y + ahead * s + left * c];
 }
 
 /** A world point in the frame of `pose`: [ahead, left]. */
 export function intoPose(pose: Pose, [x, y]: Point): Point {
-  const c = Math.cos(pose.heading), s = Math.sin(pose.heading);
-  const dx = x - pose.x, dy = y - pose.y;
+  const c = Math.cos(pose.heading),
+    s = Math.sin(pose.heading);
+  const dx = x - pose.x,
+    dy = y - pose.y;
   return [dx * c + dy * s, dy * c - dx * s];
 }
 
 export function rotateAbout([x, y]: Point, [cx, cy]: Point, angle: number): Point {
-  const c = Math.cos(angle), s = Math.sin(angle);
+  const c = Math.cos(angle),
+    s = Math.sin(angle);
   return [cx + (x - cx) * c - (y - cy) * s, cy + (x - cx) * s + (y - cy) * c];
 }
 
 export function boxOf(points: readonly Point[]): Box {
   const box = { minX: Infinity, minY: Infinity, maxX: -Infinity, maxY: -Infinity };
   for (const [x, y] of points) {
-    box.minX = Math.min(box.minX, x); box.maxX = Math.max(box.maxX, x);
-    box.minY = Math.min(box.minY, y); box.maxY = Math.max(box.maxY, y);
+    box.minX = Math.min(box.minX, x);
+    box.maxX = Math.max(box.maxX, x);
+    box.minY = Math.min(box.minY, y);
+    box.maxY = Math.max(box.maxY, y);
   }
   return box;
 }
@@ -47,14 +58,16 @@ export function boxOf(points: readonly Point[]): Box {
 export function insidePolygon([x, y]: Point, polygon: readonly Point[]): boolean {
   let inside = false;
   for (let i = 0, j = polygon.length - 1; i < polygon.length; j = i++) {
-    const [xi, yi] = polygon[i]!, [xj, yj] = polygon[j]!;
+    const [xi, yi] = polygon[i]!,
+      [xj, yj] = polygon[j]!;
     if (yi > y !== yj > y && x < ((xj - xi) * (y - yi)) / (yj - yi) + xi) inside = !inside;
   }
   return inside;
 }
 
 export function nearestOnSegment(p: Point, a: Point, b: Point): Point {
-  const dx = b[0] - a[0], dy = b[1] - a[1];
+  const dx = b[0] - a[0],
+    dy = b[1] - a[1];
   const along = dx * dx + dy * dy;
   const t = along === 0 ? 0 : Math.min(1, Math.max(0, ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / along));
   return [a[0] + t * dx, a[1] + t * dy];
@@ -75,14 +88,24 @@ export function distanceToPolyline(p: Point, points: readonly Point[], closed = 
 const turn = (a: Point, b: Point, c: Point): number => (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 
 const within = (a: Point, b: Point, c: Point): boolean =>
-  Math.min(a[0], b[0]) <= c[0] && c[0] <= Math.max(a[0], b[0]) && Math.min(a[1], b[1]) <= c[1] && c[1] <= Math.max(a[1], b[1]);
+  Math.min(a[0], b[0]) <= c[0] &&
+  c[0] <= Math.max(a[0], b[0]) &&
+  Math.min(a[1], b[1]) <= c[1] &&
+  c[1] <= Math.max(a[1], b[1]);
 
 /** Whether the closed segments share a point. */
 export function segmentsMeet(a: Point, b: Point, c: Point, d: Point): boolean {
-  const abc = turn(a, b, c), abd = turn(a, b, d), cda = turn(c, d, a), cdb = turn(c, d, b);
+  const abc = turn(a, b, c),
+    abd = turn(a, b, d),
+    cda = turn(c, d, a),
+    cdb = turn(c, d, b);
   if (abc * abd < 0 && cda * cdb < 0) return true;
-  return (abc === 0 && within(a, b, c)) || (abd === 0 && within(a, b, d))
-    || (cda === 0 && within(c, d, a)) || (cdb === 0 && within(c, d, b));
+  return (
+    (abc === 0 && within(a, b, c)) ||
+    (abd === 0 && within(a, b, d)) ||
+    (cda === 0 && within(c, d, a)) ||
+    (cdb === 0 && within(c, d, b))
+  );
 }
 
 /** Whether `next` can follow `points` without its new edge meeting an earlier one. */
@@ -102,7 +125,9 @@ export function canExtend(points: readonly Point[], next: Point): boolean {
 export function crossesItself(outline: readonly Point[]): boolean {
   const n = outline.length;
   for (let i = 0; i < n; i++) {
-    const a = outline[i]!, b = outline[(i + 1) % n]!, c = outline[(i + 2) % n]!;
+    const a = outline[i]!,
+      b = outline[(i + 1) % n]!,
+      c = outline[(i + 2) % n]!;
     if (distance(a, b) === 0 || (turn(a, b, c) === 0 && within(a, b, c))) return true;
     for (let j = i + 2; j < n; j++) {
       if (i === 0 && j === n - 1) continue;
@@ -129,12 +154,17 @@ export function convexHull(points: readonly Point[]): Point[] {
 
 /** Ends of the row `y` inside a convex outline, or null. */
 export function rowOfConvex(outline: readonly Point[], y: number): Point | null {
-  let low = Infinity, high = -Infinity;
+  let low = Infinity,
+    high = -Infinity;
   for (let i = 0, j = outline.length - 1; i < outline.length; j = i++) {
-    const a = outline[j]!, b = outline[i]!;
+    const a = outline[j]!,
+      b = outline[i]!;
     if (Math.min(a[1], b[1]) > y || Math.max(a[1], b[1]) < y) continue;
     const xs = a[1] === b[1] ? [a[0], b[0]] : [a[0] + ((b[0] - a[0]) * (y - a[1])) / (b[1] - a[1])];
-    for (const x of xs) { low = Math.min(low, x); high = Math.max(high, x); }
+    for (const x of xs) {
+      low = Math.min(low, x);
+      high = Math.max(high, x);
+    }
   }
   return low <= high ? [low, high] : null;
 }

@@ -11,9 +11,15 @@ export function removeThings(scene: Scene, ids: readonly string[]): Scene {
   }, scene);
 }
 
-export const removeObstacle = (scene: Scene, id: string): Scene =>
-  ({ ...scene, obstacles: (scene.obstacles ?? []).filter((o) => o.id !== id) });
-export const removeCost = (scene: Scene, id: string): Scene => withCosts(scene, (scene.costs ?? []).filter((one) => one.id !== id));
+export const removeObstacle = (scene: Scene, id: string): Scene => ({
+  ...scene,
+  obstacles: (scene.obstacles ?? []).filter((o) => o.id !== id),
+});
+export const removeCost = (scene: Scene, id: string): Scene =>
+  withCosts(
+    scene,
+    (scene.costs ?? []).filter((one) => one.id !== id),
+  );
 
 /** Without the last one the scene holds no list of them. */
 export function removeMoving({ moving = [], ...scene }: Scene, id: string): Scene {
@@ -21,12 +27,15 @@ export function removeMoving({ moving = [], ...scene }: Scene, id: string): Scen
   return left.length > 0 ? { ...scene, moving: left } : scene;
 }
 
-export const removeSlot = (scene: Scene, id: string): Scene =>
-  ({ ...withoutGoal(scene, id), slots: (scene.slots ?? []).filter((s) => s.id !== id) });
+export const removeSlot = (scene: Scene, id: string): Scene => ({
+  ...withoutGoal(scene, id),
+  slots: (scene.slots ?? []).filter((s) => s.id !== id),
+});
 
 /** A goal in the slot alone stays where it was, as a pose. */
 function withoutGoal(scene: Scene, id: string): Scene {
-  const { goal } = scene, named = "slot" in goal ? [goal.slot] : "slots" in goal ? goal.slots : [];
+  const { goal } = scene,
+    named = "slot" in goal ? [goal.slot] : "slots" in goal ? goal.slots : [];
   if (!named.includes(id) || named === "free") return scene;
   const slots = named.filter((one) => one !== id);
   return "slots" in goal && slots.length > 0 ? withSet(scene, { ...goal, slots }) : { ...scene, goal: goalPose(scene) };

@@ -9,16 +9,28 @@ const INNER = 0.5;
 /** Places on arcs are this far apart, metres. */
 const STEP = 0.5;
 
-export interface Place { at: Point; heading: number }
+export interface Place {
+  at: Point;
+  heading: number;
+}
 
-interface Bend { turn: number; radius: number; tangent: number }
+interface Bend {
+  turn: number;
+  radius: number;
+  tangent: number;
+}
 
 /** The arcs at the inner corners. */
 function bendsOf({ points, radius: wanted = RADIUS }: Road): Bend[] {
   return points.slice(1, -1).map((corner, i) => {
-    const before = points[i]!, after = points[i + 2]!, turn = wrapAngle(towards(corner, after) - towards(before, corner));
+    const before = points[i]!,
+      after = points[i + 2]!,
+      turn = wrapAngle(towards(corner, after) - towards(before, corner));
     const half = Math.tan(Math.abs(turn) / 2);
-    const room = Math.min(distance(before, corner) / (i === 0 ? 1 : 2), distance(corner, after) / (i + 3 === points.length ? 1 : 2));
+    const room = Math.min(
+      distance(before, corner) / (i === 0 ? 1 : 2),
+      distance(corner, after) / (i + 3 === points.length ? 1 : 2),
+    );
     const radius = Math.min(wanted, half === 0 ? Infinity : room / half);
     return { turn, radius, tangent: radius * half };
   });
@@ -32,15 +44,21 @@ export function tooTight(road: Road): number {
 
 /** Places along the middle line. */
 export function placesOf(road: Road): Place[] {
-  const { points } = road, places: Place[] = [{ at: points[0]!, heading: towards(points[0]!, points[1]!) }];
+  const { points } = road,
+    places: Place[] = [{ at: points[0]!, heading: towards(points[0]!, points[1]!) }];
   bendsOf(road).forEach(({ turn, radius, tangent }, i) => {
-    const corner = points[i + 1]!, heading = towards(points[i]!, corner), side = Math.sign(turn);
+    const corner = points[i + 1]!,
+      heading = towards(points[i]!, corner),
+      side = Math.sign(turn);
     const from: Point = [corner[0] - Math.cos(heading) * tangent, corner[1] - Math.sin(heading) * tangent];
     const centre: Point = [from[0] - Math.sin(heading) * radius * side, from[1] + Math.cos(heading) * radius * side];
     const parts = Math.max(1, Math.ceil((Math.abs(turn) * radius) / STEP));
     for (let k = 0; k <= parts; k++) {
       const now = heading + (turn * k) / parts;
-      places.push({ at: [centre[0] + Math.sin(now) * radius * side, centre[1] - Math.cos(now) * radius * side], heading: now });
+      places.push({
+        at: [centre[0] + Math.sin(now) * radius * side, centre[1] - Math.cos(now) * radius * side],
+        heading: now,
+      });
     }
   });
   const last = points.at(-1)!;

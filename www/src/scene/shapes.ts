@@ -1,7 +1,15 @@
 /** Obstacles as shapes: outlines, hits, moves. */
 import type { MapFrame, Obstacle } from "parkade";
 import {
-  boxOf, distance, distanceToPolyline, fromPose, insidePolygon, intoPose, rotateAbout, wrapAngle, type Point,
+  boxOf,
+  distance,
+  distanceToPolyline,
+  fromPose,
+  insidePolygon,
+  intoPose,
+  rotateAbout,
+  wrapAngle,
+  type Point,
 } from "./plane";
 import { halfOf } from "./road-width";
 import { footprint, vehicleOf } from "./vehicle";
@@ -31,7 +39,8 @@ export function distanceToShape(p: Point, shape: Shape): number {
 
 /** Whether `p` is on a brushed cell. */
 export function onCells(p: Point, runs: readonly [number, number, number][], frame: MapFrame): boolean {
-  const x = Math.floor((p[0] - frame.origin[0]) / frame.resolution), y = Math.floor((p[1] - frame.origin[1]) / frame.resolution);
+  const x = Math.floor((p[0] - frame.origin[0]) / frame.resolution),
+    y = Math.floor((p[1] - frame.origin[1]) / frame.resolution);
   return runs.some(([rx, ry, count]) => ry === y && x >= rx && x < rx + count);
 }
 
@@ -52,7 +61,8 @@ export function moveShape<T extends Shape>(shape: T, dx: number, dy: number): T 
 
 export function turnShape<T extends Shape>(shape: T, angle: number): T {
   if (shape.type === "rectangle") return { ...shape, heading: wrapAngle((shape.heading ?? 0) + angle) };
-  if (shape.type === "car") return { ...shape, pose: { ...shape.pose, heading: wrapAngle(shape.pose.heading + angle) } };
+  if (shape.type === "car")
+    return { ...shape, pose: { ...shape.pose, heading: wrapAngle(shape.pose.heading + angle) } };
   const about = pivotOf(shape);
   return { ...shape, points: shape.points.map((p) => rotateAbout(p, about, angle)) };
 }
@@ -77,17 +87,25 @@ export function dragVertex(shape: Shape, index: number, to: Point): Shape {
 }
 
 /** A rectangle of the same heading with `a` and `b` as opposite corners. */
-export function rectangleBetween<T extends { heading?: number }>(shape: T, a: Point, b: Point): T & { center: Point; size: Point } {
+export function rectangleBetween<T extends { heading?: number }>(
+  shape: T,
+  a: Point,
+  b: Point,
+): T & { center: Point; size: Point } {
   const [ahead, left] = intoPose({ x: a[0], y: a[1], heading: shape.heading ?? 0 }, b);
   return { ...shape, center: [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2], size: [Math.abs(ahead), Math.abs(left)] };
 }
 
 /** Index of the edge of a closed or open line within `reach` of `p`, or −1. */
 export function edgeAt(points: readonly Point[], p: Point, reach: number, closed: boolean): number {
-  let best = -1, nearest = reach;
+  let best = -1,
+    nearest = reach;
   for (let i = closed ? 0 : 1; i < points.length; i++) {
     const gap = distanceToPolyline(p, [points.at(i - 1)!, points[i]!]);
-    if (gap <= nearest) { best = i; nearest = gap; }
+    if (gap <= nearest) {
+      best = i;
+      nearest = gap;
+    }
   }
   return best;
 }

@@ -9,8 +9,14 @@ const ROOM = { width: 0.6, length: 0.5, parallelLength: 1.7 };
 /** Corners closer than this are one, metres. */
 const SAME_CORNER = 0.02;
 
-export interface SlotSize { width: number; length: number }
-interface SlotForm { kind: SlotKind; angle?: number }
+export interface SlotSize {
+  width: number;
+  length: number;
+}
+interface SlotForm {
+  kind: SlotKind;
+  angle?: number;
+}
 
 /** The smallest slot whose outline holds the centred car; the ends of an angled one run askew to it. */
 export function leastSize(slot: SlotForm, car: Vehicle): SlotSize {
@@ -21,11 +27,17 @@ export function leastSize(slot: SlotForm, car: Vehicle): SlotSize {
 /** The size that slots for this car have unless another is asked for, whole centimetres. */
 export function fittingSize(slot: SlotForm, car: Vehicle): SlotSize {
   const { width, length } = leastSize(slot, car);
-  return { width: rounded(width + ROOM.width), length: rounded(length + (slot.kind === "parallel" ? ROOM.parallelLength : ROOM.length)) };
+  return {
+    width: rounded(width + ROOM.width),
+    length: rounded(length + (slot.kind === "parallel" ? ROOM.parallelLength : ROOM.length)),
+  };
 }
 
 /** What the slot tool draws: sizes that were not typed follow the car. */
-export function sizedShape<T extends SlotForm & { width: number | null; length: number | null }>(options: T, car: Vehicle): T & SlotSize {
+export function sizedShape<T extends SlotForm & { width: number | null; length: number | null }>(
+  options: T,
+  car: Vehicle,
+): T & SlotSize {
   const size = fittingSize(options, car);
   return { ...options, width: options.width ?? size.width, length: options.length ?? size.length };
 }
@@ -33,14 +45,17 @@ export function sizedShape<T extends SlotForm & { width: number | null; length: 
 /** How many metres a slot is too short and too narrow for the car, rounded up to centimetres; null where it fits. */
 export function misfitOf(slot: SlotShape, car: Vehicle): { short: number; narrow: number } | null {
   const least = leastSize(slot, car);
-  const short = missing(least.length - slot.length), narrow = missing(least.width - slot.width);
+  const short = missing(least.length - slot.length),
+    narrow = missing(least.width - slot.width);
   return short > 0 || narrow > 0 ? { short, narrow } : null;
 }
 
 /** The slots that stand side by side with this one, it included, from left to right as seen from the aisle. */
 export function rowOf(scene: Scene, id: string): Slot[] {
-  const all = scene.slots ?? [], row = all.filter((slot) => slot.id === id);
-  for (let i = 0; i < row.length; i++) row.push(...all.filter((slot) => !row.includes(slot) && areNeighbours(row[i]!, slot)));
+  const all = scene.slots ?? [],
+    row = all.filter((slot) => slot.id === id);
+  for (let i = 0; i < row.length; i++)
+    row.push(...all.filter((slot) => !row.includes(slot) && areNeighbours(row[i]!, slot)));
   const [first] = row;
   const along = (slot: Slot): number => intoPose(first!, [slot.x, slot.y])[1];
   return row.sort((a, b) => along(b) - along(a));
@@ -49,7 +64,10 @@ export function rowOf(scene: Scene, id: string): Slot[] {
 /** The scene with the whole rows of these slots on the other side of their mouths, so that the aisle changes sides. */
 export function turnRows(scene: Scene, ids: readonly string[]): Scene {
   const row = new Set(ids.flatMap((id) => rowOf(scene, id).map((slot) => slot.id!)));
-  return [...row].reduce((next, id) => updateSlot(next, id, { heading: wrapAngle(findSlot(scene, id)!.heading + Math.PI) }), scene);
+  return [...row].reduce(
+    (next, id) => updateSlot(next, id, { heading: wrapAngle(findSlot(scene, id)!.heading + Math.PI) }),
+    scene,
+  );
 }
 
 /** The scene with the rows of these slots made large enough for the car; they stay on the ground where it has the room. */
@@ -65,7 +83,9 @@ export function fitRows(scene: Scene, ids: readonly string[]): Scene {
 
 /** The row's middle and the aisle side stay. */
 function fitRow(scene: Scene, row: readonly Slot[]): Scene {
-  const car = resolve(scene).vehicle, [first] = row, last = row.at(-1);
+  const car = resolve(scene).vehicle,
+    [first] = row,
+    last = row.at(-1);
   if (!first || !last) return scene;
   const middle: Point = [(first.x + last.x) / 2, (first.y + last.y) / 2];
   const sized = row.map((slot) => ({ ...slot, ...enlarged(slot, car) }));
@@ -74,20 +94,29 @@ function fitRow(scene: Scene, row: readonly Slot[]): Scene {
   const placed = sized.map((slot) => {
     const offset = left - openingOf(slot) / 2;
     left -= openingOf(slot);
-    return { ...slot, x: middle[0] - Math.sin(first.heading) * offset, y: middle[1] + Math.cos(first.heading) * offset };
+    return {
+      ...slot,
+      x: middle[0] - Math.sin(first.heading) * offset,
+      y: middle[1] + Math.cos(first.heading) * offset,
+    };
   });
   const [dx, dy] = backInside(boxOf(placed.flatMap(slotOutline)), boxOf(resolve(scene).boundary));
-  return placed.reduce((next, { id, width, length, x, y }) => updateSlot(next, id!, { width, length, x: x + dx, y: y + dy }), scene);
+  return placed.reduce(
+    (next, { id, width, length, x, y }) => updateSlot(next, id!, { width, length, x: x + dx, y: y + dy }),
+    scene,
+  );
 }
 
 function enlarged(slot: Slot, car: Vehicle): SlotSize {
-  const misfit = misfitOf(slot, car), fitting = fittingSize(slot, car);
+  const misfit = misfitOf(slot, car),
+    fitting = fittingSize(slot, car);
   return { width: misfit?.narrow ? fitting.width : slot.width, length: misfit?.short ? fitting.length : slot.length };
 }
 
 function areNeighbours(a: Slot, b: Slot): boolean {
   if (a.kind !== b.kind || Math.abs(wrapAngle(a.heading - b.heading)) > 1e-3) return false;
-  const [aLeft, aRight] = slotOutline(a), [bLeft, bRight] = slotOutline(b);
+  const [aLeft, aRight] = slotOutline(a),
+    [bLeft, bRight] = slotOutline(b);
   return distance(aLeft!, bRight!) < SAME_CORNER || distance(aRight!, bLeft!) < SAME_CORNER;
 }
 

@@ -6,12 +6,18 @@ import { poseAround, vehicleOf } from "./vehicle";
 export type SlotKind = Slot["kind"];
 export type Entry = "reverse-in" | "head-in";
 /** What a row of slots is made of. */
-export interface SlotShape { kind: SlotKind; width: number; length: number; angle?: number; lean?: "left" | "right" }
+export interface SlotShape {
+  kind: SlotKind;
+  width: number;
+  length: number;
+  angle?: number;
+  lean?: "left" | "right";
+}
 
 const MOST_SLOTS = 60;
 
 export const slotAngle = (slot: { kind: SlotKind; angle?: number }): number =>
-  slot.kind === "angled" ? slot.angle ?? Math.PI / 4 : Math.PI / 2;
+  slot.kind === "angled" ? (slot.angle ?? Math.PI / 4) : Math.PI / 2;
 
 /** Length of the open side along the aisle. */
 export function openingOf(slot: SlotShape): number {
@@ -31,8 +37,10 @@ export function slotOutline(slot: Slot): Point[] {
   const half = openingOf(slot) / 2;
   const reach = slot.kind === "parallel" ? slot.width : slot.length;
   const side = sideDirection(slot);
-  const dx = reach * Math.cos(side), dy = reach * Math.sin(side);
-  const left = fromPose(mouth, 0, half), right = fromPose(mouth, 0, -half);
+  const dx = reach * Math.cos(side),
+    dy = reach * Math.sin(side);
+  const left = fromPose(mouth, 0, half),
+    right = fromPose(mouth, 0, -half);
   return [left, right, [right[0] + dx, right[1] + dy], [left[0] + dx, left[1] + dy]];
 }
 
@@ -41,10 +49,15 @@ const SAME_END = 0.05;
 
 /** The painted lines: three sides of each slot, one that neighbours share once. */
 export function slotLines(slots: readonly Slot[]): [Point, Point][] {
-  const lines: [Point, Point][] = [], isSame = (p: Point, q: Point): boolean => distance(p, q) < SAME_END;
+  const lines: [Point, Point][] = [],
+    isSame = (p: Point, q: Point): boolean => distance(p, q) < SAME_END;
   for (const slot of slots) {
     const [nearLeft, nearRight, farRight, farLeft] = slotOutline(slot) as [Point, Point, Point, Point];
-    for (const [p, q] of [[nearLeft, farLeft], [farLeft, farRight], [farRight, nearRight]] as const) {
+    for (const [p, q] of [
+      [nearLeft, farLeft],
+      [farLeft, farRight],
+      [farRight, nearRight],
+    ] as const) {
       if (!lines.some(([a, b]) => (isSame(p, a) && isSame(q, b)) || (isSame(p, b) && isSame(q, a)))) lines.push([p, q]);
     }
   }
@@ -68,7 +81,8 @@ export const parkedPose = (slot: Slot): Pose => poseInSlot(slot, "reverse-in", v
 
 /** As many slots as fit between `from` and `to` (at least one), to one side of that line. */
 export function slotRow(shape: SlotShape, from: Point, to: Point, side: "left" | "right" = "left"): Omit<Slot, "id">[] {
-  const along = towards(from, to), step = openingOf(shape);
+  const along = towards(from, to),
+    step = openingOf(shape);
   const count = Math.max(1, Math.floor(distance(from, to) / step + 1e-6));
   const heading = wrapAngle(side === "left" ? along + Math.PI / 2 : along - Math.PI / 2);
   const base = { kind: shape.kind, width: shape.width, length: shape.length, heading };

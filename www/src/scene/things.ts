@@ -2,12 +2,29 @@
 import type { CostArea, MovingObstacle, Obstacle, Slot } from "parkade";
 import { thingsOf, type Selection } from "../store";
 import type { Run } from "./cells";
-import { addMoving, addObstacle, addSlots, findCost, findMoving, findObstacle, findSlot, updateMoving, updateObstacle, updateSlot, withCosts, type Scene } from "./model";
+import {
+  addMoving,
+  addObstacle,
+  addSlots,
+  findCost,
+  findMoving,
+  findObstacle,
+  findSlot,
+  updateMoving,
+  updateObstacle,
+  updateSlot,
+  withCosts,
+  type Scene,
+} from "./model";
 import { boxOf, type Box, type Point } from "./plane";
 import { cornersOf, moveShape } from "./shapes";
 import { slotOutline } from "./slots";
 
-type Thing = { kind: "obstacle"; thing: Obstacle } | { kind: "slot"; thing: Slot } | { kind: "moving"; thing: MovingObstacle } | { kind: "cost"; thing: CostArea };
+type Thing =
+  | { kind: "obstacle"; thing: Obstacle }
+  | { kind: "slot"; thing: Slot }
+  | { kind: "moving"; thing: MovingObstacle }
+  | { kind: "cost"; thing: CostArea };
 
 export function findThing(scene: Scene, id: string): Thing | null {
   const obstacle = findObstacle(scene, id);
@@ -31,8 +48,7 @@ export function selectionOf(scene: Scene, ids: readonly string[]): Selection {
   return found && { kind: found.kind, id: ids[0]! };
 }
 
-export const allIds = (scene: Scene): string[] =>
-  thingsOf(scene).map((one) => one.id!);
+export const allIds = (scene: Scene): string[] => thingsOf(scene).map((one) => one.id!);
 
 /** Corners of a thing; of brushed cells those of their extent. */
 export function outlineOfThing(scene: Scene, id: string): Point[] {
@@ -45,20 +61,38 @@ export function outlineOfThing(scene: Scene, id: string): Point[] {
 }
 
 function extentOf(runs: readonly Run[], { origin: [ox, oy], resolution: side }: Scene["map"]): Point[] {
-  let left = Infinity, right = -Infinity, low = Infinity, high = -Infinity;
+  let left = Infinity,
+    right = -Infinity,
+    low = Infinity,
+    high = -Infinity;
   for (const [x, y, count] of runs) {
-    left = Math.min(left, x); right = Math.max(right, x + count);
-    low = Math.min(low, y); high = Math.max(high, y + 1);
+    left = Math.min(left, x);
+    right = Math.max(right, x + count);
+    low = Math.min(low, y);
+    high = Math.max(high, y + 1);
   }
-  return runs.length === 0 ? [] : [[ox + left * side, oy + low * side], [ox + right * side, oy + high * side]];
+  return runs.length === 0
+    ? []
+    : [
+        [ox + left * side, oy + low * side],
+        [ox + right * side, oy + high * side],
+      ];
 }
 
-export const boxOfThings = (scene: Scene, ids: readonly string[]): Box => boxOf(ids.flatMap((id) => outlineOfThing(scene, id)));
+export const boxOfThings = (scene: Scene, ids: readonly string[]): Box =>
+  boxOf(ids.flatMap((id) => outlineOfThing(scene, id)));
 
 /** What lies wholly inside a box; brushed cells are drawn on, not picked up. */
 export function thingsWithin(scene: Scene, { minX, minY, maxX, maxY }: Box): string[] {
-  const cells = new Set(thingsOf(scene).filter((one) => "runs" in one).map((one) => one.id));
-  return allIds(scene).filter((id) => !cells.has(id) && outlineOfThing(scene, id).every(([x, y]) => x >= minX && x <= maxX && y >= minY && y <= maxY));
+  const cells = new Set(
+    thingsOf(scene)
+      .filter((one) => "runs" in one)
+      .map((one) => one.id),
+  );
+  return allIds(scene).filter(
+    (id) =>
+      !cells.has(id) && outlineOfThing(scene, id).every(([x, y]) => x >= minX && x <= maxX && y >= minY && y <= maxY),
+  );
 }
 
 /** Brushed cells move by whole cells. */
@@ -66,18 +100,30 @@ export function moveThings(scene: Scene, ids: readonly string[], dx: number, dy:
   return ids.reduce((next, id) => {
     const found = findThing(next, id);
     if (found?.kind === "slot") return updateSlot(next, id, { x: found.thing.x + dx, y: found.thing.y + dy });
-    if (found?.kind === "moving") return updateMoving(next, id, { points: found.thing.points.map(([x, y]) => [x + dx, y + dy]) });
-    if (found?.kind === "cost") return withCosts(next, next.costs!.map((one) => (one.id === id ? { ...one, runs: movedRuns(one.runs, next.map, dx, dy) } : one)));
+    if (found?.kind === "moving")
+      return updateMoving(next, id, { points: found.thing.points.map(([x, y]) => [x + dx, y + dy]) });
+    if (found?.kind === "cost")
+      return withCosts(
+        next,
+        next.costs!.map((one) => (one.id === id ? { ...one, runs: movedRuns(one.runs, next.map, dx, dy) } : one)),
+      );
     if (found?.kind !== "obstacle") return next;
     const { thing } = found;
-    return updateObstacle(next, id, thing.type === "cells" ? { ...thing, runs: movedRuns(thing.runs, next.map, dx, dy) } : moveShape(thing, dx, dy));
+    return updateObstacle(
+      next,
+      id,
+      thing.type === "cells" ? { ...thing, runs: movedRuns(thing.runs, next.map, dx, dy) } : moveShape(thing, dx, dy),
+    );
   }, scene);
 }
 
 function movedRuns(runs: readonly Run[], { width, height, resolution }: Scene["map"], dx: number, dy: number): Run[] {
-  const columns = Math.round(dx / resolution), rows = Math.round(dy / resolution);
+  const columns = Math.round(dx / resolution),
+    rows = Math.round(dy / resolution);
   return runs.flatMap(([x, y, count]): Run[] => {
-    const from = Math.max(0, x + columns), to = Math.min(width, x + columns + count), row = y + rows;
+    const from = Math.max(0, x + columns),
+      to = Math.min(width, x + columns + count),
+      row = y + rows;
     return from < to && row >= 0 && row < height ? [[from, row, to - from]] : [];
   });
 }
@@ -88,7 +134,12 @@ export function copyThings(scene: Scene, ids: readonly string[]): { scene: Scene
   const next = ids.reduce((before, id) => {
     const found = findThing(before, id);
     if (!found || "runs" in found.thing) return before;
-    const made = found.kind === "slot" ? addSlots(before, [found.thing]) : found.kind === "moving" ? addMoving(before, found.thing) : addObstacle(before, found.thing as Obstacle);
+    const made =
+      found.kind === "slot"
+        ? addSlots(before, [found.thing])
+        : found.kind === "moving"
+          ? addMoving(before, found.thing)
+          : addObstacle(before, found.thing as Obstacle);
     copies.push("ids" in made ? made.ids[0]! : made.id);
     return made.scene;
   }, scene);

@@ -19,7 +19,8 @@ export const rememberPacked = (runs: readonly Run[], text: string): void => void
 
 /** The scene for planners: many cells as a text, which is copied to a worker far faster; the same list for the same obstacles. */
 export function forPlanners(scene: Scenario, pack: (runs: readonly Run[]) => string): Scenario {
-  const obstacles = scene?.obstacles ?? [], known = sent.get(obstacles);
+  const obstacles = scene?.obstacles ?? [],
+    known = sent.get(obstacles);
   if (known) return { ...scene, obstacles: known };
   const packed = withCells(scene, (runs) => {
     const text = texts.get(runs) ?? pack(runs);
@@ -38,14 +39,19 @@ export const isUnpacked = (scene: Scenario): boolean =>
 /** The scene without many cells, for questions whose answer does not depend on them. */
 export const withoutCells = (scene: Scenario): Scenario => withCells(scene, () => []);
 
-export const countRuns = (scene: Scenario): number => (scene.obstacles ?? []).reduce((sum, one) => sum + (one.type === "cells" ? one.runs.length : 0), 0);
+export const countRuns = (scene: Scenario): number =>
+  (scene.obstacles ?? []).reduce((sum, one) => sum + (one.type === "cells" ? one.runs.length : 0), 0);
 
 export const fitsLink = (scene: Scenario): boolean => countRuns(scene) <= LINKABLE;
 
 function withCells(scene: Scenario, change: (runs: Run[]) => string | Run[]): Scenario {
   // What comes from outside may be anything; the planners say what is wrong with it.
-  const isMany = (one: Obstacle): one is CellsObstacle => one?.type === "cells" && Array.isArray(one.runs) && one.runs.length > MANY;
+  const isMany = (one: Obstacle): one is CellsObstacle =>
+    one?.type === "cells" && Array.isArray(one.runs) && one.runs.length > MANY;
   if (!Array.isArray(scene?.obstacles) || !scene.obstacles.some(isMany)) return scene;
   // The planners take such a text wherever they take runs.
-  return { ...scene, obstacles: scene.obstacles.map((one) => (isMany(one) ? { ...one, runs: change(one.runs) as Run[] } : one)) };
+  return {
+    ...scene,
+    obstacles: scene.obstacles.map((one) => (isMany(one) ? { ...one, runs: change(one.runs) as Run[] } : one)),
+  };
 }

@@ -1,6 +1,16 @@
 /** The ground's border: handles on its sides, beside what selects. */
 import { stopText } from "../panels/ground-words";
-import { axisOf, coordinateOf, groundOf, moveSide, opposite, outward, roomOf, type Room, type Side } from "../scene/ground";
+import {
+  axisOf,
+  coordinateOf,
+  groundOf,
+  moveSide,
+  opposite,
+  outward,
+  roomOf,
+  type Room,
+  type Side,
+} from "../scene/ground";
 import { distanceToPolyline } from "../scene/plane";
 import { mapOutline, type Scene } from "../scene/model";
 import { findThing } from "../scene/things";
@@ -19,7 +29,15 @@ const NEAR_PX = 64;
 const STEP = 0.1;
 
 /** `by` is from the pointer to the side; `next` what a release makes of it. */
-interface Press { side: Side; scene: Scene; room: Room; by: number; next: Scene; stopped: boolean; follows: boolean }
+interface Press {
+  side: Side;
+  scene: Scene;
+  room: Room;
+  by: number;
+  next: Scene;
+  stopped: boolean;
+  follows: boolean;
+}
 
 export class BorderTool implements Tool {
   private press: Press | null = null;
@@ -39,25 +57,42 @@ export class BorderTool implements Tool {
   }
 
   down(bench: Bench, input: Input): void {
-    const { state } = bench.store, side = input.touch && !this.isChosen(bench) ? null : sideAt(bench, input);
+    const { state } = bench.store,
+      side = input.touch && !this.isChosen(bench) ? null : sideAt(bench, input);
     this.chosen = false;
     if (!side) return this.select.down(this.beside(bench, null, null), input);
-    const { scene } = state, follows = state.follow && !state.camera;
+    const { scene } = state,
+      follows = state.follow && !state.camera;
     if (follows) bench.store.set({ camera: bench.view.camera });
-    this.press = { side, scene, room: roomOf(scene, side), by: coordinateOf(groundOf(scene), side) - input.at[axisOf(side)], next: scene, stopped: false, follows };
+    this.press = {
+      side,
+      scene,
+      room: roomOf(scene, side),
+      by: coordinateOf(groundOf(scene), side) - input.at[axisOf(side)],
+      next: scene,
+      stopped: false,
+      follows,
+    };
     bench.show({ border: { scene, hot: side, drags: true, canvas: bench.canvas } });
   }
 
   move(bench: Bench, input: Input): void {
     const { press } = this;
     if (!press) return this.select.move(bench, input);
-    const { side, scene, room } = press, wanted = input.at[axisOf(side)] + press.by, at = placed(bench, input, press, wanted);
+    const { side, scene, room } = press,
+      wanted = input.at[axisOf(side)] + press.by,
+      at = placed(bench, input, press, wanted);
     press.next = moveSide(scene, side, at);
-    const inward = outward(side) * (wanted - at) < 0, stopped = Math.abs(wanted - at) > 2 * Math.max(STEP, scene.map.resolution);
-    if (stopped !== press.stopped) bench.store.set({ message: stopped ? { tone: "warn", text: stopText(bench.store.state, room, inward) } : null });
+    const inward = outward(side) * (wanted - at) < 0,
+      stopped = Math.abs(wanted - at) > 2 * Math.max(STEP, scene.map.resolution);
+    if (stopped !== press.stopped)
+      bench.store.set({ message: stopped ? { tone: "warn", text: stopText(bench.store.state, room, inward) } : null });
     press.stopped = stopped;
     const found = stopped && inward && room.inner.id !== null ? findThing(scene, room.inner.id) : null;
-    bench.show({ border: { scene: press.next, hot: side, drags: true, canvas: bench.canvas }, ...(found ? { hot: { kind: found.kind, id: room.inner.id! } } : {}) });
+    bench.show({
+      border: { scene: press.next, hot: side, drags: true, canvas: bench.canvas },
+      ...(found ? { hot: { kind: found.kind, id: room.inner.id! } } : {}),
+    });
     keepFit(scene.map, press.next.map);
     // Very many cells follow when the drag ends.
     if (countRuns(scene) <= MANY) bench.preview(press.next);
@@ -108,37 +143,57 @@ export class BorderTool implements Tool {
   /** What selects shows what it shows, and the handles with it. */
   private beside(bench: Bench, input: Input | null, hot: Side | null): Bench {
     const isNear = hot !== null || this.isChosen(bench) || (input !== null && !input.touch && isBeside(bench, input));
-    return isNear ? { ...bench, show: (draft) => bench.show({ ...draft, border: { scene: bench.store.state.scene, hot, drags: false, canvas: bench.canvas } }) } : bench;
+    return isNear
+      ? {
+          ...bench,
+          show: (draft) =>
+            bench.show({
+              ...draft,
+              border: { scene: bench.store.state.scene, hot, drags: false, canvas: bench.canvas },
+            }),
+        }
+      : bench;
   }
 }
 
 /** Cars, their grips and those of what is selected come before the border. */
 function sideAt(bench: Bench, input: Input): Side | null {
-  const { scene } = bench.store.state, reach = reachOf(input);
-  const found = handlesOn(scene, bench.view).find(({ at: [x, y] }) => Math.max(Math.abs(x - input.pixel[0]), Math.abs(y - input.pixel[1])) <= reach);
+  const { scene } = bench.store.state,
+    reach = reachOf(input);
+  const found = handlesOn(scene, bench.view).find(
+    ({ at: [x, y] }) => Math.max(Math.abs(x - input.pixel[0]), Math.abs(y - input.pixel[1])) <= reach,
+  );
   if (!found) return null;
   const hit = hitAt(bench, input, null);
   if (!hit || hit.part !== "object") return hit ? null : found.side;
-  const { selection } = hit, thing = "id" in selection ? findThing(scene, selection.id)?.thing : null;
+  const { selection } = hit,
+    thing = "id" in selection ? findThing(scene, selection.id)?.thing : null;
   const isCar = !thing || ("kind" in thing ? thing.occupied : !("type" in thing) || thing.type === "car");
   return isCar ? null : found.side;
 }
 
-const isBeside = (bench: Bench, { at }: Input): boolean => distanceToPolyline(at, mapOutline(bench.store.state.scene), true) <= metresOf(bench, NEAR_PX);
+const isBeside = (bench: Bench, { at }: Input): boolean =>
+  distanceToPolyline(at, mapOutline(bench.store.state.scene), true) <= metresOf(bench, NEAR_PX);
 
 /** On whole cells where cells are painted, else at whole decimetres of the size; never past what stops it. */
 function placed(bench: Bench, input: Input, { side, scene, room }: Press, wanted: number): number {
-  const sign = outward(side), { map } = scene, box = groundOf(scene), now = sign * coordinateOf(box, side);
-  const isGrid = [...scene.obstacles ?? [], ...scene.costs ?? []].some((one) => "runs" in one);
+  const sign = outward(side),
+    { map } = scene,
+    box = groundOf(scene),
+    now = sign * coordinateOf(box, side);
+  const isGrid = [...(scene.obstacles ?? []), ...(scene.costs ?? [])].some((one) => "runs" in one);
   const from = sign * (isGrid ? map.origin[axisOf(side)] : coordinateOf(box, opposite(side)));
   const step = !snaps(bench, input) ? 0.001 : isGrid ? map.resolution : STEP;
   const least = Math.min(now, from + Math.ceil((sign * room.inner.at - from) / step - 1e-6) * step);
   const at = Math.min(sign * room.outer, Math.max(least, from + Math.round((sign * wanted - from) / step) * step));
-  return sign * Math.round(at * 1e6) / 1e6;
+  return (sign * Math.round(at * 1e6)) / 1e6;
 }
 
 /** Whether a fit to the view as it is would still show the whole ground. */
 function isInView(bench: Bench, scene: Scene): boolean {
-  const { width, height } = bench.view, camera = cameraFor({ ...bench.store.state, scene }, width, height);
-  return mapOutline(scene).map((p) => worldToScreen({ camera, width, height }, ...p)).every(([x, y]) => x >= 0 && y >= 0 && x <= width && y <= height);
+  const { width, height } = bench.view,
+    camera = cameraFor({ ...bench.store.state, scene }, width, height);
+  return mapOutline(scene)
+    .map((p) => worldToScreen({ camera, width, height }, ...p))
+    .every(([x, y]) => x >= 0 && y >= 0 && x <= width && y <= height);
 }

@@ -68,7 +68,15 @@ abstract class StrokeTool implements Tool {
   }
 
   private disc(bench: Bench, at: Point): Draft {
-    return { preview: { kind: "brush", at, radius: bench.store.state.toolOptions.brushRadius, erase: this.erase, label: this.label(bench) } };
+    return {
+      preview: {
+        kind: "brush",
+        at,
+        radius: bench.store.state.toolOptions.brushRadius,
+        erase: this.erase,
+        label: this.label(bench),
+      },
+    };
   }
 }
 

@@ -42,8 +42,14 @@ export class CarTool implements Tool {
     bench.show(null);
     if (!placed) return;
     const { carProfile } = bench.store.state.toolOptions;
-    const { scene, id } = carProfile === "cone" ? addCone(bench.store.state.scene, placed)
-      : addObstacle(bench.store.state.scene, { type: "car", pose: this.pose(placed, carProfile), vehicle: carProfile });
+    const { scene, id } =
+      carProfile === "cone"
+        ? addCone(bench.store.state.scene, placed)
+        : addObstacle(bench.store.state.scene, {
+            type: "car",
+            pose: this.pose(placed, carProfile),
+            vehicle: carProfile,
+          });
     bench.commit(scene, carProfile === "cone" ? "cone" : "car");
     bench.store.set({ selection: { kind: "obstacle", id } });
     bench.done();
@@ -77,7 +83,11 @@ export class CarTool implements Tool {
 
 /** An octagon of a cone's foot. */
 function addCone(scene: Scene, [x, y]: Point): { scene: Scene; id: string } {
-  const id = nextId(scene, "cone"), round = (value: number): number => Math.round(value * 1000) / 1000;
-  const points = Array.from({ length: 8 }, (_, k): Point => [round(x + CONE * Math.cos((k * Math.PI) / 4)), round(y + CONE * Math.sin((k * Math.PI) / 4))]);
+  const id = nextId(scene, "cone"),
+    round = (value: number): number => Math.round(value * 1000) / 1000;
+  const points = Array.from(
+    { length: 8 },
+    (_, k): Point => [round(x + CONE * Math.cos((k * Math.PI) / 4)), round(y + CONE * Math.sin((k * Math.PI) / 4))],
+  );
   return { scene: { ...scene, obstacles: [...(scene.obstacles ?? []), { type: "polygon", id, points }] }, id };
 }

@@ -22,9 +22,18 @@ const CLICK_PX = 4;
 const KEYS = -1;
 
 /** Where a canvas asks for its menu, CSS pixels of the window. */
-export interface MenuRequest { x: number; y: number; at: Point }
+export interface MenuRequest {
+  x: number;
+  y: number;
+  at: Point;
+}
 
-interface Press { pointer: number; tool: Tool; input: Input; since: number }
+interface Press {
+  pointer: number;
+  tool: Tool;
+  input: Input;
+  since: number;
+}
 
 export class ToolController {
   draft: Draft | null = null;
@@ -80,8 +89,11 @@ export class ToolController {
   attach(canvas: HTMLElement): () => void {
     const events = new AbortController();
     this.canvas ??= canvas;
-    const on = <K extends keyof HTMLElementEventMap>(type: K, handler: (event: HTMLElementEventMap[K]) => void, passive = true): void =>
-      canvas.addEventListener(type, handler, { signal: events.signal, passive });
+    const on = <K extends keyof HTMLElementEventMap>(
+      type: K,
+      handler: (event: HTMLElementEventMap[K]) => void,
+      passive = true,
+    ): void => canvas.addEventListener(type, handler, { signal: events.signal, passive });
     on("pointerdown", (event) => this.pointerDown(canvas, event), false);
     on("pointerrawupdate", (event) => this.pointerEarly(canvas, event as PointerEvent));
     on("pointermove", (event) => this.pointerFrame(canvas, event));
@@ -91,10 +103,13 @@ export class ToolController {
     on("pointerleave", (event) => this.leave(event.pointerType === "touch"));
     on("dblclick", (event) => {
       // The second press may have ended a shape and handed over to another tool.
-      if (this.pressed === this.tool()) this.pressed.doubleClick?.(this.bench(), inputOf(canvas, this.store.state, event));
+      if (this.pressed === this.tool())
+        this.pressed.doubleClick?.(this.bench(), inputOf(canvas, this.store.state, event));
     });
     on("contextmenu", (event) => this.menuAsked(canvas, event), false);
-    on("focus", () => { this.canvas = canvas; });
+    on("focus", () => {
+      this.canvas = canvas;
+    });
     on("wheel", (event) => this.wheelTurned(canvas, event), false);
     const blur = (): void => this.endPress();
     globalThis.addEventListener("blur", blur, { signal: events.signal });
@@ -113,7 +128,9 @@ export class ToolController {
   /** Zooms about the middle of the map. */
   zoom(factor: number): void {
     const view = this.view();
-    this.store.set({ camera: zoomAt(view, view.width / 2, view.height / 2, factor, leastScale(this.store.state.scene.map)) });
+    this.store.set({
+      camera: zoomAt(view, view.width / 2, view.height / 2, factor, leastScale(this.store.state.scene.map)),
+    });
   }
 
   /** True where the key was used; the caller then prevents its default. Takes keydown and keyup. */
@@ -138,13 +155,15 @@ export class ToolController {
     const input = inputOf(canvas, this.store.state, event);
     canvas.setPointerCapture(event.pointerId);
     if (event.pointerType === "pen") this.store.set({ penSeen: true });
-    if (event.pointerType === "touch" && this.fingers.press(event.pointerId, input.pixel, event.timeStamp) > 1) return this.beginPinch(event.timeStamp);
+    if (event.pointerType === "touch" && this.fingers.press(event.pointerId, input.pixel, event.timeStamp) > 1)
+      return this.beginPinch(event.timeStamp);
     if (this.press || this.fingers.pinching) return;
     const tool = (this.pressed = this.toolFor(event));
     if (event.button === 1) event.preventDefault();
     this.rightAt = event.button === 2 ? input.pixel : null;
     this.press = { pointer: event.pointerId, tool, input, since: event.timeStamp };
-    if (event.pointerType === "touch") this.fingers.whenLong(event.pointerId, input.pixel, () => this.longPress(canvas, event));
+    if (event.pointerType === "touch")
+      this.fingers.whenLong(event.pointerId, input.pixel, () => this.longPress(canvas, event));
     tool.down?.(this.bench(), input);
     this.setCursor(tool, input);
   }
@@ -159,8 +178,12 @@ export class ToolController {
   private pointerFrame(canvas: HTMLElement, event: PointerEvent): void {
     const { early } = this;
     this.early = null;
-    const isKnown = early !== null && early.pointerId === event.pointerId && event.getCoalescedEvents().length <= 1
-      && early.clientX === event.clientX && early.clientY === event.clientY;
+    const isKnown =
+      early !== null &&
+      early.pointerId === event.pointerId &&
+      event.getCoalescedEvents().length <= 1 &&
+      early.clientX === event.clientX &&
+      early.clientY === event.clientY;
     if (!isKnown) this.pointerMove(canvas, event);
   }
 
@@ -182,7 +205,8 @@ export class ToolController {
   }
 
   private pointerUp(canvas: HTMLElement, event: PointerEvent): void {
-    const tapped = event.type === "pointerup" && this.store.state.tool === "select" && this.fingers.rests(event.pointerId);
+    const tapped =
+      event.type === "pointerup" && this.store.state.tool === "select" && this.fingers.rests(event.pointerId);
     if (this.fingers.release(event.pointerId, event.timeStamp)) this.store.undo();
     if (this.press?.pointer !== event.pointerId) return;
     // A cancelled pointer carries no position worth drawing to.
@@ -198,7 +222,8 @@ export class ToolController {
     if (!press) return;
     this.press = null;
     press.tool.up?.(this.bench(), press.input);
-    if (this.drawing && (press.tool === this.drawing.place.start || press.tool === this.drawing.place.goal)) this.armed = null;
+    if (this.drawing && (press.tool === this.drawing.place.start || press.tool === this.drawing.place.goal))
+      this.armed = null;
     this.setCursor(this.tool(), this.last);
   }
 
@@ -233,7 +258,9 @@ export class ToolController {
 
   private menuAsked(canvas: HTMLElement, event: MouseEvent): void {
     event.preventDefault();
-    const { tool } = this.store.state, input = inputOf(canvas, this.store.state, event), from = this.rightAt;
+    const { tool } = this.store.state,
+      input = inputOf(canvas, this.store.state, event),
+      from = this.rightAt;
     // Fingers that rest are told apart from drawing ones elsewhere.
     if ((event as PointerEvent).pointerType === "touch" || (tool !== "select" && tool !== "hand")) return;
     if (from && distance(from, input.pixel) > CLICK_PX) return;
@@ -243,19 +270,33 @@ export class ToolController {
 
   private askForMenu(canvas: HTMLElement, x: number, y: number): void {
     const { at } = inputOf(canvas, this.store.state, new MouseEvent("contextmenu", { clientX: x, clientY: y }));
-    canvas.dispatchEvent(new CustomEvent<MenuRequest>("parkade-menu", { detail: { x, y, at }, bubbles: true, composed: true }));
+    canvas.dispatchEvent(
+      new CustomEvent<MenuRequest>("parkade-menu", { detail: { x, y, at }, bubbles: true, composed: true }),
+    );
   }
 
   /** Arrows move the pointer of a drawing tool, Enter presses and releases it. */
   private drawByKey(event: KeyboardEvent): boolean {
-    const { state } = this.store, way = arrowOf(event.key);
-    if (!this.canvas || state.tool === "select" || state.tool === "hand" || (!way && (event.key !== "Enter" || !this.keyed))) return false;
-    const view = this.view(), { map } = state.scene, step = stepOf(map, event.shiftKey);
+    const { state } = this.store,
+      way = arrowOf(event.key);
+    if (
+      !this.canvas ||
+      state.tool === "select" ||
+      state.tool === "hand" ||
+      (!way && (event.key !== "Enter" || !this.keyed))
+    )
+      return false;
+    const view = this.view(),
+      { map } = state.scene,
+      step = stepOf(map, event.shiftKey);
     // The first arrow puts it on a corner of the lattice in the middle of the view.
-    const from = this.keyed ?? (state.hover ? [state.hover.x, state.hover.y] as Point : onLattice(map, [view.camera.x, view.camera.y]));
+    const from =
+      this.keyed ??
+      (state.hover ? ([state.hover.x, state.hover.y] as Point) : onLattice(map, [view.camera.x, view.camera.y]));
     const at: Point = way ? [from[0] + way[0] * step, from[1] + way[1] * step] : from;
     this.keyed = at;
-    const input = keyedInput(view, at), tool = this.tool();
+    const input = keyedInput(view, at),
+      tool = this.tool();
     this.last = input;
     if (!way) this.pressByKey(tool, input);
     else if (this.press) {
@@ -278,18 +319,29 @@ export class ToolController {
     event.preventDefault();
     if (!this.press) this.canvas = canvas;
     const input = inputOf(canvas, this.store.state, event);
-    const pixels = event.deltaMode === 1 ? event.deltaY * 33 : event.deltaMode === 2 ? event.deltaY * 400 : event.deltaY;
-    if (this.tool().wheel?.(this.bench(), input, -Math.sign(pixels) * Math.max(1, Math.round(Math.abs(pixels) / 100)))) return;
+    const pixels =
+      event.deltaMode === 1 ? event.deltaY * 33 : event.deltaMode === 2 ? event.deltaY * 400 : event.deltaY;
+    if (this.tool().wheel?.(this.bench(), input, -Math.sign(pixels) * Math.max(1, Math.round(Math.abs(pixels) / 100))))
+      return;
     // Pinches on a track pad arrive as small turns with Ctrl.
     const factor = Math.exp(-pixels * (event.ctrlKey ? 0.01 : 0.0015));
-    this.store.set({ camera: zoomAt(this.view(), input.pixel[0], input.pixel[1], Math.min(4, Math.max(0.25, factor)), leastScale(this.store.state.scene.map)) });
+    this.store.set({
+      camera: zoomAt(
+        this.view(),
+        input.pixel[0],
+        input.pixel[1],
+        Math.min(4, Math.max(0.25, factor)),
+        leastScale(this.store.state.scene.map),
+      ),
+    });
   }
 
   private toolFor(event: PointerEvent): Tool {
     if (event.button === 1 || this.spaceDown) return this.hand;
     const { tool, penSeen, toolOptions } = this.store.state;
     if (event.pointerType === "touch" && penSeen && toolOptions.penDraws) return this.hand;
-    if (event.button === 2) return tool === "select" || tool === "hand" ? this.hand : this.drawing?.eraser ?? this.hand;
+    if (event.button === 2)
+      return tool === "select" || tool === "hand" ? this.hand : (this.drawing?.eraser ?? this.hand);
     return this.tool();
   }
 
@@ -331,9 +383,13 @@ export class ToolController {
     if (this.spaceDown) return true;
     this.spaceDown = true;
     const released = new AbortController();
-    globalThis.addEventListener("keyup", (event) => {
-      if (this.keyUp(event)) released.abort();
-    }, { signal: released.signal });
+    globalThis.addEventListener(
+      "keyup",
+      (event) => {
+        if (this.keyUp(event)) released.abort();
+      },
+      { signal: released.signal },
+    );
     return this.refresh();
   }
 
@@ -374,7 +430,9 @@ export class ToolController {
 
   /** Of the map that the pointer or the focus was on last. */
   view(): View {
-    return this.canvas ? viewOf(this.canvas, this.store.state) : { camera: cameraFor(this.store.state, 1, 1), width: 1, height: 1 };
+    return this.canvas
+      ? viewOf(this.canvas, this.store.state)
+      : { camera: cameraFor(this.store.state, 1, 1), width: 1, height: 1 };
   }
 
   private bench(): Bench {
@@ -388,11 +446,17 @@ export class ToolController {
       commit: (scene: Scene, label: string) => {
         if (scene !== store.state.scene || store.state.transient) store.edit(scene, { label });
       },
-      revert: () => { if (store.state.transient) store.undo(); },
-      done: () => { if (!store.state.toolOptions.locked) store.set({ tool: "select" }); },
+      revert: () => {
+        if (store.state.transient) store.undo();
+      },
+      done: () => {
+        if (!store.state.toolOptions.locked) store.set({ tool: "select" });
+      },
     };
   }
 }
 
-const onLattice = ({ origin, resolution }: Scene["map"], [x, y]: Point): Point =>
-  [origin[0] + Math.round((x - origin[0]) / resolution) * resolution, origin[1] + Math.round((y - origin[1]) / resolution) * resolution];
+const onLattice = ({ origin, resolution }: Scene["map"], [x, y]: Point): Point => [
+  origin[0] + Math.round((x - origin[0]) / resolution) * resolution,
+  origin[1] + Math.round((y - origin[1]) / resolution) * resolution,
+];

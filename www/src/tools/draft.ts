@@ -6,7 +6,15 @@ import type { Scene, Selection } from "../store";
 
 export type Preview =
   | { kind: "brush"; at: Point; radius: number; erase: boolean; label?: string }
-  | { kind: "line"; points: Point[]; cursor: Point | null; thickness: number; closing: boolean; refused: boolean; closed: boolean }
+  | {
+      kind: "line";
+      points: Point[];
+      cursor: Point | null;
+      thickness: number;
+      closing: boolean;
+      refused: boolean;
+      closed: boolean;
+    }
   | { kind: "rectangle"; center: Point; size: Point; heading: number; from: Point; to: Point }
   | { kind: "car"; pose: Pose; vehicle: VehicleSpec }
   | { kind: "marquee"; from: Point; to: Point }
@@ -14,10 +22,18 @@ export type Preview =
   | { kind: "pose"; which: "start" | "goal"; pose: Pose };
 
 /** The lane in front of a row of slots; `free` falls short of `width` where something stands in it. Metres. */
-export interface Aisle { from: Point; to: Point; width: number; free: number }
+export interface Aisle {
+  from: Point;
+  to: Point;
+  width: number;
+  free: number;
+}
 
 /** A dotted line through two points that says what something lines up with. */
-export interface Guide { from: Point; to: Point }
+export interface Guide {
+  from: Point;
+  to: Point;
+}
 
 export interface Draft {
   preview?: Preview;

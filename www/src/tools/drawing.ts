@@ -24,8 +24,17 @@ export interface Drawing {
 
 export const makeDrawing = (select: SelectTool): Drawing => ({
   tools: {
-    select: new BorderTool(select), brush: new BrushTool(), cost: new CostTool(), wall: new WallTool(), rectangle: new RectangleTool(), polygon: new PolygonTool(), car: new CarTool(),
-    slot: new SlotTool(), moving: new MovingTool(), road: new RoadTool(), eraser: new EraserTool(),
+    select: new BorderTool(select),
+    brush: new BrushTool(),
+    cost: new CostTool(),
+    wall: new WallTool(),
+    rectangle: new RectangleTool(),
+    polygon: new PolygonTool(),
+    car: new CarTool(),
+    slot: new SlotTool(),
+    moving: new MovingTool(),
+    road: new RoadTool(),
+    eraser: new EraserTool(),
   },
   eraser: new EraserTool(),
   place: { start: new PlaceTool("start"), goal: new PlaceTool("goal") },

@@ -17,24 +17,44 @@ export function editByKey(store: Store, event: KeyboardEvent): boolean {
   const way = arrowOf(event.key);
   if (way) return nudge(store, way, event.shiftKey);
   switch (event.key) {
-    case "Delete": case "Backspace": return removeSelected(store);
-    case "[": return setRadius(store, state.toolOptions.brushRadius / RADIUS.step);
-    case "]": return setRadius(store, state.toolOptions.brushRadius * RADIUS.step);
-    case "{": return setWeight(store, -1);
-    case "}": return setWeight(store, 1);
-    case "x": case "X": store.edit(flipGoal(state.scene), { label: "flip" }); return true;
-    case "q": case "Q": store.set({ toolOptions: { ...state.toolOptions, locked: !state.toolOptions.locked } }); return true;
-    default: return false;
+    case "Delete":
+    case "Backspace":
+      return removeSelected(store);
+    case "[":
+      return setRadius(store, state.toolOptions.brushRadius / RADIUS.step);
+    case "]":
+      return setRadius(store, state.toolOptions.brushRadius * RADIUS.step);
+    case "{":
+      return setWeight(store, -1);
+    case "}":
+      return setWeight(store, 1);
+    case "x":
+    case "X":
+      store.edit(flipGoal(state.scene), { label: "flip" });
+      return true;
+    case "q":
+    case "Q":
+      store.set({ toolOptions: { ...state.toolOptions, locked: !state.toolOptions.locked } });
+      return true;
+    default:
+      return false;
   }
 }
 
 function editWithCtrl(store: Store, event: KeyboardEvent): boolean {
   switch (event.key) {
-    case "a": case "A": return selectAll(store);
-    case "d": case "D": return duplicateSelected(store);
-    case "ArrowLeft": return turn(store, 1, event.shiftKey);
-    case "ArrowRight": return turn(store, -1, event.shiftKey);
-    default: return false;
+    case "a":
+    case "A":
+      return selectAll(store);
+    case "d":
+    case "D":
+      return duplicateSelected(store);
+    case "ArrowLeft":
+      return turn(store, 1, event.shiftKey);
+    case "ArrowRight":
+      return turn(store, -1, event.shiftKey);
+    default:
+      return false;
   }
 }
 
@@ -70,7 +90,8 @@ function nudged({ scene, selection }: State, dx: number, dy: number): Scene | nu
 
 /** By five degrees, one with Shift. */
 function turn(store: Store, sign: 1 | -1, little: boolean): boolean {
-  const { scene, selection } = store.state, angle = sign * radians(little ? 1 : 5);
+  const { scene, selection } = store.state,
+    angle = sign * radians(little ? 1 : 5);
   if (isPose(selection)) {
     const pose = resolve(scene)[selection.kind];
     store.edit(movePose(scene, selection.kind, { ...pose, heading: pose.heading + angle }), { label: "turn" });
@@ -82,7 +103,8 @@ function turn(store: Store, sign: 1 | -1, little: boolean): boolean {
 }
 
 export function removeSelected(store: Store): boolean {
-  const { scene, selection } = store.state, ids = idsOf(selection);
+  const { scene, selection } = store.state,
+    ids = idsOf(selection);
   if (ids.length === 0) return false;
   store.edit(removeThings(scene, ids), { label: "delete" });
   store.set({ selection: null });
@@ -91,7 +113,8 @@ export function removeSelected(store: Store): boolean {
 
 /** Copies a cell to the right and below, chosen. */
 export function duplicateSelected(store: Store): boolean {
-  const { scene, selection } = store.state, step = Math.max(0.5, scene.map.resolution);
+  const { scene, selection } = store.state,
+    step = Math.max(0.5, scene.map.resolution);
   const { scene: copied, ids } = copyThings(scene, idsOf(selection));
   if (ids.length === 0) return false;
   store.edit(moveThings(copied, ids, step, -step), { label: "duplicate" });

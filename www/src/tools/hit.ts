@@ -20,7 +20,12 @@ export type Hit =
 /** Grips first, then vertices of the selected shape, cars, shapes from the top, slots. */
 export function hitAt(bench: Bench, input: Input, hot: Selection): Hit | null {
   const { state } = bench.store;
-  return hitGrip(bench, input, hot) ?? hitShapeGrip(bench, input) ?? hitWay(bench, input) ?? wrap(hitPose(state, input.at) ?? hitMoving(bench, input) ?? hitObstacle(bench, input) ?? hitSlot(state, input.at));
+  return (
+    hitGrip(bench, input, hot) ??
+    hitShapeGrip(bench, input) ??
+    hitWay(bench, input) ??
+    wrap(hitPose(state, input.at) ?? hitMoving(bench, input) ?? hitObstacle(bench, input) ?? hitSlot(state, input.at))
+  );
 }
 
 const wrap = (selection: Selection): Hit | null => (selection ? { part: "object", selection } : null);
@@ -33,7 +38,8 @@ function hitGrip(bench: Bench, input: Input, hot: Selection): Hit | null {
   const drawn = (which: "start" | "goal"): boolean =>
     selection?.kind === which || hot?.kind === which || (which === "goal" && selection === null);
   for (const which of ["goal", "start"] as const) {
-    if (drawn(which) && distance(gripOf(resolved[which], resolved.vehicle), input.at) <= reach) return { part: "pose-grip", which };
+    if (drawn(which) && distance(gripOf(resolved[which], resolved.vehicle), input.at) <= reach)
+      return { part: "pose-grip", which };
   }
   return null;
 }
@@ -59,15 +65,24 @@ function hitShapeGrip(bench: Bench, input: Input): Hit | null {
 function hitWay(bench: Bench, input: Input): Hit | null {
   const { scene, selection } = bench.store.state;
   if (selection?.kind !== "moving") return null;
-  const index = vertexAt(findMoving(scene, selection.id)?.points ?? [], input.at, metresOf(bench, reachOf(input)) * 0.75);
+  const index = vertexAt(
+    findMoving(scene, selection.id)?.points ?? [],
+    input.at,
+    metresOf(bench, reachOf(input)) * 0.75,
+  );
   return index >= 0 ? { part: "way", id: selection.id, index } : null;
 }
 
 function hitMoving(bench: Bench, input: Input): Selection {
-  const { state } = bench.store, slack = metresOf(bench, input.touch ? 12 : 5), clock = clockOf(state);
+  const { state } = bench.store,
+    slack = metresOf(bench, input.touch ? 12 : 5),
+    clock = clockOf(state);
   const touched = (one: MovingObstacle): boolean => {
     const { x, y, heading } = boxAt(one, clock);
-    return insidePolygon(input.at, rectangleCorners({ center: [x, y], size: one.size, heading })) || distanceToPolyline(input.at, one.points) <= slack;
+    return (
+      insidePolygon(input.at, rectangleCorners({ center: [x, y], size: one.size, heading })) ||
+      distanceToPolyline(input.at, one.points) <= slack
+    );
   };
   const id = state.scene.moving?.find(touched)?.id;
   return id === undefined ? null : { kind: "moving", id };

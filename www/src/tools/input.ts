@@ -5,7 +5,8 @@ import { cameraFor, screenToWorld, worldToScreen, type View } from "../view/came
 import type { Input } from "./tool";
 
 export function viewOf(canvas: HTMLElement, state: State): View {
-  const width = canvas.clientWidth, height = canvas.clientHeight;
+  const width = canvas.clientWidth,
+    height = canvas.clientHeight;
   return { camera: cameraFor(state, width, height), width, height };
 }
 
@@ -14,7 +15,7 @@ export function inputOf(canvas: HTMLElement, state: State, event: MouseEvent): I
   const view = viewOf(canvas, state);
   const pixelOf = (one: MouseEvent): Point => [one.clientX - box.left, one.clientY - box.top];
   const worldOf = (one: MouseEvent): Point => screenToWorld(view, ...pixelOf(one));
-  const coalesced = event instanceof PointerEvent ? event.getCoalescedEvents?.() ?? [] : [];
+  const coalesced = event instanceof PointerEvent ? (event.getCoalescedEvents?.() ?? []) : [];
   const at = worldOf(event);
   return {
     at,
@@ -29,5 +30,14 @@ export function inputOf(canvas: HTMLElement, state: State, event: MouseEvent): I
 
 /** A place that keys have chosen; it is not moved onto anything. */
 export function keyedInput(view: View, at: Point): Input {
-  return { at, pixel: worldToScreen(view, ...at), trail: [at], shift: false, alt: false, ctrl: false, touch: false, keyed: true };
+  return {
+    at,
+    pixel: worldToScreen(view, ...at),
+    trail: [at],
+    shift: false,
+    alt: false,
+    ctrl: false,
+    touch: false,
+    keyed: true,
+  };
 }

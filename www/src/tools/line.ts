@@ -107,20 +107,38 @@ abstract class LineTool implements Tool {
 
   /** Fingers and keys have no double click: a press on the last corner ends the line. */
   private repeats(bench: Bench, input: Input, at: Point): boolean {
-    const last = this.points.at(-1), reach = input.keyed ? 1e-6 : input.touch ? metresOf(bench, reachOf(input)) : -1;
+    const last = this.points.at(-1),
+      reach = input.keyed ? 1e-6 : input.touch ? metresOf(bench, reachOf(input)) : -1;
     return last !== undefined && distance(last, at) <= reach;
   }
 
   private closes(bench: Bench, input: Input, at: Point): boolean {
     const first = this.points[0];
-    return this.closed && this.points.length > 2 && first !== undefined && distance(first, at) <= metresOf(bench, reachOf(input));
+    return (
+      this.closed &&
+      this.points.length > 2 &&
+      first !== undefined &&
+      distance(first, at) <= metresOf(bench, reachOf(input))
+    );
   }
 
   private draft(bench: Bench, cursor: Point | null): Draft {
     const { points } = this;
-    const last = points.at(-1), first = points[0];
-    const closing = this.closed && points.length > 2 && cursor !== null && first !== undefined && distance(first, cursor) <= metresOf(bench, 12);
-    const refused = this.closed && cursor !== null && !closing && last !== undefined && distance(last, cursor) > 1e-6 && !canExtend(points, cursor);
+    const last = points.at(-1),
+      first = points[0];
+    const closing =
+      this.closed &&
+      points.length > 2 &&
+      cursor !== null &&
+      first !== undefined &&
+      distance(first, cursor) <= metresOf(bench, 12);
+    const refused =
+      this.closed &&
+      cursor !== null &&
+      !closing &&
+      last !== undefined &&
+      distance(last, cursor) > 1e-6 &&
+      !canExtend(points, cursor);
     const { thickness } = this.width(bench);
     const length = cursor && last ? distance(last, cursor) : 0;
     return {
@@ -176,7 +194,11 @@ export class RoadTool extends LineTool {
   }
 
   protected override finish(bench: Bench): boolean {
-    const { points } = this, { scene: before, toolOptions: { road: options } } = bench.store.state;
+    const { points } = this,
+      {
+        scene: before,
+        toolOptions: { road: options },
+      } = bench.store.state;
     const road: Road = { type: "road", points, ...options };
     if (points.length >= 2 && tooTight(road) > 0) {
       bench.store.set({ message: { tone: "err", text: word(bench.store.state, "tight") } });

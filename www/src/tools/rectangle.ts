@@ -60,6 +60,9 @@ export class RectangleTool implements Tool {
     const { at, guides } = snapPoint(bench, input);
     if (!input.shift) return { at, guides };
     const side = Math.max(Math.abs(at[0] - from[0]), Math.abs(at[1] - from[1]));
-    return { at: [from[0] + side * Math.sign(at[0] - from[0] || 1), from[1] + side * Math.sign(at[1] - from[1] || 1)], guides: [] };
+    return {
+      at: [from[0] + side * Math.sign(at[0] - from[0] || 1), from[1] + side * Math.sign(at[1] - from[1] || 1)],
+      guides: [],
+    };
   }
 }

@@ -1,6 +1,15 @@
 /** Select, move, turn, copy. */
 import {
-  findMoving, findObstacle, findSlot, movePose, resolve, setGoalFromSlot, updateMoving, updateObstacle, withShape, type Scene,
+  findMoving,
+  findObstacle,
+  findSlot,
+  movePose,
+  resolve,
+  setGoalFromSlot,
+  updateMoving,
+  updateObstacle,
+  withShape,
+  type Scene,
 } from "../scene/model";
 import { boxOf, crossesItself, distance, towards, wrapAngle, type Box, type Point } from "../scene/plane";
 import { dragVertex, headingOf, pivotOf, turnShape, type Shape } from "../scene/shapes";
@@ -14,7 +23,15 @@ import type { Bench, Input, Tool } from "./tool";
 import { word } from "./words";
 
 /** `hit` null: the press began beside everything and draws a frame around what shall be chosen. */
-interface Press { hit: Hit | null; at: Point; pixel: Point; scene: Scene; box: Box | null; ids: readonly string[]; dragging: boolean }
+interface Press {
+  hit: Hit | null;
+  at: Point;
+  pixel: Point;
+  scene: Scene;
+  box: Box | null;
+  ids: readonly string[];
+  dragging: boolean;
+}
 
 const DRAG_PX = 3;
 
@@ -42,7 +59,8 @@ export class SelectTool implements Tool {
       askForPose(bench.canvas, label);
       return;
     }
-    const { scene, selection } = bench.store.state, hit = hitAt(bench, input, this.hot);
+    const { scene, selection } = bench.store.state,
+      hit = hitAt(bench, input, this.hot);
     if (hit?.part === "object") this.choose(bench, hit.selection, input.shift);
     else if (hit?.part === "pose-grip") bench.store.set({ selection: { kind: hit.which } });
     else if (!hit && !input.shift) bench.store.set({ selection: null });
@@ -107,9 +125,13 @@ export class SelectTool implements Tool {
   /** With Shift things join a group or leave it; a press on one of a group keeps the group. */
   private choose(bench: Bench, hit: NonNullable<Selection>, shift: boolean): void {
     const { scene, selection } = bench.store.state;
-    const ids = idsOf(selection), id = idsOf(hit)[0];
+    const ids = idsOf(selection),
+      id = idsOf(hit)[0];
     if (id === undefined || (!shift && !ids.includes(id))) bench.store.set({ selection: hit });
-    else if (shift) bench.store.set({ selection: selectionOf(scene, ids.includes(id) ? ids.filter((one) => one !== id) : [...ids, id]) });
+    else if (shift)
+      bench.store.set({
+        selection: selectionOf(scene, ids.includes(id) ? ids.filter((one) => one !== id) : [...ids, id]),
+      });
   }
 
   private click(bench: Bench, hit: NonNullable<Selection>, input: Input): void {
@@ -120,7 +142,8 @@ export class SelectTool implements Tool {
   }
 
   private gather(bench: Bench, press: Press, input: Input): void {
-    const { scene } = bench.store.state, inside = thingsWithin(scene, boxOf([press.at, input.at]));
+    const { scene } = bench.store.state,
+      inside = thingsWithin(scene, boxOf([press.at, input.at]));
     bench.store.set({ selection: selectionOf(scene, input.shift ? [...new Set([...press.ids, ...inside])] : inside) });
   }
 }
@@ -138,11 +161,16 @@ function duplicate(bench: Bench, press: Press): void {
 /** Every step starts from the scene at the press: rounding cannot add up. */
 function dragged(bench: Bench, press: Press, hit: Hit, input: Input): { scene: Scene | null; draft: Draft | null } {
   switch (hit.part) {
-    case "pose-grip": return turnPose(press, hit.which, input);
-    case "turn-grip": return { scene: withShape(press.scene, hit.id, (shape) => turnTowards(shape, press.at, input)), draft: null };
-    case "vertex": return moveVertex(bench, press.scene, hit, input);
-    case "way": return moveCorner(bench, press.scene, hit, input);
-    case "object": return moveObject(bench, press, hit.selection, input);
+    case "pose-grip":
+      return turnPose(press, hit.which, input);
+    case "turn-grip":
+      return { scene: withShape(press.scene, hit.id, (shape) => turnTowards(shape, press.at, input)), draft: null };
+    case "vertex":
+      return moveVertex(bench, press.scene, hit, input);
+    case "way":
+      return moveCorner(bench, press.scene, hit, input);
+    case "object":
+      return moveObject(bench, press, hit.selection, input);
   }
 }
 
@@ -156,15 +184,22 @@ function turnPose(press: Press, which: "start" | "goal", input: Input): { scene:
 }
 
 function turnTowards(shape: Shape, from: Point, input: Input): Shape {
-  const pivot = pivotOf(shape), heading = headingOf(shape) ?? 0;
+  const pivot = pivotOf(shape),
+    heading = headingOf(shape) ?? 0;
   const turned = heading + wrapAngle(towards(pivot, input.at) - towards(pivot, from));
   return turnShape(shape, wrapAngle(snapAngle(turned, input.alt ? "free" : input.shift ? "always" : "near") - heading));
 }
 
-function moveVertex(bench: Bench, scene: Scene, { id, index }: { id: string; index: number }, input: Input): { scene: Scene | null; draft: Draft | null } {
+function moveVertex(
+  bench: Bench,
+  scene: Scene,
+  { id, index }: { id: string; index: number },
+  input: Input,
+): { scene: Scene | null; draft: Draft | null } {
   const shape = findObstacle(scene, id);
   if (!shape || shape.type === "cells") return { scene: null, draft: null };
-  const { at, guides } = snapPoint(bench, input, id), next = dragVertex(shape, index, at);
+  const { at, guides } = snapPoint(bench, input, id),
+    next = dragVertex(shape, index, at);
   if (next.type === "polygon" && crossesItself(next.points)) {
     bench.store.set({ message: { tone: "err", text: word(bench.store.state, "crosses") } });
     return { scene: null, draft: null };
@@ -172,14 +207,30 @@ function moveVertex(bench: Bench, scene: Scene, { id, index }: { id: string; ind
   return { scene: updateObstacle(scene, id, next), draft: { guides } };
 }
 
-function moveCorner(bench: Bench, scene: Scene, { id, index }: { id: string; index: number }, input: Input): { scene: Scene; draft: Draft } {
+function moveCorner(
+  bench: Bench,
+  scene: Scene,
+  { id, index }: { id: string; index: number },
+  input: Input,
+): { scene: Scene; draft: Draft } {
   const { at, guides } = snapPoint(bench, input, id);
-  return { scene: updateMoving(scene, id, { points: (findMoving(scene, id)?.points ?? []).map((p, i) => (i === index ? at : p)) }), draft: { guides } };
+  return {
+    scene: updateMoving(scene, id, {
+      points: (findMoving(scene, id)?.points ?? []).map((p, i) => (i === index ? at : p)),
+    }),
+    draft: { guides },
+  };
 }
 
-function moveObject(bench: Bench, press: Press, selection: NonNullable<Selection>, input: Input): { scene: Scene; draft: Draft } {
+function moveObject(
+  bench: Bench,
+  press: Press,
+  selection: NonNullable<Selection>,
+  input: Input,
+): { scene: Scene; draft: Draft } {
   const { scene } = press;
-  const dx = input.at[0] - press.at[0], dy = input.at[1] - press.at[1];
+  const dx = input.at[0] - press.at[0],
+    dy = input.at[1] - press.at[1];
   if (isPose(selection)) {
     const from = resolve(scene)[selection.kind];
     const { pose, goal, guides } = snapPose(bench, input, selection.kind, { ...from, x: from.x + dx, y: from.y + dy });

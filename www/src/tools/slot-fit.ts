@@ -7,17 +7,28 @@ import type { Scene, Store } from "../store";
 const say = words({
   short: ["{n|This slot is|These slots are} {short} m too short for the car.", "车位比车辆短 {short} m。"],
   narrow: ["{n|This slot is|These slots are} {narrow} m too narrow for the car.", "车位比车辆窄 {narrow} m。"],
-  both: ["{n|This slot is|These slots are} {short} m too short and {narrow} m too narrow for the car.", "车位比车辆短 {short} m、窄 {narrow} m。"],
+  both: [
+    "{n|This slot is|These slots are} {short} m too short and {narrow} m too narrow for the car.",
+    "车位比车辆短 {short} m、窄 {narrow} m。",
+  ],
   fit: ["Make {n|it|them} fit", "改为合适尺寸"],
 });
 
 /** Speaks of the first of these slots that is too small. */
 export function sayMisfit(store: Store, ids: readonly string[]): void {
-  const { scene, lang } = store.state, car = resolve(scene).vehicle;
-  const misfit = ids.map((id) => findSlot(scene, id)).map((slot) => slot && misfitOf(slot, car)).find(Boolean);
+  const { scene, lang } = store.state,
+    car = resolve(scene).vehicle;
+  const misfit = ids
+    .map((id) => findSlot(scene, id))
+    .map((slot) => slot && misfitOf(slot, car))
+    .find(Boolean);
   if (!misfit) return;
   const values = { ...misfit, n: ids.length };
-  const text = say(lang, misfit.short > 0 && misfit.narrow > 0 ? "both" : misfit.short > 0 ? "short" : "narrow", values);
+  const text = say(
+    lang,
+    misfit.short > 0 && misfit.narrow > 0 ? "both" : misfit.short > 0 ? "short" : "narrow",
+    values,
+  );
   const run = (): void => store.edit(fitRows(store.state.scene, ids), { label: "fit" });
   store.set({ message: { tone: "warn", code: "slot-misfit", text, action: { name: say(lang, "fit", values), run } } });
 }
@@ -29,7 +40,8 @@ export function watchGoalSlot(store: Store): void {
   let known = store.state.scene;
   store.subscribe(({ scene, transient, reason }) => {
     if (transient || scene === known) return;
-    const before = known, slot = goalSlot(scene);
+    const before = known,
+      slot = goalSlot(scene);
     known = scene;
     const isEdited = !["open", "undo", "redo"].includes(reason);
     if (slot && isEdited && (slot !== goalSlot(before) || scene.vehicle !== before.vehicle)) sayMisfit(store, [slot]);

@@ -38,7 +38,8 @@ export class SlotTool implements Tool {
     this.from = null;
     bench.show(null);
     if (!from) return;
-    const to = this.end(bench, from, input), side = sideOf(bench, from, to, input.alt);
+    const to = this.end(bench, from, input),
+      side = sideOf(bench, from, to, input.alt);
     const slots = slotRow(shapeOf(bench, side), from, to, side);
     const { scene, ids } = addSlots(bench.store.state.scene, slots);
     bench.commit(scene, "slots");
@@ -57,7 +58,9 @@ export class SlotTool implements Tool {
   /** Rows go straight unless they are pulled away from it. */
   private end(bench: Bench, from: Point, input: Input): Point {
     if (input.shift) return constrainAngle(from, input.at);
-    const to = snapPoint(bench, input).at, angle = towards(from, to), straight = snapAngle(angle);
+    const to = snapPoint(bench, input).at,
+      angle = towards(from, to),
+      straight = snapAngle(angle);
     if (input.ctrl || straight === angle) return to;
     const length = distance(from, to);
     return [from[0] + length * Math.cos(straight), from[1] + length * Math.sin(straight)];
@@ -75,7 +78,8 @@ function shapeOf(bench: Bench, side: Side): SlotShape {
 /** The side of the drag with more free ground for bays, and then with the freer aisle in front of them. */
 function sideOf(bench: Bench, from: Point, to: Point, swapped: boolean): Side {
   const [right, left] = (["right", "left"] as const).map((side) => {
-    const slots = slotRow(shapeOf(bench, side), from, to, side), aisle = aisleOf(bench, slots[0]!.heading, from, to);
+    const slots = slotRow(shapeOf(bench, side), from, to, side),
+      aisle = aisleOf(bench, slots[0]!.heading, from, to);
     const free = slots.filter((slot) => !isTaken(bench, slotCentre({ ...slot, id: "" }))).length / slots.length;
     return 2 * free + (aisle.width > 0 ? aisle.free / aisle.width : 1);
   }) as [number, number];
@@ -83,7 +87,10 @@ function sideOf(bench: Bench, from: Point, to: Point, swapped: boolean): Side {
 }
 
 function rowDraft(bench: Bench, from: Point, to: Point, swapped: boolean): Draft {
-  const side = sideOf(bench, from, to, swapped), shape = shapeOf(bench, side), { state } = bench.store, { angle, lean } = state.toolOptions.slot;
+  const side = sideOf(bench, from, to, swapped),
+    shape = shapeOf(bench, side),
+    { state } = bench.store,
+    { angle, lean } = state.toolOptions.slot;
   const slots = slotRow(shape, from, to, side);
   const leaning = shape.kind === "angled" ? ` · ${fixed((angle * 180) / Math.PI, 0)}° ${word(state, lean)}` : "";
   const count = `${slots.length} ${word(state, slots.length === 1 ? "slot" : "slots")}`;
@@ -100,7 +107,9 @@ function rowDraft(bench: Bench, from: Point, to: Point, swapped: boolean): Draft
 /** The aisle in front of a row, and how much of it is free, measured from the row's middle. */
 function aisleOf(bench: Bench, heading: number, from: Point, to: Point): Aisle {
   const { aisle } = bench.store.state.toolOptions.slot;
-  const middle: Point = [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2], dx = -Math.cos(heading), dy = -Math.sin(heading);
+  const middle: Point = [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2],
+    dx = -Math.cos(heading),
+    dy = -Math.sin(heading);
   const at = (metres: number): Point => [middle[0] + dx * metres, middle[1] + dy * metres];
   let free = RAY_STEP;
   while (free < aisle && !isTaken(bench, at(free))) free += RAY_STEP;
@@ -109,9 +118,15 @@ function aisleOf(bench: Bench, heading: number, from: Point, to: Point): Aisle {
 
 /** Whether a point lies off the ground, on an obstacle or in a bay. */
 function isTaken(bench: Bench, p: Point): boolean {
-  const { scene } = bench.store.state, { boundary, slots } = resolve(scene);
-  return !insidePolygon(p, boundary) || slots.some(({ outline }) => insidePolygon(p, outline))
-    || (scene.obstacles ?? []).some((one) => (one.type === "cells" ? onCells(p, one.runs, scene.map) : distanceToShape(p, one) <= 0));
+  const { scene } = bench.store.state,
+    { boundary, slots } = resolve(scene);
+  return (
+    !insidePolygon(p, boundary) ||
+    slots.some(({ outline }) => insidePolygon(p, outline)) ||
+    (scene.obstacles ?? []).some((one) =>
+      one.type === "cells" ? onCells(p, one.runs, scene.map) : distanceToShape(p, one) <= 0,
+    )
+  );
 }
 
 /** Metres from look to look. */

@@ -7,17 +7,21 @@ import type { Guide } from "./draft";
 import { metresOf, type Bench, type Input } from "./tool";
 
 const SNAP_PX = 8;
-const ANGLE_STEP = radians(15), ANGLE_REACH = radians(3);
+const ANGLE_STEP = radians(15),
+  ANGLE_REACH = radians(3);
 /** How near and how straight a dragged goal comes to its pose in a slot before it takes it. */
 const SLOT_REACH = { metres: 1.2, px: 14, angle: radians(35) };
 
 /** Ctrl inverts the setting. */
-export const snaps = (bench: Bench, input: Input): boolean => !input.keyed && bench.store.state.toolOptions.snap !== input.ctrl;
+export const snaps = (bench: Bench, input: Input): boolean =>
+  !input.keyed && bench.store.state.toolOptions.snap !== input.ctrl;
 
 /** Multiples of 15° within 3°; `free` leaves the angle alone, `always` takes the nearest. */
 export function snapAngle(angle: number, mode: "near" | "always" | "free" = "near"): number {
   const nearest = Math.round(angle / ANGLE_STEP) * ANGLE_STEP;
-  return mode === "always" || (mode === "near" && Math.abs(wrapAngle(angle - nearest)) <= ANGLE_REACH) ? wrapAngle(nearest) : wrapAngle(angle);
+  return mode === "always" || (mode === "near" && Math.abs(wrapAngle(angle - nearest)) <= ANGLE_REACH)
+    ? wrapAngle(nearest)
+    : wrapAngle(angle);
 }
 
 /** `to` turned about `from` onto the nearest multiple of 15°. */
@@ -27,12 +31,16 @@ export function constrainAngle(from: Point, to: Point): Point {
   return [from[0] + along * Math.cos(angle), from[1] + along * Math.sin(angle)];
 }
 
-export interface Snapped { at: Point; guides: Guide[] }
+export interface Snapped {
+  at: Point;
+  guides: Guide[];
+}
 
 /** The nearest corner within 8 px, else in line with one or on the cell grid, else the point. */
 export function snapPoint(bench: Bench, input: Input, skip?: string): Snapped {
   if (!snaps(bench, input)) return { at: input.at, guides: [] };
-  const reach = metresOf(bench, SNAP_PX), { scene } = bench.store.state;
+  const reach = metresOf(bench, SNAP_PX),
+    { scene } = bench.store.state;
   const marks = marksOf(scene, skip === undefined ? [] : [skip]);
   const corner = nearest(marks, input.at);
   if (corner && distance(corner, input.at) <= reach) return { at: corner, guides: [{ from: corner, to: corner }] };
@@ -42,29 +50,61 @@ export function snapPoint(bench: Bench, input: Input, skip?: string): Snapped {
 }
 
 /** How far things dragged by `by` go: their edges or middle in line with something else, or their lower left corner on the grid. */
-export function snapMove(bench: Bench, input: Input, from: Box, by: Point, skip: readonly string[]): { by: Point; guides: Guide[] } {
+export function snapMove(
+  bench: Bench,
+  input: Input,
+  from: Box,
+  by: Point,
+  skip: readonly string[],
+): { by: Point; guides: Guide[] } {
   if (!snaps(bench, input)) return { by, guides: [] };
-  const reach = metresOf(bench, SNAP_PX), { scene } = bench.store.state;
+  const reach = metresOf(bench, SNAP_PX),
+    { scene } = bench.store.state;
   const [left, low, right, high] = [from.minX + by[0], from.minY + by[1], from.maxX + by[0], from.maxY + by[1]];
   const marks = marksOf(scene, skip);
-  const [x, y] = ([0, 1] as const).map((axis) => lineUp(scene, marks, [[left, low], [right, high], [(left + right) / 2, (low + high) / 2]], axis, reach)) as [Shift, Shift];
+  const [x, y] = ([0, 1] as const).map((axis) =>
+    lineUp(
+      scene,
+      marks,
+      [
+        [left, low],
+        [right, high],
+        [(left + right) / 2, (low + high) / 2],
+      ],
+      axis,
+      reach,
+    ),
+  ) as [Shift, Shift];
   const middle: Point = [(left + right) / 2 + x.by, (low + high) / 2 + y.by];
   return { by: [by[0] + x.by, by[1] + y.by], guides: guidesTo(middle, x, y) };
 }
 
 /** How far to go along one axis, and the mark that is then in line. */
-interface Shift { by: number; mark: Point | null; at: number }
+interface Shift {
+  by: number;
+  mark: Point | null;
+  at: number;
+}
 
-function lineUp({ map: { origin, resolution } }: Scene, marks: readonly Point[], points: readonly Point[], axis: 0 | 1, reach: number): Shift {
-  let best: Shift = { by: 0, mark: null, at: 0 }, least = reach;
+function lineUp(
+  { map: { origin, resolution } }: Scene,
+  marks: readonly Point[],
+  points: readonly Point[],
+  axis: 0 | 1,
+  reach: number,
+): Shift {
+  let best: Shift = { by: 0, mark: null, at: 0 },
+    least = reach;
   for (const mark of marks) {
     for (const p of points) {
       const by = mark[axis] - p[axis];
-      if (Math.abs(by) < least || (Math.abs(by) === least && !best.mark)) [best, least] = [{ by, mark, at: mark[axis] }, Math.abs(by)];
+      if (Math.abs(by) < least || (Math.abs(by) === least && !best.mark))
+        [best, least] = [{ by, mark, at: mark[axis] }, Math.abs(by)];
     }
   }
   if (best.mark) return best;
-  const value = points[0]![axis], line = origin[axis] + Math.round((value - origin[axis]) / resolution) * resolution;
+  const value = points[0]![axis],
+    line = origin[axis] + Math.round((value - origin[axis]) / resolution) * resolution;
   return Math.abs(line - value) <= reach ? { by: line - value, mark: null, at: line } : best;
 }
 
@@ -84,7 +124,10 @@ function marksOf(scene: Scene, skip: readonly string[]): Point[] {
   const marks: Point[] = [...boundary, [start.x, start.y], [goal.x, goal.y]];
   for (const one of scene.obstacles ?? []) {
     if (one.type === "cells" || skip.includes(one.id ?? "") || marks.length > MOST_MARKS) continue;
-    marks.push(...(one.type === "car" ? cornersOf(one) : verticesOf(one)), ...(one.type === "wall" || one.type === "road" ? [] : [middleOf(one)]));
+    marks.push(
+      ...(one.type === "car" ? cornersOf(one) : verticesOf(one)),
+      ...(one.type === "wall" || one.type === "road" ? [] : [middleOf(one)]),
+    );
   }
   for (const { slot, outline } of slots) if (!skip.includes(slot.id ?? "")) marks.push(...outline);
   return marks;
@@ -101,7 +144,11 @@ function nearest(marks: readonly Point[], at: Point): Point | null {
   return best;
 }
 
-export interface SnappedPose { pose: Pose; goal: Goal; guides: Guide[] }
+export interface SnappedPose {
+  pose: Pose;
+  goal: Goal;
+  guides: Guide[];
+}
 
 /** A dragged pose: into a free slot close by, or in line with the other pose. */
 export function snapPose(bench: Bench, input: Input, which: "start" | "goal", pose: Pose): SnappedPose {
@@ -113,12 +160,15 @@ export function snapPose(bench: Bench, input: Input, which: "start" | "goal", po
 }
 
 function snapToSlot(bench: Bench, pose: Pose): SnappedPose | null {
-  const { scene } = bench.store.state, { vehicle } = resolve(scene);
-  let least = Math.max(metresOf(bench, SLOT_REACH.px), SLOT_REACH.metres), best: SnappedPose | null = null;
+  const { scene } = bench.store.state,
+    { vehicle } = resolve(scene);
+  let least = Math.max(metresOf(bench, SLOT_REACH.px), SLOT_REACH.metres),
+    best: SnappedPose | null = null;
   for (const slot of scene.slots ?? []) {
     if (slot.occupied || slot.id === undefined) continue;
     for (const entry of ["reverse-in", "head-in"] as const) {
-      const there = poseInSlot(slot, entry, vehicle), away = Math.hypot(there.x - pose.x, there.y - pose.y);
+      const there = poseInSlot(slot, entry, vehicle),
+        away = Math.hypot(there.x - pose.x, there.y - pose.y);
       if (away > least || Math.abs(wrapAngle(there.heading - pose.heading)) > SLOT_REACH.angle) continue;
       least = away;
       best = { pose: there, goal: { slot: slot.id, entry }, guides: [axisGuide(there)] };
@@ -128,7 +178,8 @@ function snapToSlot(bench: Bench, pose: Pose): SnappedPose | null {
 }
 
 const axisGuide = ({ x, y, heading }: Pose): Guide => {
-  const dx = Math.cos(heading) * 8, dy = Math.sin(heading) * 8;
+  const dx = Math.cos(heading) * 8,
+    dy = Math.sin(heading) * 8;
   return { from: [x - dx, y - dy], to: [x + dx, y + dy] };
 };
 

@@ -22,7 +22,8 @@ function withVertex(shape: Extract<Shape, { points: Point[] }>, at: Point, reach
 }
 
 function withoutVertex(shape: Extract<Shape, { points: Point[] }>, at: Point, reach: number): Point[] | null {
-  const index = vertexAt(shape.points, at, reach), least = shape.type === "polygon" ? 3 : 2;
+  const index = vertexAt(shape.points, at, reach),
+    least = shape.type === "polygon" ? 3 : 2;
   const points = shape.points.filter((_, i) => i !== index);
   return index < 0 || points.length < least || (shape.type === "polygon" && crossesItself(points)) ? null : points;
 }

@@ -3,7 +3,10 @@ import type { State } from "../store";
 
 const WORDS = {
   crosses: { en: "This corner would cross an edge.", zh: "该顶点会使边相交。" },
-  tight: { en: "The road is too wide to turn here. Lengthen its sections or widen the bend.", zh: "道路过宽，无法在此转弯。请加长路段或放缓弯道。" },
+  tight: {
+    en: "The road is too wide to turn here. Lengthen its sections or widen the bend.",
+    zh: "道路过宽，无法在此转弯。请加长路段或放缓弯道。",
+  },
   slots: { en: "slots", zh: "个车位" },
   slot: { en: "slot", zh: "个车位" },
   left: { en: "left", zh: "左" },

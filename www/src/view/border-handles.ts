@@ -10,13 +10,17 @@ import { gripOf } from "./pose-handle";
 /** CSS pixels. */
 export const HANDLE_PX = 10;
 /** Between a handle's middle and a car or its grip, and from the view's edge. */
-const CLEAR_PX = 14, INSET_PX = 8;
+const CLEAR_PX = 14,
+  INSET_PX = 8;
 /** Off the ground, where cars leave no place on its border. */
 const OFF_PX = 18;
 /** Shares of a side from its middle at which a handle may stand. */
 const PLACES = [0, 0.1, -0.1, 0.2, -0.2, 0.3, -0.3, 0.4, -0.4];
 
-export interface BorderHandle { side: Side; at: Point }
+export interface BorderHandle {
+  side: Side;
+  at: Point;
+}
 
 /** In the middle of what is seen of each side that can be moved, or as near to that as no car is. */
 export function handlesOn(scene: Scene, view: View): BorderHandle[] {
@@ -24,14 +28,20 @@ export function handlesOn(scene: Scene, view: View): BorderHandle[] {
   return SIDES.flatMap((side): BorderHandle[] => {
     const edge = edgeOn(scene, side);
     if (!edge) return [];
-    const k = axisOf(side), along = 1 - k, [a, b] = edge.map((p) => worldToScreen(view, ...p)) as [Point, Point];
-    const size = [view.width, view.height] as const, low = Math.max(INSET_PX, Math.min(a[along]!, b[along]!)), high = Math.min(size[along]! - INSET_PX, Math.max(a[along]!, b[along]!));
+    const k = axisOf(side),
+      along = 1 - k,
+      [a, b] = edge.map((p) => worldToScreen(view, ...p)) as [Point, Point];
+    const size = [view.width, view.height] as const,
+      low = Math.max(INSET_PX, Math.min(a[along]!, b[along]!)),
+      high = Math.min(size[along]! - INSET_PX, Math.max(a[along]!, b[along]!));
     if (high - low < 2 * HANDLE_PX || a[k] < 0 || a[k] > size[k]) return [];
     const place = (share: number, off: number): Point => {
-      const middle = (low + high) / 2 + share * (high - low), beside = a[k] + (k === 0 ? off : -off) * outward(side);
+      const middle = (low + high) / 2 + share * (high - low),
+        beside = a[k] + (k === 0 ? off : -off) * outward(side);
       return k === 0 ? [beside, middle] : [middle, beside];
     };
-    const free = [0, OFF_PX].flatMap((off) => PLACES.map((share) => place(share, off)))
+    const free = [0, OFF_PX]
+      .flatMap((off) => PLACES.map((share) => place(share, off)))
       .find(([x, y]) => cars.every((box) => x < box.minX || x > box.maxX || y < box.minY || y > box.maxY));
     return free ? [{ side, at: free }] : [];
   });
@@ -44,6 +54,11 @@ function carBoxes(scene: Scene, view: View): Box[] {
   for (const one of parked) outlines.push(footprint(one.pose, one.vehicle));
   return outlines.map((points) => {
     const box = boxOf(points.map((p) => worldToScreen(view, ...p)));
-    return { minX: box.minX - CLEAR_PX, minY: box.minY - CLEAR_PX, maxX: box.maxX + CLEAR_PX, maxY: box.maxY + CLEAR_PX };
+    return {
+      minX: box.minX - CLEAR_PX,
+      minY: box.minY - CLEAR_PX,
+      maxX: box.maxX + CLEAR_PX,
+      maxY: box.maxY + CLEAR_PX,
+    };
   });
 }

@@ -9,7 +9,11 @@ import { drivenAt } from "./clock";
 import { STALK } from "./pose-handle";
 
 /** A camera on a canvas of a size in CSS pixels. */
-export interface View { camera: Camera; width: number; height: number }
+export interface View {
+  camera: Camera;
+  width: number;
+  height: number;
+}
 
 export const MIN_SCALE = 1;
 /** Pixels that the longer side of the widest map keeps. */
@@ -33,9 +37,15 @@ type Range = readonly [least: number, most: number];
 
 /** Where a camera makes sense: whole metres, so that a link's rounding stays inside. */
 export function cameraLimits(map: Scenario["map"]): Record<keyof Camera, Range> {
-  const { origin, width, height, resolution } = map, least = leastScale(map), reach = FARTHEST_PX / least;
+  const { origin, width, height, resolution } = map,
+    least = leastScale(map),
+    reach = FARTHEST_PX / least;
   const range = (from: number, length: number): Range => [Math.floor(from - reach), Math.ceil(from + length + reach)];
-  return { x: range(origin[0], width * resolution), y: range(origin[1], height * resolution), scale: [least, MAX_SCALE] };
+  return {
+    x: range(origin[0], width * resolution),
+    y: range(origin[1], height * resolution),
+    scale: [least, MAX_SCALE],
+  };
 }
 
 const clamp = (value: number, [least, most]: Range): number => Math.min(most, Math.max(least, value));
@@ -43,7 +53,10 @@ const clamp = (value: number, [least, most]: Range): number => Math.min(most, Ma
 /** The camera within the map's limits; null where it is no place at all. */
 export function limited(camera: Camera | null, map: Scenario["map"]): Camera | null {
   if (!camera) return null;
-  const limits = cameraLimits(map), x = clamp(camera.x, limits.x), y = clamp(camera.y, limits.y), scale = clamp(camera.scale, limits.scale);
+  const limits = cameraLimits(map),
+    x = clamp(camera.x, limits.x),
+    y = clamp(camera.y, limits.y),
+    scale = clamp(camera.scale, limits.scale);
   if (x === camera.x && y === camera.y && scale === camera.scale) return camera;
   return Number.isNaN(x + y + scale) ? null : { x, y, scale };
 }
@@ -64,15 +77,26 @@ export function zoomAt(view: View, pixelX: number, pixelY: number, factor: numbe
   return { x: x + (view.camera.x - x) * kept, y: y + (view.camera.y - y) * kept, scale };
 }
 
-export const panBy = (camera: Camera, dx: number, dy: number): Camera =>
-  ({ ...camera, x: camera.x - dx / camera.scale, y: camera.y + dy / camera.scale });
+export const panBy = (camera: Camera, dx: number, dy: number): Camera => ({
+  ...camera,
+  x: camera.x - dx / camera.scale,
+  y: camera.y + dy / camera.scale,
+});
 
 /** Shows the whole lot; of one too large for that, start, goal, paths and where the cars sweep. */
-export function fit(scene: Scenario, geometry: SceneGeometry | null, width: number, height: number, plans: readonly Plan[] = []): Camera {
+export function fit(
+  scene: Scenario,
+  geometry: SceneGeometry | null,
+  width: number,
+  height: number,
+  plans: readonly Plan[] = [],
+): Camera {
   const resolved = resolve(scene);
   const vehicle = geometry?.vehicle ?? resolved.vehicle;
-  const start = geometry?.start ?? resolved.start, goal = geometry?.goal ?? resolved.goal;
-  const least = leastScale(scene.map), cars = [...footprint(start, vehicle), ...footprint(goal, vehicle), gripEnd(goal, vehicle.rearToFront)];
+  const start = geometry?.start ?? resolved.start,
+    goal = geometry?.goal ?? resolved.goal;
+  const least = leastScale(scene.map),
+    cars = [...footprint(start, vehicle), ...footprint(goal, vehicle), gripEnd(goal, vehicle.rearToFront)];
   const lot = frameBox(boxOf([...resolved.boundary, ...cars]), width, height, least);
   if (lot.scale * (vehicle.rearToFront + vehicle.rearToBack) >= LEAST_CAR_PX) return lot;
   const points = [...footprint(start, vehicle, 0.6), ...footprint(goal, vehicle, 0.6)];
@@ -105,8 +129,10 @@ function addPlan(points: Point[], { path, check }: Plan, vehicle: SceneGeometry[
 function clip(box: Box, floor: Box): Box {
   const edge = 0.5;
   const clipped = {
-    minX: Math.max(box.minX, floor.minX - edge), minY: Math.max(box.minY, floor.minY - edge),
-    maxX: Math.min(box.maxX, floor.maxX + edge), maxY: Math.min(box.maxY, floor.maxY + edge),
+    minX: Math.max(box.minX, floor.minX - edge),
+    minY: Math.max(box.minY, floor.minY - edge),
+    maxX: Math.min(box.maxX, floor.maxX + edge),
+    maxY: Math.min(box.maxY, floor.maxY + edge),
   };
   return clipped.minX < clipped.maxX && clipped.minY < clipped.maxY ? clipped : box;
 }
@@ -120,20 +146,30 @@ export const STRIP = { top: LINE + 18, height: 56, room: LINE + 18 + 56 + 30 };
 /** Longer maps (metres) than this show a car as a dot. */
 const LONG = 200;
 
-export const isLong = ({ map: { width, height, resolution } }: Scenario): boolean => Math.max(width, height) * resolution > LONG;
+export const isLong = ({ map: { width, height, resolution } }: Scenario): boolean =>
+  Math.max(width, height) * resolution > LONG;
 
 /** The camera that shows at the middle of the canvas what `camera` shows at the middle of the part below `inset` pixels. */
 export const below = (inset: number, camera: Camera): Camera => ({ ...camera, y: camera.y + inset / 2 / camera.scale });
 
 /** The camera on a box. */
 export function frameBox(box: Box, width: number, height: number, least: number): Camera {
-  const across = Math.max(1, width * (1 - 2 * MARGIN)), up = Math.max(1, height * (1 - 2 * MARGIN));
+  const across = Math.max(1, width * (1 - 2 * MARGIN)),
+    up = Math.max(1, height * (1 - 2 * MARGIN));
   const scale = Math.min(across / Math.max(1, box.maxX - box.minX), up / Math.max(1, box.maxY - box.minY));
-  return { x: (box.minX + box.maxX) / 2, y: (box.minY + box.maxY) / 2, scale: Math.min(MAX_SCALE, Math.max(least, scale)) };
+  return {
+    x: (box.minX + box.maxX) / 2,
+    y: (box.minY + box.maxY) / 2,
+    scale: Math.min(MAX_SCALE, Math.max(least, scale)),
+  };
 }
 
 /** A fit and what it was made from. */
-interface Fitted { scene: Scenario; results: State["results"]; camera: Camera }
+interface Fitted {
+  scene: Scenario;
+  results: State["results"];
+  camera: Camera;
+}
 
 const fits = new WeakMap<Scenario["map"], Map<string, Fitted>>();
 const MOST_SIZES = 12;
@@ -143,12 +179,14 @@ const MOST_SIZES = 12;
  * is edited: edits keep the map, another scene brings its own.
  */
 export function cameraFor(state: State, width: number, height: number): Camera {
-  const { scene, results } = state, chosen = limited(state.camera, scene.map);
+  const { scene, results } = state,
+    chosen = limited(state.camera, scene.map);
   if (chosen) return chosen;
   const followed = state.follow ? following(state, width) : null;
   if (followed) return followed;
   const sizes = fits.get(scene.map) ?? new Map<string, Fitted>();
-  const size = `${state.mode}${width}x${height}`, known = sizes.get(size);
+  const size = `${state.mode}${width}x${height}`,
+    known = sizes.get(size);
   if (known && (known.scene !== scene || known.results === results)) return known.camera;
   if (sizes.size >= MOST_SIZES) sizes.clear();
   const camera = fitClear(state, width, height);
@@ -162,7 +200,8 @@ const AROUND = 64;
 
 /** On the focused planner's car; null where there is none to follow. */
 function following(state: State, width: number): Camera | null {
-  const result = state.results[state.focus], plan = result?.plan?.outcome === "found" ? result.plan : result?.lastGood;
+  const result = state.results[state.focus],
+    plan = result?.plan?.outcome === "found" ? result.plan : result?.lastGood;
   const driven = plan && drivenAt(state, plan, result, resolve(state.scene).vehicle.wheelbase);
   return driven ? below(STRIP.room, { x: driven.pose.x, y: driven.pose.y, scale: width / AROUND }) : null;
 }
@@ -176,8 +215,11 @@ const BUTTONS = { width: 120, height: 48 };
 
 /** No panel may lie over the start or goal car: where one would, the scene moves up. */
 function fitClear(state: State, width: number, height: number): Camera {
-  const { scene, geometry, mode, planners } = state, plans = foundPlans(state), inset = isLong(state.scene) ? STRIP.room : LINE;
-  const listed = mode === "overlay" && width > LEGEND.from, alone = mode !== "grid" || planners.length === 1;
+  const { scene, geometry, mode, planners } = state,
+    plans = foundPlans(state),
+    inset = isLong(state.scene) ? STRIP.room : LINE;
+  const listed = mode === "overlay" && width > LEGEND.from,
+    alone = mode !== "grid" || planners.length === 1;
   const list = LEGEND.row * Math.min(LEGEND.rows, planners.length) + LEGEND.edge + LEGEND.off;
   const { start, goal, vehicle } = resolve(scene);
   const corners = [start, goal].flatMap((pose) => [...footprint(pose, vehicle), gripEnd(pose, vehicle.rearToFront)]);
@@ -187,7 +229,8 @@ function fitClear(state: State, width: number, height: number): Camera {
   };
   let room = 0;
   for (const { width: across, height: up, from } of [
-    ...(alone ? [{ ...BUTTONS, from: (width - BUTTONS.width) / 2 }] : []), ...(listed ? [{ width: LEGEND.width, height: list, from: width - LEGEND.width }] : []),
+    ...(alone ? [{ ...BUTTONS, from: (width - BUTTONS.width) / 2 }] : []),
+    ...(listed ? [{ width: LEGEND.width, height: list, from: width - LEGEND.width }] : []),
   ]) {
     const camera = fitAbove(room);
     const isCovered = corners.some(([x, y]) => {
@@ -217,8 +260,8 @@ function foundPlans({ planners, results }: State): Plan[] {
 }
 
 /** Whether a path that is shown has a part beyond the view. */
-export const pathLeaves = (state: State, view: View): boolean => foundPlans({ ...state, planners: state.planners.filter((id) => !state.hidden.has(id)) })
-  .some(({ path }) => {
+export const pathLeaves = (state: State, view: View): boolean =>
+  foundPlans({ ...state, planners: state.planners.filter((id) => !state.hidden.has(id)) }).some(({ path }) => {
     for (let i = 0; i + 2 < path.length; i += 3) {
       const [x, y] = worldToScreen(view, path[i]!, path[i + 1]!);
       if (x < 0 || y < 0 || x > view.width || y > view.height) return true;

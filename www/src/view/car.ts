@@ -4,7 +4,13 @@ import { inMetres, pixels, type Frame } from "./frame";
 import { fade, mix } from "./tokens";
 import { newPath, perSurface } from "./surface";
 
-interface Parts { body: Path2D; glass: Path2D; lines: Path2D; mirrors: Path2D; bumper: Path2D }
+interface Parts {
+  body: Path2D;
+  glass: Path2D;
+  lines: Path2D;
+  mirrors: Path2D;
+  bumper: Path2D;
+}
 
 const parts = perSurface(() => new Map<string, Parts>());
 
@@ -20,7 +26,9 @@ function partsOf(v: Vehicle): Parts {
 }
 
 function makeParts(v: Vehicle): Parts {
-  const back = -v.rearToBack, length = v.rearToFront + v.rearToBack, half = v.width / 2;
+  const back = -v.rearToBack,
+    length = v.rearToFront + v.rearToBack,
+    half = v.width / 2;
   const at = (share: number): number => back + share * length;
   return {
     body: bodyPath(back, v.rearToFront, half),
@@ -33,7 +41,8 @@ function makeParts(v: Vehicle): Parts {
 
 /** A little rounder at the nose than at the tail, so that the drawing fills its collision box but shows its front. */
 function bodyPath(back: number, front: number, half: number): Path2D {
-  const nose = Math.min(0.62, half * 0.6), tail = Math.min(0.4, half * 0.4);
+  const nose = Math.min(0.62, half * 0.6),
+    tail = Math.min(0.4, half * 0.4);
   const path = newPath();
   path.moveTo(back + tail, -half);
   path.lineTo(front - nose * 1.15, -half);
@@ -149,7 +158,10 @@ function drawTrim(frame: Frame, shape: Parts, style: CarStyle): void {
 function drawWheels({ ctx }: Frame, vehicle: Vehicle, steer: number, colour: string): void {
   const inset = vehicle.width / 2 - WHEEL.width * 0.62;
   ctx.fillStyle = colour;
-  for (const [x, angle] of [[0, 0], [vehicle.wheelbase, steer]] as const) {
+  for (const [x, angle] of [
+    [0, 0],
+    [vehicle.wheelbase, steer],
+  ] as const) {
     for (const side of [-1, 1]) {
       ctx.save();
       ctx.translate(x, side * inset);
@@ -192,14 +204,29 @@ export function drawReferences(frame: Frame): void {
 }
 
 export const startStyle = ({ tokens: { colour } }: Frame): CarStyle => ({
-  fill: fade(colour.floor, 0.8), edge: colour.t1, edgeWidth: 1.5, glass: fade(colour.t1, 0.06), wheels: fade(colour.t1, 0.9), axle: colour.t1,
+  fill: fade(colour.floor, 0.8),
+  edge: colour.t1,
+  edgeWidth: 1.5,
+  glass: fade(colour.t1, 0.06),
+  wheels: fade(colour.t1, 0.9),
+  axle: colour.t1,
 });
 
-export const goalStyle = (frame: Frame): CarStyle =>
-  ({ ...startStyle(frame), fill: fade(frame.tokens.colour.floor, 0.55), glass: fade(frame.tokens.colour.t1, 0.04), wheels: null, dash: [5, 3.5] });
+export const goalStyle = (frame: Frame): CarStyle => ({
+  ...startStyle(frame),
+  fill: fade(frame.tokens.colour.floor, 0.55),
+  glass: fade(frame.tokens.colour.t1, 0.04),
+  wheels: null,
+  dash: [5, 3.5],
+});
 
 export const parkedStyle = ({ tokens: { colour } }: Frame): CarStyle => ({
-  fill: colour.parked, edge: colour["obs-edge"], edgeWidth: 1, glass: fade(colour["obs-edge"], 0.5), wheels: null, axle: null,
+  fill: colour.parked,
+  edge: colour["obs-edge"],
+  edgeWidth: 1,
+  glass: fade(colour["obs-edge"], 0.5),
+  wheels: null,
+  axle: null,
 });
 
 export const drivingStyle = ({ tokens: { colour } }: Frame, planner: string): CarStyle => ({

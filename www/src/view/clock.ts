@@ -15,21 +15,35 @@ export function durationOf(state: State): number {
 
 /** Metres of the longest path in sight. */
 function longestPath(state: State): number {
-  return Math.max(0, ...state.planners.filter((planner) => !state.hidden.has(planner)).map((planner) => {
-    const result = state.results[planner];
-    const plan = result?.plan?.outcome === "found" ? result.plan : result?.lastGood;
-    return plan?.metrics.length ?? 0;
-  }));
+  return Math.max(
+    0,
+    ...state.planners
+      .filter((planner) => !state.hidden.has(planner))
+      .map((planner) => {
+        const result = state.results[planner];
+        const plan = result?.plan?.outcome === "found" ? result.plan : result?.lastGood;
+        return plan?.metrics.length ?? 0;
+      }),
+  );
 }
 
-export interface Driven { pose: Pose; steering: number; /** Metres driven. */ along: number }
+export interface Driven {
+  pose: Pose;
+  steering: number /** Metres driven. */;
+  along: number;
+}
 
-export const isEncounter = (drive: Drive | Encounter | null | undefined): drive is Encounter => !!drive && "ending" in drive;
+export const isEncounter = (drive: Drive | Encounter | null | undefined): drive is Encounter =>
+  !!drive && "ending" in drive;
 
 /** Seconds until the last car in sight has arrived or been stopped. */
 function lastOf(state: State): number {
-  return Math.max(0, ...state.planners.filter((planner) => !state.hidden.has(planner))
-    .map((planner) => state.results[planner]?.drive?.t.at(-1) ?? 0));
+  return Math.max(
+    0,
+    ...state.planners
+      .filter((planner) => !state.hidden.has(planner))
+      .map((planner) => state.results[planner]?.drive?.t.at(-1) ?? 0),
+  );
 }
 
 /** Seconds since the start. */
@@ -37,7 +51,12 @@ export const clockOf = (state: State): number =>
   state.playback.base === "drive" ? state.playback.fraction * durationOf(state) : 0;
 
 /** The car of a plan as the drive plays; null where there is no path. */
-export function drivenAt(state: State, plan: Plan, result: PanelResult | null | undefined, wheelbase: number): Driven | null {
+export function drivenAt(
+  state: State,
+  plan: Plan,
+  result: PanelResult | null | undefined,
+  wheelbase: number,
+): Driven | null {
   if (!state.scene.moving?.length) {
     const pose = poseAtFraction(plan, state.playback.fraction);
     return pose && { pose, steering: steerAngle(pose.curvature, wheelbase), along: pose.distance };
@@ -51,13 +70,16 @@ export function drivenAt(state: State, plan: Plan, result: PanelResult | null | 
 function atTime({ t, path, stations, steering }: Drive, clock: number): Driven | null {
   const last = t.length - 1;
   if (last < 0) return null;
-  const low = rowAt(t, clock), next = Math.min(last, low + 1), span = t[next]! - t[low]!;
+  const low = rowAt(t, clock),
+    next = Math.min(last, low + 1),
+    span = t[next]! - t[low]!;
   const part = span > 0 ? Math.min(1, Math.max(0, (clock - t[low]!) / span)) : 0;
   const mixed = (list: Float64Array, a: number, b: number): number => list[a]! + (list[b]! - list[a]!) * part;
   const heading = path[3 * low + 2]!;
   return {
     pose: {
-      x: mixed(path, 3 * low, 3 * next), y: mixed(path, 3 * low + 1, 3 * next + 1),
+      x: mixed(path, 3 * low, 3 * next),
+      y: mixed(path, 3 * low + 1, 3 * next + 1),
       heading: wrapAngle(heading + wrapAngle(path[3 * next + 2]! - heading) * part),
     },
     steering: mixed(steering, low, next),
@@ -67,7 +89,8 @@ function atTime({ t, path, stations, steering }: Drive, clock: number): Driven |
 
 /** The last row at or before a value of a rising column. */
 export function rowAt(column: Float64Array, value: number): number {
-  let low = 0, high = column.length - 1;
+  let low = 0,
+    high = column.length - 1;
   while (low < high) {
     const middle = (low + high + 1) >> 1;
     if (column[middle]! <= value) low = middle;
@@ -81,10 +104,13 @@ export function boxAt({ points, speed, start = 0 }: MovingObstacle, clock: numbe
   let left = Math.max(0, clock - start) * speed;
   let heading = 0;
   for (let i = 1; i < points.length; i++) {
-    const a = points[i - 1]!, b = points[i]!, length = distance(a, b);
+    const a = points[i - 1]!,
+      b = points[i]!,
+      length = distance(a, b);
     if (length === 0) continue;
     heading = towards(a, b);
-    if (left <= length) return { x: a[0] + ((b[0] - a[0]) * left) / length, y: a[1] + ((b[1] - a[1]) * left) / length, heading };
+    if (left <= length)
+      return { x: a[0] + ((b[0] - a[0]) * left) / length, y: a[1] + ((b[1] - a[1]) * left) / length, heading };
     left -= length;
   }
   const end = points.at(-1)!;

@@ -25,7 +25,9 @@ export function distancesOf(plan: Plan): Float64Array {
   const count = plan.path.length / 3;
   const along = new Float64Array(count);
   for (let i = 1; i < count; i++) {
-    along[i] = along[i - 1]! + Math.hypot(plan.path[3 * i]! - plan.path[3 * i - 3]!, plan.path[3 * i + 1]! - plan.path[3 * i - 2]!);
+    along[i] =
+      along[i - 1]! +
+      Math.hypot(plan.path[3 * i]! - plan.path[3 * i - 3]!, plan.path[3 * i + 1]! - plan.path[3 * i - 2]!);
   }
   lengths.set(plan, along);
   return along;
@@ -43,17 +45,21 @@ export function poseAtFraction(plan: Plan, fraction: number): DrivePose | null {
 
 /** The car after a number of metres; null where there is no path. */
 export function poseAtDistance(plan: Plan, metres: number): DrivePose | null {
-  const along = distancesOf(plan), last = along.length - 1;
+  const along = distancesOf(plan),
+    last = along.length - 1;
   if (last < 0) return null;
-  let low = 0, high = last;
+  let low = 0,
+    high = last;
   while (low < high) {
     const middle = (low + high + 1) >> 1;
     if (along[middle]! <= metres) low = middle;
     else high = middle - 1;
   }
-  const next = Math.min(last, low + 1), step = along[next]! - along[low]!;
+  const next = Math.min(last, low + 1),
+    step = along[next]! - along[low]!;
   const part = step > 0 ? Math.min(1, Math.max(0, (metres - along[low]!) / step)) : 0;
-  const a = poseAt(plan, low), b = poseAt(plan, next);
+  const a = poseAt(plan, low),
+    b = poseAt(plan, next);
   const mixed = (list: Float64Array): number => list[low]! + (list[next]! - list[low]!) * part;
   return {
     x: a.x + (b.x - a.x) * part,
@@ -80,9 +86,13 @@ export function segmentDirections(plan: Plan): Int8Array {
   const { path, directions } = plan;
   const sense = new Int8Array(Math.max(0, path.length / 3 - 1));
   for (let i = 0; i < sense.length; i++) {
-    const at = 3 * i, heading = path[at + 2]!, step = wrapAngle(path[at + 5]! - heading);
-    const way = (path[at + 3]! - path[at]!) * Math.cos(heading + step / 2) + (path[at + 4]! - path[at + 1]!) * Math.sin(heading + step / 2);
-    sense[i] = Math.abs(way) > 1e-6 ? Math.sign(way) : directions[i] ?? 1;
+    const at = 3 * i,
+      heading = path[at + 2]!,
+      step = wrapAngle(path[at + 5]! - heading);
+    const way =
+      (path[at + 3]! - path[at]!) * Math.cos(heading + step / 2) +
+      (path[at + 4]! - path[at + 1]!) * Math.sin(heading + step / 2);
+    sense[i] = Math.abs(way) > 1e-6 ? Math.sign(way) : (directions[i] ?? 1);
   }
   senses.set(plan, sense);
   return sense;
@@ -101,9 +111,12 @@ const NEAR = 0.8;
 
 /** Index of the pose nearest to a point, when one is near. */
 export function nearestPose(plan: Plan, x: number, y: number, reach = NEAR): number | null {
-  let best = -1, least = reach * reach;
+  let best = -1,
+    least = reach * reach;
   for (let i = 0; 3 * i < plan.path.length; i++) {
-    const dx = plan.path[3 * i]! - x, dy = plan.path[3 * i + 1]! - y, square = dx * dx + dy * dy;
+    const dx = plan.path[3 * i]! - x,
+      dy = plan.path[3 * i + 1]! - y,
+      square = dx * dx + dy * dy;
     if (square < least) [best, least] = [i, square];
   }
   return best < 0 ? null : best;

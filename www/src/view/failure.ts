@@ -31,20 +31,29 @@ export function failureOf(scene: Scene, plan: Plan): Failure | null {
   const before = known.get(plan);
   if (before !== undefined) return before;
   const vehicle = vehicleOf(scene.vehicle);
-  const failure = plan.outcome !== "found" ? ofObstruction(plan.obstruction, vehicle)
-    : plan.check.firstHit ? ofHit(scene, plan, plan.check.firstHit, vehicle)
-    : plan.check.verdict === "too-tight" ? ofTurn(plan, vehicle) : null;
+  const failure =
+    plan.outcome !== "found"
+      ? ofObstruction(plan.obstruction, vehicle)
+      : plan.check.firstHit
+        ? ofHit(scene, plan, plan.check.firstHit, vehicle)
+        : plan.check.verdict === "too-tight"
+          ? ofTurn(plan, vehicle)
+          : null;
   known.set(plan, failure);
   return failure;
 }
 
-const bodyOf = (pose: Pose, vehicle: ResolvedVehicle): Point => fromPose(pose, (vehicle.rearToFront - vehicle.rearToBack) / 2, 0);
+const bodyOf = (pose: Pose, vehicle: ResolvedVehicle): Point =>
+  fromPose(pose, (vehicle.rearToFront - vehicle.rearToBack) / 2, 0);
 
 function ofHit(scene: Scene, plan: Plan, hit: Hit, vehicle: ResolvedVehicle): Failure {
-  const overlap = deepest(scene, plan, hit, vehicle), first = plan.check.hitPoses[0] ?? 0;
+  const overlap = deepest(scene, plan, hit, vehicle),
+    first = plan.check.hitPoses[0] ?? 0;
   const touched = overlapAt(scene, hit, hit.pose, vehicle)?.shared ?? [];
   const at: Point = touched.length > 0 ? middle(touched) : bodyOf(hit.pose, vehicle);
-  const last = Math.max(0, first - 1), before = distancesOf(plan)[last]!, from = poseAt(plan, last);
+  const last = Math.max(0, first - 1),
+    before = distancesOf(plan)[last]!,
+    from = poseAt(plan, last);
   const along = first === 0 ? 0 : before + distance([from.x, from.y], [hit.pose.x, hit.pose.y]);
   return { at, along, hit, overlap, box: around([hit.pose, ...(overlap ? [overlap.pose] : [])], vehicle) };
 }
@@ -71,28 +80,62 @@ function deepest(scene: Scene, plan: Plan, hit: Hit, vehicle: ResolvedVehicle): 
 function ofTurn(plan: Plan, vehicle: ResolvedVehicle): Failure {
   const limit = SLACK / vehicle.minTurningRadius;
   const sharp = plan.curvatures.findIndex((curvature) => !(Math.abs(curvature) <= limit));
-  const index = Math.max(0, sharp), pose = poseAt(plan, index);
-  return { at: [pose.x, pose.y], along: distancesOf(plan)[index]!, hit: null, overlap: null, box: around([pose], vehicle) };
+  const index = Math.max(0, sharp),
+    pose = poseAt(plan, index);
+  return {
+    at: [pose.x, pose.y],
+    along: distancesOf(plan)[index]!,
+    hit: null,
+    overlap: null,
+    box: around([pose], vehicle),
+  };
 }
 
-const around = (poses: readonly Pose[], vehicle: ResolvedVehicle): Box => boxOf(poses.flatMap((pose) => footprint(pose, vehicle, 1)));
+const around = (poses: readonly Pose[], vehicle: ResolvedVehicle): Box =>
+  boxOf(poses.flatMap((pose) => footprint(pose, vehicle, 1)));
 
 function ofObstruction(obstruction: Obstruction | null, vehicle: ResolvedVehicle): Failure | null {
-  const at = (point: Point, box: Box, hit: Hit | null = null): Failure => ({ at: point, along: null, hit, overlap: null, box });
-  const square = (x: number, y: number, reach: number): Box => ({ minX: x - reach, minY: y - reach, maxX: x + reach, maxY: y + reach });
+  const at = (point: Point, box: Box, hit: Hit | null = null): Failure => ({
+    at: point,
+    along: null,
+    hit,
+    overlap: null,
+    box,
+  });
+  const square = (x: number, y: number, reach: number): Box => ({
+    minX: x - reach,
+    minY: y - reach,
+    maxX: x + reach,
+    maxY: y + reach,
+  });
   switch (obstruction?.kind) {
-    case "contact": return at(bodyOf(obstruction.hit.pose, vehicle), around([obstruction.hit.pose], vehicle), obstruction.hit);
+    case "contact":
+      return at(bodyOf(obstruction.hit.pose, vehicle), around([obstruction.hit.pose], vehicle), obstruction.hit);
     case "boxed-in": {
-      const box = around(obstruction.stops.map(({ pose }) => pose), vehicle);
+      const box = around(
+        obstruction.stops.map(({ pose }) => pose),
+        vehicle,
+      );
       return at([(box.minX + box.maxX) / 2, (box.minY + box.maxY) / 2], box);
     }
-    case "gap": return at([obstruction.x, obstruction.y], square(obstruction.x, obstruction.y, 2 * obstruction.needed));
-    case "nearest": return at([obstruction.x, obstruction.y], square(obstruction.x, obstruction.y, 1.5 * (vehicle.rearToFront + vehicle.rearToBack)));
+    case "gap":
+      return at([obstruction.x, obstruction.y], square(obstruction.x, obstruction.y, 2 * obstruction.needed));
+    case "nearest":
+      return at(
+        [obstruction.x, obstruction.y],
+        square(obstruction.x, obstruction.y, 1.5 * (vehicle.rearToFront + vehicle.rearToBack)),
+      );
     case "enclosed": {
       const { runs, cell } = obstruction;
-      const box = boxOf(runs.flatMap(([x, y, count]): Point[] => [[x, y], [x + count * cell, y + cell]]));
+      const box = boxOf(
+        runs.flatMap(([x, y, count]): Point[] => [
+          [x, y],
+          [x + count * cell, y + cell],
+        ]),
+      );
       return at([(box.minX + box.maxX) / 2, (box.minY + box.maxY) / 2], box);
     }
-    default: return null;
+    default:
+      return null;
   }
 }

@@ -14,11 +14,13 @@ export function between(from: Camera, to: Camera, part: number): Camera {
 /** Ends early where something else moves the camera. */
 export function flyTo(store: Store, from: Camera, to: Camera): void {
   if (matchMedia("(prefers-reduced-motion: reduce)").matches) return store.set({ camera: to });
-  let begun: number | null = null, last: Camera | null = store.state.camera;
+  let begun: number | null = null,
+    last: Camera | null = store.state.camera;
   const step = (now: number): void => {
     if (store.state.camera !== last) return;
     begun ??= now;
-    const part = Math.min(1, (now - begun) / FLIGHT_MS), eased = 1 - (1 - part) ** 3;
+    const part = Math.min(1, (now - begun) / FLIGHT_MS),
+      eased = 1 - (1 - part) ** 3;
     store.set({ camera: (last = part < 1 ? between(from, to, eased) : to) });
     if (part < 1) requestAnimationFrame(step);
   };

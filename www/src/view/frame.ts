@@ -33,8 +33,13 @@ export interface Frame {
 }
 
 export function makeFrame(parts: Omit<Frame, "resolved" | "overlay">): Frame {
-  const { scene } = parts.state, taken = isOneGoal(scene.goal) ? undefined : leading(parts)?.plan?.goal;
-  return { ...parts, resolved: { ...resolve(scene), ...(taken && { goal: taken.pose }) }, overlay: parts.shown.length > 1 };
+  const { scene } = parts.state,
+    taken = isOneGoal(scene.goal) ? undefined : leading(parts)?.plan?.goal;
+  return {
+    ...parts,
+    resolved: { ...resolve(scene), ...(taken && { goal: taken.pose }) },
+    overlay: parts.shown.length > 1,
+  };
 }
 
 /** Strength of an answer that is no longer, or not, the asked one. */

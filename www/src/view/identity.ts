@@ -2,10 +2,25 @@
 import type { PlannerId, PlannerInfo } from "parkade";
 import { isMessage, translate, type Lang } from "../i18n/index";
 
-export type Shape = "circle" | "triangle" | "square" | "diamond" | "plus" | "pentagon" | "wedge" | "cross" | "hexagon" | "bars";
+export type Shape =
+  | "circle"
+  | "triangle"
+  | "square"
+  | "diamond"
+  | "plus"
+  | "pentagon"
+  | "wedge"
+  | "cross"
+  | "hexagon"
+  | "bars";
 
 /** `colour` counts the `--parkade-planner-…` properties from 1. */
-export interface Identity { colour: number; dash: readonly number[]; shape: Shape; drives: boolean }
+export interface Identity {
+  colour: number;
+  dash: readonly number[];
+  shape: Shape;
+  drives: boolean;
+}
 
 /** For the time before a module is loaded, as well. */
 const FIRST: Record<string, Identity> = {
@@ -16,7 +31,12 @@ const FIRST: Record<string, Identity> = {
   "hybrid-forward": { colour: 5, dash: [14, 5], shape: "plus", drives: true },
 };
 /** The others take colour, dash and marker in turn; the three cycles are prime to each other, so that none repeats soon. */
-const COLOURS = [6, 5], DASHES: readonly (readonly number[])[] = [[4, 4], [2, 3], [12, 3, 2, 3, 2, 3]];
+const COLOURS = [6, 5],
+  DASHES: readonly (readonly number[])[] = [
+    [4, 4],
+    [2, 3],
+    [12, 3, 2, 3, 2, 3],
+  ];
 const SHAPES: readonly Shape[] = ["pentagon", "wedge", "cross", "hexagon", "bars"];
 
 let catalogue: readonly PlannerInfo[] = [];
@@ -29,7 +49,10 @@ export function introduce(planners: readonly PlannerInfo[]): void {
 export function identityOf(planner: string): Identity {
   const known = FIRST[planner];
   if (known) return known;
-  const at = Math.max(0, catalogue.filter((info) => !(info.id in FIRST)).findIndex((info) => info.id === planner));
+  const at = Math.max(
+    0,
+    catalogue.filter((info) => !(info.id in FIRST)).findIndex((info) => info.id === planner),
+  );
   const drives = infoOf(planner)?.family === "hybrid";
   return { colour: COLOURS[at % 2]!, dash: DASHES[at % 3]!, shape: SHAPES[at % 5]!, drives };
 }
@@ -42,7 +65,7 @@ export const hasField = (planner: string): boolean => infoOf(planner)?.hasRiskFi
 
 export function plannerName(lang: Lang, planner: string): string {
   const key = `planner.${planner}`;
-  return isMessage(key) ? translate(lang, key) : infoOf(planner)?.title[lang] ?? planner;
+  return isMessage(key) ? translate(lang, key) : (infoOf(planner)?.title[lang] ?? planner);
 }
 
 /** For a phone's chips. */

@@ -11,7 +11,20 @@ const SHOWN: Record<LayerPreset, readonly LayerKey[]> = {
   drive: ["slots", "obstacles", "path", "car", "sweep", "heat", "safety", "risk", "grid"],
 };
 export const ALL_LAYERS: readonly LayerKey[] = [
-  "slots", "obstacles", "safety", "redundant", "cost", "heat", "risk", "tree", "sweep", "path", "car", "ghosts", "difference", "grid",
+  "slots",
+  "obstacles",
+  "safety",
+  "redundant",
+  "cost",
+  "heat",
+  "risk",
+  "tree",
+  "sweep",
+  "path",
+  "car",
+  "ghosts",
+  "difference",
+  "grid",
 ];
 
 export function presetLayers(preset: LayerPreset): Record<LayerKey, boolean> {

@@ -3,11 +3,15 @@ import type { MapFrame } from "parkade";
 import { unionRuns, type Run } from "../scene/cells";
 import { newPath } from "./surface";
 
-export interface CellPaths { fill: Path2D; edge: Path2D }
+export interface CellPaths {
+  fill: Path2D;
+  edge: Path2D;
+}
 
 /** The cells' area, and its edges without the lines between neighbours. */
 export function cellPaths(cells: readonly Run[], { origin, resolution }: MapFrame): CellPaths {
-  const fill = newPath(), edge = newPath();
+  const fill = newPath(),
+    edge = newPath();
   const x = (column: number): number => origin[0] + column * resolution;
   const y = (row: number): number => origin[1] + row * resolution;
   const ends = new Map<number, number[]>();

@@ -17,14 +17,20 @@ const PAUSE_MS = 2000;
 function piece<T>(fetch: () => Promise<T>): Piece<T> {
   let loaded: T | null = null;
   let loading: Promise<T> | null = null;
-  const load = (): Promise<T> => (loading ??= fetch().then((got) => {
-    loaded = got;
-    for (const draw of waiting) draw();
-    return got;
-  }, (error: unknown) => {
-    setTimeout(() => { loading = null; }, PAUSE_MS);
-    throw error;
-  }));
+  const load = (): Promise<T> =>
+    (loading ??= fetch().then(
+      (got) => {
+        loaded = got;
+        for (const draw of waiting) draw();
+        return got;
+      },
+      (error: unknown) => {
+        setTimeout(() => {
+          loading = null;
+        }, PAUSE_MS);
+        throw error;
+      },
+    ));
   const get = (): T | null => {
     if (!loaded) load().catch(() => undefined);
     return loaded;
@@ -35,7 +41,9 @@ function piece<T>(fetch: () => Promise<T>): Piece<T> {
 /** Maps of very many cells. */
 const vastPiece = piece(() => import("./vast"));
 /** Null for files, too: every cell and pose is drawn into those. */
-export const vast: Piece<typeof import("./vast")> = Object.assign(() => (onScreen() ? vastPiece() : null), { load: () => vastPiece.load() });
+export const vast: Piece<typeof import("./vast")> = Object.assign(() => (onScreen() ? vastPiece() : null), {
+  load: () => vastPiece.load(),
+});
 /** What the toolbar's menus hold. */
 export const menus = piece(() => import("../panels/menus"));
 /** What comes with drawing, roads, moving obstacles and a closer look at searches. */

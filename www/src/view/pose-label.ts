@@ -17,7 +17,10 @@ export function poseLabelAt(canvas: HTMLElement | null, [x, y]: Point): PoseLabe
 }
 
 /** What the canvas is told then; its host opens a field there. */
-export interface PoseRequest { which: PoseLabel; box: Box }
+export interface PoseRequest {
+  which: PoseLabel;
+  box: Box;
+}
 
 /** False where no label of this pose is shown. */
 export function askForPose(canvas: HTMLElement | null, which: PoseLabel): boolean {

@@ -11,7 +11,12 @@ import type { Tokens } from "./tokens";
 /** An answer older than this while its planner works is drawn as a ghost. */
 const STALE_AFTER = 100;
 
-interface Drawing { state: State; planners: PlannerId[]; tokens: Tokens; draft: Draft | null }
+interface Drawing {
+  state: State;
+  planners: PlannerId[];
+  tokens: Tokens;
+  draft: Draft | null;
+}
 
 export class SceneCanvas {
   private readonly ctx: CanvasRenderingContext2D;
@@ -45,16 +50,30 @@ export class SceneCanvas {
     const ratio = globalThis.devicePixelRatio || 1;
     this.fitBacking(ratio);
     const shown = planners.map((planner) => this.shownOf(state, planner));
-    this.layers.draw(makeFrame({ ctx: this.ctx, view: this.viewOf(state), ratio, state, tokens, shown, draft: overlayDraft }));
+    this.layers.draw(
+      makeFrame({ ctx: this.ctx, view: this.viewOf(state), ratio, state, tokens, shown, draft: overlayDraft }),
+    );
   }
 
   snapshot(ratio: number): HTMLCanvasElement | null {
-    const { last } = this, canvas = document.createElement("canvas"), ctx = canvas.getContext("2d");
+    const { last } = this,
+      canvas = document.createElement("canvas"),
+      ctx = canvas.getContext("2d");
     if (!last || !ctx) return null;
     canvas.width = Math.round(this.width * ratio);
     canvas.height = Math.round(this.height * ratio);
     const shown = last.planners.map((planner) => this.shownOf(last.state, planner));
-    new SceneLayers().draw(makeFrame({ ctx, view: this.viewOf(last.state), ratio, state: last.state, tokens: last.tokens, shown, draft: null }));
+    new SceneLayers().draw(
+      makeFrame({
+        ctx,
+        view: this.viewOf(last.state),
+        ratio,
+        state: last.state,
+        tokens: last.tokens,
+        shown,
+        draft: null,
+      }),
+    );
     return canvas;
   }
 
@@ -80,7 +99,8 @@ export class SceneCanvas {
   }
 
   private fitBacking(ratio: number): void {
-    const width = Math.round(this.width * ratio), height = Math.round(this.height * ratio);
+    const width = Math.round(this.width * ratio),
+      height = Math.round(this.height * ratio);
     if (this.canvas.width === width && this.canvas.height === height) return;
     this.canvas.width = width;
     this.canvas.height = height;
@@ -89,8 +109,13 @@ export class SceneCanvas {
   private shownOf(state: State, planner: PlannerId): Shown {
     const result = state.results[planner] ?? null;
     const found = result?.plan?.outcome === "found";
-    const plan = found ? result.plan : result?.lastGood ?? null;
-    return { planner, plan, result, ghost: plan !== null && (!found || this.isStale(planner, plan, result?.status === "planning")) };
+    const plan = found ? result.plan : (result?.lastGood ?? null);
+    return {
+      planner,
+      plan,
+      result,
+      ghost: plan !== null && (!found || this.isStale(planner, plan, result?.status === "planning")),
+    };
   }
 
   /** Answers come many times a second during a drag; fading each would flicker. */

@@ -60,7 +60,8 @@ export class SceneLayers {
     if (redundant) vast()?.drawKinds(frame, redundant, [CLOSED], fade(frame.tokens.colour.t1, 0.24), 7);
     if (layers.risk) this.risk.draw(frame, one);
     const { explained, hover, transient } = frame.state;
-    if (layers.risk && explained && hover && !transient && hasField(one.planner)) extras()?.drawExplained(frame, explained);
+    if (layers.risk && explained && hover && !transient && hasField(one.planner))
+      extras()?.drawExplained(frame, explained);
     if (layers.tree) (this.tree ??= treeLayer())?.draw(frame, one);
   }
 
@@ -73,12 +74,14 @@ export class SceneLayers {
     if (one && !frame.overlay && layers.path && done) drawCollisions(frame, one);
     if (layers.car) drawStartAndGoal(frame);
     if (layers.difference && done) for (const shown of frame.shown) extras()?.drawDifference(frame, shown);
-    if (layers.path) for (const shown of inOrder(frame)) drawPath(frame, shown, strength(frame, shown) * standing(frame, shown));
+    if (layers.path)
+      for (const shown of inOrder(frame)) drawPath(frame, shown, strength(frame, shown) * standing(frame, shown));
     if (frame.state.preview) extras()?.drawPreview(frame);
     if (layers.car) drawReferences(frame);
     if (layers.car && one) drawDrivingCar(frame, one, strength(frame, one));
     if (one && scene.moving?.length) extras()?.drawContact(frame, one);
-    if (frame.overlay && layers.path && done) for (const shown of frame.shown) if (shown !== one) drawFirstHit(frame, shown);
+    if (frame.overlay && layers.path && done)
+      for (const shown of frame.shown) if (shown !== one) drawFirstHit(frame, shown);
     if (one && layers.path && done && one.plan && !one.plan.check.drivable) extras()?.drawFailure(frame, one);
     for (const shown of frame.shown) if (shown.result?.plan?.obstruction) extras()?.drawObstruction(frame, shown);
     if (one && layers.path) drawCusps(frame, one, strength(frame, one));
@@ -91,7 +94,8 @@ const treeLayer = (): TreeLayer | null => {
 };
 
 /** On a phone the other planners' paths stand behind the focused one's. */
-const BEHIND = 0.5, NARROW = 640;
+const BEHIND = 0.5,
+  NARROW = 640;
 const standing = (frame: Frame, shown: Shown): number =>
   frame.overlay && frame.view.width <= NARROW && !leads(frame, shown) ? BEHIND : 1;
 
@@ -101,4 +105,5 @@ const searching = ({ state: { playback } }: Frame): boolean => playback.base ===
 const strength = (frame: Frame, shown: Shown): number => (shown.ghost || searching(frame) ? GHOST : 1);
 
 /** The focused planner is drawn last, on top. */
-const inOrder = (frame: Frame): Shown[] => [...frame.shown].sort((a, b) => Number(leads(frame, a)) - Number(leads(frame, b)));
+const inOrder = (frame: Frame): Shown[] =>
+  [...frame.shown].sort((a, b) => Number(leads(frame, a)) - Number(leads(frame, b)));

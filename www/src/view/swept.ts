@@ -20,7 +20,11 @@ export interface Swept {
 }
 
 /** `sides`: inward normal and offset of each side. */
-export interface Convex { corners: Point[]; box: Box; sides: Float64Array }
+export interface Convex {
+  corners: Point[];
+  box: Box;
+  sides: Float64Array;
+}
 
 const areas = perSurface(() => new WeakMap<Plan, { vehicle: Vehicle; swept: Swept }>());
 
@@ -56,8 +60,10 @@ export function hullsAlong(plan: Plan, vehicle: Vehicle): Convex[] {
 function sidesOf(corners: readonly Point[]): Float64Array {
   const sides = new Float64Array(3 * corners.length);
   corners.forEach((q, i) => {
-    const p = corners.at(i - 1)!, length = Math.hypot(q[0] - p[0], q[1] - p[1]);
-    const nx = (p[1] - q[1]) / length, ny = (q[0] - p[0]) / length;
+    const p = corners.at(i - 1)!,
+      length = Math.hypot(q[0] - p[0], q[1] - p[1]);
+    const nx = (p[1] - q[1]) / length,
+      ny = (q[0] - p[0]) / length;
     sides.set([nx, ny, nx * p[0] + ny * p[1]], 3 * i);
   });
   return sides;
@@ -70,7 +76,8 @@ function* footprintsAlong(plan: Plan, vehicle: Vehicle): Iterable<Point[]> {
   let last = poseAt(plan, 0);
   yield footprint(last, vehicle);
   for (let i = 1; i < count; i++) {
-    const pose = poseAt(plan, i), turn = wrapAngle(pose.heading - last.heading);
+    const pose = poseAt(plan, i),
+      turn = wrapAngle(pose.heading - last.heading);
     if (i + 1 < count && sense[i] === sense[i - 1]) {
       const next = poseAt(plan, i + 1);
       const near = Math.hypot(next.x - last.x, next.y - last.y) < MOST_STEP;
@@ -79,7 +86,10 @@ function* footprintsAlong(plan: Plan, vehicle: Vehicle): Iterable<Point[]> {
     const parts = Math.ceil(Math.abs(turn) / MOST_TURN);
     for (let k = 1; k < parts; k++) {
       const t = k / parts;
-      yield footprint({ x: last.x + (pose.x - last.x) * t, y: last.y + (pose.y - last.y) * t, heading: last.heading + turn * t }, vehicle);
+      yield footprint(
+        { x: last.x + (pose.x - last.x) * t, y: last.y + (pose.y - last.y) * t, heading: last.heading + turn * t },
+        vehicle,
+      );
     }
     last = pose;
     yield footprint(pose, vehicle);
@@ -91,7 +101,8 @@ function outlineOf(hulls: readonly Convex[]): [Point, Point][] {
   const kept: [Point, Point][] = [];
   hulls.forEach(({ corners }, own) => {
     for (let i = 0, j = corners.length - 1; i < corners.length; j = i++) {
-      const a = corners[j]!, b = corners[i]!;
+      const a = corners[j]!,
+        b = corners[i]!;
       const at = (t: number): Point => [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t];
       for (const [from, to] of outsideParts(a, b, hulls, own)) kept.push([at(from), at(to)]);
     }
@@ -106,10 +117,15 @@ function outlineOf(hulls: readonly Convex[]): [Point, Point][] {
 function outsideParts(a: Point, b: Point, hulls: readonly Convex[], own: number): [number, number][] {
   const covered: [number, number][] = [];
   const sliver = SLIVER / Math.max(SLIVER, Math.hypot(b[0] - a[0], b[1] - a[1]));
-  const minX = Math.min(a[0], b[0]), maxX = Math.max(a[0], b[0]), minY = Math.min(a[1], b[1]), maxY = Math.max(a[1], b[1]);
-  const left = { low: 0, high: 1 }, part = { low: 0, high: 1 };
+  const minX = Math.min(a[0], b[0]),
+    maxX = Math.max(a[0], b[0]),
+    minY = Math.min(a[1], b[1]),
+    maxY = Math.max(a[1], b[1]);
+  const left = { low: 0, high: 1 },
+    part = { low: 0, high: 1 };
   for (let step = 1; step < 2 * hulls.length; step++) {
-    const other = own + (step & 1 ? (step + 1) >> 1 : -(step >> 1)), hull = hulls[other];
+    const other = own + (step & 1 ? (step + 1) >> 1 : -(step >> 1)),
+      hull = hulls[other];
     if (!hull) continue;
     const { box } = hull;
     if (box.minX > maxX || box.maxX < minX || box.minY > maxY || box.maxY < minY) continue;
@@ -117,7 +133,8 @@ function outsideParts(a: Point, b: Point, hulls: readonly Convex[], own: number)
     part.high = left.high;
     // Of sides that lie on each other the first hull's is kept: drawn twice, a thin line looks bold.
     if (!clipInside(a, b, hull.sides, other < own ? -SAME : SAME, part)) continue;
-    const fromLow = part.low <= left.low + sliver, toHigh = part.high >= left.high - sliver;
+    const fromLow = part.low <= left.low + sliver,
+      toHigh = part.high >= left.high - sliver;
     if (fromLow && toHigh) return [];
     if (fromLow) left.low = part.high;
     else if (toHigh) left.high = part.low;
@@ -138,15 +155,24 @@ function gapsBetween(covered: [number, number][], { low, high }: Span, sliver: n
   return gaps;
 }
 
-interface Span { low: number; high: number }
+interface Span {
+  low: number;
+  high: number;
+}
 
 /** Narrows `span` of a → b to what lies at least `depth` inside every half-plane; false where nothing does. */
 function clipInside(a: Point, b: Point, sides: Float64Array, depth: number, span: Span): boolean {
-  const ax = a[0], ay = a[1], bx = b[0], by = b[1];
+  const ax = a[0],
+    ay = a[1],
+    bx = b[0],
+    by = b[1];
   let { low, high } = span;
   for (let i = 0; i < sides.length; i += 3) {
-    const nx = sides[i]!, ny = sides[i + 1]!, c = sides[i + 2]! + depth;
-    const atA = nx * ax + ny * ay - c, atB = nx * bx + ny * by - c;
+    const nx = sides[i]!,
+      ny = sides[i + 1]!,
+      c = sides[i + 2]! + depth;
+    const atA = nx * ax + ny * ay - c,
+      atB = nx * bx + ny * by - c;
     if (atA <= 0) {
       if (atB <= 0) return false;
       low = Math.max(low, atA / (atA - atB));

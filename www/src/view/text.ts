@@ -23,7 +23,9 @@ export function useFont(ctx: Context, font: string): void {
 
 /** Digits are all as wide as 0. */
 function measure(frame: Frame, text: string): number {
-  const font = labelFont(frame), like = text.replace(/\d/g, "0"), key = `${font}|${like}`;
+  const font = labelFont(frame),
+    like = text.replace(/\d/g, "0"),
+    key = `${font}|${like}`;
   const known = widths().get(key);
   if (known !== undefined) return known;
   if (widths().size > 2000) widths().clear();
@@ -39,10 +41,14 @@ export const pillWidth = (frame: Frame, text: string): number => Math.ceil(measu
 
 /** A pill with its upper left corner at (x, y), CSS pixels. */
 export function drawPill(frame: Frame, text: string, x: number, y: number, tone: PillTone = "plain"): void {
-  const { ctx, tokens: { colour } } = frame;
+  const {
+    ctx,
+    tokens: { colour },
+  } = frame;
   inPixels(frame);
   const width = pillWidth(frame, text);
-  const left = Math.round(x) + 0.5, top = Math.round(y) + 0.5;
+  const left = Math.round(x) + 0.5,
+    top = Math.round(y) + 0.5;
   ctx.beginPath();
   ctx.roundRect(left, top, width - 1, PILL_HEIGHT - 1, 5);
   ctx.globalAlpha = tone === "solid" ? 1 : 0.94;
@@ -64,20 +70,31 @@ export function drawPill(frame: Frame, text: string, x: number, y: number, tone:
 /** The first of these places (upper left corners, px) that is on the canvas and off every box; the first one pushed inside if none is. */
 export function placePill(frame: Frame, text: string, keep: Box, grip: Box, avoid: readonly Box[]): [number, number] {
   const { width, height } = frame.view;
-  const w = pillWidth(frame, text), gap = 8;
+  const w = pillWidth(frame, text),
+    gap = 8;
   const middle = (low: number, high: number, size: number): number => (low + high - size) / 2;
-  const atGrip = middle(grip.minY, grip.maxY, PILL_HEIGHT), beside = middle(keep.minY, keep.maxY, PILL_HEIGHT);
+  const atGrip = middle(grip.minY, grip.maxY, PILL_HEIGHT),
+    beside = middle(keep.minY, keep.maxY, PILL_HEIGHT);
   const centred = middle(keep.minX, keep.maxX, w);
   const places: [number, number][] = [
-    [centred, keep.maxY + gap], [grip.maxX + 2, atGrip], [keep.maxX + gap, beside], [grip.minX - 2 - w, atGrip],
-    [keep.minX - gap - w, beside], [centred, keep.minY - gap - PILL_HEIGHT],
-    [keep.maxX + gap, keep.maxY + gap], [keep.minX - gap - w, keep.maxY + gap],
+    [centred, keep.maxY + gap],
+    [grip.maxX + 2, atGrip],
+    [keep.maxX + gap, beside],
+    [grip.minX - 2 - w, atGrip],
+    [keep.minX - gap - w, beside],
+    [centred, keep.minY - gap - PILL_HEIGHT],
+    [keep.maxX + gap, keep.maxY + gap],
+    [keep.minX - gap - w, keep.maxY + gap],
   ];
-  const inside = ([x, y]: [number, number]): boolean => x >= 4 && y >= 4 && x + w <= width - 4 && y + PILL_HEIGHT <= height - 4;
+  const inside = ([x, y]: [number, number]): boolean =>
+    x >= 4 && y >= 4 && x + w <= width - 4 && y + PILL_HEIGHT <= height - 4;
   const clear = ([x, y]: [number, number]): boolean =>
     avoid.every((box) => x > box.maxX || x + w < box.minX || y > box.maxY || y + PILL_HEIGHT < box.minY);
   const [x, y] = places.find((place) => inside(place) && clear(place)) ?? places.find(inside) ?? places[0]!;
-  return [Math.min(Math.max(4, x), Math.max(4, width - w - 4)), Math.min(Math.max(4, y), Math.max(4, height - PILL_HEIGHT - 4))];
+  return [
+    Math.min(Math.max(4, x), Math.max(4, width - w - 4)),
+    Math.min(Math.max(4, y), Math.max(4, height - PILL_HEIGHT - 4)),
+  ];
 }
 
 const MINUS = "\u2212";

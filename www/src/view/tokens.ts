@@ -3,8 +3,30 @@ import type { PlannerId } from "parkade";
 import { identityOf } from "./identity";
 
 export const COLOUR_NAMES = [
-  "app", "panel", "floor", "out", "raise", "hover", "press", "hair", "hair2", "gridl", "t1", "t2", "t3", "accent", "accent-soft",
-  "obs", "obs-edge", "parked", "slot", "arrow", "err", "err-soft", "warn", "warn-soft",
+  "app",
+  "panel",
+  "floor",
+  "out",
+  "raise",
+  "hover",
+  "press",
+  "hair",
+  "hair2",
+  "gridl",
+  "t1",
+  "t2",
+  "t3",
+  "accent",
+  "accent-soft",
+  "obs",
+  "obs-edge",
+  "parked",
+  "slot",
+  "arrow",
+  "err",
+  "err-soft",
+  "warn",
+  "warn-soft",
 ] as const;
 export type ColourName = (typeof COLOUR_NAMES)[number];
 
@@ -17,12 +39,15 @@ export interface Tokens {
   key: string;
 }
 
-const LIGHT = "#F4F4F2 #FFFFFF #FFFFFF #ECECE9 #FFFFFF #F0F0ED #E6E6E2 #E3E3DF #CFCFCA #F1F1EE #1B1D20 #565B62 #64696F #4B45D6 #ECEBFC "
-  + "#B4B8BE #3F444B #D5D8DC #7D838B #5F666F #B3261E #FBECEA #8A5300 #FBF1E0";
-const DARK = "#0E1013 #15181C #15181C #0B0D0F #1F2329 #20252B #2A3037 #272C33 #3A414A #1B1F24 #ECEEF0 #A9B0B8 #8B929B #9A97FF #26264A "
-  + "#4C535C #A3AAB3 #343A42 #858C95 #A2A9B2 #FF8A80 #3A1F1E #E8B45A #332915";
+const LIGHT =
+  "#F4F4F2 #FFFFFF #FFFFFF #ECECE9 #FFFFFF #F0F0ED #E6E6E2 #E3E3DF #CFCFCA #F1F1EE #1B1D20 #565B62 #64696F #4B45D6 #ECEBFC " +
+  "#B4B8BE #3F444B #D5D8DC #7D838B #5F666F #B3261E #FBECEA #8A5300 #FBF1E0";
+const DARK =
+  "#0E1013 #15181C #15181C #0B0D0F #1F2329 #20252B #2A3037 #272C33 #3A414A #1B1F24 #ECEEF0 #A9B0B8 #8B929B #9A97FF #26264A " +
+  "#4C535C #A3AAB3 #343A42 #858C95 #A2A9B2 #FF8A80 #3A1F1E #E8B45A #332915";
 const PLANNERS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#6A6A6A", "#8C6D00"];
-const FONT = 'system-ui, -apple-system, "Segoe UI", Roboto, "PingFang SC", "Microsoft YaHei", "Noto Sans SC", sans-serif';
+const FONT =
+  'system-ui, -apple-system, "Segoe UI", Roboto, "PingFang SC", "Microsoft YaHei", "Noto Sans SC", sans-serif';
 /** Names pages may set instead of ours. */
 const ALIASES: Partial<Record<ColourName, string>> = { floor: "bg", t1: "fg", obs: "obstacle" };
 
@@ -57,7 +82,10 @@ export function parseColour(text: string): Rgb | null {
     const full = hex.length === 3 ? [...hex].map((c) => c + c).join("") : hex;
     return [0, 2, 4].map((i) => parseInt(full.slice(i, i + 2), 16)) as Rgb;
   }
-  const parts = /^rgba?\(([^)]+)\)$/i.exec(text.trim())?.[1]?.split(/[\s,/]+/).map(Number);
+  const parts = /^rgba?\(([^)]+)\)$/i
+    .exec(text.trim())?.[1]
+    ?.split(/[\s,/]+/)
+    .map(Number);
   return parts && parts.length >= 3 && parts.slice(0, 3).every(Number.isFinite) ? (parts.slice(0, 3) as Rgb) : null;
 }
 
@@ -78,7 +106,8 @@ function remember(key: string, make: () => string): string {
 /** `share` of `colour` laid on `ground`. */
 export function mix(colour: string, ground: string, share: number): string {
   return remember(`${colour}|${ground}|${share}`, () => {
-    const a = parseColour(colour), b = parseColour(ground);
+    const a = parseColour(colour),
+      b = parseColour(ground);
     if (!a || !b) return colour;
     return `rgb(${a.map((v, i) => Math.round(v * share + b[i]! * (1 - share))).join(" ")})`;
   });
@@ -92,7 +121,12 @@ export function fade(colour: string, alpha: number): string {
 }
 
 /** Colour, dash and width by which a planner is known, the same everywhere. */
-export interface PlannerStyle { colour: string; dash: readonly number[]; width: number; hybrid: boolean }
+export interface PlannerStyle {
+  colour: string;
+  dash: readonly number[];
+  width: number;
+  hybrid: boolean;
+}
 
 export function plannerStyle(tokens: Tokens, planner: PlannerId): PlannerStyle {
   const { colour, dash, drives } = identityOf(planner);

@@ -35,7 +35,8 @@ class Raster {
   update(runs: readonly Run[]): void {
     const before = this.runs;
     if (runs === before) return;
-    let head = 0, tail = 0;
+    let head = 0,
+      tail = 0;
     const most = Math.min(runs.length, before.length);
     while (head < most && runs[head] === before[head]) head++;
     while (tail < most - head && runs[runs.length - 1 - tail] === before[before.length - 1 - tail]) tail++;
@@ -97,7 +98,10 @@ class Raster {
   }
 
   private take(runs: readonly Run[], first: number, last: number): void {
-    const { taken, map: { width } } = this;
+    const {
+      taken,
+      map: { width },
+    } = this;
     taken.fill(0, first * width, (last + 1) * width);
     for (let i = firstOfRow(runs, first); i < runs.length; i++) {
       const [x, y, count] = runs[i]!;
@@ -107,23 +111,36 @@ class Raster {
   }
 
   private trace(left: number, bottom: number): Path2D {
-    const { origin: [x0, y0], resolution, width, height } = this.map;
+    const {
+      origin: [x0, y0],
+      resolution,
+      width,
+      height,
+    } = this.map;
     const path = new Path2D();
-    const at = (x: number, y: number): number => (x < 0 || y < 0 || x >= width || y >= height ? 0 : this.taken[y * width + x]!);
+    const at = (x: number, y: number): number =>
+      x < 0 || y < 0 || x >= width || y >= height ? 0 : this.taken[y * width + x]!;
     const line = (ax: number, ay: number, bx: number, by: number): void => {
       path.moveTo(x0 + ax * resolution, y0 + ay * resolution);
       path.lineTo(x0 + bx * resolution, y0 + by * resolution);
     };
     for (let i = 0; i <= TILE; i++) {
-      let across = -1, up = -1;
+      let across = -1,
+        up = -1;
       for (let k = 0; k <= TILE; k++) {
         const inside = k < TILE;
         const flat = inside && at(left + k, bottom + i) !== at(left + k, bottom + i - 1);
         const steep = inside && at(left + i, bottom + k) !== at(left + i - 1, bottom + k);
         if (flat && across < 0) across = k;
-        if (!flat && across >= 0) { line(left + across, bottom + i, left + k, bottom + i); across = -1; }
+        if (!flat && across >= 0) {
+          line(left + across, bottom + i, left + k, bottom + i);
+          across = -1;
+        }
         if (steep && up < 0) up = k;
-        if (!steep && up >= 0) { line(left + i, bottom + up, left + i, bottom + k); up = -1; }
+        if (!steep && up >= 0) {
+          line(left + i, bottom + up, left + i, bottom + k);
+          up = -1;
+        }
       }
     }
     return path;
@@ -135,7 +152,11 @@ class Sheet {
   private readonly levels: CanvasRenderingContext2D[] = [];
   private readonly word: number;
 
-  constructor(readonly width: number, readonly height: number, colour: string) {
+  constructor(
+    readonly width: number,
+    readonly height: number,
+    colour: string,
+  ) {
     const [r, g, b] = parseColour(colour) ?? [128, 128, 128];
     this.word = ((255 << 24) | (b << 16) | (g << 8) | r) >>> 0;
     for (let w = width, h = height; ; w = Math.ceil(w / 2), h = Math.ceil(h / 2)) {
@@ -152,18 +173,31 @@ class Sheet {
   /** Paints rows, counted from the south, and the smaller copies of them. */
   paint(taken: ArrayLike<number>, first: number, last: number): void {
     const { width, height, levels } = this;
-    const image = levels[0]!.createImageData(width, last - first + 1), words = new Uint32Array(image.data.buffer);
+    const image = levels[0]!.createImageData(width, last - first + 1),
+      words = new Uint32Array(image.data.buffer);
     for (let row = first, to = (last - first) * width; row <= last; row++, to -= width) {
       for (let x = 0, from = row * width; x < width; x++, from++) if (taken[from]) words[to + x] = this.word;
     }
     levels[0]!.putImageData(image, 0, height - 1 - last);
-    let top = height - 1 - last, end = height - first;
+    let top = height - 1 - last,
+      end = height - first;
     for (let i = 1; i < levels.length; i++) {
-      const source = levels[i - 1]!.canvas, target = levels[i]!;
+      const source = levels[i - 1]!.canvas,
+        target = levels[i]!;
       top = Math.floor(top / 2);
       end = Math.min(target.canvas.height, Math.ceil(end / 2));
       target.clearRect(0, top, target.canvas.width, end - top);
-      target.drawImage(source, 0, 2 * top, 2 * target.canvas.width, 2 * (end - top), 0, top, target.canvas.width, end - top);
+      target.drawImage(
+        source,
+        0,
+        2 * top,
+        2 * target.canvas.width,
+        2 * (end - top),
+        0,
+        top,
+        target.canvas.width,
+        end - top,
+      );
     }
   }
 
@@ -172,13 +206,19 @@ class Sheet {
     const { view, ratio } = frame;
     const cell = map.resolution * view.camera.scale * ratio;
     const at = cell >= 1 ? 0 : Math.min(this.levels.length - 1, Math.floor(-Math.log2(cell)));
-    const { canvas } = this.levels[at]!, side = map.resolution * 2 ** at;
-    const west = map.origin[0], north = map.origin[1] + map.height * map.resolution;
-    const [left, top] = screenToWorld(view, 0, 0), [right, bottom] = screenToWorld(view, view.width, view.height);
-    const x0 = Math.max(0, Math.floor((left - west) / side)), x1 = Math.min(canvas.width, Math.ceil((right - west) / side));
-    const y0 = Math.max(0, Math.floor((north - top) / side)), y1 = Math.min(canvas.height, Math.ceil((north - bottom) / side));
+    const { canvas } = this.levels[at]!,
+      side = map.resolution * 2 ** at;
+    const west = map.origin[0],
+      north = map.origin[1] + map.height * map.resolution;
+    const [left, top] = screenToWorld(view, 0, 0),
+      [right, bottom] = screenToWorld(view, view.width, view.height);
+    const x0 = Math.max(0, Math.floor((left - west) / side)),
+      x1 = Math.min(canvas.width, Math.ceil((right - west) / side));
+    const y0 = Math.max(0, Math.floor((north - top) / side)),
+      y1 = Math.min(canvas.height, Math.ceil((north - bottom) / side));
     if (x1 <= x0 || y1 <= y0) return;
-    const [dx, dy] = toScreen(frame, [west + x0 * side, north - y0 * side]), scale = side * view.camera.scale;
+    const [dx, dy] = toScreen(frame, [west + x0 * side, north - y0 * side]),
+      scale = side * view.camera.scale;
     ctx.imageSmoothingEnabled = cell < 1;
     ctx.drawImage(canvas, x0, y0, x1 - x0, y1 - y0, dx, dy, (x1 - x0) * scale, (y1 - y0) * scale);
   }
@@ -202,13 +242,21 @@ const farColour = ({ colour }: Tokens): string => mix(colour["obs-edge"], colour
 /** Makes a scene's pictures before its first frame. */
 export async function prepare({ map, obstacles = [] }: Scenario, tokens: Tokens): Promise<void> {
   for (const one of obstacles) {
-    if (one.type === "cells" && one.runs.length > MANY) await rasterOf(map, one.id ?? "").prepare(one.runs, [farColour(tokens), tokens.colour.obs]);
+    if (one.type === "cells" && one.runs.length > MANY)
+      await rasterOf(map, one.id ?? "").prepare(one.runs, [farColour(tokens), tokens.colour.obs]);
   }
 }
 
 /** Draws very many cells. */
 export function drawCells(frame: Frame, { id = "", runs }: CellsObstacle): true {
-  const { ctx, view, tokens, state: { scene: { map } } } = frame;
+  const {
+    ctx,
+    view,
+    tokens,
+    state: {
+      scene: { map },
+    },
+  } = frame;
   const raster = rasterOf(map, id);
   raster.update(runs);
   const near = map.resolution * view.camera.scale >= EDGES_FROM;
@@ -219,15 +267,29 @@ export function drawCells(frame: Frame, { id = "", runs }: CellsObstacle): true 
 }
 
 function strokeEdges(frame: Frame, raster: Raster): void {
-  const { ctx, view, tokens: { colour } } = frame, { origin, resolution, width, height } = raster.map;
-  const [left, top] = screenToWorld(view, 0, 0), [right, bottom] = screenToWorld(view, view.width, view.height);
+  const {
+      ctx,
+      view,
+      tokens: { colour },
+    } = frame,
+    { origin, resolution, width, height } = raster.map;
+  const [left, top] = screenToWorld(view, 0, 0),
+    [right, bottom] = screenToWorld(view, view.width, view.height);
   const tile = (metres: number): number => Math.floor(metres / resolution / TILE);
   inMetres(frame);
   ctx.strokeStyle = colour["obs-edge"];
   ctx.lineWidth = pixels(frame, 1.25);
   ctx.lineCap = "square";
-  for (let row = Math.max(0, tile(bottom - origin[1])); row <= Math.min(tile((height - 1) * resolution), tile(top - origin[1])); row++) {
-    for (let column = Math.max(0, tile(left - origin[0])); column <= Math.min(tile((width - 1) * resolution), tile(right - origin[0])); column++) {
+  for (
+    let row = Math.max(0, tile(bottom - origin[1]));
+    row <= Math.min(tile((height - 1) * resolution), tile(top - origin[1]));
+    row++
+  ) {
+    for (
+      let column = Math.max(0, tile(left - origin[0]));
+      column <= Math.min(tile((width - 1) * resolution), tile(right - origin[0]));
+      column++
+    ) {
       ctx.stroke(raster.edges(column, row));
     }
   }
@@ -238,22 +300,33 @@ const scratch = document.createElement("canvas");
 
 /** The part of a raster in view, one pixel a cell, or a screen's pixel where cells are smaller; `word` is a cell's colour. */
 function drawSampled(frame: Frame, pen: CanvasRenderingContext2D, word: (cell: number) => number): void {
-  const { view, state: { scene: { map } } } = frame;
+  const {
+    view,
+    state: {
+      scene: { map },
+    },
+  } = frame;
   const { width, height, resolution, origin } = map;
-  const [left, top] = screenToWorld(view, 0, 0), [right, bottom] = screenToWorld(view, view.width, view.height);
+  const [left, top] = screenToWorld(view, 0, 0),
+    [right, bottom] = screenToWorld(view, view.width, view.height);
   const step = Math.max(1, Math.ceil(1 / (resolution * view.camera.scale)));
   const first = (metres: number): number => Math.max(0, Math.floor(metres / resolution / step));
-  const x0 = first(left - origin[0]), y0 = first(bottom - origin[1]);
-  const x1 = Math.min(Math.ceil(width / step), first(right - origin[0]) + 1), y1 = Math.min(Math.ceil(height / step), first(top - origin[1]) + 1);
+  const x0 = first(left - origin[0]),
+    y0 = first(bottom - origin[1]);
+  const x1 = Math.min(Math.ceil(width / step), first(right - origin[0]) + 1),
+    y1 = Math.min(Math.ceil(height / step), first(top - origin[1]) + 1);
   if (x1 <= x0 || y1 <= y0) return;
-  const image = new ImageData(x1 - x0, y1 - y0), words = new Uint32Array(image.data.buffer);
+  const image = new ImageData(x1 - x0, y1 - y0),
+    words = new Uint32Array(image.data.buffer);
   for (let y = y0, to = (y1 - 1 - y0) * (x1 - x0); y < y1; y++, to -= x1 - x0) {
     for (let x = x0, from = y * step * width + x0 * step; x < x1; x++, from += step) words[to + x - x0] = word(from);
   }
   scratch.width = x1 - x0;
   scratch.height = y1 - y0;
   scratch.getContext("2d")?.putImageData(image, 0, 0);
-  const side = step * resolution, [dx, dy] = toScreen(frame, [origin[0] + x0 * side, origin[1] + y1 * side]), scale = side * view.camera.scale;
+  const side = step * resolution,
+    [dx, dy] = toScreen(frame, [origin[0] + x0 * side, origin[1] + y1 * side]),
+    scale = side * view.camera.scale;
   pen.imageSmoothingEnabled = false;
   pen.drawImage(scratch, dx, dy, (x1 - x0) * scale, (y1 - y0) * scale);
 }
@@ -283,14 +356,20 @@ const ranks = new WeakMap<Uint32Array, Int32Array>();
 
 /** The order of expansion on a huge map. */
 export function drawHeat(frame: Frame, cells: Uint32Array, count: number): true {
-  const { ctx, state: { scene: { map } } } = frame;
+  const {
+    ctx,
+    state: {
+      scene: { map },
+    },
+  } = frame;
   let rank = ranks.get(cells);
   if (!rank) {
     rank = new Int32Array(map.width * map.height);
     for (let i = cells.length - 1; i >= 0; i--) rank[cells[i]!] = i + 1;
     ranks.set(cells, rank);
   }
-  const known = rank, part = RAMP_SIZE / Math.max(1, cells.length);
+  const known = rank,
+    part = RAMP_SIZE / Math.max(1, cells.length);
   inPixels(frame);
   ctx.save();
   ctx.globalAlpha = frame.tokens.dark ? 0.46 : 0.5;
@@ -309,7 +388,11 @@ const FAR = 4;
 /** The swept area of a path of kilometres: what is in view of it, without an outline. */
 export function drawLongSweep(frame: Frame, { plan, planner, ghost }: Shown): true {
   if (!plan) return true;
-  const { ctx, view, resolved: { vehicle } } = frame;
+  const {
+    ctx,
+    view,
+    resolved: { vehicle },
+  } = frame;
   ctx.save();
   inMetres(frame);
   ctx.globalAlpha = 0.15 * (ghost ? GHOST : 1);
@@ -323,7 +406,8 @@ export function drawLongSweep(frame: Frame, { plan, planner, ghost }: Shown): tr
   } else {
     const known = hulls.get(plan) ?? hullsAlong(plan, vehicle);
     hulls.set(plan, known);
-    const [left, top] = screenToWorld(view, 0, 0), [right, bottom] = screenToWorld(view, view.width, view.height);
+    const [left, top] = screenToWorld(view, 0, 0),
+      [right, bottom] = screenToWorld(view, view.width, view.height);
     for (const { corners, box } of known) {
       if (box.minX > right || box.maxX < left || box.minY > top || box.maxY < bottom) continue;
       corners.forEach(([x, y]: Point, i) => (i === 0 ? ctx.moveTo(x, y) : ctx.lineTo(x, y)));

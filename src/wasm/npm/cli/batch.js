@@ -24,12 +24,21 @@ export async function batch(places, values, module) {
   const jobs = count("jobs", values.jobs, availableParallelism(), 1024);
   const shard = shardOf(values.shard);
   const out = values.out ?? (shard.of === 1 ? "results.jsonl" : `results-${shard.at}-of-${shard.of}.jsonl`);
-  const ids = plannerIds(values.planner, "hybrid"), config = settings(values.set, ids), timeout = seconds(values.timeout);
-  for (const place of places) if (!(await stat(place).catch(() => null))) throw new Refused(`${place}: no such file or folder`);
+  const ids = plannerIds(values.planner, "hybrid"),
+    config = settings(values.set, ids),
+    timeout = seconds(values.timeout);
+  for (const place of places)
+    if (!(await stat(place).catch(() => null))) throw new Refused(`${place}: no such file or folder`);
 
   // Threads start while the scenes are listed.
   const filename = new URL("./worker.js", import.meta.url).href;
-  const pool = new Tinypool({ filename, minThreads: jobs, maxThreads: jobs, workerData: { module, config }, isolateWorkers: false });
+  const pool = new Tinypool({
+    filename,
+    minThreads: jobs,
+    maxThreads: jobs,
+    workerData: { module, config },
+    isolateWorkers: false,
+  });
   try {
     await mend(out).catch((error) => {
       throw new Refused(`${out}: ${reason(error)}`);
@@ -54,7 +63,13 @@ export async function batch(places, values, module) {
       results.push(...more);
       progress.step(more.length);
     };
-    const stopped = await planned(pool, open, jobs, each, timeout === undefined ? undefined : { seconds: timeout, config });
+    const stopped = await planned(
+      pool,
+      open,
+      jobs,
+      each,
+      timeout === undefined ? undefined : { seconds: timeout, config },
+    );
     progress.end();
     return told(results, tasks.length, open.length, out, stopped);
   } finally {
@@ -64,9 +79,13 @@ export async function batch(places, values, module) {
 
 /** @param {Result[]} all @param {number} tasks @param {number} open @param {string} out @param {boolean} stopped */
 function told(all, tasks, open, out, stopped) {
-  const found = all.filter(({ outcome }) => outcome === "found").length, failed = all.filter(({ error }) => error !== undefined);
-  process.stdout.write(`${all.length} of ${tasks} planned (${open - (tasks - all.length)} now): ${found} found, ${all.length - found - failed.length} without a path, ${failed.length} refused; digest ${digest(all)}\n`);
-  for (const { scene, planner, error } of failed.slice(0, 10)) process.stderr.write(`parkade: ${scene} (${planner}): ${error && explained(error)}\n`);
+  const found = all.filter(({ outcome }) => outcome === "found").length,
+    failed = all.filter(({ error }) => error !== undefined);
+  process.stdout.write(
+    `${all.length} of ${tasks} planned (${open - (tasks - all.length)} now): ${found} found, ${all.length - found - failed.length} without a path, ${failed.length} refused; digest ${digest(all)}\n`,
+  );
+  for (const { scene, planner, error } of failed.slice(0, 10))
+    process.stderr.write(`parkade: ${scene} (${planner}): ${error && explained(error)}\n`);
   if (failed.length > 10) process.stderr.write(`parkade: … and ${failed.length - 10} more in ${out}\n`);
   if (stopped) process.stderr.write(`parkade: stopped; run the same command to continue\n`);
   return stopped ? 130 : failed.length > 0 ? 1 : 0;
@@ -75,7 +94,8 @@ function told(all, tasks, open, out, stopped) {
 /** @param {string} [text] */
 function shardOf(text = "1/1") {
   const match = /^(\d{1,6})\/(\d{1,6})$/.exec(text);
-  const at = Number(match?.[1]), of = Number(match?.[2]);
+  const at = Number(match?.[1]),
+    of = Number(match?.[2]);
   if (!match || at < 1 || of < 1 || at > of) throw new Refused(`--shard ${text}: must be I/N with I from 1 to N`);
   return { at, of };
 }
@@ -87,8 +107,12 @@ function shardOf(text = "1/1") {
  */
 function superseded(results, keys) {
   const current = new Set([...keys.values()].flatMap((some) => [...some]));
-  return [...results].filter((one) => !one.superseded && !current.has(one.key) && keys.has(questionOf(one)))
-    .map(({ key, scene, planner, settings }) => `${JSON.stringify({ key, scene, planner, settings, superseded: true })}\n`).join("");
+  return [...results]
+    .filter((one) => !one.superseded && !current.has(one.key) && keys.has(questionOf(one)))
+    .map(
+      ({ key, scene, planner, settings }) => `${JSON.stringify({ key, scene, planner, settings, superseded: true })}\n`,
+    )
+    .join("");
 }
 
 /**
@@ -103,7 +127,8 @@ async function listed(places, ids, config, { at, of }) {
   const tasks = new Map();
   /** @type {Map<string, Set<string>>} */
   const keys = new Map();
-  const by = version(), under = JSON.stringify(Object.entries(config).sort());
+  const by = version(),
+    under = JSON.stringify(Object.entries(config).sort());
   for (const place of places) {
     let empty = true;
     for await (const { scene, content } of scenes(place)) {
@@ -144,7 +169,8 @@ export async function planned(pool, tasks, jobs, each, limit) {
   const lane = async () => {
     while (left.length > 0 && !stopped) {
       const most = alone.has(left.at(-1)) ? 1 : Math.min(size, Math.ceil(left.length / (4 * jobs)));
-      const group = left.splice(-most).reverse(), [first] = group;
+      const group = left.splice(-most).reverse(),
+        [first] = group;
       const ended = await inTime(pool, group, limit?.seconds);
       if (ended === "late") {
         if (group.length === 1 && first && limit) each(...late(first, limit));
@@ -157,10 +183,15 @@ export async function planned(pool, tasks, jobs, each, limit) {
         again.add(failed);
         done.pop();
       }
-      if (done.length > 0) each(done.map(({ line }) => line).join(""), done.map(({ result }) => result));
+      if (done.length > 0)
+        each(
+          done.map(({ line }) => line).join(""),
+          done.map(({ result }) => result),
+        );
       left.push(...group.slice(done.length).reverse());
       if (failed !== undefined) await pool.recycleWorkers();
-      else if (done.length > 0) size = Math.max(1, Math.min(GROUP, 2 * size, Math.floor((GROUP_MS * done.length) / ms)));
+      else if (done.length > 0)
+        size = Math.max(1, Math.min(GROUP, 2 * size, Math.floor((GROUP_MS * done.length) / ms)));
     }
   };
   try {
@@ -180,7 +211,8 @@ export async function planned(pool, tasks, jobs, each, limit) {
  */
 async function inTime(pool, group, most) {
   if (most === undefined) return pool.run(group);
-  const abort = new AbortController(), timer = setTimeout(() => abort.abort(), most * 1000);
+  const abort = new AbortController(),
+    timer = setTimeout(() => abort.abort(), most * 1000);
   try {
     return await pool.run(group, { signal: abort.signal });
   } catch (error) {
@@ -216,7 +248,8 @@ class Progress {
     const before = this.done;
     this.done += more;
     if (this.quiet) return;
-    const now = performance.now(), tenth = (/** @type {number} */ done) => Math.floor((done * 10) / this.total);
+    const now = performance.now(),
+      tenth = (/** @type {number} */ done) => Math.floor((done * 10) / this.total);
     if (this.live ? now - this.last < TICK_MS : tenth(this.done) === tenth(before)) return;
     this.last = now;
     this.show(now);
@@ -231,7 +264,8 @@ class Progress {
 
   /** @param {number} now */
   show(now) {
-    const part = this.done / Math.max(1, this.total), rate = ((this.done - this.before) * 1000) / Math.max(1, now - this.from);
+    const part = this.done / Math.max(1, this.total),
+      rate = ((this.done - this.before) * 1000) / Math.max(1, now - this.from);
     const left = rate > 0 ? Math.ceil((this.total - this.done) / rate) : 0;
     const bar = "█".repeat(Math.round(part * 30)).padEnd(30, "·");
     const words = `${this.done}/${this.total} · ${rate.toFixed(1)}/s · ${left} s left`;

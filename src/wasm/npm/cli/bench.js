@@ -9,13 +9,29 @@ export async function bench(places, values) {
   const format = choice("format", values.format, ["markdown", "csv", "json"]);
   const repeats = count("repeats", values.repeats, 25, 100_000);
   const scene = await read(places);
-  const racers = plannerIds(values.planner, "four,eight,risk-field,hybrid").map((planner) => ({ planner, samples: /** @type {number[]} */ ([]), plan: planned(planner, scene).plan }));
+  const racers = plannerIds(values.planner, "four,eight,risk-field,hybrid").map((planner) => ({
+    planner,
+    samples: /** @type {number[]} */ ([]),
+    plan: planned(planner, scene).plan,
+  }));
   // The map is read and prepared anew for each plan, as on the page; rivals take turns, so that a busy moment hits all.
-  for (let i = 0; i < repeats; i++) for (const { planner, samples } of racers) samples.push(planned(planner, scene).millis);
+  for (let i = 0; i < repeats; i++)
+    for (const { planner, samples } of racers) samples.push(planned(planner, scene).millis);
   const results = racers.map(({ planner, samples, plan }) => ({
-    planner, outcome: plan.outcome, verdict: plan.check.verdict, length: plan.metrics.length, directionChanges: plan.metrics.directionChanges,
-    maxCurvature: plan.metrics.maxCurvature, minClearance: plan.metrics.minClearance, expanded: plan.stats.expanded, openPeak: plan.stats.openPeak,
-    medianMs: quantile(samples, 0.5), q1Ms: quantile(samples, 0.25), q3Ms: quantile(samples, 0.75), n: samples.length, hash: plan.hash,
+    planner,
+    outcome: plan.outcome,
+    verdict: plan.check.verdict,
+    length: plan.metrics.length,
+    directionChanges: plan.metrics.directionChanges,
+    maxCurvature: plan.metrics.maxCurvature,
+    minClearance: plan.metrics.minClearance,
+    expanded: plan.stats.expanded,
+    openPeak: plan.stats.openPeak,
+    medianMs: quantile(samples, 0.5),
+    q1Ms: quantile(samples, 0.25),
+    q3Ms: quantile(samples, 0.75),
+    n: samples.length,
+    hash: plan.hash,
   }));
   await write(format === "json" ? toJSON(results, 2) : report(results, format));
   return results.some(({ outcome }) => outcome !== "found") ? 1 : 0;
@@ -33,17 +49,52 @@ function planned(planner, scene) {
 
 /** @param {number[]} values @param {number} part */
 function quantile(values, part) {
-  const sorted = [...values].sort((a, b) => a - b), at = (sorted.length - 1) * part, low = Math.floor(at);
-  const a = sorted[low] ?? 0, b = sorted[Math.min(low + 1, sorted.length - 1)] ?? a;
+  const sorted = [...values].sort((a, b) => a - b),
+    at = (sorted.length - 1) * part,
+    low = Math.floor(at);
+  const a = sorted[low] ?? 0,
+    b = sorted[Math.min(low + 1, sorted.length - 1)] ?? a;
   return a + (b - a) * (at - low);
 }
 
 /** @param {Record<string, any>[]} results @param {"markdown" | "csv"} format */
 function report(results, format) {
-  const head = ["planner", "outcome", "verdict", "length m", "gear changes", "max curvature 1/m", "min clearance m", "expanded", "open peak", "median ms", "q1 ms", "q3 ms", "n", "hash"];
-  const fixed = (/** @type {number | null} */ value, /** @type {number} */ digits) => (value === null ? "" : value.toFixed(digits));
-  return table(head, results.map((one) => [
-    one.planner, one.outcome, one.verdict, fixed(one.length, 2), one.directionChanges, fixed(one.maxCurvature, 4), fixed(one.minClearance, 3),
-    one.expanded, one.openPeak, fixed(one.medianMs, 3), fixed(one.q1Ms, 3), fixed(one.q3Ms, 3), one.n, one.hash,
-  ]), format);
+  const head = [
+    "planner",
+    "outcome",
+    "verdict",
+    "length m",
+    "gear changes",
+    "max curvature 1/m",
+    "min clearance m",
+    "expanded",
+    "open peak",
+    "median ms",
+    "q1 ms",
+    "q3 ms",
+    "n",
+    "hash",
+  ];
+  const fixed = (/** @type {number | null} */ value, /** @type {number} */ digits) =>
+    value === null ? "" : value.toFixed(digits);
+  return table(
+    head,
+    results.map((one) => [
+      one.planner,
+      one.outcome,
+      one.verdict,
+      fixed(one.length, 2),
+      one.directionChanges,
+      fixed(one.maxCurvature, 4),
+      fixed(one.minClearance, 3),
+      one.expanded,
+      one.openPeak,
+      fixed(one.medianMs, 3),
+      fixed(one.q1Ms, 3),
+      fixed(one.q3Ms, 3),
+      one.n,
+      one.hash,
+    ]),
+    format,
+  );
 }

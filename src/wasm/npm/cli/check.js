@@ -11,10 +11,22 @@ export async function check([place, path, ...more], values) {
   const scene = await read(place === undefined ? [] : [place]);
   if (path === undefined) {
     const { boundary, slots, vehicle } = sceneGeometry(scene);
-    const facts = { obstacles: scene.obstacles?.length ?? 0, slots: slots.length, corners: boundary.length, minTurningRadius: vehicle.minTurningRadius };
+    const facts = {
+      obstacles: scene.obstacles?.length ?? 0,
+      slots: slots.length,
+      corners: boundary.length,
+      minTurningRadius: vehicle.minTurningRadius,
+    };
     // Maps of other programs have no car of their own, and ROS maps no start.
-    const blocked = isMap(place) ? [] : overlaps(scene), words = blocked.map(({ end, obstacle }) => `${end}-blocked: ${obstacle === undefined ? "no slot of the goal is free, or the car does not fit into its region" : `the car overlaps ${obstacle} at the ${end}`}`);
-    if (words.length === 0) words.push(`ok: ${facts.obstacles} obstacles, ${facts.slots} slots, a car that turns in ${facts.minTurningRadius.toFixed(2)} m`);
+    const blocked = isMap(place) ? [] : overlaps(scene),
+      words = blocked.map(
+        ({ end, obstacle }) =>
+          `${end}-blocked: ${obstacle === undefined ? "no slot of the goal is free, or the car does not fit into its region" : `the car overlaps ${obstacle} at the ${end}`}`,
+      );
+    if (words.length === 0)
+      words.push(
+        `ok: ${facts.obstacles} obstacles, ${facts.slots} slots, a car that turns in ${facts.minTurningRadius.toFixed(2)} m`,
+      );
     await write(format === "json" ? toJSON({ ...facts, blocked }, 2) : `${words.join("\n")}\n`);
     return blocked.length > 0 ? 1 : 0;
   }
@@ -27,7 +39,8 @@ export async function check([place, path, ...more], values) {
 /** The ends of the scene at which its car has no place. @param {import("../index.js").Scenario} scene */
 function overlaps(scene) {
   const { start, goal, goals } = sceneGeometry(scene);
-  const hit = (/** @type {import("../index.js").Pose} */ { x, y, heading }) => checkPath(scene, [x, y, heading]).firstHit?.obstacle;
+  const hit = (/** @type {import("../index.js").Pose} */ { x, y, heading }) =>
+    checkPath(scene, [x, y, heading]).firstHit?.obstacle;
   const blocked = hit(start) === undefined ? [] : [{ end: "start", obstacle: hit(start) }];
   // Of several goals, one with room is enough.
   const poses = goals?.map(({ pose }) => pose) ?? [goal];
@@ -38,7 +51,8 @@ function overlaps(scene) {
 /** @param {import("../index.js").Check} found */
 function sentence({ verdict, hits, firstHit, tightTurns, slips, goalDistance, minTurningRadius }) {
   const words = [
-    hits > 0 && `overlaps at ${hits} poses, first ${firstHit?.obstacle} at x ${firstHit?.pose.x.toFixed(2)} m, y ${firstHit?.pose.y.toFixed(2)} m`,
+    hits > 0 &&
+      `overlaps at ${hits} poses, first ${firstHit?.obstacle} at x ${firstHit?.pose.x.toFixed(2)} m, y ${firstHit?.pose.y.toFixed(2)} m`,
     tightTurns > 0 && `${tightTurns} turns tighter than ${minTurningRadius.toFixed(2)} m`,
     slips > 0 && `${slips} steps sideways`,
     `ends ${goalDistance.toFixed(3)} m from the goal`,
@@ -60,8 +74,10 @@ async function pathFrom(file) {
   for (const name of ["x", "y", "theta"]) if (column(name) < 0) throw new Refused(`${file}:1: has no column ${name}`);
   const cells = rows.map((row) => row.split(","));
   const number = (/** @type {string[]} */ row, /** @type {string} */ name, /** @type {number} */ i) => {
-    const cell = row[column(name)], value = Number(cell);
-    if (!cell?.trim() || !Number.isFinite(value)) throw new Refused(`${file}:${i + 2}: ${name}: must be a number, got ${JSON.stringify(cell ?? "")}`);
+    const cell = row[column(name)],
+      value = Number(cell);
+    if (!cell?.trim() || !Number.isFinite(value))
+      throw new Refused(`${file}:${i + 2}: ${name}: must be a number, got ${JSON.stringify(cell ?? "")}`);
     return value;
   };
   return {

@@ -39,8 +39,13 @@ function small(path, content) {
 
 /** What the system's codes mean. @type {Record<string, string>} */
 const REASONS = {
-  ENOENT: "there is no such file", EISDIR: "is a folder", ENOTDIR: "a part of its path is a file, not a folder", EACCES: "permission denied",
-  ENOSPC: "no space left on the device", EROFS: "the file system is read-only", ENAMETOOLONG: "the name is too long",
+  ENOENT: "there is no such file",
+  EISDIR: "is a folder",
+  ENOTDIR: "a part of its path is a file, not a folder",
+  EACCES: "permission denied",
+  ENOSPC: "no space left on the device",
+  EROFS: "the file system is read-only",
+  ENAMETOOLONG: "the name is too long",
 };
 
 /** @param {unknown} error */
@@ -67,9 +72,18 @@ export async function scene([place, ...more]) {
   if (place === undefined) throw new Refused("which scene? A file, the id of a built-in scene, or -");
   if (more.length > 0) throw new Refused(`one scene at a time, got also ${more.join(", ")}`);
   if (place === "-") return json("standard input", await text("-"));
-  const isFile = await stat(place).then(() => true, () => false);
+  const isFile = await stat(place).then(
+    () => true,
+    () => false,
+  );
   if (!isFile && scenarios().some(({ id }) => id === place)) return scenario(place);
-  if (!isFile && extname(place) === "") throw new Refused(`${place}: neither a file nor a built-in scene${meant(place, scenarios().map(({ id }) => id))}; \`parkade scenarios\` lists those`);
+  if (!isFile && extname(place) === "")
+    throw new Refused(
+      `${place}: neither a file nor a built-in scene${meant(
+        place,
+        scenarios().map(({ id }) => id),
+      )}; \`parkade scenarios\` lists those`,
+    );
   if (extname(place) === ".json") return json(place, await text(place));
   return importScene(await withCompanions(place)).scene;
 }
@@ -84,7 +98,9 @@ async function withCompanions(place) {
   const image = /^image:\s*['"]?([^'"\n]+?)['"]?\s*$/m.exec(content)?.[1];
   if (/\.ya?ml$/.test(place) && image) files[basename(image)] = await bytes(join(dirname(place), image));
   if (place.endsWith(".map")) {
-    const questions = await readFile(`${place}.scen`).catch(() => readFile(place.replace(/\.map$/, ".scen"))).catch(() => null);
+    const questions = await readFile(`${place}.scen`)
+      .catch(() => readFile(place.replace(/\.map$/, ".scen")))
+      .catch(() => null);
     if (questions) files[`${basename(place)}.scen`] = questions;
   }
   return files;
@@ -102,7 +118,10 @@ export function settings(pairs = [], ids) {
     if (name === "" || value.length === 0) throw new Refused(`--set ${pair}: must be NAME=VALUE`);
     for (const id of ids) {
       const known = Object.keys(defaultConfig(id));
-      if (!known.includes(name)) throw new Refused(`--set ${pair}: ${id} has no such setting${meant(name, known)}; \`parkade planners --planner ${id}\` lists its settings`);
+      if (!known.includes(name))
+        throw new Refused(
+          `--set ${pair}: ${id} has no such setting${meant(name, known)}; \`parkade planners --planner ${id}\` lists its settings`,
+        );
     }
     const word = value.join("=");
     try {
@@ -131,7 +150,8 @@ export function choice(option, value, choices) {
 export function count(option, value, otherwise, most) {
   if (value === undefined) return otherwise;
   const number = Number(value);
-  if (!/^\d+$/.test(value) || number < 1 || number > most) throw new Refused(`--${option} ${value}: must be a whole number from 1 to ${most}`);
+  if (!/^\d+$/.test(value) || number < 1 || number > most)
+    throw new Refused(`--${option} ${value}: must be a whole number from 1 to ${most}`);
   return number;
 }
 
@@ -143,7 +163,10 @@ export function plannerIds(value, otherwise) {
   const known = planners().map(({ id }) => id);
   return (value ?? otherwise).split(",").map((word) => {
     const id = known.find((one) => one === word.trim());
-    if (id === undefined) throw new Refused(`--planner ${word}: there is no such planner${meant(word, known)}; there are ${known.join(", ")}`);
+    if (id === undefined)
+      throw new Refused(
+        `--planner ${word}: there is no such planner${meant(word, known)}; there are ${known.join(", ")}`,
+      );
     return id;
   });
 }
@@ -155,8 +178,12 @@ export function plannerIds(value, otherwise) {
  * @param {string} [before] what stands before each
  */
 export function meant(word, known, before = "") {
-  const near = known.map((one) => ({ one, by: distance(word.toLowerCase(), one.toLowerCase()) })).sort((a, b) => a.by - b.by)[0];
-  return near !== undefined && near.by <= Math.max(1, Math.floor(near.one.length / 3)) ? `; did you mean ${before}${near.one}?` : "";
+  const near = known
+    .map((one) => ({ one, by: distance(word.toLowerCase(), one.toLowerCase()) }))
+    .sort((a, b) => a.by - b.by)[0];
+  return near !== undefined && near.by <= Math.max(1, Math.floor(near.one.length / 3))
+    ? `; did you mean ${before}${near.one}?`
+    : "";
 }
 
 /**
@@ -164,7 +191,8 @@ export function meant(word, known, before = "") {
  * @param {{ path: string, message: string }} error
  */
 export function explained({ path, message }) {
-  const fields = /; there are (.+)$/.exec(message)?.[1], [, words, got = ""] = /must be (.+), got "(.*)"$/.exec(message) ?? [];
+  const fields = /; there are (.+)$/.exec(message)?.[1],
+    [, words, got = ""] = /must be (.+), got "(.*)"$/.exec(message) ?? [];
   if (fields !== undefined) return message + meant(path.split(".").at(-1) ?? "", fields.split(", "));
   return words === undefined ? message : message + meant(got, words.split(/, | or /));
 }
@@ -175,7 +203,9 @@ function distance(a, b) {
   for (let i = 1; i <= a.length; i++) {
     const next = [i];
     for (let j = 1; j <= b.length; j++) {
-      next.push(Math.min((row[j] ?? 0) + 1, (next[j - 1] ?? 0) + 1, (row[j - 1] ?? 0) + (a[i - 1] === b[j - 1] ? 0 : 1)));
+      next.push(
+        Math.min((row[j] ?? 0) + 1, (next[j - 1] ?? 0) + 1, (row[j - 1] ?? 0) + (a[i - 1] === b[j - 1] ? 0 : 1)),
+      );
     }
     row = next;
   }

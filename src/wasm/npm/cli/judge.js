@@ -5,7 +5,12 @@ import { Refused, choice, json, scene as read, text } from "./input.js";
 import { toJSON, write } from "./output.js";
 
 /** Options that are limits, and their names in the API. */
-const LIMITS = { speed: "speed", acceleration: "acceleration", deceleration: "deceleration", "steering-rate": "steeringRate" };
+const LIMITS = {
+  speed: "speed",
+  acceleration: "acceleration",
+  deceleration: "deceleration",
+  "steering-rate": "steeringRate",
+};
 
 /** @type {import("./main.js").Run} */
 export async function judge([place, file, ...more], values) {
@@ -21,11 +26,13 @@ export async function judge([place, file, ...more], values) {
 /** @param {Record<string, string | undefined>} values */
 function limits(values) {
   const given = Object.entries(LIMITS).filter(([option]) => values[option] !== undefined);
-  return Object.fromEntries(given.map(([option, name]) => {
-    const value = Number(values[option]);
-    if (!Number.isFinite(value)) throw new Refused(`--${option} ${values[option]}: must be a number`);
-    return [name, value];
-  }));
+  return Object.fromEntries(
+    given.map(([option, name]) => {
+      const value = Number(values[option]);
+      if (!Number.isFinite(value)) throw new Refused(`--${option} ${values[option]}: must be a number`);
+      return [name, value];
+    }),
+  );
 }
 
 /**

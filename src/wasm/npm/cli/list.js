@@ -11,13 +11,22 @@ export async function planners(_places, values) {
   const infos = allPlanners().filter(({ id }) => one === undefined || id === one);
   if (asJSON) await write(toJSON(infos, 2));
   else if (one === undefined) await write(infos.map(({ id, title }) => `${id.padEnd(24)}${title.en}\n`).join(""));
-  else await write((infos[0]?.parameters ?? []).map((info) => `${info.name.padEnd(24)}${JSON.stringify(info.default)}${range(info)}  ${info.doc.en}\n`).join(""));
+  else
+    await write(
+      (infos[0]?.parameters ?? [])
+        .map((info) => `${info.name.padEnd(24)}${JSON.stringify(info.default)}${range(info)}  ${info.doc.en}\n`)
+        .join(""),
+    );
   return 0;
 }
 
 /** @param {import("../index.js").ParameterInfo} info */
 function range({ unit, min, max, choices }) {
-  const words = [unit !== "1" && unit, choices?.join("|"), (min !== undefined || max !== undefined) && `${min ?? ""}…${max ?? ""}`];
+  const words = [
+    unit !== "1" && unit,
+    choices?.join("|"),
+    (min !== undefined || max !== undefined) && `${min ?? ""}…${max ?? ""}`,
+  ];
   const said = words.filter(Boolean).join(", ");
   return said ? ` (${said})` : "";
 }
@@ -25,6 +34,10 @@ function range({ unit, min, max, choices }) {
 /** @type {import("./main.js").Run} */
 export async function scenarios(_places, values) {
   const infos = allScenarios();
-  await write(choice("format", values.format, ["text", "json"]) === "json" ? toJSON(infos, 2) : infos.map(({ id, title }) => `${id.padEnd(24)}${title.en}\n`).join(""));
+  await write(
+    choice("format", values.format, ["text", "json"]) === "json"
+      ? toJSON(infos, 2)
+      : infos.map(({ id, title }) => `${id.padEnd(24)}${title.en}\n`).join(""),
+  );
   return 0;
 }

@@ -44,7 +44,20 @@ const COMMANDS = {
   --timeout SECONDS    stop after so long, with exit code 124
   --layout single|overlay, --controls none|minimal  draw the svg as the poster of a playground with these attributes
 `,
-    options: { timeout: { type: "string" }, planner: { type: "string" }, set: { type: "string", multiple: true }, format: { type: "string" }, out: { type: "string" }, prefer: { type: "string" }, alternatives: { type: "boolean" }, trace: { type: "boolean" }, size: { type: "string" }, theme: { type: "string" }, layout: { type: "string" }, controls: { type: "string" } },
+    options: {
+      timeout: { type: "string" },
+      planner: { type: "string" },
+      set: { type: "string", multiple: true },
+      format: { type: "string" },
+      out: { type: "string" },
+      prefer: { type: "string" },
+      alternatives: { type: "boolean" },
+      trace: { type: "boolean" },
+      size: { type: "string" },
+      theme: { type: "string" },
+      layout: { type: "string" },
+      controls: { type: "string" },
+    },
     load: async () => (await import("./plan.js")).plan,
   },
   check: {
@@ -72,7 +85,14 @@ const COMMANDS = {
   --timeout SECONDS    stop after so long, with exit code 124
   --format text|json   default: text
 `,
-    options: { timeout: { type: "string" }, format: { type: "string" }, speed: { type: "string" }, acceleration: { type: "string" }, deceleration: { type: "string" }, "steering-rate": { type: "string" } },
+    options: {
+      timeout: { type: "string" },
+      format: { type: "string" },
+      speed: { type: "string" },
+      acceleration: { type: "string" },
+      deceleration: { type: "string" },
+      "steering-rate": { type: "string" },
+    },
     load: async () => (await import("./judge.js")).judge,
   },
   bench: {
@@ -83,7 +103,12 @@ const COMMANDS = {
   --timeout SECONDS    stop after so long, with exit code 124
   --format markdown|csv|json  default: markdown
 `,
-    options: { timeout: { type: "string" }, planner: { type: "string" }, repeats: { type: "string" }, format: { type: "string" } },
+    options: {
+      timeout: { type: "string" },
+      planner: { type: "string" },
+      repeats: { type: "string" },
+      format: { type: "string" },
+    },
     load: async () => (await import("./bench.js")).bench,
   },
   batch: {
@@ -101,12 +126,32 @@ const COMMANDS = {
   --timeout SECONDS    give up a plan after so long; a later run tries it again
   --quiet              show no progress
 `,
-    options: { timeout: { type: "string" }, planner: { type: "string" }, set: { type: "string", multiple: true }, jobs: { type: "string" }, shard: { type: "string" }, out: { type: "string" }, quiet: { type: "boolean" } },
+    options: {
+      timeout: { type: "string" },
+      planner: { type: "string" },
+      set: { type: "string", multiple: true },
+      jobs: { type: "string" },
+      shard: { type: "string" },
+      out: { type: "string" },
+      quiet: { type: "boolean" },
+    },
     load: async () => (await import("./batch.js")).batch,
   },
-  digest: { about: "usage: parkade digest FILE…\n", options: {}, load: async () => (await import("./results.js")).digestFiles },
-  planners: { about: "usage: parkade planners [--planner ID] [--format text|json]\n", options: { planner: { type: "string" }, format: { type: "string" } }, load: async () => (await import("./list.js")).planners },
-  scenarios: { about: "usage: parkade scenarios [--format text|json]\n", options: { format: { type: "string" } }, load: async () => (await import("./list.js")).scenarios },
+  digest: {
+    about: "usage: parkade digest FILE…\n",
+    options: {},
+    load: async () => (await import("./results.js")).digestFiles,
+  },
+  planners: {
+    about: "usage: parkade planners [--planner ID] [--format text|json]\n",
+    options: { planner: { type: "string" }, format: { type: "string" } },
+    load: async () => (await import("./list.js")).planners,
+  },
+  scenarios: {
+    about: "usage: parkade scenarios [--format text|json]\n",
+    options: { format: { type: "string" } },
+    load: async () => (await import("./list.js")).scenarios,
+  },
 };
 
 /** @typedef {import("node:util").ParseArgsConfig["options"]} Options */
@@ -127,15 +172,20 @@ async function main([name = "", ...rest]) {
     return 0;
   }
   const command = Object.hasOwn(COMMANDS, name) ? COMMANDS[name] : undefined;
-  if (command === undefined) throw new Refused(`unknown command \`${name}\`${meant(name, Object.keys(COMMANDS))}; \`parkade --help\` lists all commands`);
+  if (command === undefined)
+    throw new Refused(
+      `unknown command \`${name}\`${meant(name, Object.keys(COMMANDS))}; \`parkade --help\` lists all commands`,
+    );
   const { positionals, values } = parsed(rest, command.options);
   if (values["help"]) {
     process.stdout.write(command.about);
     return 0;
   }
-  const { timeout } = /** @type {{ timeout?: string }} */ (values), limit = seconds(timeout);
+  const { timeout } = /** @type {{ timeout?: string }} */ (values),
+    limit = seconds(timeout);
   // Threads of `batch` are ended one by one.
-  if (limit !== undefined && isMainThread && name !== "batch") return (await import("./timeout.js")).within([name, ...rest], limit);
+  if (limit !== undefined && isMainThread && name !== "batch")
+    return (await import("./timeout.js")).within([name, ...rest], limit);
   return (await command.load())(positionals, values, module);
 }
 
@@ -144,7 +194,8 @@ function parsed(args, options) {
   try {
     return parseArgs({ args, options: { ...options, help: { type: "boolean", short: "h" } }, allowPositionals: true });
   } catch (error) {
-    const [message = ""] = (error instanceof Error ? error.message : String(error)).split(". "), option = /^Unknown option '--([\w-]+)'/.exec(message)?.[1];
+    const [message = ""] = (error instanceof Error ? error.message : String(error)).split(". "),
+      option = /^Unknown option '--([\w-]+)'/.exec(message)?.[1];
     throw new Refused(option === undefined ? message : message + meant(option, Object.keys(options ?? {}), "--"));
   }
 }
@@ -160,6 +211,8 @@ try {
   process.exitCode = await main(process.argv.slice(2));
 } catch (error) {
   const known = error instanceof Refused || (error instanceof ParkadeError && error.code !== "internal");
-  process.stderr.write(`parkade: ${error instanceof ParkadeError && known ? explained(error) : known ? error.message : error instanceof Error ? (error.stack ?? error.message) : error}\n`);
+  process.stderr.write(
+    `parkade: ${error instanceof ParkadeError && known ? explained(error) : known ? error.message : error instanceof Error ? (error.stack ?? error.message) : error}\n`,
+  );
   process.exitCode = known ? 2 : 3;
 }

@@ -20,6 +20,9 @@ export async function write(content, file) {
 
 /** @param {readonly string[]} head @param {readonly (readonly (string | number)[])[]} rows @param {"markdown" | "csv"} format */
 export function table(head, rows, format) {
-  const lines = format === "csv" ? [head, ...rows].map((row) => row.join(",")) : [head, head.map(() => "---"), ...rows].map((row) => `| ${row.join(" | ")} |`);
+  const lines =
+    format === "csv"
+      ? [head, ...rows].map((row) => row.join(","))
+      : [head, head.map(() => "---"), ...rows].map((row) => `| ${row.join(" | ")} |`);
   return `${lines.join("\n")}\n`;
 }

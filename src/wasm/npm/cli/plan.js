@@ -12,9 +12,17 @@ export async function plan(places, values) {
   const theme = choice("theme", values.theme, ["auto", "light", "dark"]);
   const [width, height] = size(values.size);
   const element = values.layout !== undefined || values.controls !== undefined;
-  const place = element ? { layout: choice("layout", values.layout, ["single", "overlay"]), controls: choice("controls", values.controls, ["none", "minimal"]) } : {};
+  const place = element
+    ? {
+        layout: choice("layout", values.layout, ["single", "overlay"]),
+        controls: choice("controls", values.controls, ["none", "minimal"]),
+      }
+    : {};
   const scene = await read(places);
-  const prefer = values.prefer === undefined ? undefined : choice("prefer", values.prefer, ["shortest", "fewest-changes", "widest", "fastest"]);
+  const prefer =
+    values.prefer === undefined
+      ? undefined
+      : choice("prefer", values.prefer, ["shortest", "fewest-changes", "widest", "fastest"]);
   const choices = { ...(prefer ? { prefer } : {}), ...(values.alternatives ? { alternatives: true } : {}) };
   const ids = plannerIds(values.planner, "hybrid");
   const config = settings(values.set, ids);
@@ -24,17 +32,30 @@ export async function plan(places, values) {
   const plans = ids.map((planner) => {
     const prepared = new Planner(planner, scene, config);
     const found = prepared.plan({ trace: values.trace ?? format === "svg", ...choices });
-    if (format === "svg" && planners().find(({ id }) => id === planner)?.hasRiskField) layers = Object.fromEntries(/** @type {const} */ (["safety", "clearance", "risk"]).map((name) => [name, prepared.layer(name)]));
+    if (format === "svg" && planners().find(({ id }) => id === planner)?.hasRiskField)
+      layers = Object.fromEntries(
+        /** @type {const} */ (["safety", "clearance", "risk"]).map((name) => [name, prepared.layer(name)]),
+      );
     prepared.free();
     return found;
   });
   const [first] = plans;
   if (!first) throw new Refused("--planner: needs a planner");
-  const text = format === "json" ? toJSON(first) : format === "csv" ? toCSV(scene, first) : format === "trajectory" ? trajectory(scene, first) : toSVG(scene, plans, { width, height, theme, layers, ...place });
+  const text =
+    format === "json"
+      ? toJSON(first)
+      : format === "csv"
+        ? toCSV(scene, first)
+        : format === "trajectory"
+          ? trajectory(scene, first)
+          : toSVG(scene, plans, { width, height, theme, layers, ...place });
   await write(text, values.out);
-  for (const { planner, goal } of plans) if (goal && format !== "json") process.stderr.write(`parkade: ${plans.length > 1 ? `${planner}: ` : ""}goal: ${named(goal)}\n`);
+  for (const { planner, goal } of plans)
+    if (goal && format !== "json")
+      process.stderr.write(`parkade: ${plans.length > 1 ? `${planner}: ` : ""}goal: ${named(goal)}\n`);
   const failed = plans.filter((one) => one.outcome !== "found");
-  for (const { planner, outcome, reason } of failed) process.stderr.write(`parkade: ${plans.length > 1 ? `${planner}: ` : ""}${outcome}: ${reason ?? ""}\n`);
+  for (const { planner, outcome, reason } of failed)
+    process.stderr.write(`parkade: ${plans.length > 1 ? `${planner}: ` : ""}${outcome}: ${reason ?? ""}\n`);
   return failed.length > 0 ? 1 : 0;
 }
 

@@ -13,13 +13,24 @@ import { Refused, reason } from "./input.js";
  */
 
 /** What is kept of a result that has been written. @param {Result} result @returns {Result} */
-export const outline = ({ key, scene, planner, settings, superseded, outcome, hash, error }) => ({ key, scene, planner, settings, superseded, outcome, hash, error });
+export const outline = ({ key, scene, planner, settings, superseded, outcome, hash, error }) => ({
+  key,
+  scene,
+  planner,
+  settings,
+  superseded,
+  outcome,
+  hash,
+  error,
+});
 
 /** What a result answers, whatever the scene holds. @param {Pick<Result, "scene" | "planner" | "settings">} result */
-export const questionOf = ({ scene, planner, settings }) => JSON.stringify([scene, planner, Object.entries(settings ?? {}).sort()]);
+export const questionOf = ({ scene, planner, settings }) =>
+  JSON.stringify([scene, planner, Object.entries(settings ?? {}).sort()]);
 
 /** Whether a result stays when its scene is planned again: one that ran out of time does not. @param {Result | undefined} result */
-export const isFinal = (result) => result !== undefined && result.superseded !== true && result.error?.code !== "timeout";
+export const isFinal = (result) =>
+  result !== undefined && result.superseded !== true && result.error?.code !== "timeout";
 
 /** @param {string | Uint8Array} text */
 export const hashOf = (text) => createHash("sha256").update(text).digest("hex").slice(0, 32);
@@ -37,14 +48,18 @@ export async function* read(file) {
     } catch {
       value = null;
     }
-    if (typeof value?.key !== "string" || typeof value?.planner !== "string") throw new Refused(`${file}:${at}: is no result of \`parkade batch\``);
+    if (typeof value?.key !== "string" || typeof value?.planner !== "string")
+      throw new Refused(`${file}:${at}: is no result of \`parkade batch\``);
     yield value;
   }
 }
 
 /** What a run that was stopped in the middle of a line left of it is taken away. @param {string} file */
 export async function mend(file) {
-  const size = await stat(file).then((one) => one.size, () => 0);
+  const size = await stat(file).then(
+    (one) => one.size,
+    () => 0,
+  );
   if (size === 0) return;
   const handle = await open(file, "r+");
   try {

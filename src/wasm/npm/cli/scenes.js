@@ -28,7 +28,10 @@ export async function* scenes(place) {
   const entries = await readdir(place, { recursive: true, withFileTypes: true }).catch((error) => {
     throw new Refused(`${place}: ${reason(error)}`);
   });
-  const files = entries.filter((entry) => entry.isFile() && entry.name.endsWith(".json")).map((entry) => join(entry.parentPath ?? entry.path, entry.name)).sort();
+  const files = entries
+    .filter((entry) => entry.isFile() && entry.name.endsWith(".json"))
+    .map((entry) => join(entry.parentPath ?? entry.path, entry.name))
+    .sort();
   for (const file of files) yield whole(file);
 }
 
@@ -49,7 +52,9 @@ function read(file) {
 
 /** @param {string} file */
 async function* lines(file) {
-  let at = 0, from = 0, rest = Buffer.alloc(0);
+  let at = 0,
+    from = 0,
+    rest = Buffer.alloc(0);
   /** @param {Buffer} line */
   const one = (line) => {
     const scene = { name: `${file}:${++at}`, file, from, length: line.at(-1) === CR ? line.length - 1 : line.length };
@@ -68,4 +73,5 @@ async function* lines(file) {
   if (rest.length > 0) yield* one(rest);
 }
 
-const LF = 10, CR = 13;
+const LF = 10,
+  CR = 13;

@@ -49,7 +49,11 @@ function planned({ scene, planner, content }) {
       prepared.free();
     }
   } catch (error) {
-    const { code = "internal", path = "", message = String(error) } = /** @type {Partial<ParkadeError>} */ (error ?? {});
+    const {
+      code = "internal",
+      path = "",
+      message = String(error),
+    } = /** @type {Partial<ParkadeError>} */ (error ?? {});
     return { error: { code, path, message } };
   }
 }
@@ -71,7 +75,8 @@ function read({ file, from, length }) {
   try {
     const handle = openSync(file, "r");
     try {
-      for (let at = 0, read = 1; at < length && read > 0; at += read) read = readSync(handle, bytes, at, length - at, from + at);
+      for (let at = 0, read = 1; at < length && read > 0; at += read)
+        read = readSync(handle, bytes, at, length - at, from + at);
     } finally {
       closeSync(handle);
     }

@@ -7,7 +7,9 @@ import { plannerStyle } from "../tokens";
 import { drawHatchedPose } from "./collisions";
 
 export function drawStartAndGoal(frame: Frame): void {
-  const { resolved: { start, goal, vehicle } } = frame;
+  const {
+    resolved: { start, goal, vehicle },
+  } = frame;
   if ((vehicle.rearToFront + vehicle.rearToBack) * frame.view.camera.scale < SPECK) {
     drawSpot(frame, goal, [3.5, 2.5]);
     drawSpot(frame, start, []);
@@ -23,7 +25,10 @@ export function drawStartAndGoal(frame: Frame): void {
 const SPECK = 8;
 
 function drawSpot(frame: Frame, pose: Pose, dash: number[]): void {
-  const { ctx, tokens: { colour } } = frame;
+  const {
+    ctx,
+    tokens: { colour },
+  } = frame;
   inPixels(frame);
   ctx.beginPath();
   ctx.arc(...toScreen(frame, [pose.x, pose.y]), 6, 0, 2 * Math.PI);
@@ -55,6 +60,12 @@ export function drawDrivingCar(frame: Frame, shown: Shown, alpha: number): void 
   const { ctx } = frame;
   ctx.save();
   ctx.globalAlpha = alpha;
-  drawCar(frame, driven.pose, vehicle, driven.steering, drivingStyle(frame, plannerStyle(frame.tokens, shown.planner).colour));
+  drawCar(
+    frame,
+    driven.pose,
+    vehicle,
+    driven.steering,
+    drivingStyle(frame, plannerStyle(frame.tokens, shown.planner).colour),
+  );
   ctx.restore();
 }

@@ -13,7 +13,11 @@ export function drawCollisions(frame: Frame, { plan, ghost }: Shown): void {
 
 /** A body outline hatched in the colour of errors. */
 export function drawHatchedPose(frame: Frame, pose: { x: number; y: number; heading: number }): void {
-  const { ctx, tokens: { colour }, resolved } = frame;
+  const {
+    ctx,
+    tokens: { colour },
+    resolved,
+  } = frame;
   const body = polygonPath(footprint(pose, resolved.vehicle));
   ctx.save();
   inMetres(frame);

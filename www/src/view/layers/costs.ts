@@ -12,7 +12,12 @@ const drawn = perSurface(() => new WeakMap<CostArea, CellPaths>());
 export const spacingOf = (weight: number): number => 14 - weight;
 
 export function drawCosts(frame: Frame): void {
-  const { ctx, state: { scene }, tokens: { colour }, view } = frame;
+  const {
+    ctx,
+    state: { scene },
+    tokens: { colour },
+    view,
+  } = frame;
   for (const area of scene.costs ?? []) {
     let paths = drawn().get(area);
     if (!paths) drawn().set(area, (paths = cellPaths(area.runs, scene.map)));

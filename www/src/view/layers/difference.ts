@@ -13,7 +13,9 @@ const sampled = new WeakMap<Plan, Point[]>();
 function pointsOf(plan: Plan): Point[] {
   const known = sampled.get(plan);
   if (known) return known;
-  const count = plan.path.length / 3, step = Math.max(1, Math.ceil(count / MOST)), points: Point[] = [];
+  const count = plan.path.length / 3,
+    step = Math.max(1, Math.ceil(count / MOST)),
+    points: Point[] = [];
   for (let i = 0; i < count; i += step) points.push([plan.path[3 * i]!, plan.path[3 * i + 1]!]);
   sampled.set(plan, points);
   return points;
@@ -23,9 +25,17 @@ let known: { plan: Plan; others: readonly Plan[]; width: number; stretches: Poin
 
 /** Stretches of `plan` that no other path comes near. */
 function stretchesOf(plan: Plan, others: readonly Plan[], width: number): Point[][] {
-  const before = known.find((one) => one.plan === plan && one.width === width && one.others.length === others.length && one.others.every((other, i) => other === others[i]));
+  const before = known.find(
+    (one) =>
+      one.plan === plan &&
+      one.width === width &&
+      one.others.length === others.length &&
+      one.others.every((other, i) => other === others[i]),
+  );
   if (before) return before.stretches;
-  const lines = others.map(pointsOf), near = width * width, stretches: Point[][] = [];
+  const lines = others.map(pointsOf),
+    near = width * width,
+    stretches: Point[][] = [];
   let stretch: Point[] = [];
   for (const [x, y] of pointsOf(plan)) {
     const alone = lines.every((line) => line.every((p) => (p[0] - x) ** 2 + (p[1] - y) ** 2 > near));
@@ -41,7 +51,12 @@ function stretchesOf(plan: Plan, others: readonly Plan[], width: number): Point[
 }
 
 export function drawDifference(frame: Frame, { plan, planner }: Shown): void {
-  const { ctx, state, resolved, tokens: { colour } } = frame;
+  const {
+    ctx,
+    state,
+    resolved,
+    tokens: { colour },
+  } = frame;
   const others = state.planners.flatMap((other) => {
     const answer = state.results[other]?.plan;
     return other !== planner && !state.hidden.has(other) && answer?.outcome === "found" ? [answer] : [];

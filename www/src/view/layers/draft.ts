@@ -24,13 +24,20 @@ export function drawDraft(frame: Frame): void {
 
 function drawPreview(frame: Frame, preview: Preview): void {
   switch (preview.kind) {
-    case "brush": return drawBrush(frame, preview);
-    case "line": return drawLine(frame, preview);
-    case "rectangle": return drawRectangle(frame, preview);
-    case "marquee": return drawMarquee(frame, preview);
-    case "slots": return drawSlotRow(frame, preview);
-    case "pose": return drawPoseCar(frame, preview.which, preview.pose);
-    case "car": return drawParked(frame, preview);
+    case "brush":
+      return drawBrush(frame, preview);
+    case "line":
+      return drawLine(frame, preview);
+    case "rectangle":
+      return drawRectangle(frame, preview);
+    case "marquee":
+      return drawMarquee(frame, preview);
+    case "slots":
+      return drawSlotRow(frame, preview);
+    case "pose":
+      return drawPoseCar(frame, preview.which, preview.pose);
+    case "car":
+      return drawParked(frame, preview);
   }
 }
 
@@ -39,7 +46,12 @@ function drawParked(frame: Frame, preview: Extract<Preview, { kind: "car" }>): v
   ctx.save();
   ctx.globalAlpha = 0.75;
   const style = parkedStyle(frame);
-  drawCar(frame, preview.pose, vehicleOf(preview.vehicle), 0, { ...style, edge: frame.tokens.colour.accent, dash: [5, 3.5], edgeWidth: 1.5 });
+  drawCar(frame, preview.pose, vehicleOf(preview.vehicle), 0, {
+    ...style,
+    edge: frame.tokens.colour.accent,
+    dash: [5, 3.5],
+    edgeWidth: 1.5,
+  });
   ctx.restore();
 }
 
@@ -47,7 +59,10 @@ function drawParked(frame: Frame, preview: Extract<Preview, { kind: "car" }>): v
 const TICK = 3.5;
 
 function drawGuide(frame: Frame, { from, to }: Guide): void {
-  const { ctx, tokens: { colour } } = frame;
+  const {
+    ctx,
+    tokens: { colour },
+  } = frame;
   inPixels(frame);
   ctx.beginPath();
   ctx.moveTo(...toScreen(frame, from));
@@ -68,7 +83,12 @@ function drawGuide(frame: Frame, { from, to }: Guide): void {
 }
 
 function drawMarquee(frame: Frame, { from, to }: Extract<Preview, { kind: "marquee" }>): void {
-  const { ctx, tokens: { colour } } = frame, [x0, y0] = toScreen(frame, from), [x1, y1] = toScreen(frame, to);
+  const {
+      ctx,
+      tokens: { colour },
+    } = frame,
+    [x0, y0] = toScreen(frame, from),
+    [x1, y1] = toScreen(frame, to);
   inPixels(frame);
   ctx.fillStyle = fade(colour.accent, 0.08);
   ctx.fillRect(x0, y0, x1 - x0, y1 - y0);
@@ -78,7 +98,11 @@ function drawMarquee(frame: Frame, { from, to }: Extract<Preview, { kind: "marqu
 }
 
 function drawBrush(frame: Frame, { at, radius, erase, label }: Extract<Preview, { kind: "brush" }>): void {
-  const { ctx, tokens: { colour }, view } = frame;
+  const {
+    ctx,
+    tokens: { colour },
+    view,
+  } = frame;
   const [x, y] = toScreen(frame, at);
   inPixels(frame);
   ctx.beginPath();
@@ -95,7 +119,10 @@ function drawBrush(frame: Frame, { at, radius, erase, label }: Extract<Preview, 
 
 /** Corners set so far, the edge to the pointer, in the colour of errors where it is refused. */
 function drawLine(frame: Frame, preview: Extract<Preview, { kind: "line" }>): void {
-  const { ctx, tokens: { colour } } = frame;
+  const {
+    ctx,
+    tokens: { colour },
+  } = frame;
   const { points, cursor, thickness, refused, closing, closed } = preview;
   const all = cursor && !closing ? [...points, cursor] : points;
   inMetres(frame);
@@ -122,7 +149,10 @@ function drawLine(frame: Frame, preview: Extract<Preview, { kind: "line" }>): vo
 }
 
 function drawVertex(frame: Frame, p: Point, solid: boolean): void {
-  const { ctx, tokens: { colour } } = frame;
+  const {
+    ctx,
+    tokens: { colour },
+  } = frame;
   const [x, y] = toScreen(frame, p);
   inPixels(frame);
   ctx.beginPath();
@@ -136,7 +166,10 @@ function drawVertex(frame: Frame, p: Point, solid: boolean): void {
 
 /** The end under the pointer: solid, with a wide cross. */
 function drawMovingEnd(frame: Frame, p: Point): void {
-  const { ctx, tokens: { colour } } = frame;
+  const {
+    ctx,
+    tokens: { colour },
+  } = frame;
   const [x, y] = toScreen(frame, p);
   inPixels(frame);
   ctx.beginPath();
@@ -155,7 +188,10 @@ function drawMovingEnd(frame: Frame, p: Point): void {
 
 /** New outlines are dashed in the accent colour on a tint of it. */
 function drawRectangle(frame: Frame, preview: Extract<Preview, { kind: "rectangle" }>): void {
-  const { ctx, tokens: { colour } } = frame;
+  const {
+    ctx,
+    tokens: { colour },
+  } = frame;
   const outline = polygonPath(rectangleCorners(preview));
   inMetres(frame);
   ctx.lineJoin = "miter";
@@ -172,7 +208,10 @@ function drawRectangle(frame: Frame, preview: Extract<Preview, { kind: "rectangl
 
 /** Bays tinted and numbered; dividers once each, the aisle side solid. */
 function drawSlotRow(frame: Frame, { slots, from, to, aisle }: Extract<Preview, { kind: "slots" }>): void {
-  const { ctx, tokens: { colour } } = frame;
+  const {
+    ctx,
+    tokens: { colour },
+  } = frame;
   const outlines = slots.map((slot) => slotOutline(slot));
   inMetres(frame);
   const dividers = newPath();
@@ -198,9 +237,17 @@ function drawSlotRow(frame: Frame, { slots, from, to, aisle }: Extract<Preview, 
 
 /** A dimension line across the aisle; in the colour of errors where something stands in it. */
 function drawAisle(frame: Frame, from: Point, to: Point, aisle: Aisle): void {
-  const { ctx, state, tokens: { colour } } = frame, short = aisle.free < aisle.width - 0.05;
-  const dx = aisle.to[0] - aisle.from[0], dy = aisle.to[1] - aisle.from[1];
-  const a = toScreen(frame, aisle.from), b = toScreen(frame, aisle.to), length = Math.hypot(b[0] - a[0], b[1] - a[1]);
+  const {
+      ctx,
+      state,
+      tokens: { colour },
+    } = frame,
+    short = aisle.free < aisle.width - 0.05;
+  const dx = aisle.to[0] - aisle.from[0],
+    dy = aisle.to[1] - aisle.from[1];
+  const a = toScreen(frame, aisle.from),
+    b = toScreen(frame, aisle.to),
+    length = Math.hypot(b[0] - a[0], b[1] - a[1]);
   inPixels(frame);
   ctx.strokeStyle = short ? colour.err : colour.accent;
   ctx.lineWidth = 1;
@@ -210,11 +257,15 @@ function drawAisle(frame: Frame, from: Point, to: Point, aisle: Aisle): void {
   ctx.lineTo(...toScreen(frame, [to[0] + dx, to[1] + dy]));
   ctx.stroke();
   ctx.setLineDash([]);
-  const ux = (b[0] - a[0]) / length, uy = (b[1] - a[1]) / length;
+  const ux = (b[0] - a[0]) / length,
+    uy = (b[1] - a[1]) / length;
   ctx.beginPath();
   ctx.moveTo(...a);
   ctx.lineTo(...b);
-  for (const [[x, y], sign] of [[a, 1], [b, -1]] as const) {
+  for (const [[x, y], sign] of [
+    [a, 1],
+    [b, -1],
+  ] as const) {
     ctx.moveTo(x + sign * ux * 6 - uy * 3, y + sign * uy * 6 + ux * 3);
     ctx.lineTo(x, y);
     ctx.lineTo(x + sign * ux * 6 + uy * 3, y + sign * uy * 6 - ux * 3);
@@ -231,13 +282,18 @@ function outerSide([nearLeft, nearRight, farRight, farLeft]: Point[], neighbour:
 }
 
 function numberBays(frame: Frame, outlines: readonly Point[][]): void {
-  const { ctx, tokens: { colour } } = frame;
+  const {
+    ctx,
+    tokens: { colour },
+  } = frame;
   inPixels(frame);
   useFont(ctx, labelFont(frame, 600));
   ctx.textAlign = "center";
   ctx.textBaseline = "middle";
   ctx.fillStyle = colour.accent;
-  outlines.forEach(([a, , c], i) => ctx.fillText(String(i + 1), ...toScreen(frame, [(a![0] + c![0]) / 2, (a![1] + c![1]) / 2])));
+  outlines.forEach(([a, , c], i) =>
+    ctx.fillText(String(i + 1), ...toScreen(frame, [(a![0] + c![0]) / 2, (a![1] + c![1]) / 2])),
+  );
 }
 
 /** Above the point, so that a finger does not cover it. */

@@ -5,32 +5,49 @@ import { inPixels, toScreen, type Frame } from "../frame";
 import { labelFont, useFont } from "../text";
 import type { Point } from "../../scene/plane";
 
-export interface Mark { name: "A" | "B" | "C" | "D" | "S" | "W" | "E"; of: "box" | "car"; t: number; at: Point }
+export interface Mark {
+  name: "A" | "B" | "C" | "D" | "S" | "W" | "E";
+  of: "box" | "car";
+  t: number;
+  at: Point;
+}
 
 /**
  * A: the first box sets off; B: where it is when the car stops; C: when the car drives on; D: where it ends. S, W, E: the car sets off,
  * waits, ends. Empty where nothing is waited for.
  */
 export function marksOf(frame: Frame, { waits, path, t }: Encounter): Mark[] {
-  const [box] = frame.state.scene.moving ?? [], [wait] = waits;
+  const [box] = frame.state.scene.moving ?? [],
+    [wait] = waits;
   if (!box || !wait) return [];
-  const last = t.length - 1, end = endOf(box);
+  const last = t.length - 1,
+    end = endOf(box);
   const point = ({ x, y }: Pose): Point => [x, y];
-  const boxes = ([["A", box.start ?? 0], ["B", wait.from], ["C", wait.to], ["D", end]] as const)
-    .map(([name, at]): Mark => ({ name, of: "box", t: at, at: point(boxAt(box, at)) }));
-  return [...boxes,
+  const boxes = (
+    [
+      ["A", box.start ?? 0],
+      ["B", wait.from],
+      ["C", wait.to],
+      ["D", end],
+    ] as const
+  ).map(([name, at]): Mark => ({ name, of: "box", t: at, at: point(boxAt(box, at)) }));
+  return [
+    ...boxes,
     { name: "S", of: "car", t: 0, at: [path[0]!, path[1]!] },
     { name: "W", of: "car", t: wait.from, at: point(wait.pose) },
-    { name: "E", of: "car", t: t[last]!, at: [path[3 * last]!, path[3 * last + 1]!] }];
+    { name: "E", of: "car", t: t[last]!, at: [path[3 * last]!, path[3 * last + 1]!] },
+  ];
 }
 
 function endOf({ points, speed, start = 0 }: NonNullable<Frame["state"]["scene"]["moving"]>[number]): number {
   let length = 0;
-  for (let i = 1; i < points.length; i++) length += Math.hypot(points[i]![0] - points[i - 1]![0], points[i]![1] - points[i - 1]![1]);
+  for (let i = 1; i < points.length; i++)
+    length += Math.hypot(points[i]![0] - points[i - 1]![0], points[i]![1] - points[i - 1]![1]);
   return start + length / speed;
 }
 
-const RADIUS = 9, STRIP = { height: 54, side: 56, row: 18, above: 8 };
+const RADIUS = 9,
+  STRIP = { height: 54, side: 56, row: 18, above: 8 };
 
 export function drawEncounter(frame: Frame, drive: Encounter): void {
   const marks = marksOf(frame, drive);
@@ -60,17 +77,31 @@ function badge({ ctx, tokens: { colour, font } }: Frame, { name, of }: Mark, [x,
 
 /** Two lines over one axis of seconds: the box from A to D, the car from S over its waits to E. */
 function strip(frame: Frame, { waits, t }: Encounter, marks: readonly Mark[]): void {
-  const { ctx, view, tokens: { colour }, state } = frame, { lang } = state;
-  const end = Math.max(t.at(-1) ?? 1, ...marks.map((mark) => mark.t)), left = STRIP.side, right = view.width - 24;
-  const top = STRIP.above, x = (at: number): number => left + ((right - left) * at) / end;
+  const {
+      ctx,
+      view,
+      tokens: { colour },
+      state,
+    } = frame,
+    { lang } = state;
+  const end = Math.max(t.at(-1) ?? 1, ...marks.map((mark) => mark.t)),
+    left = STRIP.side,
+    right = view.width - 24;
+  const top = STRIP.above,
+    x = (at: number): number => left + ((right - left) * at) / end;
   ctx.fillStyle = colour.panel;
   ctx.globalAlpha = 0.92;
   ctx.fillRect(8, top, view.width - 16, STRIP.height);
   ctx.globalAlpha = 1;
   useFont(ctx, labelFont(frame));
-  const rows = [["box", lang === "zh" ? "障碍物" : "Box", top + STRIP.row], ["car", lang === "zh" ? "车辆" : "Car", top + 2 * STRIP.row]] as const;
+  const rows = [
+    ["box", lang === "zh" ? "障碍物" : "Box", top + STRIP.row],
+    ["car", lang === "zh" ? "车辆" : "Car", top + 2 * STRIP.row],
+  ] as const;
   for (const [of, name, y] of rows) {
-    const own = marks.filter((mark) => mark.of === of), from = own[0]!.t, to = own.at(-1)!.t;
+    const own = marks.filter((mark) => mark.of === of),
+      from = own[0]!.t,
+      to = own.at(-1)!.t;
     ctx.fillStyle = colour.t2;
     ctx.fillText(name, 16, y + 4);
     line(frame, x(from), x(to), y, of === "box" ? colour.warn : colour.t1, 3);
@@ -81,7 +112,8 @@ function strip(frame: Frame, { waits, t }: Encounter, marks: readonly Mark[]): v
     }
   }
   ctx.fillStyle = colour.t3;
-  const axis = top + STRIP.height - 4, every = end > 30 ? 10 : 5;
+  const axis = top + STRIP.height - 4,
+    every = end > 30 ? 10 : 5;
   for (let s = 0; s <= end; s += every) ctx.fillText(`${s} s`, x(s) - 6, axis);
   const now = x(Math.min(end, clockOf(state)));
   ctx.beginPath();

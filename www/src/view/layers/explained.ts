@@ -11,7 +11,14 @@ const LEAST = 5;
 const FORCE = 34;
 
 export function drawExplained(frame: Frame, { cell, candidates, force }: Explanation): void {
-  const { ctx, view, tokens: { colour }, state: { scene: { map } } } = frame;
+  const {
+    ctx,
+    view,
+    tokens: { colour },
+    state: {
+      scene: { map },
+    },
+  } = frame;
   const size = map.resolution * view.camera.scale;
   inPixels(frame);
   const middle = ([column, row]: Cell): [number, number] =>
@@ -19,7 +26,8 @@ export function drawExplained(frame: Frame, { cell, candidates, force }: Explana
   const from = middle(cell);
   if (size >= LEAST) {
     for (const { cell: to, role, free } of candidates) {
-      const [x, y] = middle(to), held = role === "held-back";
+      const [x, y] = middle(to),
+        held = role === "held-back";
       ctx.setLineDash(role === "primary" ? [] : role === "extension" ? [4, 2] : [1, 2]);
       ctx.lineWidth = held ? 1 : 1.6;
       ctx.strokeStyle = held ? colour.t3 : free ? colour.accent : colour.err;
@@ -50,15 +58,24 @@ function cross(ctx: CanvasRenderingContext2D, x: number, y: number, half: number
   ctx.stroke();
 }
 
-function arrow({ ctx, tokens: { colour } }: Frame, [x, y]: readonly [number, number], [dx, dy]: readonly [number, number]): void {
-  const tipX = x + dx * FORCE, tipY = y + dy * FORCE, head = 8;
+function arrow(
+  { ctx, tokens: { colour } }: Frame,
+  [x, y]: readonly [number, number],
+  [dx, dy]: readonly [number, number],
+): void {
+  const tipX = x + dx * FORCE,
+    tipY = y + dy * FORCE,
+    head = 8;
   const body = newPath();
   body.moveTo(x, y);
   body.lineTo(tipX, tipY);
   body.moveTo(tipX - head * (dx - dy * 0.6), tipY - head * (dy + dx * 0.6));
   body.lineTo(tipX, tipY);
   body.lineTo(tipX - head * (dx + dy * 0.6), tipY - head * (dy - dx * 0.6));
-  for (const [style, width] of [[colour.floor, 5], [colour.accent, 2.4]] as const) {
+  for (const [style, width] of [
+    [colour.floor, 5],
+    [colour.accent, 2.4],
+  ] as const) {
     ctx.strokeStyle = style;
     ctx.lineWidth = width;
     ctx.stroke(body);

@@ -4,7 +4,12 @@ import { inMetres, inPixels, pixels, polygonPath, toScreen, type Frame } from ".
 import { newPath } from "../surface";
 
 export function drawFloor(frame: Frame): void {
-  const { ctx, view, tokens: { colour }, resolved } = frame;
+  const {
+    ctx,
+    view,
+    tokens: { colour },
+    resolved,
+  } = frame;
   inPixels(frame);
   ctx.fillStyle = colour.out;
   ctx.fillRect(0, 0, view.width, view.height);
@@ -21,8 +26,11 @@ export function drawFloor(frame: Frame): void {
 
 function drawGrid(frame: Frame): void {
   const { ctx, view } = frame;
-  const { scale } = view.camera, step = scale > 40 ? 1 : scale > 4 ? 5 : scale > 0.8 ? 25 : 250 * 10 ** Math.max(0, Math.ceil(-Math.log10(scale / 0.08)));
-  const [left, top] = screenToWorld(view, 0, 0), [right, bottom] = screenToWorld(view, view.width, view.height);
+  const { scale } = view.camera,
+    step =
+      scale > 40 ? 1 : scale > 4 ? 5 : scale > 0.8 ? 25 : 250 * 10 ** Math.max(0, Math.ceil(-Math.log10(scale / 0.08)));
+  const [left, top] = screenToWorld(view, 0, 0),
+    [right, bottom] = screenToWorld(view, view.width, view.height);
   inPixels(frame);
   ctx.beginPath();
   for (const x of multiples(step, left, right)) {
@@ -45,13 +53,18 @@ const MOST_LINES = 2000;
 
 /** Counted, because far from the origin a step may be lost in rounding. */
 function multiples(step: number, from: number, to: number): number[] {
-  const first = Math.ceil(from / step), count = Math.min(MOST_LINES, Math.floor(to / step) - first + 1);
+  const first = Math.ceil(from / step),
+    count = Math.min(MOST_LINES, Math.floor(to / step) - first + 1);
   return Array.from({ length: count > 0 ? count : 0 }, (_, i) => (first + i) * step);
 }
 
 /** The border is a wall. It lies outside the floor, whose edge is where a car touches. */
 export function drawBorder(frame: Frame): void {
-  const { ctx, resolved, tokens: { colour } } = frame;
+  const {
+    ctx,
+    resolved,
+    tokens: { colour },
+  } = frame;
   inMetres(frame);
   const floor = polygonPath(resolved.boundary);
   ctx.save();

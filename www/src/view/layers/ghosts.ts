@@ -31,7 +31,11 @@ export function drawPreview(frame: Frame): void {
 }
 
 function drawNarrowest(frame: Frame, { body, point }: Narrowest): void {
-  const { ctx, tokens: { colour } } = frame, [x, y] = toScreen(frame, [(body[0] + point[0]) / 2, (body[1] + point[1]) / 2]);
+  const {
+      ctx,
+      tokens: { colour },
+    } = frame,
+    [x, y] = toScreen(frame, [(body[0] + point[0]) / 2, (body[1] + point[1]) / 2]);
   drawDimension(frame, body, point, `${fixed(Math.hypot(body[0] - point[0], body[1] - point[1]), 2)} m`, colour.warn);
   inPixels(frame);
   ctx.beginPath();

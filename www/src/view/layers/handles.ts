@@ -13,7 +13,8 @@ import { turnGripOf } from "../turn-grip";
 import { drawPill, PILL_HEIGHT, pillWidth, placePill, poseText } from "../text";
 import { keepPoseLabel } from "../pose-label";
 
-const GRIP_PX = 6, GRIP_TOUCH_PX = 11;
+const GRIP_PX = 6,
+  GRIP_TOUCH_PX = 11;
 
 const pointer = globalThis.matchMedia?.("(pointer: coarse)");
 const coarse = (): boolean => pointer?.matches ?? false;
@@ -21,15 +22,18 @@ const coarse = (): boolean => pointer?.matches ?? false;
 /** The pose whose grip is drawn: the selected or grabbed one; the goal's while nothing else is chosen. */
 function posesWithGrip({ state, draft }: Frame): ("start" | "goal")[] {
   if (state.tool !== "select" && !draft?.grabbed) return [];
-  const chosen = draft?.grabbed?.which ?? (isPose(state.selection) ? state.selection.kind : state.selection ? null : "goal");
+  const chosen =
+    draft?.grabbed?.which ?? (isPose(state.selection) ? state.selection.kind : state.selection ? null : "goal");
   const hot = isPose(draft?.hot ?? null) ? draft?.hot?.kind : null;
   return (["start", "goal"] as const).filter((which) => which === chosen || which === hot);
 }
 
-
 export function drawHandles(frame: Frame): void {
   for (const which of posesWithGrip(frame)) drawGrip(frame, frame.resolved[which]);
-  const { draft, state: { selection } } = frame;
+  const {
+    draft,
+    state: { selection },
+  } = frame;
   const labelled = draft?.grabbed?.which ?? (isPose(selection) ? selection.kind : null);
   if (labelled) drawPoseLabel(frame, labelled, draft?.grabbed !== undefined);
   else keepPoseLabel(frame.ctx.canvas, null);
@@ -37,13 +41,19 @@ export function drawHandles(frame: Frame): void {
 
 /** The round grip ahead of the nose, on its stalk. */
 function drawGrip(frame: Frame, pose: Pose): void {
-  const { resolved: { vehicle } } = frame;
+  const {
+    resolved: { vehicle },
+  } = frame;
   drawStalk(frame, noseOf(pose, vehicle), gripOf(pose, vehicle));
 }
 
 function drawStalk(frame: Frame, from: Point, to: Point): void {
-  const { ctx, tokens: { colour } } = frame;
-  const a = toScreen(frame, from), b = toScreen(frame, to);
+  const {
+    ctx,
+    tokens: { colour },
+  } = frame;
+  const a = toScreen(frame, from),
+    b = toScreen(frame, to);
   inPixels(frame);
   ctx.strokeStyle = colour.accent;
   ctx.lineWidth = 1.25;
@@ -72,13 +82,20 @@ function drawPoseLabel(frame: Frame, which: "start" | "goal", editing: boolean):
   const own = boxes[which === "start" ? 0 : 1]!;
   const text = poseText(pose);
   const keep: Box = {
-    minX: Math.min(own.minX, grip.minX), minY: Math.min(own.minY, grip.minY),
-    maxX: Math.max(own.maxX, grip.maxX), maxY: Math.max(own.maxY, grip.maxY),
+    minX: Math.min(own.minX, grip.minX),
+    minY: Math.min(own.minY, grip.minY),
+    maxX: Math.max(own.maxX, grip.maxX),
+    maxY: Math.max(own.maxY, grip.maxY),
   };
   const parked = resolved.parked.map((car) => screenBox(frame, footprint(car.pose, car.vehicle)));
   const place = placePill(frame, text, keep, grip, [...boxes, ...parked, ...pathBoxes(frame)]);
   drawPill(frame, text, ...place, editing ? "editing" : "plain");
-  keepPoseLabel(frame.ctx.canvas, which, { minX: place[0], minY: place[1], maxX: place[0] + pillWidth(frame, text), maxY: place[1] + PILL_HEIGHT });
+  keepPoseLabel(frame.ctx.canvas, which, {
+    minX: place[0],
+    minY: place[1],
+    maxX: place[0] + pillWidth(frame, text),
+    maxY: place[1] + PILL_HEIGHT,
+  });
 }
 
 /** Small boxes along the shown path, which labels keep off. */
@@ -96,22 +113,30 @@ function screenBox(frame: Frame, points: readonly Point[], margin = 0): Box {
 
 /** The outline of what is selected and, thinner, of what is under the pointer. */
 export function drawSelection(frame: Frame): void {
-  const { state: { selection }, draft } = frame;
+  const {
+    state: { selection },
+    draft,
+  } = frame;
   if (draft?.hot && !sameSelection(draft.hot, selection)) outlineOf(frame, draft.hot, 1.25);
   if (!selection) return;
   outlineOf(frame, selection, 2);
   if (selection.kind === "obstacle") drawShapeGrips(frame, selection.id);
   if (selection.kind === "moving" && frame.state.tool === "select") {
     inPixels(frame);
-    for (const corner of findMoving(frame.state.scene, selection.id)?.points ?? []) drawKnob(frame, toScreen(frame, corner), 5);
+    for (const corner of findMoving(frame.state.scene, selection.id)?.points ?? [])
+      drawKnob(frame, toScreen(frame, corner), 5);
   }
 }
 
-const sameSelection = (a: Selection, b: Selection): boolean => a?.kind === b?.kind && idsOf(a).join() === idsOf(b).join();
+const sameSelection = (a: Selection, b: Selection): boolean =>
+  a?.kind === b?.kind && idsOf(a).join() === idsOf(b).join();
 
 /** Start and goal need no outline: their grip and label say that they are chosen. */
 function outlineOf(frame: Frame, selection: NonNullable<Selection>, width: number): void {
-  const { ctx, tokens: { colour } } = frame;
+  const {
+    ctx,
+    tokens: { colour },
+  } = frame;
   inMetres(frame);
   ctx.strokeStyle = colour.accent;
   ctx.lineWidth = pixels(frame, width);

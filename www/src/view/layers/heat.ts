@@ -9,7 +9,14 @@ import { newCanvas } from "../surface";
 /** Cells of which a whole picture is too slow to paint again and again. */
 const TOO_MANY = 500_000;
 
-interface Painted { trace: Plan["trace"]; count: number; canvas: HTMLCanvasElement; ctx: CanvasRenderingContext2D; image: ImageData; words: Uint32Array }
+interface Painted {
+  trace: Plan["trace"];
+  count: number;
+  canvas: HTMLCanvasElement;
+  ctx: CanvasRenderingContext2D;
+  image: ImageData;
+  words: Uint32Array;
+}
 
 /** How many expansions of `total` are shown at this point of the playback. */
 export function expansionsShown(state: State, plan: Plan): number {
@@ -34,7 +41,8 @@ export class HeatLayer {
   draw(frame: Frame, { plan }: Shown): void {
     if (plan?.trace?.kind !== "cells") return;
     const { origin, width, height, resolution } = frame.state.scene.map;
-    if (width * height > TOO_MANY && vast()?.drawHeat(frame, plan.trace.cells, expansionsShown(frame.state, plan))) return;
+    if (width * height > TOO_MANY && vast()?.drawHeat(frame, plan.trace.cells, expansionsShown(frame.state, plan)))
+      return;
     const painted = this.paint(plan.trace, expansionsShown(frame.state, plan), width, height);
     const [left, top] = toScreen(frame, [origin[0], origin[1] + height * resolution]);
     const scale = resolution * frame.view.camera.scale;
@@ -51,11 +59,14 @@ export class HeatLayer {
     const before = this.painted;
     if (before?.trace === trace && before.count === count) return before;
     const painted = before?.image.width === width && before.image.height === height ? before : blank(width, height);
-    const { cells } = trace, { words } = painted;
+    const { cells } = trace,
+      { words } = painted;
     const step = RAMP_SIZE / Math.max(1, cells.length);
     words.fill(0);
     for (let i = count - 1; i >= 0; i--) {
-      const cell = cells[i]!, x = cell % width, y = (cell - x) / width;
+      const cell = cells[i]!,
+        x = cell % width,
+        y = (cell - x) / width;
       if (y < height) words[(height - 1 - y) * width + x] = RAMP_WORDS[(i * step) | 0]!;
     }
     painted.ctx.putImageData(painted.image, 0, 0);

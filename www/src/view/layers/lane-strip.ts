@@ -14,16 +14,29 @@ import { plannerStyle } from "../tokens";
 
 const say = words({ scale: ["width × {n}", "宽度 × {n}"] });
 
-const HEIGHT = STRIP.height, MARGIN = 8, STATIONS = 240;
+const HEIGHT = STRIP.height,
+  MARGIN = 8,
+  STATIONS = 240;
 /** How far to either side a road's edge is looked for, metres. */
 const REACH = 15;
 /** Of a path this many poses are drawn at most. */
 const MOST_POSES = 400;
 
-interface Station { x: number; y: number; heading: number; along: number; left: number; right: number }
+interface Station {
+  x: number;
+  y: number;
+  heading: number;
+  along: number;
+  left: number;
+  right: number;
+}
 
 /** Metres along the road, and to the left of its middle. */
-interface Strip { stations: Station[]; length: number; half: number }
+interface Strip {
+  stations: Station[];
+  length: number;
+  half: number;
+}
 
 const strips = new WeakMap<Plan, { scene: Scene; strip: Strip | null }>();
 const lines = new WeakMap<Plan, { strip: Strip; points: Point[] }>();
@@ -35,20 +48,25 @@ export function stripOf({ scene, planners, results }: State): Strip | null {
   if (!plan) return null;
   const known = strips.get(plan);
   if (known?.scene === scene) return known.strip;
-  const length = distancesOf(plan).at(-1) ?? 0, outline = mapOutline(scene);
+  const length = distancesOf(plan).at(-1) ?? 0,
+    outline = mapOutline(scene);
   const stations = Array.from({ length: STATIONS + 1 }, (_, i): Station => {
-    const along = (length * i) / STATIONS, pose = poseAtDistance(plan, along)!;
+    const along = (length * i) / STATIONS,
+      pose = poseAtDistance(plan, along)!;
     return { x: pose.x, y: pose.y, heading: pose.heading, along, ...edges(outline.map((p) => intoPose(pose, p))) };
   });
   const isRoad = stations.filter(({ left, right }) => left < REACH && right > -REACH).length > STATIONS / 2;
-  const strip = isRoad ? { stations, length, half: Math.max(...stations.map(({ left, right }) => (left - right) / 2)) } : null;
+  const strip = isRoad
+    ? { stations, length, half: Math.max(...stations.map(({ left, right }) => (left - right) / 2)) }
+    : null;
   strips.set(plan, { scene, strip });
   return strip;
 }
 
 /** Where an outline, seen from a pose, crosses the line to its sides. */
 function edges(outline: readonly Point[]): { left: number; right: number } {
-  let left = REACH, right = -REACH;
+  let left = REACH,
+    right = -REACH;
   outline.forEach(([bx, by], i) => {
     const [ax, ay] = outline.at(i - 1)!;
     if (ax > 0 === bx > 0) return;
@@ -61,7 +79,9 @@ function edges(outline: readonly Point[]): { left: number; right: number } {
 
 /** A place as metres along the road and to the left of its middle. */
 export function alongRoad({ stations }: Pick<Strip, "stations">, p: Point): Point {
-  const near = stations.reduce((best, one) => (Math.hypot(one.x - p[0], one.y - p[1]) < Math.hypot(best.x - p[0], best.y - p[1]) ? one : best));
+  const near = stations.reduce((best, one) =>
+    Math.hypot(one.x - p[0], one.y - p[1]) < Math.hypot(best.x - p[0], best.y - p[1]) ? one : best,
+  );
   const [ahead, side] = intoPose(near, p);
   return [near.along + ahead, side - (near.left + near.right) / 2];
 }
@@ -69,17 +89,30 @@ export function alongRoad({ stations }: Pick<Strip, "stations">, p: Point): Poin
 function lineOf(strip: Strip, plan: Plan): Point[] {
   const known = lines.get(plan);
   if (known?.strip === strip) return known.points;
-  const count = plan.path.length / 3, step = Math.max(1, Math.ceil(count / MOST_POSES));
-  const points = Array.from({ length: Math.ceil(count / step) }, (_, i): Point => { const { x, y } = poseAt(plan, i * step); return alongRoad(strip, [x, y]); });
+  const count = plan.path.length / 3,
+    step = Math.max(1, Math.ceil(count / MOST_POSES));
+  const points = Array.from({ length: Math.ceil(count / step) }, (_, i): Point => {
+    const { x, y } = poseAt(plan, i * step);
+    return alongRoad(strip, [x, y]);
+  });
   lines.set(plan, { strip, points });
   return points;
 }
 
 /** Over maps too long for their width to be seen. */
 export function drawLaneStrip(frame: Frame): void {
-  const { view, state, ctx, tokens: { colour } } = frame, strip = stripOf(state);
+  const {
+      view,
+      state,
+      ctx,
+      tokens: { colour },
+    } = frame,
+    strip = stripOf(state);
   if (!strip || view.width < 240 || strip.half === 0) return;
-  const wide = view.width - 2 * MARGIN, across = (wide - 8) / strip.length, up = (HEIGHT - 12) / (2 * strip.half), top = STRIP.top;
+  const wide = view.width - 2 * MARGIN,
+    across = (wide - 8) / strip.length,
+    up = (HEIGHT - 12) / (2 * strip.half),
+    top = STRIP.top;
   const at = ([s, d]: Point): Point => [MARGIN + 4 + s * across, top + HEIGHT / 2 - d * up];
   const trace = (points: readonly Point[]): void => {
     ctx.beginPath();
@@ -96,7 +129,10 @@ export function drawLaneStrip(frame: Frame): void {
   ctx.stroke();
   ctx.clip();
   const half = ({ left, right }: Station): number => (left - right) / 2;
-  trace([...strip.stations.map((one): Point => [one.along, half(one)]), ...[...strip.stations].reverse().map((one): Point => [one.along, -half(one)])]);
+  trace([
+    ...strip.stations.map((one): Point => [one.along, half(one)]),
+    ...[...strip.stations].reverse().map((one): Point => [one.along, -half(one)]),
+  ]);
   ctx.fillStyle = colour.floor;
   ctx.fill();
   ctx.fillStyle = colour.obs;
@@ -114,7 +150,13 @@ export function drawLaneStrip(frame: Frame): void {
   drawPill(frame, text, view.width - MARGIN - pillWidth(frame, text), top + HEIGHT + 4);
 }
 
-function drawOnStrip({ ctx, state, tokens, resolved }: Frame, strip: Strip, { planner, plan, result }: Shown, at: (p: Point) => Point, trace: (points: readonly Point[]) => void): void {
+function drawOnStrip(
+  { ctx, state, tokens, resolved }: Frame,
+  strip: Strip,
+  { planner, plan, result }: Shown,
+  at: (p: Point) => Point,
+  trace: (points: readonly Point[]) => void,
+): void {
   if (!plan) return;
   const { colour, dash } = plannerStyle(tokens, planner);
   trace(lineOf(strip, plan));
@@ -125,7 +167,8 @@ function drawOnStrip({ ctx, state, tokens, resolved }: Frame, strip: Strip, { pl
   ctx.setLineDash([]);
   const driven = drivenAt(state, plan, result, resolved.vehicle.wheelbase);
   if (!driven) return;
-  const { vehicle } = resolved, [x, y] = at(alongRoad(strip, fromPose(driven.pose, (vehicle.rearToFront - vehicle.rearToBack) / 2, 0)));
+  const { vehicle } = resolved,
+    [x, y] = at(alongRoad(strip, fromPose(driven.pose, (vehicle.rearToFront - vehicle.rearToBack) / 2, 0)));
   ctx.beginPath();
   ctx.arc(x, y, 4.5, 0, 2 * Math.PI);
   ctx.fillStyle = colour;

@@ -7,7 +7,11 @@ import { drawHatchedPose } from "./collisions";
 import { drawEncounter } from "./encounter";
 
 export function drawMoving(frame: Frame): void {
-  const { ctx, state, tokens: { colour } } = frame;
+  const {
+    ctx,
+    state,
+    tokens: { colour },
+  } = frame;
   const clock = clockOf(state);
   for (const one of state.scene.moving ?? []) {
     const { x, y, heading } = boxAt(one, clock);
@@ -29,10 +33,17 @@ export function drawMoving(frame: Frame): void {
 
 /** Which way it goes. */
 function drawTip(frame: Frame, at: [number, number], heading: number, length: number): void {
-  const { ctx, tokens: { colour }, view } = frame;
-  const [x, y] = toScreen(frame, at), reach = (length / 2) * view.camera.scale * 0.6;
+  const {
+    ctx,
+    tokens: { colour },
+    view,
+  } = frame;
+  const [x, y] = toScreen(frame, at),
+    reach = (length / 2) * view.camera.scale * 0.6;
   if (reach < 3) return;
-  const dx = Math.cos(heading), dy = -Math.sin(heading), ratio = frame.ratio;
+  const dx = Math.cos(heading),
+    dy = -Math.sin(heading),
+    ratio = frame.ratio;
   ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
   ctx.fillStyle = colour.warn;
   ctx.beginPath();

@@ -38,7 +38,11 @@ function linesOf(slots: readonly Slot[]): [Point, Point][] {
 }
 
 export function drawSlots(frame: Frame): void {
-  const { ctx, state, tokens: { colour } } = frame;
+  const {
+    ctx,
+    state,
+    tokens: { colour },
+  } = frame;
   inMetres(frame);
   ctx.strokeStyle = colour.slot;
   ctx.lineWidth = pixels(frame, 1);
@@ -61,7 +65,10 @@ export function drawObstacles(frame: Frame): void {
 }
 
 function drawSolid(frame: Frame, obstacle: Exclude<Obstacle, { type: "car" | "road" }>): void {
-  const { ctx, tokens: { colour } } = frame;
+  const {
+    ctx,
+    tokens: { colour },
+  } = frame;
   if (obstacle.type === "cells" && obstacle.runs.length > MANY && vast()?.drawCells(frame, obstacle)) return;
   const { fill, edge } = pathsOf(obstacle, frame.state.scene.map);
   inMetres(frame);
@@ -77,9 +84,13 @@ function drawSolid(frame: Frame, obstacle: Exclude<Obstacle, { type: "car" | "ro
 
 /** A thick wall is its edge colour with the fill inside; a thin one is a single line. */
 function drawWall(frame: Frame, wall: Extract<Obstacle, { type: "wall" }>): void {
-  const { ctx, tokens: { colour } } = frame;
+  const {
+    ctx,
+    tokens: { colour },
+  } = frame;
   const { edge } = pathsOf(wall, frame.state.scene.map);
-  const thick = wall.thickness ?? 0, line = pixels(frame, 1.25);
+  const thick = wall.thickness ?? 0,
+    line = pixels(frame, 1.25);
   inMetres(frame);
   ctx.lineCap = thick > 0 ? "butt" : "square";
   ctx.lineJoin = "miter";

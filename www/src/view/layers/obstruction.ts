@@ -19,19 +19,28 @@ export function drawObstruction(frame: Frame, { result }: Shown): void {
 
 function draw(frame: Frame, obstruction: Obstruction): void {
   switch (obstruction.kind) {
-    case "contact": return drawPlace(frame, [obstruction.hit.pose.x, obstruction.hit.pose.y]);
-    case "boxed-in": return obstruction.stops.forEach(({ pose }) => drawHatchedPose(frame, pose));
-    case "enclosed": return drawRegion(frame, obstruction);
-    case "gap": return drawGap(frame, obstruction);
+    case "contact":
+      return drawPlace(frame, [obstruction.hit.pose.x, obstruction.hit.pose.y]);
+    case "boxed-in":
+      return obstruction.stops.forEach(({ pose }) => drawHatchedPose(frame, pose));
+    case "enclosed":
+      return drawRegion(frame, obstruction);
+    case "gap":
+      return drawGap(frame, obstruction);
     case "nearest":
-      if (obstruction.heading !== null) drawHatchedPose(frame, { x: obstruction.x, y: obstruction.y, heading: obstruction.heading });
+      if (obstruction.heading !== null)
+        drawHatchedPose(frame, { x: obstruction.x, y: obstruction.y, heading: obstruction.heading });
       return drawPlace(frame, [obstruction.x, obstruction.y]);
   }
 }
 
 /** A ring with a cross, on its casing. */
 export function drawPlace(frame: Frame, at: Point): void {
-  const { ctx, tokens: { colour } } = frame, [x, y] = toScreen(frame, [at[0], at[1]]);
+  const {
+      ctx,
+      tokens: { colour },
+    } = frame,
+    [x, y] = toScreen(frame, [at[0], at[1]]);
   inPixels(frame);
   ctx.lineCap = "round";
   ctx.beginPath();
@@ -50,11 +59,20 @@ export function drawPlace(frame: Frame, at: Point): void {
 
 /** The disc that would have to pass, and the one that can. */
 function drawGap(frame: Frame, { x, y, width, needed }: Extract<Obstruction, { kind: "gap" }>): void {
-  const { ctx, tokens: { colour }, view, state: { scene } } = frame, drawn = gapAt(scene, [x, y], width, 1.5 * scene.map.resolution);
+  const {
+      ctx,
+      tokens: { colour },
+      view,
+      state: { scene },
+    } = frame,
+    drawn = gapAt(scene, [x, y], width, 1.5 * scene.map.resolution);
   const gap = drawn && drawn.width < needed ? drawn : null;
   const [px, py] = toScreen(frame, gap ? [(gap.from[0] + gap.to[0]) / 2, (gap.from[1] + gap.to[1]) / 2] : [x, y]);
   inPixels(frame);
-  for (const [metres, dash, fill] of [[needed, [4, 3], 0.12], [gap?.width ?? width, [], 0.2]] as const) {
+  for (const [metres, dash, fill] of [
+    [needed, [4, 3], 0.12],
+    [gap?.width ?? width, [], 0.2],
+  ] as const) {
     ctx.beginPath();
     ctx.arc(px, py, Math.max(5, (metres / 2) * view.camera.scale), 0, 2 * Math.PI);
     ctx.fillStyle = fade(colour.err, fill);
@@ -66,14 +84,25 @@ function drawGap(frame: Frame, { x, y, width, needed }: Extract<Obstruction, { k
   }
   ctx.setLineDash([]);
   if (gap) return drawDimension(frame, gap.from, gap.to, `${fixed(gap.width, 2)} m < ${fixed(needed, 2)} m`);
-  const text = `${fixed(width, 2)} m < ${fixed(needed, 2)} m`, wide = pillWidth(frame, text), reach = Math.max(5, (needed / 2) * view.camera.scale);
-  const beside = px + reach + 8 + wide < view.width, fits = beside || px - reach - 8 - wide > 4;
-  const left = beside ? px + reach + 8 : fits ? px - reach - 8 - wide : Math.max(4, Math.min(px - wide / 2, view.width - wide - 4));
+  const text = `${fixed(width, 2)} m < ${fixed(needed, 2)} m`,
+    wide = pillWidth(frame, text),
+    reach = Math.max(5, (needed / 2) * view.camera.scale);
+  const beside = px + reach + 8 + wide < view.width,
+    fits = beside || px - reach - 8 - wide > 4;
+  const left = beside
+    ? px + reach + 8
+    : fits
+      ? px - reach - 8 - wide
+      : Math.max(4, Math.min(px - wide / 2, view.width - wide - 4));
   drawPill(frame, text, left, fits ? py - PILL_HEIGHT / 2 : py - reach - PILL_HEIGHT - 6);
 }
 
 function drawRegion(frame: Frame, { cell, runs }: Extract<Obstruction, { kind: "enclosed" }>): void {
-  const { ctx, tokens: { colour } } = frame, area = newPath();
+  const {
+      ctx,
+      tokens: { colour },
+    } = frame,
+    area = newPath();
   for (const [x, y, count] of runs) area.rect(x, y, count * cell, cell);
   ctx.save();
   inMetres(frame);

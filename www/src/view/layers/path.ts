@@ -13,33 +13,46 @@ const FINEST = 0.7;
 const BESIDE = 24;
 
 /** `from`: pixels of the way since the last gear change, where dashes begin. */
-interface Leg { points: Point[]; headings: number[]; reverse: boolean; from: number }
+interface Leg {
+  points: Point[];
+  headings: number[];
+  reverse: boolean;
+  from: number;
+}
 
 /** The stretches in view, each of one direction of travel, in pixels. */
 function legsOf(frame: Frame, plan: Plan): Leg[] {
   const { path } = plan;
-  const { view: { width, height } } = frame;
+  const {
+    view: { width, height },
+  } = frame;
   const sense = segmentDirections(plan);
-  const sides = (x: number, y: number): number => (x < -BESIDE ? 1 : x > width + BESIDE ? 2 : 0) | (y < -BESIDE ? 4 : y > height + BESIDE ? 8 : 0);
+  const sides = (x: number, y: number): number =>
+    (x < -BESIDE ? 1 : x > width + BESIDE ? 2 : 0) | (y < -BESIDE ? 4 : y > height + BESIDE ? 8 : 0);
   const legs: Leg[] = [];
-  let leg: Leg | null = null, from = 0;
-  let [lastX, lastY] = toScreen(frame, [path[0]!, path[1]!]), out = sides(lastX, lastY);
+  let leg: Leg | null = null,
+    from = 0;
+  let [lastX, lastY] = toScreen(frame, [path[0]!, path[1]!]),
+    out = sides(lastX, lastY);
   // Pixels of a metre; nothing is made for each of very many poses.
-  const startX = lastX, startY = lastY, scale = frame.view.camera.scale;
+  const startX = lastX,
+    startY = lastY,
+    scale = frame.view.camera.scale;
   for (let i = 0; i < sense.length; i++) {
     const reverse = sense[i]! < 0;
     if (i > 0 && reverse !== sense[i - 1]! < 0) {
       leg = null;
       from = 0;
     }
-    const x = startX + (path[3 * i + 3]! - path[0]!) * scale, y = startY - (path[3 * i + 4]! - path[1]!) * scale;
+    const x = startX + (path[3 * i + 3]! - path[0]!) * scale,
+      y = startY - (path[3 * i + 4]! - path[1]!) * scale;
     // Long paths seen from afar have many poses to a pixel.
     if (Math.abs(x - lastX) + Math.abs(y - lastY) < FINEST && sense[i + 1] === sense[i]) continue;
     const beside = sides(x, y);
     // Both ends to the same side of the view: nothing to see between them.
     if (out & beside) leg = null;
     else {
-      if (!leg) legs.push(leg = { points: [[lastX, lastY]], headings: [path[3 * i + 2]!], reverse, from });
+      if (!leg) legs.push((leg = { points: [[lastX, lastY]], headings: [path[3 * i + 2]!], reverse, from }));
       leg.points.push([x, y]);
       leg.headings.push(path[3 * i + 5]!);
     }
@@ -112,9 +125,11 @@ function drawChevrons(frame: Frame, leg: Leg, style: PlannerStyle): void {
   ctx.lineCap = "round";
   ctx.beginPath();
   for (const { x, y, heading } of marks) {
-    const c = Math.cos(heading), s = -Math.sin(heading);
+    const c = Math.cos(heading),
+      s = -Math.sin(heading);
     const at = (ahead: number, left: number): Point => [x + ahead * c - left * s, y + ahead * s + left * c];
-    const half = CHEVRON.tall / 2, tip = CHEVRON.wide / 2;
+    const half = CHEVRON.tall / 2,
+      tip = CHEVRON.wide / 2;
     ctx.moveTo(...at(-tip, half));
     ctx.lineTo(...at(tip, 0));
     ctx.lineTo(...at(-tip, -half));
@@ -131,7 +146,8 @@ function marksAlong({ points, headings, from }: Leg, every: number): { x: number
   const marks = [];
   let due = (every * 1.6 - (from % every)) % every;
   for (let i = 1; i < points.length; i++) {
-    const [x0, y0] = points[i - 1]!, [x1, y1] = points[i]!;
+    const [x0, y0] = points[i - 1]!,
+      [x1, y1] = points[i]!;
     const length = Math.hypot(x1 - x0, y1 - y0);
     for (; due <= length && length > 0; due += every) {
       const part = due / length;
@@ -167,10 +183,17 @@ export function drawCusps(frame: Frame, shown: Shown, alpha: number): void {
 
 function apart([x, y]: Point, placed: readonly Point[]): Point {
   const reach = DIAMOND.half * 1.5;
-  const taken = (px: number, py: number): boolean => placed.some((p) => Math.abs(p[0] - px) + Math.abs(p[1] - py) < reach);
+  const taken = (px: number, py: number): boolean =>
+    placed.some((p) => Math.abs(p[0] - px) + Math.abs(p[1] - py) < reach);
   for (let ring = 0; ring < 6; ring++) {
-    for (const [dx, dy] of [[1, -1], [1, 1], [-1, -1], [-1, 1]] as const) {
-      const px = x + dx * ring * DIAMOND.half, py = y + dy * ring * DIAMOND.half;
+    for (const [dx, dy] of [
+      [1, -1],
+      [1, 1],
+      [-1, -1],
+      [-1, 1],
+    ] as const) {
+      const px = x + dx * ring * DIAMOND.half,
+        py = y + dy * ring * DIAMOND.half;
       if (!taken(px, py)) return [px, py];
     }
   }

@@ -11,7 +11,14 @@ const SAMPLES = 20_000;
 const built = perSurface(() => new WeakMap<Layer, Path2D[]>());
 
 export function drawPotential(frame: Frame, layer: Layer): void {
-  const { ctx, state: { scene: { map: { origin, resolution } } } } = frame;
+  const {
+    ctx,
+    state: {
+      scene: {
+        map: { origin, resolution },
+      },
+    },
+  } = frame;
   let lines = built().get(layer);
   if (!lines) built().set(layer, (lines = linesOf(layer, origin, resolution)));
   ctx.save();
@@ -25,17 +32,27 @@ export function drawPotential(frame: Frame, layer: Layer): void {
 }
 
 /** A path for each level, low ones first. */
-function linesOf({ width, height, data }: Layer, [left, bottom]: readonly [number, number], resolution: number): Path2D[] {
-  const step = Math.max(1, Math.floor(data.length / SAMPLES)) | 1, values: number[] = [];
+function linesOf(
+  { width, height, data }: Layer,
+  [left, bottom]: readonly [number, number],
+  resolution: number,
+): Path2D[] {
+  const step = Math.max(1, Math.floor(data.length / SAMPLES)) | 1,
+    values: number[] = [];
   for (let i = 0; i < data.length; i += step) values.push(data[i]!);
   values.sort((a, b) => a - b);
-  const [low, high] = [values[0] ?? 0, values.at(-1) ?? 1].map((value) => Math.sqrt(Math.max(0, value))) as [number, number];
+  const [low, high] = [values[0] ?? 0, values.at(-1) ?? 1].map((value) => Math.sqrt(Math.max(0, value))) as [
+    number,
+    number,
+  ];
   return Array.from({ length: LEVELS }, (_, i) => {
-    const root = low + ((high - low) * (i + 0.5)) / LEVELS, path = newPath();
+    const root = low + ((high - low) * (i + 0.5)) / LEVELS,
+      path = newPath();
     for (const loop of contours(width, height, (x, y) => data[y * width + x]!, root * root)) {
       let on = false;
       for (let k = 0; k < loop.length; k += 2) {
-        const x = loop[k]!, y = loop[k + 1]!;
+        const x = loop[k]!,
+          y = loop[k + 1]!;
         // Loops close around the raster: what runs along its border is no line of the field.
         const inside = x >= 0 && y >= 0 && x <= width - 1 && y <= height - 1;
         const at = [left + (x + 0.5) * resolution, bottom + (y + 0.5) * resolution] as const;

@@ -11,7 +11,12 @@ const NECESSARY = 2;
 /** Cells whose contour would take long to follow. */
 const TOO_MANY = 200_000;
 
-interface Zone { safety: Layer; clearance: Layer | undefined; map: MapFrame; area: Path2D }
+interface Zone {
+  safety: Layer;
+  clearance: Layer | undefined;
+  map: MapFrame;
+  area: Path2D;
+}
 
 export class SafetyLayer {
   private zone: Zone | null = null;
@@ -19,8 +24,12 @@ export class SafetyLayer {
   draw(frame: Frame, { result }: Shown): void {
     const safety = result?.layers.safety;
     if (!safety) return;
-    const { ctx, tokens: { colour } } = frame;
-    if (safety.data.length > TOO_MANY && vast()?.drawKinds(frame, safety, [1, NECESSARY], fade(colour.t1, 0.28))) return;
+    const {
+      ctx,
+      tokens: { colour },
+    } = frame;
+    if (safety.data.length > TOO_MANY && vast()?.drawKinds(frame, safety, [1, NECESSARY], fade(colour.t1, 0.28)))
+      return;
     const area = this.areaOf(safety, result.layers.clearance, frame.state.scene.map);
     ctx.save();
     inMetres(frame);
@@ -46,11 +55,17 @@ export class SafetyLayer {
 
 /** Every plan brings its own layers, though a moved start or goal leaves them as they were. */
 const isSame = (a: Layer | undefined, b: Layer | undefined): boolean =>
-  a === b || (a !== undefined && b !== undefined && a.width === b.width && a.data.length === b.data.length && a.data.every((value, i) => value === b.data[i]));
+  a === b ||
+  (a !== undefined &&
+    b !== undefined &&
+    a.width === b.width &&
+    a.data.length === b.data.length &&
+    a.data.every((value, i) => value === b.data[i]));
 
 /** The farthest hatched cell says at which distance the space ends. */
 function byDistance(safety: Layer, clearance: Layer, map: MapFrame): Path2D {
-  let inner = 0, outer = Infinity;
+  let inner = 0,
+    outer = Infinity;
   for (let i = 0; i < safety.data.length; i++) {
     const metres = clearance.data[i]!;
     if (safety.data[i] === NECESSARY) inner = Math.max(inner, metres);
@@ -74,7 +89,8 @@ function toPath(loops: readonly number[][], { origin, resolution }: MapFrame): P
   const path = newPath();
   for (const loop of loops) {
     for (let i = 0; i < loop.length; i += 2) {
-      const x = origin[0] + (loop[i]! + 0.5) * resolution, y = origin[1] + (loop[i + 1]! + 0.5) * resolution;
+      const x = origin[0] + (loop[i]! + 0.5) * resolution,
+        y = origin[1] + (loop[i + 1]! + 0.5) * resolution;
       if (i === 0) path.moveTo(x, y);
       else path.lineTo(x, y);
     }

@@ -5,10 +5,16 @@ import type { Point } from "../../scene/plane";
 import { newPath } from "../surface";
 import { fade } from "../tokens";
 
-const CELL_PX = 1.6, CORNER_PX = 3.5, TOUCH_PX = 2.5;
+const CELL_PX = 1.6,
+  CORNER_PX = 3.5,
+  TOUCH_PX = 2.5;
 
 export function drawStages(frame: Frame, raw: Float64Array, { pruned, arcs, sharp }: Stages): void {
-  const { ctx, tokens: { colour, planner } } = frame, green = planner[2]!;
+  const {
+      ctx,
+      tokens: { colour, planner },
+    } = frame,
+    green = planner[2]!;
   const cells: Point[] = Array.from({ length: raw.length / 2 }, (_, i) => [raw[2 * i]!, raw[2 * i + 1]!]);
   ctx.save();
   inMetres(frame);
@@ -22,11 +28,18 @@ export function drawStages(frame: Frame, raw: Float64Array, { pruned, arcs, shar
   ctx.setLineDash([pixels(frame, 2), pixels(frame, 3)]);
   ctx.lineWidth = pixels(frame, 1);
   ctx.strokeStyle = fade(green, 0.75);
-  const circles = newPath(), rounded = newPath();
-  for (const { center: [x, y], from, to, radius } of arcs) {
+  const circles = newPath(),
+    rounded = newPath();
+  for (const {
+    center: [x, y],
+    from,
+    to,
+    radius,
+  } of arcs) {
     circles.moveTo(x + radius, y);
     circles.arc(x, y, radius, 0, 2 * Math.PI);
-    const start = Math.atan2(from[1] - y, from[0] - x), end = Math.atan2(to[1] - y, to[0] - x);
+    const start = Math.atan2(from[1] - y, from[0] - x),
+      end = Math.atan2(to[1] - y, to[0] - x);
     const turn = Math.atan2(Math.sin(end - start), Math.cos(end - start));
     rounded.moveTo(...from);
     rounded.arc(x, y, radius, start, start + turn, turn < 0);
@@ -38,7 +51,13 @@ export function drawStages(frame: Frame, raw: Float64Array, { pruned, arcs, shar
   ctx.stroke(rounded);
   inPixels(frame);
   dots(frame, cells, CELL_PX, colour.t3, null);
-  dots(frame, arcs.flatMap(({ from, to }) => [from, to]), TOUCH_PX, green, colour.floor);
+  dots(
+    frame,
+    arcs.flatMap(({ from, to }) => [from, to]),
+    TOUCH_PX,
+    green,
+    colour.floor,
+  );
   dots(frame, pruned, CORNER_PX, colour.floor, colour.t1);
   dots(frame, sharp, CORNER_PX, colour.err, colour.floor);
   ctx.restore();

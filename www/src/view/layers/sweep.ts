@@ -6,7 +6,9 @@ import { plannerStyle } from "../tokens";
 
 /** Numbers of a path beyond which its outline is not worth its time. */
 const LONG = 3 * 3000;
-const FILL = 0.15, EDGE = 0.75, EDGE_PX = 0.8;
+const FILL = 0.15,
+  EDGE = 0.75,
+  EDGE_PX = 0.8;
 
 /** Only of paths the car can drive: elsewhere the hits are what matters. */
 export function drawSweep(frame: Frame, shown: Shown): void {
@@ -14,7 +16,8 @@ export function drawSweep(frame: Frame, shown: Shown): void {
   if (!plan || !plan.check.drivable || plan.path.length < 6) return;
   const { ctx } = frame;
   if (plan.path.length > LONG && vast()?.drawLongSweep(frame, shown)) return;
-  const area = sweptArea(plan, frame.resolved.vehicle), { colour } = plannerStyle(frame.tokens, planner);
+  const area = sweptArea(plan, frame.resolved.vehicle),
+    { colour } = plannerStyle(frame.tokens, planner);
   const strength = shown.ghost ? GHOST : 1;
   ctx.save();
   inMetres(frame);

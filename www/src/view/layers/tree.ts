@@ -14,18 +14,30 @@ const MOST_SHOTS = 60;
 const CROSS_PX = 3.5;
 
 type Arcs = Extract<Trace, { kind: "arcs" }>;
-interface Built { trace: Arcs; count: number; forward: Path2D[]; reverse: Path2D[]; shots: Path2D; hits: number[] }
+interface Built {
+  trace: Arcs;
+  count: number;
+  forward: Path2D[];
+  reverse: Path2D[];
+  shots: Path2D;
+  hits: number[];
+}
 
 export class TreeLayer {
   private built: Built | null = null;
 
   draw(frame: Frame, { plan, result }: Shown): void {
-    const { playback } = frame.state, potential = result?.layers.potential;
+    const { playback } = frame.state,
+      potential = result?.layers.potential;
     if (potential) drawPotential(frame, potential);
     // A search that is still going on has no path yet.
-    if (plan && "stages" in plan && plan.stages && !(playback.base === "search" && playback.fraction < 1)) drawStages(frame, plan.rawPath, plan.stages);
+    if (plan && "stages" in plan && plan.stages && !(playback.base === "search" && playback.fraction < 1))
+      drawStages(frame, plan.rawPath, plan.stages);
     if (plan?.trace?.kind !== "arcs") return;
-    const { ctx, tokens: { colour } } = frame;
+    const {
+      ctx,
+      tokens: { colour },
+    } = frame;
     const { forward, reverse, shots, hits } = this.build(plan.trace, expansionsShown(frame.state, plan));
     ctx.save();
     inMetres(frame);
@@ -62,8 +74,10 @@ export class TreeLayer {
   private build(trace: Arcs, count: number): Built {
     const known = this.built;
     if (known?.trace === trace && known.count === count) return known;
-    const { arcs } = trace, total = Math.max(1, arcs.length / FIELDS);
-    const forward = RAMP_STOPS.map(() => newPath()), reverse = RAMP_STOPS.map(() => newPath());
+    const { arcs } = trace,
+      total = Math.max(1, arcs.length / FIELDS);
+    const forward = RAMP_STOPS.map(() => newPath()),
+      reverse = RAMP_STOPS.map(() => newPath());
     for (let i = 0; i < count; i++) {
       const arc = arcs.subarray(i * FIELDS, i * FIELDS + FIELDS);
       addArc((arc[4]! < 0 ? reverse : forward)[Math.floor((i * RAMP_STOPS.length) / total)]!, arc);
@@ -82,10 +96,14 @@ function strokeBands({ ctx }: Frame, bands: readonly Path2D[]): void {
 
 /** The failed connections tried within the first `count` expansions, and where each hit. */
 function shotsUpTo({ shots }: Arcs, count: number): Pick<Built, "shots" | "hits"> {
-  const path = newPath(), hits: number[] = [];
-  const tried = shots.expansions.filter((before) => before <= count).length, step = Math.max(1, tried / MOST_SHOTS);
+  const path = newPath(),
+    hits: number[] = [];
+  const tried = shots.expansions.filter((before) => before <= count).length,
+    step = Math.max(1, tried / MOST_SHOTS);
   for (let k = tried - 1; k >= 0; k -= step) {
-    const i = Math.round(k), from = shots.first[i]!, to = shots.first[i + 1] ?? shots.arcs.length / FIELDS;
+    const i = Math.round(k),
+      from = shots.first[i]!,
+      to = shots.first[i + 1] ?? shots.arcs.length / FIELDS;
     for (let at = from; at < to; at++) addArc(path, shots.arcs.subarray(at * FIELDS, at * FIELDS + FIELDS));
     hits.push(shots.hits[3 * i]!, shots.hits[3 * i + 1]!);
   }
@@ -100,8 +118,10 @@ function addArc(path: Path2D, arc: Float64Array): void {
     path.lineTo(x + length * Math.cos(heading), y + length * Math.sin(heading));
     return;
   }
-  const radius = 1 / curvature, turn = length * curvature;
-  const cx = x - radius * Math.sin(heading), cy = y + radius * Math.cos(heading);
+  const radius = 1 / curvature,
+    turn = length * curvature;
+  const cx = x - radius * Math.sin(heading),
+    cy = y + radius * Math.cos(heading);
   const from = Math.atan2(y - cy, x - cx);
   path.arc(cx, cy, Math.abs(radius), from, from + turn, turn < 0);
 }

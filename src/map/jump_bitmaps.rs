@@ -1,7 +1,7 @@
 //! What jump point search asks of a map: where straight jumps stop, 64 cells a look, and in which directions jumps lead
 //! anywhere.
 
-use super::ways::Ways;
+use super::jump_directions::Ways;
 use super::{Cell, Occupancy};
 
 /// Where jumps over a map lead. Everything outside is a wall.

@@ -1,15 +1,15 @@
 //! The open list of [`lattice`](super::lattice) searches: smaller f first, then smaller h, then the newest.
 //!
 //! Costs are whole numbers there, so that most entries share their f with many others. Entries lie unsorted in buckets
-//! of f, as in [`OpenList`](super::open::OpenList), but near ones at once in a bucket of their own, which is
-//! [sorted](super::sorting) when its turn comes. Recency is positional, so every operation on a bucket is
+//! of f, as in [`OpenList`](super::open_list::OpenList), but near ones at once in a bucket of their own, which is
+//! [sorted](super::bucket_sort) when its turn comes. Recency is positional, so every operation on a bucket is
 //! stable.
 
+use super::bucket_sort::Sorter;
 use super::entry::Entry;
-use super::sorting::Sorter;
 
 #[derive(Debug)]
-pub(super) struct Queue<E> {
+pub(super) struct BucketQueue<E> {
     /// The entries of the current bucket in order, the first one last.
     stack: Vec<E>,
     /// Unsorted entries of the buckets after the current one, up to the end of the next span; bucket `n` is at `n % RING`.
@@ -42,7 +42,7 @@ const SPANS: usize = 1024;
 /// How deep in the stack the place of an entry is looked for step by step.
 const NEAR: usize = 6;
 
-impl<E> Default for Queue<E> {
+impl<E> Default for BucketQueue<E> {
     fn default() -> Self {
         Self {
             stack: Vec::new(),
@@ -66,7 +66,7 @@ fn empty_ring<E>() -> Box<[Vec<E>; RING]> {
     lists.try_into().unwrap_or_else(|_| unreachable!("as many as asked for"))
 }
 
-impl<E: Entry> Queue<E> {
+impl<E: Entry> BucketQueue<E> {
     /// Empties the list; buckets count from `origin`, best the root's f.
     pub(super) fn reset(&mut self, origin: i64) {
         self.stack.clear();
@@ -285,7 +285,7 @@ impl<E: Entry> Queue<E> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::search::{Short, Wide};
+    use crate::search::{PackedEntry, WideEntry};
 
     fn random(state: &mut u64, n: u64) -> u64 {
         *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
@@ -294,7 +294,7 @@ mod tests {
 
     #[test]
     fn equal_entries_come_out_newest_first() {
-        let mut queue = Queue::<Short>::default();
+        let mut queue = BucketQueue::<PackedEntry>::default();
         queue.reset(0);
         for node in 0..100 {
             queue.push(1_000_000, i64::from(node % 3), node);
@@ -311,13 +311,13 @@ mod tests {
     /// every second round many entries share few values of f, in some of them nothing is before what was popped.
     #[test]
     fn the_order_is_exact_whatever_is_pushed() {
-        exact::<Short>();
-        exact::<Wide>();
+        exact::<PackedEntry>();
+        exact::<WideEntry>();
     }
 
     fn exact<E: Entry>() {
         let mut state = 7;
-        let mut queue = Queue::<E>::default();
+        let mut queue = BucketQueue::<E>::default();
         for round in 0..60 {
             queue.reset(1_000_000);
             let mut held: Vec<(i64, i64, u32)> = Vec::new();

@@ -4,8 +4,8 @@
 //! on the direction of a move.
 
 use super::entry::Entry;
+use super::frontier::{PackedScratch, Record, Relaxing, cost_of, move_of};
 use super::lattice::{Found, Lattice};
-use super::side::{Memory, Record, Relaxing, cost_of, move_of};
 use super::{Budget, End, NodeId, Observer};
 
 /// When a search from both ends stops.
@@ -21,12 +21,12 @@ pub enum Stop {
 }
 
 /// Searches a path from `start` to `goal` from both ends. The estimates must be consistent.
-pub fn both_ways<L: Lattice, O: Observer<i64, ()>>(
+pub fn bidirectional<L: Lattice, O: Observer<i64, ()>>(
     lattice: &L,
     (start, goal): (NodeId, NodeId),
     stop: Stop,
     max_expansions: u32,
-    memory: &mut Memory<L::Entry>,
+    memory: &mut PackedScratch<L::Entry>,
     observer: &mut O,
 ) -> Found {
     let far = lattice.to_goal(start);
@@ -75,7 +75,7 @@ struct Search<'a, L, O> {
 impl<L: Lattice, O: Observer<i64, ()>> Search<'_, L, O> {
     /// Takes up the side's next node. Tells whether to go on.
     #[inline]
-    fn turn<const TURN: usize>(&mut self, memory: &mut Memory<L::Entry>) -> bool {
+    fn turn<const TURN: usize>(&mut self, memory: &mut PackedScratch<L::Entry>) -> bool {
         let Some((entry, record)) = memory.pop::<2>(TURN, false) else { return false };
         if self.budget.is_spent(self.found.expanded, self.observer) {
             self.found.end = End::BudgetSpent;
@@ -99,7 +99,7 @@ impl<L: Lattice, O: Observer<i64, ()>> Search<'_, L, O> {
         &mut self,
         node: NodeId,
         record: Record,
-        memory: &mut Memory<L::Entry>,
+        memory: &mut PackedScratch<L::Entry>,
     ) -> Option<bool> {
         memory.close::<2>(TURN, node, record);
         if memory.is_closed(1 - TURN, node) {
@@ -120,7 +120,7 @@ impl<L: Lattice, O: Observer<i64, ()>> Search<'_, L, O> {
         &mut self,
         (node, f, h): (NodeId, i64, i64),
         record: Record,
-        memory: &mut Memory<L::Entry>,
+        memory: &mut PackedScratch<L::Entry>,
     ) -> Option<bool> {
         let g = cost_of(record);
         self.last[TURN] = f;
@@ -140,7 +140,7 @@ impl<L: Lattice, O: Observer<i64, ()>> Search<'_, L, O> {
         &mut self,
         (node, h): (NodeId, i64),
         record: Record,
-        memory: &mut Memory<L::Entry>,
+        memory: &mut PackedScratch<L::Entry>,
     ) {
         let (g, last) = (cost_of(record), move_of(record));
         self.found.expanded += 1;

@@ -1,8 +1,8 @@
 //! What a [`lattice`](super::lattice) search remembers: what it knows of each node, and its open lists.
 
+use super::bucket_queue::BucketQueue;
 use super::entry::Entry;
-use super::lattice::{Lattice, Leg, Sink};
-use super::queue::Queue;
+use super::lattice::{Edge, EdgeSink, Lattice};
 use super::{NodeId, Observer};
 
 /// One node: from the lowest bit, 8 bits of the move that led to it, 44 of its cost, 1 set while it is open, 11 of the
@@ -20,7 +20,7 @@ const COST: i64 = (1 << 44) - 1;
 
 /// The memory of these searches, reused between them: nothing is cleared, so a query costs what it touches.
 #[derive(Debug)]
-pub struct Memory<E> {
+pub struct PackedScratch<E> {
     /// One per node or, where two sides search, two side by side: who looks at one needs the other.
     records: Vec<Record>,
     /// Where the way to a node came from, where moves do not tell.
@@ -29,19 +29,19 @@ pub struct Memory<E> {
     rim: usize,
     /// The current generation in place, 0 before the first search.
     generation: Record,
-    pub(super) sides: [Side<E>; 2],
+    pub(super) sides: [Frontier<E>; 2],
 }
 
 /// What each side has of its own.
 #[derive(Debug)]
-pub(super) struct Side<E> {
-    pub(super) open: Queue<E>,
+pub(super) struct Frontier<E> {
+    pub(super) open: BucketQueue<E>,
     pub(super) generated: u32,
 }
 
-impl<E> Default for Memory<E> {
+impl<E> Default for PackedScratch<E> {
     fn default() -> Self {
-        let side = || Side { open: Queue::default(), generated: 0 };
+        let side = || Frontier { open: BucketQueue::default(), generated: 0 };
         Self { records: Vec::new(), parents: Vec::new(), rim: 0, generation: 0, sides: [side(), side()] }
     }
 }
@@ -57,7 +57,7 @@ pub(super) fn move_of(record: Record) -> Option<u32> {
 }
 
 /// `SIDES` is how many search: one or two.
-impl<E: Entry> Memory<E> {
+impl<E: Entry> PackedScratch<E> {
     /// Forgets everything.
     pub(super) fn begin<L: Lattice, const SIDES: usize>(&mut self, lattice: &L) {
         let records = (lattice.node_count() + 2 * lattice.rim()) * SIDES;
@@ -97,7 +97,7 @@ impl<E: Entry> Memory<E> {
         self.records.as_chunks::<SIDES>().0[node as usize + self.rim][turn]
     }
 
-    /// The node's cost, where this side has reached it; not for nodes that [`Memory::settle`] took out of its search.
+    /// The node's cost, where this side has reached it; not for nodes that [`PackedScratch::settle`] took out of its search.
     #[cfg(feature = "complete")]
     pub(super) fn known(&self, turn: usize, node: NodeId) -> Option<i64> {
         let record = self.record::<2>(turn, node);
@@ -165,7 +165,7 @@ impl<E: Entry> Memory<E> {
 pub(super) struct Relaxing<'a, L: Lattice, O, const SIDES: usize, const TURN: usize> {
     records: &'a mut [[Record; SIDES]],
     parents: &'a mut [NodeId],
-    side: &'a mut Side<L::Entry>,
+    side: &'a mut Frontier<L::Entry>,
     observer: &'a mut O,
     /// Nodes before the first one.
     rim: usize,
@@ -183,7 +183,7 @@ impl<'a, L: Lattice, O, const SIDES: usize, const TURN: usize> Relaxing<'a, L, O
     /// The moves out of a node, with its record.
     pub(super) fn new(
         _: &L,
-        memory: &'a mut Memory<L::Entry>,
+        memory: &'a mut PackedScratch<L::Entry>,
         observer: &'a mut O,
         (from, record): (NodeId, Record),
         best: Option<&'a mut (i64, NodeId)>,
@@ -209,11 +209,11 @@ impl<'a, L: Lattice, O, const SIDES: usize, const TURN: usize> Relaxing<'a, L, O
 
     /// What the record of a node reached by a step of this cost must exceed to be worth it.
     fn limit(&self, cost: i64) -> Record {
-        self.base + Leg::new(ROOT, cost).code
+        self.base + Edge::new(ROOT, cost).code
     }
 }
 
-impl<L: Lattice, O: Observer<i64, ()>, const SIDES: usize, const TURN: usize> Sink
+impl<L: Lattice, O: Observer<i64, ()>, const SIDES: usize, const TURN: usize> EdgeSink
     for Relaxing<'_, L, O, SIDES, TURN>
 {
     fn worth(&self, target: NodeId, cost: i64) -> bool {
@@ -250,7 +250,7 @@ impl<L: Lattice, O: Observer<i64, ()>, const SIDES: usize, const TURN: usize> Si
     }
 
     #[inline(always)]
-    fn take(&mut self, leg: Leg, target: NodeId, h: i64) {
+    fn take(&mut self, leg: Edge, target: NodeId, h: i64) {
         let g = self.g + leg.cost;
         let known = &mut self.records[target as usize + self.rim];
         let fresh = std::mem::replace(&mut known[TURN], self.base + leg.code) >= self.fresh;

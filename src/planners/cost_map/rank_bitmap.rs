@@ -2,7 +2,7 @@
 
 /// The places that are in, numbered from 0 in their order. Takes a quarter of a byte a place, less for the rest.
 #[derive(Debug, Clone)]
-pub(super) struct Numbers {
+pub(super) struct RankBitmap {
     words: Vec<u64>,
     /// Per word: how many places are in before it.
     before: Vec<u32>,
@@ -11,7 +11,7 @@ pub(super) struct Numbers {
     len: u32,
 }
 
-impl Numbers {
+impl RankBitmap {
     pub(super) fn new(places: impl ExactSizeIterator<Item = bool>) -> Self {
         let mut words = vec![0; places.len().div_ceil(64)];
         for (i, _) in places.enumerate().filter(|place| place.1) {
@@ -67,7 +67,7 @@ impl Numbers {
 
 #[cfg(test)]
 mod tests {
-    use super::Numbers;
+    use super::RankBitmap;
     use crate::scenario::generate::SplitMix64;
 
     #[test]
@@ -75,7 +75,7 @@ mod tests {
         let mut random = SplitMix64::new(9);
         for (len, share) in [(1, 1), (64, 1), (65, 2), (1000, 3), (5000, 700), (5000, 1), (300, 100_000)] {
             let places: Vec<bool> = (0..len).map(|_| random.below(share) == 0).collect();
-            let numbers = Numbers::new(places.iter().copied());
+            let numbers = RankBitmap::new(places.iter().copied());
             let mut count = 0;
             for (place, &is_in) in places.iter().enumerate() {
                 assert_eq!((numbers.has(place), numbers.of(place)), (is_in, is_in.then_some(count)));

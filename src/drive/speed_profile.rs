@@ -1,7 +1,7 @@
 //! Speeds along a route: limits, a forward and a backward pass, standstill at gear changes.
 
-use super::route::{Route, Run};
-use super::scurve;
+use super::jerk_limited;
+use super::path_segments::{Route, Run};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::math;
 use crate::json;
@@ -206,7 +206,7 @@ impl Motion {
                 match limits.jerk {
                     Some(jerk) => {
                         let ends = [(run.from, speeds[0]), (run.to, speeds[1])];
-                        scurve::phases(limits, jerk, &gathered(&zones, run.from), ends)
+                        jerk_limited::phases(limits, jerk, &gathered(&zones, run.from), ends)
                     }
                     None => passes(&zones, limits, run, speeds),
                 }

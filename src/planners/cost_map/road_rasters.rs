@@ -12,7 +12,7 @@ const EDGE: f64 = 1e-9;
 
 /// A road on a lattice.
 #[derive(Debug, Clone)]
-pub struct Ground {
+pub struct RoadRasters {
     /// The lattice.
     pub frame: Frame,
     /// Per cell: metres from its centre to the border of the nearest cell that is no road or holds an obstacle; 0 in
@@ -22,7 +22,7 @@ pub struct Ground {
     pub weights: Option<Arc<Weights>>,
 }
 
-impl Ground {
+impl RoadRasters {
     /// Of a scene's geometry. Where the map ends a road goes on if it is `open`; otherwise there is a wall.
     pub fn new(frame: Frame, geometry: &Geometry, open: bool) -> Self {
         let mut road = surface(&frame, geometry);

@@ -8,7 +8,7 @@ use super::Obstacles;
 use super::obstacles::segment_distance;
 use crate::geometry::arcs::Arc;
 use crate::geometry::{Point, Pose, math};
-use crate::map::Paint;
+use crate::map::WeightMap;
 use crate::vehicle::Vehicle;
 
 /// Overlaps shallower than this are contact, which is free, metres.
@@ -18,14 +18,14 @@ const STRIDE: u32 = 16;
 
 /// A place of the body: the rear axle's middle and the heading's sine and cosine.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Place {
+pub(super) struct Placement {
     x: f64,
     y: f64,
     pub(super) sin: f64,
     pub(super) cos: f64,
 }
 
-impl Place {
+impl Placement {
     pub(super) fn of(pose: Pose) -> Self {
         let (sin, cos) = math::sin_cos(pose.heading);
         Self { x: pose.x, y: pose.y, sin, cos }
@@ -50,7 +50,7 @@ impl Place {
 
 /// Collision queries of one car, counted. All poses are local to the obstacles.
 #[derive(Debug, Clone)]
-pub struct Probe<'a> {
+pub struct CollisionChecker<'a> {
     obstacles: &'a Obstacles,
     vehicle: Vehicle,
     /// Centres of the discs that cover the body, along its axis, metres ahead of the rear axle.
@@ -64,9 +64,9 @@ pub struct Probe<'a> {
     checks: Counter<u32>,
 }
 
-impl<'a> Probe<'a> {
+impl<'a> CollisionChecker<'a> {
     /// What the floor costs, in local coordinates, where it does not cost the same everywhere.
-    pub fn paint(&self) -> Option<&'a Paint> {
+    pub fn paint(&self) -> Option<&'a WeightMap> {
         self.obstacles.paint()
     }
 
@@ -109,7 +109,7 @@ impl<'a> Probe<'a> {
     /// What the body, grown by `margin` metres on every side, overlaps.
     pub fn hit(&self, pose: Pose, margin: f64) -> Option<u32> {
         self.count(1);
-        let place = Place::of(pose);
+        let place = Placement::of(pose);
         if self.room(place) > self.disc_radius(margin) { None } else { self.exact(place, margin - CONTACT) }
     }
 
@@ -118,7 +118,7 @@ impl<'a> Probe<'a> {
     #[cfg(feature = "complete")]
     pub fn fits(&self, at: Point, (sin, cos): (f64, f64), margin: f64) -> bool {
         self.count(1);
-        let place = Place { x: at.x, y: at.y, sin, cos };
+        let place = Placement { x: at.x, y: at.y, sin, cos };
         self.room(place) > self.disc_radius(margin.max(0.0)) || self.exact(place, margin - CONTACT).is_none()
     }
 
@@ -139,11 +139,11 @@ impl<'a> Probe<'a> {
         }
         let steps = (arc.length.abs() / spacing).ceil().max(1.0);
         let part = arc.length / steps;
-        let start = Place::of(from);
+        let start = Placement::of(from);
         let turn = arc.curvature * part;
         let (turn_sin, turn_cos) = math::sin_cos(turn);
         let radius = self.disc_radius(margin);
-        let pace = part.abs() * self.pace(arc.curvature);
+        let max_disc_speed = part.abs() * self.max_disc_speed(arc.curvature);
         let at = |k: u32, sin: f64, cos: f64| start.along(arc.curvature, part * f64::from(k), sin, cos);
         let mut k = steps as u32;
         let mut checks = 0;
@@ -160,7 +160,7 @@ impl<'a> Probe<'a> {
                 self.count(checks);
                 return false;
             }
-            far = far.saturating_sub((spare.max(0.0) / pace) as u32);
+            far = far.saturating_sub((spare.max(0.0) / max_disc_speed) as u32);
         }
         let free = loop {
             let place = at(k, sin, cos);
@@ -169,7 +169,7 @@ impl<'a> Probe<'a> {
             if spare <= 0.0 && self.exact(place, margin - CONTACT).is_some() {
                 break false;
             }
-            let settled = ((spare.max(0.0) / pace) as u32).saturating_add(1);
+            let settled = ((spare.max(0.0) / max_disc_speed) as u32).saturating_add(1);
             if settled >= k {
                 break true;
             }
@@ -189,15 +189,15 @@ impl<'a> Probe<'a> {
     pub fn free_length(&self, from: Pose, arc: &Arc, spacing: f64, margin: f64) -> f64 {
         let whole = arc.length.abs();
         let radius = self.disc_radius(margin);
-        let pace = self.pace(arc.curvature);
+        let max_disc_speed = self.max_disc_speed(arc.curvature);
         let (mut reached, mut step) = (0.0, spacing);
         while reached < whole && step > spacing / 17.0 {
             let next = f64::min(reached + step, whole);
-            let place = Place::of(from.advance(arc.curvature, next.copysign(arc.length)));
+            let place = Placement::of(from.advance(arc.curvature, next.copysign(arc.length)));
             self.count(1);
             let spare = self.room(place) - radius;
             if spare > 0.0 || self.exact(place, margin - CONTACT).is_none() {
-                reached = f64::min(next + spare.max(0.0) / pace, whole);
+                reached = f64::min(next + spare.max(0.0) / max_disc_speed, whole);
             } else {
                 step /= 2.0;
             }
@@ -206,12 +206,12 @@ impl<'a> Probe<'a> {
     }
 
     /// Whether nothing is near the body with `margin` around it.
-    pub fn roomy(&self, pose: Pose, margin: f64) -> bool {
-        self.room(Place::of(pose)) > self.disc_radius(margin)
+    pub fn clear_by(&self, pose: Pose, margin: f64) -> bool {
+        self.room(Placement::of(pose)) > self.disc_radius(margin)
     }
 
     /// How far a disc's centre moves per metre of an arc, at most.
-    pub(super) fn pace(&self, curvature: f64) -> f64 {
+    pub(super) fn max_disc_speed(&self, curvature: f64) -> f64 {
         let farthest = self.discs.iter().fold(0.0_f64, |far, d| far.max(d.abs()));
         let swing = curvature * farthest;
         (1.0 + swing * swing).sqrt()
@@ -224,16 +224,16 @@ impl<'a> Probe<'a> {
     }
 
     /// A lower bound on the distance from the discs' centres to the nearest edge.
-    pub(super) fn room(&self, at: Place) -> f64 {
+    pub(super) fn room(&self, at: Placement) -> f64 {
         let field = |&d: &f64| self.obstacles.field_at(at.x + d * at.cos, at.y + d * at.sin);
         self.discs.iter().map(field).fold(f64::INFINITY, f64::min) - self.slack
     }
 
-    pub(super) fn is_free_at(&self, at: Place, margin: f64) -> bool {
+    pub(super) fn is_free_at(&self, at: Placement, margin: f64) -> bool {
         self.room(at) > self.disc_radius(margin) || self.exact(at, margin - CONTACT).is_none()
     }
 
-    pub(super) fn exact(&self, at: Place, margin: f64) -> Option<u32> {
+    pub(super) fn exact(&self, at: Placement, margin: f64) -> Option<u32> {
         let sides = self.sides(margin);
         let (low, high) = self.bounds(at, margin);
         self.obstacles.find(low, high, |edge| {
@@ -247,13 +247,13 @@ impl<'a> Probe<'a> {
 
     /// Distance from the body to the nearest edge, metres, at most `limit`; 0 where it overlaps.
     pub fn clearance(&self, pose: Pose, limit: f64) -> f64 {
-        if self.roomy(pose, limit) {
+        if self.clear_by(pose, limit) {
             return limit;
         }
         if self.hit(pose, 0.0).is_some() {
             return 0.0;
         }
-        let at = Place::of(pose);
+        let at = Placement::of(pose);
         let [front, back, left, right] = self.sides(0.0);
         let corners =
             [(front, left), (back, left), (back, right), (front, right)].map(|(x, y)| Point::new(x, y));
@@ -277,7 +277,7 @@ impl<'a> Probe<'a> {
         [v.rear_to_front + margin, -v.rear_to_back - margin, side, -side]
     }
 
-    fn bounds(&self, at: Place, margin: f64) -> (Point, Point) {
+    fn bounds(&self, at: Placement, margin: f64) -> (Point, Point) {
         let v = &self.vehicle;
         let (half, side) = (v.length() / 2.0 + margin, v.width / 2.0 + margin);
         let ahead = (v.rear_to_front - v.rear_to_back) / 2.0;
@@ -319,7 +319,7 @@ mod tests {
     #[test]
     fn touching_a_wall_is_free_and_a_margin_is_kept() {
         let hall = hall(&[]);
-        let probe = Probe::new(&hall, &Vehicle::PAPER);
+        let probe = CollisionChecker::new(&hall, &Vehicle::PAPER);
         assert_eq!(probe.hit(Pose::new(1.0, 10.0, 0.0), 0.0), None);
         assert_eq!(probe.hit(Pose::new(0.9, 10.0, 0.0), 0.0), Some(9));
         assert_eq!(probe.hit(Pose::new(1.05, 10.0, 0.0), 0.1), Some(9));
@@ -330,7 +330,7 @@ mod tests {
     #[test]
     fn more_checks_than_can_be_counted_are_the_largest_number() {
         let hall = hall(&[]);
-        let probe = Probe::new(&hall, &Vehicle::PAPER);
+        let probe = CollisionChecker::new(&hall, &Vehicle::PAPER);
         let start = Pose::new(15.0, 10.0, 0.0);
         probe.checks.set(u32::MAX - 1);
         for _ in 0..3 {
@@ -344,11 +344,11 @@ mod tests {
     #[test]
     fn the_filters_never_change_the_answer() {
         let hall = hall_with_block();
-        let probe = Probe::new(&hall, &Vehicle::PAPER);
+        let probe = CollisionChecker::new(&hall, &Vehicle::PAPER);
         let mut hits = 0;
         for k in 0..20_000_u32 {
             let pose = somewhere(k);
-            let exact = probe.exact(Place::of(pose), 0.1 - CONTACT);
+            let exact = probe.exact(Placement::of(pose), 0.1 - CONTACT);
             assert_eq!(probe.hit(pose, 0.1), exact, "{pose:?}");
             hits += u32::from(exact.is_some());
         }
@@ -359,7 +359,7 @@ mod tests {
     fn discs_cover_the_grown_body_and_no_more_than_its_corners_need() {
         let hall = hall(&[]);
         for (vehicle, margin) in [(Vehicle::PAPER, 0.0), (Vehicle::PAPER, 0.3), (Vehicle::SEDAN, 0.1)] {
-            let probe = Probe::new(&hall, &vehicle);
+            let probe = CollisionChecker::new(&hall, &vehicle);
             let [front, back, left, right] = probe.sides(margin);
             let mut needed = 0.0_f64;
             for (i, j) in
@@ -380,23 +380,23 @@ mod tests {
     #[test]
     fn no_disc_moves_faster_than_the_pace_and_one_moves_at_it() {
         let hall = hall(&[]);
-        let probe = Probe::new(&hall, &Vehicle::PAPER);
+        let probe = CollisionChecker::new(&hall, &Vehicle::PAPER);
         for curvature in [0.0, 0.05, -0.185] {
             let (step, from) = (1e-5, Pose::new(0.0, 0.0, 0.0));
-            let to = Place::of(from.advance(curvature, step));
+            let to = Placement::of(from.advance(curvature, step));
             let moved = |d: &f64| {
                 let (x, y) = (to.x + d * to.cos - d, to.y + d * to.sin);
                 (x * x + y * y).sqrt() / step
             };
             let fastest = probe.discs.iter().map(moved).fold(0.0, f64::max);
-            assert!((probe.pace(curvature) - fastest).abs() < 1e-4, "{curvature}: {fastest}");
+            assert!((probe.max_disc_speed(curvature) - fastest).abs() < 1e-4, "{curvature}: {fastest}");
         }
     }
 
     #[test]
     fn a_free_arc_is_free_at_every_pose() {
         let hall = hall_with_block();
-        let probe = Probe::new(&hall, &Vehicle::PAPER);
+        let probe = CollisionChecker::new(&hall, &Vehicle::PAPER);
         let mut free = 0;
         for k in 0..4000_u32 {
             let t = f64::from(k);
@@ -417,7 +417,7 @@ mod tests {
     #[test]
     fn a_free_length_is_free_all_along_and_ends_at_what_is_met() {
         let hall = hall_with_block();
-        let probe = Probe::new(&hall, &Vehicle::PAPER);
+        let probe = CollisionChecker::new(&hall, &Vehicle::PAPER);
         let (spacing, margin) = (0.05, 0.1);
         let mut met = 0;
         for k in 0..6000_u32 {

@@ -5,7 +5,7 @@ const SMALLEST: u32 = 4096;
 
 /// Open addressing, insertion only; the numbers follow the order of first meeting, so nothing depends on the hash.
 #[derive(Debug, Default)]
-pub(super) struct Keys {
+pub(super) struct StateIndex {
     slots: Vec<Slot>,
     count: u32,
     stamp: u32,
@@ -19,7 +19,7 @@ struct Slot {
     stamp: u32,
 }
 
-impl Keys {
+impl StateIndex {
     /// Forgets all keys, keeping the memory.
     pub(super) fn clear(&mut self) {
         if self.stamp == u32::MAX {
@@ -75,7 +75,7 @@ mod tests {
 
     #[test]
     fn numbers_are_dense_and_stable() {
-        let mut keys = Keys::default();
+        let mut keys = StateIndex::default();
         let first: Vec<u32> = (0..10_000_u64).map(|k| keys.id(k * k)).collect();
         assert_eq!(first, (0..10_000).collect::<Vec<u32>>());
         assert_eq!(keys.id(49), 7);

@@ -3,14 +3,14 @@
 use crate::geometry::Pose;
 use crate::geometry::arcs::Arc;
 use crate::geometry::reeds_shepp::Word;
-use crate::vehicle::collision::Probe;
+use crate::vehicle::collision::CollisionChecker;
 
 /// Connections that are kept.
 const KEPT: usize = 4000;
 
 /// Failed connections, at most one an expansion: the cheapest that was tried.
 #[derive(Debug, Clone, Default)]
-pub struct Shots {
+pub struct FailedExpansions {
     /// Where each begins in `arcs`, in arcs.
     pub first: Vec<u32>,
     /// Their arcs up to where they hit, as driven: x, y, heading, curvature, signed length, ….
@@ -26,16 +26,16 @@ pub struct Shots {
 }
 
 /// Watches the connections of one search.
-pub(super) struct Watch {
-    pub(super) shots: Shots,
+pub(super) struct Recorder {
+    pub(super) shots: FailedExpansions,
     /// World position of the local origin.
     origin: Pose,
     expansions: u32,
 }
 
-impl Watch {
+impl Recorder {
     pub(super) fn new(origin: Pose) -> Self {
-        Self { shots: Shots::default(), origin, expansions: 0 }
+        Self { shots: FailedExpansions::default(), origin, expansions: 0 }
     }
 
     /// A search has expanded a pose without a try.
@@ -47,7 +47,7 @@ impl Watch {
     /// grows from the goal. The probe counts, so it must not be the search's own.
     pub(super) fn note(
         &mut self,
-        probe: &Probe,
+        probe: &CollisionChecker,
         pose: Pose,
         missed: Option<&Word>,
         (radius, spacing, margin): (f64, f64, f64),

@@ -9,7 +9,7 @@ use parkade::plan::{Options, Outcome, Plan, Planner};
 use parkade::planners::hybrid::obstacles as obstacles_of;
 use parkade::scenario::{Goal, MapFrame, Obstacle, Scenario, VehicleSpec};
 use parkade::vehicle::Vehicle;
-use parkade::vehicle::collision::Probe;
+use parkade::vehicle::collision::CollisionChecker;
 use serde_json::{Map, Value, json};
 
 struct Random(u64);
@@ -78,7 +78,7 @@ pub(crate) fn scene(seed: u64) -> (Scenario, Map<String, Value>) {
     });
     let mut scenario = Scenario {
         version: 1,
-        name: Some(format!("strewn {seed}")),
+        name: Some(format!("random_scenes {seed}")),
         map: MapFrame {
             origin: [x0, y0],
             width: (width / 0.25) as u32,
@@ -101,7 +101,7 @@ pub(crate) fn scene(seed: u64) -> (Scenario, Map<String, Value>) {
     for _ in 0..6 {
         let geometry = scenario.geometry().expect("a valid scene");
         let obstacles = obstacles_of(&geometry);
-        let probe = Probe::new(&obstacles, &car);
+        let probe = CollisionChecker::new(&obstacles, &car);
         let blocked = |pose: Pose| {
             let pose = obstacles.local(pose);
             obstacles.inside(pose.point()).or_else(|| probe.hit(pose, 0.0)).is_some()

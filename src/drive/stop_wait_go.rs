@@ -4,9 +4,9 @@
 //! middle of the obstacle's way. `predictive` rolls the drive out against the known motion and stops where it is safe to
 //! stand. The result is checked by other code: outlines edge by edge, between the moments too.
 
-use super::motion::within;
-use super::moving::Mover;
-use super::route::Route;
+use super::moving_obstacles::Mover;
+use super::path_segments::Route;
+use super::speed_profile::within;
 use super::trajectory::{Moment, Rows, Wheel};
 use crate::error::Error;
 use crate::geometry::{Point, Pose};

@@ -8,7 +8,7 @@ use crate::scenario::resolve::Geometry;
 /// without slip, so between two places the rear axle drives an arc. The car points along its start's heading at first where
 /// the wheel can turn that into the line, along the line otherwise. Where its rear axle is its middle it points along the
 /// line throughout.
-pub(super) fn tow(geometry: &Geometry, places: &[(Point, Vector)]) -> Driven {
+pub(super) fn tractrix(geometry: &Geometry, places: &[(Point, Vector)]) -> Driven {
     let lever = geometry.vehicle.middle();
     let towed = lever > 1e-3;
     let direction = |way: Vector| math::atan2(way.y, way.x);
@@ -74,7 +74,7 @@ mod tests {
             (Point::new(radius * sin, radius * (1.0 - cos)), Vector::new(cos, sin))
         };
         let places: Vec<_> = (0..600).map(place).collect();
-        let driven = tow(&geometry(0.05), &places);
+        let driven = tractrix(&geometry(0.05), &places);
         for (pose, (point, _)) in driven.poses.iter().zip(&places) {
             assert!((pose.advance(0.0, 1.4).point() - point).norm() < 1e-12);
         }
@@ -91,7 +91,7 @@ mod tests {
     #[test]
     fn a_start_across_the_line_is_not_pretended_away() {
         let places: Vec<_> = (0..9).map(|k| (Point::new(f64::from(k), 0.0), Vector::new(1.0, 0.0))).collect();
-        assert_eq!(tow(&geometry(1.0), &places).poses[0].heading, 0.0);
-        assert!(tow(&geometry(0.0), &places).curvatures.iter().all(|k| *k == 0.0));
+        assert_eq!(tractrix(&geometry(1.0), &places).poses[0].heading, 0.0);
+        assert!(tractrix(&geometry(0.0), &places).curvatures.iter().all(|k| *k == 0.0));
     }
 }

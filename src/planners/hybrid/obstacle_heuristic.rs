@@ -29,7 +29,7 @@ const QUARTERINGS: u32 = 2;
 /// The body holds a disc as wide as itself. Where no place in a cell has room for that disc, the car cannot go; and the
 /// disc's way is hardly longer than the rear axle's.
 #[derive(Debug)]
-pub(super) struct Flood {
+pub(super) struct ObstacleHeuristic {
     ground: Ground,
     source: Option<Cell>,
     steps: Vec<u32>,
@@ -48,7 +48,7 @@ struct Ground {
     costs: Vec<u8>,
 }
 
-impl Flood {
+impl ObstacleHeuristic {
     /// Bytes held.
     pub(super) fn bytes(&self) -> u64 {
         (size_of_val(&self.steps[..]) + self.ground.costs.len()) as u64

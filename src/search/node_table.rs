@@ -1,6 +1,6 @@
 //! Per-node state, reused between searches by generation stamps.
 
-use super::open::{self, Kind, OpenList, Order};
+use super::open_list::{self, Kind, OpenList, Order};
 use super::{Cost, NodeId};
 
 pub(super) const NO_PARENT: NodeId = NodeId::MAX;
@@ -44,12 +44,12 @@ pub struct Scratch<C, L> {
 
 impl<C: Cost, L: Copy + Default> Default for Scratch<C, L> {
     fn default() -> Self {
-        Self { slots: Vec::new(), since: open::FIRST, open: OpenList::default() }
+        Self { slots: Vec::new(), since: open_list::FIRST, open: OpenList::default() }
     }
 }
 
 impl<C: Cost, L: Copy + Default> Scratch<C, L> {
-    /// Memory with nothing in it yet.
+    /// PackedScratch with nothing in it yet.
     pub fn new() -> Self {
         Self::default()
     }
@@ -102,7 +102,7 @@ impl<C: Cost, L: Copy + Default> Scratch<C, L> {
 
     /// Bytes that a search of this many nodes needs whose open list holds `open_peak` entries at most.
     pub const fn bytes(node_count: usize, open_peak: u32) -> usize {
-        node_count * size_of::<Slot<C, L>>() + open_peak as usize * size_of::<open::Entry<C>>()
+        node_count * size_of::<Slot<C, L>>() + open_peak as usize * size_of::<open_list::Entry<C>>()
     }
 
     /// The best cost found for `node` in the last search.
@@ -146,11 +146,11 @@ mod tests {
         assert!(enter(&mut scratch, 0, 5) && !enter(&mut scratch, 0, 4));
         assert_eq!((scratch.cost(0), scratch.open.ticket()), (Some(4), half));
         scratch.begin(2, 0);
-        assert_eq!((scratch.cost(0), scratch.open.ticket()), (None, open::FIRST));
+        assert_eq!((scratch.cost(0), scratch.open.ticket()), (None, open_list::FIRST));
         assert!(enter(&mut scratch, 1, 3));
         // Tickets go on from one search to the next.
         scratch.begin(2, 0);
-        assert_eq!((scratch.cost(1), scratch.open.ticket()), (None, 2 * open::FIRST));
+        assert_eq!((scratch.cost(1), scratch.open.ticket()), (None, 2 * open_list::FIRST));
     }
 
     #[test]

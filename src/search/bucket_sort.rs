@@ -1,4 +1,4 @@
-//! Sorts a bucket of the [open list](super::queue).
+//! Sorts a bucket of the [open list](super::bucket_queue).
 //!
 //! Entries come in long runs, mostly from the last one of the order to the first or just the other way round, so that
 //! turning runs and merging a few of them does for most buckets. Equal entries keep the order in which they came.
@@ -155,7 +155,7 @@ fn insertion<E: Entry>(entries: &mut [E], sorted: usize, before: impl Fn(E, E) -
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::search::Short;
+    use crate::search::PackedEntry;
 
     /// Runs of both ways and of all lengths, with one f and with several, with many equal entries and with few.
     #[test]
@@ -169,13 +169,13 @@ mod tests {
         for round in 0..2000 {
             let (kinds, longest, scale) =
                 ([1, 3][round % 2], 1 + random(80), [1, 1_000_003, 1 << 30][round % 3]);
-            let mut entries: Vec<Short> = Vec::new();
+            let mut entries: Vec<PackedEntry> = Vec::new();
             for _ in 0..random(12) {
                 let (f, h, length) = (random(kinds) as i64, random(200) as i64 * scale, 1 + random(longest));
                 let step = (random(3) as i64 - 1) * scale;
                 for k in 0..length as i64 {
                     let (f, h) = (1000 + f, 100 * scale + h + k * step);
-                    entries.push(Short::new(f, h, entries.len() as u32));
+                    entries.push(PackedEntry::new(f, h, entries.len() as u32));
                 }
             }
             let mut want = entries.clone();

@@ -4,10 +4,10 @@
 use std::cmp::Reverse;
 use std::marker::PhantomData;
 
-use super::both_ways::{Stop, both_ways};
-use super::entry::{Entry, Short, Wide};
-use super::lattice::{Found, Lattice, Leg, Sink, one_way};
-use super::{End, Memory, NodeId};
+use super::bidirectional::{Stop, bidirectional};
+use super::entry::{Entry, PackedEntry, WideEntry};
+use super::lattice::{Edge, EdgeSink, Found, Lattice, one_way};
+use super::{End, NodeId, PackedScratch};
 
 const SIDE: u32 = 12;
 const NODES: usize = (SIDE * SIDE) as usize;
@@ -64,7 +64,7 @@ impl<E> Directed<E> {
     }
 
     /// Neighbours are worth it together as they are one by one.
-    fn compare_worth(&self, node: NodeId, sink: &impl Sink) {
+    fn compare_worth(&self, node: NodeId, sink: &impl EdgeSink) {
         if [node % SIDE, node / SIDE].iter().any(|at| !(1..SIDE - 1).contains(at)) {
             return;
         }
@@ -78,11 +78,11 @@ impl<E> Directed<E> {
         assert_eq!(sink.worth_beside(node, row, straight), bits & 0b0101_0101);
     }
 
-    fn offer(&self, turn: usize, node: NodeId, sink: &mut impl Sink) {
+    fn offer(&self, turn: usize, node: NodeId, sink: &mut impl EdgeSink) {
         self.compare_worth(node, sink);
         for (number, to, cost) in self.moves(turn, node) {
             if sink.worth(to, cost) {
-                sink.take(Leg::new(number, cost), to, self.estimate(turn, to));
+                sink.take(Edge::new(number, cost), to, self.estimate(turn, to));
             }
         }
     }
@@ -94,10 +94,10 @@ impl<E: Entry> Lattice for Directed<E> {
     fn node_count(&self) -> usize {
         NODES
     }
-    fn successors<S: Sink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
+    fn successors<S: EdgeSink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
         self.offer(0, node, sink);
     }
-    fn predecessors<S: Sink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
+    fn predecessors<S: EdgeSink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
         self.offer(1, node, sink);
     }
     fn after(&self, node: NodeId, number: u32) -> NodeId {
@@ -265,8 +265,8 @@ fn plain_both_ways<E>(graph: &Directed<E>, (start, goal): (NodeId, NodeId), stop
 
 #[test]
 fn searches_do_what_plain_ones_do() {
-    compare::<Short>();
-    compare::<Wide>();
+    compare::<PackedEntry>();
+    compare::<WideEntry>();
 }
 
 fn compare<E: Entry>() {
@@ -275,7 +275,8 @@ fn compare<E: Entry>() {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
         (state >> 33) % n
     };
-    let (mut memory, mut rejected, mut dearer, mut shots, mut closed) = (Memory::default(), 0, 0, 0, 0);
+    let (mut memory, mut rejected, mut dearer, mut shots, mut closed) =
+        (PackedScratch::default(), 0, 0, 0, 0);
     for round in 0..150 {
         // Many ties, or hardly any.
         let (kinds, unit) = [(3, 1), (9, 700), (1_000_000, 1)][round % 3];
@@ -302,7 +303,7 @@ fn compare<E: Entry>() {
             if cheapest < FAR { (End::Found, cheapest) } else { (End::Exhausted, 0) }
         );
         for stop in [Stop::First, Stop::Best, Stop::Optimal] {
-            let both = both_ways(&graph, ends, stop, 1000, &mut memory, &mut ());
+            let both = bidirectional(&graph, ends, stop, 1000, &mut memory, &mut ());
             assert_eq!(both, plain_both_ways(&graph, ends, stop), "round {round} {stop:?}");
             if cheapest == FAR {
                 closed += 1;

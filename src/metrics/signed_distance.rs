@@ -1,7 +1,7 @@
 //! Distances that go on below zero where something is overlapped.
 
 use super::Body;
-use super::body::{FAR, squared_to_segment};
+use super::footprint_distance::{FAR, squared_to_segment};
 use crate::geometry::{Point, Pose};
 
 /// Points of the body's outline are at most this far apart where it overlaps something, metres; farther on bodies so large
