@@ -98,7 +98,7 @@ pub struct GridScratch {
 }
 
 impl GridScratch {
-    /// PackedScratch with nothing in it yet.
+    /// Memory with nothing in it yet.
     pub fn new() -> Self {
         Self::default()
     }

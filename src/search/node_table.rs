@@ -49,7 +49,7 @@ impl<C: Cost, L: Copy + Default> Default for Scratch<C, L> {
 }
 
 impl<C: Cost, L: Copy + Default> Scratch<C, L> {
-    /// PackedScratch with nothing in it yet.
+    /// Memory with nothing in it yet.
     pub fn new() -> Self {
         Self::default()
     }
