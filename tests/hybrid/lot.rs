@@ -162,7 +162,7 @@ pub(crate) fn random(state: &mut u64) -> f64 {
     (*state >> 11) as f64 / (1_u64 << 53) as f64
 }
 
-/// A lot with boxes random_scenes over it.
+/// A lot with boxes scattered over it.
 pub(crate) fn random_scenes(seed: u64) -> Lot {
     let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
     let mut between = |low: f64, high: f64| low + (high - low) * random(&mut state);
