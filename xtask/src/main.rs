@@ -9,6 +9,7 @@ mod fuzz;
 mod latency;
 mod mutants;
 mod paper;
+mod picture;
 mod serve;
 mod site;
 mod test;
@@ -45,6 +46,11 @@ const COMMANDS: &[Command] = &[
         name: "paper",
         about: "print a paper's tables beside ours: grid, road or parking; settings, volumes; all [maps]: every table and figure as Markdown and HTML",
         run: paper::paper,
+    },
+    Command {
+        name: "picture",
+        about: "build, then photograph the page for README (docs/public/playground.png)",
+        run: picture::picture,
     },
     Command {
         name: "bench",
