@@ -109,7 +109,7 @@ const workersAlone: Plugin = {
             .find(Boolean);
     };
     for (const { fileName, facadeModuleId } of Object.keys(bundle).flatMap((file) => chunkOf(file) ?? [])) {
-      const page = /\/planning\/engine(-complete)?\.ts$/.test(facadeModuleId ?? "") && pageIn(fileName);
+      const page = /\/planning\/engine-(core|complete)\.ts$/.test(facadeModuleId ?? "") && pageIn(fileName);
       if (page)
         this.error(
           `${fileName} imports the page's ${page}, by itself or through others: a module that the page and the workers share must not be imported by both.`,

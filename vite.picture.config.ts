@@ -6,7 +6,7 @@ const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 /** The page's drawing as a module of the package: with its pieces at hand. */
 export default defineConfig({
   publicDir: false,
-  resolve: { alias: [{ find: /^.*\/pieces$/, replacement: here("www/src/picture/pieces.ts") }] },
+  resolve: { alias: [{ find: /^.*\/lazy-layers$/, replacement: here("www/src/picture/lazy-layers.ts") }] },
   build: {
     outDir: here("pkg"),
     emptyOutDir: false,

@@ -56,7 +56,7 @@ export function poster(modulePath: string): Plugin {
 /** The first planners are fetched beside the page's script, not after it. */
 function early(bundle: Rolldown.OutputBundle): string {
   const files = Object.values(bundle),
-    engine = files.find((file) => file.type === "chunk" && file.name === "engine");
+    engine = files.find((file) => file.type === "chunk" && file.name === "engine-core");
   const modules = files
     .filter((file) => file.type === "asset" && file.fileName.endsWith(".wasm"))
     .map((file) => ({ file: file.fileName, size: (file as Rolldown.OutputAsset).source.length }));

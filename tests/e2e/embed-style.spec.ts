@@ -1,5 +1,5 @@
 import { expect, test, type Page } from "@playwright/test";
-import { PARTS } from "../../www/src/element/vocabulary";
+import { PARTS } from "../../www/src/element/public-api";
 import { watchShifts } from "./playground";
 
 interface Embed extends HTMLElement {

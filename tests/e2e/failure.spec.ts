@@ -108,7 +108,7 @@ test("on a phone it stands on the map's lower edge, above the chips, and nothing
   await open(page);
   const [planner] = await failing(page),
     map = page.locator("parkade-stage canvas"),
-    line = page.locator(".phone > parkade-failure");
+    line = page.locator(".layout-narrow > parkade-failure");
   const before = await map.boundingBox();
   await set(page, { focus: planner });
   await expectWhole(line);

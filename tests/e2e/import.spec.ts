@@ -62,7 +62,7 @@ test("a ROS map and a parking case open by dropping them", async ({ page }) => {
     page.evaluate((list) => {
       const data = new DataTransfer();
       for (const [name, bytes] of list) data.items.add(new File([new Uint8Array(bytes)], name));
-      const target = document.querySelector("parkade-playground")!.shadowRoot!.querySelector(".desk")!;
+      const target = document.querySelector("parkade-playground")!.shadowRoot!.querySelector(".layout-wide")!;
       target.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
     }, named);
   await drop([

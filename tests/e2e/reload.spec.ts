@@ -168,7 +168,7 @@ test("damaged storage is dropped without a word, and the page is as on a first v
       "parkade.theme": "blue",
       "parkade.lang": "tlh",
       "parkade.pane.side": "NaN",
-      "parkade.pane.strip": "1e300",
+      "parkade.pane.bottom": "1e300",
       "parkade.pane.chart": "-5",
       "parkade.hint.drag": "no",
       "parkade.tab.a": "{",

@@ -12,7 +12,7 @@ import {
   type PlannerId,
   type Scenario,
 } from "parkade";
-import { captionOf, CASES, PRINTED } from "../../www/src/panels/cases";
+import { captionOf, CASES, PRINTED } from "../../www/src/panels/planner-showcases";
 
 const solved = new Map<string, Plan>();
 

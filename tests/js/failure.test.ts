@@ -5,13 +5,13 @@ import { thingName } from "../../www/src/panels/status";
 import { gapAt } from "../../www/src/scene/gap";
 import { overlapAt } from "../../www/src/scene/overlap";
 import { footprint, vehicleOf } from "../../www/src/scene/vehicle";
-import { insidePolygon, type Point } from "../../www/src/scene/plane";
+import { insidePolygon, type Point } from "../../www/src/scene/geometry";
 import { emptyResult, initialState, type State } from "../../www/src/store";
 import { distancesOf } from "../../www/src/view/drive";
 import { failureOf } from "../../www/src/view/failure";
 import { between } from "../../www/src/view/fly";
 import { alongRoad, stripOf } from "../../www/src/view/layers/lane-strip";
-import { hasField, identityOf, introduce } from "../../www/src/view/identity";
+import { hasField, identityOf, introduce } from "../../www/src/view/planner-style";
 import { loadChinese } from "./chinese";
 import type { Scenario } from "../../www/src/scene/scenario";
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Box } from "../../www/src/scene/plane";
+import type { Box } from "../../www/src/scene/geometry";
 import { freeSpot } from "../../www/src/panels/free-spot";
 
 const anchor: Box = { minX: 400, maxX: 428, minY: 300, maxY: 328 },

@@ -20,7 +20,7 @@ import schema from "../../src/scenario/scenario.schema.json";
 import { chineseReasons } from "../../www/src/i18n/reasons-zh";
 import catalogue from "../../www/src/i18n/reasons-zh.json";
 import { decodeHistory, encodeHistory } from "../../www/src/element/history";
-import { pack, unpack } from "../../www/src/scene/compact";
+import { pack, unpack } from "../../www/src/scene/link-codec";
 import { sceneFromText } from "../../www/src/scene/files";
 import { checkedScene } from "../../www/src/scene/foreign";
 import {
@@ -38,7 +38,7 @@ import {
 } from "../../www/src/scene/goals";
 import { decodeScene, encodeScene } from "../../www/src/scene/link";
 import { footprint, moveGoal, poseInSlot, resolve, slotOutline, vehicleOf } from "../../www/src/scene/model";
-import { insidePolygon } from "../../www/src/scene/plane";
+import { insidePolygon } from "../../www/src/scene/geometry";
 import { removeSlot } from "../../www/src/scene/removal";
 import { parkade } from "./pack";
 import { core } from "./core";

@@ -14,10 +14,10 @@ import {
   sizeAlong,
   type Side,
 } from "../../www/src/scene/ground";
-import { pack, unpack } from "../../www/src/scene/compact";
+import { pack, unpack } from "../../www/src/scene/link-codec";
 import { ensureIds, mapOutline, resolve, type Scene } from "../../www/src/scene/model";
-import { boxOf, type Point } from "../../www/src/scene/plane";
-import { outlineOfThing } from "../../www/src/scene/things";
+import { boxOf, type Point } from "../../www/src/scene/geometry";
+import { outlineOfThing } from "../../www/src/scene/scene-objects";
 import { footprint } from "../../www/src/scene/vehicle";
 import { thingsOf } from "../../www/src/store";
 import type { Scenario } from "../../www/src/scene/scenario";

@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import type { Plan } from "parkade";
-import { Lane, PATIENCE_MS, type WorkerLike } from "../../www/src/planning/lane";
+import { Lane, PATIENCE_MS, type WorkerLike } from "../../www/src/planning/planner-queue";
 import { WorkerPool } from "../../www/src/planning/pool";
 import type { Reply, Request } from "../../www/src/planning/protocol";
 import type { Scenario } from "../../www/src/scene/scenario";

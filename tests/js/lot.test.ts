@@ -11,7 +11,7 @@ import {
   type LotForm,
   type NumberField,
 } from "../../www/src/scene/lot";
-import { boxOf, fromPose, insidePolygon, type Point } from "../../www/src/scene/plane";
+import { boxOf, fromPose, insidePolygon, type Point } from "../../www/src/scene/geometry";
 import { rectangleCorners } from "../../www/src/scene/shapes";
 import { misfitOf } from "../../www/src/scene/slot-fit";
 import { footprint, vehicleOf } from "../../www/src/scene/vehicle";

@@ -33,7 +33,7 @@ const STATED =
 
 /** The page's own reasons. */
 function sentences(): string[] {
-  return ["scene/link", "scene/files", "scene/compact"].flatMap((name) =>
+  return ["scene/link", "scene/files", "scene/link-codec"].flatMap((name) =>
     [...readFileSync(join(ROOT, `www/src/${name}.ts`), "utf8").matchAll(/Error\([`"](T[^`"]+)[`"]\)/g)].map(
       ([, text]) => text!.replaceAll(/\$\{[^}]*\}/g, "slots"),
     ),

@@ -1,7 +1,7 @@
 import type { Slot } from "parkade";
 import { describe, expect, it } from "vitest";
 import { resolve, slotOutline, poseInSlot } from "../../www/src/scene/model";
-import { insidePolygon, distance } from "../../www/src/scene/plane";
+import { insidePolygon, distance } from "../../www/src/scene/geometry";
 import { fitRows, fittingSize, misfitOf, rowOf, sizedShape, turnRows } from "../../www/src/scene/slot-fit";
 import { openingOf, slotLines, slotRow, type SlotKind } from "../../www/src/scene/slots";
 import { footprint, vehicleOf } from "../../www/src/scene/vehicle";

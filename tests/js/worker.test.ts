@@ -10,7 +10,7 @@ import {
   type PlannerId,
   type Pose,
 } from "parkade";
-import { Lane, type WorkerLike } from "../../www/src/planning/lane";
+import { Lane, type WorkerLike } from "../../www/src/planning/planner-queue";
 import { WorkerPool } from "../../www/src/planning/pool";
 import type { Reply, Request, Waiting } from "../../www/src/planning/protocol";
 import type { Scenario } from "../../www/src/scene/scenario";
@@ -25,7 +25,7 @@ const scope: Scope = { onmessage: null, postMessage: () => {} };
 (globalThis as unknown as { self: Scope }).self = scope;
 await init();
 import { driveOf } from "../../www/src/planning/drive-of";
-const { serve } = await import("../../www/src/planning/worker");
+const { serve } = await import("../../www/src/planning/plan-worker");
 serve({ Planner, init: () => init(), driveOf } as unknown as Parameters<typeof serve>[0]);
 
 /** A lane with the worker's own script on this thread, and what that is asked. */

@@ -3,7 +3,7 @@
  * link's. It talks with the page around it by messages of the form `{ type: "parkade:<name>", … }`.
  */
 import { ParkadePlayground } from "./element/loader";
-import { ATTRIBUTES, EVENTS, METHODS, SETTABLE } from "./element/vocabulary";
+import { ATTRIBUTES, EVENTS, METHODS, SETTABLE } from "./element/public-api";
 
 const wanted = new URLSearchParams(location.hash.slice(1));
 /** Whom to talk to: the page around, or those that it names; messages of others are not heard. */

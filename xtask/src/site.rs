@@ -20,7 +20,7 @@ const GZIP_SIZES: &str = "const { readFileSync } = require('node:fs'); const { g
     console.log(JSON.stringify(process.argv.slice(1).map((file) => gzipSync(readFileSync(file), { level: 9 }).length)))";
 
 /// The chunks behind the first picture: the page, and the planners it loads at once.
-const FIRST_CHUNKS: [&str; 2] = ["index.html", "src/planning/engine.ts"];
+const FIRST_CHUNKS: [&str; 2] = ["index.html", "src/planning/engine-core.ts"];
 
 /// What other people's pages load.
 const LOADER: &str = "parkade-playground.js";

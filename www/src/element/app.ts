@@ -1,18 +1,18 @@
 import type { PlannerId, PlannerInfo, ScenarioInfo, SceneGeometry } from "parkade";
 import { loadLang, translate, type Lang, type MessageKey, type Values } from "../i18n/index";
-import { introduce } from "../view/identity";
+import { introduce } from "../view/planner-style";
 import { LAYER_PRESETS, presetLayers, presetOf } from "../view/layer-sets";
-import { extentFor, loadEngine, type Engine } from "../planning/module";
+import { extentFor, loadEngine, type Engine } from "../planning/engine-loader";
 import { Planning } from "../planning/planning";
 import { checkedScene, geometryOf } from "../scene/foreign";
 import { ensureIds, isOneGoal } from "../scene/model";
-import { forPlanners } from "../scene/vast";
+import { forPlanners } from "../scene/large-scene";
 import { createStore, FIRST_PLANNERS, type Scene, type State, type Store } from "../store";
 import { ToolController } from "../tools/controller";
-import { extras } from "../view/pieces";
+import { extras } from "../view/lazy-layers";
 import { readTokens, type Tokens } from "../view/tokens";
 import { LinkSync, type LinkView } from "./link-sync";
-import { persistently } from "./persistently";
+import { persistently } from "./retry";
 import { Player } from "./player";
 import type { ValueError } from "./schema";
 

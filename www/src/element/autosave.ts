@@ -1,7 +1,7 @@
 /** Keeps each tab's drawing in the browser, and offers what a closed tab has left behind. */
 import { words } from "../i18n/words";
-import { pack } from "../scene/compact";
-import { countRuns } from "../scene/vast";
+import { pack } from "../scene/link-codec";
+import { countRuns } from "../scene/large-scene";
 import type { Scene } from "../store";
 import type { App } from "./app";
 import { keepHistory } from "./history";

@@ -1,6 +1,6 @@
 import type { PlannerId } from "parkade";
 import { css, html, nothing, unsafeCSS, type PropertyValues, type TemplateResult } from "lit";
-import { elsewhere } from "../planning/module";
+import { elsewhere } from "../planning/engine-loader";
 import type { Camera, LayerKey, Scene, State } from "../store";
 import { chip } from "../styles/chip";
 import { controls } from "../styles/controls";
@@ -183,13 +183,13 @@ export class Embedded extends SceneOpening {
 
   /** The maps as on screen. */
   async toSVG(): Promise<string> {
-    const [{ svgOf }] = await Promise.all([import("./vector"), this.app.complete()]);
+    const [{ svgOf }] = await Promise.all([import("./svg-csv"), this.app.complete()]);
     return svgOf(this, this.views(), this.store.state, this.app.tokens());
   }
 
   /** The focused planner's path, once it is planned. */
   async toCSV(): Promise<string> {
-    const [{ csvOf }] = await Promise.all([import("./vector"), this.app.complete()]);
+    const [{ csvOf }] = await Promise.all([import("./svg-csv"), this.app.complete()]);
     if (!this.store.state.results[this.store.state.focus]?.plan) await this.settled();
     return csvOf(this.store.state);
   }

@@ -33,7 +33,7 @@ async function pathFile(app: App): Promise<Blob | null> {
   return plan && new Blob([(await formats(app)).toCSV(app.store.state.scene, plan)], { type: "text/csv" });
 }
 
-async function formats(app: App): Promise<typeof import("./vector")> {
+async function formats(app: App): Promise<typeof import("./svg-csv")> {
   await app.complete();
-  return import("./vector");
+  return import("./svg-csv");
 }

@@ -1,5 +1,5 @@
 /** The steps of a tab's undo and redo, kept for as long as the tab lives, so that a reload loses nothing. */
-import { countRuns } from "../scene/vast";
+import { countRuns } from "../scene/large-scene";
 import type { History, Scene } from "../store";
 import type { App } from "./app";
 

@@ -1,6 +1,6 @@
 import type { PlannerId } from "parkade";
 import type { Known } from "./schema";
-import { fitsLink } from "../scene/vast";
+import { fitsLink } from "../scene/large-scene";
 import type { Scene, State, Store } from "../store";
 
 const PREFIX = "#s=",

@@ -1,5 +1,5 @@
 import type { Embedded } from "./embedded";
-import { ATTRIBUTES, METHODS, PARTS, READABLE, SETTABLE } from "./vocabulary";
+import { ATTRIBUTES, METHODS, PARTS, READABLE, SETTABLE } from "./public-api";
 
 /** How near to the window a lazy playground begins to load. */
 const NEAR = "400px";

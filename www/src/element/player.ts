@@ -1,5 +1,5 @@
 import type { Playback, State, Store } from "../store";
-import { durationOf } from "../view/clock";
+import { durationOf } from "../view/playback-time";
 
 const FIRST_DRIVE_SECONDS = 6;
 const STEP = 0.02;

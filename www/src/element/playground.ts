@@ -10,7 +10,7 @@ import { layout } from "../styles/layout";
 import type { MenuRequest } from "../tools/controller";
 import { App, download, sentence, type Beginning } from "./app";
 import { listenToKeys } from "./keyboard";
-import { recall, remember } from "./memory";
+import { recall, remember } from "./preferences";
 import "../panels/notices";
 import "../panels/stage";
 import "../panels/timeline";
@@ -193,7 +193,7 @@ export class Playground extends LitElement {
   }
 
   async toBlob({ type = "image/png" }: { type?: string } = {}): Promise<Blob | null> {
-    const { picture } = await import("./picture");
+    const { picture } = await import("./screenshot");
     return picture(this.app, this.views(), { type });
   }
 
@@ -255,7 +255,7 @@ export class Playground extends LitElement {
   }
 
   protected override render(): TemplateResult {
-    return html`<div class="${this.rails ? "phone rails" : this.compact ? "phone" : "desk"} ${this.bare ? "bare" : ""}" role="region" aria-label=${this.app.t("app.label")}
+    return html`<div class="${this.rails ? "layout-narrow layout-rails" : this.compact ? "layout-narrow" : "layout-wide"} ${this.bare ? "bare" : ""}" role="region" aria-label=${this.app.t("app.label")}
         @parkade-scenes=${() => void this.openDialog("presets")} @parkade-keys=${() => void this.openDialog("keys")} @parkade-papers=${() => void this.openDialog("papers")} @parkade-fold=${() => {
           this.folded = !this.folded;
         }} @parkade-inspect=${() => {
@@ -273,7 +273,7 @@ export class Playground extends LitElement {
 
   /** What stands around the maps and over them. */
   private rest(): TemplateResult {
-    return html`${this.compact ? this.phone() : this.desk()}
+    return html`${this.compact ? this.narrowLayout() : this.wideLayout()}
       <parkade-entry .app=${this.app}></parkade-entry>
       <parkade-hints .app=${this.app}></parkade-hints>
       <parkade-notices .app=${this.app}></parkade-notices>
@@ -287,7 +287,7 @@ export class Playground extends LitElement {
       <input class="file" type="file" hidden multiple accept=".json,.map,.scen,.yaml,.yml,.pgm,.csv,.svg,.png,.jpg,.jpeg,.webp" aria-label=${this.app.t("bar.open")} @change=${this.onFile}>`;
   }
 
-  private desk(): TemplateResult {
+  private wideLayout(): TemplateResult {
     return html`
       ${this.isFull ? html`<parkade-options .app=${this.app}></parkade-options>` : nothing}
       <parkade-timeline part="timeline" .app=${this.app} .folded=${this.folded}></parkade-timeline>
@@ -297,15 +297,15 @@ export class Playground extends LitElement {
   private around(): TemplateResult {
     return html`
       <parkade-inspector .app=${this.app} .ready=${this.loaded}></parkade-inspector>
-      <div class="strip"><parkade-table part="table" .app=${this.app}></parkade-table><parkade-charts part="chart" .app=${this.app}></parkade-charts>${this.splitter("chart")}</div>
-      ${this.splitter("side")}${this.splitter("strip")}`;
+      <div class="bottom-pane"><parkade-table part="table" .app=${this.app}></parkade-table><parkade-charts part="chart" .app=${this.app}></parkade-charts>${this.splitter("chart")}</div>
+      ${this.splitter("side")}${this.splitter("bottom")}`;
   }
 
   private splitter(pane: Pane): TemplateResult {
     return html`<parkade-splitter part="handle" pane=${pane} lang=${this.store.state.lang}></parkade-splitter>`;
   }
 
-  private phone(): TemplateResult {
+  private narrowLayout(): TemplateResult {
     return html`${this.isFull ? html`<parkade-chips .app=${this.app} ?rail=${this.rails}></parkade-chips>` : nothing}
       <parkade-choices .app=${this.app}></parkade-choices><parkade-failure .app=${this.app} ?short=${this.isFull}></parkade-failure>
       ${this.rails ? html`<parkade-options .app=${this.app}></parkade-options>` : nothing}
@@ -342,7 +342,7 @@ export class Playground extends LitElement {
   private measure({ width, height }: { width: number; height: number }): void {
     this.rails = this.alone && height < RAILS.height && width > RAILS.width;
     this.compact = this.rails || width <= PHONE_WIDTH;
-    if (this.compact) void this.app.fetchPart(() => import("../panels/phone"));
+    if (this.compact) void this.app.fetchPart(() => import("../panels/mobile-sheet"));
     this.short = !this.alone && height < SHORT_HEIGHT;
   }
 
@@ -403,7 +403,7 @@ export class Playground extends LitElement {
   };
 
   private readonly savePicture = async ({ detail }: CustomEvent<number>): Promise<void> => {
-    const { picture } = await import("./picture");
+    const { picture } = await import("./screenshot");
     const blob = await picture(this.app, this.views(), { scale: detail });
     if (blob) download(blob, `parkade${detail > 1 ? `@${detail}x` : ""}.png`);
   };

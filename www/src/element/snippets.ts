@@ -1,6 +1,6 @@
 /** What the export menu copies: the scene as something to paste. */
 import "../i18n/later";
-import { forPlanners } from "../scene/vast";
+import { forPlanners } from "../scene/large-scene";
 import { sentence, type App } from "./app";
 
 export type SnippetKind = "embed" | "markdown" | "test";

@@ -3,9 +3,9 @@ import { css, html, nothing, svg, type SVGTemplateResult, type TemplateResult } 
 import "../i18n/later";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
-import { clockOf, drivenAt, rowAt } from "../view/clock";
+import { clockOf, drivenAt, rowAt } from "../view/playback-time";
 import { cuspsOf, distancesOf, nearestPose, poseAtDistance } from "../view/drive";
-import { identityOf } from "../view/identity";
+import { identityOf } from "../view/planner-style";
 import { AppElement } from "./base";
 import { plannerColour } from "./icons";
 import { drivablePlan } from "./status";

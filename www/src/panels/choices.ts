@@ -4,7 +4,7 @@ import { words } from "../i18n/words";
 import type { Choice } from "../planning/choices-of";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
-import { plannerName } from "../view/identity";
+import { plannerName } from "../view/planner-style";
 import { AppElement } from "./base";
 
 const say = words({

@@ -5,7 +5,7 @@ import { anyOfSlots, anywhereIn, flipGoal, leaveSlot, orThere, slotOfStart, slot
 import { findObstacle, findSlot, isGoalPose, movePose, setGoalFromSlot } from "../scene/model";
 import { removeObstacle } from "../scene/removal";
 import { cornersOf } from "../scene/shapes";
-import { idsOf } from "../scene/things";
+import { idsOf } from "../scene/scene-objects";
 import { isPose, type Scene, type State } from "../store";
 import { controls } from "../styles/controls";
 import type { MenuRequest } from "../tools/controller";

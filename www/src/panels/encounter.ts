@@ -3,7 +3,7 @@ import type { Drive, Encounter } from "parkade";
 import "../i18n/later";
 import { number, translate } from "../i18n/index";
 import type { State } from "../store";
-import { isEncounter } from "../view/clock";
+import { isEncounter } from "../view/playback-time";
 import type { Status } from "./status";
 
 const LATE = { unavoidable: "moving.unavoidable", blocked: "moving.blocked", "out-of-time": "moving.late" } as const;

@@ -1,6 +1,6 @@
 /** A place beside a thing that covers nothing else. */
 import { resolve } from "../scene/model";
-import { boxOf, type Box } from "../scene/plane";
+import { boxOf, type Box } from "../scene/geometry";
 import { footprint } from "../scene/vehicle";
 import type { State } from "../store";
 import { worldToScreen } from "../view/camera";

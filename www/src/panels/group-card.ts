@@ -3,7 +3,7 @@ import { css, html, nothing, type TemplateResult } from "lit";
 import { wordsAt } from "../i18n/words";
 import { findSlot, updateSlot, type Scene } from "../scene/model";
 import { turnRows } from "../scene/slot-fit";
-import { idsOf, moveThings } from "../scene/things";
+import { idsOf, moveThings } from "../scene/scene-objects";
 import { turnThings } from "../scene/turning";
 import type { State } from "../store";
 import { controls } from "../styles/controls";

@@ -1,11 +1,11 @@
 import type { PlannerId } from "parkade";
 import { css, html, nothing, type PropertyValues, type TemplateResult } from "lit";
-import { recall, remember } from "../element/memory";
+import { recall, remember } from "../element/preferences";
 import { words } from "../i18n/words";
 import "../i18n/later";
-import type { Box } from "../scene/plane";
+import type { Box } from "../scene/geometry";
 import type { State } from "../store";
-import { plannerName } from "../view/identity";
+import { plannerName } from "../view/planner-style";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
 import "./entry-switch";

@@ -2,11 +2,11 @@ import { css, html, nothing, type TemplateResult } from "lit";
 import { sentence } from "../element/app";
 import { words } from "../i18n/words";
 import { imageMap, MOST_CELLS, type ImageMap, type ImageOptions, type Pixels } from "../scene/image";
-import { pixelsOf } from "../scene/pixels";
+import { pixelsOf } from "../scene/image-decode";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
-import { vast } from "../view/pieces";
+import { vast } from "../view/lazy-layers";
 import { AppElement } from "./base";
 import { icon } from "./icons";
 

@@ -3,12 +3,12 @@ import { css, html, nothing, type TemplateResult } from "lit";
 import { sentence } from "../element/app";
 import { reasonIn } from "../i18n/index";
 import { words } from "../i18n/words";
-import { Helper, JobError, joined } from "../planning/helper";
+import { Helper, JobError, joined } from "../planning/job-client";
 import { ensureIds } from "../scene/model";
 import type { Scenario } from "../scene/scenario";
 import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
-import { vast } from "../view/pieces";
+import { vast } from "../view/lazy-layers";
 import { AppElement } from "./base";
 import { icon, type IconName } from "./icons";
 
@@ -158,7 +158,7 @@ export class ImportBar extends AppElement {
   /** What importing reads of a file; a picture that a map server's description comes with is one in another form. */
   private async contents(file: File, described: boolean): Promise<readonly [string, Uint8Array<ArrayBuffer>]> {
     if (/\.svg$/i.test(file.name)) return sceneInside(file);
-    if (described && IMAGE.test(file.name)) return (await import("../scene/pixels")).pgmOf(file, this.state.lang);
+    if (described && IMAGE.test(file.name)) return (await import("../scene/image-decode")).pgmOf(file, this.state.lang);
     return [file.name, new Uint8Array(await file.arrayBuffer())];
   }
 

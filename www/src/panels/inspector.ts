@@ -9,7 +9,7 @@ import "./parameters";
 import "./road-card";
 import "./selection";
 import "./vehicle-card";
-import "./yardstick";
+import "./any-angle-card";
 
 /** The column at the right: the tool in hand, what is selected, the car, the focused planner's settings, every object. */
 export class Inspector extends AppElement {

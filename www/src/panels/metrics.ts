@@ -1,9 +1,9 @@
 import type { Plan, PlannerId } from "parkade";
 import { millis, number, translate, type Lang } from "../i18n/index";
-import { plannerName } from "../view/identity";
+import { plannerName } from "../view/planner-style";
 import type { PanelResult, State } from "../store";
 import { drivablePlan, searchTime, statusOf, timeTitle, type Status } from "./status";
-import { paceOn } from "../scene/pace";
+import { paceOn } from "../scene/speed-limits";
 
 export const COLUMNS = [
   "length",

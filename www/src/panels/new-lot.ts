@@ -1,7 +1,7 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import type { Plan } from "parkade";
 import { sentence, type App } from "../element/app";
-import { Helper } from "../planning/helper";
+import { Helper } from "../planning/job-client";
 import {
   buildLot,
   firstForm,

@@ -1,10 +1,10 @@
 import { css, html, nothing, type TemplateResult } from "lit";
-import { plannerName } from "../view/identity";
+import { plannerName } from "../view/planner-style";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
 import { icon } from "./icons";
-import { extras } from "../view/pieces";
+import { extras } from "../view/lazy-layers";
 import { statusOf } from "./status";
 
 const SETTLE_MS = 500;

@@ -4,7 +4,7 @@ import { number, translate, type Lang } from "../i18n/index";
 import { words } from "../i18n/words";
 import { countCells, type Run } from "../scene/cells";
 import { goalPose } from "../scene/model";
-import { idsOf } from "../scene/things";
+import { idsOf } from "../scene/scene-objects";
 import type { Selection, State } from "../store";
 import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";

@@ -1,9 +1,9 @@
 import type { PlannerId } from "parkade";
 import { css, html, nothing, type PropertyValues, type TemplateResult } from "lit";
-import { plannerName } from "../view/identity";
+import { plannerName } from "../view/planner-style";
 import { goalPose, vehicleOf } from "../scene/model";
 import type { State } from "../store";
-import { extras, waiting } from "../view/pieces";
+import { extras, waiting } from "../view/lazy-layers";
 import { controls } from "../styles/controls";
 import { cameraFor, LOW_MAP, worldToScreen } from "../view/camera";
 import { AppElement } from "./base";

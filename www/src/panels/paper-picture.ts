@@ -1,10 +1,10 @@
 /** A planner's path in a paper's scene, drawn once it is planned; pressed, it opens the scene. */
 import type { Plan, PlannerId } from "parkade";
 import { css, html, type TemplateResult } from "lit";
-import { Helper } from "../planning/helper";
+import { Helper } from "../planning/job-client";
 import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
-import { plannerName } from "../view/identity";
+import { plannerName } from "../view/planner-style";
 import { AppElement } from "./base";
 import { marker } from "./icons";
 import { say } from "./papers-words";

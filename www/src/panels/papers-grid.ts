@@ -1,8 +1,8 @@
 import type { Family, PaperClaim, PaperTable, PlannerId, Spread } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
-import { workersHere, type Progress } from "../planning/crew";
-import { Papers, type Summary } from "../planning/papers";
-import { Helper, joined } from "../planning/helper";
+import { workersHere, type Progress } from "../planning/worker-count";
+import { Papers, type Summary } from "../planning/paper-grid-runs";
+import { Helper, joined } from "../planning/job-client";
 import { ensureIds } from "../scene/model";
 import type { Scene } from "../store";
 import { icon } from "./icons";

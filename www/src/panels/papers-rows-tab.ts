@@ -1,7 +1,7 @@
 import type { PaperClaim } from "parkade";
 import { nothing, type TemplateResult } from "lit";
 import type { Values } from "../i18n/index";
-import { workersHere, type Progress } from "../planning/crew";
+import { workersHere, type Progress } from "../planning/worker-count";
 import { RowPapers, type Tables } from "../planning/papers-rows";
 import { PapersTab } from "./papers-tab";
 

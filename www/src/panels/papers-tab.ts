@@ -1,7 +1,7 @@
 import type { PlannerId } from "parkade";
 import { css, html, nothing, type CSSResultGroup, type TemplateResult } from "lit";
 import { sentence } from "../element/app";
-import type { Progress } from "../planning/crew";
+import type { Progress } from "../planning/worker-count";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";

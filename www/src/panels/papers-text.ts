@@ -1,8 +1,8 @@
 /** Names and texts of the papers' tables. */
 import type { PaperTable, Spread } from "parkade";
 import { number, reasonIn, type Lang } from "../i18n/index";
-import type { Summary } from "../planning/papers";
-import { plannerName } from "../view/identity";
+import type { Summary } from "../planning/paper-grid-runs";
+import { plannerName } from "../view/planner-style";
 import { say } from "./papers-words";
 
 /** What the printed columns are held against. */

@@ -2,7 +2,7 @@
 import type { VolumeComparison } from "parkade";
 import { css, html, svg, type TemplateResult } from "lit";
 import { words } from "../i18n/words";
-import { Helper } from "../planning/helper";
+import { Helper } from "../planning/job-client";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";

@@ -3,7 +3,7 @@ import { css, html, nothing, type TemplateResult } from "lit";
 import { isMessage } from "../i18n/index";
 import { words } from "../i18n/words";
 import { distancesOf } from "../view/drive";
-import { plannerName } from "../view/identity";
+import { plannerName } from "../view/planner-style";
 import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";

@@ -4,10 +4,10 @@ import "../i18n/later";
 import { number, translate, type MessageKey } from "../i18n/index";
 import type { Scene, State } from "../store";
 import { weightAt } from "../scene/costs";
-import { costRange } from "../view/layers/cost";
-import { spacingOf } from "../view/layers/costs";
+import { costRange } from "../view/layers/cost-raster";
+import { spacingOf } from "../view/layers/painted-costs";
 import { distancesOf, nearestPose } from "../view/drive";
-import { hasField, identityOf } from "../view/identity";
+import { hasField, identityOf } from "../view/planner-style";
 
 type Entry = [label: string, value: string];
 

@@ -2,11 +2,11 @@ import type { Plan, RoadFigures } from "parkade";
 import { css, html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { sentence } from "../element/app";
 import { wordsAt } from "../i18n/words";
-import { RoadMeasures, type Risk } from "../planning/risk";
+import { RoadMeasures, type Risk } from "../planning/road-measures";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";
-import { infoOf, plannerName } from "../view/identity";
+import { infoOf, plannerName } from "../view/planner-style";
 import { AppElement } from "./base";
 import { icon } from "./icons";
 

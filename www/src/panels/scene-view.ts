@@ -4,7 +4,7 @@ import type { App } from "../element/app";
 import type { PanelResult, State } from "../store";
 import type { View } from "../view/camera";
 import type { PoseRequest } from "../view/pose-label";
-import { extras } from "../view/pieces";
+import { extras } from "../view/lazy-layers";
 import { SceneCanvas } from "../view/scene-canvas";
 
 /** Parts of the state that never show on a canvas. */

@@ -1,19 +1,19 @@
 import { css, html, LitElement, type PropertyValues } from "lit";
-import { recall, remember } from "../element/memory";
+import { recall, remember } from "../element/preferences";
 import { words } from "../i18n/words";
 import type { Lang } from "../i18n/index";
 
 const say = words({
   side: ["Inspector width", "属性面板宽度"],
-  strip: ["Table and chart height", "表格与图表高度"],
+  bottom: ["Table and chart height", "表格与图表高度"],
   chart: ["Chart width", "图表宽度"],
 });
 
-export type Pane = "side" | "strip" | "chart";
+export type Pane = "side" | "bottom" | "chart";
 /** Pixels: least, usual, most. */
 const SIZES: Record<Pane, readonly [number, number, number]> = {
   side: [220, 280, 520],
-  strip: [110, 202, 520],
+  bottom: [110, 202, 520],
   chart: [260, 500, 900],
 };
 const STEP = 16;
@@ -23,11 +23,11 @@ export class Splitter extends LitElement {
   static override properties = { pane: { type: String }, lang: { type: String }, size: { state: true } };
   static override styles = css`
     :host { display: block; position: relative; z-index: 6; touch-action: none; outline: none; }
-    :host([pane="strip"]) { cursor: ns-resize; height: 9px; margin: -4px 0; } :host(:not([pane="strip"])) { cursor: ew-resize; width: 9px; margin: 0 -4px; }
+    :host([pane="bottom"]) { cursor: ns-resize; height: 9px; margin: -4px 0; } :host(:not([pane="bottom"])) { cursor: ew-resize; width: 9px; margin: 0 -4px; }
     i { position: absolute; background: transparent; transition: background var(--parkade-fast); }
-    :host([pane="strip"]) i { inset: 3.5px 0; } :host(:not([pane="strip"])) i { inset: 0 3.5px; }
+    :host([pane="bottom"]) i { inset: 3.5px 0; } :host(:not([pane="bottom"])) i { inset: 0 3.5px; }
     :host(:hover) i, :host(:focus-visible) i { background: var(--parkade-accent); }
-    @media (pointer: coarse) { :host([pane="strip"]) { height: 13px; margin: -6px 0; } :host(:not([pane="strip"])) { width: 13px; margin: 0 -6px; } }
+    @media (pointer: coarse) { :host([pane="bottom"]) { height: 13px; margin: -6px 0; } :host(:not([pane="bottom"])) { width: 13px; margin: 0 -6px; } }
   `;
   declare pane: Pane;
   declare lang: Lang;
@@ -50,7 +50,7 @@ export class Splitter extends LitElement {
     if (changed.has("pane")) this.lay(Number(recall(`pane.${this.pane}`)) || SIZES[this.pane][1]);
     const [least, , most] = SIZES[this.pane];
     this.ariaLabel = say(this.lang, this.pane);
-    this.ariaOrientation = this.pane === "strip" ? "horizontal" : "vertical";
+    this.ariaOrientation = this.pane === "bottom" ? "horizontal" : "vertical";
     this.ariaValueMin = String(least);
     this.ariaValueMax = String(most);
     this.ariaValueNow = String(Math.round(this.size));
@@ -68,7 +68,7 @@ export class Splitter extends LitElement {
   private lay(size: number): void {
     const [least, usual, most] = SIZES[this.pane];
     this.size = Math.min(most, Math.max(least, size));
-    const { style } = this.closest<HTMLElement>(".desk") ?? this;
+    const { style } = this.closest<HTMLElement>(".layout-wide") ?? this;
     if (this.size === usual) style.removeProperty(`--pane-${this.pane}`);
     else style.setProperty(`--pane-${this.pane}`, `${this.size}px`);
   }
@@ -82,8 +82,9 @@ export class Splitter extends LitElement {
 
   /** Every pane reaches to the right or the lower edge. */
   private readonly pull = (event: PointerEvent): void => {
-    const edge = this.closest(".desk")?.getBoundingClientRect();
-    if (this.pulled && edge) this.put(this.pane === "strip" ? edge.bottom - event.clientY : edge.right - event.clientX);
+    const edge = this.closest(".layout-wide")?.getBoundingClientRect();
+    if (this.pulled && edge)
+      this.put(this.pane === "bottom" ? edge.bottom - event.clientY : edge.right - event.clientX);
   };
 
   private readonly drop = (): void => {

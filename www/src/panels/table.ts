@@ -3,9 +3,9 @@ import "../i18n/later";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
-import { shortName } from "../view/identity";
+import { shortName } from "../view/planner-style";
 import { icon, marker } from "./icons";
-import { Menus } from "./menu";
+import { Menus } from "./popover-controller";
 import { BENCH_RUNS, COLUMNS, rowsOf, unitValues, type Column, type Row } from "./metrics";
 import type { TableFormat } from "./table-format";
 

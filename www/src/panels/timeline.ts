@@ -2,7 +2,7 @@ import type { Plan } from "parkade";
 import { css, html, nothing, svg, type TemplateResult } from "lit";
 import { mostExpanded } from "../element/player";
 import { isLong } from "../view/camera";
-import { durationOf } from "../view/clock";
+import { durationOf } from "../view/playback-time";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { cuspsOf, distancesOf } from "../view/drive";

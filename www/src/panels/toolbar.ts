@@ -3,10 +3,10 @@ import { sentence } from "../element/app";
 import "../i18n/later";
 import type { State, ToolId } from "../store";
 import { controls } from "../styles/controls";
-import { menus } from "../view/pieces";
+import { menus } from "../view/lazy-layers";
 import { AppElement } from "./base";
 import { icon, logo, type IconName } from "./icons";
-import { Menus } from "./menu";
+import { Menus } from "./popover-controller";
 
 export const TOOLS: readonly { id: ToolId; icon: IconName; key: string; digit: string }[] = [
   { id: "select", icon: "select", key: "V", digit: "1" },
@@ -71,18 +71,18 @@ export class Toolbar extends AppElement {
     .check input { accent-color: var(--parkade-accent); margin: 0; width: 14px; height: 14px; }
     .lang { padding: 0 8px; color: var(--parkade-t3); font-weight: 400; }
     .lang b { font-weight: 600; color: var(--parkade-t1); }
-    .wide, .inspect { display: none; }
+    .collapsed-1, .inspect { display: none; }
     .inspect[aria-expanded="true"] { background: var(--parkade-accent-soft); color: var(--parkade-accent); }
     /* Each stands where what is above would no longer fit in English; below 1280 a long scene's title gives way. */
-    @container (max-width: 1580px) { .rare .label { display: none; } .tools { gap: 0; } }
+    @container (max-width: 1580px) { .collapse-1 .label { display: none; } .tools { gap: 0; } }
     @container (max-width: 1490px) { .menu .label { display: none; } .menu { padding: 0 8px; } }
     @container (max-width: 1370px) { .tool { width: 30px; padding-right: 6px; } .tools { gap: 0; } }
     @container (max-width: 1330px) { .label { display: none; } }
     @container (max-width: 1279px) { .scene { flex: 0 1 140px; min-width: 64px; } .tools { gap: 2px; } .tool { width: 32px; } }
     @container (max-width: 1230px) { .tool { padding: 0; } .tool kbd, .brand span { display: none; } .bar { gap: 4px; padding: 0 10px; } .rule { margin: 0 2px; } }
-    @container (max-width: 1140px) { .rare { display: none; } .wide { display: flex; } .tool { width: 28px; } }
+    @container (max-width: 1140px) { .collapse-1 { display: none; } .collapsed-1 { display: flex; } .tool { width: 28px; } }
     @container (max-width: 960px) { .inspect { display: inline-flex; } }
-    @container (max-width: 925px) { .fold { display: none; } }
+    @container (max-width: 925px) { .collapse-2 { display: none; } }
     @container (max-width: 830px) { .brand, .rule { display: none; } .tools { gap: 0; } .tool { width: 25px; } .modes button { padding: 0 5px; } }
     @container (max-width: 700px) { .tool { width: 24px; } .modes button { padding: 0 4px; } .bar { gap: 2px; } .icon { flex: none; } }
     :host([compact]) .bar { height: 44px; padding: 0 4px 0 6px; gap: 0; }
@@ -131,17 +131,17 @@ export class Toolbar extends AppElement {
       ${this.layersMenu()}
       <div class="segmented modes" role="group" aria-label=${this.t("bar.mode")}>${MODES.map((mode) => this.mode(mode))}</div>
       <span class="end"><slot></slot>
-        <span class="anchor rare">
+        <span class="anchor collapse-1">
           <button class="button menu" aria-expanded=${this.menus.open === "export"} aria-label=${this.t("bar.export")} @click=${(e: Event) => this.toggle("export", e)}>
             ${icon("export")}<span class="label">${this.t("bar.export")}</span>${icon("down", 14)}</button>
           ${this.menus.open === "export" ? html`<div class="popover right">${menus()?.exports(this)}</div>` : nothing}
         </span>
-        ${this.button("theme", this.themeName(), this.nextTheme, "rare")}
-        <button class="button lang rare" aria-label=${this.t("bar.language")} title=${this.t("bar.language")} @click=${this.nextLang}>
+        ${this.button("theme", this.themeName(), this.nextTheme, "collapse-1")}
+        <button class="button lang collapse-1" aria-label=${this.t("bar.language")} title=${this.t("bar.language")} @click=${this.nextLang}>
           <span>${this.state.lang === "zh" ? html`<b>中</b> / EN` : html`中 / <b>EN</b>`}</span></button>
-        ${this.button("help", `${this.t("bar.help")} · ?`, () => this.emit("keys"), "rare")}
+        ${this.button("help", `${this.t("bar.help")} · ?`, () => this.emit("keys"), "collapse-1")}
         <button class="icon inspect" aria-expanded=${this.inspecting} aria-label=${this.t("bar.inspector")} title=${this.t("bar.inspector")} @click=${() => this.emit("inspect")}>${icon("sliders")}</button>
-        ${this.moreMenu("wide")}
+        ${this.moreMenu("collapsed-1")}
         <button class="button solid" @click=${this.share}>${icon(this.shared ? "check" : "share")}<span class="label">${this.t(this.shared ? "bar.shared" : "bar.share")}</span><span class="sr">${this.t("bar.share")}</span></button>
       </span>`;
   }
@@ -184,14 +184,14 @@ export class Toolbar extends AppElement {
       void this.app.complete().catch((error: unknown) => this.app.refuse("error.load", { reason: sentence(error) }));
       this.toggle("planners", event);
     };
-    return html`<span class="anchor fold">
+    return html`<span class="anchor collapse-2">
       <button class="button menu" aria-expanded=${this.menus.open === "planners"} aria-label=${this.t("bar.planners")} title=${this.t("bar.planners")} ?disabled=${!this.ready} @click=${open}>
         ${icon("planners")}<span class="label">${this.t("bar.planners")}</span>${icon("down", 14)}</button>
       ${this.menus.open === "planners" ? html`<div class="popover planners">${menus()?.planners(this)}</div>` : nothing}</span>`;
   }
 
   private layersMenu(): TemplateResult {
-    return html`<span class="anchor fold">
+    return html`<span class="anchor collapse-2">
       <button class="button menu" aria-expanded=${this.menus.open === "layers"} aria-label=${this.t("bar.layers")} title="${this.t("bar.layers")} · , ." @click=${(e: Event) => this.toggle("layers", e)}>
         ${icon("layers")}<span class="label">${this.t("bar.layers")}</span>${icon("down", 14)}</button>
       ${this.menus.open === "layers" ? html`<div class="popover">${menus()?.layers(this)}</div>` : nothing}</span>`;

@@ -1,8 +1,8 @@
 /** The same as `engine.ts` with every planner and format; its workers also do what takes long beside planning. */
 import { Planner, init } from "parkade";
 import { driveOf } from "./drive-of";
-import { serveJobs } from "./jobs";
-import { serve } from "./worker";
+import { serveJobs } from "./job-worker";
+import { serve } from "./plan-worker";
 
 export { failureOf } from "./failure";
 export { init, packRuns, planners, scenario, sceneGeometry, scenarios, unpackRuns } from "parkade";

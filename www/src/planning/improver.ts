@@ -1,14 +1,14 @@
 /** Better paths than hybrid's first: looked for while a scene rests, and put in its place as they are found. */
 import type { HybridPlan, HybridPlannerId, Plan, PlannerId } from "parkade";
 import { followGoals } from "../scene/goals";
-import { limitsOn } from "../scene/pace";
-import { forPlanners } from "../scene/vast";
+import { limitsOn } from "../scene/speed-limits";
+import { forPlanners } from "../scene/large-scene";
 import type { PanelResult, Scene, State, Store } from "../store";
-import { identityOf } from "../view/identity";
+import { identityOf } from "../view/planner-style";
 import type { Driven } from "./choices-of";
 import { chosenOf, isProven } from "./chosen";
-import { Helper } from "./helper";
-import type { Engine } from "./module";
+import { Helper } from "./job-client";
+import type { Engine } from "./engine-loader";
 
 /** A scene rests for so long before more is asked for, where nothing is preferred. */
 const REST_MS = 400;

@@ -1,8 +1,8 @@
 /** Measures a paper's tables again, a row per worker. */
 import type { PaperClaim, ParkingTable, RoadTable } from "parkade";
-import { workersHere, type Progress } from "./crew";
-import { Helper } from "./helper";
-import type { Engine } from "./module";
+import { workersHere, type Progress } from "./worker-count";
+import { Helper } from "./job-client";
+import type { Engine } from "./engine-loader";
 
 export interface Tables {
   road: RoadTable;

@@ -1,12 +1,12 @@
 import type { LayerName, Plan, PlannerId, PlannerSettings } from "parkade";
 import { translate } from "../i18n/index";
-import { hasField, identityOf, infoOf, plannerName } from "../view/identity";
+import { hasField, identityOf, infoOf, plannerName } from "../view/planner-style";
 import { isOneGoal } from "../scene/model";
-import { limitsOn } from "../scene/pace";
-import { forPlanners, isUnpacked, withoutCells } from "../scene/vast";
+import { limitsOn } from "../scene/speed-limits";
+import { forPlanners, isUnpacked, withoutCells } from "../scene/large-scene";
 import { emptyResult, type PanelResult, type Scene, type State, type Store } from "../store";
-import { Lane, type Job } from "./lane";
-import { extentFor, type Engine } from "./module";
+import { Lane, type Job } from "./planner-queue";
+import { extentFor, type Engine } from "./engine-loader";
 import type { Failure, Layers, Reply, Timing } from "./protocol";
 
 const SAMPLES = 9;

@@ -1,4 +1,4 @@
-import type { WorkerLike } from "./lane";
+import type { WorkerLike } from "./planner-queue";
 
 /** Who has a worker for as long as it wants, but gives it up at rest when others wait. */
 export interface Holder {

@@ -1,6 +1,6 @@
 /** Brushed cells as runs [x, y, count]: rasters of strokes, union and difference. */
 import type { MapFrame } from "parkade";
-import { rowOfConvex, type Point } from "./plane";
+import { rowOfConvex, type Point } from "./geometry";
 
 export type Run = [number, number, number];
 /** Half-open intervals of x per row, ascending and apart. */

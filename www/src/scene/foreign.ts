@@ -3,7 +3,7 @@ import type { SceneGeometry } from "parkade";
 import type { Run } from "./cells";
 import { ensureIds } from "./model";
 import type { Scenario } from "./scenario";
-import { forPlanners } from "./vast";
+import { forPlanners } from "./large-scene";
 
 /** What of the planners' module knows about scenes. */
 interface Module {

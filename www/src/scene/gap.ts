@@ -1,6 +1,6 @@
 /** The width of a gap between drawn things: planners know it to a cell, the drawing exactly. */
 import type { Scene } from "./model";
-import { distance, nearestOnSegment, type Point } from "./plane";
+import { distance, nearestOnSegment, type Point } from "./geometry";
 import { formsOf, type Form } from "./overlap";
 
 export interface Gap {

@@ -13,7 +13,7 @@ import {
   type Entry,
   type Scene,
 } from "./model";
-import { fromPose, insidePolygon, type Point } from "./plane";
+import { fromPose, insidePolygon, type Point } from "./geometry";
 import { slotOutline } from "./slots";
 
 /** Metres between a slot and the aisle that a car shall leave it to. */

@@ -1,9 +1,9 @@
 /** The ground's sides: what stands in their way, and the scene with one of them elsewhere. */
 import type { Pose } from "parkade";
 import { footprint, mapOutline, resolve, type Scene } from "./model";
-import { boxOf, type Box, type Point } from "./plane";
+import { boxOf, type Box, type Point } from "./geometry";
 import type { Scenario } from "./scenario";
-import { outlineOfThing } from "./things";
+import { outlineOfThing } from "./scene-objects";
 import { thingsOf } from "../store";
 
 export type Side = "left" | "right" | "bottom" | "top";

@@ -1,7 +1,7 @@
 /** Pictures as maps: what is dark, or light, is a wall. */
 import type { Pose } from "parkade";
 import type { Run } from "./cells";
-import { towards } from "./plane";
+import { towards } from "./geometry";
 import type { Scenario } from "./scenario";
 import { vehicleOf } from "./vehicle";
 

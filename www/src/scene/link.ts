@@ -1,10 +1,10 @@
 /** Scenes in a link's hash: a version digit, then base64url of the deflated short form. */
-import { pack, unpack } from "./compact";
+import { pack, unpack } from "./link-codec";
 import { checkScene } from "./files";
 import { bounded } from "./foreign";
 import { ensureIds } from "./model";
 import type { Scenario } from "./scenario";
-import { fitsLink } from "./vast";
+import { fitsLink } from "./large-scene";
 
 const VERSION = "1";
 /** A few kilobytes can inflate to gigabytes; no link's scene needs more than this. */

@@ -1,6 +1,6 @@
 /** A parking lot from a form: rows of bays along aisles, columns and walls, a car at the entrance and a free bay for it. */
 import type { Obstacle, Pose, Slot, Vehicle, VehicleSpec } from "parkade";
-import { fromPose, radians, type Point } from "./plane";
+import { fromPose, radians, type Point } from "./geometry";
 import type { Scenario } from "./scenario";
 import { fittingSize, leastSize } from "./slot-fit";
 import { openingOf, poseInSlot, slotCentre, slotOutline, type Entry, type SlotKind } from "./slots";

@@ -1,6 +1,6 @@
 /** The scene as the page edits it: every edit gives a new scene and leaves the old one as it was. */
 import type { CostArea, Goal, GoalSet, MovingObstacle, Obstacle, Pose, Slot, VehicleSpec } from "parkade";
-import { wrapAngle, type Point } from "./plane";
+import { wrapAngle, type Point } from "./geometry";
 import type { Scenario } from "./scenario";
 import { slotOutline, parkedPose, poseInSlot, type Entry } from "./slots";
 import type { Shape } from "./shapes";

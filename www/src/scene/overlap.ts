@@ -1,7 +1,7 @@
 /** How far something reaches into the car: exact, by the corners of what both share. */
 import type { Hit, Pose } from "parkade";
 import { mapOutline, parkedPose, type Scene } from "./model";
-import { boxOf, distance, fromPose, insidePolygon, intoPose, type Point } from "./plane";
+import { boxOf, distance, fromPose, insidePolygon, intoPose, type Point } from "./geometry";
 import { cornersOf, rectangleCorners } from "./shapes";
 import { footprint, vehicleOf, type ResolvedVehicle } from "./vehicle";
 

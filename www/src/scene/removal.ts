@@ -1,7 +1,7 @@
 /** The scene without some of its things. */
 import { withSet } from "./goals";
 import { goalPose, withCosts, type Scene } from "./model";
-import { findThing } from "./things";
+import { findThing } from "./scene-objects";
 
 export function removeThings(scene: Scene, ids: readonly string[]): Scene {
   const remove = { obstacle: removeObstacle, slot: removeSlot, moving: removeMoving, cost: removeCost };

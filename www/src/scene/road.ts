@@ -1,6 +1,6 @@
 /** Drawn roads: a line with rounded corners and what lies beside it. The planners' module does the same exactly. */
 import type { Road } from "parkade";
-import { distance, towards, wrapAngle, type Point } from "./plane";
+import { distance, towards, wrapAngle, type Point } from "./geometry";
 import { halfOf } from "./road-width";
 
 export const RADIUS = 20;

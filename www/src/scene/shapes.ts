@@ -10,7 +10,7 @@ import {
   rotateAbout,
   wrapAngle,
   type Point,
-} from "./plane";
+} from "./geometry";
 import { halfOf } from "./road-width";
 import { footprint, vehicleOf } from "./vehicle";
 

@@ -1,7 +1,7 @@
 /** How large a slot has to be for a car, and rows that are made so large. */
 import type { Slot, Vehicle } from "parkade";
 import { findSlot, resolve, updateSlot, type Scene } from "./model";
-import { boxOf, distance, intoPose, wrapAngle, type Box, type Point } from "./plane";
+import { boxOf, distance, intoPose, wrapAngle, type Box, type Point } from "./geometry";
 import { openingOf, slotAngle, slotOutline, type SlotKind, type SlotShape } from "./slots";
 
 /** Room that a slot leaves around the car, metres: to open its doors, and to steer into a parallel slot. */

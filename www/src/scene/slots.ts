@@ -1,6 +1,6 @@
 /** Parking slots: outlines, poses in them, rows of them. */
 import type { Pose, Slot, Vehicle } from "parkade";
-import { distance, fromPose, towards, wrapAngle, type Point } from "./plane";
+import { distance, fromPose, towards, wrapAngle, type Point } from "./geometry";
 import { poseAround, vehicleOf } from "./vehicle";
 
 export type SlotKind = Slot["kind"];

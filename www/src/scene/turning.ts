@@ -1,8 +1,8 @@
 /** Things turned together. */
 import { updateMoving, updateObstacle, updateSlot, type Scene } from "./model";
-import { boxOf, rotateAbout, wrapAngle, type Point } from "./plane";
+import { boxOf, rotateAbout, wrapAngle, type Point } from "./geometry";
 import { cornersOf, moveShape, turnShape } from "./shapes";
-import { boxOfThings, findThing } from "./things";
+import { boxOfThings, findThing } from "./scene-objects";
 
 /** Turns all of them about the middle of their extent; brushed cells stay. */
 export function turnThings(scene: Scene, ids: readonly string[], angle: number): Scene {

@@ -1,6 +1,6 @@
 /** Dimensions of the car and its outline. */
 import type { Pose, Vehicle, VehicleSpec } from "parkade";
-import { fromPose, type Point } from "./plane";
+import { fromPose, type Point } from "./geometry";
 
 export type ResolvedVehicle = Required<Vehicle> & { minTurningRadius: number };
 

@@ -11,10 +11,10 @@ import {
   type Room,
   type Side,
 } from "../scene/ground";
-import { distanceToPolyline } from "../scene/plane";
+import { distanceToPolyline } from "../scene/geometry";
 import { mapOutline, type Scene } from "../scene/model";
-import { findThing } from "../scene/things";
-import { countRuns, MANY } from "../scene/vast";
+import { findThing } from "../scene/scene-objects";
+import { countRuns, MANY } from "../scene/large-scene";
 import { cameraFor, forgetFit, keepFit, worldToScreen } from "../view/camera";
 import { handlesOn } from "../view/border-handles";
 import { hitAt } from "./hit";

@@ -4,7 +4,7 @@ import { paintCosts } from "../scene/costs";
 import { brushCells } from "../scene/brushing";
 import { resolve, updateSlot, type Scene } from "../scene/model";
 import { removeObstacle, removeSlot } from "../scene/removal";
-import { distance, insidePolygon, type Point } from "../scene/plane";
+import { distance, insidePolygon, type Point } from "../scene/geometry";
 import { distanceToShape } from "../scene/shapes";
 import type { Draft } from "./draft";
 import type { Bench, Input, Tool } from "./tool";

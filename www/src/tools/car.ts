@@ -1,7 +1,7 @@
 /** Parked cars: a click places one, a drag aims it, the wheel turns it. Cones are placed likewise. */
 import type { Pose } from "parkade";
 import { addObstacle, nextId, type Scene } from "../scene/model";
-import { distance, radians, towards, wrapAngle, type Point } from "../scene/plane";
+import { distance, radians, towards, wrapAngle, type Point } from "../scene/geometry";
 import { poseAround, vehicleOf } from "../scene/vehicle";
 import { snapAngle } from "./snap";
 import { metresOf, type Bench, type Input, type Tool } from "./tool";

@@ -1,11 +1,11 @@
 /** Pointers and keys of all canvases, handed to the tool in force. */
 import type { Scene, State, Store, ToolId } from "../store";
 import { cameraFor, forgetFit, leastScale, zoomAt, type View } from "../view/camera";
-import { distance, type Point } from "../scene/plane";
+import { distance, type Point } from "../scene/geometry";
 import type { Draft } from "./draft";
-import type { Drawing } from "./drawing";
+import type { Drawing } from "./tool-registry";
 import { Fingers } from "./fingers";
-import { HandTool } from "./hand";
+import { HandTool } from "./pan";
 import { inputOf, keyedInput, viewOf } from "./input";
 import { arrowOf, stepOf, toolOfKey } from "./keys";
 import { SelectTool } from "./select";
@@ -69,7 +69,7 @@ export class ToolController {
   /** The first picture does without the tools that draw. */
   async fetchTools(): Promise<void> {
     if (this.drawing) return;
-    const { makeDrawing, watchGoalSlot } = await import("./drawing");
+    const { makeDrawing, watchGoalSlot } = await import("./tool-registry");
     if (this.drawing) return;
     this.drawing = makeDrawing(this.select);
     watchGoalSlot(this.store);

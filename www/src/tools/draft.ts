@@ -1,6 +1,6 @@
 /** What a tool shows before it becomes part of the scene. World metres and radians. */
 import type { Pose, Slot, VehicleSpec } from "parkade";
-import type { Point } from "../scene/plane";
+import type { Point } from "../scene/geometry";
 import type { Side } from "../scene/ground";
 import type { Scene, Selection } from "../store";
 

@@ -2,8 +2,8 @@
 import { flipGoal } from "../scene/goals";
 import { movePose, resolve, type Scene } from "../scene/model";
 import { removeThings } from "../scene/removal";
-import { radians } from "../scene/plane";
-import { allIds, copyThings, idsOf, moveThings, selectionOf } from "../scene/things";
+import { radians } from "../scene/geometry";
+import { allIds, copyThings, idsOf, moveThings, selectionOf } from "../scene/scene-objects";
 import { turnThings } from "../scene/turning";
 import { isPose, type State, type Store } from "../store";
 import { arrowOf, stepOf } from "./keys";

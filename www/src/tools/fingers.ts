@@ -1,5 +1,5 @@
 /** Fingers on a canvas: two move the view, three take back, one that rests asks for the menu. */
-import { distance, type Point } from "../scene/plane";
+import { distance, type Point } from "../scene/geometry";
 import type { Camera } from "../store";
 import type { View } from "../view/camera";
 import { Pinch } from "./pinch";

@@ -1,11 +1,11 @@
 /** What is under the pointer. */
 import type { MovingObstacle, Obstacle } from "parkade";
 import { findMoving, resolve } from "../scene/model";
-import { distance, distanceToPolyline, insidePolygon, type Point } from "../scene/plane";
+import { distance, distanceToPolyline, insidePolygon, type Point } from "../scene/geometry";
 import { distanceToShape, rectangleCorners, verticesOf, vertexAt, type Shape } from "../scene/shapes";
 import { footprint } from "../scene/vehicle";
 import type { Selection, State } from "../store";
-import { boxAt, clockOf } from "../view/clock";
+import { boxAt, clockOf } from "../view/playback-time";
 import { gripOf } from "../view/pose-handle";
 import { turnGripOf } from "../view/turn-grip";
 import { metresOf, reachOf, type Bench, type Input } from "./tool";

@@ -1,6 +1,6 @@
 /** Pointer events as world coordinates of the canvas they are on. */
 import type { State } from "../store";
-import type { Point } from "../scene/plane";
+import type { Point } from "../scene/geometry";
 import { cameraFor, screenToWorld, worldToScreen, type View } from "../view/camera";
 import type { Input } from "./tool";
 

@@ -1,13 +1,13 @@
 /** Walls, roads and polygons: corner after corner. */
 import type { Road } from "parkade";
 import { addMoving, addObstacle } from "../scene/model";
-import { canExtend, crossesItself, distance, type Point } from "../scene/plane";
+import { canExtend, crossesItself, distance, type Point } from "../scene/geometry";
 import { tooTight } from "../scene/road";
 import { fixed } from "../view/text";
 import type { Draft } from "./draft";
 import { constrainAngle, snapPoint, type Snapped } from "./snap";
 import { metresOf, reachOf, type Bench, type Input, type Tool } from "./tool";
-import { word } from "./words";
+import { word } from "./tool-messages";
 
 const DRAG_PX = 8;
 const TWICE_PX = 5;

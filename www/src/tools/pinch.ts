@@ -1,5 +1,5 @@
 /** Two fingers: pan and zoom about their middle. */
-import { distance, type Point } from "../scene/plane";
+import { distance, type Point } from "../scene/geometry";
 import type { Camera } from "../store";
 import { panBy, zoomAt, type View } from "../view/camera";
 

@@ -1,7 +1,7 @@
 /** Start or target by press, drag, release: the press sets the rear axle, the drag the heading. */
 import type { Pose } from "parkade";
 import { movePose, resolve } from "../scene/model";
-import { distance, towards, type Point } from "../scene/plane";
+import { distance, towards, type Point } from "../scene/geometry";
 import { snapAngle } from "./snap";
 import { metresOf, type Bench, type Input, type Tool } from "./tool";
 

@@ -1,6 +1,6 @@
 /** Rectangles by their diagonal; Shift makes squares. */
 import { addObstacle } from "../scene/model";
-import { distance, type Point } from "../scene/plane";
+import { distance, type Point } from "../scene/geometry";
 import { rectangleBetween } from "../scene/shapes";
 import { fixed } from "../view/text";
 import { snapPoint, type Snapped } from "./snap";

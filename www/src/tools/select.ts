@@ -11,16 +11,24 @@ import {
   withShape,
   type Scene,
 } from "../scene/model";
-import { boxOf, crossesItself, distance, towards, wrapAngle, type Box, type Point } from "../scene/plane";
+import { boxOf, crossesItself, distance, towards, wrapAngle, type Box, type Point } from "../scene/geometry";
 import { dragVertex, headingOf, pivotOf, turnShape, type Shape } from "../scene/shapes";
-import { boxOfThings, copyThings, findThing, idsOf, moveThings, selectionOf, thingsWithin } from "../scene/things";
+import {
+  boxOfThings,
+  copyThings,
+  findThing,
+  idsOf,
+  moveThings,
+  selectionOf,
+  thingsWithin,
+} from "../scene/scene-objects";
 import { isPose, type Selection } from "../store";
 import { askForPose, poseLabelAt } from "../view/pose-label";
 import type { Draft } from "./draft";
 import { hitAt, type Hit } from "./hit";
 import { snapAngle, snapMove, snapPoint, snapPose } from "./snap";
 import type { Bench, Input, Tool } from "./tool";
-import { word } from "./words";
+import { word } from "./tool-messages";
 
 /** `hit` null: the press began beside everything and draws a frame around what shall be chosen. */
 interface Press {

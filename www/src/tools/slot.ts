@@ -1,8 +1,8 @@
 /** Rows of parking slots: a drag along the aisle, as many as fit. The bays lie where there is room, else to its right; Alt swaps. */
 import { addSlots, resolve } from "../scene/model";
-import { distance, insidePolygon, towards, type Point } from "../scene/plane";
+import { distance, insidePolygon, towards, type Point } from "../scene/geometry";
 import { distanceToShape, onCells } from "../scene/shapes";
-import { selectionOf } from "../scene/things";
+import { selectionOf } from "../scene/scene-objects";
 import { sizedShape } from "../scene/slot-fit";
 import { openingOf, slotCentre, slotRow, type SlotShape } from "../scene/slots";
 import { fixed } from "../view/text";
@@ -10,7 +10,7 @@ import type { Aisle, Draft } from "./draft";
 import { sayMisfit } from "./slot-fit";
 import { constrainAngle, snapAngle, snapPoint } from "./snap";
 import type { Bench, Input, Tool } from "./tool";
-import { word } from "./words";
+import { word } from "./tool-messages";
 
 type Side = "left" | "right";
 /** By how much the other side must be better than the right one. */

@@ -1,7 +1,7 @@
 /** Snapping: to corners, to the cell grid, to angles, to slots and to the other pose. */
 import type { Goal, Pose } from "parkade";
 import { poseInSlot, resolve, type Scene } from "../scene/model";
-import { boxOf, distance, radians, wrapAngle, type Box, type Point } from "../scene/plane";
+import { boxOf, distance, radians, wrapAngle, type Box, type Point } from "../scene/geometry";
 import { cornersOf, verticesOf, type Shape } from "../scene/shapes";
 import type { Guide } from "./draft";
 import { metresOf, type Bench, type Input } from "./tool";

@@ -1,5 +1,5 @@
 /** What a tool is: a small machine fed with pointer input in world coordinates. */
-import type { Point } from "../scene/plane";
+import type { Point } from "../scene/geometry";
 import type { Scene, Store } from "../store";
 import type { View } from "../view/camera";
 import type { Draft } from "./draft";

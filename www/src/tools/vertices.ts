@@ -1,6 +1,6 @@
 /** More or fewer vertices on a selected polygon or wall. */
 import { updateObstacle } from "../scene/model";
-import { crossesItself, type Point } from "../scene/plane";
+import { crossesItself, type Point } from "../scene/geometry";
 import { edgeAt, vertexAt, type Shape } from "../scene/shapes";
 import { selectedShape } from "./hit";
 import { metresOf, type Bench, type Input } from "./tool";

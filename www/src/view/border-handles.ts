@@ -2,7 +2,7 @@
 import { axisOf, edgeOn, outward, SIDES, type Side } from "../scene/ground";
 import { cornersOf } from "../scene/shapes";
 import { resolve, type Scene } from "../scene/model";
-import { boxOf, type Box, type Point } from "../scene/plane";
+import { boxOf, type Box, type Point } from "../scene/geometry";
 import { footprint } from "../scene/vehicle";
 import { worldToScreen, type View } from "./camera";
 import { gripOf } from "./pose-handle";

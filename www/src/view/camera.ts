@@ -3,9 +3,9 @@ import type { Plan, Pose, SceneGeometry } from "parkade";
 import type { Scenario } from "../scene/scenario";
 import type { Camera, State } from "../store";
 import { resolve } from "../scene/model";
-import { boxOf, fromPose, type Box, type Point } from "../scene/plane";
+import { boxOf, fromPose, type Box, type Point } from "../scene/geometry";
 import { footprint } from "../scene/vehicle";
-import { drivenAt } from "./clock";
+import { drivenAt } from "./playback-time";
 import { STALK } from "./pose-handle";
 
 /** A camera on a canvas of a size in CSS pixels. */

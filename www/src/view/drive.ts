@@ -1,6 +1,6 @@
 /** Where a car is along its plan. */
 import type { Plan, Pose } from "parkade";
-import { wrapAngle } from "../scene/plane";
+import { wrapAngle } from "../scene/geometry";
 
 /** Hit poses drawn of a path. */
 const MOST_HITS = 3;

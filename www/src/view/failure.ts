@@ -1,7 +1,7 @@
 /** Where a planner's answer fails, for the drawing, the words and the zoom: facts of the check and of the obstruction. */
 import type { Hit, Obstruction, Plan, Pose } from "parkade";
 import { overlapAt, type Overlap } from "../scene/overlap";
-import { boxOf, distance, fromPose, type Box, type Point } from "../scene/plane";
+import { boxOf, distance, fromPose, type Box, type Point } from "../scene/geometry";
 import { footprint, vehicleOf, type ResolvedVehicle } from "../scene/vehicle";
 import type { Scene } from "../store";
 import { distancesOf, poseAt } from "./drive";

@@ -3,7 +3,7 @@ import type { Plan, PlannerId } from "parkade";
 import type { PanelResult, State } from "../store";
 import type { Draft } from "../tools/draft";
 import { isOneGoal, resolve, type Resolved } from "../scene/model";
-import type { Point } from "../scene/plane";
+import type { Point } from "../scene/geometry";
 import { worldToScreen, type View } from "./camera";
 import type { Tokens } from "./tokens";
 import { newPath } from "./surface";

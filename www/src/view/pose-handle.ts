@@ -1,6 +1,6 @@
 /** Where the grips of the start and goal car are, for drawing and for hitting. */
 import type { Pose, Vehicle } from "parkade";
-import { fromPose, type Point } from "../scene/plane";
+import { fromPose, type Point } from "../scene/geometry";
 
 /** Metres from the nose to the middle of the round grip. */
 export const STALK = 1.2;

@@ -1,5 +1,5 @@
 /** Where the label of a pose was drawn last: a click on it asks for numbers. */
-import type { Box, Point } from "../scene/plane";
+import type { Box, Point } from "../scene/geometry";
 
 export type PoseLabel = "start" | "goal";
 

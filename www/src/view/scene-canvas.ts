@@ -3,7 +3,7 @@ import type { Plan, PlannerId } from "parkade";
 import type { State } from "../store";
 import type { Draft } from "../tools/draft";
 import { cameraFor, type View } from "./camera";
-import { waiting } from "./pieces";
+import { waiting } from "./lazy-layers";
 import { makeFrame, type Shown } from "./frame";
 import { SceneLayers } from "./scene-layers";
 import type { Tokens } from "./tokens";

@@ -1,6 +1,6 @@
 /** The area a car sweeps along its plan: its union and the outline of that, in metres. */
 import type { Plan, Vehicle } from "parkade";
-import { boxOf, convexHull, wrapAngle, type Box, type Point } from "../scene/plane";
+import { boxOf, convexHull, wrapAngle, type Box, type Point } from "../scene/geometry";
 import { footprint } from "../scene/vehicle";
 import { poseAt, segmentDirections } from "./drive";
 import { newPath, perSurface } from "./surface";

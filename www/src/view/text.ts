@@ -1,6 +1,6 @@
 /** Words on the canvas: pills and small numbers. */
 import { inPixels, type Context, type Frame } from "./frame";
-import type { Box } from "../scene/plane";
+import type { Box } from "../scene/geometry";
 import { perSurface } from "./surface";
 
 export const PILL_HEIGHT = 22;

@@ -1,5 +1,5 @@
 /** Where the grip is that turns a selected rectangle or parked car. */
-import { fromPose, type Point } from "../scene/plane";
+import { fromPose, type Point } from "../scene/geometry";
 import type { Shape } from "../scene/shapes";
 import { vehicleOf } from "../scene/vehicle";
 import type { View } from "./camera";

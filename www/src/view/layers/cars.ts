@@ -1,7 +1,7 @@
 /** The start and goal cars and the ones that drive. */
 import type { Pose } from "parkade";
 import { drawCar, drivingStyle, goalStyle, startStyle } from "../car";
-import { drivenAt } from "../clock";
+import { drivenAt } from "../playback-time";
 import { inPixels, toScreen, type Frame, type Shown } from "../frame";
 import { plannerStyle } from "../tokens";
 import { drawHatchedPose } from "./collisions";

@@ -1,6 +1,6 @@
 /** Where a path keeps farther from every other one than the car is wide. */
 import type { Plan } from "parkade";
-import type { Point } from "../../scene/plane";
+import type { Point } from "../../scene/geometry";
 import { inPixels, toScreen, type Frame, type Shown } from "../frame";
 import { fade } from "../tokens";
 

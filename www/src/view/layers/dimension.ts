@@ -1,5 +1,5 @@
 /** A length on the map, with its figure. */
-import type { Point } from "../../scene/plane";
+import type { Point } from "../../scene/geometry";
 import { inPixels, toScreen, type Frame } from "../frame";
 import { drawPill, PILL_HEIGHT, pillWidth } from "../text";
 

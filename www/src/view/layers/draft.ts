@@ -3,9 +3,9 @@ import { polygonPath, inMetres, inPixels, linePath, pixels, toScreen, type Frame
 import { slotOutline } from "../../scene/slots";
 import { rectangleCorners } from "../../scene/shapes";
 import { vehicleOf } from "../../scene/vehicle";
-import type { Point } from "../../scene/plane";
+import type { Point } from "../../scene/geometry";
 import type { Aisle, Guide, Preview } from "../../tools/draft";
-import { word } from "../../tools/words";
+import { word } from "../../tools/tool-messages";
 import { drawCar, parkedStyle } from "../car";
 import { drawPill, fixed, labelFont, PILL_HEIGHT, pillWidth, useFont } from "../text";
 import { fade } from "../tokens";

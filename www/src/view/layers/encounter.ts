@@ -1,9 +1,9 @@
 /** The moments of a drive that waits for a moving obstacle, as the parking paper's figure 16 names them, and a strip of their times. */
 import type { Encounter, Pose } from "parkade";
-import { boxAt, clockOf } from "../clock";
+import { boxAt, clockOf } from "../playback-time";
 import { inPixels, toScreen, type Frame } from "../frame";
 import { labelFont, useFont } from "../text";
-import type { Point } from "../../scene/plane";
+import type { Point } from "../../scene/geometry";
 
 export interface Mark {
   name: "A" | "B" | "C" | "D" | "S" | "W" | "E";

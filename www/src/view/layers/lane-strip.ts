@@ -2,10 +2,10 @@
 import type { Plan } from "parkade";
 import { words } from "../../i18n/words";
 import { mapOutline } from "../../scene/model";
-import { fromPose, intoPose, type Point } from "../../scene/plane";
+import { fromPose, intoPose, type Point } from "../../scene/geometry";
 import { cornersOf } from "../../scene/shapes";
 import type { Scene, State } from "../../store";
-import { drivenAt } from "../clock";
+import { drivenAt } from "../playback-time";
 import { distancesOf, poseAtDistance, poseAt } from "../drive";
 import { STRIP } from "../camera";
 import { inPixels, type Frame, type Shown } from "../frame";

@@ -1,6 +1,6 @@
 /** Moving obstacles where they are now, their ways, and where one runs into the car. */
 import { rectangleCorners } from "../../scene/shapes";
-import { boxAt, clockOf, isEncounter } from "../clock";
+import { boxAt, clockOf, isEncounter } from "../playback-time";
 import { inMetres, linePath, pixels, polygonPath, toScreen, type Frame, type Shown } from "../frame";
 import { fade } from "../tokens";
 import { drawHatchedPose } from "./collisions";

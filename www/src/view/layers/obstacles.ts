@@ -1,13 +1,13 @@
 /** Obstacles and slots. */
 import type { MapFrame, Obstacle, Slot } from "parkade";
-import type { Point } from "../../scene/plane";
+import type { Point } from "../../scene/geometry";
 import { cornersOf } from "../../scene/shapes";
 import { slotLines } from "../../scene/slots";
 import { vehicleOf } from "../../scene/vehicle";
 import { drawCar, parkedStyle } from "../car";
 import { inMetres, linePath, pixels, polygonPath, type Frame } from "../frame";
-import { MANY } from "../../scene/vast";
-import { vast } from "../pieces";
+import { MANY } from "../../scene/large-scene";
+import { vast } from "../lazy-layers";
 import { cellPaths, type CellPaths } from "../outline";
 import { perSurface } from "../surface";
 

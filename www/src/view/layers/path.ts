@@ -1,6 +1,6 @@
 /** Paths: casing, the planner's dash, dots and chevrons in reverse, numbered diamonds at gear changes. */
 import type { Plan } from "parkade";
-import type { Point } from "../../scene/plane";
+import type { Point } from "../../scene/geometry";
 import { cuspsOf, segmentDirections } from "../drive";
 import { inPixels, toScreen, type Frame, type Shown } from "../frame";
 import { labelFont, useFont } from "../text";

@@ -1,7 +1,7 @@
 /** What becomes of a grid planner's path: the cells, the corners that pruning keeps, the circles that round them. */
 import type { Stages } from "parkade";
 import { inMetres, inPixels, linePath, pixels, toScreen, type Frame } from "../frame";
-import type { Point } from "../../scene/plane";
+import type { Point } from "../../scene/geometry";
 import { newPath } from "../surface";
 import { fade } from "../tokens";
 

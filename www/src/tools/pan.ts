@@ -1,5 +1,5 @@
 /** Pans the camera. */
-import type { Point } from "../scene/plane";
+import type { Point } from "../scene/geometry";
 import { panBy } from "../view/camera";
 import type { Bench, Input, Tool } from "./tool";
 

@@ -1,5 +1,5 @@
 import type { PlannerId } from "parkade";
-import type { WorkerLike } from "./lane";
+import type { WorkerLike } from "./planner-queue";
 import { WorkerPool } from "./pool";
 import coreUrl from "../../../pkg/core/parkade_bg.wasm?url";
 import completeUrl from "../../../pkg/parkade_bg.wasm?url";
@@ -23,7 +23,7 @@ export const elsewhere: { worker: string | null; wasm: string | null } = { worke
 export type Extent = "core" | "complete";
 
 const SOURCES = {
-  core: { url: coreUrl, script: () => import("./engine") },
+  core: { url: coreUrl, script: () => import("./engine-core") },
   complete: { url: completeUrl, script: () => import("./engine-complete") },
 };
 const CORE: readonly PlannerId[] = ["four", "eight", "risk-field", "hybrid", "hybrid-forward"];

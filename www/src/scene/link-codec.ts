@@ -11,7 +11,7 @@ import type {
   SpeedLimit,
   VehicleSpec,
 } from "parkade";
-import type { Point } from "./plane";
+import type { Point } from "./geometry";
 import type { Scenario } from "./scenario";
 
 type Item = number | string | Item[] | Record<string, unknown> | null;

@@ -78,7 +78,7 @@ export function exports(bar: Toolbar): TemplateResult {
 export function more(bar: Toolbar): TemplateResult {
   const { app, compact, rail } = bar;
   // What the bar has no room for.
-  const folded = !bar.shadowRoot?.querySelector<HTMLElement>(".fold")?.offsetParent;
+  const folded = !bar.shadowRoot?.querySelector<HTMLElement>(".collapse-2")?.offsetParent;
   return html`
     ${compact ? item(bar, "share", "bar.share", bar.share) : nothing}
     ${item(bar, "fit", "bar.fit", () => app.controller.fit())}

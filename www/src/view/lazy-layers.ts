@@ -39,12 +39,12 @@ function piece<T>(fetch: () => Promise<T>): Piece<T> {
 }
 
 /** Maps of very many cells. */
-const vastPiece = piece(() => import("./vast"));
+const vastPiece = piece(() => import("./large-map-raster"));
 /** Null for files, too: every cell and pose is drawn into those. */
-export const vast: Piece<typeof import("./vast")> = Object.assign(() => (onScreen() ? vastPiece() : null), {
+export const vast: Piece<typeof import("./large-map-raster")> = Object.assign(() => (onScreen() ? vastPiece() : null), {
   load: () => vastPiece.load(),
 });
 /** What the toolbar's menus hold. */
-export const menus = piece(() => import("../panels/menus"));
+export const menus = piece(() => import("../panels/toolbar-menus"));
 /** What comes with drawing, roads, moving obstacles and a closer look at searches. */
 export const extras = piece(() => import("./extras"));

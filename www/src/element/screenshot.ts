@@ -1,4 +1,4 @@
-import { plannerName } from "../view/identity";
+import { plannerName } from "../view/planner-style";
 import { statusOf } from "../panels/status";
 import type { SceneView } from "../panels/scene-view";
 import type { App } from "./app";

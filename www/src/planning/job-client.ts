@@ -1,9 +1,9 @@
 /** A worker of the complete module for one long job after another. */
 import type { Run } from "../scene/cells";
 import type { Scenario } from "../scene/scenario";
-import { rememberPacked } from "../scene/vast";
-import type { JobName, JobReply, JobRequest, Jobs, Moved } from "./jobs";
-import type { Engine } from "./module";
+import { rememberPacked } from "../scene/large-scene";
+import type { JobName, JobReply, JobRequest, Jobs, Moved } from "./job-worker";
+import type { Engine } from "./engine-loader";
 import type { Failure } from "./protocol";
 
 /** What a job threw, with its code and field. */

@@ -44,7 +44,7 @@ import { cheapest, choicesOf, type Choice, type Driven } from "./choices-of";
 import { driveOf } from "./drive-of";
 import { failureOf } from "./failure";
 import type { Failure, Request, Waiting } from "./protocol";
-import type { Risk } from "./risk";
+import type { Risk } from "./road-measures";
 
 /** Lists of cells longer than this travel as numbers and as a text. */
 const MANY = 2000;

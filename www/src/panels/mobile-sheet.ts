@@ -4,7 +4,7 @@ import "../i18n/later";
 import type { State, ToolId } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
-import { shortName } from "../view/identity";
+import { shortName } from "../view/planner-style";
 import { icon, marker } from "./icons";
 import { statusOf } from "./status";
 import "./inspector";

@@ -1,7 +1,7 @@
 /** What moves when, while the drive plays: cars among moving obstacles share one clock, others arrive together. */
 import type { Drive, Encounter, MovingObstacle, Plan, Pose } from "parkade";
-import { paceOn } from "../scene/pace";
-import { distance, towards, wrapAngle } from "../scene/plane";
+import { paceOn } from "../scene/speed-limits";
+import { distance, towards, wrapAngle } from "../scene/geometry";
 import type { PanelResult, State } from "../store";
 import { distancesOf, poseAtDistance, poseAtFraction, steerAngle } from "./drive";
 

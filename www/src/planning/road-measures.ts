@@ -1,9 +1,9 @@
 /** Figures and collision risk of plans on roads, measured beside the planners. */
 import type { Plan, RoadFigures } from "parkade";
-import { forPlanners } from "../scene/vast";
+import { forPlanners } from "../scene/large-scene";
 import type { Scene } from "../store";
-import { Helper } from "./helper";
-import type { Engine } from "./module";
+import { Helper } from "./job-client";
+import type { Engine } from "./engine-loader";
 
 export interface Risk {
   trials: number;

@@ -1,6 +1,6 @@
 /** The pieces of the drawing that pictures need, at hand at once. */
-import { drawCost } from "../view/layers/cost";
-import { drawCosts } from "../view/layers/costs";
+import { drawCost } from "../view/layers/cost-raster";
+import { drawCosts } from "../view/layers/painted-costs";
 import { drawFailure } from "../view/layers/failure";
 import { drawLaneStrip } from "../view/layers/lane-strip";
 import { drawLanes } from "../view/layers/lanes";

@@ -1,8 +1,8 @@
 /** Measures the papers' tables again in several workers, a few seeds at a time. */
 import type { PaperClaim, PaperRow, PaperTable } from "parkade";
-import { workersHere, type Progress } from "./crew";
-import { Helper } from "./helper";
-import type { Engine } from "./module";
+import { workersHere, type Progress } from "./worker-count";
+import { Helper } from "./job-client";
+import type { Engine } from "./engine-loader";
 import { median } from "./planning";
 
 /** `times`: mean milliseconds per row and planner. */

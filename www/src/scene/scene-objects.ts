@@ -16,7 +16,7 @@ import {
   withCosts,
   type Scene,
 } from "./model";
-import { boxOf, type Box, type Point } from "./plane";
+import { boxOf, type Box, type Point } from "./geometry";
 import { cornersOf, moveShape } from "./shapes";
 import { slotOutline } from "./slots";
 

@@ -1,6 +1,6 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import { wordsAt } from "../i18n/words";
-import { Helper } from "../planning/helper";
+import { Helper } from "../planning/job-client";
 import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";

@@ -3,7 +3,7 @@
  * nothing that the page imports too, or workers would load the page.
  */
 import { Planner, init } from "parkade/core";
-import { serve } from "./worker";
+import { serve } from "./plan-worker";
 
 export { failureOf } from "./failure";
 export { init, packRuns, planners, scenario, sceneGeometry, scenarios, unpackRuns } from "parkade/core";

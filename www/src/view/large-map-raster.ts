@@ -1,9 +1,9 @@
 /** Huge maps as pictures of one pixel a cell, smaller copies of them for smaller scales, and edges only close up. */
 import type { Layer, MapFrame, Obstacle, Plan } from "parkade";
 import { firstOfRow, type Run } from "../scene/cells";
-import type { Point } from "../scene/plane";
+import type { Point } from "../scene/geometry";
 import type { Scenario } from "../scene/scenario";
-import { MANY } from "../scene/vast";
+import { MANY } from "../scene/large-scene";
 import { screenToWorld } from "./camera";
 import { GHOST, inMetres, inPixels, pixels, toScreen, type Frame, type Shown } from "./frame";
 import { hatchPattern } from "./hatch";
