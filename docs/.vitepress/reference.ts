@@ -1,7 +1,7 @@
 /** The JavaScript reference, from the package's types: each exported name with what stands above it. */
 import { readFileSync } from "node:fs";
 
-const TYPES = ["index.d.ts", "settings.d.ts"].map((name) => new URL(`../../src/wasm/npm/${name}`, import.meta.url));
+const TYPES = ["index.d.ts", "settings.d.ts"].map((name) => new URL(`../../packages/parkade/${name}`, import.meta.url));
 const KINDS = { class: "Classes", function: "Functions", interface: "Shapes", type: "Words" } as const;
 
 export function reference(): string {

@@ -29,7 +29,7 @@ fn main() -> Result<()> {
         };
         match argument.as_str() {
             "--count" => count = number()?,
-            // What `cargo xtask everywhere` asks other engines.
+            // What `cargo xtask parity` asks other engines.
             "--print" => return print(questions(number()?)),
             "--print-parking" => {
                 let first = number()?;

@@ -1,4 +1,4 @@
-//! The JS border: exported functions and the planner session. Types are in `npm/index.d.ts`.
+//! The JS border: exported functions and the planner session. Types are in `packages/parkade/index.d.ts`.
 #![expect(unreachable_pub, reason = "wasm-bindgen exports only items marked pub")]
 
 mod answer;

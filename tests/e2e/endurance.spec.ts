@@ -10,7 +10,7 @@ import {
 import { monkey } from "../endurance/monkey-page.mjs";
 import { random } from "../endurance/random.mjs";
 
-// A little of what `cargo xtask endure damaged` and `cargo xtask endure monkey` do for long.
+// A little of what `cargo xtask endurance damaged` and `cargo xtask endurance monkey` do for long.
 const SEED = 20261123;
 
 test.use({ viewport: { width: 1400, height: 900 } });

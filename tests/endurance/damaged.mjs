@@ -1,4 +1,4 @@
-// Damaged links, messages and stored states: `cargo xtask endure damaged [count] [seed]`. All of them through what reads them, one
+// Damaged links, messages and stored states: `cargo xtask endurance damaged [count] [seed]`. All of them through what reads them, one
 // in twenty through the page itself. None may throw what nobody catches, hold a frame for two seconds, or leave the page without plans.
 import { spawnSync } from "node:child_process";
 import { fileURLToPath } from "node:url";

@@ -1,4 +1,4 @@
-// Random edits for hours: `cargo xtask endure soak [minutes] [seed]`. Memory must stay flat after the first ten minutes.
+// Random edits for hours: `cargo xtask endurance soak [minutes] [seed]`. Memory must stay flat after the first ten minutes.
 import { quantile } from "../quantile.mjs";
 import { withPage } from "./page.mjs";
 import { random } from "./random.mjs";

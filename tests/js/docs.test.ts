@@ -119,7 +119,7 @@ test("every sample is of a kind that is run or only shown", () => {
 });
 
 test("the reference has every exported name, each declaration whole", () => {
-  const text = readFileSync(new URL("../../src/wasm/npm/index.d.ts", import.meta.url), "utf8");
+  const text = readFileSync(new URL("../../packages/parkade/index.d.ts", import.meta.url), "utf8");
   const names = [...text.matchAll(/^export (?:declare )?(?:class|function|interface|type) (\w+)/gm)].map(
     (match) => match[1],
   );

@@ -9,8 +9,8 @@ import type { Goal, GoalSet, HybridPlannerId, Plan, PlannerId, PlannerSettings, 
 import { declared, schemaOf } from "./declared.mjs";
 
 const here = (path: string): string => fileURLToPath(new URL(`../../${path}`, import.meta.url));
-const WHOLE = here("src/wasm/npm/index.d.ts"),
-  CORE = here("src/wasm/npm/core/index.d.ts");
+const WHOLE = here("packages/parkade/index.d.ts"),
+  CORE = here("packages/parkade/core/index.d.ts");
 
 type Function = (...args: unknown[]) => unknown;
 

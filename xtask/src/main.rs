@@ -3,12 +3,12 @@
 mod bench;
 mod browser;
 mod docs;
-mod endure;
-mod everywhere;
+mod endurance;
 mod fuzz;
 mod latency;
 mod mutants;
 mod paper;
+mod parity;
 mod picture;
 mod serve;
 mod site;
@@ -38,9 +38,9 @@ const COMMANDS: &[Command] = &[
         run: latency::latency,
     },
     Command {
-        name: "endure",
-        about: "build, then test endurance with killed workers, hours of edits, damaged input or random presses: endure kills|damaged [count] [seed], endure soak|monkey [minutes] [seed]",
-        run: endure::endure,
+        name: "endurance",
+        about: "build, then test endurance with killed workers, hours of edits, damaged input or random presses: endurance kills|damaged [count] [seed], endurance soak|monkey [minutes] [seed]",
+        run: endurance::endurance,
     },
     Command {
         name: "paper",
@@ -58,9 +58,9 @@ const COMMANDS: &[Command] = &[
         run: bench::bench,
     },
     Command {
-        name: "everywhere",
-        about: "compare plan hashes between native code, Node with and without SIMD, Chromium and Firefox: everywhere [parking] [random scenes]",
-        run: everywhere::everywhere,
+        name: "parity",
+        about: "compare plan hashes between native code, Node with and without SIMD, Chromium and Firefox: parity [parking] [random scenes]",
+        run: parity::parity,
     },
     Command {
         name: "fuzz",
@@ -78,6 +78,9 @@ const COMMANDS: &[Command] = &[
         run: wasm_runner::run,
     },
 ];
+
+/// Commands that were renamed since the last release: the former name, the present one.
+const FORMER_NAMES: &[(&str, &str)] = &[("everywhere", "parity"), ("endure", "endurance")];
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -98,10 +101,18 @@ fn dispatch(arguments: &[String]) -> Result<()> {
         println!("{}", help());
         return Ok(());
     }
+    let name = current_name(name);
     match COMMANDS.iter().find(|command| command.name == name) {
         Some(command) => (command.run)(rest),
         None => bail!("unknown command `{name}`\n\n{}", help()),
     }
+}
+
+/// The present name of a command; a former one is accepted with a notice.
+fn current_name(name: &str) -> &str {
+    let Some((_, current)) = FORMER_NAMES.iter().find(|(former, _)| *former == name) else { return name };
+    eprintln!("note: `{name}` is now called `{current}`; the old name goes with the next release");
+    current
 }
 
 fn help() -> String {
@@ -110,4 +121,19 @@ fn help() -> String {
         let _ = write!(text, "\n  {:<18}{}", command.name, command.about);
     }
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn former_names_lead_to_commands() {
+        for (former, current) in FORMER_NAMES {
+            assert_eq!(current_name(former), *current);
+            assert!(COMMANDS.iter().any(|command| command.name == *current));
+            assert!(COMMANDS.iter().all(|command| command.name != *former));
+        }
+        assert_eq!(current_name("test"), "test");
+    }
 }

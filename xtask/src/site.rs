@@ -112,7 +112,7 @@ fn build_package(workspace: &Workspace) -> Result<()> {
     if package.exists() {
         fs::remove_dir_all(&package).with_context(|| format!("cannot clear {}", package.display()))?;
     }
-    let sources = root().join("src/wasm/npm");
+    let sources = root().join("packages/parkade");
     build_module(workspace, &package.join(CORE), &["--no-default-features"], CORE_FLAGS)?;
     copy(&sources.join(CORE).join(COMPLETE_SOURCE), &package.join(CORE).join(COMPLETE_SOURCE))?;
     build_module(workspace, &package, &[], COMPLETE_FLAGS)?;
@@ -148,7 +148,7 @@ fn build_module(workspace: &Workspace, folder: &Path, features: &[&str], flags: 
         if features.is_empty() { &["--gufa", "-O3"] } else { &["-O3", "-Oz", "--gufa", "-Oz"] };
     run(node_tool("binaryen/bin/wasm-opt").args(aims).arg(&wasm).arg("-o").arg(&wasm))?;
     for name in PACKAGE_SOURCES {
-        copy(&root().join("src/wasm/npm").join(name), &folder.join(name))?;
+        copy(&root().join("packages/parkade").join(name), &folder.join(name))?;
     }
     Ok(())
 }
@@ -185,7 +185,7 @@ fn write_types(sources: &Path, package: &Path) -> Result<()> {
 
 /// Writes the package's manifest: the one beside its sources, with the crate's version.
 fn write_manifest(version: &str, package: &Path) -> Result<()> {
-    let template = root().join("src/wasm/npm/package.json");
+    let template = root().join("packages/parkade/package.json");
     let text = fs::read_to_string(&template).with_context(|| template.display().to_string())?;
     ensure!(text.contains(NO_VERSION), "{}: must hold {NO_VERSION}", template.display());
     let text = text.replacen(NO_VERSION, &format!("\"version\": \"{version}\""), 1);

@@ -1,4 +1,4 @@
-//! `cargo xtask everywhere`: the same plans, byte by byte, wherever they are made.
+//! `cargo xtask parity`: the same plans, byte by byte, wherever they are made.
 
 use anyhow::{Context as _, Result, bail};
 
@@ -9,7 +9,7 @@ use crate::{browser, site};
 const RANDOM: &str = "2000";
 
 /// Fails where an answer differs from the native one.
-pub(crate) fn everywhere(arguments: &[String]) -> Result<()> {
+pub(crate) fn parity(arguments: &[String]) -> Result<()> {
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let asked = match words[..] {
         [] => vec!["--print", RANDOM],
@@ -17,20 +17,18 @@ pub(crate) fn everywhere(arguments: &[String]) -> Result<()> {
         ["parking", count] => vec!["--print-parking", "0", count],
         ["parking", count, first] => vec!["--print-parking", first, count],
         [count] => vec!["--print", count],
-        _ => bail!(
-            "there are `everywhere [random scenes]` and `everywhere parking [random scenes [first seed]]`"
-        ),
+        _ => bail!("there are `parity [random scenes]` and `parity parking [random scenes [first seed]]`"),
     };
     for number in &asked[1..] {
         number.parse::<u32>().with_context(|| format!("must be a whole number, got {number}"))?;
     }
     site::assemble()?;
-    let questions = Workspace::load()?.target.join("everywhere.jsonl");
+    let questions = Workspace::load()?.target.join("parity.jsonl");
     let package = ["run", "--quiet", "--release", "--locked", "--package", "parkade-fuzz", "--"];
     std::fs::write(&questions, capture(cargo().args(package).args(asked))?)?;
     let vectorised = site::vectorised()?;
     run(node()
-        .arg("tests/everywhere/run.js")
+        .arg("tests/engines/run.js")
         .args([&questions, &vectorised])
         .env("CHROME_PATH", browser::find_or_install()?))
 }

@@ -11,7 +11,7 @@ import { pathToFileURL } from "node:url";
 import { ask } from "./ask.js";
 
 const ROOT = new URL("../../", import.meta.url);
-const SERVED = ["pkg/", "tests/everywhere/"];
+const SERVED = ["pkg/", "tests/engines/"];
 const TYPES = /** @type {Record<string, string>} */ ({ ".html": "text/html", ".js": "text/javascript", ".wasm": "application/wasm" });
 const PATIENCE_MS = 30 * 60_000;
 
@@ -71,8 +71,8 @@ async function inBrowser(path, options) {
   await new Promise((resolve) => server.listen(0, "127.0.0.1", () => resolve(null)));
   const address = server.address();
   const port = typeof address === "object" && address ? address.port : 0;
-  const profile = await mkdtemp(join(tmpdir(), "parkade-everywhere-"));
-  const browser = spawn(path, [...options(profile), `http://127.0.0.1:${port}/tests/everywhere/page.html`], { stdio: "ignore" });
+  const profile = await mkdtemp(join(tmpdir(), "parkade-engines-"));
+  const browser = spawn(path, [...options(profile), `http://127.0.0.1:${port}/tests/engines/page.html`], { stdio: "ignore" });
   try {
     return await Promise.race([
       answers,

@@ -1,4 +1,4 @@
-//! `cargo xtask endure`: what takes longer than a test may, on the built page in a real browser.
+//! `cargo xtask endurance`: what takes longer than a test may, on the built page in a real browser.
 
 use anyhow::{Result, ensure};
 
@@ -8,11 +8,11 @@ use crate::{browser, site};
 const TRIALS: [&str; 4] = ["kills", "soak", "damaged", "monkey"];
 
 /// Fails where the page does not recover from a killed worker, its memory grows, or anything from outside or any hand breaks it.
-pub(crate) fn endure(arguments: &[String]) -> Result<()> {
+pub(crate) fn endurance(arguments: &[String]) -> Result<()> {
     let (trial, rest) = arguments.split_first().map_or(("", &[][..]), |(first, rest)| (first.as_str(), rest));
     ensure!(
         TRIALS.contains(&trial) && rest.len() <= 2 && rest.iter().all(|one| one.parse::<u32>().is_ok()),
-        "say `endure kills [count] [seed]`, `endure soak [minutes] [seed]`, `endure damaged [count] [seed]` or `endure monkey [minutes] [seed]`"
+        "say `endurance kills [count] [seed]`, `endurance soak [minutes] [seed]`, `endurance damaged [count] [seed]` or `endurance monkey [minutes] [seed]`"
     );
     site::assemble()?;
     let script = format!("tests/endurance/{trial}.mjs");
