@@ -16,7 +16,7 @@ struct Single {
     dx: i32,
     dy: i32,
     /// As the search from the start takes it, and the one from the goal, which goes against its direction.
-    legs: [Edge; 2],
+    edges: [Edge; 2],
 }
 
 struct Step {
@@ -66,8 +66,8 @@ impl<'a, E: Estimate> Grid<'a, E> {
         let diagonals = neighbourhood != Neighbourhood::Four;
         let single = |direction: usize| {
             let (dx, dy) = DIRECTIONS[direction];
-            let leg = |number: usize| Edge::new(number as u32 >> u32::from(!diagonals), cost(dx, dy));
-            Single { offset: dy * width + dx, dx, dy, legs: [leg(direction), leg(direction ^ 4)] }
+            let edge = |number: usize| Edge::new(number as u32 >> u32::from(!diagonals), cost(dx, dy));
+            Single { offset: dy * width + dx, dx, dy, edges: [edge(direction), edge(direction ^ 4)] }
         };
         Self {
             map: query.map,
@@ -108,10 +108,10 @@ impl<'a, E: Estimate> Grid<'a, E> {
                 Some(direction) => self.onward[(direction ^ turned) as usize & 7][usize::from(free)],
                 None => 0xff,
             };
-            u32::from(free & onward) & sink.worth_around(node, row, D, R2)
+            u32::from(free & onward) & sink.improves_around(node, row, D, R2)
         } else {
             let before = last.map_or(0, |number| 1 << ((2 * number) & 7 ^ 4 ^ turned));
-            u32::from(free & 0b0101_0101) & !before & sink.worth_beside(node, row, D)
+            u32::from(free & 0b0101_0101) & !before & sink.improves_beside(node, row, D)
         };
         let mut calls = worth.count_ones();
         worth &= u32::from(self.legal[usize::from(free)]);
@@ -122,7 +122,7 @@ impl<'a, E: Estimate> Grid<'a, E> {
                 let step = &self.single_steps[worth.trailing_zeros() as usize & 7];
                 worth &= worth - 1;
                 let h = self.estimate.over(columns - step.dx, rows - step.dy);
-                sink.take(step.legs[usize::from(back)], node.wrapping_add_signed(step.offset), h);
+                sink.relax(step.edges[usize::from(back)], node.wrapping_add_signed(step.offset), h);
             }
         }
         if self.steps.len() > 8 {
@@ -140,14 +140,14 @@ impl<'a, E: Estimate> Grid<'a, E> {
                 continue;
             }
             let target = node.wrapping_add_signed(step.offset);
-            if sink.worth(target, step.cost) {
+            if sink.improves(target, step.cost) {
                 calls += 1;
                 let to = || cell.offset(step.dx, step.dy);
                 if window & step.needs == 0
                     && (self.corner != Corner::NoSqueeze || line_of_sight(self.map, cell, to(), self.corner))
                 {
                     let number = if back { step.opposite } else { number as u32 };
-                    sink.take(Edge::new(number, step.cost), target, self.ahead(to(), back));
+                    sink.relax(Edge::new(number, step.cost), target, self.ahead(to(), back));
                 }
             }
         }
@@ -169,7 +169,7 @@ impl<E: Estimate> Lattice for Grid<'_, E> {
         self.map.len()
     }
 
-    fn rim(&self) -> usize {
+    fn padding(&self) -> usize {
         self.map.width() as usize + 1
     }
 

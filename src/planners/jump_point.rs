@@ -77,8 +77,8 @@ impl Jumps<'_> {
     #[inline(always)]
     fn emit<S: EdgeSink>(&self, to: Cell, cost: i64, direction: u32, sink: &mut S) {
         let node = self.query.map.index(to);
-        if sink.worth(node, cost) {
-            sink.take(Edge::new(direction, cost), node, self.ahead(to));
+        if sink.improves(node, cost) {
+            sink.relax(Edge::new(direction, cost), node, self.ahead(to));
         }
     }
 

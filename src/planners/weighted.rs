@@ -6,7 +6,7 @@ use super::moves::{D, DIRECTIONS, R2, cost};
 use super::query::Query;
 use crate::map::{Cell, Occupancy, Weights};
 use crate::search::NodeId;
-use crate::search::lattice::{Edge, EdgeSink, Hold, Lattice};
+use crate::search::lattice::{Deferral, Edge, EdgeSink, Lattice};
 
 /// The cost of a straight move between two cells, every part of it times the weight of its cell, rounded up. Micro-cells.
 pub(crate) fn weighted_cost(weights: &Weights, from: Cell, to: Cell) -> i64 {
@@ -53,32 +53,32 @@ impl<'a, L> Weighted<'a, L> {
 
 impl<S: EdgeSink> Weighing<'_, S> {
     /// Those of the eight directions, every `stride`-th, that would improve what is known there.
-    fn worth_in(&self, stride: usize) -> u32 {
-        let worth = |c: usize| {
+    fn improves_in(&self, stride: usize) -> u32 {
+        let improves = |c: usize| {
             let to = self.from.offset(DIRECTIONS[c].0, DIRECTIONS[c].1);
             let cost = || weighted_cost(self.weights, self.from, to);
-            self.map.contains(to) && self.sink.worth(self.map.index(to), cost())
+            self.map.contains(to) && self.sink.improves(self.map.index(to), cost())
         };
-        (0..8).step_by(stride).fold(0, |bits, c| bits | u32::from(worth(c)) << c)
+        (0..8).step_by(stride).fold(0, |bits, c| bits | u32::from(improves(c)) << c)
     }
 }
 
 impl<S: EdgeSink> EdgeSink for Weighing<'_, S> {
-    fn worth(&self, target: NodeId, _: i64) -> bool {
-        self.sink.worth(target, weighted_cost(self.weights, self.from, self.map.cell(target)))
+    fn improves(&self, target: NodeId, _: i64) -> bool {
+        self.sink.improves(target, weighted_cost(self.weights, self.from, self.map.cell(target)))
     }
 
-    fn worth_around(&self, _: NodeId, _: usize, _: i64, _: i64) -> u32 {
-        self.worth_in(1)
+    fn improves_around(&self, _: NodeId, _: usize, _: i64, _: i64) -> u32 {
+        self.improves_in(1)
     }
 
-    fn worth_beside(&self, _: NodeId, _: usize, _: i64) -> u32 {
-        self.worth_in(2)
+    fn improves_beside(&self, _: NodeId, _: usize, _: i64) -> u32 {
+        self.improves_in(2)
     }
 
-    fn take(&mut self, leg: Edge, target: NodeId, h: i64) {
+    fn relax(&mut self, edge: Edge, target: NodeId, h: i64) {
         let cost = weighted_cost(self.weights, self.from, self.map.cell(target));
-        self.sink.take(leg.at(cost), target, h);
+        self.sink.relax(edge.at(cost), target, h);
     }
 }
 
@@ -86,14 +86,14 @@ impl<L: Lattice> Lattice for Weighted<'_, L> {
     type Entry = L::Entry;
 
     const JUMPS: bool = L::JUMPS;
-    const HOLDS_BACK: bool = L::HOLDS_BACK;
+    const DEFERS: bool = L::DEFERS;
 
     fn node_count(&self) -> usize {
         self.lattice.node_count()
     }
 
-    fn rim(&self) -> usize {
-        self.lattice.rim()
+    fn padding(&self) -> usize {
+        self.lattice.padding()
     }
 
     /// What the cell before could have been offered is not cheaper from there any more, so all moves are.
@@ -113,26 +113,26 @@ impl<L: Lattice> Lattice for Weighted<'_, L> {
         self.lattice.before(node, number)
     }
 
-    fn held_back<S: EdgeSink>(&self, node: NodeId, note: u32, sink: &mut S) {
-        self.lattice.held_back(node, note, &mut self.weighing(node, sink));
+    fn deferred_successors<S: EdgeSink>(&self, node: NodeId, payload: u32, sink: &mut S) {
+        self.lattice.deferred_successors(node, payload, &mut self.weighing(node, sink));
     }
 
-    fn held_back_at_once<S: EdgeSink>(&self, node: NodeId, sink: &mut S) {
-        self.lattice.held_back_at_once(node, &mut self.weighing(node, sink));
+    fn deferred_at_once<S: EdgeSink>(&self, node: NodeId, sink: &mut S) {
+        self.lattice.deferred_at_once(node, &mut self.weighing(node, sink));
     }
 
-    fn note(&self) -> u32 {
-        self.lattice.note()
+    fn payload(&self) -> u32 {
+        self.lattice.payload()
     }
 
-    fn hold(&self) -> Hold {
-        self.lattice.hold()
+    fn deferral(&self) -> Deferral {
+        self.lattice.deferral()
     }
 
     /// Straight to the goal where nothing heavier is on the way: a way around may be cheaper otherwise.
-    fn shot(&self, node: NodeId) -> Option<i64> {
+    fn direct(&self, node: NodeId) -> Option<i64> {
         let straight = |&cost: &i64| weighted_cost(self.weights, self.map.cell(node), self.goal) == cost;
-        self.lattice.shot(node).filter(straight)
+        self.lattice.direct(node).filter(straight)
     }
 
     fn to_goal(&self, node: NodeId) -> i64 {

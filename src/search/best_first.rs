@@ -191,16 +191,16 @@ mod tests {
         }
 
         fn successors<S: Relax<i64, ()>>(&self, from: Visit<i64, ()>, sink: &mut S) {
-            assert!(sink.is_closed(from.node) && !sink.worth(from.node, -100));
+            assert!(sink.is_closed(from.node) && !sink.improves(from.node, -100));
             assert_eq!(from.parent.is_none(), from.g == 0);
             for &(_, to, cost) in self.edges.iter().filter(|edge| edge.0 == from.node) {
-                self.asked.set(self.asked.get() + u32::from(sink.worth(to, cost)));
+                self.asked.set(self.asked.get() + u32::from(sink.improves(to, cost)));
                 if from.node == 2 {
                     sink.emit_past(to, cost, ());
                 } else {
                     sink.emit(to, cost, ());
                 }
-                assert!(!sink.is_closed(to) || !sink.worth(to, cost));
+                assert!(!sink.is_closed(to) || !sink.improves(to, cost));
             }
         }
 

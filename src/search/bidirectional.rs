@@ -124,7 +124,7 @@ impl<L: Lattice, O: Observer<i64, ()>> Search<'_, L, O> {
     ) -> Option<bool> {
         let g = cost_of(record);
         self.last[TURN] = f;
-        memory.settle(TURN, node, record);
+        memory.close_for_both(TURN, node, record);
         if self.best.0 < i64::MAX {
             let back = if TURN == 0 { self.lattice.to_start(node) } else { self.lattice.to_goal(node) };
             if g + h >= self.best.0 || g + self.last[1 - TURN] - back >= self.best.0 {

@@ -2,11 +2,11 @@
 
 use super::NodeId;
 
-/// What the open list keeps of a node: its f, then its h, then which node it is and whether its held-back moves are due.
+/// An entry of the open list: a node's f and h, and whether it stands for the node's deferred moves.
 pub trait Entry: Copy {
     /// A bucket of the open list is 2 to this power wide.
     const WIDTH: u32;
-    /// Whether many entries share their f, so that one often comes before all others.
+    /// True if many entries share their f, so that a new one often precedes all others.
     const TIES: bool;
 
     /// The entry.
@@ -15,41 +15,52 @@ pub trait Entry: Copy {
     fn f(self) -> i64;
     /// The estimate in it.
     fn h(self) -> i64;
-    /// What [`Entry::open`] or [`Entry::held`] gave.
+    /// The mark that [`Entry::open`] or [`Entry::deferred`] made.
     fn mark(self) -> u32;
-    /// Whether it comes before one that is older.
+    /// True if it precedes an older entry. Recency is positional, so every operation is stable.
     fn before(self, older: Self) -> bool;
-    /// Whether their [`Entry::rank`]s tell which comes first: they have the same f, and an h of nearly the same size.
+    /// True if [`Entry::rank`] alone decides which of the two comes first: f is equal and h nearly so.
     fn is_like(self, other: Self) -> bool;
-    /// The lower half of h: the smaller it is, the earlier the entry comes among those that are like it.
+    /// The lower 32 bits of h: the order among entries that are alike.
     fn rank(self) -> u32;
 
-    /// What stands for an open node, of which there are less than 2²⁸.
+    /// The mark of an open node; nodes are below 2²⁸.
     fn open(node: NodeId) -> u32 {
+        debug_assert!(node < 1 << PAYLOAD);
         node
     }
-    /// What stands for a node's held-back moves, with a note from 0 to 7.
-    fn held(node: NodeId, note: u32) -> u32 {
-        node | note << NOTE | HELD
+    /// The mark of a node's deferred moves, with a payload from 0 to 7.
+    fn deferred(node: NodeId, payload: u32) -> u32 {
+        debug_assert!(node < 1 << PAYLOAD && payload < 8);
+        node | payload << PAYLOAD | DEFERRED
     }
     /// The node.
     fn node(self) -> NodeId {
-        self.mark() & ((1 << NOTE) - 1)
+        self.mark() & ((1 << PAYLOAD) - 1)
     }
-    /// The note on a node's held-back moves.
-    fn note(self) -> u32 {
-        (self.mark() & !HELD) >> NOTE
+    /// The payload stored with a node's deferred moves.
+    fn payload(self) -> u32 {
+        (self.mark() & !DEFERRED) >> PAYLOAD
     }
-    /// Whether the node's held-back moves are due.
-    fn is_held(self) -> bool {
-        self.mark() & HELD != 0
+    /// True if the entry stands for the node's deferred moves.
+    fn is_deferred(self) -> bool {
+        self.mark() & DEFERRED != 0
     }
 }
 
-const HELD: u32 = 1 << 31;
-const NOTE: u32 = 28;
+const DEFERRED: u32 = 1 << 31;
+const PAYLOAD: u32 = 28;
 
-/// An entry in 16 bytes, whose costs must be from 0 to below 2⁴⁸: f, then h, then the node, from the highest bit.
+/// An entry in 16 bytes; f and h must be from 0 to below 2⁴⁸.
+///
+/// ```text
+/// 127              80 79               32 31 30     28 27          0
+/// ┌──────────────────┬───────────────────┬──┬─────────┬─────────────┐
+/// │ f (48 bits)      │ h (48 bits)       │df│ payload │ node        │
+/// └──────────────────┴───────────────────┴──┴─────────┴─────────────┘
+/// ```
+///
+/// `df` is set for deferred moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PackedEntry {
     high: u64,
@@ -61,6 +72,7 @@ impl Entry for PackedEntry {
     const TIES: bool = true;
 
     fn new(f: i64, h: i64, node: u32) -> Self {
+        debug_assert!((0..1 << 48).contains(&f) && (0..1 << 48).contains(&h));
         let (f, h) = (f as u64, h as u64);
         Self { high: f << 16 | h >> 32, low: h << 32 | u64::from(node) }
     }
@@ -91,7 +103,7 @@ impl Entry for PackedEntry {
     }
 }
 
-/// An entry of any costs, whose f is taken to be spread widely.
+/// An entry of any costs, for searches whose f spreads widely.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct WideEntry {
     f: i64,
@@ -168,11 +180,11 @@ mod tests {
     fn a_mark_tells_node_note_and_whether_moves_are_held_back() {
         for (mark, told) in [
             (PackedEntry::open(77), (77, 0, false)),
-            (PackedEntry::held(77, 5), (77, 5, true)),
-            (PackedEntry::held((1 << 28) - 1, 0), ((1 << 28) - 1, 0, true)),
+            (PackedEntry::deferred(77, 5), (77, 5, true)),
+            (PackedEntry::deferred((1 << 28) - 1, 0), ((1 << 28) - 1, 0, true)),
         ] {
             let entry = PackedEntry::new(0, 0, mark);
-            assert_eq!((entry.node(), entry.note(), entry.is_held()), told);
+            assert_eq!((entry.node(), entry.payload(), entry.is_deferred()), told);
         }
     }
 }

@@ -1,38 +1,51 @@
-//! What a [`lattice`](super::lattice) search remembers: what it knows of each node, and its open lists.
+//! Memory of a [`lattice`](super::lattice) search: a record per node, and an open list per side.
 
 use super::bucket_queue::BucketQueue;
 use super::entry::Entry;
 use super::lattice::{Edge, EdgeSink, Lattice};
 use super::{NodeId, Observer};
 
-/// One node: from the lowest bit, 8 bits of the move that led to it, 44 of its cost, 1 set while it is open, 11 of the
-/// generation, which counts down. Records order as closed < better < candidate < stale, so
-/// one comparison decides.
+/// One node's state in 64 bits.
+///
+/// ```text
+/// 63         53 52 51                                    8 7        0
+/// ┌────────────┬──┬───────────────────────────────────────┬──────────┐
+/// │ generation │op│ cost g, micro-cells (44 bits)         │ move     │
+/// └────────────┴──┴───────────────────────────────────────┴──────────┘
+/// ```
+///
+/// `op` is set while the node is open. Move 255 marks the root. The generation counts down from search to search, so
+/// records of former searches are larger than those of the present one: records order as
+/// closed < better < candidate < stale, and one comparison decides.
+///
+/// Example: generation 2046, open, g = 1 414 214 (one diagonal step), move 1 (NE):
+/// `2046 << 53 | 1 << 52 | 1_414_214 << 8 | 1`.
 pub(super) type Record = u64;
 
 pub(super) const MOVE: u32 = 8;
 const OPEN: Record = 1 << 52;
 const GENERATION: Record = 1 << 53;
 const GENERATIONS: u64 = 1 << 11;
-/// The move that leads to the root.
-const ROOT: u32 = 255;
-const COST: i64 = (1 << 44) - 1;
+/// The number that stands for "no move" in the root's record.
+pub(super) const ROOT: u32 = 255;
+/// The largest cost that a record holds.
+pub(super) const COST: i64 = (1 << 44) - 1;
 
-/// The memory of these searches, reused between them: nothing is cleared, so a query costs what it touches.
+/// Memory shared by successive searches. Nothing is cleared in between, so a query costs what it touches.
 #[derive(Debug)]
 pub struct PackedScratch<E> {
-    /// One per node or, where two sides search, two side by side: who looks at one needs the other.
+    /// One record per node or, in a two-sided search, two adjacent ones, because reading one needs the other.
     records: Vec<Record>,
-    /// Where the way to a node came from, where moves do not tell.
+    /// Each node's parent, for lattices whose moves do not determine it.
     parents: Vec<NodeId>,
-    /// Nodes before the first one.
-    rim: usize,
+    /// Padding before node 0, in nodes.
+    padding: usize,
     /// The current generation in place, 0 before the first search.
     generation: Record,
     pub(super) sides: [Frontier<E>; 2],
 }
 
-/// What each side has of its own.
+/// One side of a search: its open list and counter.
 #[derive(Debug)]
 pub(super) struct Frontier<E> {
     pub(super) open: BucketQueue<E>,
@@ -42,7 +55,7 @@ pub(super) struct Frontier<E> {
 impl<E> Default for PackedScratch<E> {
     fn default() -> Self {
         let side = || Frontier { open: BucketQueue::default(), generated: 0 };
-        Self { records: Vec::new(), parents: Vec::new(), rim: 0, generation: 0, sides: [side(), side()] }
+        Self { records: Vec::new(), parents: Vec::new(), padding: 0, generation: 0, sides: [side(), side()] }
     }
 }
 
@@ -50,17 +63,17 @@ pub(super) const fn cost_of(record: Record) -> i64 {
     (record >> MOVE) as i64 & COST
 }
 
-/// The number of the move that led to a node that was reached; none at the root.
+/// The move that reached a node; `None` at the root.
 pub(super) fn move_of(record: Record) -> Option<u32> {
     let number = (record & Record::from(ROOT)) as u32;
     (number != ROOT).then_some(number)
 }
 
-/// `SIDES` is how many search: one or two.
+/// `SIDES` is the number of sides, one or two. A const generic avoids a branch per node.
 impl<E: Entry> PackedScratch<E> {
-    /// Forgets everything.
+    /// Starts a new generation, which makes all records stale.
     pub(super) fn begin<L: Lattice, const SIDES: usize>(&mut self, lattice: &L) {
-        let records = (lattice.node_count() + 2 * lattice.rim()) * SIDES;
+        let records = (lattice.node_count() + 2 * lattice.padding()) * SIDES;
         if self.generation <= GENERATION || self.records.len() < records {
             self.records.clear();
             self.records.resize(records, Record::MAX);
@@ -69,11 +82,11 @@ impl<E: Entry> PackedScratch<E> {
         if L::JUMPS && self.parents.len() < lattice.node_count() {
             self.parents.resize(lattice.node_count(), 0);
         }
-        self.rim = lattice.rim();
+        self.padding = lattice.padding();
         self.generation -= GENERATION;
     }
 
-    /// Puts in a side's root; `origin` is the least f that is worth a bucket of its own.
+    /// Inserts a side's root; `origin` is the f of the first bucket.
     pub(super) fn root<const SIDES: usize>(
         &mut self,
         turn: usize,
@@ -88,16 +101,17 @@ impl<E: Entry> PackedScratch<E> {
         side.generated = 1;
     }
 
-    /// What is known of a node, by side.
+    /// A node's records, one per side.
     fn at<const SIDES: usize>(&mut self, node: NodeId) -> &mut [Record; SIDES] {
-        &mut self.records.as_chunks_mut().0[node as usize + self.rim]
+        &mut self.records.as_chunks_mut().0[node as usize + self.padding]
     }
 
     fn record<const SIDES: usize>(&self, turn: usize, node: NodeId) -> Record {
-        self.records.as_chunks::<SIDES>().0[node as usize + self.rim][turn]
+        self.records.as_chunks::<SIDES>().0[node as usize + self.padding][turn]
     }
 
-    /// The node's cost, where this side has reached it; not for nodes that [`PackedScratch::settle`] took out of its search.
+    /// The node's cost if this side has reached it. Not valid for nodes that [`PackedScratch::close_for_both`] removed from
+    /// this side's search.
     #[cfg(feature = "complete")]
     pub(super) fn known(&self, turn: usize, node: NodeId) -> Option<i64> {
         let record = self.record::<2>(turn, node);
@@ -109,15 +123,15 @@ impl<E: Entry> PackedScratch<E> {
         self.record::<2>(turn, node) < self.generation | OPEN
     }
 
-    /// Closes a node with its record, as it was popped.
+    /// Closes a node; `record` is its record as popped.
     pub(super) fn close<const SIDES: usize>(&mut self, turn: usize, node: NodeId, record: Record) {
         self.at::<SIDES>(node)[turn] = record & !OPEN;
     }
 
-    /// Closes a node of one of two sides with its record, as it was popped, and takes it out of the other side's search,
-    /// whether that one has reached it or not.
+    /// Closes a node on one side and removes it from the other side's search, reached there or not; `record` is its record
+    /// as popped.
     #[cfg(feature = "complete")]
-    pub(super) fn settle(&mut self, turn: usize, node: NodeId, record: Record) {
+    pub(super) fn close_for_both(&mut self, turn: usize, node: NodeId, record: Record) {
         let generation = self.generation;
         let both = self.at::<2>(node);
         both[turn] = record & !OPEN;
@@ -125,25 +139,30 @@ impl<E: Entry> PackedScratch<E> {
         *other = if *other >= generation + GENERATION { generation } else { *other & !OPEN };
     }
 
-    /// Whether the only side has reached the node.
+    /// True if a one-sided search has reached the node.
     pub(super) fn is_known(&self, node: NodeId) -> bool {
         self.record::<1>(0, node) < self.generation + GENERATION
     }
 
-    /// The next entry of a node that is still open, or, with `held`, of held-back moves; with the node's record.
+    /// Pops the next entry whose node is still open, or which stands for deferred moves if `with_deferred`; returns it with
+    /// the node's record.
     #[inline]
-    pub(super) fn pop<const SIDES: usize>(&mut self, turn: usize, held: bool) -> Option<(E, Record)> {
+    pub(super) fn pop<const SIDES: usize>(
+        &mut self,
+        turn: usize,
+        with_deferred: bool,
+    ) -> Option<(E, Record)> {
         self.sides[turn].open.measure();
         loop {
             let entry = self.sides[turn].open.pop()?;
             let record = self.record::<SIDES>(turn, entry.node());
-            if record >= self.generation | OPEN || held && entry.is_held() {
+            if record >= self.generation | OPEN || with_deferred && entry.is_deferred() {
                 return Some((entry, record));
             }
         }
     }
 
-    /// The nodes from `node` to the root of a side, `node` first.
+    /// The nodes from `node` back to the side's root, `node` first.
     pub(super) fn chain<L: Lattice, const SIDES: usize>(
         &self,
         _: &L,
@@ -161,26 +180,26 @@ impl<E: Entry> PackedScratch<E> {
     }
 }
 
-/// What happens to a move that improves a node, in the search of one of one or two sides.
+/// The [`EdgeSink`] of side `TURN` in a search of `SIDES` sides.
 pub(super) struct Relaxing<'a, L: Lattice, O, const SIDES: usize, const TURN: usize> {
     records: &'a mut [[Record; SIDES]],
     parents: &'a mut [NodeId],
     side: &'a mut Frontier<L::Entry>,
     observer: &'a mut O,
-    /// Nodes before the first one.
-    rim: usize,
+    /// Padding before node 0, in nodes.
+    padding: usize,
     g: i64,
-    /// What the record of an open node of this cost is before a move is added.
+    /// The record of an open node of cost g, without a move.
     base: Record,
-    /// Nodes whose records are not below it have not been reached.
+    /// Records from this value on are stale: their nodes have not been reached.
     fresh: Record,
     from: NodeId,
-    /// The cheapest connection with the other side so far and the node that it leads through, where it is wanted.
+    /// The cheapest connection with the other side so far and its node, if the search asks for it.
     best: Option<&'a mut (i64, NodeId)>,
 }
 
 impl<'a, L: Lattice, O, const SIDES: usize, const TURN: usize> Relaxing<'a, L, O, SIDES, TURN> {
-    /// The moves out of a node, with its record.
+    /// The sink for the moves out of one node, given with its record.
     pub(super) fn new(
         _: &L,
         memory: &'a mut PackedScratch<L::Entry>,
@@ -192,7 +211,7 @@ impl<'a, L: Lattice, O, const SIDES: usize, const TURN: usize> Relaxing<'a, L, O
         Self {
             base: record & !Record::from(ROOT) | OPEN,
             fresh: memory.generation + GENERATION,
-            rim: memory.rim,
+            padding: memory.padding,
             records: memory.records.as_chunks_mut().0,
             parents: &mut memory.parents,
             side: &mut memory.sides[TURN],
@@ -204,10 +223,10 @@ impl<'a, L: Lattice, O, const SIDES: usize, const TURN: usize> Relaxing<'a, L, O
     }
 
     fn place(&self, node: NodeId) -> usize {
-        node as usize + self.rim
+        node as usize + self.padding
     }
 
-    /// What the record of a node reached by a step of this cost must exceed to be worth it.
+    /// The record that a step of this cost would write; larger records are improved.
     fn limit(&self, cost: i64) -> Record {
         self.base + Edge::new(ROOT, cost).code
     }
@@ -216,12 +235,12 @@ impl<'a, L: Lattice, O, const SIDES: usize, const TURN: usize> Relaxing<'a, L, O
 impl<L: Lattice, O: Observer<i64, ()>, const SIDES: usize, const TURN: usize> EdgeSink
     for Relaxing<'_, L, O, SIDES, TURN>
 {
-    fn worth(&self, target: NodeId, cost: i64) -> bool {
+    fn improves(&self, target: NodeId, cost: i64) -> bool {
         self.limit(cost) < self.records[self.place(target)][TURN]
     }
 
     #[inline]
-    fn worth_around(&self, node: NodeId, row: usize, straight: i64, diagonal: i64) -> u32 {
+    fn improves_around(&self, node: NodeId, row: usize, straight: i64, diagonal: i64) -> u32 {
         let (straight, diagonal) = (self.limit(straight), self.limit(diagonal));
         let at = self.place(node);
         let three = |middle: usize| {
@@ -240,7 +259,7 @@ impl<L: Lattice, O: Observer<i64, ()>, const SIDES: usize, const TURN: usize> Ed
     }
 
     #[inline]
-    fn worth_beside(&self, node: NodeId, row: usize, straight: i64) -> u32 {
+    fn improves_beside(&self, node: NodeId, row: usize, straight: i64) -> u32 {
         let straight = self.limit(straight);
         let (at, records) = (self.place(node), &self.records);
         u32::from(straight < records[at + 1][TURN])
@@ -250,10 +269,10 @@ impl<L: Lattice, O: Observer<i64, ()>, const SIDES: usize, const TURN: usize> Ed
     }
 
     #[inline(always)]
-    fn take(&mut self, leg: Edge, target: NodeId, h: i64) {
-        let g = self.g + leg.cost;
-        let known = &mut self.records[target as usize + self.rim];
-        let fresh = std::mem::replace(&mut known[TURN], self.base + leg.code) >= self.fresh;
+    fn relax(&mut self, edge: Edge, target: NodeId, h: i64) {
+        let g = self.g + edge.cost;
+        let known = &mut self.records[target as usize + self.padding];
+        let fresh = std::mem::replace(&mut known[TURN], self.base + edge.code) >= self.fresh;
         if SIDES == 2
             && let Some(best) = &mut self.best
         {

@@ -1,70 +1,70 @@
-//! Best-first search where every node has the same few moves and costs are whole numbers: eight bytes a node.
+//! Best-first search over graphs whose nodes all have the same few numbered moves, with integer costs.
 //!
-//! The order, the counters and the result are those of [`best_first`](super::best_first); nodes carry no label and
-//! remember the move that led to them instead of their parent, so that a large map fits the caches. `bidirectional`
-//! searches from both ends.
+//! The order, the counters and the result equal those of [`best_first`](super::best_first). A node takes eight bytes:
+//! it carries no label and stores the number of the move that reached it instead of its parent, so that a large map
+//! stays in the caches. `bidirectional` runs the same search from both ends.
 //!
-//! A lattice may hold back part of a node's moves ([`Lattice::HOLDS_BACK`]) until [`Lattice::hold`] lets them go.
+//! A lattice may defer some of a node's moves ([`Lattice::DEFERS`]); [`Lattice::deferral`] says when they are tried.
 
 use super::entry::Entry;
-use super::frontier::{Frontier, MOVE, PackedScratch, Record, Relaxing, cost_of, move_of};
+use super::frontier::{COST, Frontier, MOVE, PackedScratch, ROOT, Record, Relaxing, cost_of, move_of};
 use super::{Budget, End, NodeId, Observer};
 
-/// A graph whose nodes have numbered moves, at most 255, the same at each.
+/// A graph whose nodes all have the same numbered moves, at most 255.
 pub trait Lattice {
-    /// What the open list keeps: [`PackedEntry`](super::PackedEntry), or [`WideEntry`](super::WideEntry) where priorities may be below zero or
-    /// beyond 2⁴⁸.
+    /// The type of an open-list entry: [`PackedEntry`](super::PackedEntry), or [`WideEntry`](super::WideEntry) where
+    /// priorities may be negative or reach 2⁴⁸.
     type Entry: Entry;
 
-    /// Whether a move's number does not tell where it begins, so that parents must be kept.
+    /// True if a move's number does not determine its origin, so that the search stores parents.
     const JUMPS: bool = false;
-    /// Whether [`Lattice::held_back`] has anything to add.
-    const HOLDS_BACK: bool = false;
+    /// True if [`Lattice::deferred_successors`] emits moves.
+    const DEFERS: bool = false;
 
     /// Number of nodes.
     fn node_count(&self) -> usize;
 
-    /// How many numbers below 0 or from [`Lattice::node_count`] on its moves may name in [`EdgeSink::worth_around`].
-    fn rim(&self) -> usize {
+    /// Padding on each side of the node range that [`EdgeSink::improves_around`] may read, in nodes.
+    fn padding(&self) -> usize {
         0
     }
 
-    /// Offers the legal moves out of the node to `sink`. `last` is the move that led to it, where there was one: what
-    /// the node before has been offered at no higher cost need not be offered again.
+    /// Emits the legal moves out of `node`. `last` is the move that reached the node, `None` at the root. Moves that the
+    /// previous node already offered at no higher cost may be left out.
     fn successors<S: EdgeSink>(&self, node: NodeId, last: Option<u32>, sink: &mut S);
 
-    /// Offers the legal moves into the node: its number, the node that it comes from and its cost *from there*. `last`
-    /// is the move that leads out of the node.
+    /// Emits the legal moves into `node`: the move's number, its origin and its forward cost *from that origin*. `last`
+    /// is the move that leaves the node.
     fn predecessors<S: EdgeSink>(&self, node: NodeId, last: Option<u32>, sink: &mut S);
 
-    /// The node that the move leads to.
+    /// The target of move `number` from `node`.
     fn after(&self, node: NodeId, number: u32) -> NodeId;
 
-    /// The node that the move comes from.
+    /// The origin of move `number` into `node`.
     fn before(&self, node: NodeId, number: u32) -> NodeId;
 
-    /// Offers the moves that [`Lattice::successors`] held back, with the node's [`Lattice::note`].
-    fn held_back<S: EdgeSink>(&self, node: NodeId, note: u32, sink: &mut S) {
-        let _ = (node, note, sink);
+    /// Emits the moves that [`Lattice::successors`] deferred; `payload` is the node's [`Lattice::payload`].
+    fn deferred_successors<S: EdgeSink>(&self, node: NodeId, payload: u32, sink: &mut S) {
+        let _ = (node, payload, sink);
     }
 
-    /// Offers them right after [`Lattice::successors`] of the same node, which improved nothing.
-    fn held_back_at_once<S: EdgeSink>(&self, node: NodeId, sink: &mut S) {
+    /// Emits the deferred moves directly after [`Lattice::successors`] of the same node, which improved nothing.
+    fn deferred_at_once<S: EdgeSink>(&self, node: NodeId, sink: &mut S) {
         let _ = (node, sink);
     }
 
-    /// What [`Lattice::held_back`] shall be told of the node whose successors were offered last, from 0 to 7.
-    fn note(&self) -> u32 {
+    /// Three-bit payload (0 to 7) stored with the deferred entry of the node that was expanded last.
+    fn payload(&self) -> u32 {
         0
     }
 
-    /// When the moves that [`Lattice::successors`] held back are tried.
-    fn hold(&self) -> Hold {
-        Hold::UntilStuck
+    /// The rule that says when deferred moves are tried.
+    fn deferral(&self) -> Deferral {
+        Deferral::IfStuck
     }
 
-    /// The cost of what completes the path from a node other than the goal, if anything does.
-    fn shot(&self, node: NodeId) -> Option<i64> {
+    /// Cost of a direct connection from `node`, which is not the goal, to the goal; `None` where there is none.
+    fn direct(&self, node: NodeId) -> Option<i64> {
         let _ = node;
         None
     }
@@ -76,31 +76,32 @@ pub trait Lattice {
     fn to_start(&self, node: NodeId) -> i64;
 }
 
-/// When a node's held-back moves are tried.
+/// The rule that says when a node's deferred moves are tried.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Hold {
+pub enum Deferral {
     /// Never.
-    Forever,
-    /// At once where the node's other moves improved nothing, else never.
-    UntilStuck,
-    /// At once where the node's other moves improved nothing, else when the node is popped a second time: its
-    /// priority is put back by this much.
+    Never,
+    /// At once if the node's other moves improved nothing, otherwise never.
+    IfStuck,
+    /// At once if the node's other moves improved nothing; otherwise the node re-enters the open list with its f raised
+    /// by this many micro-cells, and the moves are tried when it is popped again.
     Penalty(i64),
 }
 
-/// A move as a search keeps it.
+/// A move: its cost in micro-cells and its number.
 #[derive(Debug, Clone, Copy)]
 pub struct Edge {
-    /// What it costs.
+    /// Micro-cells, at least 0 and below 2⁴⁴.
     pub(super) cost: i64,
-    /// The cost and, in the lowest bits, the number.
+    /// The cost above the lowest [`MOVE`] bits, which hold the number: the layout of a [`Record`].
     pub(super) code: u64,
 }
 
 impl Edge {
-    /// The move of a number, at most 254, and a cost.
+    /// A move with a number of at most 254 and a cost from 0 to below 2⁴⁴.
     #[inline]
     pub const fn new(number: u32, cost: i64) -> Self {
+        debug_assert!(number <= ROOT && 0 <= cost && cost <= COST);
         Self { cost, code: (cost as u64) << MOVE | number as u64 }
     }
 
@@ -111,47 +112,47 @@ impl Edge {
     }
 }
 
-/// Where a [`Lattice`] offers its moves.
+/// Receives the moves that a [`Lattice`] emits.
 pub trait EdgeSink {
-    /// Whether a move of this cost would improve what is known of `target`.
-    fn worth(&self, target: NodeId, cost: i64) -> bool;
-    /// The same for steps to the eight nodes around one, where rows have `row` nodes: bit c for the c-th of E, NE, N, NW,
-    /// W, SW, S, SE. Nodes that there are not give either answer.
-    fn worth_around(&self, node: NodeId, row: usize, straight: i64, diagonal: i64) -> u32;
-    /// The same for steps to the east, north, west and south: bits 0, 2, 4 and 6.
-    fn worth_beside(&self, node: NodeId, row: usize, straight: i64) -> u32;
-    /// Takes a move for which [`EdgeSink::worth`] has just said yes, with the estimate beyond `target`.
-    fn take(&mut self, leg: Edge, target: NodeId, h: i64);
+    /// True if a move of this cost improves the best known cost of `target`.
+    fn improves(&self, target: NodeId, cost: i64) -> bool;
+    /// The same for steps to the eight neighbours of `node` in rows of `row` nodes: bit c stands for the c-th of E, NE,
+    /// N, NW, W, SW, S, SE. The bits of neighbours outside the map are arbitrary.
+    fn improves_around(&self, node: NodeId, row: usize, straight: i64, diagonal: i64) -> u32;
+    /// The same for the four straight steps: bits 0, 2, 4 and 6 for E, N, W and S.
+    fn improves_beside(&self, node: NodeId, row: usize, straight: i64) -> u32;
+    /// Relaxes a move for which [`EdgeSink::improves`] has just returned true; `h` is the estimate at `target`.
+    fn relax(&mut self, edge: Edge, target: NodeId, h: i64);
 }
 
-/// What a search found and what it did.
+/// The path of a search and its counters.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Found {
-    /// How it ended.
+    /// How the search ended.
     pub end: End,
-    /// Cost of the path; 0 where there is none.
+    /// Cost of the path in micro-cells; 0 without a path.
     pub cost: i64,
-    /// The path's nodes from start to goal; empty where there is none.
+    /// Nodes from start to goal; empty without a path.
     pub nodes: Vec<NodeId>,
-    /// Nodes taken from the open lists and processed, the last one included.
+    /// Nodes popped and expanded, the goal included.
     pub expanded: u32,
     /// Nodes that entered an open list, once per list.
     pub generated: u32,
-    /// All insertions.
+    /// Insertions into the open lists.
     pub pushes: u32,
-    /// Nodes whose held-back moves were tried.
+    /// Nodes whose deferred moves were tried.
     pub deferred: u32,
     /// Nodes that a bound excluded before they were processed.
     pub rejected: u32,
-    /// Largest number of entries held at once.
+    /// Largest number of open-list entries.
     pub open_peak: u32,
     /// The expanded node with the smallest estimate to the goal.
     pub closest: NodeId,
-    /// Bytes of the nodes' records and of the open lists at their largest.
+    /// Bytes of the node records plus the open lists at their peak.
     pub bytes: u64,
 }
 
-/// Searches the cheapest path from `start` to `goal`; with an inconsistent estimate, some path.
+/// Searches a path from `start` to `goal`: the cheapest one if the estimate is consistent.
 pub fn one_way<L: Lattice, O: Observer<i64, ()>>(
     lattice: &L,
     (start, goal): (NodeId, NodeId),
@@ -161,12 +162,12 @@ pub fn one_way<L: Lattice, O: Observer<i64, ()>>(
 ) -> Found {
     let h = lattice.to_goal(start);
     memory.begin::<L, 1>(lattice);
-    // Estimates that are no lower bounds let f fall.
-    memory.root::<1>(0, start, (h, h), if L::HOLDS_BACK { 0 } else { h });
+    // Inadmissible estimates let f decrease below the root's.
+    memory.root::<1>(0, start, (h, h), if L::DEFERS { 0 } else { h });
     let mut found = Found::nothing(start);
     let mut nearest = h;
     let mut budget = Budget::new(max_expansions, observer);
-    while let Some((entry, record)) = memory.pop::<1>(0, L::HOLDS_BACK) {
+    while let Some((entry, record)) = memory.pop::<1>(0, L::DEFERS) {
         if budget.is_spent(found.expanded, observer) {
             found.end = End::BudgetSpent;
             break;
@@ -174,16 +175,20 @@ pub fn one_way<L: Lattice, O: Observer<i64, ()>>(
         let (node, h, g) = (entry.node(), entry.h(), cost_of(record));
         found.expanded += 1;
         observer.expanded(node, (), g);
-        if L::HOLDS_BACK && entry.is_held() {
+        if L::DEFERS && entry.is_deferred() {
             found.deferred += 1;
-            lattice.held_back(node, entry.note(), &mut only(lattice, memory, observer, (node, record)));
+            lattice.deferred_successors(
+                node,
+                entry.payload(),
+                &mut only(lattice, memory, observer, (node, record)),
+            );
             continue;
         }
         memory.close::<1>(0, node, record);
         if h < nearest {
             (nearest, found.closest) = (h, node);
         }
-        let rest = if node == goal { Some(0) } else { lattice.shot(node) };
+        let rest = if node == goal { Some(0) } else { lattice.direct(node) };
         if let Some(rest) = rest {
             found.end = End::Found;
             found.cost = g + rest;
@@ -197,16 +202,16 @@ pub fn one_way<L: Lattice, O: Observer<i64, ()>>(
         }
         let pushes = memory.sides[0].open.pushes();
         lattice.successors(node, move_of(record), &mut only(lattice, memory, observer, (node, record)));
-        if L::HOLDS_BACK {
+        if L::DEFERS {
             let open = &mut memory.sides[0].open;
-            match (lattice.hold(), open.pushes() > pushes) {
-                (Hold::Forever, _) | (Hold::UntilStuck, true) => {}
+            match (lattice.deferral(), open.pushes() > pushes) {
+                (Deferral::Never, _) | (Deferral::IfStuck, true) => {}
                 (_, false) => {
                     found.deferred += 1;
-                    lattice.held_back_at_once(node, &mut only(lattice, memory, observer, (node, record)));
+                    lattice.deferred_at_once(node, &mut only(lattice, memory, observer, (node, record)));
                 }
-                (Hold::Penalty(penalty), true) => {
-                    open.push(g + h + penalty, h, L::Entry::held(node, lattice.note()));
+                (Deferral::Penalty(penalty), true) => {
+                    open.push(g + h + penalty, h, L::Entry::deferred(node, lattice.payload()));
                 }
             }
         }
@@ -215,7 +220,7 @@ pub fn one_way<L: Lattice, O: Observer<i64, ()>>(
     found
 }
 
-/// Relaxing in a search of one side.
+/// The sink of a one-sided search.
 fn only<'a, L: Lattice, O>(
     lattice: &L,
     memory: &'a mut PackedScratch<L::Entry>,
@@ -249,7 +254,7 @@ impl Found {
             self.open_peak += side.open.peak();
         }
         let nodes = lattice.node_count();
-        let records = (nodes + 2 * lattice.rim()) * sides.len() * size_of::<Record>();
+        let records = (nodes + 2 * lattice.padding()) * sides.len() * size_of::<Record>();
         let parents = if L::JUMPS { nodes * size_of::<NodeId>() } else { 0 };
         self.bytes = (records + parents + self.open_peak as usize * size_of::<L::Entry>()) as u64;
     }

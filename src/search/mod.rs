@@ -93,7 +93,7 @@ pub trait Domain {
     type Cost: Cost;
     /// Kept per node with its best cost: `()` on grids, a pose in hybrid A*.
     type Label: Copy + Default;
-    /// What completes a plan beyond its last node: `()`, or an analytic shot.
+    /// What completes a plan beyond its last node: `()`, or an analytic expansion.
     type Tail;
 
     /// How equal priorities are ordered.
@@ -104,7 +104,7 @@ pub trait Domain {
 
     /// Emits every move out of the node: target, cost of the move, label at the target.
     ///
-    /// `worth(target, cost)` tells beforehand whether the move would improve the target, so that expensive validity
+    /// `improves(target, cost)` tells beforehand whether the move would improve the target, so that expensive validity
     /// checks can be skipped; emitting without asking is allowed.
     fn successors<S: Relax<Self::Cost, Self::Label>>(
         &self,
@@ -126,7 +126,7 @@ pub trait Domain {
 /// Where a [`Domain`] emits its moves.
 pub trait Relax<C, L> {
     /// Whether a move of this cost to `target` would improve on what is known.
-    fn worth(&self, target: NodeId, cost: C) -> bool;
+    fn improves(&self, target: NodeId, cost: C) -> bool;
     /// Whether `target` has been expanded: no move improves it any more.
     fn is_closed(&self, target: NodeId) -> bool {
         let _ = target;

@@ -21,7 +21,7 @@ struct Directed<E> {
     to_goal: Vec<i64>,
     to_start: Vec<i64>,
     /// A node from which the goal is reached for this cost.
-    shot: Option<(NodeId, i64)>,
+    direct: Option<(NodeId, i64)>,
     entry: PhantomData<E>,
 }
 
@@ -60,7 +60,7 @@ impl<E> Directed<E> {
     }
 
     fn rest(&self, node: NodeId) -> Option<i64> {
-        self.shot.filter(|shot| shot.0 == node).map(|shot| shot.1)
+        self.direct.filter(|direct| direct.0 == node).map(|direct| direct.1)
     }
 
     /// Neighbours are worth it together as they are one by one.
@@ -72,17 +72,17 @@ impl<E> Directed<E> {
         let around = [1, 13, 12, 11, -1, -13, -12, -11].map(|step| node.wrapping_add_signed(step));
         let bits = (0..8).fold(0, |bits, c| {
             let cost = if c % 2 == 0 { straight } else { diagonal };
-            bits | u32::from(sink.worth(around[c], cost)) << c
+            bits | u32::from(sink.improves(around[c], cost)) << c
         });
-        assert_eq!(sink.worth_around(node, row, straight, diagonal), bits);
-        assert_eq!(sink.worth_beside(node, row, straight), bits & 0b0101_0101);
+        assert_eq!(sink.improves_around(node, row, straight, diagonal), bits);
+        assert_eq!(sink.improves_beside(node, row, straight), bits & 0b0101_0101);
     }
 
     fn offer(&self, turn: usize, node: NodeId, sink: &mut impl EdgeSink) {
         self.compare_worth(node, sink);
         for (number, to, cost) in self.moves(turn, node) {
-            if sink.worth(to, cost) {
-                sink.take(Edge::new(number, cost), to, self.estimate(turn, to));
+            if sink.improves(to, cost) {
+                sink.relax(Edge::new(number, cost), to, self.estimate(turn, to));
             }
         }
     }
@@ -106,7 +106,7 @@ impl<E: Entry> Lattice for Directed<E> {
     fn before(&self, node: NodeId, number: u32) -> NodeId {
         Self::neighbour(node, (number + 2) % 4)
     }
-    fn shot(&self, node: NodeId) -> Option<i64> {
+    fn direct(&self, node: NodeId) -> Option<i64> {
         self.rest(node)
     }
     fn to_goal(&self, node: NodeId) -> i64 {
@@ -289,7 +289,7 @@ fn compare<E: Entry>() {
             continue;
         }
         let (to_goal, to_start) = (Vec::new(), Vec::new());
-        let mut graph = Directed::<E> { costs, to_goal, to_start, shot: None, entry: PhantomData };
+        let mut graph = Directed::<E> { costs, to_goal, to_start, direct: None, entry: PhantomData };
         let exact = [graph.distances(1, ends.1), graph.distances(0, ends.0)];
         // From no estimate to one that is exact.
         let share = [0, 1, 3, 4][round / 3 % 4];
@@ -323,7 +323,7 @@ fn compare<E: Entry>() {
         // Estimates that are no lower bounds: an entry may come before all that were popped.
         let mut wrong = |_: &i64| random(4 * kinds) as i64 * unit;
         graph.to_goal = exact[0].iter().map(&mut wrong).collect();
-        graph.shot = Some((random(NODES as u64) as u32, 1));
+        graph.direct = Some((random(NODES as u64) as u32, 1));
         let one = one_way(&graph, ends, 1000, &mut memory, &mut ());
         assert_eq!(one, plain_one_way(&graph, ends), "round {round}");
         shots += u32::from(one.nodes.len() > 1 && graph.rest(one.nodes[one.nodes.len() - 2]).is_some());

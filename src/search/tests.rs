@@ -1,6 +1,6 @@
 //! Searches along a line of nodes, down to the last counter; a bidirectional one on random graphs, against Dijkstra's.
 
-use super::lattice::{Edge, EdgeSink, Found, Hold, Lattice, one_way};
+use super::lattice::{Deferral, Edge, EdgeSink, Found, Lattice, one_way};
 use super::{
     Domain, End, Finish, Join, Limits, NodeId, Observer, PackedScratch, Relax, Scratch, Stop, Summary, Tree,
     Trees, Visit, WideEntry, bidirectional, bidirectional_best_first,
@@ -9,22 +9,22 @@ use super::{
 /// Nodes 0 to 9 with steps of cost 1 up (number 0) and down (number 1). With `HOLDS`, steps down are held back.
 struct Line<const JUMPS: bool, const HOLDS: bool> {
     ends: (NodeId, NodeId),
-    hold: Hold,
+    deferral: Deferral,
     /// A node from which the goal is reached for this cost.
-    shot: Option<(NodeId, i64)>,
+    direct: Option<(NodeId, i64)>,
 }
 
 const NODES: u32 = 10;
-const NOTE: u32 = 5;
+const PAYLOAD: u32 = 5;
 
 impl<const JUMPS: bool, const HOLDS: bool> Line<JUMPS, HOLDS> {
     const fn new(start: NodeId, goal: NodeId) -> Self {
-        Self { ends: (start, goal), hold: Hold::UntilStuck, shot: None }
+        Self { ends: (start, goal), deferral: Deferral::IfStuck, direct: None }
     }
 
     fn offer<S: EdgeSink>(to: NodeId, number: u32, h: i64, sink: &mut S) {
-        if to < NODES && sink.worth(to, 1) {
-            sink.take(Edge::new(number, 1), to, h);
+        if to < NODES && sink.improves(to, 1) {
+            sink.relax(Edge::new(number, 1), to, h);
         }
     }
 
@@ -36,40 +36,40 @@ impl<const JUMPS: bool, const HOLDS: bool> Line<JUMPS, HOLDS> {
 impl<const JUMPS: bool, const HOLDS: bool> Lattice for Line<JUMPS, HOLDS> {
     type Entry = WideEntry;
     const JUMPS: bool = JUMPS;
-    const HOLDS_BACK: bool = HOLDS;
+    const DEFERS: bool = HOLDS;
 
     fn node_count(&self) -> usize {
         NODES as usize
     }
-    fn rim(&self) -> usize {
+    fn padding(&self) -> usize {
         3
     }
     fn successors<S: EdgeSink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
         Self::offer(node + 1, 0, self.to_goal(node + 1), sink);
         if !HOLDS {
-            self.held_back_at_once(node, sink);
+            self.deferred_at_once(node, sink);
         }
     }
     fn predecessors<S: EdgeSink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
         Self::offer(node.wrapping_sub(1), 0, self.to_start(node.wrapping_sub(1)), sink);
         Self::offer(node + 1, 1, self.to_start(node + 1), sink);
     }
-    fn held_back<S: EdgeSink>(&self, node: NodeId, note: u32, sink: &mut S) {
-        assert_eq!(note, NOTE);
-        self.held_back_at_once(node, sink);
+    fn deferred_successors<S: EdgeSink>(&self, node: NodeId, payload: u32, sink: &mut S) {
+        assert_eq!(payload, PAYLOAD);
+        self.deferred_at_once(node, sink);
     }
-    fn held_back_at_once<S: EdgeSink>(&self, node: NodeId, sink: &mut S) {
+    fn deferred_at_once<S: EdgeSink>(&self, node: NodeId, sink: &mut S) {
         let down = node.wrapping_sub(1);
         Self::offer(down, 1, self.to_goal(down), sink);
     }
-    fn note(&self) -> u32 {
-        NOTE
+    fn payload(&self) -> u32 {
+        PAYLOAD
     }
-    fn hold(&self) -> Hold {
-        self.hold
+    fn deferral(&self) -> Deferral {
+        self.deferral
     }
-    fn shot(&self, node: NodeId) -> Option<i64> {
-        self.shot.filter(|shot| shot.0 == node).map(|shot| shot.1)
+    fn direct(&self, node: NodeId) -> Option<i64> {
+        self.direct.filter(|direct| direct.0 == node).map(|direct| direct.1)
     }
     fn after(&self, node: NodeId, number: u32) -> NodeId {
         assert!(!JUMPS, "where moves do not tell, parents do");
@@ -127,7 +127,7 @@ fn a_budget_ends_a_search_where_it_is() {
 
 #[test]
 fn a_shot_completes_the_path() {
-    let line = Line::<false, false> { shot: Some((3, 7)), ..Line::new(2, 5) };
+    let line = Line::<false, false> { direct: Some((3, 7)), ..Line::new(2, 5) };
     let found = line.one_way(100);
     assert_eq!((found.end, found.cost, &found.nodes[..]), (End::Found, 8, &[2, 3, 5][..]));
     // The goal was not reached before, and counts.
@@ -136,21 +136,22 @@ fn a_shot_completes_the_path() {
 
 #[test]
 fn moves_that_are_held_back_wait() {
-    let found = |hold, start, goal| Line::<false, true> { hold, ..Line::new(start, goal) }.one_way(100);
+    let found =
+        |deferral, start, goal| Line::<false, true> { deferral, ..Line::new(start, goal) }.one_way(100);
     // Up to the end, where the way is stuck, and no step down from there improves anything.
     let counts = |found: &Found| (found.end, found.expanded, found.generated, found.pushes, found.deferred);
-    assert_eq!(counts(&found(Hold::Forever, 7, 5)), (End::Exhausted, 3, 3, 3, 0));
-    assert_eq!(counts(&found(Hold::UntilStuck, 7, 5)), (End::Exhausted, 3, 3, 3, 1));
-    assert_eq!(counts(&found(Hold::UntilStuck, 9, 5)), (End::Found, 5, 5, 5, 4));
+    assert_eq!(counts(&found(Deferral::Never, 7, 5)), (End::Exhausted, 3, 3, 3, 0));
+    assert_eq!(counts(&found(Deferral::IfStuck, 7, 5)), (End::Exhausted, 3, 3, 3, 1));
+    assert_eq!(counts(&found(Deferral::IfStuck, 9, 5)), (End::Found, 5, 5, 5, 4));
     // Put back by 1, the step down from 7 comes before the second step up; 6 has a step up that improves nothing.
-    let late = found(Hold::Penalty(1), 7, 5);
+    let late = found(Deferral::Penalty(1), 7, 5);
     assert_eq!((late.nodes, late.cost), (vec![7, 6, 5], 2));
     assert_eq!((late.expanded, late.generated, late.pushes, late.deferred), (4, 4, 5, 2));
     // Put back by 4, it comes before the node 9 by its smaller h.
-    let tie = found(Hold::Penalty(4), 7, 5);
+    let tie = found(Deferral::Penalty(4), 7, 5);
     assert_eq!((tie.cost, tie.expanded, tie.generated, tie.pushes, tie.deferred), (2, 5, 5, 7, 2));
     // Put back by 5, it comes after that one, which is stuck.
-    let later = found(Hold::Penalty(5), 7, 5);
+    let later = found(Deferral::Penalty(5), 7, 5);
     assert_eq!((later.cost, later.expanded, later.generated, later.pushes, later.deferred), (2, 6, 5, 7, 3));
 }
 
@@ -196,8 +197,8 @@ fn a_memory_serves_more_searches_than_it_has_generations() {
 
 #[test]
 fn a_leg_at_another_cost_is_the_same_move() {
-    let (leg, other) = (Edge::new(200, 5).at(1 << 40), Edge::new(200, 1 << 40));
-    assert_eq!((leg.cost, leg.code), (other.cost, other.code));
+    let (edge, other) = (Edge::new(200, 5).at(1 << 40), Edge::new(200, 1 << 40));
+    assert_eq!((edge.cost, edge.code), (other.cost, other.code));
 }
 
 /// A directed graph as one of two trees sees it.

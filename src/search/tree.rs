@@ -121,7 +121,7 @@ struct Sink<'a, D: Domain, O> {
 }
 
 impl<D: Domain, O: Observer<D::Cost, D::Label>> Relax<D::Cost, D::Label> for Sink<'_, D, O> {
-    fn worth(&self, target: NodeId, cost: D::Cost) -> bool {
+    fn improves(&self, target: NodeId, cost: D::Cost) -> bool {
         let g = self.g + cost;
         g < self.best && self.scratch.get(target).is_none_or(|s| !s.is_closed() && g < s.g)
     }
@@ -139,7 +139,7 @@ impl<D: Domain, O: Observer<D::Cost, D::Label>> Relax<D::Cost, D::Label> for Sin
     }
 
     fn emit(&mut self, target: NodeId, cost: D::Cost, label: D::Label) {
-        if self.worth(target, cost) {
+        if self.improves(target, cost) {
             self.link(self.parent, self.g + cost, target, label);
         }
     }

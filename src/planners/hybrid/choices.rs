@@ -392,7 +392,7 @@ mod tests {
     struct Moves(Vec<(NodeId, f64, State)>);
 
     impl Relax<f64, State> for Moves {
-        fn worth(&self, _: NodeId, _: f64) -> bool {
+        fn improves(&self, _: NodeId, _: f64) -> bool {
             true
         }
 

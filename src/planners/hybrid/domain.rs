@@ -230,7 +230,7 @@ impl Domain for StateLattice<'_> {
                     continue;
                 }
                 let node = self.node(end, after.gear);
-                if !sink.worth(node, cost) || !(self.level.shuffle || self.is_primitive_free(pose, &arc)) {
+                if !sink.improves(node, cost) || !(self.level.shuffle || self.is_primitive_free(pose, &arc)) {
                     continue;
                 }
                 cost += self.costs.places(self.probe, pose, &arc);

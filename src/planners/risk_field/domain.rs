@@ -9,7 +9,7 @@ use crate::map::{Cell, Corner, line_of_sight};
 use crate::planners::heuristics::DistanceWeight;
 use crate::planners::moves::{D, DIRECTIONS, LEGAL, R2, cost};
 use crate::planners::query::Query;
-use crate::search::lattice::{Edge, EdgeSink, Hold, Lattice};
+use crate::search::lattice::{Deferral, Edge, EdgeSink, Lattice};
 use crate::search::{NodeId, WideEntry};
 
 pub(super) struct RiskGrid<'a> {
@@ -25,7 +25,7 @@ pub(super) struct RiskGrid<'a> {
     goal_side: bool,
     goal_shot: bool,
     corner: Corner,
-    hold: Hold,
+    deferral: Deferral,
     /// How much larger the number of a neighbour is, by direction.
     offsets: [i32; 8],
     legal: &'static [u8; 256],
@@ -37,7 +37,7 @@ pub(super) struct RiskGrid<'a> {
 }
 
 impl<'a> RiskGrid<'a> {
-    pub(super) fn new(query: Query<'a>, config: &Config, weight: DistanceWeight, hold: Hold) -> Self {
+    pub(super) fn new(query: Query<'a>, config: &Config, weight: DistanceWeight, deferral: Deferral) -> Self {
         let (w1, w2) = (permille(config.w1), permille(config.w2));
         let unit = if w1 % 1000 == 0 && w2 % 1000 == 0 { 1 } else { 1000 };
         Self {
@@ -50,7 +50,7 @@ impl<'a> RiskGrid<'a> {
             goal_side: config.goal_side,
             goal_shot: config.goal_shot,
             corner: config.common.corner,
-            hold,
+            deferral,
             offsets: DIRECTIONS.map(|(dx, dy)| dy * query.map.width() as i32 + dx),
             legal: &LEGAL[config.common.corner as usize],
             los_calls: Counter::new(0),
@@ -76,7 +76,7 @@ impl<'a> RiskGrid<'a> {
     #[inline(always)]
     fn look<S: EdgeSink>(&self, node: NodeId, sink: &S) -> (u32, u32) {
         let free = self.query.map.free_around_index(node);
-        let worth = sink.worth_around(node, self.query.map.width() as usize, D, R2);
+        let worth = sink.improves_around(node, self.query.map.width() as usize, D, R2);
         (worth & u32::from(free), u32::from(self.legal[usize::from(free)]))
     }
 
@@ -84,7 +84,7 @@ impl<'a> RiskGrid<'a> {
     fn step<S: EdgeSink>(&self, (node, at): (NodeId, Cell), c: usize, sink: &mut S) {
         let (dx, dy) = DIRECTIONS[c % 8];
         let to = node.wrapping_add_signed(self.offsets[c % 8]);
-        sink.take(Edge::new(c as u32, step_cost(c)), to, self.ahead(at.offset(dx, dy)));
+        sink.relax(Edge::new(c as u32, step_cost(c)), to, self.ahead(at.offset(dx, dy)));
     }
 
     /// Offers the steps of two and more cells in one direction, where a step of one is legal or not.
@@ -102,10 +102,10 @@ impl<'a> RiskGrid<'a> {
                 continue;
             }
             let (target, cost) = (before.wrapping_add_signed(offset), i64::from(count + 1) * step_cost(c));
-            if sink.worth(target, cost) {
+            if sink.improves(target, cost) {
                 self.count_los(1);
                 if is_open && is_legal(before) {
-                    sink.take(Edge::new(count as u32 * 8 + c as u32, cost), target, self.ahead(to));
+                    sink.relax(Edge::new(count as u32 * 8 + c as u32, cost), target, self.ahead(to));
                 }
             }
         }
@@ -164,13 +164,13 @@ impl RiskGrid<'_> {
 impl Lattice for RiskGrid<'_> {
     type Entry = WideEntry;
 
-    const HOLDS_BACK: bool = true;
+    const DEFERS: bool = true;
 
     fn node_count(&self) -> usize {
         self.query.map.len()
     }
 
-    fn rim(&self) -> usize {
+    fn padding(&self) -> usize {
         self.query.map.width() as usize + 1
     }
 
@@ -206,29 +206,29 @@ impl Lattice for RiskGrid<'_> {
     }
 
     /// The central direction: the force at a cell is not computed twice.
-    fn note(&self) -> u32 {
+    fn payload(&self) -> u32 {
         self.center.get() as u32
     }
 
-    fn held_back<S: EdgeSink>(&self, node: NodeId, note: u32, sink: &mut S) {
+    fn deferred_successors<S: EdgeSink>(&self, node: NodeId, payload: u32, sink: &mut S) {
         let (worth, legal) = self.look(node, sink);
-        let worth = worth & !mask(primaries(note as usize));
+        let worth = worth & !mask(primaries(payload as usize));
         self.count_los(worth.count_ones());
         self.take_all(node, worth & legal, sink);
     }
 
-    fn held_back_at_once<S: EdgeSink>(&self, node: NodeId, sink: &mut S) {
+    fn deferred_at_once<S: EdgeSink>(&self, node: NodeId, sink: &mut S) {
         let (worth, legal) = self.others.get();
         self.count_los(worth.count_ones());
         self.take_all(node, worth & legal, sink);
     }
 
-    fn hold(&self) -> Hold {
-        self.hold
+    fn deferral(&self) -> Deferral {
+        self.deferral
     }
 
     /// The goal where it is in sight.
-    fn shot(&self, node: NodeId) -> Option<i64> {
+    fn direct(&self, node: NodeId) -> Option<i64> {
         if !self.goal_shot {
             return None;
         }

@@ -94,7 +94,7 @@ pub fn explain(query: Query, config: &Config, at: Cell) -> Option<Explanation> {
     let (sx, sy) = (query.goal.x - query.start.x, query.goal.y - query.start.y);
     let estimate = |permille| {
         let weight = DistanceWeight::new(permille, sx, sy);
-        RiskGrid::new(query, config, weight, config.hold()).ahead(at)
+        RiskGrid::new(query, config, weight, config.deferral()).ahead(at)
     };
     Some(Explanation {
         cell: [at.x, at.y],

@@ -21,7 +21,7 @@ use super::weighted::Weighted;
 use crate::json;
 use crate::map::Corner;
 use crate::map::risk::{Attraction, FieldSettings, ObstacleSet, PotentialField};
-use crate::search::lattice::{Hold, one_way};
+use crate::search::lattice::{Deferral, one_way};
 use crate::search::{Observer, Watch};
 
 #[cfg(feature = "complete")]
@@ -157,13 +157,13 @@ impl Config {
         PotentialField::new(query.map, query.goal, settings)
     }
 
-    fn hold(&self) -> Hold {
+    fn deferral(&self) -> Deferral {
         match self.fallback {
-            Fallback::Penalty => Hold::Penalty((self.penalty * 1e6).round() as i64),
+            Fallback::Penalty => Deferral::Penalty((self.penalty * 1e6).round() as i64),
             // Beyond every real priority, yet far from overflow.
-            Fallback::Lexicographic => Hold::Penalty(1 << 61),
-            Fallback::StuckOnly => Hold::UntilStuck,
-            Fallback::None => Hold::Forever,
+            Fallback::Lexicographic => Deferral::Penalty(1 << 61),
+            Fallback::StuckOnly => Deferral::IfStuck,
+            Fallback::None => Deferral::Never,
         }
     }
 }
@@ -194,7 +194,7 @@ pub fn plan<O: Observer<i64, ()>>(
     }
     let (dx, dy) = (query.goal.x - query.start.x, query.goal.y - query.start.y);
     let weight = DistanceWeight::new(permille(config.wbar), dx, dy);
-    let grid = domain::RiskGrid::new(query, config, weight, config.hold());
+    let grid = domain::RiskGrid::new(query, config, weight, config.deferral());
     let most = config.common.max_expansions;
     let mut report = if query.map.weights().is_some() {
         let grid = Weighted::new(grid, &query);
