@@ -117,15 +117,13 @@ function textsOf(page: Page): Promise<string[]> {
   });
 }
 
+const english = (texts: readonly string[]): string[] =>
+  texts.filter((text) => /[A-Za-z]{2,}/.test(text.replaceAll(NAMES, "").replace(CITED, "")));
+
 async function expectChinese(page: Page, where: string): Promise<void> {
   const texts = await textsOf(page);
   expect(texts.length, where).toBeGreaterThan(20);
-  expect
-    .soft(
-      texts.filter((text) => /[A-Za-z]{2,}/.test(text.replaceAll(NAMES, "").replace(CITED, ""))),
-      where,
-    )
-    .toEqual([]);
+  expect.soft(english(texts), where).toEqual([]);
 }
 
 interface Inside extends PlaygroundElement {
@@ -143,6 +141,8 @@ test("the Chinese page is Chinese: tools, layouts, layers, settings and menus", 
   test.setTimeout(120_000);
   await open(page);
   await settled(page);
+  // The Chinese texts are a file of their own, which may come after the first plans.
+  await expect.poll(async () => english(await textsOf(page))).toEqual([]);
   await expectChinese(page, "first picture");
   for (const mode of ["overlay", "focus", "grid"]) {
     await set(page, { mode });

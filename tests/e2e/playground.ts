@@ -19,6 +19,7 @@ export interface PlaygroundElement extends HTMLElement {
       mode: string;
       lang: string;
       complete: boolean;
+      results: Record<string, { plan: Plan | null; chosen?: Plan | null; ordinary?: Plan | null }>;
     };
     set(patch: Record<string, unknown>): void;
   };
