@@ -1,5 +1,5 @@
-//! Prints how long the parking paper's rows take to drive, how well a simulated car follows them, and where it waits for
-//! moving obstacles; and, as JSON, `tests/data/drive-vectors.json`.
+//! Prints how long the parking paper's rows take to drive, how well a simulated car follows them, and where it waits
+//! for moving obstacles; and, as JSON, `tests/data/drive-vectors.json`.
 //!
 //! ```sh
 //! cargo run --release --example drive > tests/data/drive-vectors.json

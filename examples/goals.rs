@@ -1,5 +1,5 @@
-//! How soon hopeless parking questions are answered and in which words, and that answers do not depend on where the origin
-//! is. `cargo xtask bench parking` runs it with the rest of the parking planner's goals.
+//! How soon hopeless parking questions are answered and in which words, and that answers do not depend on where the
+//! origin is. `cargo xtask bench parking` runs it with the rest of the parking planner's goals.
 //!
 //! ```sh
 //! PARKADE_DATA=folder cargo run --release --example goals

@@ -6,12 +6,12 @@
 //! PARKADE_DATA=folder cargo run --release --example tpcap time scene
 //! ```
 //!
-//! `json` and `time`, for `cargo xtask bench parking`: these, the parking paper's rows and the tight slots with their scenes, by the
-//! usual settings and by those that the best known are compared with.
+//! `json` and `time`, for `cargo xtask bench parking`: these, the parking paper's rows and the tight slots with their
+//! scenes, by the usual settings and by those that the best known are compared with.
 //!
 //! The folder holds `tpcap/Case*.csv` and `parking_scenes/scenes.json`. Every path is checked by the validator, which
-//! tests the exact body every 2 cm. Times are of the processor, the least of several runs: preparing the obstacles, then
-//! search, shortcut and verification of one query.
+//! tests the exact body every 2 cm. Times are of the processor, the least of several runs: preparing the obstacles,
+//! then search, shortcut and verification of one query.
 
 #[path = "clock/mod.rs"]
 mod clock;
@@ -52,8 +52,8 @@ const BEST: [(&str, f64, u32, f64); 18] = [
 const BATCH: f64 = 40.0;
 const MOST: u32 = 1024;
 
-/// The best known come from programs that keep no margin: as near as this, metres, and as dear a gear change, metres, one
-/// setting has both short paths and few gear changes.
+/// The best known come from programs that keep no margin: as near as this, metres, and as dear a gear change, metres,
+/// one setting has both short paths and few gear changes.
 const NEAR: (f64, f64) = (0.03, 1.5);
 
 fn main() {

@@ -1,5 +1,6 @@
-//! Judges the trajectories of all planners on the built-in parking scenes and on the cases of the TPCAP competition, and prints
-//! the tables of `benches/TRAJECTORIES.md`; or, as JSON, `tests/data/trajectory-hashes.json`; or what became of random scenes.
+//! Judges the trajectories of all planners on the built-in parking scenes and on the cases of the TPCAP competition,
+//! and prints the tables of `benches/TRAJECTORIES.md`; or, as JSON, `tests/data/trajectory-hashes.json`; or what became
+//! of random scenes.
 //!
 //! ```sh
 //! PARKADE_DATA=folder cargo run --release --example trajectories

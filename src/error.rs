@@ -39,7 +39,7 @@ impl ErrorCode {
 /// Bad input. A search that finds no path is no error: see [`crate::plan::Plan::outcome`].
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Error {
-    /// What kind of input was refused.
+    /// The kind of input that was refused.
     pub code: ErrorCode,
     /// The field, as a path into the input: `obstacles[2].points[0]`; a line number for imports; empty for the whole.
     pub path: String,

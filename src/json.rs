@@ -1,7 +1,7 @@
 //! Reading JSON values, with errors that name the field, however deep it is.
 //!
-//! By hand: serde's tagged and untagged enums forget where inside them an error arose, and derived readers of scenes and
-//! settings would be a quarter of the wasm file. The errors' code is the caller's to set.
+//! By hand: serde's tagged and untagged enums forget where inside them an error arose, and derived readers of scenes
+//! and settings would be a quarter of the wasm file. The errors' code is the caller's to set.
 
 use serde_json::{Map, Value};
 

@@ -1,9 +1,10 @@
 //! Vehicle path planners: grid A*, risk-field A*, hybrid A* — one scene, many answers.
 //!
-//! A [`scenario::Scenario`] is a floor, obstacles, parking slots, a car, a start and a goal. A [`plan::Planner`] is one of the
-//! planners that [`planners::registry::planners`] lists, prepared on a scene. Its [`plan::Plan`] is a path in metres and radians,
-//! what the search did, what the path is worth, and what an independent validator ([`metrics::check()`]) says of it. No path
-//! is an outcome with a reason, not an [`Error`]; errors are for scenes and settings that are wrong.
+//! A [`scenario::Scenario`] is a floor, obstacles, parking slots, a car, a start and a goal. A [`plan::Planner`] is one
+//! of the planners that [`planners::registry::planners`] lists, prepared on a scene. Its [`plan::Plan`] is a path in
+//! metres and radians, what the search did, what the path is worth, and what an independent validator
+//! ([`metrics::check()`]) says of it. No path is an outcome with a reason, not an [`Error`]; errors are for scenes and
+//! settings that are wrong.
 //!
 //! ```
 //! use parkade::plan::{Options, Outcome, Planner};
@@ -23,12 +24,13 @@
 //!
 //! # Layers
 //!
-//! A module uses only modules before it in this list:
-//! [`error`] · `json` (reading settings and scenes) · [`geometry`] (poses, arcs, Reeds–Shepp curves) · [`map`] (cells, rasters, distance and potential fields) ·
-//! [`vehicle`] (dimensions, collision) · [`scenario`] (scenes, their JSON, built-in and generated ones) · `import` (maps of
-//! other programs) · [`search`] (best-first search over any [`search::Domain`]) · [`planners`] · [`post`] (pruning, smoothing) · [`metrics`] (validator, figures) ·
-//! `drive` (paths in time) · `referee` (verdicts on trajectories) · `optimise` (plans as trajectories) ·
-//! [`plan`] (joins all of these) · `papers` (the papers' tables) · `wasm` (JavaScript bindings, on wasm32 only).
+//! A module uses only modules before it in this list: [`error`] · `json` (reading settings and scenes) · [`geometry`]
+//! (poses, arcs, Reeds–Shepp curves) · [`map`] (cells, rasters, distance and potential fields) · [`vehicle`]
+//! (dimensions, collision) · [`scenario`] (scenes, their JSON, built-in and generated ones) · `import` (maps of other
+//! programs) · [`search`] (best-first search over any [`search::Domain`]) · [`planners`] · [`post`] (pruning,
+//! smoothing) · [`metrics`] (validator, figures) · `drive` (paths in time) · `referee` (verdicts on trajectories) ·
+//! `optimise` (plans as trajectories) · [`plan`] (joins all of these) · `papers` (the papers' tables) · `wasm`
+//! (JavaScript bindings, on wasm32 only).
 //!
 //! # Determinism
 //!

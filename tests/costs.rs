@@ -1,4 +1,5 @@
-//! Cells that cost more: the cheapest paths against an oracle, what comes after the search, every planner's use of them.
+//! Cells that cost more: the cheapest paths against an oracle, what comes after the search, every planner's use of
+//! them.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;

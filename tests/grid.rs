@@ -61,7 +61,7 @@ fn dijkstra_with(query: Query, moves: &[Move], corner: Corner) -> Option<i64> {
     None
 }
 
-/// Whether the report's path is joined, clear and costs what it says.
+/// True if the report's path is joined, clear and costs what it says.
 fn check_path(query: Query, corner: Corner, report: &GridReport) {
     assert_eq!((report.cells.first(), report.cells.last()), (Some(&query.start), Some(&query.goal)));
     let mut sum = 0;

@@ -192,8 +192,8 @@ fn roads_keep_what_is_promised() {
     assert_eq!(road::measure(&road::ROWS[0], 0, &mut still).unwrap_err().path, "rounds");
 }
 
-/// Half of 16 m and a margin of 9 m make the manuscript's safety distance of 17 m. Cells keep it; where a curve swings into
-/// the margin, the ship itself stays clear.
+/// Half of 16 m and a margin of 9 m make the manuscript's safety distance of 17 m. Cells keep it; where a curve swings
+/// into the margin, the ship itself stays clear.
 #[test]
 fn the_ship_sails_all_four_scenes() {
     for row in road::ROWS.iter().filter(|row| row.ship) {

@@ -250,8 +250,8 @@ fn a_map_too_large_for_a_car_is_refused_and_says_so() {
     assert!(Planner::new("hybrid", &scene, &Map::new()).is_ok());
 }
 
-/// A planner that takes long, and how often it tells: noise with a wall across it, where every cell that can be reached is
-/// searched, or a tight slot.
+/// A planner that takes long, and how often it tells: noise with a wall across it, where every cell that can be reached
+/// is searched, or a tight slot.
 fn slow(info: &Info) -> (Planner, u32) {
     let (scene, config, every) = if info.family == registry::Family::Hybrid {
         (catalog::scenario("par-8.0").unwrap(), settings(&json!({ "maxExpansions": 1500 })), 256)

@@ -41,7 +41,7 @@ export function declarations(text: string): Declaration[] {
   return found;
 }
 
-/** Whether brackets are closed and the statement is over. */
+/** True if brackets are closed and the statement is over. */
 function isEnd(code: string): boolean {
   const bare = code.replace(/\/\*[^]*?\*\/|\/\/.*|"[^"\n]*"/g, "");
   const open = (bare.match(/[{([]/g)?.length ?? 0) - (bare.match(/[})\]]/g)?.length ?? 0);

@@ -58,7 +58,7 @@ pub(crate) fn print(as_json: bool, wasm: Option<&str>) -> bool {
     })
 }
 
-/// Whether a number that was read is the one found here; the reader of JSON can miss by a unit in the last place.
+/// True if a number that was read is the one found here; the reader of JSON can miss by a unit in the last place.
 fn is_same(read: f64, found: f64) -> bool {
     serde_json::from_str::<f64>(&json!(found).to_string())
         .is_ok_and(|found| found.to_bits() == read.to_bits())

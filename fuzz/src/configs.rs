@@ -16,7 +16,7 @@ pub(crate) struct Question {
     pub(crate) planner: &'static str,
     pub(crate) scene: Scenario,
     pub(crate) settings: Map<String, Value>,
-    /// Whether every setting is one that it may have.
+    /// True if every setting is one that it may have.
     good: bool,
 }
 

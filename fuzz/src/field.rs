@@ -103,7 +103,7 @@ impl Field {
         (index(x, self.origin[0]), index(y, self.origin[1]))
     }
 
-    /// Whether the straight line between two cells' centres touches no blocked cell, corners included.
+    /// True if the straight line between two cells' centres touches no blocked cell, corners included.
     pub(crate) fn sees(&self, a: Cell, b: Cell) -> bool {
         let (low, high) = ((a.0.min(b.0), a.1.min(b.1)), (a.0.max(b.0), a.1.max(b.1)));
         let touched = |x: i32, y: i32| {
@@ -148,7 +148,7 @@ impl Field {
         None
     }
 
-    /// Whether the goal can be reached at all: without cut corners, over the edges of cells.
+    /// True if the goal can be reached at all: without cut corners, over the edges of cells.
     pub(crate) fn connected(&self) -> bool {
         if self.blocked(self.start) || self.blocked(self.goal) {
             return false;

@@ -1,8 +1,8 @@
 //! Random input to Parkade, by seed, and what its answers are held against.
 //!
-//! A [`Target`] makes its input from a seed and fails in words when an answer is wrong: a planner's path that an independent
-//! walk refuses, a cost that differs from plain Dijkstra's, an error without a field. `cargo xtask fuzz` runs them by the
-//! million; the test suite runs the first seeds of each.
+//! A [`Target`] makes its input from a seed and fails in words when an answer is wrong: a planner's path that an
+//! independent walk refuses, a cost that differs from plain Dijkstra's, an error without a field. `cargo xtask fuzz`
+//! runs them by the million; the test suite runs the first seeds of each.
 
 mod configs;
 mod field;

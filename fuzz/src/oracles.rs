@@ -127,7 +127,8 @@ fn other(r: &mut Random, field: &Field) -> Outcome {
         walked(field, &bare, None)?;
         if let Some(bound) = planner.any_angle_length() {
             let length: f64 = bare.path.windows(2).map(|ends| (ends[1] - ends[0]).norm()).sum();
-            // The yardstick's paths turn beside convex corners only, which on small crowded maps costs up to a hundredth.
+            // The yardstick's paths turn beside convex corners only, which on small crowded maps costs up to a
+            // hundredth.
             if length < 0.99 * bound {
                 return Err(format!("any-angle: {length} is below the yardstick's {bound}"));
             }

@@ -134,7 +134,7 @@ function apart(runs) {
 }
 
 /**
- * Whether a run that begins here comes after this one and does not touch it.
+ * True if a run that begins here comes after this one and does not touch it.
  * @param {number} x
  * @param {number} y
  * @param {Run | undefined} run

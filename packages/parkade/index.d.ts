@@ -51,7 +51,7 @@ export interface Road {
   laneWidth?: number;
   /** Speed limit, m/s. */
   speed?: number;
-  /** Whether its sides are kerbs; default true. */
+  /** True if its sides are kerbs; default true. */
   kerbs?: boolean;
 }
 
@@ -293,7 +293,7 @@ export type Metrics = GridMetrics | HybridMetrics | RoadMetrics;
 export interface Check {
   /** "ok": this car can drive it and arrives as asked. */
   verdict: "ok" | "arrives-turned" | "too-tight" | "collides" | "none";
-  /** Whether this car can drive it: no hit, no turn tighter than its limit, starts along its heading. */
+  /** True if this car can drive it: no hit, no turn tighter than its limit, starts along its heading. */
   drivable: boolean;
   /** Poses of `path` at which the body overlaps something. */
   hits: number;
@@ -457,7 +457,7 @@ export type PlanOf<Id extends PlannerId> = Id extends GridPlannerId ? GridPlan :
 export interface Member {
   /** Of the portfolio, 0 to 5. */
   level: number;
-  /** Whether its tree grew from the goal, else from the start; false of a search from both ends. */
+  /** True if its tree grew from the goal, else from the start; false of a search from both ends. */
   fromGoal: boolean;
   /** Side of a position cell, metres. */
   xyResolution: number;
@@ -521,7 +521,7 @@ export interface Explanation {
     cell: [number, number];
     direction: "E" | "NE" | "N" | "NW" | "W" | "SW" | "S" | "SE";
     role: "primary" | "extension" | "held-back";
-    /** Whether it is free and the way to it is. */
+    /** True if it is free and the way to it is. */
     free: boolean;
   }[];
   /** Estimate of the way to the goal, millionths of a cell; then with the distance weight. */
@@ -539,7 +539,7 @@ export interface ParameterInfo {
   step?: number;
   choices?: string[];
   default: number | boolean | string | null;
-  /** Whether people reach for it first. */
+  /** True if people reach for it first. */
   basic: boolean;
   title: { en: string; zh: string };
   doc: { en: string; zh: string };
@@ -549,9 +549,9 @@ export interface PlannerInfo {
   id: PlannerId;
   /** What it searches: cells; poses of a car, which can drive the path; a road's cost map. */
   family: "grid" | "hybrid" | "road";
-  /** Whether a risk field leads it: `layer("risk")` and `explain`. */
+  /** True if a risk field leads it: `layer("risk")` and `explain`. */
   hasRiskField: boolean;
-  /** Whether it plans in scenes with `costs`. */
+  /** True if it plans in scenes with `costs`. */
   takesCosts: boolean;
   title: { en: string; zh: string };
   paper: string;
@@ -787,7 +787,7 @@ export interface ParkingTable {
   row: ParkingRow;
   /** Length of the shortest path without obstacles, metres. */
   bound: number;
-  /** Whether the printed lengths, traditional and improved, are below that. */
+  /** True if the printed lengths, traditional and improved, are below that. */
   impossible: [boolean, boolean];
   /** "hybrid-forward" (traditional), "hybrid" (improved), "hybrid-bidirectional", "hybrid-classic", in the paper's rounding. */
   lines: (ParkingFigures & {
@@ -956,7 +956,7 @@ export interface Limits {
    * before the step. "slow": 0.5 m/s near steps, and everywhere slow enough for the wheel.
    */
   steps?: "preview" | "slow";
-  /** Whether the wheel turns at standstill at the start and at gear changes; default true. */
+  /** True if the wheel turns at standstill at the start and at gear changes; default true. */
   dwell?: boolean;
   /** Most time between two rows, seconds; default 0.05. */
   dt?: number;

@@ -72,7 +72,7 @@ export function call(run) {
   }
 }
 
-/** Whether the module can still be called: a trap leaves its memory in an unknown state. */
+/** True if the module can still be called: a trap leaves its memory in an unknown state. */
 export function isRunning() {
   return state === "ready";
 }

@@ -1,7 +1,7 @@
 //! Speeds with limited jerk: changes of speed in three phases of constant jerk, steady speed between them.
 //!
-//! The fastest such drive up to one peak is tried; where it is too fast for a stretch, the slowest of these is driven at
-//! its limit, and the ways before and after it are planned in the same manner.
+//! The fastest such drive up to one peak is tried; where it is too fast for a stretch, the slowest of these is driven
+//! at its limit, and the ways before and after it are planned in the same manner.
 
 use super::speed_profile::{Limits, Phase};
 
@@ -73,7 +73,7 @@ fn largest(low: f64, high: f64, good: impl Fn(f64) -> bool) -> f64 {
 /// A station and the speed there.
 type Place = (f64, f64);
 
-/// What is still to be driven.
+/// A part of the run that has no speed profile yet.
 enum Task {
     /// At the limits, without acceleration at the ends.
     Between(Place, Place),
@@ -129,8 +129,8 @@ pub(super) fn phases(
             start = end;
         }
         let steady = slowest.and_then(|(start, end, limit)| {
-            // Cruise interval that remains after both ramps, clipped to the zone. A zone too short to reach its speed in is
-            // driven through on the way to another speed.
+            // Cruise interval that remains after both ramps, clipped to the zone. A zone too short to reach its speed
+            // in is driven through on the way to another speed.
             let room = |speed: f64| (a.0 + ramp(a.1, speed).length, b.0 - ramp(speed, b.1).length);
             let speed = largest(ends.min(limit), limit, |speed| room(speed).0 <= room(speed).1);
             let (first, last) = room(speed);
@@ -321,7 +321,7 @@ mod tests {
                 ([(5.0 - width, TOP), (5.0, 0.5), (10.0, TOP)], [(0.0, 1.0), (5.0, 1.0)]),
                 ([(5.0, 2.0), (5.0 + width, 0.5), (10.0, TOP)], [(0.0, 0.5), (5.0 + width, 1.0)]),
             ] {
-                // Whether there is a way or none, it is told.
+                // Both outcomes are reported.
                 let _ = phases(&limits(), JERK, &zones, ends);
             }
         }

@@ -76,8 +76,8 @@ impl Mover {
             .map(|(x, y)| pose.to_world(Point::new(x, y)))
     }
 
-    /// Whether the box, grown by `margin`, meets a rectangle at any time from `from` to `to`, corners of the line cut as
-    /// the box cuts them: it turns on the spot.
+    /// True if the box, grown by `margin`, meets a rectangle at any time from `from` to `to`, corners of the line cut
+    /// as the box cuts them: it turns on the spot.
     pub(super) fn meets(&self, body: &[Point; 4], margin: f64, from: f64, to: f64) -> bool {
         let (mut station, end) = (self.station(from), self.station(to));
         loop {
@@ -97,7 +97,7 @@ impl Mover {
     }
 }
 
-/// Whether two rectangles overlap, by their separating axes.
+/// True if two rectangles overlap, by their separating axes.
 fn overlap(a: &[Point; 4], b: &[Point; 4]) -> bool {
     [a, b].into_iter().all(|ring| {
         (0..2).all(|k| {

@@ -28,10 +28,11 @@ pub enum Profile {
 
 json::words!(Profile: "limited" = Limited, "constant" = Constant);
 
-/// What happens where the curvature steps inside a run; the wheel cannot step.
+/// Behaviour at a step of the curvature inside a run, which no steering wheel can follow.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Steps {
-    /// The speed is kept; the wheel begins to turn before the step, and may come late where steps follow each other closely.
+    /// The speed is kept; the wheel begins to turn before the step, and may come late where steps follow each other
+    /// closely.
     #[default]
     Preview,
     /// At most 0.5 m/s within 0.5 m of a step, and slow enough everywhere for the wheel to keep up.
@@ -40,7 +41,7 @@ pub enum Steps {
 
 json::words!(Steps: "preview" = Preview, "slow" = Slow);
 
-/// What a trajectory keeps to.
+/// Limits of a trajectory.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Limits {
     /// How the speed comes about.
@@ -59,9 +60,9 @@ pub struct Limits {
     pub start_speed: f64,
     /// Speed at the end of the last run, m/s, 0 to 100.
     pub goal_speed: f64,
-    /// What happens where the curvature steps inside a run.
+    /// Behaviour at a step of the curvature inside a run.
     pub steps: Steps,
-    /// Whether the wheel is turned at standstill at the start and at gear changes.
+    /// True if the wheel is turned at standstill at the start and at gear changes.
     pub dwell: bool,
     /// Largest time between two rows, seconds, 0.001 to 10.
     pub dt: f64,
@@ -178,8 +179,8 @@ impl Motion {
     /// Drives `route` within `limits`; the wheel is straight at first.
     ///
     /// # Errors
-    /// As [`Limits::validate`]; [`ErrorCode::Config`] for a start or goal speed for which the way or its limits leave no
-    /// room, and for drives of more than 100 000 s.
+    /// As [`Limits::validate`]; [`ErrorCode::Config`] for a start or goal speed for which the way or its limits leave
+    /// no room, and for drives of more than 100 000 s.
     pub fn new(vehicle: &Vehicle, route: &Route, limits: &Limits) -> Result<Self, Error> {
         limits.validate()?;
         let mut motion = Self { phases: Vec::new(), runs: Vec::new(), duration: 0.0, dwell: 0.0 };
@@ -298,8 +299,9 @@ pub(super) fn preview(vehicle: &Vehicle) -> f64 {
 
 /// Stretches of one speed limit: where each ends and its limit.
 ///
-/// The wheel's turn for a step of the curvature lies half before and half after the step; a leg has to be long enough for
-/// the halves at its two ends. On samples of a changing curvature that is the limit δ̇ / |dδ/ds|, which always holds.
+/// The wheel's turn for a step of the curvature lies half before and half after the step; a leg has to be long enough
+/// for the halves at its two ends. On samples of a changing curvature that is the limit δ̇ / |dδ/ds|, which always
+/// holds.
 fn zones(vehicle: &Vehicle, route: &Route, run: &Run, limits: &Limits) -> Vec<(f64, f64)> {
     let legs = &route.legs[run.first..run.end];
     let turn = |i: usize| {
@@ -313,7 +315,8 @@ fn zones(vehicle: &Vehicle, route: &Route, run: &Run, limits: &Limits) -> Vec<(f
         let before = if i > 0 { turn(i) } else { 0.0 };
         before + if i + 1 < legs.len() { turn(i + 1) } else { 0.0 }
     };
-    // With a limited jerk no zone is shorter than a sample: a wheel's limit of a few millimetres would hold for all of it.
+    // With a limited jerk no zone is shorter than a sample: a wheel's limit of a few millimetres would hold for all of
+    // it.
     let window = |i: usize| {
         let (mut first, mut end, mut length) = (i, i + 1, legs[i].length);
         while limits.jerk.is_some() && !slow && length < SAMPLE && (first > 0 || end < legs.len()) {

@@ -1,8 +1,8 @@
 //! Stop, wait, go: along a path, for what moves.
 //!
 //! The parking paper stops when the obstacle's present place touches the way ahead (`reactive`). That can be in the
-//! middle of the obstacle's way. `predictive` rolls the drive out against the known motion and stops where it is safe to
-//! stand. The result is checked by other code: outlines edge by edge, between the moments too.
+//! middle of the obstacle's way. `predictive` rolls the drive out against the known motion and stops where it is safe
+//! to stand. The result is checked by other code: outlines edge by edge, between the moments too.
 
 use super::moving_obstacles::Mover;
 use super::path_segments::Route;
@@ -20,11 +20,11 @@ const SAMPLE: f64 = 0.1;
 const SPARE: f64 = 0.5;
 /// It waits at least this long, seconds.
 const SHORTEST: f64 = 0.5;
-/// Between two moments of the check no corner of the car and no box near each other by more than this, metres, unless they are
-/// farther apart.
+/// Between two moments of the check no corner of the car and no box near each other by more than this, metres, unless
+/// they are farther apart.
 const CHECK: f64 = 0.02;
 
-/// What makes the car stop.
+/// The rule by which the car stops.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Rule {
     /// A hit to come, known from the obstacles' motion; waits where it is safe to stand.
@@ -51,7 +51,7 @@ json::words!(Scope: "remaining" = Remaining, "window" = Window);
 /// How to wait.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WaitOptions {
-    /// What makes the car stop.
+    /// The rule by which the car stops.
     pub rule: Rule,
     /// How far ahead `reactive` looks.
     pub scope: Scope,
@@ -142,7 +142,7 @@ impl Ending {
 /// A time at standstill.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wait {
-    /// Where.
+    /// Pose of the car, metres and radians.
     pub pose: Pose,
     /// Distance driven before, metres.
     pub station: f64,
@@ -159,9 +159,9 @@ pub struct Contact {
     pub obstacle: usize,
     /// When, seconds.
     pub t: f64,
-    /// Where the car is.
+    /// Pose of the car at contact.
     pub pose: Pose,
-    /// Whether the car stands: it is run into.
+    /// True if the car stands: it is run into.
     pub standing: bool,
 }
 
@@ -290,7 +290,7 @@ impl Drive<'_> {
         }
     }
 
-    /// Whether `predictive` stops here and now.
+    /// True if `predictive` stops here and now.
     fn should_hold(&self, s: f64, t: f64, clear: &mut bool) -> bool {
         let Some(hit) = self.first_hit(s, t, self.options.margin) else {
             *clear = true;
@@ -322,7 +322,7 @@ impl Drive<'_> {
         })
     }
 
-    /// Whether an obstacle is on the way ahead now.
+    /// True if an obstacle is on the way ahead now.
     fn obstructed(&self, s: f64, t: f64) -> bool {
         let v = self.options.speed;
         let reach = match self.options.scope {

@@ -15,7 +15,7 @@ use crate::vehicle::Vehicle;
 
 /// Time step, seconds.
 const STEP: f64 = 0.005;
-/// What counts as following: metres sideways, metres and radians at the end.
+/// Largest errors of a passed run: lateral (m), distance at the end (m), heading at the end (rad).
 const PASS: [f64; 3] = [0.10, 0.10, 0.05];
 /// Every so many steps a row is kept.
 const KEPT: u32 = 10;
@@ -23,7 +23,7 @@ const KEPT: u32 = 10;
 /// Gain of Stanley's rule, 1/s: more makes wheels of limited rate swing.
 const STANLEY: f64 = 1.5;
 
-/// What turns the wheel.
+/// The steering controller.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Controller {
     /// Curvature ahead, corrected by heading and lateral error.
@@ -42,7 +42,7 @@ json::words!(Controller: "feedback" = Feedback, "pure-pursuit" = PurePursuit, "s
 pub struct Tracking {
     /// Seconds, one per row.
     pub t: Vec<f64>,
-    /// Where the car was.
+    /// Poses of the simulated car, one per output step.
     pub poses: Vec<Pose>,
     /// How far to the left of the route, metres.
     pub lateral: Vec<f64>,
@@ -56,7 +56,7 @@ pub struct Tracking {
     pub end_distance: f64,
     /// Between the last heading and the route's, radians.
     pub end_heading: f64,
-    /// What the body overlapped first, and where.
+    /// The first obstacle that the body overlapped, and the pose there.
     pub hit: Option<(Owner, Pose)>,
 }
 
@@ -67,7 +67,7 @@ impl Tracking {
         hash(poses.chain([&self.t, &self.lateral, &self.steering].into_iter().flatten().copied()))
     }
 
-    /// Whether the route was followed: at most 0.10 m to the side, 0.10 m and 0.05 rad off at the end, no hit.
+    /// True if the route was followed: at most 0.10 m to the side, 0.10 m and 0.05 rad off at the end, no hit.
     pub fn passes(&self) -> bool {
         let worst = [self.max_lateral, self.end_distance, self.end_heading];
         self.hit.is_none() && worst.iter().zip(PASS).all(|(got, most)| *got <= most)
@@ -167,7 +167,7 @@ pub(crate) fn follow(vehicle: &Vehicle, route: &Route, motion: &Motion) -> Follo
     log
 }
 
-/// What happens in a simulation.
+/// An event of the simulation.
 enum Event {
     /// A time step begins, the `index`-th of its run's motion or standstill, or the drive is over (`is_last`).
     Step { t: f64, errors: Errors, index: u32, is_last: bool },

@@ -1,7 +1,8 @@
 //! Cubic B-splines fitted to points: as smooth as a given residual allows.
 //!
-//! Clamped uniform knots; the sum of weighted squared residuals plus λ times that of the control points' third differences
-//! is least (penalised splines, Eilers & Marx 1996). The matrix is banded, so a fit costs what its points cost.
+//! Clamped uniform knots; the sum of weighted squared residuals plus λ times that of the control points' third
+//! differences is least (penalised splines, Eilers & Marx 1996). The matrix is banded, so a fit costs what its points
+//! cost.
 
 use super::{Point, Vector};
 
@@ -18,7 +19,7 @@ pub struct Spline {
 /// A place on a spline.
 #[derive(Debug, Clone, Copy)]
 pub struct Place {
-    /// Where.
+    /// Position, metres.
     pub point: Point,
     /// Derivatives by u.
     pub first: Vector,
@@ -35,9 +36,9 @@ impl Place {
 }
 
 impl Spline {
-    /// The smoothest spline with `count` (at least 4) control points whose root mean square distance from `points` is at
-    /// most `sigma` metres, ends met exactly; the closest one where none is as close. `at[i]` is the u of point i, `slopes`
-    /// derivatives by u to have at the ends.
+    /// The smoothest spline with `count` (at least 4) control points whose root mean square distance from `points` is
+    /// at most `sigma` metres, ends met exactly; the closest one where none is as close. `at[i]` is the u of point i,
+    /// `slopes` derivatives by u to have at the ends.
     pub fn fit(
         points: &[Point],
         at: &[f64],

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::{Point, Vector, math};
 
-/// Where the middle of the rear axle is and where the nose points.
+/// Position of the rear axle's middle (metres) and heading (radians, counter-clockwise from east).
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Pose {
     /// Metres, to the east.
@@ -61,7 +61,7 @@ impl Pose {
         Self::new(self.x + (s1 - s0) / curvature, self.y - (c1 - c0) / curvature, math::wrap(heading))
     }
 
-    /// Whether all three numbers are finite.
+    /// True if all three numbers are finite.
     pub fn is_finite(self) -> bool {
         self.x.is_finite() && self.y.is_finite() && self.heading.is_finite()
     }

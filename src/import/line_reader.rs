@@ -85,7 +85,7 @@ pub(super) fn at(file: &str, line: usize, rule: impl Into<String>) -> Error {
     Error::new(ErrorCode::Import, format!("{file}:{line}"), rule)
 }
 
-/// What a file says, short enough for a message.
+/// Quotes a file's text, shortened for a message.
 pub(super) fn quoted(text: &str) -> String {
     if text.chars().count() <= 40 {
         return format!("{text:?}");

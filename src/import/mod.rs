@@ -1,8 +1,9 @@
 //! Maps of other programs as scenes.
 //!
 //! Which format a file has is told by its name: `.map` and `.scen` (`MovingAI`), `.yaml` and `.pgm` (ROS maps), `.csv`
-//! (TPCAP cases), `.json` (scenes, and lots of lines and polygons). Files that belong together are given together. Every file is distrusted: sizes are compared with the bytes that are there before
-//! anything is allocated for them, and what is wrong is said with the file's name and line.
+//! (TPCAP cases), `.json` (scenes, and lots of lines and polygons). Files that belong together are given together.
+//! Every file is distrusted: sizes are compared with the bytes that are there before anything is allocated for them,
+//! and what is wrong is said with the file's name and line.
 
 mod line_reader;
 pub mod lots;
@@ -29,11 +30,11 @@ pub const MAX_BYTES: usize = 80_000_000;
 pub struct File<'a> {
     /// Its name, with or without folders; its ending names its format.
     pub name: &'a str,
-    /// What is in it.
+    /// Contents.
     pub bytes: &'a [u8],
 }
 
-/// What the files hold.
+/// The scenes and queries of the imported files.
 #[derive(Debug, Clone)]
 pub struct Imported {
     /// `movingai`, `ros-map`, `tpcap`, `lots` or `scene`.
@@ -42,7 +43,7 @@ pub struct Imported {
     pub scenes: Vec<Scenario>,
     /// The questions that come with the map.
     pub queries: Vec<Question>,
-    /// What people should know of the way it was read.
+    /// Remarks for people about how the files were read.
     pub notes: Vec<String>,
 }
 

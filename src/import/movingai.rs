@@ -1,7 +1,8 @@
 //! `MovingAI` grid maps and their questions (Sturtevant 2012): `.map` and `.scen`.
 //!
-//! A map's first line is the northern row; `.`, `G` and `S` are free, `@`, `O`, `T` and `W` are blocked. Questions count
-//! rows from the north; a cell is a metre, and the centre of the south-western one is the origin, unless asked otherwise.
+//! A map's first line is the northern row; `.`, `G` and `S` are free, `@`, `O`, `T` and `W` are blocked. Questions
+//! count rows from the north; a cell is a metre, and the centre of the south-western one is the origin, unless asked
+//! otherwise.
 
 use super::line_reader::{Line, Lines, at, quoted};
 use super::{File, Imported, Options, Question, Raster, base, lattice, poses};

@@ -1,11 +1,11 @@
-//! What is asked of an import.
+//! Options of an import.
 
 use serde_json::{Map, Value};
 
 use crate::error::{Error, ErrorCode};
 use crate::scenario::{VehicleSpec, parse};
 
-/// What cells count as of which a map says neither free nor occupied.
+/// Treatment of cells that are neither free nor occupied.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Unknown {
     /// Blocked.
@@ -15,14 +15,14 @@ pub enum Unknown {
     Free,
 }
 
-/// What is asked of an import.
+/// Options of an import.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Options {
     /// Side of a cell, metres, of maps that do not say; default 1.
     pub resolution: Option<f64>,
     /// Which of the questions gives start and goal, from 0.
     pub query: usize,
-    /// What unknown cells count as.
+    /// Treatment of unknown cells.
     pub unknown: Unknown,
     /// The car; default: a cart as wide as 0.8 cells for maps of cells, `paper` for maps in metres.
     pub vehicle: Option<VehicleSpec>,

@@ -1,8 +1,8 @@
 //! Maps of the ROS map servers: a `.yaml` file that describes a `.pgm` picture.
 //!
-//! A picture's first row is the northern one. Its lower left corner lies at `origin` of the world, turned by the origin's
-//! third number. A turned picture is laid on a lattice along the world's axes: a cell is blocked where a blocked pixel
-//! overlaps it, and the picture's outline becomes the floor's boundary.
+//! A picture's first row is the northern one. Its lower left corner lies at `origin` of the world, turned by the
+//! origin's third number. A turned picture is laid on a lattice along the world's axes: a cell is blocked where a
+//! blocked pixel overlaps it, and the picture's outline becomes the floor's boundary.
 
 use super::line_reader::{Line, Lines, quoted};
 use super::{File, Imported, Options, Raster, Unknown, base, ending, lattice, pgm};
@@ -22,7 +22,7 @@ enum Mode {
     Raw,
 }
 
-/// What a `.yaml` file says.
+/// The contents of a `.yaml` file.
 struct Description<'a> {
     image: Option<&'a str>,
     resolution: f64,

@@ -1,9 +1,9 @@
 //! Cases of the Trajectory Planning Competition for Automated Parking (TPCAP, 2022).
 //!
-//! One line of numbers: start and goal (x, y, heading), the number of obstacles, the number of corners of each, then all
-//! corners. Metres and radians, poses of the rear axle's middle; outlines in either direction, convex or not; headings
-//! beyond ±π and coordinates of 1e9 m occur. The cases state no border: the map is the box around start and goal, grown by
-//! [`AROUND`] metres.
+//! One line of numbers: start and goal (x, y, heading), the number of obstacles, the number of corners of each, then
+//! all corners. Metres and radians, poses of the rear axle's middle; outlines in either direction, convex or not;
+//! headings beyond ±π and coordinates of 1e9 m occur. The cases state no border: the map is the box around start and
+//! goal, grown by [`AROUND`] metres.
 
 use std::collections::BTreeMap;
 
@@ -35,7 +35,8 @@ fn bad<T>(message: String) -> Result<T, Error> {
 /// Reads a case; `name` becomes the scene's name.
 ///
 /// # Errors
-/// [`ErrorCode::Import`] where a number is missing, is none, or there are too many; then what [`Scenario::validate`] says.
+/// [`ErrorCode::Import`] where a number is missing, is none, or there are too many; then what [`Scenario::validate`]
+/// says.
 ///
 /// # Examples
 /// ```

@@ -45,7 +45,7 @@ impl Frame {
         self.width as usize * self.height as usize
     }
 
-    /// Whether there is no cell.
+    /// True if there is no cell.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -61,7 +61,7 @@ impl Frame {
         Cell::new((index % width) as i32, (index / width) as i32)
     }
 
-    /// Whether the cell is on the map.
+    /// True if the cell is on the map.
     pub fn contains(&self, cell: Cell) -> bool {
         (cell.x as u32) < self.width && (cell.y as u32) < self.height
     }

@@ -2,7 +2,7 @@
 
 use super::{Cell, Layer, Occupancy, distance};
 
-/// What a cell is after inflation.
+/// State of a cell after inflation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Safety {

@@ -1,10 +1,10 @@
-//! What jump point search asks of a map: where straight jumps stop, 64 cells a look, and in which directions jumps lead
-//! anywhere.
+//! Bitmaps for jump point search: the cells at which straight jumps stop, read 64 at a time, and the directions in
+//! which jumps lead anywhere.
 
 use super::jump_directions::Ways;
 use super::{Cell, Occupancy};
 
-/// Where jumps over a map lead. Everything outside is a wall.
+/// The stopping points of jumps over a map. Everything outside the map is a wall.
 #[derive(Debug, Clone)]
 pub struct Bits {
     /// Going east, north, west and south.
@@ -26,7 +26,8 @@ struct Lines {
     length: u32,
     /// Words of one line.
     words: usize,
-    /// Where one stops who goes along a line: at blocked cells and those beside which a wall ends, and after the last cell.
+    /// Stops of jumps along each line: blocked cells, cells beside the end of a wall, and the place after the last
+    /// cell.
     stops: Vec<u64>,
 }
 
@@ -105,8 +106,8 @@ impl Bits {
         (line, if quarter < 2 { at } else { last - at })
     }
 
-    /// The directions in which a jump from a cell leads anywhere, the goal aside: bit c for the c-th of E, NE, N, NW, W,
-    /// SW, S, SE.
+    /// The directions in which a jump from a cell leads anywhere, the goal aside: bit c for the c-th of E, NE, N, NW,
+    /// W, SW, S, SE.
     #[inline]
     pub(crate) fn ways(&self, from: Cell) -> u8 {
         self.ways.at(from)

@@ -3,7 +3,7 @@
 use super::{Cell, Occupancy};
 use crate::json;
 
-/// What a path may do where a line passes exactly through a corner of cells.
+/// The rule for a line that passes exactly through a corner of cells.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Corner {
     /// Both side cells must be free: the path touches no blocked closed square.
@@ -17,7 +17,7 @@ pub enum Corner {
 
 json::words!(Corner: "strict" = Strict, "no-squeeze" = NoSqueeze, "free" = Free);
 
-/// Whether the straight line between two cell centres crosses free cells only. Symmetric in its ends.
+/// True if the straight line between two cell centres crosses free cells only. Symmetric in its ends.
 pub fn line_of_sight(map: &Occupancy, from: Cell, to: Cell, corner: Corner) -> bool {
     first_in_sight(map, from, to, corner).is_none()
 }

@@ -22,7 +22,7 @@ pub struct Occupancy {
     rimmed: Vec<u8>,
     /// Per cell in the order of their numbers, a bit for each free neighbour: searches know numbers.
     around: Vec<u8>,
-    /// What cells cost, where they do not all cost the same.
+    /// Weights of the cells; `None` if all cost the same.
     weights: Option<Arc<Weights>>,
 }
 
@@ -77,7 +77,7 @@ impl Occupancy {
         Self { weights: Some(Arc::new(weights)), ..self }
     }
 
-    /// What the cells cost, where they do not all cost the same.
+    /// Weights of the cells; `None` if all cost the same.
     pub fn weights(&self) -> Option<&Arc<Weights>> {
         self.weights.as_ref()
     }
@@ -103,12 +103,12 @@ impl Occupancy {
         self.width as usize * self.height as usize
     }
 
-    /// Whether there is no cell.
+    /// True if there is no cell.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Whether the cell is on the map.
+    /// True if the cell is on the map.
     pub fn contains(&self, cell: Cell) -> bool {
         (cell.x as u32) < self.width && (cell.y as u32) < self.height
     }
@@ -128,12 +128,12 @@ impl Occupancy {
         Cell::new((index - y * self.width) as i32, y as i32)
     }
 
-    /// Whether the cell is blocked or outside.
+    /// True if the cell is blocked or outside.
     pub fn blocked(&self, cell: Cell) -> bool {
         !self.contains(cell) || self.rimmed[self.slot(cell)] != 0
     }
 
-    /// Whether the cell is inside and blocked.
+    /// True if the cell is inside and blocked.
     pub fn is_obstacle(&self, cell: Cell) -> bool {
         self.contains(cell) && self.rimmed[self.slot(cell)] != 0
     }
@@ -183,7 +183,7 @@ impl Occupancy {
         window
     }
 
-    /// Whether the 7 × 7 square around a cell is free, where all of it is on the map: the same as an empty
+    /// True if the 7 × 7 square around a cell is free, where all of it is on the map: the same as an empty
     /// [`Occupancy::window`], sooner.
     pub(crate) fn is_clear(&self, cell: Cell) -> bool {
         const FIVE: u64 = (1 << 40) - 1;
@@ -224,7 +224,7 @@ impl Occupancy {
         hash
     }
 
-    /// Whether a path of edge-sharing free cells joins the two cells, which is what a path that touches no corner of
+    /// True if a path of edge-sharing free cells joins the two cells, which is what a path that touches no corner of
     /// a blocked cell needs.
     pub fn connected(&self, from: Cell, to: Cell) -> bool {
         if self.blocked(from) || self.blocked(to) {

@@ -11,7 +11,7 @@ use crate::geometry::math;
 
 const SIDES: [(i32, i32); 4] = [(1, 0), (0, 1), (-1, 0), (0, -1)];
 
-/// What counts as too narrow. Cells; 1 switches a measure off.
+/// Sizes that count as too narrow, in cells; 1 switches a measure off.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct RedundantSettings {
     /// Side of the square that must fit through a passage.

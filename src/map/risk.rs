@@ -53,7 +53,8 @@ pub struct PotentialField<'a> {
     goal: Cell,
     settings: FieldSettings,
     sources: Vec<Source>,
-    /// Where the nearest repel and none is out of sight of [`Occupancy::window`]: its bits at each distance, nearest first.
+    /// The bits of [`Occupancy::window`] at each distance, nearest first; empty unless only the nearest cells repel and
+    /// all of them lie in the window.
     rings: Vec<u64>,
     /// The forces by those bits.
     forces: Vec<(f64, f64)>,
@@ -67,7 +68,7 @@ const SIGHT: i32 = 3;
 /// The bits of the cells to the east, north, west and south.
 const STRAIGHT: u8 = 0b0101_0101;
 
-/// What a blocked cell at this offset does.
+/// The force of a blocked cell at one offset.
 #[derive(Debug, Clone, Copy)]
 struct Source {
     offset: (i32, i32),
@@ -142,8 +143,9 @@ impl<'a> PotentialField<'a> {
         if distance == 0.0 { (0.0, 0.0) } else { (k1 * (x / distance), k1 * (y / distance)) }
     }
 
-    /// The potentials at a cell, of the goal (Hu et al. 2024, eq 4) and of the obstacles (eq 6): [`PotentialField::attraction`] and
-    /// [`PotentialField::repulsion`] are their slopes, downwards. Blocked cells have the potential of a cell beside them, 1 away.
+    /// The potentials at a cell, of the goal (Hu et al. 2024, eq 4) and of the obstacles (eq 6):
+    /// [`PotentialField::attraction`] and [`PotentialField::repulsion`] are their slopes, downwards. Blocked cells have
+    /// the potential of a cell beside them, 1 away.
     #[cfg(feature = "complete")]
     pub fn potentials(&self, at: Cell) -> (f64, f64) {
         let FieldSettings { k1, k2, rho0, .. } = self.settings;
@@ -287,7 +289,8 @@ mod tests {
         assert_eq!(force("..#..\n.#...\n.....", ObstacleSet::Sum, at), (4.0, -4.0));
     }
 
-    /// Equations 5 and 7 are the slopes of 4 and 6: exact differences of the goal's, a sum of small steps of the obstacles'.
+    /// Equations 5 and 7 are the slopes of 4 and 6: exact differences of the goal's, a sum of small steps of the
+    /// obstacles'.
     #[cfg(feature = "complete")]
     #[test]
     fn forces_are_the_slopes_of_the_potentials() {
@@ -305,7 +308,8 @@ mod tests {
             } else {
                 assert!((field.potentials(Cell::new(5, 0)).0 - 5.0 * k1).abs() < 1e-12);
             }
-            // The work against the push from the end of its reach to x cells before the wall, where it is felt as it is here.
+            // The work against the push from the end of its reach to x cells before the wall, where it is felt as it is
+            // here.
             for x in 1..4 {
                 let steps = 10_000;
                 let width = (rho0 - f64::from(x)) / f64::from(steps);

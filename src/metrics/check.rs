@@ -43,14 +43,14 @@ impl Verdict {
     }
 }
 
-/// What the validator found.
+/// The validator's verdict and figures.
 #[derive(Debug, Clone)]
 pub struct Check {
     /// In one word.
     pub verdict: Verdict,
     /// Indices of poses at which, or on the way to which, the body overlaps something.
     pub hit_poses: Vec<u32>,
-    /// What is hit first, and where.
+    /// The first obstacle that the body overlaps, and the pose there.
     pub first_hit: Option<(Owner, Pose)>,
     /// Corners and stretches that turn tighter than the car can, a wrong heading at the start included.
     pub tight_turns: u32,
@@ -70,13 +70,13 @@ pub struct Check {
     pub mean_clearance: f64,
     /// Per pose: distance from the body to the nearest obstacle, metres.
     pub clearances: Vec<f64>,
-    /// Where the body is nearest to an obstacle, unless it overlaps one.
+    /// The pose with the least clearance; `None` if the body overlaps an obstacle.
     #[cfg(feature = "complete")]
     pub narrowest: Option<Narrowest>,
 }
 
 impl Check {
-    /// Whether this car can drive the path.
+    /// True if this car can drive the path.
     pub fn drivable(&self) -> bool {
         matches!(self.verdict, Verdict::Ok | Verdict::ArrivesTurned)
     }
@@ -134,8 +134,8 @@ fn arc_between(a: Pose, b: Pose, direction: i8) -> (f64, f64) {
     (if length == 0.0 { 0.0 } else { turn / length }, length)
 }
 
-/// What a car does from pose to pose, added up until it is more than rounding: the verdict does not depend on how finely
-/// a path is sampled.
+/// The car's motion from pose to pose, summed until it exceeds rounding, so that the verdict does not depend on how
+/// finely a path is sampled.
 #[derive(Default)]
 struct Motion {
     /// Metres of arc, and radians turned on it.
@@ -168,7 +168,7 @@ impl Motion {
         Some(radius)
     }
 
-    /// Whether the body slides, once that is known.
+    /// True if the body slides, once that is known.
     fn slides(&mut self) -> Option<bool> {
         if self.ahead * self.ahead + self.aside * self.aside <= 1e-8 {
             return None;

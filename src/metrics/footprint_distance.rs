@@ -156,7 +156,7 @@ impl Body {
         }
     }
 
-    /// Whether a point, relative to the local origin, is within the boundary.
+    /// True if a point, relative to the local origin, is within the boundary.
     pub(super) fn on_floor(&self, p: Point) -> bool {
         self.bands[self.buckets.row(p.y)].iter().fold(false, |odd, &i| {
             let edge = &self.edges[i as usize];
@@ -164,7 +164,7 @@ impl Body {
         })
     }
 
-    /// What the body overlaps at `pose`, if anything; touching is free.
+    /// The obstacle that the body overlaps at `pose`, if any; touching counts as free.
     pub fn hit(&self, pose: Pose) -> Option<Owner> {
         let body = self.outline(pose, CONTACT);
         let (low, high) = bounds(&body);
@@ -253,7 +253,7 @@ fn side(a: Point, b: Point, p: Point) -> f64 {
     (b - a).perp(&(p - a))
 }
 
-/// Whether two segments cross or touch.
+/// True if two segments cross or touch.
 fn cross(a: Point, b: Point, c: Point, d: Point) -> bool {
     let (c_side, d_side) = (side(a, b, c), side(a, b, d));
     let (a_side, b_side) = (side(c, d, a), side(c, d, b));
@@ -263,12 +263,12 @@ fn cross(a: Point, b: Point, c: Point, d: Point) -> bool {
     }
 }
 
-/// Whether an edge is passed on the way from a point to the far east.
+/// True if an edge is passed on the way from a point to the far east.
 fn passes(a: Point, b: Point, p: Point) -> bool {
     (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)
 }
 
-/// Whether a point is inside a simple polygon (even–odd rule).
+/// True if a point is inside a simple polygon (even–odd rule).
 fn inside(outline: &[Point], p: Point) -> bool {
     (0..outline.len()).fold(false, |odd, i| odd ^ passes(outline[i], outline[(i + 1) % outline.len()], p))
 }

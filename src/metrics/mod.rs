@@ -1,4 +1,4 @@
-//! What a path is worth, and whether this car can drive it.
+//! Figures of a path, and the independent check whether the car can drive it.
 
 #[cfg(feature = "complete")]
 mod any_angle;

@@ -1,4 +1,4 @@
-//! Where a path is narrowest.
+//! The narrowest place of a path.
 
 use super::Body;
 use super::footprint_distance::FAR;
@@ -22,7 +22,7 @@ pub struct Narrowest {
 }
 
 impl Body {
-    /// Where `path` is narrowest by its `clearances`; `None` where nothing is near.
+    /// The narrowest place of `path` by its `clearances`; `None` if no obstacle is near.
     pub(super) fn narrowest(&self, path: &[Pose], clearances: &[f64]) -> Option<Narrowest> {
         let (index, &room) = clearances.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1))?;
         if room >= FAR {

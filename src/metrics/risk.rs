@@ -1,9 +1,9 @@
 //! How often a path ends in a collision when nobody drives exactly along it.
 //!
-//! In each trial the car is beside the line of its middle by e(s) = b + a(s): b from N(0, 0.10²) for the whole drive, a(s) a
-//! stationary first-order autoregression of standard deviation 0.12 m and correlation length 10 m, e within ±1 m, the heading
-//! untouched. Room is told at 21 offsets of every station and interpolated between. Trial k of a seed is the same however
-//! trials are grouped.
+//! In each trial the car is beside the line of its middle by e(s) = b + a(s): b from N(0, 0.10²) for the whole drive,
+//! a(s) a stationary first-order autoregression of standard deviation 0.12 m and correlation length 10 m, e within ±1
+//! m, the heading untouched. Room is told at 21 offsets of every station and interpolated between. Trial k of a seed is
+//! the same however trials are grouped.
 
 use serde_json::{Map, Value};
 

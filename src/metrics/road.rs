@@ -1,4 +1,4 @@
-//! What a path is worth on a road: room beside the body, bends, lanes.
+//! Figures of a path on a road: clearance beside the body, bends, lane keeping.
 //!
 //! All is measured along the line of the body's middle, resampled every metre, the car pointing along it; a path's own
 //! headings play no part, so paths with corners are measured like curves.
@@ -34,8 +34,8 @@ pub struct RoadMetrics {
     pub goal_moved: f64,
     /// Room that was asked for around the car, metres; 0 for plain A* and the manuscript's curves.
     pub margin: f64,
-    /// What the path keeps of it, 5 m at the ends left out, metres. Less than `margin` where no path was found that keeps it
-    /// all.
+    /// Clearance that the path keeps, without 5 m at each end, metres. It is less than `margin` if no path that keeps
+    /// the whole margin was found.
     pub margin_kept: f64,
     /// Bytes of the arrays that planning holds.
     pub bytes: u64,
@@ -66,7 +66,8 @@ pub struct Figures {
     pub lane_deviation_max: Option<f64>,
     /// The mean.
     pub lane_deviation_mean: Option<f64>,
-    /// Share of the way on which the middle is to the left of all lanes, 0 to 1: where there is a lane against, in that.
+    /// Share of the way on which the middle is to the left of all lanes, 0 to 1: where there is a lane against, in
+    /// that.
     pub lane_left_share: Option<f64>,
 }
 

@@ -4,8 +4,8 @@ use super::Body;
 use super::footprint_distance::{FAR, squared_to_segment};
 use crate::geometry::{Point, Pose};
 
-/// Points of the body's outline are at most this far apart where it overlaps something, metres; farther on bodies so large
-/// that they would be more than [`POINTS`].
+/// Points of the body's outline are at most this far apart where it overlaps something, metres; farther on bodies so
+/// large that they would be more than [`POINTS`].
 const SPACING: f64 = 0.24;
 /// A car has fewer.
 const POINTS: f64 = 64.0;
@@ -38,8 +38,8 @@ impl Body {
         if blocked { -distance } else { distance }
     }
 
-    /// Signed distance from the body's outline to the nearest obstacle or kerb, metres: exact where it overlaps nothing,
-    /// otherwise that of the deepest of points of the outline at most 0.24 m apart, of a ship's a 64th of it.
+    /// Signed distance from the body's outline to the nearest obstacle or kerb, metres: exact where it overlaps
+    /// nothing, otherwise that of the deepest of points of the outline at most 0.24 m apart, of a ship's a 64th of it.
     pub fn signed_clearance(&self, pose: Pose) -> f64 {
         if self.hit(pose).is_none() {
             return self.room(pose, self.buckets.side);

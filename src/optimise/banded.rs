@@ -54,8 +54,8 @@ impl Banded {
         }
     }
 
-    /// The solution with `damping[unknown % BLOCK]` added to the diagonal, by Cholesky's factorisation; `None` where that
-    /// meets a pivot that is not positive.
+    /// The solution with `damping[unknown % BLOCK]` added to the diagonal, by Cholesky's factorisation; `None` where
+    /// that meets a pivot that is not positive.
     pub(super) fn solve(&mut self, damping: [f64; BLOCK]) -> Option<Vec<f64>> {
         let n = self.rows.len();
         self.factor.clone_from(&self.rows);

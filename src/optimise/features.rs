@@ -1,7 +1,7 @@
-//! What the body may come near to: corners and edges of obstacles, and signed distances to them with their slopes.
+//! Corners and edges of obstacles, and the body's signed distances to them with derivatives.
 //!
-//! A corner of the body is held against edges, a corner of an obstacle against the body's rectangle; between convex outlines that
-//! come near each other, one of the two is the nearest. Distances below zero are depths.
+//! A corner of the body is held against edges, a corner of an obstacle against the body's rectangle; between convex
+//! outlines that come near each other, one of the two is the nearest. Distances below zero are depths.
 
 use super::segment::{HEADING, Node, X, Y};
 use crate::geometry::{Point, Vector, math};
@@ -20,8 +20,8 @@ const DEEPEST: f64 = 0.6;
 enum Feature {
     /// A corner that sticks out.
     Corner(Point),
-    /// An edge whose free side is on the left of the way from its first end to its second; of a wall without thickness both
-    /// sides are free. With the number of its outline.
+    /// An edge whose free side is on the left of the way from its first end to its second; of a wall without thickness
+    /// both sides are free. With the number of its outline.
     Edge { a: Point, along: Vector, length: f64, outline: u32, is_wall: bool },
 }
 
@@ -50,7 +50,7 @@ fn doubled_area(outline: &[Point]) -> f64 {
 }
 
 impl Features {
-    /// What blocks in a scene, relative to `origin`.
+    /// The obstacles of a scene, relative to `origin`.
     pub(super) fn new(geometry: &Geometry, origin: Point) -> Self {
         let local = |p: &Point| Point::from(p - origin);
         let (mut features, mut outlines) = (Vec::new(), Vec::new());
@@ -230,7 +230,7 @@ impl Features {
         }
     }
 
-    /// Whether a point behind an edge, at a depth, is blocked there and no nearer to another edge of that outline.
+    /// True if a point behind an edge, at a depth, is blocked there and no nearer to another edge of that outline.
     fn is_nearest(&self, outline: u32, p: Point, depth: f64) -> bool {
         let ring = &self.outlines[outline as usize];
         let mut is_inside = false;
@@ -250,7 +250,7 @@ impl Features {
     }
 }
 
-/// Whether a segment and a square have a point in common.
+/// True if a segment and a square have a point in common.
 fn touches(a: Point, b: Point, from: Point, side: f64) -> bool {
     let (d, c) = (b - a, from + Vector::new(side, side) / 2.0 - a);
     (d.perp(&c)).abs() <= side / 2.0 * (d.x.abs() + d.y.abs()) * (1.0 + 1e-9) + 1e-9

@@ -1,9 +1,9 @@
 //! From a plan to a trajectory that a car can follow to the centimetre: the steering angle is continuous, its rate and
 //! all other limits are kept, and the time is nearly the least.
 //!
-//! The path stage changes the path's shape, gear changes included. Then the fastest speeds along it are found exactly, rows are
-//! rolled out in time, and the last millimetres to the goal are corrected. The referee's check has the last word: where it
-//! refuses every attempt, the plan's own path is driven with a standstill at each step of the curvature.
+//! The path stage changes the path's shape, gear changes included. Then the fastest speeds along it are found exactly,
+//! rows are rolled out in time, and the last millimetres to the goal are corrected. The referee's check has the last
+//! word: where it refuses every attempt, the plan's own path is driven with a standstill at each step of the curvature.
 
 mod banded;
 mod features;
@@ -36,10 +36,10 @@ const RATE_RESERVE: f64 = 0.01;
 /// More than the body's corners leave a straight line between two samples, metres.
 const BETWEEN: f64 = 0.003;
 
-/// What a trajectory is optimised for.
+/// Options of an optimisation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
-    /// What the car can do.
+    /// Limits of the car.
     pub limits: MotionLimits,
     /// Kept from obstacles where the plan keeps as much, metres, 0 to 10.
     pub margin: f64,
@@ -76,7 +76,7 @@ impl Options {
     }
 }
 
-/// What made a trajectory.
+/// The stage that made a trajectory.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stage {
     /// The optimised path.
@@ -100,9 +100,9 @@ impl Stage {
 pub struct Optimised {
     /// Its states; the controls are constant between rows, which are at most 0.05 s apart.
     pub states: States,
-    /// What made it.
+    /// The stage that made it.
     pub stage: Stage,
-    /// What the referee says.
+    /// The referee's verdict.
     pub check: Judgement,
     /// Steps of the optimiser, of all attempts.
     pub steps: u32,
@@ -111,8 +111,8 @@ pub struct Optimised {
 /// One way to try it: metres kept from obstacles, and whether no run may vanish.
 type Attempt = (f64, bool);
 
-/// Optimises a route that leads from the scene's start to its goal and keeps `clearance` metres from everything. The lowest of
-/// the speed limits on the route holds for all of it.
+/// Optimises a route that leads from the scene's start to its goal and keeps `clearance` metres from everything. The
+/// lowest of the speed limits on the route holds for all of it.
 ///
 /// # Errors
 /// As [`Options::validate`]; [`ErrorCode::Input`] for a route that takes more than an hour.

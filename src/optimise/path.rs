@@ -112,8 +112,8 @@ impl Path {
         self.nodes[run.first..run.last].iter().fold(0.0, |sum, node| sum + node[STEP])
     }
 
-    /// Leaves out the shortest run that is shorter than `least` metres; the runs on both sides of it, which are in the same gear,
-    /// become one. The only run stays.
+    /// Leaves out the shortest run that is shorter than `least` metres; the runs on both sides of it, which are in the
+    /// same gear, become one. The only run stays.
     pub(super) fn drop_short(&mut self, least: f64) -> bool {
         let runs = self.runs();
         let lengths: Vec<f64> = runs.iter().map(|&run| self.length_of(run)).collect();
@@ -123,7 +123,8 @@ impl Path {
         }
         let Run { first, last, .. } = runs[shortest];
         let is_inner = shortest > 0 && shortest + 1 < runs.len();
-        // The node before a run and the node after it stand still with it; of an inner run the neighbours' ends are joined.
+        // The node before a run and the node after it stand still with it; of an inner run the neighbours' ends are
+        // joined.
         if is_inner {
             let (before, after) = (self.nodes[first - 1], self.nodes[last + 1]);
             let mut joined = after;

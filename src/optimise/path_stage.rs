@@ -1,8 +1,9 @@
-//! The shape of the path: time, smoothness and the wheel's rate against defects, obstacles and the largest steering angle.
+//! The shape of the path: time, smoothness and the wheel's rate against defects, obstacles and the largest steering
+//! angle.
 //!
-//! Gauss–Newton steps with Levenberg–Marquardt damping on an augmented Lagrangian of the defects. Inequalities are squared where
-//! they are violated; which ones are is found anew within each step from their linear forms, at no cost but that of a
-//! further factorisation.
+//! Gauss–Newton steps with Levenberg–Marquardt damping on an augmented Lagrangian of the defects. Inequalities are
+//! squared where they are violated; which ones are is found anew within each step from their linear forms, at no cost
+//! but that of a further factorisation.
 
 use super::banded::{BLOCK, Banded};
 use super::path::{Link, Path};
@@ -21,8 +22,8 @@ const WHEEL: f64 = 0.02;
 const BENT: f64 = 0.001;
 /// Of the differences of neighbouring steps.
 const EVEN: f64 = 30.0;
-/// Costs of time that is lost to the wheel are rounded off below this, seconds, and dear by this factor: to brake and speed up
-/// takes time as well.
+/// Costs of time that is lost to the wheel are rounded off below this, seconds, and dear by this factor: to brake and
+/// speed up takes time as well.
 const LOST: f64 = 0.02;
 const DEARER: f64 = 1.5;
 /// Turns at standstill are rounded off below this, radians.

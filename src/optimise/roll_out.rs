@@ -93,8 +93,8 @@ impl Rows {
         }
     }
 
-    /// The states from a start, the wheel's angles changed a little so that they end at the goal, which is given relative to
-    /// the start's place; `None` where that is too far.
+    /// The states from a start, the wheel's angles changed a little so that they end at the goal, which is given
+    /// relative to the start's place; `None` where that is too far.
     pub(super) fn states(
         mut self,
         start: Pose,
@@ -179,7 +179,7 @@ impl Rows {
 pub(super) struct Cell {
     pub(super) length: f64,
     pub(super) speed: f64,
-    /// Whether the wheel's rate changes where it begins.
+    /// True if the wheel's rate changes where it begins.
     pub(super) begins: bool,
 }
 

@@ -1,4 +1,4 @@
-//! What is looked up once a round: where the body is held against which obstacles, and how fast the runs are.
+//! Data computed once per round: the samples of the body with their obstacles, and the speeds of the runs.
 
 use super::features::Features;
 use super::path::{Link, Path};
@@ -15,7 +15,7 @@ const SWING: f64 = 1.4;
 /// No run costs more time a metre than one of this length, metres.
 const SHORTEST: f64 = 0.05;
 
-/// What the path is optimised for.
+/// The task of the path stage.
 pub(super) struct Task<'a> {
     pub(super) vehicle: &'a Vehicle,
     pub(super) limits: &'a MotionLimits,
@@ -25,7 +25,7 @@ pub(super) struct Task<'a> {
     /// Largest steering angle and rate in the plan, a little less than the car's.
     pub(super) max_angle: f64,
     pub(super) max_rate: f64,
-    /// Whether no run may vanish, or become shorter than half of what it was.
+    /// True if no run may vanish, or become shorter than half of what it was.
     pub(super) keeps_runs: bool,
 }
 
@@ -48,12 +48,12 @@ impl Sample {
     }
 }
 
-/// What is looked up once a round.
+/// Data computed once per round.
 pub(super) struct Round {
     pub(super) samples: Vec<Sample>,
     /// Largest speed on each link if only the run's length mattered, m/s.
     pub(super) speeds: Vec<f64>,
-    /// What a metre more of the run costs, seconds.
+    /// Extra time per extra metre of each run, s/m.
     pub(super) time_slopes: Vec<f64>,
     /// Steps from the nodes, at least a centimetre.
     pub(super) steps: Vec<f64>,
@@ -87,15 +87,15 @@ impl Round {
     }
 }
 
-/// What a metre more of a run from rest to rest costs, seconds.
+/// Extra time per extra metre of a run from rest to rest, s/m.
 fn time_slope(limits: &MotionLimits, length: f64) -> f64 {
     let inverse = 1.0 / limits.acceleration + 1.0 / limits.deceleration;
     let is_long = length >= limits.speed * limits.speed / 2.0 * inverse;
     if is_long { 1.0 / limits.speed } else { (inverse / 2.0 / length.max(SHORTEST)).sqrt() }
 }
 
-/// Where the body is held against obstacles: at nodes, and between those where something is near, closely enough that no corner
-/// slips through.
+/// Samples of the body for the distances to obstacles: at nodes and, near obstacles, between them so densely that no
+/// corner slips through.
 fn samples(task: &Task, path: &Path) -> Vec<Sample> {
     let (mut samples, mut near) = (Vec::new(), Vec::new());
     // Start and goal are where they are.

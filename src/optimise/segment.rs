@@ -12,15 +12,15 @@ pub(super) const STEP: usize = 4;
 /// A node of the path: rear axle, unwrapped heading, steering angle, and the distance to the next node.
 pub(super) type Node = [f64; 5];
 
-/// Where a stretch ends: x, y, heading; and their derivatives by heading, steering angle and distance at its beginning and by
-/// the steering angle at its end.
+/// The end of a stretch: x, y, heading; and their derivatives by heading, steering angle and distance at its beginning
+/// and by the steering angle at its end.
 pub(super) struct End {
     pub(super) pose: [f64; 3],
     pub(super) slopes: [[f64; 4]; 3],
 }
 
-/// Drives from `node` over its distance in a gear (±1), the wheel turning evenly to `angle`: Simpson's rule over headings that
-/// are themselves integrated by a quadratic through three curvatures.
+/// Drives from `node` over its distance in a gear (±1), the wheel turning evenly to `angle`: Simpson's rule over
+/// headings that are themselves integrated by a quadratic through three curvatures.
 pub(super) fn drive(node: &Node, angle: f64, gear: f64, wheelbase: f64) -> End {
     let (heading, h) = (node[HEADING], node[STEP]);
     let angles = [node[ANGLE], f64::midpoint(node[ANGLE], angle), angle];

@@ -1,4 +1,4 @@
-//! What the papers say in words, held against our rows.
+//! The papers' claims, judged on our rows.
 
 use serde::Serialize;
 
@@ -9,9 +9,9 @@ use super::grid::{ROWS, Ratio, Table};
 pub struct Claim {
     /// `H1` to `H3` of Hu et al. 2024, `Y1` to `Y4` of Yuan 2020.
     pub id: &'static str,
-    /// What the paper says.
+    /// The paper's claim.
     pub text: &'static str,
-    /// What we find: the range of medians over the rows.
+    /// Our finding: the range of medians over the rows.
     pub found: String,
     /// `yes`, `no`, `partly`, or `unknown` where rows are missing or the paper's rule is not run.
     pub holds: &'static str,

@@ -1,8 +1,8 @@
 //! Tables 3 and 4 of Hu et al. 2024, on seeded maps of the same kinds and sizes, and the neighbourhoods of Yuan 2020.
 //!
-//! The papers' own maps are not published, so a row is a family of maps: every figure is a median, a 95th percentile and a
-//! worst case. The printed column "expanded nodes" grows linearly with the side of the map, as the cells that ever entered
-//! the open list do, so that is what it is held against. Lengths are those after pruning.
+//! The papers' own maps are not published, so a row is a family of maps: every figure is a median, a 95th percentile
+//! and a worst case. The printed column "expanded nodes" grows linearly with the side of the map, as the cells that
+//! ever entered the open list do, so that is what it is held against. Lengths are those after pruning.
 //!
 //! Work comes in slices of seeds, so that a page can spread it over workers and show how far it is.
 
@@ -222,7 +222,7 @@ pub struct Line {
     pub printed_nodes: Option<f64>,
     /// Printed length, cells.
     pub printed_length: Option<f64>,
-    /// Whether the printed length is below the straight line between the printed end points.
+    /// True if the printed length is below the straight line between the printed end points.
     pub impossible: bool,
     /// Our figures, in the order of [`COLUMNS`].
     pub figures: Vec<Spread>,
@@ -246,7 +246,7 @@ pub struct Ratio {
     pub ours: Spread,
 }
 
-/// Where a planner's printed values stand in a [`Row`].
+/// Index of a planner's printed values in a [`Row`].
 fn printed_at(planner: &str) -> Option<usize> {
     ["four", "eight", "risk-field"].iter().position(|p| *p == planner)
 }

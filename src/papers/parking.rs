@@ -1,6 +1,7 @@
 //! Tables 2 to 11 of the parking paper: its traditional and improved columns beside what hybrid A* reaches.
 //!
-//! The paper counts steps of 0.1 m, nodes between them, gear changes, and as time the driving at 2 m/s; no computing time.
+//! The paper counts steps of 0.1 m, nodes between them, gear changes, and as time the driving at 2 m/s; no computing
+//! time.
 
 use serde::Serialize;
 
@@ -9,8 +10,8 @@ use crate::metrics::Verdict;
 use crate::plan::{Options, Planner};
 use crate::scenario::catalog;
 
-/// The planners that are measured: the traditional one, the improved one, both trees, and the first one as coarse and greedy
-/// as the program that the paper started from.
+/// The planners that are measured: the traditional one, the improved one, both trees, and the first one as coarse and
+/// greedy as the program that the paper started from.
 pub const PLANNERS: [&str; 4] = ["hybrid-forward", "hybrid", "hybrid-bidirectional", "hybrid-classic"];
 /// A printed length is one of rounded arcs: each may be this much shorter, and a shortest path has five, metres.
 const ROUNDING: f64 = 0.05 * 5.0;
@@ -42,9 +43,9 @@ pub struct Row {
     pub traditional: Printed,
     /// The column of reverse search.
     pub improved: Printed,
-    /// What the improved planner is held to: metres, gear changes.
+    /// Bounds that the improved planner must meet: metres, gear changes.
     pub reach: (f64, u32),
-    /// What is wrong with the printed row; empty where nothing is known.
+    /// The error of the printed row; empty if none is known.
     pub note: &'static str,
 }
 
@@ -85,13 +86,13 @@ pub const ROWS: [Row; 10] = [
         note: "The shortest path without obstacles has 1.6 m of clearance here. The printed path is 29 % longer." },
 ];
 
-/// What one planner makes of a question; length, nodes and time as the paper rounds.
+/// One planner's answer to a row; length, nodes and time as the paper rounds them.
 #[derive(Debug, Clone, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Line {
     /// The planner.
     pub planner: &'static str,
-    /// What the independent check says.
+    /// Verdict of the independent check.
     pub verdict: &'static str,
     /// Seconds at 2 m/s.
     pub time: f64,
@@ -119,11 +120,11 @@ pub struct Table {
     pub row: Row,
     /// No path of this car is shorter, metres.
     pub bound: f64,
-    /// Whether the traditional and the improved length are below that: no car can drive them.
+    /// True if the traditional and the improved length are below that: no car can drive them.
     pub impossible: [bool; 2],
     /// One for each of [`PLANNERS`].
     pub lines: Vec<Line>,
-    /// Whether the improved planner reaches what it is held to.
+    /// True if the improved planner reaches what it is held to.
     pub kept: bool,
     /// Driving time that the improved column saves, percent: printed, ours.
     pub saved: [f64; 2],

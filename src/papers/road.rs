@@ -1,8 +1,8 @@
-//! Section 4 of the road manuscript: its tables beside plain A*, our cost map, and its own method taken literally but for
-//! the spline, which is ours.
+//! Section 4 of the road manuscript: its tables beside plain A*, our cost map, and its own method taken literally but
+//! for the spline, which is ours.
 //!
-//! The manuscript publishes no geometry; the scenes are ours, built to what it says of them. Its distances are a ship's, so
-//! every scene also comes ten times as large with the ship of its appendix B.
+//! The manuscript publishes no geometry; the scenes are ours, built to what it says of them. Its distances are a
+//! ship's, so every scene also comes ten times as large with the ship of its appendix B.
 
 use serde::Serialize;
 use serde_json::{Map, Value, json};
@@ -27,7 +27,7 @@ pub struct Row {
     pub id: &'static str,
     /// The scene of the catalog.
     pub scene: &'static str,
-    /// Whether it is ten times as large, for the ship.
+    /// True if it is ten times as large, for the ship.
     pub ship: bool,
     /// Printed values.
     pub printed: Printed,
@@ -141,7 +141,7 @@ impl Row {
     }
 }
 
-/// What is measured of a row.
+/// Measurements of a row.
 #[derive(Debug, Clone, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Table {
@@ -151,11 +151,11 @@ pub struct Table {
     pub cells: u32,
     /// Plain A* first.
     pub lines: Vec<Line>,
-    /// What the second line is held to; nothing of ships.
+    /// Promises of the second line; ships have none.
     pub promises: Vec<Promise>,
 }
 
-/// What one kind of planning makes of a scene.
+/// Figures of one planner on a scene.
 #[derive(Debug, Clone, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Line {
@@ -163,7 +163,7 @@ pub struct Line {
     pub id: &'static str,
     /// The independent checker's.
     pub verdict: &'static str,
-    /// Whether the chords stayed, because no curve was good enough.
+    /// True if the chords stayed, because no curve was good enough.
     pub fell_back: bool,
     /// Of the path.
     pub metrics: RoadMetrics,
@@ -177,18 +177,18 @@ pub struct Line {
 #[derive(Debug, Clone, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Promise {
-    /// `length`, `turns`, `curvatureVariation`, `clearanceMean`, `clearanceLeast`, `hits`, `curvature`, `laneDeviation`, `laneLeft` or
-    /// `bytesPerCell`.
+    /// `length`, `turns`, `curvatureVariation`, `clearanceMean`, `clearanceLeast`, `hits`, `curvature`,
+    /// `laneDeviation`, `laneLeft` or `bytesPerCell`.
     pub figure: &'static str,
-    /// Whether the figure must not be less than the bound, rather than not more.
+    /// True if the figure must not be less than the bound, rather than not more.
     pub at_least: bool,
-    /// What it is held to.
+    /// The bound of the promise.
     pub bound: f64,
     /// The cost map's.
     pub found: f64,
     /// Plain A*'s.
     pub plain: f64,
-    /// Whether it keeps to it.
+    /// True if it keeps to it.
     pub kept: bool,
 }
 

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::geometry::math;
 
-/// What many maps give.
+/// Statistics over many maps.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Spread {
     /// Half of the maps give no more.

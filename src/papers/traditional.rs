@@ -1,8 +1,8 @@
-//! The parking paper's traditional column, looked for: settings of the classic hybrid A\* that give its printed lengths and its two to
-//! four gear changes.
+//! The parking paper's traditional column, looked for: settings of the classic hybrid A\* that give its printed lengths
+//! and its two to four gear changes.
 //!
-//! The paper does not print the settings of its traditional planner. Those of the published program that it started from
-//! are varied here, each around its published value, and every combination plans all ten rows.
+//! The paper does not print the settings of its traditional planner. Those of the published program that it started
+//! from are varied here, each around its published value, and every combination plans all ten rows.
 
 use serde::Serialize;
 use serde_json::{Map, Value, json};
@@ -12,7 +12,7 @@ use crate::error::Error;
 use crate::plan::{Options, Outcome, Planner};
 use crate::scenario::catalog;
 
-/// What a setting is varied over: its name in `hybrid-classic`, then the published value first.
+/// The values of a varied setting: its name in `hybrid-classic`, then the values, the published one first.
 const VARIED: [(&str, &[f64]); 8] = [
     ("steerSamples", &[20.0, 2.0]),
     ("directionChangeCost", &[0.0, 3.0, 10.0]),
@@ -68,7 +68,7 @@ pub struct Path {
     pub length: f64,
 }
 
-/// What a combination gives in all rows.
+/// Results of one combination in all rows.
 #[derive(Debug, Clone, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Tried {
@@ -107,7 +107,7 @@ pub fn attempt(combination: usize) -> Result<Tried, Error> {
     Ok(Tried { combination, same_changes: count(f64::INFINITY), same: count(0.5), paths })
 }
 
-/// What all combinations give in one row.
+/// Results of all combinations in one row.
 #[derive(Debug, Clone, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Found {

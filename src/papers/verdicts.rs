@@ -1,4 +1,5 @@
-//! What the parking paper and the road manuscript claim in words, each judged in a sentence on our rows. No verdict rests on a clock.
+//! Claims of the parking paper and of the road manuscript, each judged in a sentence on our rows. No verdict depends on
+//! a clock.
 
 use serde_json::Value;
 
@@ -39,9 +40,9 @@ pub const SAID: [f64; 2] = [8.18, 20.53];
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Saved {
-    /// What the abstract says.
+    /// Percentage in the abstract.
     pub said: f64,
-    /// What the printed rows give.
+    /// Percentage of the printed rows.
     pub printed: f64,
     /// Ours, from the goal, against ours from the start.
     pub over_forward: f64,

@@ -1,8 +1,9 @@
-//! Figures 4 and 5 of the parking paper: the car's box along the axes (AABB), the turned box (OBB) and the ball, held against the exact
-//! body on poses at random.
+//! Figures 4 and 5 of the parking paper: the car's box along the axes (AABB), the turned box (OBB) and the ball, held
+//! against the exact body on poses at random.
 //!
-//! All three are tested against the same lines, one after the other, as the paper tests them: what differs is the volume. The
-//! paper takes the box along the axes for the cheapest and turns it with the car, which makes it the turned box.
+//! All three are tested against the same lines, one after the other, as the paper tests them: what differs is the
+//! volume. The paper takes the box along the axes for the cheapest and turns it with the car, which makes it the turned
+//! box.
 
 use serde::Serialize;
 
@@ -41,7 +42,7 @@ impl Volume {
         }
     }
 
-    /// Whether the volume around a car at `pose` meets one of these lines.
+    /// True if the volume around a car at `pose` meets one of these lines.
     pub fn meets(self, vehicle: &Vehicle, pose: Pose, lines: &[[Point; 2]]) -> bool {
         match self {
             Self::Aabb => {
@@ -93,7 +94,7 @@ fn bounds(corners: &[Point; 4]) -> [Point; 2] {
     ]
 }
 
-/// Whether a line enters the box of these half sides around the origin, by separating axes; contact is free.
+/// True if a line enters the box of these half sides around the origin, by separating axes; contact is free.
 fn crosses(half: [f64; 2], a: Point, b: Point) -> bool {
     let [x, y] = half;
     if a.x.min(b.x) >= x || a.x.max(b.x) <= -x || a.y.min(b.y) >= y || a.y.max(b.y) <= -y {
@@ -113,7 +114,7 @@ fn squared(p: Point, a: Point, b: Point) -> f64 {
     (to - along * share).norm_squared()
 }
 
-/// What one volume answers on all poses.
+/// Answers of one volume on all poses.
 #[derive(Debug, Clone, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Line {

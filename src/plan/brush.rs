@@ -7,13 +7,13 @@ use crate::map::{Cell, Occupancy, raster};
 use crate::metrics::Body;
 use crate::scenario::{Obstacle, Scenario};
 
-/// What the brush covers, apart from the other obstacles.
+/// Cells covered by the brush, kept apart from the other obstacles.
 pub(super) struct Brush {
     /// Cells that other obstacles block.
     others: Occupancy,
     /// Cells under the brush.
     covered: Occupancy,
-    /// Whether the scene and its exact geometry are behind.
+    /// True if the scene and its exact geometry are behind.
     stale: bool,
 }
 

@@ -12,7 +12,7 @@ const SAME: f64 = 0.01;
 /// … and clearances within this, metres.
 const SAME_CLEARANCE: f64 = 0.05;
 
-/// What is asked of a choice.
+/// A request to choose among paths.
 pub(super) struct Wish<'a> {
     pub(super) prefer: Option<Prefer>,
     pub(super) alternatives: bool,
@@ -21,12 +21,12 @@ pub(super) struct Wish<'a> {
 }
 
 impl Wish<'_> {
-    /// Whether the first path will do. Under the hand what is preferred only says which path stays.
+    /// True if the first path suffices. During a drag the preference only decides which path stays.
     pub(super) fn is_none(&self) -> bool {
         (self.prefer.is_none() || self.stickiness > 0.0) && !self.alternatives && self.improved.is_none()
     }
 
-    /// Whether a path that stays is about as good as another by what is preferred.
+    /// True if a path that stays is about as good as another by what is preferred.
     pub(super) fn keeps(&self, old: &Plan, new: &Plan) -> bool {
         let [old, new] = [old, new].map(Figures::of);
         let about = 1.0 + self.stickiness;
@@ -39,7 +39,7 @@ impl Wish<'_> {
         }
     }
 
-    /// What alone is searched for.
+    /// The only preference to search for, if no alternatives are asked for.
     pub(super) fn searched(&self) -> Option<Prefer> {
         self.prefer.filter(|_| !self.alternatives)
     }
@@ -100,8 +100,8 @@ impl<'a, 'w> Choosing<'a, 'w> {
         }
     }
 
-    /// Whether a path is better than the best so far by what is preferred or, where nothing is, costs less and keeps as much
-    /// margin as the first.
+    /// True if a path is better than the best so far by what is preferred or, where nothing is, costs less and keeps as
+    /// much margin as the first.
     fn is_better(&self, plan: &Plan) -> bool {
         let (new, old) = (Figures::of(plan), Figures::of(&self.plans[self.best]));
         match self.wish.prefer {
@@ -126,7 +126,7 @@ impl<'a, 'w> Choosing<'a, 'w> {
     }
 }
 
-/// What paths are compared by.
+/// The figures by which paths are compared.
 struct Figures {
     length: f64,
     changes: u32,
@@ -148,7 +148,7 @@ impl Figures {
     }
 }
 
-/// Whether one path is as good as another in everything, but for differences that nobody would notice.
+/// True if one path is as good as another in everything, but for differences that nobody would notice.
 fn covers(one: &Plan, other: &Plan) -> bool {
     let (one, other) = (Figures::of(one), Figures::of(other));
     one.changes <= other.changes

@@ -64,8 +64,9 @@ impl Planner {
         plan
     }
 
-    /// Plans for each goal, and once more for the one with the cheapest path, else for that whose failure tells most. Goals that
-    /// are nearer as the crow flies come first; those farther away than the best path is dear cannot be cheaper.
+    /// Plans for each goal, and once more for the one with the cheapest path, else for that whose failure tells most.
+    /// Goals that are nearer as the crow flies come first; those farther away than the best path is dear cannot be
+    /// cheaper.
     fn one_by_one(&mut self, start: Pose, goals: &[Pose], mut options: Options) -> Plan {
         let mut straight: Vec<f64> = goals.iter().map(|goal| (goal.point() - start.point()).norm()).collect();
         let frame = self.world.frame;
@@ -109,8 +110,8 @@ impl Planner {
         plan
     }
 
-    /// What a plan's path costs under its planner's settings, metres. Failures are dearer than any path, those that tell more
-    /// less so; a car that cannot start has no better goal.
+    /// Cost of a plan's path under its planner's settings, metres. Failures cost more than any path; the more a failure
+    /// explains, the less it costs.
     fn price(&self, plan: &Plan) -> f64 {
         let cells = plan.stats.cost_micro.map(|cost| cost as f64 * 1e-6 * self.world.frame.resolution);
         let road = plan.metrics.road.as_ref().map(|road| road.cost);

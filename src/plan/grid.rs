@@ -86,7 +86,8 @@ impl Engine {
         )
     }
 
-    /// The risk field's force at the middle cells of squares of `every` cells: east, north, …; `None` without a risk field.
+    /// The risk field's force at the middle cells of squares of `every` cells: east, north, …; `None` without a risk
+    /// field.
     pub(super) fn field(&self, world: &World, every: u32) -> Option<Vec<f32>> {
         let Search::RiskField(config) = &self.search else { return None };
         let map = self.rasters.map(world);
@@ -106,7 +107,7 @@ impl Engine {
         Some(config.field(&Query { map, start, goal }).potential_layer().data)
     }
 
-    /// What the risk field does at the cell of a point; `None` without a risk field, off the map and in blocked cells.
+    /// Explains the risk field at the cell of a point; `None` without a risk field, off the map and in blocked cells.
     pub(super) fn explain(&self, world: &World, at: Point) -> Option<risk_field::Explanation> {
         let Search::RiskField(config) = &self.search else { return None };
         let map = self.rasters.map(world);
@@ -200,7 +201,7 @@ impl Finish<'_> {
         plan
     }
 
-    /// What becomes of the path as asked.
+    /// The path after the requested post-processing.
     fn pieces(&self, pruned: &[Cell], shortest: &[Cell], smoothed: &Smoothed) -> Vec<Piece> {
         let line = |path: &[Cell]| Piece::lines(&cells::polyline(path));
         match self.settings.post {

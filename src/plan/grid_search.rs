@@ -52,7 +52,7 @@ impl Search {
         })
     }
 
-    /// What every grid planner's settings have, still to be validated.
+    /// The settings that all grid planners share, not yet validated.
     pub(super) fn common(&self) -> Common {
         match self {
             Self::Neighbours(_, config) => config.common,
@@ -66,7 +66,7 @@ impl Search {
         }
     }
 
-    /// Whether it searches [`Rasters::bits`].
+    /// True if it searches [`Rasters::bits`].
     #[cfg(feature = "complete")]
     pub(super) fn needs_bits(&self) -> bool {
         matches!(self, Self::JumpPoint(_))

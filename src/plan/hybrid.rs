@@ -42,7 +42,7 @@ pub(super) struct Engine {
     config: Config,
     obstacles: Obstacles,
     scratch: Scratch,
-    /// Where the next plan may lead, where there are several goals.
+    /// The goals of the next plan, if there are several.
     #[cfg(feature = "complete")]
     pub(super) goals: Vec<Pose>,
 }
@@ -209,7 +209,7 @@ impl Engine {
         })
     }
 
-    /// What to choose among further paths, and their plans. The goal of `world` is then that of the chosen one.
+    /// Chooses among further paths and plans them. The goal of `world` becomes that of the chosen path.
     #[cfg(feature = "complete")]
     pub(super) fn choose(
         &mut self,

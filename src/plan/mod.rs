@@ -72,23 +72,23 @@ const POSES: NonZeroU32 = NonZeroU32::new(1 << 8).unwrap();
 /// How far from the goal a car's path may end, metres.
 const NEAR: f64 = 1e-3;
 
-/// What is asked besides the path.
+/// Options of a plan besides the path itself.
 #[derive(Default)]
 pub struct Options<'a> {
-    /// Whether to keep where the search went.
+    /// True to keep the search trace.
     pub trace: bool,
     /// Told of the expansions so far each 16 384 cells, or 256 poses of a car, and never of more than
-    /// [`Stats::expanded`]. The plan is the same with and without; where it breaks, the search ends as if its budget were
-    /// spent.
+    /// [`Stats::expanded`]. The plan is the same with and without; where it breaks, the search ends as if its budget
+    /// were spent.
     pub progress: Option<ProgressCallback<'a>>,
-    /// What hybrid A*'s path is chosen by, if not as ever.
+    /// The preference by which hybrid A* chooses its path; `None` for the default cost.
     #[cfg(feature = "complete")]
     pub prefer: Option<Prefer>,
-    /// Whether to look for hybrid A*'s alternatives, too: [`Plan::alternatives`].
+    /// True if alternatives to hybrid A*'s path are searched as well: [`Plan::alternatives`].
     #[cfg(feature = "complete")]
     pub alternatives: bool,
-    /// How much cheaper another path of hybrid A*'s must be than this planner's last one, led to the new ends, to take its place: a
-    /// share of its cost. With 0 the last plan does not matter.
+    /// How much cheaper another path of hybrid A*'s must be than this planner's last one, led to the new ends, to take
+    /// its place: a share of its cost. With 0 the last plan does not matter.
     #[cfg(feature = "complete")]
     pub stickiness: f64,
     /// Given hybrid A*'s first plan, and each one that is better. Where it breaks, the last one is the answer.
@@ -170,7 +170,7 @@ impl Planner {
     /// planner's defaults.
     ///
     /// # Errors
-    /// What is wrong with the scene or the settings, by field, value and rule.
+    /// A wrong scene or setting, named by field, value and rule.
     pub fn new(id: &str, scenario: &Scenario, config: &Map<String, Value>) -> Result<Self, Error> {
         let kind = PlannerId::of(id)?;
         let mut settings = scenario.planners.get(id).cloned().unwrap_or_default();
@@ -262,7 +262,7 @@ impl Planner {
         plan
     }
 
-    /// What the risk field does at the cell of a point, metres: its force, region and candidates in the terms of its paper.
+    /// Explains the risk field at the cell of a point (metres): force, region and candidates in the paper's terms.
     /// `None` off the map and in blocked cells.
     ///
     /// # Errors
@@ -289,15 +289,15 @@ impl Planner {
         }
     }
 
-    /// A raster: `occupancy`, `safety`, `redundant` (safety under this planner's own settings), `clearance`, `risk`, `potential` or
-    /// `cost`; the ends are those of the last plan.
+    /// A raster: `occupancy`, `safety`, `redundant` (safety under this planner's own settings), `clearance`, `risk`,
+    /// `potential` or `cost`; the ends are those of the last plan.
     ///
-    /// `every` is 1, or for `risk` the side of squares of cells whose middle ones alone are told; squares that the map's
-    /// border cuts through are left out.
+    /// `every` is 1, or for `risk` the side of squares of cells whose middle ones alone are told; squares that the
+    /// map's border cuts through are left out.
     ///
     /// # Errors
-    /// [`ErrorCode::Input`] for another name, for `risk` and `potential` of a planner without a field, for `redundant` of one that is
-    /// not a grid planner, for `cost` of one without a cost map, and for another `every`.
+    /// [`ErrorCode::Input`] for another name, for `risk` and `potential` of a planner without a field, for `redundant`
+    /// of one that is not a grid planner, for `cost` of one without a cost map, and for another `every`.
     pub fn layer(&self, name: &str, every: u32) -> Result<Layer, Error> {
         if every == 0 || (every > 1 && name != "risk") {
             let rule = if name == "risk" { "a whole number from 1" } else { "1 but for risk" };

@@ -1,4 +1,4 @@
-//! What a planner answers.
+//! The answer of a planner.
 
 use serde::Serialize;
 
@@ -43,7 +43,7 @@ impl Outcome {
     }
 }
 
-/// What the search did.
+/// Counters of the search.
 #[derive(Debug, Clone, Default, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Stats {
@@ -55,8 +55,8 @@ pub struct Stats {
     pub pushes: u32,
     /// Largest size of the open list.
     pub open_peak: u32,
-    /// Bytes of the arrays that the planner held: what it kept of each node, its open list at its largest, and the rasters
-    /// that it searched; not the scene. No part of the hash.
+    /// Bytes of the arrays that the planner held: what it kept of each node, its open list at its largest, and the
+    /// rasters that it searched; not the scene. No part of the hash.
     #[serde(skip)]
     pub memory_bytes: u64,
     /// Grid planners: second expansions.
@@ -94,7 +94,7 @@ pub struct Stats {
     pub level: Option<u32>,
 }
 
-/// What the path is worth.
+/// Figures of the path.
 #[derive(Debug, Clone, Default, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Metrics {
@@ -110,8 +110,8 @@ pub struct Metrics {
     pub min_clearance: f64,
     /// Mean distance over the poses, metres.
     pub mean_clearance: f64,
-    /// Where cells have weights: the length with every part of it times the weight under the path (the middle of the
-    /// rear axle, for `cost-map` of the car), metres.
+    /// Length in which every part counts by the weight under the path, metres: under the middle of the rear axle, for
+    /// `cost-map` under the middle of the car. `None` without weights.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub weighted_length: Option<f64>,
     /// Grid planners.
@@ -177,13 +177,14 @@ pub struct HybridMetrics {
     pub paper_nodes: u32,
     /// Driving time at the parking paper's 2 m/s, seconds.
     pub paper_time: f64,
-    /// Driving time within the default limits of [`trajectory`](crate::drive::trajectory()), seconds; where it is chosen by.
+    /// Driving time within the default limits of [`trajectory`](crate::drive::trajectory()), seconds; where it is
+    /// chosen by.
     #[cfg(feature = "complete")]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub drive_time: Option<f64>,
 }
 
-/// Where the search went, for drawing.
+/// The nodes that the search visited, for drawing.
 #[derive(Debug, Clone)]
 pub enum PlanTrace {
     /// Cell indices in order of expansion.
@@ -204,15 +205,15 @@ pub enum PlanTrace {
     },
 }
 
-/// A search of hybrid A*'s portfolio: the one that found the path or, where there is none, that went through everything with the
-/// least margin, or was tried last.
+/// A search of hybrid A*'s portfolio: the one that found the path or, where there is none, that went through everything
+/// with the least margin, or was tried last.
 #[cfg(feature = "complete")]
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Member {
     /// Its level.
     pub level: u32,
-    /// Whether its tree grew from the goal, else from the start; false of a search from both ends.
+    /// True if its tree grew from the goal, else from the start; false of a search from both ends.
     pub from_goal: bool,
     /// Side of a position cell, metres.
     pub xy_resolution: f64,
@@ -233,7 +234,7 @@ pub struct Plan {
     pub detail: Option<&'static str>,
     /// For people, where there is no path.
     pub reason: Option<String>,
-    /// Where it fails, where there is no path and that is known.
+    /// The place that blocks the way, if there is no path and the place is known.
     pub obstruction: Option<Obstruction>,
     /// The goal that the path leads to, where the scene has several.
     #[cfg(feature = "complete")]
@@ -246,16 +247,16 @@ pub struct Plan {
     pub curvatures: Vec<f64>,
     /// The planner's unprocessed path.
     pub raw_path: Vec<Point>,
-    /// What the search did.
+    /// Counters of the search.
     pub stats: Stats,
-    /// What the path is worth.
+    /// Figures of the path.
     pub metrics: Metrics,
-    /// What the independent validator says of it.
+    /// The independent validator's verdict.
     pub check: Check,
     /// Hybrid A*: which search of its portfolio answered.
     #[cfg(feature = "complete")]
     pub member: Option<Member>,
-    /// Where the search went, if asked for.
+    /// The search trace, if requested.
     pub trace: Option<PlanTrace>,
     /// Grid planners: what each step after the search makes of the path, if the trace is asked for.
     #[cfg(feature = "complete")]

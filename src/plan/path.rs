@@ -18,8 +18,8 @@ pub(super) fn poses(path: &[f64]) -> Result<Vec<Pose>, Error> {
     Ok(path.chunks_exact(3).map(|p| Pose::new(p[0], p[1], p[2])).collect())
 }
 
-/// Metres of the longest path that is driven or measured along its way, and of the longest side of a map on which a car's way is
-/// looked for: time and memory grow with it.
+/// Metres of the longest path that is driven or measured along its way, and of the longest side of a map on which a
+/// car's way is looked for: time and memory grow with it.
 pub(super) const MAX_LENGTH: f64 = 100_000.0;
 
 #[cfg(feature = "complete")]
@@ -69,8 +69,8 @@ pub(super) fn gears(directions: Option<&[i8]>, poses: usize) -> Result<Vec<i8>, 
     }
 }
 
-/// The way along a path, to be driven: x, y, heading, …; the gear (forward where absent) and, where known, the curvature
-/// of the way on from each pose.
+/// The way along a path, to be driven: x, y, heading, …; the gear (forward where absent) and, where known, the
+/// curvature of the way on from each pose.
 ///
 /// # Errors
 /// [`ErrorCode::Input`] when the numbers are not poses, the gears not ±1, or no car of these dimensions can drive it.

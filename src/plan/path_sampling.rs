@@ -5,8 +5,8 @@ use crate::geometry::{Pose, math};
 use crate::map::Frame;
 use crate::post::Piece;
 
-/// Follows `pieces`, given in cells, with poses at most `step` metres apart. A corner gives two poses at one place. The car drives in
-/// reverse throughout where its tail points along the path at the start, rather than its nose.
+/// Follows `pieces`, given in cells, with poses at most `step` metres apart. A corner gives two poses at one place. The
+/// car drives in reverse throughout where its tail points along the path at the start, rather than its nose.
 pub(super) fn follow(frame: &Frame, pieces: &[Piece], start_heading: f64, step: f64) -> Driven {
     let pose = |piece: &Piece, share: f64| {
         let at = frame.world(piece.point(share));

@@ -11,16 +11,16 @@ use crate::scenario::validate::finite_pose;
 #[cfg(feature = "complete")]
 use crate::search::Watch;
 
-/// Where a plan begins and ends; the scene's poses where none are given.
+/// Start and goal of a plan; a missing one is the scene's.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Ends {
-    /// Where it begins.
+    /// Start pose.
     pub start: Option<Pose>,
-    /// Where it ends.
+    /// Goal pose.
     pub goal: Option<Pose>,
 }
 
-/// What a search found, without what is made of it for a car.
+/// The result of a bare search: cells and counters, without driving, checks and metrics.
 #[derive(Debug, Clone)]
 pub struct Found {
     /// How it ended.
@@ -40,12 +40,12 @@ fn checked(path: &str, pose: Pose) -> Result<Pose, Error> {
 }
 
 impl Planner {
-    /// [`Planner::plan`] between other poses than the scene's. Rasters and explanations are between these, too, until the
-    /// next plan.
+    /// [`Planner::plan`] between other poses than the scene's. Rasters and explanations are between these, too, until
+    /// the next plan.
     ///
     /// # Errors
-    /// [`ErrorCode::Input`] when a coordinate is not a finite number, within the range of scenes, and when a planner other than
-    /// hybrid A* is asked for a choice.
+    /// [`ErrorCode::Input`] when a coordinate is not a finite number, within the range of scenes, and when a planner
+    /// other than hybrid A* is asked for a choice.
     pub fn plan_between(&mut self, ends: Ends, options: Options) -> Result<Plan, Error> {
         let start = ends.start.map(|pose| checked("start", pose)).transpose()?;
         let goal = ends.goal.map(|pose| checked("goal", pose)).transpose()?;
@@ -57,8 +57,8 @@ impl Planner {
         Ok(self.between(start.unwrap_or(self.own_ends[0]), goal, options))
     }
 
-    /// Takes over the last path of a hybrid planner of the scene as it was before an edit, for [`Options::stickiness`]. On a map
-    /// with another floor there is none.
+    /// Takes over the last path of a hybrid planner of the scene as it was before an edit, for [`Options::stickiness`].
+    /// On a map with another floor there is none.
     #[cfg(feature = "complete")]
     pub fn continue_from(&mut self, before: &mut Self) {
         if let (Engine::Hybrid(engine), Engine::Hybrid(last)) = (&mut self.engine, &mut before.engine)
@@ -68,8 +68,8 @@ impl Planner {
         }
     }
 
-    /// Takes over the path of a plan of hybrid A* for this scene, as if it were the last one: x, y and heading of its poses, their gears
-    /// and curvatures. Other planners take nothing over.
+    /// Takes over the path of a plan of hybrid A* for this scene, as if it were the last one: x, y and heading of its
+    /// poses, their gears and curvatures. Other planners take nothing over.
     ///
     /// # Errors
     /// [`ErrorCode::Input`] when the lists do not belong together, and for numbers that are not finite.
@@ -118,9 +118,9 @@ impl Planner {
         })
     }
 
-    /// Length of the shortest any-angle path between the centres of the last plan's start and goal cells (before any plan,
-    /// the scene's), metres, with this grid planner's safety space: what no path over cells is shorter than, but for rounded corners. `None` where
-    /// there is no path, and for planners other than grid planners.
+    /// Length of the shortest any-angle path between the centres of the last plan's start and goal cells (before any
+    /// plan, the scene's), metres, with this grid planner's safety space: what no path over cells is shorter than, but
+    /// for rounded corners. `None` where there is no path, and for planners other than grid planners.
     #[cfg(feature = "complete")]
     pub fn any_angle_length(&self) -> Option<f64> {
         let Engine::Grid(engine) = &self.engine else { return None };

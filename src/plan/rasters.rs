@@ -13,13 +13,13 @@ pub(super) struct Rasters {
     extra: Extra,
 }
 
-/// What only the complete module has.
+/// Rasters that only the complete module has.
 #[cfg(feature = "complete")]
 struct Extra {
     /// The radius of necessary safety space, cells, where there is any.
     radius: Option<f64>,
     closing: Option<RedundantSettings>,
-    /// What is closed between these ends.
+    /// The redundant space that is closed between these two cells.
     closed: Option<(Cell, Cell, Redundant)>,
     bits: Option<Bits>,
 }
@@ -52,7 +52,7 @@ impl Rasters {
         self.inflated.as_ref().unwrap_or(&world.occupancy)
     }
 
-    /// What is searched.
+    /// The occupancy map that the search runs on.
     pub(super) fn map<'a>(&'a self, world: &'a World) -> &'a Occupancy {
         #[cfg(feature = "complete")]
         if let Some((_, _, redundant)) = &self.extra.closed {
@@ -90,12 +90,12 @@ impl Rasters {
         }
     }
 
-    /// What is searched, as bits.
+    /// Jump bitmaps of the searched map.
     pub(super) fn bits(&self) -> Option<&Bits> {
         self.extra.bits.as_ref()
     }
 
-    /// What was closed, where the settings ask for it.
+    /// The closed redundant space, if the settings ask for it.
     pub(super) fn redundant(&self) -> Option<&Redundant> {
         self.extra.closed.as_ref().map(|closed| &closed.2)
     }

@@ -23,7 +23,7 @@ use crate::search::{Trace, Watch};
 const MAX_POSES: f64 = 50_000.0;
 /// Less of the margin by this is all of it, metres.
 const LESS: f64 = 2e-3;
-/// What is longer than this is smoothed at its own scale, metres.
+/// Cars longer than this are smoothed at a scale of their own, metres.
 const LARGEST_CAR: f64 = 10.0;
 
 /// Cost-map A*, its rasters and its memory.
@@ -35,7 +35,7 @@ pub(super) struct Engine {
     scratch: Scratch,
 }
 
-/// What the car's middle follows.
+/// The line that the middle of the car follows.
 struct Line {
     /// Its chords' ends.
     chords: Vec<Point>,
@@ -139,7 +139,7 @@ impl Engine {
         Query { ground: &self.ground, costs: &self.costs, radius, start, goal, less }
     }
 
-    /// What the car follows and how it does, checked.
+    /// The line that the car follows and the checked plan of following it.
     fn driven(&self, world: &World, report: &Report) -> (Line, Plan) {
         let line = self.line(world, report);
         let driven = if report.status == Status::Found { drive(world, &line) } else { Driven::default() };
@@ -197,12 +197,12 @@ fn traffic(scenario: &Scenario, world: &World) -> Traffic {
     Traffic { lanes: scenario.lanes_between(start, goal), limits: scenario.all_speed_limits() }
 }
 
-/// What the car needs to either side, metres.
+/// Half the width that the car needs, metres.
 fn radius(world: &World) -> f64 {
     world.geometry.vehicle.width / 2.0
 }
 
-/// Where the map ends a road goes on, a lot has a wall.
+/// True if the map's border is open, as on a road; a lot ends at a wall.
 fn is_open(scenario: &Scenario) -> bool {
     !scenario.lanes.is_empty()
 }
@@ -218,7 +218,7 @@ fn costs(
     CostMap::new(ground, &kerb, traffic, radius(world), config)
 }
 
-/// Where the car's middle starts and shall go.
+/// Start and goal of the car's middle.
 fn middles(world: &World) -> [Point; 2] {
     let lever = world.geometry.vehicle.middle();
     [world.geometry.start, world.geometry.goal].map(|pose| pose.advance(0.0, lever).point())

@@ -24,14 +24,14 @@ const CLOSER: f64 = 0.7;
 const ROUNDS: u32 = 4;
 /// Less room than the margin by this is as good as the margin, metres.
 const HAIR: f64 = 1e-3;
-/// Where room was missing so much more is asked for than was missing, metres.
+/// Extra clearance requested at a station that lacked clearance, metres.
 const SPARE: f64 = 0.02;
 /// And not only there but at so many stations around.
 const AROUND: usize = 1;
 /// But no more than this beyond the margin, metres.
 const MOST_MORE: f64 = 0.5;
 
-/// What a curve is made from.
+/// The input of a curve.
 pub(super) struct Curve<'a> {
     pub(super) world: &'a World,
     pub(super) ground: &'a RoadRasters,
@@ -135,14 +135,14 @@ impl Curve<'_> {
         (Candidate { spline, kept, cost }, rooms)
     }
 
-    /// Where the car's middle is and the room around the car there.
+    /// Positions of the car's middle with the clearance of the car there.
     fn rooms(&self, places: &[(Point, Vector)]) -> Vec<(Point, f64)> {
         let towed = tractrix(&self.world.geometry, places);
         let room = |pose: &Pose| self.world.body.signed_clearance(*pose);
         places.iter().zip(&towed.poses).map(|(place, pose)| (place.0, room(pose))).collect()
     }
 
-    /// What to ask for at new stations: what was asked for there, and more where that was not enough.
+    /// Clearances to request at new stations: those of the last round, raised where they were not reached.
     fn asked(&self, before: &[f64], stations: &[Station], rooms: &[(Point, f64)]) -> Vec<f64> {
         let mut short = vec![0.0_f64; stations.len()];
         let mut near = 0;
@@ -163,7 +163,8 @@ impl Curve<'_> {
         (0..stations.len()).map(ask).collect()
     }
 
-    /// Whether the curve costs hardly more than the chords, where cells have weights: it strays from them by decimetres.
+    /// True if the curve costs hardly more than the chords, where cells have weights: it strays from them by
+    /// decimetres.
     fn is_cheap(&self, chords: &[Point], spline: &Spline) -> bool {
         let Some(paint) = self.world.paint() else { return true };
         let cost = |points: &[Point]| points.windows(2).fold(0.0, |sum, w| sum + paint.along(w[0], w[1]));
@@ -171,7 +172,7 @@ impl Curve<'_> {
         cost(&places) <= DEARER * cost(chords)
     }
 
-    /// Whether the towed car touches nothing but at the ends.
+    /// True if the towed car touches nothing but at the ends.
     fn is_clear(&self, spline: &Spline) -> bool {
         let world = self.world;
         let towed = tractrix(&world.geometry, &along(spline, STATION));

@@ -53,8 +53,8 @@ struct Check<'a> {
 }
 
 impl Serialize for Plan {
-    /// As the JS API's plan, with its names: `path` is x, y, heading, …, `rawPath` x, y, …. Left out are the trace, and what
-    /// names things of the scene (`obstruction`, the obstacle of `check.firstHit`, which is a pose here).
+    /// As the JS API's plan, with its names: `path` is x, y, heading, …, `rawPath` x, y, …. Left out are the trace, and
+    /// what names things of the scene (`obstruction`, the obstacle of `check.firstHit`, which is a pose here).
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let check = &self.check;
         Fields {

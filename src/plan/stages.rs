@@ -1,4 +1,4 @@
-//! What the steps after a grid search make of its path, as the risk-field paper's figures 5 to 7 draw it.
+//! A grid path after each post-processing step, as the risk-field paper's figures 5 to 7 draw it.
 
 use serde::Serialize;
 
@@ -12,7 +12,7 @@ const SAME: f64 = 1e-6;
 /// A path's stages after the search; [`super::Plan::raw_path`] is what they begin with. Metres.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Stages {
-    /// What pruning keeps of the path, ends included.
+    /// Corners that remain after pruning, ends included.
     pub pruned: Vec<[f64; 2]>,
     /// The shortest way over the same cells.
     pub shortest: Vec<[f64; 2]>,
@@ -27,9 +27,9 @@ pub struct Stages {
 pub struct TangentArc {
     /// The corner that it rounds.
     pub corner: [f64; 2],
-    /// Where it leaves the segment before.
+    /// Point at which the arc leaves the previous segment.
     pub from: [f64; 2],
-    /// Where it meets the segment after.
+    /// Point at which the arc meets the next segment.
     pub to: [f64; 2],
     /// The circle's centre.
     pub center: [f64; 2],

@@ -4,10 +4,10 @@ use super::Driven;
 use crate::geometry::{Point, Pose, Vector, math};
 use crate::scenario::resolve::Geometry;
 
-/// Tows the car by its middle through `places`, each with the direction of the way there: forwards, the rear wheels rolling
-/// without slip, so between two places the rear axle drives an arc. The car points along its start's heading at first where
-/// the wheel can turn that into the line, along the line otherwise. Where its rear axle is its middle it points along the
-/// line throughout.
+/// Tows the car by its middle through `places`, each with the direction of the way there: forwards, the rear wheels
+/// rolling without slip, so between two places the rear axle drives an arc. The car points along its start's heading at
+/// first where the wheel can turn that into the line, along the line otherwise. Where its rear axle is its middle it
+/// points along the line throughout.
 pub(super) fn tractrix(geometry: &Geometry, places: &[(Point, Vector)]) -> Driven {
     let lever = geometry.vehicle.middle();
     let towed = lever > 1e-3;

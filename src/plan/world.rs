@@ -42,7 +42,7 @@ impl World {
 }
 
 impl World {
-    /// What the floor costs, where it does not cost the same everywhere.
+    /// Weights of the floor; `None` if all cells cost the same.
     pub(super) fn paint(&self) -> Option<WeightMap> {
         self.occupancy.weights().map(|weights| WeightMap { frame: self.frame, weights: weights.clone() })
     }

@@ -16,7 +16,7 @@ parameters! {
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Config {
     }
-    /// What every grid planner has.
+    /// The settings that all grid planners share.
     shared common: Common = Common::PLAIN;
 }
 

@@ -29,7 +29,7 @@ parameters! {
                  ["Stop", "停止规则"],
                  ["First: where the two meet (the paper); best: the best connection until then; nba: the cheapest path.", "first：相遇即停（论文）；best：其间最佳连接；nba：最短路径。"]);
     }
-    /// What every grid planner has.
+    /// The settings that all grid planners share.
     shared common: Common = Common::PLAIN;
 }
 

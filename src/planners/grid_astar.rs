@@ -17,7 +17,7 @@ use crate::json;
 use crate::search::Observer;
 use crate::search::lattice::one_way;
 
-/// What multiplies the estimate.
+/// The factor on the estimate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Weight {
     /// Nothing: the cheapest path.
@@ -29,7 +29,7 @@ pub enum Weight {
 
 json::words!(Weight: "none" = None, "distance" = Distance);
 
-/// What the heuristic may be: with four neighbours, with eight, with more.
+/// Names of the heuristics allowed with four neighbours, with eight, and with more.
 #[cfg(not(feature = "complete"))]
 const CHOICES: [&[&str]; 3] =
     [&["manhattan", "euclid", "octile"], &["euclid", "octile"], &["euclid", "gauge"]];
@@ -75,12 +75,12 @@ parameters! {
         /// How the cost still to pay is estimated.
         heuristic: Heuristic = Heuristic::Euclid,
             HEURISTIC_SPECS[1];
-        /// What multiplies the estimate.
+        /// The factor on the estimate.
         weight: Weight = Weight::None,
             spec("weight", Form::Choice(&["none", "distance"]), "1", true,
                  ["Dynamic weight", "动态权重"], ["Faster far from the goal, but not optimal.", "远离目标时加速，放弃最优性。"]);
     }
-    /// What every grid planner has.
+    /// The settings that all grid planners share.
     shared common: Common = Common::PLAIN;
 }
 
@@ -95,7 +95,7 @@ impl Config {
         Self { heuristic, ..Self::DEFAULT }
     }
 
-    /// What its heuristic may be with a neighbourhood, in a form.
+    /// The heuristics that a form offers for a neighbourhood.
     pub(super) const fn heuristic_spec(neighbourhood: Neighbourhood) -> &'static ParameterSpec {
         match neighbourhood {
             Neighbourhood::Four => &HEURISTIC_SPECS[0],

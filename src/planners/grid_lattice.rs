@@ -34,13 +34,13 @@ struct Step {
 
 pub(super) struct Grid<'a, E> {
     map: &'a Occupancy,
-    /// Where the search from the start goes, and the one from the goal.
+    /// Targets of the search from the start and of the search from the goal.
     aims: [Cell; 2],
     estimate: E,
     steps: Vec<Step>,
     /// The single steps by their direction, those that there are not as well.
     single_steps: [Single; 8],
-    /// Whether there are diagonal steps.
+    /// True if there are diagonal steps.
     diagonals: bool,
     corner: Corner,
     /// The legal single steps by the free cells around.
@@ -83,8 +83,8 @@ impl<'a, E: Estimate> Grid<'a, E> {
         }
     }
 
-    /// Leaves out the steps, too, that lead to no cell at its lowest cost. The path costs the same; fewer cells enter the
-    /// open lists, so that they are counted otherwise.
+    /// Leaves out the steps, too, that lead to no cell at its lowest cost. The path costs the same; fewer cells enter
+    /// the open lists, so that they are counted otherwise.
     #[cfg(feature = "complete")]
     pub(super) fn on_shortest_ways(mut self) -> Self {
         self.onward = &SHORTEST;
@@ -229,14 +229,15 @@ const fn unseen(free: u8, direction: u32) -> u8 {
     !u8::rotate_left(seen, direction)
 }
 
-/// The diagonal steps at a right angle to a diagonal one: two straight steps around the corner cost less, where it is free.
+/// The diagonal steps at a right angle to a diagonal one: two straight steps around the corner cost less, where it is
+/// free.
 const fn longer(free: u8, direction: u32) -> u8 {
     let longer = if direction % 2 == 1 { beside_free(free, direction) } else { 0 };
     longer.rotate_left(direction)
 }
 
-/// The steps to both sides of a direction beside which the cell half behind is free, turned so that the direction is the
-/// lowest bit.
+/// The steps to both sides of a direction beside which the cell half behind is free, turned so that the direction is
+/// the lowest bit.
 const fn beside_free(free: u8, direction: u32) -> u8 {
     let free = free.rotate_right(direction);
     (free & 0b1000) >> 1 | (free & 0b10_0000) << 1
@@ -269,8 +270,8 @@ mod tests {
     use super::*;
     use crate::planners::moves::{D, R2};
 
-    /// Asks about every step onward from a cell, by the free cells around, the direction in which it was reached, and the
-    /// corner rule: `check(map, before, centre, target, free, direction, c, corner)`.
+    /// Asks about every step onward from a cell, by the free cells around, the direction in which it was reached, and
+    /// the corner rule: `check(map, before, centre, target, free, direction, c, corner)`.
     fn each_step(mut check: impl FnMut(&Occupancy, [Cell; 3], (u8, u32, usize), Corner)) {
         let centre = Cell::new(2, 2);
         for (free, direction) in (0..=255_u8).flat_map(|free| (0..8_u32).map(move |d| (free, d))) {
@@ -312,7 +313,8 @@ mod tests {
         });
     }
 
-    /// … or is one of two diagonal steps that cost more than two straight ones, which are legal; all of those are left out.
+    /// … or is one of two diagonal steps that cost more than two straight ones, which are legal; all of those are left
+    /// out.
     #[test]
     fn only_what_is_on_no_shortest_way_is_left_out_beyond() {
         let mut count = 0;

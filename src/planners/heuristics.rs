@@ -3,7 +3,7 @@
 use super::moves::{D, Neighbourhood, R2, R5, R10, R13, euclid};
 use crate::json;
 
-/// How the cost still to pay is estimated.
+/// The estimate of the remaining cost.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Heuristic {
     /// Columns plus rows: exact for four neighbours, too much for more.
@@ -36,7 +36,7 @@ pub(super) const HEURISTICS: &[Heuristic] = &[
 ];
 
 impl Heuristic {
-    /// Whether it never overestimates with these moves.
+    /// True if it never overestimates with these moves.
     pub fn is_admissible(self, neighbourhood: Neighbourhood) -> bool {
         match self {
             Self::Manhattan => neighbourhood == Neighbourhood::Four,
@@ -174,8 +174,8 @@ impl DistanceWeight {
     #[inline(always)]
     pub fn apply(&self, h: i64, dx: i32, dy: i32) -> i64 {
         let e = euclid(dx, dy);
-        // Divisions are slow. The product may exceed 64 bits, but what is left of it beside a quotient that is a few off does
-        // not, so wrapping arithmetic tells it.
+        // Divisions are slow. The product may exceed 64 bits, but what is left of it beside a quotient that is a few
+        // off does not, so wrapping arithmetic tells it.
         let mut share = (h as f64 * e as f64 * self.inverse) as i64;
         let mut rest = h.wrapping_mul(e).wrapping_sub(share.wrapping_mul(self.start));
         while rest < 0 {

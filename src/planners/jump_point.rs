@@ -20,14 +20,14 @@ parameters! {
     /// Settings of jump point search. Corners are strict.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Config {
-        /// Whether turns that no obstacle forces are passed over: those of a diagonal jump into a straight one, and those to
-        /// the free side of a straight jump's end.
+        /// True if turns that no obstacle forces are passed over: those of a diagonal jump into a straight one, and
+        /// those to the free side of a straight jump's end.
         prune: bool = true,
             spec("prune", Form::Flag, "1", false,
                  ["Skip free turns", "跳过自由转折"],
                  ["Expands only cells where an obstacle forces a turn: the same cost from fewer expansions.", "只扩展被障碍迫使转向的格子：代价相同，扩展更少。"]);
     }
-    /// What every grid planner has.
+    /// The settings that all grid planners share.
     shared common: Common = Common::PLAIN, without "corner";
 }
 
@@ -184,8 +184,8 @@ impl Lattice for Jumps<'_> {
     }
 }
 
-/// The turns to try at a node, in their order: four bits each, the highest one set. By the direction in which the node was
-/// reached, and by which turns are open: from the lowest bit those by 0, 1, 2, 6 and 7 eighths.
+/// The turns to try at a node, in their order: four bits each, the highest one set. By the direction in which the node
+/// was reached, and by which turns are open: from the lowest bit those by 0, 1, 2, 6 and 7 eighths.
 static TURNS: [[u32; 32]; 8] = {
     let mut table = [[0; 32]; 8];
     let mut reached = 0;

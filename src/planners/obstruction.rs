@@ -1,32 +1,32 @@
-//! Where it fails when there is no path, for drawing.
+//! The place that blocks the way when there is no path, for drawing.
 
 use crate::geometry::{Point, Pose};
 
-/// What keeps the car from its goal, and where; in world coordinates. An owner k > 0 is shape k - 1 of the scene's
-/// geometry, 0 its border.
+/// The obstruction between the car and its goal, in world coordinates. Owner k > 0 is shape k - 1 of the scene's
+/// geometry, owner 0 its border.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Obstruction {
-    /// The body overlaps something where it starts or shall arrive.
+    /// The body overlaps an obstacle at the start or at the goal.
     Contact {
-        /// Where it starts, else where it arrives.
+        /// True at the start, false at the goal.
         at_start: bool,
-        /// What it overlaps.
+        /// The obstacle that the body overlaps.
         owner: u32,
     },
     /// The narrowest place of the widest way.
     Gap(Gap),
     /// No way joins start and goal.
     Enclosed {
-        /// Whether the region is the start's, else the goal's: the smaller of the two.
+        /// True if the region is the start's, else the goal's: the smaller of the two.
         at_start: bool,
-        /// Where a disc as wide as the car can be, by its centre.
+        /// The cells that the centre of a disc as wide as the car can reach.
         region: Region,
     },
     /// The car can hardly move.
     BoxedIn {
-        /// Where it starts, else where it arrives.
+        /// True at the start, false at the goal.
         at_start: bool,
-        /// How far it gets straight and at full lock, ahead and back, and what stops it there.
+        /// The ends of its motions straight and at full lock, ahead and back, each with the obstacle that stops it.
         stops: Vec<(Pose, u32)>,
     },
     /// Of what was searched, the place with the least estimate to go.
@@ -43,7 +43,7 @@ pub enum Obstruction {
 pub struct Gap {
     /// The widest way from start to goal is about this wide at its narrowest, metres.
     pub width: f64,
-    /// Where that is, metres.
+    /// Position of the gap, metres.
     pub at: Point,
 }
 

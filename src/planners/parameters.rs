@@ -6,7 +6,7 @@ use super::registry::{Parameter, Text};
 use crate::error::{Error, ErrorCode};
 use crate::json::{self, Setting};
 
-/// What is known of a parameter besides its type and default.
+/// A parameter's facts besides its type and default.
 #[derive(Clone, Copy)]
 pub(super) struct ParameterSpec {
     pub(super) name: &'static str,
@@ -58,7 +58,7 @@ impl ParameterSpec {
         Self { is_complete_only: true, title: [""; 2], doc: [""; 2], ..self }
     }
 
-    /// Whether this module has it.
+    /// True if this module has it.
     pub(super) fn is_listed(&self) -> bool {
         cfg!(feature = "complete") || !self.is_complete_only
     }
@@ -151,8 +151,8 @@ pub(super) fn check(fields: Vec<Field>) -> Result<(), Error> {
     fields.into_iter().try_for_each(|(spec, value)| spec.check(value))
 }
 
-/// Declares a struct of settings: each field with its type, default and [`ParameterSpec`]; and, `shared`, a field whose own
-/// parameters count as the struct's.
+/// Declares a struct of settings: each field with its type, default and [`ParameterSpec`]; and, `shared`, a field whose
+/// own parameters count as the struct's.
 macro_rules! parameters {
     (@shared $self:ident) => { (Vec::new(), "") };
     (@shared $self:ident $shared:ident $($left_out:literal)?) => { ($self.$shared.fields(), concat!($($left_out)?)) };

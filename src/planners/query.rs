@@ -1,4 +1,4 @@
-//! What grid planners are asked and what they answer.
+//! Queries to grid planners and their results.
 
 use crate::map::{Cell, Occupancy};
 use crate::search::lattice::Found;
@@ -11,9 +11,9 @@ use crate::search::{Report, Scratch};
 pub struct Query<'a> {
     /// Free and blocked cells, safety space included.
     pub map: &'a Occupancy,
-    /// Where the path begins.
+    /// Start cell.
     pub start: Cell,
-    /// Where it ends.
+    /// Goal cell.
     pub goal: Cell,
 }
 

@@ -43,15 +43,15 @@ pub struct Parameter {
     pub choices: &'static [&'static str],
     /// Its default.
     pub default: Value,
-    /// Whether people reach for it first.
+    /// True if people reach for it first.
     pub basic: bool,
     /// Its name for people.
     pub title: Text,
-    /// What it does, in one line.
+    /// Its effect, in one line.
     pub doc: Text,
 }
 
-/// What a planner searches.
+/// A planner's search space.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Family {
@@ -69,15 +69,15 @@ pub enum Family {
 pub struct Info {
     /// Its id.
     pub id: &'static str,
-    /// What it searches.
+    /// Its search space.
     pub family: Family,
     /// Its name for people.
     pub title: Text,
-    /// Where it comes from.
+    /// Its source.
     pub paper: &'static str,
-    /// Whether a risk field leads it.
+    /// True if a risk field leads it.
     pub has_risk_field: bool,
-    /// Whether it knows that cells can cost more than others.
+    /// True if it knows that cells can cost more than others.
     pub takes_costs: bool,
     /// Its settings.
     pub parameters: Vec<Parameter>,
@@ -128,7 +128,7 @@ pub enum PlannerId {
     CostMap,
 }
 
-/// What is known of each planner, in the order of menus.
+/// The facts of each planner, in the order of menus.
 const ROWS: &[Row] = &[
     row(PlannerId::Four, "four", Family::Grid, ["4-neighbour", "四邻域"], "Hart, Nilsson, Raphael 1968"),
     row(PlannerId::Eight, "eight", Family::Grid, ["8-neighbour", "八邻域"], "Hart, Nilsson, Raphael 1968"),
@@ -259,12 +259,12 @@ impl PlannerId {
         self.row().id
     }
 
-    /// What it searches.
+    /// Its search space.
     pub fn family(self) -> Family {
         self.row().family
     }
 
-    /// Whether a risk field leads it.
+    /// True if a risk field leads it.
     pub fn has_risk_field(self) -> bool {
         #[cfg(feature = "complete")]
         return matches!(self, Self::RiskField | Self::RiskFieldPlus);
@@ -272,7 +272,7 @@ impl PlannerId {
         matches!(self, Self::RiskField)
     }
 
-    /// Whether it knows that cells can cost more than others.
+    /// True if it knows that cells can cost more than others.
     pub fn takes_costs(self) -> bool {
         #[cfg(feature = "complete")]
         return !matches!(self, Self::JumpPoint | Self::AnyAngle);

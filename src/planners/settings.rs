@@ -10,7 +10,7 @@ use crate::map::Corner;
 /// Expansions after which a grid search gives up, unless told otherwise.
 pub const MAX_EXPANSIONS: u32 = 20_000_000;
 
-/// How much room the car needs beside the path, as far as the map knows.
+/// Space that the map keeps free beside the path for the car.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Inflation {
     /// None: the car is a point.
@@ -35,7 +35,7 @@ impl Inflation {
     }
 }
 
-/// What is done to the raw path.
+/// Post-processing of the raw path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Post {
     /// Nothing.
@@ -108,10 +108,10 @@ impl Setting for MinRadius {
 }
 
 parameters! {
-    /// What every grid planner's settings say of the map and of the path.
+    /// Settings of the map and of the path that all grid planners share.
     #[derive(Debug, Clone, Copy, PartialEq)]
     pub struct Common {
-        /// What a path may do at corners of blocked cells.
+        /// The rule for moves at corners of blocked cells.
         corner: Corner = Corner::Strict,
             spec("corner", Form::Choice(&["strict", "no-squeeze", "free"]), "1", false,
                  ["Corners", "转角规则"], ["Strict: a path may not touch a blocked cell.", "严格：路径不得触碰障碍格。"]);
@@ -134,7 +134,7 @@ parameters! {
             spec("trapMouth", Form::Integer(1.0, 16.0), "cells", false,
                  ["Pockets", "陷阱填充"],
                  ["Closes dead ends into which no square of this many cells fits; 1 closes none.", "封闭容不下此边长方块的死胡同；1 为不封闭。"]).within(1.0, 64.0).complete_only();
-        /// What is done to the raw path.
+        /// Post-processing of the raw path.
         post: Post = Post::None,
             spec("post", Form::Choice(&["none", "prune", "prune-dp", "smooth"]), "1", true,
                  ["Post-processing", "后处理"], ["Removes spare cells; rounds corners.", "删去多余格点；圆滑转角。"]);

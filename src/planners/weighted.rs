@@ -1,6 +1,7 @@
 //! A lattice of cells whose moves cost their length times the weight of the cells that they cross.
 //!
-//! Weights are at least 1, so every estimate that never exceeds the plain cost stays one, and a consistent one consistent.
+//! Weights are at least 1, so every estimate that never exceeds the plain cost stays one, and a consistent one
+//! consistent.
 
 use super::moves::{D, DIRECTIONS, R2, cost};
 use super::query::Query;
@@ -8,7 +9,8 @@ use crate::map::{Cell, Occupancy, Weights};
 use crate::search::NodeId;
 use crate::search::lattice::{Deferral, Edge, EdgeSink, Lattice};
 
-/// The cost of a straight move between two cells, every part of it times the weight of its cell, rounded up. Micro-cells.
+/// The cost of a straight move between two cells, every part of it times the weight of its cell, rounded up.
+/// Micro-cells.
 pub(crate) fn weighted_cost(weights: &Weights, from: Cell, to: Cell) -> i64 {
     let (dx, dy) = ((to.x - from.x).abs(), (to.y - from.y).abs());
     if dx.max(dy) == 1 {
@@ -96,7 +98,7 @@ impl<L: Lattice> Lattice for Weighted<'_, L> {
         self.lattice.padding()
     }
 
-    /// What the cell before could have been offered is not cheaper from there any more, so all moves are.
+    /// With weights the previous cell's moves are not always cheaper, so all moves are emitted.
     fn successors<S: EdgeSink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
         self.lattice.successors(node, None, &mut self.weighing(node, sink));
     }

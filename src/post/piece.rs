@@ -7,9 +7,9 @@ use crate::geometry::math;
 pub enum Piece {
     /// A straight piece.
     Line {
-        /// Where it begins.
+        /// Start point, cells.
         from: [f64; 2],
-        /// Where it ends.
+        /// End point, cells.
         to: [f64; 2],
     },
     /// A piece of a circle.

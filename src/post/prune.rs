@@ -34,10 +34,11 @@ fn goes_straight(a: Cell, b: Cell, c: Cell) -> bool {
     ux * vy == uy * vx && ux * vx + uy * vy > 0
 }
 
-/// The shortest way over the path's own cells, every cell of its long moves included; the cheapest where cells have weights.
+/// The shortest way over the path's own cells, every cell of its long moves included; the cheapest where cells have
+/// weights.
 ///
-/// Takes time quadratic in the length of the path at worst. What hid a cell from another one mostly hides it from the next
-/// one too: that is looked at first, and only where it is out of the way the whole line.
+/// Takes time quadratic in the length of the path at worst. What hid a cell from another one mostly hides it from the
+/// next one too: that is looked at first, and only where it is out of the way the whole line.
 pub fn prune_dp(map: &Occupancy, path: &[Cell], corner: Corner) -> Vec<Cell> {
     let points = unit_steps(path);
     let mut best = vec![(f64::INFINITY, 0_usize); points.len()];
@@ -129,7 +130,7 @@ impl Screen {
         if row.high.x - row.low.x >= column.high.y - column.low.y { row } else { column }
     }
 
-    /// Whether the segment between two cell centres passes through the inside of one of the squares.
+    /// True if the segment between two cell centres passes through the inside of one of the squares.
     fn hides(self, from: Cell, to: Cell) -> bool {
         let clip = |low: i32, high: i32, a: i32, b: i32| (low.max(a.min(b)), high.min(a.max(b)));
         let (left, right) = clip(self.low.x, self.high.x, from.x, to.x);

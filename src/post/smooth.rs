@@ -26,8 +26,8 @@ pub struct Smoothed {
     pub min_radius: Option<f64>,
 }
 
-/// Rounds the corners of a path with arcs of at least `min_radius` cells that stay in free cells and, where cells have weights,
-/// cost no more.
+/// Rounds the corners of a path with arcs of at least `min_radius` cells that stay in free cells and, where cells have
+/// weights, cost no more.
 pub fn smooth(map: &Occupancy, path: &[Cell], min_radius: f64, mode: SmoothMode) -> Smoothed {
     let points: Vec<[f64; 2]> = path.iter().map(|c| [f64::from(c.x), f64::from(c.y)]).collect();
     let mut smoothed = Smoothed { pieces: Vec::new(), length: 0.0, arcs: 0, sharp: 0, min_radius: None };
@@ -82,7 +82,7 @@ impl Smoothed {
     }
 }
 
-/// What a path does at a corner.
+/// A corner of a path: an arc, or sharp.
 enum Turn {
     Straight,
     Hairpin,
@@ -134,7 +134,7 @@ impl Bend {
         None
     }
 
-    /// Whether the arc costs no more than the corner, where cells have weights.
+    /// True if the arc costs no more than the corner, where cells have weights.
     fn is_cheap(&self, map: &Occupancy, tangent: f64, arc: &Piece) -> bool {
         let Some(weights) = map.weights() else { return true };
         let along =
@@ -156,7 +156,7 @@ impl Bend {
         }
     }
 
-    /// Where an arc with this tangent's length meets the next segment.
+    /// The point at which an arc with this tangent length meets the next segment.
     fn leave(&self, tangent: f64) -> [f64; 2] {
         [self.corner[0] + self.forth[0] * tangent, self.corner[1] + self.forth[1] * tangent]
     }
@@ -208,8 +208,8 @@ mod tests {
         assert_eq!((sharp.arcs, sharp.sharp, sharp.length), (0, 2, 6.0));
     }
 
-    /// As specified, with other formulas: tangents and radii of the arcs, and how many corners stay. `None` where rounding
-    /// decides whether an arc is free.
+    /// As specified, with other formulas: tangents and radii of the arcs, and how many corners stay. `None` where
+    /// rounding decides whether an arc is free.
     fn plain(
         map: &Occupancy,
         points: &[Point],

@@ -28,7 +28,7 @@ fn fields(line: &str) -> Vec<(usize, &str)> {
     split.collect()
 }
 
-/// What a file says, short enough for a message.
+/// Quotes a file's text, shortened for a message.
 fn quoted(text: &str) -> String {
     let short: String = text.chars().take(40).collect();
     format!("{short:?}{}", if short.len() < text.len() { "…" } else { "" })
@@ -59,7 +59,8 @@ fn header(line: &str) -> Result<Vec<&'static str>, Error> {
     }
 }
 
-/// Reads `t,x,y,theta[,v,phi[,a,omega]]`, a trajectory, or `x,y,theta[,gear]`, a path; columns in any order, empty lines at the end.
+/// Reads `t,x,y,theta[,v,phi[,a,omega]]`, a trajectory, or `x,y,theta[,gear]`, a path; columns in any order, empty
+/// lines at the end.
 ///
 /// # Errors
 /// [`ErrorCode::Import`] with `line:column` and the rule.

@@ -30,8 +30,8 @@ pub(super) fn states(vehicle: &Vehicle, limits: &MotionLimits, rows: &TimedRows)
     States { t: rows.t.clone(), poses, speed, steering }
 }
 
-/// Speeds that are linear between rows and cover the arcs, from rest to rest, where they keep the limits of acceleration; else
-/// central differences.
+/// Speeds that are linear between rows and cover the arcs, from rest to rest, where they keep the limits of
+/// acceleration; else central differences.
 fn speeds(limits: &MotionLimits, t: &[f64], arcs: &[f64]) -> Vec<f64> {
     let dt: Vec<f64> = t.windows(2).map(|t| t[1] - t[0]).collect();
     let mean: Vec<f64> = arcs.iter().zip(&dt).map(|(s, dt)| s / dt).collect();

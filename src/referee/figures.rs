@@ -11,8 +11,8 @@ const TOLERANCE: f64 = 1.001;
 /// Lateral accelerations are looked at this often between two rows.
 const PARTS: u32 = 4;
 
-/// What a trajectory costs and what it asks of the car. Integrals are exact for speeds and steering angles that are linear
-/// between rows.
+/// Duration, effort and smoothness of a trajectory. The integrals are exact for speeds and steering angles that are
+/// linear between rows.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Figures {
     /// Seconds.
@@ -99,7 +99,7 @@ impl Figures {
         self.smoothness() + 100.0 * self.duration
     }
 
-    /// Whether all limits are kept, to 0.1 %.
+    /// True if all limits are kept, to 0.1 %.
     pub fn keep(&self, vehicle: &Vehicle, limits: &MotionLimits) -> bool {
         let pairs = [
             (self.max_speed, limits.speed),

@@ -19,17 +19,17 @@ const LOOK: usize = 10;
 /// The car stands when it is no faster, m/s.
 const STANDING: f64 = 0.01;
 
-/// What the referee finds.
+/// The referee's verdict and figures.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Judgement {
-    /// Whether the trajectory begins at the start, ends at rest within 1 cm and 1° of the goal, and is what the car does
-    /// with its speeds and steering angles.
+    /// True if the trajectory begins at the start, ends at rest within 1 cm and 1° of the goal, and is what the car
+    /// does with its speeds and steering angles.
     pub attained: bool,
-    /// Whether all limits are kept, to 0.1 %.
+    /// True if all limits are kept, to 0.1 %.
     pub keeps_limits: bool,
     /// Duration, effort, gear changes and the largest of what the limits bound.
     pub figures: Figures,
-    /// What the body touches.
+    /// Contacts of the body.
     pub contacts: Contacts,
     /// How far the first pose is from the start: metres, radians.
     pub start_error: (f64, f64),
@@ -42,7 +42,7 @@ pub struct Judgement {
 }
 
 impl Judgement {
-    /// Whether nothing is wrong: attained, no touching frame, everything between the frames certified, limits kept.
+    /// True if nothing is wrong: attained, no touching frame, everything between the frames certified, limits kept.
     pub fn passes(&self) -> bool {
         self.attained
             && self.keeps_limits
@@ -51,7 +51,8 @@ impl Judgement {
     }
 }
 
-/// Checks states of our own: the controls are replayed from the first state, and the body is moved as the replay moves it.
+/// Checks states of our own: the controls are replayed from the first state, and the body is moved as the replay moves
+/// it.
 pub fn check(geometry: &Geometry, body: &Body, states: &States, limits: &MotionLimits) -> Judgement {
     let (mut moments, mut row, mut error) = (Vec::new(), 0, (0.0_f64, 0.0_f64));
     replay(&geometry.vehicle, states, |frame| {
@@ -64,9 +65,9 @@ pub fn check(geometry: &Geometry, body: &Body, states: &States, limits: &MotionL
     verdict(geometry, body, states, limits, &moments, error)
 }
 
-/// Judges a trajectory or a path. Poses with times are taken as they are, interpolated linearly; speeds and steering angles
-/// that are absent come from them. A path is timed run by run with trapezoids and driven by the closed-loop follower, whose
-/// drive is judged.
+/// Judges a trajectory or a path. Poses with times are taken as they are, interpolated linearly; speeds and steering
+/// angles that are absent come from them. A path is timed run by run with trapezoids and driven by the closed-loop
+/// follower, whose drive is judged.
 ///
 /// # Errors
 /// As [`Submission::validate`], [`MotionLimits::validate`] and, for paths, [`Route::new`].
@@ -163,7 +164,7 @@ fn verdict(
     }
 }
 
-/// What the closed-loop follower makes of a path.
+/// The trajectory of the closed-loop follower on a path.
 fn driven(
     vehicle: &Vehicle,
     limits: &MotionLimits,
@@ -230,7 +231,8 @@ mod tests {
     fn ten_straight_metres_take_six_and_a_half_seconds() {
         let start = Pose::default();
         let geometry = scene(start, Pose::new(10.0, 0.0, 0.0), &[]);
-        // Rows so far apart that linear poses are no accelerated motion; finer ones, without v and phi; and the path alone.
+        // Rows so far apart that linear poses are no accelerated motion; finer ones, without v and phi; and the path
+        // alone.
         let mut fine = "t,x,y,theta\n".to_owned();
         for k in 0..=65 {
             let t = f64::from(k) / 10.0;

@@ -1,4 +1,4 @@
-//! What a trajectory must keep to.
+//! Limits that a trajectory must keep.
 
 use crate::error::{Error, ErrorCode};
 use crate::json;

@@ -22,8 +22,8 @@ pub struct Frame {
     pub steering: f64,
 }
 
-/// Drives the controls of `states` from its first state and tells each millisecond, each row and the end. Steps end at rows,
-/// where the controls change. Positions and headings of later rows play no part.
+/// Drives the controls of `states` from its first state and tells each millisecond, each row and the end. Steps end at
+/// rows, where the controls change. Positions and headings of later rows play no part.
 pub fn replay(vehicle: &Vehicle, states: &States, mut each: impl FnMut(Frame)) {
     let Some(&start) = states.poses.first() else { return };
     let mut now = Frame { t: states.t[0], pose: start, speed: states.speed[0], steering: states.steering[0] };

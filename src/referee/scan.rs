@@ -1,8 +1,8 @@
 //! The whole body against the exact obstacles along a motion, with a certificate for what lies between two moments.
 //!
-//! Where the body is `c` metres from everything, no point of it can touch before it has moved by `c`. So a clearance measured once
-//! certifies all that follows until that is used up (conservative advancement), and the clearance at the next place
-//! measured certifies backwards.
+//! Where the body is `c` metres from everything, no point of it can touch before it has moved by `c`. So a clearance
+//! measured once certifies all that follows until that is used up (conservative advancement), and the clearance at the
+//! next place measured certifies backwards.
 
 use crate::geometry::{Pose, math};
 use crate::metrics::Body;
@@ -11,12 +11,12 @@ use crate::vehicle::Vehicle;
 
 /// Motions shorter than this are not cut any further, metres.
 const SHORTEST: f64 = 1e-5;
-/// What rounding may take from a clearance, metres.
+/// Allowance for rounding in a clearance, metres.
 const ROUNDING: f64 = 1e-9;
 /// Overlaps up to this are contact, which is free, as at the moments themselves, metres.
 const CONTACT: f64 = 1e-6;
 
-/// What a body met along a motion.
+/// Contacts of a body along a motion.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Contacts {
     /// Moments looked at.
@@ -78,7 +78,7 @@ fn measure(body: &Body, pose: Pose, found: &mut Contacts) -> Option<f64> {
     Some(clearance)
 }
 
-/// Whether the body is free all the way between two poses with clearances, by bisection.
+/// True if the body is free all the way between two poses with clearances, by bisection.
 fn certified(vehicle: &Vehicle, body: &Body, ends: [(Pose, f64); 2], found: &mut Contacts) -> bool {
     let mut parts = vec![ends];
     while let Some([(from, before), (to, after)]) = parts.pop() {

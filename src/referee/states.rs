@@ -2,8 +2,8 @@
 
 use crate::geometry::{Pose, math};
 
-/// Columns of equal length, one item per moment. Speed and steering angle are linear in time between two moments, so that
-/// the controls (acceleration and steering rate) are constant there.
+/// Columns of equal length, one item per moment. Speed and steering angle are linear in time between two moments, so
+/// that the controls (acceleration and steering rate) are constant there.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct States {
     /// Seconds, strictly increasing from 0.

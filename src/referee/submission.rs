@@ -1,4 +1,4 @@
-//! What the referee is handed: a trajectory with times, or a path.
+//! A submission to the referee: a trajectory with times, or a path.
 
 use crate::error::{Error, ErrorCode};
 use crate::geometry::Pose;

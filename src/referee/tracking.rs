@@ -13,8 +13,8 @@ const KEPT: usize = 10;
 /// Curvature per heading error, 1/m, and per lateral error, 1/m².
 const GAINS: (f64, f64) = (1.6, 0.64);
 
-/// Lets a car follow `states`: the steering angle of the trajectory one step ahead, corrected by feedback on heading and
-/// lateral error, through a wheel of limited angle and rate.
+/// Lets a car follow `states`: the steering angle of the trajectory one step ahead, corrected by feedback on heading
+/// and lateral error, through a wheel of limited angle and rate.
 pub fn track(vehicle: &Vehicle, body: &Body, states: &States) -> Tracking {
     let mut frames = Vec::new();
     replay(vehicle, states, |frame| frames.push(frame));

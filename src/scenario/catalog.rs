@@ -8,7 +8,7 @@ use crate::geometry::Pose;
 use crate::geometry::math::{FRAC_PI_2, FRAC_PI_4, PI};
 use crate::scenario::generate::{Family, generate};
 
-/// What a built-in scene is about.
+/// Title and description of a built-in scene.
 #[derive(Debug, Clone, Copy)]
 pub struct Info {
     /// Its id.

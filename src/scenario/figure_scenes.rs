@@ -98,8 +98,9 @@ pub(super) const SCENES: [Info; 13] = [
     ),
 ];
 
-/// What makes the way long in `fig16-wait`: the paper's path of 41.8 m runs through the box's strip, the shortest one of 30 m does
-/// not. The way around the barrier's west end crosses the strip clear of where the box stops.
+/// The barrier of `fig16-wait`. The paper's path of 41.8 m runs through the strip that the box sweeps, the shortest
+/// path of 30 m does not. The barrier forces a way around its west end, which crosses the strip away from where the box
+/// stops.
 const BARRIER: [[f64; 2]; 4] = [[2.0, 15.8], [25.0, 15.8], [25.0, 16.8], [2.0, 16.8]];
 
 pub(super) fn build(id: &str) -> Option<Scenario> {
@@ -155,7 +156,8 @@ fn without_walls(mut scene: Scenario) -> Scenario {
     scene
 }
 
-/// A map of the risk-field paper's kind with its safety space, necessary and redundant, for the planners of its figures.
+/// A map of the risk-field paper's kind with its safety space, necessary and redundant, for the planners of its
+/// figures.
 fn seeded(family: Family, size: u32, seed: u64) -> Option<Scenario> {
     let mut scene = generate(family, size, seed).ok()?;
     let space = serde_json::json!({ "inflation": "width", "margin": 0.2, "minPassage": 2, "trapMouth": 5 });
@@ -172,7 +174,8 @@ mod tests {
     use super::*;
     use crate::plan::{Options, Planner};
 
-    /// Every scene that the papers' specification names, where its car starts and ends, and how long the best known path is.
+    /// Every scene that the papers' specification names, where its car starts and ends, and how long the best known
+    /// path is.
     const NAMED: [(&str, [f64; 3], [f64; 3]); 21] = [
         ("P0", [22.0, 8.19, PI], [2.5, 5.0, -FRAC_PI_2]),
         ("P1", [24.0, 8.4, PI], [2.5, 5.0, -FRAC_PI_2]),

@@ -1,4 +1,5 @@
-//! Seeded families of grid maps, the same bits in every language: blocks at random, a lattice of blocks, U-shaped traps.
+//! Seeded families of grid maps, the same bits in every language: blocks at random, a lattice of blocks, U-shaped
+//! traps.
 //!
 //! The start is the south-western cell, the goal the north-eastern one. A map in which they are not connected is drawn
 //! again from the continuing random stream.
@@ -190,7 +191,7 @@ impl SplitMix64 {
     }
 }
 
-/// Whether a rectangle reaches into the corners around start and goal, which stay free.
+/// True if a rectangle reaches into the corners around start and goal, which stay free.
 fn in_keep_out(size: u32, x: u32, y: u32, width: u32, height: u32) -> bool {
     x <= 1 && y <= 1 || x + width + 1 >= size && y + height + 1 >= size
 }

@@ -18,8 +18,8 @@ pub const HEADING_TOLERANCE: f64 = PI / 12.0;
 const HEADINGS: u32 = 16;
 /// … and those along the longest edges.
 const EDGES: usize = 4;
-/// Poses of a sample: more come nearer to the cheapest arrival, and each costs a test for contact. Half as far apart, in a
-/// lot's aisle, shortens ways by decimetres.
+/// Poses of a sample: more come nearer to the cheapest arrival, and each costs a test for contact. Half as far apart,
+/// in a lot's aisle, shortens ways by decimetres.
 const POSES: f64 = 2000.0;
 /// Poses of a sample are not nearer to each other than this, metres.
 const SPACING: f64 = 0.25;
@@ -31,7 +31,7 @@ const ROUNDING: f64 = 1e-6;
 pub struct GoalRegion {
     /// Corners, metres.
     pub region: Vec<[f64; 2]>,
-    /// Where the nose shall point, up to [`HEADING_TOLERANCE`], radians; anywhere where absent.
+    /// Heading to within [`HEADING_TOLERANCE`], radians; any heading if absent.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub heading: Option<f64>,
 }
@@ -52,7 +52,7 @@ impl GoalRegion {
         }
     }
 
-    /// Whether the car stands inside, and points where it shall.
+    /// True if the car stands inside, and points where it shall.
     pub(super) fn holds(&self, vehicle: &Vehicle, pose: Pose) -> bool {
         let points = |heading| math::turn(heading, pose.heading).abs() <= HEADING_TOLERANCE + ROUNDING;
         self.heading.is_none_or(points) && encloses(&self.local(), vehicle, self.to_local(pose))
@@ -113,7 +113,7 @@ impl GoalRegion {
     }
 }
 
-/// Where the rear axle may be for the body to stay between the region's outermost corners, seen in the car's direction.
+/// Positions of the rear axle that keep the body between the region's outermost corners, along the car's heading.
 struct Span {
     heading: f64,
     /// The car's direction.
@@ -156,7 +156,7 @@ impl Span {
     }
 }
 
-/// Whether the polygon holds the whole body, up to rounding.
+/// True if the polygon holds the whole body, up to rounding.
 fn encloses(corners: &[Point], vehicle: &Vehicle, pose: Pose) -> bool {
     let body = Vehicle {
         width: vehicle.width - 2.0 * ROUNDING,

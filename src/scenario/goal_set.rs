@@ -14,7 +14,7 @@ use crate::vehicle::Vehicle;
 
 /// Most items of a list of poses or slots: each pose is tested for contact in each plan.
 const MAX_ITEMS: usize = 1000;
-/// Where the goal nearest to a path's end is sought, a radian of heading counts as this much distance, metres.
+/// Distance that one radian of heading counts for when the goal nearest to a path's end is chosen, metres.
 const METRES_PER_RADIAN: f64 = 1.0;
 
 /// A goal that can be met in several ways; the cheapest to reach is taken.
@@ -72,7 +72,7 @@ pub struct GoalPose {
     /// Which way the nose points in the slot.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub entry: Option<Entry>,
-    /// Where the car stands then.
+    /// Pose of the parked car.
     pub pose: Pose,
 }
 
@@ -185,7 +185,7 @@ impl Goals {
         self.poses.iter().map(|goal| goal.pose).min_by(|&a, &b| apart(a).total_cmp(&apart(b)))
     }
 
-    /// Whether the poses are a sample of more, of which those with little room may be left out.
+    /// True if the poses are a sample of more, of which those with little room may be left out.
     pub(crate) const fn is_sample(&self) -> bool {
         self.region.is_some()
     }

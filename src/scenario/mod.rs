@@ -59,7 +59,7 @@ pub struct Scenario {
     /// Cells that cost more than their length.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub costs: Vec<CostArea>,
-    /// What moves. Planners leave it out; a drive along a path has to wait for it.
+    /// Moving obstacles. Planners ignore them; a drive along a path waits for them.
     #[cfg(feature = "complete")]
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub moving: Vec<MovingObstacle>,
@@ -73,9 +73,9 @@ pub struct Scenario {
     pub speed_limits: Vec<SpeedLimit>,
     /// The car that plans.
     pub vehicle: VehicleSpec,
-    /// Where the car stands.
+    /// Start pose.
     pub start: Pose,
-    /// Where it shall go.
+    /// Goal.
     pub goal: Goal,
     /// Settings per planner id, laid over that planner's defaults.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
@@ -165,7 +165,7 @@ pub struct CostArea {
     pub id: Option<String>,
     /// Runs of cells: x of the first, y, number of cells eastward.
     pub runs: Vec<[u32; 3]>,
-    /// What a metre costs there, in metres: 1 to 10.
+    /// Cost of a metre there, in metres: 1 to 10.
     pub weight: u32,
 }
 
@@ -195,7 +195,7 @@ pub struct Slot {
     /// `angled` only: to which side of `heading` the car's axis leans.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lean: Option<Lean>,
-    /// Whether a parked `sedan` stands in it, centred, nose to the aisle.
+    /// True if a parked `sedan` stands in it, centred, nose to the aisle.
     pub occupied: bool,
 }
 
@@ -221,7 +221,7 @@ pub enum Lean {
     Right,
 }
 
-/// Where the car shall go.
+/// The goal of the car.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Goal {

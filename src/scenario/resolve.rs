@@ -13,7 +13,7 @@ use crate::geometry::math;
 use crate::geometry::{Point, Pose, Vector};
 use crate::vehicle::Vehicle;
 
-/// What a shape belongs to.
+/// The owner of a shape.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Owner {
     /// The map's border or boundary.
@@ -45,9 +45,9 @@ pub struct Shape {
 /// A validated scene, resolved.
 #[derive(Debug, Clone)]
 pub struct Geometry {
-    /// Where the car stands.
+    /// Start pose.
     pub start: Pose,
-    /// Where it shall go; of several goals the first, or the start where none can be met.
+    /// Goal pose: the first of several goals, or the start if none can be reached.
     pub goal: Pose,
     /// The goals, where the scene has a set of them.
     #[cfg(feature = "complete")]
@@ -167,7 +167,7 @@ impl Scenario {
         }
     }
 
-    /// What people call a thing: its id, else its kind.
+    /// The name of a thing for people: its id, or its kind if it has none.
     pub fn name_of(&self, owner: Owner) -> String {
         let (id, kind) = match owner {
             Owner::Border => (None, "border"),
@@ -236,8 +236,8 @@ impl Scenario {
     }
 }
 
-/// The shapes of obstacles, in a hash table with open addressing. An obstacle that lies exactly on an earlier one blocks
-/// nothing more, but every collision check would pay for it again.
+/// The shapes of obstacles, in a hash table with open addressing. An obstacle that lies exactly on an earlier one
+/// blocks nothing more, but every collision check would pay for it again.
 #[cfg(feature = "complete")]
 struct Known(Vec<Range<usize>>);
 
@@ -247,7 +247,7 @@ impl Known {
         Self(vec![0..0; (2 * obstacles).next_power_of_two()])
     }
 
-    /// Whether the shapes from `from` on repeat those of an earlier obstacle; otherwise they are known from now on.
+    /// True if the shapes from `from` on repeat those of an earlier obstacle; otherwise they are known from now on.
     fn has(&mut self, shapes: &[Shape], from: usize) -> bool {
         let mut key = 0xcbf2_9ce4_8422_2325_u64;
         let mut add = |p: &Point| {

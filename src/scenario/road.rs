@@ -1,4 +1,4 @@
-//! What a road has beyond a floor: lanes to keep to, and speed limits.
+//! Lanes and speed limits of a road.
 //!
 //! The drivable area is the map's boundary, whose edges are the kerbs; hatched areas are obstacles.
 
@@ -21,7 +21,7 @@ pub struct Lane {
     /// Name for messages and selection.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub id: Option<String>,
-    /// Where the middle begins and its direction there.
+    /// Pose at which the centre line begins.
     pub start: Pose,
     /// Straight lines and arcs, one after the other.
     pub pieces: Vec<LanePiece>,

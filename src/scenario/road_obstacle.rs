@@ -18,8 +18,8 @@ const INNER: f64 = 0.5;
 /// How far edges of arcs stray from them, metres.
 const STRAY: f64 = 0.001;
 
-/// A road. Its kerbs, where it has any, are walls without thickness at both sides, open where another road meets it; its ends
-/// are open. Traffic keeps to the right.
+/// A road. Its kerbs, where it has any, are walls without thickness at both sides, open where another road meets it;
+/// its ends are open. Traffic keeps to the right.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(tag = "type", rename = "road", rename_all = "camelCase")]
 pub struct Road {
@@ -37,7 +37,7 @@ pub struct Road {
     /// Speed limit, metres per second.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub speed: Option<f64>,
-    /// Whether its sides are kerbs.
+    /// True if its sides are kerbs.
     pub kerbs: bool,
 }
 
@@ -225,8 +225,8 @@ fn within(polygon: &[Point], p: Point) -> bool {
 
 #[cfg(feature = "complete")]
 impl Road {
-    /// The lanes on which a car gets from near one point to near the other: those along the line where it comes first on
-    /// it, those against it otherwise; where there are none, the others.
+    /// The lanes on which a car gets from near one point to near the other: those along the line where it comes first
+    /// on it, those against it otherwise; where there are none, the others.
     pub(super) fn lanes_between(&self, start: Point, goal: Point) -> Vec<Lane> {
         let [with, against] = self.lanes;
         let forward = self.station(start) <= self.station(goal);

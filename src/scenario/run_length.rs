@@ -1,8 +1,8 @@
 //! Runs of cells as text, two characters for most: maps of millions of cells stay small and are read quickly.
 //!
-//! Two numbers per run, ascending and apart: the cells between it and the one before, and its own. Cells are counted row by
-//! row from the south-west on a lattice of 4096 columns, whatever the map's width. A number is written five bits a digit,
-//! the lowest first, with Base64's digits, to which 32 is added when another one follows.
+//! Two numbers per run, ascending and apart: the cells between it and the one before, and its own. Cells are counted
+//! row by row from the south-west on a lattice of 4096 columns, whatever the map's width. A number is written five bits
+//! a digit, the lowest first, with Base64's digits, to which 32 is added when another one follows.
 
 use super::MAX_CELLS;
 use crate::error::Error;

@@ -1,4 +1,4 @@
-//! Where a slot's corners are and how a car stands in it.
+//! Corners of a slot, and the poses of a car parked in it.
 
 use super::{Entry, Lean, Slot, SlotKind};
 use crate::geometry::math::{self, FRAC_PI_2, FRAC_PI_4, PI};

@@ -1,4 +1,4 @@
-//! What a scene must satisfy before anything is built from it.
+//! Rules that a scene must satisfy before anything is built from it.
 
 use std::collections::BTreeMap;
 
@@ -246,7 +246,7 @@ fn cross(a: Point, b: Point, origin: Point) -> f64 {
     (a - origin).perp(&(b - origin))
 }
 
-/// Whether two closed segments share a point.
+/// True if two closed segments share a point.
 pub(super) fn touch(a: Point, b: Point, c: Point, d: Point) -> bool {
     let side = |p, q, r| {
         let s = cross(q, r, p);

@@ -8,11 +8,11 @@ use super::{Budget, Cost, Domain, End, NodeId, Observer, Scratch, Tree};
 pub struct Limits {
     /// Expansions after which the search gives up; the same on every machine, unlike a clock.
     pub max_expansions: u32,
-    /// Whether to take the first completion found instead of the cheapest.
+    /// True to take the first completion found instead of the cheapest.
     pub first: bool,
 }
 
-/// What a search found and what it did.
+/// The result of a search and its counters.
 #[derive(Debug, Clone)]
 pub struct Report<C, T> {
     /// How it ended.

@@ -1,7 +1,7 @@
 //! Best-first search from both ends over any [`Domain`]: two trees by the steps of [`best_first`](super::best_first()).
 //!
-//! Where the nodes of two trees make a path is the domain's knowledge ([`Join`]): on a graph one node in both, for a car
-//! two poses and a curve between them.
+//! The domain knows how nodes of two trees form a path ([`Join`]): on a graph one node belongs to both, for a car two
+//! poses are joined by a curve.
 
 use super::{Budget, Cost, Domain, End, Finish, Limits, Observer, Tree, Visit};
 

@@ -12,8 +12,8 @@ use super::entry::Entry;
 pub(super) struct BucketQueue<E> {
     /// The entries of the current bucket in order, the first one last.
     stack: Vec<E>,
-    /// Unsorted entries of the buckets after the current one, up to the end of the next span; bucket `n` is at `n % RING`.
-    /// A list without entries has no room for one: what says that one fits says that the bucket is in use.
+    /// Unsorted entries of the buckets after the current one, up to the end of the next span; bucket `n` is at
+    /// `n % RING`. A list without entries has no room for one: what says that one fits says that the bucket is in use.
     ring: Box<[Vec<E>; RING]>,
     /// A bit for each list of the ring that holds something.
     filled: [u64; WORDS],
@@ -95,8 +95,8 @@ impl<E: Entry> BucketQueue<E> {
     pub(super) fn push(&mut self, f: i64, h: i64, node: u32) {
         self.pushes += 1;
         let entry = E::new(f, h, node);
-        // Most go where others are already or, with many ties, before all; these ways are kept short. The ring holds nothing
-        // of the current bucket.
+        // Most go where others are already or, with many ties, before all; these ways are kept short. The ring holds
+        // nothing of the current bucket.
         let bucket = ((f - self.origin) >> E::WIDTH) as u64;
         let further = bucket.wrapping_sub(self.current as u64);
         if E::TIES && further == 0 {

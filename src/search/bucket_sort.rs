@@ -9,8 +9,8 @@ use super::entry::Entry;
 const FEW: usize = 16;
 /// Runs are merged where they are at least so long on average.
 const LONG: usize = 8;
-/// As a power of two, how many times as many steps as entries there are where they are sorted by steps: with more of them
-/// fewer entries share one and are still out of order, which costs a wrong guess each.
+/// As a power of two, how many times as many steps as entries there are where they are sorted by steps: with more of
+/// them fewer entries share one and are still out of order, which costs a wrong guess each.
 const STEPS: u32 = 2;
 
 /// Room for sorting.
@@ -84,8 +84,8 @@ impl<E: Entry> Sorter<E> {
         }
     }
 
-    /// Sorts entries that are like each other: by a few times as many steps of their ranks as there are entries, then within
-    /// these. Tells whether it has.
+    /// Sorts entries that are like each other: by a few times as many steps of their ranks as there are entries, then
+    /// within these. Tells whether it has.
     fn spread(&mut self, entries: &mut Vec<E>) -> bool {
         let first = entries[0];
         let (mut like, mut least, mut most) = (true, first.rank(), first.rank());

@@ -17,7 +17,7 @@ impl Budget {
         Self { most, stop: observer.due(0).min(most) }
     }
 
-    /// Whether a search that has expanded so many nodes is over.
+    /// True if a search that has expanded so many nodes is over.
     #[inline(always)]
     pub(crate) fn is_spent<C, L, O: Observer<C, L>>(&mut self, expanded: u32, observer: &mut O) -> bool {
         if expanded < self.stop {

@@ -110,8 +110,8 @@ impl<E: Entry> PackedScratch<E> {
         self.records.as_chunks::<SIDES>().0[node as usize + self.padding][turn]
     }
 
-    /// The node's cost if this side has reached it. Not valid for nodes that [`PackedScratch::close_for_both`] removed from
-    /// this side's search.
+    /// The node's cost if this side has reached it. Not valid for nodes that [`PackedScratch::close_for_both`] removed
+    /// from this side's search.
     #[cfg(feature = "complete")]
     pub(super) fn known(&self, turn: usize, node: NodeId) -> Option<i64> {
         let record = self.record::<2>(turn, node);
@@ -128,8 +128,8 @@ impl<E: Entry> PackedScratch<E> {
         self.at::<SIDES>(node)[turn] = record & !OPEN;
     }
 
-    /// Closes a node on one side and removes it from the other side's search, reached there or not; `record` is its record
-    /// as popped.
+    /// Closes a node on one side and removes it from the other side's search, reached there or not; `record` is its
+    /// record as popped.
     #[cfg(feature = "complete")]
     pub(super) fn close_for_both(&mut self, turn: usize, node: NodeId, record: Record) {
         let generation = self.generation;
@@ -144,8 +144,8 @@ impl<E: Entry> PackedScratch<E> {
         self.record::<1>(0, node) < self.generation + GENERATION
     }
 
-    /// Pops the next entry whose node is still open, or which stands for deferred moves if `with_deferred`; returns it with
-    /// the node's record.
+    /// Pops the next entry whose node is still open, or which stands for deferred moves if `with_deferred`; returns it
+    /// with the node's record.
     #[inline]
     pub(super) fn pop<const SIDES: usize>(
         &mut self,

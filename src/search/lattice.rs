@@ -29,8 +29,8 @@ pub trait Lattice {
         0
     }
 
-    /// Emits the legal moves out of `node`. `last` is the move that reached the node, `None` at the root. Moves that the
-    /// previous node already offered at no higher cost may be left out.
+    /// Emits the legal moves out of `node`. `last` is the move that reached the node, `None` at the root. Moves that
+    /// the previous node already offered at no higher cost may be left out.
     fn successors<S: EdgeSink>(&self, node: NodeId, last: Option<u32>, sink: &mut S);
 
     /// Emits the legal moves into `node`: the move's number, its origin and its forward cost *from that origin*. `last`

@@ -65,16 +65,16 @@ impl Cost for f64 {
     }
 }
 
-/// What completes a plan at a node: the cost still to pay, and how ([`Domain::Tail`]).
+/// A completion of the path at a node: its cost and its form ([`Domain::Tail`]).
 #[derive(Debug, Clone, Copy)]
 pub struct Finish<C, T> {
     /// Cost from the node to the target along the tail; zero at the target itself.
     pub cost: C,
-    /// What completes the path.
+    /// The form of the completion.
     pub tail: T,
 }
 
-/// What the search knows of the node that it is expanding.
+/// The node being expanded, with its label, cost and parent.
 #[derive(Debug, Clone, Copy)]
 pub struct Visit<C, L> {
     /// The node.
@@ -93,7 +93,7 @@ pub trait Domain {
     type Cost: Cost;
     /// Kept per node with its best cost: `()` on grids, a pose in hybrid A*.
     type Label: Copy + Default;
-    /// What completes a plan beyond its last node: `()`, or an analytic expansion.
+    /// The completion of a path beyond its last node: `()`, or an analytic expansion.
     type Tail;
 
     /// How equal priorities are ordered.
@@ -123,16 +123,17 @@ pub trait Domain {
     ) -> Option<Finish<Self::Cost, Self::Tail>>;
 }
 
-/// Where a [`Domain`] emits its moves.
+/// Receives the moves that a [`Domain`] emits.
 pub trait Relax<C, L> {
-    /// Whether a move of this cost to `target` would improve on what is known.
+    /// True if a move of this cost to `target` would improve on what is known.
     fn improves(&self, target: NodeId, cost: C) -> bool;
-    /// Whether `target` has been expanded: no move improves it any more.
+    /// True if `target` has been expanded: no move improves it any more.
     fn is_closed(&self, target: NodeId) -> bool {
         let _ = target;
         false
     }
-    /// Takes a valid move that leads to `target` from the node's parent, past the node itself. Searches over a [`Domain`] do.
+    /// Takes a valid move that leads to `target` from the node's parent, past the node itself. Searches over a
+    /// [`Domain`] do.
     fn emit_past(&mut self, target: NodeId, cost: C, label: L) {
         let _ = (target, cost, label);
     }

@@ -10,7 +10,8 @@ pub(super) struct Slot<C, L> {
     pub(super) g: C,
     pub(super) label: L,
     pub(super) parent: NodeId,
-    /// The ticket of the node's latest entry in the open list, which also tells the search; [`CLOSED`] once it was expanded.
+    /// The ticket of the node's latest entry in the open list, which also tells the search; [`CLOSED`] once it was
+    /// expanded.
     ticket: u32,
 }
 
@@ -22,7 +23,7 @@ impl<C, L> Slot<C, L> {
         self.ticket & CLOSED != 0
     }
 
-    /// Whether an entry of the open list is the node's latest, and that not yet expanded.
+    /// True if an entry of the open list is the node's latest, and that not yet expanded.
     pub(super) const fn is_current(&self, ticket: u32) -> bool {
         self.ticket == ticket
     }
@@ -37,7 +38,7 @@ impl<C, L> Slot<C, L> {
 #[derive(Debug)]
 pub struct Scratch<C, L> {
     slots: Vec<Slot<C, L>>,
-    /// Whatever has an earlier ticket was left by an earlier search.
+    /// Entries with an earlier ticket belong to a former search.
     since: u32,
     pub(super) open: OpenList<C>,
 }
@@ -81,8 +82,8 @@ impl<C: Cost, L: Copy + Default> Scratch<C, L> {
         &mut self.slots[node as usize]
     }
 
-    /// Records a better way to `node` and puts it into the open list, with priority `(f, h)`: its earlier entries become
-    /// stale. Tells whether it was reached for the first time.
+    /// Records a better way to `node` and puts it into the open list, with priority `(f, h)`: its earlier entries
+    /// become stale. Tells whether it was reached for the first time.
     pub(super) fn enter(
         &mut self,
         order: Order,

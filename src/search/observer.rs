@@ -7,7 +7,7 @@ use super::NodeId;
 
 /// Told of every event of a search.
 pub trait Observer<C, L> {
-    /// What follows happens in this one of two trees. Only a bidirectional search over a [`Domain`](super::Domain) tells.
+    /// Names the tree of the events that follow. Only a bidirectional search over a [`Domain`](super::Domain) calls it.
     fn side(&mut self, side: usize) {
         let _ = side;
     }
@@ -137,7 +137,7 @@ impl<C, L> Observer<C, L> for Trace {
     }
 }
 
-/// Who is told how many nodes have been expanded, and says whether to go on.
+/// Receives the number of expanded nodes and returns whether the search goes on.
 pub type ProgressCallback<'a> = &'a mut dyn FnMut(u32) -> ControlFlow<()>;
 
 /// Tells how many nodes a plan's searches have expanded: at each multiple of some number, and when they have ended.
@@ -188,7 +188,7 @@ impl<'a> Progress<'a> {
         }
     }
 
-    /// Whether it was told not to go on.
+    /// True if the observer ended the search.
     pub fn is_stopped(&self) -> bool {
         self.stopped
     }

@@ -16,7 +16,7 @@ pub enum Order {
     Oldest,
 }
 
-/// What an open-list entry stands for.
+/// The kind of an open-list entry.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
     /// A node to expand.
@@ -31,7 +31,8 @@ pub(super) struct Entry<C> {
     pub(super) f: C,
     pub(super) h: C,
     pub(super) node: NodeId,
-    /// Number of the push, counted on from search to search, then two bits of [`Kind`]: a later push has a larger ticket.
+    /// Number of the push, counted on from search to search, then two bits of [`Kind`]: a later push has a larger
+    /// ticket.
     pub(super) ticket: u32,
 }
 

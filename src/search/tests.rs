@@ -207,7 +207,7 @@ struct Graph {
     edges: Vec<Vec<(NodeId, i64)>>,
     /// Less than the cost to the other root, and consistent.
     estimates: Vec<i64>,
-    /// Whether a path ends where the tree reaches the other root, or only where the trees meet.
+    /// True if a path ends where the tree reaches the other root, or only where the trees meet.
     completes: bool,
     target: NodeId,
 }

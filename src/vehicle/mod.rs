@@ -53,8 +53,8 @@ impl Vehicle {
         max_steer_rate: 0.6,
     };
 
-    /// The road manuscript's ship (72 m × 16 m, turns in 144 m); it turns about a point a quarter of its length from the
-    /// stern, a choice of ours.
+    /// The road manuscript's ship (72 m × 16 m, turns in 144 m); it turns about a point a quarter of its length from
+    /// the stern, a choice of ours.
     #[cfg(feature = "complete")]
     pub const SHIP: Self = Self {
         wheelbase: 36.0,

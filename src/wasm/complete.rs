@@ -1,5 +1,5 @@
-//! What the complete module has and `core` lacks: maps of other programs, generated scenes, bare searches, edits, the
-//! papers' tables.
+//! Exports of the complete module that `core` lacks: maps of other programs, generated scenes, bare searches, edits,
+//! the papers' tables.
 
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::*;
@@ -45,7 +45,7 @@ pub fn generate_scenario(fields: JsValue) -> JsResult {
 
 #[wasm_bindgen]
 impl RawPlanner {
-    /// What the risk field does at the cell of a point.
+    /// Explains the risk field at the cell of a point.
     pub fn explain(&self, x: f64, y: f64) -> JsResult {
         self.planner.explain(x, y).map(|answer| codec::write(&answer)).map_err(|e| codec::js_error(&e))
     }
@@ -68,7 +68,8 @@ impl RawPlanner {
         Ok(numbers)
     }
 
-    /// As `plan`; `improved` is given the first plan and each better one, and answers whether to go on. Neither callback may throw.
+    /// As `plan`; `improved` is given the first plan and each better one, and answers whether to go on. Neither
+    /// callback may throw.
     #[wasm_bindgen(js_name = improve)]
     pub fn improve(
         &mut self,
@@ -195,7 +196,7 @@ pub fn paper_road_rows() -> JsValue {
     codec::write(&json!(road::ROWS))
 }
 
-/// What is measured of one of them; `clock` tells milliseconds.
+/// Measures one of them; `clock` returns milliseconds.
 #[wasm_bindgen(js_name = paperRoad)]
 pub fn paper_road(row: &str, rounds: f64, clock: &js_sys::Function) -> JsResult {
     let mut clock = clock_of(clock);
@@ -251,7 +252,8 @@ fn question(question: &Question) -> Value {
     json!({ "bucket": bucket, "start": start, "goal": goal, "length": length })
 }
 
-/// A scene as JSON, long lists of cells run-length encoded: `api.js` unpacks them faster than the border passes their numbers.
+/// A scene as JSON, long lists of cells run-length encoded: `api.js` unpacks them faster than the border passes their
+/// numbers.
 fn scene(mut scene: Scenario) -> Value {
     let long: Vec<Option<String>> = scene
         .obstacles

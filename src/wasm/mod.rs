@@ -146,7 +146,7 @@ impl RawPlanner {
     }
 }
 
-/// What a callback answers.
+/// Interprets a callback's return value.
 fn goes_on(callback: &js_sys::Function, value: &JsValue) -> ControlFlow<()> {
     match callback.call1(&JsValue::NULL, value) {
         Ok(goes_on) if goes_on.is_truthy() => ControlFlow::Continue(()),

@@ -55,5 +55,5 @@ export function walk(map, question, path, { four = false, cuts = false } = {}) {
   return length;
 }
 
-/** Whether a length is the printed one, which has 5 to 8 digits. */
+/** True if a length is the printed one, which has 5 to 8 digits. */
 export const agrees = (length, printed) => Math.abs(length - printed) <= printed * 2e-5 + 0.006;

@@ -20,8 +20,8 @@ fn the_papers_figure_needs_no_wait() {
     }
 }
 
-/// The box of the figure, and a way as long as the paper's: our car stops, waits and goes on, by either rule, and is not touched
-/// where the box ends.
+/// The box of the figure, and a way as long as the paper's: our car stops, waits and goes on, by either rule, and is
+/// not touched where the box ends.
 #[test]
 fn the_papers_figure_is_waited_for_where_a_barrier_makes_the_way_long() {
     let (row, movers) = crossing("fig16-wait");

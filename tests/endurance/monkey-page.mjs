@@ -356,7 +356,7 @@ const stateOf = (frame) =>
     return { longest: window.longestTurn(), slip: texts.find((text) => new RegExp(slips).test(text)) ?? "", broken };
   }, SLIPS.source);
 
-/** Whether a preset opens and is planned after all that. */
+/** True if a preset opens and is planned after all that. */
 const usable = (frame) =>
   frame.evaluate(async (patience) => {
     const element = document.querySelector("parkade-playground"),

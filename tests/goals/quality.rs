@@ -18,8 +18,8 @@ fn alone(planner: &mut Planner, goal: &GoalPose) -> Plan {
     planner.plan_between(Ends { start: None, goal: Some(goal.pose) }, Options::default()).unwrap()
 }
 
-/// Ten free slots, each of which may be entered either way: as cheap as the best of twenty plans, within a twentieth, on 95 %
-/// of the lots; and no dearer than the plan for the goal that is taken.
+/// Ten free slots, each of which may be entered either way: as cheap as the best of twenty plans, within a twentieth,
+/// on 95 % of the lots; and no dearer than the plan for the goal that is taken.
 #[test]
 fn the_cheapest_of_ten_slots_is_taken_at_little_more_work_than_one() {
     let (mut near, mut work) = (0, Vec::new());
@@ -51,8 +51,8 @@ fn the_cheapest_of_ten_slots_is_taken_at_little_more_work_than_one() {
     assert!(median <= 1.5 && middle <= 0.5, "{median} {middle}");
 }
 
-/// On a dozen lots: of four free slots, and on half of the lots of three places in the aisle too, the one with the widest path is
-/// taken. No plan for a single goal stays farther away, by more than a twentieth.
+/// On a dozen lots: of four free slots, and on half of the lots of three places in the aisle too, the one with the
+/// widest path is taken. No plan for a single goal stays farther away, by more than a twentieth.
 #[test]
 fn the_widest_path_is_the_widest_to_any_goal() {
     let wish = || Options { prefer: Some(Prefer::Widest), ..Options::default() };

@@ -6,8 +6,8 @@ use parkade::planners::hybrid::{Config, Report, SearchFrom, Status};
 
 use crate::lot::Lot;
 
-/// A corridor of so many metres, hardly wider than the car, behind a yard with a block in the middle of the way. From before the
-/// block, connections are free down to the block: each takes thousands of checks for nothing.
+/// A corridor of so many metres, hardly wider than the car, behind a yard with a block in the middle of the way. From
+/// before the block, connections are free down to the block: each takes thousands of checks for nothing.
 fn corridor(far: f64) -> Lot {
     let floor = vec![[0.0, 0.0], [far, 0.0], [far, 3.0], [60.0, 3.0], [60.0, 12.0], [0.0, 12.0]];
     let lot = Lot { floor, solids: Vec::new(), start: [4.0, 1.5, 0.0], goal: [far - 6.0, 1.5, 0.0] };

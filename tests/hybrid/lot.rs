@@ -110,7 +110,7 @@ impl Lot {
         points.iter().fold(1.0, |least, p| probe.clearance(obstacles.local(p.pose), least).min(least))
     }
 
-    /// Whether the car overlaps a solid or an edge of the floor by more than a micrometre.
+    /// True if the car overlaps a solid or an edge of the floor by more than a micrometre.
     pub(crate) fn hit(&self, at: [f64; 3]) -> Option<usize> {
         let body = body(at);
         let n = self.floor.len();

@@ -95,8 +95,8 @@ fn a_coarse_level_alone_ends_without_a_path() {
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn a_path_that_touches_between_two_checks_is_refused() {
-    // P1 starts on a wall, so it is planned without margin. A needle reaches 3 mm into what the outer front corner sweeps,
-    // which lasts less than the finest checks of a level are apart.
+    // P1 starts on a wall, so it is planned without margin. A needle reaches 3 mm into what the outer front corner
+    // sweeps, which lasts less than the finest checks of a level are apart.
     let lot = Lot::row("P1");
     let plain = lot.plan(&Config::default()).arcs;
     let turn = plain.iter().position(|arc| arc.curvature != 0.0 && arc.length.abs() > 4.0).expect("a bend");

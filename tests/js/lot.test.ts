@@ -66,7 +66,7 @@ function randomForm(random: () => number): LotForm {
   return { ...form, parked: pick(number("parked"), Math.floor(random() * (total + 1))) };
 }
 
-/** Whether two convex outlines have more than a hair of ground in common. */
+/** True if two convex outlines have more than a hair of ground in common. */
 function overlap(a: readonly Point[], b: readonly Point[]): boolean {
   return [a, b].every((outline) =>
     outline.every((p, i) => {
@@ -115,7 +115,7 @@ function overlapping(outlines: readonly Point[][]): [number, number][] {
 
 const STEP = 0.3;
 
-/** Whether a disc as wide as the car can be brought from the start to the open side of every bay. */
+/** True if a disc as wide as the car can be brought from the start to the open side of every bay. */
 function unreachable(scene: Scene): string[] {
   const { start, slots, vehicle, parked } = resolve(scene),
     [width, depth] = mapOutline(scene)[2]!,

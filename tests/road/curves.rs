@@ -49,7 +49,8 @@ impl Scene {
 
 #[test]
 fn curves_keep_their_distance_and_bend_little() {
-    // Of the chords alone, before the line beside them is looked for: length, mean (of at most 1.2 m) and least distance of the body, largest curvature and sum of its changes.
+    // Of the chords alone, before the line beside them is looked for: length, mean (of at most 1.2 m) and least
+    // distance of the body, largest curvature and sum of its changes.
     let measured = [
         (1000.0, 0.80, 0.80, 0.0, 0.0),
         (798.1, 0.95, 0.1, 0.182, 0.60),

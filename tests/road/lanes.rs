@@ -43,8 +43,8 @@ fn lanes_are_kept_better_than_by_plain_cells() {
     }
 }
 
-/// A lane change takes 20 m and an obstacle in the lane is passed with 0.8 m to spare, where plain cells do neither: so not
-/// each of the roads is better, but nearly all are, and all together by far.
+/// A lane change takes 20 m and an obstacle in the lane is passed with 0.8 m to spare, where plain cells do neither: so
+/// not each of the roads is better, but nearly all are, and all together by far.
 #[test]
 fn lanes_are_kept_on_roads_by_seed() {
     let (mut better, mut sums, mut lefts, mut kept) = (0, [0.0; 2], [0.0; 2], 0);

@@ -78,7 +78,8 @@ fn the_cost_map_can_be_drawn() {
         costs[(row * layer.width + column) as usize]
     };
     assert_eq!((at(10.25, 0.25), at(45.25, 2.75)), (f32::INFINITY, f32::INFINITY));
-    // The middle of the lane is free of charge, whatever the room; without lanes it has 2.3 m beside the body: 0.8/(2.3 + 0.2).
+    // The middle of the lane is free of charge, whatever the room; without lanes it has 2.3 m beside the body: 0.8/(2.3
+    // + 0.2).
     assert!(at(10.25, 3.25) == 0.0 && at(10.25, 2.25) > 0.05, "{} {}", at(10.25, 3.25), at(10.25, 2.25));
     let mut free = scene.clone();
     free.lanes.clear();

@@ -24,8 +24,8 @@ impl Random {
     }
 }
 
-/// The road of a seed: 150 to 500 m with up to four bends, one to three lanes along and up to two against. What stands on it
-/// leaves 3.5 m free.
+/// The road of a seed: 150 to 500 m with up to four bends, one to three lanes along and up to two against. What stands
+/// on it leaves 3.5 m free.
 pub(crate) fn road(seed: u64) -> Scenario {
     let mut r = Random(SplitMix64::new(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15)));
     let [along, against] = [[1, 1], [1, 1], [2, 2], [2, 0], [1, 0], [3, 1]][r.below(6) as usize];

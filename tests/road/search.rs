@@ -25,8 +25,8 @@ fn plain_paths_are_as_long_as_measured() {
     }
 }
 
-/// The curve's start lies on the border of two cells. Half up is the rule; rounded half to even, as Python does, the way is
-/// 816.7 m long and has 315 turning points.
+/// The curve's start lies on the border of two cells. Half up is the rule; rounded half to even, as Python does, the
+/// way is 816.7 m long and has 315 turning points.
 #[test]
 fn the_curves_turning_points_hang_on_the_cell_of_its_start() {
     let mut scene = Scene::new("road-curve");

@@ -46,7 +46,8 @@ pub(crate) fn cluttered(car: &Vehicle, seed: u64) -> Scene {
     Scene { name: format!("cluttered with {count}"), vehicle: *car, obstacles, start, goal }
 }
 
-/// Rows of bays on two aisles that lanes at both sides join: a pillar after every second or third bay, nine of ten bays taken.
+/// Rows of bays on two aisles that lanes at both sides join: a pillar after every second or third bay, nine of ten bays
+/// taken.
 pub(crate) fn garage(car: &Vehicle, seed: u64) -> Scene {
     let mut r = Random::new(seed);
     let (slack, aisle, lane) = (r.between((0.3, 0.7)), r.between((4.5, 6.5)), r.between((4.0, 6.0)));

@@ -1,5 +1,5 @@
-//! Tight manoeuvres by seed, for any car: slots in a row, right-angle corners, clutter and garages. Metres; x along the street
-//! or aisle.
+//! Tight manoeuvres by seed, for any car: slots in a row, right-angle corners, clutter and garages. Metres; x along the
+//! street or aisle.
 
 mod lots;
 mod slots;

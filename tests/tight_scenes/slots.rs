@@ -10,8 +10,8 @@ use super::{Random, Range, Scene, box_of, first_clear, obstacles, parked, reach,
 /// Of the street or aisle, metres.
 const LENGTH: f64 = 34.0;
 
-/// A kerb slot `slack` longer than the car in a row of parked cars, on a street this wide beside the row; the neighbours stand
-/// up to 15 cm off and are tilted by up to 0.03 rad.
+/// A kerb slot `slack` longer than the car in a row of parked cars, on a street this wide beside the row; the
+/// neighbours stand up to 15 cm off and are tilted by up to 0.03 rad.
 pub(crate) fn kerb(car: &Vehicle, seed: u64, slack: Range, street: Range) -> Scene {
     let mut r = Random::new(seed);
     let (slack, street) = (r.between(slack), r.between(street));
@@ -74,8 +74,8 @@ fn bay_at(kind: &str, car: &Vehicle, seed: u64, angle: Range, slack: Range, aisl
     Scene { name, vehicle: *car, obstacles, start, goal }
 }
 
-/// The cars on one side of a slot, to the end of the street: how far their middles are from its own, how far they stand out and
-/// how they are tilted. The first is as given, the others follow as straight as they should.
+/// The cars on one side of a slot, to the end of the street: how far their middles are from its own, how far they stand
+/// out and how they are tilted. The first is as given, the others follow as straight as they should.
 fn row(first: f64, out: f64, tilt: f64, pitch: f64) -> impl Iterator<Item = (f64, f64, f64)> {
     let others = (1..).map(move |at| (first + f64::from(at) * pitch, 0.0, 0.0));
     iter::once((first, out, tilt)).chain(others).take_while(|(away, ..)| *away < LENGTH / 2.0)

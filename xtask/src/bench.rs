@@ -1,7 +1,7 @@
-//! `cargo xtask bench grid`: our grid planners against others, in one run; `bench parking`: hybrid A* on public cases, natively
-//! and in WebAssembly, beside the best known; `bench tight`: how tight it can be, drawn into the documentation; `bench judge`: the
-//! trajectories of all planners before the referee; `bench batch`: the
-//! command over generated scenes, on two threads and on one.
+//! `cargo xtask bench grid`: our grid planners against others, in one run; `bench parking`: hybrid A* on public cases,
+//! natively and in WebAssembly, beside the best known; `bench tight`: how tight it can be, drawn into the
+//! documentation; `bench judge`: the trajectories of all planners before the referee; `bench batch`: the command over
+//! generated scenes, on two threads and on one.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -37,7 +37,8 @@ pub(crate) fn bench(arguments: &[String]) -> Result<()> {
     }
 }
 
-/// Hybrid A* natively and in WebAssembly, written to `benches/PARKING.md`; without the public cases, on the built-in scenes alone.
+/// Hybrid A* natively and in WebAssembly, written to `benches/PARKING.md`; without the public cases, on the built-in
+/// scenes alone.
 fn parking(data: &Path) -> Result<()> {
     site::assemble()?;
     run(cargo().args(["build", "--release", "--locked", "--example", "tpcap", "--example", "goals"]))?;
@@ -51,7 +52,8 @@ fn parking(data: &Path) -> Result<()> {
     run(node().arg("tests/bench/parking.mjs").args([&file, &native, &hopeless]).env("PARKADE_DATA", data))
 }
 
-/// The referee's leaderboard of all planners, written to `benches/TRAJECTORIES.md`; without the public cases, of the built-in scenes.
+/// The referee's leaderboard of all planners, written to `benches/TRAJECTORIES.md`; without the public cases, of the
+/// built-in scenes.
 fn judge(data: &Path) -> Result<()> {
     run(cargo().args(["build", "--release", "--locked", "--example", "trajectories"]))?;
     let example = Workspace::load()?.target.join("release/examples/trajectories");
@@ -60,8 +62,8 @@ fn judge(data: &Path) -> Result<()> {
     fs::write(&file, tables).with_context(|| file.display().to_string())
 }
 
-/// Slots and corners over their sizes, drawn and written into `docs/`; with `is_check`, every so-many-th size is planned again
-/// and held against what is drawn.
+/// Slots and corners over their sizes, drawn and written into `docs/`; with `is_check`, every so-many-th size is
+/// planned again and held against what is drawn.
 fn tight(is_check: bool) -> Result<()> {
     run(cargo().args(["build", "--release", "--locked", "--example", "tight"]))?;
     let examples = Workspace::load()?.target.join("release/examples");

@@ -19,7 +19,8 @@ pub(crate) fn docs(arguments: &[String]) -> Result<()> {
     Ok(())
 }
 
-/// Builds the site, and the example book around the page, from a package and a page that are there. A dead link is an error.
+/// Builds the site, and the example book around the page, from a package and a page that are there. A dead link is an
+/// error.
 pub(crate) fn generate() -> Result<()> {
     run(node_tool("vitepress/bin/vitepress.js").args(["build", "docs"]))?;
     book()

@@ -7,7 +7,8 @@ use crate::{browser, site};
 
 const TRIALS: [&str; 4] = ["kills", "soak", "damaged", "monkey"];
 
-/// Fails where the page does not recover from a killed worker, its memory grows, or anything from outside or any hand breaks it.
+/// Fails where the page does not recover from a killed worker, its memory grows, or anything from outside or any hand
+/// breaks it.
 pub(crate) fn endurance(arguments: &[String]) -> Result<()> {
     let (trial, rest) = arguments.split_first().map_or(("", &[][..]), |(first, rest)| (first.as_str(), rest));
     ensure!(

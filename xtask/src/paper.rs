@@ -1,5 +1,5 @@
-//! `cargo xtask paper grid`, `road` and `parking`: the papers' tables beside ours; `settings` and `volumes` beside them; `all`: everything
-//! with figures, as one Markdown and one HTML file.
+//! `cargo xtask paper grid`, `road` and `parking`: the papers' tables beside ours; `settings` and `volumes` beside
+//! them; `all`: everything with figures, as one Markdown and one HTML file.
 
 use std::fs;
 

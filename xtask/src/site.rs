@@ -134,7 +134,8 @@ fn build_package(workspace: &Workspace) -> Result<()> {
     run(node_tool("vite/bin/vite.js").args(["build", "--config", "vite.require.config.ts"]))
 }
 
-/// Compiles the module with these arguments for cargo and rustc, and puts it, its glue and the API's sources into `folder`.
+/// Compiles the module with these arguments for cargo and rustc, and puts it, its glue and the API's sources into
+/// `folder`.
 fn build_module(workspace: &Workspace, folder: &Path, features: &[&str], flags: &[&str]) -> Result<()> {
     let build =
         ["rustc", "--release", "--locked", "--lib", "--crate-type", "cdylib", "--target", WASM_TARGET];
@@ -166,7 +167,8 @@ fn bind(compiled: &Path, package: &Path) -> Result<()> {
         .context("wasm-bindgen")
 }
 
-/// Derives the settings' types from each module's registry, into the sources, and copies all types; `require` needs its own.
+/// Derives the settings' types from each module's registry, into the sources, and copies all types; `require` needs its
+/// own.
 fn write_types(sources: &Path, package: &Path) -> Result<()> {
     for folder in ["", CORE] {
         let module = package.join(folder).join("node.js");

@@ -88,7 +88,7 @@ export async function scene([place, ...more]) {
   return importScene(await withCompanions(place)).scene;
 }
 
-/** Whether it is a grid of another program. @param {string} [place] */
+/** True if it is a grid of another program. @param {string} [place] */
 export const isMap = (place = "") => /\.(map|ya?ml)$/.test(place);
 
 /** A map's questions, or the picture that a ROS map names. @param {string} place */

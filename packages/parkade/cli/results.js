@@ -28,7 +28,7 @@ export const outline = ({ key, scene, planner, settings, superseded, outcome, ha
 export const questionOf = ({ scene, planner, settings }) =>
   JSON.stringify([scene, planner, Object.entries(settings ?? {}).sort()]);
 
-/** Whether a result stays when its scene is planned again: one that ran out of time does not. @param {Result | undefined} result */
+/** True if a result stays when its scene is planned again: one that ran out of time does not. @param {Result | undefined} result */
 export const isFinal = (result) =>
   result !== undefined && result.superseded !== true && result.error?.code !== "timeout";
 

@@ -12,7 +12,7 @@ import { hashOf, outline } from "./results.js";
 const { module, config } = Tinypool.workerData;
 await init({ wasm: module });
 
-/** Whether the module has trapped, after which this thread is of no more use. */
+/** True if the module has trapped, after which this thread is of no more use. */
 let stopped = false;
 
 /** The scene read last: each is planned by one planner after another. @type {{ of?: string, scene?: unknown }} */

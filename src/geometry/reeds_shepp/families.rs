@@ -54,7 +54,7 @@ impl Visit for Least {
     }
 }
 
-/// Where the target is, as seen from one side: left as it is, right by reflection.
+/// The target in the frame of one turning direction: left as it is, right by reflection.
 struct Side {
     reflect: bool,
     phi: f64,

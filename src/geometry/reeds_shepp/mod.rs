@@ -1,8 +1,8 @@
 //! Shortest paths without obstacles for a car that drives both ways (Reeds and Shepp 1990).
 //!
-//! Names and words follow the paper: C and its L, R are circles of the tightest curvature, S is a straight line; lengths
-//! t, u, v are in units of the turning radius, negative in reverse. Each word is tried under time flip (driving the
-//! other way), reflection (L for R) and, where that gives something new, backwards.
+//! Names and words follow the paper: C and its L, R are circles of the tightest curvature, S is a straight line;
+//! lengths t, u, v are in units of the turning radius, negative in reverse. Each word is tried under time flip (driving
+//! the other way), reflection (L for R) and, where that gives something new, backwards.
 
 mod families;
 

@@ -4,7 +4,7 @@ use crate::geometry::math;
 use crate::json;
 use crate::planners::parameters::{EXPANSIONS, Form, parameters, spec};
 
-/// What a way costs.
+/// The cost formula.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Costs {
     /// Its length, each metre dearer by base, lane, kerb and speed terms.
@@ -44,7 +44,7 @@ pub enum Pruning {
 
 json::words!(Pruning: "auto" = Auto, "los" = Los, "none" = None);
 
-/// What becomes of the chords.
+/// The curve that replaces the chords.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Curves {
     /// The smoothest spline that keeps its distance.
@@ -62,7 +62,7 @@ parameters! {
     /// Settings of cost-map A*.
     #[derive(Debug, Clone, PartialEq)]
     pub struct Config {
-        /// What a way costs.
+        /// The cost formula.
         costs: Costs = Costs::Metre,
             spec("costs", Form::Choice(&["metre", "paper", "steps"]), "1", true,
                  ["Costs", "代价"],
@@ -122,7 +122,7 @@ parameters! {
             spec("pruneCap", Form::Number(0.0, 1.5, 0.1), "m", false,
                  ["Enough room", "足够间距"],
                  ["Beside the car; chords need no more.", "车身旁达到此值后弦不再要求更多。"]).within(0.0, 1.5);
-        /// What becomes of the chords.
+        /// The curve that replaces the chords.
         smoothing: Curves = Curves::Spline,
             spec("smoothing", Form::Choice(&["spline", "paper", "none"]), "1", true,
                  ["Curve", "平滑"],
@@ -132,7 +132,7 @@ parameters! {
             spec("residual", Form::Number(0.02, 1.0, 0.01), "m", false,
                  ["Residual σ", "残差 σ"],
                  ["RMS distance of the curve from the chords.", "曲线与弦的均方根距离。"]).within(0.02, 1.0);
-        /// Whether the curve begins and ends in the car's headings at start and goal.
+        /// True if the curve begins and ends in the car's headings at start and goal.
         headings: bool = false,
             spec("headings", Form::Flag, "1", false,
                  ["Keep headings", "保持朝向"], ["The curve keeps the start and goal headings.", "曲线在起点和终点与车辆朝向一致。"]);
@@ -170,8 +170,8 @@ impl Config {
         if self.costs == Costs::Steps || self.smoothing == Curves::Paper { 0.0 } else { self.margin }
     }
 
-    /// What the room beside the body costs that is `clearance` metres from anything, for a car half as wide as `radius`. More
-    /// than `enough` room makes no place cheaper.
+    /// Cost of a clearance of `clearance` metres beside the body, for a car of half width `radius`. Clearance beyond
+    /// `enough` is not cheaper.
     pub(super) fn base_cost(&self, clearance: f64, radius: f64, enough: Option<f64>) -> f64 {
         let beside = |room: f64| match self.base {
             Base::Inverse => self.factor / (room + self.epsilon),

@@ -17,7 +17,7 @@ const LATERAL: f64 = 2.0;
 const LANE_MOST: f64 = 1.5;
 /// Raster distances this share of a cell smaller than what is asked may be due to the cells alone.
 pub(super) const LEEWAY: f64 = 0.25;
-/// Where no path keeps the margin, a metre without any of it counts as so many of the dearest ones with all of it.
+/// Factor on the dearest metre with the whole margin: the cost of a metre without any margin, if no path keeps it.
 const SHORT: f64 = 2.0;
 /// Plain A* measures in this part of a metre.
 const STEPS: f64 = 4_294_967_296.0;
@@ -50,8 +50,8 @@ pub struct CostMap {
     numbers: RankBitmap,
     /// Half the car's width, metres, and what shall be free beside it.
     keeps: Margin,
-    /// Per number: what a metre costs beyond its length; with the manuscript's costs, what the cell costs. What a place costs
-    /// for having less than the margin comes on top of it.
+    /// Per number: what a metre costs beyond its length; with the manuscript's costs, what the cell costs. What a place
+    /// costs for having less than the margin comes on top of it.
     surcharges: Vec<f32>,
     /// Per number: how many times all that counts, where that is not once everywhere.
     weights: Vec<u8>,
@@ -114,17 +114,18 @@ impl CostMap {
         (0..self.frame.len()).map(cost).collect()
     }
 
-    /// Whether a cell has less than the margin.
+    /// True if a cell has less than the margin.
     pub(super) fn is_short(&self, ground: &RoadRasters, cell: Cell) -> bool {
         ground.at(cell) < self.keeps.radius + self.keeps.asked
     }
 
-    /// What a node costs, whatever the margin.
+    /// Cost of a node, regardless of the margin.
     fn soft(&self, node: NodeId, ground: &RoadRasters, index: usize) -> f64 {
         f64::from(self.surcharges[node as usize]) - self.keeps.surcharge(f64::from(ground.clearance[index]))
     }
 
-    /// What a metre through a cell costs, its length and all weights included, the margin if asked; `None` without room.
+    /// Cost of a metre through a cell with all weights, and with the margin if `margin`; `None` if the car does not
+    /// fit.
     pub(super) fn metre(&self, ground: &RoadRasters, cell: Cell, margin: bool) -> Option<f64> {
         let node = self.node(cell)?;
         let surcharge = if margin {

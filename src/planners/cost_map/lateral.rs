@@ -1,7 +1,7 @@
 //! A line beside a curve that costs the least: the search's own costs, without its eight directions.
 //!
-//! Every two metres of the curve have places to both sides of it. The cheapest row of them, one at each, is found by dynamic
-//! programming. A way that turns away from the curve costs more, so that lanes are changed gently.
+//! Every two metres of the curve have places to both sides of it. The cheapest row of them, one at each, is found by
+//! dynamic programming. A way that turns away from the curve costs more, so that lanes are changed gently.
 
 use super::smooth::bilinear;
 use super::{CostMap, RoadRasters};
@@ -19,7 +19,8 @@ const SLOPES: usize = 2 * SLOPE + 1;
 const CHANGE: usize = 2;
 /// A way of curvature 1/m is dearer by this factor times its square: a lane is changed in some 25 m then, m².
 const BENDING: f64 = 60.0;
-/// At so many stations near either end a bend counts this many times as much: the rear axle shall be on its way by then.
+/// At so many stations near either end a bend counts this many times as much: the rear axle shall be on its way by
+/// then.
 const END: usize = 10;
 const AT_ENDS: f64 = 20.0;
 /// Dearer than any way: a metre on which none of the room is left that is asked for.
@@ -30,7 +31,7 @@ const INNER: f64 = 0.3;
 /// A place of a curve.
 #[derive(Debug, Clone, Copy)]
 pub struct Station {
-    /// Where.
+    /// Position, metres.
     pub point: Point,
     /// Of length 1.
     pub way: Vector,
@@ -38,7 +39,7 @@ pub struct Station {
     pub curvature: f64,
 }
 
-/// What lines are chosen by.
+/// The costs by which lines are chosen.
 #[derive(Clone, Copy)]
 pub struct Lateral<'a> {
     /// The road's raster.
@@ -61,7 +62,7 @@ impl Lateral<'_> {
         ALONG * self.scale
     }
 
-    /// What a metre costs at a place, whatever the room there; infinity without any.
+    /// Cost of a metre at a place, regardless of clearance; infinity if blocked.
     pub fn metre(&self, point: Point) -> f64 {
         self.costs.soft_metre(self.ground, point).unwrap_or(f64::INFINITY)
     }
@@ -72,9 +73,9 @@ impl Lateral<'_> {
         if (rough - asked).abs() < self.ground.frame.resolution { (self.room)(point) } else { rough }
     }
 
-    /// The cheapest line along a curve, from its first to its last point; at every station the room asked for, metres, is
-    /// kept around the car, as far as that goes.
-    /// It begins and ends in the directions `ways` as far as its slopes go. Near the curve alone if that `is_near`.
+    /// The cheapest line along a curve, from its first to its last point; at every station the room asked for, metres,
+    /// is kept around the car, as far as that goes. It begins and ends in the directions `ways` as far as its slopes
+    /// go. Near the curve alone if that `is_near`.
     pub fn line(&self, stations: &[Station], asked: &[f64], ways: [Vector; 2], is_near: bool) -> Vec<Point> {
         let side = SIDES[usize::from(is_near)];
         let places = 2 * side + 1;

@@ -1,7 +1,7 @@
 //! Cost-map A* for roads: what a metre costs depends on the room around the car, the lane, the kerb and the speed.
 //!
-//! From a manuscript on road navigation whose distances are a ship's; see DESIGN.md for what is kept of it. Places are the
-//! middle of the car. The road's kerbs are the map's boundary.
+//! From a manuscript on road navigation whose distances are a ship's; see DESIGN.md for what is kept of it. Places are
+//! the middle of the car. The road's kerbs are the map's boundary.
 
 mod config;
 mod domain;
@@ -29,7 +29,7 @@ use prune::Chords;
 /// How far a start or goal without room may be moved to one with room, metres.
 const SNAP: f64 = 1.5;
 
-/// What the costs of places depend on beside the room there.
+/// Inputs of the cell costs besides clearance.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Traffic {
     /// Lanes to keep to; none means that no lane counts.
@@ -38,7 +38,7 @@ pub struct Traffic {
     pub limits: Vec<SpeedLimit>,
 }
 
-/// What is asked.
+/// A query.
 #[derive(Debug, Clone, Copy)]
 pub struct Query<'a> {
     /// The road's raster.
@@ -51,7 +51,7 @@ pub struct Query<'a> {
     pub start: Point,
     /// The car's middle at last.
     pub goal: Point,
-    /// Whether cells with less than the margin count from the beginning, not only where no way has it all.
+    /// True if cells with less than the margin count from the beginning, not only where no way has it all.
     pub less: bool,
 }
 
@@ -70,7 +70,7 @@ pub enum Status {
     GoalBlocked,
 }
 
-/// What was found and what it took.
+/// The result of a query and its counters.
 #[derive(Debug, Clone)]
 pub struct Report {
     /// How it ended.
@@ -85,7 +85,7 @@ pub struct Report {
     pub moved: [f64; 2],
     /// Expansions.
     pub expanded: u32,
-    /// Whether all cells have the margin, by the raster.
+    /// True if all cells have the margin, by the raster.
     pub has_margin: bool,
     /// Distinct cells met.
     pub generated: u32,

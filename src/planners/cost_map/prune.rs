@@ -107,7 +107,7 @@ impl Chords<'_> {
         kept
     }
 
-    /// What a metre costs in a cell. A curve sees to the margin itself.
+    /// Cost of a metre in a cell. The margin is left to the curve.
     fn metre(&self, cell: Cell) -> f64 {
         let is_final = self.config.smoothing == Curves::None;
         self.costs.metre(self.ground, cell, is_final).unwrap_or(1.0)
@@ -123,7 +123,7 @@ impl Chords<'_> {
         sums
     }
 
-    /// What a chord costs, if every cell of Bresenham's line has this clearance.
+    /// Cost of a chord; `None` unless every cell of Bresenham's line has this clearance.
     fn chord(&self, a: Cell, b: Cell, needed: f64) -> Option<f64> {
         let (dx, dy) = ((b.x - a.x).abs(), -(b.y - a.y).abs());
         let (sx, sy) = ((b.x - a.x).signum(), (b.y - a.y).signum());
@@ -189,7 +189,7 @@ fn spent(ground: &RoadRasters, cells: &[Cell]) -> Vec<i64> {
     spent
 }
 
-/// Whether a chord between two of the cells costs no more by weights than the cells do.
+/// True if a chord between two of the cells costs no more by weights than the cells do.
 fn is_cheap(ground: &RoadRasters, cells: &[Cell], spent: &[i64], (a, b): (usize, usize)) -> bool {
     let dearer = |weights| weighted_cost(weights, cells[a], cells[b]) > spent[b] - spent[a];
     !ground.weights.as_deref().is_some_and(dearer)

@@ -18,7 +18,7 @@ pub struct RoadRasters {
     /// Per cell: metres from its centre to the border of the nearest cell that is no road or holds an obstacle; 0 in
     /// one.
     pub clearance: Vec<f32>,
-    /// What its cells cost, where they do not all cost the same.
+    /// Weights of the cells; `None` if all cost the same.
     pub weights: Option<Arc<Weights>>,
 }
 
@@ -123,7 +123,8 @@ pub(crate) fn lane_at(legs: &[(Pose, f64, f64, f64)], point: Point) -> Option<(f
     best
 }
 
-/// How far to the left of the nearest lane's middle a point is, metres, below zero to the right, and half that lane's width.
+/// How far to the left of the nearest lane's middle a point is, metres, below zero to the right, and half that lane's
+/// width.
 pub(crate) fn lane_beside(legs: &[(Pose, f64, f64, f64)], point: Point) -> Option<(f64, f64)> {
     let mut best: Option<(f64, (f64, f64))> = None;
     for &(from, length, curvature, half) in legs {

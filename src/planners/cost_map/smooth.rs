@@ -30,7 +30,7 @@ pub struct Smoothing {
     pub margin: f64,
     /// How many times as large as a car; its points are that much farther apart.
     pub scale: f64,
-    /// Whether the line is smooth already, so that control points shall be close from the beginning.
+    /// True if the line is smooth already, so that control points shall be close from the beginning.
     pub close: bool,
     /// Unit vectors in which the curve begins and ends, where that is asked.
     pub ways: [Option<Vector>; 2],
@@ -47,7 +47,7 @@ pub struct Smooth {
     pub spline: Option<Spline>,
     /// Smallest clearance beside the body by the raster, metres.
     pub clearance: f64,
-    /// Whether these are the chords.
+    /// True if these are the chords.
     pub fell_back: bool,
 }
 
@@ -141,9 +141,9 @@ pub fn smooth(
     chords(dense(line, length / f64::from(places)))
 }
 
-/// The manuscript's smoothing with our spline for FITPACK's, whose knots lie elsewhere: as few control points as come within a root mean square distance of
-/// a metre from the points, and as smooth as that allows. Lines of fewer than four points get more half-way. `None` for
-/// fewer than two.
+/// The manuscript's smoothing with our spline for FITPACK's, whose knots lie elsewhere: as few control points as come
+/// within a root mean square distance of a metre from the points, and as smooth as that allows. Lines of fewer than
+/// four points get more half-way. `None` for fewer than two.
 pub fn paper_spline(line: &[Point]) -> Option<Spline> {
     let mut points = line.to_vec();
     while points.len() < 4 {

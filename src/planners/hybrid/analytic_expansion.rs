@@ -11,7 +11,7 @@ const KEPT: usize = 4000;
 /// Failed connections, at most one an expansion: the cheapest that was tried.
 #[derive(Debug, Clone, Default)]
 pub struct FailedExpansions {
-    /// Where each begins in `arcs`, in arcs.
+    /// Index of each expansion's first arc in `arcs`.
     pub first: Vec<u32>,
     /// Their arcs up to where they hit, as driven: x, y, heading, curvature, signed length, ….
     pub arcs: Vec<f64>,
@@ -43,8 +43,8 @@ impl Recorder {
         self.expansions += 1;
     }
 
-    /// A search has expanded `pose`; `missed` is the cheapest connection that it tried in vain. `mirrored` where the tree
-    /// grows from the goal. The probe counts, so it must not be the search's own.
+    /// A search has expanded `pose`; `missed` is the cheapest connection that it tried in vain. `mirrored` where the
+    /// tree grows from the goal. The probe counts, so it must not be the search's own.
     pub(super) fn note(
         &mut self,
         probe: &CollisionChecker,

@@ -1,7 +1,8 @@
-//! The path before, led to other ends: while something is dragged, of two ways that are about as good the one that is shown stays.
+//! The path before, led to other ends: while something is dragged, of two ways that are about as good the one that is
+//! shown stays.
 //!
-//! First the old path itself is joined to the new ends, and led around what has come in its way. Where that fails, a search that
-//! keeps to the corridor around it bends it. That is made only where the new answer lies elsewhere.
+//! First the old path itself is joined to the new ends, and led around what has come in its way. Where that fails, a
+//! search that keeps to the corridor around it bends it. That is made only where the new answer lies elsewhere.
 
 use super::config::{Config, Level, SearchFrom};
 use super::cost::{CostModel, Motion};
@@ -47,7 +48,7 @@ pub struct Last {
 }
 
 impl Last {
-    /// What to remember of an answer.
+    /// The memory of an answer.
     pub fn of(query: &Query, report: &Report) -> Self {
         Self { start: query.obstacles.local(query.start), arcs: report.arcs.clone() }
     }
@@ -77,9 +78,9 @@ fn points(start: Pose, path: &[Arc]) -> Vec<Point> {
     poses(start, path).map(Pose::point).collect()
 }
 
-/// The last path between the ends of this question with the margin of its answer `report`, where it stays: its cost or its
-/// length is within `share` of the answer's, and `is_sound` is content with it. Its counters are those of `report`. Without `cuts` it
-/// is not made shorter, which would lead it nearer to obstacles.
+/// The last path between the ends of this question with the margin of its answer `report`, where it stays: its cost or
+/// its length is within `share` of the answer's, and `is_sound` is content with it. Its counters are those of `report`.
+/// Without `cuts` it is not made shorter, which would lead it nearer to obstacles.
 pub fn stay(
     query: &Query,
     config: &Config,
@@ -142,7 +143,7 @@ impl Old<'_> {
         far(&self.path, &other).max(far(&other, &self.path)).sqrt()
     }
 
-    /// Whether a path costs little more than the answer, or that is about as long as it or as the last path.
+    /// True if a path costs little more than the answer, or that is about as long as it or as the last path.
     fn is_as_good(&self, path: &Report) -> bool {
         let [new, old, last] =
             [&self.report.arcs, &path.arcs, &self.last.arcs].map(|path| arcs::length(path));
@@ -218,7 +219,8 @@ struct Joining<'a> {
 }
 
 impl Joining<'_> {
-    /// The cheapest curve from a new end to one of the first knots of a path from `old`, and how many knots it replaces.
+    /// The cheapest curve from a new end to one of the first knots of a path from `old`, and how many knots it
+    /// replaces.
     fn lead(&self, new: Pose, old: Pose, knots: &[Arc]) -> Option<(Vec<Arc>, usize)> {
         let apart = (new.point() - old.point()).norm() + math::turn(new.heading, old.heading).abs();
         if apart < SAME {

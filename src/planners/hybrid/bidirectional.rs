@@ -1,7 +1,7 @@
 //! Two trees, one from each end, joined by Reeds–Shepp curves.
 //!
-//! The parking paper's flowchart lets the trees meet where they share a cell; cells alone do not make a drivable join, so a
-//! curve between the two real poses does. Each expanded state is also tried with a curve to the other root.
+//! The parking paper's flowchart lets the trees meet where they share a cell; cells alone do not make a drivable join,
+//! so a curve between the two real poses does. Each expanded state is also tried with a curve to the other root.
 
 use core::cell::RefCell;
 

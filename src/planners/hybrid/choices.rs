@@ -12,7 +12,7 @@ use crate::json;
 use crate::search::Progress;
 use crate::vehicle::collision::CollisionChecker;
 
-/// What a path may be chosen by.
+/// The preference by which a path is chosen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Prefer {
     /// The shortest.
@@ -37,7 +37,7 @@ const WIDER: [u32; 2] = [3000, 8000];
 const LAYERS: [u32; 3] = [5000, 20_000, 40_000];
 /// The finest level on which fewer are looked for.
 const FINEST: u32 = 3;
-/// What a change costs extra there, metres, …
+/// Extra cost of a gear change there, metres, …
 const DETOUR: f64 = 5.0;
 /// … and expansions of each such search.
 const PRICED: u32 = 20_000;
@@ -47,14 +47,14 @@ const BETTER: [u32; 2] = [10_000, 20_000];
 const PRICE: f64 = 100.0;
 /// … and this many lengths of the first path. No way that is worth taking is as long.
 const PRICE_LENGTHS: f64 = 3.0;
-/// What a gear change costs in time, in metres at full speed.
+/// Time of a gear change, expressed in metres at full speed.
 const CHANGE_TIME: f64 = 6.0;
-/// What turning the wheel from straight to full lock costs in time, in metres at full speed.
+/// Time to turn the wheel from straight to full lock, expressed in metres at full speed.
 const STEER_TIME: f64 = 0.3;
 
-/// Searches for paths that are better than `first` by `prefer`, or in any way where nothing is preferred; with several `goals` to
-/// any of them. Each is given to `offer`, which answers whether to go on. The counters in each, and in the empty report returned, count everything so far,
-/// `first` included.
+/// Searches for paths that are better than `first` by `prefer`, or in any way where nothing is preferred; with several
+/// `goals` to any of them. Each is given to `offer`, which answers whether to go on. The counters in each, and in the
+/// empty report returned, count everything so far, `first` included.
 pub fn choices(
     query: &Query,
     (config, goals): (&Config, &[Pose]),
@@ -110,7 +110,7 @@ pub fn choices(
     report
 }
 
-/// Whether to go on, and what was found.
+/// Whether the search goes on (true), and the arcs found.
 type Goes<T = ()> = ControlFlow<(), T>;
 
 /// The searches for paths beside the first.
@@ -147,9 +147,10 @@ impl Run<'_, '_> {
         Goes::Continue(())
     }
 
-    /// The fewest gear changes, and of those paths the shortest, with the margin kept and with 3 cm. In layers on coarse lattices, from
-    /// both ends on the coarsest; on fine ones, which would spend all they have on the first layers, by a price that is worth
-    /// a detour. From the other end fine steps only spend their budget: it is the one with room.
+    /// The fewest gear changes, and of those paths the shortest, with the margin kept and with 3 cm. In layers on
+    /// coarse lattices, from both ends on the coarsest; on fine ones, which would spend all they have on the first
+    /// layers, by a price that is worth a detour. From the other end fine steps only spend their budget: it is the one
+    /// with room.
     fn fewer_changes(&mut self) -> Goes {
         let last = self.kept + usize::from(self.first.margin > COMFORTABLE);
         for margin in self.kept..=last {
@@ -165,8 +166,8 @@ impl Run<'_, '_> {
         Goes::Continue(())
     }
 
-    /// All that can be reached without a gear change, then with one, and so on, short of as many as are known: layers of one search,
-    /// in which a change is dearer than any way.
+    /// All that can be reached without a gear change, then with one, and so on, short of as many as are known: layers
+    /// of one search, in which a change is dearer than any way.
     fn layers(&mut self, number: u32, margin: usize, is_swapped: bool) -> Goes {
         let config = *self.search.config;
         // Fine steps find nothing without changes that coarse ones do not. From the start a search leads to one goal.
@@ -215,7 +216,8 @@ impl Run<'_, '_> {
         Goes::Continue(())
     }
 
-    /// A path with the largest margin that there is one with, and with that margin a path to each goal that has more room.
+    /// A path with the largest margin that there is one with, and with that margin a path to each goal that has more
+    /// room.
     fn wider(&mut self) -> Goes {
         let tried = (0..self.kept).step_by(self.parts);
         let (mut found, mut failed) = (self.kept, self.kept);
@@ -236,7 +238,8 @@ impl Run<'_, '_> {
         self.wider_to_each(found)
     }
 
-    /// A path with one of the margins to each goal that has more room than any path so far, those with the most room first.
+    /// A path with one of the margins to each goal that has more room than any path so far, those with the most room
+    /// first.
     fn wider_to_each(&mut self, margin: usize) -> Goes {
         let goals = self.search.goals;
         for (room, at) in widest::by_room(self.search.probe, self.search.start, goals) {

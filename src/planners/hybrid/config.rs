@@ -11,8 +11,8 @@ const ENDS: &[&str] = &["goal", "start", "both"];
 /// Which end the first search grows from. Where it finds nothing, finer ones grow from the end that is hard to leave.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum SearchFrom {
-    /// From the goal, the paper's improvement: leaving a slot is easier than finding it. From the start where the car can
-    /// hardly move there and less than at the goal.
+    /// From the goal, the paper's improvement: leaving a slot is easier than finding it. From the start where the car
+    /// can hardly move there and less than at the goal.
     #[default]
     Goal,
     /// From the start, the traditional way.
@@ -41,11 +41,11 @@ pub enum Heuristic {
 
 json::words!(Heuristic: "max" = Max, "reeds-shepp" = ReedsShepp, "euclid" = Euclid);
 
-/// What driving costs, by name.
+/// A named cost profile.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Profile {
-    /// As `shortest`, and a metre in reverse more than ten metres from both start and goal costs half as much again: the car
-    /// does not reverse across a whole lot to save a few metres.
+    /// As `shortest`, and a metre in reverse more than ten metres from both start and goal costs half as much again:
+    /// the car does not reverse across a whole lot to save a few metres.
     #[default]
     Practical,
     /// As set one by one, by default length and a metre per gear change: the parking paper's measure.
@@ -99,7 +99,7 @@ parameters! {
         search_from: SearchFrom = SearchFrom::Goal,
             spec("searchFrom", Form::Choice(ENDS), "1", true,
                  ["Search from", "搜索起点"], ["Leaving a slot is easier than finding it.", "驶出车位比驶入更易搜索。"]);
-        /// What driving costs; `comfort` and `classic` replace the six costs.
+        /// Cost profile; `comfort` and `classic` replace the six costs.
         profile: Profile = Profile::Practical,
             spec("profile", Form::Choice(&["practical", "shortest", "comfort", "classic"]), "1", false,
                  ["Cost profile", "代价方案"],
@@ -143,19 +143,20 @@ parameters! {
         obstacle_distance: f64 = 0.5,
             spec("obstacleDistance", Form::Number(0.1, 3.0, 0.1), "m", false,
                  ["Obstacle distance", "近障距离"], ["Distance where that cost begins.", "该代价开始的距离。"]).within(0.01, 20.0);
-        /// Whether stretches are replaced by shorter curves afterwards.
+        /// True if stretches are replaced by shorter curves afterwards.
         shortcut: bool = true,
             spec("shortcut", Form::Flag, "1", false,
                  ["Shortcut", "捷径"], ["Shortens the finished path with curves.", "规划后以更短的曲线替换路段。"]);
-        /// Whether the first connection ends the search, as in the paper.
+        /// True if the first connection ends the search, as in the paper.
         first_shot: bool = false,
             spec("firstShot", Form::Flag, "1", false,
                  ["First connection", "首次连接即止"], ["Stops at the first path found (the paper).", "找到第一条路径即停（论文）。"]);
-        /// Whether finer levels are tried when the coarse one finds nothing.
+        /// True if finer levels are tried when the coarse one finds nothing.
         ladder: bool = true,
             spec("ladder", Form::Flag, "1", false,
                  ["Finer levels", "逐级细化"], ["Tries finer steps if coarse ones fail.", "粗步无解时尝试更细的步长。"]);
-        /// The finest level that is tried, 0 to 6; from 5 on, for cars that can hardly move, smaller margins are tried too.
+        /// The finest level that is tried, 0 to 6; from 5 on, for cars that can hardly move, smaller margins are tried
+        /// too.
         finest_level: u32 = LEVELS - 1,
             spec("finestLevel", Form::Integer(0.0, 6.0), "1", false,
                  ["Finest level", "最细级别"],
@@ -179,8 +180,8 @@ impl Config {
         Self { search_from: SearchFrom::Both, ..Self::default() }
     }
 
-    /// As coarse and greedy as the program that the parking paper started from, for comparison: 2 m, 15°, one level, the
-    /// first connection, no shortcut.
+    /// As coarse and greedy as the program that the parking paper started from, for comparison: 2 m, 15°, one level,
+    /// the first connection, no shortcut.
     #[cfg(feature = "complete")]
     pub fn classic() -> Self {
         Self {
@@ -242,21 +243,21 @@ pub(super) struct Level {
     pub(super) far_reverse: f64,
     /// Extra cost of a gear change while searching, metres.
     pub(super) extra_change: f64,
-    /// Whether nearness to obstacles costs nothing while searching.
+    /// True if nearness to obstacles costs nothing while searching.
     pub(super) plain: bool,
-    /// What costs as much is left out.
+    /// States whose estimated total cost reaches this bound are left out.
     #[cfg(feature = "complete")]
     pub(super) bound: f64,
     /// Every so-many-th state is tried with a curve to the target: on a fine lattice neighbours see the same.
     pub(super) connect_every: u32,
-    /// Whether a car that can hardly move drives as far as it can each time, `step` at most.
+    /// True if a car that can hardly move drives as far as it can each time, `step` at most.
     pub(super) shuffle: bool,
 }
 
 #[cfg(feature = "complete")]
 impl Level {
-    /// As it serves best where a way out of every slot is known and the way to the target is not: coarser headings, and hardly any
-    /// connections.
+    /// As it serves best where a way out of every slot is known and the way to the target is not: coarser headings, and
+    /// hardly any connections.
     pub(super) fn in_open_space(self, max_expansions: u32) -> Self {
         let (xy, yaw) = (self.xy.max(OPEN.0), self.yaw.max(OPEN.1 * DEGREE));
         Self {

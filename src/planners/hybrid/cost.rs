@@ -1,4 +1,4 @@
-//! What driving costs.
+//! Cost model of driving.
 
 use super::Config;
 use super::config::Level;
@@ -16,7 +16,7 @@ const MANOEUVRE: f64 = 10.0;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CostModel {
     pub(super) radius: f64,
-    /// Whether the tree grows from the goal, where every gear is the other one.
+    /// True if the tree grows from the goal, where every gear is the other one.
     mirrored: bool,
     reverse: f64,
     /// Extra weight of a metre in reverse away from both ends.
@@ -71,14 +71,14 @@ impl CostModel {
         Self { far_reverse, ..self }
     }
 
-    /// What a level searches by: it may shun gear changes and long ways in reverse more than the path will be charged for, and
-    /// obstacles less.
+    /// What a level searches by: it may shun gear changes and long ways in reverse more than the path will be charged
+    /// for, and obstacles less.
     pub(super) fn searching(self, level: &Level) -> Self {
         let obstacle = if level.plain { 0.0 } else { self.obstacle };
         Self { far_reverse: level.far_reverse, change: self.change + level.extra_change, obstacle, ..self }
     }
 
-    /// Whether nearness to obstacles costs something.
+    /// True if nearness to obstacles costs something.
     pub(super) fn has_obstacles(&self) -> bool {
         self.obstacle != 0.0
     }
@@ -106,7 +106,7 @@ impl CostModel {
         })
     }
 
-    /// What a word from `from` costs for where it leads.
+    /// Cost of the places that a word from `from` leads through.
     pub(super) fn word_places(&self, probe: &CollisionChecker, from: Pose, word: &Word) -> f64 {
         let mut pose = from;
         word.arcs(self.radius).fold(0.0, |cost, arc| {
@@ -116,8 +116,8 @@ impl CostModel {
         })
     }
 
-    /// What `arc` from `from` costs for where it leads: near obstacles, in reverse away from both ends, and with the middle of
-    /// the rear axle over cells whose weight is above 1.
+    /// Cost of the places that `arc` from `from` leads through: near obstacles, in reverse away from both ends, and
+    /// with the middle of the rear axle over cells whose weight is above 1.
     pub(super) fn places(&self, probe: &CollisionChecker, from: Pose, arc: &Arc) -> f64 {
         let reverse = self.in_reverse(arc);
         let far_reverse = if reverse { self.far_reverse } else { 0.0 };

@@ -20,7 +20,8 @@ const ROOM: f64 = 0.1;
 const ROOMY: (f64, f64) = (0.5, math::PI / 36.0);
 /// Collision checks that a word may take on average …
 const WORK: u32 = 1000;
-/// … when so many have been spent: what is longer, in a world of which nothing is known between two checks, is not tried.
+/// … when so many have been spent: what is longer, in a world of which nothing is known between two checks, is not
+/// tried.
 const SPARE: u32 = 1_000_000;
 /// Moves while shuffling are at least this long, metres.
 const SHORTEST: f64 = 0.01;
@@ -64,14 +65,14 @@ pub(super) struct StateLattice<'a> {
     tried: Cell<(u32, u32)>,
 }
 
-/// What a lattice is made of.
+/// Parts of a lattice.
 #[derive(Clone, Copy)]
 pub(super) struct Setting<'a> {
     pub(super) probe: &'a CollisionChecker<'a>,
     pub(super) flood: &'a ObstacleHeuristic,
     pub(super) keys: &'a RefCell<StateIndex>,
     pub(super) costs: CostModel,
-    /// Whether the tree grows from the goal; `costs` are then, too.
+    /// True if the tree grows from the goal; `costs` are then, too.
     pub(super) mirrored: bool,
     pub(super) watch: Option<&'a RefCell<Recorder>>,
     #[cfg(feature = "complete")]
@@ -174,7 +175,8 @@ impl<'a> StateLattice<'a> {
         }
     }
 
-    /// How far to drive along a primitive: its length or, while shuffling, until something is in the way, and half as far.
+    /// How far to drive along a primitive: its length or, while shuffling, until something is in the way, and half as
+    /// far.
     fn lengths(&self, from: Pose, arc: &Arc) -> [f64; 2] {
         if !self.level.shuffle {
             return [arc.length, 0.0];
@@ -183,7 +185,7 @@ impl<'a> StateLattice<'a> {
         [far, far / 2.0].map(|far| if far < SHORTEST { 0.0 } else { far.copysign(arc.length) })
     }
 
-    /// Whether a word can be driven; not, too, where words have taken too much work.
+    /// True if a word can be driven; not, too, where words have taken too much work.
     pub(super) fn word_free(&self, from: Pose, word: &Word) -> bool {
         let (words, checks) = self.tried.get();
         if checks > SPARE.saturating_add(words.saturating_mul(WORK)) {

@@ -1,8 +1,8 @@
 //! One of several goals, whichever is the cheapest to reach.
 //!
-//! The tree grows from the goals, so one search may begin at all of them: a node before them leads to each at no cost, and
-//! the first connection to the start comes from the goal of the cheapest path. It searches the coarse level, which answers
-//! nearly always; where it does not, each goal is planned for on its own until one has a path.
+//! The tree grows from the goals, so one search may begin at all of them: a node before them leads to each at no cost,
+//! and the first connection to the start comes from the goal of the cheapest path. It searches the coarse level, which
+//! answers nearly always; where it does not, each goal is planned for on its own until one has a path.
 
 use super::level::{Search, Work};
 use super::obstacle_heuristic::ObstacleHeuristic;
@@ -177,7 +177,7 @@ impl Many<'_> {
         around.max(reeds_shepp::distance(self.start, self.goals[at], radius))
     }
 
-    /// What no path to any goal is shorter than, metres.
+    /// Lower bound of the path length to any goal, metres.
     fn bound(&self) -> f64 {
         let radius = self.query.vehicle.min_turning_radius();
         let curves = self.goals.iter().map(|&goal| reeds_shepp::distance(self.start, goal, radius));
@@ -225,8 +225,8 @@ impl Many<'_> {
         self.goals.iter().map(|&goal| flood.distance(goal)).collect()
     }
 
-    /// Goal after goal until there is a path, those with the shortest way around obstacles first. Goals that no disc of the car's
-    /// width reaches are left out.
+    /// Goal after goal until there is a path, those with the shortest way around obstacles first. Goals that no disc of
+    /// the car's width reaches are left out.
     fn one_by_one(
         &self,
         mut sum: Report,

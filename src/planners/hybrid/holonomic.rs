@@ -1,9 +1,9 @@
-//! Whether the body could get from one end to the other if it moved like a shopping trolley: in any direction, and turning
+//! Proves that the body cannot get from one end to the other even if it could move in any direction, and turn
 //! on the spot. Where it could not, no car of its shape gets there, however many gear changes it takes.
 //!
-//! The poses are cut into boxes. A box is closed when the body, shrunk by as much as a point of it moves within the box, meets
-//! something in the box's middle; then no pose in the box is free. A way passes through neighbouring open boxes, so where the
-//! boxes that can be reached from one end do not hold the other end, that is a proof.
+//! The poses are cut into boxes. A box is closed when the body, shrunk by as much as a point of it moves within the
+//! box, meets something in the box's middle; then no pose in the box is free. A way passes through neighbouring open
+//! boxes, so where the boxes that can be reached from one end do not hold the other end, that is a proof.
 
 use super::obstacle_heuristic::ObstacleHeuristic;
 use super::state_index::StateIndex;
@@ -30,8 +30,8 @@ enum Search {
     Unknown,
 }
 
-/// Proves that the body cannot get from `root` to `target`, whichever way it moves, with `margin` metres around it: tells the
-/// pose nearest to the target that it may reach.
+/// Proves that the body cannot get from `root` to `target`, whichever way it moves, with `margin` metres around it:
+/// tells the pose nearest to the target that it may reach.
 #[inline(never)]
 pub(super) fn proven_apart(
     car: (&CollisionChecker, &Vehicle),

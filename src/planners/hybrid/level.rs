@@ -33,7 +33,7 @@ const FAR_REVERSE_EFFORT: f64 = 100.0;
 /// Margins that a path is tried with, too, where less is asked for, metres.
 const MORE_MARGIN: [f64; 2] = [0.05, 0.1];
 
-/// What the levels share: the answer so far, the memory, and who is told of the expansions.
+/// State shared by the levels: the answer so far, the memory, and the observer of expansions.
 pub(super) struct Work<'a, 'p> {
     pub(super) report: &'a mut Report,
     pub(super) scratch: &'a mut Scratch,
@@ -52,9 +52,9 @@ pub(super) struct Search<'a> {
     pub(super) mirrored: bool,
     pub(super) start: Pose,
     pub(super) goal: Pose,
-    /// Whether start or goal have little room around them.
+    /// True if start or goal have little room around them.
     pub(super) tight: bool,
-    /// Whether to keep the search tree and the connections that failed.
+    /// True to keep the search tree and the failed analytic expansions.
     pub(super) trace: bool,
     /// Of several goals, those that are searched from at once; `goal` is then the one that the path at hand comes from.
     #[cfg(feature = "complete")]
@@ -76,7 +76,7 @@ impl<'a> Search<'a> {
         Self { flood, root: self.target, target: self.root, mirrored: !self.mirrored, ..self }
     }
 
-    /// What the path costs as driven.
+    /// Cost of the path as driven.
     pub(super) fn costs(&self) -> CostModel {
         CostModel::driven(self.config, self.query.vehicle.min_turning_radius(), [self.start, self.goal])
     }
@@ -112,8 +112,8 @@ impl<'a> Search<'a> {
         First::Found
     }
 
-    /// Holds the path against what the same search finds with more margin and without the cost of obstacles: a lattice may
-    /// hide a cheaper way from the search that is free to take it.
+    /// Holds the path against what the same search finds with more margin and without the cost of obstacles: a lattice
+    /// may hide a cheaper way from the search that is free to take it.
     fn compare(&self, level: Level, work: &mut Work) {
         let level = Level { max_expansions: level.max_expansions.min(SOON), ..level };
         let margin = work.report.margin;
@@ -129,8 +129,8 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The first level with what the first try leaves of its budget. On long cluttered ways the plain estimate spends all of
-    /// it on detours of equal promise.
+    /// The first level with what the first try leaves of its budget. On long cluttered ways the plain estimate spends
+    /// all of it on detours of equal promise.
     fn patient(&self, level: Level) -> Level {
         let weight = self.config.heuristic_weight.unwrap_or(PATIENCE);
         Level { weight, max_expansions: level.max_expansions - SOON, ..level }
@@ -279,7 +279,7 @@ impl<'a> Search<'a> {
         shortcut::shortcut(rules, self.start, arcs)
     }
 
-    /// Whether the path is free at the finest spacing and ends at the goal.
+    /// True if the path is free at the finest spacing and ends at the goal.
     fn verified(&self, arcs: &[Arc]) -> bool {
         let mut pose = self.start;
         let free = arcs.iter().all(|arc| {

@@ -81,9 +81,9 @@ pub struct Query<'a> {
     pub obstacles: &'a Obstacles,
     /// The car.
     pub vehicle: &'a Vehicle,
-    /// Where it stands.
+    /// Start pose.
     pub start: Pose,
-    /// Where it shall go.
+    /// Goal pose.
     pub goal: Pose,
 }
 
@@ -109,9 +109,9 @@ pub enum Status {
     NoPath,
     /// So it was, and the car can hardly move where it starts or arrives.
     BoxedIn {
-        /// Where it starts, else where it arrives.
+        /// True at the start, false at the goal.
         at_start: bool,
-        /// How far it can go ahead and back there with its margin, together, metres.
+        /// Distance that it can drive ahead plus back there with its margin, metres.
         travel: f64,
     },
     /// The budget ended with this estimate still to go, metres.
@@ -133,10 +133,10 @@ pub struct Report {
     pub rs_bound: f64,
     /// Level of the portfolio that gave the path, or the last one tried.
     pub level: u32,
-    /// The margin planned with, metres: less than asked where start or goal have less, and 5 cm, 3 cm, 1 cm or 2 mm where no
-    /// way with more was found.
+    /// The margin planned with, metres: less than asked where start or goal have less, and 5 cm, 3 cm, 1 cm or 2 mm
+    /// where no way with more was found.
     pub margin: f64,
-    /// Whether the tree that gave the path, or was grown last, grew from the goal.
+    /// True if the tree that gave the path, or was grown last, grew from the goal.
     #[cfg(feature = "complete")]
     pub from_goal: bool,
     /// Expansions, over all levels.
@@ -147,14 +147,14 @@ pub struct Report {
     pub pushes: u32,
     /// Largest size of the open list.
     pub open_peak: u32,
-    /// Bytes of the obstacles' rasters and buckets, the estimate's raster, and of the level that kept most of its nodes and open
-    /// list.
+    /// Bytes of the obstacles' rasters and buckets, the estimate's raster, and of the level that kept most of its nodes
+    /// and open list.
     pub bytes: u64,
     /// Poses tested for collision.
     pub collision_checks: u32,
     /// The expanded pose with the least estimate to go: how near the search came.
     pub closest: Option<Pose>,
-    /// What keeps the car from its goal, where that is known.
+    /// The obstruction between the car and its goal, if known.
     pub obstruction: Option<Obstruction>,
     /// Arcs of the search tree as driven, in order of expansion: x, y, heading, curvature, signed length, ….
     pub tree: Vec<f64>,
@@ -286,7 +286,8 @@ pub fn plan(
     let travels = |margin| [start, goal].map(|pose| travel(&probe, query.vehicle, pose, margin));
     let [from_start, from_goal] = travels(report.margin);
     let margin = report.margin;
-    // Where the search from the end that was asked for finds nothing, the portfolio starts at the one that is hard to leave.
+    // Where the search from the end that was asked for finds nothing, the portfolio starts at the one that is hard to
+    // leave.
     let from_asked = Config { ladder: false, ..*config };
     let from_any = Config { search_from: SearchFrom::Goal, ..*config };
     let both = [from_asked, from_any];

@@ -38,7 +38,7 @@ pub(super) struct ObstacleHeuristic {
     ahead: f64,
 }
 
-/// What each cell costs to enter, for one disc among some obstacles.
+/// Cost of entering each cell, for one disc among obstacles.
 #[derive(Debug)]
 struct Ground {
     fingerprint: u64,
@@ -112,7 +112,7 @@ impl ObstacleHeuristic {
         self.steps.iter().filter(|&&s| s != UNREACHED).count()
     }
 
-    /// Where the flood came.
+    /// The region that the flood reached.
     pub(super) fn region(&self) -> Region {
         let frame = &self.ground.frame;
         let mut runs: Vec<(Point, u32)> = Vec::new();
@@ -143,7 +143,7 @@ impl Ground {
     }
 }
 
-/// Where a disc has room.
+/// The cells in which a disc fits.
 struct Room<'a> {
     obstacles: &'a Obstacles,
     radius: f64,
@@ -174,7 +174,7 @@ impl Room<'_> {
         Ground { fingerprint: self.obstacles.fingerprint(), radius: self.radius, frame, costs }
     }
 
-    /// What a cell costs whose middle may be near something.
+    /// Cost of a cell whose centre may be near an obstacle.
     fn cost(&self, center: Point, half_diagonal: f64) -> u8 {
         let distance = self.obstacles.distance(center, self.radius + EASE);
         match () {
@@ -186,8 +186,8 @@ impl Room<'_> {
         }
     }
 
-    /// Whether the disc, which has no room in the middle of a square, `distance` away from something, may have it elsewhere
-    /// in there.
+    /// True if the disc, which has no room in the middle of a square, `distance` away from something, may have it
+    /// elsewhere in there.
     fn fits(&self, center: Point, distance: f64, half_diagonal: f64, quarterings: u32) -> bool {
         if distance < self.radius - half_diagonal {
             return false;

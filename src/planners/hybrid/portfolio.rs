@@ -2,8 +2,9 @@
 //!
 //! The members stand in one list, what a driver likes best in front. They take turns: whoever has spent a slice and may
 //! still find a way leaves a quarter of it to the next in the list, and slices grow fourfold with each round (Levin's
-//! universal search, 1973; Gomes and Selman, Algorithm portfolios, 2001). Nobody waits long behind a member that is lost,
-//! and all together work a few times as much as the best one would alone. Work is counted in expansions, never in time.
+//! universal search, 1973; Gomes and Selman, Algorithm portfolios, 2001). Nobody waits long behind a member that is
+//! lost, and all together work a few times as much as the best one would alone. Work is counted in expansions, never in
+//! time.
 
 use core::cell::OnceCell;
 
@@ -28,8 +29,8 @@ const EFFORT: u32 = 150_000;
 const MORE_MARGIN: u32 = 100_000;
 /// With more gear changes than this, finer steps may find a path with fewer.
 const MANY: u32 = 4;
-/// A member that has searched more than this many poses to the end, times its level, came out of any slot: there are many gear
-/// changes, or no way.
+/// A member that has searched more than this many poses to the end, times its level, came out of any slot: there are
+/// many gear changes, or no way.
 const WIDE: u32 = 1000;
 /// Levels of the searches in open space, …
 #[cfg(feature = "complete")]
@@ -130,7 +131,7 @@ struct Member {
     level: u32,
     /// From the one asked for to the least.
     margin: usize,
-    /// Whether the tree grows from the end that is not the hard one.
+    /// True if the tree grows from the end that is not the hard one.
     from_other: bool,
 }
 
@@ -145,7 +146,8 @@ enum Turn {
     Lost,
 }
 
-/// Finds a path with the largest margin that some member keeps, or why there is none. `widest` is the largest margin to try.
+/// Finds a path with the largest margin that some member keeps, or why there is none. `widest` is the largest margin to
+/// try.
 pub(super) fn plan(search: Search, floods: &Floods, widest: usize, work: &mut Work) {
     let levels = search.config.levels();
     let may_swap = search.config.search_from == SearchFrom::Goal && levels > 1;
@@ -208,7 +210,7 @@ fn arrange(members: &mut [Member], key: &dyn Fn(&Member) -> [usize; 3]) {
     }
 }
 
-/// Whether the body could get to the other end if it moved in any direction.
+/// True if the body could get to the other end if it moved in any direction.
 #[cfg(feature = "complete")]
 enum Hope {
     Unasked,
@@ -220,9 +222,9 @@ enum Hope {
 struct Run<'a> {
     search: Search<'a>,
     floods: &'a Floods<'a>,
-    /// Whether the trees grow from the other end.
+    /// True if the trees grow from the other end.
     is_swapped: bool,
-    /// Whether they may grow from either end.
+    /// True if they may grow from either end.
     #[cfg(feature = "complete")]
     may_swap: bool,
     members: Vec<Member>,
@@ -230,14 +232,15 @@ struct Run<'a> {
     effort: u32,
     /// The path with the largest margin so far.
     best: Option<Report>,
-    /// Whether a search with the least margin came out of any slot, and found no way.
+    /// True if a search with the least margin came out of any slot, and found no way.
     is_way_out: bool,
     /// How a member ended that has proven nothing.
     doubt: Option<Status>,
-    /// Whether the body could get there if it moved in any direction.
+    /// True if the body could get there if it moved in any direction.
     #[cfg(feature = "complete")]
     hope: Hope,
-    /// Margin and level of the search that came to its end with the least margin, the first of them, and where that ended.
+    /// Margin and level of the search that came to its end with the least margin, the first of them, and where that
+    /// ended.
     proof: Option<(f64, u32, Option<Pose>)>,
 }
 
@@ -285,7 +288,7 @@ impl Run<'_> {
         }
     }
 
-    /// Whether the body could not get there either if it moved in any direction; else more work is worth its while.
+    /// True if the body could not get there either if it moved in any direction; else more work is worth its while.
     #[cfg(feature = "complete")]
     fn is_hopeless(&mut self, work: &Work) -> bool {
         let least = self.floods.margins.len() - 1;
@@ -299,7 +302,7 @@ impl Run<'_> {
         nearest.is_some()
     }
 
-    /// Whether the proof is to be sought before a search with more margin goes on: it may find a way sooner, too.
+    /// True if the proof is to be sought before a search with more margin goes on: it may find a way sooner, too.
     fn may_ask_proof(&self, member: Member) -> bool {
         let is_proof = |one: Member| one.level == 1 && self.is_least(one);
         member.level == 1 && !is_proof(member) && self.members[0] == member && {
@@ -311,8 +314,9 @@ impl Run<'_> {
         member.margin + 1 == self.floods.margins.len()
     }
 
-    /// A member has searched all that it can reach. Coarser ones would reach no more, nor would any with more margin. Where that came
-    /// out of any slot, only finer ones with the least margin are asked now, from either end, which prove more as well. Tells who is next.
+    /// A member has searched all that it can reach. Coarser ones would reach no more, nor would any with more margin.
+    /// Where that came out of any slot, only finer ones with the least margin are asked now, from either end, which
+    /// prove more as well. Tells who is next.
     fn exhausted(&mut self, at: usize, expanded: u32, report: &Report) -> usize {
         let member = self.members[at];
         let is_proof = self.is_least(member);
@@ -333,8 +337,8 @@ impl Run<'_> {
         0
     }
 
-    /// The members for open space, which the small module lacks: from the hard end with the least margin, finer with the least that is no creeping, and from the
-    /// other end.
+    /// The members for open space, which the small module lacks: from the hard end with the least margin, finer with
+    /// the least that is no creeping, and from the other end.
     #[cfg(feature = "complete")]
     fn ask_open_space(&mut self, proof: Member) {
         let creeping = self.floods.margins.iter().position(|&margin| margin < COMFORTABLE);
@@ -348,8 +352,8 @@ impl Run<'_> {
             tries.into_iter().filter(is_new).filter(|one| self.may_swap || !one.from_other).collect();
     }
 
-    /// A member has found a path. Only those go on that may keep more margin, a little more first, or, where there are many gear
-    /// changes, save some.
+    /// A member has found a path. Only those go on that may keep more margin, a little more first, or, where there are
+    /// many gear changes, save some.
     fn found(&mut self, at: usize, report: &mut Report) -> usize {
         let member = self.members[at];
         let is_comfortable = report.margin >= COMFORTABLE;
@@ -371,8 +375,8 @@ impl Run<'_> {
         0
     }
 
-    /// Takes the member that had its turn out of the list, and the others for which there is no hope; tells where the next one
-    /// stands.
+    /// Takes the member that had its turn out of the list, and the others for which there is no hope; tells where the
+    /// next one stands.
     fn drop(&mut self, at: usize, is_hopeless: impl Fn(Member) -> bool) -> usize {
         let (mut index, mut next) = (0, 0);
         self.members.retain(|&one| {

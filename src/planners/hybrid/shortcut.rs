@@ -14,7 +14,8 @@ const GAIN: f64 = 1e-3;
 /// Collision checks after which shortcutting ends: work, not time, so that the result is the same everywhere.
 const WORK: u32 = 400_000;
 const PASSES: u32 = 6;
-/// Pairs of knots that a round looks at, at most: on a long way hardly any curve is free over more than a short stretch.
+/// Pairs of knots that a round looks at, at most: on a long way hardly any curve is free over more than a short
+/// stretch.
 const PAIRS: usize = 6000;
 
 /// How a replacement is tested.
@@ -156,7 +157,7 @@ impl<'a> Pass<'a> {
             .map(|found| found.1)
     }
 
-    /// Whether a word from the knot at hand to knot `to` can be driven.
+    /// True if a word from the knot at hand to knot `to` can be driven.
     fn free(&mut self, to: usize, word: &Word) -> bool {
         let Rules { probe, costs, .. } = self.rules;
         let back = self.back[to].get_or_insert_with(|| Reach::new(self.poses[to], self.sampling));

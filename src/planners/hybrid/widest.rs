@@ -5,7 +5,8 @@ use crate::geometry::Pose;
 use crate::geometry::arcs::Arc;
 use crate::vehicle::collision::CollisionChecker;
 
-/// More room than this is room enough where a path may lead to one of several goals, metres. Some of them may lie in the open.
+/// More room than this is room enough where a path may lead to one of several goals, metres. Some of them may lie in
+/// the open.
 const OPEN: f64 = 3.0;
 /// Of margins for several goals, those closer than this share to a larger one are left out …
 const APART: f64 = 0.12;
@@ -16,8 +17,8 @@ const SPACING: f64 = 0.1;
 /// The most goals that are searched from one by one.
 const EACH: usize = 8;
 
-/// Margins for the widest path to one of some goals, largest first: shares of the room at each, which counts up to the room at the
-/// start. All are more than `least`. Between two of them are more, by which the gap is halved.
+/// Margins for the widest path to one of some goals, largest first: shares of the room at each, which counts up to the
+/// room at the start. All are more than `least`. Between two of them are more, by which the gap is halved.
 pub(super) fn margins(probe: &CollisionChecker, start: Pose, goals: &[Pose], least: f64) -> Vec<f64> {
     let at_start = probe.clearance(start, OPEN);
     let rooms = goals.iter().map(|&goal| probe.clearance(goal, OPEN).min(at_start));

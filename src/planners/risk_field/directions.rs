@@ -2,7 +2,7 @@
 
 use crate::planners::moves::{D, R2};
 
-/// Whether a goal `dx` columns and `dy` rows away is reached mostly by diagonal steps: at least as much diagonal as
+/// True if a goal `dx` columns and `dy` rows away is reached mostly by diagonal steps: at least as much diagonal as
 /// straight length.
 pub(super) fn is_oblique(dx: i32, dy: i32) -> bool {
     let (x, y) = (i64::from(dx.abs()), i64::from(dy.abs()));
@@ -16,7 +16,8 @@ pub(super) fn is_oblique(dx: i32, dy: i32) -> bool {
 /// ±3, which the paper's table leaves open, belong to the diagonal regions.
 pub(super) fn region((x, y): (f64, f64), oblique: bool) -> usize {
     let (ax, ay) = (x.abs(), y.abs());
-    // Searches ask at every cell, and processors guess badly: the region in the first quadrant is counted, then turned over.
+    // Searches ask at every cell, and processors guess badly: the region in the first quadrant is counted, then turned
+    // over.
     let steep = [1.0, 3.0][usize::from(oblique)];
     let first = usize::from(steep * ay > ax)
         + usize::from(ay > steep * ax)

@@ -16,8 +16,8 @@ pub(super) struct RiskGrid<'a> {
     query: Query<'a>,
     field: PotentialField<'a>,
     weight: DistanceWeight,
-    /// What a column or row of the larger and one of the smaller difference add to `unit` times the estimate, where the
-    /// way is mostly straight and where it is mostly diagonal.
+    /// Amounts that one step of the larger and one of the smaller difference add to `unit` times the estimate, in
+    /// straight mode and in oblique mode.
     estimates: [(i64, i64); 2],
     /// 1 where the weights are whole, else 1000.
     unit: i64,

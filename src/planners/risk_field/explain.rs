@@ -1,4 +1,4 @@
-//! What the planner does at one cell, in the terms of the paper's tables 1 and 2.
+//! Explains the planner's step at one cell in the terms of the paper's tables 1 and 2.
 
 use serde::Serialize;
 
@@ -12,7 +12,7 @@ use crate::planners::query::Query;
 
 const NAMES: [&str; 8] = ["E", "NE", "N", "NW", "W", "SW", "S", "SE"];
 
-/// What the planner does at one cell. Forces are unitless, east and north.
+/// The planner's step at one cell. Forces are unitless, east and north.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Explanation {
@@ -47,11 +47,11 @@ pub struct Explanation {
 pub struct Candidate {
     /// Its column and row.
     pub cell: [i32; 2],
-    /// Where it lies: `E`, `NE`, ….
+    /// Direction: `E`, `NE`, ….
     pub direction: &'static str,
     /// `primary`, `extension` or `held-back`.
     pub role: &'static str,
-    /// Whether it is free and the way to it is.
+    /// True if it is free and the way to it is.
     pub free: bool,
 }
 

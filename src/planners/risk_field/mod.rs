@@ -41,7 +41,7 @@ pub enum Heuristic {
 
 json::words!(Heuristic: "corrected" = Corrected, "printed" = Printed, "octile" = Octile);
 
-/// What becomes of the five directions that the field does not pick.
+/// Treatment of the five directions that the field does not pick.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Fallback {
     /// Tried when the three improve nothing, else later, at a penalty: complete.
@@ -105,11 +105,11 @@ parameters! {
         ext_len: u32 = 1,
             spec("extLen", Form::Integer(0.0, 16.0), "cells", false,
                  ["Extension", "扩展长度"], ["How far diagonal moves may be stretched.", "斜向移动可延伸的格数。"]).within(0.0, 16.0);
-        /// Whether diagonal extensions that lead away from the goal are left out.
+        /// True if diagonal extensions that lead away from the goal are left out.
         goal_side: bool = false,
             spec("goalSide", Form::Flag, "1", false,
                  ["Goal side only", "仅目标侧"], ["Drops extensions that lead away from the goal.", "去除背离目标的延伸格。"]);
-        /// What becomes of the directions that the field does not pick.
+        /// Treatment of the directions that the field does not pick.
         fallback: Fallback = Fallback::Penalty,
             spec("fallback", Form::Choice(&["penalty", "lexicographic", "stuck-only", "none"]), "1", false,
                  ["Deferred moves", "延后扩展"],
@@ -118,12 +118,12 @@ parameters! {
         penalty: f64 = 4.0,
             spec("penalty", Form::Number(0.0, 40.0, 1.0), "cells", false,
                  ["Deferral cost", "延后代价"], ["Cost added to deferred moves.", "延后扩展附加的代价。"]).within(0.0, 10_000.0);
-        /// Whether the search ends as soon as the goal is in sight.
+        /// True if the search ends as soon as the goal is in sight.
         goal_shot: bool = false,
             spec("goalShot", Form::Flag, "1", false,
                  ["Direct finish", "直达目标"], ["Finishes as soon as the goal is in sight.", "目标可见即完成。"]);
     }
-    /// What every grid planner has.
+    /// The settings that all grid planners share.
     shared common: Common = Common { post: Post::Smooth, ..Common::PLAIN };
 }
 
@@ -211,7 +211,7 @@ pub fn plan<O: Observer<i64, ()>>(
     report
 }
 
-/// Whether ordinary steps lead from start to goal.
+/// True if ordinary steps lead from start to goal.
 fn is_reachable(query: Query, corner: Corner, scratch: &mut GridScratch) -> bool {
     let eight = Neighbourhood::Eight;
     let common = Common { corner, ..Common::PLAIN };

@@ -58,14 +58,14 @@ pub struct CollisionChecker<'a> {
     /// Half the length that one disc covers.
     half_part: f64,
     slack: f64,
-    /// What arcs may not leave.
+    /// The corridor that arcs may not leave.
     #[cfg(feature = "complete")]
     corridor: Option<&'a Corridor>,
     checks: Counter<u32>,
 }
 
 impl<'a> CollisionChecker<'a> {
-    /// What the floor costs, in local coordinates, where it does not cost the same everywhere.
+    /// Weights of the floor in local coordinates; `None` if all cells cost the same.
     pub fn paint(&self) -> Option<&'a WeightMap> {
         self.obstacles.paint()
     }
@@ -106,15 +106,15 @@ impl<'a> CollisionChecker<'a> {
         self.checks.set(self.checks.get().saturating_add(checks));
     }
 
-    /// What the body, grown by `margin` metres on every side, overlaps.
+    /// The obstacle that the body, grown by `margin` metres on every side, overlaps; `None` if it is free.
     pub fn hit(&self, pose: Pose, margin: f64) -> Option<u32> {
         self.count(1);
         let place = Placement::of(pose);
         if self.room(place) > self.disc_radius(margin) { None } else { self.exact(place, margin - CONTACT) }
     }
 
-    /// Whether the body, grown by `margin` metres on every side or shrunk where that is negative, meets nothing with its rear
-    /// axle at `at` and a heading of this sine and cosine.
+    /// True if the body, grown by `margin` metres on every side or shrunk where that is negative, meets nothing with
+    /// its rear axle at `at` and a heading of this sine and cosine.
     #[cfg(feature = "complete")]
     pub fn fits(&self, at: Point, (sin, cos): (f64, f64), margin: f64) -> bool {
         self.count(1);
@@ -122,13 +122,13 @@ impl<'a> CollisionChecker<'a> {
         self.room(place) > self.disc_radius(margin.max(0.0)) || self.exact(place, margin - CONTACT).is_none()
     }
 
-    /// Whether an arc stays within the corridor, if there is one.
+    /// True if an arc stays within the corridor, if there is one.
     #[cfg(feature = "complete")]
     pub(super) fn corridor_holds(&self, from: Pose, arc: &Arc) -> bool {
         self.corridor.is_none_or(|corridor| corridor.holds_arc(from, arc))
     }
 
-    /// Whether the body with `margin` around it stays free along an arc, tested every `spacing` metres and at its end.
+    /// True if the body with `margin` around it stays free along an arc, tested every `spacing` metres and at its end.
     ///
     /// The end is tested first: it is the farthest from what is known to be free. Where the body has room, the poses
     /// that the room covers are free without a test.
@@ -205,7 +205,7 @@ impl<'a> CollisionChecker<'a> {
         reached
     }
 
-    /// Whether nothing is near the body with `margin` around it.
+    /// True if nothing is near the body with `margin` around it.
     pub fn clear_by(&self, pose: Pose, margin: f64) -> bool {
         self.room(Placement::of(pose)) > self.disc_radius(margin)
     }

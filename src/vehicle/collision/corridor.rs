@@ -11,7 +11,7 @@ const CELLS: f64 = 1e6;
 /// Arcs are looked at this often, metres.
 const STEP: f64 = 0.5;
 
-/// Where the middle of a car's rear axle may be. Told by cells of 0.2 m.
+/// The positions allowed for the middle of the rear axle, in cells of 0.2 m.
 #[derive(Debug)]
 pub struct Corridor {
     frame: Frame,
@@ -45,12 +45,12 @@ impl Corridor {
         Self { frame, held }
     }
 
-    /// Whether a point is in it.
+    /// True if a point is in it.
     pub fn holds(&self, point: Point) -> bool {
         self.frame.cell_at(point).is_some_and(|cell| self.held[self.frame.index(cell)])
     }
 
-    /// Whether an arc from a pose stays in it.
+    /// True if an arc from a pose stays in it.
     pub(super) fn holds_arc(&self, from: Pose, arc: &Arc) -> bool {
         let steps = (arc.length.abs() / STEP).ceil().max(1.0);
         let at = |k: u32| from.advance(arc.curvature, arc.length * f64::from(k) / steps).point();

@@ -47,7 +47,7 @@ pub struct Obstacles {
     /// From cell centres to blocked squares, metres.
     field: Layer<f32>,
     fingerprint: u64,
-    /// What the floor costs, where it does not cost the same everywhere.
+    /// Weights of the floor; `None` if all cells cost the same.
     paint: Option<WeightMap>,
 }
 
@@ -110,13 +110,13 @@ impl Obstacles {
         (arrays + size_of_val(&self.first[..]) + size_of_val(&self.members[..])) as u64
     }
 
-    /// What the floor costs, in the frame of all queries, where it does not cost the same everywhere.
+    /// Weights of the floor in the frame of all queries; `None` if all cells cost the same.
     pub fn paint(&self) -> Option<&WeightMap> {
         self.paint.as_ref()
     }
 
-    /// Another lattice over the same world and its distance field, as [`Obstacles::field`]: cells of `cell` metres, larger
-    /// where there would be more than `most` of them.
+    /// Another lattice over the same world and its distance field, as [`Obstacles::field`]: cells of `cell` metres,
+    /// larger where there would be more than `most` of them.
     pub fn lattice(&self, cell: f64, most: f64) -> (Frame, Layer<f32>) {
         let (low, high) = bounds(self.boundary.outline.iter().copied());
         let frame = lattice(high - low, cell, most);
@@ -196,7 +196,7 @@ impl Obstacles {
         Pose::new(pose.x - self.origin.x, pose.y - self.origin.y, math::wrap(pose.heading))
     }
 
-    /// What a point is inside of, or outside of in the case of the boundary; local coordinates.
+    /// The obstacle that contains a point, or the boundary if the point is outside it; local coordinates.
     pub fn inside(&self, point: Point) -> Option<u32> {
         if !contains(&self.boundary.outline, point) {
             return Some(self.boundary.owner);
@@ -271,7 +271,7 @@ fn bounds(points: impl IntoIterator<Item = Point>) -> (Point, Point) {
     })
 }
 
-/// Whether a point is inside a simple polygon.
+/// True if a point is inside a simple polygon.
 pub(crate) fn contains(outline: &[Point], p: Point) -> bool {
     let mut odd = false;
     for (i, &a) in outline.iter().enumerate() {

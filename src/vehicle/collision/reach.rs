@@ -1,8 +1,8 @@
 //! How far the body can go from one pose at full lock and straight on.
 //!
-//! Every Reeds–Shepp curve begins with one of six motions: full lock to either side or straight, in either gear. What blocks
-//! one of them blocks every curve that begins with a longer one, so each motion is followed once, no farther than it is asked
-//! for.
+//! Every Reeds–Shepp curve begins with one of six motions: full lock to either side or straight, in either gear. What
+//! blocks one of them blocks every curve that begins with a longer one, so each motion is followed once, no farther
+//! than it is asked for.
 
 use super::CollisionChecker;
 use super::checker::{CONTACT, Placement};
@@ -28,7 +28,7 @@ impl Sampling {
     }
 }
 
-/// What is known of one motion.
+/// The known part of one motion.
 #[derive(Debug, Clone, Copy, Default)]
 struct Motion {
     /// The body is free at every sample up to here, metres.
@@ -47,17 +47,17 @@ pub struct Reach {
 }
 
 impl Reach {
-    /// Nothing is known yet.
+    /// An empty memory: no motion has been followed yet.
     pub fn new(from: Pose, sampling: Sampling) -> Self {
         Self { from, start: Placement::of(from), sampling, motions: [Motion::default(); 6] }
     }
 
-    /// Where the motions begin.
+    /// Pose at which the motions begin.
     pub fn from(&self) -> Pose {
         self.from
     }
 
-    /// Whether the body is free along an arc from the pose, at full lock or straight: at every sample and at its end.
+    /// True if the body is free along an arc from the pose, at full lock or straight: at every sample and at its end.
     #[inline(never)]
     pub fn is_free(&mut self, probe: &CollisionChecker, arc: &Arc) -> bool {
         #[cfg(feature = "complete")]
@@ -81,8 +81,8 @@ impl Reach {
         probe.is_free_at(end, self.sampling.margin)
     }
 
-    /// Whether the body is free along a word that leads from this pose to that of `back`, for turning radius `radius`. The
-    /// word's ends come first: what is known of them decides most words.
+    /// True if the body is free along a word that leads from this pose to that of `back`, for turning radius `radius`.
+    /// The word's ends come first: what is known of them decides most words.
     #[inline(never)]
     pub fn is_word_free(
         &mut self,

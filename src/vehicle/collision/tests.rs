@@ -13,7 +13,7 @@ fn spread(k: u32) -> [f64; 4] {
     [0.618_034, 0.414_214, 0.732_051, 0.236_068].map(|step| (f64::from(k) * step).fract())
 }
 
-/// Where the boundary's lower left corner is in the world.
+/// The boundary's lower left corner in the world.
 const CORNER: Point = Point::new(-7.0, 3.0);
 const WIDE: f64 = 30.0;
 const HIGH: f64 = 20.0;
@@ -42,7 +42,7 @@ fn world(walls: u32) -> World {
     World { obstacles: Obstacles::new(&walls, &[], &boundary), edges }
 }
 
-/// Whether some of a segment is in an upright box, by cutting off what is beyond each side.
+/// True if some of a segment is in an upright box, by cutting off what is beyond each side.
 fn in_box(a: Point, b: Point, [front, back, left, right]: [f64; 4]) -> bool {
     let (mut from, mut to) = (0.0_f64, 1.0_f64);
     for (start, end, low, high) in [(a.x, b.x, back, front), (a.y, b.y, right, left)] {

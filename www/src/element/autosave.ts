@@ -145,5 +145,5 @@ function read(key: string, { catalog }: App): Kept | null {
   }
 }
 
-/** Whether a link of the one would be a link of the other. */
+/** True if a link of the one would be a link of the other. */
 const alike = (a: Scene, b: Scene): boolean => JSON.stringify(pack(a)) === JSON.stringify(pack(b));

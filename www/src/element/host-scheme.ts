@@ -1,4 +1,4 @@
-/** Whether the page around an element is light or dark: themes of documentation sites switch by attribute or class, not by the reader's system. */
+/** True if the page around an element is light or dark: themes of documentation sites switch by attribute or class, not by the reader's system. */
 import { parseColour } from "../view/tokens";
 
 export type Scheme = "light" | "dark";

@@ -42,7 +42,7 @@ function isOurs(host: HTMLElement & { alone: boolean }, event: KeyboardEvent): b
   return !isControls(event) && !path.some((node) => node instanceof HTMLDialogElement);
 }
 
-/** Whether the key does something to the control that has the focus. */
+/** True if the key does something to the control that has the focus. */
 function isControls(event: KeyboardEvent): boolean {
   const [target] = event.composedPath();
   if (!(target instanceof HTMLElement)) return false;

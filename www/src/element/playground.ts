@@ -72,20 +72,20 @@ export class Playground extends LitElement {
   declare theme: State["theme"];
   declare permalink: boolean;
   declare compact: boolean;
-  /** Whether the controls stand in columns at both sides of the map. */
+  /** True if the controls stand in columns at both sides of the map. */
   declare rails: boolean;
   declare short: boolean;
   declare loaded: boolean;
   declare folded: boolean;
-  /** Whether the inspector lies over the map, where it has no column of its own. */
+  /** True if the inspector lies over the map, where it has no column of its own. */
   declare inspecting: boolean;
   declare dropping: boolean;
-  /** Whether all but the maps is still to come, into the boxes that are kept for it. */
+  /** True if everything but the maps is still to come, into the boxes that are kept for it. */
   declare bare: boolean;
 
   /** Resolves when the first scene is solved. */
   ready: Promise<void>;
-  /** Whether nothing is edited by pointer or keys. */
+  /** True if nothing is edited by pointer or keys. */
   declare viewing: boolean;
   protected readonly app = new App(this);
   /** Resolves when there is a scene to draw, or something to say in its place. */
@@ -231,7 +231,7 @@ export class Playground extends LitElement {
       void this.app.setLang(pickLang(value));
   }
 
-  /** Whether there is more than the map and the timeline. */
+  /** True if there is more than the map and the timeline. */
   protected get isFull(): boolean {
     return true;
   }

@@ -35,7 +35,7 @@ export abstract class AppElement extends LitElement {
   declare app: App;
   /** Least milliseconds between redraws during a drag, for what the eye does not follow. */
   protected pace = 0;
-  /** Whether it is only built when there is room for it: many an embedded playground never shows its panels. */
+  /** True if it is only built when there is room for it: many an embedded playground never shows its panels. */
   protected waits = false;
   private room: Promise<void> | null = null;
   private stop: (() => void) | null = null;

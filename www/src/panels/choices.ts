@@ -57,7 +57,7 @@ export class Choices extends AppElement {
   ];
   /** Unset: the focused one. */
   declare planner: PlannerId | undefined;
-  /** Whether better paths are being looked for. */
+  /** True if better paths are being looked for. */
   declare searching: boolean;
 
   constructor() {

@@ -24,7 +24,7 @@ import { icon } from "./icons";
 const say = wordsAt("goal");
 const ENTRIES = ["either", "head-in", "reverse-in"] as const;
 
-/** Whether the goal is one place or any of several, and which. */
+/** The kind of goal: one place, or any of several. */
 export class GoalCard extends AppElement {
   static override styles = [
     controls,

@@ -141,7 +141,7 @@ export class PlannerPanel extends AppElement {
       </div>`;
   }
 
-  /** Whether the line over the map would lie on start or goal. */
+  /** True if the line over the map would lie on start or goal. */
   private isLow(): boolean {
     const { width, height } = this.size;
     return width > 0 && handlePoints(this.state, width, height).some(([, y]) => y < LINES);

@@ -56,7 +56,7 @@ export class Stage extends AppElement {
   `,
   ];
   declare compact: boolean;
-  /** Whether only the maps are wanted yet. */
+  /** True if only the maps are wanted yet. */
   declare bare: boolean;
   private grabbed = 0;
 

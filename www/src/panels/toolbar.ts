@@ -98,7 +98,7 @@ export class Toolbar extends AppElement {
   declare compact: boolean;
   /** A column at the left, with the rest in a menu. */
   declare rail: boolean;
-  /** Whether the inspector lies over the map of a narrow window. */
+  /** True if the inspector lies over the map of a narrow window. */
   declare inspecting: boolean;
   declare ready: boolean;
   declare shared: boolean;

@@ -9,7 +9,7 @@ export const chosenOf = <T extends Choice>(choices: readonly T[], prefer: Prefer
 /** Lengths and costs that differ by less, in shares, are the same. */
 const ROUNDING = 1e-6;
 
-/** Whether no path of this car can be better by what is preferred: it is as short as it could be without obstacles. */
+/** True if no path of this car can be better by what is preferred: it is as short as it could be without obstacles. */
 export function isProven(
   { metrics: { length, rsBound = 0, cost = Infinity, directionChanges } }: HybridPlan,
   prefer: Prefer | undefined,

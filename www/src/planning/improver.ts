@@ -203,7 +203,7 @@ class Improver {
 
 const keyOf = (planner: PlannerId, waiting: State["waiting"]): string => `${planner} ${waiting}`;
 
-/** Whether a question still is the one to answer. */
+/** True if a question still is the one to answer. */
 const isAsked = ({ scene, planner, prefer, waiting }: Question, state: State): boolean =>
   state.scene === scene &&
   !state.transient &&
@@ -212,7 +212,7 @@ const isAsked = ({ scene, planner, prefer, waiting }: Question, state: State): b
   state.planners.includes(planner) &&
   !state.hidden.has(planner);
 
-/** Whether a planner's answer is one that may be bettered. */
+/** True if a planner's answer is one that may be bettered. */
 function isGood({ results }: State, planner: PlannerId): boolean {
   const result = results[planner];
   return (

@@ -256,7 +256,7 @@ const FIXED: readonly LayerName[] = ["safety", "clearance"];
 
 const endsOf = ({ start, goal }: Scenario): Ends => (isGoalPose(goal) ? { start, goal } : { start });
 
-/** Whether nothing else differs, so that a planner of one scene can answer for the other; a slot as goal is emptied for it, a set of goals resolved. */
+/** True if nothing else differs, so that a planner of one scene can answer for the other; a slot as goal is emptied for it, a set of goals resolved. */
 function differInEnds(a: Scenario, b: Scenario): boolean {
   const isSame = (key: keyof Scenario): boolean =>
     a[key] === b[key] || key === "start" || (key === "goal" && isGoalPose(a.goal) && isGoalPose(b.goal));

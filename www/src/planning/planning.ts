@@ -437,7 +437,7 @@ const isTraced = (planner: PlannerId, { transient, layers, playback }: State): b
 
 const hasCosts = (planner: PlannerId): boolean => infoOf(planner)?.family === "road";
 
-/** Whether a grid planner's settings close free cells. */
+/** True if a grid planner's settings close free cells. */
 const closes = (settings: PlannerSettings[PlannerId] = {}): boolean =>
   ("minPassage" in settings && Number(settings.minPassage) > 1) ||
   ("trapMouth" in settings && Number(settings.trapMouth) > 1);

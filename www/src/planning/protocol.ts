@@ -66,7 +66,7 @@ export type Reply =
       layers: Layers;
       drive: Drive | Encounter | null /** There should be a drive, and its computation failed. */;
       undriven: boolean;
-      time: Timing /** Whether the worker has planned before. */;
+      time: Timing /** True if the worker has planned before. */;
       warm: boolean;
     }
   | { kind: "timed"; id: number; samples: Timing[] }

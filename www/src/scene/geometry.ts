@@ -93,7 +93,7 @@ const within = (a: Point, b: Point, c: Point): boolean =>
   Math.min(a[1], b[1]) <= c[1] &&
   c[1] <= Math.max(a[1], b[1]);
 
-/** Whether the closed segments share a point. */
+/** True if the closed segments share a point. */
 export function segmentsMeet(a: Point, b: Point, c: Point, d: Point): boolean {
   const abc = turn(a, b, c),
     abd = turn(a, b, d),
@@ -108,7 +108,7 @@ export function segmentsMeet(a: Point, b: Point, c: Point, d: Point): boolean {
   );
 }
 
-/** Whether `next` can follow `points` without its new edge meeting an earlier one. */
+/** True if `next` can follow `points` without its new edge meeting an earlier one. */
 export function canExtend(points: readonly Point[], next: Point): boolean {
   const last = points.at(-1);
   if (last === undefined) return true;
@@ -121,7 +121,7 @@ export function canExtend(points: readonly Point[], next: Point): boolean {
   return true;
 }
 
-/** Whether any two edges of a closed outline meet other than at a shared corner. */
+/** True if any two edges of a closed outline meet other than at a shared corner. */
 export function crossesItself(outline: readonly Point[]): boolean {
   const n = outline.length;
   for (let i = 0; i < n; i++) {

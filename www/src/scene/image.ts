@@ -29,7 +29,7 @@ export const MOST_CELLS = 2048;
 export interface ImageMap {
   scene: Scenario;
   blocked: number;
-  cells: number /** Whether the car has room where it stands. */;
+  cells: number /** True if the car has room where it stands. */;
   roomy: boolean;
 }
 

@@ -32,7 +32,7 @@ export function forPlanners(scene: Scenario, pack: (runs: readonly Run[]) => str
   return packed;
 }
 
-/** Whether making that text would hold up a drag. */
+/** True if making that text would hold up a drag. */
 export const isUnpacked = (scene: Scenario): boolean =>
   (scene.obstacles ?? []).some((one) => one.type === "cells" && one.runs.length > SLOW && !texts.has(one.runs));
 

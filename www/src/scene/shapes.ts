@@ -37,7 +37,7 @@ export function distanceToShape(p: Point, shape: Shape): number {
   return insidePolygon(p, corners) ? 0 : distanceToPolyline(p, corners, true);
 }
 
-/** Whether `p` is on a brushed cell. */
+/** True if `p` is on a brushed cell. */
 export function onCells(p: Point, runs: readonly [number, number, number][], frame: MapFrame): boolean {
   const x = Math.floor((p[0] - frame.origin[0]) / frame.resolution),
     y = Math.floor((p[1] - frame.origin[1]) / frame.resolution);

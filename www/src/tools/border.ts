@@ -189,7 +189,7 @@ function placed(bench: Bench, input: Input, { side, scene, room }: Press, wanted
   return (sign * Math.round(at * 1e6)) / 1e6;
 }
 
-/** Whether a fit to the view as it is would still show the whole ground. */
+/** True if a fit to the view as it is would still show the whole ground. */
 function isInView(bench: Bench, scene: Scene): boolean {
   const { width, height } = bench.view,
     camera = cameraFor({ ...bench.store.state, scene }, width, height);

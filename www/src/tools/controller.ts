@@ -81,7 +81,7 @@ export class ToolController {
     return () => this.listeners.delete(listener);
   }
 
-  /** Whether this is the canvas that the pointer, or else the focus, is on. */
+  /** True if this is the canvas that the pointer, or else the focus, is on. */
   isAt(canvas: HTMLElement | null): boolean {
     return canvas === this.canvas;
   }

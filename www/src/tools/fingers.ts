@@ -35,7 +35,7 @@ export class Fingers {
     this.long = { pointer, from, timer: setTimeout(run, LONG_MS) };
   }
 
-  /** Whether a finger has stayed where it was put, not for long. */
+  /** True if a finger has stayed where it was put, not for long. */
   rests(pointer: number): boolean {
     return this.long?.pointer === pointer;
   }
@@ -53,7 +53,7 @@ export class Fingers {
     return a && b && this.pinch ? this.pinch.move(view, a, b, least) : null;
   }
 
-  /** Whether the last of three fingers of a tap has left. */
+  /** True if the last of three fingers of a tap has left. */
   release(pointer: number, now: number): boolean {
     this.down.delete(pointer);
     if (this.long?.pointer === pointer) this.forgetLong();

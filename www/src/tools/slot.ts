@@ -116,7 +116,7 @@ function aisleOf(bench: Bench, heading: number, from: Point, to: Point): Aisle {
   return { from: middle, to: at(aisle), width: aisle, free: Math.min(aisle, free) };
 }
 
-/** Whether a point lies off the ground, on an obstacle or in a bay. */
+/** True if a point lies off the ground, on an obstacle or in a bay. */
 function isTaken(bench: Bench, p: Point): boolean {
   const { scene } = bench.store.state,
     { boundary, slots } = resolve(scene);

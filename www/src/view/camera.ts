@@ -259,7 +259,7 @@ function foundPlans({ planners, results }: State): Plan[] {
   });
 }
 
-/** Whether a path that is shown has a part beyond the view. */
+/** True if a path that is shown has a part beyond the view. */
 export const pathLeaves = (state: State, view: View): boolean =>
   foundPlans({ ...state, planners: state.planners.filter((id) => !state.hidden.has(id)) }).some(({ path }) => {
     for (let i = 0; i + 2 < path.length; i += 3) {

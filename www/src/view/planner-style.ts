@@ -60,7 +60,7 @@ export function identityOf(planner: string): Identity {
 /** What the loaded module says of a planner. */
 export const infoOf = (planner: string): PlannerInfo | undefined => catalogue.find((info) => info.id === planner);
 
-/** Whether a planner looks at a field of risk. */
+/** True if a planner looks at a field of risk. */
 export const hasField = (planner: string): boolean => infoOf(planner)?.hasRiskField === true;
 
 export function plannerName(lang: Lang, planner: string): string {
