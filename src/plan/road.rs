@@ -21,8 +21,8 @@ use crate::search::{Trace, Watch};
 
 /// A path of more poses than this is sampled less often.
 const MAX_POSES: f64 = 50_000.0;
-/// Less of the margin by this is all of it, metres.
-const LESS: f64 = 2e-3;
+/// Paths this much below the margin count as keeping it, metres.
+const MARGIN_TOLERANCE: f64 = 2e-3;
 /// Cars longer than this are smoothed at a scale of their own, metres.
 const LARGEST_CAR: f64 = 10.0;
 
@@ -112,7 +112,7 @@ impl Engine {
         plan.stats = stats(&report);
         if found {
             let kept = kept(&plan).min(self.config.kept());
-            if kept < self.config.kept() - LESS {
+            if kept < self.config.kept() - MARGIN_TOLERANCE {
                 plan.detail = plan.detail.or(Some("less-margin"));
             }
             let figures = road::figures(&world.geometry, &world.body, &self.traffic.lanes, &plan.path);

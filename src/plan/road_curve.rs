@@ -22,8 +22,8 @@ const FORWARD: f64 = 0.5;
 const CLOSER: f64 = 0.7;
 /// Curves tried for one that keeps the margin.
 const ROUNDS: u32 = 4;
-/// Less room than the margin by this is as good as the margin, metres.
-const HAIR: f64 = 1e-3;
+/// Clearances this much below the margin count as keeping it, metres.
+const MARGIN_TOLERANCE: f64 = 1e-3;
 /// Extra clearance requested at a station that lacked clearance, metres.
 const SPARE: f64 = 0.02;
 /// And not only there but at so many stations around.
@@ -50,7 +50,7 @@ struct Candidate {
 impl Candidate {
     fn is_better_than(&self, other: &Self) -> bool {
         let more = self.kept - other.kept;
-        more > HAIR || (more > -HAIR && self.cost < other.cost)
+        more > MARGIN_TOLERANCE || (more > -MARGIN_TOLERANCE && self.cost < other.cost)
     }
 }
 
@@ -121,7 +121,7 @@ impl Curve<'_> {
     }
 
     fn is_kept(&self, room: f64) -> bool {
-        room >= self.how.margin - HAIR
+        room >= self.how.margin - MARGIN_TOLERANCE
     }
 
     fn candidate(&self, spline: Spline, lateral: &Lateral) -> (Candidate, Vec<(Point, f64)>) {

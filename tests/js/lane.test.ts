@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import type { Plan } from "parkade";
-import { Lane, PATIENCE_MS, type WorkerLike } from "../../www/src/planning/planner-queue";
+import { Lane, GIVE_UP_AFTER_MS, type WorkerLike } from "../../www/src/planning/planner-queue";
 import { WorkerPool } from "../../www/src/planning/pool";
 import type { Reply, Request } from "../../www/src/planning/protocol";
 import type { Scenario } from "../../www/src/scene/scenario";
@@ -108,7 +108,7 @@ describe("a planner's lane", () => {
     const { workers, heard, plan } = setup();
     plan(1);
     plan(2);
-    vi.advanceTimersByTime(PATIENCE_MS + 1);
+    vi.advanceTimersByTime(GIVE_UP_AFTER_MS + 1);
     expect(workers[0]!.terminated).toBe(true);
     expect(workers[1]!.plans).toEqual([2]);
     workers[0]!.answer(1);
@@ -126,7 +126,7 @@ describe("a planner's lane", () => {
     workers[0]!.tell(1, 768);
     workers[0]!.tell(2, 256);
     plan(3);
-    vi.advanceTimersByTime(PATIENCE_MS + 1);
+    vi.advanceTimersByTime(GIVE_UP_AFTER_MS + 1);
     workers[0]!.tell(2, 512);
     workers[1]!.tell(3, 256);
     expect(heard).toEqual(["1 at 256", "planned 1", "2 at 256", "3 at 256"]);
@@ -135,7 +135,7 @@ describe("a planner's lane", () => {
   it("lets a long plan run while nothing newer waits", () => {
     const { workers, plan } = setup();
     plan(1);
-    vi.advanceTimersByTime(60 * PATIENCE_MS);
+    vi.advanceTimersByTime(60 * GIVE_UP_AFTER_MS);
     expect(workers[0]!.terminated).toBe(false);
   });
 
@@ -163,7 +163,7 @@ describe("a planner's lane", () => {
     plan(3);
     expect(scenes(1)).toEqual([scene, null]);
     plan(4);
-    vi.advanceTimersByTime(PATIENCE_MS + 1);
+    vi.advanceTimersByTime(GIVE_UP_AFTER_MS + 1);
     expect(scenes(2)).toEqual([scene]);
   });
 

@@ -6,7 +6,7 @@ use crate::geometry::reeds_shepp::Word;
 use crate::vehicle::collision::CollisionChecker;
 
 /// Connections that are kept.
-const KEPT: usize = 4000;
+const MAX_RECORDED: usize = 4000;
 
 /// Failed connections, at most one an expansion: the cheapest that was tried.
 #[derive(Debug, Clone, Default)]
@@ -56,7 +56,7 @@ impl Recorder {
         let expansion = self.expansions;
         self.expansions += 1;
         let Some(word) = missed else { return };
-        if self.shots.owners.len() >= KEPT {
+        if self.shots.owners.len() >= MAX_RECORDED {
             self.shots.dropped += 1;
             return;
         }

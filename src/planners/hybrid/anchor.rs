@@ -9,36 +9,36 @@ use super::cost::{CostModel, Motion};
 use super::domain::take_cheapest;
 use super::level::{Search, Work};
 use super::obstacle_heuristic::ObstacleHeuristic;
-use super::{Query, Report, Scratch, Status, TIGHT, shortcut};
+use super::{Query, Report, Scratch, Status, TIGHT_CLEARANCE, shortcut};
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::reeds_shepp::{self, Word};
 use crate::geometry::{Point, Pose, math};
 use crate::vehicle::collision::{CollisionChecker, Corridor};
 
 /// Knots of the path are this far apart, metres.
-const KNOT: f64 = 0.5;
+const KNOT_SPACING: f64 = 0.5;
 /// Knots at either end among which a new end may join.
-const JOINTS: usize = 16;
+const JOINT_KNOTS: usize = 16;
 /// Spacing of collision checks, metres.
-const SPACING: f64 = 0.1;
+const CHECK_SPACING: f64 = 0.1;
 /// Ends closer than this are the same, metres and radians.
-const SAME: f64 = 1e-9;
+const SAME_POSE: f64 = 1e-9;
 /// A path no place of which is farther than this from another's, metres, …
-const NEAR: f64 = 0.98;
+const SAME_PATH_DISTANCE: f64 = 0.98;
 /// … or than so many times as far as an end has moved, is the same to the eye.
-const MOVED: f64 = 1.2;
+const SAME_PATH_SHIFT: f64 = 1.2;
 /// The corridor around a path is narrower by this, half a cell's diagonal, metres.
-const CELL: f64 = 0.14;
+const CORRIDOR_INSET: f64 = 0.14;
 /// Knots before and behind an obstacle between which a path is led around it.
-const AROUND: usize = 12;
+const DETOUR_KNOTS: usize = 12;
 /// Paths are compared this often along them, metres, …
-const LOOK: f64 = 0.25;
+const COMPARE_SPACING: f64 = 0.25;
 /// … long ones at so many places.
-const LOOKS: f64 = 500.0;
+const MAX_COMPARISONS: f64 = 500.0;
 /// Arcs with less curvature are as long as their chords, 1/m.
-const FLAT: f64 = 1e-6;
+const STRAIGHT_CURVATURE: f64 = 1e-6;
 /// Expansions of the search around the old path, on the coarsest level and on the next.
-const EFFORT: [u32; 2] = [1500, 4000];
+const CORRIDOR_EXPANSIONS: [u32; 2] = [1500, 4000];
 
 /// A path and where it begins, in the obstacles' coordinates.
 #[derive(Debug, Clone)]
@@ -58,7 +58,7 @@ impl Last {
         let arcs = poses.windows(2).zip(gears).zip(curvatures).map(|((ends, &gear), &curvature)| {
             let chord = f64::from(gear) * (ends[1].point() - ends[0].point()).norm();
             let turned = math::turn(ends[0].heading, ends[1].heading);
-            let length = if curvature.abs() < FLAT { chord } else { turned / curvature };
+            let length = if curvature.abs() < STRAIGHT_CURVATURE { chord } else { turned / curvature };
             Arc { curvature, length }
         });
         Self { start, arcs: arcs::merge(arcs) }
@@ -70,7 +70,7 @@ impl Last {
 }
 
 fn poses(start: Pose, path: &[Arc]) -> impl Iterator<Item = Pose> {
-    let step = LOOK.max(arcs::length(path) / LOOKS);
+    let step = COMPARE_SPACING.max(arcs::length(path) / MAX_COMPARISONS);
     arcs::sample(start, path, arcs::end(start, path), step).into_iter().map(|at| at.pose)
 }
 
@@ -94,7 +94,7 @@ pub fn stay(
     let costs = CostModel::driven(config, query.vehicle.min_turning_radius(), [start, goal]);
     let end = arcs::end(last.start, &last.arcs);
     let moved = (start.point() - last.start.point()).norm().max((goal.point() - end.point()).norm());
-    let reach = NEAR.max(MOVED * moved);
+    let reach = SAME_PATH_DISTANCE.max(SAME_PATH_SHIFT * moved);
     let path = last.points();
     let old = Old { query, config, last, report, share, cuts, ends: [start, goal], costs, path };
     let mut is_kept =
@@ -103,15 +103,15 @@ pub fn stay(
     if free.is_some() || old.strays(&report.arcs) <= reach {
         return free;
     }
-    let corridor = Corridor::around(&old.path, reach - CELL);
+    let corridor = Corridor::around(&old.path, reach - CORRIDOR_INSET);
     let narrow = probe.within(&corridor);
     let anchored = old.anchored(&narrow).filter(&mut is_kept);
-    anchored.or_else(|| old.bent(&narrow, reach - CELL, scratch).filter(is_kept))
+    anchored.or_else(|| old.bent(&narrow, reach - CORRIDOR_INSET, scratch).filter(is_kept))
 }
 
 fn split(path: &[Arc]) -> Vec<Arc> {
     let parts = |arc: &Arc| {
-        let count = (arc.length.abs() / KNOT).ceil().max(1.0);
+        let count = (arc.length.abs() / KNOT_SPACING).ceil().max(1.0);
         core::iter::repeat_n(Arc { length: arc.length / count, ..*arc }, count as usize)
     };
     path.iter().flat_map(parts).collect()
@@ -169,7 +169,7 @@ impl Old<'_> {
         let path: Vec<Arc> =
             head.into_iter().chain(kept.iter().copied()).chain(arcs::reversed(&tail)).collect();
         let path = joining.mended(start, split(&path))?;
-        let rules = shortcut::Rules { probe, costs: &self.costs, spacing: SPACING, margin };
+        let rules = shortcut::Rules { probe, costs: &self.costs, spacing: CHECK_SPACING, margin };
         let path = arcs::merge(path);
         let path = if self.cuts { shortcut::shortcut(rules, start, path) } else { path };
         Some(self.answer(path, probe))
@@ -186,7 +186,7 @@ impl Old<'_> {
             poses(self.last.start, &self.last.arcs).map(|pose| flood.disc(pose)).collect();
         let flood = flood.within(&Corridor::around(&discs, reach));
         let config = &Config { search_from: SearchFrom::Goal, ..*self.config };
-        let room = probe.clearance(start, TIGHT).min(probe.clearance(goal, TIGHT));
+        let room = probe.clearance(start, TIGHT_CLEARANCE).min(probe.clearance(goal, TIGHT_CLEARANCE));
         let search = Search {
             query: self.query,
             config,
@@ -197,11 +197,11 @@ impl Old<'_> {
             mirrored,
             start,
             goal,
-            tight: room < TIGHT,
+            tight: room < TIGHT_CLEARANCE,
             trace: false,
             goals: &[],
         };
-        (0..config.levels()).zip(EFFORT).find_map(|(number, most)| {
+        (0..config.levels()).zip(CORRIDOR_EXPANSIONS).find_map(|(number, most)| {
             let mut report =
                 Report { margin: self.report.margin, level: self.report.level, ..self.report.counters() };
             let level = config.level(number);
@@ -223,12 +223,12 @@ impl Joining<'_> {
     /// replaces.
     fn lead(&self, new: Pose, old: Pose, knots: &[Arc]) -> Option<(Vec<Arc>, usize)> {
         let apart = (new.point() - old.point()).norm() + math::turn(new.heading, old.heading).abs();
-        if apart < SAME {
+        if apart < SAME_POSE {
             return Some((Vec::new(), 0));
         }
         let (mut pose, mut spent, mut before) = (old, 0.0, Motion::default());
         let mut best: Option<(f64, Word, usize)> = None;
-        for replaced in 0..=knots.len().min(JOINTS) {
+        for replaced in 0..=knots.len().min(JOINT_KNOTS) {
             let bound = best.as_ref().map_or(f64::INFINITY, |best| best.0 + spent);
             if let Some((cost, word)) = self.curve(new, pose, bound) {
                 best = Some((cost - spent, word, replaced));
@@ -250,12 +250,12 @@ impl Joining<'_> {
                 *pose = pose.advance(arc.curvature, arc.length);
                 Some(*pose)
             }));
-            let is_free = |at: usize| self.probe.arc_free(poses[at], &knots[at], SPACING, self.margin);
+            let is_free = |at: usize| self.probe.arc_free(poses[at], &knots[at], CHECK_SPACING, self.margin);
             let Some(first) = (from..knots.len()).find(|&at| !is_free(at)) else { return Some(knots) };
             let behind = (first + 1..knots.len()).find(|&at| is_free(at)).unwrap_or(knots.len());
             let mut best: Option<(f64, Word, usize, usize)> = None;
-            for i in (first.saturating_sub(AROUND)..=first).rev() {
-                for j in behind..=knots.len().min(behind + AROUND) {
+            for i in (first.saturating_sub(DETOUR_KNOTS)..=first).rev() {
+                for j in behind..=knots.len().min(behind + DETOUR_KNOTS) {
                     let saved = self.stretch(&knots[i..j]);
                     let bound = best.as_ref().map_or(f64::INFINITY, |best| best.0 + saved);
                     if let Some((cost, word)) = self.curve(poses[i], poses[j], bound) {
@@ -291,7 +291,7 @@ impl Joining<'_> {
         core::iter::from_fn(|| take_cheapest(&mut found)).find(|(_, word)| {
             let mut pose = from;
             word.arcs(self.costs.radius).all(|arc| {
-                let free = self.probe.arc_free(pose, &arc, SPACING, self.margin);
+                let free = self.probe.arc_free(pose, &arc, CHECK_SPACING, self.margin);
                 pose = pose.advance(arc.curvature, arc.length);
                 free
             })

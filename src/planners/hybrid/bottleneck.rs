@@ -7,13 +7,13 @@ use crate::vehicle::Vehicle;
 use crate::vehicle::collision::Obstacles;
 
 /// Side of a lattice cell on worlds that are small enough, metres.
-const CELL: f64 = 0.05;
+const CELL_SIDE: f64 = 0.05;
 /// Cells of the lattice, at most.
-const CELLS: f64 = 1_500_000.0;
+const MAX_CELLS: f64 = 1_500_000.0;
 /// Anything narrower is a wall, not a gap, metres.
-const SLIT: f64 = 0.2;
+const MIN_GAP: f64 = 0.2;
 /// Slots per metre of clearance when the widest way is looked for.
-const SLOTS: f64 = 50.0;
+const BUCKETS_PER_METRE: f64 = 50.0;
 
 /// The narrowest place of the widest way from start to goal, local, if it is narrower than the car.
 pub(super) fn too_narrow(obstacles: &Obstacles, vehicle: &Vehicle, start: Pose, goal: Pose) -> Option<Gap> {
@@ -28,17 +28,17 @@ pub(super) fn too_narrow(obstacles: &Obstacles, vehicle: &Vehicle, start: Pose, 
     if narrowest(frame, clearance).is_none_or(|at| clearance.data[frame.index(at)] == 0.0) {
         return None;
     }
-    let (frame, clearance) = obstacles.lattice(CELL, CELLS);
+    let (frame, clearance) = obstacles.lattice(CELL_SIDE, MAX_CELLS);
     let at = frame.center(narrowest(&frame, &clearance)?);
     let width = 2.0 * obstacles.distance(at, vehicle.width);
-    (SLIT..vehicle.width).contains(&width).then_some(Gap { width, at })
+    (MIN_GAP..vehicle.width).contains(&width).then_some(Gap { width, at })
 }
 
-const AROUND: [(i32, i32); 8] = [(1, 0), (0, 1), (-1, 0), (0, -1), (1, 1), (-1, 1), (-1, -1), (1, -1)];
+const NEIGHBOURS: [(i32, i32); 8] = [(1, 0), (0, 1), (-1, 0), (0, -1), (1, 1), (-1, 1), (-1, -1), (1, -1)];
 
 fn neighbours(frame: &Frame, at: usize) -> impl Iterator<Item = usize> + '_ {
     let cell = frame.cell(at);
-    AROUND
+    NEIGHBOURS
         .iter()
         .map(move |&(dx, dy)| cell.offset(dx, dy))
         .filter(|&c| frame.contains(c))
@@ -48,7 +48,7 @@ fn neighbours(frame: &Frame, at: usize) -> impl Iterator<Item = usize> + '_ {
 /// The narrowest cell of the widest way.
 fn bottleneck(frame: &Frame, clearance: &Layer<f32>, from: Cell, to: Cell) -> Option<Cell> {
     let (from, to) = (frame.index(from), frame.index(to));
-    let slot = |v: f32| (f64::from(v) * SLOTS) as usize;
+    let slot = |v: f32| (f64::from(v) * BUCKETS_PER_METRE) as usize;
     let widest = clearance.data.iter().copied().fold(0.0, f32::max);
     let mut slots = vec![Vec::new(); slot(widest) + 1];
     // For each reached cell, the narrowest cell on its way.

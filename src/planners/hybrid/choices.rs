@@ -4,8 +4,8 @@ use core::ops::ControlFlow;
 
 use super::config::{Config, Level, Profile, SearchFrom};
 use super::level::{Search, Work};
-use super::portfolio::{COMFORTABLE, Floods};
-use super::widest::{self, PARTS};
+use super::portfolio::{COMFORTABLE_MARGIN, Floods};
+use super::widest::{self, GAP_PARTS};
 use super::{Query, Report, Scratch, Status};
 use crate::geometry::{Pose, arcs};
 use crate::json;
@@ -28,25 +28,25 @@ pub enum Prefer {
 json::words!(Prefer: "shortest" = Shortest, "fewest-changes" = FewestChanges, "widest" = Widest, "fastest" = Fastest);
 
 /// More room than this is room enough, metres.
-const ROOMY: f64 = 1.0;
+const ENOUGH_CLEARANCE: f64 = 1.0;
 /// Margins that are tried for more room, as shares of the room at the ends.
-pub(super) const SHARES: [f64; 5] = [0.95, 0.8, 0.65, 0.5, 0.35];
+pub(super) const MARGIN_SHARES: [f64; 5] = [0.95, 0.8, 0.65, 0.5, 0.35];
 /// Expansions of each level's search with one margin.
-const WIDER: [u32; 2] = [3000, 8000];
+const WIDER_EXPANSIONS: [u32; 2] = [3000, 8000];
 /// Expansions of each level's search for fewer gear changes in layers.
-const LAYERS: [u32; 3] = [5000, 20_000, 40_000];
+const LAYER_EXPANSIONS: [u32; 3] = [5000, 20_000, 40_000];
 /// The finest level on which fewer are looked for.
-const FINEST: u32 = 3;
+const FINEST_LAYER_LEVEL: u32 = 3;
 /// Extra cost of a gear change there, metres, …
-const DETOUR: f64 = 5.0;
+const EXTRA_CHANGE_COST: f64 = 5.0;
 /// … and expansions of each such search.
-const PRICED: u32 = 20_000;
+const PRICED_EXPANSIONS: u32 = 20_000;
 /// Expansions of each level's search for a shorter or a quicker path.
-const BETTER: [u32; 2] = [10_000, 20_000];
+const BETTER_EXPANSIONS: [u32; 2] = [10_000, 20_000];
 /// The price of a gear change where fewer are looked for: this many metres …
-const PRICE: f64 = 100.0;
+const CHANGE_PRICE: f64 = 100.0;
 /// … and this many lengths of the first path. No way that is worth taking is as long.
-const PRICE_LENGTHS: f64 = 3.0;
+const CHANGE_PRICE_LENGTHS: f64 = 3.0;
 /// Time of a gear change, expressed in metres at full speed.
 const CHANGE_TIME: f64 = 6.0;
 /// Time to turn the wheel from straight to full lock, expressed in metres at full speed.
@@ -71,15 +71,15 @@ pub fn choices(
     let goals = if goals.len() > 1 { &goals[..] } else { &[] };
     let widest = if goals.is_empty() { 0.0 } else { widest::clearance(&probe, start, &first.arcs) };
     let mut margins = if goals.is_empty() {
-        let room = probe.clearance(start, ROOMY).min(probe.clearance(goal, ROOMY));
-        SHARES.map(|share| share * room).to_vec()
+        let room = probe.clearance(start, ENOUGH_CLEARANCE).min(probe.clearance(goal, ENOUGH_CLEARANCE));
+        MARGIN_SHARES.map(|share| share * room).to_vec()
     } else {
         widest::margins(&probe, start, goals, widest)
     };
     margins.retain(|&margin| margin > first.margin);
-    let parts = if goals.is_empty() { 1 } else { PARTS };
+    let parts = if goals.is_empty() { 1 } else { GAP_PARTS };
     let kept = margins.len();
-    margins.extend([first.margin, COMFORTABLE]);
+    margins.extend([first.margin, COMFORTABLE_MARGIN]);
     let mirrored = !goals.is_empty() || first.from_goal || config.search_from == SearchFrom::Both;
     let [root, target] = if mirrored { [goal, start] } else { [start, goal] };
     let floods = Floods::with(query, [target, root], margins);
@@ -152,13 +152,13 @@ impl Run<'_, '_> {
     /// layers, by a price that is worth a detour. From the other end fine steps only spend their budget: it is the one
     /// with room.
     fn fewer_changes(&mut self) -> Goes {
-        let last = self.kept + usize::from(self.first.margin > COMFORTABLE);
+        let last = self.kept + usize::from(self.first.margin > COMFORTABLE_MARGIN);
         for margin in self.kept..=last {
             self.layers(0, margin, false)?;
             if self.work.report.status != Status::NoPath {
                 self.layers(0, margin, true)?;
             }
-            for number in 1..=FINEST {
+            for number in 1..=FINEST_LAYER_LEVEL {
                 self.fewer_by_price(number, margin)?;
                 self.layers(number, margin, false)?;
             }
@@ -173,18 +173,18 @@ impl Run<'_, '_> {
         // Fine steps find nothing without changes that coarse ones do not. From the start a search leads to one goal.
         if (is_swapped && !self.search.goals.is_empty())
             || number >= config.levels()
-            || number as usize >= LAYERS.len()
+            || number as usize >= LAYER_EXPANSIONS.len()
             || self.changes < number.max(1)
         {
             return Goes::Continue(());
         }
-        let price = PRICE + PRICE_LENGTHS * arcs::length(&self.first.arcs);
+        let price = CHANGE_PRICE + CHANGE_PRICE_LENGTHS * arcs::length(&self.first.arcs);
         let level = Level {
             extra_change: price - config.with_profile().direction_change_cost,
             bound: price * f64::from(self.changes),
             ..config.level(number)
         };
-        self.attempt(&config, (level, number, LAYERS[number as usize]), margin, is_swapped)?;
+        self.attempt(&config, (level, number, LAYER_EXPANSIONS[number as usize]), margin, is_swapped)?;
         Goes::Continue(())
     }
 
@@ -193,8 +193,8 @@ impl Run<'_, '_> {
         if number >= config.levels() || self.changes < 2 {
             return Goes::Continue(());
         }
-        let level = Level { extra_change: DETOUR, ..config.level(number) };
-        self.attempt(&config, (level, number, PRICED), margin, false)?;
+        let level = Level { extra_change: EXTRA_CHANGE_COST, ..config.level(number) };
+        self.attempt(&config, (level, number, PRICED_EXPANSIONS), margin, false)?;
         Goes::Continue(())
     }
 
@@ -209,7 +209,7 @@ impl Run<'_, '_> {
             obstacle_cost: 0.0,
             ..*self.search.config
         };
-        for (number, most) in (0..config.levels()).zip(BETTER) {
+        for (number, most) in (0..config.levels()).zip(BETTER_EXPANSIONS) {
             let level = Level { extra_change: 0.0, ..config.level(number) };
             self.attempt(&config, (level, number, most), self.kept, false)?;
         }
@@ -256,7 +256,7 @@ impl Run<'_, '_> {
     /// A path with one of the margins; tells whether there is one.
     fn with_margin(&mut self, margin: usize) -> Goes<bool> {
         let config = *self.search.config;
-        for (number, most) in (0..config.levels()).zip(WIDER) {
+        for (number, most) in (0..config.levels()).zip(WIDER_EXPANSIONS) {
             if self.attempt(&config, (config.level(number), number, most), margin, false)? {
                 return Goes::Continue(true);
             }
@@ -319,7 +319,7 @@ mod tests {
     use crate::vehicle::Vehicle;
     use crate::vehicle::collision::{Obstacles, Solid};
 
-    const PRICE: f64 = 1000.0;
+    const CHANGE_PRICE: f64 = 1000.0;
     const CART: Vehicle = Vehicle {
         wheelbase: 1.2,
         width: 0.9,
@@ -380,7 +380,7 @@ mod tests {
             xy: 0.5,
             yaw: 0.35,
             step: 0.7,
-            extra_change: PRICE - config.direction_change_cost,
+            extra_change: CHANGE_PRICE - config.direction_change_cost,
             weight,
             bound,
             ..config.level(1)
@@ -443,15 +443,15 @@ mod tests {
                 }
                 let at = Visit { node, label, g: length, parent: None };
                 if let Some(finish) = lattice.finish(at, f64::INFINITY) {
-                    let all = changes as u32 + (finish.cost / PRICE) as u32;
+                    let all = changes as u32 + (finish.cost / CHANGE_PRICE) as u32;
                     best = Some(best.map_or(all, |best| best.min(all)));
                 }
                 let mut moves = Moves(Vec::new());
                 lattice.successors(at, &mut moves);
                 for (target, cost, label) in moves.0 {
-                    let is_change = cost >= PRICE;
+                    let is_change = cost >= CHANGE_PRICE;
                     let layer = changes + usize::from(is_change);
-                    let length = length + if is_change { cost - PRICE } else { cost };
+                    let length = length + if is_change { cost - CHANGE_PRICE } else { cost };
                     let is_better =
                         shortest.get(&target).is_none_or(|&(least, way)| (layer, length) < (least, way));
                     if closed.contains(&target)
@@ -489,13 +489,13 @@ mod tests {
                 let begin = (lattice.node(root, 0), State { pose: root, ..State::default() });
                 let found = best_first(&mut lattice, begin, limits, &mut search::Scratch::default(), &mut ());
                 assert_ne!(found.end, End::BudgetSpent);
-                found.found.map(|found| (found.1 / PRICE) as u32)
+                found.found.map(|found| (found.1 / CHANGE_PRICE) as u32)
             };
             assert_eq!(searched(0.0, f64::INFINITY), fewest);
             alike += u32::from(searched(1.0, f64::INFINITY) == fewest);
             if let Some(fewest) = fewest {
-                assert_eq!(searched(0.0, PRICE * f64::from(fewest)), None, "none with fewer");
-                assert_eq!(searched(0.0, PRICE * f64::from(fewest + 1)), Some(fewest));
+                assert_eq!(searched(0.0, CHANGE_PRICE * f64::from(fewest)), None, "none with fewer");
+                assert_eq!(searched(0.0, CHANGE_PRICE * f64::from(fewest + 1)), Some(fewest));
             }
             tally[fewest.map_or(5, |fewest| fewest.min(4) as usize)] += 1;
             rooms += 1;

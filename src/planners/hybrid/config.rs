@@ -157,7 +157,7 @@ parameters! {
                  ["Finer levels", "逐级细化"], ["Tries finer steps if coarse ones fail.", "粗步无解时尝试更细的步长。"]);
         /// The finest level that is tried, 0 to 6; from 5 on, for cars that can hardly move, smaller margins are tried
         /// too.
-        finest_level: u32 = LEVELS - 1,
+        finest_level: u32 = LEVEL_COUNT - 1,
             spec("finestLevel", Form::Integer(0.0, 6.0), "1", false,
                  ["Finest level", "最细级别"],
                  ["5 and 6: very tight spaces, many gear changes.", "5 和 6 用于极窄空间，换挡很多。"]).within(0.0, 6.0);
@@ -226,7 +226,7 @@ impl Config {
 }
 
 /// Levels from this one on are for cars that can hardly move.
-pub(super) const SHUFFLING: u32 = 5;
+pub(super) const FIRST_SHUFFLING_LEVEL: u32 = 5;
 
 /// One resolution of the lattice.
 #[derive(Debug, Clone, Copy)]
@@ -259,11 +259,11 @@ impl Level {
     /// As it serves best where a way out of every slot is known and the way to the target is not: coarser headings, and
     /// hardly any connections.
     pub(super) fn in_open_space(self, max_expansions: u32) -> Self {
-        let (xy, yaw) = (self.xy.max(OPEN.0), self.yaw.max(OPEN.1 * DEGREE));
+        let (xy, yaw) = (self.xy.max(OPEN_LATTICE.0), self.yaw.max(OPEN_LATTICE.1 * DEGREE));
         Self {
             xy,
             yaw,
-            step: self.step.max(OPEN.2),
+            step: self.step.max(OPEN_LATTICE.2),
             connect_every: OPEN_CONNECT_EVERY,
             max_expansions,
             ..self
@@ -273,7 +273,7 @@ impl Level {
 
 /// The finest lattice in open space: metres, degrees, metres.
 #[cfg(feature = "complete")]
-const OPEN: (f64, f64, f64) = (0.08, 1.0, 0.12);
+const OPEN_LATTICE: (f64, f64, f64) = (0.08, 1.0, 0.12);
 /// Every so-many-th state is tried with a curve to the target there.
 #[cfg(feature = "complete")]
 const OPEN_CONNECT_EVERY: u32 = 16;
@@ -281,12 +281,12 @@ const OPEN_CONNECT_EVERY: u32 = 16;
 const DEGREE: f64 = core::f64::consts::PI / 180.0;
 
 /// How many levels there are.
-const LEVELS: u32 = 7;
+const LEVEL_COUNT: u32 = 7;
 
 impl Config {
     /// How many levels these settings allow.
     pub(super) fn levels(&self) -> u32 {
-        if self.ladder { self.finest_level.min(LEVELS - 1) + 1 } else { 1 }
+        if self.ladder { self.finest_level.min(LEVEL_COUNT - 1) + 1 } else { 1 }
     }
 
     /// Side of a position cell, metres, and width of a heading bin, radians, of a level.
@@ -307,7 +307,7 @@ impl Config {
             5 => (0.05, 1.0, 1.0, 1, 0.05, 10_000, 1.2),
             _ => (0.03, 0.5, 1.0, 1, 0.05, 10_000, 1.2),
         };
-        let shuffle = number >= SHUFFLING;
+        let shuffle = number >= FIRST_SHUFFLING_LEVEL;
         let connect_every = if shuffle { 1 } else { (2 * number).max(1) };
         let level = Level {
             xy,

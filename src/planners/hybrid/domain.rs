@@ -15,16 +15,16 @@ use crate::vehicle::Vehicle;
 use crate::vehicle::collision::{CollisionChecker, Reach, Sampling};
 
 /// While shuffling, where the body has this much room around it, metres, …
-const ROOM: f64 = 0.1;
+const SHUFFLE_CLEARANCE: f64 = 0.1;
 /// … states are told apart no finer than this: metres and radians.
-const ROOMY: (f64, f64) = (0.5, math::PI / 36.0);
+const SHUFFLE_BINS: (f64, f64) = (0.5, math::PI / 36.0);
 /// Collision checks that a word may take on average …
-const WORK: u32 = 1000;
+const CHECKS_PER_WORD: u32 = 1000;
 /// … when so many have been spent: what is longer, in a world of which nothing is known between two checks, is not
 /// tried.
-const SPARE: u32 = 1_000_000;
+const FREE_CHECKS: u32 = 1_000_000;
 /// Moves while shuffling are at least this long, metres.
-const SHORTEST: f64 = 0.01;
+const MIN_SHUFFLE_MOVE: f64 = 0.01;
 /// A key that no lattice cell has.
 #[cfg(feature = "complete")]
 const NO_CELL: u64 = u64::MAX;
@@ -142,8 +142,8 @@ impl<'a> StateLattice<'a> {
 
     /// The number of a state's lattice cell.
     pub(super) fn node(&self, pose: Pose, gear: i8) -> NodeId {
-        let clear_by = self.level.shuffle && self.probe.clear_by(pose, ROOM);
-        let (xy, yaw) = if clear_by { ROOMY } else { (self.level.xy, self.level.yaw) };
+        let clear_by = self.level.shuffle && self.probe.clear_by(pose, SHUFFLE_CLEARANCE);
+        let (xy, yaw) = if clear_by { SHUFFLE_BINS } else { (self.level.xy, self.level.yaw) };
         // The offset keeps what lies left of or below the origin positive.
         let cell = |v: f64| (v / xy + f64::from(1 << 20)) as u64 & 0x1f_ffff;
         let bins = (math::TAU / yaw).ceil() as u64;
@@ -182,13 +182,13 @@ impl<'a> StateLattice<'a> {
             return [arc.length, 0.0];
         }
         let far = self.probe.free_length(from, arc, self.level.spacing, self.margin);
-        [far, far / 2.0].map(|far| if far < SHORTEST { 0.0 } else { far.copysign(arc.length) })
+        [far, far / 2.0].map(|far| if far < MIN_SHUFFLE_MOVE { 0.0 } else { far.copysign(arc.length) })
     }
 
     /// True if a word can be driven; not, too, where words have taken too much work.
     pub(super) fn word_free(&self, from: Pose, word: &Word) -> bool {
         let (words, checks) = self.tried.get();
-        if checks > SPARE.saturating_add(words.saturating_mul(WORK)) {
+        if checks > FREE_CHECKS.saturating_add(words.saturating_mul(CHECKS_PER_WORD)) {
             self.tried.set((words + 1, checks));
             return false;
         }

@@ -6,17 +6,17 @@
 
 use super::level::{Search, Work};
 use super::obstacle_heuristic::ObstacleHeuristic;
-use super::{Config, HAIR, Query, Report, Scratch, Status, TIGHT, empty, plan};
+use super::{Config, MIN_MARGIN, Query, Report, Scratch, Status, TIGHT_CLEARANCE, empty, plan};
 use crate::geometry::{Pose, arcs, math, reeds_shepp};
 use crate::search::Progress;
 use crate::vehicle::Vehicle;
 use crate::vehicle::collision::{CollisionChecker, Obstacles};
 
 /// Expansions after which no further goal is planned for on its own: four goals that nobody can reach may take as many.
-const EFFORT: u32 = 600_000;
+const MAX_SINGLE_GOAL_EXPANSIONS: u32 = 600_000;
 
 /// A goal with less room than another is taken where its path costs less than this share of the other's.
-const WORTH: f64 = 0.97;
+const ROOM_TRADE: f64 = 0.97;
 
 /// Plans a path to the cheapest of some goals, one at least; tells which. The query's own goal is ignored.
 ///
@@ -124,7 +124,7 @@ impl Many<'_> {
         self.at_once(&clear_by, &clearances, &flood, (&mut sum, scratch, progress));
         let mut best = self.kept(&mut sum);
         // Goals with less room only where they may be nearer than what was found with more.
-        let worth = best.as_ref().map_or(f64::INFINITY, |(_, best)| best.cost * WORTH);
+        let worth = best.as_ref().map_or(f64::INFINITY, |(_, best)| best.cost * ROOM_TRADE);
         tight.retain(|&at| self.estimate(at, &flood) < worth);
         if !tight.is_empty() {
             let least = tight.iter().map(|&at| clearances[at]).fold(f64::INFINITY, f64::min);
@@ -136,7 +136,7 @@ impl Many<'_> {
                         .filter(|again| !again.arcs.is_empty())
                         .unwrap_or(found);
                 }
-                if best.as_ref().is_none_or(|(_, best)| found.cost < best.cost * WORTH) {
+                if best.as_ref().is_none_or(|(_, best)| found.cost < best.cost * ROOM_TRADE) {
                     best = Some((at, found));
                 }
             }
@@ -157,12 +157,12 @@ impl Many<'_> {
     }
 
     fn clearance(&self, pose: Pose) -> f64 {
-        self.probe.clearance(pose, self.config.margin.max(TIGHT))
+        self.probe.clearance(pose, self.config.margin.max(TIGHT_CLEARANCE))
     }
 
     /// The margin to a goal with this much room.
     fn margin(&self, clearance: f64) -> f64 {
-        self.config.margin.max(HAIR).min(clearance).min(self.clearance(self.start))
+        self.config.margin.max(MIN_MARGIN).min(clearance).min(self.clearance(self.start))
     }
 
     fn flood(&self, margin: f64, scratch: &mut Scratch) -> ObstacleHeuristic {
@@ -208,7 +208,7 @@ impl Many<'_> {
                 mirrored: true,
                 start: self.start,
                 goal: first,
-                tight: least.min(self.clearance(self.start)) < TIGHT,
+                tight: least.min(self.clearance(self.start)) < TIGHT_CLEARANCE,
                 trace: self.trace,
                 goals: &goals,
             };
@@ -233,7 +233,7 @@ impl Many<'_> {
         scratch: &mut Scratch,
         progress: &mut Option<Progress>,
     ) -> (usize, Report) {
-        let flood = self.flood(HAIR.min(sum.margin), scratch);
+        let flood = self.flood(MIN_MARGIN.min(sum.margin), scratch);
         let mut distances = self.distances(&flood);
         scratch.flood = Some(flood);
         let (mut answer, mut is_proven) = (None, true);
@@ -243,7 +243,8 @@ impl Many<'_> {
                 break;
             }
             if answer.is_some()
-                && (sum.expanded >= EFFORT || progress.as_ref().is_some_and(Progress::is_stopped))
+                && (sum.expanded >= MAX_SINGLE_GOAL_EXPANSIONS
+                    || progress.as_ref().is_some_and(Progress::is_stopped))
             {
                 is_proven = false;
                 break;

@@ -12,13 +12,13 @@ use crate::vehicle::Vehicle;
 use crate::vehicle::collision::CollisionChecker;
 
 /// Sides of the boxes that are tried in turn, in widths of the body; their turn moves a corner of it as far.
-const SIDES: [f64; 3] = [1.0 / 16.0, 1.0 / 32.0, 1.0 / 64.0];
+const BOX_SIDES: [f64; 3] = [1.0 / 16.0, 1.0 / 32.0, 1.0 / 64.0];
 /// Boxes looked at with each, at most.
-const BOXES: [u32; 3] = [100_000, 200_000, 400_000];
+const MAX_BOXES: [u32; 3] = [100_000, 200_000, 400_000];
 /// Width of a class of boxes by their way to the target, metres.
-const CLASS: f64 = 0.25;
+const BUCKET_WIDTH: f64 = 0.25;
 /// Shrunk by this much more, so that a touch on a box's face counts for both sides, metres.
-const ROUNDING: f64 = 1e-4;
+const FACE_OVERLAP: f64 = 1e-4;
 
 /// How the boxes from one end were searched.
 enum Search {
@@ -40,7 +40,7 @@ pub(super) fn proven_apart(
     margin: f64,
     keys: &mut StateIndex,
 ) -> Option<Pose> {
-    for (side, most) in SIDES.into_iter().zip(BOXES) {
+    for (side, most) in BOX_SIDES.into_iter().zip(MAX_BOXES) {
         match Boxes::new(car, flood, root, side * car.1.width, margin).search(target, most, keys) {
             Search::Reached => {}
             Search::Closed(nearest) => return Some(nearest),
@@ -90,7 +90,7 @@ impl<'a> Boxes<'a> {
             ahead,
             side,
             headings: (0..count as u32).map(heading).collect(),
-            margin: margin - moved - ROUNDING,
+            margin: margin - moved - FACE_OVERLAP,
         }
     }
 
@@ -168,7 +168,7 @@ impl<'a> Boxes<'a> {
     /// Notes an open box under its way to the target; tells its class.
     fn open(&self, classes: &mut Vec<Vec<u32>>, index: u32, pose: Pose) -> usize {
         let far = self.flood.distance(pose);
-        let class = if far.is_finite() { (far / CLASS) as usize } else { classes.len() };
+        let class = if far.is_finite() { (far / BUCKET_WIDTH) as usize } else { classes.len() };
         if class >= classes.len() {
             classes.resize_with(class + 1, Vec::new);
         }

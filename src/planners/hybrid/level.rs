@@ -14,15 +14,15 @@ use crate::search::{End, Limits, Progress, best_first};
 use crate::vehicle::collision::CollisionChecker;
 
 /// Spacing of the last check of a path, metres.
-const VERIFY: f64 = 0.01;
+const VERIFY_SPACING: f64 = 0.01;
 /// Expansions from the other end, to see whether anything leads out of there.
-const OTHER: u32 = 250;
+const OTHER_END_EXPANSIONS: u32 = 250;
 /// Expansions after which the estimate gets more weight.
-const SOON: u32 = 1000;
+const FIRST_BUDGET: u32 = 1000;
 /// Its weight then.
-const PATIENCE: f64 = 1.3;
+const RETRY_WEIGHT: f64 = 1.3;
 /// The first level's weight then.
-const TIGHT_WEIGHT: f64 = 1.2;
+const TIGHT_RETRY_WEIGHT: f64 = 1.2;
 /// A path whose reverse driving away from both ends costs more than this extra is searched again: ten metres of it.
 const FAR_REVERSE_PRICE: f64 = 5.0;
 /// Extra weight of a metre of it then. The price itself spends the budget on detours of equal promise.
@@ -31,7 +31,7 @@ const FAR_REVERSE_WEIGHT: f64 = 2.0;
 const FAR_REVERSE_EFFORT: f64 = 100.0;
 
 /// Margins that a path is tried with, too, where less is asked for, metres.
-const MORE_MARGIN: [f64; 2] = [0.05, 0.1];
+const COMPARED_MARGINS: [f64; 2] = [0.05, 0.1];
 
 /// State shared by the levels: the answer so far, the memory, and the observer of expansions.
 pub(super) struct Work<'a, 'p> {
@@ -84,15 +84,18 @@ impl<'a> Search<'a> {
     /// Searches the first level; tells whether there is a path. `other` is the same question from the other end.
     #[cfg_attr(feature = "complete", inline(never))]
     pub(super) fn first(&self, other: &dyn Fn() -> Option<Self>, level: Level, work: &mut Work) -> First {
-        let weight =
-            self.config.heuristic_weight.unwrap_or(if self.tight { TIGHT_WEIGHT } else { level.weight });
+        let weight = self.config.heuristic_weight.unwrap_or(if self.tight {
+            TIGHT_RETRY_WEIGHT
+        } else {
+            level.weight
+        });
         let level = Level { weight, ..level };
-        let soon = Level { max_expansions: level.max_expansions.min(SOON), ..level };
+        let soon = Level { max_expansions: level.max_expansions.min(FIRST_BUDGET), ..level };
         let mut found = self.level(soon, work);
         let is_unfinished = matches!(work.report.status, Status::Suboptimal | Status::BudgetExhausted(_));
         if is_unfinished && soon.max_expansions < level.max_expansions {
             if let Some(other) = if found { None } else { other() } {
-                let soon = Level { max_expansions: soon.max_expansions.min(OTHER), ..soon };
+                let soon = Level { max_expansions: soon.max_expansions.min(OTHER_END_EXPANSIONS), ..soon };
                 if other.level(soon, work) {
                     other.reconsider(level, work);
                     other.compare(level, work);
@@ -115,9 +118,9 @@ impl<'a> Search<'a> {
     /// Holds the path against what the same search finds with more margin and without the cost of obstacles: a lattice
     /// may hide a cheaper way from the search that is free to take it.
     fn compare(&self, level: Level, work: &mut Work) {
-        let level = Level { max_expansions: level.max_expansions.min(SOON), ..level };
+        let level = Level { max_expansions: level.max_expansions.min(FIRST_BUDGET), ..level };
         let margin = work.report.margin;
-        for more in MORE_MARGIN {
+        for more in COMPARED_MARGINS {
             if self.config.margin < more {
                 work.report.margin = more;
                 self.retry(level, Some(work.report.status), work);
@@ -132,8 +135,8 @@ impl<'a> Search<'a> {
     /// The first level with what the first try leaves of its budget. On long cluttered ways the plain estimate spends
     /// all of it on detours of equal promise.
     fn patient(&self, level: Level) -> Level {
-        let weight = self.config.heuristic_weight.unwrap_or(PATIENCE);
-        Level { weight, max_expansions: level.max_expansions - SOON, ..level }
+        let weight = self.config.heuristic_weight.unwrap_or(RETRY_WEIGHT);
+        Level { weight, max_expansions: level.max_expansions - FIRST_BUDGET, ..level }
     }
 
     /// Searches once more where the path found reverses far: for one that hardly does.
@@ -144,7 +147,7 @@ impl<'a> Search<'a> {
         let price = work.report.cost - without.path(self.probe, self.start, &work.report.arcs);
         if price > FAR_REVERSE_PRICE {
             let level = Level {
-                weight: self.config.heuristic_weight.unwrap_or(PATIENCE),
+                weight: self.config.heuristic_weight.unwrap_or(RETRY_WEIGHT),
                 far_reverse: FAR_REVERSE_WEIGHT,
                 max_expansions: level.max_expansions.min((price * FAR_REVERSE_EFFORT) as u32),
                 ..level
@@ -283,7 +286,7 @@ impl<'a> Search<'a> {
     fn verified(&self, arcs: &[Arc]) -> bool {
         let mut pose = self.start;
         let free = arcs.iter().all(|arc| {
-            let free = self.probe.arc_free(pose, arc, VERIFY, 0.0);
+            let free = self.probe.arc_free(pose, arc, VERIFY_SPACING, 0.0);
             pose = pose.advance(arc.curvature, arc.length);
             free
         });

@@ -54,13 +54,13 @@ use crate::vehicle::Vehicle;
 use crate::vehicle::collision::{CollisionChecker, Edge, Obstacles, Solid};
 
 /// A car that can go no farther than this, ahead and back together, is stuck, metres.
-const STUCK: f64 = 1.0;
+const STUCK_TRAVEL: f64 = 1.0;
 /// The least margin where start and goal have it, metres: what passes unseen between two checks.
-const HAIR: f64 = 0.002;
+const MIN_MARGIN: f64 = 0.002;
 /// Less clearance than this at start or goal is tight, metres.
-const TIGHT: f64 = 0.4;
+const TIGHT_CLEARANCE: f64 = 0.4;
 /// Arcs of the search tree that are kept for drawing.
-const TREE: usize = 20_000;
+const MAX_TREE_ARCS: usize = 20_000;
 
 /// Everything that blocks in a scene, prepared for queries. Owner 0 is the border, owner k is `shapes[k - 1]`.
 pub fn obstacles(geometry: &Geometry) -> Obstacles {
@@ -192,7 +192,7 @@ impl Observer<f64, State> for Tree {
         if at.length == 0.0 {
             return;
         }
-        if self.arcs.len() >= TREE * 5 {
+        if self.arcs.len() >= MAX_TREE_ARCS * 5 {
             self.dropped += 1;
             return;
         }
@@ -275,9 +275,9 @@ pub fn plan(
         report.obstruction = Some(Obstruction::Contact { at_start: false, owner });
         return report;
     }
-    let look = config.margin.max(TIGHT);
+    let look = config.margin.max(TIGHT_CLEARANCE);
     let clearance = probe.clearance(start, look).min(probe.clearance(goal, look));
-    report.margin = config.margin.max(HAIR).min(clearance);
+    report.margin = config.margin.max(MIN_MARGIN).min(clearance);
     let apart = (goal.point() - start.point()).norm();
     if apart <= 1e-6 && math::turn(start.heading, goal.heading).abs() <= 1e-6 {
         report.status = Status::Found;
@@ -297,8 +297,8 @@ pub fn plan(
         (false, _) => &both[..],
     };
     for config in attempts {
-        let mirrored =
-            config.search_from != SearchFrom::Start && (from_start >= STUCK || from_start >= from_goal);
+        let mirrored = config.search_from != SearchFrom::Start
+            && (from_start >= STUCK_TRAVEL || from_start >= from_goal);
         let (root, target) = if mirrored { (goal, start) } else { (start, goal) };
         let floods = Floods::new(query, config, [target, root], margin, scratch.flood.take());
         (report.margin, report.obstruction) = (floods.least(), None);
@@ -314,7 +314,7 @@ pub fn plan(
                 mirrored,
                 start,
                 goal,
-                tight: clearance < TIGHT,
+                tight: clearance < TIGHT_CLEARANCE,
                 trace,
                 #[cfg(feature = "complete")]
                 goals: &[],
@@ -333,7 +333,7 @@ pub fn plan(
     report.collision_checks = probe.checks();
     let [from_start, from_goal] = travels(report.margin);
     let least = from_start.min(from_goal);
-    if report.status == Status::NoPath && least < STUCK {
+    if report.status == Status::NoPath && least < STUCK_TRAVEL {
         let at_start = from_start < from_goal;
         report.status = Status::BoxedIn { at_start, travel: least };
         let stops = obstruction::stops(&probe, query, if at_start { start } else { goal }, report.margin);

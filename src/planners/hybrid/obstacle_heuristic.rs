@@ -17,9 +17,9 @@ const UNREACHED: u32 = u32::MAX;
 /// Poses that touch something are free; so is their disc, metres.
 const TOLERANCE: f64 = 1e-4;
 /// Places where the disc has less room than this on either side are narrow, metres: a car meets them hardly ever, …
-const EASE: f64 = 0.05;
+const NARROW_CLEARANCE: f64 = 0.05;
 /// … so a way through them counts this often.
-const NARROW: u32 = 2;
+const NARROW_FACTOR: u32 = 2;
 
 /// Closed cells are told apart from narrow open ones by quartering them this often.
 const QUARTERINGS: u32 = 2;
@@ -154,7 +154,7 @@ impl Room<'_> {
         let frame = *self.obstacles.frame();
         let half_diagonal = frame.resolution * core::f64::consts::FRAC_1_SQRT_2;
         // The field is too small by up to the diagonal of the blocked square.
-        let easy = (self.radius + EASE) as f32;
+        let easy = (self.radius + NARROW_CLEARANCE) as f32;
         let closed = (self.radius - 3.0 * half_diagonal) as f32;
         let field = self.obstacles.field().data.iter();
         let cost = |(i, &d): (usize, &f32)| {
@@ -176,11 +176,11 @@ impl Room<'_> {
 
     /// Cost of a cell whose centre may be near an obstacle.
     fn cost(&self, center: Point, half_diagonal: f64) -> u8 {
-        let distance = self.obstacles.distance(center, self.radius + EASE);
+        let distance = self.obstacles.distance(center, self.radius + NARROW_CLEARANCE);
         match () {
-            () if distance >= self.radius + EASE => 1,
+            () if distance >= self.radius + NARROW_CLEARANCE => 1,
             () if distance >= self.radius || self.fits(center, distance, half_diagonal, QUARTERINGS) => {
-                NARROW as u8
+                NARROW_FACTOR as u8
             }
             () => 0,
         }
@@ -204,7 +204,7 @@ impl Room<'_> {
 
 /// Dijkstra with a ring of buckets: no step costs more than a narrow diagonal one.
 fn spread(ground: &Ground, from: Cell) -> Vec<u32> {
-    const RING: usize = (DIAGONAL * NARROW) as usize + 1;
+    const RING: usize = (DIAGONAL * NARROW_FACTOR) as usize + 1;
     let width = ground.frame.width as usize;
     let mut steps = vec![UNREACHED; ground.costs.len()];
     let mut ring: [Vec<u32>; RING] = Default::default();

@@ -8,7 +8,7 @@ use crate::planners::{Obstruction, Region};
 use crate::vehicle::collision::CollisionChecker;
 
 /// Beyond what stops the car, to see what that is, metres.
-const TOUCH: f64 = 0.01;
+const PROBE_DEPTH: f64 = 0.01;
 
 /// The smaller of the regions around start and goal that no way joins; local poses.
 pub(super) fn enclosed(query: &Query, [start, goal]: [Pose; 2], margin: f64) -> Obstruction {
@@ -30,9 +30,9 @@ pub(super) fn stops(probe: &CollisionChecker, query: &Query, pose: Pose, margin:
     let mut stops = Vec::new();
     for length in [1.0, -1.0] {
         for curvature in [-limit, 0.0, limit] {
-            let far = probe.free_length(pose, &Arc { curvature, length }, TOUCH, margin);
+            let far = probe.free_length(pose, &Arc { curvature, length }, PROBE_DEPTH, margin);
             let at = |far: f64| pose.advance(curvature, far.copysign(length));
-            if let Some(owner) = probe.hit(at(far + TOUCH), margin) {
+            if let Some(owner) = probe.hit(at(far + PROBE_DEPTH), margin) {
                 let end = at(far);
                 stops.push((Pose::new(end.x + shift.x, end.y + shift.y, end.heading), owner));
             }

@@ -8,30 +8,30 @@
 
 use core::cell::OnceCell;
 
-use super::config::{Level, SHUFFLING};
+use super::config::{FIRST_SHUFFLING_LEVEL, Level};
 #[cfg(feature = "complete")]
 use super::holonomic;
 use super::level::{First, Search, Work};
 use super::obstacle_heuristic::ObstacleHeuristic;
-use super::{Config, HAIR, Query, Report, SearchFrom, Status};
+use super::{Config, MIN_MARGIN, Query, Report, SearchFrom, Status};
 use crate::geometry::{Pose, arcs};
 use crate::search::Progress;
 
 /// Margins tried where no way keeps the one asked for, metres.
-const LESS: [f64; 4] = [0.05, 0.03, 0.01, HAIR];
+const FALLBACK_MARGINS: [f64; 4] = [0.05, 0.03, 0.01, MIN_MARGIN];
 /// With less than this a car creeps, metres.
-pub(super) const COMFORTABLE: f64 = 0.03;
+pub(super) const COMFORTABLE_MARGIN: f64 = 0.03;
 /// Expansions of the first slice.
-const SLICE: u32 = 8192;
+const FIRST_SLICE: u32 = 8192;
 /// Expansions of all members together, where the settings say nothing.
-const EFFORT: u32 = 150_000;
+const TOTAL_EXPANSIONS: u32 = 150_000;
 /// Expansions for more margin once there is a path, besides as many as it took.
-const MORE_MARGIN: u32 = 100_000;
+const MORE_MARGIN_EXPANSIONS: u32 = 100_000;
 /// With more gear changes than this, finer steps may find a path with fewer.
-const MANY: u32 = 4;
+const MANY_CHANGES: u32 = 4;
 /// A member that has searched more than this many poses to the end, times its level, came out of any slot: there are
 /// many gear changes, or no way.
-const WIDE: u32 = 1000;
+const WIDE_SEARCH_POSES: u32 = 1000;
 /// Levels of the searches in open space, …
 #[cfg(feature = "complete")]
 const OPEN_COARSE: u32 = 2;
@@ -39,14 +39,14 @@ const OPEN_COARSE: u32 = 2;
 const OPEN_FINE: u32 = 3;
 /// … expansions of each, from the hard end and from the other one, …
 #[cfg(feature = "complete")]
-const OPEN_HARD: u32 = 80_000;
+const OPEN_HARD_EXPANSIONS: u32 = 80_000;
 #[cfg(feature = "complete")]
-const OPEN_OTHER: u32 = 130_000;
+const OPEN_OTHER_EXPANSIONS: u32 = 130_000;
 /// … and of all members together where they are asked.
 #[cfg(feature = "complete")]
-const OPEN_EFFORT: u32 = 300_000;
+const OPEN_TOTAL_EXPANSIONS: u32 = 300_000;
 /// Up to this level a search with the least margin is worth its while before finer ones with more are.
-const CHEAP: u32 = 3;
+const LAST_CHEAP_LEVEL: u32 = 3;
 
 /// The estimates' rasters from both ends for each margin, made when they are needed first.
 pub(super) struct Floods<'a> {
@@ -67,8 +67,8 @@ impl<'a> Floods<'a> {
         memory: Option<ObstacleHeuristic>,
     ) -> Self {
         let mut margins = vec![asked];
-        if config.levels() > SHUFFLING {
-            margins.extend(LESS.into_iter().filter(|&margin| margin < asked));
+        if config.levels() > FIRST_SHUFFLING_LEVEL {
+            margins.extend(FALLBACK_MARGINS.into_iter().filter(|&margin| margin < asked));
         }
         let floods = Self::with(query, ends, margins);
         floods.get_from(0, false, memory);
@@ -165,7 +165,7 @@ pub(super) fn plan(search: Search, floods: &Floods, widest: usize, work: &mut Wo
         #[cfg(feature = "complete")]
         may_swap,
         members,
-        effort: EFFORT,
+        effort: TOTAL_EXPANSIONS,
         best: None,
         is_way_out: false,
         doubt: None,
@@ -185,13 +185,13 @@ fn members(levels: u32, widest: usize, margins: &[f64]) -> Vec<Member> {
     let mut members: Vec<Member> = all.collect();
     // Sorted by level and margin before.
     arrange(&mut members, &|&Member { level, margin, .. }| {
-        let is_comfortable = margins[margin] >= COMFORTABLE || margin == widest;
+        let is_comfortable = margins[margin] >= COMFORTABLE_MARGIN || margin == widest;
         match level {
             // Searched to the end with the least margin, the coarsest proves soonest that there is hardly a way.
             1 if margin == widest => [0; 3],
             1 if margin == least => [1, 0, 0],
-            1..=CHEAP if is_comfortable => [2, margin, 0],
-            1..=CHEAP if margin == least => [3, 0, 0],
+            1..=LAST_CHEAP_LEVEL if is_comfortable => [2, margin, 0],
+            1..=LAST_CHEAP_LEVEL if margin == least => [3, 0, 0],
             _ if is_comfortable => [4, 0, 0],
             _ => [5, 0, 0],
         }
@@ -258,7 +258,7 @@ impl Run<'_> {
                     return;
                 }
                 let growth = 1_u32.checked_shl(2 * (round - at as u32)).unwrap_or(u32::MAX);
-                let slice = if self.is_way_out { u32::MAX } else { SLICE.saturating_mul(growth) };
+                let slice = if self.is_way_out { u32::MAX } else { FIRST_SLICE.saturating_mul(growth) };
                 let turn = self.turn(member, slice.min(self.effort - before), work);
                 let expanded = work.report.expanded - before;
                 at = match turn {
@@ -279,7 +279,7 @@ impl Run<'_> {
                     if self.is_hopeless(work) {
                         return;
                     }
-                    self.effort = OPEN_EFFORT;
+                    self.effort = OPEN_TOTAL_EXPANSIONS;
                 }
             }
             if self.members.is_empty() {
@@ -326,7 +326,8 @@ impl Run<'_> {
         let next = self.drop(at, |one| {
             one.from_other == member.from_other && one.margin <= member.margin && one.level <= member.level
         });
-        if !is_proof || self.is_way_out || self.best.is_some() || expanded <= WIDE * member.level {
+        if !is_proof || self.is_way_out || self.best.is_some() || expanded <= WIDE_SEARCH_POSES * member.level
+        {
             return next;
         }
         self.is_way_out = true;
@@ -341,7 +342,7 @@ impl Run<'_> {
     /// the least that is no creeping, and from the other end.
     #[cfg(feature = "complete")]
     fn ask_open_space(&mut self, proof: Member) {
-        let creeping = self.floods.margins.iter().position(|&margin| margin < COMFORTABLE);
+        let creeping = self.floods.margins.iter().position(|&margin| margin < COMFORTABLE_MARGIN);
         let finer = Member { margin: creeping.unwrap_or(proof.margin), level: OPEN_FINE, ..proof };
         let other = Member { level: OPEN_COARSE, from_other: true, ..finer };
         let tries =
@@ -356,20 +357,20 @@ impl Run<'_> {
     /// many gear changes, save some.
     fn found(&mut self, at: usize, report: &mut Report) -> usize {
         let member = self.members[at];
-        let is_comfortable = report.margin >= COMFORTABLE;
-        let is_restless = arcs::direction_changes(&report.arcs) > MANY;
-        let more = if is_comfortable { SLICE } else { MORE_MARGIN };
+        let is_comfortable = report.margin >= COMFORTABLE_MARGIN;
+        let is_restless = arcs::direction_changes(&report.arcs) > MANY_CHANGES;
+        let more = if is_comfortable { FIRST_SLICE } else { MORE_MARGIN_EXPANSIONS };
         self.effort = self.effort.min(report.expanded.saturating_add(report.expanded.max(more)));
         self.is_way_out = false;
         self.offer(report);
         self.drop(at, |one| {
             let is_better = one.margin < member.margin
                 || (is_restless && one.margin == member.margin && one.level > member.level);
-            !is_better || (is_comfortable && one.level >= SHUFFLING)
+            !is_better || (is_comfortable && one.level >= FIRST_SHUFFLING_LEVEL)
         });
         let margins = &self.floods.margins;
         arrange(&mut self.members, &|one| {
-            let is_close = margins[one.margin] < COMFORTABLE;
+            let is_close = margins[one.margin] < COMFORTABLE_MARGIN;
             [usize::from(is_close), usize::from(one.margin == member.margin), margins.len() - one.margin]
         });
         0
@@ -413,7 +414,11 @@ impl Run<'_> {
         }
         #[cfg(feature = "complete")]
         if self.is_way_out {
-            level = level.in_open_space(if member.from_other { OPEN_OTHER } else { OPEN_HARD });
+            level = level.in_open_space(if member.from_other {
+                OPEN_OTHER_EXPANSIONS
+            } else {
+                OPEN_HARD_EXPANSIONS
+            });
         }
         let is_last = slice >= level.max_expansions;
         if search.level(Level { max_expansions: slice.min(level.max_expansions), ..level }, work) {

@@ -8,15 +8,15 @@ use crate::geometry::reeds_shepp::{self, Word};
 use crate::vehicle::collision::{CollisionChecker, Reach, Sampling};
 
 /// Arcs are split at most this far apart, metres: first coarsely, which does most of it, then finely.
-const KNOTS: [f64; 2] = [1.0, 0.5];
+const KNOT_SPACINGS: [f64; 2] = [1.0, 0.5];
 /// A replacement must save at least this much.
-const GAIN: f64 = 1e-3;
+const MIN_GAIN: f64 = 1e-3;
 /// Collision checks after which shortcutting ends: work, not time, so that the result is the same everywhere.
-const WORK: u32 = 400_000;
-const PASSES: u32 = 6;
+const MAX_CHECKS: u32 = 400_000;
+const MAX_PASSES: u32 = 6;
 /// Pairs of knots that a round looks at, at most: on a long way hardly any curve is free over more than a short
 /// stretch.
-const PAIRS: usize = 6000;
+const MAX_PAIRS: usize = 6000;
 
 /// How a replacement is tested.
 #[derive(Clone, Copy)]
@@ -31,9 +31,9 @@ pub(super) struct Rules<'a> {
 /// A path of arcs from `start`, made cheaper where a curve between two of its knots is free. Gear changes never
 /// increase.
 pub(super) fn shortcut(rules: Rules, start: Pose, mut path: Vec<Arc>) -> Vec<Arc> {
-    let limit = rules.probe.checks().saturating_add(WORK);
-    for knot in KNOTS {
-        for _ in 0..PASSES {
+    let limit = rules.probe.checks().saturating_add(MAX_CHECKS);
+    for knot in KNOT_SPACINGS {
+        for _ in 0..MAX_PASSES {
             let mut pass = Pass::new(rules, start, split(&path, knot));
             let improved = pass.run(limit);
             path = arcs::merge(pass.knots);
@@ -73,7 +73,7 @@ struct Pass<'a> {
 
 impl<'a> Pass<'a> {
     fn new(rules: Rules<'a>, start: Pose, knots: Vec<Arc>) -> Self {
-        let reach = PAIRS / knots.len().max(1);
+        let reach = MAX_PAIRS / knots.len().max(1);
         let sampling = Sampling::new(rules.spacing, rules.margin, rules.costs.radius);
         let (poses, spent, back) = (vec![start], vec![0.0], Vec::new());
         let ahead = Reach::new(start, sampling);
@@ -131,7 +131,7 @@ impl<'a> Pass<'a> {
     fn better(&mut self, i: usize, j: usize) -> Option<Word> {
         let Rules { probe, costs, .. } = self.rules;
         let (from, to) = (self.poses[i], self.poses[j]);
-        let old = self.spent[j] - self.spent[i] + self.join(j, &self.knots[j - 1]) - GAIN;
+        let old = self.spent[j] - self.spent[i] + self.join(j, &self.knots[j - 1]) - MIN_GAIN;
         let longest = old - self.knots.get(j).map_or(0.0, |next| next.length.abs());
         if (to.point() - from.point()).norm() >= longest {
             return None;

@@ -1,7 +1,7 @@
 //! Names for states: a dense number for every lattice key that the search meets.
 
 /// Slots of the smallest table.
-const SMALLEST: u32 = 4096;
+const MIN_SLOTS: u32 = 4096;
 
 /// Open addressing, insertion only; the numbers follow the order of first meeting, so nothing depends on the hash.
 #[derive(Debug, Default)]
@@ -32,7 +32,7 @@ impl StateIndex {
 
     /// Bytes that this many keys take.
     pub(super) fn bytes(&self) -> u64 {
-        let slots = (2 * self.count).next_power_of_two().max(SMALLEST);
+        let slots = (2 * self.count).next_power_of_two().max(MIN_SLOTS);
         u64::from(slots) * size_of::<Slot>() as u64
     }
 
@@ -60,7 +60,7 @@ impl StateIndex {
 
     fn grow(&mut self) {
         self.stamp = self.stamp.max(1);
-        let size = (self.slots.len() * 2).max(SMALLEST as usize);
+        let size = (self.slots.len() * 2).max(MIN_SLOTS as usize);
         let old = core::mem::replace(&mut self.slots, vec![Slot::default(); size]);
         for slot in old.into_iter().filter(|slot| slot.stamp == self.stamp) {
             let at = self.find(slot.key);

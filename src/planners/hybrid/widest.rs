@@ -1,37 +1,37 @@
 //! The widest path to one of several goals: which margins are tried, and which goals have the most room.
 
-use super::choices::SHARES;
+use super::choices::MARGIN_SHARES;
 use crate::geometry::Pose;
 use crate::geometry::arcs::Arc;
 use crate::vehicle::collision::CollisionChecker;
 
 /// More room than this is room enough where a path may lead to one of several goals, metres. Some of them may lie in
 /// the open.
-const OPEN: f64 = 3.0;
+const ENOUGH_CLEARANCE_AMONG_GOALS: f64 = 3.0;
 /// Of margins for several goals, those closer than this share to a larger one are left out …
-const APART: f64 = 0.12;
+const MARGIN_STEP: f64 = 0.12;
 /// … and the gap above the largest one with a path is halved until it is a quarter.
-pub(super) const PARTS: usize = 4;
+pub(super) const GAP_PARTS: usize = 4;
 /// Spacing of the places at which a path's clearance is measured, metres.
-const SPACING: f64 = 0.1;
+const CLEARANCE_SPACING: f64 = 0.1;
 /// The most goals that are searched from one by one.
-const EACH: usize = 8;
+const MAX_GOALS_ONE_BY_ONE: usize = 8;
 
 /// Margins for the widest path to one of some goals, largest first: shares of the room at each, which counts up to the
 /// room at the start. All are more than `least`. Between two of them are more, by which the gap is halved.
 pub(super) fn margins(probe: &CollisionChecker, start: Pose, goals: &[Pose], least: f64) -> Vec<f64> {
-    let at_start = probe.clearance(start, OPEN);
-    let rooms = goals.iter().map(|&goal| probe.clearance(goal, OPEN).min(at_start));
-    let mut shares: Vec<f64> = rooms.flat_map(|room| SHARES.map(|share| share * room)).collect();
+    let at_start = probe.clearance(start, ENOUGH_CLEARANCE_AMONG_GOALS);
+    let rooms = goals.iter().map(|&goal| probe.clearance(goal, ENOUGH_CLEARANCE_AMONG_GOALS).min(at_start));
+    let mut shares: Vec<f64> = rooms.flat_map(|room| MARGIN_SHARES.map(|share| share * room)).collect();
     shares.retain(|&margin| margin > least);
     shares.sort_by(|a, b| b.total_cmp(a));
     let mut margins: Vec<f64> = Vec::new();
     for margin in shares {
         match margins.last() {
-            Some(&above) if margin > above * (1.0 - APART) => {}
+            Some(&above) if margin > above * (1.0 - MARGIN_STEP) => {}
             Some(&above) => {
-                let part = (above - margin) / PARTS as f64;
-                margins.extend((1..=PARTS).map(|k| above - part * k as f64));
+                let part = (above - margin) / GAP_PARTS as f64;
+                margins.extend((1..=GAP_PARTS).map(|k| above - part * k as f64));
             }
             None => margins.push(margin),
         }
@@ -42,9 +42,9 @@ pub(super) fn margins(probe: &CollisionChecker, start: Pose, goals: &[Pose], lea
 /// The least distance from the body to an obstacle along a path, metres; three at most.
 pub(super) fn clearance(probe: &CollisionChecker, start: Pose, path: &[Arc]) -> f64 {
     let mut pose = start;
-    let mut least = probe.clearance(start, OPEN);
+    let mut least = probe.clearance(start, ENOUGH_CLEARANCE_AMONG_GOALS);
     for arc in path {
-        let steps = (arc.length.abs() / SPACING).ceil().max(1.0);
+        let steps = (arc.length.abs() / CLEARANCE_SPACING).ceil().max(1.0);
         for k in 1..=steps as u32 {
             let at = pose.advance(arc.curvature, arc.length * f64::from(k) / steps);
             least = least.min(probe.clearance(at, least));
@@ -56,10 +56,10 @@ pub(super) fn clearance(probe: &CollisionChecker, start: Pose, path: &[Arc]) -> 
 
 /// The room at the goals that have the most, no more than at the start, largest first, each with the goal's number.
 pub(super) fn by_room(probe: &CollisionChecker, start: Pose, goals: &[Pose]) -> Vec<(f64, usize)> {
-    let at_start = probe.clearance(start, OPEN);
-    let rooms = goals.iter().map(|&goal| probe.clearance(goal, OPEN).min(at_start));
+    let at_start = probe.clearance(start, ENOUGH_CLEARANCE_AMONG_GOALS);
+    let rooms = goals.iter().map(|&goal| probe.clearance(goal, ENOUGH_CLEARANCE_AMONG_GOALS).min(at_start));
     let mut rooms: Vec<(f64, usize)> = rooms.zip(0..).collect();
     rooms.sort_by(|a, b| b.0.total_cmp(&a.0));
-    rooms.truncate(EACH);
+    rooms.truncate(MAX_GOALS_ONE_BY_ONE);
     rooms
 }

@@ -39,7 +39,7 @@ const CHOICES: { [K in Choice]: readonly LotForm[K][] } = {
 };
 const UNITS: Partial<Record<NumberField, string>> = { angle: "°", count: "", aisles: "", parked: "", every: "" };
 /** A plan for numbers that are no longer asked is given up after so many milliseconds. */
-const PATIENCE_MS = 300;
+const GIVE_UP_AFTER_MS = 300;
 
 const isChoice = (field: keyof LotForm): field is Choice => field in CHOICES;
 
@@ -299,7 +299,7 @@ export class NewLot extends AppElement {
   /** Plans the latest numbers; what is planned for others ends first, or is given up. */
   private async solve(): Promise<void> {
     if (this.asked) {
-      if (performance.now() - this.askedAt > PATIENCE_MS) this.giveUp();
+      if (performance.now() - this.askedAt > GIVE_UP_AFTER_MS) this.giveUp();
       return;
     }
     while (this.shown && !this.fault && !this.plan && !this.trouble) {

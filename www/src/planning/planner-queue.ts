@@ -34,9 +34,9 @@ export interface LaneEvents {
 }
 
 /** A newer scene waits this long, then the running plan is given up. */
-export const PATIENCE_MS = 1000;
+export const GIVE_UP_AFTER_MS = 1000;
 /** … or as many times longer than the plan before: a new worker reads a huge map all over again. */
-const PATIENCE_TIMES = 3;
+const GIVE_UP_AFTER_TIMES = 3;
 
 /** One planner of one playground: at most one plan running and one waiting, the newest wins. */
 export class Lane implements Holder {
@@ -48,7 +48,7 @@ export class Lane implements Holder {
   private fixed: Layers = {};
   private running: Job | null = null;
   private waiting: Job | null = null;
-  private patience: ReturnType<typeof setTimeout> | undefined;
+  private giveUpTimer: ReturnType<typeof setTimeout> | undefined;
   private limit: ReturnType<typeof setTimeout> | undefined;
   /** When the running plan was sent, and how long the one before took, milliseconds. */
   private since = 0;
@@ -75,7 +75,7 @@ export class Lane implements Holder {
   plan(job: Job): void {
     if (!this.running) return this.send(job);
     this.waiting = job;
-    this.patience ??= setTimeout(() => this.giveUp(), Math.max(PATIENCE_MS, PATIENCE_TIMES * this.took));
+    this.giveUpTimer ??= setTimeout(() => this.giveUp(), Math.max(GIVE_UP_AFTER_MS, GIVE_UP_AFTER_TIMES * this.took));
   }
 
   /** Times of silent plans of the last scene; fewer than `runs` when the budget, milliseconds, is spent. */
@@ -104,9 +104,9 @@ export class Lane implements Holder {
 
   /** Ends what runs; the worker itself lives on where nothing runs. */
   stop(): void {
-    clearTimeout(this.patience);
+    clearTimeout(this.giveUpTimer);
     clearTimeout(this.limit);
-    this.patience = undefined;
+    this.giveUpTimer = undefined;
     const wasBusy = this.running !== null;
     this.running = this.waiting = null;
     this.revoked();
@@ -242,9 +242,9 @@ export class Lane implements Holder {
   }
 
   private finish(): Job | null {
-    clearTimeout(this.patience);
+    clearTimeout(this.giveUpTimer);
     clearTimeout(this.limit);
-    this.patience = undefined;
+    this.giveUpTimer = undefined;
     const next = this.waiting;
     this.running = this.waiting = null;
     return next;
