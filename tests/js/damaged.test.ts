@@ -1,8 +1,8 @@
 import { expect, test } from "vitest";
 import { init, packRuns, planners, scenario, scenarios, sceneGeometry, toSVG, unpackRuns } from "parkade";
-import { check, faultOfAttribute, keepsRule, RULES, ValueError } from "../../www/src/element/schema";
-import { decodeHistory, encodeHistory } from "../../www/src/element/history";
-import { decodeView } from "../../www/src/element/view-link";
+import { check, faultOfAttribute, keepsRule, RULES, ValueError } from "../../www/src/app/schema";
+import { decodeHistory, encodeHistory } from "../../www/src/app/history";
+import { decodeView } from "../../www/src/app/view-link";
 import { decodeScene, encodeScene } from "../../www/src/scene/link";
 import { checkedScene } from "../../www/src/scene/foreign";
 import { ensureIds } from "../../www/src/scene/model";

@@ -1,7 +1,7 @@
 import { beforeAll, describe, expect, it } from "vitest";
 import { init, planners, Planner, scenario, type Plan, type PlannerId } from "parkade";
-import { whyOf } from "../../www/src/panels/failure-words";
-import { thingName } from "../../www/src/panels/status";
+import { whyOf } from "../../www/src/texts/failure";
+import { thingName } from "../../www/src/texts/status";
 import { gapAt } from "../../www/src/scene/gap";
 import { overlapAt } from "../../www/src/scene/overlap";
 import { footprint, vehicleOf } from "../../www/src/scene/vehicle";
@@ -11,7 +11,7 @@ import { distancesOf } from "../../www/src/view/drive";
 import { failureOf } from "../../www/src/view/failure";
 import { between } from "../../www/src/view/fly";
 import { alongRoad, stripOf } from "../../www/src/view/layers/lane-strip";
-import { hasField, identityOf, introduce } from "../../www/src/view/planner-style";
+import { hasField, identityOf, introduce } from "../../www/src/styles/planner-style";
 import { loadChinese } from "./chinese";
 import type { Scenario } from "../../www/src/scene/scenario";
 

@@ -19,7 +19,7 @@ import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import schema from "../../src/scenario/scenario.schema.json";
 import { chineseReasons } from "../../www/src/i18n/reasons-zh";
 import catalogue from "../../www/src/i18n/reasons-zh.json";
-import { decodeHistory, encodeHistory } from "../../www/src/element/history";
+import { decodeHistory, encodeHistory } from "../../www/src/app/history";
 import { pack, unpack } from "../../www/src/scene/link-codec";
 import { sceneFromText } from "../../www/src/scene/files";
 import { checkedScene } from "../../www/src/scene/foreign";

@@ -1,3 +1,4 @@
+import { thingsOf } from "../../www/src/scene/selection";
 import { init, sceneGeometry, scenario, scenarios, type Obstacle } from "parkade";
 import { beforeAll, describe, expect, it } from "vitest";
 import {
@@ -19,7 +20,6 @@ import { ensureIds, mapOutline, resolve, type Scene } from "../../www/src/scene/
 import { boxOf, type Point } from "../../www/src/scene/geometry";
 import { outlineOfThing } from "../../www/src/scene/scene-objects";
 import { footprint } from "../../www/src/scene/vehicle";
-import { thingsOf } from "../../www/src/store";
 import type { Scenario } from "../../www/src/scene/scenario";
 
 beforeAll(() => init());

@@ -1,7 +1,7 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { init, scenario, scenarios, sceneGeometry } from "parkade";
-import { decodeHistory, encodeHistory } from "../../www/src/element/history";
+import { decodeHistory, encodeHistory } from "../../www/src/app/history";
 import { pack, unpack } from "../../www/src/scene/link-codec";
 import { ensureIds } from "../../www/src/scene/model";
 import { createStore, type History, type Scene } from "../../www/src/store";

@@ -1,6 +1,6 @@
 import { afterEach, expect, it, vi } from "vitest";
 import { init, scenario } from "parkade";
-import { LinkSync } from "../../www/src/element/link-sync";
+import { LinkSync } from "../../www/src/app/link-sync";
 import { encodeScene } from "../../www/src/scene/link";
 import { ensureIds } from "../../www/src/scene/model";
 import { createStore } from "../../www/src/store";

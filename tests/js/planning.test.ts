@@ -1,10 +1,11 @@
+import type { Timing } from "../../www/src/store/results";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import type { Plan, PlannerId } from "parkade";
 import type { WorkerLike } from "../../www/src/planning/planner-queue";
 import type { Engine } from "../../www/src/planning/engine-loader";
 import { Planning } from "../../www/src/planning/planning";
 import { WorkerPool } from "../../www/src/planning/pool";
-import type { Reply, Request, Timing } from "../../www/src/planning/protocol";
+import type { Reply, Request } from "../../www/src/planning/protocol";
 import { createStore, type Scene } from "../../www/src/store";
 
 const COLD: Timing = { search: 40, total: 45 };

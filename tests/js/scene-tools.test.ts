@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { goalPose, poseInSlot, resolve } from "../../www/src/scene/model";
 import { createStore, type Scene, type State } from "../../www/src/store";
 import { BrushTool, EraserTool } from "../../www/src/tools/brush";
-import type { Draft } from "../../www/src/tools/draft";
+import type { Draft } from "../../www/src/store/draft";
 import { PolygonTool, WallTool } from "../../www/src/tools/line";
 import { SelectTool } from "../../www/src/tools/select";
 import { SlotTool } from "../../www/src/tools/slot";

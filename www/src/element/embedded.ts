@@ -6,12 +6,12 @@ import { chip } from "../styles/chip";
 import { controls } from "../styles/controls";
 import { layout } from "../styles/layout";
 import { tokens } from "../styles/tokens";
-import { ALL_LAYERS, LAYER_PRESETS, presetLayers, type LayerPreset } from "../view/layer-sets";
-import type { Beginning } from "./app";
+import { ALL_LAYERS, LAYER_PRESETS, presetLayers, type LayerPreset } from "../store/layer-sets";
+import type { Beginning } from "../app/app";
 import { watchScheme, type Scheme } from "./host-scheme";
 import { FIRST_SCENE, Playground } from "./playground";
 import { plain, SceneOpening } from "./scene-opening";
-import { check, faultOfAttribute, RULES, type Known } from "./schema";
+import { check, faultOfAttribute, RULES, type Known } from "../app/schema";
 
 /** The colours by the scheme that `Embedded` writes on the outer element; the reader's own setting is one of the things it follows. */
 export const colours = css`${unsafeCSS(tokens.cssText.replace(/:not\(\[theme="?light"?\]\)/, ":not(*)").replace(/\[theme="?dark"?\]/, '[data-scheme="dark"]'))}`;
@@ -183,13 +183,13 @@ export class Embedded extends SceneOpening {
 
   /** The maps as on screen. */
   async toSVG(): Promise<string> {
-    const [{ svgOf }] = await Promise.all([import("./svg-csv"), this.app.complete()]);
+    const [{ svgOf }] = await Promise.all([import("../panels/svg-csv"), this.app.complete()]);
     return svgOf(this, this.views(), this.store.state, this.app.tokens());
   }
 
   /** The focused planner's path, once it is planned. */
   async toCSV(): Promise<string> {
-    const [{ csvOf }] = await Promise.all([import("./svg-csv"), this.app.complete()]);
+    const [{ csvOf }] = await Promise.all([import("../panels/svg-csv"), this.app.complete()]);
     if (!this.store.state.results[this.store.state.focus]?.plan) await this.settled();
     return csvOf(this.store.state);
   }

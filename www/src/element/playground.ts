@@ -8,9 +8,9 @@ import { controls } from "../styles/controls";
 import { tokens } from "../styles/tokens";
 import { layout } from "../styles/layout";
 import type { MenuRequest } from "../tools/controller";
-import { App, download, sentence, type Beginning } from "./app";
-import { listenToKeys } from "./keyboard";
-import { recall, remember } from "./preferences";
+import { App, download, sentence, type Beginning } from "../app/app";
+import { listenToKeys } from "../app/keyboard";
+import { recall, remember } from "../store/preferences";
 import "../panels/notices";
 import "../panels/stage";
 import "../panels/timeline";
@@ -255,7 +255,7 @@ export class Playground extends LitElement {
   }
 
   protected override render(): TemplateResult {
-    return html`<div class="${this.rails ? "layout-narrow layout-rails" : this.compact ? "layout-narrow" : "layout-wide"} ${this.bare ? "bare" : ""}" role="region" aria-label=${this.app.t("app.label")}
+    return html`<div class="layout-${this.compact ? "narrow" : "wide"} ${this.rails ? "rails" : ""} ${this.bare ? "bare" : ""}" role="region" aria-label=${this.app.t("app.label")}
         @parkade-scenes=${() => void this.openDialog("presets")} @parkade-keys=${() => void this.openDialog("keys")} @parkade-papers=${() => void this.openDialog("papers")} @parkade-fold=${() => {
           this.folded = !this.folded;
         }} @parkade-inspect=${() => {
@@ -273,7 +273,7 @@ export class Playground extends LitElement {
 
   /** What stands around the maps and over them. */
   private rest(): TemplateResult {
-    return html`${this.compact ? this.narrowLayout() : this.wideLayout()}
+    return html`${this.compact ? this.narrow() : this.wide()}
       <parkade-entry .app=${this.app}></parkade-entry>
       <parkade-hints .app=${this.app}></parkade-hints>
       <parkade-notices .app=${this.app}></parkade-notices>
@@ -287,7 +287,7 @@ export class Playground extends LitElement {
       <input class="file" type="file" hidden multiple accept=".json,.map,.scen,.yaml,.yml,.pgm,.csv,.svg,.png,.jpg,.jpeg,.webp" aria-label=${this.app.t("bar.open")} @change=${this.onFile}>`;
   }
 
-  private wideLayout(): TemplateResult {
+  private wide(): TemplateResult {
     return html`
       ${this.isFull ? html`<parkade-options .app=${this.app}></parkade-options>` : nothing}
       <parkade-timeline part="timeline" .app=${this.app} .folded=${this.folded}></parkade-timeline>
@@ -305,7 +305,7 @@ export class Playground extends LitElement {
     return html`<parkade-splitter part="handle" pane=${pane} lang=${this.store.state.lang}></parkade-splitter>`;
   }
 
-  private narrowLayout(): TemplateResult {
+  private narrow(): TemplateResult {
     return html`${this.isFull ? html`<parkade-chips .app=${this.app} ?rail=${this.rails}></parkade-chips>` : nothing}
       <parkade-choices .app=${this.app}></parkade-choices><parkade-failure .app=${this.app} ?short=${this.isFull}></parkade-failure>
       ${this.rails ? html`<parkade-options .app=${this.app}></parkade-options>` : nothing}

@@ -1,8 +1,8 @@
 import type { ParkadeError } from "parkade";
 import type { Scene } from "../store";
-import { sentence } from "./app";
+import { sentence } from "../app/app";
 import { Playground } from "./playground";
-import { oneOf, ValueError } from "./schema";
+import { oneOf, ValueError } from "../app/schema";
 
 /** Events of other elements have these names too, and pages listen for them further out; `error` would reach `window.onerror`. */
 const OWN_EVENTS: readonly string[] = ["error", "select"];

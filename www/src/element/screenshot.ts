@@ -1,7 +1,7 @@
-import { plannerName } from "../view/planner-style";
-import { statusOf } from "../panels/status";
+import { plannerName } from "../styles/planner-style";
+import { statusOf } from "../texts/status";
 import type { SceneView } from "../panels/scene-view";
-import type { App } from "./app";
+import type { App } from "../app/app";
 
 const TITLE = 28;
 

@@ -1,5 +1,5 @@
 import { LitElement, type PropertyValues } from "lit";
-import type { App } from "../element/app";
+import type { App } from "../app/app";
 import { number, translate, type MessageKey, type Values } from "../i18n/index";
 import type { State } from "../store";
 

@@ -5,10 +5,10 @@ import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { clockOf, drivenAt, rowAt } from "../view/playback-time";
 import { cuspsOf, distancesOf, nearestPose, poseAtDistance } from "../view/drive";
-import { identityOf } from "../view/planner-style";
+import { identityOf } from "../styles/planner-style";
 import { AppElement } from "./base";
-import { plannerColour } from "./icons";
-import { drivablePlan } from "./status";
+import { plannerColour } from "../styles/icons";
+import { drivablePlan } from "../texts/status";
 import { focusedPlan, reverseSpans } from "./timeline";
 
 type Quantity = "curvature" | "clearance" | "speed";

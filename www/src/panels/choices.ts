@@ -1,10 +1,10 @@
+import type { Choice } from "../store/results";
 import type { Plan, PlannerId, Prefer } from "parkade";
 import { css, html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { words } from "../i18n/words";
-import type { Choice } from "../planning/choices-of";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
-import { plannerName } from "../view/planner-style";
+import { plannerName } from "../styles/planner-style";
 import { AppElement } from "./base";
 
 const say = words({

@@ -1,3 +1,4 @@
+import { isPose } from "../scene/selection";
 import type { Pose } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import { words } from "../i18n/words";
@@ -6,12 +7,12 @@ import { findObstacle, findSlot, isGoalPose, movePose, setGoalFromSlot } from ".
 import { removeObstacle } from "../scene/removal";
 import { cornersOf } from "../scene/shapes";
 import { idsOf } from "../scene/scene-objects";
-import { isPose, type Scene, type State } from "../store";
+import { type Scene, type State } from "../store";
 import { controls } from "../styles/controls";
 import type { MenuRequest } from "../tools/controller";
 import { duplicateSelected, removeSelected, selectAll } from "../tools/edit-keys";
 import { AppElement } from "./base";
-import { icon, type IconName } from "./icons";
+import { icon, type IconName } from "../styles/icons";
 
 const say = words({
   menu: ["Map actions", "地图操作"],

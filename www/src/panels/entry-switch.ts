@@ -6,7 +6,7 @@ import { controls } from "../styles/controls";
 import { AppElement } from "./base";
 import { boxesOf, freeSpot, goalOnMap, moved, type Spot } from "./free-spot";
 import type { Hints } from "./hints";
-import { icon } from "./icons";
+import { icon } from "../styles/icons";
 
 const say = words({
   "reverse-in": ["Reverse in", "倒车入库"],

@@ -7,8 +7,8 @@ import { below, frameBox, isLong, leastScale, LINE, STRIP } from "../view/camera
 import { failureOf } from "../view/failure";
 import { flyTo } from "../view/fly";
 import { AppElement } from "./base";
-import { whyOf } from "./failure-words";
-import { icon } from "./icons";
+import { whyOf } from "../texts/failure";
+import { icon } from "../styles/icons";
 import type { SceneView } from "./scene-view";
 
 const say = words({ show: ["Show", "显示"], where: ["Show on the map where it fails", "在地图上显示失败之处"] });

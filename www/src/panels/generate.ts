@@ -1,6 +1,6 @@
 import type { Family } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
-import { sentence } from "../element/app";
+import { sentence } from "../app/app";
 import { words } from "../i18n/words";
 import { Helper, JobError, joined } from "../planning/job-client";
 import { ensureIds } from "../scene/model";
@@ -8,7 +8,7 @@ import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
 import { vast } from "../view/lazy-layers";
 import { AppElement } from "./base";
-import { icon } from "./icons";
+import { icon } from "../styles/icons";
 import "./thumbnail";
 
 const say = words({

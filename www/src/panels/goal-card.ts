@@ -19,7 +19,7 @@ import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";
 import { AppElement } from "./base";
-import { icon } from "./icons";
+import { icon } from "../styles/icons";
 
 const say = wordsAt("goal");
 const ENTRIES = ["either", "head-in", "reverse-in"] as const;

@@ -14,7 +14,7 @@ import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";
 import { AppElement } from "./base";
-import { stopText } from "./ground-words";
+import { stopText } from "../texts/ground-limit";
 
 const FIELDS = { width: ["right", "left"], depth: ["top", "bottom"] } as const satisfies Record<
   string,

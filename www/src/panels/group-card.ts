@@ -10,7 +10,7 @@ import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";
 import { duplicateSelected, removeSelected } from "../tools/edit-keys";
 import { AppElement } from "./base";
-import { icon } from "./icons";
+import { icon } from "../styles/icons";
 
 const say = wordsAt("group");
 

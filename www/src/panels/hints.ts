@@ -1,17 +1,17 @@
 import type { PlannerId } from "parkade";
 import { css, html, nothing, type PropertyValues, type TemplateResult } from "lit";
-import { recall, remember } from "../element/preferences";
+import { recall, remember } from "../store/preferences";
 import { words } from "../i18n/words";
 import "../i18n/later";
 import type { Box } from "../scene/geometry";
 import type { State } from "../store";
-import { plannerName } from "../view/planner-style";
+import { plannerName } from "../styles/planner-style";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
 import "./entry-switch";
 import { boxAround, boxesOf, freeSpot, goalOnMap, moved, type Spot } from "./free-spot";
-import { icon } from "./icons";
-import { statusOf } from "./status";
+import { icon } from "../styles/icons";
+import { statusOf } from "../texts/status";
 
 const say = words({ close: ["Close this hint", "关闭此提示"] });
 

@@ -1,5 +1,5 @@
 import { css, html, nothing, type TemplateResult } from "lit";
-import { sentence } from "../element/app";
+import { sentence } from "../app/app";
 import { words } from "../i18n/words";
 import { imageMap, MOST_CELLS, type ImageMap, type ImageOptions, type Pixels } from "../scene/image";
 import { pixelsOf } from "../scene/image-decode";
@@ -8,7 +8,7 @@ import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
 import { vast } from "../view/lazy-layers";
 import { AppElement } from "./base";
-import { icon } from "./icons";
+import { icon } from "../styles/icons";
 
 const say = words({
   title: ["Open image as map", "将图片作为地图打开"],

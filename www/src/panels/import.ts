@@ -1,6 +1,6 @@
 import type { ImportedQuery } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
-import { sentence } from "../element/app";
+import { sentence } from "../app/app";
 import { reasonIn } from "../i18n/index";
 import { words } from "../i18n/words";
 import { Helper, JobError, joined } from "../planning/job-client";
@@ -10,7 +10,7 @@ import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
 import { vast } from "../view/lazy-layers";
 import { AppElement } from "./base";
-import { icon, type IconName } from "./icons";
+import { icon, type IconName } from "../styles/icons";
 
 const say = words({
   reading: ["Reading {name}…", "正在读取 {name}…"],

@@ -6,7 +6,7 @@ import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
 import { AppElement } from "./base";
-import { icon } from "./icons";
+import { icon } from "../styles/icons";
 import { TOOLS } from "./toolbar";
 
 type Entry = [name: MessageKey | Own, keys: string];

@@ -1,8 +1,8 @@
 import type { Plan, PlannerId } from "parkade";
 import { millis, number, translate, type Lang } from "../i18n/index";
-import { plannerName } from "../view/planner-style";
+import { plannerName } from "../styles/planner-style";
 import type { PanelResult, State } from "../store";
-import { drivablePlan, searchTime, statusOf, timeTitle, type Status } from "./status";
+import { drivablePlan, searchTime, statusOf, timeTitle, type Status } from "../texts/status";
 import { paceOn } from "../scene/speed-limits";
 
 export const COLUMNS = [

@@ -1,6 +1,6 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import type { Plan } from "parkade";
-import { sentence, type App } from "../element/app";
+import { sentence, type App } from "../app/app";
 import { Helper } from "../planning/job-client";
 import {
   buildLot,
@@ -16,7 +16,7 @@ import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
 import { AppElement } from "./base";
-import { icon } from "./icons";
+import { icon } from "../styles/icons";
 import { faultText, say, type Word } from "./new-lot-words";
 import "./new-lot-preview";
 import type { Resize } from "./new-lot-preview";

@@ -1,11 +1,11 @@
 import { css, html, nothing, type TemplateResult } from "lit";
-import { plannerName } from "../view/planner-style";
+import { plannerName } from "../styles/planner-style";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
-import { icon } from "./icons";
+import { icon } from "../styles/icons";
 import { extras } from "../view/lazy-layers";
-import { statusOf } from "./status";
+import { statusOf } from "../texts/status";
 
 const SETTLE_MS = 500;
 const INFO_MS = 4000;

@@ -1,3 +1,4 @@
+import type { Selection } from "../scene/selection";
 import type { Obstacle, Pose } from "parkade";
 import { css, html, type TemplateResult } from "lit";
 import { number, translate, type Lang } from "../i18n/index";
@@ -5,11 +6,11 @@ import { words } from "../i18n/words";
 import { countCells, type Run } from "../scene/cells";
 import { goalPose } from "../scene/model";
 import { idsOf } from "../scene/scene-objects";
-import type { Selection, State } from "../store";
+import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";
 import { AppElement } from "./base";
-import { icon, type IconName } from "./icons";
+import { icon, type IconName } from "../styles/icons";
 
 const say = words({ cone: ["Cone", "锥桶"] });
 

@@ -6,7 +6,7 @@ import { vehicleOf } from "../scene/vehicle";
 import type { State, ToolOptions } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
-import { icon } from "./icons";
+import { icon } from "../styles/icons";
 
 const KINDS = ["perpendicular", "parallel", "angled"] as const;
 const ANGLES = [30, 45, 60] as const;

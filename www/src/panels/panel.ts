@@ -1,14 +1,14 @@
 import type { PlannerId } from "parkade";
 import { css, html, nothing, type PropertyValues, type TemplateResult } from "lit";
-import { plannerName } from "../view/planner-style";
+import { plannerName } from "../styles/planner-style";
 import { goalPose, vehicleOf } from "../scene/model";
 import type { State } from "../store";
 import { extras, waiting } from "../view/lazy-layers";
 import { controls } from "../styles/controls";
 import { cameraFor, LOW_MAP, worldToScreen } from "../view/camera";
 import { AppElement } from "./base";
-import { icon, marker } from "./icons";
-import { searchTime, statusOf, timeTitle, type Status } from "./status";
+import { icon, marker } from "../styles/icons";
+import { searchTime, statusOf, timeTitle, type Status } from "../texts/status";
 import "./scene-view";
 
 const TITLE = 32;

@@ -4,9 +4,9 @@ import { css, html, type TemplateResult } from "lit";
 import { Helper } from "../planning/job-client";
 import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
-import { plannerName } from "../view/planner-style";
+import { plannerName } from "../styles/planner-style";
 import { AppElement } from "./base";
-import { marker } from "./icons";
+import { marker } from "../styles/icons";
 import { say } from "./papers-words";
 import "./thumbnail";
 

@@ -2,7 +2,7 @@
 import type { PaperClaim } from "parkade";
 import { css, html, type TemplateResult } from "lit";
 import { reasonIn, type Lang } from "../i18n/index";
-import { icon, type IconName } from "./icons";
+import { icon, type IconName } from "../styles/icons";
 import { say } from "./papers-words";
 
 const VERDICT: Record<PaperClaim["holds"], { tone: string; icon: IconName }> = {

@@ -5,7 +5,7 @@ import { Papers, type Summary } from "../planning/paper-grid-runs";
 import { Helper, joined } from "../planning/job-client";
 import { ensureIds } from "../scene/model";
 import type { Scene } from "../store";
-import { icon } from "./icons";
+import { icon } from "../styles/icons";
 import "./paper-picture";
 import { claimList, claimStyles } from "./papers-claims";
 import { figureName, lineName, papersMarkdown, SHOWN, titleOf } from "./papers-text";

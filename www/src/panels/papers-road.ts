@@ -1,7 +1,7 @@
 import type { RoadTable } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import type { Values } from "../i18n/index";
-import { icon } from "./icons";
+import { icon } from "../styles/icons";
 import "./paper-picture";
 import { claimList, claimStyles, claimsMarkdown } from "./papers-claims";
 import {

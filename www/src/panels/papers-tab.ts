@@ -1,11 +1,11 @@
 import type { PlannerId } from "parkade";
 import { css, html, nothing, type CSSResultGroup, type TemplateResult } from "lit";
-import { sentence } from "../element/app";
+import { sentence } from "../app/app";
 import type { Progress } from "../planning/worker-count";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
-import { icon } from "./icons";
+import { icon } from "../styles/icons";
 import { say } from "./papers-words";
 
 /** One paper's tables: measured when first shown, with progress, cancelled when left, copied as text. */

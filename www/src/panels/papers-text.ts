@@ -2,7 +2,7 @@
 import type { PaperTable, Spread } from "parkade";
 import { number, reasonIn, type Lang } from "../i18n/index";
 import type { Summary } from "../planning/paper-grid-runs";
-import { plannerName } from "../view/planner-style";
+import { plannerName } from "../styles/planner-style";
 import { say } from "./papers-words";
 
 /** What the printed columns are held against. */

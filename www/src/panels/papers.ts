@@ -3,7 +3,7 @@ import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
 import { AppElement } from "./base";
-import { icon } from "./icons";
+import { icon } from "../styles/icons";
 import type { PapersTab } from "./papers-tab";
 import { say } from "./papers-words";
 

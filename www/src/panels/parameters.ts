@@ -3,13 +3,13 @@ import { css, html, nothing, type TemplateResult } from "lit";
 import { isMessage } from "../i18n/index";
 import { words } from "../i18n/words";
 import { distancesOf } from "../view/drive";
-import { plannerName } from "../view/planner-style";
+import { plannerName } from "../styles/planner-style";
 import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";
 import { AppElement } from "./base";
-import { marker } from "./icons";
-import { thingName } from "./status";
+import { marker } from "../styles/icons";
+import { thingName } from "../texts/status";
 
 /** Of any planner, by the names that its parameters have. */
 type Settings = Record<string, unknown>;

@@ -1,6 +1,6 @@
 /** A field in the place of a pose's label: three numbers, metres and degrees. */
 import type { Pose } from "parkade";
-import type { App } from "../element/app";
+import type { App } from "../app/app";
 import { words } from "../i18n/words";
 import { movePose, resolve } from "../scene/model";
 import type { PoseRequest } from "../view/pose-label";

@@ -7,11 +7,11 @@ import { Helper } from "../planning/job-client";
 import { emptyResult, FIRST_PLANNERS, type Scene, type State } from "../store";
 import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
-import { plannerName } from "../view/planner-style";
+import { plannerName } from "../styles/planner-style";
 import { AppElement } from "./base";
 import { captionOf, CASES } from "./planner-showcases";
-import { icon, marker } from "./icons";
-import { statusOf } from "./status";
+import { icon, marker } from "../styles/icons";
+import { statusOf } from "../texts/status";
 import "./generate";
 import "./thumbnail";
 

@@ -1,14 +1,14 @@
 import type { Plan, RoadFigures } from "parkade";
 import { css, html, nothing, type PropertyValues, type TemplateResult } from "lit";
-import { sentence } from "../element/app";
+import { sentence } from "../app/app";
 import { wordsAt } from "../i18n/words";
 import { RoadMeasures, type Risk } from "../planning/road-measures";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";
-import { infoOf, plannerName } from "../view/planner-style";
+import { infoOf, plannerName } from "../styles/planner-style";
 import { AppElement } from "./base";
-import { icon } from "./icons";
+import { icon } from "../styles/icons";
 
 /** So long nothing has to change before a plan is measured. */
 const QUIET_MS = 350;

@@ -1,6 +1,6 @@
 import type { PlannerId } from "parkade";
 import { css, html, LitElement, type PropertyValues } from "lit";
-import type { App } from "../element/app";
+import type { App } from "../app/app";
 import type { PanelResult, State } from "../store";
 import type { View } from "../view/camera";
 import type { PoseRequest } from "../view/pose-label";

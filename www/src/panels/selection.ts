@@ -21,7 +21,7 @@ import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";
 import { AppElement } from "./base";
-import { icon } from "./icons";
+import { icon } from "../styles/icons";
 import "./ground-card";
 import "./goal-card";
 import "./group-card";

@@ -1,5 +1,5 @@
 import { css, html, LitElement, type PropertyValues } from "lit";
-import { recall, remember } from "../element/preferences";
+import { recall, remember } from "../store/preferences";
 import { words } from "../i18n/words";
 import type { Lang } from "../i18n/index";
 

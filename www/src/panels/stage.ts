@@ -1,13 +1,13 @@
 import type { PlannerId } from "parkade";
 import { css, html, nothing, unsafeCSS, type TemplateResult } from "lit";
-import { plannerName } from "../view/planner-style";
+import { plannerName } from "../styles/planner-style";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { LEGEND } from "../view/camera";
 import { extras } from "../view/lazy-layers";
 import { AppElement } from "./base";
-import { lineSample, marker } from "./icons";
-import { searchTime, statusOf } from "./status";
+import { lineSample, marker } from "../styles/icons";
+import { searchTime, statusOf } from "../texts/status";
 import "./panel";
 import "./scene-view";
 

@@ -1,7 +1,7 @@
 import { css, html, LitElement, type PropertyValues } from "lit";
-import type { App } from "../element/app";
+import type { App } from "../app/app";
 import type { Plan } from "parkade";
-import { presetLayers } from "../view/layer-sets";
+import { presetLayers } from "../store/layer-sets";
 import { emptyResult, initialState, type Camera, type Scene } from "../store";
 import { SceneCanvas } from "../view/scene-canvas";
 import { fit, fitMap } from "../view/camera";

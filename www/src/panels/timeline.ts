@@ -1,13 +1,13 @@
 import type { Plan } from "parkade";
 import { css, html, nothing, svg, type TemplateResult } from "lit";
-import { mostExpanded } from "../element/player";
+import { mostExpanded } from "../app/player";
 import { isLong } from "../view/camera";
 import { durationOf } from "../view/playback-time";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { cuspsOf, distancesOf } from "../view/drive";
 import { AppElement } from "./base";
-import { icon, type IconName } from "./icons";
+import { icon, type IconName } from "../styles/icons";
 
 const SPEEDS = [0.25, 0.5, 1, 2, 4] as const;
 

@@ -1,12 +1,12 @@
 /** What the toolbar's menus hold. */
 import { html, nothing, type TemplateResult } from "lit";
-import { LAYER_PRESETS, presetLayers, presetOf } from "../view/layer-sets";
-import { saveAs } from "../element/exports";
-import { copySnippet } from "../element/snippets";
+import { LAYER_PRESETS, presetLayers, presetOf } from "../store/layer-sets";
+import { saveAs } from "./exports";
+import { copySnippet } from "../app/snippets";
 import "../i18n/later";
 import { translate, type Lang, type MessageKey } from "../i18n/index";
 import type { LayerKey } from "../store";
-import { icon, marker, type IconName } from "./icons";
+import { icon, marker, type IconName } from "../styles/icons";
 import type { Toolbar } from "./toolbar";
 
 const LAYER_ORDER: readonly LayerKey[] = [

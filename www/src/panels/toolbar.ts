@@ -1,11 +1,11 @@
 import { css, html, nothing, type TemplateResult } from "lit";
-import { sentence } from "../element/app";
+import { sentence } from "../app/app";
 import "../i18n/later";
 import type { State, ToolId } from "../store";
 import { controls } from "../styles/controls";
 import { menus } from "../view/lazy-layers";
 import { AppElement } from "./base";
-import { icon, logo, type IconName } from "./icons";
+import { icon, logo, type IconName } from "../styles/icons";
 import { Menus } from "./popover-controller";
 
 export const TOOLS: readonly { id: ToolId; icon: IconName; key: string; digit: string }[] = [

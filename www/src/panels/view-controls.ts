@@ -4,7 +4,7 @@ import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { pathLeaves, ZOOM_STEP } from "../view/camera";
 import { AppElement } from "./base";
-import { icon } from "./icons";
+import { icon } from "../styles/icons";
 
 const say = words({
   group: ["View", "视图"],

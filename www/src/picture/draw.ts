@@ -4,7 +4,7 @@ import type { Scenario } from "../scene/scenario";
 import { emptyResult, initialState, type Camera, type State } from "../store";
 import { cameraFor } from "../view/camera";
 import { makeFrame, type Context } from "../view/frame";
-import { introduce } from "../view/planner-style";
+import { introduce } from "../styles/planner-style";
 import { SceneLayers } from "../view/scene-layers";
 import { makeTokens, type Tokens } from "../view/tokens";
 import { drawOn } from "../view/surface";

@@ -1,17 +1,11 @@
 /** Which of a planner's paths are worth a chip. */
+import type { Choice } from "../store/results";
 import type { Drive, Encounter, HybridPlan, Prefer } from "parkade";
 
 const MOST = 4;
 /** What differs by less looks the same: a share of the length or the time, and metres of clearance. */
 const SAME = 0.01,
   SAME_CLEARANCE = 0.05;
-
-/** What a chip stands for: a path that is the best by some measures, or the one that costs least. */
-export interface Choice {
-  plan: HybridPlan;
-  by: Prefer[];
-  isOrdinary: boolean;
-}
 
 /** A choice with its drive, as of a plan. */
 export interface Driven extends Choice {

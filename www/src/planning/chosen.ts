@@ -1,6 +1,6 @@
 /** Which of a planner's paths is shown, and whether there can be a better one. */
+import type { Choice } from "../store/results";
 import type { HybridPlan, Prefer } from "parkade";
-import type { Choice } from "./choices-of";
 
 /** What is chosen, of choices that hold the ordinary path. */
 export const chosenOf = <T extends Choice>(choices: readonly T[], prefer: Prefer | undefined): T | undefined =>

@@ -1,10 +1,10 @@
 /** Better paths than hybrid's first: looked for while a scene rests, and put in its place as they are found. */
 import type { HybridPlan, HybridPlannerId, Plan, PlannerId } from "parkade";
-import { followGoals } from "../scene/goals";
+import { followGoals } from "./follow-goals";
 import { limitsOn } from "../scene/speed-limits";
 import { forPlanners } from "../scene/large-scene";
 import type { PanelResult, Scene, State, Store } from "../store";
-import { identityOf } from "../view/planner-style";
+import { identityOf } from "../styles/planner-style";
 import type { Driven } from "./choices-of";
 import { chosenOf, isProven } from "./chosen";
 import { Helper } from "./job-client";

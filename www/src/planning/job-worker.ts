@@ -1,4 +1,5 @@
 /** What workers of the complete module do beside planning. */
+import type { Choice } from "../store/results";
 import type {
   Family,
   HybridPlan,
@@ -40,7 +41,7 @@ import {
 } from "parkade";
 import type { Run } from "../scene/cells";
 import type { Scenario } from "../scene/scenario";
-import { cheapest, choicesOf, type Choice, type Driven } from "./choices-of";
+import { cheapest, choicesOf, type Driven } from "./choices-of";
 import { driveOf } from "./drive-of";
 import { failureOf } from "./failure";
 import type { Failure, Request, Waiting } from "./protocol";

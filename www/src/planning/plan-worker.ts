@@ -1,8 +1,9 @@
+import type { Timing } from "../store/results";
 import type { HybridPlan, Plan, Planner, PlannerId } from "parkade";
 import type { Scenario } from "../scene/scenario";
 import type { driveOf } from "./drive-of";
 import { failureOf } from "./failure";
-import type { Ends, Layers, PlanRequest, Reply, Request, Timing } from "./protocol";
+import type { Ends, Layers, PlanRequest, Reply, Request } from "./protocol";
 
 const scope = self as unknown as {
   onmessage: ((event: MessageEvent<Request>) => void) | null;

@@ -1,8 +1,9 @@
+import type { Timing } from "../store/results";
 import type { Explanation, LayerName, Limits, Plan, PlannerId, Prefer } from "parkade";
 import { isGoalPose } from "../scene/model";
 import type { Scenario } from "../scene/scenario";
 import type { Holder, WorkerPool } from "./pool";
-import type { Ends, Failure, Layers, Reply, Request, Timing, Waiting } from "./protocol";
+import type { Ends, Failure, Layers, Reply, Request, Waiting } from "./protocol";
 
 /** `every`: cells from one force of the layer `risk` to the next; `budget`: milliseconds after which the plan is given up. */
 export interface Job {
@@ -48,7 +49,7 @@ export class Lane implements Holder {
   private fixed: Layers = {};
   private running: Job | null = null;
   private waiting: Job | null = null;
-  private giveUpTimer: ReturnType<typeof setTimeout> | undefined;
+  private timer: ReturnType<typeof setTimeout> | undefined;
   private limit: ReturnType<typeof setTimeout> | undefined;
   /** When the running plan was sent, and how long the one before took, milliseconds. */
   private since = 0;
@@ -75,7 +76,7 @@ export class Lane implements Holder {
   plan(job: Job): void {
     if (!this.running) return this.send(job);
     this.waiting = job;
-    this.giveUpTimer ??= setTimeout(() => this.giveUp(), Math.max(GIVE_UP_AFTER_MS, GIVE_UP_AFTER_TIMES * this.took));
+    this.timer ??= setTimeout(() => this.giveUp(), Math.max(GIVE_UP_AFTER_MS, GIVE_UP_AFTER_TIMES * this.took));
   }
 
   /** Times of silent plans of the last scene; fewer than `runs` when the budget, milliseconds, is spent. */
@@ -104,9 +105,9 @@ export class Lane implements Holder {
 
   /** Ends what runs; the worker itself lives on where nothing runs. */
   stop(): void {
-    clearTimeout(this.giveUpTimer);
+    clearTimeout(this.timer);
     clearTimeout(this.limit);
-    this.giveUpTimer = undefined;
+    this.timer = undefined;
     const wasBusy = this.running !== null;
     this.running = this.waiting = null;
     this.revoked();
@@ -242,9 +243,9 @@ export class Lane implements Holder {
   }
 
   private finish(): Job | null {
-    clearTimeout(this.giveUpTimer);
+    clearTimeout(this.timer);
     clearTimeout(this.limit);
-    this.giveUpTimer = undefined;
+    this.timer = undefined;
     const next = this.waiting;
     this.running = this.waiting = null;
     return next;

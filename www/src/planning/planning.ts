@@ -1,13 +1,14 @@
+import type { Timing } from "../store/results";
 import type { LayerName, Plan, PlannerId, PlannerSettings } from "parkade";
 import { translate } from "../i18n/index";
-import { hasField, identityOf, infoOf, plannerName } from "../view/planner-style";
+import { hasField, identityOf, infoOf, plannerName } from "../styles/planner-style";
 import { isOneGoal } from "../scene/model";
 import { limitsOn } from "../scene/speed-limits";
 import { forPlanners, isUnpacked, withoutCells } from "../scene/large-scene";
 import { emptyResult, type PanelResult, type Scene, type State, type Store } from "../store";
 import { Lane, type Job } from "./planner-queue";
 import { extentFor, type Engine } from "./engine-loader";
-import type { Failure, Layers, Reply, Timing } from "./protocol";
+import type { Failure, Layers, Reply } from "./protocol";
 
 const SAMPLES = 9;
 /** Silent repeats behind the first time that is shown of a scene; what comes before them is slowed by compilers and caches. */

@@ -1,3 +1,4 @@
+import type { Timing } from "../store/results";
 import type { Drive, Encounter, Explanation, Layer, LayerName, Limits, Plan, PlannerId, Pose, Prefer } from "parkade";
 import type { Scenario } from "../scene/scenario";
 
@@ -41,12 +42,6 @@ export interface Explain {
   id: number;
   x: number;
   y: number;
-}
-
-/** Milliseconds of a plan: until its search ended, and with what follows, measures and checks its path. */
-export interface Timing {
-  search: number;
-  total: number;
 }
 
 export interface Failure {

@@ -1,6 +1,5 @@
-/** What is asked of the goal: one place, or any of several. */
+/** The goal of a scene: one place, or any of several. */
 import type { Goal, GoalSet, Pose, Slot, TakenGoal } from "parkade";
-import type { State, Store } from "../store";
 import {
   findSlot,
   goalPose,
@@ -121,18 +120,4 @@ export function flipGoal(scene: Scene): Scene {
     y: goal.y + Math.sin(goal.heading) * shift,
     heading: goal.heading + Math.PI,
   });
-}
-
-/** Keeps the goal of a set that is shown the one that the planner in front leads to. */
-export function followGoals(store: Store): void {
-  const follow = ({ scene, results, focus, geometry }: State): void => {
-    const { goal } = scene,
-      known = goalPose(scene);
-    if (isOneGoal(goal)) return;
-    const pose = results[focus]?.plan?.goal?.pose ?? (known === scene.start ? geometry?.goal : undefined);
-    if (pose && (pose.x !== known.x || pose.y !== known.y || pose.heading !== known.heading))
-      showGoal(scene, goal, pose);
-  };
-  follow(store.state);
-  store.subscribe(follow);
 }

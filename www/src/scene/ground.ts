@@ -1,10 +1,10 @@
 /** The ground's sides: what stands in their way, and the scene with one of them elsewhere. */
+import { thingsOf } from "./selection";
 import type { Pose } from "parkade";
 import { footprint, mapOutline, resolve, type Scene } from "./model";
 import { boxOf, type Box, type Point } from "./geometry";
 import type { Scenario } from "./scenario";
 import { outlineOfThing } from "./scene-objects";
-import { thingsOf } from "../store";
 
 export type Side = "left" | "right" | "bottom" | "top";
 export const SIDES: readonly Side[] = ["right", "top", "left", "bottom"];

@@ -1,10 +1,10 @@
 /** The scene as the page edits it: every edit gives a new scene and leaves the old one as it was. */
+import { thingsOf } from "./selection";
 import type { CostArea, Goal, GoalSet, MovingObstacle, Obstacle, Pose, Slot, VehicleSpec } from "parkade";
 import { wrapAngle, type Point } from "./geometry";
 import type { Scenario } from "./scenario";
 import { slotOutline, parkedPose, poseInSlot, type Entry } from "./slots";
 import type { Shape } from "./shapes";
-import { thingsOf } from "../store";
 import { vehicleOf, type ResolvedVehicle } from "./vehicle";
 
 export { vehicleOf, footprint } from "./vehicle";

@@ -1,6 +1,6 @@
 /** Obstacles, slots and moving obstacles by their ids, whatever they are. */
+import { thingsOf, type Selection } from "./selection";
 import type { CostArea, MovingObstacle, Obstacle, Slot } from "parkade";
-import { thingsOf, type Selection } from "../store";
 import type { Run } from "./cells";
 import {
   addMoving,

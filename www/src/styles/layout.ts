@@ -34,16 +34,16 @@ export const layout = css`
   @container (min-width: 961px) { .layout-wide > parkade-options { display: none; } }
   @media (max-height: 640px) { .layout-wide { --bottom: 130px; } }
   .layout-narrow { grid-template: "bar" 45px "stage" minmax(0, 1fr) "chips" minmax(57px, auto) "time" 48px "sheet" auto / minmax(0, 1fr); }
-  .layout-narrow.layout-rails { grid-template: "bar stage drawer" 44px "bar stage chips" minmax(0, 1fr) "bar options chips" auto "bar time chips" 37px / 49px minmax(0, 1fr) 57px; }
-  .layout-rails parkade-sheet { grid-area: drawer; }
-  .layout-narrow.bare:not(.layout-rails) { grid-template-rows: 45px minmax(0, 1fr) 57px 48px calc(113px + min(148px, 60vh)); }
+  .layout-narrow.rails { grid-template: "bar stage drawer" 44px "bar stage chips" minmax(0, 1fr) "bar options chips" auto "bar time chips" 37px / 49px minmax(0, 1fr) 57px; }
+  .rails parkade-sheet { grid-area: drawer; }
+  .layout-narrow.bare:not(.rails) { grid-template-rows: 45px minmax(0, 1fr) 57px 48px calc(113px + min(148px, 60vh)); }
   :host([short]) :is(.bottom-pane, parkade-splitter[pane="bottom"]) { display: none; }
   :host([short]) .layout-wide { --bottom: 0px; }
   :host([short]) .layout-narrow { grid-template-rows: 45px minmax(0, 1fr) minmax(57px, auto) 48px 0; }
-  parkade-chips { grid-area: chips; } .layout-narrow:not(.layout-rails) parkade-chips:not(:defined) { height: 57px; }
+  parkade-chips { grid-area: chips; } .layout-narrow:not(.rails) parkade-chips:not(:defined) { height: 57px; }
   parkade-failure { grid-area: stage; align-self: end; z-index: 3; }
   parkade-choices { grid-area: stage; position: relative; align-self: start; top: 40px; }
-  parkade-sheet { grid-area: sheet; } .layout-narrow:not(.layout-rails) parkade-sheet:not(:defined) { height: calc(113px + min(148px, 60vh)); }
+  parkade-sheet { grid-area: sheet; } .layout-narrow:not(.rails) parkade-sheet:not(:defined) { height: calc(113px + min(148px, 60vh)); }
   :host([viewing]) parkade-stage { pointer-events: none; }
   :host([controls="minimal"]) .layout-wide { grid-template: "stage" minmax(0, 1fr) "time" 44px / minmax(0, 1fr); }
   :host([controls="minimal"]) .layout-narrow { grid-template: "stage" minmax(0, 1fr) "time" 48px / minmax(0, 1fr); }

@@ -1,5 +1,5 @@
 /** The ground's border: handles on its sides, beside what selects. */
-import { stopText } from "../panels/ground-words";
+import { stopText } from "../texts/ground-limit";
 import {
   axisOf,
   coordinateOf,

@@ -6,7 +6,7 @@ import { resolve, updateSlot, type Scene } from "../scene/model";
 import { removeObstacle, removeSlot } from "../scene/removal";
 import { distance, insidePolygon, type Point } from "../scene/geometry";
 import { distanceToShape } from "../scene/shapes";
-import type { Draft } from "./draft";
+import type { Draft } from "../store/draft";
 import type { Bench, Input, Tool } from "./tool";
 
 abstract class StrokeTool implements Tool {

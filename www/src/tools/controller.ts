@@ -2,7 +2,7 @@
 import type { Scene, State, Store, ToolId } from "../store";
 import { cameraFor, forgetFit, leastScale, zoomAt, type View } from "../view/camera";
 import { distance, type Point } from "../scene/geometry";
-import type { Draft } from "./draft";
+import type { Draft } from "../store/draft";
 import type { Drawing } from "./tool-registry";
 import { Fingers } from "./fingers";
 import { HandTool } from "./pan";
@@ -11,7 +11,7 @@ import { arrowOf, stepOf, toolOfKey } from "./keys";
 import { SelectTool } from "./select";
 import type { Bench, Input, Tool } from "./tool";
 
-export type { Draft } from "./draft";
+export type { Draft } from "../store/draft";
 
 /** A second finger within this time takes back what the first one drew: it was meant to be a pinch. */
 const STRAY_MS = 120;

@@ -1,11 +1,12 @@
 /** Keys that edit, where they need no pointer. */
+import { isPose } from "../scene/selection";
 import { flipGoal } from "../scene/goals";
 import { movePose, resolve, type Scene } from "../scene/model";
 import { removeThings } from "../scene/removal";
 import { radians } from "../scene/geometry";
 import { allIds, copyThings, idsOf, moveThings, selectionOf } from "../scene/scene-objects";
 import { turnThings } from "../scene/turning";
-import { isPose, type State, type Store } from "../store";
+import { type State, type Store } from "../store";
 import { arrowOf, stepOf } from "./keys";
 
 const RADIUS = { least: 0.1, most: 5, step: 1.25 };

@@ -1,10 +1,11 @@
 /** What is under the pointer. */
+import type { Selection } from "../scene/selection";
 import type { MovingObstacle, Obstacle } from "parkade";
 import { findMoving, resolve } from "../scene/model";
 import { distance, distanceToPolyline, insidePolygon, type Point } from "../scene/geometry";
 import { distanceToShape, rectangleCorners, verticesOf, vertexAt, type Shape } from "../scene/shapes";
 import { footprint } from "../scene/vehicle";
-import type { Selection, State } from "../store";
+import type { State } from "../store";
 import { boxAt, clockOf } from "../view/playback-time";
 import { gripOf } from "../view/pose-handle";
 import { turnGripOf } from "../view/turn-grip";

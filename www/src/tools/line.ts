@@ -4,10 +4,10 @@ import { addMoving, addObstacle } from "../scene/model";
 import { canExtend, crossesItself, distance, type Point } from "../scene/geometry";
 import { tooTight } from "../scene/road";
 import { fixed } from "../view/text";
-import type { Draft } from "./draft";
+import type { Draft } from "../store/draft";
 import { constrainAngle, snapPoint, type Snapped } from "./snap";
 import { metresOf, reachOf, type Bench, type Input, type Tool } from "./tool";
-import { word } from "./tool-messages";
+import { word } from "../view/tool-messages";
 
 const DRAG_PX = 8;
 const TWICE_PX = 5;

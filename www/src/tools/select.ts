@@ -1,4 +1,5 @@
 /** Select, move, turn, copy. */
+import { isPose, type Selection } from "../scene/selection";
 import {
   findMoving,
   findObstacle,
@@ -22,13 +23,12 @@ import {
   selectionOf,
   thingsWithin,
 } from "../scene/scene-objects";
-import { isPose, type Selection } from "../store";
 import { askForPose, poseLabelAt } from "../view/pose-label";
-import type { Draft } from "./draft";
+import type { Draft } from "../store/draft";
 import { hitAt, type Hit } from "./hit";
 import { snapAngle, snapMove, snapPoint, snapPose } from "./snap";
 import type { Bench, Input, Tool } from "./tool";
-import { word } from "./tool-messages";
+import { word } from "../view/tool-messages";
 
 /** `hit` null: the press began beside everything and draws a frame around what shall be chosen. */
 interface Press {

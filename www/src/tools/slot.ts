@@ -6,11 +6,11 @@ import { selectionOf } from "../scene/scene-objects";
 import { sizedShape } from "../scene/slot-fit";
 import { openingOf, slotCentre, slotRow, type SlotShape } from "../scene/slots";
 import { fixed } from "../view/text";
-import type { Aisle, Draft } from "./draft";
+import type { Aisle, Draft } from "../store/draft";
 import { sayMisfit } from "./slot-fit";
 import { constrainAngle, snapAngle, snapPoint } from "./snap";
 import type { Bench, Input, Tool } from "./tool";
-import { word } from "./tool-messages";
+import { word } from "../view/tool-messages";
 
 type Side = "left" | "right";
 /** By how much the other side must be better than the right one. */

@@ -3,7 +3,7 @@ import type { Goal, Pose } from "parkade";
 import { poseInSlot, resolve, type Scene } from "../scene/model";
 import { boxOf, distance, radians, wrapAngle, type Box, type Point } from "../scene/geometry";
 import { cornersOf, verticesOf, type Shape } from "../scene/shapes";
-import type { Guide } from "./draft";
+import type { Guide } from "../store/draft";
 import { metresOf, type Bench, type Input } from "./tool";
 
 const SNAP_PX = 8;

@@ -2,7 +2,7 @@
 import type { Point } from "../scene/geometry";
 import type { Scene, Store } from "../store";
 import type { View } from "../view/camera";
-import type { Draft } from "./draft";
+import type { Draft } from "../store/draft";
 
 export interface Input {
   /** World metres. */

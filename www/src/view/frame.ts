@@ -1,7 +1,7 @@
 /** What every layer is given to draw with: the canvas, the camera, the state. */
 import type { Plan, PlannerId } from "parkade";
 import type { PanelResult, State } from "../store";
-import type { Draft } from "../tools/draft";
+import type { Draft } from "../store/draft";
 import { isOneGoal, resolve, type Resolved } from "../scene/model";
 import type { Point } from "../scene/geometry";
 import { worldToScreen, type View } from "./camera";

@@ -47,4 +47,4 @@ export const vast: Piece<typeof import("./large-map-raster")> = Object.assign(()
 /** What the toolbar's menus hold. */
 export const menus = piece(() => import("../panels/toolbar-menus"));
 /** What comes with drawing, roads, moving obstacles and a closer look at searches. */
-export const extras = piece(() => import("./extras"));
+export const extras = piece(() => import("../panels/extras"));

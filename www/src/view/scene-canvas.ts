@@ -1,7 +1,7 @@
 /** Draws the scene and the planners' answers on one canvas. */
 import type { Plan, PlannerId } from "parkade";
 import type { State } from "../store";
-import type { Draft } from "../tools/draft";
+import type { Draft } from "../store/draft";
 import { cameraFor, type View } from "./camera";
 import { waiting } from "./lazy-layers";
 import { makeFrame, type Shown } from "./frame";

@@ -7,7 +7,7 @@ import { drawObstacles, drawSlots } from "./layers/obstacles";
 import { drawCusps, drawPath } from "./layers/path";
 import { drawCollisions, drawFirstHit } from "./layers/collisions";
 import { drawDrivingCar, drawStartAndGoal } from "./layers/cars";
-import { hasField } from "./planner-style";
+import { hasField } from "../styles/planner-style";
 import { drawHandles, drawSelection } from "./layers/handles";
 import { drawHover } from "./layers/hover";
 import { RiskLayer } from "./layers/risk";

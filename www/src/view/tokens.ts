@@ -1,6 +1,6 @@
 /** The colours and the font of the drawing, read from the element's `--parkade-*` custom properties. */
 import type { PlannerId } from "parkade";
-import { identityOf } from "./planner-style";
+import { identityOf } from "../styles/planner-style";
 
 export const COLOUR_NAMES = [
   "app",

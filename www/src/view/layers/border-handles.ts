@@ -1,7 +1,7 @@
 /** The handles of the ground's sides, and its size while one is dragged. */
 import { axisOf, groundOf, sizeAlong } from "../../scene/ground";
 import { mapOutline } from "../../scene/model";
-import type { Draft } from "../../tools/draft";
+import type { Draft } from "../../store/draft";
 import { HANDLE_PX, handlesOn, type BorderHandle } from "../border-handles";
 import { inMetres, inPixels, pixels, polygonPath, type Frame } from "../frame";
 import { drawPill, fixed, PILL_HEIGHT, pillWidth } from "../text";

@@ -1,11 +1,11 @@
 /** Selection outlines, grips and the label of the pose. */
+import { isPose, type Selection } from "../../scene/selection";
 import type { Pose } from "parkade";
 import { findMoving, findObstacle, slotOutline } from "../../scene/model";
 import { boxOf, type Box, type Point } from "../../scene/geometry";
 import { cornersOf, verticesOf } from "../../scene/shapes";
 import { footprint } from "../../scene/vehicle";
 import { findThing, idsOf } from "../../scene/scene-objects";
-import { isPose, type Selection } from "../../store";
 import { inMetres, inPixels, leading, linePath, pixels, polygonPath, toScreen, type Frame } from "../frame";
 import { cellPaths } from "../outline";
 import { gripOf, noseOf } from "../pose-handle";

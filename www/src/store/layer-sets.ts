@@ -1,5 +1,5 @@
 /** Which layers are shown together. */
-import type { LayerKey, State } from "../store";
+import type { LayerKey, State } from ".";
 
 export type LayerPreset = "clean" | "search" | "risk" | "drive";
 export const LAYER_PRESETS: readonly LayerPreset[] = ["clean", "search", "risk", "drive"];

@@ -1,7 +1,7 @@
 import type { PlannerId, PlannerInfo, ScenarioInfo, SceneGeometry } from "parkade";
 import { loadLang, translate, type Lang, type MessageKey, type Values } from "../i18n/index";
-import { introduce } from "../view/planner-style";
-import { LAYER_PRESETS, presetLayers, presetOf } from "../view/layer-sets";
+import { introduce } from "../styles/planner-style";
+import { LAYER_PRESETS, presetLayers, presetOf } from "../store/layer-sets";
 import { extentFor, loadEngine, type Engine } from "../planning/engine-loader";
 import { Planning } from "../planning/planning";
 import { checkedScene, geometryOf } from "../scene/foreign";

@@ -1,8 +1,9 @@
 /** What a tool shows before it becomes part of the scene. World metres and radians. */
+import type { Selection } from "../scene/selection";
 import type { Pose, Slot, VehicleSpec } from "parkade";
 import type { Point } from "../scene/geometry";
 import type { Side } from "../scene/ground";
-import type { Scene, Selection } from "../store";
+import type { Scene } from ".";
 
 export type Preview =
   | { kind: "brush"; at: Point; radius: number; erase: boolean; label?: string }

@@ -6,7 +6,7 @@ import { wordsAt } from "../i18n/words";
 import { gapAt } from "../scene/gap";
 import type { State } from "../store";
 import { failureOf } from "../view/failure";
-import { identityOf, plannerName } from "../view/planner-style";
+import { identityOf, plannerName } from "../styles/planner-style";
 import { statusOf, thingName } from "./status";
 
 const say = wordsAt("failure");

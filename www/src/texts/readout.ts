@@ -7,7 +7,7 @@ import { weightAt } from "../scene/costs";
 import { costRange } from "../view/layers/cost-raster";
 import { spacingOf } from "../view/layers/painted-costs";
 import { distancesOf, nearestPose } from "../view/drive";
-import { hasField, identityOf } from "../view/planner-style";
+import { hasField, identityOf } from "../styles/planner-style";
 
 type Entry = [label: string, value: string];
 

@@ -1,7 +1,7 @@
 /** What values from outside must be: of a link's view, of messages and properties, of what the browser keeps. One table, bounds included. */
 import type { ParameterInfo, PlannerInfo } from "parkade";
 import type { Scenario } from "../scene/scenario";
-import { ALL_LAYERS, LAYER_PRESETS } from "../view/layer-sets";
+import { ALL_LAYERS, LAYER_PRESETS } from "../store/layer-sets";
 import { cameraLimits } from "../view/camera";
 
 type Words = readonly [en: string, zh: string];

@@ -1,6 +1,6 @@
 /** Pictures and tables of a playground as text; the complete module, which must be there, makes them. */
 import { toCSV, toSVG, type Plan } from "parkade";
-import type { SceneView } from "../panels/scene-view";
+import type { SceneView } from "./scene-view";
 import type { State } from "../store";
 import { makeTokens, type Tokens } from "../view/tokens";
 

@@ -1,8 +1,8 @@
 /** What the export menu saves. */
 import "../i18n/later";
-import { focusedPlan } from "../panels/timeline";
+import { focusedPlan } from "./timeline";
 import { fileName } from "../scene/files";
-import { download, sentence, type App } from "./app";
+import { download, sentence, type App } from "../app/app";
 
 export type ExportKind = "svg" | "csv";
 

@@ -1,3 +1,5 @@
+import { thingsOf, type Selection } from "../scene/selection";
+import type { Choice, Timing } from "./results";
 import type {
   Drive,
   Encounter,
@@ -11,10 +13,8 @@ import type {
   Road,
   SceneGeometry,
 } from "parkade";
-import type { Choice } from "./planning/choices-of";
-import type { Timing } from "./planning/protocol";
-import type { Scenario } from "./scene/scenario";
-import { presetLayers } from "./view/layer-sets";
+import type { Scenario } from "../scene/scenario";
+import { presetLayers } from "./layer-sets";
 
 export type Scene = Scenario;
 export type ToolId =
@@ -30,22 +30,6 @@ export type ToolId =
   | "cost"
   | "eraser"
   | "hand";
-export type Selection =
-  | { kind: "start" | "goal" }
-  | { kind: "obstacle" | "slot" | "moving" | "cost"; id: string }
-  | { kind: "group"; ids: readonly string[] }
-  | null;
-
-/** Everything in a scene that has an id. */
-export const thingsOf = ({ obstacles = [], slots = [], costs = [], moving = [] }: Scene) => [
-  ...obstacles,
-  ...slots,
-  ...costs,
-  ...moving,
-];
-
-export const isPose = (selection: Selection | undefined): selection is { kind: "start" | "goal" } =>
-  selection?.kind === "start" || selection?.kind === "goal";
 
 /** World centre in metres, CSS pixels per metre; shared by all panels. */
 export interface Camera {

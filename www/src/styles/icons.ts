@@ -1,5 +1,5 @@
 import { svg, html, type SVGTemplateResult, type TemplateResult } from "lit";
-import { identityOf, type Shape } from "../view/planner-style";
+import { identityOf, type Shape } from "./planner-style";
 
 const shapes = {
   select: svg`<path d="M4 2.5v10l2.7-2.5 1.7 3.8 1.7-.8-1.7-3.7h3.6z"/>`,

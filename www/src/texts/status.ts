@@ -1,7 +1,7 @@
 import type { Check, Hit, Plan, PlannerId } from "parkade";
 import { isMessage, millis, number, translate, type Lang, type MessageKey, type Values } from "../i18n/index";
 import type { PanelResult, State } from "../store";
-import type { IconName } from "./icons";
+import type { IconName } from "../styles/icons";
 
 export interface Status {
   tone: "ok" | "warn" | "err" | "quiet";

@@ -1,0 +1,21 @@
+/** The layers that the first picture does without, and what is told of the cell under the pointer. */
+import "./choices";
+import "./failure-line";
+export { encounterOf } from "../texts/encounter";
+export { whyOf } from "../texts/failure";
+export { legendOf, readoutOf, weightsOf } from "../texts/readout";
+export { showScale } from "../texts/scale-bar";
+export { costRange, drawCost } from "../view/layers/cost-raster";
+export { drawCosts } from "../view/layers/painted-costs";
+export { drawDifference } from "../view/layers/difference";
+export { drawDraft } from "../view/layers/draft";
+export { drawFailure } from "../view/layers/failure";
+export { drawExplained } from "../view/layers/explained";
+export { follow } from "../planning/improver";
+export { drawGoals } from "../view/layers/goals";
+export { drawOthers, drawPreview } from "../view/layers/ghosts";
+export { drawLaneStrip } from "../view/layers/lane-strip";
+export { drawLanes } from "../view/layers/lanes";
+export { drawContact, drawMoving } from "../view/layers/moving";
+export { drawObstruction } from "../view/layers/obstruction";
+export { TreeLayer } from "../view/layers/tree";
