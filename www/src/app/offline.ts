@@ -3,7 +3,7 @@ export async function workOffline(): Promise<void> {
   // Development serves no such script, and some pages may not have one.
   if (!import.meta.env.PROD || !("serviceWorker" in navigator)) return;
   try {
-    await navigator.serviceWorker.register(new URL("../element/sw.js", document.baseURI));
+    await navigator.serviceWorker.register(new URL("./sw.js", document.baseURI));
   } catch {
     // Private windows and insecure hosts refuse; the page works as before.
   }
