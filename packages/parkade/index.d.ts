@@ -223,7 +223,7 @@ export interface PathMetrics {
   /** Of the car's body along `path`, metres. */
   minClearance: number;
   meanClearance: number;
-  /** Where the scene has `costs`: the length, every part of it times the weight under the rear axle (`cost-map`: the car's middle), metres. */
+  /** Present if the scene has `costs`: the length, each part times the weight under the rear axle (`cost-map`: the car's middle), metres. */
   weightedLength?: number;
 }
 
@@ -252,7 +252,7 @@ export interface GridMetrics extends PathMetrics {
 
 /** Of hybrid A*'s path, besides; absent where there is none. */
 export interface HybridMetrics extends PathMetrics {
-  /** What the path costs by the planner's settings, metres of driving ahead. */
+  /** Cost of the path by the planner's settings, in metres of driving ahead. */
   cost?: number;
   /**
    * Metres that no path of this car from start to goal can be shorter than: the shortest Reeds–Shepp curve, obstacles aside. Of several
@@ -267,7 +267,7 @@ export interface HybridMetrics extends PathMetrics {
   paperLength?: number;
   paperNodes?: number;
   paperTime?: number;
-  /** Where it is chosen by: seconds within `trajectory`'s default limits. */
+  /** Present if the path is chosen by it: driving time within `trajectory`'s default limits, seconds. */
   driveTime?: number;
 }
 
@@ -289,7 +289,7 @@ export interface RoadMetrics extends PathMetrics, Partial<RoadFigures> {
 
 export type Metrics = GridMetrics | HybridMetrics | RoadMetrics;
 
-/** What the independent checker says of `path`: exact footprint against exact obstacles. */
+/** The independent checker's verdict on `path`: exact footprint against exact obstacles. */
 export interface Check {
   /** "ok": this car can drive it and arrives as asked. */
   verdict: "ok" | "arrives-turned" | "too-tight" | "collides" | "none";
@@ -299,7 +299,7 @@ export interface Check {
   hits: number;
   /** Their indices into `path`. */
   hitPoses: Uint32Array;
-  /** What is hit first: its id or kind ("border", "wall", "polygon", …), its index in `obstacles` (or -1) and the pose. */
+  /** The first obstacle hit: its id or kind ("border", "wall", "polygon", …), its index in `obstacles` (or -1) and the pose. */
   firstHit: Hit | null;
   /** Corners and arcs that turn tighter than the car can. */
   tightTurns: number;
@@ -314,7 +314,7 @@ export interface Check {
   goalHeadingError: number;
   /** Metres between the last pose and the goal. */
   goalDistance: number;
-  /** Where the body is nearest to an obstacle, unless it overlaps one. Not in `parkade/core`. */
+  /** The pose with the least clearance, unless the body overlaps an obstacle. Not in `parkade/core`. */
   narrowest?: Narrowest;
 }
 
@@ -357,10 +357,10 @@ export interface Shots {
   dropped: number;
 }
 
-/** What is in the way of a pose: its id or kind ("border", "wall", "polygon", …) and its index in `obstacles` (or -1). */
+/** The obstacle in the way of a pose: its id or kind ("border", "wall", "polygon", …) and its index in `obstacles` (or -1). */
 export interface Hit { obstacle: string; index: number; pose: Pose }
 
-/** Where it fails, for drawing; metres. */
+/** The place that blocks the way, for drawing; metres. */
 export type Obstruction =
   /** The car overlaps something where it starts or shall arrive. */
   | { kind: "contact"; end: "start" | "goal"; hit: Hit }
@@ -376,16 +376,16 @@ export type Obstruction =
   /** Of what was searched, the place with the least estimate to go; the car's heading, of planners that have one. */
   | { kind: "nearest"; x: number; y: number; heading: number | null };
 
-/** What plans of every family have. */
+/** The part that plans of every family share. */
 export interface AnyPlan {
   planner: PlannerId;
   outcome: Outcome;
   detail: Detail | null;
   /** For people, when there is no path: what is in the way, where the search stopped. */
   reason: string | null;
-  /** Where it fails, when there is no path and that is known. */
+  /** The place that blocks the way, if there is no path and the place is known. */
   obstruction: Obstruction | null;
-  /** Where there is a path and the scene has a set of goals: the one that it leads to. */
+  /** Present if there is a path and the scene has a set of goals: the goal that the path leads to. */
   goal?: TakenGoal;
   /** x, y, heading, … at most 0.1 m apart (grid paths beyond 5 km: 50 000 poses). */
   path: Float64Array;
@@ -405,9 +405,9 @@ export interface AnyPlan {
   hash: string;
 }
 
-/** What each step after a grid search makes of its path, whose beginning is `rawPath`; x, y in metres. */
+/** A grid path after each post-processing step; the steps begin with `rawPath`; x, y in metres. */
 export interface Stages {
-  /** What pruning keeps. */
+  /** Corners that remain after pruning. */
   pruned: [number, number][];
   /** The shortest way over the same cells. */
   shortest: [number, number][];
@@ -467,10 +467,10 @@ export interface Member {
   margin: number;
 }
 
-/** What hybrid's path may be chosen by. */
+/** The preference by which hybrid's path is chosen. */
 export type Prefer = "shortest" | "fewest-changes" | "widest" | "fastest";
 
-/** What `Planner.search` found. */
+/** The result of `Planner.search`. */
 export interface Found {
   outcome: Outcome;
   /** Cell centres x, y, … from start to goal, metres; every cell, or the turning points of "any-angle". */
@@ -499,7 +499,7 @@ export interface Layer {
   data: Uint8Array | Float32Array;
 }
 
-/** What the risk-field planner does at one cell, in the terms of its paper's tables 1 and 2. Forces: east, north. */
+/** The risk-field planner's step at one cell, in the terms of its paper's tables 1 and 2. Forces: east, north. */
 export interface Explanation {
   /** Column, row. */
   cell: [number, number];
@@ -547,7 +547,7 @@ export interface ParameterInfo {
 
 export interface PlannerInfo {
   id: PlannerId;
-  /** What it searches: cells; poses of a car, which can drive the path; a road's cost map. */
+  /** Its search space: cells; poses of a car, which can drive the path; a road's cost map. */
   family: "grid" | "hybrid" | "road";
   /** True if a risk field leads it: `layer("risk")` and `explain`. */
   hasRiskField: boolean;
@@ -624,7 +624,7 @@ export interface ImportOptions {
   resolution?: number;
   /** Which of the queries gives the scene's start and goal; default 0. */
   query?: number;
-  /** What cells count as that are neither free nor occupied; default "blocked". */
+  /** Treatment of cells that are neither free nor occupied; default "blocked". */
   unknown?: "blocked" | "free";
   /** Default: a cart 0.8 cells wide for maps of cells, "paper" for maps in metres. */
   vehicle?: VehicleSpec;
@@ -647,7 +647,7 @@ export interface Imported {
   scene: Scenario;
   scenes: Scenario[];
   queries: ImportedQuery[];
-  /** What people should know of how it was read. */
+  /** Remarks about how the file was read. */
   notes: string[];
 }
 
@@ -710,7 +710,7 @@ export interface PaperTable {
 /** A claim of a paper and what we find. */
 export interface PaperClaim { id: string; text: string; found: string; holds: "yes" | "no" | "partly" | "unknown" }
 
-/** What `paperGrid` measures: rows, planners and columns. `parkade` only, not `parkade/core`, as the next two. */
+/** Rows, planners and columns that `paperGrid` measures. `parkade` only, not `parkade/core`, as the next two. */
 export function paperGridRows(): { rows: PaperRow[]; planners: string[]; columns: string[] };
 /**
  * Measures a row of the risk-field paper on the maps of seeds `from` to `to`, both included: per map a number for each
@@ -747,7 +747,7 @@ export interface RoadTable {
     risk: { trials: number; hits: number; discHits: number };
     milliseconds: number;
   }[];
-  /** What the second line is held to; none for ships. */
+  /** Promises of the second line; none for ships. */
   promises: {
     figure: "length" | "turns" | "curvatureVariation" | "curvature" | "clearanceMean" | "clearanceLeast" | "hits" | "laneDeviation"
       | "laneLeft" | "bytesPerCell";
@@ -759,7 +759,7 @@ export interface RoadTable {
   }[];
 }
 
-/** What `paperRoad` measures. `parkade` only, not `parkade/core`, as the next one. */
+/** Rows that `paperRoad` measures. `parkade` only, not `parkade/core`, as the next one. */
 export function paperRoadRows(): RoadRow[];
 /** Plans a scene of the road manuscript in several ways, the fastest of some rounds (1) for the time, with the risk of each. */
 export function paperRoad(options: { row: string; rounds?: number }): RoadTable;
@@ -777,9 +777,9 @@ export interface ParkingRow {
   parallel: boolean;
   traditional: ParkingFigures;
   improved: ParkingFigures;
-  /** What "hybrid" is held to: metres, gear changes. */
+  /** Bounds that "hybrid" must meet: metres, gear changes. */
   reach: [number, number];
-  /** What is wrong with the printed row; may be empty. */
+  /** Error of the printed row; may be empty. */
   note: string;
 }
 
@@ -805,7 +805,7 @@ export interface ParkingTable {
   saved: [number, number];
 }
 
-/** What `paperParking` measures. `parkade` only, not `parkade/core`, as the next one. */
+/** Rows that `paperParking` measures. `parkade` only, not `parkade/core`, as the next one. */
 export function paperParkingRows(): ParkingRow[];
 /** Plans a row of the parking paper with its planners; the fastest of some rounds (1) counts for the time. */
 export function paperParking(options: { row: string; rounds?: number }): ParkingTable;
@@ -915,7 +915,7 @@ export class Planner<Id extends PlannerId = PlannerId> {
    */
   layer(name: LayerName, options?: { every?: number }): Layer;
   /**
-   * What the risk field does at the cell of a point (metres); null off the map and in blocked cells. Throws for planners
+   * Explains the risk field at the cell of a point (metres); null off the map and in blocked cells. Throws for planners
    * without a risk field. `parkade` only, not `parkade/core`.
    */
   explain(at: { x: number; y: number }): Explanation | null;
@@ -933,7 +933,7 @@ export interface DrivenPath {
   curvatures?: Float64Array | number[];
 }
 
-/** What a trajectory keeps to. */
+/** Limits of a trajectory. */
 export interface Limits {
   /** "limited" (default): from rest to rest within all limits. "constant": `speed` throughout, as in the parking paper. */
   profile?: "limited" | "constant";
@@ -990,7 +990,7 @@ export interface Trajectory extends Drive {
   maxLateralAcceleration: number;
 }
 
-/** What `optimise` keeps to. */
+/** Limits and options of `optimise`. */
 export interface OptimiseOptions extends MotionLimits {
   /** Metres kept from obstacles where the plan keeps as much; default 0.05. */
   margin?: number;
@@ -1003,7 +1003,7 @@ export interface OptimiseOptions extends MotionLimits {
 export interface OptimisedTrajectory extends Trajectory {
   /** From each row on, rad/s. */
   steeringRates: Float64Array;
-  /** What made it: the optimised path, or the plan's own with a standstill at each step of the curvature. */
+  /** The stage that made it: the optimised path, or the plan's own path with a standstill at each step of the curvature. */
   stage: "optimised" | "stop-and-steer";
   /** The referee's verdict. */
   check: Judgement;
@@ -1012,7 +1012,7 @@ export interface OptimisedTrajectory extends Trajectory {
 /** How closely a simulated car followed. */
 export interface Tracking {
   t: Float64Array;
-  /** Where the car was: x, y, heading, … */
+  /** Poses of the simulated car: x, y, heading, … */
   path: Float64Array;
   /** Metres to the left of the path. */
   lateral: Float64Array;
@@ -1025,7 +1025,7 @@ export interface Tracking {
   /** Metres and radians between the last pose and the path's. */
   endDistance: number;
   endHeading: number;
-  /** What the body overlapped first. */
+  /** The first obstacle that the body overlapped. */
   hit: Check["firstHit"];
   /** At most 0.10 m to the side, 0.10 m and 0.05 rad off at the end, no hit. */
   passes: boolean;
@@ -1194,7 +1194,7 @@ export interface PictureOptions {
    */
   layout?: "single" | "overlay";
   controls?: "none" | "minimal";
-  /** What is seen; start, goal and the cars' way where absent. */
+  /** The visible area; by default start, goal and the cars' way. */
   camera?: Camera | null;
   /** Rasters of the plan that leads (hybrid's, or else the last): `safety` and `risk` are drawn. */
   layers?: Partial<Record<LayerName, Layer>>;

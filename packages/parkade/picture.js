@@ -84,7 +84,7 @@ function checkCamera(camera) {
   }
 }
 
-/** What a picture needs of a plan; from JSON its lists may be plain ones. @param {import("./index.js").Plan} plan */
+/** The parts of a plan that a picture needs; lists from JSON may be plain arrays. @param {import("./index.js").Plan} plan */
 function checkPlan(plan) {
   const { planner, outcome } = plan,
     check = object(plan.check, "plan.check");

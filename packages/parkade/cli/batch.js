@@ -116,7 +116,7 @@ function superseded(results, keys) {
 }
 
 /**
- * What is to be planned, each once: the same scene in two files is the same task. `keys` are those of all shards, by question.
+ * The tasks, each once: the same scene in two files is one task. `keys` are those of all shards, by question.
  * @param {string[]} places
  * @param {import("../index.js").PlannerId[]} ids
  * @param {Record<string, unknown>} config
@@ -160,9 +160,9 @@ export async function planned(pool, tasks, jobs, each, limit) {
     stopped = true;
   };
   process.once("SIGINT", stop).once("SIGTERM", stop);
-  /** What was in work when a thread's module trapped, to be tried once more in a new one. @type {Set<Task>} */
+  /** Tasks in progress when a thread's module trapped; each is tried once more in a new thread. @type {Set<Task>} */
   const again = new Set();
-  /** What was in a group that took too long, to be planned alone. @type {Set<Task | undefined>} */
+  /** Tasks of a group that took too long; each is planned alone. @type {Set<Task | undefined>} */
   const alone = new Set();
   const left = tasks.toReversed();
   let size = 1;

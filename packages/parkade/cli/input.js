@@ -37,7 +37,7 @@ function small(path, content) {
   return content;
 }
 
-/** What the system's codes mean. @type {Record<string, string>} */
+/** Meanings of the system's error codes. @type {Record<string, string>} */
 const REASONS = {
   ENOENT: "there is no such file",
   EISDIR: "is a folder",

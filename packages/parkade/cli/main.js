@@ -26,7 +26,7 @@ exit codes: 0 done; 1 no path, a path or trajectory that fails its check, a bloc
 which the same command continues
 `;
 
-/** What each command is told by `--help`, its options, and where it is. @type {Record<string, Command>} */
+/** Each command's help text, options and module. @type {Record<string, Command>} */
 const COMMANDS = {
   plan: {
     about: `usage: parkade plan SCENE [options]

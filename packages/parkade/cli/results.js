@@ -12,7 +12,7 @@ import { Refused, reason } from "./input.js";
  * @typedef {{ key: string, scene: string, planner: string, settings: Record<string, unknown>, superseded?: true, outcome?: string, verdict?: string, hash?: string, error?: { code: string, path: string, message: string }, [figure: string]: unknown }} Result
  */
 
-/** What is kept of a result that has been written. @param {Result} result @returns {Result} */
+/** The part of a written result that is kept in memory. @param {Result} result @returns {Result} */
 export const outline = ({ key, scene, planner, settings, superseded, outcome, hash, error }) => ({
   key,
   scene,
@@ -24,7 +24,7 @@ export const outline = ({ key, scene, planner, settings, superseded, outcome, ha
   error,
 });
 
-/** What a result answers, whatever the scene holds. @param {Pick<Result, "scene" | "planner" | "settings">} result */
+/** The key of a result: scene, planner and settings. @param {Pick<Result, "scene" | "planner" | "settings">} result */
 export const questionOf = ({ scene, planner, settings }) =>
   JSON.stringify([scene, planner, Object.entries(settings ?? {}).sort()]);
 
@@ -54,7 +54,7 @@ export async function* read(file) {
   }
 }
 
-/** What a run that was stopped in the middle of a line left of it is taken away. @param {string} file */
+/** Removes the partial last line of a run that was stopped while writing. @param {string} file */
 export async function mend(file) {
   const size = await stat(file).then(
     (one) => one.size,

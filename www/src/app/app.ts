@@ -16,10 +16,10 @@ import { persistently } from "./retry";
 import { Player } from "./player";
 import type { ValueError } from "./schema";
 
-/** What a road is opened with, the one made for roads first. */
+/** Planners shown for a road, the road planner first. */
 const ROAD_PLANNERS: State["planners"] = ["cost-map", "eight", "risk-field", "hybrid"];
 
-/** What the planners' module knows, once it is loaded. */
+/** The contents of the loaded planners' module. */
 export interface Catalog {
   planners: PlannerInfo[];
   scenarios: ScenarioInfo[];
@@ -115,7 +115,7 @@ export class App {
     return engine;
   }
 
-  /** What only the full page does: drawings survive, and so does the page without a network. */
+  /** Services of the full page only: drawings survive, and the page works offline. */
   private rememberFirstEdit(): void {
     const stop = this.store.subscribe((state, previous) => {
       if (!state.canUndo || state.scene === previous.scene) return;

@@ -144,7 +144,7 @@ const HOUR_MS = 3_600_000;
 /** Characters; a scene of millions of cells makes no link. */
 const LONGEST_LINK = 1_000_000;
 
-/** What the rules depend on. */
+/** Facts that the rules depend on. */
 export interface Known {
   planners: readonly PlannerInfo[];
   map: Scenario["map"];
@@ -176,7 +176,7 @@ export const RULES = {
     ),
 } as const;
 
-/** What an attribute's text must be; the others may be anything. */
+/** Rules for the texts of attributes; other attributes accept anything. */
 const ATTRIBUTES: Record<string, (text: string) => [value: unknown, rule: Rule]> = {
   layout: (text) => [text, oneOf([...MODES, "single"])],
   controls: (text) => [text, oneOf(["full", "minimal", "none"])],

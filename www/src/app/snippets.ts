@@ -1,4 +1,4 @@
-/** What the export menu copies: the scene as something to paste. */
+/** Texts that the export menu copies: the scene in a form to paste. */
 import "../i18n/later";
 import { forPlanners } from "../scene/large-scene";
 import { sentence, type App } from "./app";

@@ -18,7 +18,7 @@ export const colours = css`${unsafeCSS(tokens.cssText.replace(/:not\(\[theme="?l
 
 type Layout = State["mode"] | "single";
 
-/** What an attribute is when it is not there. */
+/** Values of absent attributes. */
 const DEFAULTS: Record<string, string> = {
   scene: FIRST_SCENE,
   planners: "",

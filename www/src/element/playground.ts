@@ -21,7 +21,7 @@ const SHORT_HEIGHT = 560;
 /** A page lower and wider than this has its controls in rails beside the map: a phone on its side. */
 const RAILS = { height: 480, width: 480 };
 export const FIRST_SCENE = "perpendicular";
-/** What the first picture does without, fetched at once or when it is opened. */
+/** Parts after the first picture, fetched at once or when opened. */
 const PARTS = [
   () => import("../panels/toolbar"),
   () => import("../panels/table"),
@@ -271,7 +271,7 @@ export class Playground extends LitElement {
     </div>`;
   }
 
-  /** What stands around the maps and over them. */
+  /** The controls around and over the maps. */
   private rest(): TemplateResult {
     return html`${this.compact ? this.narrow() : this.wide()}
       <parkade-entry .app=${this.app}></parkade-entry>
@@ -364,7 +364,7 @@ export class Playground extends LitElement {
     }
   }
 
-  /** What is shown first. */
+  /** The first view. */
   protected beginning(): Omit<Beginning, "loaded"> {
     return { preset: this.scene, syncAddress: this.permalink, drives: true, given: Promise.resolve(null) };
   }

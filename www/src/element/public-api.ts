@@ -1,4 +1,4 @@
-/** What pages may say to an embedded playground: the same names for the element and for messages to a frame. */
+/** The public API of an embedded playground: the same names for the element and for messages to a frame. */
 
 /** Attributes that pass from the element to what it loads. */
 export const ATTRIBUTES = [

@@ -28,7 +28,7 @@ export const translate = (lang: Lang, key: MessageKey, values: Values = {}): str
 /** Words that come with a piece of the page. */
 export const addEnglish = (words: Table): void => void Object.assign(english, words);
 
-/** What the planners say in English, in another language. */
+/** Translations of the planners' English texts. */
 export const reasonIn = (lang: Lang, english: string): string => reasons[lang]?.(english) ?? english;
 
 /** A text with its values in their places; a value named `reason` is said in the text's language. */

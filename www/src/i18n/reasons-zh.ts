@@ -7,7 +7,7 @@ export interface Catalogue {
 
 type Say = (text: string) => string | undefined;
 
-/** What says in Chinese a text that one of the templates fits. */
+/** Translates a text that fits one of the templates into Chinese. */
 function templates(table: Record<string, string>, valueOf: (text: string) => string): Say {
   const patterns = Object.entries(table).map(
     ([en, zh]) =>
@@ -31,7 +31,7 @@ function templates(table: Record<string, string>, valueOf: (text: string) => str
   };
 }
 
-/** What says a reason in Chinese; one that the catalogue does not have stays as it is. */
+/** Translates a reason into Chinese; one that the catalogue lacks stays as it is. */
 export function chineseReasons({ reasons, values }: Catalogue): (english: string) => string {
   // What is quoted stays as it was written.
   const valueOf = (text: string): string => (/^["'[]/.test(text) ? text : (wordOf(text) ?? text));

@@ -151,7 +151,7 @@ export class Charts extends AppElement {
       ${reverseSpans(plan).map(([from, to]) => svg`<line class="reverse" x1=${((from * length) / total) * WIDTH} x2=${((to * length) / total) * WIDTH} y1=${HEIGHT} y2=${HEIGHT}/>`)}`;
   }
 
-  /** Where the focused path changes gear, as shares of the axis. */
+  /** Gear changes of the focused path, as shares of the axis. */
   private cusps(total: number): number[] {
     const plan = focusedPlan(this.state);
     return plan ? cuspsOf(plan).map((index) => distancesOf(plan)[index]! / total) : [];

@@ -34,7 +34,7 @@ const say = words({
   pen: ["Fingers pan, the pen draws", "手指平移，触控笔绘制"],
 });
 
-/** What can be done where the pointer is: a right click, or a finger that rests. */
+/** Menu at the pointer, opened by a right click or a resting finger. */
 export class ContextMenu extends AppElement {
   static override properties = { ...AppElement.properties, request: { state: true } };
   static override styles = [

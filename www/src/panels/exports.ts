@@ -1,4 +1,4 @@
-/** What the export menu saves. */
+/** Files that the export menu saves. */
 import "../i18n/later";
 import { focusedPlan } from "./timeline";
 import { fileName } from "../scene/files";

@@ -107,7 +107,7 @@ export class GoalCard extends AppElement {
       : this.t(entry === "head-in" ? "inspect.head" : "inspect.reverse");
   }
 
-  /** What the planner in front leads to. */
+  /** The goal that the focused planner leads to. */
   private one(): Scene {
     const { scene, results, focus } = this.state;
     return onlyOne(scene, results[focus]?.plan?.goal);

@@ -14,7 +14,7 @@ import { icon } from "../styles/icons";
 
 const say = wordsAt("group");
 
-/** What several chosen things have in common. */
+/** Properties that several selected things share. */
 export class GroupCard extends AppElement {
   static override styles = [
     controls,

@@ -28,7 +28,7 @@ interface Anchor {
   near: readonly Box[];
 }
 
-/** What can be done next: one sentence beside the thing it speaks of, over no control and no text, until anything is done. */
+/** Hints for the next step: one sentence beside the thing it names, over no control and no text, until the first action. */
 export class Hints extends AppElement {
   static override properties = { ...AppElement.properties, bubble: { state: true } };
   static override styles = [
@@ -43,7 +43,7 @@ export class Hints extends AppElement {
     @media (pointer: coarse) { button { width: 44px; height: 44px; } }
   `,
   ];
-  /** What is shown. */
+  /** The visible hint. */
   declare bubble: Bubble | null;
   private readonly observer = new ResizeObserver(() => this.place());
   private host: HTMLElement | null = null;

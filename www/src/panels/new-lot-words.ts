@@ -7,7 +7,7 @@ export const say = wordsAt("lot");
 
 export type Word = Parameters<typeof say>[1];
 
-/** What to change, in one sentence. */
+/** Advice on what to change, in one sentence. */
 export function faultText(lang: Lang, { field, rule, least }: LotFault): string {
   const most = field in LIMITS ? LIMITS[field as NumberField][1] : least;
   if (rule === "least" && field === "width") return say(lang, "groundWidth", { least });

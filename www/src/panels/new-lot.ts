@@ -87,7 +87,7 @@ export class NewLot extends AppElement {
   declare plan: Plan | null;
   /** Why there is no plan, where that is no fault of the numbers. */
   declare trouble: string;
-  /** What stands in the field that is being typed in. */
+  /** The text of the field being edited. */
   declare typed: { field: NumberField; text: string } | null;
   private helper: Helper | null = null;
   private scene: Scene | null = null;
@@ -154,7 +154,7 @@ export class NewLot extends AppElement {
       ${isOpen ? html`<div class="rows">${BLOCKS[block].filter((field) => this.isAsked(field)).map((field) => (isChoice(field) ? this.choice(field) : this.number(field, sizes)))}</div>` : nothing}</section>`;
   }
 
-  /** What a closed block holds, in one line. */
+  /** One-line summary of a closed block. */
   private summary(block: Block, { car, bay, rows, width, depth }: Sizes): string {
     const { form } = this,
       { lang } = this.state,

@@ -10,7 +10,7 @@ import { statusOf } from "../texts/status";
 const SETTLE_MS = 500;
 const INFO_MS = 4000;
 
-/** What went wrong, in words, over the page; and what screen readers are told. */
+/** Notices over the page, and announcements for screen readers. */
 export class Notices extends AppElement {
   static override properties = { ...AppElement.properties, spoken: { state: true } };
   static override styles = [

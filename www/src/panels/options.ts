@@ -28,7 +28,7 @@ const say = words({
   snapHelp: ["Snaps to corners, lines and cells. Ctrl inverts.", "吸附到角点、对齐线与栅格；按住 Ctrl 反转"],
 });
 
-/** What the active tool can be set to: a row above the map, `flat` in a sheet, or the first lines (`form`) of the inspector. */
+/** Options of the active tool: a row above the map, `flat` in a sheet, or the first lines (`form`) of the inspector. */
 export class ToolOptionsBar extends AppElement {
   static override styles = [
     controls,

@@ -205,7 +205,7 @@ export class PlannerPanel extends AppElement {
   }
 }
 
-/** Where start and goal stand and the goal's handle is, in pixels. */
+/** Positions of start, goal and the goal's handle, in pixels. */
 function handlePoints(state: State, width: number, height: number): [number, number][] {
   const view = { camera: cameraFor(state, width, height), width, height };
   const nose = vehicleOf(state.scene.vehicle).rearToFront;

@@ -17,7 +17,7 @@ const MOST = 200;
 /** The scene of a row: figure 8 has regular maps, figure 9 random ones. */
 const sceneOf = (row: string): string => `fig${row.startsWith("random") ? 9 : 8}-${row.split("-")[1]!}`;
 
-/** What was measured stays while the page is open. */
+/** Measurements, kept while the page is open. */
 let papers: Papers | null = null;
 let last: Summary | null = null;
 

@@ -1,4 +1,4 @@
-/** What the rows of the parking paper's tables show, and their text. */
+/** Columns of the parking paper's tables, and their text. */
 import type { ParkingFigures, ParkingTable } from "parkade";
 import { number, type Lang } from "../i18n/index";
 import { say } from "./papers-parking-words";
@@ -49,7 +49,7 @@ export function printedOf({ row }: ParkingTable, { key, printed }: Figure): [num
   return printed ? [row.traditional[key as "length"], row.improved[key as "length"]] : null;
 }
 
-/** What is wrong with the printed row; the package says it in English only. */
+/** Error of the printed row; the package has it in English only. */
 export const noteOf = (lang: Lang, { row }: ParkingTable): string => (row.note ? say(lang, row.id as "P0") : "");
 
 export const reachText = (

@@ -1,4 +1,4 @@
-/** What the rows of the road manuscript's tables show, and their text. */
+/** Columns of the road manuscript's tables, and their text. */
 import type { RoadTable } from "parkade";
 import { number, type Lang } from "../i18n/index";
 import { FLAGS, say } from "./papers-road-words";
@@ -16,7 +16,7 @@ export interface Figure {
   /** Beside the number. */
   more?(lang: Lang, line: Line): string;
   printed?: Printed;
-  /** What a printed number is multiplied by to have our unit. */
+  /** Factor from a printed number to our unit. */
   unit?: number;
   promised?: Promised;
   tip?: Key;

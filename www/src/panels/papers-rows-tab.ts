@@ -5,7 +5,7 @@ import { workersHere, type Progress } from "../planning/worker-count";
 import { RowPapers, type Tables } from "../planning/papers-rows";
 import { PapersTab } from "./papers-tab";
 
-/** What was measured of a paper, which stays while the page is open. */
+/** Measurements of a paper, kept while the page is open. */
 export class Measured<Name extends keyof Tables> {
   papers: RowPapers<Name> | null = null;
   tables: Tables[Name][] | null = null;

@@ -1,4 +1,4 @@
-/** What the tables of the parking paper and of the road manuscript both say. */
+/** Texts shared by the tables of the parking paper and of the road manuscript. */
 export const ROWS = {
   figure: ["Figure", "指标"],
   printedHead: ["Printed", "印刷"],

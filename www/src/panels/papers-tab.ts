@@ -95,7 +95,7 @@ export abstract class PapersTab<Summary> extends AppElement {
     this.app.openPreset(id);
   }
 
-  /** What opens a row's scene. */
+  /** The link that opens a row's scene. */
   protected link(id: string, text = say(this.state.lang, "open")): TemplateResult {
     return html`<button class="link" @click=${() => this.openScene(id)}>${text}</button>`;
   }
@@ -108,7 +108,7 @@ export abstract class PapersTab<Summary> extends AppElement {
     )}</div>`;
   }
 
-  /** What keeps it from measuring, if anything. */
+  /** The reason why it cannot measure, if any. */
   protected refusal(): string | null {
     return null;
   }

@@ -5,7 +5,7 @@ import type { Summary } from "../planning/paper-grid-runs";
 import { plannerName } from "../styles/planner-style";
 import { say } from "./papers-words";
 
-/** What the printed columns are held against. */
+/** Our columns that are compared with the printed ones. */
 export const SHOWN = { nodes: "generated", length: "lengthPruned" } as const;
 
 /** Variants of planners that only these tables have. */

@@ -1,4 +1,4 @@
-/** Where each planner shines and where it struggles, among the built-in scenes. */
+/** Built-in scenes on which each planner shines, and on which it struggles. */
 import type { PlannerId, ScenarioInfo } from "parkade";
 import { number, type Lang } from "../i18n/index";
 import { words } from "../i18n/words";
@@ -165,7 +165,7 @@ const say = words({
   against: ["The car touches the wall at the start.", "车辆在起点紧贴墙边。"],
 });
 
-/** What a card of the gallery says of its scene. */
+/** Caption of a gallery card. */
 export function captionOf({ id, question }: Pick<ScenarioInfo, "id" | "question">, lang: Lang): string {
   const [a, m, b, n] = PRINTED[id] ?? [];
   if (a === undefined || b === undefined) return question[lang];

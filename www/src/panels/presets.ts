@@ -133,7 +133,7 @@ export class Presets extends AppElement {
       <span class="words"><b>${title}<span class="by" title=${suits}>${marker(planner)}<span class="sr">${suits}</span></span></b><i>${question}</i><small>${this.factOf(info.id, planner)}</small></span></button></li>`;
   }
 
-  /** What the plan on the card does; empty until it is there. */
+  /** Summary of the plan on the card; empty until it exists. */
   private factOf(id: string, planner: PlannerId): string {
     const { state } = this,
       plan = solved.get(`${id} ${planner}`);

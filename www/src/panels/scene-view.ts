@@ -9,7 +9,7 @@ import { SceneCanvas } from "../view/scene-canvas";
 
 /** Parts of the state that never show on a canvas. */
 const UNSEEN: readonly (keyof State)[] = ["message", "live", "canUndo", "canRedo"];
-/** What a drag changes; the camera rests. */
+/** State that a drag changes; the camera rests. */
 const DRAGGED: readonly (keyof State)[] = ["scene", "geometry", "results", "hover", "explained", "reason"];
 /** How long (ms) a map may stand still while another is dragged on. */
 const FOLLOW_WITHIN = 50;

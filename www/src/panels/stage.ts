@@ -96,7 +96,7 @@ export class Stage extends AppElement {
       ${this.bare ? nothing : this.notes()}</div>`;
   }
 
-  /** What stands over the one map. */
+  /** The list over the one map. */
   private notes(): TemplateResult {
     const { focus } = this.state;
     return html`${this.compact ? nothing : html`<parkade-failure .app=${this.app}></parkade-failure>`}

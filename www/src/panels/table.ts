@@ -130,7 +130,7 @@ export class MetricsTable extends AppElement {
       </span></footer>`;
   }
 
-  /** What the focused plan is known by, wherever it is made. */
+  /** The focused plan's hash, which is the same on every platform. */
   private hash(): TemplateResult | typeof nothing {
     const hash = this.state.results[this.state.focus]?.plan?.hash;
     return hash

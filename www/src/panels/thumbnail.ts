@@ -23,7 +23,7 @@ export class Thumbnail extends LitElement {
   declare scene: Scene;
   declare plan: Plan | null | undefined;
   declare whole: boolean;
-  /** Where it looks; undefined shows what matters. */
+  /** The visible area; undefined fits start, goal and paths. */
   declare camera: Camera | undefined;
   private drawer: SceneCanvas | null = null;
 

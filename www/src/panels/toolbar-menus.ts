@@ -1,4 +1,4 @@
-/** What the toolbar's menus hold. */
+/** Contents of the toolbar's menus. */
 import { html, nothing, type TemplateResult } from "lit";
 import { LAYER_PRESETS, presetLayers, presetOf } from "../store/layer-sets";
 import { saveAs } from "./exports";
@@ -90,7 +90,7 @@ export function more(bar: Toolbar): TemplateResult {
     ${item(bar, "help", "bar.help", () => bar.emit("keys"))}`;
 }
 
-/** What stands in the bar itself where that is a row. */
+/** Entries that the wide toolbar shows itself. */
 function railed(bar: Toolbar): TemplateResult {
   const { store } = bar.app,
     { canUndo, canRedo } = store.state;

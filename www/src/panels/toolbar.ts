@@ -203,7 +203,7 @@ export class Toolbar extends AppElement {
       ${this.menus.open === "more" ? html`<div class="popover right">${menus()?.more(this)}</div>` : nothing}</span>`;
   }
 
-  /** What a menu holds is fetched after the first picture. */
+  /** Menu contents are fetched after the first picture. */
   private toggle(name: MenuName, { currentTarget }: Event): void {
     const opener = currentTarget as HTMLElement;
     void menus.load().then(

@@ -23,7 +23,7 @@ export interface Sheet {
   title: string;
   /** The playground whose map this is, each in its place; null where the map is the whole picture. */
   element: { layout: "single" | "overlay"; controls: "none" | "minimal" } | null;
-  /** What `metadata` holds. */
+  /** Contents of `metadata`. */
   data: string;
   camera: Camera | null;
   /** Rasters of the plan that leads. */

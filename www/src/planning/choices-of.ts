@@ -3,7 +3,7 @@ import type { Choice } from "../store/results";
 import type { Drive, Encounter, HybridPlan, Prefer } from "parkade";
 
 const MOST = 4;
-/** What differs by less looks the same: a share of the length or the time, and metres of clearance. */
+/** Smaller differences count as equal: a share of the length or the time, and metres of clearance. */
 const SAME = 0.01,
   SAME_CLEARANCE = 0.05;
 

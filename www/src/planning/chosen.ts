@@ -2,7 +2,7 @@
 import type { Choice } from "../store/results";
 import type { HybridPlan, Prefer } from "parkade";
 
-/** What is chosen, of choices that hold the ordinary path. */
+/** The chosen path among choices that include the ordinary path. */
 export const chosenOf = <T extends Choice>(choices: readonly T[], prefer: Prefer | undefined): T | undefined =>
   choices.find(({ by, isOrdinary }) => (prefer ? by.includes(prefer) : isOrdinary)) ?? choices[0];
 

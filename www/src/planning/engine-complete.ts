@@ -7,7 +7,7 @@ import { serve } from "./plan-worker";
 export { failureOf } from "./failure";
 export { init, packRuns, planners, scenario, sceneGeometry, scenarios, unpackRuns } from "parkade";
 
-/** What `new Worker` is given. */
+/** The address for `new Worker`. */
 export const script = import.meta.url;
 
 if (typeof document === "undefined") {

@@ -16,7 +16,7 @@ export interface Engine {
   script: string;
 }
 
-/** Where worker scripts and modules are when not beside this script: pages of one host that embed another's need their own copies. */
+/** Addresses of worker scripts and modules that are not beside this script: pages that embed another host's element need their own copies. */
 export const elsewhere: { worker: string | null; wasm: string | null } = { worker: null, wasm: null };
 
 /** `core` plans the first picture; `complete` has every planner and format and comes later, or at once where it is needed. */
@@ -30,7 +30,7 @@ const CORE: readonly PlannerId[] = ["four", "eight", "risk-field", "hybrid", "hy
 
 const loading: Partial<Record<Extent, Promise<Engine>>> = {};
 
-/** What these planners need; the first picture's are in both. */
+/** The engine that these planners need; those of the first picture are in both. */
 export const extentFor = (planners: readonly PlannerId[]): Extent =>
   planners.every((planner) => CORE.includes(planner)) ? "core" : "complete";
 

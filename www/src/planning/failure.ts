@@ -1,6 +1,6 @@
 import type { Failure } from "./protocol";
 
-/** What a thrown thing says, ParkadeError's code and field included. */
+/** The message of a thrown value, with ParkadeError's code and field. */
 export function failureOf(error: unknown): Failure {
   if (!(error instanceof Error)) return { code: "internal", path: "", message: String(error) };
   const { code, path } = error as Partial<Failure>;

@@ -39,7 +39,7 @@ export function follow(app: App): void {
   new Improver(app).start();
 }
 
-/** What may change which paths are shown or asked for. */
+/** State that decides which paths are shown or requested. */
 const WATCHED = [
   "scene",
   "transient",
@@ -55,9 +55,9 @@ const WATCHED = [
 ] as const;
 
 class Improver {
-  /** What has been found of each scene, by planner and how moving obstacles are waited for. */
+  /** Paths found for each scene, by planner and waiting rule. */
   private readonly found = new WeakMap<Scene, Map<string, readonly Driven[]>>();
-  /** What stands for a planner's first answer. */
+  /** The choice that replaces a planner's first answer. */
   private readonly shown = new WeakMap<Plan, Driven>();
   private question: Question | null = null;
   /** The best answer to the question so far. */

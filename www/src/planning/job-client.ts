@@ -6,7 +6,7 @@ import type { JobName, JobReply, JobRequest, Jobs, Moved } from "./job-worker";
 import type { Engine } from "./engine-loader";
 import type { Failure } from "./protocol";
 
-/** What a job threw, with its code and field. */
+/** An error thrown by a job, with its code and field. */
 export class JobError extends Error {
   constructor(readonly failure: Failure) {
     super(failure.message);

@@ -1,4 +1,4 @@
-/** What workers of the complete module do beside planning. */
+/** The jobs of complete-module workers besides planning. */
 import type { Choice } from "../store/results";
 import type {
   Family,

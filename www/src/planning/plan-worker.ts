@@ -10,7 +10,7 @@ const scope = self as unknown as {
   postMessage(reply: Reply, transfer: Transferable[]): void;
 };
 
-/** What the worker needs of the package. */
+/** The part of the package that the worker needs. */
 type Package = typeof import("parkade");
 type Api = Pick<Package, "Planner" | "init"> & { driveOf?: typeof driveOf };
 

@@ -19,7 +19,7 @@ export interface Job {
   budget?: number | null;
 }
 
-/** What a lane needs of a Worker; tests put their own in. */
+/** The part of a Worker that a lane needs; tests substitute their own. */
 export interface WorkerLike {
   onmessage: ((event: MessageEvent<Reply>) => void) | null;
   onerror: ((event: ErrorEvent) => void) | null;
@@ -44,7 +44,7 @@ export class Lane implements Holder {
   private worker: WorkerLike | null = null;
   /** What the worker has a planner for, and what it has brought of it that does not depend on start and goal. */
   private held: Scenario | null = null;
-  /** What was planned last. */
+  /** The last plan request. */
   private last: Scenario | null = null;
   private fixed: Layers = {};
   private running: Job | null = null;
@@ -166,7 +166,7 @@ export class Lane implements Holder {
     worker.postMessage({ kind: "start", module: this.module, planner: this.planner });
   }
 
-  /** What the worker has to be told of a scene. */
+  /** The part of a scene that the worker does not have yet. */
   private scenePart(scene: Scenario): { scene: Scenario | null; ends: Ends } {
     const isKnown = this.held !== null && differInEnds(this.held, scene);
     this.held = scene;

@@ -40,7 +40,7 @@ export class Planning {
   /** Shown, but not in the module that is loaded so far. */
   private readonly absent = new Set<PlannerId>();
   private release: ReturnType<typeof setTimeout> | undefined;
-  /** What is wrong with the present scene. */
+  /** The error of the present scene. */
   private refused: Failure | null = null;
   private quiet: ReturnType<typeof setTimeout> | undefined;
   /** The present measurement; another one, or none, ends it. */
@@ -446,7 +446,7 @@ const closes = (settings: PlannerSettings[PlannerId] = {}): boolean =>
 const withOld = (layers: Layers, old: Layers, transient: boolean): Layers =>
   transient && old.clearance && !layers.clearance ? { ...layers, clearance: old.clearance } : layers;
 
-/** What stays true on a map with other cells: the paths, not the cells. */
+/** The part of a result that stays true on a map with other cells: the paths, not the cells. */
 function offLattice({ plan, lastGood, ...rest }: PanelResult): PanelResult {
   const clear = (one: Plan | null): Plan | null => (one?.trace?.kind === "cells" ? { ...one, trace: null } : one);
   return { ...rest, plan: clear(plan), lastGood: clear(lastGood), layers: {} };

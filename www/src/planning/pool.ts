@@ -1,6 +1,6 @@
 import type { WorkerLike } from "./planner-queue";
 
-/** Who has a worker for as long as it wants, but gives it up at rest when others wait. */
+/** A holder keeps a worker as long as it wants, but gives it up at rest when others wait. */
 export interface Holder {
   readonly busy: boolean;
   /** The playground whose planner it is. */

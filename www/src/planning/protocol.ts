@@ -2,7 +2,7 @@ import type { Timing } from "../store/results";
 import type { Drive, Encounter, Explanation, Layer, LayerName, Limits, Plan, PlannerId, Pose, Prefer } from "parkade";
 import type { Scenario } from "../scene/scenario";
 
-/** What a planner's worker is asked. */
+/** Requests to a planner's worker. */
 export type Request =
   | { kind: "start"; module: WebAssembly.Module; planner: PlannerId }
   | PlanRequest
@@ -27,7 +27,7 @@ export interface PlanRequest {
   shown?: Plan | null | undefined;
 }
 
-/** Where a plan begins and ends; without a goal, at the scene's slot or set of goals. */
+/** Start and goal of a plan; without a goal, the scene's slot or set of goals. */
 export interface Ends {
   start: Pose;
   goal?: Pose;
@@ -36,7 +36,7 @@ export interface Ends {
 /** How moving obstacles are waited for. */
 export type Waiting = "predictive" | "reactive";
 
-/** What the risk field does at a point of the last scene. */
+/** Explains the risk field at a point of the last scene. */
 export interface Explain {
   kind: "explain";
   id: number;

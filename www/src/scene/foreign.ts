@@ -5,7 +5,7 @@ import { ensureIds } from "./model";
 import type { Scenario } from "./scenario";
 import { forPlanners } from "./large-scene";
 
-/** What of the planners' module knows about scenes. */
+/** The part of the planners' module that knows scenes. */
 interface Module {
   sceneGeometry(scene: Scenario): SceneGeometry;
   packRuns(runs: readonly Run[]): string;

@@ -95,7 +95,7 @@ export const isGoalPose = (goal: Goal | GoalSet): goal is Pose => "x" in goal;
 /** Of sets of goals the one that is drawn and can be grabbed. */
 const shownGoals = new WeakMap<GoalSet, Pose>();
 
-/** Where the car shall go, slots resolved; of a set of goals the one that is shown, the start before any is. */
+/** The goal pose with slots resolved; for a set of goals the one shown, or the start before any is shown. */
 export function goalPose({ goal, slots, vehicle, start }: Scene): Pose {
   if (isGoalPose(goal)) return goal;
   if (!isOneGoal(goal)) return shownGoals.get(goal) ?? start;

@@ -82,7 +82,7 @@ function extentOf(runs: readonly Run[], { origin: [ox, oy], resolution: side }: 
 export const boxOfThings = (scene: Scene, ids: readonly string[]): Box =>
   boxOf(ids.flatMap((id) => outlineOfThing(scene, id)));
 
-/** What lies wholly inside a box; brushed cells are drawn on, not picked up. */
+/** The things wholly inside a box; brushed cells cannot be picked. */
 export function thingsWithin(scene: Scene, { minX, minY, maxX, maxY }: Box): string[] {
   const cells = new Set(
     thingsOf(scene)

@@ -5,7 +5,7 @@ import { poseAround, vehicleOf } from "./vehicle";
 
 export type SlotKind = Slot["kind"];
 export type Entry = "reverse-in" | "head-in";
-/** What a row of slots is made of. */
+/** Parameters of a row of slots. */
 export interface SlotShape {
   kind: SlotKind;
   width: number;

@@ -1,4 +1,4 @@
-/** What a tool shows before it becomes part of the scene. World metres and radians. */
+/** The preview of a tool before its result joins the scene. World metres and radians. */
 import type { Selection } from "../scene/selection";
 import type { Pose, Slot, VehicleSpec } from "parkade";
 import type { Point } from "../scene/geometry";

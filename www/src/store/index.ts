@@ -81,7 +81,7 @@ export interface Playback {
 
 export interface ToolOptions {
   brushRadius: number;
-  /** What the cost brush paints, 1 to 10. */
+  /** Weight that the cost brush paints, 1 to 10. */
   costWeight: number;
   wallThickness: number;
   carProfile: "paper" | "sedan" | "cone";
@@ -98,7 +98,7 @@ export interface ToolOptions {
   road: Required<Pick<Road, "lanes" | "laneWidth" | "radius" | "kerbs">>;
   locked: boolean;
   snap: boolean;
-  /** Where a pen is used, fingers move the view. */
+  /** True once a pen is used: fingers then move the view. */
   penDraws: boolean;
 }
 
@@ -123,9 +123,9 @@ export interface State {
   /** The camera stays on the focused planner's car. */
   follow: boolean;
   hover: { x: number; y: number } | null;
-  /** What the risk field does at the cell under the pointer. */
+  /** Explanation of the risk field at the cell under the pointer. */
   explained: Explanation | null;
-  /** What planners' paths are chosen by, where it is not left to them. */
+  /** Preferences by which planners' paths are chosen; absent for the default. */
   prefer: Partial<Record<PlannerId, Prefer>>;
   /** Paths of planners to choose from, for the present scene. */
   choices?: Partial<Record<PlannerId, readonly Choice[]>>;
@@ -148,7 +148,7 @@ export interface State {
   transient: boolean;
   /** Counts scenes as they are opened, also by undo and redo: what belongs to one never stands beside another. */
   opened: number;
-  /** What changed the scene last: "edit", "undo", "redo", or an edit's label. */
+  /** The last change of the scene: "edit", "undo", "redo", or an edit's label. */
   reason: string;
   message: {
     tone: "err" | "warn" | "info";
@@ -350,7 +350,7 @@ class SceneStore implements Store {
   }
 }
 
-/** What is left of a selection in another scene. */
+/** The part of a selection that exists in another scene. */
 function stillThere(scene: Scene, selection: Selection): Selection {
   if (selection === null || !("id" in selection || "ids" in selection)) return selection;
   const known = new Set(thingsOf(scene).map((one) => one.id));

@@ -57,7 +57,7 @@ export function identityOf(planner: string): Identity {
   return { colour: COLOURS[at % 2]!, dash: DASHES[at % 3]!, shape: SHAPES[at % 5]!, drives };
 }
 
-/** What the loaded module says of a planner. */
+/** The loaded module's facts of a planner. */
 export const infoOf = (planner: string): PlannerInfo | undefined => catalogue.find((info) => info.id === planner);
 
 /** True if a planner looks at a field of risk. */

@@ -1,4 +1,4 @@
-/** What stops a side of the ground, in words. */
+/** The limit that stops a side of the ground, in words. */
 import "../i18n/later";
 import { number, translate, type MessageKey, type Values } from "../i18n/index";
 import { LEAST, MOST_CELLS, type Room } from "../scene/ground";

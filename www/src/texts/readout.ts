@@ -11,7 +11,7 @@ import { hasField, identityOf } from "../styles/planner-style";
 
 type Entry = [label: string, value: string];
 
-/** What is under the pointer, for one planner. */
+/** The values under the pointer, for one planner. */
 export function readoutOf(state: State, planner: PlannerId): TemplateResult | typeof nothing {
   const entries = entriesOf(state, planner);
   if (entries.length === 0) return nothing;

@@ -22,7 +22,7 @@ const TAIL_IN = 150 / DEGREES;
 const MADE = /^[a-z]+-\d+$/;
 const NOTHING = { index: -1, obstacle: "" };
 
-/** What is to be said of a planner's result, in the words of the page. */
+/** The status of a planner's result in the page's words. */
 export function statusOf(state: State, planner: PlannerId): Status {
   const result = state.results[planner];
   if (result?.status === "error") {

@@ -62,7 +62,7 @@ abstract class StrokeTool implements Tool {
     if (scene !== before) bench.preview(scene);
   }
 
-  /** What is said beside the disc. */
+  /** The label beside the disc. */
   protected label(_: Bench): string {
     return "";
   }

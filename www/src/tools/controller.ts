@@ -21,7 +21,7 @@ const CLICK_PX = 4;
 /** Of a press by keys. */
 const KEYS = -1;
 
-/** Where a canvas asks for its menu, CSS pixels of the window. */
+/** Place at which a canvas asks for its menu, CSS pixels of the window. */
 export interface MenuRequest {
   x: number;
   y: number;
@@ -53,9 +53,9 @@ export class ToolController {
   /** The drag's move of this frame that was taken at once. */
   private early: PointerEvent | null = null;
   private readonly fingers = new Fingers();
-  /** Where the last right press began; its click asks for the menu. */
+  /** Start of the last right press; its click asks for the menu. */
   private rightAt: Point | null = null;
-  /** Where keys have put the pointer. */
+  /** Position of the keyboard's pointer. */
   private keyed: Point | null = null;
   private readonly listeners = new Set<(draft: Draft | null) => void>();
   /** The canvas last used, and the last input on it. */
@@ -247,7 +247,7 @@ export class ToolController {
     if (camera) this.store.set({ camera });
   }
 
-  /** What the finger has begun is taken back. */
+  /** Takes back what the finger began. */
   private longPress(canvas: HTMLElement, event: PointerEvent): void {
     const { press } = this;
     this.press = null;

@@ -1,4 +1,4 @@
-/** What is under the pointer. */
+/** The thing under the pointer. */
 import type { Selection } from "../scene/selection";
 import type { MovingObstacle, Obstacle } from "parkade";
 import { findMoving, resolve } from "../scene/model";

@@ -17,7 +17,7 @@ const PERSON: { size: Point; speed: number; start: number } = { size: [0.6, 0.6]
 abstract class LineTool implements Tool {
   protected points: Point[] = [];
   private pressed: Point | null = null;
-  /** Where the press before was, and whether this one is in the same place. */
+  /** Place of the previous press, and whether this press is at the same place. */
   private before: Point | null = null;
   private twice = false;
 

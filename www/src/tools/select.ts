@@ -156,7 +156,7 @@ export class SelectTool implements Tool {
   }
 }
 
-/** What is dragged on is the copy. */
+/** The copy is the thing being dragged. */
 function duplicate(bench: Bench, press: Press): void {
   const { scene, ids } = copyThings(press.scene, press.ids);
   const selection = selectionOf(scene, ids);

@@ -118,7 +118,7 @@ function guidesTo([x, y]: Point, across: Shift, along: Shift): Guide[] {
 /** More corners than this are not looked through at every move. */
 const MOST_MARKS = 4000;
 
-/** What things line up with: corners and wall ends, the floor's outline, slots, the cars' reference points. */
+/** Snap targets: corners and wall ends, the floor's outline, slots, the cars' reference points. */
 function marksOf(scene: Scene, skip: readonly string[]): Point[] {
   const { boundary, slots, start, goal } = resolve(scene);
   const marks: Point[] = [...boundary, [start.x, start.y], [goal.x, goal.y]];

@@ -1,4 +1,4 @@
-/** What a tool is: a small machine fed with pointer input in world coordinates. */
+/** The interface of a tool: a small state machine fed with pointer input in world coordinates. */
 import type { Point } from "../scene/geometry";
 import type { Scene, Store } from "../store";
 import type { View } from "../view/camera";
@@ -9,7 +9,7 @@ export interface Input {
   at: Point;
   /** CSS pixels on the canvas. */
   pixel: Point;
-  /** Where the pointer has been since the last event, `at` included. */
+  /** Positions of the pointer since the last event, `at` included. */
   trail: readonly Point[];
   shift: boolean;
   alt: boolean;
@@ -23,7 +23,7 @@ export interface Input {
 export interface Bench {
   readonly store: Store;
   readonly view: View;
-  /** What the pointer is on. */
+  /** The thing under the pointer. */
   readonly canvas: HTMLElement | null;
   show(draft: Draft | null): void;
   /** One step of a drag. */

@@ -1,4 +1,4 @@
-/** Where the handles of the ground's sides are, for drawing and for hitting. */
+/** Positions of the handles of the ground's sides, for drawing and for hitting. */
 import { axisOf, edgeOn, outward, SIDES, type Side } from "../scene/ground";
 import { cornersOf } from "../scene/shapes";
 import { resolve, type Scene } from "../scene/model";

@@ -35,7 +35,7 @@ const FARTHEST_PX = 4000;
 
 type Range = readonly [least: number, most: number];
 
-/** Where a camera makes sense: whole metres, so that a link's rounding stays inside. */
+/** Bounds of a camera in whole metres, so that a link's rounding stays inside. */
 export function cameraLimits(map: Scenario["map"]): Record<keyof Camera, Range> {
   const { origin, width, height, resolution } = map,
     least = leastScale(map),
@@ -195,7 +195,7 @@ export function cameraFor(state: State, width: number, height: number): Camera {
   return camera;
 }
 
-/** What is seen of the way around a car that is followed, metres. */
+/** Visible stretch around a followed car, metres. */
 const AROUND = 64;
 
 /** On the focused planner's car; null where there is none to follow. */

@@ -1,4 +1,4 @@
-/** Where a car is along its plan. */
+/** Positions of a car along its plan. */
 import type { Plan, Pose } from "parkade";
 import { wrapAngle } from "../scene/geometry";
 

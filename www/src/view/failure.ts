@@ -1,4 +1,4 @@
-/** Where a planner's answer fails, for the drawing, the words and the zoom: facts of the check and of the obstruction. */
+/** The place at which a planner's answer fails, for the drawing, the words and the zoom: facts of the check and of the obstruction. */
 import type { Hit, Obstruction, Plan, Pose } from "parkade";
 import { overlapAt, type Overlap } from "../scene/overlap";
 import { boxOf, distance, fromPose, type Box, type Point } from "../scene/geometry";
@@ -7,14 +7,14 @@ import type { Scene } from "../store";
 import { distancesOf, poseAt } from "./drive";
 
 export interface Failure {
-  /** Where the mark stands. */
+  /** Position of the mark. */
   at: Point;
   /** Metres driven until there; null without a path. */
   along: number | null;
   hit: Hit | null;
   /** The deepest of the poses that follow the first hit without a gap. */
   overlap: Overlap | null;
-  /** What is to be seen. */
+  /** The area to show. */
   box: Box;
 }
 

@@ -1,4 +1,4 @@
-/** What every layer is given to draw with: the canvas, the camera, the state. */
+/** The input of every layer: the canvas, the camera, the state. */
 import type { Plan, PlannerId } from "parkade";
 import type { PanelResult, State } from "../store";
 import type { Draft } from "../store/draft";

@@ -2,7 +2,7 @@
 
 import { onScreen } from "./surface";
 
-/** What is called when a piece has come: whoever drew without it draws again. */
+/** Callbacks for loaded pieces: views that drew without them draw again. */
 export const waiting = new Set<() => void>();
 
 /** Null until the piece is there; the first call fetches it. */
@@ -44,7 +44,7 @@ const vastPiece = piece(() => import("./large-map-raster"));
 export const vast: Piece<typeof import("./large-map-raster")> = Object.assign(() => (onScreen() ? vastPiece() : null), {
   load: () => vastPiece.load(),
 });
-/** What the toolbar's menus hold. */
+/** Contents of the toolbar's menus. */
 export const menus = piece(() => import("../panels/toolbar-menus"));
-/** What comes with drawing, roads, moving obstacles and a closer look at searches. */
+/** Layers for drawing, roads, moving obstacles and search traces. */
 export const extras = piece(() => import("../panels/extras"));

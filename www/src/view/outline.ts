@@ -35,7 +35,7 @@ export function cellPaths(cells: readonly Run[], { origin, resolution }: MapFram
   return { fill, edge };
 }
 
-/** Where exactly one of two rows of intervals is: their ends, sorted, are its ends in pairs. */
+/** The symmetric difference of two rows of intervals: their sorted ends, taken in pairs. */
 function exclusive(a: readonly number[], b: readonly number[]): [number, number][] {
   const ends = [...a, ...b].sort((p, q) => p - q);
   const pairs: [number, number][] = [];

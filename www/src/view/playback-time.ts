@@ -1,4 +1,4 @@
-/** What moves when, while the drive plays: cars among moving obstacles share one clock, others arrive together. */
+/** Times of the playing drive: cars among moving obstacles share one clock, others arrive together. */
 import type { Drive, Encounter, MovingObstacle, Plan, Pose } from "parkade";
 import { paceOn } from "../scene/speed-limits";
 import { distance, towards, wrapAngle } from "../scene/geometry";
@@ -99,7 +99,7 @@ export function rowAt(column: Float64Array, value: number): number {
   return low;
 }
 
-/** Where a moving obstacle's box is: at its first point before it starts, at its last after it has arrived. */
+/** Pose of a moving obstacle's box: at its first point before the start, at its last after arrival. */
 export function boxAt({ points, speed, start = 0 }: MovingObstacle, clock: number): Pose {
   let left = Math.max(0, clock - start) * speed;
   let heading = 0;

@@ -1,4 +1,4 @@
-/** Where the grips of the start and goal car are, for drawing and for hitting. */
+/** Positions of the grips of start and goal, for drawing and for hitting. */
 import type { Pose, Vehicle } from "parkade";
 import { fromPose, type Point } from "../scene/geometry";
 

@@ -1,4 +1,4 @@
-/** Where the label of a pose was drawn last: a click on it asks for numbers. */
+/** Box of the last drawn pose label: a click on it asks for numbers. */
 import type { Box, Point } from "../scene/geometry";
 
 export type PoseLabel = "start" | "goal";
@@ -16,7 +16,7 @@ export function poseLabelAt(canvas: HTMLElement | null, [x, y]: Point): PoseLabe
   return inside ? label.which : null;
 }
 
-/** What the canvas is told then; its host opens a field there. */
+/** Event that the canvas receives; its host opens a field there. */
 export interface PoseRequest {
   which: PoseLabel;
   box: Box;

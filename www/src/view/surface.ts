@@ -1,4 +1,4 @@
-/** What drawings are made of: the browser's canvases, or the marks of a file. */
+/** Surfaces for drawings: the browser's canvases, or the marks of a file. */
 
 export interface Surface {
   path(): Path2D;
@@ -16,7 +16,7 @@ export const newPath = (): Path2D => surface.path();
 export const newCanvas = (width: number, height: number): HTMLCanvasElement => surface.canvas(width, height);
 export const onScreen = (): boolean => surface === screen;
 
-/** What `draw` draws is made of this surface's parts. */
+/** Runs `draw` with this surface. */
 export function drawOn<T>(other: Surface, draw: () => T): T {
   const before = surface;
   surface = other;

@@ -1,4 +1,4 @@
-/** Where the grip is that turns a selected rectangle or parked car. */
+/** Position of the grip that turns a selected rectangle or parked car. */
 import { fromPose, type Point } from "../scene/geometry";
 import type { Shape } from "../scene/shapes";
 import { vehicleOf } from "../scene/vehicle";

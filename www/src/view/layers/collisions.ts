@@ -1,4 +1,4 @@
-/** Where a planned car would hit something. */
+/** Places at which a planned car hits something. */
 import type { Plan } from "parkade";
 import { footprint } from "../../scene/vehicle";
 import { pickHits, poseAt } from "../drive";

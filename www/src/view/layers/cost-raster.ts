@@ -1,4 +1,4 @@
-/** What a cell costs a cost-map planner, cheap at the dark end; its legend tells the numbers. */
+/** Cost of each cell for a cost-map planner, cheap at the dark end; the legend has the numbers. */
 import type { Layer } from "parkade";
 import { inPixels, toScreen, type Frame } from "../frame";
 import { RAMP_SIZE, RAMP_WORDS } from "../ramp";

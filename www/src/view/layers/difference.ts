@@ -1,4 +1,4 @@
-/** Where a path keeps farther from every other one than the car is wide. */
+/** Stretches of a path that lie farther from every other path than the car's width. */
 import type { Plan } from "parkade";
 import type { Point } from "../../scene/geometry";
 import { inPixels, toScreen, type Frame, type Shown } from "../frame";

@@ -1,4 +1,4 @@
-/** What a tool is about to draw. */
+/** The preview of the active tool. */
 import { polygonPath, inMetres, inPixels, linePath, pixels, toScreen, type Frame } from "../frame";
 import { slotOutline } from "../../scene/slots";
 import { rectangleCorners } from "../../scene/shapes";

@@ -1,4 +1,4 @@
-/** Where a planned car first hits something, and how far that reaches into it. */
+/** The first place at which a planned car hits something, and the depth of the overlap. */
 import { failureOf } from "../failure";
 import type { Frame, Shown } from "../frame";
 import { fixed } from "../text";

@@ -63,7 +63,7 @@ export function stripOf({ scene, planners, results }: State): Strip | null {
   return strip;
 }
 
-/** Where an outline, seen from a pose, crosses the line to its sides. */
+/** Crossings of an outline with the line to the sides of a pose. */
 function edges(outline: readonly Point[]): { left: number; right: number } {
   let left = REACH,
     right = -REACH;

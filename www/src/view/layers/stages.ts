@@ -1,4 +1,4 @@
-/** What becomes of a grid planner's path: the cells, the corners that pruning keeps, the circles that round them. */
+/** Stages of a grid planner's path: the cells, the corners that pruning keeps, the circles that round them. */
 import type { Stages } from "parkade";
 import { inMetres, inPixels, linePath, pixels, toScreen, type Frame } from "../frame";
 import type { Point } from "../../scene/geometry";
