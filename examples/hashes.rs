@@ -2,7 +2,7 @@
 //!
 //! ```sh
 //! cargo run --release --example hashes > tests/data/plan-hashes.json
-//! cargo run --release --example hashes random_scenes > tests/data/random-scene-hashes.json
+//! cargo run --release --example hashes random > tests/data/random-scene-hashes.json
 //! ```
 
 use parkade::plan::{Options, Planner};
@@ -14,7 +14,7 @@ use serde_json::{Map, json};
 mod random_scenes;
 
 fn main() {
-    if std::env::args().nth(1).as_deref() == Some("random_scenes") {
+    if std::env::args().nth(1).as_deref() == Some("random") {
         let hashes: Vec<String> = (0..40).map(|seed| random_scenes::plan(seed).hash()).collect();
         println!("{:#}", json!(hashes));
         return;
