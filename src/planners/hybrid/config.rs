@@ -85,7 +85,7 @@ parameters! {
         motion_primitive_length: Option<f64> = None,
             spec("motionPrimitiveLength", Form::Number(0.1, 4.0, 0.1), "m", true,
                  ["Primitive length", "基元长度"],
-                 ["PackedEntry steps fit tight slots but take longer.", "短步适合窄位，但更慢。"]).within(0.02, 20.0);
+                 ["Short steps fit tight slots but take longer.", "短步适合窄位，但更慢。"]).within(0.02, 20.0);
         /// Width of a heading bin, radians; by the level where absent.
         heading_resolution: Option<f64> = None,
             spec("headingResolution", Form::Number(0.01, 0.35, 0.01), "rad", true,
