@@ -1,11 +1,12 @@
 //! Judges the trajectories of all planners on the built-in parking scenes and on the cases of the TPCAP competition,
 //! and prints the tables of `benches/TRAJECTORIES.md`; or, as JSON, `tests/data/trajectory-hashes.json`; or what became
-//! of random scenes.
+//! of random scenes or of tight ones.
 //!
 //! ```sh
 //! PARKADE_DATA=folder cargo run --release --example trajectories
 //! cargo run --release --example trajectories hashes > tests/data/trajectory-hashes.json
 //! cargo run --release --example trajectories random 0 1000
+//! cargo run --release --example trajectories tight 1 101
 //! ```
 
 #[path = "clock/mod.rs"]
@@ -13,7 +14,11 @@ mod clock;
 #[path = "../tests/random_scenes/mod.rs"]
 #[expect(dead_code, reason = "plans are checked elsewhere")]
 mod random_scenes;
+#[path = "../tests/tight_scenes/mod.rs"]
+#[expect(dead_code, reason = "scenes are planned as scenarios")]
+mod tight_scenes;
 
+use std::ops::Range;
 use std::path::Path;
 
 use parkade::drive::{Limits, Route, Steps, trajectory};
@@ -24,6 +29,7 @@ use parkade::planners::registry::planners;
 use parkade::referee::{MotionLimits, Submission, judge};
 use parkade::scenario::resolve::Geometry;
 use parkade::scenario::{Scenario, catalog};
+use parkade::vehicle::Vehicle;
 use serde_json::{Map, Value, json};
 
 type Settings = Map<String, Value>;
@@ -41,9 +47,13 @@ fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["hashes"] => print_hashes(),
-        ["random", from, to] => {
+        [kind, from, to] => {
             let number = |text: &str| text.parse().expect("a whole number");
-            print_random(number(from), number(to));
+            let seeds = number(from)..number(to);
+            match kind {
+                "random" => print_random(seeds),
+                _ => print_tight(&seeds),
+            }
         }
         _ => print_tables(),
     }
@@ -66,6 +76,10 @@ fn public() -> Vec<(String, Scenario)> {
 }
 
 fn make(planner: &str, scene: &Scenario, settings: &Settings) -> Made {
+    made_with(planner, scene, settings, &Options::default())
+}
+
+fn made_with(planner: &str, scene: &Scenario, settings: &Settings, options: &Options) -> Made {
     let mut planner = Planner::new(planner, scene, settings).expect("valid settings");
     let begin = clock::now();
     let plan = planner.plan(parkade::plan::Options::default());
@@ -78,7 +92,7 @@ fn make(planner: &str, scene: &Scenario, settings: &Settings) -> Made {
     let route = is_drivable.then(|| route(&plan)).flatten();
     let driven = route.as_ref().map(|route| {
         let clearance = plan.metrics.min_clearance;
-        optimise(&geometry, route, clearance, &Options::default()).expect("valid options")
+        optimise(&geometry, route, clearance, options).expect("valid options")
     });
     Made { geometry, plan, route, driven, millis: (planned - begin, clock::now() - planned) }
 }
@@ -98,29 +112,117 @@ fn print_hashes() {
     println!("{:#}", json!(hashes));
 }
 
-fn print_random(from: u64, to: u64) {
-    let (mut found, mut optimised, mut passing, mut both, mut worst) = (0, 0, 0, Vec::new(), 0.0_f64);
-    for seed in from..to {
-        let (scene, settings) = random_scenes::scene(seed);
-        let made = make("hybrid", &scene, &settings);
-        let Some(driven) = made.driven else { continue };
-        found += 1;
-        optimised += u32::from(driven.stage == Stage::Optimised);
-        passing += u32::from(driven.check.passes());
-        both.push(made.millis.0 + made.millis.1);
-        worst = worst.max(made.millis.1);
-        if driven.stage != Stage::Optimised || !driven.check.passes() {
-            println!("seed {seed}: {}, passes: {}", driven.stage.as_str(), driven.check.passes());
+/// Plans and trajectories of scenes of one kind.
+#[derive(Default)]
+struct Seeded {
+    plans: u32,
+    optimised: u32,
+    passing: u32,
+    /// Durations above those of `slow`.
+    longer: u32,
+    /// Durations as shares of `slow`'s.
+    shares: Vec<f64>,
+    millis: Vec<f64>,
+}
+
+impl Seeded {
+    fn add(&mut self, name: &str, made: &Made) {
+        let (Some(route), Some(driven)) = (&made.route, &made.driven) else { return };
+        let (slow, duration) = (slow(&made.geometry, route), driven.check.figures.duration);
+        let is_optimised = driven.stage == Stage::Optimised;
+        self.plans += 1;
+        self.optimised += u32::from(is_optimised);
+        self.passing += u32::from(driven.check.passes());
+        self.longer += u32::from(duration > slow);
+        self.shares.push(duration / slow);
+        self.millis.push(made.millis.1);
+        if !is_optimised || !driven.check.passes() || duration > slow {
+            println!(
+                "{name}: {}, {duration:.2} s, slow {slow:.2} s, passes: {}, {} gear changes, clearance {:.3} m",
+                driven.stage.as_str(),
+                driven.check.passes(),
+                made.plan.metrics.direction_changes,
+                made.plan.metrics.min_clearance,
+            );
         }
     }
-    println!("{found} plans, {optimised} optimised, {passing} pass");
-    println!("plan and optimise: median {:.1} ms; optimise alone: at most {worst:.1} ms", median(&mut both));
+
+    fn print(&mut self, kind: &str) {
+        let worst = self.millis.iter().copied().fold(0.0, f64::max);
+        println!(
+            "{kind}: {} plans, {} optimised, {} pass, {} longer than slow; of slow's time {:.2} in the median; \
+             optimise {:.1} ms in the median, {worst:.1} at most",
+            self.plans,
+            self.optimised,
+            self.passing,
+            self.longer,
+            median(&mut self.shares),
+            median(&mut self.millis),
+        );
+    }
+}
+
+/// Seconds of `slow` along the plan's own path.
+fn slow(geometry: &Geometry, route: &Route) -> f64 {
+    let limits = Limits { speed: 2.5, deceleration: 1.0, steps: Steps::Slow, ..Limits::default() };
+    trajectory(&geometry.vehicle, route, &limits).expect("a drivable path").duration
+}
+
+fn print_random(seeds: Range<u64>) {
+    let mut seeded = Seeded::default();
+    for seed in seeds {
+        let (scene, settings) = random_scenes::scene(seed);
+        seeded.add(&format!("seed {seed}"), &make("hybrid", &scene, &settings));
+    }
+    seeded.print("random");
+}
+
+/// The cars take the seeds in turn.
+fn print_tight(seeds: &Range<u64>) {
+    for (kind, draw) in tight_scenes::KINDS {
+        let mut seeded = Seeded::default();
+        for seed in seeds.clone() {
+            let car = [Vehicle::SEDAN, Vehicle::PAPER][seed as usize % 2];
+            let scene = draw(&car, seed).scenario();
+            seeded.add(&format!("{kind} {seed}"), &make("hybrid", &scene, &Map::new()));
+        }
+        seeded.print(kind);
+    }
+}
+
+/// Seconds that an interior-point solver needed with 0.6 rad/s and a margin of 3 cm.
+const REFERENCES: [(&str, f64); 6] = [
+    ("P0", 11.70),
+    ("reverse-in", 14.03),
+    ("L0", 14.35),
+    ("L2", 12.39),
+    ("P2", 14.59),
+    ("perp-tail-3.2", 15.93),
+];
+
+fn print_references() {
+    println!(
+        "\n## Against an interior-point solver\n\nDirect multiple shooting with 0.6 rad/s and a margin of 3 cm.\n"
+    );
+    println!("| scene | reference s | s | |\n| --- | --- | --- | --- |");
+    let limits = MotionLimits { steering_rate: 0.6, ..MotionLimits::default() };
+    let options = Options { limits, margin: 0.03 };
+    for (id, reference) in REFERENCES {
+        let scene = catalog::scenario(id).expect("a scene of the catalog");
+        let made = made_with("hybrid", &scene, &Map::new(), &options).driven.expect("a drivable path");
+        let duration = made.check.figures.duration;
+        println!(
+            "| {id} | {reference:.2} | {duration:.2} | {:+.1} % |",
+            100.0 * (duration / reference - 1.0)
+        );
+    }
 }
 
 fn print_tables() {
     let scenes: Vec<(String, Scenario)> = built_in().into_iter().chain(public()).collect();
     println!("# Trajectories\n\nWritten by `cargo xtask bench judge`.\n");
     print_scenes(&scenes);
+    print_references();
     print_planners(&scenes);
 }
 
@@ -150,8 +252,7 @@ fn print_scenes(scenes: &[(String, Scenario)]) {
             continue;
         };
         let options = Options::default();
-        let limits = Limits { speed: 2.5, deceleration: 1.0, steps: Steps::Slow, ..Limits::default() };
-        let slow = trajectory(&geometry.vehicle, &route, &limits).expect("a drivable path").duration;
+        let slow = slow(&geometry, &route);
         let plain = parkade::optimise::stop_and_steer(&geometry.vehicle, &route, &options.limits).duration();
         let figures = &made.check.figures;
         println!(

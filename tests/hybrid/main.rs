@@ -14,5 +14,6 @@ mod rows;
 mod tight;
 #[cfg(not(target_arch = "wasm32"))]
 #[path = "../tight_scenes/mod.rs"]
+#[expect(dead_code, reason = "scenes are planned as they are drawn")]
 mod tight_scenes;
 mod why;

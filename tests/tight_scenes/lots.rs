@@ -12,7 +12,8 @@ pub(crate) fn corner(car: &Vehicle, seed: u64, first: Range, second: Range) -> S
     let side = 16.0;
     let floor =
         [(0.0, 0.0), (side, 0.0), (side, side), (side - second, side), (side - second, first), (0.0, first)];
-    let obstacles = obstacles(Vec::new(), floor.map(|(x, y)| Point::new(x, y)).to_vec());
+    let outlines = (Vec::new(), floor.map(|(x, y)| Point::new(x, y)).to_vec());
+    let obstacles = obstacles(&outlines);
     // Off the middle and turned, the car keeps a third of its room.
     let mut off = |width: f64| {
         let most = (width - car.width) / 6.0;
@@ -21,7 +22,14 @@ pub(crate) fn corner(car: &Vehicle, seed: u64, first: Range, second: Range) -> S
     let ((y, start_turn), (x, goal_turn)) = (off(first), off(second));
     let start = Pose::new(2.0, first / 2.0 + y, start_turn);
     let goal = Pose::new(side - second / 2.0 + x, side - 5.5, math::FRAC_PI_2 + goal_turn);
-    Scene { name: format!("corner {first:.2} m, {second:.2} m"), vehicle: *car, obstacles, start, goal }
+    Scene {
+        name: format!("corner {first:.2} m, {second:.2} m"),
+        vehicle: *car,
+        obstacles,
+        outlines,
+        start,
+        goal,
+    }
 }
 
 /// Boxes and poles at random, between random poses at least 8 m apart.
@@ -35,7 +43,8 @@ pub(crate) fn cluttered(car: &Vehicle, seed: u64) -> Scene {
         turned_box(middle, length, length * r.between((0.3, 1.0)))
     };
     let solids = (0..count).map(|_| thing()).collect();
-    let obstacles = obstacles(solids, box_of((-1.0, -1.0), (wide + 1.0, high + 1.0)));
+    let outlines = (solids, box_of((-1.0, -1.0), (wide + 1.0, high + 1.0)));
+    let obstacles = obstacles(&outlines);
     let mut anywhere = || Pose::new(r.between((0.0, wide)), r.between((0.0, high)), r.around(math::PI));
     let start = first_clear(&obstacles, car, &mut anywhere);
     let goal = first_clear(&obstacles, car, || {
@@ -43,7 +52,7 @@ pub(crate) fn cluttered(car: &Vehicle, seed: u64) -> Scene {
             .find(|pose| (pose.point() - start.point()).norm() >= 8.0)
             .expect("endless")
     });
-    Scene { name: format!("cluttered with {count}"), vehicle: *car, obstacles, start, goal }
+    Scene { name: format!("cluttered with {count}"), vehicle: *car, obstacles, outlines, start, goal }
 }
 
 /// Rows of bays on two aisles that lanes at both sides join: a pillar after every second or third bay, nine of ten bays
@@ -82,7 +91,8 @@ pub(crate) fn garage(car: &Vehicle, seed: u64) -> Scene {
         }
     }
     let (right, top) = (2.0 * lane + modules as f64 * module + pillar, rows[3].0 + depth);
-    let obstacles = obstacles(solids, box_of((0.0, 0.0), (right, top)));
+    let outlines = (solids, box_of((0.0, 0.0), (right, top)));
+    let obstacles = obstacles(&outlines);
     let way = if r.chance(0.5) { math::FRAC_PI_2 } else { -math::FRAC_PI_2 };
     let goal = rear_axle(car, Pose { heading: way, ..places[chosen] });
     let aisles = [depth, 3.0 * depth + aisle];
@@ -92,5 +102,5 @@ pub(crate) fn garage(car: &Vehicle, seed: u64) -> Scene {
         Pose::new(r.between((2.0, right - 2.0)), across, math::wrap(way + r.around(0.1)))
     });
     let name = format!("garage +{slack:.2} m, aisle {aisle:.2} m, pillars after {bays} bays");
-    Scene { name, vehicle: *car, obstacles, start, goal }
+    Scene { name, vehicle: *car, obstacles, outlines, start, goal }
 }

@@ -8,6 +8,7 @@ pub(crate) use lots::{cluttered, corner, garage};
 pub(crate) use slots::{angled, bay, kerb};
 
 use parkade::geometry::{Point, Pose, math};
+use parkade::scenario::{Goal, MapFrame, Obstacle, Scenario, VehicleSpec, catalog};
 use parkade::vehicle::Vehicle;
 use parkade::vehicle::collision::{CollisionChecker, Obstacles, Solid};
 
@@ -17,8 +18,37 @@ pub(crate) struct Scene {
     pub(crate) name: String,
     pub(crate) vehicle: Vehicle,
     pub(crate) obstacles: Obstacles,
+    /// Outlines of all that stands there, and of the floor.
+    pub(crate) outlines: (Vec<Vec<Point>>, Vec<Point>),
     pub(crate) start: Pose,
     pub(crate) goal: Pose,
+}
+
+impl Scene {
+    /// The same as a scene with a map.
+    pub(crate) fn scenario(&self) -> Scenario {
+        let numbers = |outline: &[Point]| outline.iter().map(|p| [p.x, p.y]).collect::<Vec<_>>();
+        let (solids, floor) = &self.outlines;
+        let least = |pick: fn(&Point) -> f64| floor.iter().map(pick).fold(f64::INFINITY, f64::min);
+        let most = |pick: fn(&Point) -> f64| floor.iter().map(pick).fold(f64::NEG_INFINITY, f64::max);
+        let (left, low) = (least(|p| p.x), least(|p| p.y));
+        let map = MapFrame {
+            origin: [left, low],
+            width: ((most(|p| p.x) - left) / 0.25).ceil() as u32,
+            height: ((most(|p| p.y) - low) / 0.25).ceil() as u32,
+            resolution: 0.25,
+            boundary: Some(numbers(floor)),
+        };
+        let solids = solids.iter().map(|solid| Obstacle::Polygon { id: None, points: numbers(solid) });
+        let mut scenario = catalog::scenario("P0").expect("a scene of the catalog");
+        scenario.name = Some(self.name.clone());
+        (scenario.map, scenario.obstacles) = (map, solids.collect());
+        (scenario.start, scenario.goal) = (self.start, Goal::Pose(self.goal));
+        scenario.vehicle = VehicleSpec::Custom(self.vehicle);
+        scenario.slots.clear();
+        scenario.planners.clear();
+        scenario
+    }
 }
 
 /// Least and largest of a size that is drawn, metres.
@@ -74,9 +104,10 @@ impl Random {
 /// What is kept around the car where it starts, metres: the default margin, so that the start does not limit it.
 const CLEARANCE: f64 = 0.1;
 
-fn obstacles(solids: Vec<Vec<Point>>, floor: Vec<Point>) -> Obstacles {
-    let solids: Vec<Solid> = (1..).zip(solids).map(|(owner, outline)| Solid { outline, owner }).collect();
-    Obstacles::new(&[], &solids, &Solid { outline: floor, owner: 0 })
+fn obstacles((solids, floor): &(Vec<Vec<Point>>, Vec<Point>)) -> Obstacles {
+    let solid = |(owner, outline): (u32, &Vec<Point>)| Solid { outline: outline.clone(), owner };
+    let solids: Vec<Solid> = (1..).zip(solids).map(solid).collect();
+    Obstacles::new(&[], &solids, &solid((0, floor)))
 }
 
 fn is_clear(obstacles: &Obstacles, car: &Vehicle, pose: Pose, margin: f64) -> bool {

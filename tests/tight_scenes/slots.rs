@@ -26,12 +26,20 @@ pub(crate) fn kerb(car: &Vehicle, seed: u64, slack: Range, street: Range) -> Sce
             .collect::<Vec<_>>()
     };
     let solids = [beside(-1.0), beside(1.0)].concat();
-    let obstacles = obstacles(solids, box_of((0.0, 0.0), (LENGTH, lane + street)));
+    let outlines = (solids, box_of((0.0, 0.0), (LENGTH, lane + street)));
+    let obstacles = obstacles(&outlines);
     let goal = rear_axle(car, Pose::new(middle, lane / 2.0 + r.around(0.05), 0.0));
     let start = first_clear(&obstacles, car, || {
         Pose::new(r.between((3.0, 24.0)), lane + r.between((0.2, 0.8)) * street, r.around(0.1))
     });
-    Scene { name: format!("kerb +{slack:.2} m, street {street:.2} m"), vehicle: *car, obstacles, start, goal }
+    Scene {
+        name: format!("kerb +{slack:.2} m, street {street:.2} m"),
+        vehicle: *car,
+        obstacles,
+        outlines,
+        start,
+        goal,
+    }
 }
 
 /// A bay `slack` wider than the car in a row of parked cars, on an aisle this wide; head in or reverse in.
@@ -62,7 +70,8 @@ fn bay_at(kind: &str, car: &Vehicle, seed: u64, angle: Range, slack: Range, aisl
             .collect::<Vec<_>>()
     };
     let solids = [beside(-1.0), beside(1.0)].concat();
-    let obstacles = obstacles(solids, box_of((0.0, 0.0), (LENGTH, depth + aisle)));
+    let outlines = (solids, box_of((0.0, 0.0), (LENGTH, depth + aisle)));
+    let obstacles = obstacles(&outlines);
     let mut either_way = || if r.chance(0.5) { 0.0 } else { math::PI };
     let (into, along) = (either_way(), either_way());
     let goal = rear_axle(car, Pose { heading: math::wrap(angle + into), ..middle });
@@ -71,7 +80,7 @@ fn bay_at(kind: &str, car: &Vehicle, seed: u64, angle: Range, slack: Range, aisl
         Pose::new(r.between((4.0, 30.0)), across, math::wrap(along + r.around(0.1)))
     });
     let name = format!("{kind} {:.0}°, +{slack:.2} m, aisle {aisle:.2} m", angle.to_degrees());
-    Scene { name, vehicle: *car, obstacles, start, goal }
+    Scene { name, vehicle: *car, obstacles, outlines, start, goal }
 }
 
 /// The cars on one side of a slot, to the end of the street: how far their middles are from its own, how far they stand
