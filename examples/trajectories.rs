@@ -23,7 +23,7 @@ use std::path::Path;
 
 use parkade::drive::{Limits, Route, Steps, trajectory};
 use parkade::import::tpcap;
-use parkade::optimise::{Optimised, Options, Stage, optimise};
+use parkade::optimise::{Optimised, Options, Stage, fallback, optimise, stop_and_steer};
 use parkade::plan::{Plan, Planner};
 use parkade::planners::registry::planners;
 use parkade::referee::{MotionLimits, Submission, judge};
@@ -236,13 +236,13 @@ fn bound(limits: &MotionLimits, length: f64) -> f64 {
 fn print_scenes(scenes: &[(String, Scenario)]) {
     println!("## Hybrid A*'s plans, optimised\n");
     println!(
-        "2.5 m/s, 1 m/s², 0.5 rad/s. `slow` and stop-and-steer drive the plan's own path within the same limits; the bound is \
+        "2.5 m/s, 1 m/s², 0.5 rad/s. `slow` and stop-and-steer drive the plan's own path within the same limits, as does what is left where nothing optimised passes (fallback); the bound is \
          the length at those limits without a stop.\n"
     );
     println!(
-        "| scene | made by | s | bound s | `slow` s | stop-and-steer s | length m (plan's) | gear changes (plan's) | clearance m | passes | smoothness | TPCAP cost |"
+        "| scene | made by | s | bound s | `slow` s | stop-and-steer s | fallback s | length m (plan's) | gear changes (plan's) | clearance m | passes | smoothness | TPCAP cost |"
     );
-    println!("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |");
+    println!("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |");
     let (mut saved, mut millis, mut worst) = (Vec::new(), Vec::new(), 0.0_f64);
     for (name, scene) in scenes {
         let Made { geometry, plan, route, driven: made, millis: (planned, optimised) } =
@@ -253,13 +253,15 @@ fn print_scenes(scenes: &[(String, Scenario)]) {
         };
         let options = Options::default();
         let slow = slow(&geometry, &route);
-        let plain = parkade::optimise::stop_and_steer(&geometry.vehicle, &route, &options.limits).duration();
+        let plain = stop_and_steer(&geometry.vehicle, &route, &options.limits).duration();
+        let own = fallback(&geometry, &route, &options.limits).expect("valid limits");
         let figures = &made.check.figures;
         println!(
-            "| {name} | {} | {:.2} | {:.2} | {slow:.2} | {plain:.2} | {:.2} ({:.2}) | {} ({}) | {:.3} | {} | {:.1} | {:.0} |",
+            "| {name} | {} | {:.2} | {:.2} | {slow:.2} | {plain:.2} | {:.2} | {:.2} ({:.2}) | {} ({}) | {:.3} | {} | {:.1} | {:.0} |",
             made.stage.as_str(),
             figures.duration,
             bound(&options.limits, figures.length),
+            own.check.figures.duration,
             figures.length,
             plan.metrics.length,
             figures.gear_changes,

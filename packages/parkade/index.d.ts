@@ -1003,8 +1003,11 @@ export interface OptimiseOptions extends MotionLimits {
 export interface OptimisedTrajectory extends Trajectory {
   /** From each row on, rad/s. */
   steeringRates: Float64Array;
-  /** The stage that made it: the optimised path, or the plan's own path with a standstill at each step of the curvature. */
-  stage: "optimised" | "stop-and-steer";
+  /**
+   * The stage that made it: the optimised path, or the plan's own path, where the wheel turns on the way at each step of the
+   * curvature, or at a standstill.
+   */
+  stage: "optimised" | "continuous-curvature" | "stop-and-steer";
   /** The referee's verdict. */
   check: Judgement;
 }

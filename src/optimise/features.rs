@@ -217,8 +217,17 @@ impl Features {
                         if value >= reach || value < -DEEPEST || station < 0.0 || station > length {
                             continue;
                         }
-                        if value < 0.0 && !is_wall && !self.is_nearest(outline, at + arm, -value) {
-                            continue;
+                        if value < 0.0 {
+                            let is_there = if is_wall {
+                                // The way from the body's middle to its corner may lead past the wall's end.
+                                let (back, depth) = (middle - at - arm, normal.dot(&(middle - a)) - value);
+                                (0.0..=length).contains(&(station - value / depth * along.dot(&back)))
+                            } else {
+                                self.is_nearest(outline, at + arm, -value)
+                            };
+                            if !is_there {
+                                continue;
+                            }
                         }
                         each(Distance {
                             value,
@@ -305,6 +314,20 @@ mod tests {
             }
         });
         least
+    }
+
+    #[test]
+    fn a_wall_beside_which_a_car_turns_is_not_in_it() {
+        // The middle is left of the wall's line, beyond its end; a corner is right of the line, beside the wall.
+        let features = scene(vec![Form::Segment(Point::new(10.0, 4.0), Point::new(10.0, 9.0))]);
+        let car = Vehicle::PAPER;
+        let end = Pose::new(10.0, 9.0, -0.87);
+        let beside = end.to_world(Point::new(-0.3 * car.length(), car.width / 2.0 + 0.15));
+        let rear = Pose::new(beside.x, beside.y, end.heading).advance(0.0, -car.middle());
+        let turned = least(&features, &[rear.x, rear.y, rear.heading, 0.0, 0.0]);
+        let through = least(&features, &[10.5 - car.rear_to_front, 6.0, 0.0, 0.0, 0.0]);
+        assert!(turned.is_none_or(|d| d.value > 0.0), "{turned:?}");
+        assert!(through.is_some_and(|d| d.value < -0.4), "{through:?}");
     }
 
     #[test]

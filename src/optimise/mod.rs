@@ -3,18 +3,19 @@
 //!
 //! The path stage changes the path's shape, gear changes included. Then the fastest speeds along it are found exactly,
 //! rows are rolled out in time, and the last millimetres to the goal are corrected. The referee's check has the last
-//! word: where it refuses every attempt, the plan's own path is driven with a standstill at each step of the curvature.
+//! word: where it refuses every attempt, the plan's own path is driven, and where its curvature steps, the wheel turns on
+//! the way or, where there is no room for that, at a standstill.
 
 mod banded;
 mod features;
 mod path;
 mod path_stage;
+mod plan_path;
 mod roll_out;
 mod round;
 mod segment;
-mod stop_and_steer;
 
-pub use stop_and_steer::stop_and_steer;
+pub use plan_path::stop_and_steer;
 
 use crate::drive::Route;
 use crate::error::{Error, ErrorCode};
@@ -26,7 +27,9 @@ use crate::scenario::resolve::Geometry;
 use features::Features;
 use path::Path;
 use path_stage::PathStage;
-use round::Task;
+use plan_path::PlanPath;
+use roll_out::Rows;
+use round::{Car, Task};
 use segment::HEADING;
 
 /// The path keeps this much less than the largest steering angle (radians) and steering rate (share), so that the last
@@ -35,6 +38,12 @@ const ANGLE_RESERVE: f64 = 0.002;
 const RATE_RESERVE: f64 = 0.01;
 /// More than the body's corners leave a straight line between two samples, metres.
 const BETWEEN: f64 = 0.003;
+/// A trajectory that takes less than this share of stop-and-steer's time is not held against the plan's own path with
+/// ramps.
+const QUICK: f64 = 0.75;
+/// Added to the margin, attempt by attempt, from the plan's own path: clearance is no hard limit in the path stage,
+/// metres.
+const AGAIN: [(f64, f64); 5] = [(0.0, 0.5), (0.004, 0.5), (0.01, 0.5), (0.0, 0.25), (0.0, 1.0)];
 
 /// Options of an optimisation.
 #[derive(Debug, Clone, PartialEq)]
@@ -81,7 +90,9 @@ impl Options {
 pub enum Stage {
     /// The optimised path.
     Optimised,
-    /// The plan's own path, with a standstill at each step of the curvature.
+    /// The plan's own path; where its curvature steps, the wheel turns on the way.
+    ContinuousCurvature,
+    /// The plan's own path, with a standstill at steps of the curvature.
     StopAndSteer,
 }
 
@@ -90,6 +101,7 @@ impl Stage {
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Optimised => "optimised",
+            Self::ContinuousCurvature => "continuous-curvature",
             Self::StopAndSteer => "stop-and-steer",
         }
     }
@@ -142,33 +154,102 @@ pub fn optimise(
     options.validate()?;
     let speed = options.limits.speed.min(route.lowest_limit());
     let limits = &MotionLimits { speed, ..options.limits.clone() };
+    let plain = plain(geometry, route, limits)?;
+    let kept = options.margin.min(clearance.max(0.0));
+    // Numbers near 0: floors may be 1e9 m from the origin.
+    let features = Features::new(geometry, route.pose(0.0).point());
+    let mut trials = Trials {
+        geometry,
+        body: Body::new(geometry),
+        features,
+        route,
+        limits,
+        most: plain.duration(),
+        steps: 0,
+    };
+    let smooth = Path::new(&geometry.vehicle, route);
+    let mut first =
+        [(kept, false), (kept, true)].into_iter().find_map(|how| trials.attempt(how, smooth.clone()));
+    let optimised =
+        |(states, check): Trial, steps| Optimised { states, stage: Stage::Optimised, check, steps };
+    if let Some(first) = first.take_if(|(states, _)| states.duration() < QUICK * plain.duration()) {
+        return Ok(optimised(first, trials.steps));
+    }
+    let own = PlanPath::quick(geometry, &trials.body, route, limits);
+    let states = own.states();
+    trials.most = states.duration();
+    let again =
+        AGAIN.into_iter().find_map(|(more, speed)| trials.attempt((kept + more, true), own.path(speed)));
+    let both = first.into_iter().chain(again).filter(|(found, _)| found.duration() <= trials.most);
+    if let Some(best) = both.min_by(|a, b| a.0.duration().total_cmp(&b.0.duration())) {
+        return Ok(optimised(best, trials.steps));
+    }
+    Ok(Optimised { steps: trials.steps, ..judged(geometry, &trials.body, limits, (own, states), plain) })
+}
+
+/// What `optimise` falls back to: the plan's own path, the wheel turning on the way where the referee allows it.
+///
+/// # Errors
+/// As [`optimise`].
+pub fn fallback(geometry: &Geometry, route: &Route, limits: &MotionLimits) -> Result<Optimised, Error> {
+    limits.validate()?;
+    let plain = plain(geometry, route, limits)?;
+    let body = Body::new(geometry);
+    let own = PlanPath::quick(geometry, &body, route, limits);
+    let states = own.states();
+    Ok(judged(geometry, &body, limits, (own, states), plain))
+}
+
+/// The plan's own path with ramps or, where the referee refuses that, with standstills.
+fn judged(
+    geometry: &Geometry,
+    body: &Body,
+    limits: &MotionLimits,
+    (own, states): (PlanPath, States),
+    plain: States,
+) -> Optimised {
+    let found = check(geometry, body, &states, limits);
+    if found.passes() {
+        let stage = if own.is_continuous() { Stage::ContinuousCurvature } else { Stage::StopAndSteer };
+        return Optimised { states, stage, check: found, steps: 0 };
+    }
+    let check = check(geometry, body, &plain, limits);
+    Optimised { states: plain, stage: Stage::StopAndSteer, check, steps: 0 }
+}
+
+/// Stop-and-steer, unless that takes too long.
+fn plain(geometry: &Geometry, route: &Route, limits: &MotionLimits) -> Result<States, Error> {
     let shortest = route.length() / limits.speed;
     if shortest > MAX_DURATION {
         return Err(too_long(shortest));
     }
     let plain = stop_and_steer(&geometry.vehicle, route, limits);
-    if plain.duration() > MAX_DURATION {
-        return Err(too_long(plain.duration()));
+    if plain.duration() > MAX_DURATION { Err(too_long(plain.duration())) } else { Ok(plain) }
+}
+
+/// States that the referee lets pass, and its verdict.
+type Trial = (States, Judgement);
+
+/// Attempts at one route.
+struct Trials<'a> {
+    geometry: &'a Geometry,
+    body: Body,
+    features: Features,
+    route: &'a Route,
+    limits: &'a MotionLimits,
+    /// No trajectory may take longer, seconds.
+    most: f64,
+    steps: u32,
+}
+
+impl Trials<'_> {
+    /// Optimises a first guess; `None` where the referee refuses what comes of it.
+    fn attempt(&mut self, how: Attempt, first: Path) -> Option<Trial> {
+        let task = task(self.geometry, self.limits, &self.features, how);
+        let states = attempted(&task, self.route, first, self.most, &mut self.steps)?;
+        let check = check(self.geometry, &self.body, &states, self.limits);
+        check.passes().then_some((states, check))
     }
-    let body = Body::new(geometry);
-    let kept = options.margin.min(clearance.max(0.0));
-    let attempts: [Attempt; 3] = [(kept, false), (kept, true), (kept / 2.0, true)];
-    // Numbers near 0: floors may be 1e9 m from the origin.
-    let features = Features::new(geometry, route.pose(0.0).point());
-    let first = Path::new(&geometry.vehicle, route);
-    let mut steps = 0;
-    for attempt in attempts {
-        let task = task(geometry, limits, &features, attempt);
-        let Some(states) = attempted(&task, route, first.clone(), plain.duration(), &mut steps) else {
-            continue;
-        };
-        let check = check(geometry, &body, &states, limits);
-        if check.passes() {
-            return Ok(Optimised { states, stage: Stage::Optimised, check, steps });
-        }
-    }
-    let check = check(geometry, &body, &plain, limits);
-    Ok(Optimised { states: plain, stage: Stage::StopAndSteer, check, steps })
 }
 
 fn too_long(duration: f64) -> Error {
@@ -185,15 +266,13 @@ fn task<'a>(
     (margin, keeps_runs): Attempt,
 ) -> Task<'a> {
     let vehicle = &geometry.vehicle;
-    Task {
+    let car = Car {
         vehicle,
         limits,
-        features,
-        margin: margin + BETWEEN,
         max_angle: (vehicle.max_steer - ANGLE_RESERVE).max(vehicle.max_steer / 2.0),
         max_rate: limits.steering_rate_of(vehicle) * (1.0 - RATE_RESERVE),
-        keeps_runs,
-    }
+    };
+    Task { car, features, margin: margin + BETWEEN, keeps_runs }
 }
 
 /// The states of an optimised path; `None` where they do not end at the goal or take longer than `most` seconds.
@@ -204,5 +283,8 @@ fn attempted(task: &Task, route: &Route, mut path: Path, most: f64, steps: &mut 
     let heading = end.heading + (turn / math::TAU).round() * math::TAU;
     let goal = Pose::new(end.x - start.x, end.y - start.y, heading);
     *steps += PathStage::new(task).run(&mut path);
-    roll_out::rows(&path, task, most).states(start, goal, task.vehicle.wheelbase, task.vehicle.max_steer)
+    let mut rows = Rows::new(most, 0.0);
+    rows.along(&path, &task.car);
+    rows.turn(0.0, task.car.max_rate);
+    rows.states(start, goal, &task.car)
 }

@@ -144,14 +144,14 @@ impl<'a> PathStage<'a> {
             let turn = next[ANGLE] - node[ANGLE];
             let end = match *link {
                 Link::Turn => {
-                    cost += rounded(turn, STILL) / task.max_rate;
+                    cost += rounded(turn, STILL) / task.car.max_rate;
                     [node[X], node[Y], node[HEADING]]
                 }
                 Link::Drive(gear) => {
                     cost += facts.time_slopes[k] * node[STEP];
                     cost += WHEEL / 2.0 * facts.speeds[k] / facts.steps[k] * turn * turn;
                     cost += BENT / 2.0 * facts.steps[k] * node[ANGLE] * node[ANGLE];
-                    let lost = turn.abs() / task.max_rate - node[STEP] / facts.speeds[k];
+                    let lost = turn.abs() / task.car.max_rate - node[STEP] / facts.speeds[k];
                     if lost > 0.0 {
                         cost += DEARER * rounded(lost, LOST);
                     }
@@ -159,7 +159,7 @@ impl<'a> PathStage<'a> {
                     if matches!(path.links.get(k + 1), Some(Link::Drive(_))) {
                         cost += EVEN / 2.0 * (next[STEP] - node[STEP]) * (next[STEP] - node[STEP]);
                     }
-                    drive(node, next[ANGLE], gear, task.vehicle.wheelbase).pose
+                    drive(node, next[ANGLE], gear, task.car.vehicle.wheelbase).pose
                 }
             };
             for i in 0..3 {
@@ -168,7 +168,7 @@ impl<'a> PathStage<'a> {
             }
         }
         for node in &path.nodes {
-            cost += above(node[ANGLE].abs() - task.max_angle, LOCK);
+            cost += above(node[ANGLE].abs() - task.car.max_angle, LOCK);
         }
         for sample in &facts.samples {
             let (car, near) = (sample.car(path), &sample.features);
@@ -192,7 +192,7 @@ impl<'a> PathStage<'a> {
             let multiplier = self.multipliers[k];
             match *link {
                 Link::Turn => {
-                    base.square(&turned, turn, 1.0 / task.max_rate / turn.abs().max(STILL));
+                    base.square(&turned, turn, 1.0 / task.car.max_rate / turn.abs().max(STILL));
                     for i in 0..3 {
                         let defect = node[i] - next[i] + multiplier[i] / self.defect;
                         base.square(&[(own + i, 1.0), (other + i, -1.0)], defect, self.defect);
@@ -207,13 +207,13 @@ impl<'a> PathStage<'a> {
                         let steps = [(own + STEP, -1.0), (other + STEP, 1.0)];
                         base.square(&steps, next[STEP] - node[STEP], EVEN);
                     }
-                    let lost = turn.abs() / task.max_rate - node[STEP] / speed;
-                    let sign = turn.signum() / task.max_rate;
+                    let lost = turn.abs() / task.car.max_rate - node[STEP] / speed;
+                    let sign = turn.signum() / task.car.max_rate;
                     let slopes = [(own + ANGLE, -sign), (own + STEP, -1.0 / speed), (other + ANGLE, sign)];
                     hinges.push(Hinge::new(&slopes, lost, DEARER / lost.max(LOST)));
                     let least = self.least.get(k).copied().unwrap_or(0.0);
                     hinges.push(Hinge::new(&[(own + STEP, -1.0)], least - node[STEP], BACKWARD));
-                    let end = drive(node, next[ANGLE], gear, task.vehicle.wheelbase);
+                    let end = drive(node, next[ANGLE], gear, task.car.vehicle.wheelbase);
                     for i in 0..3 {
                         let defect = end.pose[i] - next[i] + multiplier[i] / self.defect;
                         let [heading, angle, by_step, last] = end.slopes[i];
@@ -231,7 +231,7 @@ impl<'a> PathStage<'a> {
             }
         }
         for (k, node) in path.nodes.iter().enumerate() {
-            let beyond = node[ANGLE].abs() - task.max_angle;
+            let beyond = node[ANGLE].abs() - task.car.max_angle;
             hinges.push(Hinge::new(&[(k * BLOCK + ANGLE, node[ANGLE].signum())], beyond, LOCK));
         }
         for sample in &facts.samples {
@@ -307,7 +307,7 @@ impl<'a> PathStage<'a> {
             let (node, next) = (&path.nodes[k], &path.nodes[k + 1]);
             let end = match *link {
                 Link::Turn => [node[X], node[Y], node[HEADING]],
-                Link::Drive(gear) => drive(node, next[ANGLE], gear, self.task.vehicle.wheelbase).pose,
+                Link::Drive(gear) => drive(node, next[ANGLE], gear, self.task.car.vehicle.wheelbase).pose,
             };
             for i in 0..3 {
                 self.multipliers[k][i] += self.defect * (end[i] - next[i]);

@@ -1,7 +1,7 @@
 //! From a path to states in time: speeds, rows, and the last millimetres to the goal.
 
 use super::path::{Link, Path, Run};
-use super::round::Task;
+use super::round::Car;
 use super::segment::{ANGLE, STEP};
 use crate::geometry::{Pose, math};
 use crate::referee::{MotionLimits, States};
@@ -12,6 +12,10 @@ const CELL: f64 = 0.02;
 const ROW: f64 = 0.05;
 /// Shorter times and turns of the wheel are none, seconds and radians.
 const NOTHING: f64 = 1e-9;
+/// The referee allows a steering rate that is higher than the limit by a thousandth; so much of it is used here.
+const STILL_KEPT: f64 = 1.0005;
+/// No drive is slowed down by more than this.
+const MOST_SLOWED: f64 = 1.5;
 /// Corrections of the end.
 const CORRECTIONS: usize = 6;
 /// More than this is no correction of a steering angle, radians.
@@ -30,9 +34,9 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    /// One row at standstill with the wheel straight.
-    pub(super) fn new(most: f64) -> Self {
-        Self { most, t: vec![0.0], speed: vec![0.0], angle: vec![0.0] }
+    /// One row at standstill with the wheel at an angle.
+    pub(super) fn new(most: f64, angle: f64) -> Self {
+        Self { most, t: vec![0.0], speed: vec![0.0], angle: vec![angle] }
     }
 
     fn push(&mut self, after: f64, speed: f64, angle: f64) {
@@ -55,14 +59,27 @@ impl Rows {
         }
     }
 
+    /// Drives the runs of a path.
+    pub(super) fn along(&mut self, path: &Path, car: &Car) {
+        for run in path.runs() {
+            self.turn(path.nodes[run.first][ANGLE], car.max_rate);
+            let cells = cells(path, run, car);
+            let mut stations = vec![0.0];
+            for node in &path.nodes[run.first..run.last] {
+                stations.push(stations[stations.len() - 1] + node[STEP]);
+            }
+            self.drive(car.limits, &cells, run.gear, |s| {
+                let k = stations.partition_point(|&at| at <= s).clamp(1, stations.len() - 1) - 1;
+                let (from, to) = (path.nodes[run.first + k][ANGLE], path.nodes[run.first + k + 1][ANGLE]);
+                let share =
+                    ((s - stations[k]) / (stations[k + 1] - stations[k]).max(NOTHING)).clamp(0.0, 1.0);
+                (from + (to - from) * share).clamp(-car.max_angle, car.max_angle)
+            });
+        }
+    }
+
     /// Drives cells from rest to rest. `angles` tells the steering angle so many metres along.
-    pub(super) fn drive(
-        &mut self,
-        limits: &MotionLimits,
-        cells: &[Cell],
-        gear: f64,
-        angle: impl Fn(f64) -> f64,
-    ) {
+    fn drive(&mut self, limits: &MotionLimits, cells: &[Cell], gear: f64, angle: impl Fn(f64) -> f64) {
         let speeds = speeds(limits, cells);
         let (mut s, mut i) = (0.0, 0);
         while i < cells.len() {
@@ -95,13 +112,8 @@ impl Rows {
 
     /// The states from a start, the wheel's angles changed a little so that they end at the goal, which is given
     /// relative to the start's place; `None` where that is too far.
-    pub(super) fn states(
-        mut self,
-        start: Pose,
-        goal: Pose,
-        wheelbase: f64,
-        max_angle: f64,
-    ) -> Option<States> {
+    pub(super) fn states(mut self, start: Pose, goal: Pose, car: &Car) -> Option<States> {
+        let (wheelbase, max_angle) = (car.vehicle.wheelbase, car.vehicle.max_steer);
         if self.most < 0.0 {
             return None;
         }
@@ -114,6 +126,7 @@ impl Rows {
             }
             self.correct(&poses, off, wheelbase, max_angle)?;
         }
+        self.slow_down(car.limits.steering_rate_of(car.vehicle));
         Some(self.plain(start, wheelbase))
     }
 
@@ -147,6 +160,36 @@ impl Rows {
         poses
     }
 
+    /// Drives the same way more slowly, from one standstill to the next, where a correction has made the wheel too fast.
+    fn slow_down(&mut self, rate: f64) {
+        let too_fast = |i: usize| {
+            let turn = (self.angle[i] - self.angle[i - 1]).abs();
+            turn / (self.t[i] - self.t[i - 1]) / rate
+        };
+        let most = (1..self.t.len()).map(too_fast).fold(0.0, f64::max);
+        if !(STILL_KEPT..MOST_SLOWED).contains(&most) {
+            return;
+        }
+        let mut slowed = Self::new(self.most, self.angle[0]);
+        let mut first = 0;
+        while first + 1 < self.t.len() {
+            let last = (first + 1..self.t.len() - 1).find(|&i| self.speed[i] == 0.0);
+            let last = last.unwrap_or(self.t.len() - 1);
+            let factor = (first + 1..=last).map(too_fast).fold(1.0, f64::max);
+            for i in first + 1..=last {
+                let duration = (self.t[i] - self.t[i - 1]) * factor;
+                let parts = (duration / ROW - 1e-9).ceil().max(1.0);
+                for k in 1..=parts as u32 {
+                    let share = f64::from(k) / parts;
+                    let mixed = |column: &[f64]| column[i - 1] + (column[i] - column[i - 1]) * share;
+                    slowed.push(duration / parts, mixed(&self.speed) / factor, mixed(&self.angle));
+                }
+            }
+            first = last;
+        }
+        *self = slowed;
+    }
+
     /// The least change of the steering angles, as a function of time, that moves the end by `off`.
     fn correct(&mut self, poses: &[Pose], off: [f64; 3], wheelbase: f64, max_angle: f64) -> Option<()> {
         let end = poses[poses.len() - 1];
@@ -176,11 +219,11 @@ impl Rows {
 
 /// A short stretch with a largest speed.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Cell {
-    pub(super) length: f64,
-    pub(super) speed: f64,
+struct Cell {
+    length: f64,
+    speed: f64,
     /// True if the wheel's rate changes where it begins.
-    pub(super) begins: bool,
+    begins: bool,
 }
 
 /// The fastest speeds at the ends of cells from rest to rest, with constant acceleration in each.
@@ -197,37 +240,16 @@ fn speeds(limits: &MotionLimits, cells: &[Cell]) -> Vec<f64> {
     square.into_iter().map(f64::sqrt).collect()
 }
 
-/// The path in time.
-pub(super) fn rows(path: &Path, task: &Task, most: f64) -> Rows {
-    let mut rows = Rows::new(most);
-    for run in path.runs() {
-        rows.turn(path.nodes[run.first][ANGLE], task.max_rate);
-        let cells = cells(path, run, task);
-        let mut stations = vec![0.0];
-        for node in &path.nodes[run.first..run.last] {
-            stations.push(stations[stations.len() - 1] + node[STEP]);
-        }
-        rows.drive(task.limits, &cells, run.gear, |s| {
-            let k = stations.partition_point(|&at| at <= s).clamp(1, stations.len() - 1) - 1;
-            let (from, to) = (path.nodes[run.first + k][ANGLE], path.nodes[run.first + k + 1][ANGLE]);
-            let share = ((s - stations[k]) / (stations[k + 1] - stations[k]).max(NOTHING)).clamp(0.0, 1.0);
-            (from + (to - from) * share).clamp(-task.max_angle, task.max_angle)
-        });
-    }
-    rows.turn(0.0, task.max_rate);
-    rows
-}
-
-fn cells(path: &Path, run: Run, task: &Task) -> Vec<Cell> {
+fn cells(path: &Path, run: Run, car: &Car) -> Vec<Cell> {
     let mut cells = Vec::new();
     for k in run.first..run.last {
         debug_assert!(path.links[k] == Link::Drive(run.gear));
         let (node, next) = (&path.nodes[k], &path.nodes[k + 1]);
-        let length = node[STEP].max(1e-6);
-        let mut speed = task.limits.speed.min(task.max_rate * length / (next[ANGLE] - node[ANGLE]).abs());
-        if let Some(most) = task.limits.lateral_acceleration {
+        let length = node[STEP].max(NOTHING);
+        let mut speed = car.limits.speed.min(car.max_rate * length / (next[ANGLE] - node[ANGLE]).abs());
+        if let Some(most) = car.limits.lateral_acceleration {
             let angle = node[ANGLE].abs().max(next[ANGLE].abs());
-            speed = speed.min((most * task.vehicle.wheelbase / math::tan(angle)).sqrt());
+            speed = speed.min((most * car.vehicle.wheelbase / math::tan(angle)).sqrt());
         }
         let parts = (length / CELL).ceil();
         for part in 0..parts as u32 {

@@ -15,16 +15,21 @@ const SWING: f64 = 1.4;
 /// No run costs more time a metre than one of this length, metres.
 const SHORTEST: f64 = 0.05;
 
-/// The task of the path stage.
-pub(super) struct Task<'a> {
+/// The car and what it can do.
+pub(super) struct Car<'a> {
     pub(super) vehicle: &'a Vehicle,
     pub(super) limits: &'a MotionLimits,
+    /// Largest steering angle and rate in the plan, not more than the car's.
+    pub(super) max_angle: f64,
+    pub(super) max_rate: f64,
+}
+
+/// The task of the path stage.
+pub(super) struct Task<'a> {
+    pub(super) car: Car<'a>,
     pub(super) features: &'a Features,
     /// Kept from obstacles, metres.
     pub(super) margin: f64,
-    /// Largest steering angle and rate in the plan, a little less than the car's.
-    pub(super) max_angle: f64,
-    pub(super) max_rate: f64,
     /// True if no run may vanish, or become shorter than half of what it was.
     pub(super) keeps_runs: bool,
 }
@@ -64,7 +69,7 @@ impl Round {
         let n = path.nodes.len();
         let samples = samples(task, path);
         let (mut speeds, mut time_slopes) = (vec![0.0; n], vec![0.0; n]);
-        let limits = task.limits;
+        let limits = task.car.limits;
         for run in path.runs() {
             let length = path.length_of(run);
             let slope = time_slope(limits, length);
