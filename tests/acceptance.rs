@@ -266,7 +266,7 @@ fn costs_agree_on_every_map() {
         assert!(angles.median() <= 0.6);
         let (first, work) = (sample(|f| f.first[0]), sample(|f| f.first[1]));
         println!(
-            "Y3 and Y4, {:?} {}: 16 from both ends against from one, a path on all of {SEEDS} maps; first: length {first}, \
+            "Y3, {:?} {}: 16 from both ends against from one, a path on all of {SEEDS} maps; first: length {first}, \
              longer on {}, expanded {work}; best: length {}; nba: equal, expanded {}",
             row.family,
             row.size,

@@ -144,7 +144,7 @@ fn long_moves_that_short_ones_add_up_to_save_nothing() {
 fn searches_from_both_ends_and_jumps_find_the_cheapest_path_or_none() {
     let mut random = SplitMix64::new(21);
     let mut scratch = GridScratch::new();
-    let mut found = 0;
+    let (mut found, mut dearer, mut missed) = (0, 0, 0);
     for _ in 0..1000 {
         let (map, start, goal) = random_map(&mut random);
         let query = Query { map: &map, start, goal };
@@ -173,6 +173,21 @@ fn searches_from_both_ends_and_jumps_find_the_cheapest_path_or_none() {
             });
             assert_eq!(costs[0], cheapest.cost_micro);
             assert!(costs[0] <= costs[1] && costs[1] <= costs[2]);
+            let common = Common { corner, ..Common::PLAIN };
+            let config = bidirectional::Config { neighbours, stop: Stop::Naive, common };
+            let naive = bidirectional::plan(query, &config, &mut scratch, &mut ());
+            match (naive.status, naive.detail) {
+                (Status::Found, None) => {
+                    check_path(query, corner, &naive);
+                    dearer += u32::from(naive.cost_micro > costs[0]);
+                    assert!(naive.cost_micro >= costs[0]);
+                }
+                (Status::NoPath, Some(Detail::Stranded)) => {
+                    missed += 1;
+                    assert_eq!(cheapest.status, Status::Found);
+                }
+                other => assert_eq!(other, (cheapest.status, cheapest.detail)),
+            }
         }
         let eight = grid_astar::plan(
             query,
@@ -196,7 +211,7 @@ fn searches_from_both_ends_and_jumps_find_the_cheapest_path_or_none() {
             check_path(query, Corner::Strict, &report);
         }
     }
-    assert!(found > 20_000, "{found}");
+    assert!(found > 20_000 && dearer > 1000 && missed > 10, "{found} {dearer} {missed}");
 }
 
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]

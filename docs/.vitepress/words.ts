@@ -47,8 +47,8 @@ export const WORDS: Record<string, Words> = {
   "sixteen-bidirectional": {
     scene: "random-60",
     formulas: `${GRID}\nstop "nba": until max(f_start, f_goal) ≥ the best connection`,
-    en: "Two searches, one from each end, that meet. Stopping at the first meeting is quick, but its paths are slightly too long on many maps. Stopping when no shorter path can remain gives paths as short as one-way A*.",
-    zh: "从起点与终点同时搜索直至相遇。首次相遇即停止最快，但在许多地图上路径略长；直到不可能有更短连接才停止，则与单向 A* 一样短。",
+    en: "Two searches, one from each end, that meet. Stopping at the first meeting is quick, but its paths are slightly too long on many maps. Stopping when no shorter path can remain gives paths as short as one-way A*. The paper's own rule, the same best node on both sides, misses the path on some maps.",
+    zh: "从起点与终点同时搜索直至相遇。首次相遇即停止最快，但在许多地图上路径略长；直到不可能有更短连接才停止，则与单向 A* 一样短。论文自己的规则（两侧取到同一个最优节点）在个别地图上找不到路径。",
   },
   "jump-point": {
     scene: "random-60",

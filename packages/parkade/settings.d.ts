@@ -56,8 +56,8 @@ export interface SixteenSettings extends GridSettings {
 export interface SixteenBidirectionalSettings extends GridSettings {
   /** Cells reachable in one step. Default: "sixteen". */
   neighbours?: "four" | "eight" | "sixteen" | "twenty-four" | "forty-eight";
-  /** First: where the two meet (the paper); best: the best connection until then; nba: the cheapest path. Default: "first". */
-  stop?: "first" | "best" | "nba";
+  /** First: where the two meet; best: the best connection until then; nba: the cheapest path; naive: both take up the same cell (the paper), which can fail. Default: "first". */
+  stop?: "first" | "best" | "nba" | "naive";
   /** Strict: a path may not touch a blocked cell. Default: "strict". */
   corner?: "strict" | "no-squeeze" | "free";
 }

@@ -2,6 +2,7 @@
 
 mod claims;
 pub mod grid;
+mod naive_stop;
 pub mod parking;
 pub mod road;
 mod sample;
@@ -11,4 +12,5 @@ pub mod verdicts;
 pub mod volumes;
 
 pub use claims::{Claim, claims};
+pub use naive_stop::NaiveStop;
 pub use sample::Spread;

@@ -264,6 +264,13 @@ impl Finish<'_> {
             Status::StartBlocked => format!("The start {} is inside an obstacle{space}.", at(geometry.start)),
             Status::GoalBlocked => format!("The goal {} is inside an obstacle{space}.", at(geometry.goal)),
             Status::BudgetSpent => format!("Stopped after {} expansions.", self.report.expanded),
+            #[cfg(feature = "complete")]
+            Status::NoPath if self.report.detail == Some(Detail::Stranded) => {
+                format!(
+                    "There is a path, but this rule missed it: {} cells were searched.",
+                    self.report.expanded
+                )
+            }
             Status::NoPath => {
                 let near = self.world.frame.center(self.report.closest);
                 format!(

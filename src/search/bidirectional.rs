@@ -18,6 +18,9 @@ pub enum Stop {
     Best,
     /// When no better connection can exist, which gives the cheapest path (Pijls and Post 2009).
     Optimal,
+    /// When both sides have taken up the same node last; the path leads through it. Each side searches on through nodes
+    /// that the other has finished, so the sides can miss each other and exhaust the map without a path.
+    Naive,
 }
 
 /// Searches a path from `start` to `goal` from both ends. The estimates must be consistent.
@@ -43,6 +46,7 @@ pub fn bidirectional<L: Lattice, O: Observer<i64, ()>>(
         best: (i64::MAX, start),
         nearest: far,
         last: [far; 2],
+        current: [start, goal],
     };
     while search.turn::<0>(memory) && search.turn::<1>(memory) {}
     let Search { mut found, best, .. } = search;
@@ -69,6 +73,8 @@ struct Search<'a, L, O> {
     nearest: i64,
     /// Each side's last f.
     last: [i64; 2],
+    /// The node that each side took up last.
+    current: [NodeId; 2],
 }
 
 /// The side is a const generic, which avoids a branch per node.
@@ -102,11 +108,16 @@ impl<L: Lattice, O: Observer<i64, ()>> Search<'_, L, O> {
         memory: &mut PackedScratch<L::Entry>,
     ) -> Option<bool> {
         memory.close::<2>(TURN, node, record);
-        if memory.is_closed(1 - TURN, node) {
+        self.current[TURN] = node;
+        let meets = match self.stop {
+            Stop::Naive => self.current[1 - TURN] == node,
+            _ => memory.is_closed(1 - TURN, node),
+        };
+        if meets {
             let g = cost_of(record);
             self.found.expanded += 1;
             self.observer.expanded(node, (), g);
-            if self.stop == Stop::First {
+            if self.stop != Stop::Best {
                 self.best = (g + memory.known(1 - TURN, node).unwrap_or_default(), node);
             }
             return None;
@@ -148,7 +159,7 @@ impl<L: Lattice, O: Observer<i64, ()>> Search<'_, L, O> {
         if TURN == 0 && h < self.nearest {
             (self.nearest, self.found.closest) = (h, node);
         }
-        let best = (self.stop != Stop::First).then_some(&mut self.best);
+        let best = matches!(self.stop, Stop::Best | Stop::Optimal).then_some(&mut self.best);
         let mut sink: Relaxing<L, O, 2, TURN> =
             Relaxing::new(self.lattice, memory, self.observer, (node, record), best);
         if TURN == 0 {

@@ -218,6 +218,7 @@ fn plain_both_ways<E>(graph: &Directed<E>, (start, goal): (NodeId, NodeId), stop
     let far = graph.estimate(0, start);
     let mut sides = [Plain::new(start, far), Plain::new(goal, far)];
     let (mut best, mut nearest, mut last) = ((i64::MAX, start), far, [far; 2]);
+    let mut current = [start, goal];
     for turn in [0, 1].into_iter().cycle() {
         let Some((f, h, node)) = sides[turn].pop() else { break };
         let g = sides[turn].g(node).unwrap();
@@ -233,9 +234,16 @@ fn plain_both_ways<E>(graph: &Directed<E>, (start, goal): (NodeId, NodeId), stop
                 }
                 continue;
             }
-        } else if sides[1 - turn].closed[node as usize] {
+        }
+        current[turn] = node;
+        let meets = match stop {
+            Stop::Optimal => false,
+            Stop::Naive => current[0] == current[1],
+            Stop::First | Stop::Best => sides[1 - turn].closed[node as usize],
+        };
+        if meets {
             found.expanded += 1;
-            if stop == Stop::First {
+            if stop != Stop::Best {
                 best = (g + sides[1 - turn].g(node).unwrap(), node);
             }
             break;
@@ -246,7 +254,7 @@ fn plain_both_ways<E>(graph: &Directed<E>, (start, goal): (NodeId, NodeId), stop
         }
         for (_, to, cost) in graph.moves(turn, node) {
             if sides[turn].reach(node, to, g + cost, graph.estimate(turn, to))
-                && stop != Stop::First
+                && (stop == Stop::Best || stop == Stop::Optimal)
                 && let Some(there) = sides[1 - turn].g(to)
                 && g + cost + there < best.0
             {
@@ -275,8 +283,8 @@ fn compare<E: Entry>() {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
         (state >> 33) % n
     };
-    let (mut memory, mut rejected, mut dearer, mut shots, mut closed) =
-        (PackedScratch::default(), 0, 0, 0, 0);
+    let (mut memory, mut rejected, mut dearer, mut shots, mut closed, mut missed) =
+        (PackedScratch::default(), 0, 0, 0, 0, 0);
     for round in 0..150 {
         // Many ties, or hardly any.
         let (kinds, unit) = [(3, 1), (9, 700), (1_000_000, 1)][round % 3];
@@ -302,11 +310,15 @@ fn compare<E: Entry>() {
             (one.end, one.cost),
             if cheapest < FAR { (End::Found, cheapest) } else { (End::Exhausted, 0) }
         );
-        for stop in [Stop::First, Stop::Best, Stop::Optimal] {
+        for stop in [Stop::First, Stop::Best, Stop::Optimal, Stop::Naive] {
             let both = bidirectional(&graph, ends, stop, 1000, &mut memory, &mut ());
             assert_eq!(both, plain_both_ways(&graph, ends, stop), "round {round} {stop:?}");
             if cheapest == FAR {
                 closed += 1;
+                continue;
+            }
+            if stop == Stop::Naive && both.end == End::Exhausted {
+                missed += 1;
                 continue;
             }
             assert_eq!((both.nodes.first(), both.nodes.last()), (Some(&ends.0), Some(&ends.1)));
@@ -329,5 +341,5 @@ fn compare<E: Entry>() {
         shots += u32::from(one.nodes.len() > 1 && graph.rest(one.nodes[one.nodes.len() - 2]).is_some());
     }
     assert!(rejected > 100 && dearer > 0, "{rejected} {dearer}");
-    assert!(shots > 10 && closed > 10, "{shots} {closed}");
+    assert!(shots > 10 && closed > 10 && missed > 0, "{shots} {closed} {missed}");
 }

@@ -119,7 +119,7 @@ fn a_budget_ends_a_search_where_it_is() {
         assert_eq!((found.end, found.expanded, found.closest), (end, budget, closest));
     }
     let line = Line::<false, false>::new(2, 5);
-    for stop in [Stop::First, Stop::Best, Stop::Optimal] {
+    for stop in [Stop::First, Stop::Best, Stop::Optimal, Stop::Naive] {
         let found = bidirectional(&line, line.ends, stop, 2, &mut PackedScratch::default(), &mut ());
         assert_eq!((found.end, found.expanded, found.nodes.len()), (End::BudgetSpent, 2, 0));
     }
@@ -176,6 +176,8 @@ fn two_sides_count_what_they_do() {
     };
     assert_eq!(found(Stop::First), want);
     assert_eq!(found(Stop::Best), want);
+    // On a line they cannot pass each other.
+    assert_eq!(found(Stop::Naive), want);
     // 4 and 6 have met at 5 by then, and nothing is cheaper.
     let want = Found { expanded: 5, generated: 9, pushes: 9, rejected: 1, ..want };
     assert_eq!(found(Stop::Optimal), want);

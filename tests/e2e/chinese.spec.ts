@@ -53,6 +53,7 @@ const NAMES = new RegExp(
     "first",
     "best",
     "nba",
+    "naive",
     "spline",
     "paper",
     "octile",
