@@ -82,6 +82,9 @@ class Watched {
   }
 }
 
+/** Few enough for a test of every scene; an unfinished search answers as well. */
+const FEW = { maxExpansions: 4000, finestLevel: 1 };
+
 const scene = (id: string): Scenario<Goal> => parkade.scenario(id);
 
 /** Scenes that fail, each in its way. */
@@ -221,38 +224,44 @@ describe("what the package answers is of the types that it declares:", () => {
     }
   });
 
-  it.each(["perpendicular", "narrow-gap", "trap-60", "L2", "road-narrow", "fig16"])(
-    "every planner's plan of %s, with its trace, and its layers",
-    (id) => {
+  it("every planner's plan of every scene, with its trace", () => {
+    for (const { id } of parkade.scenarios()) {
       for (const { id: planner, family } of parkade.planners()) {
-        const made = api.planner(
-          planner,
-          scene(id),
-          family === "hybrid" ? { maxExpansions: 4000, finestLevel: 1 } : {},
-        );
-        note(made.plan());
+        const made = api.planner(planner, scene(id), family === "hybrid" ? FEW : {});
         const { path, directions } = note(made.plan({ trace: true }));
         if (path.length > 0) api.call("checkPath", scene(id), path, directions);
+        made.free();
+      }
+    }
+  }, 240_000);
+
+  it.each(["perpendicular", "narrow-gap", "trap-60", "L2", "road-narrow", "fig16"])(
+    "every planner's plan of %s, without a trace, and its layers",
+    (id) => {
+      for (const { id: planner, family, hasRiskField } of parkade.planners()) {
+        const made = api.planner(planner, scene(id), family === "hybrid" ? FEW : {});
+        note(made.plan());
         for (const layer of ["occupancy", "safety", "clearance"]) made.call("layer", layer);
         if (family === "road") made.call("layer", "cost");
         if (family === "grid") made.call("layer", "redundant");
-        if (planner.startsWith("risk-field")) made.call("layer", "risk", { every: 3 });
+        if (hasRiskField) made.call("layer", "risk", { every: 3 });
+        if (hasRiskField) made.call("layer", "potential");
         made.free();
       }
     },
     120_000,
   );
 
-  it("five planners' plans by the small module", () => {
-    for (const { id: planner } of small.planners()) {
-      for (const id of ["perpendicular", "trap-60"]) {
-        const made = core.planner(planner, small.scenario(id));
+  it("every plan of the small module", () => {
+    for (const { id: planner, family } of small.planners()) {
+      for (const { id } of small.scenarios()) {
+        const made = core.planner(planner, small.scenario(id), family === "hybrid" ? FEW : {});
         made.plan({ trace: true });
         made.call("layer", "clearance");
         made.free();
       }
     }
-  });
+  }, 120_000);
 
   it("plans that fail, with what is in the way", () => {
     for (const [name, [planner, where, config]] of Object.entries(failing())) {
