@@ -16,6 +16,7 @@ pub use moving_obstacles::Mover;
 pub use path_segments::Route;
 pub use speed_profile::{Limits, Motion, Profile, Steps};
 pub use stop_wait_go::{Contact, Encounter, Ending, Rule, Scope, Wait, WaitOptions, stop_wait_go};
+pub(crate) use stop_wait_go::{SAMPLE, SHORTEST, SPARE, first_contact, nearest};
 pub(crate) use track::follow;
 pub use track::{Controller, Tracking, track};
 pub(crate) use trajectory::hash;

@@ -15,11 +15,11 @@ use crate::metrics::gap;
 use crate::vehicle::Vehicle;
 
 /// Stations of a roll-out are this far apart, metres.
-const SAMPLE: f64 = 0.1;
+pub(crate) const SAMPLE: f64 = 0.1;
 /// The car stops this much before the last place that is safe, metres.
-const SPARE: f64 = 0.5;
+pub(crate) const SPARE: f64 = 0.5;
 /// It waits at least this long, seconds.
-const SHORTEST: f64 = 0.5;
+pub(crate) const SHORTEST: f64 = 0.5;
 /// Between two moments of the check no corner of the car and no box near each other by more than this, metres, unless
 /// they are farther apart.
 const CHECK: f64 = 0.02;
@@ -55,9 +55,9 @@ pub struct WaitOptions {
     pub rule: Rule,
     /// How far ahead `reactive` looks.
     pub scope: Scope,
-    /// Speed while driving, m/s, 0.01 to 100; it stops and starts at once, as in the paper.
+    /// Speed along a route, m/s, 0.01 to 100; the car stops and starts at once, as in the paper.
     pub speed: f64,
-    /// For the window, m/s², 0.01 to 100.
+    /// For a route's window, m/s², 0.01 to 100.
     pub deceleration: f64,
     /// `predictive` keeps this much distance when it decides to stop, metres, 0 to 10.
     pub margin: f64,
@@ -137,6 +137,15 @@ impl Ending {
             Self::OutOfTime => "out-of-time",
         }
     }
+
+    /// How a drive ended that arrived and touched something.
+    pub(crate) const fn with(self, rule: Rule, is_touched: bool) -> Self {
+        match (self, rule, is_touched) {
+            (Self::Arrived, Rule::Predictive, true) => Self::Unavoidable,
+            (Self::Arrived, Rule::Reactive, true) => Self::Hit,
+            _ => self,
+        }
+    }
 }
 
 /// A time at standstill.
@@ -206,9 +215,7 @@ pub fn stop_wait_go(
     let (mut states, waits, mut ending) = drive.run();
     let free_duration = route.length() / options.speed;
     let contact = drive.contact(&states);
-    if contact.is_some() && ending == Ending::Arrived {
-        ending = if options.rule == Rule::Predictive { Ending::Unavoidable } else { Ending::Hit };
-    }
+    ending = ending.with(options.rule, contact.is_some());
     let (mut rows, mut wheel) = (Rows::default(), Wheel::default());
     if let Some(last) = states.last_mut() {
         last.speed = 0.0;
@@ -216,7 +223,7 @@ pub fn stop_wait_go(
     let mut clearances = Vec::new();
     for state in &states {
         rows.push(vehicle, route, *state, &mut wheel);
-        clearances.push(drive.clearance(state.station, state.t).0);
+        clearances.push(drive.clearance(state.station, state.t));
     }
     let duration = states.last().map_or(0.0, |s| s.t);
     Ok(Encounter { ending, rows, clearances, waits, contact, duration, free_duration })
@@ -340,38 +347,57 @@ impl Drive<'_> {
         self.vehicle.outline(self.route.pose(station))
     }
 
-    /// Distance to the nearest box, and which.
-    fn clearance(&self, station: f64, t: f64) -> (f64, usize) {
-        let body = self.body(station);
-        let gaps = self.movers.iter().enumerate().map(|(i, m)| (gap(&body, &m.outline(t)), i));
-        gaps.fold((f64::INFINITY, 0), |best, next| if next.0 < best.0 { next } else { best })
+    /// Distance to the nearest box.
+    fn clearance(&self, station: f64, t: f64) -> f64 {
+        nearest(self.movers, &self.body(station), t).0
     }
 
     /// The first overlap, looked for between the moments too.
     fn contact(&self, states: &[Moment]) -> Option<Contact> {
-        let fastest = self.movers.iter().map(Mover::speed).fold(0.0, f64::max);
-        let reach = self.vehicle.reach();
-        let corner = 1.0 + reach * self.vehicle.max_curvature();
-        states.iter().zip(states.iter().skip(1).chain(states.last())).find_map(|(a, b)| {
-            let lasts = b.t - a.t;
-            let speed = if lasts > 0.0 { (b.station - a.station) / lasts } else { 0.0 };
-            let nearing = fastest + speed * corner;
-            let mut t = a.t;
-            loop {
-                let station = a.station + (t - a.t) * speed;
-                let pose = self.route.pose(station);
-                let (gap, obstacle) = self.clearance(station, t);
-                if gap <= 0.0 {
-                    return Some(Contact { obstacle, t, pose, standing: speed == 0.0 });
-                }
-                if t >= b.t {
-                    return None;
-                }
-                // Boxes turn at once where their lines do: whichever way they head, they are no nearer than this.
-                let apart =
-                    self.movers.iter().map(|m| m.apart(pose.point(), t)).fold(f64::INFINITY, f64::min);
-                t = b.t.min(t + (apart - reach).max(CHECK) / nearing);
-            }
+        let speed = |i: usize| {
+            let (Some(a), Some(b)) = (states.get(i), states.get(i + 1)) else { return 0.0 };
+            if b.t > a.t { (b.station - a.station) / (b.t - a.t) } else { 0.0 }
+        };
+        let moments: Vec<(f64, f64)> = states.iter().enumerate().map(|(i, s)| (s.t, speed(i))).collect();
+        first_contact(self.vehicle, self.movers, &moments, |i, t| {
+            self.route.pose(states[i].station + (t - states[i].t) * moments[i].1)
         })
     }
+}
+
+/// Distance from a body to the nearest box, and which.
+pub(crate) fn nearest(movers: &[Mover], body: &[Point; 4], t: f64) -> (f64, usize) {
+    let gaps = movers.iter().enumerate().map(|(i, m)| (gap(body, &m.outline(t)), i));
+    gaps.fold((f64::INFINITY, 0), |best, next| if next.0 < best.0 { next } else { best })
+}
+
+/// The first overlap of a drive with a box. `moments` are times and the largest speed from each on; `pose` tells the
+/// car's at a time from a moment on.
+pub(crate) fn first_contact(
+    vehicle: &Vehicle,
+    movers: &[Mover],
+    moments: &[(f64, f64)],
+    pose: impl Fn(usize, f64) -> Pose,
+) -> Option<Contact> {
+    let fastest = movers.iter().map(Mover::speed).fold(0.0, f64::max);
+    let reach = vehicle.reach();
+    let corner = 1.0 + reach * vehicle.max_curvature();
+    moments.iter().enumerate().find_map(|(i, &(from, speed))| {
+        let to = moments.get(i + 1).map_or(from, |next| next.0);
+        let nearing = fastest + speed * corner;
+        let mut t = from;
+        loop {
+            let pose = pose(i, t);
+            let (gap, obstacle) = nearest(movers, &vehicle.outline(pose), t);
+            if gap <= 0.0 {
+                return Some(Contact { obstacle, t, pose, standing: speed == 0.0 });
+            }
+            if t >= to {
+                return None;
+            }
+            // Boxes turn at once where their lines do: whichever way they head, they are no nearer than this.
+            let apart = movers.iter().map(|m| m.apart(pose.point(), t)).fold(f64::INFINITY, f64::min);
+            t = to.min(t + (apart - reach).max(CHECK) / nearing);
+        }
+    })
 }
