@@ -1,6 +1,7 @@
 import type { Selection } from "../scene/selection";
 import type { Obstacle, Pose } from "parkade";
 import { css, html, type TemplateResult } from "lit";
+import { takesKey } from "../app/keyboard";
 import { number, translate, type Lang } from "../i18n/index";
 import { words } from "../i18n/words";
 import { countCells, type Run } from "../scene/cells";
@@ -72,7 +73,7 @@ export class ObjectList extends AppElement {
   private key(event: KeyboardEvent, item: Item): void {
     if (!/^(Arrow|Delete|Backspace)/.test(event.key)) return;
     this.pick(item);
-    if (this.app.controller.handleKey(event)) {
+    if (takesKey(this.app, event)) {
       event.preventDefault();
       event.stopPropagation();
     }

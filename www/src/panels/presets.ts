@@ -242,7 +242,7 @@ export class Presets extends AppElement {
 
   private readonly showTables = (): void => {
     this.close();
-    this.dispatchEvent(new CustomEvent("parkade-papers", { bubbles: true, composed: true }));
+    this.app.ask("papers");
   };
 
   private readonly newLot = (): void => {

@@ -2,6 +2,8 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { LAYER_PRESETS, presetLayers, presetOf } from "../store/layer-sets";
 import { saveAs } from "./exports";
+import { ariaKeys, shownChord } from "../app/chord-text";
+import { commands, isEnabled, type CommandId } from "../app/commands";
 import { copySnippet } from "../app/snippets";
 import "../i18n/later";
 import { translate, type Lang, type MessageKey } from "../i18n/index";
@@ -63,15 +65,15 @@ export function exports(bar: Toolbar): TemplateResult {
   const { app } = bar;
   return html`${item(bar, "slot", "bar.newLot", () => void app.fetchPart(async () => (await import("./new-lot")).openNewLot(app, bar)))}
     ${item(bar, "file", "bar.save", () => void app.saveFile())}
-    ${item(bar, "open", "bar.open", () => bar.emit("open-file"))}
-    ${item(bar, "image", "bar.png", () => bar.emit("png", 1))}
-    ${item(bar, "image", "bar.png2", () => bar.emit("png", 2))}
+    ${item(bar, "open", "bar.open", () => bar.app.ask("open"))}
+    ${item(bar, "image", "bar.png", () => bar.app.ask("png", 1))}
+    ${item(bar, "image", "bar.png2", () => bar.app.ask("png", 2))}
     ${item(bar, "image", "bar.svg", () => void saveAs(app, "svg"))}
     ${item(bar, "moving", "bar.csv", () => void saveAs(app, "csv"))}
     <hr>${item(bar, "share", "bar.copyEmbed", () => void copySnippet(app, "embed"))}
     ${item(bar, "share", "bar.copyMarkdown", () => void copySnippet(app, "markdown"))}
     ${item(bar, "share", "bar.copyTest", () => void copySnippet(app, "test"))}
-    <hr>${item(bar, "cells", "bar.papers", () => bar.emit("papers"))}
+    <hr>${command(bar, "papers")}
     ${item(bar, "undo", "bar.reset", () => app.reset())}`;
 }
 
@@ -81,21 +83,29 @@ export function more(bar: Toolbar): TemplateResult {
   const folded = !bar.shadowRoot?.querySelector<HTMLElement>(".collapse-2")?.offsetParent;
   return html`
     ${compact ? item(bar, "share", "bar.share", bar.share) : nothing}
-    ${item(bar, "fit", "bar.fit", () => app.controller.fit())}
+    ${command(bar, "fit")}
     ${rail ? railed(bar) : nothing}<hr>
     ${folded ? html`${planners(bar)}<hr>${layers(bar)}<hr>` : nothing}
     ${exports(bar)}<hr>
     <button class="item" @click=${bar.nextTheme}>${icon("theme")}${bar.themeName()}</button>
     <button class="item" @click=${bar.nextLang}>${icon("language")}${translate(app.store.state.lang, "bar.language")}</button>
-    ${item(bar, "help", "bar.help", () => bar.emit("keys"))}`;
+    ${command(bar, "keys")}`;
 }
 
 /** Entries that the wide toolbar shows itself. */
-function railed(bar: Toolbar): TemplateResult {
-  const { store } = bar.app,
-    { canUndo, canRedo } = store.state;
-  return html`${item(bar, "file", "bar.scene", () => bar.emit("scenes"))}
-    ${item(bar, "undo", "bar.undo", () => store.undo(), !canUndo)}${item(bar, "redo", "bar.redo", () => store.redo(), !canRedo)}`;
+const railed = (bar: Toolbar): TemplateResult =>
+  html`${item(bar, "file", "bar.scene", () => bar.app.ask("presets"))}${command(bar, "undo")}${command(bar, "redo")}`;
+
+/** A command with its keys at the right. */
+function command(bar: Toolbar, id: CommandId): TemplateResult | typeof nothing {
+  const { app } = bar,
+    { state } = app.store,
+    row = commands[id];
+  if (!row) return nothing;
+  return html`<button class="item" ?disabled=${!isEnabled(state, row)} aria-keyshortcuts=${ariaKeys(row)} @click=${() => {
+    bar.menus.close();
+    row.run(app);
+  }}>${row.icon ? icon(row.icon) : nothing}${translate(state.lang, row.title)}<span class="keys" aria-hidden="true">${shownChord(row.keys[0]!)}</span></button>`;
 }
 
 function item(bar: Toolbar, name: IconName, key: MessageKey, run: () => void, disabled = false): TemplateResult {

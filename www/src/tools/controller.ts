@@ -7,7 +7,7 @@ import type { Drawing } from "./tool-registry";
 import { Fingers } from "./fingers";
 import { HandTool } from "./pan";
 import { inputOf, keyedInput, viewOf } from "./input";
-import { arrowOf, stepOf, toolOfKey } from "./keys";
+import { arrowOf, stepOf } from "./keys";
 import { SelectTool } from "./select";
 import type { Bench, Input, Tool } from "./tool";
 
@@ -136,17 +136,18 @@ export class ToolController {
   /** True where the key was used; the caller then prevents its default. Takes keydown and keyup. */
   handleKey(event: KeyboardEvent): boolean {
     if (event.type === "keyup") return this.keyUp(event);
-    const key = event.key.toLowerCase();
-    if (event.ctrlKey || event.metaKey) return (this.drawing?.editByKey(this.store, event) ?? false) && this.refresh();
-    if (key === "escape") return this.escape();
+    if (event.ctrlKey || event.metaKey) return false;
+    if (event.key === "Escape") return this.escape();
     if (this.drawByKey(event)) return true;
-    if (key === "enter") return this.tool().confirm?.(this.bench()) ?? false;
-    if (key === " ") return this.holdSpace();
-    if (key === "s" || key === "t") return this.arm(key === "s" ? "start" : "goal");
-    if (this.drawing?.editByKey(this.store, event)) return this.refresh();
-    const tool = toolOfKey(key);
-    if (tool) this.store.set({ tool });
-    return tool !== undefined;
+    if (event.key === "Enter") return this.tool().confirm?.(this.bench()) ?? false;
+    if (event.key === " ") return this.holdSpace();
+    const way = arrowOf(event.key);
+    return way !== undefined && this.edit((store) => this.drawing?.nudge(store, way, event.shiftKey) ?? false);
+  }
+
+  /** Changes something by a key or a menu; false where there was nothing to change. */
+  edit(change: (store: Store) => boolean): boolean {
+    return change(this.store) && this.refresh();
   }
 
   private pointerDown(canvas: HTMLElement, event: PointerEvent): void {
@@ -372,7 +373,8 @@ export class ToolController {
     return true;
   }
 
-  private arm(which: "start" | "goal"): boolean {
+  /** The next press places this pose. */
+  arm(which: "start" | "goal"): boolean {
     this.armed = which;
     void this.fetchTools();
     return this.refresh();
