@@ -9,6 +9,7 @@ import { tokens } from "../styles/tokens";
 import { layout } from "../styles/layout";
 import type { MenuRequest } from "../tools/controller";
 import { App, download, sentence, type Beginning, type Request } from "../app/app";
+import { extras, menus, vast } from "../view/lazy-layers";
 import { recall, remember } from "../store/preferences";
 import "../panels/notices";
 import "../panels/stage";
@@ -30,6 +31,10 @@ const PARTS = [
   () => import("../panels/view-controls"),
   () => import("../panels/splitter"),
 ];
+extras.from(() => import("../panels/extras"));
+menus.from(() => import("../panels/toolbar-menus"));
+vast.from(() => import("../view/large-map-raster"));
+
 const DIALOGS = {
   presets: () => import("../panels/presets"),
   keys: () => import("../panels/keys-dialog"),

@@ -4,14 +4,12 @@ import { commands, type CommandId } from "../app/commands";
 import "../app/edit-commands";
 import { SECTIONS, type Entry } from "../app/help-rows";
 import { isMessage, type MessageKey } from "../i18n/index";
-import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
-import { AppElement } from "./base";
-import { icon } from "../styles/icons";
+import { DialogElement } from "./dialog";
 
 /** All keys on one card. */
-export class KeysDialog extends AppElement {
+export class KeysDialog extends DialogElement {
   static override styles = [
     controls,
     dialogs,
@@ -24,22 +22,9 @@ export class KeysDialog extends AppElement {
   `,
   ];
 
-  protected watches(): readonly (keyof State)[] {
-    return [];
-  }
-
-  open(): void {
-    this.dialog?.showModal();
-  }
-
-  protected override render(): TemplateResult {
-    return html`<dialog aria-labelledby="title" @click=${(e: Event) => {
-      if (e.target === this.dialog) this.dialog?.close();
-    }}>
-      <div class="top"><h2 id="title">${this.t("keys.title")}</h2>
-        <button class="icon" aria-label=${this.t("scenes.close")} @click=${() => this.dialog?.close()}>${icon("close")}</button></div>
-      <div class="scroll columns" tabindex="0"><div>${this.list("keys.tools")}${this.list("keys.view")}</div><div>${this.list("keys.edit")}</div></div>
-    </dialog>`;
+  protected override content(): TemplateResult {
+    return html`${this.top(this.t("keys.title"))}
+      <div class="scroll columns" tabindex="0"><div>${this.list("keys.tools")}${this.list("keys.view")}</div><div>${this.list("keys.edit")}</div></div>`;
   }
 
   private list(title: keyof typeof SECTIONS): TemplateResult {
@@ -52,10 +37,6 @@ export class KeysDialog extends AppElement {
       ? [command, ...others.map((id) => commands[id as CommandId]!)].flatMap(({ keys }) => keys)
       : others.map((chord) => (isMessage(chord) ? this.t(chord) : chord));
     return html`<dt>${this.t(command?.title ?? (first as MessageKey))}</dt><dd>${chords.map(shownChord).join(", ")}</dd>`;
-  }
-
-  private get dialog(): HTMLDialogElement | null {
-    return this.renderRoot.querySelector("dialog");
   }
 }
 

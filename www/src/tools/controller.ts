@@ -2,6 +2,7 @@
 import type { Scene, State, Store, ToolId } from "../store";
 import { cameraFor, forgetFit, leastScale, zoomAt, type View } from "../view/camera";
 import { distance, type Point } from "../scene/geometry";
+import { piece } from "../view/lazy-layers";
 import type { Draft } from "../store/draft";
 import type { Drawing } from "./tool-registry";
 import { Fingers } from "./fingers";
@@ -20,6 +21,8 @@ const STRAY_MS = 120;
 const CLICK_PX = 4;
 /** Of a press by keys. */
 const KEYS = -1;
+
+const registry = piece(() => import("./tool-registry"));
 
 /** Place at which a canvas asks for its menu, CSS pixels of the window. */
 export interface MenuRequest {
@@ -69,7 +72,7 @@ export class ToolController {
   /** The first picture does without the tools that draw. */
   async fetchTools(): Promise<void> {
     if (this.drawing) return;
-    const { makeDrawing, watchGoalSlot } = await import("./tool-registry");
+    const { makeDrawing, watchGoalSlot } = await registry.load();
     if (this.drawing) return;
     this.drawing = makeDrawing(this.select);
     watchGoalSlot(this.store);
@@ -93,7 +96,11 @@ export class ToolController {
       type: K,
       handler: (event: HTMLElementEventMap[K]) => void,
       passive = true,
-    ): void => canvas.addEventListener(type, handler, { signal: events.signal, passive });
+    ): void =>
+      canvas.addEventListener(type, (event) => this.store.batch(() => handler(event)), {
+        signal: events.signal,
+        passive,
+      });
     on("pointerdown", (event) => this.pointerDown(canvas, event), false);
     on("pointerrawupdate", (event) => this.pointerEarly(canvas, event as PointerEvent));
     on("pointermove", (event) => this.pointerFrame(canvas, event));
@@ -449,7 +456,7 @@ export class ToolController {
         if (scene !== store.state.scene || store.state.transient) store.edit(scene, { label });
       },
       revert: () => {
-        if (store.state.transient) store.undo();
+        store.cancelEdit();
       },
       done: () => {
         if (!store.state.toolOptions.locked) store.set({ tool: "select" });
