@@ -57,14 +57,15 @@ describe("a chord", () => {
     expect(press("v", { altKey: true })).toBeNull();
   });
 
-  const app = () => {
+  const app = async () => {
     const store = createStore(),
       controller = new ToolController(store);
+    await controller.fetchTools();
     return { store, controller, ask: vi.fn(), cycleMode: vi.fn() } as unknown as App;
   };
 
-  it("runs its command, and leaves other keys alone", () => {
-    const one = app();
+  it("runs its command, and leaves other keys alone", async () => {
+    const one = await app();
     expect(runChord(one, "B")).toBe(true);
     expect(one.store.state.tool).toBe("brush");
     expect(runChord(one, "\\")).toBe(true);
@@ -74,8 +75,8 @@ describe("a chord", () => {
     expect(runChord(one, "W")).toBe(false);
   });
 
-  it("of an edit with nothing to edit keeps its usual meaning", () => {
-    const one = app();
+  it("of an edit with nothing to edit keeps its usual meaning", async () => {
+    const one = await app();
     expect(runChord(one, "Delete")).toBe(false);
     one.store.set({ selection: { kind: "start" } });
     const { heading } = one.store.state.scene.start as { heading: number };
@@ -83,8 +84,8 @@ describe("a chord", () => {
     expect((one.store.state.scene.start as { heading: number }).heading).toBeCloseTo(heading + Math.PI / 36, 12);
   });
 
-  it("of a command that is not enabled is used up", () => {
-    const one = app();
+  it("of a command that is not enabled is used up", async () => {
+    const one = await app();
     const undo = commands["undo" satisfies CommandId]!;
     expect(undo.isEnabled!(one.store.state)).toBe(false);
     expect(runChord(one, "Mod+Z")).toBe(true);

@@ -3,6 +3,7 @@ import type { Pose } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import { ariaKeys, shownChord } from "../app/chord-text";
 import { commands, isEnabled, type Command, type CommandId } from "../app/commands";
+import messages from "../i18n/messages/context-menu.json";
 import { words } from "../i18n/words";
 import { anyOfSlots, anywhereIn, leaveSlot, orThere, slotOfStart, slotsOfGoal } from "../scene/goals";
 import { findObstacle, findSlot, isGoalPose, movePose, setGoalFromSlot } from "../scene/model";
@@ -15,19 +16,7 @@ import type { MenuRequest } from "../tools/controller";
 import { AppElement } from "./base";
 import { icon, type IconName } from "../styles/icons";
 
-const say = words({
-  menu: ["Map actions", "地图操作"],
-  startHere: ["Set start here", "起点设在此处"],
-  goalHere: ["Set goal here", "目标设在此处"],
-  slotGoal: ["Set as goal", "设为目标"],
-  orSlot: ["Or this slot", "或此车位"],
-  orHere: ["Or goal here", "或目标设在此处"],
-  slotsGoal: ["Any of these as goal", "任一所选车位为目标"],
-  region: ["Make it the goal region", "设为目标区域"],
-  leave: ["Leave the slot", "驶离车位"],
-  snap: ["Snap to objects and cells", "吸附到物体与栅格"],
-  pen: ["Fingers pan, the pen draws", "手指平移，触控笔绘制"],
-});
+const say = words("contextMenu", messages);
 
 /** Menu at the pointer, opened by a right click or a resting finger. */
 export class ContextMenu extends AppElement {

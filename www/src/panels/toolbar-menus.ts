@@ -1,41 +1,21 @@
 /** Contents of the toolbar's menus. */
 import { html, nothing, type TemplateResult } from "lit";
-import { LAYER_PRESETS, presetLayers, presetOf } from "../store/layer-sets";
+import { ALL_LAYERS, LAYER_PRESETS, presetLayers, presetOf } from "../store/layer-sets";
 import { saveAs } from "./exports";
 import { ariaKeys, shownChord } from "../app/chord-text";
 import { commands, isEnabled, type CommandId } from "../app/commands";
 import { copySnippet } from "../app/snippets";
 import "../i18n/later";
 import { translate, type Lang, type MessageKey } from "../i18n/index";
-import type { LayerKey } from "../store";
 import { icon, marker, type IconName } from "../styles/icons";
 import type { Toolbar } from "./toolbar";
 
-const LAYER_ORDER: readonly LayerKey[] = [
-  "path",
-  "car",
-  "sweep",
-  "ghosts",
-  "difference",
-  "heat",
-  "tree",
-  "risk",
-  "cost",
-  "safety",
-  "redundant",
-  "obstacles",
-  "slots",
-  "grid",
-];
-
 /** Papers are cited by authors and year; in Chinese, what is not a name is translated. */
-const CHINESE: Readonly<Record<string, string>> = {
-  "Reverse-search hybrid A* for parking, 2025": "泊车反向搜索混合A*，2025",
-  "A* path planning for intelligent-vehicle road navigation, manuscript": "智能车道路导航A*路径规划（手稿）",
-  "Hu et al. 2024, beyond": "Hu 等 2024（扩展）",
-};
-const cited = (lang: Lang, paper: string): string =>
-  lang === "zh" ? (CHINESE[paper] ?? paper.replace(" et al.", " 等")) : paper;
+function cited(lang: Lang, paper: string): string {
+  if (lang === "en") return paper;
+  const known = (["parking", "road", "beyond"] as const).find((name) => translate("en", `cited.${name}`) === paper);
+  return known ? translate(lang, `cited.${known}`) : paper.replace(" et al.", " 等");
+}
 
 export function planners(bar: Toolbar): TemplateResult {
   const { app } = bar,
@@ -55,7 +35,7 @@ export function layers({ app }: Toolbar): TemplateResult {
   return html`<div class="segmented" role="group" aria-label=${translate(lang, "layers.presets")}>
       ${LAYER_PRESETS.map((preset) => html`<button aria-pressed=${preset === now} @click=${() => store.set({ layers: presetLayers(preset) })}>${translate(lang, `layers.${preset}`)}</button>`)}
     </div>
-    ${LAYER_ORDER.map(
+    ${ALL_LAYERS.map(
       (key) => html`<label class="check"><input type="checkbox" .checked=${layers[key]}
       @change=${() => store.set({ layers: { ...store.state.layers, [key]: !store.state.layers[key] } })}>${translate(lang, `layer.${key}`)}</label>`,
     )}`;
