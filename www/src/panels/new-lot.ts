@@ -108,8 +108,8 @@ export class NewLot extends DialogElement {
   }
 
   override open(): void {
-    this.change({});
     super.open();
+    this.change({});
   }
 
   protected override watches(): readonly (keyof State)[] {
