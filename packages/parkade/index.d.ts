@@ -707,8 +707,15 @@ export interface PaperTable {
   ratios: { figure: string; planner: string; overFigure: string; over: string; printed: number | null; ours: Spread }[];
 }
 
-/** A claim of a paper and what we find. */
-export interface PaperClaim { id: string; text: string; found: string; holds: "yes" | "no" | "partly" | "unknown" }
+/**
+ * A claim of a paper and what we find. `figures`: ratios, percentages, metres or counts by name; of several rows the smallest and
+ * the largest, null where none is measured.
+ */
+export interface PaperClaim {
+  id: "H1" | "H2" | "H3" | "Y1" | "Y2" | "Y3" | "Y4" | "K1" | "K2" | "K3" | "K4" | "K5" | "R1" | "R2" | "R3" | "R4" | "R5";
+  figures: Record<string, number | [low: number, high: number] | null>;
+  holds: "yes" | "no" | "partly" | "unknown";
+}
 
 /** Rows, planners and columns that `paperGrid` measures. `parkade` only, not `parkade/core`, as the next two. */
 export function paperGridRows(): { rows: PaperRow[]; planners: string[]; columns: string[] };
