@@ -44,6 +44,18 @@ describe("commands", () => {
 });
 
 describe("a chord", () => {
+  it("reads as each system writes it", async () => {
+    const { shownChord, ariaKeys } = await import("../../www/src/app/chord-text");
+    expect(["Mod+Shift+Z", "Mod+ArrowLeft", "+", "-"].map(shownChord)).toEqual(["Ctrl Shift Z", "Ctrl ←", "+", "−"]);
+    expect(ariaKeys(commands.redo!)).toBe("Control+Shift+Z Control+Y");
+    vi.stubGlobal("navigator", { platform: "MacIntel" });
+    vi.resetModules();
+    const mac = await import("../../www/src/app/chord-text");
+    vi.unstubAllGlobals();
+    expect(["Mod+Shift+Z", "Mod+Z", "V"].map(mac.shownChord)).toEqual(["⇧ ⌘ Z", "⌘ Z", "V"]);
+    expect(mac.ariaKeys(commands.undo!)).toBe("Meta+Z");
+  });
+
   it("takes Ctrl and ⌘ alike, and Shift with them", () => {
     expect(press("z", { ctrlKey: true })).toBe("Mod+Z");
     expect(press("z", { metaKey: true })).toBe("Mod+Z");

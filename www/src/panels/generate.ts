@@ -9,6 +9,7 @@ import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
 import { vast } from "../view/lazy-layers";
 import { AppElement } from "./base";
+import { valueOf } from "./inputs";
 import { icon } from "../styles/icons";
 import "./thumbnail";
 
@@ -100,7 +101,7 @@ export class Generate extends AppElement {
   private field(name: Field, unit = ""): TemplateResult {
     const bad = this.fault?.field === name;
     return html`<label>${say(this.state.lang, name)}<span class="field ${bad ? "bad" : ""}"><input inputmode="numeric" name=${name} .value=${this.values[name]} aria-invalid=${bad} aria-describedby=${bad ? "fault" : nothing}
-      @input=${(e: Event) => this.type(name, (e.target as HTMLInputElement).value)}>${unit ? html`<span>${unit}</span>` : nothing}</span></label>`;
+      @input=${(e: Event) => this.type(name, valueOf(e))}>${unit ? html`<span>${unit}</span>` : nothing}</span></label>`;
   }
 
   private faultText(): string {

@@ -8,6 +8,7 @@ import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
 import { vast } from "../view/lazy-layers";
 import { DialogElement } from "./dialog";
+import { isChecked, numberOf } from "./inputs";
 
 const say = words("imageImport", messages);
 
@@ -83,9 +84,9 @@ export class ImageDialog extends DialogElement {
         <div class="picture"><canvas role="img" aria-label=${say(lang, "preview")}></canvas></div>
         <div>
           <label><span>${say(lang, "threshold")}<output>${options.threshold}</output></span>
-            <input class="slider" type="range" min="1" max="255" .value=${String(options.threshold)} .style=${`--at: ${(options.threshold / 255) * 100}%`} @input=${(e: Event) => this.set({ threshold: read(e) })}></label>
-          <label class="check"><input type="checkbox" .checked=${options.invert} @change=${(e: Event) => this.set({ invert: (e.target as HTMLInputElement).checked })}>${say(lang, "invertOn")}</label>
-          <label>${say(lang, "metres")}<span class="field"><input type="number" min="0.001" max="100" step="0.01" .value=${String(options.metres)} aria-invalid=${bad} @input=${(e: Event) => this.set({ metres: read(e) })}><span>m</span></span></label>
+            <input class="slider" type="range" min="1" max="255" .value=${String(options.threshold)} .style=${`--at: ${(options.threshold / 255) * 100}%`} @input=${(e: Event) => this.set({ threshold: numberOf(e) })}></label>
+          <label class="check"><input type="checkbox" .checked=${options.invert} @change=${(e: Event) => this.set({ invert: isChecked(e) })}>${say(lang, "invertOn")}</label>
+          <label>${say(lang, "metres")}<span class="field"><input type="number" min="0.001" max="100" step="0.01" .value=${String(options.metres)} aria-invalid=${bad} @input=${(e: Event) => this.set({ metres: numberOf(e) })}><span>m</span></span></label>
           <label>${say(lang, "perCell")}<span class="field"><input type="number" min="1" max="64" step="1" .value=${String(options.perCell)} @change=${this.coarsen}></span></label>
           ${bad ? html`<p class="warn" role="alert">${say(lang, "bad")}</p>` : this.summary()}
           <button class="button solid" ?disabled=${bad}>${say(lang, "open")}</button>
@@ -131,7 +132,7 @@ export class ImageDialog extends DialogElement {
   /** A cell is at least one pixel, and a map at most so many cells wide. */
   private readonly coarsen = (event: Event): void => {
     const { pixels } = this,
-      typed = Math.round(read(event));
+      typed = Math.round(numberOf(event));
     const least = pixels ? Math.ceil(Math.max(pixels.width, pixels.height) / MOST_CELLS) : 1;
     if (Number.isFinite(typed) && typed >= least && typed <= 64) this.set({ perCell: typed });
     (event.target as HTMLInputElement).value = String(this.options.perCell);
@@ -152,7 +153,5 @@ export class ImageDialog extends DialogElement {
     this.close();
   };
 }
-
-const read = (event: Event): number => Number((event.target as HTMLInputElement).value);
 
 customElements.define("parkade-image", ImageDialog);

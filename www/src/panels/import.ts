@@ -11,6 +11,7 @@ import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
 import { vast } from "../view/lazy-layers";
 import { AppElement } from "./base";
+import { numberOf } from "./inputs";
 import { icon, type IconName } from "../styles/icons";
 
 const say = words("import", messages);
@@ -165,7 +166,7 @@ export class ImportBar extends AppElement {
       ${queries.length ? this.groups(queries) : this.names(scenes)}
       <span class="step">${this.button("back", "previous", this.at - 1, many)}
         <span class="field"><input type="number" min="1" max=${many} .value=${String(this.at + 1)} aria-label=${say(lang, queries.length ? "question" : "scene")}
-          @change=${(e: Event) => this.choose(Math.round(Number((e.target as HTMLInputElement).value)) - 1)}></span>
+          @change=${(e: Event) => this.choose(Math.round(numberOf(e)) - 1)}></span>
         ${this.button("next", "next", this.at + 1, many)} ${say(lang, "of", { n: this.num(many, 0) })}</span>
       ${queries[this.at] ? html`<span class="length">${say(lang, "shortest", { length: this.num(queries[this.at]!.length, 2) })}</span>` : nothing}
       <button class="icon small close" aria-label=${say(lang, "close")} title=${say(lang, "close")} @click=${() => {
@@ -178,13 +179,13 @@ export class ImportBar extends AppElement {
     const { lang } = this.state;
     const firsts = queries.flatMap((query, i) => (i === 0 || query.bucket !== queries[i - 1]!.bucket ? [i] : []));
     const now = firsts.findLast((first) => first <= this.at);
-    return html`<label>${say(lang, "group")}<select @change=${(e: Event) => this.choose(Number((e.target as HTMLSelectElement).value))}>
+    return html`<label>${say(lang, "group")}<select @change=${(e: Event) => this.choose(numberOf(e))}>
       ${firsts.map((first) => html`<option value=${first} ?selected=${first === now} .selected=${first === now}>${say(lang, "groupOf", { length: this.num(queries[first]!.length, 0) })}</option>`)}</select></label>`;
   }
 
   private names(scenes: readonly Scene[]): TemplateResult {
     const { lang } = this.state;
-    return html`<label>${say(lang, "scene")}<select @change=${(e: Event) => this.choose(Number((e.target as HTMLSelectElement).value))}>
+    return html`<label>${say(lang, "scene")}<select @change=${(e: Event) => this.choose(numberOf(e))}>
       ${scenes.map((scene, i) => html`<option value=${i} ?selected=${i === this.at} .selected=${i === this.at}>${scene.name ?? i + 1}</option>`)}</select></label>`;
   }
 

@@ -36,7 +36,7 @@ export class KeysDialog extends DialogElement {
     const chords = command
       ? [command, ...others.map((id) => commands[id as CommandId]!)].flatMap(({ keys }) => keys)
       : others.map((chord) => (isMessage(chord) ? this.t(chord) : chord));
-    return html`<dt>${this.t(command?.title ?? (first as MessageKey))}</dt><dd>${chords.map(shownChord).join(", ")}</dd>`;
+    return html`<dt>${this.t(command?.title ?? (first as MessageKey))}</dt><dd>${chords.map(shownChord).join(" / ")}</dd>`;
   }
 }
 

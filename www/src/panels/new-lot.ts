@@ -16,6 +16,7 @@ import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
 import { DialogElement } from "./dialog";
+import { numberOf, valueOf } from "./inputs";
 import { icon } from "../styles/icons";
 import { faultText, say, type Word } from "./new-lot-words";
 import "./new-lot-preview";
@@ -219,10 +220,10 @@ export class NewLot extends DialogElement {
     const text =
       this.typed?.field === field ? this.typed.text : Number.isFinite(now) ? String(Math.round(now * 100) / 100) : "";
     return html`<div class="row"><label for=${field}>${say(lang, field)}</label>
-      <input class="slider" type="range" tabindex="-1" aria-label=${say(lang, field)} min=${least} max=${top} step=${step} .value=${String(now)} .style=${`--at: ${((now - least) / (top - least)) * 100}%`} @input=${(e: Event) => this.set(field, (e.target as HTMLInputElement).valueAsNumber)}>
+      <input class="slider" type="range" tabindex="-1" aria-label=${say(lang, field)} min=${least} max=${top} step=${step} .value=${String(now)} .style=${`--at: ${((now - least) / (top - least)) * 100}%`} @input=${(e: Event) => this.set(field, numberOf(e))}>
       ${given !== null && firstForm[field] === null ? html`<button type="button" class="icon" title=${say(lang, "auto")} aria-label=${`${say(lang, field)}: ${say(lang, "auto")}`} @click=${() => this.set(field, null)}>${icon("undo", 14)}</button>` : nothing}
       <span class="field ${bad ? "bad" : ""} ${given === null ? "auto" : ""}"><input id=${field} inputmode="decimal" autocomplete="off" .value=${text} aria-invalid=${bad} aria-describedby=${bad ? "fault" : nothing}
-        @input=${(e: Event) => this.type(field, (e.target as HTMLInputElement).value)} @blur=${() => {
+        @input=${(e: Event) => this.type(field, valueOf(e))} @blur=${() => {
           this.typed = null;
         }} @keydown=${(e: KeyboardEvent) => this.onArrow(e, field, now, step)}>${unit ? html`<span>${unit}</span>` : nothing}</span></div>`;
   }

@@ -7,6 +7,7 @@ import { vehicleOf } from "../scene/vehicle";
 import type { State, ToolOptions } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
+import { isChecked, numberOf } from "./inputs";
 import { icon } from "../styles/icons";
 
 const KINDS = ["perpendicular", "parallel", "angled"] as const;
@@ -124,7 +125,7 @@ export class ToolOptionsBar extends AppElement {
       )}
       ${this.metres(say(lang, "laneWidth"), road.laneWidth, 2, (laneWidth) => put({ laneWidth }))}
       ${this.metres(say(lang, "bend"), road.radius, 1, (radius) => put({ radius }))}
-      <label><input type="checkbox" .checked=${road.kerbs} @change=${(e: Event) => this.set(put({ kerbs: (e.target as HTMLInputElement).checked }))}>${say(lang, "kerbs")}</label>`;
+      <label><input type="checkbox" .checked=${road.kerbs} @change=${(e: Event) => this.set(put({ kerbs: isChecked(e) }))}>${say(lang, "kerbs")}</label>`;
   }
 
   private choice<T extends string | number>(
@@ -147,7 +148,7 @@ export class ToolOptionsBar extends AppElement {
   ): TemplateResult {
     return html`<label>${name}<span class="field"><input type="number" step="0.1" min=${min} .value=${value.toFixed(2)}
       @change=${(e: Event) => {
-        const typed = Number((e.target as HTMLInputElement).value);
+        const typed = numberOf(e);
         if (Number.isFinite(typed) && typed >= min) this.set(put(typed));
         this.requestUpdate();
       }}><span>m</span></span></label>`;
@@ -155,7 +156,7 @@ export class ToolOptionsBar extends AppElement {
 
   private weight(value: number): TemplateResult {
     return html`<label>${this.t("option.weight")}<input type="range" min="1" max="10" step="1" .value=${String(value)} aria-valuetext="×${value}"
-      @input=${(e: Event) => this.set({ costWeight: Number((e.target as HTMLInputElement).value) })}><b class="weight">×${value}</b></label>`;
+      @input=${(e: Event) => this.set({ costWeight: numberOf(e) })}><b class="weight">×${value}</b></label>`;
   }
 
   private lock(): TemplateResult {

@@ -11,6 +11,7 @@ import { claimList, claimStyles } from "./papers-claims";
 import { figureName, lineName, papersMarkdown, SHOWN, titleOf } from "./papers-text";
 import { PapersTab } from "./papers-tab";
 import { say } from "./papers-words";
+import { valueOf } from "./inputs";
 
 const RANGES = [20, 60, 200] as const;
 const MOST = 200;
@@ -100,7 +101,7 @@ export class PapersGrid extends PapersTab<Summary> {
       name: "from" | "to",
     ): TemplateResult => html`<span class="field ${bad ? "bad" : ""}"><input inputmode="numeric" aria-label=${say(lang, name)} aria-invalid=${bad} .value=${this[name]}
       @input=${(e: Event) => {
-        this[name] = (e.target as HTMLInputElement).value;
+        this[name] = valueOf(e);
       }} @keydown=${(e: KeyboardEvent) => {
         if (e.key === "Enter") void this.measure();
       }}></span>`;

@@ -7,6 +7,7 @@ import { Helper } from "../planning/job-client";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
+import { numberOf } from "./inputs";
 
 const say = words("papersVolumes", messages);
 const POSES = 20_000,
@@ -62,7 +63,7 @@ export class PapersVolumes extends AppElement {
       <div>${this.picture()}<label>${say(lang, "heading")}: ${this.heading}°<input class="slider" type="range" min="0" max="90" step="1" .value=${String(this.heading)} @input=${(
         e: Event,
       ) => {
-        this.heading = Number((e.target as HTMLInputElement).value);
+        this.heading = numberOf(e);
       }}></label></div>
       <div class="wide"><table><thead><tr>${(["scene", "volume", "collisions", "hits", "falseAlarms", "share", "missed", "area", "micros"] as const).map((key) => html`<th>${say(lang, key)}</th>`)}</tr></thead>
         <tbody>${(measured ?? []).flatMap(({ scene, collisions, poses, volumes }) =>

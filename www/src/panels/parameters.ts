@@ -9,6 +9,7 @@ import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";
 import { AppElement } from "./base";
+import { isChecked, numberOf } from "./inputs";
 import { marker } from "../styles/icons";
 import { thingName } from "../texts/status";
 
@@ -123,7 +124,7 @@ export class Parameters extends AppElement {
   private control(info: ParameterInfo, value: unknown): TemplateResult {
     if (info.type === "boolean") {
       return html`<label class="switch"><input type="checkbox" aria-labelledby="n-${info.name}" .checked=${value === true}
-        @change=${(e: Event) => this.change(info, (e.target as HTMLInputElement).checked, false)}></label>`;
+        @change=${(e: Event) => this.change(info, isChecked(e), false)}></label>`;
     }
     if (info.type === "choice") {
       return html`<div class="segmented" role="group" aria-labelledby="n-${info.name}">${(info.choices ?? []).map(
@@ -144,10 +145,9 @@ export class Parameters extends AppElement {
     const step = info.step ?? (info.type === "integer" ? 1 : (max - min) / 100);
     const now = typeof value === "number" ? value : min;
     const at = max > min ? ((Math.min(max, Math.max(min, now)) - min) / (max - min)) * 100 : 0;
-    const read = (e: Event): number => Number((e.target as HTMLInputElement).value);
     return html`<input class="slider" type="range" min=${min} max=${max} step=${step} .value=${String(now)} .style=${`--at: ${at}%`}
       aria-labelledby="n-${info.name}" aria-valuetext=${this.valueText(info, value)}
-      @input=${(e: Event) => this.change(info, read(e), true)} @change=${(e: Event) => this.change(info, read(e), false)}>
+      @input=${(e: Event) => this.change(info, numberOf(e), true)} @change=${(e: Event) => this.change(info, numberOf(e), false)}>
       <div class="range" aria-hidden="true"><span>${this.valueText(info, min)}</span><span>${this.valueText(info, max)}</span></div>`;
   }
 
