@@ -165,7 +165,7 @@ pub fn road_claims(tables: &[Value]) -> Result<Vec<Claim>, Error> {
     };
     let least = |path| rows.all(path).map(|all| all.into_iter().fold(f64::INFINITY, f64::min));
     let (mean, nearest) =
-        (least("/lines/1/metrics/bodyClearanceMean")?, least("/lines/1/metrics/bodyClearanceMin")?);
+        (least("/lines/1/metrics/bodyClearanceMeanCapped")?, least("/lines/1/metrics/bodyClearanceMin")?);
     let length = range("metrics/middleLength")?;
     Ok(vec![
         fell("R1", "Turning points fall by 55 to 65 %.", range("metrics/turnsPruned")?, TURNS),

@@ -20,6 +20,7 @@ export const say = words({
   curvatureVariation: ["Curvature variation, 1/m", "曲率变化，1/m"],
   curvature: ["Max curvature, 1/m", "最大曲率，1/m"],
   clearanceMean: ["Body clearance, mean, m", "车身净距均值，m"],
+  clearanceCapped: ["Body clearance, capped mean, m", "车身净距截断均值，m"],
   clearanceLeast: ["Body clearance, min, m", "车身净距最小值，m"],
   sideLeast: ["Centre clearance minus half the width, m", "中心净距减半车宽，m"],
   hits: ["Collisions in 1,000 drives (disc)", "千次碰撞数（圆盘）"],
@@ -39,8 +40,8 @@ export const say = words({
   fellBack: ["chords", "折线"],
   fellBackTip: ["No smoothed curve met the limits, so the chords were kept.", "没有满足限制的平滑曲线，保留折线。"],
   literalNote: [
-    "The manuscript's method lets the spline deviate by 1 m from its points, more than the 0.8 m beside the car, and its chords only need line of sight. So the path leaves the road or cuts through obstacles. The manuscript's FITPACK spline is replaced by our penalised spline of the same bound, which takes another course.",
-    "论文方法允许样条偏离少数点一米，超过车旁仅有的 0.8 m；弦只需互相可见，因此驶出道路或穿过障碍。原文的 FITPACK 样条由本项目同一界限的惩罚样条代替，走向不同。",
+    "The manuscript's method lets the spline deviate by 1 m from its points, more than the 0.8 m beside the car, and its chords only need line of sight. So the path leaves the road or cuts through obstacles. The spline is FITPACK's, as splprep fits it.",
+    "论文方法允许样条偏离少数点一米，超过车旁仅有的 0.8 m；弦只需互相可见，因此驶出道路或穿过障碍。样条与 splprep（FITPACK）一致。",
   ],
   flags: ["Contradictions in the manuscript's figures", "论文数据的矛盾"],
   flag0: [
@@ -68,8 +69,8 @@ export const say = words({
     "代价按格累加而不计步长，系数因此约去：500 至 8000 在所有场景长度相同（误差 1 cm）。",
   ],
   flag6: [
-    "splprep(s = number of points) permits a deviation of 1 m, more than the 0.8 m beside the car; it fails on S1's two points and leaves S2's road by 10.9 m as SciPy computes it. Our spline of the same bound leaves it farther: see the row.",
-    "splprep(s=点数) 允许均方偏差 1 m，超过车旁 0.8 m；S1 仅两点会报错，按 SciPy 计算 S2 驶出道路 10.9 m；本项目同一界限的样条偏离更远，见该行。",
+    "splprep(s = number of points) permits a root mean square deviation of 1 m, more than the 0.8 m beside the car. It fails on S1's two points (two more are put between them here) and leaves S2's road: see the row “taken literally”.",
+    "splprep(s=点数) 允许均方偏差 1 m，超过车旁 0.8 m；S1 仅两点会报错（此处在其间补两点），S2 则驶出道路，见“按原文实现”一行。",
   ],
   flag7: ["100 smoothed points on a path of 1000 m are 10 m apart.", "1000 m 路径上 100 个平滑点相距 10 m。"],
   flag8: [
