@@ -23,10 +23,11 @@ use std::path::Path;
 
 use parkade::drive::{Limits, Route, Steps, trajectory};
 use parkade::import::tpcap;
+use parkade::metrics::Body;
 use parkade::optimise::{Optimised, Options, Stage, fallback, optimise, stop_and_steer};
 use parkade::plan::{Plan, Planner};
 use parkade::planners::registry::planners;
-use parkade::referee::{MotionLimits, Submission, judge};
+use parkade::referee::{MotionLimits, Submission, judge, track};
 use parkade::scenario::resolve::Geometry;
 use parkade::scenario::{Scenario, catalog};
 use parkade::vehicle::Vehicle;
@@ -122,6 +123,8 @@ struct Seeded {
     longer: u32,
     /// Durations as shares of `slow`'s.
     shares: Vec<f64>,
+    /// How far a simulated car strays at most, metres.
+    strays: f64,
     millis: Vec<f64>,
 }
 
@@ -135,6 +138,7 @@ impl Seeded {
         self.passing += u32::from(driven.check.passes());
         self.longer += u32::from(duration > slow);
         self.shares.push(duration / slow);
+        self.strays = self.strays.max(strays(&made.geometry, driven));
         self.millis.push(made.millis.1);
         if !is_optimised || !driven.check.passes() || duration > slow {
             println!(
@@ -150,16 +154,22 @@ impl Seeded {
     fn print(&mut self, kind: &str) {
         let worst = self.millis.iter().copied().fold(0.0, f64::max);
         println!(
-            "{kind}: {} plans, {} optimised, {} pass, {} longer than slow; of slow's time {:.2} in the median; \
-             optimise {:.1} ms in the median, {worst:.1} at most",
+            "{kind}: {} plans, {} optimised, {} pass, {} longer than slow; of slow's time {:.2} in the median; a car \
+             strays {:.1} mm at most; optimise {:.1} ms in the median, {worst:.1} at most",
             self.plans,
             self.optimised,
             self.passing,
             self.longer,
             median(&mut self.shares),
+            1000.0 * self.strays,
             median(&mut self.millis),
         );
     }
+}
+
+/// How far a simulated car strays from a trajectory at most, metres.
+fn strays(geometry: &Geometry, driven: &Optimised) -> f64 {
+    track(&geometry.vehicle, &Body::new(geometry), &driven.states).max_lateral
 }
 
 /// Seconds of `slow` along the plan's own path.
@@ -236,13 +246,16 @@ fn bound(limits: &MotionLimits, length: f64) -> f64 {
 fn print_scenes(scenes: &[(String, Scenario)]) {
     println!("## Hybrid A*'s plans, optimised\n");
     println!(
-        "2.5 m/s, 1 m/s², 0.5 rad/s. `slow` and stop-and-steer drive the plan's own path within the same limits, as does what is left where nothing optimised passes (fallback); the bound is \
-         the length at those limits without a stop.\n"
+        "2.5 m/s, 1 m/s², 0.5 rad/s. `slow` and stop-and-steer drive the plan's own path within the same limits, as \
+         does what is left where nothing optimised passes (fallback); the bound is \
+         the length at those limits without a stop. Track: how far a simulated car strays at most.\n"
     );
     println!(
-        "| scene | made by | s | bound s | `slow` s | stop-and-steer s | fallback s | length m (plan's) | gear changes (plan's) | clearance m | passes | smoothness | TPCAP cost |"
+        "| scene | made by | s | bound s | `slow` s | stop-and-steer s | fallback s | length m (plan's) | gear \
+         changes (plan's) | clearance m | track mm | passes | smoothness | TPCAP cost |"
     );
-    println!("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |");
+    println!("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |");
+    let (mut plans, mut optimised_plans, mut passing) = (0, 0, 0);
     let (mut saved, mut millis, mut worst) = (Vec::new(), Vec::new(), 0.0_f64);
     for (name, scene) in scenes {
         let Made { geometry, plan, route, driven: made, millis: (planned, optimised) } =
@@ -257,7 +270,8 @@ fn print_scenes(scenes: &[(String, Scenario)]) {
         let own = fallback(&geometry, &route, &options.limits).expect("valid limits");
         let figures = &made.check.figures;
         println!(
-            "| {name} | {} | {:.2} | {:.2} | {slow:.2} | {plain:.2} | {:.2} | {:.2} ({:.2}) | {} ({}) | {:.3} | {} | {:.1} | {:.0} |",
+            "| {name} | {} | {:.2} | {:.2} | {slow:.2} | {plain:.2} | {:.2} | {:.2} ({:.2}) | {} ({}) | {:.3} | {:.1} | {} | \
+             {:.1} | {:.0} |",
             made.stage.as_str(),
             figures.duration,
             bound(&options.limits, figures.length),
@@ -267,15 +281,23 @@ fn print_scenes(scenes: &[(String, Scenario)]) {
             figures.gear_changes,
             plan.metrics.direction_changes,
             made.check.contacts.min_clearance,
+            1000.0 * strays(&geometry, &made),
             if made.check.passes() { "yes" } else { "no" },
             figures.smoothness(),
             figures.tpcap_cost(),
         );
+        plans += 1;
+        optimised_plans += u32::from(made.stage == Stage::Optimised);
+        passing += u32::from(made.check.passes());
         saved.push(1.0 - figures.duration / slow);
         millis.push(planned + optimised);
         worst = worst.max(optimised);
     }
-    println!("\nAgainst `slow`: {:.0} % less in the median.", 100.0 * median(&mut saved));
+    println!(
+        "\n{optimised_plans} of {plans} plans are optimised, {passing} pass. Against `slow`: {:.0} % less in the median, {:.0} % at least.",
+        100.0 * median(&mut saved),
+        100.0 * saved.iter().copied().fold(f64::INFINITY, f64::min)
+    );
     eprintln!(
         "plan and optimise: median {:.1} ms; optimise alone: at most {worst:.1} ms",
         median(&mut millis)

@@ -10,6 +10,7 @@ use crate::Outcome;
 use crate::field::Field;
 use crate::random::Random;
 use crate::random_scenes;
+use crate::trajectories;
 
 /// A planner's id, a scene, and settings for it.
 pub(crate) struct Question {
@@ -59,11 +60,29 @@ pub(crate) fn asked(seed: u64) -> Value {
 }
 
 pub(crate) fn answer(planner: &str, scene: &Scenario, settings: &Map<String, Value>) -> Value {
-    let answer = match Planner::new(planner, scene, settings) {
-        Ok(mut ready) => ready.plan(Options::default()).hash(),
-        Err(error) => error.to_string(),
-    };
-    json!({ "planner": planner, "scene": scene, "settings": settings, "answer": answer })
+    let question = json!({ "planner": planner, "scene": scene, "settings": settings });
+    match Planner::new(planner, scene, settings) {
+        Ok(mut ready) => with_answers(question, scene, &ready.plan(Options::default())),
+        Err(error) => with(question, "answer", error.to_string()),
+    }
+}
+
+/// The question with the hash of its plan and, where a car can drive that, of the trajectory that is made of it and of
+/// its drive among the scene's boxes.
+pub(crate) fn with_answers(question: Value, scene: &Scenario, plan: &Plan) -> Value {
+    let mut question = with(question, "answer", plan.hash());
+    if plan.metrics.hybrid.is_some() && plan.path.len() > 1 && plan.check.drivable() {
+        for (field, answer) in ["trajectory", "encounter"].into_iter().zip(trajectories::hashes(scene, plan))
+        {
+            question = with(question, field, answer);
+        }
+    }
+    question
+}
+
+fn with(mut question: Value, field: &str, answer: String) -> Value {
+    question[field] = answer.into();
+    question
 }
 
 /// A value, and whether it alone is one that the setting may have.

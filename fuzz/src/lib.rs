@@ -13,6 +13,7 @@ mod random;
 #[path = "../../tests/random_scenes/mod.rs"]
 mod random_scenes;
 mod soak;
+mod trajectories;
 
 use parkade::planners::registry::planners;
 use parkade::scenario::catalog::{scenario, scenes};
@@ -45,7 +46,8 @@ pub const TARGETS: &[Target] = &[
     },
     Target {
         name: "hybrid",
-        about: "hybrid A* among random obstacles, far from the origin too, against the validator and the Reeds-Shepp bound",
+        about: "hybrid A* among random obstacles, far from the origin too, against the validator and the Reeds-Shepp \
+            bound",
         sample: 20,
         run: |seed| Ok(random_scenes::plan(seed).outcome.as_str()),
     },
@@ -60,6 +62,13 @@ pub const TARGETS: &[Target] = &[
         about: "brush strokes on a planner's map, against the same map made anew",
         sample: 60,
         run: soak::edits,
+    },
+    Target {
+        name: "trajectories",
+        about: "hybrid A*'s paths among random obstacles as trajectories, against the same paths with stops, by the \
+            referee; and among moving boxes, each contact against a look every 5 ms",
+        sample: 20,
+        run: trajectories::optimised,
     },
     Target { name: "scene", about: "mutated scene JSON", sample: 400, run: parsers::scene },
     Target { name: "movingai", about: "mutated .map and .scen files", sample: 400, run: parsers::movingai },
@@ -86,8 +95,8 @@ pub fn guided(parser: &str, bytes: &[u8]) {
     }
 }
 
-/// Every planner on every built-in scene, then as many random questions: planner, scene, settings, and the hash of the
-/// plan or the error's words.
+/// Every planner on every built-in scene, then as many random questions: planner, scene, settings, and the hashes of the
+/// plan and of what is made of it, or the error's words.
 pub fn questions(random: u64) -> impl Iterator<Item = Value> {
     let none = Map::new();
     let built_in = scenes().filter_map(|info| scenario(info.id).ok()).flat_map(move |scene| {
@@ -101,7 +110,8 @@ pub fn questions(random: u64) -> impl Iterator<Item = Value> {
 pub fn parking(seeds: core::ops::Range<u64>) -> impl Iterator<Item = Value> {
     seeds.map(|seed| {
         let (scene, settings) = random_scenes::scene(seed);
-        json!({ "planner": "hybrid", "scene": scene, "settings": settings, "answer": random_scenes::plan(seed).hash() })
+        let question = json!({ "planner": "hybrid", "scene": scene, "settings": settings });
+        configs::with_answers(question, &scene, &random_scenes::plan(seed))
     })
 }
 

@@ -14,26 +14,23 @@ export const optimise = (scene, plan, options = {}) =>
 
 /** @type {typeof import("./index.js").track} */
 export function track(scene, plan, options = {}) {
-  const { stage, path, t, speeds, steering } = /** @type {Partial<import("./index.js").OptimisedTrajectory>} */ (
-    object(plan, "plan")
-  );
-  if (stage === undefined) return call(() => raw.track(packedScene(scene), ...columns(plan), options));
-  const column = (/** @type {ArrayLike<number> | undefined} */ values, /** @type {string} */ name) =>
-    numbers(Float64Array, values, `plan.${name}`);
+  const states = trajectoryColumns(plan);
   return call(() =>
-    raw.trackStates(
-      packedScene(scene),
-      column(path, "path"),
-      column(t, "t"),
-      column(speeds, "speeds"),
-      column(steering, "steering"),
-    ),
+    states
+      ? raw.trackStates(packedScene(scene), ...states)
+      : raw.track(packedScene(scene), ...columns(plan), options),
   );
 }
 
 /** @type {typeof import("./index.js").stopWaitGo} */
-export const stopWaitGo = (scene, plan, options = {}) =>
-  call(() => raw.stopWaitGo(packedScene(scene), ...columns(plan), options));
+export function stopWaitGo(scene, plan, options = {}) {
+  const states = trajectoryColumns(plan);
+  return call(() =>
+    states
+      ? raw.stopWaitGoStates(packedScene(scene), ...states, options)
+      : raw.stopWaitGo(packedScene(scene), ...columns(plan), options),
+  );
+}
 
 /** @type {typeof import("./index.js").judge} */
 export function judge(scene, trajectory, limits = {}) {
@@ -65,4 +62,19 @@ function columns(plan) {
     directions === undefined ? undefined : numbers(Int8Array, directions, "plan.directions"),
     curvatures === undefined ? undefined : measures(curvatures, "plan.curvatures"),
   ];
+}
+
+/**
+ * The columns of an optimised trajectory; nothing for another path.
+ * @param {import("./index.js").DrivenPath | import("./index.js").OptimisedTrajectory} plan
+ * @returns {[Float64Array, Float64Array, Float64Array, Float64Array] | null}
+ */
+function trajectoryColumns(plan) {
+  const { stage, path, t, speeds, steering } = /** @type {Partial<import("./index.js").OptimisedTrajectory>} */ (
+    object(plan, "plan")
+  );
+  if (stage === undefined) return null;
+  const column = (/** @type {ArrayLike<number> | undefined} */ values, /** @type {string} */ name) =>
+    numbers(Float64Array, values, `plan.${name}`);
+  return [column(path, "path"), column(t, "t"), column(speeds, "speeds"), column(steering, "steering")];
 }

@@ -267,7 +267,7 @@ export interface HybridMetrics extends PathMetrics {
   paperLength?: number;
   paperNodes?: number;
   paperTime?: number;
-  /** Present if the path is chosen by it: driving time within `trajectory`'s default limits, seconds. */
+  /** Where paths are chosen among: `duration` of the trajectory that `optimise` makes of this one by default, seconds. */
   driveTime?: number;
 }
 
@@ -711,8 +711,15 @@ export interface PaperTable {
   ratios: { figure: string; planner: string; overFigure: string; over: string; printed: number | null; ours: Spread }[];
 }
 
-/** A claim of a paper and what we find. */
-export interface PaperClaim { id: string; text: string; found: string; holds: "yes" | "no" | "partly" | "unknown" }
+/**
+ * A claim of a paper and what we find. `figures`: ratios, percentages, metres or counts by name; of several rows the smallest and
+ * the largest, null where none is measured.
+ */
+export interface PaperClaim {
+  id: "H1" | "H2" | "H3" | "Y1" | "Y2" | "Y3" | "Y4" | "K1" | "K2" | "K3" | "K4" | "K5" | "R1" | "R2" | "R3" | "R4" | "R5";
+  figures: Record<string, number | [low: number, high: number] | null>;
+  holds: "yes" | "no" | "partly" | "unknown";
+}
 
 /** Rows, planners and columns that `paperGrid` measures. `parkade` only, not `parkade/core`, as the next two. */
 export function paperGridRows(): { rows: PaperRow[]; planners: string[]; columns: string[] };
@@ -1042,14 +1049,15 @@ export interface Tracking {
 export interface WaitOptions {
   /**
    * "predictive" (default): stops before a hit to come, where it is safe to stand. "reactive", the parking paper's: stops
-   * while an obstacle is on the way ahead; it can be run into.
+   * while an obstacle is on the way ahead or, with a trajectory, while a moving one is nearer to it than the car needs to
+   * brake. It can be in a box's way, and `contact` tells so.
    */
   rule?: "predictive" | "reactive";
   /** How far ahead "reactive" looks: to the end (default), or a stopping distance. */
   scope?: "remaining" | "window";
-  /** m/s; default 2. */
+  /** Along a plan, m/s; default 2. A trajectory has its own speeds. */
   speed?: number;
-  /** For the window, m/s²; default 1.5. */
+  /** For a plan's window, m/s²; default 1.5. Along a trajectory the car brakes as hard as that does itself. */
   deceleration?: number;
   /** Metres kept when it decides to stop, default 0.3, and when it decides to go on, default 0.5. */
   margin?: number;
@@ -1245,5 +1253,8 @@ export function track(
  * radians). Throws ParkadeError, with `path` the line and column of CSV. `parkade` only, not `parkade/core`.
  */
 export function judge(scene: Scenario, trajectory: JudgedTrajectory | string, limits?: MotionLimits): Judgement;
-/** Drives a path, waiting for the scene's moving obstacles. `parkade` only, not `parkade/core`. */
-export function stopWaitGo(scene: Scenario, plan: DrivenPath, options?: WaitOptions): Encounter;
+/**
+ * Waits for the scene's moving obstacles along a path, at constant speed as in the parking paper, or along an optimised
+ * trajectory, within its limits. `parkade` only, not `parkade/core`.
+ */
+export function stopWaitGo(scene: Scenario, plan: DrivenPath | OptimisedTrajectory, options?: WaitOptions): Encounter;

@@ -4,6 +4,7 @@
 //! [`Trajectory`] samples that. [`track()`] lets a simulated car follow it, [`stop_wait_go`] lets it wait for moving
 //! obstacles.
 
+mod contact;
 mod jerk_limited;
 mod moving_obstacles;
 mod path_segments;
@@ -12,10 +13,13 @@ mod stop_wait_go;
 mod track;
 mod trajectory;
 
+pub use contact::Contact;
+pub(crate) use contact::{first_contact, nearest};
 pub use moving_obstacles::Mover;
 pub use path_segments::Route;
 pub use speed_profile::{Limits, Motion, Profile, Steps};
-pub use stop_wait_go::{Contact, Encounter, Ending, Rule, Scope, Wait, WaitOptions, stop_wait_go};
+pub use stop_wait_go::{Encounter, Ending, Rule, Scope, Wait, WaitOptions, stop_wait_go};
+pub(crate) use stop_wait_go::{SAMPLE, SHORTEST, SPARE};
 pub(crate) use track::follow;
 pub use track::{Controller, Tracking, track};
 pub(crate) use trajectory::hash;

@@ -43,6 +43,11 @@ impl Mover {
         self.start + self.stations[self.stations.len() - 1] / self.speed
     }
 
+    /// True if it is under way at a time, seconds.
+    pub(crate) fn moves(&self, t: f64) -> bool {
+        (self.start..self.end()).contains(&t)
+    }
+
     /// m/s.
     pub fn speed(&self) -> f64 {
         self.speed
@@ -78,7 +83,7 @@ impl Mover {
 
     /// True if the box, grown by `margin`, meets a rectangle at any time from `from` to `to`, corners of the line cut
     /// as the box cuts them: it turns on the spot.
-    pub(super) fn meets(&self, body: &[Point; 4], margin: f64, from: f64, to: f64) -> bool {
+    pub(crate) fn meets(&self, body: &[Point; 4], margin: f64, from: f64, to: f64) -> bool {
         let (mut station, end) = (self.station(from), self.station(to));
         loop {
             let (segment, heading) = self.segment(station);

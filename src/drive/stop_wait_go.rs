@@ -4,6 +4,7 @@
 //! middle of the obstacle's way. `predictive` rolls the drive out against the known motion and stops where it is safe
 //! to stand. The result is checked by other code: outlines edge by edge, between the moments too.
 
+use super::contact::{Contact, first_contact, nearest};
 use super::moving_obstacles::Mover;
 use super::path_segments::Route;
 use super::speed_profile::within;
@@ -11,19 +12,14 @@ use super::trajectory::{Moment, Rows, Wheel};
 use crate::error::Error;
 use crate::geometry::{Point, Pose};
 use crate::json;
-use crate::metrics::gap;
 use crate::vehicle::Vehicle;
 
 /// Stations of a roll-out are this far apart, metres.
-const SAMPLE: f64 = 0.1;
+pub(crate) const SAMPLE: f64 = 0.1;
 /// The car stops this much before the last place that is safe, metres.
-const SPARE: f64 = 0.5;
+pub(crate) const SPARE: f64 = 0.5;
 /// It waits at least this long, seconds.
-const SHORTEST: f64 = 0.5;
-/// Between two moments of the check no corner of the car and no box near each other by more than this, metres, unless
-/// they are farther apart.
-const CHECK: f64 = 0.02;
-
+pub(crate) const SHORTEST: f64 = 0.5;
 /// The rule by which the car stops.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Rule {
@@ -55,9 +51,9 @@ pub struct WaitOptions {
     pub rule: Rule,
     /// How far ahead `reactive` looks.
     pub scope: Scope,
-    /// Speed while driving, m/s, 0.01 to 100; it stops and starts at once, as in the paper.
+    /// Speed along a route, m/s, 0.01 to 100; the car stops and starts at once, as in the paper.
     pub speed: f64,
-    /// For the window, m/s², 0.01 to 100.
+    /// For a route's window, m/s², 0.01 to 100.
     pub deceleration: f64,
     /// `predictive` keeps this much distance when it decides to stop, metres, 0 to 10.
     pub margin: f64,
@@ -137,6 +133,15 @@ impl Ending {
             Self::OutOfTime => "out-of-time",
         }
     }
+
+    /// How a drive ended that arrived and touched something.
+    pub(crate) const fn with(self, rule: Rule, is_touched: bool) -> Self {
+        match (self, rule, is_touched) {
+            (Self::Arrived, Rule::Predictive, true) => Self::Unavoidable,
+            (Self::Arrived, Rule::Reactive, true) => Self::Hit,
+            _ => self,
+        }
+    }
 }
 
 /// A time at standstill.
@@ -150,19 +155,6 @@ pub struct Wait {
     pub from: f64,
     /// Until when, seconds.
     pub to: f64,
-}
-
-/// The body overlaps a moving obstacle.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Contact {
-    /// `moving[i]` of the scene.
-    pub obstacle: usize,
-    /// When, seconds.
-    pub t: f64,
-    /// Pose of the car at contact.
-    pub pose: Pose,
-    /// True if the car stands: it is run into.
-    pub standing: bool,
 }
 
 /// A drive among moving obstacles.
@@ -206,9 +198,7 @@ pub fn stop_wait_go(
     let (mut states, waits, mut ending) = drive.run();
     let free_duration = route.length() / options.speed;
     let contact = drive.contact(&states);
-    if contact.is_some() && ending == Ending::Arrived {
-        ending = if options.rule == Rule::Predictive { Ending::Unavoidable } else { Ending::Hit };
-    }
+    ending = ending.with(options.rule, contact.is_some());
     let (mut rows, mut wheel) = (Rows::default(), Wheel::default());
     if let Some(last) = states.last_mut() {
         last.speed = 0.0;
@@ -216,7 +206,7 @@ pub fn stop_wait_go(
     let mut clearances = Vec::new();
     for state in &states {
         rows.push(vehicle, route, *state, &mut wheel);
-        clearances.push(drive.clearance(state.station, state.t).0);
+        clearances.push(drive.clearance(state.station, state.t));
     }
     let duration = states.last().map_or(0.0, |s| s.t);
     Ok(Encounter { ending, rows, clearances, waits, contact, duration, free_duration })
@@ -340,38 +330,20 @@ impl Drive<'_> {
         self.vehicle.outline(self.route.pose(station))
     }
 
-    /// Distance to the nearest box, and which.
-    fn clearance(&self, station: f64, t: f64) -> (f64, usize) {
-        let body = self.body(station);
-        let gaps = self.movers.iter().enumerate().map(|(i, m)| (gap(&body, &m.outline(t)), i));
-        gaps.fold((f64::INFINITY, 0), |best, next| if next.0 < best.0 { next } else { best })
+    /// Distance to the nearest box.
+    fn clearance(&self, station: f64, t: f64) -> f64 {
+        nearest(self.movers, &self.body(station), t).0
     }
 
     /// The first overlap, looked for between the moments too.
     fn contact(&self, states: &[Moment]) -> Option<Contact> {
-        let fastest = self.movers.iter().map(Mover::speed).fold(0.0, f64::max);
-        let reach = self.vehicle.reach();
-        let corner = 1.0 + reach * self.vehicle.max_curvature();
-        states.iter().zip(states.iter().skip(1).chain(states.last())).find_map(|(a, b)| {
-            let lasts = b.t - a.t;
-            let speed = if lasts > 0.0 { (b.station - a.station) / lasts } else { 0.0 };
-            let nearing = fastest + speed * corner;
-            let mut t = a.t;
-            loop {
-                let station = a.station + (t - a.t) * speed;
-                let pose = self.route.pose(station);
-                let (gap, obstacle) = self.clearance(station, t);
-                if gap <= 0.0 {
-                    return Some(Contact { obstacle, t, pose, standing: speed == 0.0 });
-                }
-                if t >= b.t {
-                    return None;
-                }
-                // Boxes turn at once where their lines do: whichever way they head, they are no nearer than this.
-                let apart =
-                    self.movers.iter().map(|m| m.apart(pose.point(), t)).fold(f64::INFINITY, f64::min);
-                t = b.t.min(t + (apart - reach).max(CHECK) / nearing);
-            }
+        let speed = |i: usize| {
+            let (Some(a), Some(b)) = (states.get(i), states.get(i + 1)) else { return 0.0 };
+            if b.t > a.t { (b.station - a.station) / (b.t - a.t) } else { 0.0 }
+        };
+        let moments: Vec<(f64, f64)> = states.iter().enumerate().map(|(i, s)| (s.t, speed(i))).collect();
+        first_contact(self.vehicle, self.movers, &moments, |i, t| {
+            self.route.pose(states[i].station + (t - states[i].t) * moments[i].1)
         })
     }
 }

@@ -7,17 +7,20 @@
 //! the way or, where there is no room for that, at a standstill.
 
 mod banded;
+mod encounter;
 mod features;
 mod path;
+mod path_in_time;
 mod path_stage;
 mod plan_path;
 mod roll_out;
 mod round;
 mod segment;
 
+pub use encounter::stop_wait_go;
 pub use plan_path::stop_and_steer;
 
-use crate::drive::Route;
+use crate::drive::{Limits, Motion, Route, Steps};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::{Pose, math};
 use crate::json;
@@ -38,8 +41,8 @@ const ANGLE_RESERVE: f64 = 0.002;
 const RATE_RESERVE: f64 = 0.01;
 /// More than the body's corners leave a straight line between two samples, metres.
 const BETWEEN: f64 = 0.003;
-/// A trajectory that takes less than this share of stop-and-steer's time is not held against the plan's own path with
-/// ramps.
+/// A trajectory that takes less than this share of stop-and-steer's time, and no longer than a slow drive along the
+/// plan's own path, is the answer without further attempts.
 const QUICK: f64 = 0.75;
 /// Added to the margin, attempt by attempt, from the plan's own path: clearance is no hard limit in the path stage,
 /// metres.
@@ -172,16 +175,25 @@ pub fn optimise(
         [(kept, false), (kept, true)].into_iter().find_map(|how| trials.attempt(how, smooth.clone()));
     let optimised =
         |(states, check): Trial, steps| Optimised { states, stage: Stage::Optimised, check, steps };
-    if let Some(first) = first.take_if(|(states, _)| states.duration() < QUICK * plain.duration()) {
+    let slow = slow(geometry, route, limits);
+    let enough = slow.min(QUICK * plain.duration());
+    if let Some(first) = first.take_if(|(states, _)| states.duration() < enough) {
         return Ok(optimised(first, trials.steps));
     }
     let own = PlanPath::quick(geometry, &trials.body, route, limits);
     let states = own.states();
     trials.most = states.duration();
-    let again =
-        AGAIN.into_iter().find_map(|(more, speed)| trials.attempt((kept + more, true), own.path(speed)));
-    let both = first.into_iter().chain(again).filter(|(found, _)| found.duration() <= trials.most);
-    if let Some(best) = both.min_by(|a, b| a.0.duration().total_cmp(&b.0.duration())) {
+    let mut found: Vec<Trial> =
+        first.into_iter().filter(|(first, _)| first.duration() <= trials.most).collect();
+    for (more, speed) in AGAIN {
+        let next = trials.attempt((kept + more, true), own.path(speed));
+        let is_enough = next.as_ref().is_some_and(|(next, _)| next.duration() <= slow);
+        found.extend(next);
+        if is_enough {
+            break;
+        }
+    }
+    if let Some(best) = found.into_iter().min_by(|a, b| a.0.duration().total_cmp(&b.0.duration())) {
         return Ok(optimised(best, trials.steps));
     }
     Ok(Optimised { steps: trials.steps, ..judged(geometry, &trials.body, limits, (own, states), plain) })
@@ -225,6 +237,20 @@ fn plain(geometry: &Geometry, route: &Route, limits: &MotionLimits) -> Result<St
     }
     let plain = stop_and_steer(&geometry.vehicle, route, limits);
     if plain.duration() > MAX_DURATION { Err(too_long(plain.duration())) } else { Ok(plain) }
+}
+
+/// Seconds of a slow drive along the route, which the wheel can follow but for centimetres; infinite where there is
+/// none.
+fn slow(geometry: &Geometry, route: &Route, limits: &MotionLimits) -> f64 {
+    let limits = Limits {
+        speed: limits.speed,
+        acceleration: limits.acceleration,
+        deceleration: limits.deceleration,
+        lateral_acceleration: limits.lateral_acceleration.unwrap_or(100.0),
+        steps: Steps::Slow,
+        ..Limits::default()
+    };
+    Motion::new(&geometry.vehicle, route, &limits).map_or(f64::INFINITY, |motion| motion.duration())
 }
 
 /// States that the referee lets pass, and its verdict.

@@ -142,19 +142,8 @@ impl Rows {
         let mut pose = Pose::new(0.0, 0.0, heading);
         let mut poses = vec![pose];
         for i in 0..self.t.len() - 1 {
-            let dt = self.t[i + 1] - self.t[i];
             let mixed = |column: &[f64]| [column[i], f64::midpoint(column[i], column[i + 1]), column[i + 1]];
-            let (speed, angle) = (mixed(&self.speed), mixed(&self.angle));
-            let turn = [0, 1, 2].map(|k| speed[k] * math::tan(angle[k]) / wheelbase);
-            let half = dt * (5.0 * turn[0] + 8.0 * turn[1] - turn[2]) / 24.0;
-            let full = dt * (turn[0] + 4.0 * turn[1] + turn[2]) / 6.0;
-            let ways = [0.0, half, full].map(|turn| math::sin_cos(pose.heading + turn));
-            let mean = |a: f64, b: f64, c: f64| dt * (speed[0] * a + 4.0 * speed[1] * b + speed[2] * c) / 6.0;
-            pose = Pose::new(
-                pose.x + mean(ways[0].1, ways[1].1, ways[2].1),
-                pose.y + mean(ways[0].0, ways[1].0, ways[2].0),
-                pose.heading + full,
-            );
+            pose = moved(pose, self.t[i + 1] - self.t[i], mixed(&self.speed), mixed(&self.angle), wheelbase);
             poses.push(pose);
         }
         poses
@@ -215,6 +204,21 @@ impl Rows {
         }
         Some(())
     }
+}
+
+/// The pose after `dt` seconds, of speeds and steering angles at the beginning, in the middle and at the end; the
+/// heading is not wrapped.
+pub(super) fn moved(from: Pose, dt: f64, speed: [f64; 3], angle: [f64; 3], wheelbase: f64) -> Pose {
+    let turn = [0, 1, 2].map(|k| speed[k] * math::tan(angle[k]) / wheelbase);
+    let half = dt * (5.0 * turn[0] + 8.0 * turn[1] - turn[2]) / 24.0;
+    let full = dt * (turn[0] + 4.0 * turn[1] + turn[2]) / 6.0;
+    let ways = [0.0, half, full].map(|turn| math::sin_cos(from.heading + turn));
+    let mean = |a: f64, b: f64, c: f64| dt * (speed[0] * a + 4.0 * speed[1] * b + speed[2] * c) / 6.0;
+    Pose::new(
+        from.x + mean(ways[0].1, ways[1].1, ways[2].1),
+        from.y + mean(ways[0].0, ways[1].0, ways[2].0),
+        from.heading + full,
+    )
 }
 
 /// A short stretch with a largest speed.

@@ -4,8 +4,9 @@ use std::ops::ControlFlow;
 
 use super::{Improved, Plan, Prefer, Stats};
 use crate::drive::{Limits, Motion, Route};
+use crate::optimise::{self, optimise};
 use crate::scenario::SpeedLimit;
-use crate::vehicle::Vehicle;
+use crate::scenario::resolve::Geometry;
 
 /// Lengths and times are the same within this share …
 const SAME: f64 = 0.01;
@@ -26,9 +27,16 @@ impl Wish<'_> {
         (self.prefer.is_none() || self.stickiness > 0.0) && !self.alternatives && self.improved.is_none()
     }
 
-    /// True if a path that stays is about as good as another by what is preferred.
-    pub(super) fn keeps(&self, old: &Plan, new: &Plan) -> bool {
-        let [old, new] = [old, new].map(Figures::of);
+    /// True if the time of a path matters to the choice.
+    fn needs_time(&self) -> bool {
+        self.prefer == Some(Prefer::Fastest) || self.alternatives
+    }
+
+    /// True if a path that stays is about as good as another by what is preferred; their times are estimates, in
+    /// seconds.
+    pub(super) fn keeps(&self, plans: [&Plan; 2], times: [f64; 2]) -> bool {
+        let [mut old, mut new] = plans.map(Figures::of);
+        [old.time, new.time] = times;
         let about = 1.0 + self.stickiness;
         match self.prefer {
             None => true,
@@ -45,21 +53,37 @@ impl Wish<'_> {
     }
 }
 
-/// How long a path of hybrid A*'s takes to drive; longer than any drive where it cannot be told.
-pub(super) fn tell_time(plan: &mut Plan, vehicle: &Vehicle, limits: &[SpeedLimit]) {
-    let route = Route::new(vehicle, &plan.path, &plan.directions, Some(&plan.curvatures));
-    let route = route.map(|route| route.with_speed_limits(limits));
-    let motion = route.and_then(|route| Motion::new(vehicle, &route, &Limits::default()));
+/// A plan's path and the speed limits on it.
+fn route(plan: &Plan, geometry: &Geometry, limits: &[SpeedLimit]) -> Option<Route> {
+    let route = Route::new(&geometry.vehicle, &plan.path, &plan.directions, Some(&plan.curvatures)).ok()?;
+    Some(route.with_speed_limits(limits))
+}
+
+/// About how long a path takes to drive as it is, seconds; infinite where it cannot be told. An optimisation is too
+/// slow for each moment of a drag.
+pub(super) fn estimated_time(plan: &Plan, geometry: &Geometry, limits: &[SpeedLimit]) -> f64 {
+    let motion = route(plan, geometry, limits)
+        .and_then(|route| Motion::new(&geometry.vehicle, &route, &Limits::default()).ok());
+    motion.map_or(f64::INFINITY, |motion| motion.duration())
+}
+
+/// Tells how long the trajectory takes that [`optimise`] makes of a path of hybrid A*'s; nothing where it makes none.
+fn tell_time(plan: &mut Plan, geometry: &Geometry, limits: &[SpeedLimit]) {
+    let (Some(&start), Some(&goal)) = (plan.path.first(), plan.path.last()) else { return };
+    let geometry = Geometry { start, goal, ..geometry.clone() };
+    let made = route(plan, &geometry, limits).and_then(|route| {
+        optimise(&geometry, &route, plan.metrics.min_clearance, &optimise::Options::default()).ok()
+    });
     if let Some(figures) = &mut plan.metrics.hybrid {
-        figures.drive_time = Some(motion.map_or(f64::MAX, |motion| motion.duration()));
+        figures.drive_time = made.map(|made| made.states.duration());
     }
 }
 
 /// The paths so far.
-pub(super) struct Choosing<'a, 'w> {
+pub(super) struct Choosing<'w> {
     wish: Wish<'w>,
-    vehicle: &'a Vehicle,
-    limits: &'a [SpeedLimit],
+    geometry: Geometry,
+    limits: Vec<SpeedLimit>,
     /// All that are worth keeping; `best` is one of them.
     plans: Vec<Plan>,
     best: usize,
@@ -67,14 +91,16 @@ pub(super) struct Choosing<'a, 'w> {
     margin: f64,
 }
 
-impl<'a, 'w> Choosing<'a, 'w> {
-    pub(super) fn new(wish: Wish<'w>, vehicle: &'a Vehicle, limits: &'a [SpeedLimit]) -> Self {
-        Self { wish, vehicle, limits, plans: Vec::new(), best: 0, margin: 0.0 }
+impl<'w> Choosing<'w> {
+    pub(super) fn new(wish: Wish<'w>, geometry: Geometry, limits: Vec<SpeedLimit>) -> Self {
+        Self { wish, geometry, limits, plans: Vec::new(), best: 0, margin: 0.0 }
     }
 
     /// Takes another path; tells whether to look for more.
     pub(super) fn offer(&mut self, mut plan: Plan) -> ControlFlow<()> {
-        tell_time(&mut plan, self.vehicle, self.limits);
+        if self.wish.needs_time() {
+            tell_time(&mut plan, &self.geometry, &self.limits);
+        }
         let is_first = self.plans.is_empty();
         if is_first {
             self.margin = margin(&plan);
@@ -118,6 +144,9 @@ impl<'a, 'w> Choosing<'a, 'w> {
         let level = self.plans[self.best].stats.level;
         let mut best = self.plans[self.best].clone();
         best.stats = Stats { level, ..stats.clone() };
+        if !self.wish.needs_time() {
+            tell_time(&mut best, &self.geometry, &self.limits);
+        }
         if self.wish.alternatives {
             self.plans.sort_by(|a, b| a.metrics.length.total_cmp(&b.metrics.length));
             best.alternatives = self.plans;

@@ -163,23 +163,23 @@ impl Engine {
         wish: &Wish,
     ) -> Report {
         let query = query(&self.obstacles, &world.geometry);
-        let tell_time = |plan: &mut Plan| {
-            if wish.prefer == Some(Prefer::Fastest) {
-                choices::tell_time(plan, &world.geometry.vehicle, &scenario.speed_limits);
-            }
+        let limits = scenario.all_speed_limits();
+        let time = |plan: &Plan| match wish.prefer {
+            Some(Prefer::Fastest) => choices::estimated_time(plan, &world.geometry, &limits),
+            _ => 0.0,
         };
         let mut report = first;
         if let Some(last) = self.last.as_ref().filter(|_| wish.stickiness > 0.0) {
-            tell_time(plan);
+            let own_time = time(plan);
             let mut stayed = None;
             let mut is_kept = |kept: &Report| {
                 let mut driven = measured(world, Outcome::Found, drive(&query, kept), NEAR);
                 fill(&query, kept, &mut driven);
-                tell_time(&mut driven);
                 // Among other obstacles than its own the last path may keep less.
                 let margin = report.margin.min(plan.check.min_clearance);
                 let is_sound = driven.check.drivable() && driven.check.min_clearance >= margin - ROUNDING;
-                stayed = Some(driven).filter(|driven| is_sound && wish.keeps(driven, plan));
+                let keeps = |driven: &Plan| wish.keeps([driven, plan], [time(driven), own_time]);
+                stayed = Some(driven).filter(|driven| is_sound && keeps(driven));
                 stayed.is_some()
             };
             let share = if wish.prefer.is_some() { f64::INFINITY } else { wish.stickiness };
@@ -236,7 +236,7 @@ impl Engine {
         let trace = plan.trace.take();
         let (id, config) = (self.kind.id(), self.config);
         plan.planner = id;
-        let mut choosing = Choosing::new(wish, &vehicle, &scenario.speed_limits);
+        let mut choosing = Choosing::new(wish, world.geometry.clone(), scenario.all_speed_limits());
         let mut last = first.clone();
         if choosing.offer(plan).is_continue() {
             let goals = &self.goals;

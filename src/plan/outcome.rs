@@ -177,8 +177,8 @@ pub struct HybridMetrics {
     pub paper_nodes: u32,
     /// Driving time at the parking paper's 2 m/s, seconds.
     pub paper_time: f64,
-    /// Driving time within the default limits of [`trajectory`](crate::drive::trajectory()), seconds; where it is
-    /// chosen by.
+    /// Duration of the trajectory that [`optimise`](super::optimise()) makes of the path by default, seconds; where
+    /// paths are chosen among.
     #[cfg(feature = "complete")]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub drive_time: Option<f64>,

@@ -273,7 +273,8 @@ fn outcome(world: &World, query: &Query, status: Status) -> Outcome {
 fn reason(query: &Query, report: &Report) -> Option<String> {
     let room = |end: &str, at: Point| {
         format!(
-            "The car's middle at the {end}, ({:.2}, {:.2}), has no road or obstacles nearer than {:.2} m, and so has everything within 1.5 m.",
+            "The car's middle at the {end}, ({:.2}, {:.2}), has no road or obstacles nearer than {:.2} m, and so has \
+             everything within 1.5 m.",
             at.x, at.y, query.radius
         )
     };

@@ -6,7 +6,7 @@ use wasm_bindgen::prelude::*;
 use super::codec::{f64s, object, write};
 use super::{JsResult, answer, codec, optional, read_scene, referee};
 use crate::drive::{
-    Controller, Limits, Mover, Route, Rows, Tracking, WaitOptions, stop_wait_go, track, trajectory,
+    Controller, Encounter, Limits, Mover, Route, Rows, Tracking, WaitOptions, stop_wait_go, track, trajectory,
 };
 use crate::error::{Error, ErrorCode};
 use crate::geometry::Pose;
@@ -121,6 +121,15 @@ pub fn js_optimise(
     ]))
 }
 
+/// The states of a trajectory's columns.
+fn states(path: &[f64], t: Vec<f64>, speed: Vec<f64>, steering: Vec<f64>) -> Result<States, Error> {
+    let poses = plan::path_poses(path)?;
+    let rows = TimedRows { t, poses, speed: Some(speed), steering: Some(steering) };
+    Submission::Timed(rows.clone()).validate()?;
+    let TimedRows { t, poses, speed, steering } = rows;
+    Ok(States { t, poses, speed: speed.unwrap_or_default(), steering: steering.unwrap_or_default() })
+}
+
 /// How closely a simulated car follows a trajectory, at its own speeds.
 #[wasm_bindgen(js_name = trackStates)]
 pub fn js_track_states(
@@ -132,12 +141,7 @@ pub fn js_track_states(
 ) -> JsResult {
     let scene = read_scene(scene)?;
     let geometry = js(scene.geometry())?;
-    let poses = js(plan::path_poses(path).map_err(|e| e.within("plan")))?;
-    let rows = TimedRows { t, poses, speed: Some(speed), steering: Some(steering) };
-    js(Submission::Timed(rows.clone()).validate().map_err(|e| e.within("plan")))?;
-    let TimedRows { t, poses, speed, steering } = rows;
-    let states =
-        States { t, poses, speed: speed.unwrap_or_default(), steering: steering.unwrap_or_default() };
+    let states = js(states(path, t, speed, steering).map_err(|e| e.within("plan")))?;
     let got = crate::referee::track(&geometry.vehicle, &Body::new(&geometry), &states);
     Ok(tracking(&scene, &got))
 }
@@ -193,8 +197,35 @@ pub fn js_stop_wait_go(
 ) -> JsResult {
     let asked = Question::read(scene, path, directions.as_deref(), curvatures.as_deref(), options)?;
     let options = js(WaitOptions::default().with(&asked.options))?;
-    let movers: Vec<Mover> = asked.scene.moving.iter().map(Mover::new).collect();
+    let movers = movers(&asked.scene);
     let met = js(stop_wait_go(&asked.geometry.vehicle, &asked.route, &movers, &options))?;
+    Ok(encounter(&asked.scene, &movers, &met))
+}
+
+/// A trajectory among the scene's moving obstacles.
+#[wasm_bindgen(js_name = stopWaitGoStates)]
+pub fn js_stop_wait_go_states(
+    scene: JsValue,
+    path: &[f64],
+    t: Vec<f64>,
+    speed: Vec<f64>,
+    steering: Vec<f64>,
+    options: JsValue,
+) -> JsResult {
+    let scene = read_scene(scene)?;
+    let geometry = js(scene.geometry())?;
+    let states = js(states(path, t, speed, steering).map_err(|e| e.within("plan")))?;
+    let options = js(WaitOptions::default().with(&optional(options, ErrorCode::Config)?))?;
+    let movers = movers(&scene);
+    let met = js(optimise::stop_wait_go(&geometry.vehicle, &states, &movers, &options))?;
+    Ok(encounter(&scene, &movers, &met))
+}
+
+fn movers(scene: &Scenario) -> Vec<Mover> {
+    scene.moving.iter().map(Mover::new).collect()
+}
+
+fn encounter(scene: &Scenario, movers: &[Mover], met: &Encounter) -> JsValue {
     let boxes: Vec<Pose> = met.rows.t.iter().flat_map(|&t| movers.iter().map(move |m| m.pose(t))).collect();
     let waits: Vec<_> = met
         .waits
@@ -202,10 +233,10 @@ pub fn js_stop_wait_go(
         .map(|w| json!({ "pose": w.pose, "station": w.station, "from": w.from, "to": w.to }))
         .collect();
     let contact = met.contact.map(|c| {
-        let id = asked.scene.moving[c.obstacle].id.as_deref().unwrap_or("moving");
+        let id = scene.moving[c.obstacle].id.as_deref().unwrap_or("moving");
         json!({ "obstacle": id, "index": c.obstacle, "t": c.t, "pose": c.pose, "standing": c.standing })
     });
-    Ok(drive(
+    drive(
         &met.rows,
         &[
             ("ending", met.ending.as_str().into()),
@@ -216,5 +247,5 @@ pub fn js_stop_wait_go(
             ("duration", met.duration.into()),
             ("freeDuration", met.free_duration.into()),
         ],
-    ))
+    )
 }

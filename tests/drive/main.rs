@@ -2,6 +2,8 @@
 #![cfg(feature = "complete")]
 
 mod following;
+#[path = "../outlines/mod.rs"]
+mod outlines;
 mod row;
 mod times;
 mod vectors;

@@ -10,6 +10,8 @@ use parkade::scenario::resolve::Geometry;
 use parkade::vehicle::Vehicle;
 use serde_json::Map;
 
+use crate::outlines::overlap;
+
 pub(crate) const CAR: Vehicle = Vehicle::PAPER;
 pub(crate) const ROWS: [&str; 10] = ["P0", "P1", "P2", "P3", "P4", "L0", "L1", "L2", "L3", "L4"];
 
@@ -64,19 +66,4 @@ pub(crate) fn meet(row: &Row, movers: &[Mover], options: &WaitOptions) -> Encoun
         assert!(!touched || met.contact.is_some_and(|c| c.t <= met.rows.t[k]), "{}", row.id);
     }
     met
-}
-
-/// Separating axes of two rectangles.
-pub(crate) fn overlap(a: &[[f64; 2]; 4], b: &[[f64; 2]; 4]) -> bool {
-    [a, b].iter().all(|ring| {
-        (0..2).all(|k| {
-            let normal = [ring[k][1] - ring[k + 1][1], ring[k + 1][0] - ring[k][0]];
-            let range = |ring: &[[f64; 2]; 4]| {
-                let along = ring.iter().map(|p| p[0] * normal[0] + p[1] * normal[1]);
-                along.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)))
-            };
-            let ((a0, a1), (b0, b1)) = (range(a), range(b));
-            a0 <= b1 && b0 <= a1
-        })
-    })
 }

@@ -64,6 +64,32 @@ fn what_is_preferred_is_no_worse_than_the_ordinary_path_and_no_alternative_beats
     }
 }
 
+/// Duration of the trajectory that is made of a plan, seconds.
+fn trajectory(id: &str, plan: &Plan) -> f64 {
+    let path: Vec<f64> = plan.path.iter().flat_map(|p| [p.x, p.y, p.heading]).collect();
+    let columns = (&path[..], Some(&plan.directions[..]), Some(&plan.curvatures[..]));
+    let options = parkade::optimise::Options::default();
+    parkade::plan::optimise(&scenario(id).unwrap(), columns, &options).unwrap().states.duration()
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn the_fastest_path_is_that_of_the_fastest_trajectory() {
+    for id in ROWS {
+        let plan = planner(id, &json!({})).plan(Options { alternatives: true, ..by(Prefer::Fastest) });
+        for one in &plan.alternatives {
+            assert_eq!(figures(one)[3], trajectory(id, one), "{id}");
+        }
+        assert!(
+            figures(&plan)[3] <= trajectory(id, &planner(id, &json!({})).plan(Options::default())),
+            "{id}"
+        );
+        assert_eq!(figures(&plan)[3], trajectory(id, &plan), "{id}");
+    }
+    let widest = planner("L0", &json!({})).plan(by(Prefer::Widest));
+    assert_eq!(figures(&widest)[3], trajectory("L0", &widest));
+}
+
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn alternatives_are_a_pareto_set_with_the_answer_in_it() {

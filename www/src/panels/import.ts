@@ -2,6 +2,7 @@ import type { ImportedQuery } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import { sentence } from "../app/app";
 import { reasonIn } from "../i18n/index";
+import messages from "../i18n/messages/import.json";
 import { words } from "../i18n/words";
 import { Helper, JobError, joined } from "../planning/job-client";
 import { ensureIds } from "../scene/model";
@@ -12,29 +13,7 @@ import { vast } from "../view/lazy-layers";
 import { AppElement } from "./base";
 import { icon, type IconName } from "../styles/icons";
 
-const say = words({
-  reading: ["Reading {name}…", "正在读取 {name}…"],
-  opened: [
-    "Opened {name}: {width} × {height} cells of {side} m.",
-    "已打开 {name}：{width} × {height} 格，每格 {side} m。",
-  ],
-  line: [
-    "{name} could not be read. Line {line}: {reason} Your scene is unchanged.",
-    "无法读取 {name}。第 {line} 行：{reason}您的场景未改变。",
-  ],
-  bad: ["{name} could not be read: {reason} Your scene is unchanged.", "无法读取 {name}：{reason}您的场景未改变。"],
-  queries: ["Start and goal from the file", "文件中的起点与目标"],
-  scenes: ["Scenes in the file", "文件中的场景"],
-  question: ["Query", "查询"],
-  scene: ["Scene", "场景"],
-  of: ["of {n}", "/ {n}"],
-  previous: ["Previous", "上一个"],
-  next: ["Next", "下一个"],
-  group: ["Length", "长度"],
-  groupOf: ["about {length} m", "约 {length} m"],
-  shortest: ["8-neighbour optimum: {length} m", "八邻域最短路径：{length} m"],
-  close: ["Close", "关闭"],
-});
+const say = words("import", messages);
 
 const IMAGE = /\.(png|jpe?g|webp|gif|bmp)$/i;
 

@@ -1,4 +1,5 @@
 import { css, html, nothing, type TemplateResult } from "lit";
+import messages from "../i18n/messages/options.json";
 import { words } from "../i18n/words";
 import "../i18n/later";
 import { sizedShape } from "../scene/slot-fit";
@@ -15,18 +16,7 @@ const AISLES: Record<ToolOptions["slot"]["kind"], number> = { perpendicular: 6, 
 
 const LANES = ["1+0", "1+1", "2+2"] as const;
 
-const say = words({
-  cone: ["Cone", "锥桶"],
-  "1+0": ["One way", "单行"],
-  "1+1": ["1 + 1 lanes", "1 + 1 车道"],
-  "2+2": ["2 + 2 lanes", "2 + 2 车道"],
-  laneWidth: ["Lane width", "车道宽"],
-  bend: ["Bend radius", "弯道半径"],
-  kerbs: ["Kerbs", "路缘"],
-  aisle: ["Aisle", "通道"],
-  snap: ["Snap", "吸附"],
-  snapHelp: ["Snaps to corners, lines and cells. Ctrl inverts.", "吸附到角点、对齐线与栅格；按住 Ctrl 反转"],
-});
+const say = words("options", messages);
 
 /** Options of the active tool: a row above the map, `flat` in a sheet, or the first lines (`form`) of the inspector. */
 export class ToolOptionsBar extends AppElement {

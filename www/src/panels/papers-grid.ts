@@ -164,7 +164,9 @@ export class PapersGrid extends PapersTab<Summary> {
       <tbody>${lines
         .filter(({ printedLength }) => printedLength !== null)
         .map(
-          (line) => html`<tr><th scope="row">${lineName(lang, line.planner)}</th><td>${this.num(line.printedLength!, 2)}</td>
+          (
+            line,
+          ) => html`<tr><th scope="row">${lineName(lang, line.planner)}</th><td>${this.num(line.printedLength!, 2)}</td>
         ${READINGS.map((name) => {
           const cell = readingOf(lang, line, columns, name);
           return html`<td>${line.closest === name ? html`<b>${cell}</b>` : cell}</td>`;

@@ -1,8 +1,9 @@
 /** Names and texts of the papers' tables. */
 import type { PaperTable, Spread } from "parkade";
-import { number, reasonIn, type Lang } from "../i18n/index";
+import { number, type Lang } from "../i18n/index";
 import type { Summary } from "../planning/paper-grid-runs";
 import { plannerName } from "../styles/planner-style";
+import { sentencesOf } from "./papers-claims";
 import { say } from "./papers-words";
 
 /** Our columns that are compared with the printed ones. */
@@ -24,16 +25,16 @@ export function readingOf(
 }
 
 /** Variants of planners that only these tables have. */
-const VARIANTS: Record<string, readonly [planner: string, en: string, zh: string]> = {
-  "eight-octile": ["eight", "octile", "八向距离"],
-  "eight-weighted": ["eight", "weighted", "加权"],
-  "sixteen-nba": ["sixteen-bidirectional", "NBA*", "NBA*"],
+const VARIANTS: Record<string, readonly [planner: string, name: (lang: Lang) => string]> = {
+  "eight-octile": ["eight", (lang) => say(lang, "octile")],
+  "eight-weighted": ["eight", (lang) => say(lang, "weighted")],
+  "sixteen-nba": ["sixteen-bidirectional", () => "NBA*"],
 };
 
 export function lineName(lang: Lang, id: string): string {
   const variant = VARIANTS[id];
   if (!variant) return plannerName(lang, id as Parameters<typeof plannerName>[1]);
-  return `${lineName(lang, variant[0])}, ${variant[lang === "zh" ? 2 : 1]}`;
+  return `${lineName(lang, variant[0])}, ${variant[1](lang)}`;
 }
 
 export function titleOf(lang: Lang, { row }: PaperTable): string {
@@ -56,7 +57,10 @@ export function papersMarkdown(lang: Lang, { tables, claims }: Summary, columns:
   const parts = [
     row([say(lang, "claims"), "", ""]),
     row(["---", "---", "---"]),
-    ...claims.map((one) => row([reasonIn(lang, one.text), `**${say(lang, one.holds)}**`, reasonIn(lang, one.found)])),
+    ...claims.map((one) => {
+      const [text, found] = sentencesOf(lang, one);
+      return row([text, `**${say(lang, one.holds)}**`, found]);
+    }),
     "",
   ];
   for (const table of tables) {

@@ -1,6 +1,7 @@
 import type { ParameterInfo, PlannerId } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import { isMessage } from "../i18n/index";
+import messages from "../i18n/messages/parameters.json";
 import { words } from "../i18n/words";
 import { distancesOf } from "../view/drive";
 import { plannerName } from "../styles/planner-style";
@@ -15,28 +16,7 @@ import { thingName } from "../texts/status";
 type Settings = Record<string, unknown>;
 
 const DEGREES = 180 / Math.PI;
-const say = words({
-  fromGoal: [
-    "Found from the goal: cells of {cell} and {angle}°, {margin} of margin kept.",
-    "自目标搜索得到：格 {cell}、{angle}°，保持余量 {margin}。",
-  ],
-  fromStart: [
-    "Found from the start: cells of {cell} and {angle}°, {margin} of margin kept.",
-    "自起点搜索得到：格 {cell}、{angle}°，保持余量 {margin}。",
-  ],
-  none: [
-    "No way with cells of {cell} and {angle}° and {margin} of margin.",
-    "以格 {cell}、{angle}° 与余量 {margin} 搜索，没有路。",
-  ],
-  narrow: [
-    "Keeps {kept} of the {margin} asked for. Narrowest after {along} m, at {thing}.",
-    "保持 {kept}，要求为 {margin}。最窄处在行驶 {along} m 后，{thing}旁。",
-  ],
-  spent: [
-    "Tried last: cells of {cell} and {angle}°, {margin} of margin.",
-    "最后尝试：格 {cell}、{angle}°，余量 {margin}。",
-  ],
-});
+const say = words("parameters", messages);
 /** Less than this short of the margin asked for is not said, metres: figures show centimetres. */
 const SHORT = 0.005;
 const UNITS: Record<string, string> = { rad: "°", "1": "" };

@@ -96,7 +96,7 @@ export class Timeline extends AppElement {
           : nothing
       }
       <button class="icon ${this.folded ? "up" : ""}" aria-expanded=${!this.folded} aria-label=${fold} title=${fold}
-        @click=${() => this.dispatchEvent(new CustomEvent("parkade-fold", { bubbles: true, composed: true }))}>${icon("down")}</button>
+        @click=${() => this.app.ask("fold")}>${icon("down")}</button>
     </div>`;
   }
 
