@@ -283,6 +283,8 @@ export interface RoadMetrics extends PathMetrics, Partial<RoadFigures> {
   /** Room that was asked for around the car, metres, and what the path keeps of it, 5 m at the ends left out. */
   margin?: number;
   marginKept?: number;
+  /** True if it is proven that no path on the map keeps the whole margin. */
+  marginExcluded?: boolean;
   /** Bytes of the arrays that planning holds. */
   bytes?: number;
 }
@@ -701,6 +703,8 @@ export interface PaperTable {
     printedLength: number | null;
     /** The printed length is below the straight line. */
     impossible: boolean;
+    /** The column whose median is nearest to the printed length; null where none is printed, or one that cannot be. */
+    closest: "lengthRaw" | "lengthPruned" | "lengthDp" | "lengthSmoothed" | null;
     /** In the order of the columns. */
     figures: Spread[];
   }[];
@@ -750,7 +754,7 @@ export interface RoadTable {
     metrics: Required<Pick<RoadMetrics,
       | "cost" | "turnsRaw" | "turnsPruned" | "startMoved" | "goalMoved" | "bytes" | "middleLength" | "bodyClearanceMin" | "bodyClearanceMean"
       | "sideClearanceMin" | "sideClearanceMean" | "curvatureVariation" | "middleCurvature" | "laneDeviationMax" | "laneDeviationMean"
-      | "laneLeftShare" | "margin" | "marginKept">>;
+      | "laneLeftShare" | "margin" | "marginKept" | "marginExcluded" | "bodyClearanceMeanCapped">>;
     risk: { trials: number; hits: number; discHits: number };
     milliseconds: number;
   }[];
@@ -1164,9 +1168,10 @@ export interface Judgement {
 export interface RoadFigures {
   /** Metres of that line. */
   middleLength: number;
-  /** Of the body, pointing along that line, 5 m at the ends left out; below zero where it overlaps. The mean counts at most 1.2 m. */
+  /** Of the body, pointing along that line, 5 m at the ends left out; below zero where it overlaps. The capped mean counts at most 1.2 m. */
   bodyClearanceMin: number;
   bodyClearanceMean: number;
+  bodyClearanceMeanCapped: number;
   /** Of the middle, less half the width. */
   sideClearanceMin: number;
   sideClearanceMean: number;

@@ -161,7 +161,7 @@ pub fn road_claims(tables: &[Value]) -> Result<Vec<Claim>, Error> {
     let fell = |id, range: (f64, f64), bound| Claim::new(id, [("change", range.into())], by(range, bound));
     let least = |path| rows.all(path).map(|all| all.into_iter().fold(f64::INFINITY, f64::min));
     let (mean, nearest) =
-        (least("/lines/1/metrics/bodyClearanceMean")?, least("/lines/1/metrics/bodyClearanceMin")?);
+        (least("/lines/1/metrics/bodyClearanceMeanCapped")?, least("/lines/1/metrics/bodyClearanceMin")?);
     let length = range("metrics/middleLength")?;
     Ok(vec![
         fell("R1", range("metrics/turnsPruned")?, TURNS),

@@ -9,6 +9,21 @@ import { say } from "./papers-words";
 /** Our columns that are compared with the printed ones. */
 export const SHOWN = { nodes: "generated", length: "lengthPruned" } as const;
 
+/** What a printed length may mean. */
+export const READINGS = ["lengthRaw", "lengthPruned", "lengthDp", "lengthSmoothed"] as const;
+
+/** A reading's median and its distance from the printed length. */
+export function readingOf(
+  lang: Lang,
+  { figures, printedLength }: PaperTable["lines"][number],
+  columns: readonly string[],
+  name: string,
+): string {
+  const median = figures[columns.indexOf(name)]?.median ?? 0,
+    percent = (median / (printedLength ?? 1) - 1) * 100;
+  return `${number(lang, median, 2)} (${percent < 0 ? "−" : "+"}${number(lang, Math.abs(percent), 1)} %)`;
+}
+
 /** Variants of planners that only these tables have. */
 const VARIANTS: Record<string, readonly [planner: string, name: (lang: Lang) => string]> = {
   "eight-octile": ["eight", (lang) => say(lang, "octile")],
@@ -66,6 +81,15 @@ export function papersMarkdown(lang: Lang, { tables, claims }: Summary, columns:
           ...three(line.figures[columns.indexOf(SHOWN.length)], 2),
         ]),
       );
+    }
+    parts.push("", row([say(lang, "planner"), say(lang, "printed"), ...READINGS.map((name) => say(lang, name))]));
+    parts.push(row(Array.from({ length: 2 + READINGS.length }, () => "---")));
+    for (const line of table.lines.filter(({ printedLength }) => printedLength !== null)) {
+      const cells = READINGS.map((name) => {
+        const cell = readingOf(lang, line, columns, name);
+        return line.closest === name ? `**${cell}**` : cell;
+      });
+      parts.push(row([lineName(lang, line.planner), number(lang, line.printedLength!, 2), ...cells]));
     }
     parts.push("");
   }
