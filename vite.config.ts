@@ -4,6 +4,7 @@ import { readdir, readFile, writeFile } from "node:fs/promises";
 import { join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
 import { defineConfig, type Plugin } from "vite";
+import { messages } from "./vite.messages";
 import { poster } from "./vite.poster";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
@@ -121,7 +122,15 @@ const workersAlone: Plugin = {
 type Graph = { getModuleInfo(id: string): { importers: readonly string[] } | null };
 
 export default defineConfig({
-  plugins: [poster(here("pkg/node.js")), squeezeTemplates, workersAlone, nameEmbedded, keepStylesheets, serviceWorker],
+  plugins: [
+    messages(here("www/src/i18n")),
+    poster(here("pkg/node.js")),
+    squeezeTemplates,
+    workersAlone,
+    nameEmbedded,
+    keepStylesheets,
+    serviceWorker,
+  ],
   root: here("www"),
   base: "./",
   resolve: {

@@ -1,12 +1,13 @@
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
+import { messages } from "./vite.messages";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
-/** The page's drawing as a module of the package: with its pieces at hand. */
+/** The page's drawing as a module of the package. */
 export default defineConfig({
+  plugins: [messages(here("www/src/i18n"))],
   publicDir: false,
-  resolve: { alias: [{ find: /^.*\/lazy-layers$/, replacement: here("www/src/picture/lazy-layers.ts") }] },
   build: {
     outDir: here("pkg"),
     emptyOutDir: false,

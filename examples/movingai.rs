@@ -2,7 +2,7 @@
 //!
 //! ```sh
 //! cargo run --release --example movingai -- check FOLDER      # every question of every map, by eight and jump-point
-//! cargo run --release --example movingai -- time MAP eight    # milliseconds for the questions on stdin, each its fastest of 15
+//! cargo run --release --example movingai -- time MAP eight    # milliseconds of the questions on stdin, the fastest of 15
 //! ```
 //!
 //! `check` compares every length with the printed one and walks every path again.

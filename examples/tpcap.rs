@@ -75,7 +75,8 @@ fn main() {
     }
     let config = config(&settings);
     println!(
-        "| scene | valid | length m (best known) | bound m | changes | clearance | level | margin | expanded | prepare ms | plan ms (best known) |"
+        "| scene | valid | length m (best known) | bound m | changes | clearance | level | margin | expanded | \
+         prepare ms | plan ms (best known) |"
     );
     println!("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |");
     let mut times = Vec::new();
@@ -126,13 +127,15 @@ fn entry(group: &str, name: &str, scene: &Scenario) -> Value {
         let settings = settings.into_iter().map(|(name, value)| (name.to_owned(), json!(value))).collect();
         let (plan, _, _, query) = run(scene, &settings);
         json!({
-            "verdict": plan.check.verdict.as_str(), "length": plan.metrics.length, "changes": plan.metrics.direction_changes,
+            "verdict": plan.check.verdict.as_str(),
+            "length": plan.metrics.length, "changes": plan.metrics.direction_changes,
             "query": query,
         })
     });
     json!({
         "group": group, "name": name, "scene": scene, "hash": plan.hash(),
-        "verdict": plan.check.verdict.as_str(), "length": plan.metrics.length, "changes": plan.metrics.direction_changes,
+        "verdict": plan.check.verdict.as_str(),
+            "length": plan.metrics.length, "changes": plan.metrics.direction_changes,
         "clearance": plan.metrics.min_clearance, "bound": report.rs_bound, "level": report.level,
         "margin": report.margin, "expanded": report.expanded,
         "prepare": prepare, "query": query,

@@ -246,11 +246,13 @@ fn bound(limits: &MotionLimits, length: f64) -> f64 {
 fn print_scenes(scenes: &[(String, Scenario)]) {
     println!("## Hybrid A*'s plans, optimised\n");
     println!(
-        "2.5 m/s, 1 m/s², 0.5 rad/s. `slow` and stop-and-steer drive the plan's own path within the same limits, as does what is left where nothing optimised passes (fallback); the bound is \
+        "2.5 m/s, 1 m/s², 0.5 rad/s. `slow` and stop-and-steer drive the plan's own path within the same limits, as \
+         does what is left where nothing optimised passes (fallback); the bound is \
          the length at those limits without a stop. Track: how far a simulated car strays at most.\n"
     );
     println!(
-        "| scene | made by | s | bound s | `slow` s | stop-and-steer s | fallback s | length m (plan's) | gear changes (plan's) | clearance m | track mm | passes | smoothness | TPCAP cost |"
+        "| scene | made by | s | bound s | `slow` s | stop-and-steer s | fallback s | length m (plan's) | gear \
+         changes (plan's) | clearance m | track mm | passes | smoothness | TPCAP cost |"
     );
     println!("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |");
     let (mut plans, mut optimised_plans, mut passing) = (0, 0, 0);
@@ -268,7 +270,8 @@ fn print_scenes(scenes: &[(String, Scenario)]) {
         let own = fallback(&geometry, &route, &options.limits).expect("valid limits");
         let figures = &made.check.figures;
         println!(
-            "| {name} | {} | {:.2} | {:.2} | {slow:.2} | {plain:.2} | {:.2} | {:.2} ({:.2}) | {} ({}) | {:.3} | {:.1} | {} | {:.1} | {:.0} |",
+            "| {name} | {} | {:.2} | {:.2} | {slow:.2} | {plain:.2} | {:.2} | {:.2} ({:.2}) | {} ({}) | {:.3} | {:.1} | {} | \
+             {:.1} | {:.0} |",
             made.stage.as_str(),
             figures.duration,
             bound(&options.limits, figures.length),

@@ -179,7 +179,8 @@ fn groups_are_read_and_test_modules_are_left_out() {
     let group = paths_of("crate::{a::{b, c}, d, e::f as g,}");
     assert_eq!(group, ["crate::a::b", "crate::a::c", "crate::d", "crate::e::f as g"]);
     let code = code_of(
-        "use x;\n#[cfg(test)]\nmod tests {\n    use crate::plan;\n}\n#[cfg(test)]\nmod more;\nuse crate::{\n  map, // crate::wasm\n  search,\n};\n",
+        "use x;\n#[cfg(test)]\nmod tests {\n    use crate::plan;\n}\n#[cfg(test)]\nmod more;\nuse crate::{\n  map, // \
+         crate::wasm\n  search,\n};\n",
     );
     let module = ["map".to_owned(), "risk".to_owned()];
     assert_eq!(used_by(&code, &module), ["map", "search"], "{code}");

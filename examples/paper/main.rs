@@ -16,7 +16,7 @@ mod volumes;
 use std::fmt::Write as _;
 use std::time::Instant;
 
-use parkade::papers::grid::{COLUMNS, ROWS, Table, measure, summary};
+use parkade::papers::grid::{COLUMNS, READINGS, ROWS, Table, measure, summary};
 use parkade::papers::{Claim, Spread, claims};
 
 fn main() {
@@ -66,20 +66,24 @@ fn main() {
 
 fn usage() {
     eprintln!(
-        "usage: cargo xtask paper grid [--seeds 200] [--json]\n       cargo xtask paper road [--json]\n       cargo xtask paper parking|settings|volumes [--json]"
+        "usage: cargo xtask paper grid [--seeds 200] [--json]\n       cargo xtask paper road [--json]\n       cargo \
+         xtask paper parking|settings|volumes [--json]"
     );
     std::process::exit(2);
 }
 
 fn markdown(tables: &[Table], claims: &[Claim]) -> String {
     let mut text = format!(
-        "# Hu et al. 2024, tables 3 and 4; Yuan 2020\n\n{} maps a row; median / 95th percentile / worst. \"Nodes\" are the cells that ever entered the open list; lengths in\ncells, after pruning. The papers' maps are not published.\n",
+        "# Hu et al. 2024, tables 3 and 4; Yuan 2020\n\n{} maps a row; median / 95th percentile / worst. \"Nodes\" \
+         are the cells that ever entered the open list; lengths in\ncells, after pruning. The papers' maps are not \
+         published.\n",
         tables.first().map_or(0, |t| t.maps)
     );
     for table in tables {
         let _ = write!(
             text,
-            "\n## Table {}: {} × {}, {}\n\n| planner | nodes, printed | nodes | expanded | length, printed | length | shortest over its cells | smoothed | ms |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
+            "\n## Table {}: {} × {}, {}\n\n| planner | nodes, printed | nodes | expanded | length, printed | length | \
+             shortest over its cells | smoothed | ms |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
             table.row.table, table.row.size, table.row.size, table.row.id
         );
         for line in &table.lines {
@@ -108,10 +112,12 @@ fn markdown(tables: &[Table], claims: &[Claim]) -> String {
         if table.lines.iter().any(|line| line.impossible) {
             let _ = writeln!(
                 text,
-                "\n⚠ shorter than the straight line between the printed end points, {:.4}: only ratios can be compared.",
+                "\n⚠ shorter than the straight line between the printed end points, {:.4}: only ratios can be \
+                 compared.",
                 table.straight
             );
         }
+        text.push_str(&readings(table));
         text.push_str("\n| ratio | printed | ours |\n| --- | --- | --- |\n");
         for ratio in &table.ratios {
             let printed = ratio.printed.map_or_else(|| "–".to_owned(), |v| format!("{v:.3}"));
@@ -126,9 +132,41 @@ fn markdown(tables: &[Table], claims: &[Claim]) -> String {
             );
         }
     }
-    text.push_str("\n## Claims\n\n| | the paper | ours | holds |\n| --- | --- | --- | --- |\n");
+    text.push_str(&closest(tables));
+    text.push_str("\n## Claims\n\n| claim | figures | holds |\n| --- | --- | --- |\n");
     for claim in claims {
-        let _ = writeln!(text, "| {} | {} | {} | {} |", claim.id, claim.text, claim.found, claim.holds);
+        let _ = writeln!(text, "{claim}");
+    }
+    text
+}
+
+/// What a printed length may mean, side by side: our medians, and how much they differ from it.
+fn readings(table: &Table) -> String {
+    let mut text = String::from(
+        "\n| length | printed | cells | pruned | shortest over the cells | smoothed |\n| --- | --- | --- | --- | --- | --- |\n",
+    );
+    for line in table.lines.iter().filter(|line| line.printed_length.is_some()) {
+        let _ = write!(text, "| {} | {} ", line.planner, line.printed_length.unwrap_or_default());
+        for reading in READINGS {
+            let at = COLUMNS.iter().position(|c| *c == reading).unwrap_or(0);
+            let share = (line.over_printed(reading).unwrap_or(1.0) - 1.0) * 100.0;
+            let mark = if line.closest == Some(reading) { "**" } else { "" };
+            let _ = write!(text, "| {mark}{:.2} ({share:+.1} %){mark} ", line.figures[at].median);
+        }
+        text.push_str("|\n");
+    }
+    text
+}
+
+/// On how many rows each reading is the nearest to the printed length.
+fn closest(tables: &[Table]) -> String {
+    let mut text = String::from(
+        "\n## Which length is printed\n\nRows on which a reading is the nearest to the printed length; rows with a length that cannot be are left out.\n\n| | cells | pruned | shortest over the cells | smoothed |\n| --- | --- | --- | --- | --- |\n",
+    );
+    for planner in ["four", "eight", "risk-field"] {
+        let lines = || tables.iter().flat_map(|t| &t.lines).filter(|line| line.planner == planner);
+        let count = |reading| lines().filter(|line| line.closest == Some(reading)).count().to_string();
+        let _ = writeln!(text, "| {planner} | {} |", READINGS.map(count).join(" | "));
     }
     text
 }

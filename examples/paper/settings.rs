@@ -18,7 +18,10 @@ pub(crate) fn print(as_json: bool) {
 
 fn markdown(tried: &[Tried], rows: &[Found]) -> String {
     let mut text = format!(
-        "# The traditional column of the parking paper\n\n{COMBINATIONS} combinations of the published program's settings, each on all ten rows. Lengths in metres in the paper's rounding.\n\n| row | printed: m, changes | combinations with 0 / 1 / 2 / 3 / 4 / 5 or more changes | without a path | nearest with the printed changes | settings |\n| --- | --- | --- | --- | --- | --- |\n"
+        "# The traditional column of the parking paper\n\n{COMBINATIONS} combinations of the published program's \
+         settings, each on all ten rows. Lengths in metres in the paper's rounding.\n\n| row | printed: m, changes | \
+         combinations with 0 / 1 / 2 / 3 / 4 / 5 or more changes | without a path | nearest with the printed changes \
+         | settings |\n| --- | --- | --- | --- | --- | --- |\n"
     );
     for (row, found) in ROWS.iter().zip(rows) {
         let counts: Vec<String> = found.changes.iter().map(ToString::to_string).collect();
@@ -43,7 +46,8 @@ fn markdown(tried: &[Tried], rows: &[Found]) -> String {
     if let (Some(changes), Some(both)) = (best(|t| t.same_changes), best(|t| t.same)) {
         let _ = write!(
             text,
-            "\nThe most rows with the printed number of changes: {} of {}, with {}.\nThe most rows with the printed length to half a metre, too: {}, with {}.\nThe published values: {} and {}.\n",
+            "\nThe most rows with the printed number of changes: {} of {}, with {}.\nThe most rows with the printed \
+             length to half a metre, too: {}, with {}.\nThe published values: {} and {}.\n",
             changes.same_changes,
             ROWS.len(),
             told(changes.combination),

@@ -26,7 +26,11 @@ pub(crate) fn print(as_json: bool) {
 
 fn markdown(all: &[Comparison]) -> String {
     let mut text = format!(
-        "# Bounding volumes, figures 4 and 5 of the parking paper\n\n{POSES} poses at random on each map (seed {SEED}), each volume against all lines, one after the other, and the exact body beside it.\nA false alarm is a hit where the body is free; missed is a body wholly behind a line, which no line tells.\n\n| scene | lines | collisions | volume | hits | false alarms | of free poses | missed | area, bodies | µs a pose |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n"
+        "# Bounding volumes, figures 4 and 5 of the parking paper\n\n{POSES} poses at random on each map (seed \
+         {SEED}), each volume against all lines, one after the other, and the exact body beside it.\nA false alarm is \
+         a hit where the body is free; missed is a body wholly behind a line, which no line tells.\n\n| scene | lines \
+         | collisions | volume | hits | false alarms | of free poses | missed | area, bodies | µs a pose |\n| --- | \
+         --- | --- | --- | --- | --- | --- | --- | --- | --- |\n"
     );
     for found in all {
         let free = f64::from(found.poses - found.collisions);

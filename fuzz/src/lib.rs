@@ -46,7 +46,8 @@ pub const TARGETS: &[Target] = &[
     },
     Target {
         name: "hybrid",
-        about: "hybrid A* among random obstacles, far from the origin too, against the validator and the Reeds-Shepp bound",
+        about: "hybrid A* among random obstacles, far from the origin too, against the validator and the Reeds-Shepp \
+            bound",
         sample: 20,
         run: |seed| Ok(random_scenes::plan(seed).outcome.as_str()),
     },

@@ -12,7 +12,8 @@ use crate::{Outcome, configs};
 
 const MAP: &str = "type octile\nheight 4\nwidth 5\nmap\n.@GT.\nS...@\nO..W.\n.....\n";
 const SCEN: &str = "version 1\n0\troom.map\t5\t4\t0\t0\t2\t0\t3.41421356\n1 room.map 5 4 1 2 3 1 2.41421\n";
-const YAML: &str = "image: lot.pgm\nresolution: 0.5\norigin: [-1.0, 2.0, 0.3]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+const YAML: &str = "image: lot.pgm\nresolution: 0.5\norigin: [-1.0, 2.0, 0.3]\nnegate: 0\noccupied_thresh: \
+    0.65\nfree_thresh: 0.196\n";
 const P2: &str = "P2\n# drawn by hand\n4 3\n255\n0 254 254 205\n205 254 0 254\n254 254 254 254\n";
 const P5: &[u8] = b"P5 4 3 255\n\x00\xfe\xfe\xcd\xfe\xfe\x00\xfe\xfe\xfe\xfe\xfe";
 const CASE: &str = "5,2,0.1,16,9,3.14,2,4,3,10,10,12,10,12,11,15,2,17,2,16,4.5,13,3";

@@ -283,6 +283,8 @@ export interface RoadMetrics extends PathMetrics, Partial<RoadFigures> {
   /** Room that was asked for around the car, metres, and what the path keeps of it, 5 m at the ends left out. */
   margin?: number;
   marginKept?: number;
+  /** True if it is proven that no path on the map keeps the whole margin. */
+  marginExcluded?: boolean;
   /** Bytes of the arrays that planning holds. */
   bytes?: number;
 }
@@ -701,14 +703,23 @@ export interface PaperTable {
     printedLength: number | null;
     /** The printed length is below the straight line. */
     impossible: boolean;
+    /** The column whose median is nearest to the printed length; null where none is printed, or one that cannot be. */
+    closest: "lengthRaw" | "lengthPruned" | "lengthDp" | "lengthSmoothed" | null;
     /** In the order of the columns. */
     figures: Spread[];
   }[];
   ratios: { figure: string; planner: string; overFigure: string; over: string; printed: number | null; ours: Spread }[];
 }
 
-/** A claim of a paper and what we find. */
-export interface PaperClaim { id: string; text: string; found: string; holds: "yes" | "no" | "partly" | "unknown" }
+/**
+ * A claim of a paper and what we find. `figures`: ratios, percentages, metres or counts by name; of several rows the smallest and
+ * the largest, null where none is measured.
+ */
+export interface PaperClaim {
+  id: "H1" | "H2" | "H3" | "Y1" | "Y2" | "Y3" | "Y4" | "K1" | "K2" | "K3" | "K4" | "K5" | "R1" | "R2" | "R3" | "R4" | "R5";
+  figures: Record<string, number | [low: number, high: number] | null>;
+  holds: "yes" | "no" | "partly" | "unknown";
+}
 
 /** Rows, planners and columns that `paperGrid` measures. `parkade` only, not `parkade/core`, as the next two. */
 export function paperGridRows(): { rows: PaperRow[]; planners: string[]; columns: string[] };
@@ -743,7 +754,7 @@ export interface RoadTable {
     metrics: Required<Pick<RoadMetrics,
       | "cost" | "turnsRaw" | "turnsPruned" | "startMoved" | "goalMoved" | "bytes" | "middleLength" | "bodyClearanceMin" | "bodyClearanceMean"
       | "sideClearanceMin" | "sideClearanceMean" | "curvatureVariation" | "middleCurvature" | "laneDeviationMax" | "laneDeviationMean"
-      | "laneLeftShare" | "margin" | "marginKept">>;
+      | "laneLeftShare" | "margin" | "marginKept" | "marginExcluded" | "bodyClearanceMeanCapped">>;
     risk: { trials: number; hits: number; discHits: number };
     milliseconds: number;
   }[];
@@ -1157,9 +1168,10 @@ export interface Judgement {
 export interface RoadFigures {
   /** Metres of that line. */
   middleLength: number;
-  /** Of the body, pointing along that line, 5 m at the ends left out; below zero where it overlaps. The mean counts at most 1.2 m. */
+  /** Of the body, pointing along that line, 5 m at the ends left out; below zero where it overlaps. The capped mean counts at most 1.2 m. */
   bodyClearanceMin: number;
   bodyClearanceMean: number;
+  bodyClearanceMeanCapped: number;
   /** Of the middle, less half the width. */
   sideClearanceMin: number;
   sideClearanceMean: number;

@@ -1,4 +1,4 @@
-//! Cubic B-splines fitted to points: as smooth as a given residual allows.
+//! Cubic B-splines; those with uniform knots are fitted to points: as smooth as a given residual allows.
 //!
 //! Clamped uniform knots; the sum of weighted squared residuals plus λ times that of the control points' third
 //! differences is least (penalised splines, Eilers & Marx 1996). The matrix is banded, so a fit costs what its points
@@ -13,7 +13,53 @@ const POWERS: (f64, f64) = (-4.0, 7.0);
 /// A cubic B-spline over u from 0 to 1.
 #[derive(Debug, Clone)]
 pub struct Spline {
-    controls: Vec<Point>,
+    pub(super) controls: Vec<Point>,
+    pub(super) knots: Knots,
+}
+
+/// Where the polynomials of a cubic spline join.
+#[derive(Debug, Clone)]
+pub(super) enum Knots {
+    /// Clamped, the inner ones evenly spaced.
+    Uniform,
+    /// As listed, four more than control points: 0 and 1 four times each, the inner ones between them.
+    Listed(Vec<f64>),
+}
+
+impl Knots {
+    /// Knot i of a spline with n control points.
+    fn at(&self, n: usize, i: usize) -> f64 {
+        match self {
+            Self::Uniform => knot(n, i),
+            Self::Listed(knots) => knots[i],
+        }
+    }
+
+    /// The last knot, before the end, that is not beyond u.
+    fn span(&self, n: usize, u: f64) -> usize {
+        match self {
+            Self::Uniform => ((u * (n - 3) as f64).floor().clamp(0.0, (n - 4) as f64)) as usize + 3,
+            Self::Listed(knots) => knots[4..n].partition_point(|&knot| knot <= u) + 3,
+        }
+    }
+
+    /// The functions of a degree that do not vanish at u: which control point the cubic ones begin with, and their
+    /// values.
+    pub(super) fn bases(&self, n: usize, u: f64, degree: usize) -> (usize, [f64; 4]) {
+        let span = self.span(n, u);
+        let mut values = [1.0, 0.0, 0.0, 0.0];
+        for d in 1..=degree {
+            let mut saved = 0.0;
+            for (r, value) in values[..d].iter_mut().enumerate() {
+                let (right, left) = (self.at(n, span + r + 1), self.at(n, span + r + 1 - d));
+                let share = *value / (right - left);
+                *value = saved + (right - u) * share;
+                saved = (u - left) * share;
+            }
+            values[d] = saved;
+        }
+        (span - 3, values)
+    }
 }
 
 /// A place on a spline.
@@ -54,7 +100,8 @@ impl Spline {
         fixed.extend(slopes[0].map(|slope| (1, ends[0] + slope * third)));
         fixed.extend(slopes[1].map(|slope| (count - 2, ends[1] - slope * third)));
         let system = System::new(points, &rows, weights, count);
-        let solve = |power: f64| Self { controls: system.solve(&fixed, power10(power)) };
+        let solve =
+            |power: f64| Self { controls: system.solve(&fixed, power10(power)), knots: Knots::Uniform };
         let is_near = |spline: &Self| spline.distance(points, &rows) <= sigma;
         let (mut low, mut high) = POWERS;
         let mut best = solve(high);
@@ -77,12 +124,13 @@ impl Spline {
     /// The place at u.
     pub fn at(&self, u: f64) -> Place {
         let n = self.controls.len();
-        let (first, values) = bases(n, u, 3);
+        let (first, values) = self.knots.bases(n, u, 3);
+        let knot = |i: usize| self.knots.at(n, i);
         let zeroth = [0, 1, 2, 3].map(|k| self.controls[first + k].coords);
         // Control point k of a derivative depends on two of the function's.
         let derived = |controls: &[Vector], degree: usize, k: usize| {
             let i = first + k + 4 - degree;
-            (controls[k + 1] - controls[k]) * (degree as f64 / (knot(n, i + degree) - knot(n, i)))
+            (controls[k + 1] - controls[k]) * (degree as f64 / (knot(i + degree) - knot(i)))
         };
         let slopes = [0, 1, 2].map(|k| derived(&zeroth, 3, k));
         let bends = [0, 1].map(|k| derived(&slopes, 2, k));
@@ -91,15 +139,9 @@ impl Spline {
         };
         Place {
             point: Point::from(sum(&zeroth, values)),
-            first: sum(&slopes, bases(n, u, 2).1),
-            second: sum(&bends, bases(n, u, 1).1),
+            first: sum(&slopes, self.knots.bases(n, u, 2).1),
+            second: sum(&bends, self.knots.bases(n, u, 1).1),
         }
-    }
-
-    /// Root mean square distance from points, metres.
-    pub fn residual(&self, points: &[Point], at: &[f64]) -> f64 {
-        let rows: Vec<_> = at.iter().map(|&u| basis(self.controls.len(), u)).collect();
-        self.distance(points, &rows)
     }
 
     fn distance(&self, points: &[Point], rows: &[(usize, [f64; 4])]) -> f64 {
@@ -122,24 +164,7 @@ fn knot(n: usize, i: usize) -> f64 {
 }
 
 fn basis(n: usize, u: f64) -> (usize, [f64; 4]) {
-    bases(n, u, 3)
-}
-
-/// The functions of a degree that do not vanish at u: which control point the cubic ones begin with, and their values.
-fn bases(n: usize, u: f64, degree: usize) -> (usize, [f64; 4]) {
-    let span = ((u * (n - 3) as f64).floor().clamp(0.0, (n - 4) as f64)) as usize + 3;
-    let mut values = [1.0, 0.0, 0.0, 0.0];
-    for d in 1..=degree {
-        let mut saved = 0.0;
-        for (r, value) in values[..d].iter_mut().enumerate() {
-            let (right, left) = (knot(n, span + r + 1), knot(n, span + r + 1 - d));
-            let share = *value / (right - left);
-            *value = saved + (right - u) * share;
-            saved = (u - left) * share;
-        }
-        values[d] = saved;
-    }
-    (span - 3, values)
+    Knots::Uniform.bases(n, u, 3)
 }
 
 /// The banded normal equations of a fit, without the penalty.
@@ -236,7 +261,8 @@ mod tests {
             let (points, at, spline) = wave(sigma);
             assert!((spline.at(0.0).point - points[0]).norm() < 1e-9);
             assert!((spline.at(1.0).point - points[100]).norm() < 1e-9);
-            let residual = spline.residual(&points, &at);
+            let rows: Vec<_> = at.iter().map(|&u| basis(30, u)).collect();
+            let residual = spline.distance(&points, &rows);
             assert!(residual <= sigma && residual > 0.95 * sigma, "{sigma}: {residual}");
         }
     }

@@ -6,6 +6,8 @@ pub mod bspline;
 pub mod math;
 mod pose;
 pub mod reeds_shepp;
+#[cfg(feature = "complete")]
+pub mod smoothing_spline;
 
 pub use pose::Pose;
 

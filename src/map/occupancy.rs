@@ -58,6 +58,15 @@ impl Occupancy {
         Self { width, height, stride, reciprocal, rimmed, around, weights: None }
     }
 
+    /// A map of blocked cells.
+    #[cfg(feature = "complete")]
+    pub fn blocked_everywhere(width: u32, height: u32) -> Self {
+        let mut map = Self::new(width, height);
+        map.rimmed.fill(1);
+        map.around.fill(0);
+        map
+    }
+
     /// A map drawn with characters: the first line is the northern row, `.` and blanks are free, the rest blocked.
     pub fn parse(drawing: &str) -> Self {
         let lines: Vec<&[u8]> = drawing.lines().map(str::as_bytes).filter(|l| !l.is_empty()).collect();

@@ -1,8 +1,8 @@
 //! The independent validator: exact footprint against exact obstacles, motion against the car's limits.
 
-use super::Body;
 #[cfg(feature = "complete")]
 use super::Narrowest;
+use super::{Body, FAR};
 use crate::geometry::{Pose, math};
 use crate::scenario::resolve::{Geometry, Owner};
 
@@ -11,7 +11,7 @@ const STEP: f64 = 0.02;
 /// Curvature above the limit by this factor is still the limit.
 const CURVATURE_SLACK: f64 = 1.001;
 /// Largest heading error that counts as arriving as asked, or starting along the heading, radians (5°).
-const HEADING_TOLERANCE: f64 = 0.0873;
+pub(crate) const HEADING_TOLERANCE: f64 = 0.0873;
 /// A step whose direction differs from the heading by more than this slides, radians.
 const SLIP_TOLERANCE: f64 = 0.02;
 
@@ -218,7 +218,7 @@ fn check_body(check: &mut Check, body: &Body, path: &[Pose], directions: &[i8]) 
             check.first_hit.get_or_insert(hit);
         }
         let guess = if room > 0.0 { room + moved + ROUNDING } else { body.buckets.side };
-        let clearance = if hit.is_some() { 0.0 } else { body.room(pose, guess) };
+        let clearance = if hit.is_some() { 0.0 } else { body.room(pose, guess, FAR) };
         room = clearance;
         check.min_clearance = check.min_clearance.min(clearance);
         sum += clearance;
@@ -262,7 +262,7 @@ fn hit_between(body: &Body, (from, room): (Pose, f64), to: Pose, gear: i8) -> Op
         let hit = body.hit(pose);
         if hit.is_none() && k >= measure && steps - k > PAUSE {
             measure = k + PAUSE;
-            free = moved + body.room(pose, body.buckets.side);
+            free = moved + body.room(pose, body.buckets.side, FAR);
         }
         if let Some(owner) = hit {
             return Some((owner, pose));

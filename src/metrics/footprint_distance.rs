@@ -191,17 +191,18 @@ impl Body {
 
     /// Distance from the body to the nearest obstacle, metres, at most [`FAR`]; 0 where it overlaps.
     pub fn clearance(&self, pose: Pose) -> f64 {
-        if self.hit(pose).is_some() { 0.0 } else { self.room(pose, self.buckets.side) }
+        if self.hit(pose).is_some() { 0.0 } else { self.room(pose, self.buckets.side, FAR) }
     }
 
-    /// [`Body::clearance`] where nothing is hit; faster the nearer above it `guess` is.
-    pub(super) fn room(&self, pose: Pose, guess: f64) -> f64 {
+    /// Distance to the nearest obstacle where nothing is hit, metres, at most `most`; faster the nearer above it `guess`
+    /// is.
+    pub(super) fn room(&self, pose: Pose, guess: f64, most: f64) -> f64 {
         let body = self.outline(pose, 0.0);
         let (low, high) = bounds(&body);
-        let mut reach = guess.min(FAR);
+        let mut reach = guess.min(most);
         loop {
             let margin = nalgebra::Vector2::new(reach, reach);
-            let mut best = FAR;
+            let mut best = most;
             for bucket in self.buckets.range(low - margin, high + margin) {
                 for &i in &self.buckets.edges[bucket] {
                     let edge = &self.edges[i as usize];
@@ -216,10 +217,10 @@ impl Body {
                     best = best.min(squared.sqrt());
                 }
             }
-            if best <= reach || reach >= FAR {
+            if best <= reach || reach >= most {
                 return best;
             }
-            reach = (reach * 2.0).min(FAR);
+            reach = (reach * 2.0).min(most);
         }
     }
 

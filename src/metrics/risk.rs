@@ -7,8 +7,8 @@
 
 use serde_json::{Map, Value};
 
-use super::Body;
 use super::road::Line;
+use super::{Body, FAR};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::{Pose, math};
 use crate::json;
@@ -105,7 +105,7 @@ pub fn collision_risk(geometry: &Geometry, body: &Body, path: &[Pose], options: 
     let inner: Vec<usize> = line.inner().collect();
     let rooms_of = |i: usize| {
         let pose = |k: usize| line.pose(i, offset(k));
-        rooms(|k| body.hit(pose(k)).is_some(), |k| body.signed_clearance(pose(k)))
+        rooms(|k| body.hit(pose(k)).is_some(), |k| body.signed_clearance(pose(k), FAR))
     };
     let bodies: Vec<Rooms> = inner.iter().map(|&i| rooms_of(i)).collect();
     let disc = |i: usize, k: usize| body.point_clearance(line.middle(i, offset(k)), side + NEAR) - side;

@@ -5,7 +5,7 @@
 
 use serde::Serialize;
 
-use super::{Body, FAR};
+use super::Body;
 use crate::geometry::{Point, Pose, math};
 use crate::planners::cost_map::{lane_at, lane_beside, legs};
 use crate::scenario::Lane;
@@ -15,7 +15,7 @@ use crate::scenario::resolve::Geometry;
 const STEP: f64 = 1.0;
 /// Nearer to the ends the body is not measured, since the road ends there, metres.
 pub(super) const ENDS: f64 = 5.0;
-/// The mean of the body's clearance counts no more than this, metres.
+/// The manuscript claims distances of 0.8 to this, metres: a capped mean counts no more.
 const MOST: f64 = 1.2;
 
 /// Metrics of a road planner's path.
@@ -37,6 +37,9 @@ pub struct RoadMetrics {
     /// Clearance that the path keeps, without 5 m at each end, metres. It is less than `margin` if no path that keeps
     /// the whole margin was found.
     pub margin_kept: f64,
+    /// True if it is proven that no path on the map keeps the whole margin; false where that is not known or not the
+    /// case.
+    pub margin_excluded: bool,
     /// Bytes of the arrays that planning holds.
     pub bytes: u64,
     /// Of the path.
@@ -52,8 +55,10 @@ pub struct Figures {
     pub middle_length: f64,
     /// Least distance of the body to anything, 5 m at the ends left out, metres; below zero where it overlaps.
     pub body_clearance_min: f64,
-    /// The mean, of at most 1.2 m everywhere.
+    /// The mean.
     pub body_clearance_mean: f64,
+    /// The mean, each place counted as 1.2 m at most, so that wide places do not make up for narrow ones.
+    pub body_clearance_mean_capped: f64,
     /// Least distance of the middle to anything, half the width taken off, metres.
     pub side_clearance_min: f64,
     /// The mean.
@@ -77,11 +82,12 @@ pub fn figures(geometry: &Geometry, body: &Body, lanes: &[Lane], path: &[Pose]) 
     let mut figures = Figures { middle_length: line.length, ..Figures::default() };
     (figures.curvature_variation, figures.middle_curvature) = line.bends();
     let side = geometry.vehicle.width / 2.0;
-    let sides = line.points.iter().map(|&p| body.point_clearance(p, FAR + side) - side);
+    let far = f64::INFINITY;
+    let sides = line.points.iter().map(|&p| body.point_clearance(p, far) - side);
     (figures.side_clearance_min, figures.side_clearance_mean) = least_and_mean(sides);
-    let rooms: Vec<f64> = line.inner().map(|i| body.signed_clearance(line.pose(i, 0.0))).collect();
-    figures.body_clearance_min = least_and_mean(rooms.iter().copied()).0;
-    figures.body_clearance_mean = least_and_mean(rooms.iter().map(|r| r.min(MOST))).1;
+    let rooms: Vec<f64> = line.inner().map(|i| body.signed_clearance(line.pose(i, 0.0), far)).collect();
+    (figures.body_clearance_min, figures.body_clearance_mean) = least_and_mean(rooms.iter().copied());
+    figures.body_clearance_mean_capped = least_and_mean(rooms.iter().map(|r| r.min(MOST))).1;
     let legs = legs(lanes);
     if !legs.is_empty() {
         let away: Vec<f64> =

@@ -1,7 +1,7 @@
 //! Distances that go on below zero where something is overlapped.
 
 use super::Body;
-use super::footprint_distance::{FAR, squared_to_segment};
+use super::footprint_distance::squared_to_segment;
 use crate::geometry::{Point, Pose};
 
 /// Points of the body's outline are at most this far apart where it overlaps something, metres; farther on bodies so
@@ -38,11 +38,12 @@ impl Body {
         if blocked { -distance } else { distance }
     }
 
-    /// Signed distance from the body's outline to the nearest obstacle or kerb, metres: exact where it overlaps
-    /// nothing, otherwise that of the deepest of points of the outline at most 0.24 m apart, of a ship's a 64th of it.
-    pub fn signed_clearance(&self, pose: Pose) -> f64 {
+    /// Signed distance from the body's outline to the nearest obstacle or kerb, metres, between `-most` and `most`: exact
+    /// where it overlaps nothing, otherwise that of the deepest of points of the outline at most 0.24 m apart, of a
+    /// ship's a 64th of it. `most` may be infinite, for every floor has an edge.
+    pub fn signed_clearance(&self, pose: Pose, most: f64) -> f64 {
         if self.hit(pose).is_none() {
-            return self.room(pose, self.buckets.side);
+            return self.room(pose, self.buckets.side, most);
         }
         let corners = self.outline(pose, 0.0).map(|p| p + self.origin.coords);
         let around = 2.0 * ((corners[1] - corners[0]).norm() + (corners[2] - corners[1]).norm());
@@ -52,7 +53,7 @@ impl Body {
             let way = corners[(i + 1) % 4] - a;
             let parts = (way.norm() / spacing).ceil().max(1.0);
             for k in 0..parts as u32 {
-                deepest = deepest.min(self.point_clearance(a + way * (f64::from(k) / parts), FAR));
+                deepest = deepest.min(self.point_clearance(a + way * (f64::from(k) / parts), most));
             }
         }
         deepest

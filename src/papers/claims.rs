@@ -1,36 +1,112 @@
 //! The papers' claims, judged on our rows.
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 
 use super::NaiveStop;
 use super::grid::{ROWS, Ratio, Table};
 
-/// A claim and what we find.
+/// A claim and what we find. Its sentences are the reader's, by its id.
 #[derive(Debug, Clone, Serialize)]
 pub struct Claim {
-    /// `H1` to `H3` of Hu et al. 2024, `Y1` to `Y4` of Yuan 2020.
+    /// `H1` to `H3` of Hu et al. 2024, `Y1` to `Y4` of Yuan 2020, `K1` to `K5` of the parking paper, `R1` to `R5` of
+    /// the road manuscript.
     pub id: &'static str,
-    /// The paper's claim.
-    pub text: &'static str,
-    /// Our finding: the range of medians over the rows.
-    pub found: String,
+    /// What we find, by name: ratios, percentages, metres or counts.
+    pub figures: BTreeMap<&'static str, Figure>,
     /// `yes`, `no`, `partly`, or `unknown` where rows are missing.
     pub holds: &'static str,
 }
 
-/// The claims, judged on the rows there are.
+impl Claim {
+    pub(super) fn new<const N: usize>(
+        id: &'static str,
+        figures: [(&'static str, Figure); N],
+        holds: &'static str,
+    ) -> Self {
+        Self { id, figures: figures.into(), holds }
+    }
+}
+
+/// A row of a Markdown table.
+impl std::fmt::Display for Claim {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        let figures: Vec<_> = self.figures.iter().map(|(name, figure)| format!("{name} {figure}")).collect();
+        write!(f, "| {} | {} | {} |", self.id, figures.join(", "), self.holds)
+    }
+}
+
+/// A figure that a claim is judged by.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Figure {
+    /// One number.
+    Number(f64),
+    /// The smallest and the largest of several rows' numbers; `None` where no row is measured.
+    Range(Option<(f64, f64)>),
+}
+
+impl From<f64> for Figure {
+    fn from(number: f64) -> Self {
+        Self::Number(number)
+    }
+}
+
+impl From<(f64, f64)> for Figure {
+    fn from((low, high): (f64, f64)) -> Self {
+        Self::Range((low <= high).then_some((low, high)))
+    }
+}
+
+impl std::fmt::Display for Figure {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        match self {
+            Self::Number(number) => write!(f, "{number:.3}"),
+            Self::Range(Some((low, high))) => write!(f, "{low:.3} to {high:.3}"),
+            Self::Range(None) => f.write_str("not measured"),
+        }
+    }
+}
+
+/// The claims of the grid papers, judged on the rows there are.
 pub fn claims(tables: &[Table]) -> Vec<Claim> {
-    let medians = |figure, planner, over| Range::of(tables, figure, planner, over);
     let complete = tables.len() == ROWS.len();
-    let judged = |id, text, found: String, holds| Claim {
-        id,
-        text,
-        found,
-        holds: if complete { holds } else { "unknown" },
+    let mut all: Vec<_> = risk_field_claims(tables).into_iter().chain(sixteen_claims(tables)).collect();
+    for claim in &mut all {
+        claim.holds = if complete { claim.holds } else { "unknown" };
+    }
+    all
+}
+
+/// The claims of Hu et al. 2024.
+fn risk_field_claims(tables: &[Table]) -> [Claim; 3] {
+    let over = |figure, planner| Range::of(tables, figure, "risk-field", planner);
+    let (eight, weighted) = (over("generated", "eight"), over("generated", "eight-weighted"));
+    let (four, pruned) = (over("generated", "four"), over("lengthPruned", "eight"));
+    let at_most = |Range(low, high): Range, bound: f64| {
+        if high <= bound {
+            "yes"
+        } else if low <= bound {
+            "partly"
+        } else {
+            "no"
+        }
     };
-    let share = |over| medians("generated", "risk-field", over);
-    let (eight, weighted, four) = (share("eight"), share("eight-weighted"), share("four"));
-    let pruned = medians("lengthPruned", "risk-field", "eight");
+    [
+        Claim::new(
+            "H1",
+            [("generated", eight.into()), ("weighted", weighted.into())],
+            if eight.1 < 0.4577 && weighted.0 > 0.4065 { "partly" } else { "no" },
+        ),
+        Claim::new("H2", [("generated", four.into())], at_most(four, 0.4939)),
+        Claim::new("H3", [("length", pruned.into())], at_most(pruned, 1.0059)),
+    ]
+}
+
+/// The claims of Yuan 2020.
+fn sixteen_claims(tables: &[Table]) -> [Claim; 4] {
+    let medians = |figure, planner, over| Range::of(tables, figure, planner, over);
     let (short16, turn16) =
         (medians("lengthRaw", "sixteen", "eight-octile"), medians("turnAngleDeg", "sixteen", "eight-octile"));
     // Milliseconds depend on the machine and its load: they are told, and counted work decides.
@@ -45,77 +121,53 @@ pub fn claims(tables: &[Table]) -> Vec<Claim> {
     // The same maps for any rows: the verdict does not depend on how many are measured.
     let naive = NaiveStop::measured();
     let longest = worst(tables, "lengthRaw", "sixteen-bidirectional");
-    vec![
-        judged(
-            "H1",
-            "The improved planner visits 0.41 to 0.46 of the nodes of eight neighbours.",
-            format!(
-                "generates {eight} of plain eight neighbours', {weighted} of theirs under the same weight"
-            ),
-            if eight.1 < 0.4577 && weighted.0 > 0.4065 { "partly" } else { "no" },
-        ),
-        judged(
-            "H2",
-            "The improved planner visits 0.36 to 0.49 of the nodes of four neighbours.",
-            format!("generates {four}"),
-            if four.1 < 0.4939 {
-                "yes"
-            } else if four.0 < 0.4939 {
-                "partly"
-            } else {
-                "no"
-            },
-        ),
-        judged(
-            "H3",
-            "Its path is at most 0.6 % longer than with eight neighbours.",
-            format!("{pruned} after pruning"),
-            if pruned.1 <= 1.0059 {
-                "yes"
-            } else if pruned.0 <= 1.0059 {
-                "partly"
-            } else {
-                "no"
-            },
-        ),
-        judged(
+    [
+        Claim::new(
             "Y1",
-            "Sixteen neighbours give shorter and smoother paths than eight, at clearly more time.",
-            format!("length {short16}, turning {turn16}, generated {work16}, time {time16}"),
+            [
+                ("length", short16.into()),
+                ("turning", turn16.into()),
+                ("generated", work16.into()),
+                ("time", time16.into()),
+            ],
             share_of(&[short16.1 < 1.0 && turn16.1 < 1.0, work16.0 > 1.0]),
         ),
-        judged(
+        Claim::new(
             "Y2",
-            "24 and 48 neighbours are no smoother, somewhat shorter, much slower.",
-            format!(
-                "24: length {short24}, generated {work24}, time {time24}; 48: length {short48}, turning {turn48}, \
-                 generated {work48}, time {time48} of sixteen's"
-            ),
+            [
+                ("length24", short24.into()),
+                ("generated24", work24.into()),
+                ("time24", time24.into()),
+                ("length48", short48.into()),
+                ("turning48", turn48.into()),
+                ("generated48", work48.into()),
+                ("time48", time48.into()),
+            ],
             share_of(&[
                 turn48.0 >= 1.0,
                 short24.1 < 1.0 && short48.1 < 1.0,
                 work24.0 > 1.0 && work48.0 > 1.0,
             ]),
         ),
-        judged(
+        Claim::new(
             "Y3",
-            "Sixteen neighbours from both ends keep the quality of the path and need the least time.",
-            format!(
-                "length {} of sixteen's in the median, {:.3} at worst; turning {}, generated {work_both}, time {time_both}",
-                both("lengthRaw"),
-                longest,
-                both("turnAngleDeg")
-            ),
+            [
+                ("length", both("lengthRaw").into()),
+                ("longest", longest.into()),
+                ("turning", both("turnAngleDeg").into()),
+                ("generated", work_both.into()),
+                ("time", time_both.into()),
+            ],
             share_of(&[longest <= 1.0, work_both.1 < 1.0]),
         ),
-        judged(
+        Claim::new(
             "Y4",
-            "Plain search from both ends can fail or loop where no common best node is found.",
-            format!(
-                "stopping at the same best node, on {} maps that have a path: none found on {}, a longer one than the \
-                 cheapest on {}, {:.2} of it at worst; no endless loop, because a closed cell stays closed",
-                naive.maps, naive.none, naive.longer, naive.worst
-            ),
+            [
+                ("maps", f64::from(naive.maps).into()),
+                ("none", f64::from(naive.none).into()),
+                ("longer", f64::from(naive.longer).into()),
+                ("worst", naive.worst.into()),
+            ],
             share_of(&[naive.none > 0]),
         ),
     ]
@@ -149,12 +201,8 @@ impl Range {
     }
 }
 
-impl std::fmt::Display for Range {
-    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-        if self.0 > self.1 {
-            f.write_str("not measured")
-        } else {
-            write!(f, "{:.3} to {:.3}", self.0, self.1)
-        }
+impl From<Range> for Figure {
+    fn from(Range(low, high): Range) -> Self {
+        (low, high).into()
     }
 }

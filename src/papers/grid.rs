@@ -35,6 +35,10 @@ pub const COLUMNS: [&str; 9] = [
     "milliseconds",
 ];
 
+/// What the printed column "path length" may mean, of [`COLUMNS`]: the cells, what pruning leaves of them, the shortest
+/// line over them, and the pruned path with rounded corners.
+pub const READINGS: [&str; 4] = ["lengthRaw", "lengthPruned", "lengthDp", "lengthSmoothed"];
+
 /// Planners that every map is given to, in this order.
 pub const PLANNERS: [&str; 11] = [
     "four",
@@ -224,8 +228,27 @@ pub struct Line {
     pub printed_length: Option<f64>,
     /// True if the printed length is below the straight line between the printed end points.
     pub impossible: bool,
+    /// The one of [`READINGS`] whose median is nearest to the printed length; `None` where none is printed, or one that
+    /// cannot be.
+    pub closest: Option<&'static str>,
     /// Our figures, in the order of [`COLUMNS`].
     pub figures: Vec<Spread>,
+}
+
+impl Line {
+    /// Our median over the printed length, by a reading.
+    pub fn over_printed(&self, reading: &str) -> Option<f64> {
+        let at = COLUMNS.iter().position(|c| *c == reading)?;
+        self.printed_length.map(|printed| self.figures[at].median / printed)
+    }
+
+    fn with_closest(self) -> Self {
+        let off =
+            |reading: &&str| self.over_printed(reading).map_or(f64::INFINITY, |ratio| (ratio - 1.0).abs());
+        let nearest = READINGS.into_iter().min_by(|a, b| off(a).total_cmp(&off(b)));
+        let closest = nearest.filter(|_| self.printed_length.is_some() && !self.impossible);
+        Self { closest, ..self }
+    }
 }
 
 /// One planner's figure over another's.
@@ -273,8 +296,10 @@ pub fn summary(row: &Row, figures: &[f64]) -> Result<Table, Error> {
                 printed_nodes: at.map(|k| row.nodes[k]),
                 printed_length: at.map(|k| row.lengths[k]),
                 impossible: at.is_some_and(|k| row.lengths[k] < row.straight()),
+                closest: None,
                 figures: COLUMNS.iter().map(|c| Spread::of(&column(figures, planner, c))).collect(),
             }
+            .with_closest()
         })
         .collect();
     let compared = [

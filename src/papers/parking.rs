@@ -58,13 +58,16 @@ const fn printed(time: f64, changes: u32, nodes: u32, length: f64) -> Printed {
 pub const ROWS: [Row; 10] = [
     Row { id: "P0", tables: [2, 2], parallel: false,
         traditional: printed(12.05, 2, 242, 24.1), improved: printed(11.35, 1, 228, 22.7), reach: (22.80, 0),
-        note: "The printed path is the shortest one without obstacles: the car's front crosses the slot's end by 0.09 m. Figure 12 has no obstacles." },
+        note: "The printed path is the shortest one without obstacles: the car's front crosses the slot's end by 0.09 \
+            m. Figure 12 has no obstacles." },
     Row { id: "P1", tables: [3, 6], parallel: false,
         traditional: printed(14.1, 2, 263, 26.2), improved: printed(13.2, 1, 247, 24.6), reach: (24.75, 0),
-        note: "The printed times are 1.0 and 0.9 s longer than the lengths at 2 m/s. The start touches a wall, so the margin is 0." },
+        note: "The printed times are 1.0 and 0.9 s longer than the lengths at 2 m/s. The start touches a wall, so the \
+            margin is 0." },
     Row { id: "P2", tables: [3, 6], parallel: false,
         traditional: printed(10.6, 2, 213, 21.2), improved: printed(9.55, 1, 192, 19.1), reach: (22.20, 1),
-        note: "The goal is printed as (−7.5, −π/2) for (−7, 5, −π/2). The paper's program drops the first 3.1 m: 22.2 m." },
+        note: "The goal is printed as (−7.5, −π/2) for (−7, 5, −π/2). The paper's program drops the first 3.1 m: 22.2 \
+            m." },
     Row { id: "P3", tables: [3, 6], parallel: false,
         traditional: printed(12.75, 2, 256, 25.5), improved: printed(11.6, 0, 233, 23.2), reach: (23.25, 0),
         note: "The goal is printed as (−2.5, −π/2) for (−2, 5, −π/2)." },
@@ -80,7 +83,8 @@ pub const ROWS: [Row; 10] = [
         traditional: printed(14.7, 3, 295, 29.4), improved: printed(13.05, 1, 262, 26.1), reach: (24.8, 1), note: "" },
     Row { id: "L3", tables: [8, 11], parallel: true,
         traditional: printed(13.35, 3, 268, 26.7), improved: printed(10.1, 1, 203, 20.2), reach: (26.50, 0),
-        note: "The straight line is 26.18 m long. Two dropped pieces of 3.1 m, or a start at x = 9, would explain 20.2 m." },
+        note: "The straight line is 26.18 m long. Two dropped pieces of 3.1 m, or a start at x = 9, would explain \
+            20.2 m." },
     Row { id: "L4", tables: [8, 11], parallel: true,
         traditional: printed(15.65, 4, 314, 31.3), improved: printed(12.5, 1, 251, 25.0), reach: (19.45, 0),
         note: "The shortest path without obstacles has 1.6 m of clearance here. The printed path is 29 % longer." },

@@ -1,5 +1,4 @@
-//! Section 4 of the road manuscript: its tables beside plain A*, our cost map, and its own method taken literally but
-//! for the spline, which is ours.
+//! Section 4 of the road manuscript: its tables beside plain A*, our cost map, and its own method taken literally.
 //!
 //! The manuscript publishes no geometry; the scenes are ours, built to what it says of them. Its distances are a
 //! ship's, so every scene also comes ten times as large with the ship of its appendix B.
@@ -253,7 +252,7 @@ fn promises(scene: &str, cells: u32, plain: &Line, ours: &Line) -> Vec<Promise> 
     let length = |line: &Line| line.metrics.figures.middle_length;
     let turns = |line: &Line| f64::from(line.metrics.turns_pruned);
     let variation = |line: &Line| line.metrics.figures.curvature_variation;
-    let mean = |line: &Line| line.metrics.figures.body_clearance_mean;
+    let mean = |line: &Line| line.metrics.figures.body_clearance_mean_capped;
     let least = |line: &Line| line.metrics.figures.body_clearance_min;
     let hits = |line: &Line| f64::from(line.risk.hits);
     let curvature = |line: &Line| line.metrics.figures.middle_curvature;

@@ -1,4 +1,4 @@
-//! Claims of the parking paper and of the road manuscript, each judged in a sentence on our rows. No verdict depends on
+//! Claims of the parking paper and of the road manuscript, each judged by figures on our rows. No verdict depends on
 //! a clock.
 
 use serde_json::Value;
@@ -96,44 +96,45 @@ pub fn parking_claims(tables: &[Value]) -> Result<Vec<Claim>, Error> {
     let theirs = metres("/row/improved/length")?;
     let (before, after) = (rows.all("/lines/0/exact")?, rows.all("/lines/1/exact")?);
     let shorter = possible.iter().filter(|&&row| after[row] <= before[row] + 0.005).count();
-    let time = |id, text, Saved { printed, over_forward, over_classic, said }: Saved| Claim {
-        id,
-        text,
-        found: format!(
-            "its rows print {printed:.2} %, and that is driving time; from the goal ours saves {over_forward:.2} % against from the start and {over_classic:.2} % against the coarse and greedy planner"
-        ),
-        holds: share_of(&[over_forward >= said, over_classic >= said]),
+    let time = |id, Saved { printed, over_forward, over_classic, said }: Saved| {
+        let figures = [
+            ("printed", printed.into()),
+            ("overForward", over_forward.into()),
+            ("overClassic", over_classic.into()),
+        ];
+        Claim::new(id, figures, share_of(&[over_forward >= said, over_classic >= said]))
     };
     Ok(vec![
-        time("K1", "In perpendicular slots reverse search takes 8.18 % less time.", saved[0]),
-        time("K2", "In parallel slots reverse search takes 20.53 % less time.", saved[1]),
-        Claim {
-            id: "K3",
-            text: "Reverse search searches less.",
-            found: format!(
-                "{} poses expanded in all ten rows from the start, {} from the goal; more from the goal on {worse} of them",
-                work[0], work[1]
-            ),
-            holds: share_of(&[work[1] < work[0], worse == 0]),
-        },
-        Claim {
-            id: "K4",
-            text: "Reverse search changes gear less often.",
-            found: format!(
-                "printed {} and {} in all rows; ours {} from the start, {} from the goal, {} coarse and greedy",
-                printed[0], printed[1], changes[0], changes[1], changes[2]
-            ),
-            holds: share_of(&[changes[1] < changes[0], changes[1] < changes[2]]),
-        },
-        Claim {
-            id: "K5",
-            text: "Reverse search gives shorter paths.",
-            found: format!(
-                "on the {} rows that can be driven {from_start:.1} m from the start, {ours:.1} m from the goal, {coarse:.1} m coarse and greedy; printed {theirs:.1} m. From the goal no longer than from the start on {shorter} of them",
-                possible.len()
-            ),
-            holds: share_of(&[shorter == possible.len(), ours < coarse]),
-        },
+        time("K1", saved[0]),
+        time("K2", saved[1]),
+        Claim::new(
+            "K3",
+            [("forward", work[0].into()), ("reverse", work[1].into()), ("worse", (worse as f64).into())],
+            share_of(&[work[1] < work[0], worse == 0]),
+        ),
+        Claim::new(
+            "K4",
+            [
+                ("traditional", printed[0].into()),
+                ("improved", printed[1].into()),
+                ("forward", changes[0].into()),
+                ("reverse", changes[1].into()),
+                ("classic", changes[2].into()),
+            ],
+            share_of(&[changes[1] < changes[0], changes[1] < changes[2]]),
+        ),
+        Claim::new(
+            "K5",
+            [
+                ("rows", (possible.len() as f64).into()),
+                ("forward", from_start.into()),
+                ("reverse", ours.into()),
+                ("classic", coarse.into()),
+                ("printed", theirs.into()),
+                ("shorter", (shorter as f64).into()),
+            ],
+            share_of(&[shorter == possible.len(), ours < coarse]),
+        ),
     ])
 }
 
@@ -157,37 +158,25 @@ pub fn road_claims(tables: &[Value]) -> Result<Vec<Claim>, Error> {
         Ok(changes.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), c| (low.min(c), high.max(c))))
     };
     let by = |(low, high): (f64, f64), bound: f64| share_of(&[high <= bound, low <= bound]);
-    let fell = |id, text, range: (f64, f64), bound| Claim {
-        id,
-        text,
-        found: format!("{:.0} to {:.0} % on curve, crossing and narrow road", range.0, range.1),
-        holds: by(range, bound),
-    };
+    let fell = |id, range: (f64, f64), bound| Claim::new(id, [("change", range.into())], by(range, bound));
     let least = |path| rows.all(path).map(|all| all.into_iter().fold(f64::INFINITY, f64::min));
     let (mean, nearest) =
-        (least("/lines/1/metrics/bodyClearanceMean")?, least("/lines/1/metrics/bodyClearanceMin")?);
+        (least("/lines/1/metrics/bodyClearanceMeanCapped")?, least("/lines/1/metrics/bodyClearanceMin")?);
     let length = range("metrics/middleLength")?;
     Ok(vec![
-        fell("R1", "Turning points fall by 55 to 65 %.", range("metrics/turnsPruned")?, TURNS),
-        fell(
-            "R2",
-            "The change of curvature falls by 75 to 85 %.",
-            range("metrics/curvatureVariation")?,
-            BENDING,
+        fell("R1", range("metrics/turnsPruned")?, TURNS),
+        fell("R2", range("metrics/curvatureVariation")?, BENDING),
+        Claim::new(
+            "R3",
+            [("mean", mean.into()), ("least", nearest.into())],
+            share_of(&[mean >= CLEARANCE, nearest >= CLEARANCE]),
         ),
-        Claim {
-            id: "R3",
-            text: "Obstacles stay 0.8 to 1.2 m away.",
-            found: format!("{mean:.2} m in the mean and {nearest:.2} m at least on all four scenes"),
-            holds: share_of(&[mean >= CLEARANCE, nearest >= CLEARANCE]),
-        },
-        fell("R4", "Of 1000 drives 95 % fewer collide.", range("risk/hits")?, HITS),
-        Claim {
-            id: "R5",
-            text: "The path is 1.8 to 4.7 % longer.",
-            found: format!("{:.1} to {:.1} %: staircases make plain A* longer", length.0, length.1),
-            holds: if length.0 >= 1.8 && length.1 <= 4.7 { "yes" } else { "no" },
-        },
+        fell("R4", range("risk/hits")?, HITS),
+        Claim::new(
+            "R5",
+            [("change", length.into())],
+            if length.0 >= 1.8 && length.1 <= 4.7 { "yes" } else { "no" },
+        ),
     ])
 }
 
@@ -210,7 +199,7 @@ mod tests {
         assert!((across.printed - 8.18).abs() < 0.005 && (along.printed - 20.26).abs() < 0.005);
         let claims = parking_claims(&tables).unwrap();
         for claim in &claims {
-            println!("{} {}: {} – {}", claim.id, claim.text, claim.found, claim.holds);
+            println!("{}: {:?} – {}", claim.id, claim.figures, claim.holds);
         }
         assert_eq!(claims.iter().map(|c| c.id).collect::<String>(), "K1K2K3K4K5");
         // Row by row, a tree from the slot is far smaller.
@@ -232,7 +221,7 @@ mod tests {
         assert!(road_claims(&tables[1..]).unwrap().is_empty());
         let claims = road_claims(&tables).unwrap();
         for claim in &claims {
-            println!("{} {}: {} – {}", claim.id, claim.text, claim.found, claim.holds);
+            println!("{}: {:?} – {}", claim.id, claim.figures, claim.holds);
         }
         assert!(claims.iter().all(|c| ["yes", "partly", "no"].contains(&c.holds)) && claims.len() == 5);
     }

@@ -274,7 +274,8 @@ impl Finish<'_> {
             Status::NoPath => {
                 let near = self.world.frame.center(self.report.closest);
                 format!(
-                    "No way through: all {} cells that can be reached were searched; the nearest to the goal is ({:.2}, {:.2}).",
+                    "No way through: all {} cells that can be reached were searched; the nearest to the goal is \
+                     ({:.2}, {:.2}).",
                     self.report.generated, near.x, near.y
                 )
             }

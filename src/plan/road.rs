@@ -10,11 +10,11 @@ use super::{Driven, NEAR, STEP, TRACE, measured};
 use crate::error::Error;
 use crate::geometry::bspline::Spline;
 use crate::geometry::{Point, Pose, Vector};
-use crate::metrics::Verdict;
 use crate::metrics::road::{self, RoadMetrics};
+use crate::metrics::{FAR, Verdict};
 use crate::planners::cost_map::{
     Config, CostMap, Curves, Query, Report, RoadRasters, Scratch, Smoothing, Status, Traffic, corners, dense,
-    kerb_distances, paper_spline, plan,
+    is_excluded, kerb_distances, paper_spline, plan,
 };
 use crate::scenario::Scenario;
 use crate::search::{Trace, Watch};
@@ -111,10 +111,13 @@ impl Engine {
         plan.raw_path = report.cells.iter().map(|&c| world.frame.center(c)).collect();
         plan.stats = stats(&report);
         if found {
-            let kept = kept(&plan).min(self.config.kept());
-            if kept < self.config.kept() - MARGIN_TOLERANCE {
+            let margin = self.config.kept();
+            let kept = kept(world, &plan, margin).min(margin);
+            let is_short = kept < margin - MARGIN_TOLERANCE;
+            if is_short {
                 plan.detail = plan.detail.or(Some("less-margin"));
             }
+            let needed = radius(world) + margin - MARGIN_TOLERANCE;
             let figures = road::figures(&world.geometry, &world.body, &self.traffic.lanes, &plan.path);
             plan.metrics.road = Some(RoadMetrics {
                 cost: report.cost,
@@ -122,8 +125,9 @@ impl Engine {
                 turns_pruned: corners(&report.pruned).len() as u32,
                 start_moved: report.moved[0],
                 goal_moved: report.moved[1],
-                margin: self.config.kept(),
+                margin,
                 margin_kept: kept,
+                margin_excluded: is_short && is_excluded(&self.ground, middles(world), needed, ENDS),
                 bytes: report.bytes as u64,
                 figures,
             });
@@ -178,7 +182,14 @@ impl Engine {
 }
 
 /// The least room around the car, metres, without 5 m at the ends, where it stands as it is asked to.
-fn kept(plan: &Plan) -> f64 {
+fn kept(world: &World, plan: &Plan, margin: f64) -> f64 {
+    // The check's clearances go no farther.
+    let exact: Vec<f64> = if margin < FAR {
+        Vec::new()
+    } else {
+        plan.path.iter().map(|pose| world.body.signed_clearance(*pose, margin + 1.0)).collect()
+    };
+    let clearances = if exact.is_empty() { &plan.check.clearances } else { &exact };
     let mut station = 0.0;
     let mut stations = vec![station];
     for pair in plan.path.windows(2) {
@@ -186,7 +197,7 @@ fn kept(plan: &Plan) -> f64 {
         stations.push(station);
     }
     let inner = ENDS..=station - ENDS;
-    let rooms = plan.check.clearances.iter().zip(&stations);
+    let rooms = clearances.iter().zip(&stations);
     let least =
         rooms.filter(|room| inner.contains(room.1)).fold(f64::INFINITY, |least, room| least.min(*room.0));
     if least.is_finite() { least } else { plan.check.min_clearance }
@@ -262,7 +273,8 @@ fn outcome(world: &World, query: &Query, status: Status) -> Outcome {
 fn reason(query: &Query, report: &Report) -> Option<String> {
     let room = |end: &str, at: Point| {
         format!(
-            "The car's middle at the {end}, ({:.2}, {:.2}), has no road or obstacles nearer than {:.2} m, and so has everything within 1.5 m.",
+            "The car's middle at the {end}, ({:.2}, {:.2}), has no road or obstacles nearer than {:.2} m, and so has \
+             everything within 1.5 m.",
             at.x, at.y, query.radius
         )
     };

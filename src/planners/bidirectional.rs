@@ -1,8 +1,8 @@
 //! Grid A* from start and goal at once, with any neighbourhood (Yuan 2020).
 //!
-//! The paper stops at "the same best node". Taken literally ([`Stop::Naive`]) the two searches can pass each other, so by
-//! default the search stops where they meet, which is fast but not always the cheapest; NBA* (Pijls and Post 2009) goes
-//! on until nothing cheaper can exist. Estimates are the exact costs over an empty map.
+//! The paper stops at "the same best node". Taken literally ([`Stop::Naive`]) the two searches can pass each other, so
+//! by default the search stops where they meet, which is fast but not always the cheapest; NBA* (Pijls and Post 2009)
+//! goes on until nothing cheaper can exist. Estimates are the exact costs over an empty map.
 
 use super::grid_lattice::Grid;
 use super::heuristics::{Chosen, Estimate, Heuristic, Octile};
@@ -28,7 +28,9 @@ parameters! {
         stop: Stop = Stop::First,
             spec("stop", Form::Choice(&["first", "best", "nba", "naive"]), "1", true,
                  ["Stop", "停止规则"],
-                 ["First: where the two meet; best: the best connection until then; nba: the cheapest path; naive: both take up the same cell (the paper), which can fail.", "first：相遇即停；best：其间最佳连接；nba：最短路径；naive：两侧同时取到同一格（论文），可能失败。"]);
+                 ["First: where the two meet; best: the best connection until then; nba: the cheapest path; naive: \
+                   both take up the same cell (the paper), which can fail.",
+                  "first：相遇即停；best：其间最佳连接；nba：最短路径；naive：两侧同时取到同一格（论文），可能失败。"]);
     }
     /// The settings that all grid planners share.
     shared common: Common = Common::PLAIN;

@@ -33,7 +33,8 @@ pub enum Neighbourhood {
     FortyEight,
 }
 
-json::words!(Neighbourhood: "four" = Four, "eight" = Eight, "sixteen" = Sixteen, "twenty-four" = TwentyFour, "forty-eight" = FortyEight);
+json::words!(Neighbourhood:
+    "four" = Four, "eight" = Eight, "sixteen" = Sixteen, "twenty-four" = TwentyFour, "forty-eight" = FortyEight);
 
 /// A step to another cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -161,7 +161,10 @@ macro_rules! parameters {
         pub struct $type:ident {
             $($(#[$doc:meta])* $field:ident: $kind:ty = $default:expr, $spec:expr;)*
         }
-        $($(#[$shared_doc:meta])* shared $shared:ident: $Shared:ty = $shared_default:expr $(, without $left_out:literal)?;)?
+        $(
+            $(#[$shared_doc:meta])*
+            shared $shared:ident: $Shared:ty = $shared_default:expr $(, without $left_out:literal)?;
+        )?
     ) => {
         use $crate::planners::parameters::Parameters as _;
 
@@ -205,7 +208,10 @@ macro_rules! parameters {
             #[inline(never)]
             fn fields(&mut self) -> Vec<$crate::planners::parameters::Field<'_>> {
                 const SPECS: &[$crate::planners::parameters::ParameterSpec] = &[$($spec),*];
-                $crate::planners::parameters::joined(SPECS, vec![$(&mut self.$field),*], parameters!(@shared self $($shared $($left_out)?)?))
+                $crate::planners::parameters::joined(
+                    SPECS,
+                    vec![$(&mut self.$field),*],
+                    parameters!(@shared self $($shared $($left_out)?)?))
             }
         }
 

@@ -119,7 +119,8 @@ parameters! {
         inflation: Inflation = Inflation::None,
             spec("inflation", Form::Choice(&["none", "width", "half-diagonal"]), "1", true,
                  ["Safety space", "安全空间"],
-                 ["Keeps the path this far from obstacles: nothing, half the car's width, half its diagonal.", "与障碍保持的距离：零、半车宽或半对角线。"]);
+                 ["Keeps the path this far from obstacles: nothing, half the car's width, half its diagonal.",
+                  "与障碍保持的距离：零、半车宽或半对角线。"]);
         /// Extra room, metres.
         margin: f64 = 0.0,
             spec("margin", Form::Number(0.0, 2.0, 0.05), "m", true,
@@ -128,12 +129,14 @@ parameters! {
         min_passage: u32 = 1,
             spec("minPassage", Form::Integer(1.0, 8.0), "cells", false,
                  ["Narrowest passage", "最窄通道"],
-                 ["Closes passages narrower than this many cells; 1 closes none. Start and goal stay connected.", "封闭窄于此格数的通道；1 为不封闭。起终点保持连通。"]).within(1.0, 64.0).complete_only();
+                 ["Closes passages narrower than this many cells; 1 closes none. Start and goal stay connected.",
+                  "封闭窄于此格数的通道；1 为不封闭。起终点保持连通。"]).within(1.0, 64.0).complete_only();
         /// Pockets into which no square of this many cells fits are closed; 1 closes none.
         trap_mouth: u32 = 1,
             spec("trapMouth", Form::Integer(1.0, 16.0), "cells", false,
                  ["Pockets", "陷阱填充"],
-                 ["Closes dead ends into which no square of this many cells fits; 1 closes none.", "封闭容不下此边长方块的死胡同；1 为不封闭。"]).within(1.0, 64.0).complete_only();
+                 ["Closes dead ends into which no square of this many cells fits; 1 closes none.",
+                  "封闭容不下此边长方块的死胡同；1 为不封闭。"]).within(1.0, 64.0).complete_only();
         /// Post-processing of the raw path.
         post: Post = Post::None,
             spec("post", Form::Choice(&["none", "prune", "prune-dp", "smooth"]), "1", true,
@@ -147,7 +150,8 @@ parameters! {
         min_radius: MinRadius = MinRadius::Cells(1.0),
             spec("minRadius", Form::NumberOr(0.0, 40.0, 0.5, &["vehicle"]), "cells", true,
                  ["Smallest arc", "最小圆弧"],
-                 ["Arcs tighter than this stay corners; \"vehicle\" is the car's own limit.", "更小的圆弧保留为折角；vehicle 为车辆极限。"]).within(0.0, 1000.0);
+                 ["Arcs tighter than this stay corners; \"vehicle\" is the car's own limit.",
+                  "更小的圆弧保留为折角；vehicle 为车辆极限。"]).within(0.0, 1000.0);
         /// Expansions after which the search gives up.
         max_expansions: u32 = MAX_EXPANSIONS,
             EXPANSIONS;

@@ -155,7 +155,8 @@ mod tests {
         json!({
             "version": 1,
             "map": { "origin": [0.0, 0.0], "width": 40, "height": 40, "resolution": 0.5 },
-            "lanes": [{ "start": { "x": 1, "y": 2, "heading": 0 }, "pieces": [{ "length": 4 }, { "length": 3, "curvature": 0.5 }], "width": 3.5 }],
+            "lanes": [{ "start": { "x": 1, "y": 2, "heading": 0 },
+                "pieces": [{ "length": 4 }, { "length": 3, "curvature": 0.5 }], "width": 3.5 }],
             "speedLimits": [{ "points": [[0, 0], [4, 0], [4, 4]], "speed": 5 }],
             "start": { "x": 2.0, "y": 5.0, "heading": 0.0 },
             "goal": { "x": 12.0, "y": 5.0, "heading": 0.0 },

@@ -86,7 +86,8 @@ impl Road {
             let radius = corner.curvature.abs().recip();
             if radius < self.half() + INNER {
                 let message = format!(
-                    "must turn less or have longer ways beside it: the middle's radius is {radius:.2} m, half the road {:.2} m wide",
+                    "must turn less or have longer ways beside it: the middle's radius is {radius:.2} m, half the \
+                     road {:.2} m wide",
                     self.half()
                 );
                 return bad(&format!("points[{}]", i + 1), message);

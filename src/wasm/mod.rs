@@ -187,7 +187,8 @@ impl RawPlanner {
                     #[cfg(not(feature = "complete"))]
                     let message = "no option of plan; there are trace, start, goal, onProgress";
                     #[cfg(feature = "complete")]
-                    let message = "no option of plan; there are trace, start, goal, onProgress, prefer, alternatives, onImproved, stickiness";
+                    let message = "no option of plan; there are trace, start, goal, onProgress, prefer, alternatives, \
+                        onImproved, stickiness";
                     return Err(refused(&name, message));
                 }
             }

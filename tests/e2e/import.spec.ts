@@ -126,7 +126,8 @@ test("a bad file says its line, and the scene stays", async ({ page }) => {
   );
   await choose(page, ["notes.txt", "hello"]);
   await expect(page.locator("parkade-notices .notice.err")).toContainText("notes.txt");
-  await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ lang: "zh" }));
+  await page.locator("parkade-playground").evaluate((playground) => playground.setAttribute("lang", "zh"));
+  await expect(page.getByRole("toolbar", { name: "场景与工具" })).toBeVisible();
   await choose(page, ["room.map", lines.join("\n")]);
   await expect(page.locator("parkade-notices .notice.err")).toContainText("第 8 行");
   expect(await sceneOf(page)).toEqual(before);

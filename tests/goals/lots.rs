@@ -41,7 +41,8 @@ fn row(random: &mut Random, slots: &mut Vec<Value>, [from, to]: [f64; 2], y: f64
     while x + pitch / 2.0 <= to - shift {
         let mut slot = json!({
             "id": format!("slot-{}", slots.len() + 1), "kind": kind, "x": x, "y": y,
-            "heading": if up { HALF_TURN / 2.0 } else { -HALF_TURN / 2.0 }, "width": width, "length": length, "occupied": true,
+            "heading": if up { HALF_TURN / 2.0 } else { -HALF_TURN / 2.0 },
+            "width": width, "length": length, "occupied": true,
         });
         if kind == "angled" {
             (slot["angle"], slot["lean"]) = (json!(angle), json!(lean));

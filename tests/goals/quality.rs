@@ -45,7 +45,8 @@ fn the_cheapest_of_ten_slots_is_taken_at_little_more_work_than_one() {
     let median = work[work.len() / 2];
     let [taken, middle] = [one, some].map(|sum| checks as f64 / sum as f64);
     println!(
-        "within 5 %: {near} of {LOTS}; collision checks against the goal taken, alone: median {median:.2}, sum {taken:.2}; against the middle goal: {middle:.3}"
+        "within 5 %: {near} of {LOTS}; collision checks against the goal taken, alone: median {median:.2}, sum \
+         {taken:.2}; against the middle goal: {middle:.3}"
     );
     assert!(100 * near >= 95 * LOTS, "{near} of {LOTS} are within 5 % of the best");
     assert!(median <= 1.5 && middle <= 0.5, "{median} {middle}");

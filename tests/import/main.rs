@@ -14,7 +14,8 @@ mod rosmap;
 const MAP: &str = "type octile\nheight 3\nwidth 4\nmap\n.@GT\nS...\nO..W\n";
 const SCEN: &str =
     "version 1\n0\tmaps/room.map\t4\t3\t0\t0\t2\t0\t3.41421356\n1 room.map 4 3 1 2 3 1 2.41421\n";
-const YAML: &str = "image: lot.pgm\nresolution: 0.5\norigin: [-1.0, 2.0, 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+const YAML: &str = "image: lot.pgm\nresolution: 0.5\norigin: [-1.0, 2.0, 0.0]\nnegate: 0\noccupied_thresh: \
+    0.65\nfree_thresh: 0.196\n";
 const P2: &str = "P2\n# drawn by hand\n3 2\n255\n0 254 254\n205 254 0\n";
 
 fn file<'a>(name: &'a str, text: &'a str) -> File<'a> {

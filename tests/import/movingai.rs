@@ -63,7 +63,8 @@ fn without_questions_the_way_leads_through_the_largest_room() {
 
 #[test]
 fn without_questions_the_car_stands_free_where_there_is_room() {
-    let yaml = "image: hall.pgm\nresolution: 0.5\norigin: [-10.0, -5.0, 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+    let yaml = "image: hall.pgm\nresolution: 0.5\norigin: [-10.0, -5.0, 0.0]\nnegate: 0\noccupied_thresh: \
+        0.65\nfree_thresh: 0.196\n";
     let turned = yaml.replace("-5.0, 0.0]", "-5.0, 0.4]");
     // A hall of 40 m × 30 m with a wall into it from below.
     let wall = |x: u32, y: u32| x == 0 || y == 0 || x == 79 || y == 59 || (x / 4 == 9 && y > 30);

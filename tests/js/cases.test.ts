@@ -12,7 +12,7 @@ import {
   type PlannerId,
   type Scenario,
 } from "parkade";
-import { captionOf, CASES, PRINTED } from "../../www/src/panels/planner-showcases";
+import { captionOf, CASES, PRINTED, questionOf } from "../../www/src/panels/planner-showcases";
 
 const solved = new Map<string, Plan>();
 
@@ -218,7 +218,7 @@ describe("captions of the gallery", () => {
       for (const texts of [
         scenarios().map((one) => captionOf(one, lang)),
         scenarios().map((one) => one.title[lang]),
-        CASES.flatMap(([, both]) => [both.best, both.worst].map(({ question }) => question[lang === "zh" ? 1 : 0])),
+        CASES.flatMap(([, both]) => [both.best, both.worst].map((one) => questionOf(lang, one))),
       ]) {
         expect(texts.filter((text, at) => texts.indexOf(text) !== at)).toEqual([]);
         expect(texts.length).toBeGreaterThan(25);
@@ -271,7 +271,7 @@ describe("best and worst cases", () => {
       }
       const { verdict } = answer(planner, best.scene).check;
       expect(
-        verdict !== "none" && (verdict !== "collides" || /does the car fit/.test(best.question[0])),
+        verdict !== "none" && (verdict !== "collides" || /does the car fit/.test(questionOf("en", best))),
         `${best.scene}: ${verdict}`,
       ).toBe(true);
       expect(worst.scene).not.toBe(best.scene);

@@ -215,7 +215,7 @@ test(
           return checked(await decodeScene(check<string>(given, RULES.link(), "openLink").replace("#s=", "")));
         for (const name of ["layout", "speed", "theme", "layers", "wheel", "controls", "budget-ms"])
           expect(
-            faultOfAttribute(name, String(given ?? "")) ?? new ValueError({ field: "", value: 0, words: ["", ""] }),
+            faultOfAttribute(name, String(given ?? "")) ?? new ValueError({ field: "", value: 0, rule: "boolean" }),
           ).toBeInstanceOf(ValueError);
         if (!Object.hasOwn(rules, type)) return null;
         const fine = check<unknown>(given, rules[type as keyof typeof rules], type);

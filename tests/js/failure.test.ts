@@ -11,7 +11,7 @@ import { distancesOf } from "../../www/src/view/drive";
 import { failureOf } from "../../www/src/view/failure";
 import { between } from "../../www/src/view/fly";
 import { alongRoad, stripOf } from "../../www/src/view/layers/lane-strip";
-import { hasField, identityOf, introduce } from "../../www/src/styles/planner-style";
+import { drivesCar, hasField, introduce } from "../../www/src/styles/planner-style";
 import { loadChinese } from "./chinese";
 import type { Scenario } from "../../www/src/scene/scenario";
 
@@ -194,7 +194,7 @@ describe("why it fails", () => {
 
 it("the planners of the first picture drive, or do not, as the module says", () => {
   for (const { id, family, hasRiskField } of planners())
-    expect([id, identityOf(id).drives, hasField(id)]).toEqual([id, family === "hybrid", hasRiskField]);
+    expect([id, drivesCar(id), hasField(id)]).toEqual([id, family === "hybrid", hasRiskField]);
 });
 
 it("a flight begins and ends at its cameras and moves evenly on the screen", () => {

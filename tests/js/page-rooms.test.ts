@@ -3,6 +3,8 @@ import { readdirSync, readFileSync } from "node:fs";
 import { dirname, join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
 import { describe, expect, it } from "vitest";
+import { FIRST_PLANNERS } from "../../www/src/store";
+import { ALL_LAYERS, LAYERS, LAYER_PRESETS, presetLayers, presetOf } from "../../www/src/store/layer-sets";
 
 const SOURCES = fileURLToPath(new URL("../../www/src", import.meta.url));
 
@@ -23,11 +25,7 @@ const ROOMS = [
 ];
 
 /** Chunks that a lower room fetches when somebody opens them; each stands for a piece of the page above it. */
-const FETCHED = [
-  "app/app.ts > panels/hints",
-  "view/lazy-layers.ts > panels/extras",
-  "view/lazy-layers.ts > panels/toolbar-menus",
-];
+const FETCHED = ["app/app.ts > panels/hints"];
 
 interface Import {
   file: string;
@@ -39,7 +37,7 @@ const roomOf = (path: string): string => path.split("/")[0]!;
 
 function importsOf(file: string): Import[] {
   const text = readFileSync(join(SOURCES, file), "utf8").replace(/\/\*[\s\S]*?\*\/|^\s*\/\/.*$/gm, "");
-  return [...text.matchAll(/(?:\bfrom|^import)\s*"(\.[^"]+)"|\bimport\(\s*"(\.[^"]+)"/gm)].map(
+  return [...text.matchAll(/(?:\bfrom|^import)\s*"(\.[^"]+)"|(?<!typeof )\bimport\(\s*"(\.[^"]+)"/gm)].map(
     ([, named, fetched]) => ({
       file,
       target: relative(SOURCES, join(SOURCES, dirname(file), (named ?? fetched)!)),
@@ -70,5 +68,28 @@ describe("the page's rooms", () => {
   it("stand in DESIGN.md in the same order", () => {
     const design = readFileSync(new URL("../../DESIGN.md", import.meta.url), "utf8");
     expect(design).toContain(`\`${ROOMS.join(" → ")}\``);
+  });
+});
+
+describe("facts of planners", () => {
+  it("come from the module, not from a comparison of ids", () => {
+    const ids = FIRST_PLANNERS.concat("hybrid-forward", "hybrid-bidirectional", "hybrid-classic", "cost-map").join("|");
+    const compared = new RegExp(`(?<!family )([!=]==|startsWith\\(|\\.test\\()\\s*["/^]*(${ids})\\b`);
+    const found = files.filter((file) => compared.test(readFileSync(join(SOURCES, file), "utf8")));
+    expect(found).toEqual([]);
+  });
+});
+
+describe("layers", () => {
+  it("have a bit each, the same for ever", () => {
+    const bits = Object.fromEntries(ALL_LAYERS.map((key) => [LAYERS[key].bit, key]));
+    expect(Object.values(bits).join(" ")).toBe(
+      "slots obstacles safety redundant cost heat risk tree sweep path car ghosts grid difference",
+    );
+    expect(Object.keys(bits).length).toBe(ALL_LAYERS.length);
+  });
+
+  it("of a set are told from those of the others", () => {
+    for (const preset of LAYER_PRESETS) expect(presetOf(presetLayers(preset))).toBe(preset);
   });
 });

@@ -1,5 +1,35 @@
-import { describe, expect, it } from "vitest";
+import { describe, expect, it, vi } from "vitest";
 import { createStore, UNDO_STEPS, type Scene } from "../../www/src/store";
+import { ToolController } from "../../www/src/tools/controller";
+
+/** Of a canvas, what the tools' controller asks of it. */
+class FakeCanvas {
+  readonly style: Record<string, string> = {};
+  readonly clientWidth = 400;
+  readonly clientHeight = 300;
+  private readonly handlers = new Map<string, (event: unknown) => void>();
+
+  addEventListener(type: string, handler: (event: unknown) => void): void {
+    this.handlers.set(type, handler);
+  }
+  setPointerCapture(): void {}
+  getBoundingClientRect(): object {
+    return { left: 0, top: 0, width: 400, height: 300 };
+  }
+  send(type: string, x: number, y: number): void {
+    const event = {
+      type,
+      pointerId: 1,
+      pointerType: "mouse",
+      button: 0,
+      clientX: x,
+      clientY: y,
+      offsetX: x,
+      offsetY: y,
+    };
+    this.handlers.get(type)!({ ...event, timeStamp: 0, getCoalescedEvents: () => [event], preventDefault: () => {} });
+  }
+}
 
 const at = (scene: Scene, x: number): Scene => ({ ...scene, start: { ...scene.start, x } });
 
@@ -139,5 +169,94 @@ describe("a scene that is opened", () => {
     const { history } = store;
     store.restore({ past: [...history.past], scene: history.scene, future: [...history.future] });
     expect(count()).toBe(4);
+  });
+});
+
+describe("notifications", () => {
+  it("follow each other without gaps, also where a listener changes the state", () => {
+    const store = createStore({}),
+      heard: string[] = [];
+    store.subscribe((state) => {
+      if (state.mode === "focus" && state.follow === false) store.set({ follow: true });
+    });
+    store.subscribe((state, previous) =>
+      heard.push(`${previous.mode} ${previous.follow} > ${state.mode} ${state.follow}`),
+    );
+    store.set({ mode: "focus" });
+    expect(heard).toEqual(["grid false > focus false", "focus false > focus true"]);
+    expect(store.state.follow).toBe(true);
+  });
+
+  it("of a batch are one, with the last state, and none where nothing is left of it", () => {
+    const store = createStore({}),
+      heard: unknown[] = [];
+    store.subscribe((state, previous) => heard.push([previous.mode, state.mode, state.hover]));
+    store.batch(() => {
+      store.set({ mode: "focus" });
+      store.batch(() => store.set({ hover: { x: 1, y: 2 } }));
+      expect(store.state.mode).toBe("focus");
+      expect(heard).toEqual([]);
+    });
+    expect(heard).toEqual([["grid", "focus", { x: 1, y: 2 }]]);
+    store.batch(() => {});
+    expect(heard).toHaveLength(1);
+  });
+
+  it("go on after a listener or a batch has failed", () => {
+    const store = createStore({}),
+      heard: string[] = [];
+    const stop = store.subscribe(() => {
+      throw new Error("broken");
+    });
+    expect(() => store.set({ mode: "focus" })).toThrow("broken");
+    stop();
+    store.subscribe((state, previous) => heard.push(`${previous.mode} > ${state.mode}`));
+    expect(() =>
+      store.batch(() => {
+        store.set({ mode: "overlay" });
+        throw new Error("batch");
+      }),
+    ).toThrow("batch");
+    store.set({ follow: true });
+    expect(heard).toEqual(["focus > overlay"]);
+  });
+
+  it("of a brush stroke are at most one for each event of the pointer", async () => {
+    const store = createStore({ tool: "brush" }),
+      controller = new ToolController(store),
+      canvas = new FakeCanvas();
+    vi.stubGlobal("addEventListener", () => {});
+    vi.stubGlobal("PointerEvent", Object);
+    await controller.fetchTools();
+    controller.attach(canvas as unknown as HTMLElement);
+    let told = 0;
+    store.subscribe(() => told++);
+    canvas.send("pointerdown", 150, 150);
+    expect(told).toBeLessThanOrEqual(1);
+    for (let step = 1; step <= 20; step++) {
+      told = 0;
+      canvas.send("pointermove", 150 + 3 * step, 150);
+      expect(told, `move ${step}`).toBe(1);
+      expect(store.state.transient).toBe(true);
+    }
+    told = 0;
+    canvas.send("pointerup", 213, 150);
+    expect(told).toBe(1);
+    expect([store.state.transient, store.state.canUndo]).toEqual([false, true]);
+    vi.unstubAllGlobals();
+  });
+});
+
+describe("a drag that is given up", () => {
+  it("leaves the scene as it was, and no step", () => {
+    const store = createStore({}),
+      first = store.state.scene;
+    expect(store.cancelEdit()).toBe(false);
+    store.edit(at(first, 3), { transient: true });
+    expect(store.cancelEdit()).toBe(true);
+    expect([store.state.scene, store.state.transient, store.state.canUndo]).toEqual([first, false, false]);
+    store.edit(at(first, 4));
+    expect(store.cancelEdit()).toBe(false);
+    expect(store.state.scene.start.x).toBe(4);
   });
 });

@@ -43,7 +43,7 @@ impl Scene {
             let points: Vec<Point> = (0..=4000).map(|k| spline.at(f64::from(k) / 4000.0).point).collect();
             poses(&points).iter().all(|&p| body.hit(p).is_none())
         };
-        (smooth(&self.ground, &line, how, free), body)
+        (smooth(&self.ground, &line, &[], how, free), body)
     }
 }
 

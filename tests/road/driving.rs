@@ -84,7 +84,8 @@ fn a_ship_keeps_its_distance_in_a_channel() {
     let block = |x: f64, y: f64| json!({ "type": "rectangle", "center": [x, y], "size": [60.0, 40.0] });
     let scene = Scenario::from_json(&json!({
         "version": 1,
-        "map": { "origin": [0.0, 0.0], "width": 400, "height": 60, "resolution": 5.0, "boundary": [[0, 20], [2000, 20], [2000, 280], [0, 280]] },
+        "map": { "origin": [0.0, 0.0], "width": 400, "height": 60, "resolution": 5.0,
+            "boundary": [[0, 20], [2000, 20], [2000, 280], [0, 280]] },
         "lanes": [{ "start": { "x": 0, "y": 150, "heading": 0 }, "pieces": [{ "length": 2000 }], "width": 200 }],
         "obstacles": [block(600.0, 130.0), block(1300.0, 170.0)],
         "vehicle": "ship",

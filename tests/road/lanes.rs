@@ -111,5 +111,30 @@ fn the_margin_is_kept_or_less_is_said() {
     }
     let plan = plan(&wide, &json!({ "margin": 5.0 }));
     assert_eq!(plan.detail, Some("less-margin"));
-    assert!((plan.metrics.road.unwrap().margin_kept - 2.3).abs() < 0.01);
+    let road = plan.metrics.road.unwrap();
+    assert!((road.margin_kept - 2.3).abs() < 0.01 && road.margin_excluded);
+}
+
+/// What is proven impossible is: no other margin's plan keeps it, and where a plan keeps the margin nothing is proven.
+#[test]
+fn a_margin_is_excluded_only_where_no_path_keeps_it() {
+    let (mut proven, mut kept) = (0, 0);
+    for seed in 201..=if cfg!(debug_assertions) { 204 } else { 216 } {
+        let scene = road(seed);
+        let all = [0.3, 0.8, 2.2, 3.0].map(|margin| measured(&scene, &json!({ "margin": margin })));
+        let most = all.iter().fold(0.0, |most: f64, road| most.max(road.margin_kept));
+        for road in &all {
+            let is_kept = road.margin_kept >= road.margin - 2e-3;
+            assert!(!(is_kept && road.margin_excluded), "seed {seed}: {}", road.margin);
+            assert!(!road.margin_excluded || road.margin > most, "seed {seed}: {} {most}", road.margin);
+            (proven, kept) = (proven + u32::from(road.margin_excluded), kept + u32::from(is_kept));
+        }
+        // What excludes a margin excludes a larger one.
+        assert!(
+            all.windows(2).all(|pair| !pair[0].margin_excluded || pair[1].margin_excluded),
+            "seed {seed}"
+        );
+    }
+    println!("{proven} proven, {kept} kept");
+    assert!(proven > 0 && kept > 0, "{proven} {kept}");
 }

@@ -143,7 +143,8 @@ fn roads_read_and_write_back_and_impossible_ones_are_refused() {
         ),
         (
             json!({ "radius": 3.0 }),
-            "obstacles[0].points[1]: must turn less or have longer ways beside it: the middle's radius is 3.00 m, half the road 3.50 m wide",
+            "obstacles[0].points[1]: must turn less or have longer ways beside it: the middle's radius is 3.00 m, \
+             half the road 3.50 m wide",
         ),
         (json!({ "lanes": [0, 0] }), "obstacles[0].lanes: must be 0 to 8 each, one at least, got [0, 0]"),
         (json!({ "lanes": [1] }), "obstacles[0].lanes: must"),

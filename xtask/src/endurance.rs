@@ -13,7 +13,8 @@ pub(crate) fn endurance(arguments: &[String]) -> Result<()> {
     let (trial, rest) = arguments.split_first().map_or(("", &[][..]), |(first, rest)| (first.as_str(), rest));
     ensure!(
         TRIALS.contains(&trial) && rest.len() <= 2 && rest.iter().all(|one| one.parse::<u32>().is_ok()),
-        "say `endurance kills [count] [seed]`, `endurance soak [minutes] [seed]`, `endurance damaged [count] [seed]` or `endurance monkey [minutes] [seed]`"
+        "say `endurance kills [count] [seed]`, `endurance soak [minutes] [seed]`, `endurance damaged [count] [seed]` \
+         or `endurance monkey [minutes] [seed]`"
     );
     site::assemble()?;
     let script = format!("tests/endurance/{trial}.mjs");

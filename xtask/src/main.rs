@@ -39,12 +39,14 @@ const COMMANDS: &[Command] = &[
     },
     Command {
         name: "endurance",
-        about: "build, then test endurance with killed workers, hours of edits, damaged input or random presses: endurance kills|damaged [count] [seed], endurance soak|monkey [minutes] [seed]",
+        about: "build, then test endurance with killed workers, hours of edits, damaged input or random presses: \
+            endurance kills|damaged [count] [seed], endurance soak|monkey [minutes] [seed]",
         run: endurance::endurance,
     },
     Command {
         name: "paper",
-        about: "print a paper's tables beside ours: grid, road or parking; settings, volumes; all [maps]: every table and figure as Markdown and HTML",
+        about: "print a paper's tables beside ours: grid, road or parking; settings, volumes; all [maps]: every table \
+            and figure as Markdown and HTML",
         run: paper::paper,
     },
     Command {
@@ -54,12 +56,14 @@ const COMMANDS: &[Command] = &[
     },
     Command {
         name: "bench",
-        about: "build, then measure: bench grid [questions] [repeats], bench parking, bench tight [check], bench judge, bench batch",
+        about: "build, then measure: bench grid [questions] [repeats], bench parking, bench tight [check], bench \
+            judge, bench batch",
         run: bench::bench,
     },
     Command {
         name: "parity",
-        about: "compare plan hashes between native code, Node with and without SIMD, Chromium and Firefox: parity [parking] [random scenes]",
+        about: "compare plan hashes between native code, Node with and without SIMD, Chromium and Firefox: parity \
+            [parking] [random scenes]",
         run: parity::parity,
     },
     Command {
@@ -69,7 +73,8 @@ const COMMANDS: &[Command] = &[
     },
     Command {
         name: "mutants",
-        about: "mutate the code and check that a test fails: mutants [geometry|search|collision|curves] [options of cargo-mutants]",
+        about: "mutate the code and check that a test fails: mutants [geometry|search|collision|curves] [options of \
+            cargo-mutants]",
         run: mutants::mutants,
     },
     Command {

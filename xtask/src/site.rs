@@ -17,7 +17,8 @@ const LOADER_LIMIT: u64 = 6_000;
 
 /// Prints, as a JSON array, the gzip sizes of the files named after it.
 const GZIP_SIZES: &str = "const { readFileSync } = require('node:fs'); const { gzipSync } = require('node:zlib'); \
-    console.log(JSON.stringify(process.argv.slice(1).map((file) => gzipSync(readFileSync(file), { level: 9 }).length)))";
+    console.log(JSON.stringify(process.argv.slice(1).map((file) => gzipSync(readFileSync(file), { level: 9 \
+    }).length)))";
 
 /// The chunks behind the first picture: the page, and the planners it loads at once.
 const FIRST_CHUNKS: [&str; 2] = ["index.html", "src/planning/engine-core.ts"];
@@ -48,7 +49,8 @@ const COMPLETE_PARTS: &[&str] = &["columns.js", "drive.js", "picture.js"];
 /// The entry that has the complete module within.
 const INLINE_SOURCE: &str = "inline.js";
 /// Writes a file's bytes as text into a module.
-const TO_TEXT: &str = "const { readFileSync, writeFileSync } = require('node:fs'); const [from, to] = process.argv.slice(1); \
+const TO_TEXT: &str = "const { readFileSync, writeFileSync } = require('node:fs'); const [from, to] = \
+    process.argv.slice(1); \
     writeFileSync(to, `export const base64 = \"${readFileSync(from).toString('base64')}\";\n`)";
 /// The folder of the command `parkade`.
 const COMMAND: &str = "cli";

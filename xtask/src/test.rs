@@ -290,7 +290,8 @@ mod tests {
             "numPassedTests": 1, "numFailedTests": 1, "numPendingTests": 0, "numTodoTests": 0,
             "testResults": [{ "name": "/a/b/pool.test.ts", "assertionResults": [
                 { "status": "passed", "fullName": "works", "failureMessages": [] },
-                { "status": "failed", "fullName": "waits", "failureMessages": ["\u{1b}[31mexpected 1\u{1b}[39m to be 2\nat"] },
+                { "status": "failed", "fullName": "waits",
+                "failureMessages": ["\u{1b}[31mexpected 1\u{1b}[39m to be 2\nat"] },
             ] }],
         });
         assert_eq!(vitest_counts(&report).unwrap().failures, ["pool.test.ts: waits: expected 1 to be 2"]);

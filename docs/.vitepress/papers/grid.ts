@@ -6,12 +6,28 @@ import { claims, fixed, words, type Measured } from "./measure";
 import type { Page } from "./index";
 
 const FIGURES = ["four", "eight", "risk-field"];
+/** What the printed column "path length" may mean. */
+const READINGS = ["lengthRaw", "lengthPruned", "lengthDp", "lengthSmoothed"] as const;
 
 export function riskField(lang: Lang, { seeds, columns, grid, stranded }: Measured): Page {
   const t = words(lang),
     nodes = columns.indexOf("generated"),
     length = columns.indexOf("lengthPruned");
   const title = t("Risk field, 2024", "行车风险场，2024");
+  const readingNames = [
+    t("cells", "栅格路径"),
+    t("pruned", "剪枝后"),
+    t("shortest over the cells", "沿栅格最短"),
+    t("smoothed", "平滑后"),
+  ];
+  const closest = (planner: string): (string | number)[] => [
+    planner,
+    ...READINGS.map(
+      (name) =>
+        grid.tables.flatMap(({ lines }) => lines).filter((line) => line.planner === planner && line.closest === name)
+          .length,
+    ),
+  ];
   const row = ({ row: { id, table: number, size }, straight, lines }: PaperTable): Block[] => {
     const scene = `fig${id.startsWith("random") ? 9 : 8}-${size}`;
     return [
@@ -45,6 +61,21 @@ export function riskField(lang: Lang, { seeds, columns, grid, stranded }: Measur
             : `${line.printedLength}${line.impossible ? t(" (shorter than the straight line)", "（短于直线）") : ""}`,
           fixed(line.figures[length]?.median),
         ]),
+      ),
+      table(
+        [t("length of", "长度"), t("printed", "论文"), ...readingNames],
+        lines
+          .filter(({ printedLength }) => printedLength !== null)
+          .map((line) => [
+            line.planner,
+            line.printedLength!,
+            ...READINGS.map((name) => {
+              const median = line.figures[columns.indexOf(name)]!.median,
+                percent = (median / line.printedLength! - 1) * 100,
+                cell = `${fixed(median)} (${percent < 0 ? "−" : "+"}${fixed(Math.abs(percent), 1)} %)`;
+              return line.closest === name ? `${cell} ←` : cell;
+            }),
+          ]),
       ),
       figure({
         id: scene,
@@ -115,6 +146,14 @@ export function riskField(lang: Lang, { seeds, columns, grid, stranded }: Measur
         ),
       }),
       heading(2, t("Tables 3 and 4, figures 8 and 9", "表 3 与表 4，图 8 与图 9")),
+      heading(3, t("Which length is printed", "印刷的是哪种长度")),
+      text(
+        t(
+          "The paper does not say whether its lengths are those of the cells, of the pruned path or of the smoothed one. Rows on which each reading is the nearest to the printed length; rows whose printed length cannot be are left out.",
+          "论文没有说明长度是栅格路径、剪枝路径还是平滑路径的长度。下表为各种含义最接近印刷值的行数；印刷值不可能的行除外。",
+        ),
+      ),
+      table([t("planner", "规划器"), ...readingNames], FIGURES.map(closest)),
       ...grid.tables.flatMap(row),
     ],
   };

@@ -12,8 +12,8 @@ import {
   paperVerdicts,
   paperVolumes,
 } from "../../../pkg/node.js";
-import catalogue from "../../../www/src/i18n/reasons-zh.json";
-import { chineseReasons } from "../../../www/src/i18n/reasons-zh";
+import messages from "../../../www/src/i18n/messages/claims.json";
+import { foundText } from "../../../www/src/texts/claims";
 import { table, type Block, type Lang } from "./blocks";
 
 export interface Measured {
@@ -52,23 +52,31 @@ export const words =
   (en: string, zh: string): string =>
     lang === "zh" ? zh : en;
 
-const inChinese = chineseReasons(catalogue);
 const HOLDS = {
   yes: ["holds", "成立"],
   partly: ["holds in part", "部分成立"],
   no: ["does not hold", "不成立"],
   unknown: ["not judged", "未判定"],
 } as const;
-/** Times are measured by the reader's machine; none stands in a page. */
-const TIME = /,? time [^;,]*?(?= of sixteen|;|$)/g;
+type Found = keyof typeof messages;
 
 export function claims(lang: Lang, all: readonly PaperClaim[]): Block {
   const t = words(lang),
-    said = (english: string): string => (lang === "zh" ? inChinese(english) : english);
-  const found = (one: string): string =>
-    lang === "zh" ? said(one).replaceAll(/，?时间 [^；，。]*/g, "") : one.replaceAll(TIME, "");
+    say = (key: string): string => messages[`claim.${key}` as Found][lang === "zh" ? 1 : 0]!;
+  // Times are measured by the reader's machine; none stands in a page.
+  const timeless = ({ figures, ...claim }: PaperClaim): PaperClaim => ({
+    ...claim,
+    figures: Object.fromEntries(Object.entries(figures).filter(([name]) => !name.startsWith("time"))),
+  });
+  const found = (one: PaperClaim): string =>
+    foundText(timeless(one), {
+      template: say(`${one.id}.found`),
+      range: say("range"),
+      missing: say("missing"),
+      number: (value, digits) => value.toFixed(digits).replace("-", "−"),
+    });
   return table(
     [t("claim", "论断"), t("verdict", "判定"), t("found here", "本地结果")],
-    all.map((one) => [said(one.text), HOLDS[one.holds][lang === "zh" ? 1 : 0], found(one.found)]),
+    all.map((one) => [say(`${one.id}.text`), HOLDS[one.holds][lang === "zh" ? 1 : 0], found(one)]),
   );
 }

@@ -212,7 +212,8 @@ mod tests {
             assert!(there >= (to.point() - from.point()).norm() - 1e-9);
         }
         // The paper's, each in both directions and on both sides: 48.
-        let base = "L+S+L+ L+S+R+ L+R-L+ L+R-L- L-R-L+ L+R+L-R- L+R-L-R+ L+R-S-L- L+R-S-R- L+S+R+L- R+S+R+L- L+R-S-L-R+";
+        let base = "L+S+L+ L+S+R+ L+R-L+ L+R-L- L-R-L+ L+R+L-R- L+R-L-R+ L+R-S-L- L+R-S-R- L+S+R+L- R+S+R+L- \
+            L+R-S-L-R+";
         let swap = |kind: &str, a: char, b: char| -> String {
             kind.chars()
                 .map(|c| {

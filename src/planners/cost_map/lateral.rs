@@ -17,14 +17,20 @@ const SLOPE: usize = 6;
 const SLOPES: usize = 2 * SLOPE + 1;
 /// From one step to the next the slope changes by this many places at most.
 const CHANGE: usize = 2;
-/// A way of curvature 1/m is dearer by this factor times its square: a lane is changed in some 25 m then, m².
-const BENDING: f64 = 60.0;
+/// A way of curvature 1/m is dearer by this factor times its square: a lane is changed in some 18 m then, m². Lanes are
+/// changed later and left for a shorter way the smaller it is, and bends are tighter.
+const BENDING: f64 = 15.0;
 /// At so many stations near either end a bend counts this many times as much: the rear axle shall be on its way by
 /// then.
-const END: usize = 10;
+const END: usize = 6;
 const AT_ENDS: f64 = 20.0;
 /// Dearer than any way: a metre on which none of the room is left that is asked for.
 const SHORT: f64 = 1e6;
+/// Where a place has too little room, those around it are tried so many to either side, this far apart, metres.
+const FINE: i32 = 9;
+const CLOSE: f64 = 0.01;
+/// Places with so little more room than asked shall be passed exactly, metres.
+const NARROW: f64 = 0.1;
 /// Nearer to the middle of a bend than this share of its radius no place lies.
 const INNER: f64 = 0.3;
 
@@ -37,6 +43,15 @@ pub struct Station {
     pub way: Vector,
     /// 1/m, positive to the left.
     pub curvature: f64,
+}
+
+/// The cheapest places.
+#[derive(Debug, Clone)]
+pub struct Row {
+    /// One at every station.
+    pub points: Vec<Point>,
+    /// True where a place has hardly the room that is asked for.
+    pub firm: Vec<bool>,
 }
 
 /// The costs by which lines are chosen.
@@ -76,7 +91,7 @@ impl Lateral<'_> {
     /// The cheapest line along a curve, from its first to its last point; at every station the room asked for, metres,
     /// is kept around the car, as far as that goes. It begins and ends in the directions `ways` as far as its slopes
     /// go. Near the curve alone if that `is_near`.
-    pub fn line(&self, stations: &[Station], asked: &[f64], ways: [Vector; 2], is_near: bool) -> Vec<Point> {
+    pub fn line(&self, stations: &[Station], asked: &[f64], ways: [Vector; 2], is_near: bool) -> Row {
         let side = SIDES[usize::from(is_near)];
         let places = 2 * side + 1;
         let prices = self.prices(stations, asked, side);
@@ -124,53 +139,80 @@ impl Lateral<'_> {
         }
         let cost = |d: usize| spent[side * SLOPES + d];
         let nearest = (0..SLOPES).filter(|&d| cost(d) < f64::INFINITY).min_by_key(|d| d.abs_diff(ends[1]));
-        let Some(slope) = nearest else { return stations.iter().map(|s| s.point).collect() };
+        let Some(slope) = nearest else {
+            let points = stations.iter().map(|s| s.point).collect();
+            return Row { points, firm: vec![false; stations.len()] };
+        };
         let (mut k, mut d) = (side, slope);
         let mut line = Vec::with_capacity(stations.len());
         for i in (0..=last).rev() {
-            line.push(self.place(&stations[i], k, side));
+            // The ends stay where they are.
+            let is_end = i == 0 || i == last;
+            let across = self.across(k, side);
+            let fine = if is_end { (across, false) } else { self.widest(&stations[i], across, asked[i]) };
+            line.push((self.place(&stations[i], fine.0), fine.1));
             if i > 0 {
                 let e = usize::from(before[i][k * SLOPES + d]);
                 (k, d) = (k + SLOPE - d, e);
             }
         }
         line.reverse();
-        line
+        let (points, firm) = line.into_iter().unzip();
+        Row { points, firm }
+    }
+
+    /// The nearest place to the one `across` that has the room asked for, or most of it, and whether that is little.
+    fn widest(&self, station: &Station, across: f64, asked: f64) -> (f64, bool) {
+        let mut best = (across, self.room_beside(station, across, asked));
+        for j in (1..=FINE).flat_map(|j| [-j, j]) {
+            if best.1 >= asked {
+                break;
+            }
+            let next = across + f64::from(j) * CLOSE * self.scale;
+            let room = self.room_beside(station, next, asked);
+            if room > best.1 {
+                best = (next, room);
+            }
+        }
+        (best.0, best.1 < asked + NARROW * self.scale)
     }
 
     fn across(&self, k: usize, side: usize) -> f64 {
         (k as f64 - side as f64) * ACROSS * self.scale
     }
 
-    fn place(&self, station: &Station, k: usize, side: usize) -> Point {
-        station.point + Vector::new(-station.way.y, station.way.x) * self.across(k, side)
+    fn place(&self, station: &Station, across: f64) -> Point {
+        station.point + Vector::new(-station.way.y, station.way.x) * across
+    }
+
+    /// How wide a way beside a station's is for one along it.
+    fn inner(station: &Station, across: f64) -> f64 {
+        1.0 - station.curvature * across
+    }
+
+    /// The room of the car beside a station, where it stands as it does on the curve: that of a disc at either end and
+    /// of one between.
+    fn room_beside(&self, station: &Station, across: f64, asked: f64) -> f64 {
+        if Self::inner(station, across) <= INNER {
+            return -self.radius;
+        }
+        let ahead = self.half_length - self.radius / 2.0;
+        let at = self.place(station, across);
+        [0.0, -ahead, ahead].into_iter().fold(f64::INFINITY, |least, by| {
+            // What is short anyway is not looked at any closer.
+            if least < asked - ahead { least } else { least.min(self.room_at(at + station.way * by, asked)) }
+        })
     }
 
     /// Per station and place: what a metre costs there, and the price of too little room.
     fn prices(&self, stations: &[Station], asked: &[f64], side: usize) -> Vec<Vec<f64>> {
         let places = 2 * side + 1;
-        let inner = |s: &Station, k: usize| 1.0 - s.curvature * self.across(k, side);
-        // The car stands there as it does on the curve: a disc at either end and one between.
-        let ahead = self.half_length - self.radius / 2.0;
-        let room = |i: usize, k: usize| {
-            let s = &stations[i];
-            if inner(s, k) <= INNER {
-                return -self.radius;
-            }
-            let at = self.place(s, k, side);
-            [0.0, -ahead, ahead].into_iter().fold(f64::INFINITY, |least, by| {
-                // What is short anyway is not looked at any closer.
-                if least < asked[i] - ahead {
-                    least
-                } else {
-                    least.min(self.room_at(at + s.way * by, asked[i]))
-                }
-            })
-        };
         let price = |i: usize, k: usize| {
-            let metre = self.metre(self.place(&stations[i], k, side)).min(SHORT);
-            let short = (asked[i] - room(i, k)).max(0.0) / asked[i].max(0.05);
-            metre * inner(&stations[i], k).max(INNER) + SHORT * short
+            let (station, across) = (&stations[i], self.across(k, side));
+            let metre = self.metre(self.place(station, across)).min(SHORT);
+            let short =
+                (asked[i] - self.room_beside(station, across, asked[i])).max(0.0) / asked[i].max(0.05);
+            metre * Self::inner(station, across).max(INNER) + SHORT * short
         };
         (0..stations.len()).map(|i| (0..places).map(|k| price(i, k)).collect()).collect()
     }

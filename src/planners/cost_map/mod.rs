@@ -6,6 +6,7 @@
 mod config;
 mod domain;
 mod lateral;
+mod margin;
 mod prune;
 mod rank_bitmap;
 mod road_rasters;
@@ -13,7 +14,8 @@ mod smooth;
 
 pub use config::{Base, Config, Costs, Curves, Pruning};
 pub use domain::CostMap;
-pub use lateral::{Lateral, Station};
+pub use lateral::{Lateral, Row, Station};
+pub use margin::is_excluded;
 pub use prune::corners;
 pub use road_rasters::{RoadRasters, kerb_distances};
 pub(crate) use road_rasters::{lane_at, lane_beside, legs, limit_at};

@@ -18,6 +18,8 @@ pub struct RoadRasters {
     /// Per cell: metres from its centre to the border of the nearest cell that is no road or holds an obstacle; 0 in
     /// one.
     pub clearance: Vec<f32>,
+    /// No place of a cell is farther from everything than the cell's clearance and this, metres.
+    pub unsure: f64,
     /// Weights of the cells; `None` if all cost the same.
     pub weights: Option<Arc<Weights>>,
 }
@@ -26,6 +28,9 @@ impl RoadRasters {
     /// Of a scene's geometry. Where the map ends a road goes on if it is `open`; otherwise there is a wall.
     pub fn new(frame: Frame, geometry: &Geometry, open: bool) -> Self {
         let mut road = surface(&frame, geometry);
+        // A cell's corner from its centre, and that centre from the border of the nearest cell that counts.
+        let corner = frame.resolution * core::f64::consts::FRAC_1_SQRT_2;
+        let (sure, mut is_thin) = (corner + frame.resolution / 2.0, false);
         for shape in &geometry.shapes {
             match &shape.form {
                 Form::Polygon(outline) => {
@@ -34,12 +39,18 @@ impl RoadRasters {
                     if width(outline) < frame.resolution - EDGE {
                         let around: Vec<Point> = outline.iter().chain(outline.first()).copied().collect();
                         raster::wall(&mut road, &frame, &around);
+                        is_thin = true;
                     }
                 }
-                Form::Segment(a, b) => raster::wall(&mut road, &frame, &[*a, *b]),
+                Form::Segment(a, b) => {
+                    raster::wall(&mut road, &frame, &[*a, *b]);
+                    is_thin = true;
+                }
             }
         }
-        Self { frame, clearance: distances(&road, &frame, open), weights: None }
+        // What is thin touches its cells, but need not hold their centres.
+        let unsure = if is_thin { sure + corner } else { sure };
+        Self { frame, clearance: distances(&road, &frame, open), unsure, weights: None }
     }
 
     /// The clearance at a cell, metres; 0 off the map.
@@ -55,10 +66,7 @@ pub fn kerb_distances(frame: &Frame, geometry: &Geometry, open: bool) -> Vec<f32
 
 /// Blocked is what is no road.
 fn surface(frame: &Frame, geometry: &Geometry) -> Occupancy {
-    let mut road = Occupancy::new(frame.width, frame.height);
-    for index in 0..frame.len() {
-        road.set(frame.cell(index), true);
-    }
+    let mut road = Occupancy::blocked_everywhere(frame.width, frame.height);
     fill(frame, &geometry.boundary, |cell| road.set(cell, false));
     road
 }

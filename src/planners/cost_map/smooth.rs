@@ -2,6 +2,7 @@
 
 use super::RoadRasters;
 use crate::geometry::bspline::{Place, Spline};
+use crate::geometry::smoothing_spline::smoothing_spline;
 use crate::geometry::{Point, Vector};
 
 /// Points of the chords are this far apart at most, metres.
@@ -10,10 +11,10 @@ const DATA: f64 = 1.0;
 const SPACINGS: [f64; 2] = [5.0, 2.5];
 /// Rounds of drawing closer.
 const ROUNDS: u32 = 8;
+/// A firm point counts as much as so many others.
+const FIRM: f64 = 100.0;
 /// A curve with less clearance than this is none, metres.
 const LEAST: f64 = 0.05;
-/// Root mean square distance of the manuscript's smoothing, metres.
-const PAPER_RESIDUAL: f64 = 1.0;
 
 /// How to smooth.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,10 +52,12 @@ pub struct Smooth {
     pub fell_back: bool,
 }
 
-/// Smooths a polyline; `accept` has the last word on a curve.
+/// Smooths a polyline; `accept` has the last word on a curve. The line's `firm` points, none where it is shorter, are
+/// passed more closely than the others.
 pub fn smooth(
     ground: &RoadRasters,
     line: &[Point],
+    firm: &[bool],
     how: &Smoothing,
     accept: impl Fn(&Spline) -> bool,
 ) -> Smooth {
@@ -64,6 +67,7 @@ pub fn smooth(
         Smooth { points, curvatures: Vec::new(), spline: None, clearance, fell_back: true }
     };
     let data = dense(line, DATA * how.scale);
+    let own = firmness(line, firm, DATA * how.scale);
     let length = data.windows(2).fold(0.0, |sum, w| sum + (w[1] - w[0]).norm());
     let places = (f64::from(how.places)).max((length * 2.0 / how.scale).ceil()).max(1.0) as u32;
     let is_straight = line.len() < 3 && how.ways == [None; 2];
@@ -90,7 +94,7 @@ pub fn smooth(
     };
     for spacing in SPACINGS.into_iter().skip(usize::from(how.close)) {
         let count = count(spacing);
-        let (mut weights, mut sigma) = (vec![1.0_f64; data.len()], how.sigma);
+        let (mut weights, mut sigma) = (own.clone(), how.sigma);
         let mut best: Option<(f64, Spline)> = None;
         for _ in 0..ROUNDS {
             let spline = Spline::fit(&data, &at, &weights, count, sigma, slopes);
@@ -117,7 +121,7 @@ pub fn smooth(
     // Chords can turn where no car does. The points near such corners count less, until the curve is wide enough.
     let count = count(SPACINGS[0]);
     let reach = (0.5 / (how.max_curvature * DATA * how.scale)).ceil() as usize;
-    let (mut weights, mut sigma) = (vec![1.0_f64; data.len()], how.sigma);
+    let (mut weights, mut sigma) = (own, how.sigma);
     for _ in 0..2 * ROUNDS {
         let spline = Spline::fit(&data, &at, &weights, count, sigma, slopes);
         let met: Vec<Place> = at.iter().map(|&u| spline.at(u)).collect();
@@ -141,9 +145,8 @@ pub fn smooth(
     chords(dense(line, length / f64::from(places)))
 }
 
-/// The manuscript's smoothing with our spline for FITPACK's, whose knots lie elsewhere: as few control points as come
-/// within a root mean square distance of a metre from the points, and as smooth as that allows. Lines of fewer than
-/// four points get more half-way. `None` for fewer than two.
+/// The manuscript's smoothing, `splprep` with as many square metres as there are points: a root mean square distance of
+/// a metre. Lines of fewer than four points, for which it fails, get more half-way. `None` for fewer than two.
 pub fn paper_spline(line: &[Point]) -> Option<Spline> {
     let mut points = line.to_vec();
     while points.len() < 4 {
@@ -151,15 +154,7 @@ pub fn paper_spline(line: &[Point]) -> Option<Spline> {
         let widest = (0..points.len().checked_sub(1)?).min_by(|a, b| gap(a).total_cmp(&gap(b)))?;
         points.insert(widest + 1, nalgebra::center(&points[widest], &points[widest + 1]));
     }
-    let length = points.windows(2).fold(0.0, |sum, w| sum + (w[1] - w[0]).norm());
-    let mut at = vec![0.0];
-    for pair in points.windows(2) {
-        at.push(at[at.len() - 1] + (pair[1] - pair[0]).norm() / length);
-    }
-    let weights = vec![1.0; points.len()];
-    let fit = |count: usize| Spline::fit(&points, &at, &weights, count, PAPER_RESIDUAL, [None; 2]);
-    let near = |count: &usize| fit(*count).residual(&points, &at) <= PAPER_RESIDUAL;
-    Some(fit((4..points.len()).find(near).unwrap_or(points.len())))
+    smoothing_spline(&points, points.len() as f64)
 }
 
 /// The same line with points at most `step` metres apart, its own kept.
@@ -167,11 +162,30 @@ pub fn dense(line: &[Point], step: f64) -> Vec<Point> {
     let mut points = Vec::new();
     for pair in line.windows(2) {
         let way = pair[1] - pair[0];
-        let parts = (way.norm() / step - 1e-9).ceil().max(1.0);
+        let parts = parts(way, step);
         points.extend((0..parts as u32).map(|k| pair[0] + way * (f64::from(k) / parts)));
     }
     points.extend(line.last());
     points
+}
+
+/// How many pieces at most `step` metres long a way is divided into.
+fn parts(way: Vector, step: f64) -> f64 {
+    (way.norm() / step - 1e-9).ceil().max(1.0)
+}
+
+/// The weight of each point of the dense line: large between firm points.
+fn firmness(line: &[Point], firm: &[bool], step: f64) -> Vec<f64> {
+    let is_firm = |i: usize| firm.get(i).copied().unwrap_or(false);
+    let weight = |is_firm: bool| if is_firm { FIRM } else { 1.0 };
+    let mut weights = Vec::new();
+    for (i, pair) in line.windows(2).enumerate() {
+        weights.push(weight(is_firm(i)));
+        let between = weight(is_firm(i) && is_firm(i + 1));
+        weights.extend((1..parts(pair[1] - pair[0], step) as u32).map(|_| between));
+    }
+    weights.push(weight(is_firm(line.len().saturating_sub(1))));
+    weights
 }
 
 /// The clearance between cell centres, metres; at the map's edge that of the outermost centres.

@@ -74,7 +74,8 @@ parameters! {
         wbar: f64 = 1.0,
             spec("wbar", Form::Number(0.0, 4.0, 0.1), "1", false,
                  ["Dynamic weight", "动态权重"],
-                 ["How strongly goal distance speeds up the search; paper: 1.", "目标距离对搜索的加速程度；论文取 1。"]).within(0.0, 10.0);
+                 ["How strongly goal distance speeds up the search; paper: 1.",
+                  "目标距离对搜索的加速程度；论文取 1。"]).within(0.0, 10.0);
         /// The estimate before the distance weight.
         heuristic: Heuristic = Heuristic::Corrected,
             spec("heuristic", Form::Choice(&["corrected", "printed", "octile"]), "1", false,
@@ -113,7 +114,8 @@ parameters! {
         fallback: Fallback = Fallback::Penalty,
             spec("fallback", Form::Choice(&["penalty", "lexicographic", "stuck-only", "none"]), "1", false,
                  ["Deferred moves", "延后扩展"],
-                 ["When the other five directions are tried; none: as in the paper, may get stuck.", "其余五方向何时尝试；none 为论文原式，可能卡住。"]);
+                 ["When the other five directions are tried; none: as in the paper, may get stuck.",
+                  "其余五方向何时尝试；none 为论文原式，可能卡住。"]);
         /// How far `fallback: "penalty"` puts them back, cells.
         penalty: f64 = 4.0,
             spec("penalty", Form::Number(0.0, 40.0, 1.0), "cells", false,

@@ -30,6 +30,9 @@ export interface Catalog {
   checked(scene: Scene): Scene;
 }
 
+/** What the element around does. */
+export type Request = "presets" | "keys" | "papers" | "inspect" | "fold" | "open" | "png";
+
 export interface Beginning {
   preset: string;
   syncAddress: boolean;
@@ -58,7 +61,11 @@ export class App {
   private origin: Scene | null = null;
   private cachedTokens: Tokens | null = null;
 
-  constructor(private readonly host: HTMLElement) {}
+  constructor(
+    private readonly host: HTMLElement,
+    /** Asks the element for a dialog, or for what only it can do; `scale` is a picture's. */
+    readonly ask: (request: Request, scale?: number) => void,
+  ) {}
 
   /**
    * Loads the planners and the first scene, the address's or else the given one or the preset's, and plans it; `loaded` comes
@@ -93,7 +100,7 @@ export class App {
     this.planning = new Planning(this.store, await loadEngine("core"), () => this.complete());
     this.planning.start();
     loaded();
-    void this.controller.fetchTools();
+    void this.controller.fetchTools().then(() => import("./edit-commands"));
     void extras.load().then(
       ({ follow }) => follow(this),
       () => undefined,

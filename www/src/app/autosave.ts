@@ -1,4 +1,5 @@
 /** Keeps each tab's drawing in the browser, and offers what a closed tab has left behind. */
+import messages from "../i18n/messages/autosave.json";
 import { words } from "../i18n/words";
 import { pack } from "../scene/link-codec";
 import { countRuns } from "../scene/large-scene";
@@ -7,10 +8,7 @@ import type { App } from "./app";
 import { keepHistory } from "./history";
 import { keepsRule } from "./schema";
 
-const say = words({
-  found: ["Your drawing from {time} was kept.", "已保留您在 {time} 的绘图。"],
-  open: ["Restore", "恢复"],
-});
+const say = words("autosave", messages);
 
 const KEY = "parkade.tab.";
 const SETTLE_MS = 1000;

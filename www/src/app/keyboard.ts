@@ -1,19 +1,15 @@
-import { ZOOM_STEP } from "../view/camera";
 import type { App } from "./app";
+import { chordOf, runChord } from "./commands";
 
 const TYPING = "input:not([type=checkbox]):not([type=range]), textarea, [contenteditable]";
 /** Keys that move sliders, press buttons and pick options belong to the control that has the focus. */
 const CONTROL_KEYS = /^( |Enter|Tab|Arrow|Home|End|Page)/;
 
 /** Keys of the whole playground, while the focus is in it; of one that is alone on its page, also while it is nowhere in particular. */
-export function listenToKeys(
-  host: HTMLElement & { alone: boolean; viewing: boolean },
-  app: App,
-  open: (dialog: "keys" | "papers") => void,
-): () => void {
+export function listenToKeys(host: HTMLElement & { alone: boolean; viewing: boolean }, app: App): () => void {
   const listen = (event: KeyboardEvent): void => {
     if (event.defaultPrevented || host.viewing || !isOurs(host, event)) return;
-    if (ownKey(app, event, open) || app.controller.handleKey(event)) event.preventDefault();
+    if (takesKey(app, event)) event.preventDefault();
   };
   document.addEventListener("keydown", listen);
   // Pages have keys of their own: arrows that turn to the next chapter, a letter that opens a search.
@@ -35,6 +31,12 @@ export function listenToKeys(
   };
 }
 
+/** True where a command or the tool in force used the key. */
+export function takesKey(app: App, event: KeyboardEvent): boolean {
+  const chord = chordOf(event);
+  return (chord !== null && runChord(app, chord)) || app.controller.handleKey(event);
+}
+
 function isOurs(host: HTMLElement & { alone: boolean }, event: KeyboardEvent): boolean {
   const path = event.composedPath();
   const target = path[0];
@@ -49,47 +51,4 @@ function isControls(event: KeyboardEvent): boolean {
   return (
     target.matches(TYPING) || (CONTROL_KEYS.test(event.key) && target.matches("button, input, select, [role=region]"))
   );
-}
-
-function ownKey(app: App, event: KeyboardEvent, open: (dialog: "keys" | "papers") => void): boolean {
-  const key = event.key.toLowerCase();
-  if (event.ctrlKey || event.metaKey) {
-    if (key === "z") event.shiftKey ? app.store.redo() : app.store.undo();
-    else if (key === "y") app.store.redo();
-    else return false;
-    return true;
-  }
-  if (event.altKey) return false;
-  switch (key) {
-    case "\\":
-      app.cycleMode();
-      return true;
-    case ",":
-      app.cycleLayers(-1);
-      return true;
-    case ".":
-      app.cycleLayers(1);
-      return true;
-    case "?":
-      open("keys");
-      return true;
-    case "y":
-      open("papers");
-      return true;
-    case "a":
-      app.player.toggle();
-      return true;
-    case "0":
-      app.controller.fit();
-      return true;
-    case "+":
-    case "=":
-      app.controller.zoom(ZOOM_STEP);
-      return true;
-    case "-":
-      app.controller.zoom(1 / ZOOM_STEP);
-      return true;
-    default:
-      return false;
-  }
 }

@@ -1,14 +1,25 @@
 /** What values from outside must be: of a link's view, of messages and properties, of what the browser keeps. One table, bounds included. */
 import type { ParameterInfo, PlannerInfo } from "parkade";
+import type { Lang, Values } from "../i18n/index";
+import messages from "../i18n/messages/rules.json";
+import { words } from "../i18n/words";
 import type { Scenario } from "../scene/scenario";
 import { ALL_LAYERS, LAYER_PRESETS } from "../store/layer-sets";
 import { cameraLimits } from "../view/camera";
 
-type Words = readonly [en: string, zh: string];
-interface Fault {
+const say = words("rule", messages);
+
+/** A rule's name, with the figures and names that it depends on. */
+interface Stated {
+  rule: Exclude<Parameters<typeof say>[1], "fault">;
+  least?: number;
+  most?: number;
+  names?: readonly unknown[];
+  why?: string;
+}
+interface Fault extends Stated {
   field: string;
   value: unknown;
-  words: Words;
 }
 /** The first fault of a value, or null. */
 export type Rule = (value: unknown, field: string) => Fault | null;
@@ -19,20 +30,28 @@ export class ValueError extends RangeError {
   readonly field: string;
   readonly value: unknown;
   readonly rule: string;
-  private readonly words: Words;
+  private readonly fault: Fault;
 
-  constructor({ field, value, words }: Fault) {
-    super(`${field}: ${words[0]}, got ${shown(value)}`);
-    this.field = field;
-    this.value = value;
-    this.rule = words[0];
-    this.words = words;
+  constructor(fault: Fault) {
+    super(sentenceOf("en", fault));
+    this.field = fault.field;
+    this.value = fault.value;
+    this.rule = ruleOf("en", fault);
+    this.fault = fault;
   }
 
-  sentence(lang: "en" | "zh"): string {
-    return lang === "zh" ? `${this.field}：${this.words[1]}，实际为 ${shown(this.value)}` : this.message;
+  sentence(lang: Lang): string {
+    return sentenceOf(lang, this.fault);
   }
 }
+
+function ruleOf(lang: Lang, { rule, least = 0, most = 0, names = [], why = "" }: Stated): string {
+  const values: Values = { least, most, why, names: names.join(lang === "zh" ? "、" : ", ") };
+  return say(lang, rule, values);
+}
+
+const sentenceOf = (lang: Lang, fault: Fault): string =>
+  say(lang, "fault", { field: fault.field, rule: ruleOf(lang, fault), value: shown(fault.value) });
 
 /** Throws a `ValueError` where the rule is broken. */
 export function check<T>(value: unknown, rule: Rule, field: string): T {
@@ -60,35 +79,27 @@ function shown(value: unknown): string {
 }
 
 const rule =
-  (holds: (value: unknown) => boolean, en: string, zh: string): Rule =>
+  (holds: (value: unknown) => boolean, stated: Stated): Rule =>
   (value, field) =>
-    holds(value) ? null : { field, value, words: [en, zh] };
+    holds(value) ? null : { field, value, ...stated };
 
 export const oneOf = (names: readonly unknown[]): Rule =>
-  rule((value) => names.includes(value), `must be one of ${names.join(", ")}`, `必须是 ${names.join("、")} 之一`);
+  rule((value) => names.includes(value), { rule: "oneOf", names });
 
 export const numberFrom = (least: number, most: number): Rule =>
-  rule(
-    (value) => typeof value === "number" && value >= least && value <= most,
-    `must be a number from ${least} to ${most}`,
-    `必须是 ${least} 到 ${most} 之间的数`,
-  );
+  rule((value) => typeof value === "number" && value >= least && value <= most, { rule: "number", least, most });
 
 const wholeFrom = (least: number, most: number): Rule =>
-  rule(
-    (value) => Number.isInteger(value) && Number(value) >= least && Number(value) <= most,
-    `must be a whole number from ${least} to ${most}`,
-    `必须是 ${least} 到 ${most} 之间的整数`,
-  );
+  rule((value) => Number.isInteger(value) && Number(value) >= least && Number(value) <= most, {
+    rule: "whole",
+    least,
+    most,
+  });
 
 export const textUpTo = (most: number): Rule =>
-  rule(
-    (value) => typeof value === "string" && value.length <= most,
-    `must be a text of at most ${most} characters`,
-    `必须是不超过 ${most} 个字符的文本`,
-  );
+  rule((value) => typeof value === "string" && value.length <= most, { rule: "text", most });
 
-const boolean = rule((value) => typeof value === "boolean", "must be true or false", "必须是 true 或 false");
+const boolean = rule((value) => typeof value === "boolean", { rule: "boolean" });
 const isRecord = (value: unknown): value is Record<string, unknown> =>
   typeof value === "object" && value !== null && !Array.isArray(value);
 
@@ -99,16 +110,14 @@ const orNull =
 
 /** A list of different values. */
 const listOf = (each: Rule, least: number, most: number): Rule => {
-  const size = rule(
-    (value) => Array.isArray(value) && value.length >= least && value.length <= most,
-    `must be a list of ${least} to ${most}`,
-    `必须是 ${least} 到 ${most} 项的列表`,
-  );
-  const distinct = rule(
-    (value) => new Set(value as unknown[]).size === (value as unknown[]).length,
-    "must be a list of different values",
-    "必须是互不相同的列表",
-  );
+  const size = rule((value) => Array.isArray(value) && value.length >= least && value.length <= most, {
+    rule: "list",
+    least,
+    most,
+  });
+  const distinct = rule((value) => new Set(value as unknown[]).size === (value as unknown[]).length, {
+    rule: "distinct",
+  });
   return (value, field) =>
     size(value, field) ??
     firstFault((value as unknown[]).map((one, i) => each(one, `${field}[${i}]`))) ??
@@ -117,11 +126,7 @@ const listOf = (each: Rule, least: number, most: number): Rule => {
 
 /** An object of these fields and no others. */
 export const objectOf = (fields: Record<string, Rule>, optional: readonly string[] = []): Rule => {
-  const isObject = rule(
-    isRecord,
-    `must be an object of ${Object.keys(fields).join(", ")}`,
-    `必须是包含 ${Object.keys(fields).join("、")} 的对象`,
-  );
+  const isObject = rule(isRecord, { rule: "object", names: Object.keys(fields) });
   const known = oneOf(Object.keys(fields));
   return (value, field) =>
     isObject(value, field) ??

@@ -1,26 +1,10 @@
 /** How a shared scene was looked at: layout, planners, layers, step and camera, behind its link as `&v=…`. */
 import type { PlannerId } from "parkade";
 import { check, MODES, numeral, RULES, SEARCH_MODES, type Known } from "./schema";
-import type { Camera, LayerKey, Playback, State } from "../store";
+import type { Camera, Playback, State } from "../store";
+import { ALL_LAYERS, LAYERS, layerSet } from "../store/layer-sets";
 import { limited } from "../view/camera";
 
-/** In the order of their bits; new ones only at the end, for links open for ever. */
-const BITS: readonly LayerKey[] = [
-  "slots",
-  "obstacles",
-  "safety",
-  "redundant",
-  "cost",
-  "heat",
-  "risk",
-  "tree",
-  "sweep",
-  "path",
-  "car",
-  "ghosts",
-  "grid",
-  "difference",
-];
 const WAYS = ["drive-percent", "search-percent", "search-expansions"] as const;
 /** Cameras are kept to a hundredth, steps to a ten-thousandth. */
 /** Between a planner and what its path is chosen by. */
@@ -31,7 +15,7 @@ const FINE = 100,
 type Looks = Pick<State, "mode" | "focus" | "planners" | "layers" | "playback" | "camera" | "prefer">;
 
 export function encodeView({ mode, focus, planners, layers, playback, camera, prefer, scene }: State): string {
-  const bits = BITS.reduce((sum, key, i) => sum + (layers[key] ? 2 ** i : 0), 0);
+  const bits = ALL_LAYERS.reduce((sum, key) => sum + (layers[key] ? 2 ** LAYERS[key].bit : 0), 0);
   const way = playback.base === "drive" ? 0 : playback.searchMode === "percent" ? 1 : 2,
     held = limited(camera, scene.map);
   // The smallest scale must not be rounded below itself.
@@ -57,10 +41,9 @@ const shownIn = (text: string): string[][] => (text.split("~")[2] ?? "").split("
 export function decodeView(text: string, known: Known, playback: Playback): Looks {
   const [mode, focus, , bits, way, fraction, ...place] = text.split("~");
   const mask = /^[0-9a-z]+$/.test(bits ?? "") ? parseInt(bits!, 36) : NaN;
-  const layers = BITS.filter((_, i) => Math.floor(mask / 2 ** i) % 2 === 1);
   const [base, searchMode] = (WAYS[Number(way)] ?? `${way}`).split("-");
   const planners = check<PlannerId[]>(plannersOf(text), RULES.planners(known), "planners");
-  check(mask, RULES.layerBits(BITS.length), "layers");
+  check(mask, RULES.layerBits(ALL_LAYERS.length), "layers");
   return {
     mode: check(MODES[Number(mode)] ?? mode, RULES.mode(), "mode"),
     planners,
@@ -70,7 +53,7 @@ export function decodeView(text: string, known: Known, playback: Playback): Look
         .map(([planner, by]) => [planner, check(by, RULES.prefer(), "prefer")]),
     ),
     focus: check(focus, RULES.focus(planners), "focus"),
-    layers: Object.fromEntries(BITS.map((key) => [key, layers.includes(key)])) as Record<LayerKey, boolean>,
+    layers: layerSet((key) => Math.floor(mask / 2 ** LAYERS[key].bit) % 2 === 1),
     playback: {
       ...playback,
       playing: false,

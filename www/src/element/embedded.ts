@@ -1,12 +1,12 @@
 import type { PlannerId } from "parkade";
 import { css, html, nothing, unsafeCSS, type PropertyValues, type TemplateResult } from "lit";
 import { elsewhere } from "../planning/engine-loader";
-import type { Camera, LayerKey, Scene, State } from "../store";
+import type { Camera, Scene, State } from "../store";
 import { chip } from "../styles/chip";
 import { controls } from "../styles/controls";
 import { layout } from "../styles/layout";
 import { tokens } from "../styles/tokens";
-import { ALL_LAYERS, LAYER_PRESETS, presetLayers, type LayerPreset } from "../store/layer-sets";
+import { LAYER_PRESETS, layerSet, presetLayers, type LayerPreset } from "../store/layer-sets";
 import type { Beginning } from "../app/app";
 import { watchScheme, type Scheme } from "./host-scheme";
 import { FIRST_SCENE, Playground } from "./playground";
@@ -383,7 +383,7 @@ function layersOf(text: string): State["layers"] {
   const names = words(text);
   const preset = LAYER_PRESETS.find((one) => names.length === 1 && one === names[0]) as LayerPreset | undefined;
   if (preset) return presetLayers(preset);
-  return Object.fromEntries(ALL_LAYERS.map((key) => [key, names.includes(key)])) as Record<LayerKey, boolean>;
+  return layerSet((key) => names.includes(key));
 }
 
 customElements.define("parkade-embedded", Embedded);

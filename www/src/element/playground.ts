@@ -8,8 +8,8 @@ import { controls } from "../styles/controls";
 import { tokens } from "../styles/tokens";
 import { layout } from "../styles/layout";
 import type { MenuRequest } from "../tools/controller";
-import { App, download, sentence, type Beginning } from "../app/app";
-import { listenToKeys } from "../app/keyboard";
+import { App, download, sentence, type Beginning, type Request } from "../app/app";
+import { extras, menus, vast } from "../view/lazy-layers";
 import { recall, remember } from "../store/preferences";
 import "../panels/notices";
 import "../panels/stage";
@@ -31,6 +31,10 @@ const PARTS = [
   () => import("../panels/view-controls"),
   () => import("../panels/splitter"),
 ];
+extras.from(() => import("../panels/extras"));
+menus.from(() => import("../panels/toolbar-menus"));
+vast.from(() => import("../view/large-map-raster"));
+
 const DIALOGS = {
   presets: () => import("../panels/presets"),
   keys: () => import("../panels/keys-dialog"),
@@ -87,7 +91,7 @@ export class Playground extends LitElement {
   ready: Promise<void>;
   /** True if nothing is edited by pointer or keys. */
   declare viewing: boolean;
-  protected readonly app = new App(this);
+  protected readonly app = new App(this, (request, scale) => this.answer(request, scale));
   /** Resolves when there is a scene to draw, or something to say in its place. */
   protected readonly drawable: Promise<void>;
   protected becomeDrawable: () => void = () => {};
@@ -211,11 +215,17 @@ export class Playground extends LitElement {
       () => resize.disconnect(),
       () => scheme.removeEventListener("change", onScheme),
       this.store.subscribe((state, previous) => this.onState(state, previous)),
-      listenToKeys(this, this.app, (name) => void this.openDialog(name)),
     ];
+    void this.app.fetchPart(() => this.takeKeys(this.detach));
     this.measure(this.getBoundingClientRect());
     void this.begin();
     this.fetchParts();
+  }
+
+  /** Keys come after the first picture; `detach` is another list once the element has left its page. */
+  private async takeKeys(detach: (() => void)[]): Promise<void> {
+    const { listenToKeys } = await import("../app/keyboard");
+    if (this.detach === detach) detach.push(listenToKeys(this, this.app));
   }
 
   override disconnectedCallback(): void {
@@ -256,12 +266,7 @@ export class Playground extends LitElement {
 
   protected override render(): TemplateResult {
     return html`<div class="layout-${this.compact ? "narrow" : "wide"} ${this.rails ? "rails" : ""} ${this.bare ? "bare" : ""}" role="region" aria-label=${this.app.t("app.label")}
-        @parkade-scenes=${() => void this.openDialog("presets")} @parkade-keys=${() => void this.openDialog("keys")} @parkade-papers=${() => void this.openDialog("papers")} @parkade-fold=${() => {
-          this.folded = !this.folded;
-        }} @parkade-inspect=${() => {
-          this.inspecting = !this.inspecting;
-        }}
-        @parkade-menu=${this.showMenu} @parkade-open-file=${() => this.fileInput?.click()} @parkade-png=${this.savePicture}
+        @parkade-menu=${this.showMenu}
         @dragover=${this.onDragOver} @dragleave=${() => {
           this.dropping = false;
         }} @drop=${this.onDrop}>
@@ -402,11 +407,18 @@ export class Playground extends LitElement {
       ?.show(detail);
   };
 
-  private readonly savePicture = async ({ detail }: CustomEvent<number>): Promise<void> => {
+  private answer(request: Request, scale = 1): void {
+    if (request === "fold") this.folded = !this.folded;
+    else if (request === "inspect") this.inspecting = !this.inspecting;
+    else if (request === "open") this.fileInput?.click();
+    else void (request === "png" ? this.savePicture(scale) : this.openDialog(request));
+  }
+
+  private async savePicture(scale: number): Promise<void> {
     const { picture } = await import("./screenshot");
-    const blob = await picture(this.app, this.views(), { scale: detail });
-    if (blob) download(blob, `parkade${detail > 1 ? `@${detail}x` : ""}.png`);
-  };
+    const blob = await picture(this.app, this.views(), { scale });
+    if (blob) download(blob, `parkade${scale > 1 ? `@${scale}x` : ""}.png`);
+  }
 
   private readonly onFile = (event: Event): void => {
     const input = event.target as HTMLInputElement;
@@ -454,7 +466,7 @@ export class Playground extends LitElement {
 
   /** Values set before this element was defined hide its accessors. */
   private takeEarly(name: "sceneData"): void {
-    if (!Object.prototype.hasOwnProperty.call(this, name)) return;
+    if (!Object.hasOwn(this, name)) return;
     const value = this[name];
     delete (this as Partial<Record<typeof name, unknown>>)[name];
     this[name] = value;

@@ -137,22 +137,13 @@ export abstract class SceneOpening extends Playground {
     try {
       return JSON.parse(this.inline) as Scene;
     } catch (error) {
-      throw broken(
-        "scene",
-        this.inline,
-        `must be a scene as JSON (${(error as Error).message})`,
-        "必须是 JSON 格式的场景",
-      );
+      throw new ValueError({ field: "scene", value: this.inline, rule: "scene", why: (error as Error).message });
     }
   }
 }
 
-const broken = (field: string, value: unknown, ...words: [en: string, zh: string]): ValueError =>
-  new ValueError({ field, value, words });
-
 async function fetched(src: string): Promise<Scene> {
-  const refuse = (why: string): ValueError =>
-    broken("src", src, `must be the address of a scene as JSON (${why})`, `必须是 JSON 场景的地址（${why}）`);
+  const refuse = (why: string): ValueError => new ValueError({ field: "src", value: src, rule: "address", why });
   let answer: Response;
   try {
     answer = await fetch(new URL(src, document.baseURI));

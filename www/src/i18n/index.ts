@@ -1,20 +1,19 @@
-import en from "./en.json";
-import type later from "./en-later.json";
+import first from "./messages/first.json";
+import type later from "./messages/later.json";
 import type { Catalogue } from "./reasons-zh";
-import zhUrl from "./zh.json?url";
-import zhReasonsUrl from "./reasons-zh.json?url";
+import chineseUrl from "./reasons-zh.json?url";
 
 export type Lang = "en" | "zh";
-export type MessageKey = keyof typeof en | keyof typeof later;
+export type MessageKey = keyof typeof first | keyof typeof later;
 export type Values = Record<string, string | number>;
 export type Translate = (key: MessageKey, values?: Values) => string;
+/** English and Chinese of each key. The build leaves the English in its place, and puts the Chinese of all files into one. */
+export type Messages = Record<string, string | string[]>;
 
 type Table = Record<string, string>;
 
-/** English is part of the page and of its pieces; other languages are fetched when they are wanted. */
-const english: Table = { ...en };
-const tables: Partial<Record<Lang, Table>> = { en: english };
-const urls: Partial<Record<Lang, readonly [words: string, reasons: string]>> = { zh: [zhUrl, zhReasonsUrl] };
+/** English comes with the page and its pieces; other languages are fetched when they are wanted. */
+const tables: Record<Lang, Table> = { en: {}, zh: {} };
 const plurals: Record<Lang, Intl.PluralRules> = { en: new Intl.PluralRules("en"), zh: new Intl.PluralRules("zh") };
 const formats = new Map<string, Intl.NumberFormat>();
 
@@ -22,11 +21,25 @@ const formats = new Map<string, Intl.NumberFormat>();
 const reasons: Partial<Record<Lang, (english: string) => string>> = {};
 
 /** `{name}` is a value; `{n|pose|poses}` picks a word by the number `n`. */
-export const translate = (lang: Lang, key: MessageKey, values: Values = {}): string =>
-  fill(lang, (tables[lang] ?? english)[key] ?? "", values);
+export const textOf = (lang: Lang, key: string, values: Values = {}): string =>
+  fill(lang, templateOf(lang, key), values);
+
+/** A text with its places for values. */
+export const templateOf = (lang: Lang, key: string): string => tables[lang][key] ?? tables.en[key] ?? "";
+
+/** The same, of the words of the page and of most pieces. */
+export const translate: (lang: Lang, key: MessageKey, values?: Values) => string = textOf;
 
 /** Words that come with a piece of the page. */
-export const addEnglish = (words: Table): void => void Object.assign(english, words);
+export function addMessages(messages: Messages): void {
+  for (const key in messages) {
+    const [en, zh] = [messages[key]!].flat();
+    tables.en[key] = en!;
+    if (zh) tables.zh[key] = zh;
+  }
+}
+
+addMessages(first);
 
 /** Translations of the planners' English texts. */
 export const reasonIn = (lang: Lang, english: string): string => reasons[lang]?.(english) ?? english;
@@ -42,17 +55,16 @@ export function fill(lang: Lang, text: string, values: Values): string {
 
 /** Fetches a language's words; without them the page stays English. */
 export async function loadLang(lang: Lang): Promise<Lang> {
-  const files = urls[lang];
-  if (tables[lang] || !files) return lang;
-  const read = async (url: string): Promise<unknown> => (await fetch(new URL(url, import.meta.url))).json();
+  if (lang === "en" || reasons[lang]) return lang;
   try {
-    const [table, catalogue, { chineseReasons }] = await Promise.all([
-      read(files[0]),
-      read(files[1]),
+    const [{ words, ...catalogue }, { chineseReasons }] = await Promise.all([
+      fetch(new URL(chineseUrl, import.meta.url)).then(
+        (answer) => answer.json() as Promise<Catalogue & { words?: Table }>,
+      ),
       import("./reasons-zh"),
     ]);
-    tables[lang] = table as Table;
-    reasons[lang] = chineseReasons(catalogue as Catalogue);
+    Object.assign(tables[lang], words);
+    reasons[lang] = chineseReasons(catalogue);
     return lang;
   } catch {
     return "en";
@@ -60,7 +72,7 @@ export async function loadLang(lang: Lang): Promise<Lang> {
 }
 
 export function isMessage(key: string): key is MessageKey {
-  return key in english;
+  return key in tables.en;
 }
 
 export function number(lang: Lang, value: number, digits: number): string {

@@ -1,5 +1,5 @@
-/** English of the pieces that are fetched later: each that uses such a word imports this. */
-import later from "./en-later.json";
-import { addEnglish } from "./index";
+/** Words of the pieces that are fetched later: each that uses such a word imports this. */
+import { addMessages } from "./index";
+import later from "./messages/later.json";
 
-addEnglish(later);
+addMessages(later);

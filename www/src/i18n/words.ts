@@ -1,22 +1,27 @@
-/** The words of a piece that is fetched when it is opened; they come with it. */
+/** The words of a piece, which come with it. */
 import "./later";
-import { fill, translate, type Lang, type MessageKey, type Values } from "./index";
+import { addMessages, textOf, type Lang, type MessageKey, type Messages, type Values } from "./index";
 
 export type Say<Key extends string> = (lang: Lang, key: Key, values?: Values) => string;
 
-/** English and Chinese in pairs. */
-export function words<Key extends string>(table: Record<Key, readonly [en: string, zh: string]>): Say<Key> {
-  return (lang, key, values = {}) => fill(lang, table[key][lang === "zh" ? 1 : 0], values);
+/** The rest of the keys that begin with a prefix and a dot. */
+type Named<Key, Prefix extends string> = Key extends `${Prefix}.${infer Name}` ? Name : never;
+
+/** Adds a file of the catalogue, all of whose keys begin with the prefix; what it lacks is asked of `others`. */
+export function words<Prefix extends string, Table extends Messages, Other extends string = never>(
+  prefix: Prefix,
+  table: Table,
+  others?: Say<Other>,
+): Say<Named<keyof Table, Prefix> | Other> {
+  addMessages(table);
+  return (lang, key, values) =>
+    others && !(`${prefix}.${key}` in table)
+      ? others(lang, key as Other, values)
+      : textOf(lang, `${prefix}.${key}`, values);
 }
 
-type KeyAt<Prefix extends string> = MessageKey extends infer Key
-  ? Key extends `${Prefix}.${infer Name}`
-    ? Name
-    : never
-  : never;
-
-/** The words of a piece that most visits fetch: they stand in the tables. */
+/** The words of a piece that most visits fetch: they stand with those of others. */
 export const wordsAt =
-  <Prefix extends string>(prefix: Prefix): Say<KeyAt<Prefix>> =>
+  <Prefix extends string>(prefix: Prefix): Say<Named<MessageKey, Prefix>> =>
   (lang, key, values) =>
-    translate(lang, `${prefix}.${key}` as MessageKey, values);
+    textOf(lang, `${prefix}.${key}`, values);

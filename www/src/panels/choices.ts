@@ -1,30 +1,14 @@
 import type { Choice } from "../store/results";
 import type { Plan, PlannerId, Prefer } from "parkade";
 import { css, html, nothing, type PropertyValues, type TemplateResult } from "lit";
+import messages from "../i18n/messages/choices.json";
 import { words } from "../i18n/words";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { plannerName } from "../styles/planner-style";
 import { AppElement } from "./base";
 
-const say = words({
-  label: ["{planner}: paths to choose from", "{planner}：可选路径"],
-  shortest: ["shortest", "最短"],
-  "fewest-changes": ["fewest gear changes", "换挡最少"],
-  widest: ["most room", "间距最大"],
-  fastest: ["fastest", "最快"],
-  ordinary: ["as planned", "默认结果"],
-  changes: ["{length} m · {n} ⇄", "{length} m · {n} ⇄"],
-  none: ["{length} m · 0", "{length} m · 0"],
-  clear: ["{length} m · {clear} m clear", "{length} m · 间距 {clear} m"],
-  title: [
-    "{what}: {length} m, {n} gear {n|change|changes}, {clear} m clear. {proof}",
-    "{what}：{length} m，换挡 {n} 次，间距 {clear} m。{proof}",
-  ],
-  proven: ["Proven shortest.", "已证明最短。"],
-  within: ["Within {share} % of the shortest possible.", "与最短可能值相差不超过 {share}%。"],
-  bound: ["No path can be shorter than {bound} m.", "任何路径都不会短于 {bound} m。"],
-});
+const say = words("choices", messages);
 
 /** Percent above the shortest way without obstacles: rounding, and what tells more as a length. */
 const ROUNDING = 1e-4,

@@ -1,38 +1,22 @@
 import { isPose } from "../scene/selection";
 import type { Pose } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
+import { ariaKeys, shownChord } from "../app/chord-text";
+import { commands, isEnabled, type Command, type CommandId } from "../app/commands";
+import messages from "../i18n/messages/context-menu.json";
 import { words } from "../i18n/words";
-import { anyOfSlots, anywhereIn, flipGoal, leaveSlot, orThere, slotOfStart, slotsOfGoal } from "../scene/goals";
+import { anyOfSlots, anywhereIn, leaveSlot, orThere, slotOfStart, slotsOfGoal } from "../scene/goals";
 import { findObstacle, findSlot, isGoalPose, movePose, setGoalFromSlot } from "../scene/model";
 import { removeObstacle } from "../scene/removal";
 import { cornersOf } from "../scene/shapes";
 import { idsOf } from "../scene/scene-objects";
-import { type Scene, type State } from "../store";
+import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
 import type { MenuRequest } from "../tools/controller";
-import { duplicateSelected, removeSelected, selectAll } from "../tools/edit-keys";
 import { AppElement } from "./base";
 import { icon, type IconName } from "../styles/icons";
 
-const say = words({
-  menu: ["Map actions", "地图操作"],
-  startHere: ["Set start here", "起点设在此处"],
-  goalHere: ["Set goal here", "目标设在此处"],
-  duplicate: ["Duplicate", "复制"],
-  remove: ["Delete", "删除"],
-  all: ["Select all", "全选"],
-  slotGoal: ["Set as goal", "设为目标"],
-  orSlot: ["Or this slot", "或此车位"],
-  orHere: ["Or goal here", "或目标设在此处"],
-  slotsGoal: ["Any of these as goal", "任一所选车位为目标"],
-  region: ["Make it the goal region", "设为目标区域"],
-  leave: ["Leave the slot", "驶离车位"],
-  flip: ["Reverse the goal heading", "目标掉头"],
-  undo: ["Undo", "撤销"],
-  fit: ["Fit to view", "适应视图"],
-  snap: ["Snap to objects and cells", "吸附到物体与栅格"],
-  pen: ["Fingers pan, the pen draws", "手指平移，触控笔绘制"],
-});
+const say = words("contextMenu", messages);
 
 /** Menu at the pointer, opened by a right click or a resting finger. */
 export class ContextMenu extends AppElement {
@@ -81,7 +65,7 @@ export class ContextMenu extends AppElement {
   protected override render(): TemplateResult | typeof nothing {
     const { request } = this;
     if (!request) return nothing;
-    const { scene, selection, canUndo, toolOptions, penSeen } = this.state,
+    const { scene, selection, toolOptions, penSeen } = this.state,
       { store } = this.app;
     const some = idsOf(selection).length > 0;
     const slot = selection?.kind === "slot" ? findSlot(scene, selection.id) : undefined;
@@ -92,14 +76,12 @@ export class ContextMenu extends AppElement {
     const toggle = (name: "snap" | "penDraws"): void =>
       store.set({ toolOptions: { ...toolOptions, [name]: !toolOptions[name] } });
     return html`<div class="popover" role="menu" aria-label=${say(this.state.lang, "menu")} @keydown=${this.onKey}>
-      ${some ? html`${this.item("copy", "duplicate", "Ctrl D", () => duplicateSelected(store))}${this.item("trash", "remove", "Del", () => removeSelected(store))}` : nothing}
-      ${slot && !slot.occupied ? this.item("slot", "slotGoal", "", () => store.edit(setGoalFromSlot(scene, slot.id!), { label: "goal" })) : nothing}
+      ${some ? html`${this.command("duplicate")}${this.command("remove")}` : nothing}
+      ${slot && !slot.occupied ? this.item("slot", "slotGoal", null, () => store.edit(setGoalFromSlot(scene, slot.id!), { label: "goal" })) : nothing}
       ${this.goals(request)}
-      ${isPose(selection) && selection.kind === "goal" ? this.item("flip", "flip", "X", () => store.edit(flipGoal(scene), { label: "flip" })) : nothing}
-      ${some || isPose(selection) ? html`<hr>` : html`${this.item("car", "startHere", "S", () => place("start"))}${this.item("car", "goalHere", "T", () => place("goal"))}<hr>`}
-      ${this.item("undo", "undo", "Ctrl Z", () => store.undo(), !canUndo)}
-      ${this.item("select", "all", "Ctrl A", () => selectAll(store))}
-      ${this.item("fit", "fit", "0", () => this.app.controller.fit())}
+      ${isPose(selection) && selection.kind === "goal" ? this.command("flip") : nothing}
+      ${some || isPose(selection) ? html`<hr>` : html`${this.item("car", "startHere", "placeStart", () => place("start"))}${this.item("car", "goalHere", "placeGoal", () => place("goal"))}<hr>`}
+      ${this.command("undo")}${this.command("selectAll")}${this.command("fit")}
       ${this.check("snap", toolOptions.snap, () => toggle("snap"))}
       ${penSeen ? this.check("pen", toolOptions.penDraws, () => toggle("penDraws")) : nothing}</div>`;
   }
@@ -110,7 +92,7 @@ export class ContextMenu extends AppElement {
       ids = idsOf(selection),
       named = slotsOfGoal(scene).map((slot) => slot.id!);
     const goal = (name: IconName, key: Parameters<typeof say>[1], make: () => Scene): TemplateResult =>
-      this.item(name, key, "", () => this.app.store.edit(make(), { label: "goal" }));
+      this.item(name, key, null, () => this.app.store.edit(make(), { label: "goal" }));
     if (selection?.kind === "start")
       return slotOfStart(scene) ? goal("slot", "leave", () => leaveSlot(scene)) : nothing;
     if (selection === null) return goal("car", "orHere", () => orThere(scene, poseAt(scene, "goal", request)));
@@ -125,17 +107,40 @@ export class ContextMenu extends AppElement {
       : nothing;
   }
 
+  private command(id: CommandId): TemplateResult | typeof nothing {
+    const command = commands[id];
+    return command
+      ? this.entry(
+          command.icon!,
+          this.t(command.title),
+          command,
+          () => command.run(this.app),
+          !isEnabled(this.state, command),
+        )
+      : nothing;
+  }
+
+  /** `keys`: the command that does the same by keys. */
   private item(
     name: IconName,
     key: Parameters<typeof say>[1],
-    keys: string,
+    keys: CommandId | null,
+    run: () => void,
+  ): TemplateResult {
+    return this.entry(name, say(this.state.lang, key), keys ? commands[keys] : undefined, run);
+  }
+
+  private entry(
+    name: IconName,
+    text: string,
+    keyed: Command | undefined,
     run: () => void,
     disabled = false,
   ): TemplateResult {
-    return html`<button class="item" role="menuitem" ?disabled=${disabled} @click=${() => {
+    return html`<button class="item" role="menuitem" ?disabled=${disabled} aria-keyshortcuts=${keyed ? ariaKeys(keyed) : nothing} @click=${() => {
       this.close();
       run();
-    }}>${icon(name)}${say(this.state.lang, key)}${keys ? html`<span class="keys">${keys}</span>` : nothing}</button>`;
+    }}>${icon(name)}${text}${keyed ? html`<span class="keys" aria-hidden="true">${shownChord(keyed.keys[0]!)}</span>` : nothing}</button>`;
   }
 
   private check(key: "snap" | "pen", on: boolean, run: () => void): TemplateResult {

@@ -1,4 +1,5 @@
 import { css, html, nothing, type TemplateResult } from "lit";
+import messages from "../i18n/messages/entry-switch.json";
 import { words } from "../i18n/words";
 import { withEntry } from "../scene/goals";
 import type { State } from "../store";
@@ -8,12 +9,7 @@ import { boxesOf, freeSpot, goalOnMap, moved, type Spot } from "./free-spot";
 import type { Hints } from "./hints";
 import { icon } from "../styles/icons";
 
-const say = words({
-  "reverse-in": ["Reverse in", "倒车入库"],
-  "head-in": ["Head in", "车头入库"],
-  either: ["Either way in", "两种入库方式"],
-  title: ["Entry: {now}. Switch to: {next}", "入库方式：{now}。切换为：{next}"],
-});
+const say = words("entrySwitch", messages);
 
 /** Beside a goal car that stands in a slot: how it enters, and another way at a press. */
 export class EntrySwitch extends AppElement {

@@ -1,5 +1,6 @@
 import type { PlannerId } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
+import messages from "../i18n/messages/failure-line.json";
 import { words } from "../i18n/words";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
@@ -11,7 +12,7 @@ import { whyOf } from "../texts/failure";
 import { icon } from "../styles/icons";
 import type { SceneView } from "./scene-view";
 
-const say = words({ show: ["Show", "显示"], where: ["Show on the map where it fails", "在地图上显示失败之处"] });
+const say = words("failureLine", messages);
 
 /** One line under a planner's title: why its answer fails; a click shows the place. */
 export class FailureLine extends AppElement {

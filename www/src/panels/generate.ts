@@ -1,6 +1,7 @@
 import type { Family } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import { sentence } from "../app/app";
+import messages from "../i18n/messages/generate.json";
 import { words } from "../i18n/words";
 import { Helper, JobError, joined } from "../planning/job-client";
 import { ensureIds } from "../scene/model";
@@ -8,26 +9,11 @@ import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
 import { vast } from "../view/lazy-layers";
 import { AppElement } from "./base";
+import { valueOf } from "./inputs";
 import { icon } from "../styles/icons";
 import "./thumbnail";
 
-const say = words({
-  title: ["Generate a map", "生成地图"],
-  lead: ["The same seed and settings always give the same map.", "种子与设置相同，生成的地图总是相同。"],
-  family: ["Family", "类型"],
-  random: ["Random blocks", "随机障碍"],
-  regular: ["Regular blocks", "规则障碍"],
-  trap: ["Traps", "陷阱"],
-  size: ["Cells per side", "边长（格）"],
-  seed: ["Seed", "种子"],
-  nextSeed: ["Next seed", "下一个种子"],
-  densityPermille: ["Blocked cells", "障碍占比"],
-  blockMin: ["Block size from", "障碍边长从"],
-  blockMax: ["to", "到"],
-  cells: ["cells", "格"],
-  open: ["Open", "打开"],
-  failed: ["The map could not be generated: {reason}", "无法生成地图：{reason}"],
-});
+const say = words("generate", messages);
 
 type Field = "size" | "seed" | "densityPermille" | "blockMin" | "blockMax";
 const FAMILIES = ["random", "regular", "trap"] as const;
@@ -115,7 +101,7 @@ export class Generate extends AppElement {
   private field(name: Field, unit = ""): TemplateResult {
     const bad = this.fault?.field === name;
     return html`<label>${say(this.state.lang, name)}<span class="field ${bad ? "bad" : ""}"><input inputmode="numeric" name=${name} .value=${this.values[name]} aria-invalid=${bad} aria-describedby=${bad ? "fault" : nothing}
-      @input=${(e: Event) => this.type(name, (e.target as HTMLInputElement).value)}>${unit ? html`<span>${unit}</span>` : nothing}</span></label>`;
+      @input=${(e: Event) => this.type(name, valueOf(e))}>${unit ? html`<span>${unit}</span>` : nothing}</span></label>`;
   }
 
   private faultText(): string {

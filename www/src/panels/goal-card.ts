@@ -19,6 +19,7 @@ import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";
 import { AppElement } from "./base";
+import { isChecked } from "./inputs";
 import { icon } from "../styles/icons";
 
 const say = wordsAt("goal");
@@ -76,7 +77,7 @@ export class GoalCard extends AppElement {
       ${
         "region" in goal
           ? html`<div class="row"><label><input type="checkbox" .checked=${goal.heading !== undefined}
-        @change=${(e: Event) => this.edit(anywhereIn(scene, goal.region, (e.target as HTMLInputElement).checked ? goalPose(scene).heading : undefined))}>${say(this.state.lang, "heading")}</label></div>`
+        @change=${(e: Event) => this.edit(anywhereIn(scene, goal.region, isChecked(e) ? goalPose(scene).heading : undefined))}>${say(this.state.lang, "heading")}</label></div>`
           : nothing
       }
       ${slotOfStart(scene) && kind !== "region" ? html`<div class="row"><button class="button outline small" @click=${() => this.edit(leaveSlot(scene))}>${say(this.state.lang, "leave")}</button></div>` : nothing}`;

@@ -14,6 +14,7 @@ import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";
 import { AppElement } from "./base";
+import { valueOf } from "./inputs";
 import { stopText } from "../texts/ground-limit";
 
 const FIELDS = { width: ["right", "left"], depth: ["top", "bottom"] } as const satisfies Record<
@@ -56,7 +57,7 @@ export class GroundCard extends AppElement {
       size = sizeAlong(box, axisOf(FIELDS[field][0]));
     return html`<label class="field ${bad ? "bad" : ""}"><span>${this.t(`ground.${field}`)}</span><input type="number" step="0.1" ?disabled=${!side}
       .value=${bad ? this.refused!.text : String(Math.round(size * 1000) / 1000)} aria-invalid=${bad} aria-describedby=${bad ? "why" : nothing}
-      @change=${(e: Event) => this.type(field, (e.target as HTMLInputElement).value)}><span>m</span></label>`;
+      @change=${(e: Event) => this.type(field, valueOf(e))}><span>m</span></label>`;
   }
 
   /** The right and the upper side move where they can. */

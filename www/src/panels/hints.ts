@@ -1,6 +1,7 @@
 import type { PlannerId } from "parkade";
 import { css, html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { recall, remember } from "../store/preferences";
+import messages from "../i18n/messages/hints.json";
 import { words } from "../i18n/words";
 import "../i18n/later";
 import type { Box } from "../scene/geometry";
@@ -13,7 +14,7 @@ import { boxAround, boxesOf, freeSpot, goalOnMap, moved, type Spot } from "./fre
 import { icon } from "../styles/icons";
 import { statusOf } from "../texts/status";
 
-const say = words({ close: ["Close this hint", "关闭此提示"] });
+const say = words("hints", messages);
 
 const STEPS = ["hint.drag", "hint.wall", "hint.fails"] as const;
 type Step = (typeof STEPS)[number];

@@ -1,43 +1,21 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import { sentence } from "../app/app";
+import messages from "../i18n/messages/image-import.json";
 import { words } from "../i18n/words";
 import { imageMap, MOST_CELLS, type ImageMap, type ImageOptions, type Pixels } from "../scene/image";
 import { pixelsOf } from "../scene/image-decode";
-import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
 import { vast } from "../view/lazy-layers";
-import { AppElement } from "./base";
-import { icon } from "../styles/icons";
+import { DialogElement } from "./dialog";
+import { isChecked, numberOf } from "./inputs";
 
-const say = words({
-  title: ["Open image as map", "将图片作为地图打开"],
-  threshold: ["Wall threshold", "墙的亮度阈值"],
-  invertOn: ["Light pixels are walls", "亮像素为墙"],
-  metres: ["Metres per pixel", "每像素米数"],
-  perCell: ["Pixels per cell", "每格像素数"],
-  size: [
-    "{width} × {height} cells of {side} m: {across} × {up} m, {share} % wall.",
-    "{width} × {height} 格，每格 {side} m：{across} × {up} m，墙占 {share} %。",
-  ],
-  tight: [
-    "The car fits nowhere. Increase the metres per pixel or change the threshold.",
-    "地图中没有可容纳车辆的位置。请增大每像素米数或调整阈值。",
-  ],
-  bad: ["Metres per pixel must be above 0 and at most 100.", "每像素米数须大于 0 且不超过 100。"],
-  broken: [
-    "{name} could not be read as an image: {reason} Your scene is unchanged.",
-    "无法将 {name} 读取为图片：{reason}您的场景未改变。",
-  ],
-  open: ["Open", "打开"],
-  close: ["Close", "关闭"],
-  preview: ["Map preview: walls dark, floor light", "地图预览：深色为墙，浅色为空地"],
-});
+const say = words("imageImport", messages);
 
 /** Asks how a picture is to be read, and shows the map that comes of it. */
-export class ImageDialog extends AppElement {
+export class ImageDialog extends DialogElement {
   static override properties = {
-    ...AppElement.properties,
+    ...DialogElement.properties,
     name: { state: true },
     pixels: { state: true },
     options: { state: true },
@@ -62,15 +40,13 @@ export class ImageDialog extends AppElement {
   declare options: ImageOptions;
   private made: ImageMap | null = null;
 
+  protected override readonly closesOutside = false;
+
   constructor() {
     super();
     this.name = "";
     this.pixels = null;
     this.options = { threshold: 128, invert: false, perCell: 1, metres: 0.05 };
-  }
-
-  protected watches(): readonly (keyof State)[] {
-    return [];
   }
 
   async ask(file: File): Promise<void> {
@@ -91,34 +67,30 @@ export class ImageDialog extends AppElement {
       metres: Number((40 / longer).toPrecision(2)),
     };
     this.app.store.set({ message: null });
-    await this.updateComplete;
-    this.dialog?.showModal();
+    this.open();
   }
 
-  protected override render(): TemplateResult {
+  protected override closed(): void {
+    this.pixels = null;
+  }
+
+  protected override content(): TemplateResult {
     const { lang } = this.state,
       { options } = this,
       bad = !(options.metres > 0 && options.metres <= 100);
     this.made = this.pixels && !bad ? imageMap(this.pixels, options, this.name.replace(/\.\w+$/, "")) : null;
-    return html`<dialog aria-labelledby="title" @close=${() => {
-      this.pixels = null;
-    }}>${
-      this.pixels
-        ? html`
-      <div class="top"><h2 id="title">${say(lang, "title")}</h2><p>${this.name}</p><button class="icon" aria-label=${say(lang, "close")} @click=${() => this.dialog?.close()}>${icon("close")}</button></div>
-      <form class="scroll split" novalidate @submit=${this.open}>
+    return html`${this.top(say(lang, "title"), this.name)}
+      <form class="scroll split" novalidate @submit=${this.accept}>
         <div class="picture"><canvas role="img" aria-label=${say(lang, "preview")}></canvas></div>
         <div>
           <label><span>${say(lang, "threshold")}<output>${options.threshold}</output></span>
-            <input class="slider" type="range" min="1" max="255" .value=${String(options.threshold)} .style=${`--at: ${(options.threshold / 255) * 100}%`} @input=${(e: Event) => this.set({ threshold: read(e) })}></label>
-          <label class="check"><input type="checkbox" .checked=${options.invert} @change=${(e: Event) => this.set({ invert: (e.target as HTMLInputElement).checked })}>${say(lang, "invertOn")}</label>
-          <label>${say(lang, "metres")}<span class="field"><input type="number" min="0.001" max="100" step="0.01" .value=${String(options.metres)} aria-invalid=${bad} @input=${(e: Event) => this.set({ metres: read(e) })}><span>m</span></span></label>
+            <input class="slider" type="range" min="1" max="255" .value=${String(options.threshold)} .style=${`--at: ${(options.threshold / 255) * 100}%`} @input=${(e: Event) => this.set({ threshold: numberOf(e) })}></label>
+          <label class="check"><input type="checkbox" .checked=${options.invert} @change=${(e: Event) => this.set({ invert: isChecked(e) })}>${say(lang, "invertOn")}</label>
+          <label>${say(lang, "metres")}<span class="field"><input type="number" min="0.001" max="100" step="0.01" .value=${String(options.metres)} aria-invalid=${bad} @input=${(e: Event) => this.set({ metres: numberOf(e) })}><span>m</span></span></label>
           <label>${say(lang, "perCell")}<span class="field"><input type="number" min="1" max="64" step="1" .value=${String(options.perCell)} @change=${this.coarsen}></span></label>
           ${bad ? html`<p class="warn" role="alert">${say(lang, "bad")}</p>` : this.summary()}
           <button class="button solid" ?disabled=${bad}>${say(lang, "open")}</button>
-        </div></form>`
-        : nothing
-    }</dialog>`;
+        </div></form>`;
   }
 
   private summary(): TemplateResult | typeof nothing {
@@ -160,7 +132,7 @@ export class ImageDialog extends AppElement {
   /** A cell is at least one pixel, and a map at most so many cells wide. */
   private readonly coarsen = (event: Event): void => {
     const { pixels } = this,
-      typed = Math.round(read(event));
+      typed = Math.round(numberOf(event));
     const least = pixels ? Math.ceil(Math.max(pixels.width, pixels.height) / MOST_CELLS) : 1;
     if (Number.isFinite(typed) && typed >= least && typed <= 64) this.set({ perCell: typed });
     (event.target as HTMLInputElement).value = String(this.options.perCell);
@@ -170,7 +142,7 @@ export class ImageDialog extends AppElement {
     this.options = { ...this.options, ...patch };
   }
 
-  private readonly open = async (event: Event): Promise<void> => {
+  private readonly accept = async (event: Event): Promise<void> => {
     event.preventDefault();
     const { made } = this;
     if (!made) return;
@@ -178,14 +150,8 @@ export class ImageDialog extends AppElement {
     void this.app.links.mark();
     this.app.preset = null;
     this.app.openScene(made.scene);
-    this.dialog?.close();
+    this.close();
   };
-
-  private get dialog(): HTMLDialogElement | null {
-    return this.renderRoot.querySelector("dialog");
-  }
 }
-
-const read = (event: Event): number => Number((event.target as HTMLInputElement).value);
 
 customElements.define("parkade-image", ImageDialog);

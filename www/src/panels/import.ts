@@ -2,6 +2,7 @@ import type { ImportedQuery } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import { sentence } from "../app/app";
 import { reasonIn } from "../i18n/index";
+import messages from "../i18n/messages/import.json";
 import { words } from "../i18n/words";
 import { Helper, JobError, joined } from "../planning/job-client";
 import { ensureIds } from "../scene/model";
@@ -10,31 +11,10 @@ import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
 import { vast } from "../view/lazy-layers";
 import { AppElement } from "./base";
+import { numberOf } from "./inputs";
 import { icon, type IconName } from "../styles/icons";
 
-const say = words({
-  reading: ["Reading {name}…", "正在读取 {name}…"],
-  opened: [
-    "Opened {name}: {width} × {height} cells of {side} m.",
-    "已打开 {name}：{width} × {height} 格，每格 {side} m。",
-  ],
-  line: [
-    "{name} could not be read. Line {line}: {reason} Your scene is unchanged.",
-    "无法读取 {name}。第 {line} 行：{reason}您的场景未改变。",
-  ],
-  bad: ["{name} could not be read: {reason} Your scene is unchanged.", "无法读取 {name}：{reason}您的场景未改变。"],
-  queries: ["Start and goal from the file", "文件中的起点与目标"],
-  scenes: ["Scenes in the file", "文件中的场景"],
-  question: ["Query", "查询"],
-  scene: ["Scene", "场景"],
-  of: ["of {n}", "/ {n}"],
-  previous: ["Previous", "上一个"],
-  next: ["Next", "下一个"],
-  group: ["Length", "长度"],
-  groupOf: ["about {length} m", "约 {length} m"],
-  shortest: ["8-neighbour optimum: {length} m", "八邻域最短路径：{length} m"],
-  close: ["Close", "关闭"],
-});
+const say = words("import", messages);
 
 const IMAGE = /\.(png|jpe?g|webp|gif|bmp)$/i;
 
@@ -186,7 +166,7 @@ export class ImportBar extends AppElement {
       ${queries.length ? this.groups(queries) : this.names(scenes)}
       <span class="step">${this.button("back", "previous", this.at - 1, many)}
         <span class="field"><input type="number" min="1" max=${many} .value=${String(this.at + 1)} aria-label=${say(lang, queries.length ? "question" : "scene")}
-          @change=${(e: Event) => this.choose(Math.round(Number((e.target as HTMLInputElement).value)) - 1)}></span>
+          @change=${(e: Event) => this.choose(Math.round(numberOf(e)) - 1)}></span>
         ${this.button("next", "next", this.at + 1, many)} ${say(lang, "of", { n: this.num(many, 0) })}</span>
       ${queries[this.at] ? html`<span class="length">${say(lang, "shortest", { length: this.num(queries[this.at]!.length, 2) })}</span>` : nothing}
       <button class="icon small close" aria-label=${say(lang, "close")} title=${say(lang, "close")} @click=${() => {
@@ -199,13 +179,13 @@ export class ImportBar extends AppElement {
     const { lang } = this.state;
     const firsts = queries.flatMap((query, i) => (i === 0 || query.bucket !== queries[i - 1]!.bucket ? [i] : []));
     const now = firsts.findLast((first) => first <= this.at);
-    return html`<label>${say(lang, "group")}<select @change=${(e: Event) => this.choose(Number((e.target as HTMLSelectElement).value))}>
+    return html`<label>${say(lang, "group")}<select @change=${(e: Event) => this.choose(numberOf(e))}>
       ${firsts.map((first) => html`<option value=${first} ?selected=${first === now} .selected=${first === now}>${say(lang, "groupOf", { length: this.num(queries[first]!.length, 0) })}</option>`)}</select></label>`;
   }
 
   private names(scenes: readonly Scene[]): TemplateResult {
     const { lang } = this.state;
-    return html`<label>${say(lang, "scene")}<select @change=${(e: Event) => this.choose(Number((e.target as HTMLSelectElement).value))}>
+    return html`<label>${say(lang, "scene")}<select @change=${(e: Event) => this.choose(numberOf(e))}>
       ${scenes.map((scene, i) => html`<option value=${i} ?selected=${i === this.at} .selected=${i === this.at}>${scene.name ?? i + 1}</option>`)}</select></label>`;
   }
 

@@ -1,56 +1,15 @@
 import { css, html, type TemplateResult } from "lit";
-import type { MessageKey } from "../i18n/index";
-import { words } from "../i18n/words";
-import "../i18n/later";
-import type { State } from "../store";
+import { shownChord } from "../app/chord-text";
+import { commands, type CommandId } from "../app/commands";
+import "../app/edit-commands";
+import { SECTIONS, type Entry } from "../app/help-rows";
+import { isMessage, type MessageKey } from "../i18n/index";
 import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
-import { AppElement } from "./base";
-import { icon } from "../styles/icons";
-import { TOOLS } from "./toolbar";
-
-type Entry = [name: MessageKey | Own, keys: string];
-
-const OWN = {
-  copy: ["Duplicate; while dragging", "复制；拖动时"],
-  all: ["Select all, add to the selection", "全选；加入选择"],
-  turn: ["Turn by 5°, by 1°", "旋转 5°、1°"],
-  type: ["Type the chosen pose", "输入所选位姿"],
-  draw: ["Move the drawing pointer, press or release", "移动绘图光标、按下或松开"],
-  place: ["Place start, goal", "放置起点、目标"],
-  snap: ["Without snapping, in steps of 15°", "不吸附；按 15° 步进"],
-  tens: ["A tenth of the timeline at a step", "时间轴每步十分之一"],
-} as const;
-type Own = keyof typeof OWN;
-const say = words<Own>(OWN);
-
-const EDIT: readonly Entry[] = [
-  ["keys.undo", "Ctrl Z, Ctrl Shift Z"],
-  ["keys.delete", "Del"],
-  ["keys.escape", "Esc"],
-  ["keys.nudge", "↑ ↓ ← →, Shift"],
-  ["copy", "Ctrl D, Alt"],
-  ["all", "Ctrl A, Shift"],
-  ["turn", "Ctrl ← →, Shift"],
-  ["type", "Enter"],
-  ["place", "S, T"],
-  ["draw", "↑ ↓ ← →, Enter"],
-  ["snap", "Ctrl, Shift"],
-  ["keys.flip", "X"],
-  ["keys.lock", "Q"],
-  ["keys.radius", "[ ]"],
-  ["keys.weight", "{ }"],
-];
-const VIEW: readonly Entry[] = [
-  ["keys.mode", "\\"],
-  ["keys.layers", ", ."],
-  ["keys.fit", "0"],
-  ["bar.papers", "Y"],
-  ["tens", "Shift"],
-];
+import { DialogElement } from "./dialog";
 
 /** All keys on one card. */
-export class KeysDialog extends AppElement {
+export class KeysDialog extends DialogElement {
   static override styles = [
     controls,
     dialogs,
@@ -63,37 +22,21 @@ export class KeysDialog extends AppElement {
   `,
   ];
 
-  protected watches(): readonly (keyof State)[] {
-    return [];
+  protected override content(): TemplateResult {
+    return html`${this.top(this.t("keys.title"))}
+      <div class="scroll columns" tabindex="0"><div>${this.list("keys.tools")}${this.list("keys.view")}</div><div>${this.list("keys.edit")}</div></div>`;
   }
 
-  open(): void {
-    this.dialog?.showModal();
+  private list(title: keyof typeof SECTIONS): TemplateResult {
+    return html`<h3>${this.t(title)}</h3><dl>${SECTIONS[title].map((entry) => this.row(entry))}</dl>`;
   }
 
-  protected override render(): TemplateResult {
-    const tools = TOOLS.map((tool): Entry => [`tool.${tool.id}`, tool.digit ? `${tool.key}, ${tool.digit}` : tool.key]);
-    const view: readonly Entry[] = [
-      ["keys.play", "A"],
-      ...VIEW,
-      ["keys.pan", `H, ${this.t("keys.space")}`],
-      ["keys.zoom", this.t("keys.zoomKeys")],
-    ];
-    return html`<dialog aria-labelledby="title" @click=${(e: Event) => {
-      if (e.target === this.dialog) this.dialog?.close();
-    }}>
-      <div class="top"><h2 id="title">${this.t("keys.title")}</h2>
-        <button class="icon" aria-label=${this.t("scenes.close")} @click=${() => this.dialog?.close()}>${icon("close")}</button></div>
-      <div class="scroll columns" tabindex="0"><div>${this.list("keys.tools", tools)}</div><div>${this.list("keys.edit", EDIT)}${this.list("keys.view", view)}</div></div>
-    </dialog>`;
-  }
-
-  private list(title: MessageKey, entries: readonly Entry[]): TemplateResult {
-    return html`<h3>${this.t(title)}</h3><dl>${entries.map(([name, keys]) => html`<dt>${name in OWN ? say(this.state.lang, name as Own) : this.t(name as MessageKey)}</dt><dd>${keys}</dd>`)}</dl>`;
-  }
-
-  private get dialog(): HTMLDialogElement | null {
-    return this.renderRoot.querySelector("dialog");
+  private row([first, ...others]: Entry): TemplateResult {
+    const command = commands[first as CommandId];
+    const chords = command
+      ? [command, ...others.map((id) => commands[id as CommandId]!)].flatMap(({ keys }) => keys)
+      : others.map((chord) => (isMessage(chord) ? this.t(chord) : chord));
+    return html`<dt>${this.t(command?.title ?? (first as MessageKey))}</dt><dd>${chords.map(shownChord).join(" / ")}</dd>`;
   }
 }
 

@@ -1,7 +1,7 @@
 import type { PlannerId } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import "../i18n/later";
-import type { State, ToolId } from "../store";
+import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
 import { shortName } from "../styles/planner-style";
@@ -10,7 +10,7 @@ import { statusOf } from "../texts/status";
 import "./inspector";
 import "./options";
 import "./table";
-import { TOOLS } from "./toolbar";
+import { TOOLS, type Command } from "../app/commands";
 
 const TABS = ["draw", "results", "params"] as const;
 /** Of the sheet: closed, with the map above, with little of the map. Low pages keep some of the map. */
@@ -157,9 +157,9 @@ export class Sheet extends AppElement {
         ${this.tabs()}
         <div class="body" id="body" role="tabpanel" tabindex="0" aria-label=${this.t(`sheet.${this.tab}`)} .style=${`height:${HEIGHTS[this.size]}`}>${this.size > 0 ? this.content() : nothing}</div>
       </div>
-      <div class="tools" role="toolbar" aria-label=${this.t("tools.label")}>${TOOLS.map(
-        (tool) => html`
-        <button data-tool=${tool.id} aria-pressed=${tool.id === this.state.tool} aria-label=${this.t(`tool.${tool.id}`)} @click=${() => this.arm(tool.id)}>${icon(tool.icon, 20)}</button>`,
+      <div class="tools" role="toolbar" aria-label=${this.t("tools.label")}>${Object.entries(TOOLS).map(
+        ([id, tool]) => html`
+        <button data-tool=${id} aria-pressed=${id === this.state.tool} aria-label=${this.t(tool.title)} @click=${() => this.arm(tool)}>${icon(tool.icon!, 20)}</button>`,
       )}</div>`;
   }
 
@@ -171,9 +171,9 @@ export class Sheet extends AppElement {
   }
 
   /** A tool's settings are shown with it. */
-  private arm(tool: ToolId): void {
-    this.app.store.set({ tool });
-    if (tool === "select" || tool === "hand") return;
+  private arm(tool: Command): void {
+    tool.run(this.app);
+    if (tool === TOOLS.select || tool === TOOLS.hand) return;
     this.tab = "draw";
     this.size = 1;
   }

@@ -15,7 +15,8 @@ import {
 import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
-import { AppElement } from "./base";
+import { DialogElement } from "./dialog";
+import { numberOf, valueOf } from "./inputs";
 import { icon } from "../styles/icons";
 import { faultText, say, type Word } from "./new-lot-words";
 import "./new-lot-preview";
@@ -44,11 +45,10 @@ const GIVE_UP_AFTER_MS = 300;
 const isChoice = (field: keyof LotForm): field is Choice => field in CHOICES;
 
 /** A lot from a few numbers, drawn and planned while they change. */
-export class NewLot extends AppElement {
+export class NewLot extends DialogElement {
   static override properties = {
-    ...AppElement.properties,
+    ...DialogElement.properties,
     form: { state: true },
-    shown: { state: true },
     block: { state: true },
     plan: { state: true },
     trouble: { state: true },
@@ -82,7 +82,6 @@ export class NewLot extends AppElement {
   `,
   ];
   declare form: LotForm;
-  declare shown: boolean;
   declare block: Block | null;
   declare plan: Plan | null;
   /** Why there is no plan, where that is no fault of the numbers. */
@@ -99,35 +98,30 @@ export class NewLot extends AppElement {
   private asked: Scene | null = null;
   private askedAt = 0;
 
+  protected override readonly closesOutside = false;
+
   constructor() {
     super();
     this.form = firstForm;
-    this.shown = false;
     this.block = "bays";
     this.plan = this.typed = null;
     this.trouble = "";
   }
 
-  open(): void {
-    this.shown = true;
+  override open(): void {
+    super.open();
     this.change({});
-    void this.updateComplete.then(() => this.dialog?.showModal());
   }
 
-  protected watches(): readonly (keyof State)[] {
+  protected override watches(): readonly (keyof State)[] {
     return ["theme"];
   }
 
-  protected override render(): TemplateResult {
-    return html`<dialog aria-labelledby="title" @close=${this.closed}>${this.shown ? this.content() : nothing}</dialog>`;
-  }
-
-  private content(): TemplateResult {
+  protected override content(): TemplateResult {
     const { lang } = this.state,
       sizes = sizesOf(this.form),
       found = this.plan?.outcome === "found";
-    return html`<div class="top"><h2 id="title">${say(lang, "title")}</h2>
-        <button class="icon" aria-label=${say(lang, "close")} @click=${this.close}>${icon("close")}</button></div>
+    return html`${this.top(say(lang, "title"))}
       <form novalidate @submit=${this.submit}>
         <div class="blocks">${(Object.keys(BLOCKS) as Block[]).map((block) => this.section(block, sizes))}</div>
         ${
@@ -226,10 +220,10 @@ export class NewLot extends AppElement {
     const text =
       this.typed?.field === field ? this.typed.text : Number.isFinite(now) ? String(Math.round(now * 100) / 100) : "";
     return html`<div class="row"><label for=${field}>${say(lang, field)}</label>
-      <input class="slider" type="range" tabindex="-1" aria-label=${say(lang, field)} min=${least} max=${top} step=${step} .value=${String(now)} .style=${`--at: ${((now - least) / (top - least)) * 100}%`} @input=${(e: Event) => this.set(field, (e.target as HTMLInputElement).valueAsNumber)}>
+      <input class="slider" type="range" tabindex="-1" aria-label=${say(lang, field)} min=${least} max=${top} step=${step} .value=${String(now)} .style=${`--at: ${((now - least) / (top - least)) * 100}%`} @input=${(e: Event) => this.set(field, numberOf(e))}>
       ${given !== null && firstForm[field] === null ? html`<button type="button" class="icon" title=${say(lang, "auto")} aria-label=${`${say(lang, field)}: ${say(lang, "auto")}`} @click=${() => this.set(field, null)}>${icon("undo", 14)}</button>` : nothing}
       <span class="field ${bad ? "bad" : ""} ${given === null ? "auto" : ""}"><input id=${field} inputmode="decimal" autocomplete="off" .value=${text} aria-invalid=${bad} aria-describedby=${bad ? "fault" : nothing}
-        @input=${(e: Event) => this.type(field, (e.target as HTMLInputElement).value)} @blur=${() => {
+        @input=${(e: Event) => this.type(field, valueOf(e))} @blur=${() => {
           this.typed = null;
         }} @keydown=${(e: KeyboardEvent) => this.onArrow(e, field, now, step)}>${unit ? html`<span>${unit}</span>` : nothing}</span></div>`;
   }
@@ -331,15 +325,8 @@ export class NewLot extends AppElement {
     this.close();
   };
 
-  private readonly closed = (): void => {
-    this.shown = false;
+  protected override closed(): void {
     this.giveUp();
-  };
-
-  private readonly close = (): void => this.dialog?.close();
-
-  private get dialog(): HTMLDialogElement | null {
-    return this.renderRoot.querySelector("dialog");
   }
 }
 

@@ -1,7 +1,9 @@
 import type { Selection } from "../scene/selection";
 import type { Obstacle, Pose } from "parkade";
 import { css, html, type TemplateResult } from "lit";
+import { takesKey } from "../app/keyboard";
 import { number, translate, type Lang } from "../i18n/index";
+import messages from "../i18n/messages/objects.json";
 import { words } from "../i18n/words";
 import { countCells, type Run } from "../scene/cells";
 import { goalPose } from "../scene/model";
@@ -12,7 +14,7 @@ import { sections } from "../styles/sections";
 import { AppElement } from "./base";
 import { icon, type IconName } from "../styles/icons";
 
-const say = words({ cone: ["Cone", "锥桶"] });
+const say = words("objects", messages);
 
 interface Item {
   key: string;
@@ -72,7 +74,7 @@ export class ObjectList extends AppElement {
   private key(event: KeyboardEvent, item: Item): void {
     if (!/^(Arrow|Delete|Backspace)/.test(event.key)) return;
     this.pick(item);
-    if (this.app.controller.handleKey(event)) {
+    if (takesKey(this.app, event)) {
       event.preventDefault();
       event.stopPropagation();
     }

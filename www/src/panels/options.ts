@@ -1,4 +1,5 @@
 import { css, html, nothing, type TemplateResult } from "lit";
+import messages from "../i18n/messages/options.json";
 import { words } from "../i18n/words";
 import "../i18n/later";
 import { sizedShape } from "../scene/slot-fit";
@@ -6,6 +7,7 @@ import { vehicleOf } from "../scene/vehicle";
 import type { State, ToolOptions } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
+import { isChecked, numberOf } from "./inputs";
 import { icon } from "../styles/icons";
 
 const KINDS = ["perpendicular", "parallel", "angled"] as const;
@@ -15,18 +17,7 @@ const AISLES: Record<ToolOptions["slot"]["kind"], number> = { perpendicular: 6, 
 
 const LANES = ["1+0", "1+1", "2+2"] as const;
 
-const say = words({
-  cone: ["Cone", "锥桶"],
-  "1+0": ["One way", "单行"],
-  "1+1": ["1 + 1 lanes", "1 + 1 车道"],
-  "2+2": ["2 + 2 lanes", "2 + 2 车道"],
-  laneWidth: ["Lane width", "车道宽"],
-  bend: ["Bend radius", "弯道半径"],
-  kerbs: ["Kerbs", "路缘"],
-  aisle: ["Aisle", "通道"],
-  snap: ["Snap", "吸附"],
-  snapHelp: ["Snaps to corners, lines and cells. Ctrl inverts.", "吸附到角点、对齐线与栅格；按住 Ctrl 反转"],
-});
+const say = words("options", messages);
 
 /** Options of the active tool: a row above the map, `flat` in a sheet, or the first lines (`form`) of the inspector. */
 export class ToolOptionsBar extends AppElement {
@@ -134,7 +125,7 @@ export class ToolOptionsBar extends AppElement {
       )}
       ${this.metres(say(lang, "laneWidth"), road.laneWidth, 2, (laneWidth) => put({ laneWidth }))}
       ${this.metres(say(lang, "bend"), road.radius, 1, (radius) => put({ radius }))}
-      <label><input type="checkbox" .checked=${road.kerbs} @change=${(e: Event) => this.set(put({ kerbs: (e.target as HTMLInputElement).checked }))}>${say(lang, "kerbs")}</label>`;
+      <label><input type="checkbox" .checked=${road.kerbs} @change=${(e: Event) => this.set(put({ kerbs: isChecked(e) }))}>${say(lang, "kerbs")}</label>`;
   }
 
   private choice<T extends string | number>(
@@ -157,7 +148,7 @@ export class ToolOptionsBar extends AppElement {
   ): TemplateResult {
     return html`<label>${name}<span class="field"><input type="number" step="0.1" min=${min} .value=${value.toFixed(2)}
       @change=${(e: Event) => {
-        const typed = Number((e.target as HTMLInputElement).value);
+        const typed = numberOf(e);
         if (Number.isFinite(typed) && typed >= min) this.set(put(typed));
         this.requestUpdate();
       }}><span>m</span></span></label>`;
@@ -165,7 +156,7 @@ export class ToolOptionsBar extends AppElement {
 
   private weight(value: number): TemplateResult {
     return html`<label>${this.t("option.weight")}<input type="range" min="1" max="10" step="1" .value=${String(value)} aria-valuetext="×${value}"
-      @input=${(e: Event) => this.set({ costWeight: Number((e.target as HTMLInputElement).value) })}><b class="weight">×${value}</b></label>`;
+      @input=${(e: Event) => this.set({ costWeight: numberOf(e) })}><b class="weight">×${value}</b></label>`;
   }
 
   private lock(): TemplateResult {

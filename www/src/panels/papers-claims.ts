@@ -1,9 +1,14 @@
 /** A paper's claims, each with its verdict in a word and what we find in a sentence. */
 import type { PaperClaim } from "parkade";
 import { css, html, type TemplateResult } from "lit";
-import { reasonIn, type Lang } from "../i18n/index";
+import { number, templateOf, type Lang } from "../i18n/index";
+import messages from "../i18n/messages/claims.json";
+import { words } from "../i18n/words";
 import { icon, type IconName } from "../styles/icons";
+import { foundText } from "../texts/claims";
 import { say } from "./papers-words";
+
+const claimed = words("claim", messages);
 
 const VERDICT: Record<PaperClaim["holds"], { tone: string; icon: IconName }> = {
   yes: { tone: "", icon: "check" },
@@ -11,6 +16,17 @@ const VERDICT: Record<PaperClaim["holds"], { tone: string; icon: IconName }> = {
   no: { tone: "err", icon: "close" },
   unknown: { tone: "quiet", icon: "clock" },
 };
+
+/** The claim and what is found here. */
+export const sentencesOf = (lang: Lang, claim: PaperClaim): [text: string, found: string] => [
+  claimed(lang, `${claim.id}.text`),
+  foundText(claim, {
+    template: templateOf(lang, `claim.${claim.id}.found`),
+    range: templateOf(lang, "claim.range"),
+    missing: claimed(lang, "missing"),
+    number: (value, digits) => number(lang, value, digits),
+  }),
+];
 
 export const claimStyles = css`
   .claims { list-style: none; margin: 0; padding: 0; font-size: 12.5px; line-height: 17px; } .claims li { display: grid; grid-template-columns: 130px 1fr; gap: 2px 12px; padding: 6px 0; border-top: 1px solid var(--parkade-hair); align-items: start; } .claims .chip { justify-self: start; }
@@ -20,8 +36,9 @@ export const claimStyles = css`
 
 export const claimList = (lang: Lang, claims: readonly PaperClaim[]): TemplateResult =>
   html`<h3>${say(lang, "claims")}</h3><ul class="claims">${claims.map((claim) => {
-    const { tone, icon: name } = VERDICT[claim.holds];
-    return html`<li id=${claim.id}><span class="chip ${tone}">${icon(name, 12)}<span>${say(lang, claim.holds)}</span></span><div>${reasonIn(lang, claim.text)}<p>${reasonIn(lang, claim.found)}</p></div></li>`;
+    const { tone, icon: name } = VERDICT[claim.holds],
+      [text, found] = sentencesOf(lang, claim);
+    return html`<li id=${claim.id}><span class="chip ${tone}">${icon(name, 12)}<span>${say(lang, claim.holds)}</span></span><div>${text}<p>${found}</p></div></li>`;
   })}</ul>`;
 
 export const claimsMarkdown = (lang: Lang, claims: readonly PaperClaim[]): string[] => [
@@ -29,8 +46,9 @@ export const claimsMarkdown = (lang: Lang, claims: readonly PaperClaim[]): strin
   "",
   "| | | |",
   "| --- | --- | --- |",
-  ...claims.map(
-    (one) => `| ${reasonIn(lang, one.text)} | **${say(lang, one.holds)}** | ${reasonIn(lang, one.found)} |`,
-  ),
+  ...claims.map((one) => {
+    const [text, found] = sentencesOf(lang, one);
+    return `| ${text} | **${say(lang, one.holds)}** | ${found} |`;
+  }),
   "",
 ];

@@ -8,9 +8,10 @@ import type { Scene } from "../store";
 import { icon } from "../styles/icons";
 import "./paper-picture";
 import { claimList, claimStyles } from "./papers-claims";
-import { figureName, lineName, papersMarkdown, SHOWN, titleOf } from "./papers-text";
+import { figureName, lineName, papersMarkdown, READINGS, readingOf, SHOWN, titleOf } from "./papers-text";
 import { PapersTab } from "./papers-tab";
 import { say } from "./papers-words";
+import { valueOf } from "./inputs";
 
 const RANGES = [20, 60, 200] as const;
 const MOST = 200;
@@ -100,7 +101,7 @@ export class PapersGrid extends PapersTab<Summary> {
       name: "from" | "to",
     ): TemplateResult => html`<span class="field ${bad ? "bad" : ""}"><input inputmode="numeric" aria-label=${say(lang, name)} aria-invalid=${bad} .value=${this[name]}
       @input=${(e: Event) => {
-        this[name] = (e.target as HTMLInputElement).value;
+        this[name] = valueOf(e);
       }} @keydown=${(e: KeyboardEvent) => {
         if (e.key === "Enter") void this.measure();
       }}></span>`;
@@ -139,7 +140,7 @@ export class PapersGrid extends PapersTab<Summary> {
           <td class="first">${this.median(this.of(line, "turns"), 0)}</td><td>${this.median(this.of(line, "turnAngleDeg"), 0)}</td><td>${this.time(table, at)}</td></tr>`,
         )}</tbody></table></div>
       ${table.lines.some((line) => line.impossible) ? html`<p class="note">${say(lang, "straight", { length })}</p>` : nothing}
-      ${this.stranded(table)}${
+      ${this.readings(table)}${this.stranded(table)}${
         this.running
           ? nothing
           : this.pictures(
@@ -153,6 +154,24 @@ export class PapersGrid extends PapersTab<Summary> {
             ratio,
           ) => html`<tr><th scope="row">${say(lang, "over", { planner: lineName(lang, ratio.planner), over: lineName(lang, ratio.over), figure: figureName(ratio) })}</th>
           <td class="printed">${ratio.printed === null ? "–" : this.num(ratio.printed, 3)}</td>${this.spread(ratio.ours, 3)}</tr>`,
+        )}</tbody></table></div></details>`;
+  }
+
+  /** What the printed lengths may mean, side by side. */
+  private readings({ lines }: PaperTable): TemplateResult {
+    const { lang } = this.state;
+    const columns = papers?.columns ?? [];
+    return html`<details><summary>${say(lang, "readings")}</summary><div class="wide"><table><thead><tr><th>${say(lang, "planner")}</th><th>${say(lang, "printed")}</th>${READINGS.map((name) => html`<th>${say(lang, name)}</th>`)}</tr></thead>
+      <tbody>${lines
+        .filter(({ printedLength }) => printedLength !== null)
+        .map(
+          (
+            line,
+          ) => html`<tr><th scope="row">${lineName(lang, line.planner)}</th><td>${this.num(line.printedLength!, 2)}</td>
+        ${READINGS.map((name) => {
+          const cell = readingOf(lang, line, columns, name);
+          return html`<td>${line.closest === name ? html`<b>${cell}</b>` : cell}</td>`;
+        })}</tr>`,
         )}</tbody></table></div></details>`;
   }
 

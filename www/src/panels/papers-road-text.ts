@@ -34,6 +34,11 @@ export const FIGURES: readonly Figure[] = [
     of: (l) => l.metrics.bodyClearanceMean,
     digits: 2,
     printed: "safety",
+  },
+  {
+    key: "clearanceCapped",
+    of: (l) => l.metrics.bodyClearanceMeanCapped,
+    digits: 2,
     promised: "clearanceMean",
     tip: "meanTip",
   },

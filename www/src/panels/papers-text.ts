@@ -1,24 +1,40 @@
 /** Names and texts of the papers' tables. */
 import type { PaperTable, Spread } from "parkade";
-import { number, reasonIn, type Lang } from "../i18n/index";
+import { number, type Lang } from "../i18n/index";
 import type { Summary } from "../planning/paper-grid-runs";
 import { plannerName } from "../styles/planner-style";
+import { sentencesOf } from "./papers-claims";
 import { say } from "./papers-words";
 
 /** Our columns that are compared with the printed ones. */
 export const SHOWN = { nodes: "generated", length: "lengthPruned" } as const;
 
+/** What a printed length may mean. */
+export const READINGS = ["lengthRaw", "lengthPruned", "lengthDp", "lengthSmoothed"] as const;
+
+/** A reading's median and its distance from the printed length. */
+export function readingOf(
+  lang: Lang,
+  { figures, printedLength }: PaperTable["lines"][number],
+  columns: readonly string[],
+  name: string,
+): string {
+  const median = figures[columns.indexOf(name)]?.median ?? 0,
+    percent = (median / (printedLength ?? 1) - 1) * 100;
+  return `${number(lang, median, 2)} (${percent < 0 ? "−" : "+"}${number(lang, Math.abs(percent), 1)} %)`;
+}
+
 /** Variants of planners that only these tables have. */
-const VARIANTS: Record<string, readonly [planner: string, en: string, zh: string]> = {
-  "eight-octile": ["eight", "octile", "八向距离"],
-  "eight-weighted": ["eight", "weighted", "加权"],
-  "sixteen-nba": ["sixteen-bidirectional", "NBA*", "NBA*"],
+const VARIANTS: Record<string, readonly [planner: string, name: (lang: Lang) => string]> = {
+  "eight-octile": ["eight", (lang) => say(lang, "octile")],
+  "eight-weighted": ["eight", (lang) => say(lang, "weighted")],
+  "sixteen-nba": ["sixteen-bidirectional", () => "NBA*"],
 };
 
 export function lineName(lang: Lang, id: string): string {
   const variant = VARIANTS[id];
   if (!variant) return plannerName(lang, id as Parameters<typeof plannerName>[1]);
-  return `${lineName(lang, variant[0])}, ${variant[lang === "zh" ? 2 : 1]}`;
+  return `${lineName(lang, variant[0])}, ${variant[1](lang)}`;
 }
 
 export function titleOf(lang: Lang, { row }: PaperTable): string {
@@ -41,7 +57,10 @@ export function papersMarkdown(lang: Lang, { tables, claims }: Summary, columns:
   const parts = [
     row([say(lang, "claims"), "", ""]),
     row(["---", "---", "---"]),
-    ...claims.map((one) => row([reasonIn(lang, one.text), `**${say(lang, one.holds)}**`, reasonIn(lang, one.found)])),
+    ...claims.map((one) => {
+      const [text, found] = sentencesOf(lang, one);
+      return row([text, `**${say(lang, one.holds)}**`, found]);
+    }),
     "",
   ];
   for (const table of tables) {
@@ -62,6 +81,15 @@ export function papersMarkdown(lang: Lang, { tables, claims }: Summary, columns:
           ...three(line.figures[columns.indexOf(SHOWN.length)], 2),
         ]),
       );
+    }
+    parts.push("", row([say(lang, "planner"), say(lang, "printed"), ...READINGS.map((name) => say(lang, name))]));
+    parts.push(row(Array.from({ length: 2 + READINGS.length }, () => "---")));
+    for (const line of table.lines.filter(({ printedLength }) => printedLength !== null)) {
+      const cells = READINGS.map((name) => {
+        const cell = readingOf(lang, line, columns, name);
+        return line.closest === name ? `**${cell}**` : cell;
+      });
+      parts.push(row([lineName(lang, line.planner), number(lang, line.printedLength!, 2), ...cells]));
     }
     parts.push("");
   }

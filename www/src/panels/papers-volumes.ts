@@ -1,32 +1,15 @@
 /** Figures 4 and 5 of the parking paper: volumes around the car, turned by hand, and what they answer on poses at random. */
 import type { VolumeComparison } from "parkade";
 import { css, html, svg, type TemplateResult } from "lit";
+import messages from "../i18n/messages/papers-volumes.json";
 import { words } from "../i18n/words";
 import { Helper } from "../planning/job-client";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
+import { numberOf } from "./inputs";
 
-const say = words({
-  title: ["Bounding volumes, figures 4 and 5", "包围盒，图 4 与图 5"],
-  lead: [
-    "Each volume is tested against the same lines on {poses} random poses. A false alarm refuses a pose that is free.",
-    "在 {poses} 个随机位姿上，各包围盒与相同的线段检测。误报：拒绝了本可通行的位姿。",
-  ],
-  heading: ["Heading", "航向"],
-  scene: ["Scene", "场景"],
-  volume: ["Volume", "包围盒"],
-  aabb: ["Box along the axes (AABB)", "轴对齐包围盒（AABB）"],
-  obb: ["Turned box (OBB)", "定向包围盒（OBB）"],
-  ball: ["Ball", "球包围盒"],
-  hits: ["Hits", "碰撞判定"],
-  collisions: ["Collisions", "实际碰撞"],
-  falseAlarms: ["False alarms", "误报"],
-  share: ["of free poses", "占可通行位姿"],
-  missed: ["Wholly behind a line", "完全在线外"],
-  area: ["Area, bodies", "面积，车身倍数"],
-  micros: ["µs a pose", "µs/位姿"],
-});
+const say = words("papersVolumes", messages);
 const POSES = 20_000,
   SCENES = ["P0", "park-fig13", "reverse-in"] as const;
 /** The paper's car: half its length, half its width, metres. */
@@ -80,7 +63,7 @@ export class PapersVolumes extends AppElement {
       <div>${this.picture()}<label>${say(lang, "heading")}: ${this.heading}°<input class="slider" type="range" min="0" max="90" step="1" .value=${String(this.heading)} @input=${(
         e: Event,
       ) => {
-        this.heading = Number((e.target as HTMLInputElement).value);
+        this.heading = numberOf(e);
       }}></label></div>
       <div class="wide"><table><thead><tr>${(["scene", "volume", "collisions", "hits", "falseAlarms", "share", "missed", "area", "micros"] as const).map((key) => html`<th>${say(lang, key)}</th>`)}</tr></thead>
         <tbody>${(measured ?? []).flatMap(({ scene, collisions, poses, volumes }) =>

@@ -1,9 +1,7 @@
 import { css, html, nothing, type TemplateResult } from "lit";
-import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
-import { AppElement } from "./base";
-import { icon } from "../styles/icons";
+import { DialogElement } from "./dialog";
 import type { PapersTab } from "./papers-tab";
 import { say } from "./papers-words";
 
@@ -19,12 +17,11 @@ type TabName = keyof typeof TABS;
 const NAMES = Object.keys(TABS) as TabName[];
 
 /** The papers' printed values beside ours, measured while one looks on. */
-export class PapersDialog extends AppElement {
+export class PapersDialog extends DialogElement {
   static override properties = {
-    ...AppElement.properties,
-    shown: { state: true },
+    ...DialogElement.properties,
     tab: { state: true },
-    content: { state: true },
+    inside: { state: true },
   };
   static override styles = [
     controls,
@@ -35,53 +32,39 @@ export class PapersDialog extends AppElement {
     @media (max-width: 640px) { .tabs { margin: 0 16px 10px; } }
   `,
   ];
-  declare shown: boolean;
   declare tab: TabName;
-  declare content: Tab | null;
+  declare inside: Tab | null;
   private readonly made = new Map<TabName, Tab>();
 
   constructor() {
     super();
-    this.shown = false;
     this.tab = "grid";
-    this.content = null;
+    this.inside = null;
   }
 
-  protected watches(): readonly (keyof State)[] {
-    return [];
-  }
-
-  open(): void {
-    this.shown = true;
-    void this.updateComplete.then(() => this.dialog?.showModal());
+  override open(): void {
+    super.open();
     void this.show(this.tab);
   }
 
-  protected override render(): TemplateResult {
-    return html`<dialog aria-labelledby="title" @close=${this.closed} @click=${(e: Event) => {
-      if (e.target === this.dialog) this.dialog?.close();
-    }}>${this.shown ? this.inside() : nothing}</dialog>`;
-  }
-
-  private inside(): TemplateResult {
+  protected override content(): TemplateResult {
     const { lang } = this.state;
-    return html`<div class="top"><h2 id="title">${say(lang, "title")}</h2><p>${say(lang, `${this.tab}Lead`)}</p>
-        <button class="icon" aria-label=${say(lang, "close")} @click=${() => this.dialog?.close()}>${icon("close")}</button></div>
+    return html`${this.top(say(lang, "title"), say(lang, `${this.tab}Lead`))}
       <div class="segmented tabs" role="tablist" aria-label=${say(lang, "title")} @keydown=${this.keys}>${NAMES.map(
         (name) => html`
         <button id="tab-${name}" role="tab" aria-selected=${name === this.tab} aria-controls="panel" tabindex=${name === this.tab ? 0 : -1} @click=${() => void this.show(name)}>${say(lang, name)}</button>`,
       )}</div>
-      <div id="panel" class="panel" role="tabpanel" aria-labelledby="tab-${this.tab}">${this.content ?? nothing}</div>`;
+      <div id="panel" class="panel" role="tabpanel" aria-labelledby="tab-${this.tab}">${this.inside ?? nothing}</div>`;
   }
 
   private async show(name: TabName): Promise<void> {
-    if (name !== this.tab) this.content?.leave();
+    if (name !== this.tab) this.inside?.leave();
     this.tab = name;
     const content = this.made.get(name) ?? (await TABS[name]());
     content.app = this.app;
     this.made.set(name, content);
     if (!this.shown || this.tab !== name) return;
-    this.content = content;
+    this.inside = content;
     await this.updateComplete;
     content.enter();
   }
@@ -94,13 +77,8 @@ export class PapersDialog extends AppElement {
     void this.show(next).then(() => this.renderRoot.querySelector<HTMLElement>(`#tab-${next}`)?.focus());
   };
 
-  private readonly closed = (): void => {
-    this.shown = false;
-    this.content?.leave();
-  };
-
-  private get dialog(): HTMLDialogElement | null {
-    return this.renderRoot.querySelector("dialog");
+  protected override closed(): void {
+    this.inside?.leave();
   }
 }
 

@@ -1,6 +1,7 @@
 import type { ParameterInfo, PlannerId } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import { isMessage } from "../i18n/index";
+import messages from "../i18n/messages/parameters.json";
 import { words } from "../i18n/words";
 import { distancesOf } from "../view/drive";
 import { plannerName } from "../styles/planner-style";
@@ -8,6 +9,7 @@ import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";
 import { AppElement } from "./base";
+import { isChecked, numberOf } from "./inputs";
 import { marker } from "../styles/icons";
 import { thingName } from "../texts/status";
 
@@ -15,28 +17,7 @@ import { thingName } from "../texts/status";
 type Settings = Record<string, unknown>;
 
 const DEGREES = 180 / Math.PI;
-const say = words({
-  fromGoal: [
-    "Found from the goal: cells of {cell} and {angle}°, {margin} of margin kept.",
-    "自目标搜索得到：格 {cell}、{angle}°，保持余量 {margin}。",
-  ],
-  fromStart: [
-    "Found from the start: cells of {cell} and {angle}°, {margin} of margin kept.",
-    "自起点搜索得到：格 {cell}、{angle}°，保持余量 {margin}。",
-  ],
-  none: [
-    "No way with cells of {cell} and {angle}° and {margin} of margin.",
-    "以格 {cell}、{angle}° 与余量 {margin} 搜索，没有路。",
-  ],
-  narrow: [
-    "Keeps {kept} of the {margin} asked for. Narrowest after {along} m, at {thing}.",
-    "保持 {kept}，要求为 {margin}。最窄处在行驶 {along} m 后，{thing}旁。",
-  ],
-  spent: [
-    "Tried last: cells of {cell} and {angle}°, {margin} of margin.",
-    "最后尝试：格 {cell}、{angle}°，余量 {margin}。",
-  ],
-});
+const say = words("parameters", messages);
 /** Less than this short of the margin asked for is not said, metres: figures show centimetres. */
 const SHORT = 0.005;
 const UNITS: Record<string, string> = { rad: "°", "1": "" };
@@ -143,7 +124,7 @@ export class Parameters extends AppElement {
   private control(info: ParameterInfo, value: unknown): TemplateResult {
     if (info.type === "boolean") {
       return html`<label class="switch"><input type="checkbox" aria-labelledby="n-${info.name}" .checked=${value === true}
-        @change=${(e: Event) => this.change(info, (e.target as HTMLInputElement).checked, false)}></label>`;
+        @change=${(e: Event) => this.change(info, isChecked(e), false)}></label>`;
     }
     if (info.type === "choice") {
       return html`<div class="segmented" role="group" aria-labelledby="n-${info.name}">${(info.choices ?? []).map(
@@ -164,10 +145,9 @@ export class Parameters extends AppElement {
     const step = info.step ?? (info.type === "integer" ? 1 : (max - min) / 100);
     const now = typeof value === "number" ? value : min;
     const at = max > min ? ((Math.min(max, Math.max(min, now)) - min) / (max - min)) * 100 : 0;
-    const read = (e: Event): number => Number((e.target as HTMLInputElement).value);
     return html`<input class="slider" type="range" min=${min} max=${max} step=${step} .value=${String(now)} .style=${`--at: ${at}%`}
       aria-labelledby="n-${info.name}" aria-valuetext=${this.valueText(info, value)}
-      @input=${(e: Event) => this.change(info, read(e), true)} @change=${(e: Event) => this.change(info, read(e), false)}>
+      @input=${(e: Event) => this.change(info, numberOf(e), true)} @change=${(e: Event) => this.change(info, numberOf(e), false)}>
       <div class="range" aria-hidden="true"><span>${this.valueText(info, min)}</span><span>${this.valueText(info, max)}</span></div>`;
   }
 

@@ -1,18 +1,12 @@
 /** A field in the place of a pose's label: three numbers, metres and degrees. */
 import type { Pose } from "parkade";
 import type { App } from "../app/app";
+import messages from "../i18n/messages/pose-entry.json";
 import { words } from "../i18n/words";
 import { movePose, resolve } from "../scene/model";
 import type { PoseRequest } from "../view/pose-label";
 
-const say = words({
-  start: ["Start pose: x and y in metres, heading in degrees", "起始位姿：x、y（米），朝向（度）"],
-  goal: ["Goal pose: x and y in metres, heading in degrees", "目标位姿：x、y（米），朝向（度）"],
-  refused: [
-    "Enter x and y in metres and, to turn the car, a heading in degrees.",
-    "请输入 x、y（米）；如需转向，再输入朝向（度）。",
-  ],
-});
+const say = words("poseEntry", messages);
 
 const DEGREES = 180 / Math.PI;
 

@@ -2,33 +2,22 @@ import "../i18n/later";
 import { css, html, nothing, type TemplateResult } from "lit";
 import type { Plan, PlannerId, ScenarioInfo } from "parkade";
 import { isMessage } from "../i18n/index";
+import messages from "../i18n/messages/presets.json";
 import { words } from "../i18n/words";
 import { Helper } from "../planning/job-client";
 import { emptyResult, FIRST_PLANNERS, type Scene, type State } from "../store";
 import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
 import { plannerName } from "../styles/planner-style";
-import { AppElement } from "./base";
-import { captionOf, CASES } from "./planner-showcases";
+import { DialogElement } from "./dialog";
+import { captionOf, CASES, questionOf } from "./planner-showcases";
 import { icon, marker } from "../styles/icons";
 import { statusOf } from "../texts/status";
 import "./generate";
 import "./thumbnail";
 
 /** Groups whose words the page does not have. */
-const say = words({
-  newLot: ["New lot", "新建停车场"],
-  numbers: ["Bays, aisles, walls and a car from a few numbers.", "用几个数值设定车位、通道、墙体和车辆。"],
-  generate: ["Generate", "生成"],
-  moving: ["Moving obstacles", "移动障碍物"],
-  road: ["Roads", "道路"],
-  figures: ["Figures", "论文插图"],
-  cases: ["Best and worst", "最佳与最差"],
-  best: ["Best case", "最佳情形"],
-  worst: ["Worst case", "最差情形"],
-  suits: ["Path by {planner}", "路径：{planner}"],
-  path: ["{length} m, {n} {n|gear change|gear changes}", "{length} m，换挡 {n} 次"],
-});
+const say = words("presets", messages);
 const GENERATE = "generate",
   CASE = "cases";
 /** Whose path a card shows. */
@@ -37,8 +26,8 @@ const DRAWN: Record<string, PlannerId> = { grid: "risk-field", road: "cost-map" 
 const solved = new Map<string, Plan | null>();
 
 /** The gallery of scenes, each asking a question. */
-export class Presets extends AppElement {
-  static override properties = { ...AppElement.properties, group: { state: true }, shown: { state: true } };
+export class Presets extends DialogElement {
+  static override properties = { ...DialogElement.properties, group: { state: true } };
   static override styles = [
     controls,
     dialogs,
@@ -66,7 +55,6 @@ export class Presets extends AppElement {
   `,
   ];
   declare group: string;
-  declare shown: boolean;
   private readonly scenes = new Map<string, Scene>();
   private helper: Helper | null = null;
   private asked: [id: string, planner: PlannerId][] = [];
@@ -74,32 +62,23 @@ export class Presets extends AppElement {
   constructor() {
     super();
     this.group = "all";
-    this.shown = false;
   }
 
-  open(): void {
-    this.shown = true;
-    void this.updateComplete.then(() => this.dialog?.showModal());
-  }
-
-  protected watches(): readonly (keyof State)[] {
+  protected override watches(): readonly (keyof State)[] {
     return ["theme"];
   }
 
-  protected override render(): TemplateResult {
-    return html`<dialog aria-labelledby="title" @close=${this.closed} @click=${this.onBackdrop}>
-      ${this.shown ? this.content() : nothing}</dialog>`;
-  }
-
-  private content(): TemplateResult {
+  protected override content(): TemplateResult {
     const all = this.app.catalog?.scenarios ?? [];
     const groups = ["all", ...new Set(all.map((one) => one.group)), CASE, GENERATE];
     this.asked = [];
     const shown = all.filter((one) => this.group === "all" || one.group === this.group);
     return html`
-      <div class="top"><h2 id="title">${this.t("scenes.title")}</h2><p>${this.t("scenes.lead")}</p>
-        <button class="button outline tables" @click=${this.showTables}>${icon("cells", 14)}${this.t("bar.papers")}</button>
-        <button class="icon" aria-label=${this.t("scenes.close")} @click=${this.close}>${icon("close")}</button></div>
+      ${this.top(
+        this.t("scenes.title"),
+        this.t("scenes.lead"),
+        html`<button class="button outline tables" @click=${this.showTables}>${icon("cells", 14)}${this.t("bar.papers")}</button>`,
+      )}
       <div class="groups"><div class="segmented" role="group" aria-label=${this.t("scenes.title")}>${groups.map(
         (group) => html`
           <button aria-pressed=${group === this.group} @click=${() => {
@@ -156,14 +135,14 @@ export class Presets extends AppElement {
     return html`${CASES.map(
       ([planner, cases]) => html`<h3>${marker(planner)}${plannerName(lang, planner)}</h3>
       <ul>${(["best", "worst"] as const).map((which) => {
-        const { scene, question } = cases[which],
+        const { scene } = cases[which],
           info = all.find((one) => one.id === scene);
         return info
           ? this.card(
               info,
               planner,
               `${say(lang, which)}: ${info.title[lang]}`,
-              question[lang === "zh" ? 1 : 0],
+              questionOf(lang, cases[which]),
               () => void this.pickCase(scene, planner),
             )
           : nothing;
@@ -208,11 +187,10 @@ export class Presets extends AppElement {
     }
   }
 
-  private readonly closed = (): void => {
-    this.shown = false;
+  protected override closed(): void {
     this.helper?.stop();
     this.helper = null;
-  };
+  }
 
   private sceneOf(id: string): Scene {
     let scene = this.scenes.get(id);
@@ -237,28 +215,18 @@ export class Presets extends AppElement {
 
   private readonly choose = (): void => {
     this.close();
-    this.dispatchEvent(new CustomEvent("parkade-open-file", { bubbles: true, composed: true }));
+    this.app.ask("open");
   };
 
   private readonly showTables = (): void => {
     this.close();
-    this.dispatchEvent(new CustomEvent("parkade-papers", { bubbles: true, composed: true }));
+    this.app.ask("papers");
   };
 
   private readonly newLot = (): void => {
     this.close();
     void this.app.fetchPart(async () => (await import("./new-lot")).openNewLot(this.app, this));
   };
-
-  private readonly close = (): void => this.dialog?.close();
-
-  private readonly onBackdrop = (event: Event): void => {
-    if (event.target === this.dialog) this.close();
-  };
-
-  private get dialog(): HTMLDialogElement | null {
-    return this.renderRoot.querySelector("dialog");
-  }
 }
 
 customElements.define("parkade-presets", Presets);

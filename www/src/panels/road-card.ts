@@ -86,7 +86,7 @@ export class RoadCard extends AppElement {
       { plan } = this;
     if (this.hidden) return nothing;
     return html`<div class="head"><h2>${say(lang, "title")}</h2><span>${plannerName(lang, focus)}</span></div>
-      ${plan ? html`${this.rows(plan)}${plan.detail === "smoothing-fell-back" ? html`<p class="warn">${say(lang, "fellBack")}</p>` : nothing}${plan.planner === "cost-map" && plan.detail === "less-margin" ? html`<p class="warn">${say(lang, "lessMargin", { kept: this.num(plan.metrics.marginKept ?? 0, 2), margin: this.num(plan.metrics.margin ?? 0, 2) })}</p>` : nothing}${this.chances(plan)}` : html`<p>${say(lang, "none")}</p>`}
+      ${plan ? html`${this.rows(plan)}${plan.detail === "smoothing-fell-back" ? html`<p class="warn">${say(lang, "fellBack")}</p>` : nothing}${plan.detail === "less-margin" && "marginKept" in plan.metrics ? html`<p class="warn">${say(lang, plan.metrics.marginExcluded ? "noMargin" : "lessMargin", { kept: this.num(plan.metrics.marginKept ?? 0, 2), margin: this.num(plan.metrics.margin ?? 0, 2) })}</p>` : nothing}${this.chances(plan)}` : html`<p>${say(lang, "none")}</p>`}
       ${this.failure ? html`<p class="warn" role="alert">${say(lang, "failed", { reason: this.failure })}</p>` : nothing}`;
   }
 

@@ -21,6 +21,7 @@ import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";
 import { AppElement } from "./base";
+import { isChecked } from "./inputs";
 import { icon } from "../styles/icons";
 import "./ground-card";
 import "./goal-card";
@@ -152,7 +153,7 @@ export class SelectionCard extends AppElement {
       ],
       2,
     )}
-      <div class="row"><label class="check"><input type="checkbox" .checked=${road.kerbs ?? true} @change=${(e: Event) => this.edit(apply({ kerbs: (e.target as HTMLInputElement).checked }))}>${say(lang, "kerbs")}</label></div>
+      <div class="row"><label class="check"><input type="checkbox" .checked=${road.kerbs ?? true} @change=${(e: Event) => this.edit(apply({ kerbs: isChecked(e) }))}>${say(lang, "kerbs")}</label></div>
       <p>${say(lang, "vertices")}</p>`;
   }
 
@@ -210,7 +211,7 @@ export class SelectionCard extends AppElement {
       ])}
       <div class="row">
         <label class="check"><input type="checkbox" .checked=${slot.occupied ?? false} ?disabled=${isGoal}
-          @change=${(e: Event) => this.edit(patch({ occupied: (e.target as HTMLInputElement).checked }))}>${this.t("inspect.occupied")}</label>
+          @change=${(e: Event) => this.edit(patch({ occupied: isChecked(e) }))}>${this.t("inspect.occupied")}</label>
         <button class="button outline small push" ?disabled=${isGoal || (slot.occupied ?? false)}
           @click=${() => this.edit(setGoalFromSlot(this.state.scene, id))}>${this.t("inspect.makeGoal")}</button>
       </div>

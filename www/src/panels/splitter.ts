@@ -1,13 +1,10 @@
 import { css, html, LitElement, type PropertyValues } from "lit";
 import { recall, remember } from "../store/preferences";
+import messages from "../i18n/messages/splitter.json";
 import { words } from "../i18n/words";
 import type { Lang } from "../i18n/index";
 
-const say = words({
-  side: ["Inspector width", "属性面板宽度"],
-  bottom: ["Table and chart height", "表格与图表高度"],
-  chart: ["Chart width", "图表宽度"],
-});
+const say = words("splitter", messages);
 
 export type Pane = "side" | "bottom" | "chart";
 /** Pixels: least, usual, most. */

@@ -7,6 +7,7 @@ import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { cuspsOf, distancesOf } from "../view/drive";
 import { AppElement } from "./base";
+import { numberOf, valueOf } from "./inputs";
 import { icon, type IconName } from "../styles/icons";
 
 const SPEEDS = [0.25, 0.5, 1, 2, 4] as const;
@@ -96,7 +97,7 @@ export class Timeline extends AppElement {
           : nothing
       }
       <button class="icon ${this.folded ? "up" : ""}" aria-expanded=${!this.folded} aria-label=${fold} title=${fold}
-        @click=${() => this.dispatchEvent(new CustomEvent("parkade-fold", { bubbles: true, composed: true }))}>${icon("down")}</button>
+        @click=${() => this.app.ask("fold")}>${icon("down")}</button>
     </div>`;
   }
 
@@ -116,20 +117,20 @@ export class Timeline extends AppElement {
   private unit(): TemplateResult {
     const { searchMode } = this.state.playback;
     return html`<select class="unit" aria-label=${this.t("time.unit")} .value=${searchMode}
-      @change=${(e: Event) => this.app.player.set({ searchMode: (e.target as HTMLSelectElement).value as State["playback"]["searchMode"] })}>
+      @change=${(e: Event) => this.app.player.set({ searchMode: valueOf(e) as State["playback"]["searchMode"] })}>
       ${(["percent", "expansions"] as const).map((mode) => html`<option value=${mode} ?selected=${mode === searchMode}>${this.t(`time.${mode}`)}</option>`)}</select>`;
   }
 
   private waiting(): TemplateResult {
     return html`<select aria-label=${this.t("time.waiting")} title=${this.t("time.waiting")}
-      @change=${(e: Event) => this.app.store.set({ waiting: (e.target as HTMLSelectElement).value as State["waiting"] })}>
+      @change=${(e: Event) => this.app.store.set({ waiting: valueOf(e) as State["waiting"] })}>
       ${(["predictive", "reactive"] as const).map((one) => html`<option value=${one} ?selected=${one === this.state.waiting}>${this.t(`time.${one}`)}</option>`)}</select>`;
   }
 
   private speed(): TemplateResult {
     const { speed } = this.state.playback;
     return html`<select aria-label=${this.t("time.speed")} title=${this.t("time.speed")}
-      @change=${(e: Event) => this.app.player.set({ speed: Number((e.target as HTMLSelectElement).value) })}>
+      @change=${(e: Event) => this.app.player.set({ speed: numberOf(e) })}>
       ${SPEEDS.map((one) => html`<option value=${one} ?selected=${one === speed}>${one}×</option>`)}</select>`;
   }
 
@@ -157,7 +158,7 @@ export class Timeline extends AppElement {
         ${plan ? reverseSpans(plan).map(([from, to]) => svg`<line class="reverse" x1="${from * 100}%" x2="${to * 100}%" y1="22" y2="22"/>`) : nothing}</svg>
       ${plan ? cuspFractions(plan).map((at) => html`<svg class="diamond" .style=${`left:${at * 100}%`} viewBox="0 0 10 10" aria-hidden="true"><path d="M5 0l5 5-5 5-5-5z"/></svg>`) : nothing}
       <input class="slider" type="range" min="0" max="1" step="0.001" .value=${String(fraction)} aria-label=${this.t("time.position")} aria-valuetext=${this.position()}
-        @input=${(e: Event) => this.app.player.seek(Number((e.target as HTMLInputElement).value))}>
+        @input=${(e: Event) => this.app.player.seek(numberOf(e))}>
     </div>`;
   }
 

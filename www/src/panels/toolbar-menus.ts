@@ -1,39 +1,21 @@
 /** Contents of the toolbar's menus. */
 import { html, nothing, type TemplateResult } from "lit";
-import { LAYER_PRESETS, presetLayers, presetOf } from "../store/layer-sets";
+import { ALL_LAYERS, LAYER_PRESETS, presetLayers, presetOf } from "../store/layer-sets";
 import { saveAs } from "./exports";
+import { ariaKeys, shownChord } from "../app/chord-text";
+import { commands, isEnabled, type CommandId } from "../app/commands";
 import { copySnippet } from "../app/snippets";
 import "../i18n/later";
 import { translate, type Lang, type MessageKey } from "../i18n/index";
-import type { LayerKey } from "../store";
 import { icon, marker, type IconName } from "../styles/icons";
 import type { Toolbar } from "./toolbar";
 
-const LAYER_ORDER: readonly LayerKey[] = [
-  "path",
-  "car",
-  "sweep",
-  "ghosts",
-  "difference",
-  "heat",
-  "tree",
-  "risk",
-  "cost",
-  "safety",
-  "redundant",
-  "obstacles",
-  "slots",
-  "grid",
-];
-
 /** Papers are cited by authors and year; in Chinese, what is not a name is translated. */
-const CHINESE: Readonly<Record<string, string>> = {
-  "Reverse-search hybrid A* for parking, 2025": "泊车反向搜索混合A*，2025",
-  "A* path planning for intelligent-vehicle road navigation, manuscript": "智能车道路导航A*路径规划（手稿）",
-  "Hu et al. 2024, beyond": "Hu 等 2024（扩展）",
-};
-const cited = (lang: Lang, paper: string): string =>
-  lang === "zh" ? (CHINESE[paper] ?? paper.replace(" et al.", " 等")) : paper;
+function cited(lang: Lang, paper: string): string {
+  if (lang === "en") return paper;
+  const known = (["parking", "road", "beyond"] as const).find((name) => translate("en", `cited.${name}`) === paper);
+  return known ? translate(lang, `cited.${known}`) : paper.replace(" et al.", " 等");
+}
 
 export function planners(bar: Toolbar): TemplateResult {
   const { app } = bar,
@@ -53,7 +35,7 @@ export function layers({ app }: Toolbar): TemplateResult {
   return html`<div class="segmented" role="group" aria-label=${translate(lang, "layers.presets")}>
       ${LAYER_PRESETS.map((preset) => html`<button aria-pressed=${preset === now} @click=${() => store.set({ layers: presetLayers(preset) })}>${translate(lang, `layers.${preset}`)}</button>`)}
     </div>
-    ${LAYER_ORDER.map(
+    ${ALL_LAYERS.map(
       (key) => html`<label class="check"><input type="checkbox" .checked=${layers[key]}
       @change=${() => store.set({ layers: { ...store.state.layers, [key]: !store.state.layers[key] } })}>${translate(lang, `layer.${key}`)}</label>`,
     )}`;
@@ -63,15 +45,15 @@ export function exports(bar: Toolbar): TemplateResult {
   const { app } = bar;
   return html`${item(bar, "slot", "bar.newLot", () => void app.fetchPart(async () => (await import("./new-lot")).openNewLot(app, bar)))}
     ${item(bar, "file", "bar.save", () => void app.saveFile())}
-    ${item(bar, "open", "bar.open", () => bar.emit("open-file"))}
-    ${item(bar, "image", "bar.png", () => bar.emit("png", 1))}
-    ${item(bar, "image", "bar.png2", () => bar.emit("png", 2))}
+    ${item(bar, "open", "bar.open", () => bar.app.ask("open"))}
+    ${item(bar, "image", "bar.png", () => bar.app.ask("png", 1))}
+    ${item(bar, "image", "bar.png2", () => bar.app.ask("png", 2))}
     ${item(bar, "image", "bar.svg", () => void saveAs(app, "svg"))}
     ${item(bar, "moving", "bar.csv", () => void saveAs(app, "csv"))}
     <hr>${item(bar, "share", "bar.copyEmbed", () => void copySnippet(app, "embed"))}
     ${item(bar, "share", "bar.copyMarkdown", () => void copySnippet(app, "markdown"))}
     ${item(bar, "share", "bar.copyTest", () => void copySnippet(app, "test"))}
-    <hr>${item(bar, "cells", "bar.papers", () => bar.emit("papers"))}
+    <hr>${command(bar, "papers")}
     ${item(bar, "undo", "bar.reset", () => app.reset())}`;
 }
 
@@ -81,21 +63,29 @@ export function more(bar: Toolbar): TemplateResult {
   const folded = !bar.shadowRoot?.querySelector<HTMLElement>(".collapse-2")?.offsetParent;
   return html`
     ${compact ? item(bar, "share", "bar.share", bar.share) : nothing}
-    ${item(bar, "fit", "bar.fit", () => app.controller.fit())}
+    ${command(bar, "fit")}
     ${rail ? railed(bar) : nothing}<hr>
     ${folded ? html`${planners(bar)}<hr>${layers(bar)}<hr>` : nothing}
     ${exports(bar)}<hr>
     <button class="item" @click=${bar.nextTheme}>${icon("theme")}${bar.themeName()}</button>
     <button class="item" @click=${bar.nextLang}>${icon("language")}${translate(app.store.state.lang, "bar.language")}</button>
-    ${item(bar, "help", "bar.help", () => bar.emit("keys"))}`;
+    ${command(bar, "keys")}`;
 }
 
 /** Entries that the wide toolbar shows itself. */
-function railed(bar: Toolbar): TemplateResult {
-  const { store } = bar.app,
-    { canUndo, canRedo } = store.state;
-  return html`${item(bar, "file", "bar.scene", () => bar.emit("scenes"))}
-    ${item(bar, "undo", "bar.undo", () => store.undo(), !canUndo)}${item(bar, "redo", "bar.redo", () => store.redo(), !canRedo)}`;
+const railed = (bar: Toolbar): TemplateResult =>
+  html`${item(bar, "file", "bar.scene", () => bar.app.ask("presets"))}${command(bar, "undo")}${command(bar, "redo")}`;
+
+/** A command with its keys at the right. */
+function command(bar: Toolbar, id: CommandId): TemplateResult | typeof nothing {
+  const { app } = bar,
+    { state } = app.store,
+    row = commands[id];
+  if (!row) return nothing;
+  return html`<button class="item" ?disabled=${!isEnabled(state, row)} aria-keyshortcuts=${ariaKeys(row)} @click=${() => {
+    bar.menus.close();
+    row.run(app);
+  }}>${row.icon ? icon(row.icon) : nothing}${translate(state.lang, row.title)}<span class="keys" aria-hidden="true">${shownChord(row.keys[0]!)}</span></button>`;
 }
 
 function item(bar: Toolbar, name: IconName, key: MessageKey, run: () => void, disabled = false): TemplateResult {

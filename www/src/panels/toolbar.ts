@@ -1,27 +1,14 @@
 import { css, html, nothing, type TemplateResult } from "lit";
+import { ariaKeys, shownChord, tooltip } from "../app/chord-text";
 import { sentence } from "../app/app";
+import { commands, isEnabled, TOOLS, type Command, type CommandId } from "../app/commands";
 import "../i18n/later";
-import type { State, ToolId } from "../store";
+import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { menus } from "../view/lazy-layers";
 import { AppElement } from "./base";
 import { icon, logo, type IconName } from "../styles/icons";
 import { Menus } from "./popover-controller";
-
-export const TOOLS: readonly { id: ToolId; icon: IconName; key: string; digit: string }[] = [
-  { id: "select", icon: "select", key: "V", digit: "1" },
-  { id: "brush", icon: "brush", key: "B", digit: "2" },
-  { id: "wall", icon: "wall", key: "L", digit: "3" },
-  { id: "rectangle", icon: "rectangle", key: "R", digit: "4" },
-  { id: "polygon", icon: "polygon", key: "G", digit: "5" },
-  { id: "car", icon: "car", key: "C", digit: "6" },
-  { id: "slot", icon: "slot", key: "P", digit: "7" },
-  { id: "moving", icon: "moving", key: "M", digit: "" },
-  { id: "road", icon: "road", key: "D", digit: "" },
-  { id: "cost", icon: "cost", key: "K", digit: "8" },
-  { id: "eraser", icon: "eraser", key: "E", digit: "9" },
-  { id: "hand", icon: "hand", key: "H", digit: "" },
-];
 
 const MODES: readonly { id: State["mode"]; icon: IconName }[] = [
   { id: "grid", icon: "grid" },
@@ -139,8 +126,8 @@ export class Toolbar extends AppElement {
         ${this.button("theme", this.themeName(), this.nextTheme, "collapse-1")}
         <button class="button lang collapse-1" aria-label=${this.t("bar.language")} title=${this.t("bar.language")} @click=${this.nextLang}>
           <span>${this.state.lang === "zh" ? html`<b>中</b> / EN` : html`中 / <b>EN</b>`}</span></button>
-        ${this.button("help", `${this.t("bar.help")} · ?`, () => this.emit("keys"), "collapse-1")}
-        <button class="icon inspect" aria-expanded=${this.inspecting} aria-label=${this.t("bar.inspector")} title=${this.t("bar.inspector")} @click=${() => this.emit("inspect")}>${icon("sliders")}</button>
+        ${this.command("keys", "collapse-1")}
+        <button class="icon inspect" aria-expanded=${this.inspecting} aria-label=${this.t("bar.inspector")} title=${this.t("bar.inspector")} @click=${() => this.app.ask("inspect")}>${icon("sliders")}</button>
         ${this.moreMenu("collapsed-1")}
         <button class="button solid" @click=${this.share}>${icon(this.shared ? "check" : "share")}<span class="label">${this.t(this.shared ? "bar.shared" : "bar.share")}</span><span class="sr">${this.t("bar.share")}</span></button>
       </span>`;
@@ -152,30 +139,34 @@ export class Toolbar extends AppElement {
 
   private scenePicker(): TemplateResult {
     const title = sceneTitle(this.app.preset, this.app.catalog?.scenarios ?? [], this.state);
-    return html`<button class="button outline scene" aria-label="${this.t("bar.scene")}: ${title || this.t("bar.own")}" ?disabled=${!this.ready} @click=${() => this.emit("scenes")}>
+    return html`<button class="button outline scene" aria-label="${this.t("bar.scene")}: ${title || this.t("bar.own")}" ?disabled=${!this.ready} @click=${() => this.app.ask("presets")}>
       <span>${title || this.t("bar.own")}</span>${icon("down", 14)}</button>`;
   }
 
   private history(): TemplateResult {
-    const { canUndo, canRedo } = this.state;
-    return html`${this.button("undo", `${this.t("bar.undo")} · Ctrl Z`, () => this.app.store.undo(), "", !canUndo)}
-      ${this.button("redo", `${this.t("bar.redo")} · Ctrl Shift Z`, () => this.app.store.redo(), "", !canRedo)}`;
+    return html`${this.command("undo")}${this.command("redo")}`;
+  }
+
+  /** A command's icon as a button. */
+  private command(id: CommandId, kind = ""): TemplateResult | typeof nothing {
+    const command = commands[id];
+    if (!command) return nothing;
+    return html`<button class="icon ${kind}" ?disabled=${!isEnabled(this.state, command)} aria-label=${this.t(command.title)} aria-keyshortcuts=${ariaKeys(command)} title=${tooltip(this.state.lang, command)}
+      @click=${() => command.run(this.app)}>${icon(command.icon!)}</button>`;
   }
 
   private tools(): TemplateResult {
-    return html`<div class="tools" role="group" aria-label=${this.t("tools.label")}>${TOOLS.map((tool) => this.tool(tool))}</div>`;
+    return html`<div class="tools" role="group" aria-label=${this.t("tools.label")}>${Object.entries(TOOLS).map(([id, tool]) => this.tool(id, tool))}</div>`;
   }
 
-  private tool(tool: (typeof TOOLS)[number]): TemplateResult {
-    const name = this.t(`tool.${tool.id}`);
-    const keys = tool.digit ? `${tool.key} / ${tool.digit}` : tool.key;
-    return html`<button class="tool" data-tool=${tool.id} aria-pressed=${this.state.tool === tool.id} aria-label=${name} aria-keyshortcuts=${tool.key} title="${name} · ${keys}"
-      @click=${() => this.app.store.set({ tool: tool.id })}>${icon(tool.icon, 18)}<kbd aria-hidden="true">${tool.key}</kbd></button>`;
+  private tool(id: string, tool: Command): TemplateResult {
+    return html`<button class="tool" data-tool=${id} aria-pressed=${this.state.tool === id} aria-label=${this.t(tool.title)} aria-keyshortcuts=${ariaKeys(tool)} title=${tooltip(this.state.lang, tool)}
+      @click=${() => tool.run(this.app)}>${icon(tool.icon!, 18)}<kbd aria-hidden="true">${tool.keys[0]}</kbd></button>`;
   }
 
   private mode(mode: (typeof MODES)[number]): TemplateResult {
     const name = this.t(`mode.${mode.id}`);
-    return html`<button aria-pressed=${this.state.mode === mode.id} aria-label=${name} title="${name} · \\"
+    return html`<button aria-pressed=${this.state.mode === mode.id} aria-label=${name} title="${name} · ${keysOf("nextLayout")}"
       @click=${() => this.app.store.set({ mode: mode.id, camera: null })}>${icon(mode.icon)}</button>`;
   }
 
@@ -192,7 +183,7 @@ export class Toolbar extends AppElement {
 
   private layersMenu(): TemplateResult {
     return html`<span class="anchor collapse-2">
-      <button class="button menu" aria-expanded=${this.menus.open === "layers"} aria-label=${this.t("bar.layers")} title="${this.t("bar.layers")} · , ." @click=${(e: Event) => this.toggle("layers", e)}>
+      <button class="button menu" aria-expanded=${this.menus.open === "layers"} aria-label=${this.t("bar.layers")} title="${this.t("bar.layers")} · ${keysOf("previousLayers", "nextLayers")}" @click=${(e: Event) => this.toggle("layers", e)}>
         ${icon("layers")}<span class="label">${this.t("bar.layers")}</span>${icon("down", 14)}</button>
       ${this.menus.open === "layers" ? html`<div class="popover">${menus()?.layers(this)}</div>` : nothing}</span>`;
   }
@@ -242,11 +233,10 @@ export class Toolbar extends AppElement {
         }, 2000);
     });
   };
-
-  emit(name: "scenes" | "keys" | "open-file" | "png" | "papers" | "inspect", detail?: number): void {
-    this.dispatchEvent(new CustomEvent(`parkade-${name}`, { detail, bubbles: true, composed: true }));
-  }
 }
+
+const keysOf = (...ids: CommandId[]): string =>
+  ids.map((id) => (commands[id]?.keys ?? []).map(shownChord).join(" / ")).join(" ");
 
 /** The scene's title in the page's language, also of a changed preset that came by a link; empty for a drawing without a name. */
 export function sceneTitle(

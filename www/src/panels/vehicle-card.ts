@@ -4,6 +4,7 @@ import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";
 import { AppElement } from "./base";
+import { valueOf } from "./inputs";
 
 /** Which car plans, with the three numbers that matter for parking. */
 export class VehicleCard extends AppElement {
@@ -49,7 +50,7 @@ export class VehicleCard extends AppElement {
   }
 
   private readonly choose = (event: Event): void => {
-    const name = (event.target as HTMLSelectElement).value;
+    const name = valueOf(event);
     if (name === "paper" || name === "sedan") this.app.store.edit(setVehicle(this.state.scene, name));
   };
 }

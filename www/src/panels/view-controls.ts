@@ -1,18 +1,11 @@
 import { css, html, nothing, type TemplateResult } from "lit";
-import { words } from "../i18n/words";
+import { ariaKeys, tooltip } from "../app/chord-text";
+import { commands, type CommandId } from "../app/commands";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
-import { pathLeaves, ZOOM_STEP } from "../view/camera";
+import { pathLeaves } from "../view/camera";
 import { AppElement } from "./base";
 import { icon } from "../styles/icons";
-
-const say = words({
-  group: ["View", "视图"],
-  out: ["Zoom out", "缩小"],
-  fit: ["Fit the scene", "适应场景"],
-  in: ["Zoom in", "放大"],
-  leaves: ["Path leaves the view", "路径超出视图"],
-});
 
 /** Zoom and fit for all maps, and a word where a path is cut off. */
 export class ViewControls extends AppElement {
@@ -42,12 +35,13 @@ export class ViewControls extends AppElement {
 
   protected override render(): TemplateResult {
     const { controller } = this.app,
-      { lang } = this.state,
       leaves = !this.state.follow && pathLeaves(this.state, controller.view());
-    const button = (name: "out" | "fit" | "in", key: string, face: unknown, run: () => void): TemplateResult =>
-      html`<button class=${name} aria-label=${say(lang, name)} aria-keyshortcuts=${key} title="${say(lang, name)} · ${key}" @click=${run}>${face}</button>`;
-    return html`${leaves ? html`<button class="pill" @click=${() => controller.fit()}>${say(lang, "leaves")}</button>` : nothing}
-      <div role="group" aria-label=${say(lang, "group")}>${button("out", "-", "−", () => controller.zoom(1 / ZOOM_STEP))}${button("fit", "0", icon("fit"), () => controller.fit())}${button("in", "+", "+", () => controller.zoom(ZOOM_STEP))}</div>`;
+    const button = (name: "out" | "fit" | "in", id: CommandId, face: unknown): TemplateResult => {
+      const command = commands[id]!;
+      return html`<button class=${name} aria-label=${this.t(command.title)} aria-keyshortcuts=${ariaKeys(command)} title=${tooltip(this.state.lang, command)} @click=${() => command.run(this.app)}>${face}</button>`;
+    };
+    return html`${leaves ? html`<button class="pill" @click=${() => controller.fit()}>${this.t("view.leaves")}</button>` : nothing}
+      <div role="group" aria-label=${this.t("view.group")}>${button("out", "zoomOut", "−")}${button("fit", "fit", icon("fit"))}${button("in", "zoomIn", "+")}</div>`;
   }
 }
 

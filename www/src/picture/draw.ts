@@ -8,6 +8,7 @@ import { introduce } from "../styles/planner-style";
 import { SceneLayers } from "../view/scene-layers";
 import { makeTokens, type Tokens } from "../view/tokens";
 import { drawOn } from "../view/surface";
+import "./layers";
 import { Canvas, escaped, file } from "./canvas";
 import { svgOf } from "./svg";
 

@@ -1,5 +1,5 @@
 /** The same as `engine.ts` with every planner and format; its workers also do what takes long beside planning. */
-import { Planner, init } from "parkade";
+import { Planner, init, planners } from "parkade";
 import { driveOf } from "./drive-of";
 import { serveJobs } from "./job-worker";
 import { serve } from "./plan-worker";
@@ -11,6 +11,6 @@ export { init, packRuns, planners, scenario, sceneGeometry, scenarios, unpackRun
 export const script = import.meta.url;
 
 if (typeof document === "undefined") {
-  serve({ Planner, init, driveOf });
+  serve({ Planner, init, planners, driveOf });
   serveJobs();
 }

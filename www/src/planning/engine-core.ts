@@ -2,7 +2,7 @@
  * The first picture's planners and their worker in one file: the page and every worker load the same script. It must import
  * nothing that the page imports too, or workers would load the page.
  */
-import { Planner, init } from "parkade/core";
+import { Planner, init, planners } from "parkade/core";
 import { serve } from "./plan-worker";
 
 export { failureOf } from "./failure";
@@ -11,4 +11,4 @@ export { init, packRuns, planners, scenario, sceneGeometry, scenarios, unpackRun
 /** The address for `new Worker`. */
 export const script = import.meta.url;
 
-if (typeof document === "undefined") serve({ Planner, init } as unknown as Parameters<typeof serve>[0]);
+if (typeof document === "undefined") serve({ Planner, init, planners } as unknown as Parameters<typeof serve>[0]);

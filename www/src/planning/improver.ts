@@ -4,7 +4,7 @@ import { followGoals } from "./follow-goals";
 import { limitsOn } from "../scene/speed-limits";
 import { forPlanners } from "../scene/large-scene";
 import type { PanelResult, Scene, State, Store } from "../store";
-import { identityOf } from "../styles/planner-style";
+import { drivesCar } from "../styles/planner-style";
 import type { Driven } from "./choices-of";
 import { chosenOf, isProven } from "./chosen";
 import { Helper } from "./job-client";
@@ -216,10 +216,7 @@ const isAsked = ({ scene, planner, prefer, waiting }: Question, state: State): b
 function isGood({ results }: State, planner: PlannerId): boolean {
   const result = results[planner];
   return (
-    identityOf(planner).drives &&
-    result?.status === "done" &&
-    result.plan?.outcome === "found" &&
-    result.plan.check.drivable
+    drivesCar(planner) && result?.status === "done" && result.plan?.outcome === "found" && result.plan.check.drivable
   );
 }
 

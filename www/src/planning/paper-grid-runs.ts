@@ -175,10 +175,11 @@ export class Papers {
         ...table,
         ratios: table.ratios.filter(({ figure }) => figure !== "milliseconds"),
       })),
-      claims: claims.map((claim) => ({
-        ...claim,
-        found: claim.found.replace(/time 1\.000 to 1\.000/g, "time not judged"),
-      })),
+      claims: claims.map((claim) => ({ ...claim, figures: withoutTimes(claim.figures) })),
     };
   }
 }
+
+/** The clock is too coarse for them. */
+const withoutTimes = (figures: PaperClaim["figures"]): PaperClaim["figures"] =>
+  Object.fromEntries(Object.entries(figures).filter(([name]) => !name.startsWith("time")));

@@ -12,7 +12,7 @@ const scope = self as unknown as {
 
 /** The part of the package that the worker needs. */
 type Package = typeof import("parkade");
-type Api = Pick<Package, "Planner" | "init"> & { driveOf?: typeof driveOf };
+type Api = Pick<Package, "Planner" | "init" | "planners"> & { driveOf?: typeof driveOf };
 
 /** Plans after which times are those of compiled code. */
 const WARM_PLANS = 3;
@@ -97,7 +97,7 @@ function plan({
   shown,
 }: PlanRequest): Extract<Reply, { kind: "planned" }> {
   const warm = plans >= WARM_PLANS;
-  const drags = !waiting && !!api.driveOf && planner.startsWith("hybrid"),
+  const drags = !waiting && !!api.driveOf && drivesCar(),
     current = hold(scene, ends, drags);
   if (drags && shown) current.planner.continueFrom(shown as HybridPlan);
   const [found, time] = timed(
@@ -119,6 +119,8 @@ function plan({
     return { ...reply, undriven: true };
   }
 }
+
+const drivesCar = (): boolean => api.planners().find(({ id }) => id === planner)?.family === "hybrid";
 
 /** Times depend on the path alone, and reading a huge map takes longer than planning. */
 const withoutCells = (scene: Scenario): Scenario => ({

@@ -1,7 +1,7 @@
 import type { Timing } from "../store/results";
 import type { LayerName, Plan, PlannerId, PlannerSettings } from "parkade";
 import { translate } from "../i18n/index";
-import { hasField, identityOf, infoOf, plannerName } from "../styles/planner-style";
+import { drivesCar, hasField, infoOf, plannerName } from "../styles/planner-style";
 import { isOneGoal } from "../scene/model";
 import { limitsOn } from "../scene/speed-limits";
 import { forPlanners, isUnpacked, withoutCells } from "../scene/large-scene";
@@ -228,7 +228,7 @@ export class Planning {
         shown: state.results[planner]?.chosen,
         budget: this.budget,
       };
-      if (state.transient && identityOf(planner).drives) this.hold(planner, job);
+      if (state.transient && drivesCar(planner)) this.hold(planner, job);
       else {
         this.held.delete(planner);
         this.laneOf(planner).plan(job);
@@ -434,7 +434,7 @@ const forceEvery = ({
 
 /** A drag's plans bring no more than is drawn of them. */
 const isTraced = (planner: PlannerId, { transient, layers, playback }: State): boolean =>
-  !transient || playback.base === "search" || (identityOf(planner).drives ? layers.tree : layers.heat);
+  !transient || playback.base === "search" || (drivesCar(planner) ? layers.tree : layers.heat);
 
 const hasCosts = (planner: PlannerId): boolean => infoOf(planner)?.family === "road";
 

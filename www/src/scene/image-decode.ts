@@ -1,18 +1,10 @@
 /** Pictures as the browser decodes them. */
 import type { Lang } from "../i18n";
+import messages from "../i18n/messages/image-decode.json";
 import { words } from "../i18n/words";
 import type { Pixels } from "./image";
 
-const say = words({
-  large: [
-    "the image has {width} × {height} pixels; the limit is 8192 per side.",
-    "图片为 {width} × {height} 像素；每边不得超过 8192。",
-  ],
-  clear: [
-    "{name} has transparent pixels, which are neither floor nor wall. Save it without transparency.",
-    "{name} 含透明像素，无法判断是空地还是墙。请去除透明后再保存。",
-  ],
-});
+const say = words("imageDecode", messages);
 
 const MOST = 8192;
 

@@ -1,163 +1,8 @@
+/** The page's store: what is drawn with its history, and everything that views follow. */
 import { thingsOf, type Selection } from "../scene/selection";
-import type { Choice, Timing } from "./results";
-import type {
-  Drive,
-  Encounter,
-  Explanation,
-  Layer,
-  LayerName,
-  Narrowest,
-  Plan,
-  PlannerId,
-  Prefer,
-  Road,
-  SceneGeometry,
-} from "parkade";
-import type { Scenario } from "../scene/scenario";
-import { presetLayers } from "./layer-sets";
+import { initialState, type Scene, type State } from "./state";
 
-export type Scene = Scenario;
-export type ToolId =
-  | "select"
-  | "brush"
-  | "wall"
-  | "rectangle"
-  | "polygon"
-  | "car"
-  | "slot"
-  | "moving"
-  | "road"
-  | "cost"
-  | "eraser"
-  | "hand";
-
-/** World centre in metres, CSS pixels per metre; shared by all panels. */
-export interface Camera {
-  x: number;
-  y: number;
-  scale: number;
-}
-
-export type LayerKey =
-  | "slots"
-  | "obstacles"
-  | "safety"
-  | "redundant"
-  | "cost"
-  | "heat"
-  | "risk"
-  | "tree"
-  | "sweep"
-  | "path"
-  | "car"
-  | "ghosts"
-  | "difference"
-  | "grid";
-
-export interface PanelResult {
-  plan: Plan | null;
-  lastGood: Plan | null;
-  /** `plan`, where that is another than the planner's first answer. */
-  chosen?: Plan | null;
-  /** The planner's first answer, where `chosen` stands in its place. */
-  ordinary?: Plan | null;
-  /** `plan` in time, among moving obstacles where there are some; null where no car drives it, and during drags. */
-  drive: Drive | Encounter | null;
-  layers: Partial<Record<LayerName, Layer>>;
-  status: "idle" | "planning" | "done" | "error";
-  error: { code: string; path: string; message: string } | null;
-  /** Medians of `samples`; null until the planner has warmed up on the scene. */
-  time: Timing | null;
-  samples: Timing[];
-}
-
-export interface Playback {
-  base: "search" | "drive";
-  searchMode: "percent" | "expansions";
-  fraction: number;
-  playing: boolean;
-  speed: number;
-}
-
-export interface ToolOptions {
-  brushRadius: number;
-  /** Weight that the cost brush paints, 1 to 10. */
-  costWeight: number;
-  wallThickness: number;
-  carProfile: "paper" | "sedan" | "cone";
-  slot: {
-    kind: "perpendicular" | "parallel" | "angled";
-    angle: number;
-    lean: "left" | "right";
-    /** Metres; null follows the car. */
-    width: number | null;
-    length: number | null;
-    /** Drawn beside the row, not part of it. */
-    aisle: number;
-  };
-  road: Required<Pick<Road, "lanes" | "laneWidth" | "radius" | "kerbs">>;
-  locked: boolean;
-  snap: boolean;
-  /** True once a pen is used: fingers then move the view. */
-  penDraws: boolean;
-}
-
-export const FIRST_PLANNERS: PlannerId[] = ["four", "eight", "risk-field", "hybrid"];
-
-/** Never mutated: every change makes new objects, so views compare by identity. */
-export interface State {
-  scene: Scene;
-  geometry: SceneGeometry | null;
-  selection: Selection;
-  tool: ToolId;
-  toolOptions: ToolOptions;
-  penSeen: boolean;
-  planners: PlannerId[];
-  hidden: ReadonlySet<PlannerId>;
-  /** Every planner and format is loaded, not only those of the first picture. */
-  complete: boolean;
-  mode: "grid" | "overlay" | "focus";
-  focus: PlannerId;
-  /** null: follow the car, or fit the scene. */
-  camera: Camera | null;
-  /** The camera stays on the focused planner's car. */
-  follow: boolean;
-  hover: { x: number; y: number } | null;
-  /** Explanation of the risk field at the cell under the pointer. */
-  explained: Explanation | null;
-  /** Preferences by which planners' paths are chosen; absent for the default. */
-  prefer: Partial<Record<PlannerId, Prefer>>;
-  /** Paths of planners to choose from, for the present scene. */
-  choices?: Partial<Record<PlannerId, readonly Choice[]>>;
-  /** The planner whose paths might be bettered, and for which better ones are being looked for. */
-  improving?: PlannerId | undefined;
-  /** Another path of a planner, looked at for a moment, or a place of the one that is shown. */
-  preview: { planner: PlannerId; plan: Plan; place?: Narrowest } | null;
-  /** How moving obstacles are waited for. */
-  waiting: "predictive" | "reactive";
-  playback: Playback;
-  layers: Record<LayerKey, boolean>;
-  results: Record<string, PanelResult>;
-  /** Expansions so far, of planners at work on the present scene that have told them. */
-  progress: Record<string, number>;
-  theme: "auto" | "light" | "dark";
-  lang: "en" | "zh";
-  canUndo: boolean;
-  canRedo: boolean;
-  /** A drag is going on. */
-  transient: boolean;
-  /** Counts scenes as they are opened, also by undo and redo: what belongs to one never stands beside another. */
-  opened: number;
-  /** The last change of the scene: "edit", "undo", "redo", or an edit's label. */
-  reason: string;
-  message: {
-    tone: "err" | "warn" | "info";
-    text: string;
-    code?: string;
-    action?: { name: string; run(): void };
-  } | null;
-  live: ReadonlyMap<string, string> | null;
-}
+export * from "./state";
 
 /** The steps behind and ahead of the scene, the nearest last. */
 export interface History {
@@ -170,14 +15,20 @@ export interface EditOptions {
   transient?: boolean;
   label?: string;
 }
+/** `previous` is the state of the notification before: no change is told twice, and none is left out. */
 export type Listener = (state: State, previous: State) => void;
 
 export interface Store {
   readonly state: State;
   set(patch: Partial<State>): void;
+  /** Makes one notification of all changes: those of a pointer's move are one. */
+  batch(run: () => void): void;
   subscribe(listener: Listener): () => void;
   /** Applies an edit and pushes one undo step; the edits of one drag (`transient`, then one final) are one step. */
   edit(next: Scene, options?: EditOptions): void;
+  /** Gives up the drag that is going on; false where there is none. */
+  cancelEdit(): boolean;
+  /** Gives up the drag that is going on, or takes back the last step. */
   undo(): void;
   redo(): void;
   readonly history: History;
@@ -187,73 +38,6 @@ export interface Store {
 
 export const UNDO_STEPS = 500;
 
-export const emptyResult: PanelResult = {
-  plan: null,
-  lastGood: null,
-  drive: null,
-  layers: {},
-  status: "idle",
-  error: null,
-  time: null,
-  samples: [],
-};
-
-const emptyScene: Scene = {
-  version: 1,
-  map: { origin: [0, 0], width: 40, height: 30, resolution: 0.5 },
-  obstacles: [],
-  slots: [],
-  vehicle: "paper",
-  start: { x: 4, y: 15, heading: 0 },
-  goal: { x: 16, y: 7.5, heading: 0 },
-};
-
-export function initialState(): State {
-  return {
-    scene: emptyScene,
-    geometry: null,
-    selection: null,
-    tool: "select",
-    toolOptions: {
-      brushRadius: 0.5,
-      costWeight: 5,
-      wallThickness: 0.2,
-      carProfile: "sedan",
-      road: { lanes: [1, 1], laneWidth: 3.5, radius: 20, kerbs: true },
-      slot: { kind: "perpendicular", angle: Math.PI / 4, lean: "right", width: null, length: null, aisle: 6 },
-      locked: false,
-      snap: true,
-      penDraws: true,
-    },
-    penSeen: false,
-    planners: FIRST_PLANNERS,
-    hidden: new Set(),
-    complete: false,
-    mode: "grid",
-    focus: "hybrid",
-    camera: null,
-    follow: false,
-    hover: null,
-    explained: null,
-    prefer: {},
-    preview: null,
-    waiting: "predictive",
-    playback: { base: "drive", searchMode: "percent", fraction: 1, playing: false, speed: 1 },
-    layers: presetLayers("drive"),
-    results: {},
-    progress: {},
-    theme: "auto",
-    lang: "en",
-    canUndo: false,
-    canRedo: false,
-    transient: false,
-    opened: 0,
-    reason: "open",
-    message: null,
-    live: null,
-  };
-}
-
 export function createStore(initial: Partial<State> = {}): Store {
   return new SceneStore({ ...initialState(), ...initial });
 }
@@ -261,6 +45,10 @@ export function createStore(initial: Partial<State> = {}): Store {
 class SceneStore implements Store {
   state: State;
   private readonly listeners = new Set<Listener>();
+  /** The state that the listeners know. */
+  private told: State;
+  /** Above 0 while changes wait: in a batch, and while listeners are told of one. */
+  private holds = 0;
   private past: Scene[] = [];
   private future: Scene[] = [];
   /** Scenes that came whole, by `edit` with the label "open". */
@@ -269,7 +57,7 @@ class SceneStore implements Store {
   private dragFrom: Scene | null = null;
 
   constructor(state: State) {
-    this.state = state;
+    this.state = this.told = state;
   }
 
   set(patch: Partial<State>): void {
@@ -277,7 +65,21 @@ class SceneStore implements Store {
     const keys = Object.keys(patch) as (keyof State)[];
     if (keys.every((key) => Object.is(patch[key], previous[key]))) return;
     this.state = { ...previous, ...patch };
-    for (const listener of [...this.listeners]) listener(this.state, previous);
+    this.batch(() => {});
+  }
+
+  batch(run: () => void): void {
+    this.holds++;
+    try {
+      run();
+      while (this.holds === 1 && this.told !== this.state) {
+        const previous = this.told,
+          state = (this.told = this.state);
+        for (const listener of [...this.listeners]) listener(state, previous);
+      }
+    } finally {
+      this.holds--;
+    }
   }
 
   subscribe(listener: Listener): () => void {
@@ -302,14 +104,15 @@ class SceneStore implements Store {
     this.apply(next, options.label ?? "edit", options.label === "open");
   }
 
+  cancelEdit(): boolean {
+    const from = this.dragFrom;
+    this.dragFrom = null;
+    if (from) this.apply(from, "undo");
+    return from !== null;
+  }
+
   undo(): void {
-    if (this.dragFrom) {
-      const from = this.dragFrom;
-      this.dragFrom = null;
-      this.apply(from, "undo");
-      return;
-    }
-    this.travel(this.past, this.future, "undo");
+    if (!this.cancelEdit()) this.travel(this.past, this.future, "undo");
   }
 
   redo(): void {

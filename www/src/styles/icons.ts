@@ -1,5 +1,5 @@
 import { svg, html, type SVGTemplateResult, type TemplateResult } from "lit";
-import { identityOf, type Shape } from "./planner-style";
+import { drivesCar, identityOf, type Shape } from "./planner-style";
 
 const shapes = {
   select: svg`<path d="M4 2.5v10l2.7-2.5 1.7 3.8 1.7-.8-1.7-3.7h3.6z"/>`,
@@ -91,7 +91,8 @@ export function marker(planner: string, size = 11): TemplateResult {
 
 /** The planner's line as drawn on the map, for legends. */
 export function lineSample(planner: string): TemplateResult {
-  const { dash, drives } = identityOf(planner);
+  const { dash } = identityOf(planner),
+    drives = drivesCar(planner);
   return html`<svg width="26" height="4" viewBox="0 0 26 4" aria-hidden="true"><path d="M0 2h26" stroke=${plannerColour(planner)}
     stroke-width=${drives ? 3 : 2} stroke-dasharray=${dash.join(" ") || "none"}/></svg>`;
 }

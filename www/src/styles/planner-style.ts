@@ -19,16 +19,15 @@ export interface Identity {
   colour: number;
   dash: readonly number[];
   shape: Shape;
-  drives: boolean;
 }
 
 /** For the time before a module is loaded, as well. */
 const FIRST: Record<string, Identity> = {
-  four: { colour: 1, dash: [], shape: "circle", drives: false },
-  eight: { colour: 2, dash: [9, 5], shape: "triangle", drives: false },
-  "risk-field": { colour: 3, dash: [10, 4, 2, 4], shape: "square", drives: false },
-  hybrid: { colour: 4, dash: [], shape: "diamond", drives: true },
-  "hybrid-forward": { colour: 5, dash: [14, 5], shape: "plus", drives: true },
+  four: { colour: 1, dash: [], shape: "circle" },
+  eight: { colour: 2, dash: [9, 5], shape: "triangle" },
+  "risk-field": { colour: 3, dash: [10, 4, 2, 4], shape: "square" },
+  hybrid: { colour: 4, dash: [], shape: "diamond" },
+  "hybrid-forward": { colour: 5, dash: [14, 5], shape: "plus" },
 };
 /** The others take colour, dash and marker in turn; the three cycles are prime to each other, so that none repeats soon. */
 const COLOURS = [6, 5],
@@ -53,12 +52,17 @@ export function identityOf(planner: string): Identity {
     0,
     catalogue.filter((info) => !(info.id in FIRST)).findIndex((info) => info.id === planner),
   );
-  const drives = infoOf(planner)?.family === "hybrid";
-  return { colour: COLOURS[at % 2]!, dash: DASHES[at % 3]!, shape: SHAPES[at % 5]!, drives };
+  return { colour: COLOURS[at % 2]!, dash: DASHES[at % 3]!, shape: SHAPES[at % 5]! };
 }
 
 /** The loaded module's facts of a planner. */
 export const infoOf = (planner: string): PlannerInfo | undefined => catalogue.find((info) => info.id === planner);
+
+/** True if it plans for a car that drives and steers. */
+export const drivesCar = (planner: string): boolean => infoOf(planner)?.family === "hybrid";
+
+/** True if it plans on a road's cost map. */
+export const plansRoads = (planner: PlannerId): planner is "cost-map" => infoOf(planner)?.family === "road";
 
 /** True if a planner looks at a field of risk. */
 export const hasField = (planner: string): boolean => infoOf(planner)?.hasRiskField === true;

@@ -6,7 +6,7 @@ import { wordsAt } from "../i18n/words";
 import { gapAt } from "../scene/gap";
 import type { State } from "../store";
 import { failureOf } from "../view/failure";
-import { identityOf, plannerName } from "../styles/planner-style";
+import { drivesCar, plannerName, plansRoads } from "../styles/planner-style";
 import { statusOf, thingName } from "./status";
 
 const say = wordsAt("failure");
@@ -51,7 +51,7 @@ function turn({ lang }: State, check: Check, values: Record<string, string>): st
 
 /** Why the road manuscript's own smoothing or chords fail. */
 function literally({ lang, scene }: State, { planner, outcome }: Plan): string | null {
-  if (outcome !== "found" || planner !== "cost-map") return null;
+  if (outcome !== "found" || !plansRoads(planner)) return null;
   const { pruning, smoothing } = scene.planners?.[planner] ?? {};
   if (smoothing !== "paper" && pruning !== "los") return null;
   return say(lang, smoothing === "paper" ? "stray" : "sight");
@@ -68,9 +68,9 @@ function helps(state: State, planner: PlannerId): string | null {
     (one) =>
       one !== planner && !hidden.has(one) && results[one]?.status === "done" && statusOf(state, one).tone === "ok",
   );
-  const best = good.find((one) => identityOf(one).drives) ?? good[0];
+  const best = good.find((one) => drivesCar(one)) ?? good[0];
   if (best) return say(lang, "drives", { planner: plannerName(lang, best) });
-  return identityOf(planner).drives || planners.includes("hybrid")
+  return drivesCar(planner) || planners.includes("hybrid")
     ? null
     : say(lang, "shape", { planner: plannerName(lang, "hybrid") });
 }

@@ -7,7 +7,7 @@ import { weightAt } from "../scene/costs";
 import { costRange } from "../view/layers/cost-raster";
 import { spacingOf } from "../view/layers/painted-costs";
 import { distancesOf, nearestPose } from "../view/drive";
-import { hasField, identityOf } from "../styles/planner-style";
+import { drivesCar, hasField } from "../styles/planner-style";
 
 type Entry = [label: string, value: string];
 
@@ -44,7 +44,7 @@ function rampOf(state: State, planner: PlannerId): TemplateResult | typeof nothi
   const plan = state.results[planner]?.plan;
   if (hasField(planner) && state.layers.risk && !state.layers.heat) return riskLegend(state);
   const expanded = plan?.stats.expanded ?? 0;
-  const drawn = identityOf(planner).drives ? state.layers.tree : state.layers.heat;
+  const drawn = drivesCar(planner) ? state.layers.tree : state.layers.heat;
   const cost = state.layers.cost ? state.results[planner]?.layers.cost : undefined;
   const range = cost && !state.layers.heat ? costRange(cost) : undefined;
   if (range) {
@@ -68,7 +68,7 @@ function entriesOf(state: State, planner: PlannerId): Entry[] {
   if (!hover || !result?.plan) return [];
   const text = (key: MessageKey): string => translate(state.lang, key);
   const near = nearestPose(result.plan, hover.x, hover.y);
-  if (identityOf(planner).drives && near !== null) return poseEntries(state, result.plan, near);
+  if (drivesCar(planner) && near !== null) return poseEntries(state, result.plan, near);
   const cell = cellAt(state.scene, hover.x, hover.y);
   if (!cell) return [];
   const entries: Entry[] = [];

@@ -2,12 +2,13 @@
 import type { Scene, State, Store, ToolId } from "../store";
 import { cameraFor, forgetFit, leastScale, zoomAt, type View } from "../view/camera";
 import { distance, type Point } from "../scene/geometry";
+import { piece } from "../view/lazy-layers";
 import type { Draft } from "../store/draft";
 import type { Drawing } from "./tool-registry";
 import { Fingers } from "./fingers";
 import { HandTool } from "./pan";
 import { inputOf, keyedInput, viewOf } from "./input";
-import { arrowOf, stepOf, toolOfKey } from "./keys";
+import { arrowOf, stepOf } from "./keys";
 import { SelectTool } from "./select";
 import type { Bench, Input, Tool } from "./tool";
 
@@ -20,6 +21,8 @@ const STRAY_MS = 120;
 const CLICK_PX = 4;
 /** Of a press by keys. */
 const KEYS = -1;
+
+const registry = piece(() => import("./tool-registry"));
 
 /** Place at which a canvas asks for its menu, CSS pixels of the window. */
 export interface MenuRequest {
@@ -69,7 +72,7 @@ export class ToolController {
   /** The first picture does without the tools that draw. */
   async fetchTools(): Promise<void> {
     if (this.drawing) return;
-    const { makeDrawing, watchGoalSlot } = await import("./tool-registry");
+    const { makeDrawing, watchGoalSlot } = await registry.load();
     if (this.drawing) return;
     this.drawing = makeDrawing(this.select);
     watchGoalSlot(this.store);
@@ -93,7 +96,11 @@ export class ToolController {
       type: K,
       handler: (event: HTMLElementEventMap[K]) => void,
       passive = true,
-    ): void => canvas.addEventListener(type, handler, { signal: events.signal, passive });
+    ): void =>
+      canvas.addEventListener(type, (event) => this.store.batch(() => handler(event)), {
+        signal: events.signal,
+        passive,
+      });
     on("pointerdown", (event) => this.pointerDown(canvas, event), false);
     on("pointerrawupdate", (event) => this.pointerEarly(canvas, event as PointerEvent));
     on("pointermove", (event) => this.pointerFrame(canvas, event));
@@ -136,17 +143,18 @@ export class ToolController {
   /** True where the key was used; the caller then prevents its default. Takes keydown and keyup. */
   handleKey(event: KeyboardEvent): boolean {
     if (event.type === "keyup") return this.keyUp(event);
-    const key = event.key.toLowerCase();
-    if (event.ctrlKey || event.metaKey) return (this.drawing?.editByKey(this.store, event) ?? false) && this.refresh();
-    if (key === "escape") return this.escape();
+    if (event.ctrlKey || event.metaKey) return false;
+    if (event.key === "Escape") return this.escape();
     if (this.drawByKey(event)) return true;
-    if (key === "enter") return this.tool().confirm?.(this.bench()) ?? false;
-    if (key === " ") return this.holdSpace();
-    if (key === "s" || key === "t") return this.arm(key === "s" ? "start" : "goal");
-    if (this.drawing?.editByKey(this.store, event)) return this.refresh();
-    const tool = toolOfKey(key);
-    if (tool) this.store.set({ tool });
-    return tool !== undefined;
+    if (event.key === "Enter") return this.tool().confirm?.(this.bench()) ?? false;
+    if (event.key === " ") return this.holdSpace();
+    const way = arrowOf(event.key);
+    return way !== undefined && this.edit((store) => this.drawing?.nudge(store, way, event.shiftKey) ?? false);
+  }
+
+  /** Changes something by a key or a menu; false where there was nothing to change. */
+  edit(change: (store: Store) => boolean): boolean {
+    return change(this.store) && this.refresh();
   }
 
   private pointerDown(canvas: HTMLElement, event: PointerEvent): void {
@@ -372,7 +380,8 @@ export class ToolController {
     return true;
   }
 
-  private arm(which: "start" | "goal"): boolean {
+  /** The next press places this pose. */
+  arm(which: "start" | "goal"): boolean {
     this.armed = which;
     void this.fetchTools();
     return this.refresh();
@@ -447,7 +456,7 @@ export class ToolController {
         if (scene !== store.state.scene || store.state.transient) store.edit(scene, { label });
       },
       revert: () => {
-        if (store.state.transient) store.undo();
+        store.cancelEdit();
       },
       done: () => {
         if (!store.state.toolOptions.locked) store.set({ tool: "select" });

@@ -1,4 +1,4 @@
-/** Keys that edit, where they need no pointer. */
+/** Edits that need no pointer. */
 import { isPose } from "../scene/selection";
 import { flipGoal } from "../scene/goals";
 import { movePose, resolve, type Scene } from "../scene/model";
@@ -6,73 +6,41 @@ import { removeThings } from "../scene/removal";
 import { radians } from "../scene/geometry";
 import { allIds, copyThings, idsOf, moveThings, selectionOf } from "../scene/scene-objects";
 import { turnThings } from "../scene/turning";
-import { type State, type Store } from "../store";
-import { arrowOf, stepOf } from "./keys";
+import type { State, Store } from "../store";
+import { stepOf } from "./keys";
 
 const RADIUS = { least: 0.1, most: 5, step: 1.25 };
 
-/** Edits a key makes by itself; false where the key means nothing here. */
-export function editByKey(store: Store, event: KeyboardEvent): boolean {
-  const { state } = store;
-  if (event.ctrlKey || event.metaKey) return editWithCtrl(store, event);
-  const way = arrowOf(event.key);
-  if (way) return nudge(store, way, event.shiftKey);
-  switch (event.key) {
-    case "Delete":
-    case "Backspace":
-      return removeSelected(store);
-    case "[":
-      return setRadius(store, state.toolOptions.brushRadius / RADIUS.step);
-    case "]":
-      return setRadius(store, state.toolOptions.brushRadius * RADIUS.step);
-    case "{":
-      return setWeight(store, -1);
-    case "}":
-      return setWeight(store, 1);
-    case "x":
-    case "X":
-      store.edit(flipGoal(state.scene), { label: "flip" });
-      return true;
-    case "q":
-    case "Q":
-      store.set({ toolOptions: { ...state.toolOptions, locked: !state.toolOptions.locked } });
-      return true;
-    default:
-      return false;
-  }
-}
-
-function editWithCtrl(store: Store, event: KeyboardEvent): boolean {
-  switch (event.key) {
-    case "a":
-    case "A":
-      return selectAll(store);
-    case "d":
-    case "D":
-      return duplicateSelected(store);
-    case "ArrowLeft":
-      return turn(store, 1, event.shiftKey);
-    case "ArrowRight":
-      return turn(store, -1, event.shiftKey);
-    default:
-      return false;
-  }
-}
-
-function setRadius(store: Store, radius: number): boolean {
+/** One step larger, or smaller. */
+export function setRadius(store: Store, steps: 1 | -1): boolean {
+  const { toolOptions } = store.state,
+    radius = toolOptions.brushRadius * RADIUS.step ** steps;
   const brushRadius = Math.min(RADIUS.most, Math.max(RADIUS.least, Math.round(radius * 100) / 100));
-  store.set({ toolOptions: { ...store.state.toolOptions, brushRadius } });
+  store.set({ toolOptions: { ...toolOptions, brushRadius } });
   return true;
 }
 
-function setWeight(store: Store, step: number): boolean {
+/** The goal's heading, or the way into its slot. */
+export function flipEntry(store: Store): true {
+  store.edit(flipGoal(store.state.scene), { label: "flip" });
+  return true;
+}
+
+/** Whether a tool stays in force after a shape. */
+export function toggleLock(store: Store): true {
+  const { toolOptions } = store.state;
+  store.set({ toolOptions: { ...toolOptions, locked: !toolOptions.locked } });
+  return true;
+}
+
+export function setWeight(store: Store, step: number): boolean {
   const { toolOptions } = store.state;
   store.set({ toolOptions: { ...toolOptions, costWeight: Math.min(10, Math.max(1, toolOptions.costWeight + step)) } });
   return true;
 }
 
-/** One cell, a metre with Shift. */
-function nudge(store: Store, [dx, dy]: [number, number], far: boolean): boolean {
+/** Moves the selection by one cell, or by a metre. */
+export function nudge(store: Store, [dx, dy]: [number, number], far: boolean): boolean {
   const step = stepOf(store.state.scene.map, far);
   const moved = nudged(store.state, dx * step, dy * step);
   if (!moved) return false;
@@ -89,10 +57,10 @@ function nudged({ scene, selection }: State, dx: number, dy: number): Scene | nu
   return ids.length > 0 ? moveThings(scene, ids, dx, dy) : null;
 }
 
-/** By five degrees, one with Shift. */
-function turn(store: Store, sign: 1 | -1, little: boolean): boolean {
+/** Turns the selection to the left. */
+export function turn(store: Store, degrees: number): boolean {
   const { scene, selection } = store.state,
-    angle = sign * radians(little ? 1 : 5);
+    angle = radians(degrees);
   if (isPose(selection)) {
     const pose = resolve(scene)[selection.kind];
     store.edit(movePose(scene, selection.kind, { ...pose, heading: pose.heading + angle }), { label: "turn" });

@@ -1,9 +1,9 @@
 /** Walls, roads and polygons: corner after corner. */
-import type { Road } from "parkade";
 import { addMoving, addObstacle } from "../scene/model";
 import { canExtend, crossesItself, distance, type Point } from "../scene/geometry";
 import { tooTight } from "../scene/road";
 import { fixed } from "../view/text";
+import type { Scene, ToolOptions } from "../store";
 import type { Draft } from "../store/draft";
 import { constrainAngle, snapPoint, type Snapped } from "./snap";
 import { metresOf, reachOf, type Bench, type Input, type Tool } from "./tool";
@@ -14,6 +14,14 @@ const TWICE_PX = 5;
 /** Metres, metres per second, seconds. */
 const PERSON: { size: Point; speed: number; start: number } = { size: [0.6, 0.6], speed: 1.2, start: 0 };
 
+/** A scene with a new thing. */
+interface Made {
+  scene: Scene;
+  id: string;
+  kind: "obstacle" | "moving";
+  label: string;
+}
+
 abstract class LineTool implements Tool {
   protected points: Point[] = [];
   private pressed: Point | null = null;
@@ -22,7 +30,13 @@ abstract class LineTool implements Tool {
   private twice = false;
 
   protected abstract readonly closed: boolean;
-  protected abstract finish(bench: Bench): boolean;
+  /** The scene with what the corners make. */
+  protected abstract made(scene: Scene, points: Point[], options: ToolOptions): Made;
+
+  /** True where the corners make nothing yet, and it was said why: the line goes on. */
+  protected mends(_: Bench): boolean {
+    return false;
+  }
 
   /** Of the preview's line, metres. */
   protected width(bench: Bench): { thickness: number } {
@@ -77,7 +91,23 @@ abstract class LineTool implements Tool {
     return drawing;
   }
 
-  protected reset(bench: Bench): void {
+  /** Adds the line to the scene; an open one that is too short is dropped. */
+  private finish(bench: Bench): boolean {
+    const { points } = this,
+      { store } = bench,
+      { scene, toolOptions } = store.state;
+    if (this.closed && points.length < 3) return false;
+    if (this.mends(bench)) return true;
+    this.reset(bench);
+    if (points.length < 2) return false;
+    const { scene: next, id, kind, label } = this.made(scene, points, toolOptions);
+    bench.commit(next, label);
+    store.set({ selection: { kind, id } });
+    bench.done();
+    return true;
+  }
+
+  private reset(bench: Bench): void {
     this.points = [];
     this.pressed = this.before = null;
     bench.show(null);
@@ -156,31 +186,16 @@ export class MovingTool extends LineTool {
     return { thickness: PERSON.size[1] };
   }
 
-  protected override finish(bench: Bench): boolean {
-    const { points } = this;
-    this.reset(bench);
-    if (points.length < 2) return false;
-    const { scene, id } = addMoving(bench.store.state.scene, { points, ...PERSON });
-    bench.commit(scene, "moving");
-    bench.store.set({ selection: { kind: "moving", id } });
-    bench.done();
-    return true;
+  protected override made(scene: Scene, points: Point[]): Made {
+    return { ...addMoving(scene, { points, ...PERSON }), kind: "moving", label: "moving" };
   }
 }
 
 export class WallTool extends LineTool {
   protected override readonly closed = false;
 
-  protected override finish(bench: Bench): boolean {
-    const { points } = this;
-    this.reset(bench);
-    if (points.length < 2) return false;
-    const thickness = bench.store.state.toolOptions.wallThickness;
-    const { scene, id } = addObstacle(bench.store.state.scene, { type: "wall", points, thickness });
-    bench.commit(scene, "wall");
-    bench.store.set({ selection: { kind: "obstacle", id } });
-    bench.done();
-    return true;
+  protected override made(scene: Scene, points: Point[], { wallThickness: thickness }: ToolOptions): Made {
+    return { ...addObstacle(scene, { type: "wall", points, thickness }), kind: "obstacle", label: "wall" };
   }
 }
 
@@ -193,43 +208,31 @@ export class RoadTool extends LineTool {
     return { thickness: (lanes[0] + lanes[1]) * laneWidth };
   }
 
-  protected override finish(bench: Bench): boolean {
+  /** A bend that is too tight is taken back, with what follows. */
+  protected override mends(bench: Bench): boolean {
     const { points } = this,
-      {
-        scene: before,
-        toolOptions: { road: options },
-      } = bench.store.state;
-    const road: Road = { type: "road", points, ...options };
-    if (points.length >= 2 && tooTight(road) > 0) {
-      bench.store.set({ message: { tone: "err", text: word(bench.store.state, "tight") } });
-      this.points = points.slice(0, tooTight(road) + 1);
-      return true;
-    }
-    this.reset(bench);
-    if (points.length < 2) return false;
-    const { scene, id } = addObstacle(before, road);
-    bench.commit(scene, "road");
-    bench.store.set({ selection: { kind: "obstacle", id } });
-    bench.done();
+      tight = tooTight({ type: "road", points, ...bench.store.state.toolOptions.road });
+    if (points.length < 2 || tight === 0) return false;
+    bench.store.set({ message: { tone: "err", text: word(bench.store.state, "tight") } });
+    this.points = points.slice(0, tight + 1);
     return true;
+  }
+
+  protected override made(scene: Scene, points: Point[], { road }: ToolOptions): Made {
+    return { ...addObstacle(scene, { type: "road", points, ...road }), kind: "obstacle", label: "road" };
   }
 }
 
 export class PolygonTool extends LineTool {
   protected override readonly closed = true;
 
-  protected override finish(bench: Bench): boolean {
-    const { points } = this;
-    if (points.length < 3) return false;
-    if (crossesItself(points)) {
-      this.refuse(bench);
-      return true;
-    }
-    this.reset(bench);
-    const { scene, id } = addObstacle(bench.store.state.scene, { type: "polygon", points });
-    bench.commit(scene, "polygon");
-    bench.store.set({ selection: { kind: "obstacle", id } });
-    bench.done();
+  protected override mends(bench: Bench): boolean {
+    if (!crossesItself(this.points)) return false;
+    this.refuse(bench);
     return true;
+  }
+
+  protected override made(scene: Scene, points: Point[]): Made {
+    return { ...addObstacle(scene, { type: "polygon", points }), kind: "obstacle", label: "polygon" };
   }
 }

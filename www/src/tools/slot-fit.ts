@@ -1,18 +1,11 @@
 /** Says when a slot is too small for the car, and offers the size that fits. */
+import messages from "../i18n/messages/slot-fit.json";
 import { words } from "../i18n/words";
 import { findSlot, resolve } from "../scene/model";
 import { fitRows, misfitOf } from "../scene/slot-fit";
 import type { Scene, Store } from "../store";
 
-const say = words({
-  short: ["{n|This slot is|These slots are} {short} m too short for the car.", "车位比车辆短 {short} m。"],
-  narrow: ["{n|This slot is|These slots are} {narrow} m too narrow for the car.", "车位比车辆窄 {narrow} m。"],
-  both: [
-    "{n|This slot is|These slots are} {short} m too short and {narrow} m too narrow for the car.",
-    "车位比车辆短 {short} m、窄 {narrow} m。",
-  ],
-  fit: ["Make {n|it|them} fit", "改为合适尺寸"],
-});
+const say = words("slotFit", messages);
 
 /** Speaks of the first of these slots that is too small. */
 export function sayMisfit(store: Store, ids: readonly string[]): void {

@@ -3,7 +3,7 @@ import type { ToolId } from "../store";
 import { BorderTool } from "./border";
 import { BrushTool, CostTool, EraserTool } from "./brush";
 import { CarTool } from "./car";
-import { editByKey } from "./edit-keys";
+import { nudge } from "./edit-keys";
 import { MovingTool, PolygonTool, RoadTool, WallTool } from "./line";
 import { PlaceTool } from "./place";
 import { RectangleTool } from "./rectangle";
@@ -19,7 +19,7 @@ export interface Drawing {
   eraser: Tool;
   /** By press, drag, release while S or T is called for. */
   place: { start: PlaceTool; goal: PlaceTool };
-  editByKey: typeof editByKey;
+  nudge: typeof nudge;
 }
 
 export const makeDrawing = (select: SelectTool): Drawing => ({
@@ -38,5 +38,5 @@ export const makeDrawing = (select: SelectTool): Drawing => ({
   },
   eraser: new EraserTool(),
   place: { start: new PlaceTool("start"), goal: new PlaceTool("goal") },
-  editByKey,
+  nudge,
 });

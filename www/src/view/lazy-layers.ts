@@ -1,50 +1,57 @@
-/** Pieces of the drawing that the first picture does without: each is fetched when something asks for it. */
+/** Pieces that the first picture does without: each is fetched when something asks for it, from where the page's root says. */
 
 import { onScreen } from "./surface";
 
 /** Callbacks for loaded pieces: views that drew without them draw again. */
 export const waiting = new Set<() => void>();
 
-/** Null until the piece is there; the first call fetches it. */
 export interface Piece<T> {
+  /** Null until the piece is there; the first call fetches it. */
   (): T | null;
   load(): Promise<T>;
+  /** Names where the piece comes from. One that comes from nowhere is never there. */
+  from(fetch: () => Promise<T>): void;
+  /** Has the piece at hand from now on. */
+  hold(piece: T): void;
 }
 
 /** After a failure, before it is fetched again. */
 const PAUSE_MS = 2000;
 
-function piece<T>(fetch: () => Promise<T>): Piece<T> {
+export function piece<T>(fetch?: () => Promise<T>): Piece<T> {
   let loaded: T | null = null;
   let loading: Promise<T> | null = null;
+  const hold = (got: T): T => {
+    loaded = got;
+    for (const draw of waiting) draw();
+    return got;
+  };
   const load = (): Promise<T> =>
-    (loading ??= fetch().then(
-      (got) => {
-        loaded = got;
-        for (const draw of waiting) draw();
-        return got;
-      },
-      (error: unknown) => {
-        setTimeout(() => {
-          loading = null;
-        }, PAUSE_MS);
-        throw error;
-      },
-    ));
+    (loading ??= (fetch?.() ?? Promise.reject(new Error("nobody named the piece"))).then(hold, (error: unknown) => {
+      setTimeout(() => {
+        loading = null;
+      }, PAUSE_MS);
+      throw error;
+    }));
   const get = (): T | null => {
-    if (!loaded) load().catch(() => undefined);
+    if (!loaded && fetch) load().catch(() => undefined);
     return loaded;
   };
-  return Object.assign(get, { load });
+  const from = (source: () => Promise<T>): void => {
+    fetch = source;
+  };
+  return Object.assign(get, { load, hold, from });
 }
 
-/** Maps of very many cells. */
-const vastPiece = piece(() => import("./large-map-raster"));
-/** Null for files, too: every cell and pose is drawn into those. */
-export const vast: Piece<typeof import("./large-map-raster")> = Object.assign(() => (onScreen() ? vastPiece() : null), {
-  load: () => vastPiece.load(),
+const vastPiece = piece<typeof import("./large-map-raster")>();
+/** Maps of very many cells. Null for files, too: every cell and pose is drawn into those. */
+export const vast: typeof vastPiece = Object.assign(() => (onScreen() ? vastPiece() : null), {
+  load: vastPiece.load,
+  hold: vastPiece.hold,
+  from: vastPiece.from,
 });
 /** Contents of the toolbar's menus. */
-export const menus = piece(() => import("../panels/toolbar-menus"));
+export const menus = piece<typeof import("../panels/toolbar-menus")>();
+export type Extras = typeof import("../panels/extras");
 /** Layers for drawing, roads, moving obstacles and search traces. */
-export const extras = piece(() => import("../panels/extras"));
+export const extras = piece<Extras>();

@@ -1,6 +1,6 @@
 /** The colours and the font of the drawing, read from the element's `--parkade-*` custom properties. */
 import type { PlannerId } from "parkade";
-import { identityOf } from "../styles/planner-style";
+import { drivesCar, identityOf } from "../styles/planner-style";
 
 export const COLOUR_NAMES = [
   "app",
@@ -129,6 +129,7 @@ export interface PlannerStyle {
 }
 
 export function plannerStyle(tokens: Tokens, planner: PlannerId): PlannerStyle {
-  const { colour, dash, drives } = identityOf(planner);
+  const { colour, dash } = identityOf(planner),
+    drives = drivesCar(planner);
   return { colour: tokens.planner[colour - 1] ?? tokens.colour.t1, dash, width: drives ? 3 : 2, hybrid: drives };
 }

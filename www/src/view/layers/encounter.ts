@@ -1,5 +1,7 @@
 /** The moments of a drive that waits for a moving obstacle, as the parking paper's figure 16 names them, and a strip of their times. */
 import type { Encounter, Pose } from "parkade";
+import "../../i18n/later";
+import { translate } from "../../i18n/index";
 import { boxAt, clockOf } from "../playback-time";
 import { inPixels, toScreen, type Frame } from "../frame";
 import { labelFont, useFont } from "../text";
@@ -95,8 +97,8 @@ function strip(frame: Frame, { waits, t }: Encounter, marks: readonly Mark[]): v
   ctx.globalAlpha = 1;
   useFont(ctx, labelFont(frame));
   const rows = [
-    ["box", lang === "zh" ? "障碍物" : "Box", top + STRIP.row],
-    ["car", lang === "zh" ? "车辆" : "Car", top + 2 * STRIP.row],
+    ["box", translate(lang, "encounter.box"), top + STRIP.row],
+    ["car", translate(lang, "encounter.car"), top + 2 * STRIP.row],
   ] as const;
   for (const [of, name, y] of rows) {
     const own = marks.filter((mark) => mark.of === of),

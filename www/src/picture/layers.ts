@@ -1,4 +1,4 @@
-/** The pieces of the drawing that pictures need, at hand at once. */
+/** The layers that pictures need beside those of the first picture: at hand at once. Maps are drawn cell by cell. */
 import { drawCost } from "../view/layers/cost-raster";
 import { drawCosts } from "../view/layers/painted-costs";
 import { drawFailure } from "../view/layers/failure";
@@ -6,9 +6,17 @@ import { drawLaneStrip } from "../view/layers/lane-strip";
 import { drawLanes } from "../view/layers/lanes";
 import { drawContact, drawMoving } from "../view/layers/moving";
 import { drawObstruction } from "../view/layers/obstruction";
+import { extras, type Extras } from "../view/lazy-layers";
 
-const held = { drawContact, drawCost, drawCosts, drawFailure, drawLanes, drawLaneStrip, drawMoving, drawObstruction };
+const held: Partial<Extras> = {
+  drawContact,
+  drawCost,
+  drawCosts,
+  drawFailure,
+  drawLanes,
+  drawLaneStrip,
+  drawMoving,
+  drawObstruction,
+};
 
-export const extras = (): typeof held => held;
-/** Files draw every cell and pose. */
-export const vast = (): null => null;
+extras.hold(held as Extras);

@@ -1,0 +1,7 @@
+/** What a form's control holds when it tells of a change. */
+const controlOf = (event: Event): HTMLInputElement => event.target as HTMLInputElement;
+
+export const valueOf = (event: Event): string => controlOf(event).value;
+/** NaN where the text is no number. */
+export const numberOf = (event: Event): number => Number(valueOf(event));
+export const isChecked = (event: Event): boolean => controlOf(event).checked;
