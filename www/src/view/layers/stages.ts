@@ -14,7 +14,7 @@ export function drawStages(frame: Frame, raw: Float64Array, { pruned, arcs, shar
       ctx,
       tokens: { colour, planner },
     } = frame,
-    green = planner[2];
+    green = planner[2]!;
   const cells: Point[] = Array.from({ length: raw.length / 2 }, (_, i) => [raw[2 * i]!, raw[2 * i + 1]!]);
   ctx.save();
   inMetres(frame);
