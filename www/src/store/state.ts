@@ -1,5 +1,6 @@
 /** The parts of the state, and how they begin. */
 import type { Selection } from "../scene/selection";
+import type { Draft } from "./draft";
 import type { Choice, Timing } from "./results";
 import type {
   Drive,
@@ -119,6 +120,8 @@ export interface SessionState {
   /** The camera stays on the focused planner's car. */
   follow: boolean;
   hover: { x: number; y: number } | null;
+  /** The preview of the tool in force. */
+  draft: Draft | null;
   /** Preferences by which planners' paths are chosen; absent for the default. */
   prefer: Partial<Record<PlannerId, Prefer>>;
   /** Another path of a planner, looked at for a moment, or a place of the one that is shown. */
@@ -218,6 +221,7 @@ function newSession(): SessionState {
     camera: null,
     follow: false,
     hover: null,
+    draft: null,
     prefer: {},
     preview: null,
     waiting: "predictive",
