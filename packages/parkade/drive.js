@@ -16,9 +16,7 @@ export const optimise = (scene, plan, options = {}) =>
 export function track(scene, plan, options = {}) {
   const states = trajectoryColumns(plan);
   return call(() =>
-    states
-      ? raw.trackStates(packedScene(scene), ...states)
-      : raw.track(packedScene(scene), ...columns(plan), options),
+    states ? raw.trackStates(packedScene(scene), ...states) : raw.track(packedScene(scene), ...columns(plan), options),
   );
 }
 

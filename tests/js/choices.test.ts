@@ -1,5 +1,5 @@
 import { beforeAll, describe, expect, it } from "vitest";
-import { Planner, init, scenario, type HybridPlan, type Plan, type Prefer } from "parkade";
+import { Planner, init, optimise, scenario, type HybridPlan, type Plan, type Prefer } from "parkade";
 import { cheapest, choicesOf } from "../../www/src/planning/choices-of";
 import { chosenOf, isProven } from "../../www/src/planning/chosen";
 import { core } from "./core";
@@ -21,7 +21,7 @@ describe("a choice of hybrid's paths", () => {
     ]);
     const fewest = planner.plan({ prefer: "fewest-changes" });
     expect([fewest.metrics.directionChanges, fewest.alternatives, fewest.check.verdict]).toEqual([0, undefined, "ok"]);
-    expect(fewest.metrics.driveTime).toBeGreaterThan(fewest.metrics.length / 2);
+    expect(fewest.metrics.driveTime).toBe(optimise(scenario("L2"), fewest).duration);
     const { alternatives = [], hash } = planner.plan({ prefer: "fewest-changes", alternatives: true });
     expect(alternatives.map((one) => one.metrics.length)).toEqual(
       alternatives.map((one) => one.metrics.length).sort((a, b) => a - b),
