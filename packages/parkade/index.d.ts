@@ -320,6 +320,12 @@ export interface Check {
   narrowest?: Narrowest;
 }
 
+/** The check of a path alone. */
+export interface PathCheck extends Check {
+  /** Per pose: metres from the body to the nearest obstacle. */
+  clearances: Float64Array;
+}
+
 /** The narrowest place of a path. */
 export interface Narrowest {
   /** Index into `path`. */
@@ -610,7 +616,7 @@ export function scenario(id: string): Scenario<Goal>;
 /** Checks a scene and resolves it to geometry. Throws ParkadeError. */
 export function sceneGeometry(scene: Scenario): SceneGeometry;
 /** Re-checks any path (x, y, heading, …) against a scene. `directions` defaults to forward throughout. */
-export function checkPath(scene: Scenario, path: Float64Array | number[], directions?: Int8Array | number[]): Check;
+export function checkPath(scene: Scenario, path: Float64Array | number[], directions?: Int8Array | number[]): PathCheck;
 
 /**
  * Brushed cells as text, about two characters a run, for links, files and messages. A scene's `runs` may be such a text
@@ -1230,11 +1236,20 @@ export interface Camera {
  * `metadata`. Plans with a trace show their search. `parkade` only, not `parkade/core`.
  */
 export function toSVG(scene: Scenario, plans?: Plan | readonly Plan[], options?: PictureOptions): string;
+/** A path with what is measured along it: a plan, or the path of a drive and its check. */
+export interface MeasuredPath extends DrivenPath {
+  /** Per pose; NaN or null at a corner. */
+  curvatures: Float64Array | (number | null)[];
+  directions: Int8Array | number[];
+  clearances: Float64Array | (number | null)[];
+}
+
 /**
- * A plan's poses as CSV: s,x,y,theta,kappa,clearance,v,direction in metres, radians, 1/m, m/s and ±1. Corners have no
- * kappa, paths that this car cannot drive no v. `parkade` only, not `parkade/core`.
+ * A path's poses as CSV: s,x,y,theta,kappa,clearance,v,direction,t in metres, radians, 1/m, m/s, ±1 and seconds. Corners have
+ * no kappa; v and t are those of `drive`, which is by default the plan's `trajectory`, and absent where this car cannot drive.
+ * `parkade` only, not `parkade/core`.
  */
-export function toCSV(scene: Scenario, plan: Plan): string;
+export function toCSV(scene: Scenario, plan: Plan | MeasuredPath, drive?: Drive | null): string;
 /** Gives a path times. Throws ParkadeError for paths that this car cannot drive. `parkade` only, not `parkade/core`. */
 export function trajectory(scene: Scenario, plan: DrivenPath, limits?: Limits): Trajectory;
 /**
@@ -1242,8 +1257,8 @@ export function trajectory(scene: Scenario, plan: DrivenPath, limits?: Limits): 
  * gear changes their places. `parkade` only, not `parkade/core`.
  */
 export function optimise(scene: Scenario, plan: DrivenPath, options?: OptimiseOptions): OptimisedTrajectory;
-/** A trajectory as CSV, as `judge` reads it: t,x,y,theta,v,phi,a,omega. `parkade` only, not `parkade/core`. */
-export function toTrajectoryCSV(trajectory: OptimisedTrajectory): string;
+/** A drive as CSV, as `judge` reads it: t,x,y,theta,v,phi,a,omega. `parkade` only, not `parkade/core`. */
+export function toTrajectoryCSV(drive: Drive | OptimisedTrajectory): string;
 /** Lets a simulated car follow a path, or an optimised trajectory at its own speeds. `parkade` only, not `parkade/core`. */
 export function track(
   scene: Scenario, plan: DrivenPath, options?: Limits & { controller?: "feedback" | "pure-pursuit" | "stanley" },

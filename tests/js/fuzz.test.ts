@@ -168,6 +168,7 @@ function calls(): [name: string, run: (...args: never[]) => unknown, args: unkno
     ["collisionRisk", parkade.collisionRisk, [small, { path: [...plan.path] }, { trials: 2, from: 0, seed: 1 }]],
     ["toSVG", parkade.toSVG, [small, plan, { width: 100, height: 100, theme: "dark", title: "t" }]],
     ["toCSV", parkade.toCSV, [small, plan]],
+    ["toCSV of a drive", parkade.toCSV, [small, plan, { t: [0, 1], stations: [0, 9], speeds: [0, 0] }]],
     ["trajectory", parkade.trajectory, [small, plan, { maxSpeed: 2 }]],
     ["track", parkade.track, [small, plan, { controller: "stanley" }]],
     ["stopWaitGo", parkade.stopWaitGo, [small, plan, {}]],

@@ -44,6 +44,7 @@ import type { Scenario } from "../scene/scenario";
 import { cheapest, choicesOf, type Driven } from "./choices-of";
 import { driveOf } from "./drive-of";
 import { failureOf } from "./failure";
+import { judged, smoothed } from "./trajectories";
 import type { Failure, Request, Waiting } from "./protocol";
 import type { Risk } from "./road-measures";
 
@@ -107,6 +108,8 @@ const JOBS = {
       made.free();
     }
   },
+  smooth: smoothed,
+  judge: judged,
   /** The length of the shortest path at any angle, on the map of this planner. */
   anyAngle: ({ planner, scene }: { planner: PlannerId; scene: Scenario }): number | null => {
     const made = new Planner(planner, scene);

@@ -1,7 +1,7 @@
 /** The parts of the state, and how they begin. */
 import type { Selection } from "../scene/selection";
 import type { Draft } from "./draft";
-import type { Choice, Timing } from "./results";
+import type { Choice, Guest, Smoothed, Timing } from "./results";
 import type {
   Drive,
   Encounter,
@@ -51,6 +51,8 @@ export interface PanelResult {
   ordinary?: Plan | null;
   /** `plan` in time, among moving obstacles where there are some; null where no car drives it, and during drags. */
   drive: Drive | Encounter | null;
+  /** Shown in the place of `plan` and `drive`, while it is of this plan. */
+  smoothed?: Smoothed | null;
   layers: Partial<Record<LayerName, Layer>>;
   status: "idle" | "planning" | "done" | "error";
   error: { code: string; path: string; message: string } | null;
@@ -128,6 +130,8 @@ export interface SessionState {
   preview: { planner: PlannerId; plan: Plan; place?: Narrowest } | null;
   /** How moving obstacles are waited for. */
   waiting: "predictive" | "reactive";
+  /** Somebody else's trajectory, driven beside ours. */
+  guest: Guest | null;
   playback: Playback;
   layers: LayerSet;
   message: {
@@ -142,6 +146,8 @@ export interface SessionState {
 export interface PreferenceState {
   theme: "auto" | "light" | "dark";
   lang: "en" | "zh";
+  /** True if trajectories take the place of paths; null until the last visit's choice is known. */
+  smooth: boolean | null;
 }
 
 /** What follows from the others, and is computed anew. */
@@ -186,7 +192,7 @@ const emptyScene: Scene = {
 };
 
 export function initialState(): State {
-  return { ...emptyDocument(), ...newSession(), theme: "auto", lang: "en", ...nothingDerived() };
+  return { ...emptyDocument(), ...newSession(), theme: "auto", lang: "en", smooth: null, ...nothingDerived() };
 }
 
 const emptyDocument = (): DocumentState => ({
@@ -225,6 +231,7 @@ function newSession(): SessionState {
     prefer: {},
     preview: null,
     waiting: "predictive",
+    guest: null,
     playback: { base: "drive", searchMode: "percent", fraction: 1, playing: false, speed: 1 },
     layers: presetLayers("drive"),
     message: null,
