@@ -716,7 +716,7 @@ export interface PaperTable {
  * the largest, null where none is measured.
  */
 export interface PaperClaim {
-  id: "H1" | "H2" | "H3" | "Y1" | "Y2" | "Y3" | "Y4" | "K1" | "K2" | "K3" | "K4" | "K5" | "R1" | "R2" | "R3" | "R4" | "R5";
+  id: "H1" | "H2" | "H3" | "Y1" | "Y2" | "Y3" | "Y4" | "Y5" | "Y6" | "K1" | "K2" | "K3" | "K4" | "K5" | "R1" | "R2" | "R3" | "R4" | "R5";
   figures: Record<string, number | [low: number, high: number] | null>;
   holds: "yes" | "no" | "partly" | "unknown";
 }

@@ -18,7 +18,7 @@ test("the papers' tables are measured beside the printed ones, and impossible ro
   await expect(dialog(page).locator("h3").last()).toContainText("20 maps");
   await expect(dialog(page).locator("td .chip.err")).toHaveCount(4);
   await expect(dialog(page).locator("td .chip.err").first()).toContainText("below the straight line, 140.01");
-  await expect(dialog(page).locator(".claims li")).toHaveCount(7);
+  await expect(dialog(page).locator(".claims li")).toHaveCount(9);
   await expect(dialog(page).locator("#H1 .chip")).toContainText("holds in part");
   await expect(dialog(page).locator("#Y4 .chip")).toContainText("holds");
   const row = dialog(page).locator("table").first().locator("tbody tr").filter({ hasText: "Risk field" }).first();

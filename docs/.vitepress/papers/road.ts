@@ -3,6 +3,7 @@ import { readFileSync } from "node:fs";
 import type { RoadTable } from "parkade";
 import { figure, heading, list, table, text, type Block, type Lang } from "./blocks";
 import { flowPicture } from "./figures";
+import { comparison, comparisonBlocks } from "./comparison";
 import { claims, fixed, words, type Measured } from "./measure";
 import type { Page } from "./index";
 
@@ -102,6 +103,7 @@ export function road(lang: Lang, { road: all, verdicts }: Measured): Page {
       ),
       heading(2, t("Its tables, printed and ours", "论文的表与本地结果")),
       ...TABLES.flatMap(compared),
+      ...comparisonBlocks(lang, comparison()),
       heading(2, t("What its numbers cannot be", "数据的矛盾")),
       list(flags.flags),
     ],
