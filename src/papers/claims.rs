@@ -188,11 +188,7 @@ fn clearance_and_greedy_claims(tables: &[Table]) -> [Claim; 2] {
     [
         Claim::new(
             "Y5",
-            [
-                ("clearance16", room16.into()),
-                ("clearance24", room24.into()),
-                ("clearance48", room48.into()),
-            ],
+            [("clearance16", room16.into()), ("clearance24", room24.into()), ("clearance48", room48.into())],
             if room24.1 < 1.0 && room48.1 < 1.0 {
                 "yes"
             } else if room24.0 < 1.0 || room48.0 < 1.0 {

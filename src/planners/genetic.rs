@@ -33,7 +33,7 @@ parameters! {
         /// The seed of all choices.
         seed: u32 = 1,
             spec("seed", Form::Integer(1.0, 100.0), "1", true,
-                 ["Seed", "随机种子"], ["The same seed gives the same path.", "同一种子得到同一路径。"]);
+                 ["Seed", "随机种子"], ["The same seed gives the same path.", "同一种子得到同一路径。"]).within(0.0, 4_294_967_295.0);
         /// Candidates of a generation.
         population: u32 = 50,
             spec("population", Form::Integer(10.0, 200.0), "1", true,
@@ -147,7 +147,7 @@ impl Evolution<'_> {
     fn mutate(&mut self, genes: &mut Vec<Cell>) {
         let at = self.random.below(genes.len() as u32 + 1) as usize;
         // Far at times and near at others: ways around obstacles, and then the shortest of them.
-        let reach = (2 * self.size() >> self.random.below(5)).max(1);
+        let reach = ((2 * self.size()) >> self.random.below(5)).max(1);
         match self.random.below(4) {
             0 if genes.len() < GENES => {
                 let before = if at == 0 { self.query.start } else { genes[at - 1] };

@@ -1,10 +1,12 @@
 /** Section 4.4.2 and the sensitivity of 4.5 and 5.2.2 of the road manuscript. */
-import { collisionRisk, Planner, scenario } from "../../../pkg/node.js";
+import { collisionRisk, driveEnvelope, Planner, scenario } from "../../../pkg/node.js";
+import { bandPicture } from "../../../www/src/picture/band";
 import { smallMultiples } from "../../../www/src/picture/small-multiples";
 import {
   changes,
   COMPARED,
   compare,
+  envelope,
   judged,
   PRINTED_CHANGES,
   sweep,
@@ -20,12 +22,13 @@ import { cellOf, chartsOf, claimOf, COLUMNS, foundOf, say } from "../../../www/s
 import { figure, heading, list, table, text, type Block, type Lang } from "./blocks";
 import { fixed, words } from "./measure";
 
-const ENGINE: Engine = { Planner, scenario, collisionRisk };
+const ENGINE: Engine = { Planner, scenario, collisionRisk, driveEnvelope };
 
 export interface Comparison {
   compared: Compared[];
   claims: ComparedClaim[];
   sweeps: { swept: Swept; scene: string; samples: Sample[] }[];
+  bands: { scene: string; band: Float64Array }[];
 }
 
 let kept: Comparison | null = null;
@@ -39,17 +42,18 @@ export function comparison(): Comparison {
   const sweeps = (Object.keys(SWEPT) as Swept[]).flatMap((swept) =>
     SWEPT_SCENES.map((scene) => ({ swept, scene, samples: sweep(ENGINE, scene, swept) })),
   );
-  return (kept = { compared, claims: judged(compared), sweeps });
+  const bands = SWEPT_SCENES.map((scene) => ({ scene, band: envelope(ENGINE, scene) }));
+  return (kept = { compared, claims: judged(compared), sweeps, bands });
 }
 
-export function comparisonBlocks(lang: Lang, { compared, claims, sweeps }: Comparison): Block[] {
+export function comparisonBlocks(lang: Lang, { compared, claims, sweeps, bands }: Comparison): Block[] {
   const t = words(lang);
   return [
     heading(2, t("Against other algorithms (4.4.2)", "与其他算法对比（4.4.2）")),
     text(
       t(
-        "The manuscript compares in words and prints no figure. Here each algorithm plans the same scenes with half the car's width kept free; RRT and the genetic algorithm with ten seeds each: the median, and in brackets the least and the largest. Every path goes through the independent check.",
-        "手稿仅以文字比较，没有数据。此处各算法规划相同的场景，均保留半个车宽；RRT 与遗传算法各用十个种子，给出中位数，括号内为最小与最大值。每条路径都经过独立校验。",
+        "The manuscript compares in words and prints no figure. Here each algorithm plans the same scenes with half the car's width kept free; RRT and the genetic algorithm with five seeds each: the median, and in brackets the least and the largest. Every path goes through the independent check.",
+        "手稿仅以文字比较，没有数据。此处各算法规划相同的场景，均保留半个车宽；RRT 与遗传算法各用五个种子，给出中位数，括号内为最小与最大值。每条路径都经过独立校验。",
       ),
     ),
     table(
@@ -61,18 +65,18 @@ export function comparisonBlocks(lang: Lang, { compared, claims, sweeps }: Compa
       compared.map((one) => [`\`${one.scene}\``, one.planner, ...COLUMNS.map((column) => cellOf(one, column, fixed))]),
     ),
     figure({
-      id: "compared-curve",
-      scene: "road-curve",
+      id: "compared-road",
+      scene: "road-narrow",
       planners: ["cost-map", "dijkstra", "rrt", "genetic"],
-      caption: t("S2: the cost map, Dijkstra, RRT, a genetic algorithm", "S2：代价地图、Dijkstra、RRT、遗传算法"),
+      caption: t("S4: the cost map, Dijkstra, RRT, a genetic algorithm", "S4：代价地图、Dijkstra、RRT、遗传算法"),
     }),
     figure({
       id: "compared-grid",
-      scene: "fig9-60",
+      scene: "fig8-60",
       planners: ["risk-field", "dijkstra", "rrt", "genetic"],
       caption: t(
-        "Random obstacles, 60 × 60: the risk field, Dijkstra, RRT, a genetic algorithm",
-        "随机障碍 60 × 60：风险场、Dijkstra、RRT、遗传算法",
+        "Regular obstacles, 60 × 60: the risk field, Dijkstra, RRT, a genetic algorithm",
+        "规则障碍 60 × 60：风险场、Dijkstra、RRT、遗传算法",
       ),
     }),
     heading(2, t("Sensitivity (4.5, 5.2.2)", "参数敏感性（4.5、5.2.2）")),
@@ -93,6 +97,19 @@ export function comparisonBlocks(lang: Lang, { compared, claims, sweeps }: Compa
         "每行一个参数，每列一个指标，每条线一个场景；竖虚线为默认值",
       ),
     }),
+    heading(2, t("The band of 1000 drives", "一千次行驶的包络")),
+    ...bands.map(({ scene, band }) =>
+      figure({
+        id: `band-${scene}`,
+        scene: "",
+        planners: [],
+        svg: bandPicture(scenario(scene), band, scene, 10),
+        caption: t(
+          `${scene}: in all drives beside the path by chance the car's middle stays in the dark band, its body in the light one; grey is beside the road or an obstacle; ten times as large across as along`,
+          `${scene}：在随机偏离路径的所有行驶中，车辆中心在深色带内，车身在浅色带内；灰色为路外或障碍物；横向比例为纵向的十倍`,
+        ),
+      }),
+    ),
     list([
       t(
         "The scores that five experts gave (4.6.2) cannot be reproduced: they are opinions of paths that are not published, without a questionnaire or single answers.",

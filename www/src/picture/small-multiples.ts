@@ -43,8 +43,12 @@ export function smallMultiples(charts: readonly Chart[], title: string): string 
       return `<line x1="${x}" x2="${x + 24}" y1="10" y2="10" ${stroke(names, name)}/><text x="${x + 30}" y="14">${escaped(name)}</text>`;
     })
     .join("");
-  const heads = columns.map((column, i) => `<text x="${LABEL + i * WIDTH + LEFT}" y="30" font-weight="600">${escaped(column)}</text>`).join("");
-  const labels = rows.map((row, i) => `<text x="0" y="${TOP + i * HEIGHT + 44}" font-weight="600">${escaped(row)}</text>`).join("");
+  const heads = columns
+    .map((column, i) => `<text x="${LABEL + i * WIDTH + LEFT}" y="30" font-weight="600">${escaped(column)}</text>`)
+    .join("");
+  const labels = rows
+    .map((row, i) => `<text x="0" y="${TOP + i * HEIGHT + 44}" font-weight="600">${escaped(row)}</text>`)
+    .join("");
   const bodies = charts
     .map((chart) => {
       const x = LABEL + columns.indexOf(chart.column) * WIDTH + LEFT,

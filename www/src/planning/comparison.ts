@@ -10,6 +10,7 @@ export interface Engine {
   ) => { plan(options: { trace: boolean }): Plan; free(): void };
   scenario(id: string): Scenario;
   collisionRisk(scene: Scenario, plan: { path: Float64Array }): { hits: number };
+  driveEnvelope(scene: Scenario, plan: { path: Float64Array }): Float64Array;
 }
 
 /** Scenes and, in each, the planners that are compared; ours comes first. */
@@ -26,7 +27,7 @@ export const COMPARED = {
 
 /** Planners that are asked with several seeds. */
 const SEEDED: readonly PlannerId[] = ["rrt", "genetic"];
-export const SEEDS = 10;
+export const SEEDS = 5;
 
 /** A planner in a scene: of each figure the median over its paths, then the least and the largest. */
 export interface Compared {
@@ -94,6 +95,12 @@ function span(values: readonly number[]): Span {
     middle = sorted.length >> 1;
   const median = sorted.length % 2 === 1 ? sorted[middle]! : (sorted[middle - 1]! + sorted[middle]!) / 2;
   return [median, sorted[0]!, sorted.at(-1)!];
+}
+
+/** The band of 1000 drives along the cost map's path. */
+export function envelope(engine: Engine, id: string): Float64Array {
+  const scene = engine.scenario(id);
+  return engine.driveEnvelope(scene, planned(engine, "cost-map", scene, {}));
 }
 
 function planned(engine: Engine, planner: PlannerId, scene: Scenario, settings: Record<string, unknown>): Plan {
