@@ -52,8 +52,10 @@ export type Span = readonly [median: number, least: number, most: number];
 
 /** Grid planners keep half the car's width, or what the scene has for eight neighbours: the same for all. */
 const SAFETY: Record<string, unknown> = { inflation: "width" };
+/** The planner for roads has a margin of its own. */
+const [FOR_ROADS] = COMPARED.road.planners;
 const settingsOf = ({ planners }: Scenario, planner: PlannerId): Record<string, unknown> =>
-  planner === "cost-map" ? {} : { ...SAFETY, ...(planners?.[planner] ?? planners?.eight) };
+  planner === FOR_ROADS ? {} : { ...SAFETY, ...(planners?.[planner] ?? planners?.eight) };
 
 export function compare(engine: Engine, id: string, planner: PlannerId): Compared {
   const scene = engine.scenario(id),
@@ -100,7 +102,7 @@ function span(values: readonly number[]): Span {
 /** The band of 1000 drives along the cost map's path. */
 export function envelope(engine: Engine, id: string): Float64Array {
   const scene = engine.scenario(id);
-  return engine.driveEnvelope(scene, planned(engine, "cost-map", scene, {}));
+  return engine.driveEnvelope(scene, planned(engine, FOR_ROADS, scene, {}));
 }
 
 function planned(engine: Engine, planner: PlannerId, scene: Scenario, settings: Record<string, unknown>): Plan {
@@ -141,7 +143,7 @@ export function sweep(engine: Engine, id: string, swept: Swept): Sample[] {
   const scene = engine.scenario(id),
     one: { setting: string; values: readonly number[]; base?: string } = SWEPT[swept];
   return one.values.map((value) => {
-    const plan = planned(engine, "cost-map", swept === "resolution" ? finer(scene, value) : scene, {
+    const plan = planned(engine, FOR_ROADS, swept === "resolution" ? finer(scene, value) : scene, {
       ...(one.base && { base: one.base }),
       ...(one.setting && { [one.setting]: value }),
     }) as RoadPlan;
