@@ -157,7 +157,7 @@ export interface Scenario<AnyGoal extends Goal | GoalSet = Goal | GoalSet> {
   map: MapFrame;
   obstacles?: Obstacle[];
   slots?: Slot[];
-  /** `jump-point` and `any-angle`, for which all free cells cost the same, refuse scenes with weights above 1. */
+  /** `jump-point`, `any-angle`, `greedy`, `rrt` and `genetic`, for which all free cells cost the same, refuse scenes with weights above 1. */
   costs?: CostArea[];
   /** Left out by planners; `parkade/core` does not even check it. */
   moving?: MovingObstacle[];
@@ -722,7 +722,7 @@ export interface PaperTable {
  * the largest, null where none is measured.
  */
 export interface PaperClaim {
-  id: "H1" | "H2" | "H3" | "Y1" | "Y2" | "Y3" | "Y4" | "K1" | "K2" | "K3" | "K4" | "K5" | "R1" | "R2" | "R3" | "R4" | "R5";
+  id: "H1" | "H2" | "H3" | "Y1" | "Y2" | "Y3" | "Y4" | "Y5" | "Y6" | "K1" | "K2" | "K3" | "K4" | "K5" | "R1" | "R2" | "R3" | "R4" | "R5";
   figures: Record<string, number | [low: number, high: number] | null>;
   holds: "yes" | "no" | "partly" | "unknown";
 }
@@ -1201,6 +1201,13 @@ export function roadFigures(scene: Scenario, plan: { path: Float64Array | number
 export function collisionRisk(
   scene: Scenario, plan: { path: Float64Array | number[] }, options?: { trials?: number; from?: number; seed?: number },
 ): { trials: number; hits: number; discHits: number };
+/**
+ * The band that the car's middle stays in during those drives: for each metre of the path, 5 m at the ends left out, the points
+ * farthest to the left and to the right, x, y, x, y, …, metres. `parkade` only, not `parkade/core`.
+ */
+export function driveEnvelope(
+  scene: Scenario, plan: { path: Float64Array | number[] }, options?: { trials?: number; from?: number; seed?: number },
+): Float64Array;
 /** How `toSVG` draws. */
 export interface PictureOptions {
   /** Pixels, 16 to 8192; default 720 × 420. */

@@ -165,6 +165,7 @@ function calls(): [name: string, run: (...args: never[]) => unknown, args: unkno
     ["paperStranded", parkade.paperStranded, [{ row: "none", from: 1, to: 1 }]],
     ["paperVolumes", parkade.paperVolumes, [{ scene: "none", poses: 10, seed: 1, rounds: 1 }]],
     ["roadFigures", parkade.roadFigures, [road, { path: [0, 0, 0, 1, 0, 0] }]],
+    ["driveEnvelope", parkade.driveEnvelope, [small, { path: [...plan.path] }, { trials: 2, from: 0, seed: 1 }]],
     ["collisionRisk", parkade.collisionRisk, [small, { path: [...plan.path] }, { trials: 2, from: 0, seed: 1 }]],
     ["toSVG", parkade.toSVG, [small, plan, { width: 100, height: 100, theme: "dark", title: "t" }]],
     ["toCSV", parkade.toCSV, [small, plan]],

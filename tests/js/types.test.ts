@@ -347,6 +347,7 @@ describe("what the package answers is of the types that it declares:", () => {
       api.call("toTrajectoryCSV", parkade.trajectory(where, plan));
       api.call("roadFigures", where, plan);
       api.call("collisionRisk", where, plan, { trials: 50 });
+      api.call("driveEnvelope", where, plan, { trials: 50 });
       made.free();
     }
   });

@@ -26,6 +26,7 @@ import {
   generateScenario,
   importScene,
   init,
+  driveEnvelope,
   packRuns,
   paperGrid,
   paperGridRows,
@@ -38,9 +39,11 @@ import {
   paperVerdicts,
   paperVolumes,
   roadFigures,
+  scenario,
 } from "parkade";
 import type { Run } from "../scene/cells";
 import type { Scenario } from "../scene/scenario";
+import { compare, envelope, sweep, type Compared, type Engine, type Sample, type Swept } from "./comparison";
 import { cheapest, choicesOf, type Driven } from "./choices-of";
 import { driveOf } from "./drive-of";
 import { failureOf } from "./failure";
@@ -62,6 +65,8 @@ export interface Moved<T> {
   value: T;
   cells: Cells[];
 }
+
+const ENGINE: Engine = { Planner, scenario, collisionRisk, driveEnvelope };
 
 const JOBS = {
   /** The answer alone, without its search. */
@@ -144,6 +149,9 @@ const JOBS = {
   road: (options: { row: string }): RoadTable => paperRoad(options),
   verdicts: (tables: { parking?: ParkingTable[]; road?: RoadTable[] }): ReturnType<typeof paperVerdicts> =>
     paperVerdicts(tables),
+  compared: ({ scene, planner }: { scene: string; planner: PlannerId }): Compared => compare(ENGINE, scene, planner),
+  swept: ({ scene, swept }: { scene: string; swept: Swept }): Sample[] => sweep(ENGINE, scene, swept),
+  envelope: ({ scene }: { scene: string }): Float64Array => envelope(ENGINE, scene),
   stranded: (slice: { row: string; from: number; to: number }): number[] => paperStranded(slice),
   volumes: (options: { scene: string; poses: number; rounds: number }): VolumeComparison => paperVolumes(options),
 };
