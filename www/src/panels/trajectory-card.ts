@@ -15,6 +15,9 @@ import { degrees } from "../scene/geometry";
 
 const say = words("trajectory", messages);
 
+/** What is said of the stage that answered. */
+const STAGES = { optimised: "optimised", "continuous-curvature": "ramps", "stop-and-steer": "stops" } as const;
+
 /** How the focused planner's path is driven: the switch, the stage that answered, and the referee's figures. */
 export class TrajectoryCard extends AppElement {
   static override styles = [
@@ -50,7 +53,7 @@ export class TrajectoryCard extends AppElement {
     if (smoothed?.failure)
       return html`<p class="warn">${say(lang, "failed", { reason: sentence(smoothed.failure) })}</p>`;
     if (!smoothed?.trajectory) return html`<p>${say(lang, isTooLong(plan) ? "long" : "pending")}</p>`;
-    return html`<p class="stage">${say(lang, smoothed.trajectory.stage)}</p>${this.figures(smoothed.trajectory, results[focus]!.drive?.t.at(-1))}`;
+    return html`<p class="stage">${say(lang, STAGES[smoothed.trajectory.stage])}</p>${this.figures(smoothed.trajectory, results[focus]!.drive?.t.at(-1))}`;
   }
 
   private figures({ check }: OptimisedTrajectory, planned: number | undefined): TemplateResult {
