@@ -29,11 +29,11 @@ function resultOf(scene: Scene, planner: PlannerId, smooth: boolean): PanelResul
   const plan = planned(scene, planner),
     drive = driveOf(scene, plan, "predictive", limitsOn(scene)),
     result: PanelResult = { ...emptyResult, plan, drive, status: "done" };
-  if (!smooth || !drive || scene.moving?.length) return result;
-  const { trajectory, line } = smoothed({ scene, ...plan });
+  if (!smooth || !drive) return result;
+  const { trajectory, drive: driven, line } = smoothed({ scene, waiting: "predictive", ...plan });
   return {
     ...result,
-    smoothed: { of: plan, plan: { ...plan, ...line }, drive: trajectory, trajectory, failure: null },
+    smoothed: { of: plan, plan: { ...plan, ...line }, drive: driven, trajectory, failure: null },
   };
 }
 

@@ -16,7 +16,7 @@ export function durationOf(state: State): number {
   return (state.scene.moving?.length ? Math.max(last, paced) : last || paced) || 1;
 }
 
-/** Metres of the longest path in sight. */
+/** Metres of the longest path in sight that has no drive. */
 function longestPath(state: State): number {
   return Math.max(
     0,
@@ -24,6 +24,7 @@ function longestPath(state: State): number {
       .filter((planner) => !state.hidden.has(planner))
       .map((planner) => {
         const result = state.results[planner];
+        if (played(result)?.drive) return 0;
         const plan = result?.plan?.outcome === "found" ? result.plan : result?.lastGood;
         return plan?.metrics.length ?? 0;
       }),
