@@ -125,6 +125,17 @@ describe("the seconds of a drive", () => {
     expect(durationOf(hidden)).toBe(1);
   });
 
+  it("of a drive among moving boxes are the clock's, however long the paths are that no car drives", () => {
+    const scene = scenario("fig16-conflict"),
+      state = stateOf(scene, true),
+      four = resultOf(scene, "four", false);
+    const both: State = { ...state, planners: ["four", "hybrid"], results: { ...state.results, four } };
+    expect(four.plan!.metrics.length).toBeGreaterThan(state.results["hybrid"]!.plan!.metrics.length);
+    expect(durationOf(both)).toBe(rowsOf(both)[1]!.cells.drive.value);
+    const { along } = drivenAt({ ...both, playback: { ...both.playback, fraction: 0.5 } }, four.plan!, four, 1)!;
+    expect(along).toBeCloseTo(four.plan!.metrics.length / 2, 1);
+  });
+
   it("are not told of paths that no car drives, nor before they are known", () => {
     const state = stateOf(scenario("perpendicular"), false),
       { drive: _, ...rest } = state.results["hybrid"]!;

@@ -4,19 +4,15 @@ import { paceOn } from "../scene/speed-limits";
 import { distance, towards, wrapAngle } from "../scene/geometry";
 import type { PanelResult, State } from "../store";
 import { played } from "../store/results";
-import { distancesOf, poseAtDistance, poseAtFraction, steerAngle } from "./drive";
+import { poseAtFraction, steerAngle } from "./drive";
 
 const SEARCH_SECONDS = 4;
 
 /** Seconds the playback's time base lasts at speed 1. */
-export function durationOf(state: State): number {
-  if (state.playback.base === "search") return SEARCH_SECONDS;
-  const last = lastOf(state),
-    paced = longestPath(state) / paceOn(state.scene);
-  return (state.scene.moving?.length ? Math.max(last, paced) : last || paced) || 1;
-}
+export const durationOf = (state: State): number =>
+  state.playback.base === "search" ? SEARCH_SECONDS : lastOf(state) || longestPath(state) / paceOn(state.scene) || 1;
 
-/** Metres of the longest path in sight that has no drive. */
+/** Metres of the longest path in sight. */
 function longestPath(state: State): number {
   return Math.max(
     0,
@@ -24,7 +20,6 @@ function longestPath(state: State): number {
       .filter((planner) => !state.hidden.has(planner))
       .map((planner) => {
         const result = state.results[planner];
-        if (played(result)?.drive) return 0;
         const plan = result?.plan?.outcome === "found" ? result.plan : result?.lastGood;
         return plan?.metrics.length ?? 0;
       }),
@@ -61,9 +56,7 @@ export function drivenAt(
   const now = played(result),
     drive = now?.plan === plan && now.drive;
   if (drive) return atTime(drive, clockOf(state));
-  const pose = state.scene.moving?.length
-    ? poseAtDistance(plan, Math.min(distancesOf(plan).at(-1) ?? 0, paceOn(state.scene) * clockOf(state)))
-    : poseAtFraction(plan, state.playback.fraction);
+  const pose = poseAtFraction(plan, state.playback.fraction);
   return pose && { pose, steering: steerAngle(pose.curvature, wheelbase), along: pose.distance };
 }
 
