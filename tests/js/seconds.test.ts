@@ -29,11 +29,11 @@ function resultOf(scene: Scene, planner: PlannerId, smooth: boolean): PanelResul
   const plan = planned(scene, planner),
     drive = driveOf(scene, plan, "predictive", limitsOn(scene)),
     result: PanelResult = { ...emptyResult, plan, drive, status: "done" };
-  if (!smooth || !drive || scene.moving?.length) return result;
-  const { trajectory, line } = smoothed({ scene, ...plan });
+  if (!smooth || !drive) return result;
+  const { trajectory, drive: driven, line } = smoothed({ scene, waiting: "predictive", ...plan });
   return {
     ...result,
-    smoothed: { of: plan, plan: { ...plan, ...line }, drive: trajectory, trajectory, failure: null },
+    smoothed: { of: plan, plan: { ...plan, ...line }, drive: driven, trajectory, failure: null },
   };
 }
 
@@ -123,6 +123,17 @@ describe("the seconds of a drive", () => {
     expect(rowsOf(both).map(({ cells }) => cells.drive.value)).toEqual(ends.toReversed());
     const hidden = { ...both, hidden: new Set<PlannerId>(["risk-field", "hybrid"]) };
     expect(durationOf(hidden)).toBe(1);
+  });
+
+  it("of a drive among moving boxes are the clock's, however long the paths are that no car drives", () => {
+    const scene = scenario("fig16-conflict"),
+      state = stateOf(scene, true),
+      four = resultOf(scene, "four", false);
+    const both: State = { ...state, planners: ["four", "hybrid"], results: { ...state.results, four } };
+    expect(four.plan!.metrics.length).toBeGreaterThan(state.results["hybrid"]!.plan!.metrics.length);
+    expect(durationOf(both)).toBe(rowsOf(both)[1]!.cells.drive.value);
+    const { along } = drivenAt({ ...both, playback: { ...both.playback, fraction: 0.5 } }, four.plan!, four, 1)!;
+    expect(along).toBeCloseTo(four.plan!.metrics.length / 2, 1);
   });
 
   it("are not told of paths that no car drives, nor before they are known", () => {

@@ -118,7 +118,7 @@ export class PlannerPanel extends AppElement {
     const hidden = state.hidden.has(planner);
     const status = statusOf(state, planner);
     const slim = this.size.height < LOW_MAP;
-    const met = extras()?.encounterOf(state, result?.drive);
+    const met = extras()?.encounterOf(state, result);
     const label = this.t("panel.canvas", { planner: plannerName(state.lang, planner), status: status.chip });
     return html`
       <header class="${hidden ? "off" : ""} ${result?.status === "planning" ? "stale" : ""}" @dblclick=${this.maximise} @pointerdown=${this.takeFocus}>

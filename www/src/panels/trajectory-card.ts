@@ -1,4 +1,3 @@
-import type { OptimisedTrajectory } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import { sentence } from "../app/app";
 import messages from "../i18n/messages/trajectory-card.json";
@@ -14,6 +13,9 @@ import { AppElement } from "./base";
 import { degrees } from "../scene/geometry";
 
 const say = words("trajectory", messages);
+
+/** What is said of the stage that answered. */
+const STAGES = { optimised: "optimised", "continuous-curvature": "ramps", "stop-and-steer": "stops" } as const;
 
 /** How the focused planner's path is driven: the switch, the stage that answered, and the referee's figures. */
 export class TrajectoryCard extends AppElement {
@@ -50,16 +52,17 @@ export class TrajectoryCard extends AppElement {
     if (smoothed?.failure)
       return html`<p class="warn">${say(lang, "failed", { reason: sentence(smoothed.failure) })}</p>`;
     if (!smoothed?.trajectory) return html`<p>${say(lang, isTooLong(plan) ? "long" : "pending")}</p>`;
-    return html`<p class="stage">${say(lang, smoothed.trajectory.stage)}</p>${this.figures(smoothed.trajectory, results[focus]!.drive?.t.at(-1))}`;
+    return html`<p class="stage">${say(lang, STAGES[smoothed.trajectory.stage])}</p>${this.figures(smoothed, results[focus]!.drive?.t.at(-1))}`;
   }
 
-  private figures({ check }: OptimisedTrajectory, planned: number | undefined): TemplateResult {
-    const { lang } = this.state;
+  private figures({ trajectory, drive }: Smoothed, planned: number | undefined): TemplateResult {
+    const { lang } = this.state,
+      { check } = trajectory!;
     const row = (key: Parameters<typeof say>[1], value: string, unit: string): TemplateResult =>
       html`<dt>${say(lang, key)}</dt><dd>${value} <small>${unit}</small></dd>`;
     const { x, y, heading } = check.endError;
     return html`<dl>
-      ${row("duration", this.num(check.duration, 1), "s")}
+      ${row("duration", this.num(drive!.t.at(-1)!, 1), "s")}
       ${planned === undefined ? nothing : row("planned", this.num(planned, 1), "s")}
       ${row("clearance", this.num(check.minClearance, 2), "m")}
       ${row("steering", this.num(degrees(check.maxSteeringRate), 1), "°/s")}

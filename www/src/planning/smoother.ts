@@ -47,8 +47,8 @@ export function chooseSmooth(store: Store, smooth: boolean): void {
   if (isPage()) remember("smooth", smooth ? "on" : "off");
 }
 
-/** True if paths of this scene become trajectories: among moving boxes and on roads cars drive by other rules. */
-export const canSmooth = ({ scene }: Pick<State, "scene">): boolean => !scene.moving?.length && !hasRoad(scene);
+/** True if paths of this scene become trajectories: on roads cars drive by other rules. */
+export const canSmooth = ({ scene }: Pick<State, "scene">): boolean => !hasRoad(scene);
 
 /** True if a path is not worth the time of an optimisation. */
 export const isTooLong = ({ metrics }: Plan): boolean => metrics.length > LONGEST;
@@ -125,7 +125,7 @@ class Smoother {
   }
 
   private async ask(planner: PlannerId): Promise<void> {
-    const { scene, results } = this.state,
+    const { scene, results, waiting } = this.state,
       { plan, drive } = results[planner]!;
     this.asked = planner;
     this.isDropped = false;
@@ -136,9 +136,9 @@ class Smoother {
       if (this.isDropped) throw new Error("A drag has begun.");
       const helper = (this.helper ??= new Helper(engine));
       const { path, directions, curvatures } = plan!;
-      const input = { scene: forPlanners(scene, engine.api.packRuns), path, directions, curvatures };
-      const { trajectory, line } = await helper.call("smooth", input);
-      this.known.set(plan!, { ...plain, plan: along(plan!, line), drive: trajectory, trajectory, failure: null });
+      const input = { scene: forPlanners(scene, engine.api.packRuns), waiting, path, directions, curvatures };
+      const { trajectory, drive: driven, line } = await helper.call("smooth", input);
+      this.known.set(plan!, { ...plain, plan: along(plan!, line), drive: driven, trajectory, failure: null });
     } catch (error) {
       // A drag says nothing of the plan.
       if (!this.isDropped) this.known.set(plan!, { ...plain, failure: (error as Error).message });

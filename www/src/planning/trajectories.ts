@@ -4,11 +4,14 @@ import {
   judge,
   optimise,
   sceneGeometry,
+  stopWaitGo,
   type Drive,
+  type Encounter,
   type Judgement,
   type OptimisedTrajectory,
 } from "parkade";
 import type { Scenario } from "../scene/scenario";
+import type { Waiting } from "./protocol";
 import { columnsOf, drivenOf } from "./trajectory-columns";
 
 /** Rows that are closer along the way stand at one place, metres. */
@@ -22,14 +25,20 @@ export interface Line {
   clearances: Float64Array;
 }
 
-/** The trajectory of a plan's path, and its own path; throws why there is none. */
-export function smoothed({ scene, ...plan }: { scene: Scenario } & Omit<Line, "clearances">): {
+/** The trajectory of a plan's path, driven with waits where obstacles move, and its own path; throws why there is none. */
+export function smoothed({
+  scene,
+  waiting,
+  ...plan
+}: { scene: Scenario; waiting: Waiting } & Omit<Line, "clearances">): {
   trajectory: OptimisedTrajectory;
+  drive: Drive | Encounter;
   line: Line;
 } {
   const trajectory = optimise(scene, plan),
+    drive = scene.moving?.length ? stopWaitGo(scene, trajectory, { rule: waiting }) : trajectory,
     line = lineOf(trajectory, sceneGeometry(scene).vehicle.wheelbase);
-  return { trajectory, line: { ...line, clearances: checkPath(scene, line.path, line.directions).clearances } };
+  return { trajectory, drive, line: { ...line, clearances: checkPath(scene, line.path, line.directions).clearances } };
 }
 
 /** The poses of a drive without its standstills, with the gear and the curvature of the way on. */

@@ -4,17 +4,13 @@ import { paceOn } from "../scene/speed-limits";
 import { distance, towards, wrapAngle } from "../scene/geometry";
 import type { PanelResult, State } from "../store";
 import { played } from "../store/results";
-import { distancesOf, poseAtDistance, poseAtFraction, steerAngle } from "./drive";
+import { poseAtFraction, steerAngle } from "./drive";
 
 const SEARCH_SECONDS = 4;
 
 /** Seconds the playback's time base lasts at speed 1. */
-export function durationOf(state: State): number {
-  if (state.playback.base === "search") return SEARCH_SECONDS;
-  const last = lastOf(state),
-    paced = longestPath(state) / paceOn(state.scene);
-  return (state.scene.moving?.length ? Math.max(last, paced) : last || paced) || 1;
-}
+export const durationOf = (state: State): number =>
+  state.playback.base === "search" ? SEARCH_SECONDS : lastOf(state) || longestPath(state) / paceOn(state.scene) || 1;
 
 /** Metres of the longest path in sight. */
 function longestPath(state: State): number {
@@ -60,9 +56,7 @@ export function drivenAt(
   const now = played(result),
     drive = now?.plan === plan && now.drive;
   if (drive) return atTime(drive, clockOf(state));
-  const pose = state.scene.moving?.length
-    ? poseAtDistance(plan, Math.min(distancesOf(plan).at(-1) ?? 0, paceOn(state.scene) * clockOf(state)))
-    : poseAtFraction(plan, state.playback.fraction);
+  const pose = poseAtFraction(plan, state.playback.fraction);
   return pose && { pose, steering: steerAngle(pose.curvature, wheelbase), along: pose.distance };
 }
 
