@@ -217,7 +217,13 @@ fn a_goal_that_cannot_be_reached_leaves_the_others() {
     for info in planners() {
         let plan = planned(info.id, &scene);
         let reason = plan.reason.unwrap();
-        assert_eq!((plan.outcome, plan.goal), (Outcome::NoPath, None), "{}: {reason}", info.id);
+        // Random trees and generations never know that there is no path.
+        let is_random = ["rrt", "genetic"].contains(&info.id);
+        let outcome = if is_random { Outcome::BudgetSpent } else { Outcome::NoPath };
+        assert_eq!((plan.outcome, plan.goal), (outcome, None), "{}: {reason}", info.id);
+        if is_random {
+            continue;
+        }
         assert!(reason.starts_with("No path to any goal. At (3"), "{}: {reason}", info.id);
     }
 }

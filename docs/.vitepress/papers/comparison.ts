@@ -105,7 +105,7 @@ export function comparisonBlocks(lang: Lang, { compared, claims, sweeps, bands }
         planners: [],
         svg: bandPicture(scenario(scene), band, scene, 10),
         caption: t(
-          `${scene}: in all drives beside the path by chance the car's middle stays in the dark band, its body in the light one; grey is beside the road or an obstacle; ten times as large across as along`,
+          `${scene}: in all drives with random offsets the car's middle stays in the dark band, its body in the light one; grey is beside the road or an obstacle; ten times as large across as along`,
           `${scene}：在随机偏离路径的所有行驶中，车辆中心在深色带内，车身在浅色带内；灰色为路外或障碍物；横向比例为纵向的十倍`,
         ),
       }),

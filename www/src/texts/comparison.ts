@@ -8,8 +8,10 @@ import { MEASURED, SWEPT } from "../planning/comparison";
 
 export const say = words("comparison", messages);
 
+const FOUND = { RRT: "RRTFound", Dijkstra: "DijkstraFound", genetic: "geneticFound" } as const;
+
 export const claimOf = (lang: Lang, { id }: ComparedClaim): string => say(lang, id);
-export const foundOf = (lang: Lang, { id, found }: ComparedClaim): string => say(lang, `${id}Found`, found);
+export const foundOf = (lang: Lang, { id, found }: ComparedClaim): string => say(lang, FOUND[id], found);
 
 /** A median, and the ends of the range where they differ. */
 export function spanText(span: Span | null, digits: number, write: (value: number, digits: number) => string): string {
