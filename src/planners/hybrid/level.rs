@@ -161,8 +161,8 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Searches once more where the path changes gear often: with a higher price of a change. In clutter the tree rocks
-    /// at every obstacle, and never sees that the way around is cheaper as well.
+    /// Searches once more where the path changes gear often: with a higher price of a change. In clutter the tree
+    /// changes gear at every obstacle, and never sees that the way around is cheaper as well.
     #[inline(never)]
     fn look_again(&self, level: Level, work: &mut Work) {
         if !self.config.first_shot && arcs::direction_changes(&work.report.arcs) > FEW_CHANGES {

@@ -6,7 +6,7 @@ use crate::planners::hybrid::config::Level;
 
 /// Up to this level a search with the least margin is worth its while before finer ones with more are.
 const LAST_CHEAP_LEVEL: u32 = 3;
-/// The level that rocks with every margin, and the one that rocks in open space only.
+/// The level that rocks with the least margin and, where that finds a path, with more, and the finer one.
 #[cfg(feature = "complete")]
 const ROCKING_LEVEL: u32 = 2;
 #[cfg(feature = "complete")]
@@ -79,21 +79,14 @@ pub(super) fn members(levels: u32, widest: usize, margins: &[f64]) -> Vec<Member
     let mut members = Vec::new();
     for level in 1..levels {
         members.extend((widest..=least).map(|margin| Member { level, margin, ..plain }));
-        #[cfg(feature = "complete")]
-        if level == ROCKING_LEVEL {
-            members.extend(rocking(widest..least + 1));
-        }
     }
     // Sorted by level and margin before.
-    arrange(&mut members, &|&Member { level, margin, is_rocking, .. }| {
+    arrange(&mut members, &|&Member { level, margin, .. }| {
         let is_comfortable = margins[margin] >= COMFORTABLE_MARGIN || margin == widest;
         match level {
             // Searched to the end with the least margin, the coarsest proves soonest that there is hardly a way.
             1 if margin == widest => [0; 3],
             1 if margin == least => [1, 0, 0],
-            // One that rocks finds soonest that there is some way, and proves more.
-            _ if is_rocking && margin == least => [1, 1, 0],
-            _ if is_rocking => [4, 0, 0],
             1..=LAST_CHEAP_LEVEL if is_comfortable => [2, margin, 0],
             1..=LAST_CHEAP_LEVEL if margin == least => [3, 0, 0],
             _ if is_comfortable => [4, 0, 0],
