@@ -198,8 +198,8 @@ impl Engine {
 
     /// Which search answered; none where nothing was searched.
     #[cfg(feature = "complete")]
-    fn member(config: &Config, report: &Report) -> Option<Member> {
-        let (xy_resolution, heading_resolution) = config.resolution(report.level);
+    fn member(report: &Report) -> Option<Member> {
+        let (xy_resolution, heading_resolution) = report.resolution;
         (report.expanded > 0).then_some(Member {
             level: report.level,
             from_goal: report.from_goal,
@@ -218,7 +218,7 @@ impl Engine {
         wish: Wish,
         progress: &mut Option<Progress>,
     ) -> Plan {
-        plan.member = Self::member(&self.config, &first);
+        plan.member = Self::member(&first);
         if let (Status::NoPath, Some(member), Some(reason)) = (first.status, &plan.member, &mut plan.reason) {
             *reason = reason.replace("at these settings", &resolution(member));
         }
@@ -250,7 +250,7 @@ impl Engine {
                 }
                 (plan.planner, plan.detail, plan.stats) = (id, detail(report.status), stats(&report));
                 fill(&query, &report, &mut plan);
-                plan.member = Self::member(&config, &report);
+                plan.member = Self::member(&report);
                 choosing.offer(plan)
             };
             let memory = (&mut self.scratch, &mut *progress);
