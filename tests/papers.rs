@@ -107,7 +107,7 @@ fn bad_slices_are_named() {
         summary(row, &[])
             .unwrap_err()
             .to_string()
-            .starts_with("figures: must have 99 figures per map, got 0")
+            .starts_with("figures: must have 143 figures per map, got 0")
     );
     assert!(
         summary(row, &[f64::NAN; WIDTH]).unwrap_err().to_string().starts_with("figures[0]: must be a finite")
@@ -148,8 +148,8 @@ fn claims_are_judged_on_all_rows_only() {
     let all = claims(&tables);
     let holds = |id: &str| all.iter().find(|c| c.id == id).unwrap().holds;
     assert_eq!(
-        ["H1", "H2", "H3", "Y1", "Y2", "Y3", "Y4"].map(holds),
-        ["partly", "partly", "partly", "yes", "partly", "partly", "yes"]
+        ["H1", "H2", "H3", "Y1", "Y2", "Y3", "Y4", "Y5", "Y6"].map(holds),
+        ["partly", "partly", "partly", "yes", "partly", "partly", "yes", "partly", "yes"]
     );
     for table in &tables {
         let line = table.lines.iter().find(|l| l.planner == "risk-field").unwrap();

@@ -259,7 +259,12 @@ fn slow(info: &Info) -> (Planner, u32) {
         let noise = Family::Random { density_permille: 330, block_min: 1, block_max: 1 };
         let mut scene = generate(noise, 480, 7).unwrap();
         edit(&mut scene, &(0..480).map(|y| [380, y, 1]).collect::<Vec<_>>(), true);
-        (scene, Map::new(), 16_384)
+        // Those that know no end stop at a budget of their own.
+        let own = match info.id {
+            "rrt" | "genetic" => settings(&json!({ "maxExpansions": 40_000 })),
+            _ => Map::new(),
+        };
+        (scene, own, 16_384)
     };
     (Planner::new(info.id, &scene, &config).unwrap(), every)
 }

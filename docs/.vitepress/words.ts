@@ -105,4 +105,30 @@ export const WORDS: Record<string, Words> = {
     en: "A* for roads. A cost map knows clearance, lanes, kerbs and speed limits; chords and curves that keep their distance replace the cells of its path.",
     zh: "面向道路的 A*。代价地图考虑净空、车道、路缘与限速；找到的栅格路径再由保持距离的弦与曲线跟随。",
   },
+  dijkstra: {
+    scene: "random-60",
+    formulas: "f(n) = g(n)\ng: micro-cells, 1 000 000 straight, 1 414 214 diagonal",
+    en: "Dijkstra's search: A* without an estimate. It expands every cell that is nearer to the start than the goal is, and finds the cheapest path. It is here to compare with.",
+    zh: "Dijkstra 搜索：没有估计值的 A*。它展开比目标更靠近起点的全部栅格，并找到代价最小的路径，用于对比。",
+  },
+  greedy: {
+    scene: "random-60",
+    formulas: "f(n) = h(n)\nh: straight distance to the goal",
+    en: "Greedy best-first search: A* without the cost from the start. It expands few cells, and its path can be far from the shortest. It is here to compare with.",
+    zh: "贪婪最佳优先搜索：不计起点代价的 A*。展开的栅格很少，但路径可能远非最短，用于对比。",
+  },
+  rrt: {
+    scene: "random-60",
+    formulas:
+      "q: a random cell, or the goal with probability goalBias\nn: the cell of the tree nearest to q\nnew cell: step cells from n towards q, where the line is free",
+    en: "A tree that grows towards random cells until it reaches the goal. The same seed gives the same path; the path is neither short nor smooth. It is here to compare with.",
+    zh: "一棵朝随机栅格生长、直到抵达目标的树。同一种子得到同一路径；路径既不短也不平滑，用于对比。",
+  },
+  genetic: {
+    scene: "P4",
+    formulas:
+      "candidate: start, up to 16 cells, goal, joined by straight legs\nfitness = length + 20 · (blocked legs + blocked cells on them)\nparent: the fittest of 3 · child: head of one, tail of another, changed with probability mutation",
+    en: "A genetic algorithm over paths of straight legs. It is slow, and in narrow places no candidate may be free. It is here to compare with.",
+    zh: "以折线路径为个体的遗传算法。速度慢，在狭窄处可能没有一个候选可行，用于对比。",
+  },
 };

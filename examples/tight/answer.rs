@@ -29,7 +29,9 @@ pub(crate) struct Answer {
     /// Kept free around the car, metres.
     pub(crate) margin: f64,
     pub(crate) milliseconds: f64,
-    expanded: u32,
+    pub(crate) expanded: u32,
+    /// Poses tested for collision: the work, as nearly all of it goes there.
+    pub(crate) checks: u32,
 }
 
 impl Answer {
@@ -48,7 +50,8 @@ impl Answer {
             _ => Ending::Failed,
         };
         let changes = arcs::direction_changes(&report.arcs);
-        Self { ending, changes, margin: report.margin, milliseconds, expanded: report.expanded }
+        let (margin, expanded, checks) = (report.margin, report.expanded, report.collision_checks);
+        Self { ending, changes, margin, milliseconds, expanded, checks }
     }
 
     pub(crate) fn is_solved(&self) -> bool {

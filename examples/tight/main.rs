@@ -2,14 +2,15 @@
 //! solved, what became of the others, and what an answer takes.
 //!
 //! ```sh
-//! cargo run --release --example tight [all|promised|KIND] [count] [first seed] [members] [verbose] [setting=value …]
+//! cargo run --release --example tight [all|promised|KIND] [count] [first seed] [members] [work] [verbose] [setting=value …]
 //! cargo run --release --example tight json [scenes per cell] [every]
 //! ```
 //!
 //! `all` takes every kind in turn, the cars by turns; `promised` the kerb slots that the sedan must enter. `members`
-//! asks, for each scene without a path, whether a single lattice with a far larger budget finds one. `verbose` prints a
-//! line a scene. `json`, for `cargo xtask bench tight`: how tight it can be over two sizes, every so-many-th cell, and
-//! 100 scenes of each kind.
+//! asks, for each scene without a path, whether a single lattice with a far larger budget finds one. `work` compares the
+//! planner's collision checks for each path with those of the best single lattice. `verbose` prints a line a scene.
+//! `json`, for `cargo xtask bench tight`: how tight it can be over two sizes, every so-many-th cell, and 100 scenes of
+//! each kind.
 
 mod answer;
 #[path = "../clock/mod.rs"]
@@ -44,7 +45,7 @@ fn main() {
     let (settings, words): (Vec<String>, Vec<String>) =
         std::env::args().skip(1).partition(|argument| argument.contains('='));
     let (flags, words): (Vec<String>, Vec<String>) =
-        words.into_iter().partition(|word| word == "members" || word == "verbose");
+        words.into_iter().partition(|word| ["members", "work", "verbose"].contains(&word.as_str()));
     let what = words.first().map_or("all", String::as_str);
     let number = |at: usize, default: u64| {
         words.get(at).map_or(default, |word| word.parse().unwrap_or_else(|_| panic!("{word} is no number")))
@@ -57,6 +58,7 @@ fn main() {
         config: config(&settings),
         seeds: number(2, 1)..number(2, 1) + number(1, 100),
         has_members: has("members"),
+        has_work: has("work"),
         is_verbose: has("verbose"),
     };
     let (kinds, cars): (Vec<_>, _) = match what {
@@ -73,7 +75,13 @@ fn main() {
 }
 
 fn print_json(count: u64, every: u64) {
-    let run = Run { config: Config::default(), seeds: 1..101, has_members: false, is_verbose: false };
+    let run = Run {
+        config: Config::default(),
+        seeds: 1..101,
+        has_members: false,
+        has_work: false,
+        is_verbose: false,
+    };
     println!("{}", json!({ "count": count, "maps": maps::measure(count, every), "kinds": run.figures() }));
 }
 
@@ -88,6 +96,7 @@ struct Run {
     config: Config,
     seeds: std::ops::Range<u64>,
     has_members: bool,
+    has_work: bool,
     is_verbose: bool,
 }
 
@@ -141,6 +150,9 @@ impl Run {
                 println!("{}, seed {seed}: {answer}; but {member}: {other}", scene.name);
             }
             tally.members.push(solver.is_some());
+        }
+        if self.has_work && answer.is_solved() {
+            tally.work.push(members::work(&scene, &answer));
         }
         tally.answers.push(answer);
     }

@@ -1,4 +1,5 @@
-//! Single searches with a far larger budget than the planner's own: what they solve, it should solve.
+//! Single searches: with a far larger budget than the planner's own, which should solve what they solve, and with no
+//! more work than it took, which tell how much of that the best of them needs.
 
 use parkade::planners::hybrid::{Config, SearchFrom};
 
@@ -7,6 +8,15 @@ use crate::tight_scenes::Scene;
 
 /// Twenty times the expansions of one of the planner's fine levels.
 const BUDGET: u32 = 20 * 60_000;
+
+/// Cells in metres; heading bins in degrees; steps in metres; steering angles per side; weight: the planner's levels.
+const LEVELS: [(f64, f64, f64, u32, f64); 5] = [
+    (0.5, 5.0, 0.8, 2, 1.0),
+    (0.15, 2.0, 0.25, 1, 2.0),
+    (0.1, 1.0, 0.15, 1, 2.0),
+    (0.07, 0.6, 0.1, 1, 2.0),
+    (0.05, 0.5, 0.06, 1, 2.0),
+];
 
 /// Name; cells in metres; heading bins in degrees; steps and margin in metres.
 const MEMBERS: [(&str, SearchFrom, f64, f64, f64, f64); 4] = [
@@ -34,4 +44,31 @@ pub(crate) fn solver(scene: &Scene) -> Option<(&'static str, Answer)> {
         (name, Answer::of(scene, &config))
     });
     answers.into_iter().find(|(_, answer)| answer.is_solved())
+}
+
+/// Collision checks of the planner for each of the best single search that finds a path with as much margin; 1 where
+/// none finds one with as many expansions.
+pub(crate) fn work(scene: &Scene, answer: &Answer) -> f64 {
+    let mut least = answer.checks;
+    for search_from in [SearchFrom::Goal, SearchFrom::Start, SearchFrom::Both] {
+        for (xy, degrees, step, steers, weight) in LEVELS {
+            let config = Config {
+                search_from,
+                margin: answer.margin,
+                xy_resolution: Some(xy),
+                heading_resolution: Some(degrees.to_radians()),
+                motion_primitive_length: Some(step),
+                steer_samples: Some(steers),
+                heuristic_weight: Some(weight),
+                ladder: false,
+                max_expansions: Some(answer.expanded.max(1)),
+                ..Config::default()
+            };
+            let alone = Answer::of(scene, &config);
+            if alone.is_solved() && alone.margin >= answer.margin {
+                least = least.min(alone.checks);
+            }
+        }
+    }
+    f64::from(answer.checks) / f64::from(least.max(1))
 }

@@ -4,20 +4,24 @@ use crate::answer::{Answer, Ending};
 
 pub(crate) const HEAD: &str = "\
 | kind | solved | boxed in | too narrow | no way, searched | budget spent | failed | also by a single member | \
-gear changes: median, most | least margin, cm | CPU ms: p50, p95 | without a path: p50, most |
-| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |";
+gear changes: median, most | least margin, cm | CPU ms: p50, p95 | without a path: p50, most | \
+work against the best member: p50, p95 |
+| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |";
 
 #[derive(Default)]
 pub(crate) struct Tally {
     pub(crate) answers: Vec<Answer>,
     /// For each scene without a path: whether a single member finds one.
     pub(crate) members: Vec<bool>,
+    /// For each scene with a path: the work for each of the best single member's.
+    pub(crate) work: Vec<f64>,
 }
 
 impl Tally {
     pub(crate) fn add(&mut self, other: Self) {
         self.answers.extend(other.answers);
         self.members.extend(other.members);
+        self.work.extend(other.work);
     }
 
     pub(crate) fn count(&self, ending: Ending) -> usize {
@@ -67,6 +71,7 @@ impl Tally {
         cells.push(text(self.margin().map(|margin| margin * 100.0), 1));
         cells.push(two([0.5, 0.95].map(|share| self.milliseconds(share)), 1));
         cells.push(two([0.5, 1.0].map(|share| self.quantile(share, false, |a| a.milliseconds)), 1));
+        cells.push(two([0.5, 0.95].map(|share| quantile(self.work.clone(), share)), 2));
         format!("| {} |", cells.join(" | "))
     }
 }

@@ -35,6 +35,10 @@ export const roadFigures = (scene, plan) => call(() => raw.roadFigures(packedSce
 export const collisionRisk = (scene, plan, options = {}) =>
   call(() => raw.collisionRisk(packedScene(scene), line(plan), options));
 
+/** @type {typeof import("./index.js").driveEnvelope} */
+export const driveEnvelope = (scene, plan, options = {}) =>
+  call(() => raw.driveEnvelope(packedScene(scene), line(plan), options));
+
 /** @type {typeof import("./index.js").paperGridRows} */
 export const paperGridRows = () => call(() => raw.paperGridRows());
 

@@ -157,7 +157,7 @@ export interface Scenario<AnyGoal extends Goal | GoalSet = Goal | GoalSet> {
   map: MapFrame;
   obstacles?: Obstacle[];
   slots?: Slot[];
-  /** `jump-point` and `any-angle`, for which all free cells cost the same, refuse scenes with weights above 1. */
+  /** `jump-point`, `any-angle`, `greedy`, `rrt` and `genetic`, for which all free cells cost the same, refuse scenes with weights above 1. */
   costs?: CostArea[];
   /** Left out by planners; `parkade/core` does not even check it. */
   moving?: MovingObstacle[];
@@ -318,6 +318,12 @@ export interface Check {
   goalDistance: number;
   /** The pose with the least clearance, unless the body overlaps an obstacle. Not in `parkade/core`. */
   narrowest?: Narrowest;
+}
+
+/** The check of a path alone. */
+export interface PathCheck extends Check {
+  /** Per pose: metres from the body to the nearest obstacle. */
+  clearances: Float64Array;
 }
 
 /** The narrowest place of a path. */
@@ -610,7 +616,7 @@ export function scenario(id: string): Scenario<Goal>;
 /** Checks a scene and resolves it to geometry. Throws ParkadeError. */
 export function sceneGeometry(scene: Scenario): SceneGeometry;
 /** Re-checks any path (x, y, heading, …) against a scene. `directions` defaults to forward throughout. */
-export function checkPath(scene: Scenario, path: Float64Array | number[], directions?: Int8Array | number[]): Check;
+export function checkPath(scene: Scenario, path: Float64Array | number[], directions?: Int8Array | number[]): PathCheck;
 
 /**
  * Brushed cells as text, about two characters a run, for links, files and messages. A scene's `runs` may be such a text
@@ -716,7 +722,7 @@ export interface PaperTable {
  * the largest, null where none is measured.
  */
 export interface PaperClaim {
-  id: "H1" | "H2" | "H3" | "Y1" | "Y2" | "Y3" | "Y4" | "K1" | "K2" | "K3" | "K4" | "K5" | "R1" | "R2" | "R3" | "R4" | "R5";
+  id: "H1" | "H2" | "H3" | "Y1" | "Y2" | "Y3" | "Y4" | "Y5" | "Y6" | "K1" | "K2" | "K3" | "K4" | "K5" | "R1" | "R2" | "R3" | "R4" | "R5";
   figures: Record<string, number | [low: number, high: number] | null>;
   holds: "yes" | "no" | "partly" | "unknown";
 }
@@ -1195,6 +1201,13 @@ export function roadFigures(scene: Scenario, plan: { path: Float64Array | number
 export function collisionRisk(
   scene: Scenario, plan: { path: Float64Array | number[] }, options?: { trials?: number; from?: number; seed?: number },
 ): { trials: number; hits: number; discHits: number };
+/**
+ * The band that the car's middle stays in during those drives: for each metre of the path, 5 m at the ends left out, the points
+ * farthest to the left and to the right, x, y, x, y, …, metres. `parkade` only, not `parkade/core`.
+ */
+export function driveEnvelope(
+  scene: Scenario, plan: { path: Float64Array | number[] }, options?: { trials?: number; from?: number; seed?: number },
+): Float64Array;
 /** How `toSVG` draws. */
 export interface PictureOptions {
   /** Pixels, 16 to 8192; default 720 × 420. */
@@ -1230,11 +1243,20 @@ export interface Camera {
  * `metadata`. Plans with a trace show their search. `parkade` only, not `parkade/core`.
  */
 export function toSVG(scene: Scenario, plans?: Plan | readonly Plan[], options?: PictureOptions): string;
+/** A path with what is measured along it: a plan, or the path of a drive and its check. */
+export interface MeasuredPath extends DrivenPath {
+  /** Per pose; NaN or null at a corner. */
+  curvatures: Float64Array | (number | null)[];
+  directions: Int8Array | number[];
+  clearances: Float64Array | (number | null)[];
+}
+
 /**
- * A plan's poses as CSV: s,x,y,theta,kappa,clearance,v,direction in metres, radians, 1/m, m/s and ±1. Corners have no
- * kappa, paths that this car cannot drive no v. `parkade` only, not `parkade/core`.
+ * A path's poses as CSV: s,x,y,theta,kappa,clearance,v,direction,t in metres, radians, 1/m, m/s, ±1 and seconds. Corners have
+ * no kappa; v and t are those of `drive`, which is by default the plan's `trajectory`, and absent where this car cannot drive.
+ * `parkade` only, not `parkade/core`.
  */
-export function toCSV(scene: Scenario, plan: Plan): string;
+export function toCSV(scene: Scenario, plan: Plan | MeasuredPath, drive?: Drive | null): string;
 /** Gives a path times. Throws ParkadeError for paths that this car cannot drive. `parkade` only, not `parkade/core`. */
 export function trajectory(scene: Scenario, plan: DrivenPath, limits?: Limits): Trajectory;
 /**
@@ -1242,8 +1264,8 @@ export function trajectory(scene: Scenario, plan: DrivenPath, limits?: Limits): 
  * gear changes their places. `parkade` only, not `parkade/core`.
  */
 export function optimise(scene: Scenario, plan: DrivenPath, options?: OptimiseOptions): OptimisedTrajectory;
-/** A trajectory as CSV, as `judge` reads it: t,x,y,theta,v,phi,a,omega. `parkade` only, not `parkade/core`. */
-export function toTrajectoryCSV(trajectory: OptimisedTrajectory): string;
+/** A drive as CSV, as `judge` reads it: t,x,y,theta,v,phi,a,omega. `parkade` only, not `parkade/core`. */
+export function toTrajectoryCSV(drive: Drive | OptimisedTrajectory): string;
 /** Lets a simulated car follow a path, or an optimised trajectory at its own speeds. `parkade` only, not `parkade/core`. */
 export function track(
   scene: Scenario, plan: DrivenPath, options?: Limits & { controller?: "feedback" | "pure-pursuit" | "stanley" },

@@ -1,6 +1,6 @@
 /** The planners' ids and settings: written by `cargo xtask build` from the planners' registry. */
 
-export type GridPlannerId = "four" | "eight" | "sixteen" | "twenty-four" | "forty-eight" | "sixteen-bidirectional" | "jump-point" | "any-angle" | "risk-field" | "risk-field-plus";
+export type GridPlannerId = "four" | "eight" | "sixteen" | "twenty-four" | "forty-eight" | "sixteen-bidirectional" | "jump-point" | "any-angle" | "risk-field" | "risk-field-plus" | "dijkstra" | "greedy" | "rrt" | "genetic";
 export type HybridPlannerId = "hybrid" | "hybrid-forward" | "hybrid-bidirectional" | "hybrid-classic";
 export type RoadPlannerId = "cost-map";
 
@@ -22,7 +22,7 @@ export interface GridSettings {
   smoothMode?: "dynamic" | "paper";
   /** Arcs tighter than this stay corners; "vehicle" is the car's own limit. Usual range: 0 to 40 cells. Default: 1. */
   minRadius?: number | "vehicle";
-  /** Stops after this many. Usual range: 1 to 100000000. Default: 20000000. */
+  /** Stops after this many. Usual range: 1 to 100000000. */
   maxExpansions?: number;
 }
 
@@ -54,7 +54,7 @@ export interface SixteenSettings extends GridSettings {
 }
 
 export interface SixteenBidirectionalSettings extends GridSettings {
-  /** Cells reachable in one step. Default: "sixteen". */
+  /** Cells reachable in one step. */
   neighbours?: "four" | "eight" | "sixteen" | "twenty-four" | "forty-eight";
   /** First: where the two meet; best: the best connection until then; nba: the cheapest path; naive: both take up the same cell (the paper), which can fail. Default: "first". */
   stop?: "first" | "best" | "nba" | "naive";
@@ -101,6 +101,35 @@ export interface RiskFieldSettings extends GridSettings {
   penalty?: number;
   /** Finishes as soon as the goal is in sight. */
   goalShot?: boolean;
+  /** Strict: a path may not touch a blocked cell. Default: "strict". */
+  corner?: "strict" | "no-squeeze" | "free";
+}
+
+export interface DijkstraSettings extends GridSettings {
+  /** Cells reachable in one step. */
+  neighbours?: "four" | "eight" | "sixteen" | "twenty-four" | "forty-eight";
+  /** Strict: a path may not touch a blocked cell. Default: "strict". */
+  corner?: "strict" | "no-squeeze" | "free";
+}
+
+export interface RrtSettings extends GridSettings {
+  /** The same seed gives the same path. Usual range: 1 to 100. Default: 1. */
+  seed?: number;
+  /** Longest leg of the tree. Usual range: 1 to 30 cells. Default: 5. */
+  step?: number;
+  /** Share of the expansions that aim at the goal. Usual range: 0 to 1. Default: 0.1. */
+  goalBias?: number;
+  /** Strict: a path may not touch a blocked cell. Default: "strict". */
+  corner?: "strict" | "no-squeeze" | "free";
+}
+
+export interface GeneticSettings extends GridSettings {
+  /** The same seed gives the same path. Usual range: 1 to 100. Default: 1. */
+  seed?: number;
+  /** Candidates of a generation. Usual range: 10 to 200. Default: 50. */
+  population?: number;
+  /** Probability that a child is changed. Usual range: 0 to 1. Default: 0.6. */
+  mutation?: number;
   /** Strict: a path may not touch a blocked cell. Default: "strict". */
   corner?: "strict" | "no-squeeze" | "free";
 }
@@ -216,4 +245,8 @@ export interface PlannerSettings {
   "hybrid-bidirectional": HybridSettings;
   "hybrid-classic": HybridSettings;
   "cost-map": RoadSettings;
+  dijkstra: DijkstraSettings;
+  greedy: DijkstraSettings;
+  rrt: RrtSettings;
+  genetic: GeneticSettings;
 }

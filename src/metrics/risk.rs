@@ -69,6 +69,11 @@ impl Options {
         }
         Ok(options)
     }
+
+    /// The numbers of the trials.
+    fn numbers(&self) -> std::ops::Range<u32> {
+        self.from..self.from.saturating_add(self.trials)
+    }
 }
 
 /// How many trials collide.
@@ -111,27 +116,68 @@ pub fn collision_risk(geometry: &Geometry, body: &Body, path: &[Pose], options: 
     let disc = |i: usize, k: usize| body.point_clearance(line.middle(i, offset(k)), side + NEAR) - side;
     let discs: Vec<Rooms> = inner.iter().map(|&i| std::array::from_fn(|k| disc(i, k))).collect();
     let mut risk = Risk { trials: options.trials, hits: 0, disc_hits: 0 };
-    let memory = math::exp(-line.step / MEMORY);
-    let fresh = SWAY * (1.0 - memory * memory).sqrt();
-    for trial in options.from..options.from.saturating_add(options.trials) {
-        let seed = SplitMix64::new(u64::from(options.seed) << 32 | u64::from(trial)).next();
-        let mut normal = Normal { random: SplitMix64::new(seed), spare: None };
-        let bias = BIAS * normal.next();
-        let mut sway = SWAY * normal.next();
+    for trial in options.numbers() {
+        let mut drive = Drive::new(options, trial, line.step);
         let (mut hit, mut disc_hit) = (false, false);
         for (body, disc) in bodies.iter().zip(&discs) {
-            let place = ((bias + sway).clamp(-MOST, MOST) + MOST) * 10.0;
+            let place = (drive.offset() + MOST) * 10.0;
             hit |= between(body, place) < 0.0;
             disc_hit |= between(disc, place) < 0.0;
             if hit && disc_hit {
                 break;
             }
-            sway = memory * sway + fresh * normal.next();
+            drive.go_on();
         }
         risk.hits += u32::from(hit);
         risk.disc_hits += u32::from(disc_hit);
     }
     risk
+}
+
+/// The band that the middles of all trials stay in: per station of the path the points farthest to the left and to the
+/// right, x, y, x, y; 5 m at the ends left out.
+pub fn drive_envelope(geometry: &Geometry, path: &[Pose], options: &Options) -> Vec<f64> {
+    let line = Line::new(geometry, path);
+    let inner: Vec<usize> = line.inner().collect();
+    let mut widest = vec![[f64::NEG_INFINITY, f64::INFINITY]; inner.len()];
+    for trial in options.numbers() {
+        let mut drive = Drive::new(options, trial, line.step);
+        for [left, right] in &mut widest {
+            let offset = drive.offset();
+            (*left, *right) = (left.max(offset), right.min(offset));
+            drive.go_on();
+        }
+    }
+    let points = |(&i, offsets): (&usize, [f64; 2])| offsets.map(|offset| line.middle(i, offset));
+    inner.iter().zip(widest).flat_map(points).flat_map(|p| [p.x, p.y]).collect()
+}
+
+/// One trial: how far to the left of the path the car is, station by station.
+struct Drive {
+    normal: Normal,
+    bias: f64,
+    sway: f64,
+    memory: f64,
+    fresh: f64,
+}
+
+impl Drive {
+    /// `step` is the distance of stations, metres.
+    fn new(options: &Options, trial: u32, step: f64) -> Self {
+        let seed = SplitMix64::new(u64::from(options.seed) << 32 | u64::from(trial)).next();
+        let mut normal = Normal { random: SplitMix64::new(seed), spare: None };
+        let memory = math::exp(-step / MEMORY);
+        let (bias, sway) = (BIAS * normal.next(), SWAY * normal.next());
+        Self { normal, bias, sway, memory, fresh: SWAY * (1.0 - memory * memory).sqrt() }
+    }
+
+    fn offset(&self) -> f64 {
+        (self.bias + self.sway).clamp(-MOST, MOST)
+    }
+
+    fn go_on(&mut self) {
+        self.sway = self.memory * self.sway + self.fresh * self.normal.next();
+    }
 }
 
 fn between(rooms: &Rooms, place: f64) -> f64 {

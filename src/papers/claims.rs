@@ -10,7 +10,7 @@ use super::grid::{ROWS, Ratio, Table};
 /// A claim and what we find. Its sentences are the reader's, by its id.
 #[derive(Debug, Clone, Serialize)]
 pub struct Claim {
-    /// `H1` to `H3` of Hu et al. 2024, `Y1` to `Y4` of Yuan 2020, `K1` to `K5` of the parking paper, `R1` to `R5` of
+    /// `H1` to `H3` of Hu et al. 2024, `Y1` to `Y6` of Yuan 2020, `K1` to `K5` of the parking paper, `R1` to `R5` of
     /// the road manuscript.
     pub id: &'static str,
     /// What we find, by name: ratios, percentages, metres or counts.
@@ -72,7 +72,11 @@ impl std::fmt::Display for Figure {
 /// The claims of the grid papers, judged on the rows there are.
 pub fn claims(tables: &[Table]) -> Vec<Claim> {
     let complete = tables.len() == ROWS.len();
-    let mut all: Vec<_> = risk_field_claims(tables).into_iter().chain(sixteen_claims(tables)).collect();
+    let mut all: Vec<_> = risk_field_claims(tables)
+        .into_iter()
+        .chain(sixteen_claims(tables))
+        .chain(clearance_and_greedy_claims(tables))
+        .collect();
     for claim in &mut all {
         claim.holds = if complete { claim.holds } else { "unknown" };
     }
@@ -120,7 +124,7 @@ fn sixteen_claims(tables: &[Table]) -> [Claim; 4] {
     let turn48 = medians("turnAngleDeg", "forty-eight", "sixteen");
     // The same maps for any rows: the verdict does not depend on how many are measured.
     let naive = NaiveStop::measured();
-    let longest = worst(tables, "lengthRaw", "sixteen-bidirectional");
+    let longest = worst(tables, "sixteen-bidirectional", "sixteen");
     [
         Claim::new(
             "Y1",
@@ -173,6 +177,34 @@ fn sixteen_claims(tables: &[Table]) -> [Claim; 4] {
     ]
 }
 
+/// Claims of Yuan 2020 of how near paths are to obstacles, and of best-first search.
+fn clearance_and_greedy_claims(tables: &[Table]) -> [Claim; 2] {
+    let room = |planner, over| Range::of(tables, "clearanceMean", planner, over);
+    let (room16, room24, room48) =
+        (room("sixteen", "eight-octile"), room("twenty-four", "sixteen"), room("forty-eight", "sixteen"));
+    let of_greedy = |figure| Range::of(tables, figure, "greedy", "dijkstra");
+    let (work, length) = (of_greedy("generated"), of_greedy("lengthRaw"));
+    let longest = worst(tables, "greedy", "dijkstra");
+    [
+        Claim::new(
+            "Y5",
+            [("clearance16", room16.into()), ("clearance24", room24.into()), ("clearance48", room48.into())],
+            if room24.1 < 1.0 && room48.1 < 1.0 {
+                "yes"
+            } else if room24.0 < 1.0 || room48.0 < 1.0 {
+                "partly"
+            } else {
+                "no"
+            },
+        ),
+        Claim::new(
+            "Y6",
+            [("generated", work.into()), ("length", length.into()), ("longest", longest.into())],
+            share_of(&[work.1 < 1.0, longest > 1.0]),
+        ),
+    ]
+}
+
 /// How much of a claim of several parts holds.
 pub(super) fn share_of(hold: &[bool]) -> &'static str {
     match hold.iter().filter(|part| **part).count() {
@@ -182,9 +214,9 @@ pub(super) fn share_of(hold: &[bool]) -> &'static str {
     }
 }
 
-/// The worst of a planner's figures over sixteen neighbours', on any map.
-fn worst(tables: &[Table], figure: &str, planner: &str) -> f64 {
-    let same = |r: &&Ratio| r.figure == figure && r.planner == planner && r.over == "sixteen";
+/// The worst of a planner's lengths over another's, on any map.
+fn worst(tables: &[Table], planner: &str, over: &str) -> f64 {
+    let same = |r: &&Ratio| r.figure == "lengthRaw" && r.planner == planner && r.over == over;
     tables.iter().filter_map(|t| t.ratios.iter().find(same)).fold(0.0, |worst, r| worst.max(r.ours.worst))
 }
 

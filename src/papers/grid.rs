@@ -11,19 +11,19 @@ use serde::Serialize;
 use super::Spread;
 use crate::error::{Error, ErrorCode};
 use crate::map::{Cell, Corner, Occupancy};
-use crate::metrics::grid::{length, turns};
+use crate::metrics::grid::{clearance, length, polyline, turns};
 use crate::planners::grid_astar::{self, Weight};
 use crate::planners::heuristics::Heuristic;
 use crate::planners::moves::Neighbourhood;
 use crate::planners::query::{GridReport, GridScratch, Query, Status};
 use crate::planners::settings::SmoothMode;
-use crate::planners::{bidirectional, risk_field};
+use crate::planners::{bidirectional, dijkstra_greedy, risk_field};
 use crate::post::{prune, prune_dp, smooth};
 use crate::scenario::generate::{Family, occupancy};
 use crate::search::{Stop, Watch};
 
 /// Figures kept of each planner on each map, in this order.
-pub const COLUMNS: [&str; 9] = [
+pub const COLUMNS: [&str; 11] = [
     "generated",
     "expanded",
     "lengthRaw",
@@ -32,6 +32,8 @@ pub const COLUMNS: [&str; 9] = [
     "lengthSmoothed",
     "turns",
     "turnAngleDeg",
+    "clearanceMean",
+    "clearanceMin",
     "milliseconds",
 ];
 
@@ -40,7 +42,7 @@ pub const COLUMNS: [&str; 9] = [
 pub const READINGS: [&str; 4] = ["lengthRaw", "lengthPruned", "lengthDp", "lengthSmoothed"];
 
 /// Planners that every map is given to, in this order.
-pub const PLANNERS: [&str; 11] = [
+pub const PLANNERS: [&str; 13] = [
     "four",
     "eight",
     "eight-octile",
@@ -52,6 +54,8 @@ pub const PLANNERS: [&str; 11] = [
     "sixteen-nba",
     "risk-field",
     "risk-field-plus",
+    "dijkstra",
+    "greedy",
 ];
 
 /// Numbers per map.
@@ -174,6 +178,10 @@ fn run(planner: &str, map: &Occupancy, scratch: &mut GridScratch) -> GridReport 
             let config = bidirectional::Config { stop: Stop::Optimal, ..bidirectional::Config::default() };
             bidirectional::plan(query, &config, scratch, &mut silent)
         }
+        "dijkstra" => {
+            dijkstra_greedy::dijkstra(query, &dijkstra_greedy::Config::DEFAULT, scratch, &mut silent)
+        }
+        "greedy" => dijkstra_greedy::greedy(query, &dijkstra_greedy::Config::DEFAULT, scratch, &mut silent),
         "risk-field" => risk_field::plan(query, &risk_field::Config::PAPER, scratch, &mut silent),
         _ => risk_field::plan(query, &risk_field::Config::PLUS, scratch, &mut silent),
     }
@@ -188,6 +196,7 @@ fn figures_of(map: &Occupancy, report: &GridReport) -> Result<[f64; COLUMNS.len(
     let raw = &report.cells;
     let pruned = prune(map, raw, Corner::Strict);
     let corners = turns(raw);
+    let room = clearance(map, &polyline(raw));
     Ok([
         f64::from(report.generated),
         f64::from(report.expanded),
@@ -197,6 +206,8 @@ fn figures_of(map: &Occupancy, report: &GridReport) -> Result<[f64; COLUMNS.len(
         smooth(map, &pruned, 1.0, SmoothMode::Dynamic).length,
         f64::from(corners.count),
         corners.angle_deg,
+        room.mean,
+        room.min,
     ])
 }
 
@@ -327,6 +338,12 @@ pub fn summary(row: &Row, figures: &[f64]) -> Result<Table, Error> {
         ("milliseconds", "sixteen", "eight-octile"),
         ("milliseconds", "twenty-four", "sixteen"),
         ("milliseconds", "forty-eight", "sixteen"),
+        ("clearanceMean", "sixteen", "eight-octile"),
+        ("clearanceMean", "twenty-four", "sixteen"),
+        ("clearanceMean", "forty-eight", "sixteen"),
+        ("generated", "eight", "dijkstra"),
+        ("generated", "greedy", "dijkstra"),
+        ("lengthRaw", "greedy", "dijkstra"),
     ];
     let alike = compared.into_iter().map(|(figure, planner, over)| [figure, planner, figure, over]);
     let ratios = alike.chain([["lengthDp", "risk-field-plus", "lengthPruned", "eight"]]);

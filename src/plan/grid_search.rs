@@ -10,7 +10,7 @@ use crate::planners::query::{GridReport, GridScratch, Query};
 use crate::planners::registry::PlannerId;
 use crate::planners::settings::Common;
 #[cfg(feature = "complete")]
-use crate::planners::{any_angle, bidirectional, jump_point};
+use crate::planners::{any_angle, bidirectional, dijkstra_greedy, genetic, jump_point, rrt};
 use crate::planners::{grid_astar, risk_field};
 use crate::search::Watch;
 
@@ -23,6 +23,14 @@ pub(super) enum Search {
     JumpPoint(jump_point::Config),
     #[cfg(feature = "complete")]
     AnyAngle(any_angle::Config),
+    #[cfg(feature = "complete")]
+    Dijkstra(dijkstra_greedy::Config),
+    #[cfg(feature = "complete")]
+    Greedy(dijkstra_greedy::Config),
+    #[cfg(feature = "complete")]
+    Rrt(rrt::Config),
+    #[cfg(feature = "complete")]
+    Genetic(genetic::Config),
 }
 
 impl Search {
@@ -39,6 +47,22 @@ impl Search {
             PlannerId::JumpPoint => Self::JumpPoint(jump_point::Config::default().with(config)?),
             #[cfg(feature = "complete")]
             PlannerId::AnyAngle => Self::AnyAngle(any_angle::Config::default().with(config)?),
+            #[cfg(feature = "complete")]
+            PlannerId::Dijkstra => Self::Dijkstra(dijkstra_greedy::Config::default().with(config)?),
+            #[cfg(feature = "complete")]
+            PlannerId::Greedy => Self::Greedy(dijkstra_greedy::Config::default().with(config)?),
+            #[cfg(feature = "complete")]
+            PlannerId::Rrt => {
+                let config = rrt::Config::default().with(config)?;
+                config.validate()?;
+                Self::Rrt(config)
+            }
+            #[cfg(feature = "complete")]
+            PlannerId::Genetic => {
+                let config = genetic::Config::default().with(config)?;
+                config.validate()?;
+                Self::Genetic(config)
+            }
             kind => {
                 let defaults = match kind {
                     #[cfg(feature = "complete")]
@@ -63,6 +87,12 @@ impl Search {
             Self::JumpPoint(config) => config.common,
             #[cfg(feature = "complete")]
             Self::AnyAngle(config) => config.common,
+            #[cfg(feature = "complete")]
+            Self::Dijkstra(config) | Self::Greedy(config) => config.common,
+            #[cfg(feature = "complete")]
+            Self::Rrt(config) => config.common,
+            #[cfg(feature = "complete")]
+            Self::Genetic(config) => config.common,
         }
     }
 
@@ -91,6 +121,14 @@ impl Search {
             }
             #[cfg(feature = "complete")]
             Self::AnyAngle(config) => any_angle::plan(query, config, scratch, watch),
+            #[cfg(feature = "complete")]
+            Self::Dijkstra(config) => dijkstra_greedy::dijkstra(query, config, scratch, watch),
+            #[cfg(feature = "complete")]
+            Self::Greedy(config) => dijkstra_greedy::greedy(query, config, scratch, watch),
+            #[cfg(feature = "complete")]
+            Self::Rrt(config) => rrt::plan(query, config, scratch, watch),
+            #[cfg(feature = "complete")]
+            Self::Genetic(config) => genetic::plan(query, config, scratch, watch),
         }
     }
 }

@@ -198,8 +198,8 @@ impl Engine {
 
     /// Which search answered; none where nothing was searched.
     #[cfg(feature = "complete")]
-    fn member(config: &Config, report: &Report) -> Option<Member> {
-        let (xy_resolution, heading_resolution) = config.resolution(report.level);
+    fn member(report: &Report) -> Option<Member> {
+        let (xy_resolution, heading_resolution) = report.resolution;
         (report.expanded > 0).then_some(Member {
             level: report.level,
             from_goal: report.from_goal,
@@ -218,9 +218,15 @@ impl Engine {
         wish: Wish,
         progress: &mut Option<Progress>,
     ) -> Plan {
-        plan.member = Self::member(&self.config, &first);
-        if let (Status::NoPath, Some(member), Some(reason)) = (first.status, &plan.member, &mut plan.reason) {
-            *reason = reason.replace("at these settings", &resolution(member));
+        plan.member = Self::member(&first);
+        if let (Some(member), Some(reason)) = (&plan.member, &mut plan.reason) {
+            let how = resolution(member);
+            *reason = match first.status {
+                Status::NoPath => {
+                    reason.replace("at these settings", &format!("{how}, with any number of gear changes"))
+                }
+                _ => reason.replacen(" expansions,", &format!(" expansions {how},"), 1),
+            };
         }
         if plan.outcome != Outcome::Found {
             return plan;
@@ -250,7 +256,7 @@ impl Engine {
                 }
                 (plan.planner, plan.detail, plan.stats) = (id, detail(report.status), stats(&report));
                 fill(&query, &report, &mut plan);
-                plan.member = Self::member(&config, &report);
+                plan.member = Self::member(&report);
                 choosing.offer(plan)
             };
             let memory = (&mut self.scratch, &mut *progress);
@@ -317,7 +323,7 @@ fn resolution(member: &Member) -> String {
     };
     let (cell, margin) = (small(member.xy_resolution), small(member.margin));
     let degrees = (member.heading_resolution.to_degrees() * 10.0).round() / 10.0;
-    format!("at {cell} and {degrees}° with {margin} of margin, with any number of gear changes")
+    format!("at {cell} and {degrees}° with {margin} of margin")
 }
 
 fn drive(query: &Query, report: &Report) -> Driven {

@@ -439,11 +439,32 @@ pub fn road_figures(scenario: &Scenario, path: &[f64]) -> Result<Figures, Error>
 /// [`ErrorCode::Input`] when the numbers are not poses, or none, or too many metres would be driven.
 #[cfg(feature = "complete")]
 pub fn collision_risk(scenario: &Scenario, path: &[f64], options: &risk::Options) -> Result<Risk, Error> {
+    let (geometry, poses) = drivable(scenario, path, options)?;
+    Ok(risk::collision_risk(&geometry, &Body::new(&geometry), &poses, options))
+}
+
+/// The band that the car's middle stays in during the drives of [`collision_risk`]: [`risk::drive_envelope`].
+///
+/// # Errors
+/// As [`collision_risk`].
+#[cfg(feature = "complete")]
+pub fn drive_envelope(scenario: &Scenario, path: &[f64], options: &risk::Options) -> Result<Vec<f64>, Error> {
+    let (geometry, poses) = drivable(scenario, path, options)?;
+    Ok(risk::drive_envelope(&geometry, &poses, options))
+}
+
+/// The poses of a path that is short enough for all trials.
+#[cfg(feature = "complete")]
+fn drivable(
+    scenario: &Scenario,
+    path: &[f64],
+    options: &risk::Options,
+) -> Result<(crate::scenario::resolve::Geometry, Vec<Pose>), Error> {
     let (geometry, poses) = (scenario.geometry()?, path::some_poses(path)?);
     let driven = f64::from(options.trials) * path::length(&poses);
     if driven > risk::MAX_DRIVEN {
         let message = format!("must drive at most {} m together, got {driven} m", risk::MAX_DRIVEN);
         return Err(Error::new(ErrorCode::Input, "trials", message));
     }
-    Ok(risk::collision_risk(&geometry, &Body::new(&geometry), &poses, options))
+    Ok((geometry, poses))
 }

@@ -17,6 +17,9 @@ pub enum Heuristic {
     /// The larger of columns and rows: never too much, and never more than the straight distance.
     #[cfg(feature = "complete")]
     Chebyshev,
+    /// Nothing, which makes A* Dijkstra's search.
+    #[cfg(feature = "complete")]
+    Zero,
 }
 
 #[cfg(not(feature = "complete"))]
@@ -43,7 +46,7 @@ impl Heuristic {
             Self::Octile => matches!(neighbourhood, Neighbourhood::Four | Neighbourhood::Eight),
             Self::Euclid | Self::Gauge => true,
             #[cfg(feature = "complete")]
-            Self::Chebyshev => true,
+            Self::Chebyshev | Self::Zero => true,
         }
     }
 
@@ -56,6 +59,8 @@ impl Heuristic {
             Self::Gauge => "gauge",
             #[cfg(feature = "complete")]
             Self::Chebyshev => "chebyshev",
+            #[cfg(feature = "complete")]
+            Self::Zero => "zero",
         }
     }
 
@@ -68,6 +73,8 @@ impl Heuristic {
             Self::Gauge => gauge(neighbourhood, dx, dy),
             #[cfg(feature = "complete")]
             Self::Chebyshev => D * ordered(dx, dy).0,
+            #[cfg(feature = "complete")]
+            Self::Zero => 0,
         }
     }
 }

@@ -6,6 +6,10 @@ pub mod any_angle;
 pub mod bidirectional;
 #[cfg(feature = "complete")]
 pub mod cost_map;
+#[cfg(feature = "complete")]
+pub mod dijkstra_greedy;
+#[cfg(feature = "complete")]
+pub mod genetic;
 pub mod grid_astar;
 mod grid_lattice;
 pub mod heuristics;
@@ -18,6 +22,8 @@ mod parameters;
 pub mod query;
 pub mod registry;
 pub mod risk_field;
+#[cfg(feature = "complete")]
+pub mod rrt;
 pub mod settings;
 mod weighted;
 

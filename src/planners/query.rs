@@ -135,7 +135,8 @@ impl Query<'_> {
 }
 
 impl GridReport {
-    fn empty(status: Status, closest: Cell) -> Self {
+    /// An answer without a path, all of its counters at 0.
+    pub(super) fn empty(status: Status, closest: Cell) -> Self {
         Self {
             status,
             detail: None,

@@ -6,7 +6,7 @@ use serde_json::{Map, Value};
 use super::moves::Neighbourhood;
 use super::parameters::{Parameters, written};
 #[cfg(feature = "complete")]
-use super::{any_angle, bidirectional, cost_map, jump_point};
+use super::{any_angle, bidirectional, cost_map, dijkstra_greedy, genetic, jump_point, rrt};
 use super::{grid_astar, hybrid, risk_field};
 use crate::error::{Error, ErrorCode};
 
@@ -126,6 +126,18 @@ pub enum PlannerId {
     /// Cost-map A* for roads.
     #[cfg(feature = "complete")]
     CostMap,
+    /// Dijkstra's search.
+    #[cfg(feature = "complete")]
+    Dijkstra,
+    /// Greedy best-first search.
+    #[cfg(feature = "complete")]
+    Greedy,
+    /// A tree that grows towards random cells.
+    #[cfg(feature = "complete")]
+    Rrt,
+    /// A genetic algorithm over paths of straight legs.
+    #[cfg(feature = "complete")]
+    Genetic,
 }
 
 /// The facts of each planner, in the order of menus.
@@ -215,6 +227,20 @@ const ROWS: &[Row] = &[
         ["Cost map", "代价地图A*"],
         "A* path planning for intelligent-vehicle road navigation, manuscript",
     ),
+    #[cfg(feature = "complete")]
+    row(PlannerId::Dijkstra, "dijkstra", Family::Grid, ["Dijkstra", "Dijkstra"], "Dijkstra 1959"),
+    #[cfg(feature = "complete")]
+    row(
+        PlannerId::Greedy,
+        "greedy",
+        Family::Grid,
+        ["Greedy best-first", "贪婪最佳优先"],
+        "Doran, Michie 1966",
+    ),
+    #[cfg(feature = "complete")]
+    row(PlannerId::Rrt, "rrt", Family::Grid, ["RRT", "RRT（快速扩展随机树）"], "LaValle 1998"),
+    #[cfg(feature = "complete")]
+    row(PlannerId::Genetic, "genetic", Family::Grid, ["Genetic", "遗传算法"], "Holland 1975"),
 ];
 
 struct Row {
@@ -275,7 +301,7 @@ impl PlannerId {
     /// True if it knows that cells can cost more than others.
     pub fn takes_costs(self) -> bool {
         #[cfg(feature = "complete")]
-        return !matches!(self, Self::JumpPoint | Self::AnyAngle);
+        return !matches!(self, Self::JumpPoint | Self::AnyAngle | Self::Greedy | Self::Rrt | Self::Genetic);
         #[cfg(not(feature = "complete"))]
         true
     }
@@ -315,6 +341,12 @@ impl PlannerId {
             Self::HybridClassic => Box::new(hybrid::Config::classic()),
             #[cfg(feature = "complete")]
             Self::CostMap => Box::new(cost_map::Config::DEFAULT),
+            #[cfg(feature = "complete")]
+            Self::Dijkstra | Self::Greedy => Box::new(dijkstra_greedy::Config::DEFAULT),
+            #[cfg(feature = "complete")]
+            Self::Rrt => Box::new(rrt::Config::DEFAULT),
+            #[cfg(feature = "complete")]
+            Self::Genetic => Box::new(genetic::Config::DEFAULT),
             _ => Box::new(grid_astar::Config::new(self.neighbourhood().unwrap_or(Neighbourhood::Eight))),
         }
     }
@@ -399,12 +431,12 @@ mod tests {
             assert_eq!(row.kind.neighbourhood().is_some(), i < 5, "{}", row.id);
         }
         // The last one of the enum.
-        assert_eq!(ROWS.len(), PlannerId::CostMap as usize + 1);
+        assert_eq!(ROWS.len(), PlannerId::Genetic as usize + 1);
     }
 
     #[test]
     fn an_unknown_planner_is_named() {
-        let error = PlannerId::of("rrt").unwrap_err();
-        assert!(error.message.starts_with("no planner \"rrt\"; there are four, eight"), "{error}");
+        let error = PlannerId::of("prm").unwrap_err();
+        assert!(error.message.starts_with("no planner \"prm\"; there are four, eight"), "{error}");
     }
 }

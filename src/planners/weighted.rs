@@ -22,19 +22,19 @@ pub(crate) fn weighted_cost(weights: &Weights, from: Cell, to: Cell) -> i64 {
     (cost(dx, dy) * above + below - 1) / below
 }
 
-/// `lattice` over a map's cells, by their weights.
+/// `lattice` over a map's cells, its moves at other costs than their lengths.
 pub(super) struct Weighted<'a, L> {
     pub(super) lattice: L,
     map: &'a Occupancy,
-    weights: &'a Weights,
+    weights: Option<&'a Weights>,
     goal: Cell,
 }
 
-/// Passes moves on at their weighted costs.
+/// Passes moves on at their costs by weight; at none without weights.
 struct Weighing<'a, S> {
     sink: &'a mut S,
     map: &'a Occupancy,
-    weights: &'a Weights,
+    weights: Option<&'a Weights>,
     from: Cell,
 }
 
@@ -42,7 +42,13 @@ impl<'a, L> Weighted<'a, L> {
     /// The query's map must have weights.
     pub(super) fn new(lattice: L, query: &Query<'a>) -> Self {
         let weights = query.map.weights().expect("only maps with weights are searched by them");
-        Self { lattice, map: query.map, weights, goal: query.goal }
+        Self { lattice, map: query.map, weights: Some(weights), goal: query.goal }
+    }
+
+    /// Moves that cost nothing: a search by the estimate alone, which keeps the first way it finds to each cell.
+    #[cfg(feature = "complete")]
+    pub(super) fn for_nothing(lattice: L, query: &Query<'a>) -> Self {
+        Self { lattice, map: query.map, weights: None, goal: query.goal }
     }
 
     fn weighing<'s, S>(&self, node: NodeId, sink: &'s mut S) -> Weighing<'s, S>
@@ -53,13 +59,18 @@ impl<'a, L> Weighted<'a, L> {
     }
 }
 
+impl<S> Weighing<'_, S> {
+    fn cost(&self, to: Cell) -> i64 {
+        self.weights.map_or(0, |weights| weighted_cost(weights, self.from, to))
+    }
+}
+
 impl<S: EdgeSink> Weighing<'_, S> {
     /// Those of the eight directions, every `stride`-th, that would improve what is known there.
     fn improves_in(&self, stride: usize) -> u32 {
         let improves = |c: usize| {
             let to = self.from.offset(DIRECTIONS[c].0, DIRECTIONS[c].1);
-            let cost = || weighted_cost(self.weights, self.from, to);
-            self.map.contains(to) && self.sink.improves(self.map.index(to), cost())
+            self.map.contains(to) && self.sink.improves(self.map.index(to), self.cost(to))
         };
         (0..8).step_by(stride).fold(0, |bits, c| bits | u32::from(improves(c)) << c)
     }
@@ -67,7 +78,7 @@ impl<S: EdgeSink> Weighing<'_, S> {
 
 impl<S: EdgeSink> EdgeSink for Weighing<'_, S> {
     fn improves(&self, target: NodeId, _: i64) -> bool {
-        self.sink.improves(target, weighted_cost(self.weights, self.from, self.map.cell(target)))
+        self.sink.improves(target, self.cost(self.map.cell(target)))
     }
 
     fn improves_around(&self, _: NodeId, _: usize, _: i64, _: i64) -> u32 {
@@ -79,7 +90,7 @@ impl<S: EdgeSink> EdgeSink for Weighing<'_, S> {
     }
 
     fn relax(&mut self, edge: Edge, target: NodeId, h: i64) {
-        let cost = weighted_cost(self.weights, self.from, self.map.cell(target));
+        let cost = self.cost(self.map.cell(target));
         self.sink.relax(edge.at(cost), target, h);
     }
 }
@@ -133,7 +144,8 @@ impl<L: Lattice> Lattice for Weighted<'_, L> {
 
     /// Straight to the goal where nothing heavier is on the way: a way around may be cheaper otherwise.
     fn direct(&self, node: NodeId) -> Option<i64> {
-        let straight = |&cost: &i64| weighted_cost(self.weights, self.map.cell(node), self.goal) == cost;
+        let weights = self.weights?;
+        let straight = |&cost: &i64| weighted_cost(weights, self.map.cell(node), self.goal) == cost;
         self.lattice.direct(node).filter(straight)
     }
 

@@ -185,6 +185,11 @@ impl SplitMix64 {
         z ^ z >> 31
     }
 
+    /// True with this probability, in millionths.
+    pub fn chance(&mut self, probability: f64) -> bool {
+        f64::from(self.below(1_000_000)) < probability * 1e6
+    }
+
     /// A number below `n`.
     pub const fn below(&mut self, n: u32) -> u32 {
         (((self.next() >> 32) * n as u64) >> 32) as u32

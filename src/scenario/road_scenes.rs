@@ -1,14 +1,14 @@
-//! The road scenes: a lane, a curve, a crossing, a narrow road. Every road goes on for 5 m before the start and beyond
+//! The road scenes: a lane, a curve, a crossing, a narrow road, a roundabout, a junction with a turn ban. Every road goes on for 5 m before the start and beyond
 //! the goal, so that the car stands on it.
 
 use super::catalog::{Info, info};
 use super::road::{Lane, LanePiece, SpeedLimit};
 use super::{Goal, MapFrame, Obstacle, Scenario, VehicleSpec};
 use crate::geometry::Pose;
-use crate::geometry::math::{FRAC_PI_2, PI};
+use crate::geometry::math::{FRAC_PI_2, PI, asin, sin_cos};
 use crate::vehicle::Vehicle;
 
-pub(super) const SCENES: [Info; 4] = [
+pub(super) const SCENES: [Info; 6] = [
     info(
         "road-straight",
         "road",
@@ -39,6 +39,24 @@ pub(super) const SCENES: [Info; 4] = [
             "每个障碍物旁只剩 3.5 米：谁能蛇行通过？",
         ],
     ),
+    info(
+        "road-roundabout",
+        "road",
+        ["Roundabout, third exit", "环岛，第三出口"],
+        [
+            "The ring may only be driven counter-clockwise: who finds the third exit?",
+            "环岛只能逆时针行驶：谁能找到第三出口？",
+        ],
+    ),
+    info(
+        "road-turn-ban",
+        "road",
+        ["Junction without left turns", "禁止左转的路口"],
+        [
+            "Left turns are banned: who turns right and back around the median?",
+            "禁止左转：谁会先右转，再绕过中央隔离带掉头？",
+        ],
+    ),
 ];
 
 /// How far a road goes on before the start and beyond the goal, metres; ten cells.
@@ -53,6 +71,8 @@ pub(super) fn build(id: &str) -> Option<Scenario> {
         "road-curve" => Some(curve()),
         "road-crossing" => Some(crossing()),
         "road-narrow" => Some(narrow()),
+        "road-roundabout" => Some(roundabout()),
+        "road-turn-ban" => Some(turn_ban()),
         _ => None,
     }
 }
@@ -236,5 +256,79 @@ fn crossing() -> Scenario {
         speed: 5.56,
     };
     scene.speed_limits = vec![walk([-half, half], [-18.5, -15.5]), walk([-18.5, -15.5], [-half, half])];
+    scene
+}
+
+/// A place at a distance and an angle from the origin.
+fn polar(radius: f64, angle: f64) -> [f64; 2] {
+    let (sin, cos) = sin_cos(angle);
+    [radius * cos, radius * sin]
+}
+
+/// Four roads of 7 m and a ring around an island. A barrier closes the ring between the road in and the third exit, so
+/// that the way there is the one that the direction of the ring allows.
+fn roundabout() -> Scenario {
+    const OUTER: f64 = 17.0;
+    const ISLAND: f64 = 9.0;
+    const HALF: f64 = 3.5;
+    let (middle, end) = (f64::midpoint(OUTER, ISLAND), 65.0 + RUN_OUT);
+    let mouth = asin(HALF / OUTER);
+    let mut boundary = Vec::new();
+    for arm in 0..4 {
+        let turn = FRAC_PI_2 * f64::from(arm);
+        let far = (end * end + HALF * HALF).sqrt();
+        boundary.extend([-1.0, 1.0].map(|side| polar(far, turn + side * asin(HALF / far))));
+        let kerb = |i: i32| turn + mouth + (FRAC_PI_2 - 2.0 * mouth) * f64::from(i) / 8.0;
+        boundary.extend((0..=8).map(|i| polar(OUTER, kerb(i))));
+    }
+    let (start, goal) = (Pose::new(-65.0, -1.75, 0.0), Pose::new(1.75, 65.0, FRAC_PI_2));
+    let cells = (2.0 * (end + 1.0) / RESOLUTION) as u32;
+    let mut scene = scene([-end - 1.0; 2], [cells; 2], boundary, start, goal);
+    let points = (0..24).map(|i| polar(ISLAND, f64::from(i) * PI / 12.0)).collect();
+    scene.obstacles = vec![
+        Obstacle::Polygon { id: Some("island".to_owned()), points },
+        Obstacle::Rectangle {
+            id: Some("against the ring".to_owned()),
+            center: polar(middle, 0.75 * PI),
+            size: [OUTER - ISLAND + 1.0, 0.4],
+            heading: 0.75 * PI,
+        },
+    ];
+    let (from, to) = (PI * 19.0 / 18.0, PI * 44.0 / 18.0);
+    let [x, y] = polar(middle, from);
+    let ring = [(middle * (to - from), 1.0 / middle)];
+    scene.lanes = vec![
+        lane("in", Pose::new(-end, -1.75, 0.0), &[(end - 16.0, 0.0)], 3.5),
+        lane("ring", Pose::new(x, y, from + FRAC_PI_2), &ring, 4.0),
+        lane("out", Pose::new(1.75, 16.0, FRAC_PI_2), &[(end - 16.0, 0.0)], 3.5),
+    ];
+    scene
+}
+
+/// A road from the south meets one with a median, which bans the left turn: the way west is to the right and back
+/// around the median's end.
+fn turn_ban() -> Scenario {
+    const HALF: f64 = 10.5;
+    const MEDIAN_END: f64 = 46.0;
+    /// Radius of the way around the median's end, and distance of the lanes from the road's middle.
+    const LANE: f64 = 6.75;
+    let (low, west, east) = (-60.0, -80.0, 74.0);
+    let kerb = |i: i32| {
+        let [x, y] = polar(9.0, PI * (1.0 - f64::from(i) / 16.0));
+        [12.75 + x, y - HALF - 9.0]
+    };
+    let mut boundary = vec![[west, -HALF], [-3.75, -HALF], [-3.75, low], [3.75, low]];
+    boundary.extend((0..=8).map(kerb));
+    boundary.extend([[east, -HALF], [east, HALF], [west, HALF]]);
+    let (start, goal) =
+        (Pose::new(1.9, low + RUN_OUT + 1.0, FRAC_PI_2), Pose::new(west + RUN_OUT + 1.0, LANE, PI));
+    let cells = [((east - west + 2.0) / RESOLUTION) as u32, ((HALF - low + 2.0) / RESOLUTION) as u32];
+    let mut scene = scene([west - 1.0, low - 1.0], cells, boundary, start, goal);
+    scene.obstacles = vec![block("no left turn", [west, MEDIAN_END], [-3.0, 3.0])];
+    let around = [(MEDIAN_END - 8.0, 0.0), (PI * LANE, 1.0 / LANE), (MEDIAN_END - west, 0.0)];
+    scene.lanes = vec![
+        lane("north", Pose::new(1.9, low, FRAC_PI_2), &[(-low - HALF - 4.0, 0.0)], 3.75),
+        lane("around", Pose::new(8.0, -LANE, 0.0), &around, 3.5),
+    ];
     scene
 }

@@ -136,6 +136,17 @@ pub fn collision_risk(scene: JsValue, path: &[f64], options: JsValue) -> JsResul
     Ok(codec::write(&risk))
 }
 
+/// The band that the car stays in during those drives.
+#[wasm_bindgen(js_name = driveEnvelope)]
+pub fn drive_envelope(scene: JsValue, path: &[f64], options: JsValue) -> JsResult {
+    let scene = read_scene(scene)?;
+    let fields = optional(options, ErrorCode::Input)?;
+    let options = risk::Options::from_json(&fields).map_err(|e| codec::js_error(&e))?;
+    let band =
+        plan::drive_envelope(&scene, path, &options).map_err(|e| codec::js_error(&e.within("plan")))?;
+    Ok(codec::f64s(&band))
+}
+
 /// The rows of the risk-field paper's tables, and what is measured of them.
 #[wasm_bindgen(js_name = paperGridRows)]
 pub fn paper_grid_rows() -> JsValue {

@@ -79,7 +79,10 @@ pub fn check_path(scene: JsValue, path: &[f64], directions: Option<Vec<i8>>) -> 
     let scene = read_scene(scene)?;
     let geometry = scene.geometry().map_err(|e| codec::js_error(&e))?;
     let check = plan::check_path(&geometry, path, directions.as_deref()).map_err(|e| codec::js_error(&e))?;
-    Ok(answer::check(&scene, &geometry, &check))
+    let answer = answer::check(&scene, &geometry, &check);
+    #[cfg(feature = "complete")]
+    codec::set(&answer, "clearances", &codec::f64s(&check.clearances));
+    Ok(answer)
 }
 
 fn read_scene(scene: JsValue) -> Result<Scenario, JsValue> {

@@ -1,3 +1,4 @@
+// With the word "comparison" prints the comparison with other algorithms as Markdown; otherwise:
 // Writes every paper's tables, claims and figures into one Markdown and one HTML file, in English and Chinese.
 import { mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -7,8 +8,13 @@ import { runnerImport } from "vite";
 const root = fileURLToPath(new URL("../../", import.meta.url)),
   out = process.argv[2] ?? join(root, "target/papers");
 const {
-  module: { pages, markdown, html, escaped, picture },
+  module: { compared, pages, markdown, html, escaped, picture },
 } = await runnerImport(join(root, "docs/.vitepress/papers/index.ts"), { configFile: false, root, logLevel: "error" });
+if (process.argv[2] === "comparison") {
+  for (const lang of ["en", "zh"])
+    console.log(markdown(await compared(lang), (/** @type {any} */ figure) => `*${figure.caption}*`));
+  process.exit();
+}
 const seeds = Number(process.argv[3] ?? 20);
 const languages = [
   ["en", await pages("en", seeds)],

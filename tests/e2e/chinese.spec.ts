@@ -21,6 +21,10 @@ const NAMES = new RegExp(
     "ROS",
     "TPCAP",
     "Theta",
+    "theta",
+    "phi",
+    "omega",
+    "gear",
     "NBA",
     "Reeds",
     "Shepp",
@@ -38,6 +42,7 @@ const NAMES = new RegExp(
     "Tab",
     "kB",
     "MB",
+    "mm",
     "ms",
     "rad",
     "exp",
@@ -294,6 +299,41 @@ test("the Chinese page is Chinese: the papers' tables, measured", async ({ page 
     await dialog.getByRole("tab", { name }).click();
     await expect(measure).toBeVisible({ timeout: 90_000 });
     await expectChinese(page, name);
+  }
+});
+
+test("the Chinese page is Chinese: trajectories from files, and charts in time", async ({ page }) => {
+  await open(page);
+  const notice = page.locator("parkade-notices .notice"),
+    card = page.locator("parkade-guest");
+  const choose = (text: string) =>
+    page
+      .locator("parkade-playground input[type=file]")
+      .setInputFiles({ name: "case.csv", mimeType: "text/csv", buffer: Buffer.from(text) });
+  await page.locator("parkade-charts .axes button").nth(1).click();
+  await expect(page.locator("parkade-charts")).toContainText("加速度");
+  await choose("t,x,y,theta\n0,4,3,0\n2.5,7.125,3,0\n6.5,14,3,0\n");
+  await expect(card.getByRole("status")).toContainText("未通过");
+  await expectChinese(page, "judged");
+  for (const text of [
+    "t,x,y,theta\n0,4,3,0\n1,?,3,0\n",
+    "t,x,y,?\n0,4,3,0\n1,5,3,0\n",
+    "t,x,y\n0,4,3\n1,5,3\n",
+    "t,x,y,theta,x\n0,4,3,0,1\n1,5,3,0,1\n",
+    "x,y,theta,v\n0,4,3,0\n1,5,3,0\n",
+    "x,y,theta,gear\n4,3,0,1\n5,3,0,2\n",
+    "t,x,y,theta\n0,4,3,0\n",
+    "t,x,y,theta\n0,4,3,0\n1,5,3\n",
+    "t,x,y,theta\n1,4,3,0\n2,5,3,0\n",
+    "t,x,y,theta\n0,4,3,0\n0,5,3,0\n",
+    "t,x,y,theta\n0,4e12,3,0\n1,5,3,0\n",
+  ]) {
+    await page.evaluate(() =>
+      document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ message: null }),
+    );
+    await choose(text);
+    await expect(notice.last(), text).toContainText(/第 \d+ 行第 \d+ 列/);
+    await expectChinese(page, text);
   }
 });
 

@@ -85,9 +85,10 @@ test("charts and map point at the same place, and gear changes are marked on bot
   const box = (await charts.locator(".plots").boundingBox())!;
   await page.mouse.move(box.x + box.width * 0.4, box.y + 30);
   const hover = await page.evaluate<{ x: number; y: number }>(store((state) => state["hover"]));
-  const plan = await page.evaluate(() => [
-    ...document.querySelector<PlaygroundElement>("parkade-playground")!.results["hybrid"]!.path,
-  ]);
+  // The trajectory's path, where it has taken the plan's place.
+  const plan = await page.evaluate<number[]>(
+    store((state) => [...(state["results"].hybrid.smoothed?.plan ?? state["results"].hybrid.plan).path]),
+  );
   const nearest = Math.min(
     ...Array.from({ length: plan.length / 3 }, (_, i) =>
       Math.hypot(plan[3 * i]! - hover.x, plan[3 * i + 1]! - hover.y),

@@ -354,7 +354,7 @@ test("every method and event of the element does what it says", async ({ page })
     playhead: 0.25,
     camera: { x: 5, y: 5, scale: 20 },
     svg: "<svg",
-    csv: "s,x,y,theta,kappa,clearance,v,direction",
+    csv: "s,x,y,theta,kappa,clearance,v,direction,t",
     blob: "image/webp",
     loaded: true,
   });

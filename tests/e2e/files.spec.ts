@@ -12,10 +12,14 @@ async function exported(page: Page, item: string): Promise<{ name: string; bytes
 
 test("the path is saved as a table of its poses", async ({ page }) => {
   await open(page);
+  // A trajectory's path has other poses than the plan.
+  await page.evaluate(() =>
+    document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ smooth: false }),
+  );
   const { name, bytes } = await exported(page, "CSV path");
   expect(name).toMatch(/-hybrid\.csv$/);
   const [head, ...rows] = bytes.toString().trim().split("\n");
-  expect(head).toBe("s,x,y,theta,kappa,clearance,v,direction");
+  expect(head).toBe("s,x,y,theta,kappa,clearance,v,direction,t");
   const plan = await page.evaluate(() => {
     const { path, metrics } = document.querySelector<PlaygroundElement>("parkade-playground")!.results["hybrid"]!;
     return { poses: path.length / 3, length: metrics.length };

@@ -18,7 +18,7 @@ test("the papers' tables are measured beside the printed ones, and impossible ro
   await expect(dialog(page).locator("h3").last()).toContainText("20 maps");
   await expect(dialog(page).locator("td .chip.err")).toHaveCount(4);
   await expect(dialog(page).locator("td .chip.err").first()).toContainText("below the straight line, 140.01");
-  await expect(dialog(page).locator(".claims li")).toHaveCount(7);
+  await expect(dialog(page).locator(".claims li")).toHaveCount(9);
   await expect(dialog(page).locator("#H1 .chip")).toContainText("holds in part");
   await expect(dialog(page).locator("#Y4 .chip")).toContainText("holds");
   const row = dialog(page).locator("table").first().locator("tbody tr").filter({ hasText: "Risk field" }).first();
@@ -129,6 +129,9 @@ test("the road manuscript's tables stand beside ours, with percentages and what 
   await page.keyboard.press("y");
   const tab = dialog(page).getByRole("tab", { name: "Grid" });
   await tab.press("ArrowLeft");
+  const comparison = dialog(page).getByRole("tab", { name: "Comparison" });
+  await expect(comparison).toBeFocused();
+  await comparison.press("ArrowLeft");
   await expect(dialog(page).getByRole("tab", { name: "Road" })).toBeFocused();
   await expect(dialog(page).getByRole("progressbar")).toBeVisible();
   await dialog(page).getByRole("button", { name: "Cancel" }).click();
@@ -184,4 +187,30 @@ test("a row opens its scene, and its paths are drawn beside it", async ({ page }
   await dialog(page).locator("#L2").getByRole("button", { name: "Open the scene" }).click();
   await expect(dialog(page)).toBeHidden();
   await expect(page.locator("parkade-toolbar .scene")).toContainText("L2");
+});
+
+test("the comparison with other algorithms is measured, drawn and judged", async ({ page }) => {
+  test.setTimeout(240_000);
+  const complaints = complaintsOf(page);
+  await open(page);
+  await page.keyboard.press("y");
+  await dialog(page).getByRole("tab", { name: "Comparison" }).click();
+  await expect(dialog(page).getByRole("progressbar")).toBeVisible({ timeout: 30_000 });
+  await expect(dialog(page).getByRole("button", { name: "Measure" })).toBeVisible({ timeout: 200_000 });
+  await expect(dialog(page).locator(".claims li")).toHaveCount(3);
+  await expect(dialog(page).locator("table.compared tbody tr")).toHaveCount(36);
+  const dijkstra = dialog(page).locator("table.compared tbody tr", { hasText: "Dijkstra" });
+  await expect(dijkstra).toHaveCount(6);
+  // Eight settings by five figures, and the band on three roads.
+  await expect(dialog(page).locator(".charts").first().locator("svg > g")).toHaveCount(40);
+  await expect(dialog(page).locator(".charts svg")).toHaveCount(4);
+  const { violations } = await new AxeBuilder({ page })
+    .withTags(["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"])
+    .analyze();
+  expect(violations.map((one) => `${one.id} ${one.nodes.map((node) => node.target.join(" ")).join("; ")}`)).toEqual([]);
+  await dialog(page).getByRole("button", { name: "Copy as Markdown" }).click();
+  expect(await page.evaluate(() => navigator.clipboard.readText())).toMatch(/\| road-narrow \| RRT \| \d \/ 5 \|/);
+  await dialog(page).locator("table.compared").getByRole("button", { name: "road-narrow" }).first().click();
+  await expect(dialog(page)).toBeHidden();
+  expect(complaints).toEqual([]);
 });

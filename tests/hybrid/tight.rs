@@ -104,6 +104,26 @@ fn generated_slots_are_entered_and_left_and_corners_are_passed_or_proven_too_nar
     }
 }
 
+/// Lattices of single arcs lose their place in these bays.
+#[cfg(all(feature = "complete", not(target_arch = "wasm32")))]
+#[test]
+fn bays_are_entered_by_rocking() {
+    for seed in [41, 81] {
+        let scene = bay(&Vehicle::PAPER, seed, (0.3, 1.2), (3.5, 7.0));
+        let Scene { name, vehicle, obstacles, start, goal, .. } = &scene;
+        let query = Query { obstacles, vehicle, start: *start, goal: *goal };
+        let report = plan(&query, &Config::default(), &mut Scratch::default(), false, &mut None);
+        assert!(matches!(report.status, Status::Found | Status::Suboptimal), "{name}: {:?}", report.status);
+        assert!(
+            report.expanded <= 300_000 && report.margin >= 0.002,
+            "{name}: {} expansions",
+            report.expanded
+        );
+        let end = arcs::end(*start, &report.arcs);
+        assert!((end.point() - goal.point()).norm() < 1e-6, "{name}: {end:?}");
+    }
+}
+
 #[cfg(all(feature = "complete", not(target_arch = "wasm32")))]
 #[test]
 fn every_competition_case_is_solved() {

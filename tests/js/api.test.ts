@@ -191,10 +191,10 @@ describe("after init", () => {
   test("checkPath takes typed and plain arrays alike", () => {
     const scene = preset();
     const planner = new Planner("hybrid", scene);
-    const { path, directions, check } = planner.plan();
+    const { path, directions, check, clearances } = planner.plan();
     planner.free();
-    expect(checkPath(scene, path, directions)).toEqual(check);
-    expect(checkPath(scene, [...path], [...directions])).toEqual(check);
+    expect(checkPath(scene, path, directions)).toEqual({ ...check, clearances });
+    expect(checkPath(scene, [...path], [...directions])).toEqual({ ...check, clearances });
   });
 
   test("checkPath refuses what is no list of numbers", () => {

@@ -73,6 +73,19 @@ const CLAIMS: Record<string, () => boolean> = {
     answer("hybrid-classic", "regular-60").outcome === "no-path",
   "cost-map best": () => answer("cost-map", "road-crossing").check.verdict === "ok",
   "cost-map worst": () => !answer("cost-map", "reverse-in").check.drivable,
+  "dijkstra best": () =>
+    metres("dijkstra", "road-straight") === metres("eight", "road-straight") &&
+    expanded("dijkstra", "road-straight") > 3 * expanded("eight", "road-straight"),
+  "dijkstra worst": () =>
+    Math.round(expanded("dijkstra", "random-60") / 1000) === 3 &&
+    expanded("dijkstra", "random-60") > 2 * expanded("eight", "random-60"),
+  "greedy best": () => expanded("greedy", "road-straight") === expanded("eight", "road-straight"),
+  "greedy worst": () => metres("greedy", "trap-60") > 1.1 * metres("eight", "trap-60"),
+  "rrt best": () => answer("rrt", "perpendicular").outcome === "found" && expanded("rrt", "perpendicular") < 60,
+  "rrt worst": () => expanded("rrt", "road-curve") > 2000,
+  "genetic best": () => metres("genetic", "P4") < metres("eight", "P4"),
+  "genetic worst": () =>
+    answer("genetic", "random-60").outcome === "budget-spent" && expanded("genetic", "random-60") === 20_000,
 };
 
 const car = (scene: Scenario) => sceneGeometry(scene).vehicle;
@@ -189,6 +202,26 @@ const CAPTIONS: Record<string, readonly [holds: () => boolean, ...figures: (() =
       Math.max(...scenario("road-narrow").obstacles!.map((one) => (one.type === "rectangle" ? one.size[1] : 0))),
   ],
 };
+/** Without what bans the shorter way. */
+const unbanned = (id: string, ban: string): number => {
+  const scene = scenario(id),
+    planner = new Planner("cost-map", { ...scene, obstacles: scene.obstacles!.filter((one) => one.id !== ban) });
+  try {
+    return planner.plan().metrics.length;
+  } finally {
+    planner.free();
+  }
+};
+CAPTIONS["road-roundabout"] = [
+  () =>
+    verdicts("road-roundabout", ["cost-map", "hybrid"]).join() === "ok,ok" &&
+    unbanned("road-roundabout", "against the ring") < metres("cost-map", "road-roundabout") - 10,
+];
+CAPTIONS["road-turn-ban"] = [
+  () =>
+    verdicts("road-turn-ban", ["cost-map", "hybrid"]).join() === "ok,ok" &&
+    unbanned("road-turn-ban", "no left turn") < metres("cost-map", "road-turn-ban") - 50,
+];
 const NARROW = ["perp-tail-3.6", "perp-tail-3.0", "perp-nose-3.6", "perp-nose-3.0"];
 for (const id of NARROW)
   CAPTIONS[id] = [

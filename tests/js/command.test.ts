@@ -3,7 +3,18 @@ import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, truncateSync,
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { Planner, checkPath, generateScenario, init, scenario, scenarios, toCSV, toSVG, type Plan } from "parkade";
+import {
+  Planner,
+  checkPath,
+  generateScenario,
+  init,
+  scenario,
+  scenarios,
+  toCSV,
+  toSVG,
+  trajectory,
+  type Plan,
+} from "parkade";
 import { PACKAGE, parkade, slowly } from "./pack";
 
 let folder = "";
@@ -52,12 +63,13 @@ test("a path's CSV has a row for each pose, distances that add up, and passes th
   write("plan.json", run(["plan", "perpendicular"]).out);
   const plan: Plan = JSON.parse(readFileSync(join(folder, "plan.json"), "utf8"));
   const [head, ...rows] = readFileSync(join(folder, "path.csv"), "utf8").trim().split("\n");
-  expect(head).toBe("s,x,y,theta,kappa,clearance,v,direction");
+  expect(head).toBe("s,x,y,theta,kappa,clearance,v,direction,t");
   expect(rows).toHaveLength(plan.path.length / 3);
   expect(Number(rows.at(-1)!.split(",")[0])).toBeCloseTo(plan.metrics.length, 1);
   const speeds = rows.map((row) => Number(row.split(",")[6]));
   expect(Math.max(...speeds)).toBeGreaterThan(1);
   expect(Math.max(...speeds)).toBeLessThanOrEqual(2);
+  expect(Number(rows.at(-1)!.split(",")[8])).toBeCloseTo(trajectory(scenario("perpendicular"), plan).duration, 5);
   expect(toCSV(scenario("perpendicular"), plan)).toBe(readFileSync(join(folder, "path.csv"), "utf8"));
   // In JSON the curvature of a corner is null.
   const corners: Plan = JSON.parse(run(["plan", "perpendicular", "--planner", "eight"]).out);

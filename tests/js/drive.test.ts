@@ -1,6 +1,17 @@
 import { readFileSync } from "node:fs";
 import { beforeAll, describe, expect, it, test } from "vitest";
-import { type Plan, ParkadeError, Planner, init, scenario, stopWaitGo, track, trajectory } from "parkade";
+import {
+  type Plan,
+  ParkadeError,
+  Planner,
+  init,
+  scenario,
+  stopWaitGo,
+  toCSV,
+  toTrajectoryCSV,
+  track,
+  trajectory,
+} from "parkade";
 
 interface Row {
   path: number[];
@@ -70,6 +81,38 @@ test("a plan becomes a trajectory from rest to rest", () => {
   expect(Math.min(...driven.speeds)).toBeCloseTo(-1.5, 6);
   expect(driven.t.every((t, i) => i === 0 || (t > driven.t[i - 1]! && t <= driven.t[i - 1]! + 0.1 + 1e-9))).toBe(true);
   expect(driven.dwell).toBeGreaterThan(2);
+});
+
+test("a path's CSV has the exact speeds and times of a drive between its rows", () => {
+  const scene = scenario("perpendicular"),
+    along = Array.from({ length: 11 }, (_, x) => x);
+  const straight = {
+    path: along.flatMap((x) => [4 + x, 3, 0]),
+    directions: along.map(() => 1),
+    curvatures: along.map(() => 0),
+    clearances: along.map(() => 1),
+  };
+  // Half a metre a second squared up to 2 m/s after 4 m, as much down from there.
+  const drive = trajectory(scene, straight, { acceleration: 0.5, deceleration: 0.5, dt: 1 });
+  const rows = toCSV(scene, straight, drive).trim().split("\n").slice(1);
+  const cells = rows.map((row) => row.split(",").map(Number));
+  for (const [x, v, t] of [
+    [0, 0, 0],
+    [1, 1, 2],
+    [4, 2, 4],
+    [5, 2, 4.5],
+    [9, 1, 7],
+    [10, 0, 9],
+  ] as const) {
+    expect(cells[x]![6]).toBeCloseTo(v, 5);
+    expect(cells[x]![8]).toBeCloseTo(t, 5);
+  }
+  expect(toCSV(scene, straight, null).split("\n")[2]).toBe("1.0000,5,3,0,0,1,,1,");
+  // A plan has its own.
+  const plan = planned("P3");
+  expect(toCSV(scenario("P3"), plan)).toBe(toCSV(scenario("P3"), plan, trajectory(scenario("P3"), plan)));
+  expect(toTrajectoryCSV(drive).split("\n")[1]).toBe("0,4,3,0,0,0,0.5,0");
+  expect(failure(() => toCSV(scene, straight, untyped({ t: [0] }))).path).toBe("drive.stations");
 });
 
 test("a simulated car follows", () => {

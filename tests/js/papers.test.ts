@@ -105,8 +105,14 @@ describe("the papers' pages", () => {
         "fig14",
         "fig15",
         "fig16",
+        "road-fig1",
+        "sensitivity",
+        "band-road-narrow",
+        "compared-road",
+        "compared-grid",
       ]),
     );
+    expect(figures.find(({ id }) => id === "road-fig1")!.svg!.match(/<rect/g)!.length).toBe(20);
     const drawn = (id: string): string => picture(figures.find((one) => one.id === id)!);
     expect(drawn("stages").match(/<circle/g)!.length).toBeGreaterThan(20);
     expect(drawn("potential").match(/<polyline/g)!.length).toBeGreaterThan(15);

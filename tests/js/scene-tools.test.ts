@@ -3,7 +3,7 @@ import { goalPose, poseInSlot, resolve } from "../../www/src/scene/model";
 import { createStore, type Scene, type State } from "../../www/src/store";
 import { BrushTool, EraserTool } from "../../www/src/tools/brush";
 import type { Draft } from "../../www/src/store/draft";
-import { PolygonTool, WallTool } from "../../www/src/tools/line";
+import { MovingTool, PolygonTool, RoadTool, WallTool } from "../../www/src/tools/line";
 import { SelectTool } from "../../www/src/tools/select";
 import { SlotTool } from "../../www/src/tools/slot";
 import type { Bench, Input, Tool } from "../../www/src/tools/tool";
@@ -313,5 +313,53 @@ describe("a slot row", () => {
     expect(row).toHaveLength(5);
     for (const slot of row) expect(slot.heading).toBeCloseTo(-Math.PI / 2, 9);
     expect(row[0]!.x).toBeCloseTo(2 + 1.6, 9);
+  });
+});
+
+describe("a line tool", () => {
+  const corners = (tool: Tool, on: Bench, points: [number, number][]): boolean => {
+    for (const point of points) {
+      tool.down?.(on, input(...point));
+      tool.up?.(on, input(...point));
+    }
+    return tool.confirm!(on);
+  };
+  const LINE: [number, number][] = [
+    [2, 16],
+    [10, 16],
+    [18, 16],
+  ];
+
+  it.each([
+    [new WallTool(), "wall", "obstacle"],
+    [new RoadTool(), "road", "obstacle"],
+    [new MovingTool(), undefined, "moving"],
+  ] as const)("ends in one step with the new thing selected", (tool, type, kind) => {
+    const on = bench();
+    expect(corners(tool, on, LINE)).toBe(true);
+    const { scene, selection, tool: next } = on.store.state;
+    expect(scene.obstacles!.slice(1).map((one) => one.type)).toEqual(type ? [type] : []);
+    expect(scene.moving?.length ?? 0).toBe(type ? 0 : 1);
+    expect([selection?.kind, next, on.draft]).toEqual([kind, "select", null]);
+    expect(steps(on)).toBe(1);
+  });
+
+  it("drops an open line of one corner, and keeps a polygon of two", () => {
+    const on = bench(),
+      polygon = new PolygonTool();
+    expect(corners(new WallTool(), on, LINE.slice(0, 1))).toBe(false);
+    expect(corners(polygon, on, LINE.slice(0, 2))).toBe(false);
+    polygon.down(on, input(10, 19));
+    expect(polygon.confirm(on)).toBe(true);
+    expect(steps(on)).toBe(1);
+  });
+
+  it("takes back the corner at which a road cannot turn", () => {
+    const on = bench(),
+      road = new RoadTool();
+    const sharp: [number, number][] = [...LINE, [18.5, 16.2], [10, 16.5]];
+    expect(corners(road, on, sharp)).toBe(true);
+    expect(on.store.state.message?.tone).toBe("err");
+    expect([on.store.state.scene, steps(on)]).toEqual([yard, 0]);
   });
 });

@@ -79,7 +79,8 @@ describe("the glossary", () => {
     );
     expect(places.length).toBeGreaterThan(30);
     const missing = places.filter(
-      ([, place]) => !["", ".rs"].some((end) => existsSync(join(ROOT, "src", place + end))),
+      ([, place]) =>
+        !["src", "www/src"].some((room) => ["", ".rs", ".ts"].some((end) => existsSync(join(ROOT, room, place + end)))),
     );
     expect(missing).toEqual([]);
   });

@@ -343,8 +343,11 @@ describe("what the package answers is of the types that it declares:", () => {
         api.call("judge", where, judged, { speed: 2 });
       api.call("toSVG", where, [plan], { theme: "dark" });
       api.call("toCSV", where, plan);
+      api.call("toCSV", where, plan, parkade.trajectory(where, plan));
+      api.call("toTrajectoryCSV", parkade.trajectory(where, plan));
       api.call("roadFigures", where, plan);
       api.call("collisionRisk", where, plan, { trials: 50 });
+      api.call("driveEnvelope", where, plan, { trials: 50 });
       made.free();
     }
   });

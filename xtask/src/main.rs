@@ -45,8 +45,8 @@ const COMMANDS: &[Command] = &[
     },
     Command {
         name: "paper",
-        about: "print a paper's tables beside ours: grid, road or parking; settings, volumes; all [maps]: every table \
-            and figure as Markdown and HTML",
+        about: "print a paper's tables beside ours: grid, road or parking; settings, volumes; comparison with other \
+            algorithms; all [maps]: every table and figure as Markdown and HTML",
         run: paper::paper,
     },
     Command {

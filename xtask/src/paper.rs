@@ -1,5 +1,5 @@
 //! `cargo xtask paper grid`, `road` and `parking`: the papers' tables beside ours; `settings` and `volumes` beside
-//! them; `all`: everything with figures, as one Markdown and one HTML file.
+//! them; `comparison`: the road manuscript's comparison with other algorithms; `all`: everything with figures, as one Markdown and one HTML file.
 
 use std::fs;
 
@@ -15,6 +15,12 @@ pub(crate) fn paper(arguments: &[String]) -> Result<()> {
         site::package()?;
         let folder = Workspace::load()?.target.join("papers");
         return run(node().arg("tests/bench/papers.mjs").arg(folder).args(rest));
+    }
+    if let [word] = arguments
+        && word == "comparison"
+    {
+        site::package()?;
+        return run(node().arg("tests/bench/papers.mjs").arg("comparison"));
     }
     let mut example = cargo();
     example.args(["run", "--quiet", "--release", "--locked", "--example", "paper", "--"]).args(arguments);

@@ -177,6 +177,23 @@ export function volumesPicture(): string {
   return `<svg xmlns="http://www.w3.org/2000/svg" width="320" height="320" viewBox="-3.4 -3.4 6.8 6.8" role="img"><circle r="${Math.hypot(a, b)}" fill="none" stroke="#CC79A7" stroke-width="0.05" stroke-dasharray="0.05 0.12" stroke-linecap="round"/><rect x="${-x}" y="${-y}" width="${2 * x}" height="${2 * y}" fill="none" stroke="#D55E00" stroke-width="0.05" stroke-dasharray="0.25 0.12"/><rect transform="rotate(-25)" x="${-a}" y="${-b}" width="${2 * a}" height="${2 * b}" fill="#1B1D20" fill-opacity="0.12" stroke="#0072B2" stroke-width="0.07"/></svg>`;
 }
 
+/** Layers below each other, each a name over a row of boxes, joined by arrows. */
+export function layersPicture(layers: readonly (readonly [name: string, ...boxes: string[]])[]): string {
+  const width = 640,
+    tall = 74,
+    gap = 26,
+    height = layers.length * (tall + gap) - gap + 16;
+  const escaped = (words: string): string => words.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
+  const layer = ([name, ...boxes]: readonly [string, ...string[]], i: number): string => {
+    const y = 8 + i * (tall + gap),
+      wide = (width - 32) / boxes.length;
+    const box = (words: string, at: number): string =>
+      `<rect x="${(16 + at * wide + 4).toFixed(1)}" y="${y + 28}" width="${(wide - 8).toFixed(1)}" height="36" rx="4" fill="#fff" stroke="#8A8F96"/><text x="${(16 + (at + 0.5) * wide).toFixed(1)}" y="${y + 50}" text-anchor="middle">${escaped(words)}</text>`;
+    return `<rect x="8" y="${y}" width="${width - 16}" height="${tall}" rx="6" fill="#F4F5F3" stroke="#3F444B"/><text x="${width / 2}" y="${y + 19}" text-anchor="middle" font-weight="600">${escaped(name)}</text>${boxes.map(box).join("")}${i > 0 ? `<path d="M${width / 2} ${y - gap}V${y - 3}m-4 -5l4 5l4 -5" fill="none" stroke="#3F444B"/>` : ""}`;
+  };
+  return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" role="img" font-family="system-ui, sans-serif" font-size="12">${layers.map(layer).join("")}</svg>`;
+}
+
 /** Boxes below each other, joined by arrows. */
 export function flowPicture(steps: readonly string[]): string {
   const width = 560,

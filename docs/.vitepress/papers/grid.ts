@@ -161,8 +161,21 @@ export function riskField(lang: Lang, { seeds, columns, grid, stranded }: Measur
 
 export function sixteen(lang: Lang, { seeds, columns, grid }: Measured): Page {
   const t = words(lang),
-    shown = ["generated", "lengthRaw", "turns", "turnAngleDeg"].map((name) => columns.indexOf(name));
-  const planners = ["four", "eight", "sixteen", "twenty-four", "forty-eight", "sixteen-bidirectional", "sixteen-nba"];
+    shown = ["generated", "lengthRaw", "turns", "turnAngleDeg", "clearanceMean", "clearanceMin"].map((name) =>
+      columns.indexOf(name),
+    );
+  const digits = [0, 2, 0, 0, 2, 2];
+  const planners = [
+    "dijkstra",
+    "greedy",
+    "four",
+    "eight",
+    "sixteen",
+    "twenty-four",
+    "forty-eight",
+    "sixteen-bidirectional",
+    "sixteen-nba",
+  ];
   const title = t("Sixteen neighbours from both ends", "双向十六邻域");
   const row = ({ row: { id, size }, lines }: PaperTable): Block[] => [
     heading(3, t(`${id}: ${size} × ${size} cells`, `${id}：${size} × ${size} 格`)),
@@ -173,10 +186,12 @@ export function sixteen(lang: Lang, { seeds, columns, grid }: Measured): Page {
         t("length, cells", "长度，格"),
         t("turns", "转弯"),
         t("turning, °", "转角，°"),
+        t("clearance, mean, cells", "平均间距，格"),
+        t("clearance, least", "最小间距"),
       ],
       planners
         .flatMap((planner) => lines.filter((line) => line.planner === planner))
-        .map((line) => [line.planner, ...shown.map((at, i) => fixed(line.figures[at]?.median, i === 1 ? 2 : 0))]),
+        .map((line) => [line.planner, ...shown.map((at, i) => fixed(line.figures[at]?.median, digits[i]))]),
     ),
   ];
   return {

@@ -1,6 +1,7 @@
 /** The papers' pages: their tables beside ours, computed anew while the site is built, with figures that can be played with. */
 import { init } from "../../../pkg/node.js";
 import { markdown, type Block, type Figure, type Lang } from "./blocks";
+import { comparison, comparisonBlocks } from "./comparison";
 import { measure, type Measured } from "./measure";
 import { parking } from "./parking";
 import { riskField, sixteen } from "./grid";
@@ -25,6 +26,12 @@ export async function pages(lang: Lang, seeds = SEEDS): Promise<Page[]> {
   await init();
   const measured = kept?.seeds === seeds ? kept : (kept = measure(seeds));
   return [riskField(lang, measured), sixteen(lang, measured), parking(lang, measured), road(lang, measured)];
+}
+
+/** The road manuscript's comparison with other algorithms alone. */
+export async function compared(lang: Lang): Promise<Block[]> {
+  await init();
+  return comparisonBlocks(lang, comparison());
 }
 
 const playground =

@@ -2,7 +2,8 @@
 import { readFileSync } from "node:fs";
 import type { RoadTable } from "parkade";
 import { figure, heading, list, table, text, type Block, type Lang } from "./blocks";
-import { flowPicture } from "./figures";
+import { layersPicture } from "./figures";
+import { comparison, comparisonBlocks } from "./comparison";
 import { claims, fixed, words, type Measured } from "./measure";
 import type { Page } from "./index";
 
@@ -71,26 +72,22 @@ export function road(lang: Lang, { road: all, verdicts }: Measured): Page {
         id: "road-fig1",
         scene: "",
         planners: [],
-        svg: flowPicture(
+        svg: layersPicture(
           lang === "zh"
             ? [
-                "地图、起终点、车辆参数、配置",
-                "代价地图：净距、车道、路缘、限速",
-                "A* 搜索",
-                "路径修剪",
-                "路径平滑",
-                "校验：车身、曲率、千次行驶",
+                ["输入层", "地图数据", "起点终点", "车辆参数", "配置参数"],
+                ["预处理层", "坐标变换", "栅格化", "障碍物检测", "边界处理"],
+                ["核心算法层", "代价地图生成", "A* 搜索", "路径修剪", "路径平滑"],
+                ["输出层", "平滑路径", "路径信息", "性能指标", "可视化数据"],
               ]
             : [
-                "map, ends, vehicle, settings",
-                "cost map: clearance, lanes, kerbs, limits",
-                "A* search",
-                "pruning",
-                "smoothing",
-                "check: body, curvature, 1000 drives",
+                ["Input", "map", "start and goal", "vehicle", "settings"],
+                ["Preparation", "coordinates", "cells", "obstacles", "borders"],
+                ["Core", "cost map", "A* search", "pruning", "smoothing"],
+                ["Output", "smooth path", "path's figures", "performance", "data to draw"],
               ],
         ),
-        caption: t("Figure 1: from map to path", "图 1：从地图到路径"),
+        caption: t("Figure 1: the system in four layers", "图 1：系统的四层架构"),
       }),
       ...["road-straight", "road-curve", "road-crossing", "road-narrow"].map((scene, i) =>
         figure({
@@ -102,6 +99,7 @@ export function road(lang: Lang, { road: all, verdicts }: Measured): Page {
       ),
       heading(2, t("Its tables, printed and ours", "论文的表与本地结果")),
       ...TABLES.flatMap(compared),
+      ...comparisonBlocks(lang, comparison()),
       heading(2, t("What its numbers cannot be", "数据的矛盾")),
       list(flags.flags),
     ],

@@ -3,7 +3,7 @@
 import type * as complete from "../index.js";
 import type { GridPlannerId, HybridPlannerId, PlannerId, PlannerSettings } from "./settings.js";
 
-export { ParkadeError, checkPath, init, packRuns, scenarios, unpackRuns, version } from "../index.js";
+export { ParkadeError, init, packRuns, scenarios, unpackRuns, version } from "../index.js";
 export type {
   ArcTrace, CellTrace, Check, CostArea, Detail, ErrorCode, Goal, GridMetrics, GridStats, Hit, HybridMetrics, HybridStats, Lane, Layer, MapFrame,
   Metrics, MovingObstacle, Obstacle, Obstruction, Outcome, ParameterInfo, PathMetrics, Pose, Road, Run, ScenarioInfo, SceneVehicle, SearchStats, Shots, Slot,
@@ -35,6 +35,10 @@ export function defaultConfig<Id extends PlannerId>(planner: Id): Required<Plann
 export function scenario(id: string): Scenario;
 /** Checks a scene and resolves it to geometry. Throws ParkadeError. */
 export function sceneGeometry(scene: Scenario): SceneGeometry;
+/** Re-checks any path (x, y, heading, …) against a scene. `directions` defaults to forward throughout. */
+export function checkPath(
+  scene: Scenario, path: Float64Array | number[], directions?: Int8Array | number[],
+): complete.Check;
 
 export class Planner<Id extends PlannerId = PlannerId> {
   /** Checks scene and settings and prepares the map, once. Throws ParkadeError. */

@@ -22,7 +22,7 @@ const CHANGE: usize = 2;
 const BENDING: f64 = 15.0;
 /// At so many stations near either end a bend counts this many times as much: the rear axle shall be on its way by
 /// then.
-const END: usize = 6;
+const END: usize = 10;
 const AT_ENDS: f64 = 20.0;
 /// Dearer than any way: a metre on which none of the room is left that is asked for.
 const SHORT: f64 = 1e6;

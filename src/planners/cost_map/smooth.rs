@@ -12,7 +12,7 @@ const SPACINGS: [f64; 2] = [5.0, 2.5];
 /// Rounds of drawing closer.
 const ROUNDS: u32 = 8;
 /// A firm point counts as much as so many others.
-const FIRM: f64 = 100.0;
+const FIRM: f64 = 10.0;
 /// A curve with less clearance than this is none, metres.
 const LEAST: f64 = 0.05;
 

@@ -252,31 +252,45 @@ pub(super) struct Level {
     pub(super) connect_every: u32,
     /// True if a car that can hardly move drives as far as it can each time, `step` at most.
     pub(super) shuffle: bool,
+    /// Turn of a rock, radians; 0 where the car does not rock.
+    #[cfg(feature = "complete")]
+    pub(super) rock: f64,
+    /// True if two trees grow, one from each end.
+    #[cfg(feature = "complete")]
+    pub(super) is_from_both: bool,
 }
 
 #[cfg(feature = "complete")]
 impl Level {
-    /// As it serves best where a way out of every slot is known and the way to the target is not: coarser headings, and
-    /// hardly any connections.
-    pub(super) fn in_open_space(self, max_expansions: u32) -> Self {
-        let (xy, yaw) = (self.xy.max(OPEN_LATTICE.0), self.yaw.max(OPEN_LATTICE.1 * DEGREE));
-        Self {
-            xy,
-            yaw,
-            step: self.step.max(OPEN_LATTICE.2),
-            connect_every: OPEN_CONNECT_EVERY,
-            max_expansions,
-            ..self
-        }
+    /// The same where the car may rock. Gear changes cost little, or else everything would be tried before; and there are
+    /// hardly any connections, as a way out of every slot is known and the way to the target is not.
+    pub(super) fn rocking(self, config: &Config) -> Self {
+        let change = config.with_profile().direction_change_cost;
+        let extra_change = change.min(ROCKING_CHANGE_COST) - change;
+        Self { connect_every: ROCKING_CONNECT_EVERY, extra_change, rock: ROCK_BINS * self.yaw, ..self }
+    }
+
+    /// The finer lattice that rocks. With less weight there are too many states to go through.
+    pub(super) fn fine_rocking(self, config: &Config) -> Self {
+        let (xy, degrees, step, weight) = FINE_ROCKING;
+        let yaw = degrees * DEGREE;
+        let weight = config.heuristic_weight.unwrap_or(weight);
+        Self { xy, yaw, step, weight, rock: ROCK_BINS * yaw, ..self }
     }
 }
 
-/// The finest lattice in open space: metres, degrees, metres.
+/// Cost of a gear change while the car may rock, metres.
 #[cfg(feature = "complete")]
-const OPEN_LATTICE: (f64, f64, f64) = (0.08, 1.0, 0.12);
-/// Every so-many-th state is tried with a curve to the target there.
+const ROCKING_CHANGE_COST: f64 = 0.2;
+/// Turn of a rock, in heading bins: it leaves the bin.
 #[cfg(feature = "complete")]
-const OPEN_CONNECT_EVERY: u32 = 16;
+const ROCK_BINS: f64 = 2.0;
+/// The finer lattice of those that rock: metres, degrees, metres, and the weight of the estimate.
+#[cfg(feature = "complete")]
+const FINE_ROCKING: (f64, f64, f64, f64) = (0.06, 0.75, 0.1, 3.0);
+/// Every so-many-th state is tried with a curve to the target while the car may rock.
+#[cfg(feature = "complete")]
+const ROCKING_CONNECT_EVERY: u32 = 16;
 
 const DEGREE: f64 = core::f64::consts::PI / 180.0;
 
@@ -287,13 +301,6 @@ impl Config {
     /// How many levels these settings allow.
     pub(super) fn levels(&self) -> u32 {
         if self.ladder { self.finest_level.min(LEVEL_COUNT - 1) + 1 } else { 1 }
-    }
-
-    /// Side of a position cell, metres, and width of a heading bin, radians, of a level.
-    #[cfg(feature = "complete")]
-    pub fn resolution(&self, level: u32) -> (f64, f64) {
-        let Level { xy, yaw, .. } = self.level(level);
-        (xy, yaw)
     }
 
     /// One of the levels, coarse ones first.
@@ -324,6 +331,10 @@ impl Config {
             bound: f64::INFINITY,
             connect_every,
             shuffle,
+            #[cfg(feature = "complete")]
+            rock: 0.0,
+            #[cfg(feature = "complete")]
+            is_from_both: self.search_from == SearchFrom::Both,
         };
         if shuffle {
             return level;

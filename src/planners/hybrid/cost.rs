@@ -34,12 +34,20 @@ pub(super) struct CostModel {
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Motion {
     pub(super) gear: i8,
+    /// True if the arc ends a rock: the same arc, twice as far back on the other lock, and the arc again.
+    #[cfg(feature = "complete")]
+    pub(super) is_rock: bool,
     pub(super) curvature: f64,
 }
 
 impl Motion {
     pub(super) fn after(arc: &Arc) -> Self {
-        Self { gear: if arc.length < 0.0 { -1 } else { 1 }, curvature: arc.curvature }
+        Self {
+            gear: if arc.length < 0.0 { -1 } else { 1 },
+            #[cfg(feature = "complete")]
+            is_rock: false,
+            curvature: arc.curvature,
+        }
     }
 }
 

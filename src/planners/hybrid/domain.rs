@@ -201,6 +201,46 @@ impl<'a> StateLattice<'a> {
     }
 }
 
+/// The three arcs of a rock whose first and last arc this is.
+#[cfg(feature = "complete")]
+fn rock_arcs(arc: Arc) -> [Arc; 3] {
+    [arc, Arc { curvature: -arc.curvature, length: -2.0 * arc.length }, arc]
+}
+
+#[cfg(feature = "complete")]
+impl StateLattice<'_> {
+    /// Turns nearly on the spot: a little way on one lock, twice as far back on the other, and the same way again. A
+    /// state between would share its cell with others, one of which is kept.
+    fn rock<S: Relax<f64, State>>(&self, from: Visit<f64, State>, sink: &mut S) {
+        let State { pose, motion, .. } = from.label;
+        let gear = if motion.gear < 0 { -1.0 } else { 1.0 };
+        for side in [1.0, -1.0] {
+            let curvature = side * gear / self.costs.radius;
+            let part = Arc { curvature, length: gear * self.costs.radius * self.level.rock / 4.0 };
+            let (mut end, mut before, mut cost) = (pose, motion, 0.0);
+            for arc in rock_arcs(part) {
+                cost += self.costs.arc(before, &arc);
+                before = Motion::after(&arc);
+                end = end.advance(arc.curvature, arc.length);
+            }
+            let node = self.node(end, before.gear);
+            if !sink.improves(node, cost) {
+                continue;
+            }
+            let mut at = pose;
+            let is_free = rock_arcs(part).iter().all(|arc| {
+                let free = self.free(at, arc);
+                at = at.advance(arc.curvature, arc.length);
+                free
+            });
+            if is_free {
+                let motion = Motion { is_rock: true, ..before };
+                sink.emit(node, cost, State { pose: end, motion, length: part.length });
+            }
+        }
+    }
+}
+
 impl Domain for StateLattice<'_> {
     type Cost = f64;
     type Label = State;
@@ -238,6 +278,10 @@ impl Domain for StateLattice<'_> {
                 cost += self.costs.places(self.probe, pose, &arc);
                 sink.emit(node, cost, State { pose: end, motion: after, length: arc.length });
             }
+        }
+        #[cfg(feature = "complete")]
+        if self.level.rock > 0.0 {
+            self.rock(from, sink);
         }
     }
 
@@ -324,5 +368,15 @@ pub(super) fn path(chain: &[(NodeId, State)], tail: &Word, radius: f64) -> Vec<A
 
 /// The arcs between the nodes of a chain, one each.
 pub(super) fn tree_arcs(chain: &[(NodeId, State)]) -> impl Iterator<Item = Arc> {
-    chain[1..].iter().map(|(_, s)| Arc { curvature: s.motion.curvature, length: s.length })
+    let arc = |s: &State| Arc { curvature: s.motion.curvature, length: s.length };
+    #[cfg(feature = "complete")]
+    return chain[1..].iter().flat_map(move |(_, s)| {
+        let plain = if s.motion.is_rock { 0 } else { 2 };
+        rock_arcs(arc(s)).into_iter().skip(plain)
+    });
+    #[cfg(not(feature = "complete"))]
+    chain[1..].iter().map(move |(_, s)| arc(s))
 }
+
+#[cfg(all(test, feature = "complete"))]
+mod tests;

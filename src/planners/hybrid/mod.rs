@@ -139,6 +139,9 @@ pub struct Report {
     /// True if the tree that gave the path, or was grown last, grew from the goal.
     #[cfg(feature = "complete")]
     pub from_goal: bool,
+    /// Side of that tree's position cells, metres, and width of its heading bins, radians.
+    #[cfg(feature = "complete")]
+    pub resolution: (f64, f64),
     /// Expansions, over all levels.
     pub expanded: u32,
     /// Distinct states met, over all levels.
@@ -374,6 +377,8 @@ fn empty(rs_bound: f64) -> Report {
         margin: 0.0,
         #[cfg(feature = "complete")]
         from_goal: false,
+        #[cfg(feature = "complete")]
+        resolution: (0.0, 0.0),
         expanded: 0,
         generated: 0,
         pushes: 0,

@@ -26,6 +26,7 @@ export class LinkSync {
   private readonly onHash = (): void => void this.arrive();
   private written = "";
   private turn = 0;
+  private marking = Promise.resolve();
 
   constructor(
     private readonly store: Store,
@@ -38,7 +39,8 @@ export class LinkSync {
     this.unsubscribe = this.store.subscribe((state, previous) => {
       if (state.scene === previous.scene) return;
       clearTimeout(this.timer);
-      this.timer = setTimeout(() => void this.write(), SETTLE_MS);
+      // A mark that takes longer names the scene before it.
+      this.timer = setTimeout(() => void this.marking.finally(() => this.write()), SETTLE_MS);
     });
   }
 
@@ -87,7 +89,11 @@ export class LinkSync {
   }
 
   /** Leaves the present scene in the history, for the way back from the next one. */
-  async mark(): Promise<void> {
+  mark(): Promise<void> {
+    return (this.marking = this.leaveMark());
+  }
+
+  private async leaveMark(): Promise<void> {
     if (this.unsubscribe && (await this.write())) history.pushState(history.state, "", location.href);
   }
 

@@ -187,6 +187,7 @@ const ATTRIBUTES: Record<string, (text: string) => [value: unknown, rule: Rule]>
   controls: (text) => [text, oneOf(["full", "minimal", "none"])],
   wheel: (text) => [text, oneOf(["ctrl", "always", "none"])],
   theme: (text) => [text, RULES.theme()],
+  smooth: (text) => [text, oneOf(["true", "false"])],
   speed: (text) => [numeral(text), numberFrom(0.01, 100)],
   "budget-ms": (text) => [numeral(text), numberFrom(1, HOUR_MS)],
   layers: (text) => [
@@ -208,6 +209,7 @@ export const numeral = (text: string | undefined): number => (text ? Number(text
 const STORED: Record<string, (text: string) => [value: unknown, rule: Rule]> = {
   "parkade.theme": (text) => [text, RULES.theme()],
   "parkade.lang": (text) => [text, RULES.lang()],
+  "parkade.smooth": (text) => [text, oneOf(["on", "off"])],
   "parkade.pane.": (text) => [numeral(text), numberFrom(100, 1000)],
   "parkade.hint.": (text) => [text, oneOf(["seen"])],
 };

@@ -11,11 +11,16 @@ const WAYS = ["drive-percent", "search-percent", "search-expansions"] as const;
 const CHOICE = "!";
 const FINE = 100,
   STEPS = 10_000;
+/** Among the bits of the layers, which leave it free: paths are driven as planned. Views without it are older than trajectories. */
+const UNSMOOTHED = 14;
 
-type Looks = Pick<State, "mode" | "focus" | "planners" | "layers" | "playback" | "camera" | "prefer">;
+type Looks = Pick<State, "mode" | "focus" | "planners" | "layers" | "playback" | "camera" | "prefer" | "smooth">;
 
-export function encodeView({ mode, focus, planners, layers, playback, camera, prefer, scene }: State): string {
-  const bits = ALL_LAYERS.reduce((sum, key) => sum + (layers[key] ? 2 ** LAYERS[key].bit : 0), 0);
+export function encodeView({ mode, focus, planners, layers, playback, camera, prefer, scene, smooth }: State): string {
+  const bits = ALL_LAYERS.reduce(
+    (sum, key) => sum + (layers[key] ? 2 ** LAYERS[key].bit : 0),
+    smooth === false ? 2 ** UNSMOOTHED : 0,
+  );
   const way = playback.base === "drive" ? 0 : playback.searchMode === "percent" ? 1 : 2,
     held = limited(camera, scene.map);
   // The smallest scale must not be rounded below itself.
@@ -43,7 +48,8 @@ export function decodeView(text: string, known: Known, playback: Playback): Look
   const mask = /^[0-9a-z]+$/.test(bits ?? "") ? parseInt(bits!, 36) : NaN;
   const [base, searchMode] = (WAYS[Number(way)] ?? `${way}`).split("-");
   const planners = check<PlannerId[]>(plannersOf(text), RULES.planners(known), "planners");
-  check(mask, RULES.layerBits(ALL_LAYERS.length), "layers");
+  const isOn = (bit: number): boolean => Math.floor(mask / 2 ** bit) % 2 === 1;
+  check(mask, RULES.layerBits(UNSMOOTHED + 1), "layers");
   return {
     mode: check(MODES[Number(mode)] ?? mode, RULES.mode(), "mode"),
     planners,
@@ -53,7 +59,8 @@ export function decodeView(text: string, known: Known, playback: Playback): Look
         .map(([planner, by]) => [planner, check(by, RULES.prefer(), "prefer")]),
     ),
     focus: check(focus, RULES.focus(planners), "focus"),
-    layers: layerSet((key) => Math.floor(mask / 2 ** LAYERS[key].bit) % 2 === 1),
+    layers: layerSet((key) => isOn(LAYERS[key].bit)),
+    smooth: !isOn(UNSMOOTHED),
     playback: {
       ...playback,
       playing: false,

@@ -43,6 +43,7 @@ export class Embedded extends SceneOpening {
     autoplay: { type: Boolean },
     speed: { type: Number },
     layers: { type: String },
+    smooth: { type: String },
     wheel: { type: String },
     budgetMs: { type: Number, attribute: "budget-ms" },
     workerUrl: { type: String, attribute: "worker-url" },
@@ -57,6 +58,7 @@ export class Embedded extends SceneOpening {
   declare autoplay: boolean;
   declare speed: number;
   declare layers: string;
+  declare smooth: string | null;
   declare wheel: "ctrl" | "always" | "none";
   declare budgetMs: number | null;
   declare workerUrl: string | null;
@@ -73,7 +75,7 @@ export class Embedded extends SceneOpening {
 
   constructor() {
     super();
-    this.editable = this.budgetMs = this.workerUrl = this.wasmUrl = null;
+    this.editable = this.smooth = this.budgetMs = this.workerUrl = this.wasmUrl = null;
     this.controls = "full";
     this.layers = "";
     this.wheel = "ctrl";
@@ -234,6 +236,7 @@ export class Embedded extends SceneOpening {
     const { playback } = this.store.state;
     this.store.set({
       ...(this.layers ? { layers: layersOf(this.layers) } : {}),
+      ...(this.smooth ? { smooth: this.smooth !== "false" } : {}),
       playback: { ...playback, speed: this.speed },
     });
   }
@@ -268,7 +271,7 @@ export class Embedded extends SceneOpening {
     if (!replaced) super.attributeChangedCallback(name, old, value ?? DEFAULTS[name] ?? null);
     if (old === value || !this.isConnected) return;
     if (name === "planners" && !value) this.app.showFirstPlanners();
-    if (["planners", "layers", "speed"].includes(name)) this.adopt();
+    if (["planners", "layers", "smooth", "speed"].includes(name)) this.adopt();
     else if (name === "editable") this.viewing = value === null || value === "false";
     else if (name === "theme") this.paint();
     else if (name === "src" || name === "scene") this.reopen(name, value ?? DEFAULTS[name] ?? null);

@@ -11,6 +11,7 @@ export const ATTRIBUTES = [
   "autoplay",
   "speed",
   "layers",
+  "smooth",
   "theme",
   "lang",
   "budget-ms",

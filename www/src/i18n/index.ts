@@ -33,7 +33,7 @@ export const translate: (lang: Lang, key: MessageKey, values?: Values) => string
 /** Words that come with a piece of the page. */
 export function addMessages(messages: Messages): void {
   for (const key in messages) {
-    const [en, zh] = [messages[key]!].flat();
+    const [en, zh] = [messages[key]].flat();
     tables.en[key] = en!;
     if (zh) tables.zh[key] = zh;
   }

@@ -1,19 +1,24 @@
 /** Files that the export menu saves. */
 import "../i18n/later";
-import { focusedPlan } from "./timeline";
+import { focusedPlan } from "../store/results";
 import { fileName } from "../scene/files";
 import { download, sentence, type App } from "../app/app";
 
-export type ExportKind = "svg" | "csv";
+export type ExportKind = "svg" | "csv" | "trajectory";
 
-const MAKERS: Record<ExportKind, (app: App) => Promise<Blob | null>> = { svg: pictureFile, csv: pathFile };
+const MAKERS: Record<ExportKind, (app: App) => Promise<Blob | null>> = {
+  svg: pictureFile,
+  csv: pathFile,
+  trajectory: trajectoryFile,
+};
 
 /** Saves a file; says why where there is nothing to save. */
 export async function saveAs(app: App, kind: ExportKind): Promise<void> {
   try {
     const blob = await MAKERS[kind](app);
-    if (blob)
-      download(blob, `${fileName(app.store.state.scene)}${kind === "csv" ? `-${app.store.state.focus}` : ""}.${kind}`);
+    const { scene, focus } = app.store.state,
+      tail = { svg: ".svg", csv: `-${focus}.csv`, trajectory: `-${focus}-trajectory.csv` }[kind];
+    if (blob) download(blob, fileName(scene) + tail);
     else app.say("warn", "error.noPath");
   } catch (error) {
     app.refuse("error.export", { reason: sentence(error) });
@@ -22,15 +27,25 @@ export async function saveAs(app: App, kind: ExportKind): Promise<void> {
 
 /** A drawing with the scene inside: it opens here again. */
 async function pictureFile(app: App): Promise<Blob> {
-  const { toSVG } = await formats(app),
-    { scene, planners, hidden, results, theme } = app.store.state;
-  const plans = planners.flatMap((planner) => (hidden.has(planner) ? [] : (results[planner]?.plan ?? [])));
+  const { plansOf, toSVG } = await formats(app),
+    { state } = app.store,
+    { scene, planners, hidden, theme } = state;
+  const plans = plansOf(
+    state,
+    planners.filter((planner) => !hidden.has(planner)),
+  );
   return new Blob([toSVG(scene, plans, { width: 1200, height: 700, theme })], { type: "image/svg+xml" });
 }
 
 async function pathFile(app: App): Promise<Blob | null> {
-  const plan = focusedPlan(app.store.state);
-  return plan && new Blob([(await formats(app)).toCSV(app.store.state.scene, plan)], { type: "text/csv" });
+  const { csvOf } = await formats(app),
+    { state } = app.store;
+  return focusedPlan(state) && new Blob([csvOf(state)], { type: "text/csv" });
+}
+
+async function trajectoryFile(app: App): Promise<Blob | null> {
+  const text = (await formats(app)).trajectoryCsvOf(app.store.state);
+  return text === null ? null : new Blob([text], { type: "text/csv" });
 }
 
 async function formats(app: App): Promise<typeof import("./svg-csv")> {

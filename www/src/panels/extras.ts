@@ -1,6 +1,7 @@
 /** The layers that the first picture does without, and what is told of the cell under the pointer. */
 import "./choices";
 import "./failure-line";
+import "./smooth-switch";
 export { encounterOf } from "../texts/encounter";
 export { whyOf } from "../texts/failure";
 export { legendOf, readoutOf, weightsOf } from "../texts/readout";
@@ -11,11 +12,14 @@ export { drawDifference } from "../view/layers/difference";
 export { drawDraft } from "../view/layers/draft";
 export { drawFailure } from "../view/layers/failure";
 export { drawExplained } from "../view/layers/explained";
-export { follow } from "../planning/improver";
+export { follow } from "../app/follow";
+export { gearMarks } from "./gear-marks";
 export { drawGoals } from "../view/layers/goals";
 export { drawOthers, drawPreview } from "../view/layers/ghosts";
 export { drawLaneStrip } from "../view/layers/lane-strip";
 export { drawLanes } from "../view/layers/lanes";
 export { drawContact, drawMoving } from "../view/layers/moving";
+export { drawGuest } from "../view/layers/guest";
 export { drawObstruction } from "../view/layers/obstruction";
+export { drawUnsmoothed } from "../view/layers/unsmoothed";
 export { TreeLayer } from "../view/layers/tree";

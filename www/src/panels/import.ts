@@ -1,6 +1,7 @@
 import type { ImportedQuery } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import { sentence } from "../app/app";
+import { isTrajectory, openTrajectory } from "../app/guest";
 import { reasonIn } from "../i18n/index";
 import messages from "../i18n/messages/import.json";
 import { words } from "../i18n/words";
@@ -78,6 +79,7 @@ export class ImportBar extends AppElement {
   /** Opens files that belong together; bad ones leave everything as it was. */
   async openFiles(files: readonly File[]): Promise<void> {
     if (files.length === 1 && IMAGE.test(files[0]!.name)) return this.openImage(files[0]!);
+    if (files.length === 1 && (await isTrajectory(files[0]!))) return openTrajectory(this.app, files[0]!);
     const turn = ++this.turn,
       name = files.map((file) => file.name).join(", ");
     const { lang } = this.state;

@@ -6,8 +6,10 @@ import { AppElement } from "./base";
 import "./objects";
 import "./options";
 import "./parameters";
+import "./guest-card";
 import "./road-card";
 import "./selection";
+import "./trajectory-card";
 import "./vehicle-card";
 import "./any-angle-card";
 
@@ -41,6 +43,8 @@ export class Inspector extends AppElement {
       <section><parkade-selection .app=${this.app}></parkade-selection></section>
       <section><parkade-vehicle .app=${this.app}></parkade-vehicle></section>
       <section><parkade-parameters .app=${this.app}></parkade-parameters></section>
+      <section><parkade-trajectory .app=${this.app}></parkade-trajectory></section>
+      <section><parkade-guest .app=${this.app}></parkade-guest></section>
       <section><parkade-yardstick .app=${this.app}></parkade-yardstick></section>
       <section><parkade-road-card .app=${this.app}></parkade-road-card></section>
       <section><parkade-objects .app=${this.app}></parkade-objects></section>`;

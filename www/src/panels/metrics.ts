@@ -2,8 +2,9 @@ import type { Plan, PlannerId } from "parkade";
 import { millis, number, translate, type Lang } from "../i18n/index";
 import { plannerName } from "../styles/planner-style";
 import type { PanelResult, State } from "../store";
+import { played } from "../store/results";
+import { isEncounter } from "../view/playback-time";
 import { drivablePlan, searchTime, statusOf, timeTitle, type Status } from "../texts/status";
-import { paceOn } from "../scene/speed-limits";
 
 export const COLUMNS = [
   "length",
@@ -64,7 +65,7 @@ function rowOf(state: State, planner: PlannerId): Row {
   const drivable = drivablePlan(result) !== null;
   const cells = Object.fromEntries(
     COLUMNS.map((column) => {
-      const value = valueOf(result, column, drivable, paceOn(state.scene));
+      const value = valueOf(result, column, drivable);
       return [
         column,
         {
@@ -87,7 +88,7 @@ function rowOf(state: State, planner: PlannerId): Row {
   };
 }
 
-function valueOf(result: PanelResult | undefined, column: Column, drivable: boolean, pace: number): number | null {
+function valueOf(result: PanelResult | undefined, column: Column, drivable: boolean): number | null {
   const plan = result?.plan;
   if (!plan) return null;
   if (column === "expanded") return plan.stats.expanded;
@@ -95,15 +96,20 @@ function valueOf(result: PanelResult | undefined, column: Column, drivable: bool
   if (column === "plan") return result.time?.search ?? null;
   if (column === "memory") return plan.stats.memoryBytes / 1000 || null;
   if (plan.outcome !== "found") return null;
-  return pathValue(plan, column, drivable, pace);
+  if (column === "drive") return drivable ? driveSeconds(result) : null;
+  return pathValue(plan, column, drivable);
 }
 
-function pathValue({ metrics, check }: Plan, column: Column, drivable: boolean, pace: number): number | null {
+/** Seconds of the drive that plays; null until it is known, and where the car does not arrive. */
+export function driveSeconds(result: PanelResult): number | null {
+  const drive = played(result)?.drive;
+  return !drive || (isEncounter(drive) && drive.ending !== "arrived") ? null : drive.t.at(-1)!;
+}
+
+function pathValue({ metrics, check }: Plan, column: Column, drivable: boolean): number | null {
   switch (column) {
     case "length":
       return metrics.length;
-    case "drive":
-      return drivable ? metrics.length / pace : null;
     case "gears":
       return drivable ? metrics.directionChanges : null;
     case "curvature":
@@ -119,6 +125,8 @@ function pathValue({ metrics, check }: Plan, column: Column, drivable: boolean, 
 
 function textOf(lang: Lang, result: PanelResult | undefined, column: Column, value: number | null): string {
   if (column === "plan" && result?.plan) return timeText(lang, result);
+  // A drive follows its path, also when a drag has ended.
+  if (column === "drive" && value === null && !result?.drive && drivablePlan(result)) return "…";
   if (value !== null && Number.isFinite(value)) return number(lang, value, DIGITS[column]);
   if (column === "curvature" && result?.plan?.outcome === "found") return translate(lang, "table.corner");
   return "–";

@@ -7,6 +7,7 @@ import { AppElement } from "./base";
 import { shortName } from "../styles/planner-style";
 import { icon, marker } from "../styles/icons";
 import { statusOf } from "../texts/status";
+import "./charts";
 import "./inspector";
 import "./options";
 import "./table";
@@ -18,6 +19,8 @@ const HEIGHTS = ["0px", "min(148px, max(64px, 100cqh - 400px))", "min(340px, max
 /** A page lower than this begins with its sheet closed. */
 const LOW = 560;
 const LONG_PRESS_MS = 500;
+/** Of the table, kept for it until it is there, CSS pixels. */
+const TABLE = { head: 27, row: 29.25 };
 const DRAG_PX = 6;
 
 /** Planner chips of the phone, in a row or a column: a tap brings one to the front, a long press hides it. */
@@ -107,6 +110,7 @@ export class Sheet extends AppElement {
     .drawer { position: absolute; z-index: 15; top: 0; right: 57px; bottom: 37px; width: min(320px, 100cqw - 106px); display: flex; flex-direction: column; padding-top: 8px; background: var(--parkade-raise); border-left: 1px solid var(--parkade-hair); box-shadow: var(--parkade-float); animation: slide var(--parkade-slow) var(--parkade-ease); }
     .drawer .body { flex: 1; min-height: 0; }
     @keyframes slide { from { transform: translateX(100%); opacity: 0; } }
+    .charts { height: 200px; border-left: 0; border-top: 1px solid var(--parkade-hair); }
     .road { padding: 14px; border-top: 1px solid var(--parkade-hair); } .road:has(> [hidden]) { display: none; }
   `,
   ];
@@ -125,7 +129,7 @@ export class Sheet extends AppElement {
   }
 
   protected watches(): readonly (keyof State)[] {
-    return ["tool"];
+    return ["tool", "planners"];
   }
 
   override connectedCallback(): void {
@@ -180,7 +184,7 @@ export class Sheet extends AppElement {
 
   private content(): TemplateResult {
     if (this.tab === "results")
-      return html`<parkade-table .app=${this.app} compact></parkade-table>${this.ready ? html`<div class="road"><parkade-road-card .app=${this.app}></parkade-road-card></div>` : nothing}`;
+      return html`<parkade-table .app=${this.app} compact .style=${`min-height:${TABLE.head + TABLE.row * this.state.planners.length}px`}></parkade-table><parkade-charts class="charts" .app=${this.app}></parkade-charts>${this.ready ? html`<div class="road"><parkade-road-card .app=${this.app}></parkade-road-card></div>` : nothing}`;
     if (this.tab === "params")
       return html`<parkade-inspector .app=${this.app} .ready=${this.ready}></parkade-inspector>`;
     return html`${this.drawer ? nothing : html`<parkade-options .app=${this.app} flat></parkade-options>`}${this.ready ? html`<div class="draw"><parkade-selection .app=${this.app}></parkade-selection></div><div class="draw"><parkade-objects .app=${this.app}></parkade-objects></div>` : nothing}`;

@@ -47,7 +47,7 @@ export class PlannerPanel extends AppElement {
     @container (max-width: 150px) { .end button:first-child:not(:last-child) { display: none; } }
     .off h2, .off .time { color: var(--parkade-t3); }
     .stale .time { color: var(--parkade-t3); }
-    .end { margin-left: auto; display: flex; flex: none; }
+    .end, parkade-smooth { margin-left: auto; display: flex; flex: none; } parkade-smooth + .end { margin: 0; }
     .body { position: relative; min-height: 0; }
     parkade-scene-view { position: absolute; inset: 0; }
     .corner { position: absolute; left: var(--scale-inset, 8px); bottom: 28px; pointer-events: none; }
@@ -118,14 +118,14 @@ export class PlannerPanel extends AppElement {
     const hidden = state.hidden.has(planner);
     const status = statusOf(state, planner);
     const slim = this.size.height < LOW_MAP;
-    const met = extras()?.encounterOf(state, result?.drive);
+    const met = extras()?.encounterOf(state, result);
     const label = this.t("panel.canvas", { planner: plannerName(state.lang, planner), status: status.chip });
     return html`
       <header class="${hidden ? "off" : ""} ${result?.status === "planning" ? "stale" : ""}" @dblclick=${this.maximise} @pointerdown=${this.takeFocus}>
         <h2>${marker(planner)}<span>${plannerName(state.lang, planner)}</span></h2>
         <span class="time" title=${timeTitle(state.lang, result)}>${searchTime(state.lang, result)}</span>
         ${this.chip(status)}${met ? this.chip(met) : nothing}
-        <span class="end">${this.buttons(hidden)}</span>
+        ${this.thumb ? nothing : html`<parkade-smooth .app=${this.app} .planner=${planner}></parkade-smooth>`}<span class="end">${this.buttons(hidden)}</span>
       </header>
       <div class="body ${slim ? "slim" : ""}" @pointerdown=${this.takeFocus}>
         ${

@@ -34,11 +34,15 @@ export const claimStyles = css`
   @media (max-width: 640px) { .claims li { grid-template-columns: 1fr; } }
 `;
 
+export function verdictChip(lang: Lang, holds: PaperClaim["holds"]): TemplateResult {
+  const { tone, icon: name } = VERDICT[holds];
+  return html`<span class="chip ${tone}">${icon(name, 12)}<span>${say(lang, holds)}</span></span>`;
+}
+
 export const claimList = (lang: Lang, claims: readonly PaperClaim[]): TemplateResult =>
   html`<h3>${say(lang, "claims")}</h3><ul class="claims">${claims.map((claim) => {
-    const { tone, icon: name } = VERDICT[claim.holds],
-      [text, found] = sentencesOf(lang, claim);
-    return html`<li id=${claim.id}><span class="chip ${tone}">${icon(name, 12)}<span>${say(lang, claim.holds)}</span></span><div>${text}<p>${found}</p></div></li>`;
+    const [text, found] = sentencesOf(lang, claim);
+    return html`<li id=${claim.id}>${verdictChip(lang, claim.holds)}<div>${text}<p>${found}</p></div></li>`;
   })}</ul>`;
 
 export const claimsMarkdown = (lang: Lang, claims: readonly PaperClaim[]): string[] => [

@@ -16,7 +16,7 @@ import { valueOf } from "./inputs";
 const RANGES = [20, 60, 200] as const;
 const MOST = 200;
 /** The scene of a row: figure 8 has regular maps, figure 9 random ones. */
-const sceneOf = (row: string): string => `fig${row.startsWith("random") ? 9 : 8}-${row.split("-")[1]!}`;
+const sceneOf = (row: string): string => `fig${row.startsWith("random") ? 9 : 8}-${row.split("-")[1]}`;
 
 /** Measurements, kept while the page is open. */
 let papers: Papers | null = null;

@@ -12,6 +12,7 @@ const TABS = {
   grid: async (): Promise<Tab> => new (await import("./papers-grid")).PapersGrid(),
   parking: async (): Promise<Tab> => new (await import("./papers-parking")).PapersParking(),
   road: async (): Promise<Tab> => new (await import("./papers-road")).PapersRoad(),
+  comparison: async (): Promise<Tab> => new (await import("./papers-comparison")).PapersComparison(),
 } as const;
 type TabName = keyof typeof TABS;
 const NAMES = Object.keys(TABS) as TabName[];

@@ -127,6 +127,34 @@ export const CASES: readonly (readonly [PlannerId, Cases])[] = [
       worst: one("reverse-in", "cost-map.worst"),
     },
   ],
+  [
+    "dijkstra",
+    {
+      best: one("road-straight", "dijkstra.best"),
+      worst: one("random-60", "dijkstra.worst"),
+    },
+  ],
+  [
+    "greedy",
+    {
+      best: one("road-straight", "greedy.best"),
+      worst: one("trap-60", "greedy.worst"),
+    },
+  ],
+  [
+    "rrt",
+    {
+      best: one("perpendicular", "rrt.best"),
+      worst: one("road-curve", "rrt.worst"),
+    },
+  ],
+  [
+    "genetic",
+    {
+      best: one("P4", "genetic.best"),
+      worst: one("random-60", "genetic.worst"),
+    },
+  ],
 ];
 
 /** Of each row of the parking paper, as printed: traditional length and gear changes, then improved; metres. */

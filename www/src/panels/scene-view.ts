@@ -10,7 +10,7 @@ import { SceneCanvas } from "../view/scene-canvas";
 /** Parts of the state that never show on a canvas. */
 const UNSEEN: readonly (keyof State)[] = ["message", "live", "canUndo", "canRedo"];
 /** State that a drag changes; the camera rests. */
-const DRAGGED: readonly (keyof State)[] = ["scene", "geometry", "results", "hover", "explained", "reason"];
+const DRAGGED: readonly (keyof State)[] = ["scene", "geometry", "results", "hover", "draft", "explained", "reason"];
 /** How long (ms) a map may stand still while another is dragged on. */
 const FOLLOW_WITHIN = 50;
 
@@ -84,11 +84,7 @@ export class SceneView extends LitElement {
     if (!canvas || this.scene) return;
     this.scene = new SceneCanvas(canvas);
     const { store, controller } = this.app;
-    this.detach = [
-      controller.attach(canvas),
-      store.subscribe((state, previous) => this.follow(state, previous)),
-      controller.onDraft(() => (store.state.transient ? this.trail() : this.schedule())),
-    ];
+    this.detach = [controller.attach(canvas), store.subscribe((state, previous) => this.follow(state, previous))];
     this.schedule();
   }
 
@@ -141,7 +137,7 @@ export class SceneView extends LitElement {
     clearTimeout(this.late);
     this.late = undefined;
     const { state } = this.app.store;
-    this.scene?.draw(state, this.planners, this.app.tokens(), this.app.controller.draft);
+    this.scene?.draw(state, this.planners, this.app.tokens(), state.draft);
     if (this.view) extras()?.showScale(this.renderRoot, this.view, state.lang);
   }
 }

@@ -1,7 +1,8 @@
 /** Pictures and tables of a playground as text; the complete module, which must be there, makes them. */
-import { toCSV, toSVG, type Plan } from "parkade";
+import { toCSV, toSVG, toTrajectoryCSV, type Plan } from "parkade";
 import type { SceneView } from "./scene-view";
 import type { State } from "../store";
+import { played } from "../store/results";
 import { makeTokens, type Tokens } from "../view/tokens";
 
 /** Each map where it stands in the element, as it is seen. */
@@ -46,13 +47,21 @@ function coloursOf(tokens: Tokens): Record<string, string> {
   return Object.fromEntries([...own, ...planners, ...(tokens.font === usual.font ? [] : [["font", tokens.font]])]);
 }
 
-export { toCSV, toSVG };
+export { toSVG };
 
+/** The focused path as it is driven: its poses with the speeds and times of the drive that plays. */
 export function csvOf(state: State): string {
-  const [plan] = plansOf(state, [state.focus]);
+  const { plan, drive } = played(state.results[state.focus]) ?? {};
   if (!plan) throw new Error(`${state.focus} has no plan.`);
-  return toCSV(state.scene, plan);
+  return toCSV(state.scene, plan, drive ?? undefined);
 }
 
-const plansOf = (state: State, planners: readonly string[]): Plan[] =>
-  planners.flatMap((planner) => state.results[planner]?.plan ?? []);
+/** The focused drive in time; null where no car drives the path. */
+export function trajectoryCsvOf(state: State): string | null {
+  const drive = played(state.results[state.focus])?.drive;
+  return drive ? toTrajectoryCSV(drive) : null;
+}
+
+/** The shown paths. */
+export const plansOf = (state: State, planners: readonly string[]): Plan[] =>
+  planners.flatMap((planner) => played(state.results[planner])?.plan ?? []);

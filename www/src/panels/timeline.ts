@@ -1,11 +1,10 @@
-import type { Plan } from "parkade";
-import { css, html, nothing, svg, type TemplateResult } from "lit";
+import { css, html, nothing, type TemplateResult } from "lit";
 import { mostExpanded } from "../app/player";
 import { isLong } from "../view/camera";
-import { durationOf } from "../view/playback-time";
+import { extras } from "../view/lazy-layers";
+import { durationOf, lastOf } from "../view/playback-time";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
-import { cuspsOf, distancesOf } from "../view/drive";
 import { AppElement } from "./base";
 import { numberOf, valueOf } from "./inputs";
 import { icon, type IconName } from "../styles/icons";
@@ -25,7 +24,7 @@ export class Timeline extends AppElement {
     :host { display: block; container-type: inline-size; background: var(--parkade-panel); border-top: 1px solid var(--parkade-hair); }
     .row { display: flex; align-items: center; height: 43px; padding: 0 14px 0 10px; gap: 2px; }
     .segmented { margin: 0 16px 0 14px; flex: none; }
-    .track { position: relative; flex: 1; height: 32px; min-width: 60px; }
+    .track { position: relative; container-type: inline-size; flex: 1; height: 32px; min-width: 60px; }
     .track .rails { position: absolute; inset: 0; width: 100%; height: 100%; overflow: visible; pointer-events: none; }
     .track .slider { position: absolute; inset: 0; height: 32px; }
     .slider::-webkit-slider-runnable-track { background: none; }
@@ -34,9 +33,9 @@ export class Timeline extends AppElement {
     .rail { stroke: var(--parkade-hair2); stroke-width: 2; }
     .done { stroke: var(--parkade-t1); stroke-width: 2; }
     .reverse { stroke: var(--parkade-t1); stroke-width: 3; stroke-dasharray: 0.1 5; stroke-linecap: round; }
-    .track .diamond { position: absolute; top: 50%; width: 10px; height: 10px; margin: -5px 0 0 -5px; pointer-events: none; overflow: visible; }
+    .track .diamond { position: absolute; top: 50%; left: 0; width: 10px; height: 10px; margin: -5px 0 0 -5px; pointer-events: none; overflow: visible; }
     .diamond path { fill: #fff; stroke: #1b1d20; stroke-width: 1.25; }
-    .now { margin-left: 16px; white-space: nowrap; min-width: 76px; text-align: right; }
+    .now { margin-left: 16px; white-space: nowrap; min-width: 110px; text-align: right; }
     select { appearance: none; border: 0; background: none; height: 32px; padding: 0 8px; font-weight: 500; cursor: pointer; border-radius: calc(6px * var(--parkade-radius)); }
     select:hover { background: var(--parkade-hover); }
     option { background: var(--parkade-raise); color: var(--parkade-t1); }
@@ -62,7 +61,7 @@ export class Timeline extends AppElement {
   protected override pace = 100;
 
   protected watches(): readonly (keyof State)[] {
-    return ["playback", "results", "focus", "hidden", "waiting", "scene", "follow"];
+    return ["playback", "results", "focus", "hidden", "waiting", "scene", "follow", "guest"];
   }
 
   protected override render(): unknown {
@@ -136,11 +135,12 @@ export class Timeline extends AppElement {
 
   private position(): string {
     const { playback } = this.state;
-    if (playback.base === "drive") {
+    // Seconds are told of drives only.
+    if (playback.base === "drive" && (lastOf(this.state) || this.state.scene.moving?.length)) {
       const total = durationOf(this.state);
       return this.t("time.drivenOf", { now: this.num(playback.fraction * total, 1), total: this.num(total, 1) });
     }
-    if (playback.searchMode === "percent")
+    if (playback.base === "drive" || playback.searchMode === "percent")
       return this.t("time.searchOf", { now: this.num(playback.fraction * 100, 0) });
     const total = mostExpanded(this.state);
     return this.t("time.countOf", {
@@ -150,13 +150,11 @@ export class Timeline extends AppElement {
   }
 
   private scrubber(): TemplateResult {
-    const { fraction, base } = this.state.playback;
-    const plan = base === "drive" ? focusedPlan(this.state) : null;
+    const { fraction } = this.state.playback;
     const done = `${fraction * 100}%`;
     return html`<div class="track">
-      <svg class="rails" aria-hidden="true"><line class="rail" x1="0" x2="100%" y1="16" y2="16"/><line class="done" x1="0" x2=${done} y1="16" y2="16"/>
-        ${plan ? reverseSpans(plan).map(([from, to]) => svg`<line class="reverse" x1="${from * 100}%" x2="${to * 100}%" y1="22" y2="22"/>`) : nothing}</svg>
-      ${plan ? cuspFractions(plan).map((at) => html`<svg class="diamond" .style=${`left:${at * 100}%`} viewBox="0 0 10 10" aria-hidden="true"><path d="M5 0l5 5-5 5-5-5z"/></svg>`) : nothing}
+      <svg class="rails" aria-hidden="true"><line class="rail" x1="0" x2="100%" y1="16" y2="16"/><line class="done" x1="0" x2=${done} y1="16" y2="16"/></svg>
+      ${extras()?.gearMarks(this.state)}
       <input class="slider" type="range" min="0" max="1" step="0.001" .value=${String(fraction)} aria-label=${this.t("time.position")} aria-valuetext=${this.position()}
         @input=${(e: Event) => this.app.player.seek(numberOf(e))}>
     </div>`;
@@ -169,32 +167,6 @@ export class Timeline extends AppElement {
   ): TemplateResult {
     return html`<button class="icon" aria-label=${this.t(key)} title=${this.t(key)} @click=${run}>${icon(name)}</button>`;
   }
-}
-
-export function focusedPlan(state: State): Plan | null {
-  const result = state.results[state.focus];
-  return result?.plan?.outcome === "found" ? result.plan : null;
-}
-
-function cuspFractions(plan: Plan): number[] {
-  const along = distancesOf(plan),
-    total = along.at(-1) ?? 0;
-  return total > 0 ? cuspsOf(plan).map((index) => along[index]! / total) : [];
-}
-
-/** Shares of the way driven in reverse. */
-export function reverseSpans(plan: Plan): [number, number][] {
-  const along = distancesOf(plan),
-    total = along.at(-1) ?? 0;
-  if (total === 0) return [];
-  const bounds = [0, ...cuspsOf(plan), along.length - 1];
-  const spans: [number, number][] = [];
-  for (let i = 0; i + 1 < bounds.length; i++) {
-    const from = bounds[i]!,
-      to = bounds[i + 1]!;
-    if (plan.directions[Math.min(from + 1, to)]! < 0) spans.push([along[from]! / total, along[to]! / total]);
-  }
-  return spans;
 }
 
 customElements.define("parkade-timeline", Timeline);

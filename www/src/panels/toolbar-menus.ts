@@ -50,6 +50,7 @@ export function exports(bar: Toolbar): TemplateResult {
     ${item(bar, "image", "bar.png2", () => bar.app.ask("png", 2))}
     ${item(bar, "image", "bar.svg", () => void saveAs(app, "svg"))}
     ${item(bar, "moving", "bar.csv", () => void saveAs(app, "csv"))}
+    ${item(bar, "clock", "bar.trajectory", () => void saveAs(app, "trajectory"))}
     <hr>${item(bar, "share", "bar.copyEmbed", () => void copySnippet(app, "embed"))}
     ${item(bar, "share", "bar.copyMarkdown", () => void copySnippet(app, "markdown"))}
     ${item(bar, "share", "bar.copyTest", () => void copySnippet(app, "test"))}

@@ -12,7 +12,7 @@ export function svgOf(drawn: readonly Canvas[]): string {
       .map(([name, texts]) => `.${name}{${texts[scheme]}}`)
       .join(""),
   );
-  const css = style[0]! + (drawn.length > 1 ? `@media(prefers-color-scheme:dark){${style[1]}}` : "");
+  const css = style[0] + (drawn.length > 1 ? `@media(prefers-color-scheme:dark){${style[1]}}` : "");
   return `<style>${css}</style><defs>${[...shared.values()].join("")}</defs>${body}`;
 }
 

@@ -15,7 +15,7 @@ const REST_MS = 400;
 /** A plan that takes longer is not bettered by itself. */
 const LONG_MS = 1500;
 /** Many playgrounds may stand in a document: one that nobody has touched asks for no more. */
-const isPage = (): boolean => document.querySelector("parkade-playground[permalink]") !== null;
+export const isPage = (): boolean => document.querySelector("parkade-playground[permalink]") !== null;
 
 interface App {
   readonly store: Store;

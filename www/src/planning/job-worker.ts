@@ -26,6 +26,7 @@ import {
   generateScenario,
   importScene,
   init,
+  driveEnvelope,
   packRuns,
   paperGrid,
   paperGridRows,
@@ -38,12 +39,15 @@ import {
   paperVerdicts,
   paperVolumes,
   roadFigures,
+  scenario,
 } from "parkade";
 import type { Run } from "../scene/cells";
 import type { Scenario } from "../scene/scenario";
+import { compare, envelope, sweep, type Compared, type Engine, type Sample, type Swept } from "./comparison";
 import { cheapest, choicesOf, type Driven } from "./choices-of";
 import { driveOf } from "./drive-of";
 import { failureOf } from "./failure";
+import { judged, smoothed } from "./trajectories";
 import type { Failure, Request, Waiting } from "./protocol";
 import type { Risk } from "./road-measures";
 
@@ -61,6 +65,8 @@ export interface Moved<T> {
   value: T;
   cells: Cells[];
 }
+
+const ENGINE: Engine = { Planner, scenario, collisionRisk, driveEnvelope };
 
 const JOBS = {
   /** The answer alone, without its search. */
@@ -107,6 +113,8 @@ const JOBS = {
       made.free();
     }
   },
+  smooth: smoothed,
+  judge: judged,
   /** The length of the shortest path at any angle, on the map of this planner. */
   anyAngle: ({ planner, scene }: { planner: PlannerId; scene: Scenario }): number | null => {
     const made = new Planner(planner, scene);
@@ -141,6 +149,9 @@ const JOBS = {
   road: (options: { row: string }): RoadTable => paperRoad(options),
   verdicts: (tables: { parking?: ParkingTable[]; road?: RoadTable[] }): ReturnType<typeof paperVerdicts> =>
     paperVerdicts(tables),
+  compared: ({ scene, planner }: { scene: string; planner: PlannerId }): Compared => compare(ENGINE, scene, planner),
+  swept: ({ scene, swept }: { scene: string; swept: Swept }): Sample[] => sweep(ENGINE, scene, swept),
+  envelope: ({ scene }: { scene: string }): Float64Array => envelope(ENGINE, scene),
   stranded: (slice: { row: string; from: number; to: number }): number[] => paperStranded(slice),
   volumes: (options: { scene: string; poses: number; rounds: number }): VolumeComparison => paperVolumes(options),
 };

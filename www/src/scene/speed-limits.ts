@@ -4,7 +4,7 @@ import type { Scenario } from "./scenario";
 
 const ROAD: Limits = { speed: 10, acceleration: 1.5, deceleration: 2, lateralAcceleration: 2, jerk: 2 };
 
-const hasRoad = ({ lanes, obstacles }: Pick<Scenario, "lanes" | "obstacles">): boolean =>
+export const hasRoad = ({ lanes, obstacles }: Pick<Scenario, "lanes" | "obstacles">): boolean =>
   Boolean(lanes?.length) || (obstacles ?? []).some(({ type }) => type === "road");
 
 export const limitsOn = (scene: Pick<Scenario, "lanes" | "obstacles">): Limits => (hasRoad(scene) ? ROAD : {});

@@ -1,6 +1,7 @@
 /** The parts of the state, and how they begin. */
 import type { Selection } from "../scene/selection";
-import type { Choice, Timing } from "./results";
+import type { Draft } from "./draft";
+import type { Choice, Guest, Smoothed, Timing } from "./results";
 import type {
   Drive,
   Encounter,
@@ -50,6 +51,8 @@ export interface PanelResult {
   ordinary?: Plan | null;
   /** `plan` in time, among moving obstacles where there are some; null where no car drives it, and during drags. */
   drive: Drive | Encounter | null;
+  /** Shown in the place of `plan` and `drive`, while it is of this plan. */
+  smoothed?: Smoothed | null;
   layers: Partial<Record<LayerName, Layer>>;
   status: "idle" | "planning" | "done" | "error";
   error: { code: string; path: string; message: string } | null;
@@ -119,12 +122,16 @@ export interface SessionState {
   /** The camera stays on the focused planner's car. */
   follow: boolean;
   hover: { x: number; y: number } | null;
+  /** The preview of the tool in force. */
+  draft: Draft | null;
   /** Preferences by which planners' paths are chosen; absent for the default. */
   prefer: Partial<Record<PlannerId, Prefer>>;
   /** Another path of a planner, looked at for a moment, or a place of the one that is shown. */
   preview: { planner: PlannerId; plan: Plan; place?: Narrowest } | null;
   /** How moving obstacles are waited for. */
   waiting: "predictive" | "reactive";
+  /** Somebody else's trajectory, driven beside ours. */
+  guest: Guest | null;
   playback: Playback;
   layers: LayerSet;
   message: {
@@ -139,6 +146,8 @@ export interface SessionState {
 export interface PreferenceState {
   theme: "auto" | "light" | "dark";
   lang: "en" | "zh";
+  /** True if trajectories take the place of paths; null until the last visit's choice is known. */
+  smooth: boolean | null;
 }
 
 /** What follows from the others, and is computed anew. */
@@ -183,7 +192,7 @@ const emptyScene: Scene = {
 };
 
 export function initialState(): State {
-  return { ...emptyDocument(), ...newSession(), theme: "auto", lang: "en", ...nothingDerived() };
+  return { ...emptyDocument(), ...newSession(), theme: "auto", lang: "en", smooth: null, ...nothingDerived() };
 }
 
 const emptyDocument = (): DocumentState => ({
@@ -218,9 +227,11 @@ function newSession(): SessionState {
     camera: null,
     follow: false,
     hover: null,
+    draft: null,
     prefer: {},
     preview: null,
     waiting: "predictive",
+    guest: null,
     playback: { base: "drive", searchMode: "percent", fraction: 1, playing: false, speed: 1 },
     layers: presetLayers("drive"),
     message: null,

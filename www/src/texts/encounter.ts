@@ -1,16 +1,17 @@
 /** How a car fares among moving obstacles, in a word for its panel. */
-import type { Drive, Encounter } from "parkade";
 import "../i18n/later";
 import { number, translate } from "../i18n/index";
-import type { State } from "../store";
+import type { PanelResult, State } from "../store";
+import { played } from "../store/results";
 import { isEncounter } from "../view/playback-time";
 import type { Status } from "./status";
 
 const LATE = { unavoidable: "moving.unavoidable", blocked: "moving.blocked", "out-of-time": "moving.late" } as const;
 
 /** Null where nothing moves, and where nothing is worth saying. */
-export function encounterOf({ lang }: State, drive: Drive | Encounter | null | undefined): Status | null {
-  if (!drive || !isEncounter(drive)) return null;
+export function encounterOf({ lang }: State, result: PanelResult | undefined): Status | null {
+  const drive = played(result)?.drive;
+  if (!isEncounter(drive)) return null;
   const waited = drive.waits.reduce((sum, { from, to }) => sum + to - from, 0);
   if (drive.contact) return say("err", translate(lang, "moving.hit", { s: number(lang, drive.contact.t, 1) }));
   if (drive.ending !== "arrived" && drive.ending !== "hit") return say("err", translate(lang, LATE[drive.ending]));

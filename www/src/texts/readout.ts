@@ -3,6 +3,7 @@ import { html, nothing, type TemplateResult } from "lit";
 import "../i18n/later";
 import { number, translate, type MessageKey } from "../i18n/index";
 import type { Scene, State } from "../store";
+import { played } from "../store/results";
 import { weightAt } from "../scene/costs";
 import { costRange } from "../view/layers/cost-raster";
 import { spacingOf } from "../view/layers/painted-costs";
@@ -67,8 +68,9 @@ function entriesOf(state: State, planner: PlannerId): Entry[] {
   const result = state.results[planner];
   if (!hover || !result?.plan) return [];
   const text = (key: MessageKey): string => translate(state.lang, key);
-  const near = nearestPose(result.plan, hover.x, hover.y);
-  if (drivesCar(planner) && near !== null) return poseEntries(state, result.plan, near);
+  const shown = played(result)!.plan!,
+    near = nearestPose(shown, hover.x, hover.y);
+  if (drivesCar(planner) && near !== null) return poseEntries(state, shown, near);
   const cell = cellAt(state.scene, hover.x, hover.y);
   if (!cell) return [];
   const entries: Entry[] = [];

@@ -12,8 +12,6 @@ import { arrowOf, stepOf } from "./keys";
 import { SelectTool } from "./select";
 import type { Bench, Input, Tool } from "./tool";
 
-export type { Draft } from "../store/draft";
-
 /** A second finger within this time takes back what the first one drew: it was meant to be a pinch. */
 const STRAY_MS = 120;
 
@@ -39,7 +37,6 @@ interface Press {
 }
 
 export class ToolController {
-  draft: Draft | null = null;
   /** Which wheel turns zoom: embedded pages keep plain ones for scrolling. */
   wheel: "always" | "ctrl" | "none" = "always";
 
@@ -60,7 +57,6 @@ export class ToolController {
   private rightAt: Point | null = null;
   /** Position of the keyboard's pointer. */
   private keyed: Point | null = null;
-  private readonly listeners = new Set<(draft: Draft | null) => void>();
   /** The canvas last used, and the last input on it. */
   private canvas: HTMLElement | null = null;
   private last: Input | null = null;
@@ -77,11 +73,6 @@ export class ToolController {
     this.drawing = makeDrawing(this.select);
     watchGoalSlot(this.store);
     this.refresh();
-  }
-
-  onDraft(listener: (draft: Draft | null) => void): () => void {
-    this.listeners.add(listener);
-    return () => this.listeners.delete(listener);
   }
 
   /** True if this is the canvas that the pointer, or else the focus, is on. */
@@ -428,9 +419,7 @@ export class ToolController {
   }
 
   private show(draft: Draft | null): void {
-    if (draft === this.draft) return;
-    this.draft = draft;
-    for (const listener of [...this.listeners]) listener(draft);
+    this.store.set({ draft });
   }
 
   private setCursor(tool: Tool, input: Input | null): void {

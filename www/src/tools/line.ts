@@ -212,7 +212,7 @@ export class RoadTool extends LineTool {
   protected override mends(bench: Bench): boolean {
     const { points } = this,
       tight = tooTight({ type: "road", points, ...bench.store.state.toolOptions.road });
-    if (points.length < 2 || tight === 0) return false;
+    if (points.length < 2 || tight <= 0) return false;
     bench.store.set({ message: { tone: "err", text: word(bench.store.state, "tight") } });
     this.points = points.slice(0, tight + 1);
     return true;

@@ -2,6 +2,7 @@
 import type { Plan, Pose, SceneGeometry } from "parkade";
 import type { Scenario } from "../scene/scenario";
 import type { Camera, State } from "../store";
+import { played } from "../store/results";
 import { resolve } from "../scene/model";
 import { boxOf, fromPose, type Box, type Point } from "../scene/geometry";
 import { footprint } from "../scene/vehicle";
@@ -201,7 +202,7 @@ const AROUND = 64;
 /** On the focused planner's car; null where there is none to follow. */
 function following(state: State, width: number): Camera | null {
   const result = state.results[state.focus],
-    plan = result?.plan?.outcome === "found" ? result.plan : result?.lastGood;
+    plan = result?.plan?.outcome === "found" ? played(result)!.plan : result?.lastGood;
   const driven = plan && drivenAt(state, plan, result, resolve(state.scene).vehicle.wheelbase);
   return driven ? below(STRIP.room, { x: driven.pose.x, y: driven.pose.y, scale: width / AROUND }) : null;
 }

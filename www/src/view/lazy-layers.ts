@@ -11,7 +11,7 @@ export interface Piece<T> {
   load(): Promise<T>;
   /** Names where the piece comes from. One that comes from nowhere is never there. */
   from(fetch: () => Promise<T>): void;
-  /** Has the piece at hand from now on. */
+  /** Has the piece at hand from now on; where a page has named the whole one, a file's part of it does not take its place. */
   hold(piece: T): void;
 }
 
@@ -40,7 +40,10 @@ export function piece<T>(fetch?: () => Promise<T>): Piece<T> {
   const from = (source: () => Promise<T>): void => {
     fetch = source;
   };
-  return Object.assign(get, { load, hold, from });
+  const keep = (own: T): void => {
+    if (!fetch) hold(own);
+  };
+  return Object.assign(get, { load, hold: keep, from });
 }
 
 const vastPiece = piece<typeof import("./large-map-raster")>();

@@ -1,17 +1,16 @@
-/** Times of the playing drive: cars among moving obstacles share one clock, others arrive together. */
+/** Times of the playing drive: all cars and boxes share one clock; a path that no car drives takes as long as the longest drive. */
 import type { Drive, Encounter, MovingObstacle, Plan, Pose } from "parkade";
 import { paceOn } from "../scene/speed-limits";
 import { distance, towards, wrapAngle } from "../scene/geometry";
 import type { PanelResult, State } from "../store";
-import { distancesOf, poseAtDistance, poseAtFraction, steerAngle } from "./drive";
+import { played } from "../store/results";
+import { poseAtFraction, steerAngle } from "./drive";
 
 const SEARCH_SECONDS = 4;
 
 /** Seconds the playback's time base lasts at speed 1. */
-export function durationOf(state: State): number {
-  if (state.playback.base === "search") return SEARCH_SECONDS;
-  return Math.max(1, longestPath(state) / paceOn(state.scene), state.scene.moving?.length ? lastOf(state) : 0);
-}
+export const durationOf = (state: State): number =>
+  state.playback.base === "search" ? SEARCH_SECONDS : lastOf(state) || longestPath(state) / paceOn(state.scene) || 1;
 
 /** Metres of the longest path in sight. */
 function longestPath(state: State): number {
@@ -36,15 +35,12 @@ export interface Driven {
 export const isEncounter = (drive: Drive | Encounter | null | undefined): drive is Encounter =>
   !!drive && "ending" in drive;
 
-/** Seconds until the last car in sight has arrived or been stopped. */
-function lastOf(state: State): number {
-  return Math.max(
-    0,
-    ...state.planners
-      .filter((planner) => !state.hidden.has(planner))
-      .map((planner) => state.results[planner]?.drive?.t.at(-1) ?? 0),
+/** Seconds until the last car in sight has arrived or been stopped; 0 where no drive is known. */
+export const lastOf = ({ planners, hidden, results, guest }: State): number =>
+  Math.max(
+    guest?.drive.t.at(-1) ?? 0,
+    ...planners.map((planner) => (hidden.has(planner) ? 0 : (played(results[planner])?.drive?.t.at(-1) ?? 0))),
   );
-}
 
 /** Seconds since the start. */
 export const clockOf = (state: State): number =>
@@ -57,17 +53,14 @@ export function drivenAt(
   result: PanelResult | null | undefined,
   wheelbase: number,
 ): Driven | null {
-  if (!state.scene.moving?.length) {
-    const pose = poseAtFraction(plan, state.playback.fraction);
-    return pose && { pose, steering: steerAngle(pose.curvature, wheelbase), along: pose.distance };
-  }
-  const drive = result?.plan === plan ? result.drive : null;
+  const now = played(result),
+    drive = now?.plan === plan && now.drive;
   if (drive) return atTime(drive, clockOf(state));
-  const pose = poseAtDistance(plan, Math.min(distancesOf(plan).at(-1) ?? 0, paceOn(state.scene) * clockOf(state)));
+  const pose = poseAtFraction(plan, state.playback.fraction);
   return pose && { pose, steering: steerAngle(pose.curvature, wheelbase), along: pose.distance };
 }
 
-function atTime({ t, path, stations, steering }: Drive, clock: number): Driven | null {
+export function atTime({ t, path, stations, steering }: Drive, clock: number): Driven | null {
   const last = t.length - 1;
   if (last < 0) return null;
   const low = rowAt(t, clock),

@@ -1,6 +1,7 @@
 /** Draws the scene and the planners' answers on one canvas. */
 import type { Plan, PlannerId } from "parkade";
 import type { State } from "../store";
+import { played } from "../store/results";
 import type { Draft } from "../store/draft";
 import { cameraFor, type View } from "./camera";
 import { waiting } from "./lazy-layers";
@@ -109,7 +110,7 @@ export class SceneCanvas {
   private shownOf(state: State, planner: PlannerId): Shown {
     const result = state.results[planner] ?? null;
     const found = result?.plan?.outcome === "found";
-    const plan = found ? result.plan : (result?.lastGood ?? null);
+    const plan = found ? played(result)!.plan : (result?.lastGood ?? null);
     return {
       planner,
       plan,

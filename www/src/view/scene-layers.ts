@@ -74,10 +74,13 @@ export class SceneLayers {
     if (one && !frame.overlay && layers.path && done) drawCollisions(frame, one);
     if (layers.car) drawStartAndGoal(frame);
     if (layers.difference && done) for (const shown of frame.shown) extras()?.drawDifference(frame, shown);
-    if (layers.path)
+    if (layers.path) {
+      if (frame.state.smooth) extras()?.drawUnsmoothed(frame);
       for (const shown of inOrder(frame)) drawPath(frame, shown, strength(frame, shown) * standing(frame, shown));
+    }
     if (frame.state.preview) extras()?.drawPreview(frame);
     if (layers.car) drawReferences(frame);
+    if (frame.state.guest) extras()?.drawGuest(frame);
     if (layers.car && one) drawDrivingCar(frame, one, strength(frame, one));
     if (one && scene.moving?.length) extras()?.drawContact(frame, one);
     if (frame.overlay && layers.path && done)

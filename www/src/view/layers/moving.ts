@@ -1,5 +1,6 @@
 /** Moving obstacles where they are now, their ways, and where one runs into the car. */
 import { rectangleCorners } from "../../scene/shapes";
+import { played } from "../../store/results";
 import { boxAt, clockOf, isEncounter } from "../playback-time";
 import { inMetres, linePath, pixels, polygonPath, toScreen, type Frame, type Shown } from "../frame";
 import { fade } from "../tokens";
@@ -55,7 +56,8 @@ function drawTip(frame: Frame, at: [number, number], heading: number, length: nu
 
 /** The moments of a wait, and where the car was run into, from that moment on. */
 export function drawContact(frame: Frame, { result, plan }: Shown): void {
-  const drive = result?.plan === plan ? result?.drive : null;
+  const now = played(result),
+    drive = now?.plan === plan ? now?.drive : null;
   if (!isEncounter(drive)) return;
   drawEncounter(frame, drive);
   if (drive.contact && clockOf(frame.state) >= drive.contact.t) drawHatchedPose(frame, drive.contact.pose);

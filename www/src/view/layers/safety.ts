@@ -79,7 +79,7 @@ function byDistance(safety: Layer, clearance: Layer, map: MapFrame): Path2D {
 
 function byCells(safety: Layer, map: MapFrame): Path2D {
   const taken = (x: number, y: number): number => {
-    const kind = safety.data[y * safety.width + x]!;
+    const kind = safety.data[y * safety.width + x];
     return kind === NECESSARY || kind === 1 ? 1 : 0;
   };
   return toPath(contours(safety.width, safety.height, taken, 0.5, 0), map);

@@ -1,0 +1,126 @@
+//! The members of the portfolio: who they are, what they search, and in which order they are asked.
+
+use super::COMFORTABLE_MARGIN;
+use crate::planners::hybrid::Config;
+use crate::planners::hybrid::config::Level;
+
+/// Up to this level a search with the least margin is worth its while before finer ones with more are.
+const LAST_CHEAP_LEVEL: u32 = 3;
+/// The level that rocks with the least margin and, where that finds a path, with more, and the finer one.
+#[cfg(feature = "complete")]
+const ROCKING_LEVEL: u32 = 2;
+#[cfg(feature = "complete")]
+const FINE_ROCKING_LEVEL: u32 = 3;
+/// Expansions of each search that rocks from the hard end, …
+#[cfg(feature = "complete")]
+const ROCKING_EXPANSIONS: u32 = 100_000;
+/// … and of the one from both ends.
+#[cfg(feature = "complete")]
+const BOTH_EXPANSIONS: u32 = 40_000;
+
+/// Where a tree grows from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum From {
+    /// The end that is hard to leave.
+    Hard,
+    /// Two trees, one from each.
+    #[cfg(feature = "complete")]
+    Both,
+}
+
+/// A level with one of the margins, from one end or both.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Member {
+    pub(super) level: u32,
+    /// From the one asked for to the least.
+    pub(super) margin: usize,
+    pub(super) from: From,
+    /// True if the car may rock: turn nearly on the spot.
+    pub(super) is_rocking: bool,
+}
+
+impl Member {
+    /// What it searches.
+    pub(super) fn level(self, config: &Config, is_least: bool) -> Level {
+        let level = config.level(self.level);
+        #[cfg(feature = "complete")]
+        if self.is_rocking {
+            return self.rocking_level(level, config);
+        }
+        if self.level == 1 && is_least {
+            // What it saves on rocking is less than it costs on detours.
+            return Level { extra_change: 0.0, ..level };
+        }
+        level
+    }
+
+    #[cfg(feature = "complete")]
+    fn rocking_level(self, level: Level, config: &Config) -> Level {
+        let most = if self.from == From::Both { BOTH_EXPANSIONS } else { ROCKING_EXPANSIONS };
+        let max_expansions = config.max_expansions.map_or(most, |asked| most.min(asked));
+        let level = Level { max_expansions, is_from_both: self.from == From::Both, ..level.rocking(config) };
+        if self.level == FINE_ROCKING_LEVEL { level.fine_rocking(config) } else { level }
+    }
+
+    /// True if a search that this one has ended without a way leaves no hope for `other`: coarser ones reach no more,
+    /// nor do any with more margin, nor do those that do not rock where this one does.
+    pub(super) fn outdoes(self, other: Self) -> bool {
+        other.from == self.from
+            && other.margin <= self.margin
+            && other.level <= self.level
+            && (self.is_rocking || !other.is_rocking)
+    }
+}
+
+/// Whoever has not tried yet, what a driver likes best in front.
+pub(super) fn members(levels: u32, widest: usize, margins: &[f64]) -> Vec<Member> {
+    let least = margins.len() - 1;
+    let plain = Member { level: 0, margin: 0, from: From::Hard, is_rocking: false };
+    let mut members = Vec::new();
+    for level in 1..levels {
+        members.extend((widest..=least).map(|margin| Member { level, margin, ..plain }));
+    }
+    // Sorted by level and margin before.
+    arrange(&mut members, &|&Member { level, margin, .. }| {
+        let is_comfortable = margins[margin] >= COMFORTABLE_MARGIN || margin == widest;
+        match level {
+            // Searched to the end with the least margin, the coarsest proves soonest that there is hardly a way.
+            1 if margin == widest => [0; 3],
+            1 if margin == least => [1, 0, 0],
+            1..=LAST_CHEAP_LEVEL if is_comfortable => [2, margin, 0],
+            1..=LAST_CHEAP_LEVEL if margin == least => [3, 0, 0],
+            _ if is_comfortable => [4, 0, 0],
+            _ => [5, 0, 0],
+        }
+    });
+    members
+}
+
+/// The members that rock from the hard end with these margins.
+#[cfg(feature = "complete")]
+pub(super) fn rocking(margins: core::ops::Range<usize>) -> impl Iterator<Item = Member> {
+    margins.map(|margin| Member { level: ROCKING_LEVEL, margin, from: From::Hard, is_rocking: true })
+}
+
+/// The members for open space, which the small module lacks. They rock with the least margin: on two lattices from the
+/// hard end, and from both ends.
+#[cfg(feature = "complete")]
+pub(super) fn in_open_space(levels: u32, least: usize, may_swap: bool) -> Vec<Member> {
+    let mut members: Vec<Member> = rocking(least..least + 1).collect();
+    let coarse = members[0];
+    members.push(Member { level: FINE_ROCKING_LEVEL, ..coarse });
+    members.push(Member { from: From::Both, ..coarse });
+    members.retain(|one| one.level < levels && (may_swap || one.from == From::Hard));
+    members
+}
+
+/// Sorts stably. The members are few; the library's sort takes kilobytes of the module.
+pub(super) fn arrange(members: &mut [Member], key: &dyn Fn(&Member) -> [usize; 3]) {
+    for end in 1..members.len() {
+        let mut at = end;
+        while at > 0 && key(&members[at - 1]) > key(&members[at]) {
+            members.swap(at - 1, at);
+            at -= 1;
+        }
+    }
+}
