@@ -12,6 +12,8 @@ use crate::referee::States;
 const ROW: f64 = 0.05;
 /// Shorter stretches are none, metres.
 const NOTHING: f64 = 1e-12;
+/// A car that stops can start again, however steady the trajectory's own speed is, m/s².
+const LEAST: f64 = 0.01;
 
 /// A stop at a row of the trajectory until a time, seconds.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,7 +54,7 @@ pub(super) struct PathInTime<'a> {
 
 impl<'a> PathInTime<'a> {
     pub(super) fn new(states: &'a States, wheelbase: f64) -> Self {
-        let (mut up, mut down) = (0.0_f64, 0.0_f64);
+        let (mut up, mut down) = (LEAST, LEAST);
         for (t, v) in states.t.windows(2).zip(states.speed.windows(2)) {
             let change = (v[1].abs() - v[0].abs()) / (t[1] - t[0]);
             (up, down) = (up.max(change), down.max(-change));
@@ -78,7 +80,7 @@ impl<'a> PathInTime<'a> {
 
     /// The distance in which the car comes to rest, metres.
     pub(super) fn braking_distance(&self, speed: f64) -> f64 {
-        if self.down > 0.0 { speed * speed / 2.0 / self.down } else { 0.0 }
+        speed * speed / 2.0 / self.down
     }
 
     /// The fastest drive with stops, which are in the rows' order.

@@ -4,6 +4,7 @@
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use parkade::drive::{Encounter, Ending, Mover, Route, Rule, Scope, WaitOptions};
+use parkade::geometry::Pose;
 use parkade::optimise::{Options, optimise, stop_wait_go};
 use parkade::plan::Planner;
 use parkade::referee::{MotionLimits, States, Submission, TimedRows, judge};
@@ -137,5 +138,28 @@ fn what_parks_on_the_path_blocks_it_and_what_never_ends_runs_out_of_time() {
         let short = meet(&made, &parks(4.0), &WaitOptions { max_time: 3.0, ..options });
         assert_eq!(short.ending, Ending::OutOfTime);
         assert!(short.duration <= 3.0);
+    }
+}
+
+#[test]
+fn a_steady_speed_can_be_interrupted_too() {
+    let made = made("P0");
+    let mut states = States::default();
+    for row in 0..=200 {
+        let t = 0.05 * f64::from(row);
+        states.push(t, Pose::new(t, 0.0, 0.0), 1.0, 0.0);
+    }
+    let cross = MovingObstacle {
+        id: None,
+        points: vec![[8.0, 12.0], [8.0, -30.0]],
+        size: [2.0, 2.0],
+        speed: 2.0,
+        start: 0.0,
+    };
+    for rule in [Rule::Predictive, Rule::Reactive] {
+        let options = WaitOptions { rule, max_time: 60.0, ..WaitOptions::default() };
+        let car = &made.geometry.vehicle;
+        let met = stop_wait_go(car, &states, &[Mover::new(&cross)], &options).unwrap();
+        assert!(met.rows.t.len() < 2000 && met.duration <= 60.0, "{rule:?}: {:?}", met.ending);
     }
 }
