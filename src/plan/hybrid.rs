@@ -219,8 +219,14 @@ impl Engine {
         progress: &mut Option<Progress>,
     ) -> Plan {
         plan.member = Self::member(&first);
-        if let (Status::NoPath, Some(member), Some(reason)) = (first.status, &plan.member, &mut plan.reason) {
-            *reason = reason.replace("at these settings", &resolution(member));
+        if let (Some(member), Some(reason)) = (&plan.member, &mut plan.reason) {
+            let how = resolution(member);
+            *reason = match first.status {
+                Status::NoPath => {
+                    reason.replace("at these settings", &format!("{how}, with any number of gear changes"))
+                }
+                _ => reason.replacen(" expansions,", &format!(" expansions {how},"), 1),
+            };
         }
         if plan.outcome != Outcome::Found {
             return plan;
@@ -317,7 +323,7 @@ fn resolution(member: &Member) -> String {
     };
     let (cell, margin) = (small(member.xy_resolution), small(member.margin));
     let degrees = (member.heading_resolution.to_degrees() * 10.0).round() / 10.0;
-    format!("at {cell} and {degrees}° with {margin} of margin, with any number of gear changes")
+    format!("at {cell} and {degrees}° with {margin} of margin")
 }
 
 fn drive(query: &Query, report: &Report) -> Driven {

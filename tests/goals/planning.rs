@@ -277,3 +277,18 @@ fn a_tight_goal_takes_no_margin_from_the_others() {
     assert_eq!(taken(&plan).index, 0);
     assert_eq!(plan.metrics.hybrid.unwrap().margin, 0.1);
 }
+
+/// Of two goals with little room the common search keeps what the tighter one has, and so does its answer: the goal that
+/// is taken could be reached with 1 cm by itself, as the tail swings towards the wall.
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn a_tighter_goal_takes_no_margin_from_a_tight_one() {
+    let pose = |x: f64, y: f64, heading: f64| json!({ "x": x, "y": y, "heading": heading });
+    let half = parkade::vehicle::Vehicle::SEDAN.width / 2.0;
+    let goals = [pose(39.0, 9.0, PI), pose(28.0, half + 0.06, 0.0), pose(32.0, half + 0.02, 0.0)];
+    let scene = aisle(&json!(goals));
+    let plan = planned("hybrid", &scene);
+    let margin = plan.metrics.hybrid.as_ref().unwrap().margin;
+    assert_eq!((taken(&plan).index, plan.check.verdict.as_str()), (1, "ok"));
+    assert!(margin >= 0.02 - 1e-6 && plan.metrics.min_clearance >= margin - 1e-6, "{margin}");
+}

@@ -3,9 +3,9 @@
 use std::f64::consts::{PI, TAU};
 
 use parkade::geometry::{Pose, arcs, math, reeds_shepp};
-use parkade::planners::hybrid::{Config, Status};
+use parkade::planners::hybrid::{Config, Last, Query, Report, Scratch, Status, stay};
 
-use crate::lot::{CAR, Lot, random, random_scenes};
+use crate::lot::{CAR, Lot, pose, random, random_scenes};
 
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
@@ -102,4 +102,43 @@ fn an_obstacle_more_makes_no_path_shorter() {
             assert!(more >= 0.98 * less, "seed {seed}: {more} with, {less} without");
         }
     }
+}
+
+/// What a path costs under other settings, if it keeps the margin of their answer.
+fn price(lot: &Lot, path: &Report, config: &Config, answer: &Report) -> Option<f64> {
+    let obstacles = lot.obstacles();
+    let query = Query { obstacles: &obstacles, vehicle: &CAR, start: pose(lot.start), goal: pose(lot.goal) };
+    let (last, asked) = (Last::of(&query, path), (answer, f64::INFINITY, false));
+    stay(&query, config, &last, asked, &mut Scratch::default(), &mut |_| true).map(|path| path.cost)
+}
+
+/// Less margin than 5 or 10 cm costs no more than these, by 1 %; nor does an answer under a price of obstacles cost more
+/// than the ordinary path does under it.
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn more_freedom_and_a_price_lose_nothing_by_their_own_measure() {
+    let (mut tight, mut priced) = (0, 0);
+    for seed in 500..530 {
+        let lot = random_scenes(seed);
+        let plan = |config: Config| lot.plan(&config);
+        let ordinary = plan(Config::default());
+        if ordinary.arcs.is_empty() || ordinary.margin < 0.1 {
+            continue;
+        }
+        let [none, some] = [0.0, 0.05].map(|margin| plan(Config { margin, ..Config::default() }).cost);
+        assert!(
+            none <= some * 1.01 && some <= ordinary.cost * 1.01,
+            "{seed}: {none} {some} {}",
+            ordinary.cost
+        );
+        tight += 1;
+        let config = Config { obstacle_cost: 1.0, ..Config::default() };
+        let answer = plan(config);
+        if let Some(price) = price(&lot, &ordinary, &config, &answer) {
+            assert!(answer.cost <= price * 1.01, "{seed}: {} where {price} is known", answer.cost);
+            priced += 1;
+        }
+    }
+    println!("{tight} scenes with less margin, {priced} with a price of obstacles");
+    assert!(tight >= 15 && priced >= 12, "{tight} {priced}");
 }

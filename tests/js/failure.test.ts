@@ -1,5 +1,5 @@
 import { beforeAll, describe, expect, it } from "vitest";
-import { init, planners, Planner, scenario, type Plan, type PlannerId } from "parkade";
+import { init, planners, Planner, scenario, type HybridPlan, type Plan, type PlannerId } from "parkade";
 import { whyOf } from "../../www/src/texts/failure";
 import { thingName } from "../../www/src/texts/status";
 import { gapAt } from "../../www/src/scene/gap";
@@ -8,7 +8,7 @@ import { footprint, vehicleOf } from "../../www/src/scene/vehicle";
 import { insidePolygon, type Point } from "../../www/src/scene/geometry";
 import { emptyResult, initialState, type State } from "../../www/src/store";
 import { distancesOf } from "../../www/src/view/drive";
-import { failureOf } from "../../www/src/view/failure";
+import { failureOf, passageOf } from "../../www/src/view/failure";
 import { between } from "../../www/src/view/fly";
 import { alongRoad, stripOf } from "../../www/src/view/layers/lane-strip";
 import { drivesCar, hasField, introduce } from "../../www/src/styles/planner-style";
@@ -183,6 +183,43 @@ describe("why it fails", () => {
         expect(failureOf(state.scene, plan), `${id} ${planner}`).not.toBeNull();
       }
     }
+  });
+
+  it("says of a corner that is too narrow how finely it was searched, and how wide the passage and the turn are", () => {
+    // Corridors of 2.6 m for a car of 1.9 m that sweeps 3.06 m.
+    const corner = (wide: number): Scenario => ({
+      ...lot({}),
+      vehicle: "sedan",
+      start: { x: -16, y: wide / 2, heading: 0 },
+      goal: { x: wide / 2, y: -14, heading: -Math.PI / 2 },
+      obstacles: [
+        { type: "rectangle", id: "inner", center: [-10, -10], size: [20, 20] },
+        { type: "rectangle", id: "above", center: [-8, wide + 2], size: [24 + 2 * wide, 4] },
+        { type: "rectangle", id: "beside", center: [wide + 2, -8], size: [4, 24 + 2 * wide] },
+      ],
+    });
+    const scene = corner(2.6),
+      plan = answer("hybrid", scene);
+    expect(plan.outcome).not.toBe("found");
+    const passage = passageOf(scene, plan)!;
+    expect(passage.width).toBeCloseTo(2.6, 6);
+    expect(passage.needed).toBeCloseTo(Math.hypot(5.5 + 0.95, 3.75) - 4.55, 9);
+    const state = stateWith(scene, ["hybrid"]),
+      { margin, xyResolution } = (plan as HybridPlan).member!;
+    const small = (value: number): string =>
+      value < 0.01 ? `${(value * 1000).toFixed(0)} mm` : `${(value * 100).toFixed(0)} cm`;
+    for (const lang of ["en", "zh"] as const) {
+      const why = whyOf({ ...state, lang }, "hybrid")!;
+      expect(why).toContain("2.60 m");
+      expect(why).toContain("2.91 m");
+      if (plan.detail !== "no-room") {
+        expect(why).toContain(small(margin));
+        expect(why).toContain(small(xyResolution));
+      }
+    }
+    // A passage in which the car turns as it likes, or that is open on one side, is not said to be narrow.
+    expect(passageOf(corner(3.2), plan)).toBeNull();
+    expect(passageOf({ ...scene, obstacles: [] }, plan)).toBeNull();
   });
 
   it("tells the gap of the narrow gap as it is drawn", () => {

@@ -37,6 +37,10 @@ const COMPARE_SPACING: f64 = 0.25;
 const MAX_COMPARISONS: f64 = 500.0;
 /// Arcs with less curvature are as long as their chords, 1/m.
 const STRAIGHT_CURVATURE: f64 = 1e-6;
+/// Shares of the margin that pieces of the old path must keep when they are looked at again. The checks grow the body to
+/// a rectangle, whose corners stick out: one that stands on a piece's first check may have passed unseen between two. Of
+/// what keeps less the clearance decides.
+const KEPT_MARGINS: [f64; 2] = [1.0, core::f64::consts::FRAC_1_SQRT_2];
 /// Expansions of the search around the old path, on the coarsest level and on the next.
 const CORRIDOR_EXPANSIONS: [u32; 2] = [1500, 4000];
 
@@ -99,14 +103,15 @@ pub fn stay(
     let old = Old { query, config, last, report, share, cuts, ends: [start, goal], costs, path };
     let mut is_kept =
         |path: &Report| old.strays(&path.arcs) <= reach && old.is_as_good(path) && is_sound(path);
-    let free = old.anchored(&probe).filter(&mut is_kept);
+    let mut anchored =
+        |probe| KEPT_MARGINS.iter().find_map(|&kept| old.anchored(probe, kept).filter(&mut is_kept));
+    let free = anchored(&probe);
     if free.is_some() || old.strays(&report.arcs) <= reach {
         return free;
     }
     let corridor = Corridor::around(&old.path, reach - CORRIDOR_INSET);
     let narrow = probe.within(&corridor);
-    let anchored = old.anchored(&narrow).filter(&mut is_kept);
-    anchored.or_else(|| old.bent(&narrow, reach - CORRIDOR_INSET, scratch).filter(is_kept))
+    anchored(&narrow).or_else(|| old.bent(&narrow, reach - CORRIDOR_INSET, scratch).filter(is_kept))
 }
 
 fn split(path: &[Arc]) -> Vec<Arc> {
@@ -156,11 +161,12 @@ impl Old<'_> {
         Report { arcs: path, cost, status: Status::Suboptimal, ..self.report.clone() }
     }
 
-    /// The old path with other ends; `None` where it cannot be led there.
-    fn anchored(&self, probe: &CollisionChecker) -> Option<Report> {
+    /// The old path with other ends; `None` where it cannot be led there. Its pieces stay where they have this share of
+    /// the margin.
+    fn anchored(&self, probe: &CollisionChecker, kept: f64) -> Option<Report> {
         let [start, goal] = self.ends;
         let margin = self.report.margin;
-        let joining = Joining { probe, costs: &self.costs, margin };
+        let joining = Joining { probe, costs: &self.costs, margin, kept: kept * margin };
         let knots = split(&self.last.arcs);
         let back: Vec<Arc> = arcs::reversed(&knots);
         let (head, from) = joining.lead(start, self.last.start, &knots)?;
@@ -215,7 +221,10 @@ impl Old<'_> {
 struct Joining<'a> {
     probe: &'a CollisionChecker<'a>,
     costs: &'a CostModel,
+    /// Of new curves, metres, …
     margin: f64,
+    /// … and of what stays of the old path.
+    kept: f64,
 }
 
 impl Joining<'_> {
@@ -250,7 +259,7 @@ impl Joining<'_> {
                 *pose = pose.advance(arc.curvature, arc.length);
                 Some(*pose)
             }));
-            let is_free = |at: usize| self.probe.arc_free(poses[at], &knots[at], CHECK_SPACING, self.margin);
+            let is_free = |at: usize| self.probe.arc_free(poses[at], &knots[at], CHECK_SPACING, self.kept);
             let Some(first) = (from..knots.len()).find(|&at| !is_free(at)) else { return Some(knots) };
             let behind = (first + 1..knots.len()).find(|&at| is_free(at)).unwrap_or(knots.len());
             let mut best: Option<(f64, Word, usize, usize)> = None;

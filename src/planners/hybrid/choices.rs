@@ -184,7 +184,14 @@ impl Run<'_, '_> {
             bound: price * f64::from(self.changes),
             ..config.level(number)
         };
-        self.attempt(&config, (level, number, LAYER_EXPANSIONS[number as usize]), margin, is_swapped)?;
+        let most = LAYER_EXPANSIONS[number as usize];
+        self.attempt(&config, (level, number, most), margin, is_swapped)?;
+        if number == 0 && !is_swapped && self.changes > 0 {
+            // The order of the search decides which pose stands for a cell. Without an estimate it goes through each
+            // layer as an exhaustive search does, and misses nothing that this one finds.
+            let all = Level { weight: 0.0, bound: price * f64::from(self.changes), ..level };
+            self.attempt(&config, (all, number, most), margin, false)?;
+        }
         Goes::Continue(())
     }
 

@@ -4,6 +4,7 @@
 //! and the first connection to the start comes from the goal of the cheapest path. It searches the coarse level, which
 //! answers nearly always; where it does not, each goal is planned for on its own until one has a path.
 
+use super::config::Level;
 use super::level::{Search, Work};
 use super::obstacle_heuristic::ObstacleHeuristic;
 use super::{Config, MIN_MARGIN, Query, Report, Scratch, Status, TIGHT_CLEARANCE, empty, plan};
@@ -17,6 +18,11 @@ const MAX_SINGLE_GOAL_EXPANSIONS: u32 = 600_000;
 
 /// A goal with less room than another is taken where its path costs less than this share of the other's.
 const ROOM_TRADE: f64 = 0.97;
+/// Weight of the estimate in a search from many goals, which may cost as much more than the cheapest path: else each
+/// goal that seems a little nearer than the one taken is searched from until it is proven dearer.
+const WEIGHT: f64 = 1.03;
+/// Spacing at which a path is asked whether it keeps more margin than it was searched with, metres.
+const MARGIN_SPACING: f64 = 0.02;
 
 /// Plans a path to the cheapest of some goals, one at least; tells which. The query's own goal is ignored.
 ///
@@ -131,10 +137,16 @@ impl Many<'_> {
             sum.margin = self.margin(least);
             self.at_once(&tight, &clearances, &flood, (&mut sum, scratch, progress));
             if let Some((at, mut found)) = self.kept(&mut sum) {
-                if self.margin(clearances[at]) > found.margin {
-                    found = Some(self.alone(at, &sum, scratch, progress))
-                        .filter(|again| !again.arcs.is_empty())
-                        .unwrap_or(found);
+                let own = self.margin(clearances[at]);
+                if self.keeps(&found, own) {
+                    found.margin = own;
+                }
+                if own > found.margin {
+                    let again = self.alone(at, &sum, scratch, progress);
+                    sum = Report { collision_checks: again.collision_checks, ..again.counters() };
+                    if !again.arcs.is_empty() && again.margin > found.margin {
+                        found = again;
+                    }
                 }
                 if best.as_ref().is_none_or(|(_, best)| found.cost < best.cost * ROOM_TRADE) {
                     best = Some((at, found));
@@ -154,6 +166,16 @@ impl Many<'_> {
         let counters = Report { collision_checks: self.probe.checks(), ..report.counters() };
         let found = core::mem::replace(report, counters);
         (!found.arcs.is_empty()).then(|| (nearest(self.goals, arcs::end(self.start, &found.arcs)), found))
+    }
+
+    /// True if a path has so much room all the way, although less was asked of it.
+    fn keeps(&self, found: &Report, margin: f64) -> bool {
+        let mut pose = self.start;
+        found.arcs.iter().all(|arc| {
+            let is_free = self.probe.arc_free(pose, arc, MARGIN_SPACING, margin);
+            pose = pose.advance(arc.curvature, arc.length);
+            is_free
+        })
     }
 
     fn clearance(&self, pose: Pose) -> f64 {
@@ -212,9 +234,10 @@ impl Many<'_> {
                 trace: self.trace,
                 goals: &goals,
             };
+            let level = self.config.level(0);
             search.first(
                 &|| None,
-                self.config.level(0),
+                Level { weight: WEIGHT, ..level },
                 &mut Work { report: &mut *report, scratch, progress },
             );
         }

@@ -5,7 +5,7 @@ import { isMessage, number, translate } from "../i18n/index";
 import { wordsAt } from "../i18n/words";
 import { gapAt } from "../scene/gap";
 import type { State } from "../store";
-import { failureOf } from "../view/failure";
+import { failureOf, passageOf } from "../view/failure";
 import { drivesCar, plannerName, plansRoads } from "../styles/planner-style";
 import { statusOf, thingName } from "./status";
 
@@ -82,15 +82,37 @@ function ofObstruction(state: State, plan: Plan): (string | null)[] {
   if (obstruction?.kind === "contact") {
     return [
       say(lang, "contact", { thing: thingName(state, obstruction.hit), end: say(lang, obstruction.end) }),
-      small(state, plan),
+      tooSmall(state, plan),
     ];
   }
   const key = `reason.${outcome}`,
     own = isMessage(key) ? translate(lang, key) : null;
   const place =
     !obstruction || (obstruction.kind === "nearest" && outcome === "budget-spent") ? null : say(lang, obstruction.kind);
-  return [lang === "en" && reason ? reason : own, place];
+  const passage = passageOf(state.scene, plan),
+    narrow =
+      passage &&
+      say(lang, "passage", { width: number(lang, passage.width, 2), needed: number(lang, passage.needed, 2) });
+  return [searched(state, plan) ?? (lang === "en" && reason ? reason : own), narrow ?? place];
 }
+
+/** What hybrid's search has proven or not, and how finely it looked. */
+function searched({ lang }: State, plan: Plan): string | null {
+  if (plan.detail === "no-room") return say(lang, "no-room");
+  if (!("member" in plan) || !plan.member || plan.detail) return null;
+  const { xyResolution, headingResolution, margin } = plan.member,
+    angle = headingResolution * DEGREES;
+  return say(lang, plan.outcome === "no-path" ? "searched" : "undecided", {
+    cell: small(lang, xyResolution),
+    angle: number(lang, angle, angle % 1 > 0.05 ? 1 : 0),
+    margin: small(lang, margin),
+    n: number(lang, plan.stats.expanded, 0),
+  });
+}
+
+/** A length below a metre, in centimetres or millimetres. */
+const small = (lang: State["lang"], metres: number): string =>
+  metres < 0.01 ? `${number(lang, metres * 1000, 0)} mm` : `${number(lang, metres * 100, 0)} cm`;
 
 /** The gap as it is drawn, where the planner's cells agree with it; shown figures keep their order. */
 function gapValues(
@@ -107,7 +129,7 @@ function gapValues(
 }
 
 /** That the car is larger than the slot it shall stand in. */
-function small({ lang, scene, geometry }: State, { obstruction }: Plan): string | null {
+function tooSmall({ lang, scene, geometry }: State, { obstruction }: Plan): string | null {
   const { goal } = scene,
     slot = "slot" in goal ? scene.slots?.find(({ id }) => id === goal.slot) : undefined;
   const car = geometry?.vehicle;

@@ -2,6 +2,7 @@
 import type { Hit, Obstruction, Plan, Pose } from "parkade";
 import { overlapAt, type Overlap } from "../scene/overlap";
 import { boxOf, distance, fromPose, type Box, type Point } from "../scene/geometry";
+import { passageAt, sweptWidth, type Gap } from "../scene/gap";
 import { footprint, vehicleOf, type ResolvedVehicle } from "../scene/vehicle";
 import type { Scene } from "../store";
 import { distancesOf, poseAt } from "./drive";
@@ -41,6 +42,17 @@ export function failureOf(scene: Scene, plan: Plan): Failure | null {
           : null;
   known.set(plan, failure);
   return failure;
+}
+
+/** The passage in which a search ends, where it is too narrow for turning at full lock, and the width that would do. */
+export function passageOf(scene: Scene, { obstruction }: Plan): (Gap & { needed: number }) | null {
+  if (obstruction?.kind !== "nearest" || obstruction.heading === null) return null;
+  const { x, y, heading } = obstruction,
+    vehicle = vehicleOf(scene.vehicle),
+    needed = sweptWidth(vehicle),
+    [bx, by] = bodyOf({ x, y, heading }, vehicle);
+  const passage = passageAt(scene, { x: bx, y: by, heading }, 2 * needed);
+  return passage && passage.width < needed ? { ...passage, needed } : null;
 }
 
 const bodyOf = (pose: Pose, vehicle: ResolvedVehicle): Point =>

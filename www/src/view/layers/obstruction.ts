@@ -7,6 +7,7 @@ import { drawPill, fixed, PILL_HEIGHT, pillWidth } from "../text";
 import { fade } from "../tokens";
 import { drawHatchedPose } from "./collisions";
 import { newPath } from "../surface";
+import { passageOf } from "../failure";
 import { drawDimension } from "./dimension";
 
 type Point = readonly [number, number];
@@ -15,6 +16,8 @@ export function drawObstruction(frame: Frame, { result }: Shown): void {
   const plan = result?.status === "planning" ? null : result?.plan;
   if (!plan || plan.outcome === "found" || !plan.obstruction) return;
   draw(frame, plan.obstruction);
+  const passage = passageOf(frame.state.scene, plan);
+  if (passage) drawDimension(frame, passage.from, passage.to, `${fixed(passage.width, 2)} m`);
 }
 
 function draw(frame: Frame, obstruction: Obstruction): void {

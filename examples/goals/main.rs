@@ -1,9 +1,17 @@
 //! How soon hopeless parking questions are answered and in which words, and that answers do not depend on where the
-//! origin is. `cargo xtask bench parking` runs it with the rest of the parking planner's goals.
+//! origin is. `cargo xtask bench parking` runs it with the rest of the parking planner's goals. With `sets`: what a set
+//! of goals costs against the goal that is taken, planned for alone.
 //!
 //! ```sh
 //! PARKADE_DATA=folder cargo run --release --example goals
+//! cargo run --release --example goals sets [lots] [first seed] [verbose]
 //! ```
+
+#[path = "../clock/mod.rs"]
+mod clock;
+#[path = "../../tests/goals/lots.rs"]
+mod lots;
+mod sets;
 
 use std::path::Path;
 use std::time::Instant;
@@ -17,6 +25,12 @@ use parkade::scenario::{Goal, Obstacle, Scenario, catalog};
 use serde_json::Map;
 
 fn main() {
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    if words.first().is_some_and(|word| word == "sets") {
+        let numbers: Vec<u64> = words[1..].iter().filter_map(|word| word.parse().ok()).collect();
+        let number = |at: usize, default: u64| numbers.get(at).copied().unwrap_or(default);
+        return sets::print(number(0, 100), number(1, 1), words.iter().any(|word| word == "verbose"));
+    }
     let folder = std::env::var("PARKADE_DATA").unwrap_or_else(|_| "../shared/data".to_owned());
     println!("| goal | reached |\n| --- | --- |");
     let cases = (1..=20).filter_map(|n| case(Path::new(&folder), n));
