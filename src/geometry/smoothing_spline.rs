@@ -1,4 +1,4 @@
-//! Smoothing splines whose knots the data choose, as FITPACK's `parcur` and with it SciPy's `splprep` fit them: P.
+//! Smoothing splines whose knots the data choose, as FITPACK's `parcur` and with it `scipy.interpolate.splprep` fit them: P.
 //! Dierckx, Curve and Surface Fitting with Splines, Oxford 1993, chapters 4, 5 and 9.
 //!
 //! Knots are added, always at a point in the interval with the largest sum of squared residuals, until a least-squares
@@ -37,7 +37,9 @@ pub fn smoothing_spline(points: &[Point], smoothing: f64) -> Option<Spline> {
         at.push(at[at.len() - 1] + (pair[1] - pair[0]).norm());
     }
     let length = at[at.len() - 1];
-    at.iter_mut().for_each(|u| *u /= length);
+    for u in &mut at {
+        *u /= length;
+    }
     let is_sound = points.len() >= 4 && at.windows(2).all(|w| w[0] < w[1]) && smoothing > 0.0;
     is_sound.then(|| Fit { points, at, bound: smoothing, knots: Vec::new() }.spline())
 }

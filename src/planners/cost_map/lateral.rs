@@ -150,7 +150,7 @@ impl Lateral<'_> {
             let is_end = i == 0 || i == last;
             let across = self.across(k, side);
             let fine = if is_end { (across, false) } else { self.widest(&stations[i], across, asked[i]) };
-            line.push((self.place(&stations[i], fine.0), fine.1));
+            line.push((Self::place(&stations[i], fine.0), fine.1));
             if i > 0 {
                 let e = usize::from(before[i][k * SLOPES + d]);
                 (k, d) = (k + SLOPE - d, e);
@@ -181,7 +181,7 @@ impl Lateral<'_> {
         (k as f64 - side as f64) * ACROSS * self.scale
     }
 
-    fn place(&self, station: &Station, across: f64) -> Point {
+    fn place(station: &Station, across: f64) -> Point {
         station.point + Vector::new(-station.way.y, station.way.x) * across
     }
 
@@ -197,7 +197,7 @@ impl Lateral<'_> {
             return -self.radius;
         }
         let ahead = self.half_length - self.radius / 2.0;
-        let at = self.place(station, across);
+        let at = Self::place(station, across);
         [0.0, -ahead, ahead].into_iter().fold(f64::INFINITY, |least, by| {
             // What is short anyway is not looked at any closer.
             if least < asked - ahead { least } else { least.min(self.room_at(at + station.way * by, asked)) }
@@ -209,7 +209,7 @@ impl Lateral<'_> {
         let places = 2 * side + 1;
         let price = |i: usize, k: usize| {
             let (station, across) = (&stations[i], self.across(k, side));
-            let metre = self.metre(self.place(station, across)).min(SHORT);
+            let metre = self.metre(Self::place(station, across)).min(SHORT);
             let short =
                 (asked[i] - self.room_beside(station, across, asked[i])).max(0.0) / asked[i].max(0.05);
             metre * Self::inner(station, across).max(INNER) + SHORT * short
