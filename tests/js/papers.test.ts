@@ -7,7 +7,7 @@ let en: Page[], zh: Page[];
 
 beforeAll(async () => {
   [en, zh] = [await pages("en", SEEDS), await pages("zh", SEEDS)];
-}, 120_000);
+}, 300_000);
 
 /** What is said of a page without its words. */
 const skeletonOf = ({ id, blocks }: Page) => [
