@@ -29,10 +29,6 @@ const FAR_REVERSE_PRICE: f64 = 5.0;
 const FAR_REVERSE_WEIGHT: f64 = 2.0;
 /// Expansions of that search for each metre that it may save.
 const FAR_REVERSE_EFFORT: f64 = 100.0;
-/// A path with more gear changes than this is searched again …
-const FEW_CHANGES: u32 = 3;
-/// … with this extra cost of a gear change, metres, and as much work as it took.
-const SECOND_LOOK_CHANGE_COST: f64 = 3.0;
 
 /// Margins that a path is tried with, too, where less is asked for, metres.
 const COMPARED_MARGINS: [f64; 2] = [0.05, 0.1];
@@ -115,7 +111,6 @@ impl<'a> Search<'a> {
             return First::Failed;
         }
         self.reconsider(level, work);
-        self.look_again(level, work);
         self.compare(level, work);
         First::Found
     }
@@ -158,22 +153,6 @@ impl<'a> Search<'a> {
                 ..level
             };
             this.retry(level, Some(work.report.status), work);
-        }
-    }
-
-    /// Searches once more where the path changes gear often: with a higher price of a change. In clutter the tree
-    /// changes gear at every obstacle, and never sees that the way around is cheaper as well.
-    #[inline(never)]
-    fn look_again(&self, level: Level, work: &mut Work) {
-        if !self.config.first_shot && arcs::direction_changes(&work.report.arcs) > FEW_CHANGES {
-            let most = work.report.expanded.max(FIRST_BUDGET);
-            let level = Level {
-                weight: self.config.heuristic_weight.unwrap_or(RETRY_WEIGHT),
-                extra_change: SECOND_LOOK_CHANGE_COST,
-                max_expansions: level.max_expansions.min(most),
-                ..level
-            };
-            self.retry(level, Some(work.report.status), work);
         }
     }
 
