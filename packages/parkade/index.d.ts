@@ -946,8 +946,8 @@ export interface DrivenPath {
   path: Float64Array | number[];
   /** Gear (±1) of the way on from each pose; forward where absent. */
   directions?: Int8Array | number[];
-  /** Curvature of the way on from each pose, 1/m; from the poses where absent. */
-  curvatures?: Float64Array | number[];
+  /** Curvature of the way on from each pose, 1/m, NaN or null at a corner; from the poses where absent. */
+  curvatures?: Float64Array | (number | null)[];
 }
 
 /** Limits of a trajectory. */

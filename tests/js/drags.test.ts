@@ -1,6 +1,6 @@
 /** The page's first scene under the hand: the worker's session answers a drag's steps, and no path leaps to a way about as long. */
 import { beforeAll, expect, it } from "vitest";
-import { Planner, init, scenario, type Plan, type Pose } from "parkade";
+import { Planner, init, planners, scenario, type Plan, type Pose } from "parkade";
 import { driveOf } from "../../www/src/planning/drive-of";
 import type { PlanRequest, Reply, Request } from "../../www/src/planning/protocol";
 import type { Scenario } from "../../www/src/scene/scenario";
@@ -16,7 +16,7 @@ const scope: Scope = { onmessage: null, postMessage: () => {} };
 beforeAll(async () => {
   await init();
   const { serve } = await import("../../www/src/planning/plan-worker");
-  serve({ Planner, init: () => init(), driveOf } as unknown as Parameters<typeof serve>[0]);
+  serve({ Planner, init: () => init(), planners, driveOf } as unknown as Parameters<typeof serve>[0]);
 });
 
 const STEPS = 200;

@@ -256,7 +256,8 @@ describe("what the package answers is of the types that it declares:", () => {
     for (const { id: planner, family } of small.planners()) {
       for (const { id } of small.scenarios()) {
         const made = core.planner(planner, small.scenario(id), family === "hybrid" ? FEW : {});
-        made.plan({ trace: true });
+        const { path, directions } = made.plan({ trace: true });
+        if (path.length > 0) core.call("checkPath", small.scenario(id), path, directions);
         made.call("layer", "clearance");
         made.free();
       }

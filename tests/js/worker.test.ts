@@ -26,7 +26,7 @@ const scope: Scope = { onmessage: null, postMessage: () => {} };
 await init();
 import { driveOf } from "../../www/src/planning/drive-of";
 const { serve } = await import("../../www/src/planning/plan-worker");
-serve({ Planner, init: () => init(), driveOf } as unknown as Parameters<typeof serve>[0]);
+serve({ Planner, init: () => init(), planners, driveOf } as unknown as Parameters<typeof serve>[0]);
 
 /** A lane with the worker's own script on this thread, and what that is asked. */
 function setup(planner: PlannerId) {
@@ -201,13 +201,14 @@ it("shows the plan where its drive fails", async () => {
   const { plan } = setup("hybrid");
   serve({
     Planner,
+    planners,
     init: () => init(),
     driveOf: () => {
       throw Object.assign(new Error("must be driven within 100000 s"), { code: "config", path: "path" });
     },
   } as unknown as Parameters<typeof serve>[0]);
   const reply = await plan(scenario("P0"), []);
-  serve({ Planner, init: () => init(), driveOf } as unknown as Parameters<typeof serve>[0]);
+  serve({ Planner, init: () => init(), planners, driveOf } as unknown as Parameters<typeof serve>[0]);
   expect(reply).toMatchObject({ kind: "planned", drive: null, undriven: true, plan: { outcome: "found" } });
 });
 
