@@ -29,6 +29,8 @@ const NAMES = new RegExp(
     "Reeds",
     "Shepp",
     "Dubins",
+    "Dijkstra",
+    "RRT",
     "Voronoi",
     "RMS",
     "Ctrl",
