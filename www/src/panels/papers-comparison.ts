@@ -39,6 +39,7 @@ export class PapersComparison extends PapersTab<Summary> {
     claimStyles,
     css`
     .charts svg { display: block; } .charts { overflow-x: auto; color: var(--parkade-t1); margin: 6px 0; }
+    .compared th:nth-child(2) { text-align: start; }
   `,
   ];
   private helpers: Helper[] = [];

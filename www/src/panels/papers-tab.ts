@@ -32,7 +32,7 @@ export abstract class PapersTab<Summary> extends AppElement {
     thead th { color: var(--parkade-t2); } thead .over th { color: var(--parkade-t1); font-weight: 500; padding-bottom: 0; text-align: left; } tbody tr { border-top: 1px solid var(--parkade-hair); }
     tbody th { font-weight: 500; } .printed { color: var(--parkade-t2); } .first { border-left: 1px solid var(--parkade-hair); padding-left: 14px; } .ours { font-weight: 600; }
     td .chip { margin-right: 8px; vertical-align: middle; } .note { margin: 4px 0 0; color: var(--parkade-t2); font-size: 12px; line-height: 16px; }
-    .link { border: 0; background: none; padding: 0; min-height: 24px; font: inherit; font-weight: 400; color: var(--parkade-accent); cursor: pointer; text-decoration: underline; } h3 .link { margin-left: 6px; } p .link { margin-left: 4px; } .pictures { display: flex; flex-wrap: wrap; gap: 10px; margin: 8px 0; }
+    .link { border: 0; background: none; padding: 0; margin: 0; min-height: 24px; font: inherit; font-weight: 400; color: var(--parkade-accent); cursor: pointer; text-decoration: underline; } h3 .link { margin-left: 6px; } p .link { margin-left: 4px; } .pictures { display: flex; flex-wrap: wrap; gap: 10px; margin: 8px 0; }
     @media (max-width: 640px) { .tools { padding: 0 16px 10px; } .scroll { padding: 14px 16px 16px; } .copy { margin-left: 0; } th:first-child { position: sticky; left: 0; background: var(--parkade-raise); padding-right: 12px; } }
   `,
   ];
