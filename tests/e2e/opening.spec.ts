@@ -135,7 +135,7 @@ test("buttons and keys zoom all maps, and a path that leaves the view has a way 
   await expect(pill).toHaveCount(0);
   await page.keyboard.press("-");
   await expect.poll(async () => (await scale())[0]! / before[0]!).toBeCloseTo(1 / 1.4, 2);
-  await page.getByRole("button", { name: "Fit the scene" }).click();
+  await page.getByRole("button", { name: "Fit to view" }).click();
   await expect.poll(scale).toEqual(before);
   expect(complaints).toEqual([]);
 });
