@@ -196,7 +196,7 @@ test.describe("by touch", () => {
 });
 
 test("every term of the costs follows its slider at once", async ({ page }) => {
-  await road(page, "road-crossing", 810);
+  await road(page, "road-turn-ban", 312);
   await settled(page);
   const hash = () =>
     page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.results["cost-map"]?.hash);
@@ -219,7 +219,15 @@ test("every term of the costs follows its slider at once", async ({ page }) => {
 test("cars drive on roads, and do not creep", async ({ page }) => {
   await road(page, "road-narrow", 1021);
   // 500 m at 10 m/s at most, from rest to rest.
-  await expect(page.locator("parkade-timeline")).toContainText(/\/ [56]\d\.\d s/);
+  const seconds = () =>
+    page.evaluate(() => {
+      const { results } = document.querySelector<PlaygroundElement>("parkade-playground")!.store.state as unknown as {
+        results: Record<string, { drive: { t: Float64Array } | null }>;
+      };
+      return results["cost-map"]?.drive?.t.at(-1) ?? 0;
+    });
+  await expect.poll(seconds).toBeGreaterThan(50);
+  expect(await seconds()).toBeLessThan(70);
 });
 
 test("what fails when the manuscript is taken literally is explained beside the plan", async ({ page }) => {
