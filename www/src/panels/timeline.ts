@@ -35,7 +35,7 @@ export class Timeline extends AppElement {
     .reverse { stroke: var(--parkade-t1); stroke-width: 3; stroke-dasharray: 0.1 5; stroke-linecap: round; }
     .track .diamond { position: absolute; top: 50%; left: 0; width: 10px; height: 10px; margin: -5px 0 0 -5px; pointer-events: none; overflow: visible; }
     .diamond path { fill: #fff; stroke: #1b1d20; stroke-width: 1.25; }
-    .now { margin-left: 16px; white-space: nowrap; min-width: 110px; text-align: right; }
+    .now { margin-left: 16px; white-space: nowrap; min-width: 96px; text-align: left; }
     select { appearance: none; border: 0; background: none; height: 32px; padding: 0 8px; font-weight: 500; cursor: pointer; border-radius: calc(6px * var(--parkade-radius)); }
     select:hover { background: var(--parkade-hover); }
     option { background: var(--parkade-raise); color: var(--parkade-t1); }
