@@ -86,7 +86,7 @@ const NAMES = new RegExp(
 );
 
 /** Papers as they are cited: their authors and the year. */
-const CITED = /(?:[A-Z][a-z]+, )*[A-Z][a-z]+(?: 等)? \d{4}/g;
+const CITED = /(?:[A-Z][A-Za-z]+, )*[A-Z][A-Za-z]+(?: 等)? \d{4}/g;
 
 /** What is drawn into the maps and charts is kept, too. */
 test.beforeEach(async ({ page }) => {
