@@ -29,7 +29,7 @@
 //! (dimensions, collision) · [`scenario`] (scenes, their JSON, built-in and generated ones) · `import` (maps of other
 //! programs) · [`search`] (best-first search over any [`search::Domain`]) · [`planners`] · [`post`] (pruning,
 //! smoothing) · [`metrics`] (validator, figures) · `drive` (paths in time) · `referee` (verdicts on trajectories) ·
-//! `optimise` (plans as trajectories) · [`plan`] (joins all of these) · `papers` (the papers' tables) · `wasm`
+//! `optimise` (plans as trajectories) · [`plan`] (joins all of these) · `audit` (every bay of a lot) · `papers` (the papers' tables) · `wasm`
 //! (JavaScript bindings, on wasm32 only).
 //!
 //! # Determinism
@@ -40,6 +40,8 @@
 //!
 //! The cargo feature `complete`, on by default, holds what the page does not need for its first picture.
 
+#[cfg(feature = "complete")]
+pub mod audit;
 #[cfg(feature = "complete")]
 pub mod drive;
 pub mod error;

@@ -65,6 +65,7 @@ export default defineConfig({
               { text: "Embed it", link: "/embed" },
               { text: "Bundlers and servers", link: "/bundlers" },
               { text: "Command line", link: "/command" },
+              { text: "Check every bay", link: "/audit" },
               { text: "Many machines", link: "/machines" },
             ],
           },

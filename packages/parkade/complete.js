@@ -4,6 +4,7 @@ import { packedScene, unpackedScene } from "./cells.js";
 import * as raw from "./parkade.js";
 import { ParkadeError, call, mismatch, number, numbers, object, text } from "./runtime.js";
 
+export * from "./audit.js";
 export * from "./columns.js";
 export * from "./drive.js";
 export * from "./picture.js";

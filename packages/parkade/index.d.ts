@@ -1191,6 +1191,105 @@ export interface RoadFigures {
   laneLeftShare: number | null;
 }
 
+/** A vehicle of the library, from the standards and everyday traffic; metres and radians. */
+export interface LibraryVehicle {
+  id: string;
+  title: { en: string; zh: string };
+  wheelbase: number;
+  /** Front axle to front bumper, rear axle to rear bumper. */
+  frontOverhang: number;
+  rearOverhang: number;
+  /** Without mirrors. */
+  width: number;
+  /** Null where the source does not state it. */
+  widthWithMirrors: number | null;
+  maxSteer: number;
+  /** Radii of the circles of the outer front wheel and of the outer front corner at full lock, as the source states them. */
+  kerbRadius: number | null;
+  wallRadius: number | null;
+  /** Fields that the source leaves open and that were chosen here. */
+  assumed: string[];
+  source: string;
+  /** The same as dimensions of a scene's vehicle, without mirrors. */
+  vehicle: Vehicle;
+}
+
+/** Where vehicles come in and leave. */
+export interface Entrance {
+  id: string;
+  /** Of the scene's car; other vehicles stand with their tail in the same place. */
+  pose: Pose;
+  /** Where they leave; where absent, at the entrance with the nose at the other end. */
+  exit?: Pose;
+}
+
+export interface AuditOptions {
+  /** Ids of the library, profiles, or dimensions with an id of one's own; default: the scene's car. */
+  vehicles?: (string | { id: string; vehicle: VehicleSpec })[];
+  /** Default: head-in and reverse-in. */
+  entries?: ("head-in" | "reverse-in")[];
+  /** Occupied bays are left out ("as-is", the default), or each is asked as if it were free. */
+  whatIf?: "as-is" | "each-free";
+  /** Default: the scene's start, with the id "start". */
+  entrances?: Entrance[];
+  /** Ids or indices of slots; default: all. Parts give exactly the rows of the whole. */
+  bays?: (string | number)[];
+  /** True (default) if ways out are asked as well. */
+  out?: boolean;
+  /** Settings of `hybrid`, laid over the scene's. */
+  settings?: Partial<PlannerSettings["hybrid"]>;
+}
+
+/** A way in or out, or why there is none. */
+export interface AuditWay {
+  /** True if there is a path that the independent validator accepts. */
+  reachable: boolean;
+  /** As a plan's; `budget-spent` where nothing is proven. */
+  outcome: Outcome;
+  detail: Detail | null;
+  /** For people, where there is no path. */
+  reason: string | null;
+  /** The place that blocks the way, or the obstacle's point nearest to the body on it. */
+  place: [number, number] | null;
+  /** What stands there, by name. */
+  blocker: string | null;
+  /** Gear changes and one; 0 without a path. */
+  moves: number;
+  length: number;
+  /** Seconds. */
+  driveTime: number | null;
+  /** Least distance from the body to anything along the way. */
+  clearance: number;
+  /** The plan's hash: for ways in that of `hybrid` between the same poses, for ways out that of `hybrid-forward`. */
+  hash: string;
+  /** x, y, heading, … half a metre apart along the way, and its last pose. */
+  swept: Float64Array;
+}
+
+/** The answer for one bay, vehicle, entrance and entry. */
+export interface AuditRow extends AuditWay {
+  /** The slot's id, or `#` and its number from 1; `index` is its place in the scene's slots. */
+  bay: string;
+  index: number;
+  vehicle: string;
+  entrance: string;
+  entry: "head-in" | "reverse-in";
+  /** How far the parked body sticks out of the bay; 0 where it fits. */
+  overhang: number;
+  /** Null where `out` is false. */
+  out: AuditWay | null;
+}
+
+/**
+ * Asks of each bay whether each vehicle can drive in from each entrance, and out again: rows bay by bay, and for each bay by
+ * vehicle, entrance and entry, in the order of the options. `onRow` is given each row at once; where it answers false, the audit ends
+ * with the rows so far. `parkade` only, not `parkade/core`.
+ */
+export function audit(
+  scene: Scenario, options?: AuditOptions & { onRow?: (row: AuditRow) => boolean | void },
+): AuditRow[];
+/** The library of vehicles. `parkade` only, not `parkade/core`. */
+export function vehicles(): LibraryVehicle[];
 /** Figures of any path on a scene's road. `parkade` only, not `parkade/core`. */
 export function roadFigures(scene: Scenario, plan: { path: Float64Array | number[] }): RoadFigures;
 /**

@@ -262,6 +262,12 @@ impl Planner {
         plan
     }
 
+    /// About how long this planner's path takes to drive as it is, seconds; infinite where it cannot be told.
+    #[cfg(feature = "complete")]
+    pub fn driving_time(&self, plan: &Plan) -> f64 {
+        choices::estimated_time(plan, &self.world.geometry, &self.scenario.all_speed_limits())
+    }
+
     /// Explains the risk field at the cell of a point (metres): force, region and candidates in the paper's terms.
     /// `None` off the map and in blocked cells.
     ///

@@ -1,6 +1,8 @@
 //! The car: dimensions, footprint and collision.
 
 pub mod collision;
+#[cfg(feature = "complete")]
+pub mod library;
 
 use serde::Serialize;
 

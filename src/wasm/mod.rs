@@ -2,6 +2,8 @@
 #![expect(unreachable_pub, reason = "wasm-bindgen exports only items marked pub")]
 
 mod answer;
+#[cfg(feature = "complete")]
+mod audit;
 mod codec;
 #[cfg(feature = "complete")]
 mod complete;

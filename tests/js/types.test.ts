@@ -326,6 +326,15 @@ describe("what the package answers is of the types that it declares:", () => {
     risk.free();
   });
 
+  it("audits, and the library of vehicles", () => {
+    const rows = api.call("audit", scene("perpendicular"), {
+      vehicles: ["sedan", "small-lorry"],
+      whatIf: "each-free",
+    }) as parkade.AuditRow[];
+    expect(new Set(rows.map(({ reachable }) => reachable)).size).toBe(2);
+    api.call("vehicles");
+  });
+
   it("drives, waits and pictures", () => {
     for (const { id, group } of parkade.scenarios().filter((one) => one.group === "moving" || one.id === "L2")) {
       const where = scene(id),

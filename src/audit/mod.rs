@@ -1,0 +1,167 @@
+//! Which bays of a lot can be reached, by which vehicle, and in how many moves.
+//!
+//! An audit asks one question for each bay, vehicle, entrance and entry: can the vehicle drive in, and out again? Each
+//! answer is that of hybrid A* between two poses and depends on nothing else, so parts of the job give exactly the
+//! rows of the whole, in any order and on any number of workers. What the questions have in common is prepared once:
+//! the obstacles, and the way around them to each entrance.
+
+mod options;
+mod row;
+
+use std::ops::ControlFlow;
+
+use serde_json::{Map, Value};
+
+pub use options::{AuditVehicle, Entrance, Options, WhatIf};
+pub use row::{Row, Way};
+
+use crate::error::Error;
+use crate::geometry::Pose;
+use crate::plan::{self, Ends, Planner};
+use crate::scenario::{Entry, Scenario, Slot};
+use crate::vehicle::Vehicle;
+
+/// The planner of ways in, from the bay: to leave a bay is easier than to find it.
+const IN: &str = "hybrid";
+/// The planner of ways out, from the bay as well.
+const OUT: &str = "hybrid-forward";
+
+/// Audits the bays of a scene: the rows bay by bay, and for each bay by vehicle, entrance and entry.
+///
+/// `each` is given every row as soon as it is known; where it breaks, the audit ends with the rows so far.
+///
+/// # Errors
+/// A wrong scene or option, named by field, value and rule.
+///
+/// # Examples
+/// ```
+/// use parkade::audit::{Options, audit};
+/// use parkade::scenario::catalog;
+///
+/// let scene = catalog::scenario("perpendicular").unwrap();
+/// let options = Options::of(&scene, &serde_json::json!({ "vehicles": ["sedan"] })).unwrap();
+/// let rows = audit(&scene, &options, &mut |_| std::ops::ControlFlow::Continue(())).unwrap();
+/// assert!(rows.iter().all(|row| row.way.reachable && row.way.moves >= 1));
+/// ```
+pub fn audit(
+    scene: &Scenario,
+    options: &Options,
+    each: &mut dyn FnMut(&Row) -> ControlFlow<()>,
+) -> Result<Vec<Row>, Error> {
+    let mut rows = Vec::new();
+    let mut shared = Vec::new();
+    for vehicle in &options.vehicles {
+        shared.push(Asker::new(scene, vehicle, None, &options.settings)?);
+    }
+    for &bay in &options.bays {
+        let slot = &scene.slots[bay];
+        if slot.occupied && options.what_if == WhatIf::AsIs {
+            continue;
+        }
+        for (vehicle, shared) in options.vehicles.iter().zip(&mut shared) {
+            let mut own = None;
+            if slot.occupied {
+                own = Some(Asker::new(scene, vehicle, Some(bay), &options.settings)?);
+            }
+            let asker = own.as_mut().unwrap_or(shared);
+            for entrance in &options.entrances {
+                for &entry in &options.entries {
+                    let row = asker.row(bay, (vehicle, entrance, entry), options.out);
+                    let flow = each(&row);
+                    rows.push(row);
+                    if flow.is_break() {
+                        return Ok(rows);
+                    }
+                }
+            }
+        }
+    }
+    Ok(rows)
+}
+
+/// The name of a bay: its id, or its number from 1.
+pub fn bay_name(slot: &Slot, index: usize) -> String {
+    slot.id.clone().unwrap_or_else(|| format!("#{}", index + 1))
+}
+
+/// One vehicle among the obstacles of a scene.
+struct Asker {
+    way_in: Planner,
+    way_out: Planner,
+    /// How far a vehicle's rear axle is ahead of that of the scene's car when their tails stand in one place, metres.
+    ahead: f64,
+}
+
+impl Asker {
+    /// `freed` is the index of an occupied slot that is taken for free.
+    fn new(
+        scene: &Scenario,
+        vehicle: &AuditVehicle,
+        freed: Option<usize>,
+        settings: &Map<String, Value>,
+    ) -> Result<Self, Error> {
+        let own = scene.vehicle.resolve().map_err(|e| e.within("vehicle"))?;
+        let mut scene = scene.clone();
+        scene.vehicle = crate::scenario::VehicleSpec::Custom(vehicle.vehicle);
+        // Ends are named in every question; a set of goals would be resolved for nothing.
+        scene.goal = crate::scenario::Goal::Pose(scene.start);
+        if let Some(slot) = freed {
+            scene.slots[slot].occupied = false;
+        }
+        let mut settings = settings.clone();
+        for (name, value) in scene.planners.remove(IN).unwrap_or_default() {
+            settings.entry(name).or_insert(value);
+        }
+        let way_in = Planner::new(IN, &scene, &settings)?;
+        settings.remove("searchFrom");
+        let way_out = Planner::new(OUT, &scene, &settings)?;
+        Ok(Self { way_in, way_out, ahead: vehicle.vehicle.rear_to_back - own.rear_to_back })
+    }
+
+    fn row(
+        &mut self,
+        bay: usize,
+        (vehicle, entrance, entry): (&AuditVehicle, &Entrance, Entry),
+        out: bool,
+    ) -> Row {
+        let slot = self.way_in.scenario().slots[bay].clone();
+        let start = along(entrance.pose, self.ahead);
+        let goal = slot.pose(entry, &vehicle.vehicle);
+        let way = ask(&mut self.way_in, start, goal);
+        let exit =
+            entrance.exit.map_or_else(|| turned(start, &vehicle.vehicle), |exit| along(exit, self.ahead));
+        let out = out.then(|| ask(&mut self.way_out, goal, exit));
+        let excess = |body: f64, room: f64| ((body - room) / 2.0).max(0.0);
+        let overhang =
+            excess(vehicle.vehicle.length(), slot.length).max(excess(vehicle.vehicle.width, slot.width));
+        Row {
+            bay: bay_name(&slot, bay),
+            index: bay,
+            vehicle: vehicle.id.clone(),
+            entrance: entrance.id.clone(),
+            entry,
+            overhang,
+            way,
+            out,
+        }
+    }
+}
+
+fn ask(planner: &mut Planner, start: Pose, goal: Pose) -> Way {
+    let ends = Ends { start: Some(start), goal: Some(goal) };
+    match planner.plan_between(ends, plan::Options::default()) {
+        Ok(plan) => Way::of(planner, &plan),
+        Err(error) => Way::refused(error.to_string()),
+    }
+}
+
+fn along(pose: Pose, ahead: f64) -> Pose {
+    let at = pose.point() + pose.direction() * ahead;
+    Pose::new(at.x, at.y, pose.heading)
+}
+
+/// The same rectangle of floor with the nose at the other end.
+fn turned(pose: Pose, vehicle: &Vehicle) -> Pose {
+    let at = pose.point() + pose.direction() * (2.0 * vehicle.middle());
+    Pose::new(at.x, at.y, crate::geometry::math::wrap(pose.heading + crate::geometry::math::PI))
+}
