@@ -123,18 +123,14 @@ fn vehicle(value: &Value) -> Result<AuditVehicle, Error> {
 }
 
 fn named(id: &str) -> Result<AuditVehicle, Error> {
-    let found = Vehicle::profile(id).or_else(|| library::find(id).map(|entry| entry.vehicle()));
-    match found {
-        Some(vehicle) => Ok(AuditVehicle { id: id.to_owned(), vehicle }),
-        None => {
-            let known: Vec<&str> = library::all().iter().map(|entry| &entry.id[..]).collect();
-            let message = format!(
-                "must be paper, sedan, ship, {} or {{ id, vehicle }}, got \"{id}\"",
-                known.join(", ")
-            );
-            Err(Error::new(ErrorCode::Vehicle, "", message))
-        }
+    let found = Vehicle::profile(id).or_else(|| library::find(id).map(library::LibraryVehicle::vehicle));
+    if let Some(vehicle) = found {
+        return Ok(AuditVehicle { id: id.to_owned(), vehicle });
     }
+    let known: Vec<&str> = library::all().iter().map(|entry| &entry.id[..]).collect();
+    let known = known.join(", ");
+    let message = format!("must be paper, sedan, ship, {known} or {{ id, vehicle }}, got \"{id}\"");
+    Err(Error::new(ErrorCode::Vehicle, "", message))
 }
 
 fn own(scene: &Scenario) -> Result<AuditVehicle, Error> {

@@ -130,11 +130,10 @@ fn place(planner: &Planner, plan: &Plan) -> (Option<Point>, Option<Owner>) {
         Some(Obstruction::Contact { at_start, owner }) => {
             (Some(middle(end(*at_start))), Some(geometry.owner(*owner)))
         }
-        Some(Obstruction::Gap(Gap { at, .. })) => (Some(*at), None),
         Some(Obstruction::Enclosed { at_start, .. }) => (Some(middle(end(*at_start))), None),
         Some(Obstruction::BoxedIn { at_start, stops }) => {
             (Some(middle(end(*at_start))), stops.first().map(|stop| geometry.owner(stop.1)))
         }
-        Some(Obstruction::Nearest { at, .. }) => (Some(*at), None),
+        Some(Obstruction::Gap(Gap { at, .. }) | Obstruction::Nearest { at, .. }) => (Some(*at), None),
     }
 }
