@@ -66,6 +66,7 @@ export default defineConfig({
               { text: "Bundlers and servers", link: "/bundlers" },
               { text: "Command line", link: "/command" },
               { text: "Check every bay", link: "/audit" },
+              { text: "Python", link: "/python" },
               { text: "Many machines", link: "/machines" },
             ],
           },

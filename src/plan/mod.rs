@@ -9,6 +9,8 @@ mod goals;
 mod grid;
 mod grid_search;
 mod hybrid;
+#[cfg(all(feature = "complete", not(target_arch = "wasm32")))]
+mod options;
 mod outcome;
 mod path;
 mod path_sampling;

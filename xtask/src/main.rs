@@ -10,6 +10,7 @@ mod mutants;
 mod paper;
 mod parity;
 mod picture;
+mod python;
 mod serve;
 mod site;
 mod test;
@@ -30,6 +31,11 @@ struct Command {
 const COMMANDS: &[Command] = &[
     Command { name: "build", about: "build the npm package (pkg/) and the page (dist/)", run: site::build },
     Command { name: "docs", about: "build, then make the documentation site", run: docs::docs },
+    Command {
+        name: "wheel",
+        about: "build, then make the Python wheel in target/wheels",
+        run: python::wheel,
+    },
     Command { name: "serve", about: "build, then serve the page locally", run: serve::serve },
     Command { name: "test", about: "build, then check and test everything", run: test::test },
     Command {

@@ -10,7 +10,7 @@ use anyhow::{Context as _, Result, bail, ensure};
 use serde_json::Value;
 
 use crate::tools::{self, WASM_TARGET, Workspace, cargo, node_tool, tee};
-use crate::{browser, docs, site};
+use crate::{browser, docs, python, site};
 
 /// Selects this program, in the profile in which it is built anyway.
 const TOOL: &[&str] = &["--package", "xtask", "--profile", "tool"];
@@ -47,6 +47,7 @@ pub(crate) fn test(arguments: &[String]) -> Result<()> {
     suites.push(suite("lint, fuzz", || lint(&[FUZZ, &["--all-targets"]].concat())));
     suites.push(suite("lint, wasm", || lint(&["--target", WASM_TARGET, "--lib", "--tests"])));
     suites.push(suite("lint, core", || lint(&["--target", WASM_TARGET, "--lib", "--no-default-features"])));
+    suites.push(suite("lint, wheel", || check(python::lint_native())));
     suites.push(suite("lint, documentation", rustdoc));
     suites.push(suite("format and lint, JavaScript", || {
         check(tools::run(node_tool("@biomejs/biome/bin/biome").args(["ci", "--diagnostic-level=error"])))
@@ -64,6 +65,7 @@ pub(crate) fn test(arguments: &[String]) -> Result<()> {
     on_build("documentation", || check(docs::generate()));
     on_build("JavaScript", vitest);
     on_build("page in a browser", playwright);
+    on_build("Python", wheel);
     let total = conclude(&suites);
     if total.failed > 0 {
         // The totals stay the last line: no error message after them.
@@ -137,6 +139,21 @@ fn vitest() -> Result<Counts> {
     with_report(command, &report, vitest_counts)
 }
 
+/// The wheel in Python, where there is one that can install what the tests need.
+fn wheel() -> Result<Counts> {
+    let environment = match python::Environment::ready()? {
+        Ok(environment) => environment,
+        Err(reason) => {
+            println!("the wheel is not tested: {reason}");
+            return Ok(Counts { skipped: 1, ..Counts::default() });
+        }
+    };
+    python::lint(&environment)?;
+    python::install(&environment)?;
+    let (status, output) = tee(&mut python::pytest(&environment))?;
+    judge(status.success(), pytest_counts(&output))
+}
+
 fn playwright() -> Result<Counts> {
     let report = Workspace::load()?.target.join("playwright.json");
     let command = &mut node_tool("@playwright/test/cli.js");
@@ -190,6 +207,29 @@ fn libtest_counts(output: &str) -> Counts {
     }
     // `test a::b ... FAILED`, and `FAIL` in wasm
     let failed = |line: &str| Some(line.strip_prefix("test ")?.split_once(" ... FAIL")?.0.to_owned());
+    counts.failures = output.lines().filter_map(failed).collect();
+    counts
+}
+
+/// Adds up the line `2 failed, 8 passed, 1 skipped in 1.93s`; `FAILED` lines name what failed.
+fn pytest_counts(output: &str) -> Counts {
+    let mut counts = Counts::default();
+    let summary =
+        output.lines().rfind(|line| line.contains(" in ") && line.ends_with('s')).unwrap_or_default();
+    for part in summary.split(" in ").next().unwrap_or_default().split(", ") {
+        let Some((Ok(number), word)) =
+            part.split_once(' ').map(|(number, word)| (number.parse::<u64>(), word))
+        else {
+            continue;
+        };
+        match word {
+            "passed" => counts.passed += number,
+            "failed" | "error" | "errors" => counts.failed += number,
+            "skipped" => counts.skipped += number,
+            _ => {}
+        }
+    }
+    let failed = |line: &str| Some(line.strip_prefix("FAILED ")?.to_owned());
     counts.failures = output.lines().filter_map(failed).collect();
     counts
 }
@@ -282,6 +322,15 @@ mod tests {
         let counts = libtest_counts(output);
         assert_eq!((counts.passed, counts.failed, counts.skipped), (6, 3, 1));
         assert_eq!(counts.failures, ["a::c"]);
+    }
+
+    #[test]
+    fn adds_up_the_summary_of_pytest() {
+        let output = "..Fs\nFAILED tests/test_plans.py::test_a - assert 1 == 2\n1 failed, 2 passed, 1 skipped in 1.93s\n";
+        let counts = pytest_counts(output);
+        assert_eq!((counts.passed, counts.failed, counts.skipped), (2, 1, 1));
+        assert_eq!(counts.failures, ["tests/test_plans.py::test_a - assert 1 == 2"]);
+        assert_eq!(pytest_counts("no tests ran in 0.01s\n").passed, 0);
     }
 
     #[test]
