@@ -36,6 +36,11 @@ const COMMANDS: &[Command] = &[
         about: "build, then make the Python wheel in target/wheels",
         run: python::wheel,
     },
+    Command {
+        name: "notebooks",
+        about: "build, then drive the widget in JupyterLab and marimo: notebooks [folder for pictures]",
+        run: python::notebooks,
+    },
     Command { name: "serve", about: "build, then serve the page locally", run: serve::serve },
     Command { name: "test", about: "build, then check and test everything", run: test::test },
     Command {

@@ -6,7 +6,8 @@ use std::{env, fs};
 
 use anyhow::{Context as _, Result};
 
-use crate::tools::{Workspace, cargo, command, root, run};
+use crate::tools::{Workspace, cargo, command, node, node_tool, root, run};
+use crate::{browser, site};
 
 /// The oldest Python that the wheel runs in: major, minor.
 const OLDEST: (u32, u32) = (3, 10);
@@ -63,12 +64,41 @@ impl Environment {
     }
 }
 
+/// The playground for notebooks, in the package's folder; the npm package must be there.
+pub(crate) fn playground() -> Result<()> {
+    let made = root().join("python/parkade/static");
+    if made.exists() {
+        fs::remove_dir_all(&made)?;
+    }
+    for script in ["page", "worker"] {
+        let build = ["build", "--logLevel", "warn", "--config", "vite.widget.config.ts", "--mode", script];
+        run(node_tool("vite/bin/vite.js").args(build))?;
+    }
+    let module = "parkade_bg.wasm";
+    fs::copy(root().join("pkg").join(module), made.join(module)).map(|_| ()).context(module)
+}
+
 /// `cargo xtask wheel`: the wheel of this machine, in `target/wheels`.
 pub(crate) fn wheel(arguments: &[String]) -> Result<()> {
     let environment = Environment::ready()?.map_err(anyhow::Error::msg)?;
+    site::package()?;
+    playground()?;
     let out = Workspace::load()?.target.join("wheels");
     let build = ["build", "--release", "--locked", "--manifest-path", "python/Cargo.toml", "--out"];
     run(environment.program("maturin").args(build).arg(out).args(arguments))
+}
+
+/// `cargo xtask notebooks`: the widget in JupyterLab and marimo, driven by a browser; pictures into a folder if named.
+pub(crate) fn notebooks(pictures: &[String]) -> Result<()> {
+    let environment = Environment::ready()?.map_err(anyhow::Error::msg)?;
+    site::package()?;
+    playground()?;
+    install(&environment)?;
+    let servers = ["-m", "pip", "install", "--quiet", "--requirement", "python/requirements-notebooks.txt"];
+    run(environment.program("python").args(servers))?;
+    let mut drive = node();
+    drive.arg("tests/notebooks/notebooks.mjs").arg(&environment.folder).args(pictures);
+    run(drive.env("CHROME_PATH", browser::find_or_install()?))
 }
 
 /// Format and lints of the wheel's Rust; they need no Python.

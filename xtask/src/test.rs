@@ -149,6 +149,7 @@ fn wheel() -> Result<Counts> {
         }
     };
     python::lint(&environment)?;
+    python::playground()?;
     python::install(&environment)?;
     let (status, output) = tee(&mut python::pytest(&environment))?;
     judge(status.success(), pytest_counts(&output))
