@@ -1080,6 +1080,8 @@ export interface Encounter extends Drive {
   ending: "arrived" | "unavoidable" | "hit" | "blocked" | "out-of-time";
   /** Per moment: metres from the body to the nearest box; Infinity where there is none. */
   clearances: Float64Array;
+  /** Per moment: seconds until the body would touch a moving box if both kept their velocity; Infinity where they never would. */
+  timesToCollision: Float64Array;
   /** Per moment, per moving obstacle: x, y, heading of the box. */
   boxes: Float64Array;
   waits: { pose: Pose; station: number; from: number; to: number }[];

@@ -10,6 +10,7 @@ mod moving_obstacles;
 mod path_segments;
 mod speed_profile;
 mod stop_wait_go;
+mod time_to_collision;
 mod track;
 mod trajectory;
 
@@ -20,6 +21,7 @@ pub use path_segments::Route;
 pub use speed_profile::{Limits, Motion, Profile, Steps};
 pub use stop_wait_go::{Encounter, Ending, Rule, Scope, Wait, WaitOptions, stop_wait_go};
 pub(crate) use stop_wait_go::{SAMPLE, SHORTEST, SPARE};
+pub(crate) use time_to_collision::times_to_collision;
 pub(crate) use track::follow;
 pub use track::{Controller, Tracking, track};
 pub(crate) use trajectory::hash;

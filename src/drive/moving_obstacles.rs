@@ -53,6 +53,11 @@ impl Mover {
         self.speed
     }
 
+    /// Its velocity at a time, m/s.
+    pub(crate) fn velocity(&self, t: f64) -> Vector {
+        if self.moves(t) { self.pose(t).direction() * self.speed } else { Vector::zeros() }
+    }
+
     /// At least so far is the box from a point, whichever way it heads, metres; negative within its half diagonal.
     pub(super) fn apart(&self, from: Point, t: f64) -> f64 {
         (self.pose(t).point() - from).norm() - self.half.norm()

@@ -8,6 +8,7 @@ use super::contact::{Contact, first_contact, nearest};
 use super::moving_obstacles::Mover;
 use super::path_segments::Route;
 use super::speed_profile::within;
+use super::time_to_collision::times_to_collision;
 use super::trajectory::{Moment, Rows, Wheel};
 use crate::error::Error;
 use crate::geometry::{Point, Pose};
@@ -166,6 +167,9 @@ pub struct Encounter {
     pub rows: Rows,
     /// Per row: distance from the body to the nearest moving box, metres; infinite where there is none.
     pub clearances: Vec<f64>,
+    /// Per row: seconds until the body would touch a moving box if both kept their velocity; infinite where they never
+    /// would.
+    pub times_to_collision: Vec<f64>,
     /// The stops.
     pub waits: Vec<Wait>,
     /// The first overlap.
@@ -209,7 +213,8 @@ pub fn stop_wait_go(
         clearances.push(drive.clearance(state.station, state.t));
     }
     let duration = states.last().map_or(0.0, |s| s.t);
-    Ok(Encounter { ending, rows, clearances, waits, contact, duration, free_duration })
+    let times_to_collision = times_to_collision(vehicle, movers, &rows);
+    Ok(Encounter { ending, rows, clearances, times_to_collision, waits, contact, duration, free_duration })
 }
 
 impl Drive<'_> {

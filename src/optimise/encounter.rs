@@ -8,7 +8,7 @@
 use super::path_in_time::{PathInTime, Stop, Timeline};
 use crate::drive::{
     Contact, Encounter, Ending, Mover, Rows, Rule, SAMPLE, SHORTEST, SPARE, Scope, Wait, WaitOptions,
-    first_contact, nearest,
+    first_contact, nearest, times_to_collision,
 };
 use crate::error::Error;
 use crate::geometry::{Point, Pose, math};
@@ -64,6 +64,7 @@ pub fn stop_wait_go(
     Ok(Encounter {
         ending: ending.with(options.rule, contact.is_some()),
         clearances: rows.t.iter().zip(&rows.poses).map(clearance).collect(),
+        times_to_collision: times_to_collision(vehicle, movers, &rows),
         waits: drive.waits(&stops, &timeline, end),
         contact,
         duration: rows.t[rows.t.len() - 1],

@@ -241,6 +241,7 @@ fn encounter(scene: &Scenario, movers: &[Mover], met: &Encounter) -> JsValue {
         &[
             ("ending", met.ending.as_str().into()),
             ("clearances", f64s(&met.clearances)),
+            ("timesToCollision", f64s(&met.times_to_collision)),
             ("boxes", poses(&boxes)),
             ("waits", write(&waits)),
             ("contact", write(&contact)),

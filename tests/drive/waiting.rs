@@ -53,6 +53,8 @@ fn a_conflict_is_waited_for_once_where_it_is_safe() {
             assert!((got - wanted).abs() <= 0.3 + 1e-9, "{id}: {got}, not {wanted}");
         }
         assert!(met.clearances.iter().all(|&c| c > 0.2), "{id}");
+        let least = met.times_to_collision.iter().fold(f64::INFINITY, |least, &time| least.min(time));
+        assert!(least > 0.0 && met.times_to_collision.len() == met.rows.t.len(), "{id}: {least}");
         if id == "fig16-conflict" {
             assert!((wait.pose.x - 16.0).abs() < 0.4 && (wait.pose.y - 17.3).abs() < 0.4, "{:?}", wait.pose);
             assert!((wait.station - 4.5).abs() < 0.5);

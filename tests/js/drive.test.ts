@@ -133,13 +133,19 @@ test("a car waits for what crosses its way", () => {
   expect([safe.ending, safe.waits.length, safe.contact]).toEqual(["arrived", 1, null]);
   expect(Math.min(...safe.clearances)).toBeGreaterThan(0.2);
   expect(safe.boxes.length).toBe(3 * safe.t.length);
+  // Nobody touches anything, so nobody is ever at the moment of touch; at first the box nears the car's way.
+  expect(safe.timesToCollision.length).toBe(safe.t.length);
+  expect(Math.min(...safe.timesToCollision)).toBeGreaterThan(0);
+  expect(Math.min(...safe.timesToCollision)).toBeLessThan(Infinity);
   expect(safe.duration).toBeGreaterThan(safe.freeDuration + 5);
   const paper = stopWaitGo(scene, plan, { rule: "reactive" });
   expect(paper.ending).toBe("hit");
   expect(paper.contact).toMatchObject({ obstacle: "box", index: 0 });
+  expect(paper.timesToCollision[paper.t.findIndex((t) => t >= paper.contact!.t)]).toBe(0);
   const { moving: _, ...still } = scene;
   const free = stopWaitGo(still, plan);
   expect([free.ending, free.waits, free.clearances[0], free.boxes.length]).toEqual(["arrived", [], Infinity, 0]);
+  expect(free.timesToCollision.every((time) => time === Infinity)).toBe(true);
 });
 
 test("mistakes are named", () => {

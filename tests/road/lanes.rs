@@ -44,7 +44,8 @@ fn lanes_are_kept_better_than_by_plain_cells() {
 }
 
 /// A lane change takes 20 m and an obstacle in the lane is passed with 0.8 m to spare, where plain cells do neither: so
-/// not each of the roads is better, but nearly all are, and all together by far.
+/// not each of the roads is better, but each is on which a car can drive plain cells, nearly all are, and all together
+/// by far.
 #[test]
 fn lanes_are_kept_on_roads_by_seed() {
     let (mut better, mut sums, mut lefts, mut kept) = (0, [0.0; 2], [0.0; 2], 0);
@@ -70,7 +71,13 @@ fn lanes_are_kept_on_roads_by_seed() {
             sums[k] += figures.lane_deviation_mean.unwrap();
             lefts[k] += figures.lane_left_share.unwrap();
         }
-        better += u64::from(new.lane_deviation_mean <= old.lane_deviation_mean);
+        let is_nearer = new.lane_deviation_mean <= old.lane_deviation_mean;
+        better += u64::from(is_nearer);
+        // Where plain cells are nearer, no car drives them: they touch something or turn more tightly than it can.
+        if !is_nearer {
+            let verdict = plan(&scene, &plain()).check.verdict;
+            assert!(matches!(verdict, Verdict::Collides | Verdict::TooTight), "seed {seed}: {verdict:?}");
+        }
     }
     println!("better on {better} of {count}, {sums:?} m, left {lefts:?}, margin kept on {kept}");
     assert!(better * 4 >= count * 3, "{better} of {count}");

@@ -165,7 +165,7 @@ export class PlannerPanel extends AppElement {
     const shown: Status = busy
       ? { ...status, tone: "quiet", icon: "clock", chip: updating, brief: updating, tiny: updating }
       : status;
-    return html`<span class="chip ${shown.tone}" title=${shown.chip}>${icon(shown.icon, 12)}<span class="long">${shown.chip}</span><span class="short" aria-hidden="true">${this.thumb ? shown.tiny : shown.brief}</span></span>`;
+    return html`<span class="chip ${shown.tone}" title=${shown.title ?? shown.chip}>${icon(shown.icon, 12)}<span class="long">${shown.chip}</span><span class="short" aria-hidden="true">${this.thumb ? shown.tiny : shown.brief}</span></span>`;
   }
 
   private buttons(hidden: boolean): TemplateResult {

@@ -15,7 +15,11 @@ export function encounterOf({ lang }: State, result: PanelResult | undefined): S
   const waited = drive.waits.reduce((sum, { from, to }) => sum + to - from, 0);
   if (drive.contact) return say("err", translate(lang, "moving.hit", { s: number(lang, drive.contact.t, 1) }));
   if (drive.ending !== "arrived" && drive.ending !== "hit") return say("err", translate(lang, LATE[drive.ending]));
-  return waited > 0 ? say("warn", translate(lang, "moving.waits", { s: number(lang, waited, 1) })) : null;
+  if (waited === 0) return null;
+  const status = say("warn", translate(lang, "moving.waits", { s: number(lang, waited, 1) })),
+    least = drive.timesToCollision.reduce((least, time) => Math.min(least, time), Infinity);
+  if (least === Infinity) return status;
+  return { ...status, title: translate(lang, "moving.nearest", { chip: status.chip, s: number(lang, least, 1) }) };
 }
 
 const say = (tone: Status["tone"], text: string): Status => ({

@@ -8,6 +8,8 @@ export interface Status {
   icon: IconName;
   /** For a panel's chip. */
   chip: string;
+  /** On hover; the chip's text where nothing more is to be said. */
+  title?: string;
   /** For the table. */
   brief: string;
   /** For phones. */
