@@ -16,13 +16,17 @@ use crate::search::{Budget, Observer};
 /// An expansion is a candidate and its fitness, which looks at every cell along its path.
 const SHARED: Common = Common { max_expansions: 20_000, ..Common::PLAIN };
 /// Most cells between start and goal.
-const GENES: usize = 16;
+const GENES: usize = 48;
+/// Cells drawn until one is free.
+const DRAWS: usize = 16;
 /// Candidates of which the fittest becomes a parent.
 const TOURNAMENT: u32 = 3;
 /// Fittest candidates that live on unchanged.
 const ELITE: usize = 2;
 /// Share of a generation that has no parents, so that it does not become all alike.
 const IMMIGRANTS: f64 = 0.1;
+/// Share of the changes that repair a leg.
+const REPAIRS: f64 = 0.5;
 /// Cost of a blocked cell on the way, and of a leg that is not free: more than a detour around it costs.
 const BLOCKED: i64 = 20 * D;
 
@@ -143,8 +147,11 @@ impl Evolution<'_> {
         drawn.min().unwrap_or(0) as usize
     }
 
-    /// Moves, adds or removes a cell.
+    /// Repairs a leg, or moves, adds or removes a cell.
     fn mutate(&mut self, genes: &mut Vec<Cell>) {
+        if self.random.chance(REPAIRS) && self.repair(genes) {
+            return;
+        }
         let at = self.random.below(genes.len() as u32 + 1) as usize;
         // Far at times and near at others: ways around obstacles, and then the shortest of them.
         let reach = ((2 * self.size()) >> self.random.below(5)).max(1);
@@ -162,13 +169,39 @@ impl Evolution<'_> {
         }
     }
 
-    /// A cell of the map at most `reach` columns and rows away.
+    /// Leads a leg that is not free over a cell beside its middle; false if all are free.
+    fn repair(&mut self, genes: &mut Vec<Cell>) -> bool {
+        let cells: Vec<Cell> =
+            [self.query.start].into_iter().chain(genes.iter().copied()).chain([self.query.goal]).collect();
+        let blocked: Vec<usize> = (0..cells.len() - 1)
+            .filter(|&i| !line_of_sight(self.query.map, cells[i], cells[i + 1], self.config.common.corner))
+            .collect();
+        if blocked.is_empty() || genes.len() >= GENES {
+            return false;
+        }
+        let at = blocked[self.random.below(blocked.len() as u32) as usize];
+        let (a, b) = (cells[at], cells[at + 1]);
+        let middle = Cell::new(i32::midpoint(a.x, b.x), i32::midpoint(a.y, b.y));
+        let reach = (b.x - a.x).abs().max((b.y - a.y).abs()) >> self.random.below(3);
+        let cell = self.near(middle, reach.max(1));
+        genes.insert(at, cell);
+        true
+    }
+
+    /// A cell of the map at most `reach` columns and rows away, a free one if one is drawn soon.
     fn near(&mut self, cell: Cell, reach: i32) -> Cell {
         let map = self.query.map;
-        let mut moved = |at: i32, size: u32| {
-            (at + self.random.below(2 * reach as u32 + 1) as i32 - reach).clamp(0, size as i32 - 1)
+        let mut draw = || {
+            let mut moved = |at: i32, size: u32| {
+                (at + self.random.below(2 * reach as u32 + 1) as i32 - reach).clamp(0, size as i32 - 1)
+            };
+            Cell::new(moved(cell.x, map.width()), moved(cell.y, map.height()))
         };
-        Cell::new(moved(cell.x, map.width()), moved(cell.y, map.height()))
+        let first = draw();
+        std::iter::once(first)
+            .chain(std::iter::repeat_with(draw).take(DRAWS))
+            .find(|&cell| !map.blocked(cell))
+            .unwrap_or(first)
     }
 
     /// Half of the larger side of the map, cells.

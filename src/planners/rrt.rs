@@ -13,7 +13,9 @@ use crate::scenario::generate::SplitMix64;
 use crate::search::{Budget, Observer};
 
 /// Each expansion looks at the whole tree, so the default is far below that of the other searches.
-const SHARED: Common = Common { max_expansions: 10_000, ..Common::PLAIN };
+const SHARED: Common = Common { max_expansions: 20_000, ..Common::PLAIN };
+/// Cells drawn until one is free: on a road most cells of the map are beside it.
+const DRAWS: usize = 64;
 
 parameters! {
     /// Settings of RRT. An expansion is one random cell and the leg towards it.
@@ -140,13 +142,20 @@ pub fn plan<O: Observer<i64, ()>>(
     report(&query, &tree, status, [expanded, los_calls])
 }
 
-/// The goal with a probability of the bias, otherwise any cell of the map.
+/// The goal with a probability of the bias, otherwise any free cell of the map.
 fn sample(query: &Query, config: &Config, random: &mut SplitMix64) -> Cell {
     if random.chance(config.goal_bias) {
         return query.goal;
     }
-    let [x, y] = [query.map.width(), query.map.height()].map(|n| random.below(n) as i32);
-    Cell::new(x, y)
+    let mut draw = || {
+        let [x, y] = [query.map.width(), query.map.height()].map(|n| random.below(n) as i32);
+        Cell::new(x, y)
+    };
+    let first = draw();
+    std::iter::once(first)
+        .chain(std::iter::repeat_with(draw).take(DRAWS))
+        .find(|&cell| !query.map.blocked(cell))
+        .unwrap_or(first)
 }
 
 /// The end of a leg of at most `step` cells.
@@ -217,6 +226,6 @@ mod tests {
         let report = plan(query, &config, &mut GridScratch::new(), &mut ());
         assert_eq!((report.expanded, report.cost_micro), (4, 17 * D));
         let stuck = around_a_wall(&config);
-        assert_eq!((stuck.status, stuck.expanded), (Status::BudgetSpent, 10_000));
+        assert_eq!((stuck.status, stuck.expanded), (Status::BudgetSpent, 20_000));
     }
 }
