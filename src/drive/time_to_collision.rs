@@ -6,7 +6,7 @@
 
 use super::moving_obstacles::Mover;
 use super::trajectory::Rows;
-use crate::geometry::{Point, Pose, Vector};
+use crate::geometry::{Point, Vector};
 use crate::vehicle::Vehicle;
 
 /// Velocities below this do not bring anything nearer, m/s.
@@ -50,6 +50,7 @@ fn touch(a: &[Point; 4], b: &[Point; 4], velocity: Vector) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::Pose;
     use crate::scenario::MovingObstacle;
     use crate::scenario::generate::SplitMix64;
 
