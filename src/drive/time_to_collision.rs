@@ -117,7 +117,9 @@ mod tests {
         };
         let behind = vehicle.outline(rows.poses[0]).iter().fold(f64::INFINITY, |least, p| least.min(p.x));
         let movers = [Mover::new(&wall)];
-        assert!((times_to_collision(&vehicle, &movers, &rows)[0] - (behind + 19.0) / 2.0).abs() < 1e-12);
+        assert!(
+            (times_to_collision(&vehicle, &movers, &rows)[0] - f64::midpoint(behind, 19.0)).abs() < 1e-12
+        );
         rows.speed = vec![1.0];
         assert_eq!(times_to_collision(&vehicle, &movers, &rows), [f64::INFINITY]);
     }
