@@ -1,7 +1,7 @@
-"""Plans a table of tasks with Ray Data: python ray_table.py OUT [--count 1000] [--family random --size 15] [--planner eight]
+"""Plans a table of tasks with Ray Data: python ray_table.py OUT [--count 1000] [--planner eight]
 
-The manifest's rows are divided among the cluster's processors; each part becomes a Parquet file in OUT, so that a part that
-dies is planned again, and a second run plans only what is missing.
+The manifest's rows are divided among the cluster's processors; each part becomes a Parquet file in OUT, so that a part
+that dies is planned again, and a second run plans only what is missing.
 """
 
 import argparse

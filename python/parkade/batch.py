@@ -183,8 +183,8 @@ def digest(results: pa.Table) -> str:
 
 
 def write(results: pa.Table, file: str | os.PathLike[str]) -> None:
-    """Writes results as a Parquet file."""
-    pq.write_table(results.cast(SCHEMA), file, compression="zstd")
+    """Writes results as a Parquet file, which `parkade report` also reads."""
+    pq.write_table(results.cast(SCHEMA), file, compression="snappy")
 
 
 def read(*files: str | os.PathLike[str]) -> pa.Table:

@@ -106,3 +106,23 @@ def test_keys_hashes_and_the_digest_are_the_commands(tmp_path):
     results = batch.plan_table(batch.manifest(scenes, ["hybrid", "hybrid-forward"], [{"margin": 0.05}]))
     assert dict(zip(results["key"].to_pylist(), results["hash"].to_pylist(), strict=True)) == expected
     assert batch.digest(results) in done.stdout
+
+    def run(*arguments):
+        return subprocess.run(
+            ["node", ROOT / "pkg/cli/main.js", *arguments], capture_output=True, text=True, check=True
+        )
+
+    columns = tmp_path / "node.parquet"
+    run("columns", out, "--out", columns)
+    theirs = sorted(batch.read(columns).to_pylist(), key=lambda row: row["key"])
+    ours = sorted(results.to_pylist(), key=lambda row: row["key"])
+    # Memory is what a platform's arrays have; seconds are measured here alone.
+    measured = ("seconds", "memory_bytes")
+    for row, other in zip(ours, theirs, strict=True):
+        assert {name: row[name] for name in batch.SCHEMA.names if name not in measured} == {
+            name: other[name] for name in batch.SCHEMA.names if name not in measured
+        }
+    batch.write(results, tmp_path / "python.parquet")
+    said = run("report", tmp_path / "python.parquet", "--out", tmp_path / "report.html")
+    assert "4 results of 2 planners with settings" in said.stdout
+    assert "Time, s" in (tmp_path / "report.html").read_text()

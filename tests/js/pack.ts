@@ -18,7 +18,10 @@ export function npm(args: string[], cwd: string): string {
 /** A new folder with nothing but the packed package and what it depends on. */
 export function installed(): string {
   const folder = mkdtempSync(join(tmpdir(), "parkade-"));
-  const packed = [PACKAGE, here("node_modules/tinypool")].map(
+  const packed = [
+    PACKAGE,
+    ...["tinypool", "hyparquet", "hyparquet-writer"].map((name) => here(`node_modules/${name}`)),
+  ].map(
     (from) => JSON.parse(npm(["pack", "--json", "--ignore-scripts", "--pack-destination", folder], from))[0].filename,
   );
   writeFileSync(join(folder, "package.json"), JSON.stringify({ private: true, type: "module" }));

@@ -88,7 +88,7 @@ pub(crate) fn wheel(arguments: &[String]) -> Result<()> {
     run(environment.program("maturin").args(build).arg(out).args(arguments))
 }
 
-/// `cargo xtask notebooks`: the widget in JupyterLab and marimo, driven by a browser; pictures into a folder if named.
+/// `cargo xtask notebooks`: the widget in two kinds of notebook, driven by a browser; pictures into a folder if named.
 pub(crate) fn notebooks(pictures: &[String]) -> Result<()> {
     let environment = Environment::ready()?.map_err(anyhow::Error::msg)?;
     site::package()?;

@@ -5,12 +5,12 @@ import { stat } from "node:fs/promises";
 import { availableParallelism } from "node:os";
 import { Tinypool } from "tinypool";
 import { version } from "../node.js";
-import { Refused, count, explained, plannerIds, reason, seconds, settings } from "./input.js";
+import { Refused, count, explained, plannerIds, reason, seconds, settings, sweep } from "./input.js";
 import { digest, hashOf, isFinal, mend, outline, questionOf, read } from "./results.js";
 import { scenes } from "./scenes.js";
 
 /** @typedef {import("./results.js").Result} Result */
-/** @typedef {{ key: string, scene: import("./scenes.js").Scene, content: string, planner: import("../index.js").PlannerId }} Task */
+/** @typedef {{ key: string, scene: import("./scenes.js").Scene, content: string, planner: import("../index.js").PlannerId, config: Record<string, unknown> }} Task */
 
 /** Time a thread should be away with a group of tasks: far above what a message costs, and no result waits long to be written. */
 const GROUP_MS = 50;
@@ -25,7 +25,7 @@ export async function batch(places, values, module) {
   const shard = shardOf(values.shard);
   const out = values.out ?? (shard.of === 1 ? "results.jsonl" : `results-${shard.at}-of-${shard.of}.jsonl`);
   const ids = plannerIds(values.planner, "hybrid"),
-    config = settings(values.set, ids),
+    configs = sweep(values.sweep, settings(values.set, ids), ids),
     timeout = seconds(values.timeout);
   for (const place of places)
     if (!(await stat(place).catch(() => null))) throw new Refused(`${place}: no such file or folder`);
@@ -36,7 +36,7 @@ export async function batch(places, values, module) {
     filename,
     minThreads: jobs,
     maxThreads: jobs,
-    workerData: { module, config },
+    workerData: { module },
     isolateWorkers: false,
   });
   try {
@@ -46,7 +46,7 @@ export async function batch(places, values, module) {
     /** @type {Map<string, Result>} */
     const done = new Map();
     if (await stat(out).catch(() => null)) for await (const result of read(out)) done.set(result.key, outline(result));
-    const { tasks, keys } = await listed(places, ids, config, shard);
+    const { tasks, keys } = await listed(places, ids, configs, shard);
     const open = tasks.filter(({ key }) => !isFinal(done.get(key)));
     const results = tasks.flatMap(({ key }) => done.get(key) ?? []).filter(isFinal);
     const append = (/** @type {string} */ lines) => {
@@ -63,13 +63,7 @@ export async function batch(places, values, module) {
       results.push(...more);
       progress.step(more.length);
     };
-    const stopped = await planned(
-      pool,
-      open,
-      jobs,
-      each,
-      timeout === undefined ? undefined : { seconds: timeout, config },
-    );
+    const stopped = await planned(pool, open, jobs, each, timeout);
     progress.end();
     return told(results, tasks.length, open.length, out, stopped);
   } finally {
@@ -119,24 +113,26 @@ function superseded(results, keys) {
  * The tasks, each once: the same scene in two files is one task. `keys` are those of all shards, by question.
  * @param {string[]} places
  * @param {import("../index.js").PlannerId[]} ids
- * @param {Record<string, unknown>} config
+ * @param {Record<string, unknown>[]} configs
  * @param {{ at: number, of: number }} shard
  */
-async function listed(places, ids, config, { at, of }) {
+async function listed(places, ids, configs, { at, of }) {
   /** @type {Map<string, Task>} */
   const tasks = new Map();
   /** @type {Map<string, Set<string>>} */
   const keys = new Map();
   const by = version(),
-    under = JSON.stringify(Object.entries(config).sort());
+    asked = ids.flatMap((planner) =>
+      configs.map((config) => ({ planner, config, under: JSON.stringify(Object.entries(config).sort()) })),
+    );
   for (const place of places) {
     let empty = true;
     for await (const { scene, content } of scenes(place)) {
       empty = false;
       const isMine = parseInt(content.slice(0, 8), 16) % of === at - 1;
-      for (const planner of ids) {
+      for (const { planner, config, under } of asked) {
         const key = hashOf([by, planner, under, content].join("\n"));
-        if (isMine && !tasks.has(key)) tasks.set(key, { key, scene, content, planner });
+        if (isMine && !tasks.has(key)) tasks.set(key, { key, scene, content, planner, config });
         const question = questionOf({ scene: scene.name, planner, settings: config });
         keys.set(question, (keys.get(question) ?? new Set()).add(key));
       }
@@ -152,7 +148,7 @@ async function listed(places, ids, config, { at, of }) {
  * @param {Task[]} tasks
  * @param {number} jobs
  * @param {(lines: string, results: Result[]) => void} each
- * @param {{ seconds: number, config: Record<string, unknown> }} [limit] of one task's time
+ * @param {number} [limit] of one task's time, seconds
  */
 export async function planned(pool, tasks, jobs, each, limit) {
   let stopped = false;
@@ -171,7 +167,7 @@ export async function planned(pool, tasks, jobs, each, limit) {
       const most = alone.has(left.at(-1)) ? 1 : Math.min(size, Math.ceil(left.length / (4 * jobs)));
       const group = left.splice(-most).reverse(),
         [first] = group;
-      const ended = await inTime(pool, group, limit?.seconds);
+      const ended = await inTime(pool, group, limit);
       if (ended === "late") {
         if (group.length === 1 && first && limit) each(...late(first, limit));
         else for (const task of group.reverse()) left.push(task), alone.add(task);
@@ -223,10 +219,10 @@ async function inTime(pool, group, most) {
   }
 }
 
-/** @param {Task} task @param {{ seconds: number, config: Record<string, unknown> }} limit @returns {[string, Result[]]} */
-function late({ key, scene, planner }, { seconds, config }) {
+/** @param {Task} task @param {number} seconds @returns {[string, Result[]]} */
+function late({ key, scene, planner, content, config }, seconds) {
   const error = { code: "timeout", path: "", message: `took longer than ${seconds} s` };
-  const result = { key, scene: scene.name, planner, settings: config, error };
+  const result = { key, scene: scene.name, sceneHash: content, planner, settings: config, error };
   return [`${JSON.stringify(result)}\n`, [result]];
 }
 

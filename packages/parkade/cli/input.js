@@ -109,18 +109,19 @@ async function withCompanions(place) {
 /**
  * @param {string[] | undefined} pairs `name=value`, the value as JSON or else as a word
  * @param {readonly import("../index.js").PlannerId[]} ids the planners that must have them
+ * @param {string} [option] its name
  */
-export function settings(pairs = [], ids) {
+export function settings(pairs = [], ids, option = "set") {
   /** @type {Record<string, unknown>} */
   const config = {};
   for (const pair of pairs) {
     const [name = "", ...value] = pair.split("=");
-    if (name === "" || value.length === 0) throw new Refused(`--set ${pair}: must be NAME=VALUE`);
+    if (name === "" || value.length === 0) throw new Refused(`--${option} ${pair}: must be NAME=VALUE`);
     for (const id of ids) {
       const known = Object.keys(defaultConfig(id));
       if (!known.includes(name))
         throw new Refused(
-          `--set ${pair}: ${id} has no such setting${meant(name, known)}; \`parkade planners --planner ${id}\` lists its settings`,
+          `--${option} ${pair}: ${id} has no such setting${meant(name, known)}; \`parkade planners --planner ${id}\` lists its settings`,
         );
     }
     const word = value.join("=");
@@ -132,6 +133,31 @@ export function settings(pairs = [], ids) {
   }
   return config;
 }
+
+/**
+ * All combinations of the option `--sweep`'s values, each with the settings of `--set`.
+ * @param {string[] | undefined} pairs `name=value,value…`
+ * @param {Record<string, unknown>} base
+ * @param {readonly import("../index.js").PlannerId[]} ids
+ */
+export function sweep(pairs = [], base, ids) {
+  let all = [base];
+  for (const pair of pairs) {
+    const [name = "", ...value] = pair.split("=");
+    if (name === "" || value.length === 0) throw new Refused(`--sweep ${pair}: must be NAME=VALUE,VALUE…`);
+    if (all.some((one) => Object.hasOwn(one, name))) throw new Refused(`--sweep ${pair}: ${name} is set already`);
+    const words = value.join("=").split(",");
+    const each = words.map((word) => settings([`${name}=${word}`], ids, "sweep"));
+    if (new Set(each.map((one) => JSON.stringify(one))).size < each.length)
+      throw new Refused(`--sweep ${pair}: has a value twice`);
+    all = all.flatMap((one) => each.map((more) => ({ ...one, ...more })));
+    if (all.length > MAX_SWEEP) throw new Refused(`--sweep: must have at most ${MAX_SWEEP} combinations`);
+  }
+  return all;
+}
+
+/** More are a mistake: each is planned on every scene. */
+const MAX_SWEEP = 10_000;
 
 /**
  * @template {string} T

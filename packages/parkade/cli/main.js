@@ -14,6 +14,8 @@ const HELP = `usage: parkade <command> [options]
   judge SCENE TRAJECTORY   judge a trajectory or a path by the protocol of the public benchmarks (CSV, or JSON columns)
   bench SCENE      time planners          --planner ID,ID…  --repeats N  --format markdown|csv|json
   batch SCENES…    plan many scenes       --planner ID,ID…  --jobs N  --shard I/N  --out FILE.jsonl  --set NAME=VALUE
+  columns FILE…    the results of \`batch\` as Parquet    --out FILE.parquet
+  report FILE…     the results of \`batch\`, or Parquet, as one HTML page    --out FILE.html
   digest FILE…     one hash over the results of \`batch\`, in any order and number of files
   planners         list the planners, or the settings of one (--planner ID)
   scenarios        list the built-in scenes
@@ -120,6 +122,7 @@ const COMMANDS = {
 
   --planner ID,ID…     default: hybrid
   --set NAME=VALUE     a setting for all of the planners; may be repeated
+  --sweep NAME=V,V…    plan with each of these values; repeated, with all combinations
   --jobs N             worker threads; default: one per processor
   --shard I/N          plan only part I of N; a hash of each scene decides its part
   --out FILE           default: results.jsonl, or results-I-of-N.jsonl with --shard
@@ -130,12 +133,35 @@ const COMMANDS = {
       timeout: { type: "string" },
       planner: { type: "string" },
       set: { type: "string", multiple: true },
+      sweep: { type: "string", multiple: true },
       jobs: { type: "string" },
       shard: { type: "string" },
       out: { type: "string" },
       quiet: { type: "boolean" },
     },
     load: async () => (await import("./batch.js")).batch,
+  },
+  columns: {
+    about: `usage: parkade columns FILE… [options]
+
+  Writes the newest results of \`batch\` (.jsonl, in any number of files) as the columns of one Parquet file, for DuckDB, pandas,
+  Ray and \`parkade report\`.
+
+  --out FILE           default: results.parquet
+`,
+    options: { out: { type: "string" } },
+    load: async () => (await import("./parquet.js")).columns,
+  },
+  report: {
+    about: `usage: parkade report FILE… [options]
+
+  Writes one HTML page over results (.jsonl of \`batch\`, or .parquet of \`columns\` or of Python): outcomes, quantiles, performance
+  profiles, and who wins against whom on the same scenes. A row is a planner with its settings.
+
+  --out FILE           default: report.html
+`,
+    options: { out: { type: "string" } },
+    load: async () => (await import("./report.js")).report,
   },
   digest: {
     about: "usage: parkade digest FILE…\n",

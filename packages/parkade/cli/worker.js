@@ -2,14 +2,14 @@
 // A thread of `parkade batch`: reads scenes, plans them, and writes what comes of it as lines.
 import { closeSync, openSync, readSync } from "node:fs";
 import Tinypool from "tinypool";
-import { ParkadeError, Planner, init } from "../node.js";
+import { ParkadeError, Planner, init, version } from "../node.js";
 import { MAX_BYTES, reason, tooLarge } from "./input.js";
 import { hashOf, outline } from "./results.js";
 
 /** @typedef {import("./results.js").Result} Result */
 /** @typedef {import("./scenes.js").Scene} Scene */
 
-const { module, config } = Tinypool.workerData;
+const { module } = Tinypool.workerData;
 await init({ wasm: module });
 
 /** True if the module has trapped, after which this thread is of no more use. */
@@ -28,7 +28,16 @@ export default function run(tasks) {
   const done = [];
   for (const task of tasks) {
     if (stopped) break;
-    const result = { key: task.key, scene: task.scene.name, planner: task.planner, settings: config, ...planned(task) };
+    const { key, scene, content, planner, config } = task;
+    const result = {
+      key,
+      scene: scene.name,
+      sceneHash: content,
+      planner,
+      settings: config,
+      version: version(),
+      ...planned(task),
+    };
     stopped = result.error?.code === "internal";
     done.push({ line: `${JSON.stringify(result)}\n`, result: outline(result) });
   }
@@ -36,7 +45,7 @@ export default function run(tasks) {
 }
 
 /** @param {import("./batch.js").Task} task @returns {Pick<Result, "outcome" | "error">} */
-function planned({ scene, planner, content }) {
+function planned({ scene, planner, content, config }) {
   try {
     if (scene.length > MAX_BYTES) throw new ParkadeError(tooLarge(scene.length), "bad-scenario");
     if (last.of !== content) last = { of: content, scene: parsed(scene, content) };

@@ -1,0 +1,139 @@
+// @ts-check
+// Results in columns: `parkade columns`, and rows of results whatever file they are in.
+import { stat } from "node:fs/promises";
+import { asyncBufferFromFile, parquetMetadataAsync, parquetReadObjects } from "hyparquet";
+import { ParquetWriter, fileWriter } from "hyparquet-writer";
+import { Refused, reason } from "./input.js";
+import { read } from "./results.js";
+
+/** Version of the columns; a new column keeps it, another meaning does not. */
+const VERSION = 1;
+/** Key of the version in a file's metadata. */
+const MARK = "parkade.results";
+/** Rows that are in memory at a time. */
+const GROUP = 50_000;
+
+/** @typedef {import("./results.js").Result} Result */
+/** @typedef {Record<string, any>} Row */
+
+/** Name, type and value of each column. @type {[name: string, type: "STRING" | "INT64" | "DOUBLE" | "BOOLEAN", of: (result: any) => unknown][]} */
+const COLUMNS = [
+  ["key", "STRING", ({ key }) => key],
+  ["scene", "STRING", ({ scene }) => scene],
+  ["scene_hash", "STRING", ({ sceneHash }) => sceneHash],
+  ["seed", "INT64", () => null],
+  ["planner", "STRING", ({ planner }) => planner],
+  ["settings", "STRING", ({ settings }) => JSON.stringify(Object.fromEntries(Object.entries(settings ?? {}).sort()))],
+  ["version", "STRING", ({ version }) => version ?? ""],
+  ["outcome", "STRING", ({ outcome }) => outcome],
+  ["detail", "STRING", ({ detail }) => detail],
+  ["verdict", "STRING", ({ verdict }) => verdict],
+  ["drivable", "BOOLEAN", ({ drivable }) => drivable],
+  ["length", "DOUBLE", ({ metrics }) => metrics?.length],
+  ["direction_changes", "INT64", ({ metrics }) => metrics?.directionChanges],
+  ["max_curvature", "DOUBLE", ({ metrics }) => metrics?.maxCurvature],
+  ["min_clearance", "DOUBLE", ({ metrics }) => metrics?.minClearance],
+  ["mean_clearance", "DOUBLE", ({ metrics }) => metrics?.meanClearance],
+  ["cost", "DOUBLE", ({ metrics }) => metrics?.cost],
+  ["expanded", "INT64", ({ stats }) => stats?.expanded],
+  ["generated", "INT64", ({ stats }) => stats?.generated],
+  ["open_peak", "INT64", ({ stats }) => stats?.openPeak],
+  ["collision_checks", "INT64", ({ stats }) => stats?.collisionChecks],
+  ["memory_bytes", "INT64", ({ stats }) => stats?.memoryBytes],
+  ["seconds", "DOUBLE", () => null],
+  ["hash", "STRING", ({ hash }) => hash],
+  ["error_code", "STRING", ({ error }) => error?.code],
+  ["error_path", "STRING", ({ error }) => error?.path],
+  ["error_message", "STRING", ({ error }) => error?.message],
+];
+
+/** Columns that every row has. */
+const NEEDED = ["key", "scene", "planner", "settings", "version"];
+
+/** @param {Result} result @returns {Row} */
+const rowOf = (result) => Object.fromEntries(COLUMNS.map(([name, , of]) => [name, of(result) ?? null]));
+
+/** The newest result of each key in files of lines. @param {string[]} files */
+async function newest(files) {
+  /** @type {Map<string, Row>} */
+  const rows = new Map();
+  for (const file of files)
+    for await (const result of read(file)) {
+      if (result.superseded) rows.delete(result.key);
+      else rows.set(result.key, rowOf(result));
+    }
+  return rows;
+}
+
+/** The rows of files of lines or columns. @param {string[]} files @returns {Promise<Row[]>} */
+export async function rowsOf(files) {
+  if (files.length === 0) throw new Refused("which files? Results of `parkade batch` (.jsonl) or columns (.parquet)");
+  for (const file of files)
+    await stat(file).catch((error) => {
+      throw new Refused(`${file}: ${reason(error)}`);
+    });
+  const inColumns = files.filter((file) => file.endsWith(".parquet"));
+  const rows = await newest(files.filter((file) => !file.endsWith(".parquet")));
+  for (const file of inColumns) for (const row of await columnsOf(file)) rows.set(row["key"], row);
+  return [...rows.values()];
+}
+
+/** @param {string} file @returns {Promise<Row[]>} */
+async function columnsOf(file) {
+  const buffer = await asyncBufferFromFile(file);
+  const metadata = await parquetMetadataAsync(buffer).catch((error) => {
+    throw new Refused(`${file}: is no Parquet file: ${reason(error)}`);
+  });
+  const version = metadata.key_value_metadata?.find(({ key }) => key === MARK)?.value;
+  if (version === undefined || Number(version) > VERSION)
+    throw new Refused(
+      `${file}: must be results of version ${VERSION}, got ${version ? `version ${version}` : "others"}`,
+    );
+  const rows = await parquetReadObjects({ file: buffer, metadata }).catch((error) => {
+    throw new Refused(`${file}: cannot be read: ${reason(error)}`);
+  });
+  for (const row of rows)
+    for (const [name, type] of COLUMNS) if (type === "INT64" && row[name] !== null) row[name] = Number(row[name]);
+  return rows;
+}
+
+/** @type {import("./main.js").Run} */
+export async function columns(files, values) {
+  if (files.some((file) => file.endsWith(".parquet")))
+    throw new Refused(`${files.find((file) => file.endsWith(".parquet"))}: is in columns already; which .jsonl files?`);
+  const rows = await rowsOf(files);
+  const out = values.out ?? "results.parquet";
+  try {
+    written(rows, out);
+  } catch (error) {
+    throw new Refused(`${out}: ${reason(error)}`);
+  }
+  process.stdout.write(`${out}: ${rows.length} results\n`);
+  return 0;
+}
+
+/** @param {Row[]} rows @param {string} out */
+function written(rows, out) {
+  const schema = /** @type {import("hyparquet").SchemaElement[]} */ ([
+    { name: "root", num_children: COLUMNS.length },
+    ...COLUMNS.map(([name, type]) => ({
+      name,
+      repetition_type: NEEDED.includes(name) ? "REQUIRED" : "OPTIONAL",
+      ...(type === "STRING" ? { type: "BYTE_ARRAY", converted_type: "UTF8" } : { type }),
+    })),
+  ]);
+  const writer = new ParquetWriter({
+    writer: fileWriter(out),
+    schema,
+    kvMetadata: [{ key: MARK, value: String(VERSION) }],
+  });
+  for (let at = 0; at < rows.length; at += GROUP) {
+    const group = rows.slice(at, at + GROUP);
+    const columnData = COLUMNS.map(([name, type]) => ({
+      name,
+      data: group.map((row) => (type === "INT64" && row[name] !== null ? BigInt(row[name]) : row[name])),
+    }));
+    writer.write({ columnData, rowGroupSize: GROUP });
+  }
+  writer.finish();
+}
