@@ -73,7 +73,7 @@ const COMMANDS: &[Command] = &[
     },
     Command {
         name: "parity",
-        about: "compare plan hashes between native code, Node with and without SIMD, Chromium and Firefox: parity \
+        about: "compare plan hashes between native code, Node with and without SIMD, Python, Chromium and Firefox: parity \
             [parking] [random scenes]",
         run: parity::parity,
     },

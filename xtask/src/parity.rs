@@ -3,7 +3,7 @@
 use anyhow::{Context as _, Result, bail};
 
 use crate::tools::{Workspace, capture, cargo, node, run};
-use crate::{browser, site};
+use crate::{browser, python, site};
 
 /// Random questions, when no number is given.
 const RANDOM: &str = "2000";
@@ -27,6 +27,14 @@ pub(crate) fn parity(arguments: &[String]) -> Result<()> {
     let package = ["run", "--quiet", "--release", "--locked", "--package", "parkade-fuzz", "--"];
     std::fs::write(&questions, capture(cargo().args(package).args(asked))?)?;
     let vectorised = site::vectorised()?;
+    match python::Environment::ready()? {
+        Ok(environment) if asked[0] == "--print" => {
+            python::install(&environment)?;
+            run(environment.program("python").arg("python/tests/parity.py").arg(&questions))?;
+        }
+        Ok(_) => {}
+        Err(reason) => println!("not compared in Python: {reason}"),
+    }
     run(node()
         .arg("tests/engines/run.js")
         .args([&questions, &vectorised])
