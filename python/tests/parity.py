@@ -1,7 +1,7 @@
 """Answers the questions of a file and compares with the native answers in it: python parity.py questions.jsonl
 
-`cargo xtask parity` makes the questions: every planner on every built-in scene, and random scenes with random settings, of
-which some are wrong and are refused in the same words.
+`cargo xtask parity` makes the questions: every planner on every built-in scene, and random scenes with random settings,
+of which some are wrong and are refused in the same words.
 """
 
 import json
@@ -23,7 +23,7 @@ def answer(question):
 def main():
     asked, hashes, different = 0, 0, []
     with Path(sys.argv[1]).open() as lines:
-        for asked, line in enumerate(lines, 1):  # noqa: B007
+        for asked, line in enumerate(lines, 1):
             question = json.loads(line)
             found, planned = answer(question)
             hashes += planned

@@ -25,7 +25,7 @@ pub(crate) fn parity(arguments: &[String]) -> Result<()> {
     site::assemble()?;
     let questions = Workspace::load()?.target.join("parity.jsonl");
     let package = ["run", "--quiet", "--release", "--locked", "--package", "parkade-fuzz", "--"];
-    std::fs::write(&questions, capture(cargo().args(package).args(asked))?)?;
+    std::fs::write(&questions, capture(cargo().args(package).args(&asked))?)?;
     let vectorised = site::vectorised()?;
     match python::Environment::ready()? {
         Ok(environment) if asked[0] == "--print" => {
