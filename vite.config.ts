@@ -136,6 +136,7 @@ export default defineConfig({
   resolve: {
     alias: [
       { find: "parkade/core", replacement: here("pkg/core/index.js") },
+      { find: /^parkade\/worker\/(pool|transfer)$/, replacement: here("pkg/worker/$1.js") },
       { find: "parkade", replacement: here("pkg/index.js") },
       // The package brings the page's drawing, which is here.
       { find: "./drawing.js", replacement: here("www/src/picture/draw.ts") },

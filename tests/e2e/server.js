@@ -1,6 +1,6 @@
 // @ts-check
 // Serves dist/ below /sub/path/, as a project page of a static host would, and at the top; pages that embed it below /host/; the
-// documentation and the example book, where they are built, below /docs/ and /book/.
+// documentation and the example book, where they are built, below /docs/ and /book/; the package below /package/.
 import { readFile } from "node:fs/promises";
 import { createServer } from "node:http";
 import { extname } from "node:path";
@@ -15,6 +15,7 @@ const FOLDERS = [
   ["/host/", new URL("pages/", import.meta.url)],
   ["/docs/", new URL("../../docs/.vitepress/dist/", import.meta.url)],
   ["/book/", new URL("../../examples/mdbook/book/", import.meta.url)],
+  ["/package/", new URL("../../pkg/", import.meta.url)],
   ["/", DIST],
 ];
 /** @type {Record<string, string>} */

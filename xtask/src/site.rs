@@ -54,6 +54,8 @@ const TO_TEXT: &str = "const { readFileSync, writeFileSync } = require('node:fs'
     writeFileSync(to, `export const base64 = \"${readFileSync(from).toString('base64')}\";\n`)";
 /// The folder of the command `parkade`.
 const COMMAND: &str = "cli";
+/// The package's planners in workers.
+const WORKER: &str = "worker";
 const PACKAGE_PAPERS: &[&str] = &["README.md", "CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE"];
 /// The scenes' JSON Schema, published with the package and beside the page.
 const SCHEMA: &str = "scenario.schema.json";
@@ -122,6 +124,7 @@ fn build_package(workspace: &Workspace) -> Result<()> {
         copy(&sources.join(name), &package.join(name))?;
     }
     copy_folder(&sources.join(COMMAND), &package.join(COMMAND))?;
+    copy_folder(&sources.join(WORKER), &package.join(WORKER))?;
     copy(&sources.join(INLINE_SOURCE), &package.join(INLINE_SOURCE))?;
     run(node().args(["-e", TO_TEXT, "--"]).arg(package.join(WASM_FILE)).arg(package.join("bytes.js")))?;
     copy(&root().join("src/scenario").join(SCHEMA), &package.join(SCHEMA))?;

@@ -1,6 +1,6 @@
 import type { PlannerId } from "parkade";
 import type { WorkerLike } from "./planner-queue";
-import { WorkerPool } from "./pool";
+import { WorkerPool, type PlanWorkers } from "./pool";
 import coreUrl from "../../../pkg/core/parkade_bg.wasm?url";
 import completeUrl from "../../../pkg/parkade_bg.wasm?url";
 
@@ -12,7 +12,7 @@ export interface Engine {
   extent: Extent;
   api: Api;
   module: WebAssembly.Module;
-  pool: WorkerPool;
+  pool: PlanWorkers;
   script: string;
 }
 

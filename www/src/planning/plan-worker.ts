@@ -1,5 +1,6 @@
 import type { Timing } from "../store/results";
 import type { HybridPlan, Plan, Planner, PlannerId } from "parkade";
+import { transferables } from "parkade/worker/transfer";
 import type { Scenario } from "../scene/scenario";
 import type { driveOf } from "./drive-of";
 import { failureOf } from "./failure";
@@ -44,7 +45,7 @@ async function answer(request: Exclude<Request, { kind: "start" }>): Promise<voi
   try {
     await ready;
     const reply = answerTo(request);
-    scope.postMessage(reply, reply.kind === "planned" ? buffers(reply.plan, reply.layers) : []);
+    scope.postMessage(reply, reply.kind === "planned" ? transferables(reply.plan, reply.layers) : []);
   } catch (error) {
     scope.postMessage({ kind: "failed", id: request.id, error: failureOf(error) }, []);
   }
@@ -170,18 +171,4 @@ function sample(planner: Planner, options: Parameters<Planner["plan"]>[0]): Timi
     runs++;
   }
   return { search: search / runs, total: total / runs };
-}
-
-function buffers(plan: Plan, layers: Layers): Transferable[] {
-  const arrays: (ArrayBufferView | undefined)[] = [
-    plan.path,
-    plan.directions,
-    plan.curvatures,
-    plan.clearances,
-    plan.rawPath,
-    plan.check.hitPoses,
-    plan.trace?.kind === "cells" ? plan.trace.cells : plan.trace?.arcs,
-    ...Object.values(layers).map((layer) => layer.data),
-  ];
-  return [...new Set(arrays.flatMap((array) => (array ? [array.buffer as ArrayBuffer] : [])))];
 }

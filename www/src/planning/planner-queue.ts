@@ -2,7 +2,7 @@ import type { Timing } from "../store/results";
 import type { Explanation, LayerName, Limits, Plan, PlannerId, Prefer } from "parkade";
 import { isGoalPose } from "../scene/model";
 import type { Scenario } from "../scene/scenario";
-import type { Holder, WorkerPool } from "./pool";
+import type { Holder, PlanWorkers } from "./pool";
 import type { Ends, Failure, Layers, Reply, Request, Waiting } from "./protocol";
 
 /** `every`: cells from one force of the layer `risk` to the next; `budget`: milliseconds after which the plan is given up. */
@@ -65,7 +65,7 @@ export class Lane implements Holder {
     private readonly planner: PlannerId,
     readonly of: object,
     readonly module: WebAssembly.Module,
-    private readonly pool: WorkerPool,
+    private readonly pool: PlanWorkers,
     private readonly events: LaneEvents,
   ) {}
 

@@ -1,0 +1,2 @@
+/** Imported by a worker's script, it makes the worker one of `createPool`. */
+export {};
