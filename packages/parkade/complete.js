@@ -7,6 +7,7 @@ import { ParkadeError, call, mismatch, number, numbers, object, text } from "./r
 export * from "./audit.js";
 export * from "./columns.js";
 export * from "./drive.js";
+export * from "./occupancy.js";
 export * from "./picture.js";
 
 /** No file of a map that fits is larger. */

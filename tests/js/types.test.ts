@@ -379,6 +379,12 @@ describe("what the package answers is of the types that it declares:", () => {
     });
     api.call("importScene", { "scene.json": JSON.stringify(scene("fig16")) });
     for (const family of ["random", "regular", "trap"]) api.call("generateScenario", { family, size: 40, seed: 3 });
+    const ends = { start: { x: 0.5, y: 0.5, heading: 0 }, goal: { x: 2.5, y: 1.5, heading: 0 } };
+    const cells = [0, 1, 0, 0, 0, 0],
+      costs = [1, 1, 3, 1, 1, 1];
+    api.call("fromOccupancy", cells, 3, { ...ends, resolution: 1, costs });
+    const info = { width: 3, height: 2, resolution: 1, origin: { position: { x: 0, y: 0 } } };
+    api.call("fromOccupancyGrid", { info, data: cells }, ends);
     api.call("unpackRuns", api.call("packRuns", runs));
   });
 

@@ -45,7 +45,7 @@ const PACKAGE_SOURCES: &[&str] = &["index.js", "node.js", "api.js", "cells.js", 
 /// What the complete module has beyond `core`; `core` has a file of that name in its own folder, which is empty.
 const COMPLETE_SOURCE: &str = "complete.js";
 /// What that file takes from others.
-const COMPLETE_PARTS: &[&str] = &["audit.js", "columns.js", "drive.js", "picture.js"];
+const COMPLETE_PARTS: &[&str] = &["audit.js", "columns.js", "drive.js", "occupancy.js", "picture.js"];
 /// The entry that has the complete module within.
 const INLINE_SOURCE: &str = "inline.js";
 /// Writes a file's bytes as text into a module.

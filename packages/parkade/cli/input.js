@@ -92,7 +92,7 @@ export async function scene([place, ...more]) {
 export const isMap = (place = "") => /\.(map|ya?ml)$/.test(place);
 
 /** A map's questions, or the picture that a ROS map names. @param {string} place */
-async function withCompanions(place) {
+export async function withCompanions(place) {
   const files = { [basename(place)]: await bytes(place) };
   const content = files[basename(place)]?.toString("utf8") ?? "";
   const image = /^image:\s*['"]?([^'"\n]+?)['"]?\s*$/m.exec(content)?.[1];

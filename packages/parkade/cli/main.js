@@ -19,6 +19,10 @@ const HELP = `usage: parkade <command> [options]
   digest FILE…     one hash over the results of \`batch\`, in any order and number of files
   planners         list the planners, or the settings of one (--planner ID)
   scenarios        list the built-in scenes
+  scenario ID      print a built-in scene
+  generate         draw a map by its seed  --family random|regular|trap  --size N  --seed N
+  convert FILES…   print maps of other programs as scenes  --format json|jsonl  --out FILE
+  completion SHELL print what bash, zsh or fish completes
 
 SCENE is a scene as JSON, a MovingAI .map, a ROS .yaml, a TPCAP .csv, the id of a built-in scene, or - for standard input.
 \`parkade <command> --help\` lists the options of a command.
@@ -177,6 +181,57 @@ const COMMANDS = {
     about: "usage: parkade scenarios [--format text|json]\n",
     options: { format: { type: "string" } },
     load: async () => (await import("./list.js")).scenarios,
+  },
+  scenario: {
+    about: "usage: parkade scenario ID [--out FILE]\n",
+    options: { out: { type: "string" } },
+    load: async () => (await import("./convert.js")).scenario,
+  },
+  generate: {
+    about: `usage: parkade generate [options]
+
+  --family random|regular|trap  default: random
+  --size N             cells a side, 5 to 4096; default: 60
+  --seed N             default: 1
+  --density N          random: thousandths of the cells that are blocked; default: 150
+  --block-min N, --block-max N  random: sides of the blocks, cells; default: 1 to 3
+  --out FILE           default: standard output
+`,
+    options: {
+      family: { type: "string" },
+      size: { type: "string" },
+      seed: { type: "string" },
+      density: { type: "string" },
+      "block-min": { type: "string" },
+      "block-max": { type: "string" },
+      out: { type: "string" },
+    },
+    load: async () => (await import("./convert.js")).generate,
+  },
+  convert: {
+    about: `usage: parkade convert FILES… [options]
+
+  Reads MovingAI .map with its .scen, ROS .yaml with its picture, TPCAP .csv, lots and scenes as .json, and prints scenes as JSON.
+
+  --format json|jsonl  default: json, one scene; jsonl has each scene on a line, as \`batch\` reads them
+  --resolution M       side of a cell, metres, of maps that do not say; default: 1
+  --query N            which question of a .scen gives start and goal; default: 0
+  --unknown blocked|free  cells that are neither; default: blocked
+  --out FILE           default: standard output
+`,
+    options: {
+      format: { type: "string" },
+      resolution: { type: "string" },
+      query: { type: "string" },
+      unknown: { type: "string" },
+      out: { type: "string" },
+    },
+    load: async () => (await import("./convert.js")).convert,
+  },
+  completion: {
+    about: "usage: parkade completion bash|zsh|fish\n",
+    options: {},
+    load: async () => (await import("./completion.js")).completion(COMMANDS),
   },
 };
 
