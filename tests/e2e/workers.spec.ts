@@ -1,5 +1,6 @@
 import { expect, test } from "@playwright/test";
-import { init, Planner, scenario, type Scenario } from "../../pkg/node.js";
+import type { Scenario } from "parkade";
+import { init, Planner, scenario } from "../../pkg/node.js";
 import type * as Workers from "../../packages/parkade/worker/index";
 
 test("the package plans in workers of a page without a bundler, and a signal ends a search", async ({ page }) => {
@@ -9,7 +10,9 @@ test("the package plans in workers of a page without a bundler, and a signal end
   await page.goto("/package/package.json");
   const found = await page.evaluate(
     async (scenes: Scenario[]) => {
-      const { createPool } = (await import(/* @vite-ignore */ `${location.origin}/package/worker/index.js`)) as typeof Workers;
+      const { createPool } = (await import(
+        /* @vite-ignore */ `${location.origin}/package/worker/index.js`
+      )) as typeof Workers;
       const pool = createPool({ size: 2 });
       const planners = await Promise.all(scenes.map((scene) => pool.createPlanner("hybrid", scene)));
       const controller = new AbortController();
