@@ -192,3 +192,8 @@ def test_types_cover_the_native_part():
     for name in public:
         assert re.search(rf"\b{name}\b", stubs), name
     assert all(hasattr(parkade, name) for name in parkade.__all__)
+
+
+def test_licenses_are_those_of_the_crate():
+    for name in ("LICENSE-APACHE", "LICENSE-MIT"):
+        assert (ROOT / "python/licenses" / name).read_text() == (ROOT / name).read_text()
