@@ -13,6 +13,7 @@ const ROOMS = [
   "i18n",
   "styles",
   "scene",
+  "siteplan",
   "store",
   "planning",
   "view",

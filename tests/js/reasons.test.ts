@@ -56,6 +56,20 @@ describe("reasons in Chinese", () => {
     expect(all.filter((text) => /\b(This|is|has|the)\b/.test(chineseReason(text)))).toEqual([]);
   });
 
+  it("are there for every reason and note of site plans", () => {
+    const folder = join(ROOT, "www/src/siteplan"),
+      text = readdirSync(folder)
+        .map((name) => readFileSync(join(folder, name), "utf8"))
+        .join("\n")
+        .replaceAll(/\$\{[^}]*\}/g, "7");
+    const all = [
+      ...text.matchAll(/SitePlanError\(\s*(?:"((?:[^"\\]|\\.)+)"|'([^']+)'|`([^`]+)`)/g),
+      ...text.matchAll(/\[`(Left out[^`]*)`|`(Outlines[^`]*)`/g),
+    ].map((found) => found.slice(1).find(Boolean)!.replaceAll('\\"', '"'));
+    expect(all.length).toBeGreaterThan(30);
+    expect(all.filter((one) => /\b(must|the|at|most|that|this|Left|Outlines)\b/.test(chineseReason(one)))).toEqual([]);
+  });
+
   it("are there for what is too large for a page", () => {
     const start = { x: 0, y: 0, heading: 0 },
       map = { origin: [0, 0], width: 9, height: 9, resolution: 1 };

@@ -289,7 +289,7 @@ export class Playground extends LitElement {
       <parkade-image .app=${this.app}></parkade-image>
       <parkade-context .app=${this.app}></parkade-context>
       <parkade-import .app=${this.app}></parkade-import>
-      <input class="file" type="file" hidden multiple accept=".json,.map,.scen,.yaml,.yml,.pgm,.csv,.svg,.png,.jpg,.jpeg,.webp" aria-label=${this.app.t("bar.open")} @change=${this.onFile}>`;
+      <input class="file" type="file" hidden multiple accept=".json,.map,.scen,.yaml,.yml,.pgm,.csv,.dxf,.osm,.geojson,image/*" aria-label=${this.app.t("bar.open")} @change=${this.onFile}>`;
   }
 
   private wide(): TemplateResult {

@@ -10,6 +10,7 @@ import { ensureIds } from "../scene/model";
 import type { Scenario } from "../scene/scenario";
 import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
+import type { SitePlanDialog } from "./site-plan-dialog";
 import { vast } from "../view/lazy-layers";
 import { AppElement } from "./base";
 import { numberOf } from "./inputs";
@@ -29,6 +30,15 @@ async function sceneInside(file: File): Promise<readonly [string, Uint8Array<Arr
     code ? String.fromCharCode(Number(code)) : (ENTITIES[name ?? ""] ?? whole),
   );
   return [file.name.replace(/\.svg$/i, ".json"), new TextEncoder().encode(text)];
+}
+
+/** True for drawings and maps of the ground by layers; a drawing of ours carries its scene. */
+async function isSitePlan(file: File): Promise<boolean> {
+  if (/\.(dxf|dwg|osm|geojson)$/i.test(file.name)) return true;
+  if (/\.svg$/i.test(file.name)) return !/<metadata\b[^>]*>\s*\{/.test((await file.text()).replaceAll("&quot;", '"'));
+  if (!/\.json$/i.test(file.name)) return false;
+  const head = await file.slice(0, 2000).text();
+  return /"type"\s*:\s*"(FeatureCollection|Feature)"|"elements"\s*:\s*\[/.test(head);
 }
 
 interface Opened {
@@ -58,6 +68,7 @@ export class ImportBar extends AppElement {
   declare opened: Opened | null;
   declare at: number;
   private helper: Helper | null = null;
+  private sitePlans: SitePlanDialog | null = null;
   private turn = 0;
 
   constructor() {
@@ -74,12 +85,14 @@ export class ImportBar extends AppElement {
     super.disconnectedCallback();
     this.helper?.stop();
     this.helper = null;
+    this.sitePlans?.remove();
   }
 
   /** Opens files that belong together; bad ones leave everything as it was. */
   async openFiles(files: readonly File[]): Promise<void> {
     if (files.length === 1 && IMAGE.test(files[0]!.name)) return this.openImage(files[0]!);
     if (files.length === 1 && (await isTrajectory(files[0]!))) return openTrajectory(this.app, files[0]!);
+    if (files.length === 1 && (await isSitePlan(files[0]!))) return this.openSitePlan(files[0]!);
     const turn = ++this.turn,
       name = files.map((file) => file.name).join(", ");
     const { lang } = this.state;
@@ -116,6 +129,31 @@ export class ImportBar extends AppElement {
     await import("./image-import");
     const root = this.getRootNode() as ShadowRoot;
     await root.querySelector<HTMLElement & { ask(file: File): Promise<void> }>("parkade-image")?.ask(file);
+  }
+
+  /** What the layers of a site plan are is asked before it is a scene. */
+  private async openSitePlan(file: File): Promise<void> {
+    const turn = ++this.turn,
+      { name } = file;
+    this.app.store.set({ message: { tone: "info", text: say(this.state.lang, "reading", { name }) } });
+    try {
+      const [{ sitePlanOf }, { SitePlanDialog }] = await Promise.all([
+        import("../planning/site-plan-reader"),
+        import("./site-plan-dialog"),
+      ]);
+      const plan = await sitePlanOf(file);
+      if (turn !== this.turn) return;
+      this.sitePlans ??= Object.assign(new SitePlanDialog(), { app: this.app });
+      if (!this.sitePlans.isConnected) this.getRootNode().appendChild(this.sitePlans);
+      this.sitePlans.ask(plan, name);
+    } catch (error) {
+      if (turn !== this.turn) return;
+      const { lang } = this.state,
+        { line } = error as { line?: number },
+        reason = sentence(error);
+      const text = line === undefined ? say(lang, "bad", { name, reason }) : say(lang, "line", { name, line, reason });
+      this.app.store.set({ message: { tone: "err", text } });
+    }
   }
 
   private async read(files: readonly File[], name: string): Promise<Opened & { notes: string[] }> {

@@ -1,0 +1,253 @@
+/** Site plans of each kind become the same scene; damaged ones are refused in words. */
+import { init, Planner, sceneGeometry, type Slot } from "parkade";
+import { beforeAll, describe, expect, it } from "vitest";
+import { readSitePlan } from "../../www/src/siteplan/read-site-plan";
+import { MOST_BYTES, SitePlanError, type SitePlan } from "../../www/src/siteplan/site-plan";
+import { sceneFromSitePlan, suggestedRole, suggestedUnit, type Role } from "../../www/src/siteplan/site-plan-scene";
+import { localProjection } from "../../www/src/siteplan/projection";
+import { dxf, FILES, geojson, LOT } from "./site-plan-files";
+
+beforeAll(async () => {
+  await init();
+});
+
+const rolesOf = (plan: SitePlan): Record<string, Role> =>
+  Object.fromEntries(plan.layers.map(({ name }) => [name, suggestedRole(name)]));
+
+const converted = (plan: SitePlan, unit = suggestedUnit(plan)) =>
+  sceneFromSitePlan(plan, { roles: rolesOf(plan), metresPerUnit: unit });
+
+describe("a lot", () => {
+  it.each(Object.entries(FILES))("in %s becomes a scene that plans", (name, text) => {
+    const plan = readSitePlan(name, text),
+      { scene, counts } = converted(plan, plan.kind === "svg" ? 0.1 : undefined);
+    // A column of an extract is a building.
+    expect(counts).toMatchObject({ wall: 1, kerb: 1, bay: 10 });
+    expect(counts.column + counts.building).toBe(1);
+    sceneGeometry(scene);
+    for (const slot of scene.slots!) {
+      expect(slot).toMatchObject({ kind: "perpendicular" });
+      expect(slot.width).toBeCloseTo(2.5, 2);
+      expect(slot.length).toBeCloseTo(5, 2);
+      // Bays open to the aisle.
+      expect(
+        [5, 11.5].some((y) => Math.abs(slot.y - y) < 0.01),
+        JSON.stringify(slot),
+      ).toBe(true);
+      expect(Math.sin(slot.heading)).toBeCloseTo(slot.y < 8 ? -1 : 1, 3);
+    }
+    using planner = new Planner("hybrid", scene);
+    expect(planner.plan().outcome).toBe("found");
+  });
+
+  it("is measured the same whichever file it comes from", () => {
+    const [first, ...others] = Object.entries(FILES).map(([name, text]) => {
+      const plan = readSitePlan(name, text);
+      return converted(plan, plan.kind === "svg" ? 0.1 : undefined).scene.slots!;
+    });
+    const places = (slots: readonly Slot[]) =>
+      slots.map(({ x, y }) => [x, y]).sort((a, b) => a[0]! - b[0]! || a[1]! - b[1]!);
+    for (const other of others)
+      places(other).forEach(([x, y], i) => {
+        expect(Math.hypot(x! - places(first!)[i]![0]!, y! - places(first!)[i]![1]!)).toBeLessThan(0.005);
+      });
+  });
+
+  it("may be in metres as GeoJSON", () => {
+    const plan = readSitePlan(
+      "lot.geojson",
+      geojson((point) => point),
+    );
+    expect(converted(plan).scene.slots!.map(({ width }) => width)).toEqual(Array.from({ length: 10 }, () => 2.5));
+  });
+
+  it("says what has been left out", () => {
+    expect(readSitePlan("lot.dxf", dxf()).notes).toEqual(["Left out: TEXT (1)"]);
+  });
+});
+
+const drawn = (layer: string, lines: readonly (readonly [number, number])[][], closed = false): SitePlan => ({
+  kind: "dxf",
+  layers: [{ name: layer, lines: lines.map((points) => ({ points: points.map(([x, y]) => [x, y]), closed })) }],
+  metresPerUnit: 1,
+  notes: [],
+});
+
+describe("bays", () => {
+  const slotsOf = (plan: SitePlan): Slot[] =>
+    sceneFromSitePlan(plan, { roles: { bays: "bay" }, metresPerUnit: 1 }).scene.slots!;
+
+  it("are found between painted lines, open where nothing is painted", () => {
+    const comb = [
+      [
+        [0, 0],
+        [10, 0],
+      ] as [number, number][],
+      ...[0, 2.5, 5, 7.5, 10].map((x): [number, number][] => [
+        [x, 0],
+        [x, 5],
+      ]),
+    ];
+    const slots = slotsOf(drawn("bays", comb));
+    expect(slots.map(({ kind, y }) => [kind, y])).toEqual(Array.from({ length: 4 }, () => ["perpendicular", 5]));
+  });
+
+  it("that stand back to back are told apart at the line between them", () => {
+    const comb = [
+      [
+        [0, 5],
+        [7.5, 5],
+      ] as [number, number][],
+      ...[0, 2.5, 5, 7.5].map((x): [number, number][] => [
+        [x, 0],
+        [x, 10],
+      ]),
+    ];
+    const slots = slotsOf(drawn("bays", comb));
+    expect(slots.map(({ y }) => y).sort((a, b) => a - b)).toEqual([0, 0, 0, 10, 10, 10]);
+  });
+
+  it("at an angle keep it", () => {
+    const lean = 4 / Math.tan(Math.PI / 3);
+    const comb = [0, 3, 6, 9].map((x): [number, number][] => [
+      [x, 0],
+      [x + lean, 4],
+    ]);
+    const slots = slotsOf(
+      drawn("bays", [
+        ...comb,
+        [
+          [0, 0],
+          [9, 0],
+        ],
+      ]),
+    );
+    expect(slots).toHaveLength(3);
+    for (const slot of slots) {
+      expect(slot.kind).toBe("angled");
+      expect(slot.angle).toBeCloseTo(Math.PI / 3, 6);
+      expect(slot.width).toBeCloseTo(3 * Math.sin(Math.PI / 3), 3);
+      expect(slot.y).toBe(4);
+    }
+  });
+
+  it("along a kerb are parallel", () => {
+    const row = Array.from({ length: 4 }, (_, i): [number, number][] => [
+      [6 * i, 0],
+      [6 * i + 6, 0],
+      [6 * i + 6, 2.2],
+      [6 * i, 2.2],
+    ]);
+    const kerb = {
+      name: "kerb",
+      lines: [{ points: [[-6, 0] as [number, number], [30, 0] as [number, number]], closed: false }],
+    };
+    const plan = drawn("bays", row, true);
+    const { scene } = sceneFromSitePlan(
+      { ...plan, layers: [...plan.layers, kerb] },
+      { roles: { bays: "bay", kerb: "kerb" }, metresPerUnit: 1 },
+    );
+    expect(scene.slots!.map(({ kind, y }) => [kind, y])).toEqual(Array.from({ length: 4 }, () => ["parallel", 2.2]));
+  });
+});
+
+describe("a file", () => {
+  /** A number in [0, below) that depends on the seed alone. */
+  const random = (seed: number) => {
+    let state = seed * 2654435761 + 1;
+    return (below: number): number => {
+      state = (Math.imul(state ^ (state >>> 15), 2246822519) + 3266489917) >>> 0;
+      return state % below;
+    };
+  };
+
+  /** What goes wrong with files on their way. */
+  const damaged = (text: string, seed: number): string => {
+    const next = random(seed),
+      at = 1 + next(text.length - 2);
+    switch (seed % 5) {
+      case 0:
+        return text.slice(0, at);
+      case 1:
+        return text.slice(0, at) + text.slice(at + 1 + next(60));
+      case 2:
+        return `${text.slice(0, at)}${String.fromCharCode(1 + next(250))}${text.slice(at + 1)}`;
+      case 3:
+        return text.slice(0, at) + text.slice(next(text.length));
+      default:
+        return text.replace(/\d+/g, (number) => (next(20) === 0 ? "NaN" : number));
+    }
+  };
+
+  it.each(Object.entries(FILES))("of the kind of %s that is damaged is refused in words, 500 times", (name, text) => {
+    let refused = 0;
+    for (let seed = 0; seed < 500; seed++) {
+      try {
+        const plan = readSitePlan(name, damaged(text, seed));
+        converted(plan, plan.kind === "svg" ? 0.1 : undefined);
+        // A blank at the end may go.
+        if (seed % 5 === 0) expect(damaged(text, seed).trimEnd()).toBe(text.trimEnd());
+      } catch (error) {
+        expect(error, `${name}, seed ${seed}: ${String(error)}`).toBeInstanceOf(SitePlanError);
+        expect((error as SitePlanError).message).toMatch(/^[\w<$([].{8,300}$/s);
+        refused++;
+      }
+    }
+    expect(refused).toBeGreaterThan(300);
+  });
+
+  it("that is cut off is refused at its end", () => {
+    expect(() => readSitePlan("lot.dxf", dxf().replace(/0\nEOF\n$/, ""))).toThrow("may be cut off");
+  });
+
+  it("names the line of a mistake", () => {
+    const text = dxf().replace("17400", "wide"),
+      line = text.split("\n").indexOf("wide") + 1;
+    expect(() => readSitePlan("lot.dxf", text)).toThrow('group 10 must be a number, got "wide"');
+    try {
+      readSitePlan("lot.dxf", text);
+    } catch (error) {
+      expect((error as SitePlanError).line).toBe(line);
+    }
+  });
+
+  /** Contents of more than 50 MB by kind, and why they are refused. */
+  const LARGE: Record<string, [text: () => string, reason: string]> = {
+    dxf: [
+      () =>
+        `0\nSECTION\n2\nENTITIES\n${`0\nLINE\n8\nA\n10\n0\n20\n0\n11\n5\n21\n${"5".padEnd(20, "0")}\n`.repeat(1_120_000)}0\nENDSEC\n0\nEOF\n`,
+      "at most 200000 entities",
+    ],
+    geojson: [
+      () => `{"type":"LineString","coordinates":[${"[123.25,97.125],[1234567.25,97.125],\n".repeat(1_400_000)}[0,0]]}`,
+      "at most 200000 points",
+    ],
+    svg: [() => `<svg>${'<line x1="0" y1="0" x2="10" y2="10"/>\n'.repeat(1_400_000)}</svg>`, "at most 200000 points"],
+    osm: [
+      () => `<osm>${'<node id="1" lat="52.5" lon="13.4" version="1"/>\n'.repeat(1_060_000)}</osm>`,
+      "holds no lines",
+    ],
+  };
+
+  it.each(Object.entries(LARGE))(
+    "of 50 MB is read within bounds or refused: %s",
+    (kind, [make, reason]) => {
+      const text = make();
+      expect(text.length).toBeGreaterThan(50_000_000);
+      expect(() => readSitePlan(`large.${kind}`, text)).toThrow(reason);
+    },
+    180_000,
+  );
+
+  it("of more is refused unread", () => {
+    expect(() => readSitePlan("large.dxf", new Uint8Array(MOST_BYTES + 1))).toThrow("at most 64 MB");
+  });
+});
+
+it("degrees become metres of the ellipsoid", () => {
+  const place = localProjection([13.4, 52.5]);
+  // A hundredth of a degree along the meridian and along the parallel, by the ellipsoid's radii there.
+  expect(place([13.4, 52.501])[1]).toBeCloseTo(111.26, 1);
+  expect(place([13.401, 52.5])[0]).toBeCloseTo(67.91, 1);
+  expect(LOT.bays).toHaveLength(10);
+});

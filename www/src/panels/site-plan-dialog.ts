@@ -1,0 +1,191 @@
+import { css, html, nothing, type TemplateResult } from "lit";
+import { sentence } from "../app/app";
+import { reasonIn } from "../i18n/index";
+import messages from "../i18n/messages/site-plan.json";
+import { words } from "../i18n/words";
+import { boxOf, distance, type Point } from "../scene/geometry";
+import { SitePlanError, type SitePlan } from "../siteplan/site-plan";
+import {
+  ROLES,
+  sceneFromSitePlan,
+  suggestedRole,
+  suggestedUnit,
+  type Role,
+  type SitePlanScene,
+} from "../siteplan/site-plan-scene";
+import { controls } from "../styles/controls";
+import { dialogs } from "../styles/dialogs";
+import { vast } from "../view/lazy-layers";
+import { DialogElement } from "./dialog";
+import { numberOf, valueOf } from "./inputs";
+import "./site-plan-preview";
+
+const say = words("sitePlan", messages);
+
+/** Asks what the layers of a site plan are, and shows the scene that comes of them. */
+export class SitePlanDialog extends DialogElement {
+  static override properties = {
+    ...DialogElement.properties,
+    plan: { state: true },
+    roles: { state: true },
+    unit: { state: true },
+    around: { state: true },
+    ruler: { state: true },
+    lit: { state: true },
+  };
+  static override styles = [
+    controls,
+    dialogs,
+    css`
+    dialog { --dialog-width: 940px; }
+    form { display: grid; grid-template-columns: minmax(0, 1fr) 330px; gap: 18px; }
+    parkade-site-plan-preview { min-height: 300px; height: 100%; max-height: 560px; }
+    .side { display: flex; flex-direction: column; gap: 12px; min-width: 0; min-height: 0; }
+    h3 { margin: 0; font: inherit; font-weight: 600; }
+    ul { list-style: none; margin: 0; padding: 0; max-height: 250px; overflow-y: auto; border-block: 1px solid var(--parkade-hair); }
+    li { display: grid; grid-template-columns: minmax(0, 1fr) auto; align-items: center; gap: 2px 8px; padding: 5px 2px; border-bottom: 1px solid var(--parkade-hair); } li:last-child { border: 0; }
+    li span { overflow: hidden; text-overflow: ellipsis; white-space: nowrap; } small { color: var(--parkade-t3); font-size: 12px; }
+    select { height: 28px; padding: 0 6px; max-width: 150px; color: var(--parkade-t1); background: var(--parkade-panel); border: 1px solid var(--parkade-hair2); border-radius: calc(6px * var(--parkade-radius)); }
+    label { display: flex; align-items: center; justify-content: space-between; gap: 8px; color: var(--parkade-t2); } .field { width: 112px; color: var(--parkade-t1); }
+    p { margin: 0; color: var(--parkade-t2); font-size: 12px; line-height: 16px; } .fault { color: var(--parkade-err); } .solid { width: 100%; }
+    @media (max-width: 640px) { form { grid-template-columns: 1fr; gap: 12px; } parkade-site-plan-preview { min-height: 34vh; height: 34vh; } ul { max-height: 200px; } select { height: 36px; } }
+    @media (max-height: 480px) { form { grid-template-columns: minmax(0, 1fr) 300px; } parkade-site-plan-preview { min-height: 200px; height: 100%; } ul { max-height: none; } }
+  `,
+  ];
+  declare plan: SitePlan | null;
+  declare roles: Record<string, Role>;
+  declare unit: number;
+  declare around: number;
+  declare ruler: [Point, Point] | null;
+  declare lit: string;
+  private name = "";
+
+  protected override readonly closesOutside = false;
+
+  constructor() {
+    super();
+    this.plan = this.ruler = null;
+    this.roles = {};
+    this.unit = 1;
+    this.around = 25;
+    this.lit = "";
+  }
+
+  ask(plan: SitePlan, name: string): void {
+    this.plan = plan;
+    this.name = name;
+    this.roles = Object.fromEntries(plan.layers.map((layer) => [layer.name, suggestedRole(layer.name)]));
+    this.unit = suggestedUnit(plan);
+    this.around = 25;
+    this.ruler = null;
+    this.app.store.set({ message: null });
+    this.open();
+  }
+
+  protected override closed(): void {
+    this.plan = null;
+  }
+
+  protected override content(): TemplateResult {
+    const { plan, roles, unit, lit, ruler } = this,
+      { lang } = this.state;
+    if (!plan) return html``;
+    const made = this.made(plan);
+    return html`${this.top(say(lang, "title"), this.name)}
+      <div class="scroll"><form novalidate @submit=${(event: Event) => this.accept(event, made)}>
+        <parkade-site-plan-preview .app=${this.app} .plan=${plan} .roles=${roles} .unit=${unit} .lit=${lit} .ruler=${ruler} .scene=${"scene" in made ? made.scene : null}
+          label=${say(lang, "preview")} @ruler=${(event: CustomEvent<[Point, Point]>) => {
+            this.ruler = event.detail;
+          }}></parkade-site-plan-preview>
+        <div class="side"><h3 id="layers">${say(lang, "layers")}</h3>
+          <ul aria-labelledby="layers">${plan.layers.map(({ name, lines }) => this.layer(name, lines.length))}</ul>
+          ${plan.kind === "geojson" || plan.kind === "osm" ? nothing : this.scale(plan)}
+          ${this.field("around", this.around, "m", (value) => {
+            this.around = value;
+          })}
+          ${plan.notes.map((note) => html`<p>${reasonIn(lang, sentence(note))}</p>`)}
+          ${"reason" in made ? html`<p class="fault" role="alert">${reasonIn(lang, made.reason)}</p>` : html`<p aria-live="polite">${say(lang, "found", made.counts)} ${this.size(made)}</p>`}
+          <button class="button solid" ?disabled=${"reason" in made}>${say(lang, "open")}</button></div></form></div>`;
+  }
+
+  private layer(name: string, lines: number): TemplateResult {
+    const { lang } = this.state,
+      light = (to: string) => () => {
+        this.lit = to;
+      };
+    return html`<li @pointerenter=${light(name)} @pointerleave=${light("")}><span title=${name}>${name} <small>${say(lang, "count", { n: lines })}</small></span>
+      <select aria-label=${say(lang, "role", { layer: name })} @focus=${light(name)} @blur=${light("")} @change=${(
+        event: Event,
+      ) => {
+        this.roles = { ...this.roles, [name]: valueOf(event) as Role };
+      }}>${ROLES.map((role) => html`<option value=${role} .selected=${role === this.roles[name]} ?selected=${role === this.roles[name]}>${say(lang, role)}</option>`)}</select></li>`;
+  }
+
+  private scale(plan: SitePlan): TemplateResult {
+    const { lang } = this.state,
+      { ruler, unit } = this;
+    const drawn = ruler && distance(...ruler) > 0 ? distance(...ruler) : null;
+    return html`${this.field("unit", unit, "m", (value) => {
+      this.unit = value;
+    })}
+      ${
+        drawn
+          ? this.field("distance", Number((drawn * unit).toPrecision(4)), "m", (value) => {
+              this.unit = value / drawn;
+            })
+          : html`<p>${say(lang, "ruler")}</p>`
+      }<p>${this.across(plan)}</p>`;
+  }
+
+  private field(
+    key: "unit" | "around" | "distance",
+    value: number,
+    unit: string,
+    set: (value: number) => void,
+  ): TemplateResult {
+    return html`<label>${say(this.state.lang, key)}<span class="field"><input type="number" min="0" step="any" .value=${String(value)} @change=${(event: Event) => set(numberOf(event))}><span>${unit}</span></span></label>`;
+  }
+
+  private across({ layers }: SitePlan): string {
+    const box = boxOf(layers.flatMap(({ lines }) => lines.flatMap(({ points }) => points))),
+      metres = (units: number): string => this.num(units * this.unit, 1);
+    return say(this.state.lang, "across", { width: metres(box.maxX - box.minX), height: metres(box.maxY - box.minY) });
+  }
+
+  private size({ scene: { map } }: SitePlanScene): string {
+    return say(this.state.lang, "across", {
+      width: this.num(map.width * map.resolution, 0),
+      height: this.num(map.height * map.resolution, 0),
+    });
+  }
+
+  /** The scene, or why there is none. */
+  private made(plan: SitePlan): SitePlanScene | { reason: string } {
+    const { roles, unit, around } = this;
+    try {
+      const made = sceneFromSitePlan(plan, {
+        roles,
+        metresPerUnit: unit,
+        around,
+        name: this.name.replace(/\.\w+$/, ""),
+      });
+      this.app.catalog?.geometry(made.scene);
+      return made;
+    } catch (error) {
+      if (error instanceof SitePlanError || error instanceof Error) return { reason: sentence(error) };
+      throw error;
+    }
+  }
+
+  private async accept(event: Event, made: SitePlanScene | { reason: string }): Promise<void> {
+    event.preventDefault();
+    if ("reason" in made) return;
+    await (await vast.load()).prepare(made.scene, this.app.tokens());
+    void this.app.links.mark();
+    this.app.preset = null;
+    this.app.openScene(made.scene);
+    this.close();
+  }
+}
+
+customElements.define("parkade-site-plan", SitePlanDialog);

@@ -1,0 +1,200 @@
+/** A site plan in its layers' roles, on which a known distance is drawn. */
+import { css, html, type TemplateResult } from "lit";
+import { boxOf, type Box, type Point } from "../scene/geometry";
+import { slotOutline } from "../scene/slots";
+import type { Scenario } from "../scene/scenario";
+import type { SitePlan, SitePlanLine } from "../siteplan/site-plan";
+import type { Role } from "../siteplan/site-plan-scene";
+import type { State } from "../store";
+import type { Tokens } from "../view/tokens";
+import { AppElement } from "./base";
+
+const EDGE = 14;
+
+interface Fit {
+  scale: number;
+  x: number;
+  y: number;
+}
+
+export class SitePlanPreview extends AppElement {
+  static override properties = {
+    ...AppElement.properties,
+    plan: { attribute: false },
+    roles: { attribute: false },
+    scene: { attribute: false },
+    unit: { type: Number },
+    lit: { type: String },
+    ruler: { attribute: false },
+    label: { type: String },
+  };
+  static override styles = css`
+    :host { position: relative; display: block; min-width: 0; overflow: hidden; background: var(--parkade-out); border-radius: calc(8px * var(--parkade-radius)); }
+    canvas { position: absolute; inset: 0; width: 100%; height: 100%; cursor: crosshair; touch-action: none; }
+  `;
+  declare plan: SitePlan | null;
+  declare roles: Readonly<Record<string, Role>>;
+  /** What would open. */
+  declare scene: Scenario | null;
+  /** Metres per unit. */
+  declare unit: number;
+  /** The layer pointed at. */
+  declare lit: string;
+  /** Both ends of the distance that is drawn, in units. */
+  declare ruler: [Point, Point] | null;
+  declare label: string;
+  private readonly resized = new ResizeObserver(() => this.requestUpdate());
+
+  constructor() {
+    super();
+    this.plan = null;
+    this.ruler = null;
+    this.lit = this.label = "";
+    this.resized.observe(this);
+  }
+
+  protected watches(): readonly (keyof State)[] {
+    return ["theme"];
+  }
+
+  protected override render(): TemplateResult {
+    return html`<canvas role="img" aria-label=${this.label} @pointerdown=${this.down} @pointermove=${this.move}></canvas>`;
+  }
+
+  protected override updated(): void {
+    const canvas = this.renderRoot.querySelector("canvas"),
+      { plan } = this;
+    if (!canvas || !plan || canvas.clientWidth === 0) return;
+    const ratio = devicePixelRatio || 1,
+      ctx = canvas.getContext("2d")!,
+      { colour } = this.app.tokens();
+    canvas.width = canvas.clientWidth * ratio;
+    canvas.height = canvas.clientHeight * ratio;
+    ctx.scale(ratio, ratio);
+    const fit = this.fit();
+    for (const { name, lines } of plan.layers)
+      paint(ctx, lines, styleOf(this.roles[name] ?? "none", colour, name === this.lit), fit);
+    this.paintBays(ctx, colour, fit);
+    if (this.ruler) {
+      ctx.strokeStyle = colour.accent;
+      ctx.lineWidth = 2;
+      ctx.setLineDash([]);
+      trace(ctx, { points: this.ruler, closed: false }, fit);
+      ctx.stroke();
+    }
+  }
+
+  /** Bays as they would open: the open side is left out, a stroke leads in. */
+  private paintBays(ctx: CanvasRenderingContext2D, colour: Tokens["colour"], fit: Fit): void {
+    const { scene, unit } = this,
+      low = this.lowest();
+    if (!scene || !low) return;
+    ctx.strokeStyle = colour.accent;
+    ctx.lineWidth = 1.25;
+    ctx.setLineDash([]);
+    const back = ([x, y]: Point): Point => [x / unit + low[0], y / unit + low[1]];
+    for (const slot of scene.slots ?? []) {
+      const [a, b, c, d] = slotOutline(slot).map(back) as [Point, Point, Point, Point],
+        mouth: Point = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2],
+        deep: Point = [(a[0] + b[0] + c[0] + d[0]) / 4, (a[1] + b[1] + c[1] + d[1]) / 4];
+      for (const points of [
+        [a, d, c, b],
+        [mouth, deep],
+      ]) {
+        trace(ctx, { points, closed: false }, fit);
+        ctx.stroke();
+      }
+    }
+  }
+
+  /** The lower left corner of the chosen layers, from which a scene measures. */
+  private lowest(): Point | null {
+    const chosen = this.plan!.layers.filter(({ name }) => (this.roles[name] ?? "none") !== "none");
+    if (chosen.length === 0) return null;
+    const { minX, minY } = boxOf(chosen.flatMap(({ lines }) => lines.flatMap(({ points }) => points)));
+    return [minX, minY];
+  }
+
+  private boxes = new WeakMap<SitePlan, Box>();
+
+  private fit(): Fit {
+    const { clientWidth: width, clientHeight: height } = this,
+      plan = this.plan!;
+    const box =
+      this.boxes.get(plan) ?? boxOf(plan.layers.flatMap(({ lines }) => lines.flatMap(({ points }) => points)));
+    this.boxes.set(plan, box);
+    const scale = Math.min(
+      (width - 2 * EDGE) / Math.max(box.maxX - box.minX, 1e-9),
+      (height - 2 * EDGE) / Math.max(box.maxY - box.minY, 1e-9),
+    );
+    return {
+      scale,
+      x: width / 2 - ((box.minX + box.maxX) / 2) * scale,
+      y: height / 2 + ((box.minY + box.maxY) / 2) * scale,
+    };
+  }
+
+  private at(event: PointerEvent): Point {
+    const { left, top } = this.getBoundingClientRect(),
+      { scale, x, y } = this.fit();
+    return [(event.clientX - left - x) / scale, (y - (event.clientY - top)) / scale];
+  }
+
+  private readonly down = (event: PointerEvent): void => {
+    (event.target as Element).setPointerCapture(event.pointerId);
+    const at = this.at(event);
+    this.ruler = [at, at];
+  };
+
+  private readonly move = (event: PointerEvent): void => {
+    if (event.buttons === 0 || !this.ruler) return;
+    this.ruler = [this.ruler[0], this.at(event)];
+    this.dispatchEvent(new CustomEvent("ruler", { detail: this.ruler }));
+  };
+}
+
+interface Style {
+  stroke: string;
+  width: number;
+  dash: number[];
+  fill: string | null;
+  alpha: number;
+}
+
+function styleOf(role: Role, colour: Tokens["colour"], lit: boolean): Style {
+  const base: Style = { stroke: colour["obs-edge"], width: 1.25, dash: [], fill: null, alpha: 1 };
+  const own: Partial<Record<Role, Partial<Style>>> = {
+    none: { stroke: colour.t3, width: 1, alpha: 0.35 },
+    wall: { width: 2 },
+    kerb: { dash: [5, 3] },
+    column: { fill: colour.obs },
+    building: { fill: colour.obs },
+    bay: { stroke: colour.slot, width: 1 },
+    ground: { stroke: colour.t1, fill: colour.floor, dash: [8, 3, 2, 3] },
+  };
+  return { ...base, ...own[role], ...(lit ? { stroke: colour.accent, width: 3, alpha: 1 } : {}) };
+}
+
+function paint(ctx: CanvasRenderingContext2D, lines: readonly SitePlanLine[], style: Style, fit: Fit): void {
+  ctx.globalAlpha = style.alpha;
+  ctx.strokeStyle = style.stroke;
+  ctx.lineWidth = style.width;
+  ctx.setLineDash(style.dash);
+  for (const line of lines) {
+    trace(ctx, line, fit);
+    if (style.fill && line.closed) {
+      ctx.fillStyle = style.fill;
+      ctx.fill();
+    }
+    ctx.stroke();
+  }
+  ctx.globalAlpha = 1;
+}
+
+function trace(ctx: CanvasRenderingContext2D, { points, closed }: SitePlanLine, { scale, x, y }: Fit): void {
+  ctx.beginPath();
+  for (const [px, py] of points) ctx.lineTo(px * scale + x, y - py * scale);
+  if (closed) ctx.closePath();
+}
+
+customElements.define("parkade-site-plan-preview", SitePlanPreview);

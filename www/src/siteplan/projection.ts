@@ -1,0 +1,47 @@
+/** Degrees of WGS 84 on the plane that touches the ellipsoid in the plan's middle: metres east and north. */
+import { radians, type Point } from "../scene/geometry";
+
+const EQUATOR = 6_378_137,
+  FLATTENING = 1 / 298.257223563,
+  ECCENTRICITY_2 = FLATTENING * (2 - FLATTENING);
+
+type Vector = [number, number, number];
+
+function fromCentre(longitude: number, latitude: number): Vector {
+  const [lon, lat] = [radians(longitude), radians(latitude)],
+    normal = EQUATOR / Math.sqrt(1 - ECCENTRICITY_2 * Math.sin(lat) ** 2);
+  return [
+    normal * Math.cos(lat) * Math.cos(lon),
+    normal * Math.cos(lat) * Math.sin(lon),
+    normal * (1 - ECCENTRICITY_2) * Math.sin(lat),
+  ];
+}
+
+/** A map from [longitude, latitude]; distances within 1 km of the middle are true to a millimetre. */
+export function localProjection([longitude, latitude]: Point): (place: Point) => Point {
+  const middle = fromCentre(longitude, latitude),
+    [lon, lat] = [radians(longitude), radians(latitude)];
+  const [sinLon, cosLon, sinLat, cosLat] = [Math.sin(lon), Math.cos(lon), Math.sin(lat), Math.cos(lat)];
+  return ([x, y]) => {
+    const [dx, dy, dz] = fromCentre(x, y).map((value, i) => value - middle[i]!) as Vector;
+    return [-sinLon * dx + cosLon * dy, -sinLat * cosLon * dx - sinLat * sinLon * dy + cosLat * dz];
+  };
+}
+
+/** Further apart, degrees, nobody draws a parking lot; metres of a lot reach further. */
+const WIDEST = 0.5;
+
+/** True if coordinates read as degrees: all on the globe, and close together. */
+export function areDegrees({
+  minX,
+  minY,
+  maxX,
+  maxY,
+}: {
+  minX: number;
+  minY: number;
+  maxX: number;
+  maxY: number;
+}): boolean {
+  return minX >= -180 && maxX <= 180 && minY >= -90 && maxY <= 90 && maxX - minX <= WIDEST && maxY - minY <= WIDEST;
+}

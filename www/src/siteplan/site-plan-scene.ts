@@ -1,0 +1,288 @@
+/** A scene from a site plan: what each layer is, and how large. */
+import type { Obstacle, Pose, Slot, VehicleSpec } from "parkade";
+import {
+  boxOf,
+  crossesItself,
+  distance,
+  fromPose,
+  insidePolygon,
+  segmentsMeet,
+  type Box,
+  type Point,
+} from "../scene/geometry";
+import type { Scenario } from "../scene/scenario";
+import { poseInSlot } from "../scene/slots";
+import { footprint, vehicleOf } from "../scene/vehicle";
+import { findBays, slotsOf, type Segment } from "./bays";
+import { chained, straightened } from "./chain";
+import { clippedLine, clippedPolygon } from "./clip";
+import { SitePlanError, type SitePlan, type SitePlanLine } from "./site-plan";
+
+export const ROLES = ["none", "wall", "kerb", "column", "building", "bay", "ground"] as const;
+/** What a layer is: lines that stop a car, closed things that do, bays, or the outline of the ground. */
+export type Role = (typeof ROLES)[number];
+
+export interface SitePlanOptions {
+  /** By the layers' names; layers without one are left out. */
+  roles: Readonly<Record<string, Role>>;
+  metresPerUnit: number;
+  /** Kept around bays, or around everything where there are none; metres. Default 25. */
+  around?: number;
+  vehicle?: VehicleSpec;
+  name?: string;
+}
+
+export interface SitePlanScene {
+  scene: Scenario;
+  counts: Record<Exclude<Role, "none">, number>;
+  notes: string[];
+}
+
+/** Ends that meet, and corners that are none, metres. */
+const REACH = 0.02,
+  STRAIGHT = 0.01;
+const AROUND = 25,
+  /** Beside the outermost thing, metres. */
+  EDGE = 1,
+  /** Before bays, where the plan ends with them. */
+  AISLE = 7;
+const WIDEST = 1000,
+  MOST_OBSTACLES = 1900;
+
+/** Names of layers in the languages of plans that are often met. */
+const NAMES: [Role, RegExp][] = [
+  ["bay", /parking_space|\b(bay|stall|slot|space)s?\b|bays|stalls|stellpl|parkpl|parkst|\u8f66\u4f4d|\u505c\u8f66/i],
+  ["kerb", /kerb|curb|bord|\u8def\u7f18|\u7f18\u77f3/i],
+  ["column", /column|pillar|post\b|bollard|s[t\u00fc]+tze|st\u00fctze|tree|\u67f1/i],
+  ["building", /build|geb(\u00e4|ae)ude|house|\u5efa\u7b51|\u697c/i],
+  ["wall", /wall|wand|mauer|fence|barrier|\u5899/i],
+  ["ground", /ground|floor|boundary|outline|site\b|grundst|\u8303\u56f4|\u573a\u5730/i],
+];
+
+export const suggestedRole = (name: string): Role => NAMES.find(([, words]) => words.test(name))?.[0] ?? "none";
+
+/** Metres per unit that give the plan the size of a parking lot; what the file says where it does. */
+export function suggestedUnit({ layers, metresPerUnit }: SitePlan): number {
+  if (metresPerUnit !== null) return metresPerUnit;
+  const box = boxOf(layers.flatMap(({ lines }) => lines.flatMap(({ points }) => points))),
+    across = Math.max(box.maxX - box.minX, box.maxY - box.minY);
+  const fitting = [1, 0.001, 0.01, 0.0254, 0.3048].find((unit) => across * unit >= 8 && across * unit <= 400);
+  return fitting ?? Number((50 / across).toPrecision(3));
+}
+
+/** Throws `SitePlanError` where the choice gives no scene that fits. */
+export function sceneFromSitePlan(plan: SitePlan, options: SitePlanOptions): SitePlanScene {
+  const { metresPerUnit, around = AROUND, vehicle = "sedan" } = options;
+  if (!(metresPerUnit > 0 && Number.isFinite(metresPerUnit)))
+    throw new SitePlanError(`metresPerUnit: must be a positive number, got ${metresPerUnit}`);
+  if (!(around >= 0 && Number.isFinite(around))) throw new SitePlanError(`around: must be at least 0 m, got ${around}`);
+  const of = linesByRole(plan, options),
+    found = findBays(of.bay),
+    window = windowOf(of, found.quads.flat(), around);
+  const solids = solidsOf(of, window);
+  const bays = found.quads.some((quad) => quad.some((corner) => isIn(corner, window)))
+    ? found
+    : { ...found, quads: [] };
+  const slots = slotsOf(bays, solids.segments),
+    ground = groundOf(of.ground);
+  const map = frameOf(ground, [...solids.segments.flat(), ...bays.quads.flat(), ...apronsOf(slots, solids.segments)]);
+  const start = startFor(slots, solids, ground ?? cornersOf(map), vehicle);
+  const goal =
+    slots.length > 0
+      ? { slot: slots[Math.floor(slots.length / 2)]!.id!, entry: "reverse-in" as const }
+      : aheadOf(start);
+  const counts = { ...solids.counts, bay: slots.length, ground: ground ? 1 : 0 };
+  return {
+    scene: {
+      version: 1,
+      ...(options.name ? { name: options.name } : {}),
+      map,
+      obstacles: solids.obstacles,
+      slots,
+      vehicle,
+      start,
+      goal,
+    },
+    counts,
+    notes: notesOf(plan, found.others),
+  };
+}
+
+type ByRole = Record<Exclude<Role, "none">, SitePlanLine[]>;
+
+/** Lines in metres, the plan's lower left corner at the origin. */
+function linesByRole({ layers }: SitePlan, { roles, metresPerUnit }: SitePlanOptions): ByRole {
+  const of: ByRole = { wall: [], kerb: [], column: [], building: [], bay: [], ground: [] };
+  for (const [name, role] of Object.entries(roles))
+    if (!ROLES.includes(role))
+      throw new SitePlanError(`roles[${JSON.stringify(name)}]: must be one of ${ROLES.join(", ")}`);
+  const chosen = layers.filter(({ name }) => (roles[name] ?? "none") !== "none");
+  if (chosen.length === 0) throw new SitePlanError("roles: must give at least one layer of the plan a meaning");
+  const box = boxOf(chosen.flatMap(({ lines }) => lines.flatMap(({ points }) => points)));
+  const placed = ([x, y]: Point): Point => [(x - box.minX) * metresPerUnit, (y - box.minY) * metresPerUnit];
+  for (const { name, lines } of chosen)
+    for (const { points, closed } of lines)
+      of[roles[name] as keyof ByRole].push({ points: points.map(placed), closed });
+  return of;
+}
+
+function windowOf(of: ByRole, bays: readonly Point[], around: number): Box {
+  const outer = of.ground.length > 0 ? of.ground.flatMap(({ points }) => points) : bays,
+    box = boxOf(
+      outer.length > 0 ? [...outer] : Object.values(of).flatMap((lines) => lines.flatMap(({ points }) => points)),
+    ),
+    by = of.ground.length > 0 ? EDGE : around;
+  if (Math.max(box.maxX - box.minX, box.maxY - box.minY) > WIDEST)
+    throw new SitePlanError(
+      `the plan must be at most ${WIDEST} m wide, and is ${Math.ceil(Math.max(box.maxX - box.minX, box.maxY - box.minY))} m; choose another unit or fewer layers`,
+    );
+  return { minX: box.minX - by, minY: box.minY - by, maxX: box.maxX + by, maxY: box.maxY + by };
+}
+
+const isIn = ([x, y]: Point, box: Box): boolean => x >= box.minX && x <= box.maxX && y >= box.minY && y <= box.maxY;
+
+interface Solids {
+  obstacles: Obstacle[];
+  segments: Segment[];
+  areas: Point[][];
+  counts: Record<"wall" | "kerb" | "column" | "building", number>;
+}
+
+function solidsOf(of: ByRole, window: Box): Solids {
+  const solids: Solids = {
+    obstacles: [],
+    segments: [],
+    areas: [],
+    counts: { wall: 0, kerb: 0, column: 0, building: 0 },
+  };
+  for (const role of ["wall", "kerb", "column", "building"] as const)
+    for (const line of chained(of[role], REACH)) {
+      const isArea = line.closed && (role === "column" || role === "building"),
+        area = isArea ? clippedPolygon(straightened(line.points, STRAIGHT, true), window) : [];
+      if (isArea && area.length === 0) continue;
+      if (isArea && area.length > 2 && !crossesItself(area))
+        put(solids, role, { type: "polygon", points: area.map(rounded) });
+      else {
+        const points = line.closed ? [...line.points, line.points[0]!] : line.points;
+        for (const piece of clippedLine(straightened(points, STRAIGHT, false), window))
+          put(solids, role, { type: "wall", points: piece.map(rounded), thickness: 0 });
+      }
+    }
+  if (solids.obstacles.length > MOST_OBSTACLES)
+    throw new SitePlanError(
+      `the chosen layers must have at most ${MOST_OBSTACLES} obstacles, and have ${solids.obstacles.length}; leave layers out`,
+    );
+  return solids;
+}
+
+function put(
+  solids: Solids,
+  role: keyof Solids["counts"],
+  obstacle: Extract<Obstacle, { type: "polygon" | "wall" }>,
+): void {
+  const { points } = obstacle;
+  solids.counts[role]++;
+  solids.obstacles.push({ ...obstacle, id: `${role}-${solids.counts[role]}` });
+  for (let i = 1; i < points.length; i++) solids.segments.push([points[i - 1]!, points[i]!]);
+  if (obstacle.type === "polygon") {
+    solids.segments.push([points.at(-1)!, points[0]!]);
+    solids.areas.push(points);
+  }
+}
+
+const rounded = ([x, y]: Point): Point => [Math.round(x * 1000) / 1000, Math.round(y * 1000) / 1000];
+
+/** The largest closed outline. */
+function groundOf(lines: readonly SitePlanLine[]): Point[] | null {
+  const area = (points: readonly Point[]): number =>
+    Math.abs(
+      points.reduce(
+        (sum, [x, y], i) => sum + x * points[(i + 1) % points.length]![1] - y * points[(i + 1) % points.length]![0],
+        0,
+      ),
+    ) / 2;
+  const closed = chained(lines, REACH)
+    .filter((line) => line.closed)
+    .map(({ points }) => straightened(points, STRAIGHT, true).map(rounded))
+    .filter((points) => points.length > 2 && !crossesItself(points));
+  return closed.sort((a, b) => area(b) - area(a))[0] ?? null;
+}
+
+/** Places before bays where nothing is drawn, so that cars have an aisle. */
+const apronsOf = (slots: readonly Slot[], segments: readonly Segment[]): Point[] =>
+  slots.flatMap(({ x, y, heading }): Point[] => {
+    const mouth = { x, y, heading },
+      [near, far] = [fromPose(mouth, -REACH, 0), fromPose(mouth, -AISLE, 0)];
+    return segments.some(([a, b]) => segmentsMeet(near, far, a, b)) ? [] : [far];
+  });
+
+function frameOf(ground: readonly Point[] | null, points: readonly Point[]): Scenario["map"] {
+  if (!ground && points.length === 0) throw new SitePlanError("the chosen layers hold nothing that a scene has");
+  const box = boxOf([...(ground ?? points)]),
+    edge = ground ? 0 : EDGE,
+    [x, y] = [Math.floor(box.minX - edge), Math.floor(box.minY - edge)],
+    across = Math.max(box.maxX + edge - x, box.maxY + edge - y),
+    resolution = across > 300 ? 1 : across > 100 ? 0.5 : 0.25;
+  const cells = (to: number, from: number): number => Math.max(4, Math.ceil((to + edge - from) / resolution));
+  return {
+    origin: [x, y],
+    width: cells(box.maxX, x),
+    height: cells(box.maxY, y),
+    resolution,
+    ...(ground ? { boundary: [...ground] } : {}),
+  };
+}
+
+const cornersOf = ({ origin: [x, y], width, height, resolution }: Scenario["map"]): Point[] => {
+  const [right, top] = [x + width * resolution, y + height * resolution];
+  return [
+    [x, y],
+    [right, y],
+    [right, top],
+    [x, top],
+  ];
+};
+
+/** In the aisle before a bay, along it, where the car overlaps nothing; in the middle of the ground where there is no such place. */
+function startFor(slots: readonly Slot[], solids: Solids, outline: readonly Point[], spec: VehicleSpec): Pose {
+  const vehicle = vehicleOf(spec),
+    parked = slots.map((slot) => footprint(poseInSlot(slot, "reverse-in", vehicle), vehicle));
+  const isFree = (pose: Pose): boolean => {
+    const body = footprint(pose, vehicle, 0.1);
+    if (!body.every((corner) => insidePolygon(corner, outline))) return false;
+    if (solids.areas.some((area) => insidePolygon(body[0]!, area) || insidePolygon(area[0]!, body))) return false;
+    if (
+      parked.some(
+        (other) =>
+          other.some((corner) => insidePolygon(corner, body)) || body.some((corner) => insidePolygon(corner, other)),
+      )
+    )
+      return false;
+    return !solids.segments.some(([a, b]) => body.some((corner, i) => segmentsMeet(a, b, corner, body[(i + 1) % 4]!)));
+  };
+  for (const slot of slots)
+    for (const [out, turn] of [3, 2.4, 1.8, 4, 5].flatMap((out) => [1, -1].map((turn) => [out, turn] as const))) {
+      const mouth = { x: slot.x, y: slot.y, heading: slot.heading },
+        [x, y] = fromPose(mouth, -out, 0),
+        pose = { x, y, heading: slot.heading + (turn * Math.PI) / 2 };
+      if (isFree(pose)) return pose;
+    }
+  const box = boxOf([...outline]),
+    step = Math.max(2, Math.max(box.maxX - box.minX, box.maxY - box.minY) / 40);
+  for (let x = box.minX + step; x < box.maxX; x += step)
+    for (let y = box.minY + step; y < box.maxY; y += step)
+      for (const heading of [0, Math.PI / 2]) if (isFree({ x, y, heading })) return { x, y, heading };
+  throw new SitePlanError("the chosen layers must leave room for a car to start");
+}
+
+function aheadOf(start: Pose): Pose {
+  const [x, y] = fromPose(start, 4, 0);
+  return { x, y, heading: start.heading };
+}
+
+function notesOf({ notes }: SitePlan, others: number): string[] {
+  return others > 0 ? [...notes, `Outlines that are no bay: ${others}`] : notes;
+}
+
+/** Metres between two places of a plan, to set its scale by a known distance. */
+export const unitFrom = (a: Point, b: Point, metres: number): number => metres / distance(a, b);
