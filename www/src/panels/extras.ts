@@ -6,6 +6,7 @@ export { encounterOf } from "../texts/encounter";
 export { whyOf } from "../texts/failure";
 export { legendOf, readoutOf, weightsOf } from "../texts/readout";
 export { showScale } from "../texts/scale-bar";
+export { drawBayNumbers, drawBays } from "../view/layers/bays";
 export { costRange, drawCost } from "../view/layers/cost-raster";
 export { drawCosts } from "../view/layers/painted-costs";
 export { drawDifference } from "../view/layers/difference";

@@ -44,11 +44,13 @@ export function layers({ app }: Toolbar): TemplateResult {
 export function exports(bar: Toolbar): TemplateResult {
   const { app } = bar;
   return html`${item(bar, "slot", "bar.newLot", () => void app.fetchPart(async () => (await import("./new-lot")).openNewLot(app, bar)))}
+    ${item(bar, "check", "bar.checkBays", bar.checkBays)}
     ${item(bar, "file", "bar.save", () => void app.saveFile())}
     ${item(bar, "open", "bar.open", () => bar.app.ask("open"))}
     ${item(bar, "image", "bar.png", () => bar.app.ask("png", 1))}
     ${item(bar, "image", "bar.png2", () => bar.app.ask("png", 2))}
     ${item(bar, "image", "bar.svg", () => void saveAs(app, "svg"))}
+    ${item(bar, "file", "bar.sheet", () => void app.fetchPart(async () => (await import("./sheet-dialog")).openSheet(app, bar)))}
     ${item(bar, "moving", "bar.csv", () => void saveAs(app, "csv"))}
     ${item(bar, "clock", "bar.trajectory", () => void saveAs(app, "trajectory"))}
     <hr>${item(bar, "share", "bar.copyEmbed", () => void copySnippet(app, "embed"))}

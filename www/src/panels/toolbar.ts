@@ -65,6 +65,7 @@ export class Toolbar extends AppElement {
     @container (max-width: 1490px) { .menu .label { display: none; } .menu { padding: 0 8px; } }
     @container (max-width: 1370px) { .tool { width: 30px; padding-right: 6px; } .tools { gap: 0; } }
     @container (max-width: 1330px) { .label { display: none; } }
+    @container (max-width: 1300px) { .bays { display: none; } }
     @container (max-width: 1279px) { .scene { flex: 0 1 140px; min-width: 64px; } .tools { gap: 2px; } .tool { width: 32px; } }
     @container (max-width: 1230px) { .tool { padding: 0; } .tool kbd, .brand span { display: none; } .bar { gap: 4px; padding: 0 10px; } .rule { margin: 0 2px; } }
     @container (max-width: 1140px) { .collapse-1 { display: none; } .collapsed-1 { display: flex; } .tool { width: 28px; } }
@@ -117,6 +118,7 @@ export class Toolbar extends AppElement {
       ${this.plannersMenu()}
       ${this.layersMenu()}
       <div class="segmented modes" role="group" aria-label=${this.t("bar.mode")}>${MODES.map((mode) => this.mode(mode))}</div>
+      ${this.button("check", this.t("bar.checkBays"), this.checkBays, "bays")}
       <span class="end"><slot></slot>
         <span class="anchor collapse-1">
           <button class="button menu" aria-expanded=${this.menus.open === "export"} aria-label=${this.t("bar.export")} @click=${(e: Event) => this.toggle("export", e)}>
@@ -223,6 +225,9 @@ export class Toolbar extends AppElement {
   };
 
   readonly nextLang = (): void => void this.app.setLang(this.state.lang === "en" ? "zh" : "en");
+
+  readonly checkBays = (): void =>
+    void this.app.fetchPart(async () => (await import("./bay-panel")).toggleBays(this.app, this));
 
   readonly share = (): void => {
     void this.app.share().then((copied) => {

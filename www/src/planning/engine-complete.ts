@@ -5,7 +5,7 @@ import { serveJobs } from "./job-worker";
 import { serve } from "./plan-worker";
 
 export { failureOf } from "./failure";
-export { init, packRuns, planners, scenario, sceneGeometry, scenarios, unpackRuns } from "parkade";
+export { init, packRuns, planners, scenario, sceneGeometry, scenarios, unpackRuns, vehicles } from "parkade";
 
 /** The address for `new Worker`. */
 export const script = import.meta.url;

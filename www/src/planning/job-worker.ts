@@ -1,6 +1,8 @@
 /** The jobs of complete-module workers besides planning. */
 import type { Choice } from "../store/results";
 import type {
+  AuditOptions,
+  AuditRow,
   Family,
   HybridPlan,
   HybridPlannerId,
@@ -22,6 +24,7 @@ import type {
 } from "parkade";
 import {
   Planner,
+  audit,
   collisionRisk,
   generateScenario,
   importScene,
@@ -69,6 +72,7 @@ export interface Moved<T> {
 const ENGINE: Engine = { Planner, scenario, collisionRisk, driveEnvelope };
 
 const JOBS = {
+  audit: ({ scene, options }: { scene: Scenario; options: AuditOptions }): AuditRow[] => audit(scene, options),
   /** The answer alone, without its search. */
   solve: ({ planner, scene }: { planner: PlannerId; scene: Scenario }): Plan => {
     const made = new Planner(planner, scene);

@@ -1,5 +1,6 @@
 /** The parts of the state, and how they begin. */
 import type { Selection } from "../scene/selection";
+import type { BayCheck } from "./bay-check";
 import type { Draft } from "./draft";
 import type { Choice, Guest, Smoothed, Timing } from "./results";
 import type {
@@ -157,6 +158,8 @@ export interface DerivedState {
   complete: boolean;
   /** Explanation of the risk field at the cell under the pointer. */
   explained: Explanation | null;
+  /** The check of all bays, while it is open. */
+  bays?: BayCheck | null;
   /** Paths of planners to choose from, for the present scene. */
   choices?: Partial<Record<PlannerId, readonly Choice[]>>;
   /** The planner whose paths might be bettered, and for which better ones are being looked for. */

@@ -34,6 +34,7 @@ export class SceneLayers {
     extras()?.drawLanes(frame);
     this.drawRasters(frame);
     if (scene.costs) extras()?.drawCosts(frame);
+    if (frame.state.bays) extras()?.drawBays(frame);
     if (layers.slots) drawSlots(frame);
     drawBorder(frame);
     if (layers.obstacles) drawObstacles(frame);
@@ -43,6 +44,7 @@ export class SceneLayers {
     drawSelection(frame);
     drawHandles(frame);
     if (isLong(scene)) extras()?.drawLaneStrip(frame);
+    if (frame.state.bays) extras()?.drawBayNumbers(frame);
     if (frame.draft) extras()?.drawDraft(frame);
     drawHover(frame);
   }

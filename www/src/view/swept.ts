@@ -97,7 +97,7 @@ function* footprintsAlong(plan: Plan, vehicle: Vehicle): Iterable<Point[]> {
 }
 
 /** The parts of the hulls' sides that lie inside no other hull. */
-function outlineOf(hulls: readonly Convex[]): [Point, Point][] {
+export function outlineOf(hulls: readonly Convex[]): [Point, Point][] {
   const kept: [Point, Point][] = [];
   hulls.forEach(({ corners }, own) => {
     for (let i = 0, j = corners.length - 1; i < corners.length; j = i++) {

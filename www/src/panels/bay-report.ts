@@ -1,0 +1,111 @@
+/** The check of all bays on paper: the plan at a true scale, and the table on the pages after it. */
+import type { AuditRow } from "parkade";
+import { download, type App } from "../app/app";
+import { number, reasonIn, type Lang } from "../i18n/index";
+import { escaped } from "../picture/canvas";
+import {
+  boxOfDrawing,
+  paperFor,
+  printPage,
+  SCALES,
+  sheetSvg,
+  type Sheet,
+  type SheetArea,
+} from "../picture/scale-sheet";
+import { siteDrawing } from "../picture/site-drawing";
+import { fileName } from "../scene/files";
+import { slotOutline } from "../scene/slots";
+import type { Scene } from "../store";
+import { bestRow, countBays, gradeOf, HARD, type BayCheck } from "../store/bay-check";
+import { RAMP } from "../view/layers/bays";
+import { BAY_COLUMNS, bayLines } from "./bay-rows";
+import { say as sayBays } from "./bay-words";
+import { say, today, vehicleText } from "./sheet-words";
+
+export function saveReport({ store }: App): void {
+  const { bays, scene, lang } = store.state;
+  if (!bays) return;
+  const page = reportPage(scene, bays, lang);
+  download(new Blob([page], { type: "text/html" }), `${fileName(scene)}-bays.html`);
+}
+
+/** The largest usual scale at which the lot fits on A4, otherwise on the paper that it needs. */
+export function reportPage(scene: Scene, check: BayCheck, lang: Lang): string {
+  const drawing = siteDrawing(scene, null, { every: 0 }),
+    box = boxOfDrawing(drawing),
+    scale = SCALES.find((one) => paperFor(box, one) === "A4") ?? SCALES.find((one) => paperFor(box, one)) ?? 500;
+  const { asked, reachable, hard } = countBays(check),
+    title = scene.name || sayBays(lang, "title");
+  const sheet: Sheet = {
+    drawing,
+    shown: new Set(["ground", "bays", "obstacles", "parked"]),
+    areas: [...check.rows.keys()].flatMap((index) => areaOf(scene, check, index)),
+    scale,
+    title,
+    rows: [
+      [say(lang, "scale"), `1:${scale}`],
+      [say(lang, "vehicle"), vehicleText(lang, check.vehicle.vehicle)],
+      [
+        sayBays(lang, "title"),
+        `${sayBays(lang, "reachable", { n: reachable, of: asked })} · ${sayBays(lang, "hard", { n: hard })}`,
+      ],
+      [say(lang, "date"), today(lang)],
+      [say(lang, "hash"), hashOf(check)],
+    ],
+    legend: [
+      ...RAMP.light.map((fill, i) => ({
+        fill,
+        text: i < HARD ? say(lang, "moves", { n: i + 1 }) : say(lang, "more", { n: HARD }),
+        isHatched: false,
+      })),
+      { fill: "#FBECEA", text: sayBays(lang, "outOfReach"), isHatched: true },
+    ],
+  };
+  return printPage(title, lang === "zh" ? "zh-CN" : "en", sheetSvg(sheet), tableOf(check, lang, title));
+}
+
+function areaOf(scene: Scene, check: BayCheck, index: number): SheetArea[] {
+  const slot = scene.slots?.[index],
+    row = bestRow(check, index);
+  if (!slot || !row) return [];
+  const grade = gradeOf(row);
+  return [
+    {
+      points: slotOutline(slot),
+      fill: grade === 0 ? "#FBECEA" : RAMP.light[grade - 1]!,
+      ink: grade === 0 ? "#B3261E" : grade > HARD ? "#FFFFFF" : "#1B1D20",
+      text: grade === 0 ? "\u2715" : String(row.moves),
+      isHatched: grade === 0,
+    },
+  ];
+}
+
+/** FNV-1a over the hashes of all plans: the same report, the same eight digits. */
+export function hashOf(check: BayCheck): string {
+  let hash = 0x811c9dc5;
+  for (const index of [...check.rows.keys()].sort((a, b) => a - b))
+    for (const row of check.rows.get(index)!)
+      for (const letter of `${row.bay} ${row.entry} ${row.hash};`)
+        hash = Math.imul(hash ^ letter.codePointAt(0)!, 0x01000193);
+  return (hash >>> 0).toString(16).padStart(8, "0");
+}
+
+function tableOf(check: BayCheck, lang: Lang, title: string): string {
+  const cell = (text: string): string => `<td>${escaped(text)}</td>`,
+    moves = (row: AuditRow | undefined): string =>
+      row ? (gradeOf(row) === 0 ? "\u2715" : String(row.moves)) : "\u2013";
+  const rows = bayLines(check, { column: "bay", descends: false }).map(({ bay, best, headIn, reverseIn }) => {
+    const figures = best.reachable
+      ? [
+          number(lang, best.length, 1),
+          best.driveTime === null ? "\u2013" : number(lang, best.driveTime, 0),
+          number(lang, best.clearance, 2),
+        ]
+          .map(cell)
+          .join("")
+      : `<td class="text" colspan="3">${escaped(reasonIn(lang, best.reason ?? ""))}</td>`;
+    return `<tr>${cell(bay)}${cell(moves(headIn))}${cell(moves(reverseIn))}${figures}</tr>`;
+  });
+  const head = BAY_COLUMNS.map((column) => `<th>${escaped(sayBays(lang, column))}</th>`).join("");
+  return `<h1>${escaped(title)}</h1><table><thead><tr>${head}</tr></thead><tbody>${rows.join("")}</tbody></table>`;
+}
