@@ -55,6 +55,7 @@ export class Planner {
   /** @type {import("./index.js").Planner["plan"]} */
   plan(options = {}) {
     if (typeof options !== "object" || options === null) return this.#call((planner) => planner.plan(options));
+    /** @type {Parameters<import("./index.js").Planner["plan"]>[0] & { onImproved?: (plan: any) => void }} */
     const { onProgress, onImproved, ...others } = options;
     /** @type {{ error: unknown } | undefined} */
     let thrown;

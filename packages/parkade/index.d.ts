@@ -349,6 +349,43 @@ export interface ArcTrace { kind: "arcs"; arcs: Float64Array; dropped: number; s
 
 export type Trace = CellTrace | ArcTrace;
 
+/**
+ * Every event of a search over cells, in columns: what `trace: "full"` asks for. A step is an entry taken from the open list; its
+ * moves follow one another in the columns named `target…`. 33 bytes a step and 21 bytes a move.
+ *
+ * Costs are in millionths of a cell. The open list is ordered by f, then by h, then the newest entry first.
+ */
+export interface SearchTrace {
+  kind: "search";
+  /** Columns and rows of the map: node `y * width + x`. */
+  width: number;
+  height: number;
+  /** Per step: 0 expanded, 1 its deferred moves tried, 2 excluded by a bound, 3 the goal, 4 where two sides meet; 16 more of the side from the goal. */
+  kinds: Uint8Array;
+  /** Per step: its node, cost from the root, estimate, priority. */
+  nodes: Uint32Array;
+  g: Float64Array;
+  h: Float64Array;
+  f: Float64Array;
+  /** Per step: number of its first move; and the number of all moves. */
+  first: Uint32Array;
+  /** Per move: its target, the cost there along it, the estimate there (0 where it was not taken). */
+  targets: Uint32Array;
+  targetG: Float64Array;
+  targetH: Float64Array;
+  /**
+   * Per move: 0 kept, 1 improved, 2 dearer than known, 3 closed, 4 blocked, 5 cuts a corner, 6 held back, 7 the node itself waits
+   * for its deferred moves, 8 left out by the search's rule; 16 more where it leads from the node's parent.
+   */
+  fates: Uint8Array;
+  /** By how much f of a node that waits exceeds g + h. */
+  penalty: number;
+  /** True if steps beyond `traceLimit` are missing. */
+  cut: boolean;
+  /** As in the plan's `stats`, of the steps that are there. */
+  counters: { expanded: number; generated: number; pushes: number; openPeak: number };
+}
+
 /** Analytic connections that hit something: of each expansion the cheapest that was tried; at most 4000. */
 export interface Shots {
   /** Per connection: index of its first arc in `arcs`; the next one's is its end. */
@@ -929,6 +966,10 @@ export class Planner<Id extends PlannerId = PlannerId> {
    * and once when it has ended, with the plan's `stats.expanded`, before the path is followed, checked and measured. What it
    * throws ends the search and is thrown by `plan`; the planner can be used again. It cannot use the planner that calls it.
    *
+   * `trace: "full"`, not in `parkade/core`, records the search with every move that it considered and what became of it
+   * ({@link SearchTrace}), at most `traceLimit` steps, 1 to 1 000 000, by default 100 000. The search is run once more for that, so that
+   * plans without it are as fast as ever. Planners without an open list of cells give their ordinary trace.
+   *
    * Hybrid only, and not in `parkade/core`: `prefer` looks for a better path than the ordinary one by that measure, gear changes
    * first for "fewest-changes"; `alternatives` looks for all that are worth choosing from. Without `prefer` the answer is
    * then the path that costs least with no less margin. `onImproved` is given the ordinary plan, and each better one as soon
@@ -940,6 +981,13 @@ export class Planner<Id extends PlannerId = PlannerId> {
    * last one does not. With `prefer`, and without `alternatives` and `onImproved`, it is that measure by which the other one must be
    * better, and nothing more is searched for. Without `stickiness` a plan does not depend on the one before.
    */
+  plan(options: {
+    trace: "full";
+    traceLimit?: number;
+    start?: Goal;
+    goal?: Goal;
+    onProgress?: (expansions: number) => void;
+  }): Omit<PlanOf<Id>, "trace"> & { trace: Trace | SearchTrace | null };
   plan(options?: {
     trace?: boolean;
     start?: Goal;

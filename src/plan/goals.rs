@@ -34,9 +34,11 @@ impl Planner {
                         Some(tell) => Some(&mut **tell),
                         None => None,
                     };
-                    let Options { trace, prefer, alternatives, stickiness, .. } = options;
+                    let Options { trace, record, prefer, alternatives, stickiness, .. } = options;
                     let improved: Option<Improved> = Some(&mut told);
-                    self.toward(ends, Options { trace, progress, prefer, alternatives, stickiness, improved })
+                    let improved =
+                        Options { trace, record, progress, prefer, alternatives, stickiness, improved };
+                    self.toward(ends, improved)
                 }
             }
         } else {
@@ -101,7 +103,8 @@ impl Planner {
         }
         let is_over = expanded >= EFFORT;
         let mut tell = |count| told(&mut options.progress, expanded, count);
-        let last = Options { trace: options.trace, progress: Some(&mut tell), ..Options::default() };
+        let Options { trace, record, .. } = options;
+        let last = Options { trace, record, progress: Some(&mut tell), ..Options::default() };
         let mut plan = self.toward([start, best.1], last);
         plan.stats.expanded = plan.stats.expanded.saturating_add(expanded);
         if is_over && plan.outcome != Outcome::Found {

@@ -3,6 +3,8 @@
 use serde_json::{Map, Value};
 
 use super::grid_search::Search;
+#[cfg(feature = "complete")]
+use super::outcome::Recorded;
 use super::outcome::{GridMetrics, Outcome, Plan, PlanTrace, Stats};
 use super::path_sampling;
 use super::rasters::Rasters;
@@ -99,6 +101,15 @@ impl Engine {
 
 #[cfg(feature = "complete")]
 impl Engine {
+    /// The last search, between the ends of `world`, with its events written down; `None` for planners without an open
+    /// list of cells.
+    pub(super) fn record(&self, world: &World, limit: usize) -> Option<Recorded> {
+        let [start, goal] = [world.geometry.start, world.geometry.goal].map(|p| cell_of(&world.frame, p));
+        let map = self.rasters.map(world);
+        let recording = self.search.record(Query { map, start, goal }, &self.rasters, limit)?;
+        Some(Recorded { width: map.width(), height: map.height(), recording })
+    }
+
     /// The risk field's potential at every cell; `None` without a risk field.
     pub(super) fn potential(&self, world: &World) -> Option<Vec<f32>> {
         let Search::RiskField(config) = &self.search else { return None };

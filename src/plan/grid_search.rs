@@ -12,6 +12,8 @@ use crate::planners::settings::Common;
 #[cfg(feature = "complete")]
 use crate::planners::{any_angle, bidirectional, dijkstra_greedy, genetic, jump_point, rrt};
 use crate::planners::{grid_astar, risk_field};
+#[cfg(feature = "complete")]
+use crate::search::Recording;
 use crate::search::Watch;
 
 pub(super) enum Search {
@@ -130,5 +132,23 @@ impl Search {
             #[cfg(feature = "complete")]
             Self::Genetic(config) => genetic::plan(query, config, scratch, watch),
         }
+    }
+
+    /// The search once more with its events written down, at most `limit` of them; `None` for planners without an open
+    /// list of cells.
+    #[cfg(feature = "complete")]
+    pub(super) fn record(&self, query: Query, rasters: &Rasters, limit: usize) -> Option<Recording> {
+        Some(match self {
+            Self::Neighbours(around, config) => grid_astar::record(query, *around, config, limit),
+            Self::RiskField(config) => risk_field::record(query, config, limit),
+            Self::Bidirectional(config) => bidirectional::record(query, config, limit),
+            Self::JumpPoint(config) => {
+                let bits = rasters.bits().expect("prepared before the search");
+                jump_point::record(query, bits, config, limit)
+            }
+            Self::Dijkstra(config) => dijkstra_greedy::record_dijkstra(query, config, limit),
+            Self::Greedy(config) => dijkstra_greedy::record_greedy(query, config, limit),
+            Self::AnyAngle(_) | Self::Rrt(_) | Self::Genetic(_) => return None,
+        })
     }
 }

@@ -28,9 +28,9 @@ mod stages;
 mod tractrix;
 mod world;
 
-#[cfg(feature = "complete")]
-pub use outcome::Member;
 pub use outcome::{GridMetrics, HybridMetrics, Metrics, Outcome, Plan, PlanTrace, Stats};
+#[cfg(feature = "complete")]
+pub use outcome::{Member, Recorded};
 #[cfg(feature = "complete")]
 pub use path::{optimise, path_poses, route};
 #[cfg(feature = "complete")]
@@ -67,6 +67,9 @@ use world::World;
 const STEP: f64 = 0.1;
 /// Events that a trace keeps.
 const TRACE: usize = 1_000_000;
+/// Steps of a search that are recorded with all they did, where no other number is asked for.
+#[cfg(feature = "complete")]
+pub const RECORDED_STEPS: usize = 100_000;
 /// Expansions of cells from one [`Options::progress`] to the next.
 const CELLS: NonZeroU32 = NonZeroU32::new(1 << 14).unwrap();
 /// The same of a car's poses, which take longer.
@@ -79,6 +82,10 @@ const NEAR: f64 = 1e-3;
 pub struct Options<'a> {
     /// True to keep the search trace.
     pub trace: bool,
+    /// Steps of the search to keep with all they did, in the place of the trace; only of planners that search cells
+    /// with an open list.
+    #[cfg(feature = "complete")]
+    pub record: Option<usize>,
     /// Told of the expansions so far each 16 384 cells, or 256 poses of a car, and never of more than
     /// [`Stats::expanded`]. The plan is the same with and without; where it breaks, the search ends as if its budget
     /// were spent.
@@ -260,6 +267,12 @@ impl Planner {
             #[cfg(feature = "complete")]
             Engine::Road(engine) => engine.plan(&self.scenario, &self.world, (trace(), progress)),
         };
+        #[cfg(feature = "complete")]
+        if let (Engine::Grid(engine), Some(limit)) = (&self.engine, options.record)
+            && let Some(recorded) = engine.record(&self.world, limit)
+        {
+            plan.trace = Some(PlanTrace::Search(Box::new(recorded)));
+        }
         plan.planner = self.kind.id();
         plan
     }

@@ -8,6 +8,8 @@ use crate::planners::Obstruction;
 use crate::planners::hybrid::FailedExpansions;
 #[cfg(feature = "complete")]
 use crate::scenario::GoalPose;
+#[cfg(feature = "complete")]
+use crate::search::Recording;
 
 /// How planning ended; no path is an outcome, not an error.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -203,6 +205,21 @@ pub enum PlanTrace {
         /// Analytic connections that hit something.
         shots: FailedExpansions,
     },
+    /// Every event of a search over cells.
+    #[cfg(feature = "complete")]
+    Search(Box<Recorded>),
+}
+
+/// Every event of a search over the cells of a map.
+#[cfg(feature = "complete")]
+#[derive(Debug, Clone, PartialEq)]
+pub struct Recorded {
+    /// Columns of the map.
+    pub width: u32,
+    /// Rows of the map.
+    pub height: u32,
+    /// The events; node `y * width + x` is a cell.
+    pub recording: Recording,
 }
 
 /// A search of hybrid A*'s portfolio: the one that found the path or, where there is none, that went through everything

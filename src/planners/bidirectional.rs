@@ -12,7 +12,7 @@ use super::query::{Detail, GridReport, GridScratch, Query, Status};
 use super::settings::Common;
 use super::weighted::Weighted;
 use crate::json;
-use crate::search::{Observer, Stop, Watch, bidirectional};
+use crate::search::{Observer, Recording, Stop, Watch, bidirectional, record_bidirectional};
 
 json::words!(Stop: "first" = First, "best" = Best, "nba" = Optimal, "naive" = Naive);
 
@@ -107,4 +107,22 @@ fn search<E: Estimate, O: Observer<i64, ()>>(
     let most = config.common.max_expansions;
     let found = bidirectional(&grid, query.ends(), config.stop, most, &mut scratch.lattice, observer);
     GridReport::along(&query, &found, grid.los_calls())
+}
+
+/// The same search with its events written down, at most `limit` of them.
+pub fn record(query: Query, config: &Config, limit: usize) -> Recording {
+    if query.trivial().is_some() {
+        return Recording::empty();
+    }
+    let Config { neighbours, stop, common } = *config;
+    let estimate = Chosen { heuristic: Heuristic::Gauge, neighbourhood: neighbours, weight: None };
+    let mut grid = Grid::new(&query, neighbours, common.corner, estimate);
+    let (ends, most) = (query.ends(), common.max_expansions);
+    if query.map.weights().is_some() {
+        return record_bidirectional(&Weighted::new(grid, &query), ends, stop, most, limit);
+    }
+    if stop == Stop::Optimal {
+        grid = grid.on_shortest_ways();
+    }
+    record_bidirectional(&grid, ends, stop, most, limit)
 }

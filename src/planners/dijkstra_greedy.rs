@@ -4,6 +4,7 @@
 //! orders them by the straight distance to the goal alone: it keeps the first way that it finds to each cell, so its path
 //! can be far from the shortest.
 
+use super::grid_astar::record_grid;
 use super::grid_lattice::Grid;
 use super::heuristics::{Chosen, Heuristic};
 use super::moves::{Neighbourhood, cost};
@@ -11,8 +12,8 @@ use super::parameters::{Form, parameters, spec};
 use super::query::{GridReport, GridScratch, Query, Status};
 use super::settings::Common;
 use super::weighted::Weighted;
-use crate::search::Observer;
 use crate::search::lattice::one_way;
+use crate::search::{Observer, Recording, record_one_way};
 
 parameters! {
     /// Settings of both searches.
@@ -95,6 +96,23 @@ pub fn greedy<O: Observer<i64, ()>>(
     let mut report = GridReport::along(&query, &found, grid.lattice.los_calls());
     report.cost_micro = report.cells.windows(2).map(|p| cost(p[1].x - p[0].x, p[1].y - p[0].y)).sum();
     report
+}
+
+/// Dijkstra's search with its events written down, at most `limit` of them.
+pub fn record_dijkstra(query: Query, config: &Config, limit: usize) -> Recording {
+    if query.trivial().is_some() {
+        return Recording::empty();
+    }
+    record_grid(query, lattice(&query, config, Heuristic::Zero), config.common, limit)
+}
+
+/// Greedy best-first search with its events written down, at most `limit` of them.
+pub fn record_greedy(query: Query, config: &Config, limit: usize) -> Recording {
+    if query.trivial().is_some() {
+        return Recording::empty();
+    }
+    let grid = Weighted::for_nothing(lattice(&query, config, Heuristic::Euclid), &query);
+    record_one_way(&grid, query.ends(), config.common.max_expansions, limit)
 }
 
 fn lattice<'a>(query: &Query<'a>, config: &Config, heuristic: Heuristic) -> Grid<'a, Chosen> {

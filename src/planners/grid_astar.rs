@@ -16,6 +16,8 @@ use crate::error::{Error, ErrorCode};
 use crate::json;
 use crate::search::Observer;
 use crate::search::lattice::one_way;
+#[cfg(feature = "complete")]
+use crate::search::{Recording, record_one_way};
 
 /// The factor on the estimate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -188,4 +190,26 @@ impl<O: Observer<i64, ()>> Search<'_, O> {
         let found = one_way(&grid, query.ends(), common.max_expansions, &mut scratch.lattice, observer);
         GridReport::along(&query, &found, grid.lattice.los_calls())
     }
+}
+
+/// The same search with its events written down, at most `limit` of them.
+#[cfg(feature = "complete")]
+pub fn record(query: Query, neighbourhood: Neighbourhood, config: &Config, limit: usize) -> Recording {
+    if query.trivial().is_some() {
+        return Recording::empty();
+    }
+    let (dx, dy) = (query.goal.x - query.start.x, query.goal.y - query.start.y);
+    let weight = (config.weight == Weight::Distance).then(|| DistanceWeight::new(1000, dx, dy));
+    let estimate = Chosen { heuristic: config.heuristic, neighbourhood, weight };
+    record_grid(query, Grid::new(&query, neighbourhood, config.common.corner, estimate), config.common, limit)
+}
+
+/// A search over a grid, with the map's weights where it has some.
+#[cfg(feature = "complete")]
+pub(super) fn record_grid(query: Query, grid: Grid<Chosen>, common: Common, limit: usize) -> Recording {
+    let (ends, most) = (query.ends(), common.max_expansions);
+    if query.map.weights().is_some() {
+        return record_one_way(&Weighted::new(grid, &query), ends, most, limit);
+    }
+    record_one_way(&grid, ends, most, limit)
 }

@@ -7,6 +7,8 @@ use super::moves::{D, DIRECTIONS, LEGAL, Move, Neighbourhood, R2, cost};
 use super::query::Query;
 use crate::map::{Cell, Corner, Occupancy, line_of_sight};
 use crate::search::lattice::{Edge, EdgeSink, Lattice};
+#[cfg(feature = "complete")]
+use crate::search::{Considered, Legality, Part};
 use crate::search::{NodeId, PackedEntry};
 
 /// A step to one of the cells around.
@@ -195,6 +197,29 @@ impl<E: Estimate> Lattice for Grid<'_, E> {
 
     fn to_start(&self, node: NodeId) -> i64 {
         self.ahead(self.map.cell(node), true)
+    }
+}
+
+#[cfg(feature = "complete")]
+impl<E: Estimate> Considered for Grid<'_, E> {
+    fn consider(&self, node: NodeId, _: Option<u32>, _: Part, tell: &mut dyn FnMut(NodeId, i64, Legality)) {
+        let cell = self.map.cell(node);
+        for step in &self.steps {
+            let to = cell.offset(step.dx, step.dy);
+            if self.map.contains(to) {
+                tell(self.map.index(to), step.cost, legality(self.map, cell, to, self.corner));
+            }
+        }
+    }
+}
+
+/// Whether a straight move between two cells of a map can be made.
+#[cfg(feature = "complete")]
+pub(super) fn legality(map: &Occupancy, from: Cell, to: Cell, corner: Corner) -> Legality {
+    match (map.blocked(to), line_of_sight(map, from, to, corner)) {
+        (true, _) => Legality::Blocked,
+        (false, false) => Legality::Corner,
+        (false, true) => Legality::Free,
     }
 }
 

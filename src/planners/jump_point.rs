@@ -14,7 +14,7 @@ use super::query::{GridReport, GridScratch, Query};
 use super::settings::Common;
 use crate::map::{Bits, Cell};
 use crate::search::lattice::{Edge, EdgeSink, Lattice, one_way};
-use crate::search::{NodeId, Observer, PackedEntry};
+use crate::search::{Considered, Legality, NodeId, Observer, PackedEntry, Part, Recording, record_one_way};
 
 parameters! {
     /// Settings of jump point search. Corners are strict.
@@ -185,6 +185,39 @@ impl Lattice for Jumps<'_> {
     }
 }
 
+/// Every jump that a node's moves lead to, as if each improved its target.
+struct AllJumps<'a>(&'a mut dyn FnMut(NodeId, i64, Legality));
+
+impl EdgeSink for AllJumps<'_> {
+    fn improves(&self, _: NodeId, _: i64) -> bool {
+        true
+    }
+
+    fn improves_around(&self, _: NodeId, _: usize, _: i64, _: i64) -> u32 {
+        0xff
+    }
+
+    fn improves_beside(&self, _: NodeId, _: usize, _: i64) -> u32 {
+        0b0101_0101
+    }
+
+    fn relax(&mut self, edge: Edge, target: NodeId, _: i64) {
+        (self.0)(target, edge.cost(), Legality::Free);
+    }
+}
+
+impl Considered for Jumps<'_> {
+    fn consider(
+        &self,
+        node: NodeId,
+        last: Option<u32>,
+        _: Part,
+        tell: &mut dyn FnMut(NodeId, i64, Legality),
+    ) {
+        self.successors(node, last, &mut AllJumps(tell));
+    }
+}
+
 /// The turns to try at a node, in their order: four bits each, the highest one set. By the direction in which the node
 /// was reached, and by which turns are open: from the lowest bit those by 0, 1, 2, 6 and 7 eighths.
 static TURNS: [[u32; 32]; 8] = {
@@ -247,6 +280,15 @@ pub fn plan<O: Observer<i64, ()>>(
     report.cells = stepwise(&report.cells);
     report.cells_scanned = jumps.scanned.get();
     report
+}
+
+/// The same search with its events written down, at most `limit` of them.
+pub fn record(query: Query, bits: &Bits, config: &Config, limit: usize) -> Recording {
+    if query.trivial().is_some() {
+        return Recording::empty();
+    }
+    let jumps = Jumps { query, bits, prune: config.prune, scanned: Counter::new(0) };
+    record_one_way(&jumps, query.ends(), config.common.max_expansions, limit)
 }
 
 /// The cells between jump points: diagonal steps first, as they were found.

@@ -8,6 +8,8 @@ use super::query::Query;
 use crate::map::{Cell, Occupancy, Weights};
 use crate::search::NodeId;
 use crate::search::lattice::{Deferral, Edge, EdgeSink, Lattice};
+#[cfg(feature = "complete")]
+use crate::search::{Considered, Legality, Part};
 
 /// The cost of a straight move between two cells, every part of it times the weight of its cell, rounded up.
 /// Micro-cells.
@@ -155,5 +157,23 @@ impl<L: Lattice> Lattice for Weighted<'_, L> {
 
     fn to_start(&self, node: NodeId) -> i64 {
         self.lattice.to_start(node)
+    }
+}
+
+#[cfg(feature = "complete")]
+impl<L: Considered> Considered for Weighted<'_, L> {
+    fn consider(
+        &self,
+        node: NodeId,
+        _: Option<u32>,
+        part: Part,
+        tell: &mut dyn FnMut(NodeId, i64, Legality),
+    ) {
+        let from = self.map.cell(node);
+        let cost = |to| self.weights.map_or(0, |weights| weighted_cost(weights, from, self.map.cell(to)));
+        self.lattice.consider(node, None, part, &mut |to, _, legality| {
+            let cost = if legality == Legality::Free { cost(to) } else { 0 };
+            tell(to, cost, legality);
+        });
     }
 }

@@ -105,6 +105,12 @@ impl Edge {
         Self { cost, code: (cost as u64) << MOVE | number as u64 }
     }
 
+    /// Its cost, micro-cells.
+    #[cfg(feature = "complete")]
+    pub const fn cost(self) -> i64 {
+        self.cost
+    }
+
     /// The same move at another cost.
     #[must_use]
     pub const fn at(self, cost: i64) -> Self {

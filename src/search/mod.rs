@@ -14,6 +14,12 @@ pub mod lattice;
 mod node_table;
 mod observer;
 mod open_list;
+#[cfg(feature = "complete")]
+mod recorded;
+#[cfg(feature = "complete")]
+mod recorded_both;
+#[cfg(feature = "complete")]
+mod recording;
 #[cfg(test)]
 #[cfg(feature = "complete")]
 mod reference;
@@ -33,6 +39,12 @@ pub use frontier::PackedScratch;
 pub use node_table::Scratch;
 pub use observer::{Observer, Progress, ProgressCallback, Trace, Watch};
 pub use open_list::Order;
+#[cfg(feature = "complete")]
+pub use recorded::{Considered, Legality, Part, record_one_way};
+#[cfg(feature = "complete")]
+pub use recorded_both::record_bidirectional;
+#[cfg(feature = "complete")]
+pub use recording::{BACKWARD, Fate, PAST, Recording, StepKind};
 pub use tree::Tree;
 
 /// Index of a node. Indices are dense: the search's memory grows with the largest.

@@ -8,6 +8,8 @@ use crate::geometry::{Point, Pose};
 use crate::metrics::Check;
 #[cfg(feature = "complete")]
 use crate::metrics::Narrowest;
+#[cfg(feature = "complete")]
+use crate::plan::Recorded;
 use crate::plan::{Layer, LayerData, Plan, PlanTrace, Stats};
 use crate::planners::{Gap, Obstruction};
 use crate::scenario::Scenario;
@@ -111,7 +113,40 @@ fn trace(geometry: &Geometry, trace: &PlanTrace) -> JsValue {
                 ]),
             ),
         ]),
+        #[cfg(feature = "complete")]
+        PlanTrace::Search(recorded) => search(recorded),
     }
+}
+
+#[cfg(feature = "complete")]
+fn search(recorded: &Recorded) -> JsValue {
+    let Recorded { width, height, recording: r } = recorded;
+    object(&[
+        ("kind", "search".into()),
+        ("width", (*width).into()),
+        ("height", (*height).into()),
+        ("kinds", u8s(&r.kinds)),
+        ("nodes", u32s(&r.nodes)),
+        ("g", f64s(&r.g)),
+        ("h", f64s(&r.h)),
+        ("f", f64s(&r.f)),
+        ("first", u32s(&r.first)),
+        ("targets", u32s(&r.targets)),
+        ("targetG", f64s(&r.target_g)),
+        ("targetH", f64s(&r.target_h)),
+        ("fates", u8s(&r.fates)),
+        ("penalty", r.penalty.into()),
+        ("cut", r.is_cut.into()),
+        (
+            "counters",
+            object(&[
+                ("expanded", r.expanded.into()),
+                ("generated", r.generated.into()),
+                ("pushes", r.pushes.into()),
+                ("openPeak", r.open_peak.into()),
+            ]),
+        ),
+    ])
 }
 
 pub(super) fn check(scene: &Scenario, geometry: &Geometry, check: &Check) -> JsValue {

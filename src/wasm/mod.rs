@@ -164,9 +164,23 @@ impl RawPlanner {
     #[cfg_attr(not(feature = "complete"), expect(clippy::unused_self, reason = "slots are the scene's"))]
     fn options<'o>(&self, options: JsValue) -> Result<(plan::Options<'o>, plan::Ends), JsValue> {
         let (mut asked, mut ends) = (plan::Options::default(), plan::Ends::default());
+        #[cfg(feature = "complete")]
+        let mut is_full = false;
         for (name, value) in optional(options, ErrorCode::Input)? {
             let wrong = |e: Error| codec::js_error(&Error { code: ErrorCode::Input, ..e.within(&name) });
             match name.as_str() {
+                #[cfg(feature = "complete")]
+                "trace" if value == "full" => {
+                    (asked.trace, asked.record) = (true, Some(asked.record.unwrap_or(plan::RECORDED_STEPS)));
+                    is_full = true;
+                }
+                #[cfg(feature = "complete")]
+                "traceLimit" => {
+                    let limit = value.as_u64().filter(|limit| (1..=1_000_000).contains(limit));
+                    let rule =
+                        || refused(&name, &format!("must be a whole number from 1 to 1000000, got {value}"));
+                    asked.record = Some(limit.ok_or_else(rule)? as usize);
+                }
                 "trace" => asked.trace = json::flag(&value).map_err(wrong)?,
                 #[cfg(feature = "complete")]
                 "alternatives" => asked.alternatives = json::flag(&value).map_err(wrong)?,
@@ -192,11 +206,15 @@ impl RawPlanner {
                     #[cfg(not(feature = "complete"))]
                     let message = "no option of plan; there are trace, start, goal, onProgress";
                     #[cfg(feature = "complete")]
-                    let message = "no option of plan; there are trace, start, goal, onProgress, prefer, alternatives, \
-                        onImproved, stickiness";
+                    let message = "no option of plan; there are trace, traceLimit, start, goal, onProgress, prefer, \
+                        alternatives, onImproved, stickiness";
                     return Err(refused(&name, message));
                 }
             }
+        }
+        #[cfg(feature = "complete")]
+        if !is_full {
+            asked.record = None;
         }
         Ok((asked, ends))
     }

@@ -6,10 +6,14 @@ use super::directions::{is_oblique, primaries, region};
 use super::{Config, Heuristic, permille};
 use crate::map::risk::PotentialField;
 use crate::map::{Cell, Corner, line_of_sight};
+#[cfg(feature = "complete")]
+use crate::planners::grid_lattice::legality;
 use crate::planners::heuristics::DistanceWeight;
 use crate::planners::moves::{D, DIRECTIONS, LEGAL, R2, cost};
 use crate::planners::query::Query;
 use crate::search::lattice::{Deferral, Edge, EdgeSink, Lattice};
+#[cfg(feature = "complete")]
+use crate::search::{Considered, Legality, Part};
 use crate::search::{NodeId, WideEntry};
 
 pub(super) struct RiskGrid<'a> {
@@ -252,5 +256,39 @@ impl Lattice for RiskGrid<'_> {
 
     fn to_start(&self, _: NodeId) -> i64 {
         0
+    }
+}
+
+#[cfg(feature = "complete")]
+impl Considered for RiskGrid<'_> {
+    fn consider(
+        &self,
+        node: NodeId,
+        _: Option<u32>,
+        part: Part,
+        tell: &mut dyn FnMut(NodeId, i64, Legality),
+    ) {
+        let (map, at) = (self.query.map, self.query.map.cell(node));
+        let (dx, dy) = self.toward_goal(at);
+        let oblique = is_oblique(dx, dy);
+        let picked = primaries(region(self.field.force(at), oblique));
+        let mut offer = |c: usize, steps: i32| {
+            let to = at.offset(steps * DIRECTIONS[c].0, steps * DIRECTIONS[c].1);
+            if map.contains(to) {
+                tell(map.index(to), i64::from(steps) * step_cost(c), legality(map, at, to, self.corner));
+            }
+        };
+        if part == Part::Deferred {
+            return (0..8).filter(|c| !picked.contains(c)).for_each(|c| offer(c, 1));
+        }
+        for c in picked {
+            offer(c, 1);
+        }
+        for (i, c) in picked.into_iter().enumerate() {
+            let is_stretched = if oblique { c % 2 == 1 } else { i == 0 };
+            if is_stretched && !(self.goal_side && oblique && self.leads_away(at, c)) {
+                (2..=self.ext_len + 1).for_each(|steps| offer(c, steps));
+            }
+        }
     }
 }

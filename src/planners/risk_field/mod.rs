@@ -23,6 +23,8 @@ use crate::map::Corner;
 use crate::map::risk::{Attraction, FieldSettings, ObstacleSet, PotentialField};
 use crate::search::lattice::{Deferral, one_way};
 use crate::search::{Observer, Watch};
+#[cfg(feature = "complete")]
+use crate::search::{Recording, record_one_way};
 
 #[cfg(feature = "complete")]
 pub use explain::{Candidate, Explanation, explain};
@@ -211,6 +213,22 @@ pub fn plan<O: Observer<i64, ()>>(
         report.detail = Some(Detail::Stranded);
     }
     report
+}
+
+/// The same search with its events written down, at most `limit` of them.
+#[cfg(feature = "complete")]
+pub fn record(query: Query, config: &Config, limit: usize) -> Recording {
+    if query.trivial().is_some() {
+        return Recording::empty();
+    }
+    let (dx, dy) = (query.goal.x - query.start.x, query.goal.y - query.start.y);
+    let weight = DistanceWeight::new(permille(config.wbar), dx, dy);
+    let grid = domain::RiskGrid::new(query, config, weight, config.deferral());
+    let (ends, most) = (query.ends(), config.common.max_expansions);
+    if query.map.weights().is_some() {
+        return record_one_way(&Weighted::new(grid, &query), ends, most, limit);
+    }
+    record_one_way(&grid, ends, most, limit)
 }
 
 /// True if ordinary steps lead from start to goal.

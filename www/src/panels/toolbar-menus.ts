@@ -28,8 +28,9 @@ export function planners(bar: Toolbar): TemplateResult {
     <hr>${item(bar, "undo", "planners.first", () => app.showFirstPlanners())}`;
 }
 
-export function layers({ app }: Toolbar): TemplateResult {
-  const { store } = app,
+export function layers(bar: Toolbar): TemplateResult {
+  const { app } = bar,
+    { store } = app,
     { lang, layers } = store.state,
     now = presetOf(layers);
   return html`<div class="segmented" role="group" aria-label=${translate(lang, "layers.presets")}>
@@ -38,7 +39,8 @@ export function layers({ app }: Toolbar): TemplateResult {
     ${ALL_LAYERS.map(
       (key) => html`<label class="check"><input type="checkbox" .checked=${layers[key]}
       @change=${() => store.set({ layers: { ...store.state.layers, [key]: !store.state.layers[key] } })}>${translate(lang, `layer.${key}`)}</label>`,
-    )}`;
+    )}
+    <hr>${item(bar, "planners", "bar.debugger", () => void app.fetchPart(async () => (await import("./debugger")).toggleDebugger(app, bar)))}`;
 }
 
 export function exports(bar: Toolbar): TemplateResult {

@@ -3,6 +3,7 @@ import type { Choice } from "../store/results";
 import type {
   AuditOptions,
   AuditRow,
+  Explanation,
   Family,
   HybridPlan,
   HybridPlannerId,
@@ -20,6 +21,7 @@ import type {
   RoadFigures,
   RoadRow,
   RoadTable,
+  SearchTrace,
   VolumeComparison,
 } from "parkade";
 import {
@@ -113,6 +115,33 @@ const JOBS = {
       });
       const others = best.alternatives ?? [best];
       return choicesOf(cheapest(first ?? best, others), others).map(driven);
+    } finally {
+      made.free();
+    }
+  },
+  /** The search once more, with all that it did. */
+  record: ({ planner, scene, limit }: { planner: PlannerId; scene: Scenario; limit: number }): SearchTrace | null => {
+    const made = new Planner(planner, scene);
+    try {
+      const { trace } = made.plan({ trace: "full", traceLimit: limit });
+      return trace?.kind === "search" ? trace : null;
+    } finally {
+      made.free();
+    }
+  },
+  /** The risk field at a point. */
+  field: ({
+    planner,
+    scene,
+    at,
+  }: {
+    planner: PlannerId;
+    scene: Scenario;
+    at: { x: number; y: number };
+  }): Explanation | null => {
+    const made = new Planner(planner, scene);
+    try {
+      return made.explain(at);
     } finally {
       made.free();
     }

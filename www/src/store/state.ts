@@ -160,6 +160,8 @@ export interface DerivedState {
   explained: Explanation | null;
   /** The check of all bays, while it is open. */
   bays?: BayCheck | null;
+  /** While a recorded search is walked through: its planner, and what draws it into a frame. */
+  searchSteps?: { planner: PlannerId; draw(frame: unknown): void } | null;
   /** Paths of planners to choose from, for the present scene. */
   choices?: Partial<Record<PlannerId, readonly Choice[]>>;
   /** The planner whose paths might be bettered, and for which better ones are being looked for. */

@@ -41,6 +41,8 @@ export class SceneLayers {
     if (!isOneGoal(scene.goal)) extras()?.drawGoals(frame);
     if (scene.moving?.length) extras()?.drawMoving(frame);
     this.drawAnswers(frame);
+    const steps = frame.state.searchSteps;
+    if (leading(frame)?.planner === steps?.planner) steps?.draw(frame);
     drawSelection(frame);
     drawHandles(frame);
     if (isLong(scene)) extras()?.drawLaneStrip(frame);

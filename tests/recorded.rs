@@ -1,0 +1,276 @@
+//! Recorded searches against the planners' own events, and against a plain open list that is looked through.
+
+use std::collections::BTreeMap;
+
+use parkade::map::{Bits, Cell, Corner, Occupancy, line_of_sight};
+use parkade::planners::moves::Neighbourhood;
+use parkade::planners::query::{GridReport, GridScratch, Query};
+use parkade::planners::risk_field::Fallback;
+use parkade::planners::settings::Common;
+use parkade::planners::{bidirectional, dijkstra_greedy, grid_astar, jump_point, risk_field};
+use parkade::scenario::generate::SplitMix64;
+use parkade::search::{BACKWARD, Fate, Observer, Recording, StepKind, Stop};
+
+const MAPS: u64 = 100;
+const CORNERS: [Corner; 3] = [Corner::Strict, Corner::NoSqueeze, Corner::Free];
+
+fn random_map(random: &mut SplitMix64) -> (Occupancy, Cell, Cell) {
+    let (width, height) = (2 + random.below(26), 2 + random.below(26));
+    let density = random.below(45);
+    let mut map = Occupancy::new(width, height);
+    for index in 0..map.len() as u32 {
+        map.set(map.cell(index), random.below(100) < density);
+    }
+    let ends = [0, 1].map(|_| map.cell(random.below(map.len() as u32)));
+    for cell in ends {
+        map.set(cell, false);
+    }
+    (map, ends[0], ends[1])
+}
+
+/// A planner's own events.
+#[derive(Default)]
+struct Events {
+    expanded: Vec<(u32, i64)>,
+    relaxed: Vec<(u32, u32, i64)>,
+}
+
+impl Observer<i64, ()> for Events {
+    fn expanded(&mut self, node: u32, (): (), g: i64) {
+        self.expanded.push((node, g));
+    }
+
+    fn relaxed(&mut self, node: u32, parent: u32, (): (), g: i64) {
+        self.relaxed.push((node, parent, g));
+    }
+}
+
+/// The moves of each step: target, fate, g, h.
+fn offers(r: &Recording, step: usize) -> impl Iterator<Item = (u32, u8, f64, f64)> {
+    let all = r.first[step] as usize..r.first[step + 1] as usize;
+    all.map(|at| (r.targets[at], r.fates[at], r.target_g[at], r.target_h[at]))
+}
+
+fn is(fate: u8, one: Fate) -> bool {
+    fate == one as u8
+}
+
+/// The recording has the planner's own expansions, relaxed moves and counters, in its own order.
+fn equals_the_planner(report: &GridReport, events: &Events, r: &Recording) {
+    let rejected = |kind: u8| kind % BACKWARD == StepKind::Rejected as u8;
+    let steps: Vec<_> = (0..r.nodes.len()).filter(|&step| !rejected(r.kinds[step])).collect();
+    let expanded: Vec<_> = steps.iter().map(|&step| (r.nodes[step], r.g[step] as i64)).collect();
+    assert_eq!(expanded, events.expanded);
+    let mut relaxed = Vec::new();
+    for step in steps.into_iter().filter(|&step| r.kinds[step] != StepKind::Goal as u8) {
+        let kept = offers(r, step).filter(|one| is(one.1, Fate::Kept) || is(one.1, Fate::Improved));
+        relaxed.extend(kept.map(|one| (one.0, r.nodes[step], one.2 as i64)));
+    }
+    assert_eq!(relaxed, events.relaxed);
+    assert_eq!(
+        (r.expanded, r.generated, r.pushes, r.open_peak),
+        (report.expanded, report.generated, report.pushes, report.open_peak)
+    );
+}
+
+/// An entry of the plain open list: f, h, age, node, whether it waits for deferred moves.
+type Entry = (f64, f64, usize, u32, bool);
+
+/// Steps and fates follow from the recording's own moves by the rules of a search as one writes it down.
+fn follows_the_rules(r: &Recording, roots: [u32; 2]) {
+    let mut known: [BTreeMap<u32, (f64, bool)>; 2] = Default::default();
+    let mut open: [Vec<Entry>; 2] = Default::default();
+    for (side, root) in roots.into_iter().enumerate() {
+        known[side].insert(root, (0.0, false));
+        if let Some(first) = (0..r.nodes.len()).find(|&step| usize::from(r.kinds[step] / BACKWARD) == side) {
+            assert_eq!((r.nodes[first], r.g[first]), (root, 0.0));
+            open[side].push((r.f[first], r.h[first], 0, root, false));
+        }
+    }
+    let mut age = 1;
+    let is_nba = r.kinds.iter().any(|kind| kind % BACKWARD == StepKind::Rejected as u8);
+    for step in 0..r.nodes.len() {
+        let side = usize::from(r.kinds[step] / BACKWARD);
+        let (node, kind) = (r.nodes[step], r.kinds[step] % BACKWARD);
+        open[side].retain(|one| one.4 || !known[side][&one.3].1);
+        let least =
+            |a: &&Entry, b: &&Entry| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)).then(b.2.cmp(&a.2));
+        let &first = open[side].iter().min_by(least).unwrap();
+        assert_eq!((first.0, first.1, first.3), (r.f[step], r.h[step], node), "step {step}");
+        assert_eq!(first.4, kind == StepKind::Deferred as u8);
+        open[side].retain(|one| one.2 != first.2);
+        assert_eq!(known[side][&node].0, r.g[step]);
+        if !first.4 {
+            assert_eq!(r.f[step], r.g[step] + r.h[step]);
+        }
+        known[side].insert(node, (r.g[step], true));
+        if is_nba {
+            known[1 - side].entry(node).or_insert((0.0, true)).1 = true;
+        }
+        if kind == StepKind::Goal as u8 || kind == StepKind::Meet as u8 {
+            assert_eq!(step + 1, r.nodes.len());
+            return;
+        }
+        for (target, fate, g, h) in offers(r, step) {
+            let before = known[side].get(&target).copied();
+            match (fate, before) {
+                (0, None) => {}
+                (1, Some((old, false))) => assert!(g < old),
+                (2, Some((old, false))) => assert!(g >= old),
+                (3, Some((_, true))) | (4 | 5, _) => continue,
+                (6 | 8, before) => assert!(before.is_none_or(|(old, closed)| !closed && g < old)),
+                (7, _) => assert_eq!(target, node),
+                other => panic!("step {step}: {other:?}"),
+            }
+            if fate < 2 {
+                known[side].insert(target, (g, false));
+                open[side].push((g + h, h, age, target, false));
+                age += 1;
+            } else if fate == Fate::Requeued as u8 {
+                open[side].push((g + h + r.penalty, h, age, node, true));
+                age += 1;
+            }
+        }
+    }
+}
+
+/// Blocked and corner are told of the map, and all moves of a neighbourhood are told of.
+fn knows_the_map(r: &Recording, query: Query, around: Neighbourhood, corner: Corner) {
+    for step in 0..r.nodes.len() {
+        if !matches!(r.kinds[step] % BACKWARD, 0 | 1) {
+            continue;
+        }
+        let at = query.map.cell(r.nodes[step]);
+        let mut told: Vec<u32> =
+            offers(r, step).filter(|one| !is(one.1, Fate::Requeued)).map(|one| one.0).collect();
+        told.sort_unstable();
+        let mut all: Vec<u32> = around
+            .moves()
+            .into_iter()
+            .map(|m| at.offset(m.dx, m.dy))
+            .filter(|&to| query.map.contains(to))
+            .map(|to| query.map.index(to))
+            .collect();
+        all.sort_unstable();
+        assert_eq!(told, all);
+        for (target, fate, ..) in offers(r, step) {
+            let to = query.map.cell(target);
+            assert_eq!(is(fate, Fate::Blocked), query.map.blocked(to));
+            let is_cut = !query.map.blocked(to) && !line_of_sight(query.map, at, to, corner);
+            assert_eq!(is(fate, Fate::Corner), is_cut);
+        }
+    }
+}
+
+fn roots(query: Query) -> [u32; 2] {
+    [query.start, query.goal].map(|cell| query.map.index(cell))
+}
+
+/// Runs a check on random maps, with a different corner rule on each.
+fn on_random_maps(seed: u64, mut check: impl FnMut(Query, Corner)) {
+    let mut random = SplitMix64::new(seed);
+    let mut searched = 0;
+    while searched < MAPS {
+        let (map, start, goal) = random_map(&mut random);
+        if start != goal {
+            check(Query { map: &map, start, goal }, CORNERS[searched as usize % 3]);
+            searched += 1;
+        }
+    }
+}
+
+#[test]
+fn grid_searches_are_recorded_as_they_are() {
+    for around in Neighbourhood::ALL {
+        on_random_maps(11, |query, corner| {
+            let common = Common { corner, ..Common::PLAIN };
+            let config = grid_astar::Config { common, ..grid_astar::Config::new(around) };
+            let mut events = Events::default();
+            let report = grid_astar::plan(query, around, &config, &mut GridScratch::new(), &mut events);
+            let r = grid_astar::record(query, around, &config, usize::MAX);
+            equals_the_planner(&report, &events, &r);
+            follows_the_rules(&r, roots(query));
+            knows_the_map(&r, query, around, corner);
+        });
+    }
+}
+
+#[test]
+fn risk_fields_are_recorded_with_what_they_hold_back() {
+    let fallbacks = [Fallback::Penalty, Fallback::Lexicographic, Fallback::StuckOnly, Fallback::None];
+    for preset in [risk_field::Config::PAPER, risk_field::Config::PLUS] {
+        let (mut held, mut requeued) = (0, 0);
+        for fallback in fallbacks {
+            on_random_maps(12, |query, corner| {
+                let config =
+                    risk_field::Config { fallback, common: Common { corner, ..preset.common }, ..preset };
+                let mut events = Events::default();
+                let report = risk_field::plan(query, &config, &mut GridScratch::new(), &mut events);
+                let r = risk_field::record(query, &config, usize::MAX);
+                // Where a rule may lose the way, the planner asks plain A* whether there is one: not watched.
+                equals_the_planner(&report, &events, &r);
+                follows_the_rules(&r, roots(query));
+                held += r.fates.iter().filter(|&&fate| is(fate, Fate::HeldBack)).count();
+                requeued += r.fates.iter().filter(|&&fate| is(fate, Fate::Requeued)).count();
+            });
+        }
+        assert!(held > 100 && requeued > 100, "{held} {requeued}");
+    }
+}
+
+#[test]
+fn searches_from_both_ends_are_recorded_until_they_meet() {
+    for stop in [Stop::First, Stop::Best, Stop::Optimal, Stop::Naive] {
+        let mut met = 0;
+        on_random_maps(13, |query, corner| {
+            let common = Common { corner, ..Common::PLAIN };
+            let config = bidirectional::Config { stop, common, ..bidirectional::Config::default() };
+            let mut events = Events::default();
+            let report = bidirectional::plan(query, &config, &mut GridScratch::new(), &mut events);
+            let r = bidirectional::record(query, &config, usize::MAX);
+            equals_the_planner(&report, &events, &r);
+            follows_the_rules(&r, roots(query));
+            let rejected =
+                r.kinds.iter().filter(|&&kind| kind % BACKWARD == StepKind::Rejected as u8).count();
+            assert_eq!(rejected, report.rejected as usize);
+            met += usize::from(r.kinds.last().is_some_and(|kind| kind % BACKWARD == StepKind::Meet as u8));
+        });
+        assert_eq!(met > 20, stop != Stop::Optimal, "{stop:?} {met}");
+    }
+}
+
+#[test]
+fn jumps_and_plain_searches_are_recorded_as_they_are() {
+    on_random_maps(14, |query, _| {
+        let config = jump_point::Config::default();
+        let bits = Bits::new(query.map);
+        let mut events = Events::default();
+        let report = jump_point::plan(query, &bits, &config, &mut GridScratch::new(), &mut events);
+        let r = jump_point::record(query, &bits, &config, usize::MAX);
+        equals_the_planner(&report, &events, &r);
+        follows_the_rules(&r, roots(query));
+        let config = dijkstra_greedy::Config::default();
+        let mut events = Events::default();
+        let report = dijkstra_greedy::greedy(query, &config, &mut GridScratch::new(), &mut events);
+        let r = dijkstra_greedy::record_greedy(query, &config, usize::MAX);
+        equals_the_planner(&report, &events, &r);
+        follows_the_rules(&r, roots(query));
+        let report = dijkstra_greedy::dijkstra(query, &config, &mut GridScratch::new(), &mut ());
+        let r = dijkstra_greedy::record_dijkstra(query, &config, usize::MAX);
+        follows_the_rules(&r, roots(query));
+        knows_the_map(&r, query, config.neighbours, config.common.corner);
+        assert_eq!((r.expanded, r.generated), (report.expanded, report.generated));
+    });
+}
+
+#[test]
+fn a_limit_cuts_the_recording_and_says_so() {
+    let map = Occupancy::new(20, 20);
+    let query = Query { map: &map, start: Cell::new(0, 0), goal: Cell::new(19, 19) };
+    let config = dijkstra_greedy::Config::default();
+    let whole = dijkstra_greedy::record_dijkstra(query, &config, usize::MAX);
+    let part = dijkstra_greedy::record_dijkstra(query, &config, 50);
+    assert!(part.is_cut && !whole.is_cut);
+    assert_eq!(part.nodes, whole.nodes[..50]);
+    assert_eq!(part.first.last().copied(), Some(part.targets.len() as u32));
+}

@@ -1,0 +1,88 @@
+/** The lists of the search debugger: moves, open list, pseudocode, risk field. */
+import { html, nothing, type TemplateResult } from "lit";
+import type { Explanation } from "parkade";
+import type { Lang } from "../i18n/index";
+import type { SearchReplay } from "../planning/search-replay";
+import { cost, fateText, placeOf, pseudocode, say } from "../texts/search-steps";
+import { SIGNS } from "../view/layers/search-marks";
+
+const SHOWN_ENTRIES = 12;
+
+/** The moves of the step at hand, as far as they have been considered. */
+export function movesTable(lang: Lang, replay: SearchReplay): TemplateResult | typeof nothing {
+  const { step, move, trace } = replay;
+  if (step < 0) return nothing;
+  const moves: number[] = [];
+  for (let one = trace.first[step]!; one <= move; one++) moves.push(one);
+  return html`<h3>${say(lang, "moves", { place: placeOf(replay, trace.nodes[step]!) })}</h3>
+    ${
+      trace.first[step] === trace.first[step + 1]
+        ? html`<p class="note">${say(lang, "moves.none")}</p>`
+        : html`<table><thead><tr><th></th><th>${say(lang, "to")}</th><th class="n">g</th><th class="n">h</th><th>${say(lang, "fate")}</th></tr></thead>
+    <tbody>${moves.map((one) => moveRow(lang, replay, one))}</tbody></table>`
+    }`;
+}
+
+function moveRow(lang: Lang, replay: SearchReplay, move: number): TemplateResult {
+  const { trace } = replay,
+    fate = replay.fateOf(move);
+  const isLegal = fate !== "blocked" && fate !== "corner",
+    hasH = fate === "kept" || fate === "improved";
+  return html`<tr class="${move === replay.move ? "now" : ""} ${isLegal ? "" : "bad"}"><td class="sign" aria-hidden="true">${SIGNS[fate]}</td><td>${placeOf(replay, trace.targets[move]!)}</td>
+    <td class="n">${isLegal ? cost(lang, trace.targetG[move]!) : ""}</td><td class="n">${hasH ? cost(lang, trace.targetH[move]!) : ""}</td><td class="why">${fateText(lang, replay, move)}</td></tr>`;
+}
+
+/** The entries that come next on a side. */
+export function openTable(lang: Lang, replay: SearchReplay, side: number): TemplateResult {
+  const entries = replay.openList(side, SHOWN_ENTRIES),
+    all = replay.sides[side]?.open.length ?? 0;
+  const head = `${replay.sides.length > 1 ? `${say(lang, side === 1 ? "side.1" : "side.0")} · ` : ""}${say(lang, "openList", { n: entries.length, all })}`;
+  if (entries.length === 0) return html`<h3>${head}</h3><p class="note">${say(lang, "openEmpty")}</p>`;
+  return html`<h3>${head}</h3><p class="note">${say(lang, "openOrder")}</p>
+    <table><thead><tr><th></th><th>${say(lang, "place")}</th><th class="n">f</th><th class="n">h</th><th class="n">${say(lang, "age")}</th></tr></thead>
+    <tbody>${entries.map((one, i) => {
+      const tied = (other: (typeof entries)[number] | undefined): boolean => other?.f === one.f;
+      return html`<tr class=${tied(entries[i - 1]) || tied(entries[i + 1]) ? "tied" : ""}><td class="rank">${i + 1}</td>
+        <td>${placeOf(replay, one.node)}${one.deferred ? html` <i>${say(lang, "waits")}</i>` : nothing}</td>
+        <td class="n">${cost(lang, one.f)}</td><td class="n">${cost(lang, one.h)}</td><td class="n">${one.age}</td></tr>`;
+    })}</tbody></table>`;
+}
+
+export function code(lang: Lang, replay: SearchReplay, byMoves: boolean): TemplateResult {
+  return html`<h3>${say(lang, "code")}</h3><ol class="code">${pseudocode(lang, replay, byMoves).map(
+    (line) =>
+      html`<li class=${line.current ? "now" : ""} aria-current=${line.current ? "step" : nothing} .style=${`padding-left:${14 + 16 * line.indent}px`}>${line.text}</li>`,
+  )}</ol>`;
+}
+
+/** The variables beside the pseudocode. */
+export function variables(lang: Lang, replay: SearchReplay): TemplateResult | typeof nothing {
+  const { step, move, trace } = replay;
+  if (step < 0) return nothing;
+  const rows: [string, string][] = [
+    ["n", placeOf(replay, trace.nodes[step]!)],
+    ["g(n)", cost(lang, trace.g[step]!)],
+    ["h(n)", cost(lang, trace.h[step]!)],
+    ["f(n)", cost(lang, trace.f[step]!)],
+  ];
+  if (move >= 0)
+    rows.push(["m", placeOf(replay, trace.targets[move]!)], ["g(n) + c", cost(lang, trace.targetG[move]!)]);
+  rows.push(["|open|", replay.sides.map(({ open }) => open.length).join(" + ")]);
+  return html`<dl aria-label=${say(lang, "vars")}>${rows.map(([name, value]) => html`<div><dt>${name}</dt><dd>${value}</dd></div>`)}</dl>`;
+}
+
+/** The risk field in the terms of its tables. */
+export function fieldCard(
+  lang: Lang,
+  { cell, force, attraction, repulsion, mode, region, candidates }: Explanation,
+): TemplateResult {
+  const two = (value: number): string => cost(lang, value * 1e6);
+  const cells = (role: string): string =>
+    candidates
+      .filter((one) => one.role === role)
+      .map((one) => one.direction)
+      .join(", ");
+  return html`<h3>${say(lang, "field", { place: `(${cell[0]}, ${cell[1]})` })}</h3>
+    <p>${say(lang, "field.force", { x: two(force[0]), y: two(force[1]), ax: two(attraction[0]), ay: two(attraction[1]), rx: two(repulsion[0]), ry: two(repulsion[1]) })}</p>
+    <p>${say(lang, "field.region", { table: mode === "oblique" ? 1 : 2, region, cells: cells("primary") })} ${say(lang, "field.skips", { cells: cells("held-back") })}</p>`;
+}

@@ -1,0 +1,50 @@
+import { css } from "lit";
+
+/** A column over the inspector; a sheet in narrow layouts, a drawer in low ones. */
+export const debuggerStyles = css`
+  :host { grid-area: side; justify-self: end; width: 380px; max-width: 60cqw; z-index: 16; min-height: 0; overflow-y: auto; overscroll-behavior: contain; background: var(--parkade-panel); border-left: 1px solid var(--parkade-hair); scrollbar-width: thin; scrollbar-color: var(--parkade-hair2) transparent; }
+  @container (max-width: 960px) { :host { grid-area: 2 / 1 / 4 / 2; box-shadow: var(--parkade-float); } }
+  @container (max-width: 640px) { :host { grid-area: auto; position: absolute; inset: auto 0 0 0; width: auto; max-width: none; height: 46cqh; border-left: 0; border-top: 1px solid var(--parkade-hair); box-shadow: var(--parkade-lift); } }
+  @container (max-height: 479px) { :host { grid-area: auto; position: absolute; inset: 0 0 0 auto; width: min(340px, 46cqw); height: auto; box-shadow: var(--parkade-float); } }
+  section { padding: 10px 14px; border-top: 1px solid var(--parkade-hair); }
+  section:first-child { border-top: 0; }
+  .head { position: sticky; top: 0; z-index: 2; display: flex; align-items: center; gap: 8px; height: 44px; padding: 0 6px 0 14px; background: var(--parkade-panel); border-bottom: 1px solid var(--parkade-hair); }
+  .head + section { border-top: 0; }
+  h2 { display: flex; align-items: center; gap: 6px; margin: 0; font-size: 13px; line-height: 18px; font-weight: 600; }
+  .who { flex: 1; min-width: 0; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; color: var(--parkade-t2); }
+  h3 { margin: 0 0 4px; font-size: 12px; line-height: 16px; font-weight: 600; }
+  table ~ h3, p ~ h3 { margin-top: 12px; }
+  p { margin: 0; }
+  .note { color: var(--parkade-t3); font-size: 12px; line-height: 16px; }
+  .transport { position: sticky; top: 44px; z-index: 1; background: var(--parkade-panel); padding-bottom: 6px; }
+  .transport + section { border-top: 1px solid var(--parkade-hair); }
+  .keys-row { display: flex; flex-wrap: wrap; align-items: center; gap: 2px; margin: 0 -6px; }
+  select { appearance: none; border: 0; background: none; height: 32px; padding: 0 6px; font-weight: 500; cursor: pointer; border-radius: calc(6px * var(--parkade-radius)); min-width: 0; text-overflow: ellipsis; }
+  select:first-of-type { margin-left: auto; max-width: 112px; } .keys-row .icon { width: 30px; }
+  select:hover { background: var(--parkade-hover); }
+  option { background: var(--parkade-raise); color: var(--parkade-t1); }
+  .legend { display: flex; flex-wrap: wrap; align-items: center; gap: 0 5px; margin-top: 2px; } .legend i { width: 12px; height: 12px; flex: none; } .legend i ~ i { margin-left: 8px; }
+  .ramp { background: linear-gradient(90deg, #00224e, #8a8678, #fde838); opacity: .6; width: 24px !important; } .open { border: 1.5px solid var(--parkade-accent); } .back { background: var(--parkade-warn); opacity: .5; }
+  .event { min-height: 56px; font-weight: 500; }
+  .event b { color: var(--parkade-accent); }
+  table { width: 100%; border-collapse: collapse; font-size: 12px; line-height: 16px; }
+  th { font-weight: 400; color: var(--parkade-t3); text-align: left; padding: 2px 4px; white-space: nowrap; }
+  td { padding: 2px 4px; vertical-align: top; white-space: nowrap; }
+  td.why { white-space: normal; color: var(--parkade-t2); }
+  .n { text-align: right; }
+  .sign, .rank { width: 18px; text-align: center; color: var(--parkade-t3); }
+  tr.now td { background: var(--parkade-accent-soft); }
+  tr.bad .sign { color: var(--parkade-err); }
+  tr.tied td { box-shadow: inset 2px 0 0 var(--parkade-hair2); } tr.tied td ~ td { box-shadow: none; }
+  td i { color: var(--parkade-t3); }
+  .code { margin: 0 -14px; padding: 0; list-style: none; font: 400 12.5px/18px ui-monospace, SFMono-Regular, Menlo, Consolas, monospace; }
+  .code li { padding: 1px 14px; }
+  .code li.now { background: var(--parkade-accent-soft); color: var(--parkade-accent); font-weight: 600; }
+  dl { display: flex; flex-wrap: wrap; gap: 2px 14px; margin: 8px 0 0; font-size: 12px; line-height: 16px; }
+  dl div { display: flex; gap: 5px; } dt { color: var(--parkade-t3); } dd { margin: 0; font-weight: 500; }
+  .rows { display: flex; flex-wrap: wrap; gap: 6px; margin-bottom: 6px; }
+  .button[aria-pressed="true"] { background: var(--parkade-accent-soft); color: var(--parkade-accent); }
+  .check { display: flex; align-items: center; gap: 8px; min-height: 28px; }
+  .check .field { width: 80px; }
+  @media (pointer: coarse) { .check, select { min-height: 44px; } .chip { height: 32px; } }
+`;

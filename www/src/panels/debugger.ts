@@ -1,0 +1,347 @@
+import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
+import type { Explanation, PlannerId, SearchTrace } from "parkade";
+import { download, sentence, type App } from "../app/app";
+import { Helper } from "../planning/job-client";
+import { STEP } from "../planning/search-replay";
+import { traceAsJson, traceForPosthoc } from "../planning/trace-export";
+import { forPlanners } from "../scene/large-scene";
+import type { State } from "../store";
+import { controls } from "../styles/controls";
+import { icon, marker, type IconName } from "../styles/icons";
+import { hasField, plannerName } from "../styles/planner-style";
+import { eventLine, placeOf, say } from "../texts/search-steps";
+import { drawExplained } from "../view/layers/explained";
+import { SearchStepsLayer } from "../view/layers/search-steps";
+import type { Frame } from "../view/frame";
+import { AppElement } from "./base";
+import "./debugger-arcs";
+import { code, fieldCard, movesTable, openTable, variables } from "./debugger-parts";
+import { Session, SPEEDS, UNITS, type Breakpoints, type Unit } from "./debugger-session";
+import { debuggerStyles } from "./debugger-styles";
+import { numberOf, valueOf } from "./inputs";
+
+/** A recording of more than this is asked for, bytes. */
+const ASK_BYTES = 8e6;
+const STEP_BYTES = 33,
+  MOVE_BYTES = 21,
+  MOVES_A_STEP = 16;
+const LIMIT = 100_000;
+/** How long the walk rests before the risk field is asked, milliseconds. */
+const REST_MS = 80;
+const ZOOMED_PX = 84;
+
+/** The search debugger: walks through a planner's search beside its map. */
+export class Debugger extends AppElement {
+  static override properties = {
+    ...AppElement.properties,
+    session: { state: true },
+    trouble: { state: true },
+    picking: { state: true },
+    field: { state: true },
+    asked: { state: true },
+  };
+  static override styles = [controls, debuggerStyles];
+  declare session: Session | null;
+  declare trouble: string;
+  declare picking: boolean;
+  declare field: Explanation | null;
+  /** Steps of a long search that is recorded once somebody says so. */
+  declare asked: number | null;
+  /** True if the planner searches poses of a car: another element shows its tree. */
+  private hasArcs = false;
+  private helper: Helper | null = null;
+  private layer: SearchStepsLayer | null = null;
+  private scene: State["scene"] | null = null;
+  private planner: PlannerId | null = null;
+  private looks: Partial<State> | null = null;
+  /** The inspector's own width, and its host's element. */
+  private width = "";
+  private host: HTMLElement | null = null;
+  private rest: ReturnType<typeof setTimeout> | undefined;
+
+  constructor() {
+    super();
+    this.session = this.field = this.asked = null;
+    this.trouble = "";
+    this.picking = false;
+  }
+
+  protected watches(): readonly (keyof State)[] {
+    return ["scene", "focus", "results", "transient"];
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    const { layers, playback, mode, camera } = this.state;
+    this.looks = { layers, playback, mode, camera };
+    const off = {
+      path: false,
+      sweep: false,
+      ghosts: false,
+      difference: false,
+      heat: false,
+      tree: false,
+      risk: false,
+      safety: false,
+    };
+    this.app.player.pause();
+    this.app.store.set({
+      layers: { ...layers, ...off, obstacles: true },
+      playback: { ...playback, base: "search", fraction: 1, playing: false },
+      mode: "focus",
+      camera: null,
+    });
+    this.widen("380px");
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.leave();
+    this.helper?.stop();
+    this.helper = null;
+    if (this.looks) this.app.store.set({ ...this.looks, searchSteps: null });
+    this.widen(this.width);
+  }
+
+  /** Gives the inspector's column a width; none for its own. */
+  private widen(width: string): void {
+    this.host ??= (this.getRootNode() as ShadowRoot).host as HTMLElement;
+    this.width ||= this.host.style.getPropertyValue("--pane-side");
+    this.host.style.setProperty("--pane-side", width);
+  }
+
+  protected override willUpdate(changed: PropertyValues): void {
+    super.willUpdate(changed);
+    const { scene, focus, transient } = this.state;
+    if (transient || (scene === this.scene && focus === this.planner)) return;
+    [this.scene, this.planner] = [scene, focus];
+    this.leave();
+    void this.begin();
+  }
+
+  private leave(): void {
+    this.session?.pause();
+    clearTimeout(this.rest);
+    this.session = this.layer = this.field = this.asked = null;
+    this.hasArcs = false;
+    this.app.store.set({ searchSteps: null });
+  }
+
+  /** Records the search at once where it is short. */
+  private async begin(): Promise<void> {
+    this.trouble = "";
+    await this.app.planning?.whenSettled();
+    const { focus } = this.state;
+    this.hasArcs = this.state.results[focus]?.plan?.trace?.kind === "arcs";
+    if (this.hasArcs) {
+      this.requestUpdate();
+      return;
+    }
+    const expanded = this.state.results[focus]?.plan?.stats.expanded ?? 0;
+    const steps = Math.min(LIMIT, expanded);
+    if (bytesOf(steps) > ASK_BYTES) this.asked = steps;
+    else await this.record();
+  }
+
+  private readonly record = async (): Promise<void> => {
+    this.asked = null;
+    const { scene, planner } = this;
+    try {
+      const engine = await this.app.complete();
+      this.helper ??= new Helper(engine);
+      const packed = forPlanners(scene!, engine.api.packRuns);
+      const trace = await this.helper.call("record", { planner: planner!, scene: packed, limit: LIMIT });
+      if (scene !== this.scene || planner !== this.planner) return;
+      if (trace) this.take(planner!, trace);
+      else this.trouble = say(this.state.lang, "none", { planner: plannerName(this.state.lang, planner!) });
+    } catch (error) {
+      this.trouble = sentence(error);
+    }
+  };
+
+  private take(planner: PlannerId, trace: SearchTrace): void {
+    this.session = new Session(planner, trace, this.moved);
+    this.layer = new SearchStepsLayer(this.session.replay);
+    this.moved();
+  }
+
+  /** The walk has come to another event. */
+  private readonly moved = (): void => {
+    const { session, layer } = this;
+    if (!session || !layer) return;
+    this.field = null;
+    clearTimeout(this.rest);
+    if (!session.isRunning && hasField(session.planner)) this.rest = setTimeout(() => void this.askField(), REST_MS);
+    this.show();
+  };
+
+  private show(): void {
+    const { session, layer, field } = this;
+    if (!session || !layer) return;
+    const draw = (frame: unknown): void => {
+      layer.draw(frame as Frame);
+      if (field) drawExplained(frame as Frame, field);
+    };
+    this.app.store.set({ searchSteps: { planner: session.planner, draw } });
+    this.requestUpdate();
+  }
+
+  private async askField(): Promise<void> {
+    const { session, scene, helper } = this;
+    if (!session || !scene || !helper || session.replay.step < 0) return;
+    const { at, step, trace } = session.replay;
+    if (session.replay.kindOf(step) === STEP.goal) return;
+    const engine = await this.app.complete();
+    const place = this.centreOf(trace.nodes[step]!);
+    const field = await helper
+      .call("field", { planner: session.planner, scene: forPlanners(scene, engine.api.packRuns), at: place })
+      .catch(() => null);
+    if (session !== this.session || session.replay.at !== at) return;
+    this.field = field;
+    this.show();
+  }
+
+  private centreOf(node: number): { x: number; y: number } {
+    const { origin, resolution, width } = this.state.scene.map;
+    return {
+      x: origin[0] + ((node % width) + 0.5) * resolution,
+      y: origin[1] + (Math.floor(node / width) + 0.5) * resolution,
+    };
+  }
+
+  protected override render(): TemplateResult {
+    const { lang, focus } = this.state,
+      { session } = this;
+    return html`<section class="head"><h2>${marker(focus)}${say(lang, "title")}</h2><span class="who">${plannerName(lang, focus)}</span>
+        <button class="icon" aria-label=${say(lang, "close")} title=${say(lang, "close")} @click=${() => this.remove()}>${icon("close")}</button></section>
+      ${this.hasArcs ? html`<parkade-arc-debugger .app=${this.app}></parkade-arc-debugger>` : session ? this.walk(session) : html`<section><p role="status">${this.waiting()}</p>${this.asked === null ? nothing : html`<button class="button outline" @click=${this.record}>${say(lang, "record")}</button>`}</section>`}`;
+  }
+
+  private waiting(): string {
+    const { lang } = this.state;
+    if (this.asked !== null) return say(lang, "ask", { n: this.asked, mb: this.num(bytesOf(this.asked) / 1e6, 1) });
+    return this.trouble || say(lang, "loading");
+  }
+
+  private walk(session: Session): TemplateResult {
+    const { lang } = this.state,
+      { replay } = session;
+    return html`<section class="transport">${this.transport(session)}</section>
+      <section class="event"><p aria-live="polite">${session.stopped ? html`<b>${say(lang, "breaks.hit")}</b> ` : nothing}${eventLine(lang, replay, session.unit === "move")}</p></section>
+      ${this.field ? html`<section class="field-card">${fieldCard(lang, this.field)}</section>` : nothing}
+      <section>${movesTable(lang, replay)}</section>
+      <section>${code(lang, replay, session.unit === "move")}${variables(lang, replay)}</section>
+      <section>${replay.sides.map((_, side) => openTable(lang, replay, side))}</section>
+      <section>${this.breakpoints(session)}</section>
+      <section class="foot">${this.foot(session)}</section>`;
+  }
+
+  private transport(session: Session): TemplateResult {
+    const { lang } = this.state,
+      { replay } = session;
+    const press = (
+      name: IconName,
+      key: "first" | "back" | "run" | "pause" | "next" | "last",
+      run: () => void,
+    ): TemplateResult =>
+      html`<button class="icon" aria-label=${say(lang, key)} title=${say(lang, key)} @click=${run}>${icon(name)}</button>`;
+    return html`<div class="keys-row">
+        ${press("first", "first", () => session.seek(0))}${press("back", "back", () => session.move(-1))}
+        ${press(session.isRunning ? "pause" : "play", session.isRunning ? "pause" : "run", () => {
+          session.toggle();
+          this.requestUpdate();
+        })}
+        ${press("next", "next", () => session.move(1))}${press("last", "last", () => session.seek(replay.events))}
+        <select aria-label=${say(lang, "unit")} title=${say(lang, "unit")} @change=${(e: Event) => {
+          session.unit = valueOf(e) as Unit;
+        }}>${UNITS.map((unit) => html`<option value=${unit} ?selected=${unit === session.unit}>${say(lang, `unit.${unit}`)}</option>`)}</select>
+        <select aria-label=${say(lang, "speed")} title=${say(lang, "speed")} @change=${(e: Event) => {
+          session.speed = numberOf(e);
+        }}>${SPEEDS.map((speed) => html`<option value=${speed} ?selected=${speed === session.speed}>${speed}/s</option>`)}</select></div>
+      <input class="slider" type="range" min="0" max=${replay.events} .value=${String(replay.at)} .style=${`--at:${(100 * replay.at) / Math.max(1, replay.events)}%`} aria-label=${say(lang, "position", { step: replay.step + 1, steps: replay.steps })}
+        @input=${(e: Event) => session.seek(numberOf(e))}>
+      <p class="note">${say(lang, "position", { step: replay.step + 1, steps: replay.steps })}</p>
+      <p class="note legend"><i class="ramp"></i>${say(lang, "legend.closed")}<i class="open"></i>${say(lang, "legend.open")}${replay.sides.length > 1 ? html`<i class="back"></i>${say(lang, "legend.back")}` : nothing}</p>`;
+  }
+
+  private breakpoints(session: Session): TemplateResult {
+    const { lang } = this.state,
+      { breaks, replay } = session;
+    const set = (patch: Partial<Breakpoints>): void => {
+      session.breaks = { ...breaks, ...patch };
+      this.requestUpdate();
+    };
+    const cells = [...breaks.cells];
+    return html`<h3>${say(lang, "breaks")}</h3>
+      <div class="rows"><button class="button outline" aria-pressed=${this.picking} @click=${this.pick}>${say(lang, "breaks.cell")}</button>
+        ${cells.map((node) => html`<button class="chip" aria-label=${say(lang, "breaks.remove", { place: placeOf(replay, node) })} @click=${() => set({ cells: new Set(cells.filter((one) => one !== node)) })}>${placeOf(replay, node)} ✕</button>`)}</div>
+      ${this.picking ? html`<p class="note">${say(lang, "breaks.pick")}</p>` : nothing}
+      <label class="check">${say(lang, "breaks.f")}<span class="field"><input inputmode="decimal" .value=${breaks.f === null ? "" : String(breaks.f / 1e6)} @change=${(e: Event) => set({ f: Number.isNaN(numberOf(e)) || valueOf(e) === "" ? null : numberOf(e) * 1e6 })}></span></label>
+      <label class="check"><input type="checkbox" .checked=${breaks.improved} @change=${() => set({ improved: !breaks.improved })}>${say(lang, "breaks.improved")}</label>
+      ${replay.sides.length > 1 ? html`<label class="check"><input type="checkbox" .checked=${breaks.meet} @change=${() => set({ meet: !breaks.meet })}>${say(lang, "breaks.meet")}</label>` : nothing}`;
+  }
+
+  /** The next click on the map chooses a cell. */
+  private readonly pick = (): void => {
+    this.picking = true;
+    const stage = (this.getRootNode() as ShadowRoot).querySelector("parkade-stage");
+    const take = (event: Event): void => {
+      event.preventDefault();
+      event.stopPropagation();
+      this.picking = false;
+      const { hover, scene } = this.state,
+        { session } = this;
+      if (!hover || !session) return;
+      const { origin, resolution, width, height } = scene.map;
+      const x = Math.floor((hover.x - origin[0]) / resolution),
+        y = Math.floor((hover.y - origin[1]) / resolution);
+      if (x < 0 || y < 0 || x >= width || y >= height) return;
+      session.breaks = { ...session.breaks, cells: new Set([...session.breaks.cells, y * width + x]) };
+      this.requestUpdate();
+    };
+    stage?.addEventListener("pointerdown", take, { capture: true, once: true });
+  };
+
+  private foot(session: Session): TemplateResult {
+    const { lang, results } = this.state,
+      { trace } = session.replay,
+      { counters } = trace,
+      stats = results[session.planner]?.plan?.stats;
+    const steps = trace.nodes.length,
+      moves = trace.targets.length;
+    const isEqual =
+      stats &&
+      counters.expanded === stats.expanded &&
+      counters.generated === stats.generated &&
+      counters.pushes === stats.pushes &&
+      counters.openPeak === stats.openPeak;
+    const { expanded, generated, pushes, openPeak: peak } = counters;
+    const name = `${session.planner}-search`;
+    return html`<div class="rows"><button class="button outline" @click=${this.zoom}>${say(lang, "zoom")}</button>
+        <button class="button outline" @click=${() => download(new Blob([traceAsJson(session.planner, trace)], { type: "application/json" }), `${name}.json`)}>${say(lang, "export.json")}</button>
+        <button class="button outline" @click=${() => download(new Blob([traceForPosthoc(trace)], { type: "application/json" }), `${name}.trace.json`)}>${say(lang, "export.posthoc")}</button></div>
+      <p class="note">${say(lang, "size", { steps, moves, mb: this.num((steps * STEP_BYTES + moves * MOVE_BYTES) / 1e6, 1) })}
+      ${trace.cut ? say(lang, "cut", { n: steps }) : isEqual ? say(lang, "equal", { expanded, generated, pushes, peak }) : say(lang, "unequal")}</p>`;
+  }
+
+  /** Shows the node at hand with its costs. */
+  private readonly zoom = (): void => {
+    const { session } = this;
+    if (!session) return;
+    const { step, trace } = session.replay;
+    const scale = ZOOMED_PX / this.state.scene.map.resolution;
+    this.app.store.set({ camera: { ...this.centreOf(trace.nodes[Math.max(0, step)]!), scale: Math.min(400, scale) } });
+  };
+}
+
+const bytesOf = (steps: number): number => steps * (STEP_BYTES + MOVES_A_STEP * MOVE_BYTES);
+
+customElements.define("parkade-debugger", Debugger);
+
+/** Opens the debugger in its playground, or closes it. */
+export function toggleDebugger(app: App, beside: HTMLElement): void {
+  const root = beside.getRootNode() as ShadowRoot;
+  const open = root.querySelector<Debugger>("parkade-debugger");
+  if (open) open.remove();
+  else root.querySelector(".layout-wide, .layout-narrow")?.append(Object.assign(new Debugger(), { app }));
+}

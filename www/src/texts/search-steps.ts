@@ -1,0 +1,184 @@
+/** A recorded search in words: the event, the reasons of moves, the pseudocode and its current line. */
+import { number, type Lang } from "../i18n/index";
+import messages from "../i18n/messages/debugger.json";
+import { words } from "../i18n/words";
+import { FATE, STEP, type FateName, type SearchReplay } from "../planning/search-replay";
+
+export const say = words("debugger", messages);
+type Key = Parameters<typeof say>[1];
+
+/** Micro-cells a cell. */
+const UNIT = 1e6;
+
+/** Costs as people read them: cells. */
+export const cost = (lang: Lang, micro: number): string => number(lang, micro / UNIT, 2);
+
+/** Column and row of a node. */
+export function placeOf({ trace }: SearchReplay, node: number): string {
+  return `(${node % trace.width}, ${Math.floor(node / trace.width)})`;
+}
+
+/** What the last step did, in one sentence; or, of single moves, what the last event did. */
+export function eventLine(lang: Lang, replay: SearchReplay, byMoves: boolean): string {
+  const { step, trace } = replay,
+    move = moveShown(replay, byMoves);
+  if (step < 0) return say(lang, "begin");
+  const place = placeOf(replay, trace.nodes[step]!);
+  const side = replay.sides.length > 1 ? `${say(lang, replay.sideOf(step) === 1 ? "side.1" : "side.0")} · ` : "";
+  if (move >= 0) return `${side}${place} → ${placeOf(replay, trace.targets[move]!)}: ${fateText(lang, replay, move)}`;
+  const values = {
+    place,
+    f: cost(lang, trace.f[step]!),
+    g: cost(lang, trace.g[step]!),
+    h: cost(lang, trace.h[step]!),
+  };
+  switch (replay.kindOf(step)) {
+    case STEP.deferred:
+      return side + say(lang, "deferred", values);
+    case STEP.rejected:
+      return side + say(lang, "rejected", values);
+    case STEP.goal:
+      return side + say(lang, "goal", values);
+    case STEP.meet:
+      return side + say(lang, "meet", values);
+    default:
+      return side + say(lang, "expand", { ...values, why: whyOf(lang, replay, step) });
+  }
+}
+
+/** The move that is looked at; -1 where the step as a whole is. */
+const moveShown = (replay: SearchReplay, byMoves: boolean): number =>
+  byMoves || replay.at < replay.endOf(replay.step) ? replay.move : -1;
+
+/** Why a step took its entry and no other. */
+export function whyOf(lang: Lang, replay: SearchReplay, step: number): string {
+  const { byF, byH } = replay.ties(step);
+  if (byF === 0) return say(lang, "why.only");
+  return byH === 0 ? say(lang, "why.h", { n: byF }) : say(lang, "why.age", { n: byF, m: byH });
+}
+
+/** What became of a move, and by what. */
+export function fateText(lang: Lang, replay: SearchReplay, move: number): string {
+  const fate = replay.fateOf(move),
+    { trace } = replay;
+  const target = trace.targets[move]!;
+  if (fate === "requeued")
+    return say(lang, "fate.requeued", {
+      f: cost(lang, trace.targetG[move]! + trace.targetH[move]! + trace.penalty),
+    });
+  if (fate === "improved" || fate === "dearer") {
+    const before =
+      fate === "improved" ? replay.costBefore(move) : replay.known(replay.sideOf(replay.stepOfMove(move)), target)?.g;
+    return say(lang, `fate.${fate}`, { g: before === undefined || before === null ? "–" : cost(lang, before) });
+  }
+  return say(lang, `fate.${fate}`);
+}
+
+/** A line of pseudocode: its words, its indent, and whether it is the one that the last event stands for. */
+export interface CodeLine {
+  text: string;
+  indent: number;
+  current: boolean;
+}
+
+type Role = "init" | "while" | "pop" | "goal" | "meet" | "bound" | "close" | "each" | "end" | "deferred" | FateLine;
+type FateLine = "blocked" | "leftOut" | "closed" | "dearer" | "push" | "hold";
+
+const LINE_OF: Record<FateName, FateLine> = {
+  kept: "push",
+  improved: "push",
+  dearer: "dearer",
+  closed: "closed",
+  blocked: "blocked",
+  corner: "blocked",
+  heldBack: "hold",
+  requeued: "hold",
+  leftOut: "leftOut",
+};
+
+/** The search as it is written down, with the line of the last event marked. */
+export function pseudocode(lang: Lang, replay: SearchReplay, byMoves: boolean): CodeLine[] {
+  const shape = shapeOf(replay),
+    now = roleNow(replay, byMoves);
+  return linesOf(shape).map(([role, indent, key]) => ({ text: say(lang, key), indent, current: role === now }));
+}
+
+interface Shape {
+  both: boolean;
+  bounds: boolean;
+  holds: boolean;
+  jumps: boolean;
+  leaves: boolean;
+}
+
+const shapes = new WeakMap<SearchReplay["trace"], Shape>();
+
+/** The kind of search, told from what it did. */
+function shapeOf({ trace, sides }: SearchReplay): Shape {
+  let shape = shapes.get(trace);
+  if (!shape) {
+    const has = (fate: number): boolean => trace.fates.some((one) => (one & 15) === fate);
+    shape = {
+      both: sides.length > 1,
+      bounds: trace.kinds.some((kind) => (kind & 15) === STEP.rejected),
+      holds: has(FATE.heldBack) || has(FATE.requeued),
+      jumps: isJumping(trace),
+      leaves: has(FATE.leftOut),
+    };
+    shapes.set(trace, shape);
+  }
+  return shape;
+}
+
+/** True if some move leads farther than any neighbourhood has neighbours. */
+function isJumping({ width, nodes, targets, first }: SearchReplay["trace"]): boolean {
+  for (let step = 0; step < nodes.length; step++) {
+    const x = nodes[step]! % width,
+      y = (nodes[step]! - x) / width;
+    for (let move = first[step]!; move < first[step + 1]!; move++) {
+      const column = targets[move]! % width;
+      if (Math.abs(column - x) > 3 || Math.abs((targets[move]! - column) / width - y) > 3) return true;
+    }
+  }
+  return false;
+}
+
+function linesOf({ both, bounds, holds, jumps, leaves }: Shape): [Role, number, Key][] {
+  const each: Key = jumps ? "code.eachJump" : holds ? "code.eachRisk" : "code.each";
+  const lines: ([Role, number, Key] | false)[] = [
+    ["init", 0, both ? "code.initBoth" : "code.init"],
+    ["while", 0, both ? "code.whileBoth" : "code.while"],
+    ["pop", 1, "code.pop"],
+    holds && ["deferred", 1, "code.deferred"],
+    both && !bounds ? ["meet", 1, "code.meet"] : bounds ? ["bound", 1, "code.bound"] : ["goal", 1, "code.goal"],
+    ["close", 1, "code.close"],
+    ["each", 1, each],
+    !jumps && ["blocked", 2, "code.blocked"],
+    leaves && ["leftOut", 2, "code.leftOut"],
+    ["closed", 2, "code.closed"],
+    ["dearer", 2, "code.dearer"],
+    ["push", 2, "code.push"],
+    holds && ["hold", 1, "code.hold"],
+    ["end", 0, "code.end"],
+  ];
+  return lines.filter((line) => line !== false);
+}
+
+function roleNow(replay: SearchReplay, byMoves: boolean): Role {
+  const { step } = replay,
+    move = moveShown(replay, byMoves);
+  if (step < 0) return "init";
+  if (move >= 0) return LINE_OF[replay.fateOf(move)];
+  switch (replay.kindOf(step)) {
+    case STEP.deferred:
+      return "deferred";
+    case STEP.rejected:
+      return "bound";
+    case STEP.goal:
+      return "goal";
+    case STEP.meet:
+      return "meet";
+    default:
+      return "pop";
+  }
+}
