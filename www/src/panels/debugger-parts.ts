@@ -3,7 +3,7 @@ import { html, nothing, type TemplateResult } from "lit";
 import type { Explanation } from "parkade";
 import type { Lang } from "../i18n/index";
 import type { SearchReplay } from "../planning/search-replay";
-import { cost, fateText, placeOf, pseudocode, say } from "../texts/search-steps";
+import { cost, estimatesAt, fateText, placeOf, pseudocode, say } from "../texts/search-steps";
 import { SIGNS } from "../view/layers/search-marks";
 
 const SHOWN_ENTRIES = 12;
@@ -69,6 +69,25 @@ export function variables(lang: Lang, replay: SearchReplay): TemplateResult | ty
     rows.push(["m", placeOf(replay, trace.targets[move]!)], ["g(n) + c", cost(lang, trace.targetG[move]!)]);
   rows.push(["|open|", replay.sides.map(({ open }) => open.length).join(" + ")]);
   return html`<dl aria-label=${say(lang, "vars")}>${rows.map(([name, value]) => html`<div><dt>${name}</dt><dd>${value}</dd></div>`)}</dl>`;
+}
+
+/** What the heuristics say at the node at hand, and which say too much for these moves. */
+export function estimatesCard(
+  lang: Lang,
+  replay: SearchReplay,
+  goal: { x: number; y: number },
+): TemplateResult | typeof nothing {
+  const { step, trace } = replay,
+    node = step < 0 ? -1 : trace.nodes[step]!,
+    found = step < 0 ? null : estimatesAt(replay, node, goal);
+  if (!found) return nothing;
+  const names = Object.keys(found.all) as (keyof typeof found.all)[];
+  // Rounding down to whole micro-cells is no overestimate.
+  const over = names.filter((name) => found.all[name] > found.least + 1);
+  const list = over.map((name) => say(lang, `estimates.${name}`)).join(", ");
+  return html`<section><h3>${say(lang, "estimates", { place: placeOf(replay, node) })}</h3>
+    <dl>${names.map((name) => html`<div class=${over.includes(name) ? "over" : ""}><dt>${say(lang, `estimates.${name}`)}</dt><dd>${cost(lang, found.all[name])}</dd></div>`)}</dl>
+    <p class="note">${say(lang, "estimates.least", { g: cost(lang, found.least) })} ${over.length > 0 ? say(lang, "estimates.over", { names: list }) : say(lang, "estimates.under")}</p></section>`;
 }
 
 /** The risk field in the terms of its tables. */

@@ -42,6 +42,7 @@ export const debuggerStyles = css`
   .code li.now { background: var(--parkade-accent-soft); color: var(--parkade-accent); font-weight: 600; }
   dl { display: flex; flex-wrap: wrap; gap: 2px 14px; margin: 8px 0 0; font-size: 12px; line-height: 16px; }
   dl div { display: flex; gap: 5px; } dt { color: var(--parkade-t3); } dd { margin: 0; font-weight: 500; }
+  dl .over dd { color: var(--parkade-err); } dl + .note { margin-top: 4px; }
   .rows { display: flex; flex-wrap: wrap; gap: 6px; margin-bottom: 6px; }
   .button[aria-pressed="true"] { background: var(--parkade-accent-soft); color: var(--parkade-accent); }
   .check { display: flex; align-items: center; gap: 8px; min-height: 28px; }

@@ -5,6 +5,7 @@ import { Helper } from "../planning/job-client";
 import { STEP } from "../planning/search-replay";
 import { traceAsJson, traceForPosthoc } from "../planning/trace-export";
 import { forPlanners } from "../scene/large-scene";
+import { resolve } from "../scene/model";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { icon, marker, type IconName } from "../styles/icons";
@@ -15,7 +16,7 @@ import { SearchStepsLayer } from "../view/layers/search-steps";
 import type { Frame } from "../view/frame";
 import { AppElement } from "./base";
 import "./debugger-arcs";
-import { code, fieldCard, movesTable, openTable, variables } from "./debugger-parts";
+import { code, estimatesCard, fieldCard, movesTable, openTable, variables } from "./debugger-parts";
 import { Session, SPEEDS, UNITS, type Breakpoints, type Unit } from "./debugger-session";
 import { debuggerStyles } from "./debugger-styles";
 import { numberOf, valueOf } from "./inputs";
@@ -201,6 +202,13 @@ export class Debugger extends AppElement {
     this.show();
   }
 
+  private goalCell(): { x: number; y: number } {
+    const { scene } = this.state,
+      { origin, resolution } = scene.map,
+      { goal } = resolve(scene);
+    return { x: Math.floor((goal.x - origin[0]) / resolution), y: Math.floor((goal.y - origin[1]) / resolution) };
+  }
+
   private centreOf(node: number): { x: number; y: number } {
     const { origin, resolution, width } = this.state.scene.map;
     return {
@@ -232,6 +240,7 @@ export class Debugger extends AppElement {
       <section>${movesTable(lang, replay)}</section>
       <section>${code(lang, replay, session.unit === "move")}${variables(lang, replay)}</section>
       <section>${replay.sides.map((_, side) => openTable(lang, replay, side))}</section>
+      ${estimatesCard(lang, replay, this.goalCell())}
       <section>${this.breakpoints(session)}</section>
       <section class="foot">${this.foot(session)}</section>`;
   }

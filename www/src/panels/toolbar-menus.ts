@@ -51,6 +51,7 @@ export function exports(bar: Toolbar): TemplateResult {
     ${item(bar, "open", "bar.open", () => bar.app.ask("open"))}
     ${item(bar, "image", "bar.png", () => bar.app.ask("png", 1))}
     ${item(bar, "image", "bar.png2", () => bar.app.ask("png", 2))}
+    ${item(bar, "play", "bar.movie", () => void app.fetchPart(async () => (await import("./movie")).openMovie(app, bar)))}
     ${item(bar, "image", "bar.svg", () => void saveAs(app, "svg"))}
     ${item(bar, "file", "bar.sheet", () => void app.fetchPart(async () => (await import("./sheet-dialog")).openSheet(app, bar)))}
     ${item(bar, "moving", "bar.csv", () => void saveAs(app, "csv"))}

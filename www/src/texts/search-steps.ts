@@ -74,6 +74,54 @@ export function fateText(lang: Lang, replay: SearchReplay, move: number): string
   return say(lang, `fate.${fate}`);
 }
 
+/** Estimates of the cost from a node to the goal, micro-cells, and the least cost with the search's moves over an empty map. */
+export interface Estimates {
+  least: number;
+  all: Record<"manhattan" | "octile" | "euclid" | "chebyshev", number>;
+}
+
+const DIAGONAL = 1_414_214;
+
+/** Null where the moves are not those of four or eight neighbours. */
+export function estimatesAt(replay: SearchReplay, node: number, goal: { x: number; y: number }): Estimates | null {
+  const reach = reachOf(replay.trace),
+    { width } = replay.trace;
+  if (reach === "more") return null;
+  const dx = Math.abs((node % width) - goal.x),
+    dy = Math.abs(Math.floor(node / width) - goal.y);
+  const far = Math.max(dx, dy),
+    near = Math.min(dx, dy);
+  const all = {
+    manhattan: UNIT * (dx + dy),
+    octile: UNIT * (far - near) + DIAGONAL * near,
+    euclid: UNIT * Math.hypot(dx, dy),
+    chebyshev: UNIT * far,
+  };
+  return { least: reach === "four" ? all.manhattan : all.octile, all };
+}
+
+const reaches = new WeakMap<SearchReplay["trace"], "four" | "eight" | "more">();
+
+/** The neighbourhood of a search, told from its moves. */
+function reachOf(trace: SearchReplay["trace"]): "four" | "eight" | "more" {
+  let reach = reaches.get(trace);
+  if (reach) return reach;
+  const { width, nodes, targets, first } = trace;
+  reach = "four";
+  for (let step = 0; step < nodes.length && reach !== "more"; step++) {
+    const x = nodes[step]! % width;
+    for (let move = first[step]!; move < first[step + 1]!; move++) {
+      const column = targets[move]! % width;
+      const dx = Math.abs(column - x),
+        dy = Math.abs((targets[move]! - column - nodes[step]! + x) / width);
+      if (dx > 1 || dy > 1) reach = "more";
+      else if (dx + dy === 2 && reach === "four") reach = "eight";
+    }
+  }
+  reaches.set(trace, reach);
+  return reach;
+}
+
 /** A line of pseudocode: its words, its indent, and whether it is the one that the last event stands for. */
 export interface CodeLine {
   text: string;
