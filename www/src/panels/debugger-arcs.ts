@@ -79,7 +79,7 @@ export class ArcDebugger extends AppElement {
     });
   }
 
-  private move(sign: 1 | -1): void {
+  move(sign: 1 | -1): void {
     this.go(this.unit === "step" || !this.walk ? this.step + sign : this.walk.nextFailure(this.step, sign));
   }
 

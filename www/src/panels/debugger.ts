@@ -15,6 +15,7 @@ import { drawExplained } from "../view/layers/explained";
 import { SearchStepsLayer } from "../view/layers/search-steps";
 import type { Frame } from "../view/frame";
 import { AppElement } from "./base";
+import type { ArcDebugger } from "./debugger-arcs";
 import "./debugger-arcs";
 import { code, estimatesCard, fieldCard, movesTable, openTable, variables } from "./debugger-parts";
 import { Session, SPEEDS, UNITS, type Breakpoints, type Unit } from "./debugger-session";
@@ -48,6 +49,8 @@ export class Debugger extends AppElement {
   declare field: Explanation | null;
   /** Steps of a long search that is recorded once somebody says so. */
   declare asked: number | null;
+  /** Events that are done when the first recording is there. */
+  opensAt = 0;
   /** True if the planner searches poses of a car: another element shows its tree. */
   private hasArcs = false;
   private helper: Helper | null = null;
@@ -128,6 +131,17 @@ export class Debugger extends AppElement {
     this.app.store.set({ searchSteps: null });
   }
 
+  /** Events done; null where nothing is walked through. */
+  get position(): number | null {
+    return this.session?.replay.at ?? null;
+  }
+
+  /** One unit on, or back, as presenters' keys ask. */
+  move(sign: 1 | -1): void {
+    this.session?.move(sign);
+    this.renderRoot.querySelector<ArcDebugger>("parkade-arc-debugger")?.move(sign);
+  }
+
   /** Records the search at once where it is short. */
   private async begin(): Promise<void> {
     this.trouble = "";
@@ -163,6 +177,8 @@ export class Debugger extends AppElement {
   private take(planner: PlannerId, trace: SearchTrace): void {
     this.session = new Session(planner, trace, this.moved);
     this.layer = new SearchStepsLayer(this.session.replay);
+    this.session.replay.seek(this.opensAt);
+    this.opensAt = 0;
     this.moved();
   }
 
@@ -347,10 +363,10 @@ const bytesOf = (steps: number): number => steps * (STEP_BYTES + MOVES_A_STEP * 
 
 customElements.define("parkade-debugger", Debugger);
 
-/** Opens the debugger in its playground, or closes it. */
-export function toggleDebugger(app: App, beside: HTMLElement): void {
+/** Opens the debugger in its playground after so many events, or closes it. */
+export function toggleDebugger(app: App, beside: HTMLElement, at = 0): void {
   const root = beside.getRootNode() as ShadowRoot;
   const open = root.querySelector<Debugger>("parkade-debugger");
   if (open) open.remove();
-  else root.querySelector(".layout-wide, .layout-narrow")?.append(Object.assign(new Debugger(), { app }));
+  else root.querySelector(".layout-wide, .layout-narrow")?.append(Object.assign(new Debugger(), { app, opensAt: at }));
 }

@@ -59,6 +59,7 @@ export function exports(bar: Toolbar): TemplateResult {
     <hr>${item(bar, "share", "bar.copyEmbed", () => void copySnippet(app, "embed"))}
     ${item(bar, "share", "bar.copyMarkdown", () => void copySnippet(app, "markdown"))}
     ${item(bar, "share", "bar.copyTest", () => void copySnippet(app, "test"))}
+    ${item(bar, "share", "bar.task", () => void app.fetchPart(async () => (await import("./task")).openTaskDialog(app, bar)))}
     <hr>${command(bar, "papers")}
     ${item(bar, "undo", "bar.reset", () => app.reset())}`;
 }
