@@ -1,3 +1,4 @@
+/// <reference path="./gifenc.d.ts" />
 /** Moving pictures of canvases: GIF, and WebM or MP4 where the browser encodes video. */
 import { applyPalette, GIFEncoder, quantize } from "gifenc";
 
