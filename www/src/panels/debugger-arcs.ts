@@ -113,7 +113,7 @@ export class ArcDebugger extends AppElement {
         ${press("next", "next", () => this.move(1))}${press("last", "last", () => this.go(walk.steps - 1))}
         <select aria-label=${say(lang, "unit")} title=${say(lang, "unit")} @change=${(e: Event) => {
           this.unit = valueOf(e) as "step" | "failure";
-        }}>${(["step", "failure"] as const).map((unit) => html`<option value=${unit} ?selected=${unit === this.unit}>${say(lang, `unit.${unit}`)}</option>`)}</select></div>
+        }}>${(["step", "failure"] as const).map((unit) => html`<option value=${unit} ?selected=${unit === this.unit}>${say(lang, unit === "step" ? "unit.step" : "unit.failure")}</option>`)}</select></div>
       <input class="slider" type="range" min="0" max=${walk.steps - 1} .value=${String(step)} .style=${`--at:${(100 * step) / Math.max(1, walk.steps - 1)}%`} aria-label=${say(lang, "position", at)} @input=${(e: Event) => this.go(numberOf(e))}>
       <p class="note">${say(lang, "position", at)}</p></section>
       <section class="event"><p aria-live="polite">${this.sentence(walk)}</p></section>

@@ -71,6 +71,13 @@ export function variables(lang: Lang, replay: SearchReplay): TemplateResult | ty
   return html`<dl aria-label=${say(lang, "vars")}>${rows.map(([name, value]) => html`<div><dt>${name}</dt><dd>${value}</dd></div>`)}</dl>`;
 }
 
+const ESTIMATES = {
+  manhattan: "estimates.manhattan",
+  octile: "estimates.octile",
+  euclid: "estimates.euclid",
+  chebyshev: "estimates.chebyshev",
+} as const;
+
 /** What the heuristics say at the node at hand, and which say too much for these moves. */
 export function estimatesCard(
   lang: Lang,
@@ -84,9 +91,9 @@ export function estimatesCard(
   const names = Object.keys(found.all) as (keyof typeof found.all)[];
   // Rounding down to whole micro-cells is no overestimate.
   const over = names.filter((name) => found.all[name] > found.least + 1);
-  const list = over.map((name) => say(lang, `estimates.${name}`)).join(", ");
+  const list = over.map((name) => say(lang, ESTIMATES[name])).join(", ");
   return html`<section><h3>${say(lang, "estimates", { place: placeOf(replay, node) })}</h3>
-    <dl>${names.map((name) => html`<div class=${over.includes(name) ? "over" : ""}><dt>${say(lang, `estimates.${name}`)}</dt><dd>${cost(lang, found.all[name])}</dd></div>`)}</dl>
+    <dl>${names.map((name) => html`<div class=${over.includes(name) ? "over" : ""}><dt>${say(lang, ESTIMATES[name])}</dt><dd>${cost(lang, found.all[name])}</dd></div>`)}</dl>
     <p class="note">${say(lang, "estimates.least", { g: cost(lang, found.least) })} ${over.length > 0 ? say(lang, "estimates.over", { names: list }) : say(lang, "estimates.under")}</p></section>`;
 }
 

@@ -32,6 +32,15 @@ const LIMIT = 100_000;
 const REST_MS = 80;
 const ZOOMED_PX = 84;
 
+const UNIT_KEYS = {
+  step: "unit.step",
+  move: "unit.move",
+  improved: "unit.improved",
+  tie: "unit.tie",
+  refused: "unit.refused",
+  held: "unit.held",
+} as const;
+
 /** The search debugger: walks through a planner's search beside its map. */
 export class Debugger extends AppElement {
   static override properties = {
@@ -279,7 +288,7 @@ export class Debugger extends AppElement {
         ${press("next", "next", () => session.move(1))}${press("last", "last", () => session.seek(replay.events))}
         <select aria-label=${say(lang, "unit")} title=${say(lang, "unit")} @change=${(e: Event) => {
           session.unit = valueOf(e) as Unit;
-        }}>${UNITS.map((unit) => html`<option value=${unit} ?selected=${unit === session.unit}>${say(lang, `unit.${unit}`)}</option>`)}</select>
+        }}>${UNITS.map((unit) => html`<option value=${unit} ?selected=${unit === session.unit}>${say(lang, UNIT_KEYS[unit])}</option>`)}</select>
         <select aria-label=${say(lang, "speed")} title=${say(lang, "speed")} @change=${(e: Event) => {
           session.speed = numberOf(e);
         }}>${SPEEDS.map((speed) => html`<option value=${speed} ?selected=${speed === session.speed}>${speed}/s</option>`)}</select></div>

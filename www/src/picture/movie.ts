@@ -23,19 +23,17 @@ const COLOURS = 255;
 /** Work between two breaths of the page, milliseconds. */
 const SLICE_MS = 24;
 
-const CODECS = { webm: ["vp9", "vp8"], mp4: ["avc", "vp9"] } as const;
-
 /** Encodes a movie; `tell` is given the share that is done and returns whether to go on. Null where it was stopped. */
 export async function encode(movie: Movie, tell: (done: number) => boolean): Promise<Blob | null> {
-  return movie.format === "gif" ? encodeGif(movie, tell) : encodeVideo(movie, movie.format, tell);
+  if (movie.format === "gif") return encodeGif(movie, tell);
+  return (await import("./movie-video")).encodeVideo(movie, movie.format, canvasOf(movie)[0], tell);
 }
 
 /** True if this browser encodes the format. */
 export async function canEncode(format: Format): Promise<boolean> {
   if (format === "gif") return true;
   if (typeof VideoEncoder === "undefined") return false;
-  const { getFirstEncodableVideoCodec } = await import("mediabunny");
-  return (await getFirstEncodableVideoCodec([...CODECS[format]])) !== null;
+  return (await import("./movie-video")).canEncodeVideo(format);
 }
 
 function canvasOf({ width, height }: Movie): [HTMLCanvasElement, CanvasRenderingContext2D] {
@@ -98,39 +96,4 @@ function without(indices: Uint8Array, before: Uint8Array, same: number): Uint8Ar
   const shown = new Uint8Array(indices.length);
   for (let p = 0; p < indices.length; p++) shown[p] = indices[p] === before[p] ? same : indices[p]!;
   return shown;
-}
-
-async function encodeVideo(
-  movie: Movie,
-  format: "webm" | "mp4",
-  tell: (done: number) => boolean,
-): Promise<Blob | null> {
-  const {
-    BufferTarget,
-    CanvasSource,
-    getFirstEncodableVideoCodec,
-    Mp4OutputFormat,
-    Output,
-    QUALITY_HIGH,
-    WebMOutputFormat,
-  } = await import("mediabunny");
-  const { width, height, frames, rate } = movie,
-    [canvas] = canvasOf(movie);
-  const codec = await getFirstEncodableVideoCodec([...CODECS[format]], { width, height });
-  if (!codec) throw new Error("This browser encodes no such video.");
-  const target = new BufferTarget();
-  const output = new Output({ format: format === "mp4" ? new Mp4OutputFormat() : new WebMOutputFormat(), target });
-  const source = new CanvasSource(canvas, { codec, bitrate: QUALITY_HIGH });
-  output.addVideoTrack(source, { frameRate: rate });
-  await output.start();
-  for (let i = 0; i < frames; i++) {
-    movie.draw(canvas, i);
-    await source.add(i / rate, 1 / rate);
-    if (!tell(i / frames)) {
-      await output.cancel();
-      return null;
-    }
-  }
-  await output.finalize();
-  return new Blob([target.buffer!], { type: format === "mp4" ? "video/mp4" : "video/webm" });
 }

@@ -57,6 +57,18 @@ export function whyOf(lang: Lang, replay: SearchReplay, step: number): string {
   return byH === 0 ? say(lang, "why.h", { n: byF }) : say(lang, "why.age", { n: byF, m: byH });
 }
 
+const FATE_KEYS: Record<FateName, Key> = {
+  kept: "fate.kept",
+  improved: "fate.improved",
+  dearer: "fate.dearer",
+  closed: "fate.closed",
+  blocked: "fate.blocked",
+  corner: "fate.corner",
+  heldBack: "fate.heldBack",
+  requeued: "fate.requeued",
+  leftOut: "fate.leftOut",
+};
+
 /** What became of a move, and by what. */
 export function fateText(lang: Lang, replay: SearchReplay, move: number): string {
   const fate = replay.fateOf(move),
@@ -69,9 +81,9 @@ export function fateText(lang: Lang, replay: SearchReplay, move: number): string
   if (fate === "improved" || fate === "dearer") {
     const before =
       fate === "improved" ? replay.costBefore(move) : replay.known(replay.sideOf(replay.stepOfMove(move)), target)?.g;
-    return say(lang, `fate.${fate}`, { g: before === undefined || before === null ? "–" : cost(lang, before) });
+    return say(lang, FATE_KEYS[fate], { g: before === undefined || before === null ? "–" : cost(lang, before) });
   }
-  return say(lang, `fate.${fate}`);
+  return say(lang, FATE_KEYS[fate]);
 }
 
 /** Estimates of the cost from a node to the goal, micro-cells, and the least cost with the search's moves over an empty map. */
@@ -86,7 +98,7 @@ const DIAGONAL = 1_414_214;
 export function estimatesAt(replay: SearchReplay, node: number, goal: { x: number; y: number }): Estimates | null {
   const reach = reachOf(replay.trace),
     { width } = replay.trace;
-  if (reach === "more") return null;
+  if (reach === 0) return null;
   const dx = Math.abs((node % width) - goal.x),
     dy = Math.abs(Math.floor(node / width) - goal.y);
   const far = Math.max(dx, dy),
@@ -97,25 +109,25 @@ export function estimatesAt(replay: SearchReplay, node: number, goal: { x: numbe
     euclid: UNIT * Math.hypot(dx, dy),
     chebyshev: UNIT * far,
   };
-  return { least: reach === "four" ? all.manhattan : all.octile, all };
+  return { least: reach === 4 ? all.manhattan : all.octile, all };
 }
 
-const reaches = new WeakMap<SearchReplay["trace"], "four" | "eight" | "more">();
+const reaches = new WeakMap<SearchReplay["trace"], 0 | 4 | 8>();
 
-/** The neighbourhood of a search, told from its moves. */
-function reachOf(trace: SearchReplay["trace"]): "four" | "eight" | "more" {
+/** How many neighbours a search has, told from its moves; 0 for more than eight. */
+function reachOf(trace: SearchReplay["trace"]): 0 | 4 | 8 {
   let reach = reaches.get(trace);
-  if (reach) return reach;
+  if (reach !== undefined) return reach;
   const { width, nodes, targets, first } = trace;
-  reach = "four";
-  for (let step = 0; step < nodes.length && reach !== "more"; step++) {
+  reach = 4;
+  for (let step = 0; step < nodes.length && reach !== 0; step++) {
     const x = nodes[step]! % width;
     for (let move = first[step]!; move < first[step + 1]!; move++) {
       const column = targets[move]! % width;
       const dx = Math.abs(column - x),
         dy = Math.abs((targets[move]! - column - nodes[step]! + x) / width);
-      if (dx > 1 || dy > 1) reach = "more";
-      else if (dx + dy === 2 && reach === "four") reach = "eight";
+      if (dx > 1 || dy > 1) reach = 0;
+      else if (dx + dy === 2 && reach === 4) reach = 8;
     }
   }
   reaches.set(trace, reach);
@@ -170,7 +182,7 @@ function shapeOf({ trace, sides }: SearchReplay): Shape {
       both: sides.length > 1,
       bounds: trace.kinds.some((kind) => (kind & 15) === STEP.rejected),
       holds: has(FATE.heldBack) || has(FATE.requeued),
-      jumps: isJumping(trace),
+      jumps: !has(FATE.blocked) && !has(FATE.corner) && isJumping(trace),
       leaves: has(FATE.leftOut),
     };
     shapes.set(trace, shape);

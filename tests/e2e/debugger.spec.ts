@@ -1,0 +1,93 @@
+import { AxeBuilder } from "@axe-core/playwright";
+import { expect, test, type Page } from "@playwright/test";
+import { complaintsOf, open, type PlaygroundElement } from "./playground.js";
+
+test.use({ viewport: { width: 1400, height: 900 } });
+
+async function openDebugger(page: Page, focus: string): Promise<void> {
+  await open(page);
+  await page.evaluate(
+    (id) => document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ focus: id }),
+    focus,
+  );
+  await page.getByRole("button", { name: "Layers" }).click();
+  await page.getByRole("button", { name: "Search debugger" }).click();
+}
+
+const violations = async (page: Page): Promise<string[]> => {
+  const found = await new AxeBuilder({ page })
+    .withTags(["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"])
+    .analyze();
+  return found.violations.map((one) => `${one.id}: ${one.nodes.map((node) => node.target.join(" ")).join("; ")}`);
+};
+
+test("a search is walked forward and back, with reasons, and ends as it began", async ({ page }) => {
+  const complaints = complaintsOf(page);
+  await openDebugger(page, "eight");
+  const panel = page.locator("parkade-debugger"),
+    event = panel.locator(".event");
+  await expect(event).toContainText("Nothing is expanded yet");
+  const next = panel.getByRole("button", { name: "Step", exact: true });
+  await next.click();
+  await expect(event).toContainText(/Expand \(\d+, \d+\): f [\d.]+ = g 0\.00 \+ h [\d.]+/);
+  await expect(panel.getByText("new: into the open list").first()).toBeVisible();
+  await expect(panel.locator(".code .now")).toHaveCount(1);
+  for (let i = 0; i < 5; i++) await next.click();
+  await expect(panel.getByText("closed: already expanded").first()).toBeVisible();
+  await expect(panel.getByText("Counters equal the planner's")).toBeVisible();
+  expect(await violations(page)).toEqual([]);
+  for (let i = 0; i < 6; i++) await panel.getByRole("button", { name: "Back" }).click();
+  await expect(event).toContainText("Nothing is expanded yet");
+  await panel.getByRole("button", { name: "Close the debugger" }).click();
+  await expect(panel).toHaveCount(0);
+  expect(complaints).toEqual([]);
+});
+
+test("a run stops where a node is improved, and a planner of cars shows its connections", async ({ page }) => {
+  await openDebugger(page, "eight");
+  const panel = page.locator("parkade-debugger");
+  await panel.getByLabel("when a node is improved").check();
+  await panel.getByRole("button", { name: "Run" }).click();
+  await expect(panel.locator(".event")).toContainText("Stopped at a breakpoint.");
+  await expect(panel.getByText("improved: was").first()).toBeVisible();
+  await page.evaluate(() =>
+    document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ focus: "hybrid" }),
+  );
+  await expect(panel.getByText("Expand the root")).toBeVisible();
+  await panel.getByLabel("Step by").selectOption("failure");
+  await panel.getByRole("button", { name: "Step", exact: true }).click();
+  await expect(panel.getByText(/The cheapest curve to the other end hits .+ after/)).toBeVisible();
+  expect(await violations(page)).toEqual([]);
+});
+
+test("the search is saved as a GIF", async ({ page }) => {
+  await open(page);
+  await page.getByRole("button", { name: "Export" }).click();
+  await page.getByRole("button", { name: "Moving picture" }).click();
+  const dialog = page.locator("parkade-movie dialog");
+  await dialog.getByLabel("Duration, s").fill("1");
+  await dialog.getByLabel("Width, px").selectOption("480");
+  expect(await violations(page)).toEqual([]);
+  const [file] = await Promise.all([
+    page.waitForEvent("download"),
+    dialog.getByRole("button", { name: "Save" }).click(),
+  ]);
+  expect(file.suggestedFilename()).toBe("parkade-drive.gif");
+  await expect(dialog.getByRole("status")).toContainText("Saved:");
+});
+
+test("a task's link opens its scene with hidden answers and the debugger at its step", async ({ page }) => {
+  await open(page);
+  await page.evaluate(() =>
+    document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ focus: "eight", mode: "focus" }),
+  );
+  const task = Buffer.from(JSON.stringify(["Which cell comes next?", 1, 20, 1])).toString("base64url");
+  const link = await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.shareURL());
+  await page.goto("about:blank");
+  await page.goto(`${link}&t=${task}`);
+  const card = page.locator("parkade-task");
+  await expect(card).toContainText("Which cell comes next?");
+  await expect(page.locator("parkade-debugger")).toHaveCount(1);
+  await card.getByRole("button", { name: "Show the answers" }).click();
+  await expect(card.getByRole("button", { name: "Show the answers" })).toHaveCount(0);
+});
