@@ -68,6 +68,7 @@ export default defineConfig({
               { text: "Check every bay", link: "/audit" },
               { text: "Python", link: "/python" },
               { text: "Many machines", link: "/machines" },
+              { text: "Where it is tested", link: "/consumers" },
             ],
           },
           {

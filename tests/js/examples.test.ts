@@ -4,9 +4,10 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { generateScenario, init } from "parkade";
-import { installed, parkade } from "./pack";
+import { PACKAGE, installed, parkade } from "./pack";
 
 const EXAMPLES = fileURLToPath(new URL("../../examples/", import.meta.url));
+const VERSION = (JSON.parse(readFileSync(join(PACKAGE, "package.json"), "utf8")) as { version: string }).version;
 let folder = "";
 let path = "";
 
@@ -22,7 +23,7 @@ beforeAll(async () => {
   // What `npx` would start, and a machine with the package has.
   mkdirSync(join(folder, "bin"));
   for (const [name, skip] of [
-    ["npx", "shift; "],
+    ["npx", `[ "$1 $2" = "--yes parkade@${VERSION}" ] || exit 9; shift 2; `],
     ["parkade", ""],
   ] as const) {
     writeFileSync(
@@ -68,9 +69,16 @@ test.skipIf(process.platform === "win32")(
     for (const at of ["1", "2", "3"]) {
       execFileSync("sh", [join(EXAMPLES, "cluster/array.sh"), "scenes"], {
         cwd: folder,
-        env: { ...env, PLANNER: "eight", SLURM_ARRAY_TASK_ID: at, SLURM_ARRAY_TASK_COUNT: "3" },
+        env: { ...env, PLANNER: "eight", SHARDS: "3", SLURM_ARRAY_TASK_ID: at },
       });
     }
+    expect(digestOf("results-1.jsonl", "results-2.jsonl", "results-3.jsonl")).toBe(whole);
+    // One task again, alone, as after a failure of its machine.
+    rmSync(join(folder, "results-2.jsonl"));
+    execFileSync("sh", [join(EXAMPLES, "cluster/array.sh"), "scenes"], {
+      cwd: folder,
+      env: { ...env, PLANNER: "eight", SHARDS: "3", SLURM_ARRAY_TASK_ID: "2", SLURM_ARRAY_TASK_COUNT: "1" },
+    });
     expect(digestOf("results-1.jsonl", "results-2.jsonl", "results-3.jsonl")).toBe(whole);
     const job = readFileSync(join(EXAMPLES, "cluster/job.yaml"), "utf8");
     const [, script] = /command: \["sh", "-c", "(.*)"\]/.exec(job)!,
@@ -90,8 +98,28 @@ test.skipIf(process.platform === "win32")(
   120_000,
 );
 
+test.skipIf(process.platform === "win32")(
+  "a scene that is refused fails no task of a cluster, and a folder that is not there does",
+  () => {
+    mkdirSync(join(folder, "some"));
+    writeFileSync(join(folder, "some/bad.json"), "{}");
+    writeFileSync(join(folder, "some/good.json"), readFileSync(join(folder, "scenes/0.json")));
+    const run = (scenes: string): number => {
+      const env = { ...process.env, PATH: path, PLANNER: "eight", SHARDS: "1", SLURM_ARRAY_TASK_ID: "1" };
+      try {
+        execFileSync("sh", [join(EXAMPLES, "cluster/array.sh"), scenes], { cwd: folder, env, stdio: "pipe" });
+        return 0;
+      } catch (error) {
+        return (error as { status: number }).status;
+      }
+    };
+    expect(run("some")).toBe(0);
+    expect(run("nowhere")).not.toBe(0);
+  },
+);
+
 test("the CI matrix names the command's options as it has them", () => {
   const help = parkade(["batch", "--help"], folder).out,
     text = readFileSync(join(EXAMPLES, "cluster/matrix.yml"), "utf8");
-  for (const [option] of text.matchAll(/--[a-z]+/g)) expect(help).toContain(option);
+  for (const [option] of text.replaceAll("npx --yes", "npx").matchAll(/--[a-z]+/g)) expect(help).toContain(option);
 });

@@ -56,6 +56,8 @@ const TO_TEXT: &str = "const { readFileSync, writeFileSync } = require('node:fs'
 const SITE_PLAN_TYPES: &str = "siteplan.d.ts";
 /// The folder of the command `parkade`.
 const COMMAND: &str = "cli";
+/// Types of the element, whose script is the page's.
+const ELEMENT_TYPES: &str = "element.d.ts";
 /// The package's planners in workers.
 const WORKER: &str = "worker";
 const PACKAGE_PAPERS: &[&str] = &["README.md", "CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE"];
@@ -180,6 +182,7 @@ fn bind(compiled: &Path, package: &Path) -> Result<()> {
 /// Derives the settings' types from each module's registry, into the sources, and copies all types; `require` needs its
 /// own.
 fn write_types(sources: &Path, package: &Path) -> Result<()> {
+    copy(&sources.join(ELEMENT_TYPES), &package.join(ELEMENT_TYPES))?;
     for folder in ["", CORE] {
         let module = package.join(folder).join("node.js");
         let settings = capture(node().arg(root().join("xtask/settings-types.mjs")).arg(module))?;
