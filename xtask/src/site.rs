@@ -12,7 +12,7 @@ use crate::tools::{self, WASM_TARGET, Workspace, capture, cargo, node, node_tool
 const CORE_LIMIT: u64 = 200_000;
 const COMPLETE_LIMIT: u64 = 620_000;
 const PAGE_LIMIT: u64 = 80_000;
-const LATER_LIMIT: u64 = 302_000;
+const LATER_LIMIT: u64 = 318_000;
 const LOADER_LIMIT: u64 = 6_000;
 
 /// Prints, as a JSON array, the gzip sizes of the files named after it.

@@ -16,6 +16,7 @@ export class VehicleCard extends AppElement {
     .facts { display: grid; font-size: 12px; line-height: 17px; }
     .facts span + span { color: var(--parkade-t2); }
     svg { overflow: visible; }
+    .edit { justify-self: start; height: 24px; margin-left: -8px; padding: 0 8px; font-size: 12px; color: var(--parkade-accent); }
     select { appearance: none; border: 0; background: none; cursor: pointer; padding: 2px 6px; margin-right: -6px; border-radius: calc(6px * var(--parkade-radius)); color: var(--parkade-t2); text-align: right; }
     select:hover { background: var(--parkade-hover); color: var(--parkade-t1); }
     option { background: var(--parkade-raise); color: var(--parkade-t1); }
@@ -46,8 +47,12 @@ export class VehicleCard extends AppElement {
       <div class="card">${drawing(car.rearToBack, car.rearToFront, car.width, car.wheelbase)}
         <div class="facts"><span>${this.t("inspect.size", { length: this.num(length, 2), width: this.num(car.width, 2) })}</span>
           <span>${this.t("inspect.wheelbase", { value: this.num(car.wheelbase, 2) })}</span>
-          <span>${this.t("inspect.turns", { value: this.num(car.minTurningRadius, 2) })}</span></div></div>`;
+          <span>${this.t("inspect.turns", { value: this.num(car.minTurningRadius, 2) })}</span>
+          <button class="button edit" @click=${this.edit}>${this.t("inspect.editVehicle")}</button></div></div>`;
   }
+
+  private readonly edit = (): void =>
+    void this.app.fetchPart(async () => (await import("./vehicle-editor")).editVehicle(this.app, this));
 
   private readonly choose = (event: Event): void => {
     const name = valueOf(event);
