@@ -36,8 +36,10 @@ export class TaskCard extends AppElement {
   override connectedCallback(): void {
     super.connectedCallback();
     addEventListener("keydown", this.onKey, { capture: true });
-    const { planners } = this.state;
-    if (this.task.hidden) this.app.store.set({ hidden: new Set(planners) });
+    const { planners, focus } = this.state,
+      { hidden, step } = this.task;
+    // The debugger shows its planner's search, which is no answer yet.
+    if (hidden) this.app.store.set({ hidden: new Set(planners.filter((one) => step === null || one !== focus)) });
     if (this.task.step !== null) void this.openDebugger(this.task.step);
   }
 
@@ -73,7 +75,7 @@ export class TaskCard extends AppElement {
   protected override render(): TemplateResult {
     const { lang, hidden, planners } = this.state,
       { text, large } = this.task;
-    const isHidden = planners.every((one) => hidden.has(one));
+    const isHidden = planners.some((one) => hidden.has(one));
     return html`<section class=${large ? "large" : ""} role="region" aria-label=${say(lang, "label")}><header><p>${text}</p>
       <button class="icon" aria-label=${say(lang, "close")} title=${say(lang, "close")} @click=${() => this.remove()}>${icon("close")}</button></header>
       <footer>${isHidden ? html`<button class="button solid" @click=${this.show}>${say(lang, "show")}</button>` : nothing}<small>${say(lang, "keys")}</small></footer></section>`;
