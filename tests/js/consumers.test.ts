@@ -1,5 +1,5 @@
 /** The page of consumers names tests that exist and versions that are installed. */
-import { readFileSync } from "node:fs";
+import { readFileSync, readdirSync } from "node:fs";
 import { expect, test } from "vitest";
 
 const read = (path: string): string => readFileSync(new URL(`../../${path}`, import.meta.url), "utf8");
@@ -23,3 +23,10 @@ test.each(rows.map(([, consumer, version, file, title]) => [consumer!, version!,
     if (name === "node.js" && !consumer.includes("require")) expect(engines.node).toBe(`>=${version.split(" ")[0]}`);
   },
 );
+
+test("the package ships every file of the command and of its workers", () => {
+  const { files } = JSON.parse(read("packages/parkade/package.json")) as { files: string[] };
+  for (const folder of ["cli", "worker"])
+    for (const name of readdirSync(new URL(`../../packages/parkade/${folder}`, import.meta.url)))
+      if (name !== "protocol.d.ts") expect(files).toContain(`${folder}/${name}`);
+});
