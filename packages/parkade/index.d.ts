@@ -1383,6 +1383,59 @@ export interface AuditRow extends AuditWay {
 export function audit(
   scene: Scenario, options?: AuditOptions & { onRow?: (row: AuditRow) => boolean | void },
 ): AuditRow[];
+/**
+ * An audit in parts, of which several run at once, such as in workers: the same rows as `audit`'s, in the same order, for any number
+ * of them. `run` audits one part; at most `workers` (default 2) parts of `bays` bays (default 4) are under way. `signal` ends
+ * it: it rejects with the signal's reason, and gives `run` the signal, too. `parkade` only, not `parkade/core`.
+ */
+export function auditInParts(
+  scene: Scenario,
+  options: AuditOptions,
+  run: (scene: Scenario, options: AuditOptions, signal?: AbortSignal) => AuditRow[] | Promise<AuditRow[]>,
+  how?: {
+    workers?: number;
+    bays?: number;
+    signal?: AbortSignal;
+    /** After each part: bays so far, all bays, and the part's rows. */
+    onProgress?: (progress: { done: number; total: number; rows: AuditRow[] }) => void;
+  },
+): Promise<AuditRow[]>;
+/**
+ * Of an audit's rows those that an edit can touch: their swept body comes near what was added or removed, their bay changed, or
+ * they were out of reach and something was removed; all, where more than obstacles and slots changed. The other rows stay true, but an audit
+ * of the edited scene may find other paths. `options`: the audit's. `parkade` only, not `parkade/core`.
+ */
+export function affectedRows(before: Scenario, after: Scenario, rows: AuditRow[], options?: AuditOptions): AuditRow[];
+
+/** How a lot is drawn; what is absent is the preset's or, without one, drawn by the seed. Metres and radians. */
+export interface LotOptions {
+  /** Id of one of `lotPresets`. */
+  preset?: string;
+  /** Default 1, or the preset's. */
+  seed?: number;
+  /** Rows of bays, two of which share an aisle: 1 to 40; bays in each: 1 to 100. */
+  rows?: number;
+  bays?: number;
+  /** Between aisle and bay: 0.5 to π/2. */
+  angle?: number;
+  bayWidth?: number;
+  bayLength?: number;
+  /** Width of the aisles. */
+  aisle?: number;
+  /** Bays from one column to the next; 0 for none. */
+  columns?: number;
+  /** Share of occupied bays, 0 to 1. */
+  occupancy?: number;
+  /** 1 or 2. */
+  entrances?: number;
+  /** Width of a ramp that joins the first aisle at a right angle; 0 for none. */
+  ramp?: number;
+}
+
+/** Draws a parking lot: the same for the same options. `parkade` only, not `parkade/core`. */
+export function generateLot(options?: LotOptions): { scene: Scenario<Goal>; entrances: Pose[] };
+/** Lots with a name. `parkade` only, not `parkade/core`. */
+export function lotPresets(): { id: string; title: { en: string; zh: string }; bays: number }[];
 /** The library of vehicles. `parkade` only, not `parkade/core`. */
 export function vehicles(): LibraryVehicle[];
 /** Figures of any path on a scene's road. `parkade` only, not `parkade/core`. */

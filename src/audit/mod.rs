@@ -5,13 +5,16 @@
 //! rows of the whole, in any order and on any number of workers. What the questions have in common is prepared once:
 //! the obstacles, and the way around them to each entrance.
 
+mod affected;
 mod options;
 mod row;
+pub mod standards;
 
 use std::ops::ControlFlow;
 
 use serde_json::{Map, Value};
 
+pub use affected::{Known, affected};
 pub use options::{AuditVehicle, Entrance, Options, WhatIf};
 pub use row::{Row, Way};
 

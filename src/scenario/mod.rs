@@ -24,6 +24,8 @@ mod goal_region;
 #[cfg(feature = "complete")]
 mod goal_set;
 #[cfg(feature = "complete")]
+pub mod lot;
+#[cfg(feature = "complete")]
 mod moving;
 #[cfg(feature = "complete")]
 mod moving_scenes;

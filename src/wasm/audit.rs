@@ -8,8 +8,10 @@ use wasm_bindgen::prelude::*;
 
 use super::codec::{f64s, object, set, write};
 use super::{JsResult, codec, goes_on, optional, read_scene};
-use crate::audit::{Options, Row, Way, audit};
+use crate::audit::{Known, Options, Row, Way, affected, audit};
 use crate::error::{Error, ErrorCode};
+use crate::geometry::Pose;
+use crate::scenario::lot::{Lot, PRESETS, Preset};
 use crate::vehicle::library;
 
 fn js<T>(result: Result<T, Error>) -> Result<T, JsValue> {
@@ -78,6 +80,52 @@ pub fn js_audit(scene: JsValue, options: JsValue, each: Option<js_sys::Function>
         each.as_ref().map_or(ControlFlow::Continue(()), |each| goes_on(each, &one))
     }))?;
     Ok(rows.into())
+}
+
+/// Which rows an edit can touch: 1 for those. Of each row its bay, its vehicle in the options, whether all its ways were
+/// found, and how many numbers of `swept` are its own.
+#[wasm_bindgen(js_name = affectedRows)]
+pub fn affected_rows(
+    before: JsValue,
+    after: JsValue,
+    options: JsValue,
+    rows: &[u32],
+    swept: &[f64],
+) -> Result<Vec<u8>, JsValue> {
+    let (before, after) = (read_scene(before)?, read_scene(after)?);
+    let options = js(Options::of(&before, &optional(options, ErrorCode::Input)?.into()))?;
+    let mut from = 0;
+    let known = rows.chunks_exact(4).map(|row| {
+        let own = &swept[from..from + row[3] as usize];
+        from += own.len();
+        Known {
+            bay: row[0] as usize,
+            vehicle: row[1] as usize,
+            reachable: row[2] == 1,
+            swept: own.chunks_exact(3).map(|p| Pose::new(p[0], p[1], p[2])).collect(),
+        }
+    });
+    let known: Vec<Known> = known.collect();
+    js(affected(&before, &after, &options, &known)).map(|all| all.into_iter().map(u8::from).collect())
+}
+
+/// Draws a parking lot.
+#[wasm_bindgen(js_name = generateLot)]
+pub fn generate_lot(fields: JsValue) -> JsResult {
+    let drawn = codec::json(fields, ErrorCode::Input).and_then(|value| Lot::from_json(&value)?.draw());
+    drawn
+        .map(|drawn| write(&json!({ "scene": drawn.scene, "entrances": drawn.entrances })))
+        .map_err(|e| codec::js_error(&e))
+}
+
+/// The lots that have a name.
+#[wasm_bindgen(js_name = lotPresets)]
+pub fn lot_presets() -> JsValue {
+    let entry = |preset: &Preset| {
+        let [en, zh] = preset.title;
+        json!({ "id": preset.id, "title": { "en": en, "zh": zh }, "bays": preset.lot.rows * preset.lot.bays })
+    };
+    write(&PRESETS.iter().map(entry).collect::<Vec<_>>())
 }
 
 /// The library of vehicles.

@@ -333,6 +333,11 @@ describe("what the package answers is of the types that it declares:", () => {
     }) as parkade.AuditRow[];
     expect(new Set(rows.map(({ reachable }) => reachable)).size).toBe(2);
     api.call("vehicles");
+    api.call("affectedRows", scene("perpendicular"), { ...scene("perpendicular"), obstacles: [] }, rows, {
+      vehicles: ["sedan", "small-lorry"],
+    });
+    api.call("generateLot", { seed: 2 });
+    api.call("lotPresets");
   });
 
   it("drives, waits and pictures", () => {

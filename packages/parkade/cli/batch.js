@@ -5,12 +5,16 @@ import { stat } from "node:fs/promises";
 import { availableParallelism } from "node:os";
 import { Tinypool } from "tinypool";
 import { version } from "../node.js";
-import { Refused, count, explained, plannerIds, reason, seconds, settings, sweep } from "./input.js";
+import { auditOptions } from "./audit-options.js";
+import { Refused, choice, count, explained, plannerIds, reason, seconds, settings, sweep } from "./input.js";
 import { digest, hashOf, isFinal, mend, outline, questionOf, read } from "./results.js";
 import { scenes } from "./scenes.js";
 
 /** @typedef {import("./results.js").Result} Result */
-/** @typedef {{ key: string, scene: import("./scenes.js").Scene, content: string, planner: import("../index.js").PlannerId, config: Record<string, unknown> }} Task */
+/** @typedef {{ key: string, scene: import("./scenes.js").Scene, content: string, planner: import("../index.js").PlannerId | "audit", config: Record<string, unknown> }} Task */
+
+/** The name of audits among planners. @type {"audit"} */
+const AUDIT = "audit";
 
 /** Time a thread should be away with a group of tasks: far above what a message costs, and no result waits long to be written. */
 const GROUP_MS = 50;
@@ -24,8 +28,16 @@ export async function batch(places, values, module) {
   const jobs = count("jobs", values.jobs, availableParallelism(), 1024);
   const shard = shardOf(values.shard);
   const out = values.out ?? (shard.of === 1 ? "results.jsonl" : `results-${shard.at}-of-${shard.of}.jsonl`);
-  const ids = plannerIds(values.planner, "hybrid"),
-    configs = sweep(values.sweep, settings(values.set, ids), ids),
+  const isAudit = choice("task", values.task, ["plan", "audit"]) === "audit";
+  if (isAudit && values.planner !== undefined) throw new Refused("--planner: audits are hybrid's");
+  if (isAudit && values.sweep !== undefined) throw new Refused("--sweep: audits have one set of settings");
+  // In results, an audit stands where planners do, and its options where settings do.
+  const planners = plannerIds(values.planner, "hybrid");
+  /** @type {readonly Task["planner"][]} */
+  const ids = isAudit ? [AUDIT] : planners,
+    configs = isAudit
+      ? [/** @type {Record<string, unknown>} */ (auditOptions(values))]
+      : sweep(values.sweep, settings(values.set, planners), planners),
     timeout = seconds(values.timeout);
   for (const place of places)
     if (!(await stat(place).catch(() => null))) throw new Refused(`${place}: no such file or folder`);
@@ -112,7 +124,7 @@ function superseded(results, keys) {
 /**
  * The tasks, each once: the same scene in two files is one task. `keys` are those of all shards, by question.
  * @param {string[]} places
- * @param {import("../index.js").PlannerId[]} ids
+ * @param {readonly Task["planner"][]} ids
  * @param {Record<string, unknown>[]} configs
  * @param {{ at: number, of: number }} shard
  */

@@ -5,6 +5,7 @@ import { readFile } from "node:fs/promises";
 import { parseArgs } from "node:util";
 import { isMainThread } from "node:worker_threads";
 import { ParkadeError, init, version } from "../node.js";
+import { AUDIT_ABOUT, AUDIT_OPTIONS } from "./audit-options.js";
 import { Refused, explained, meant, reason, seconds } from "./input.js";
 
 const HELP = `usage: parkade <command> [options]
@@ -12,11 +13,14 @@ const HELP = `usage: parkade <command> [options]
   plan SCENE       plan a path            --planner ID  --set NAME=VALUE  --format json|csv|svg|trajectory  --out FILE
   check SCENE [PATH]   check a scene, or a path against it (plan.json, or CSV as from \`plan\`)
   judge SCENE TRAJECTORY   judge a trajectory or a path by the protocol of the public benchmarks (CSV, or JSON columns)
+  audit SCENE      which bays can be reached   --vehicle ID,ID…  --entry both|head-in|reverse-in  --csv FILE  --svg FILE
   bench SCENE      time planners          --planner ID,ID…  --repeats N  --format markdown|csv|json
   batch SCENES…    plan many scenes       --planner ID,ID…  --jobs N  --shard I/N  --out FILE.jsonl  --set NAME=VALUE
   columns FILE…    the results of \`batch\` as Parquet    --out FILE.parquet
   report FILE…     the results of \`batch\`, or Parquet, as one HTML page    --out FILE.html
   digest FILE…     one hash over the results of \`batch\`, in any order and number of files
+  lot              draw a parking lot by seed   --preset ID  --seed N  --out FILE
+  vehicles         list the library of vehicles
   planners         list the planners, or the settings of one (--planner ID)
   scenarios        list the built-in scenes
   scenario ID      print a built-in scene
@@ -101,6 +105,64 @@ const COMMANDS = {
     },
     load: async () => (await import("./judge.js")).judge,
   },
+  audit: {
+    about: `usage: parkade audit SCENE [options]
+
+  Asks of each bay whether each vehicle can drive in from each entrance, and out again. Exit code 1: some bay is out of reach.
+
+${AUDIT_ABOUT}
+  --csv FILE           write all rows
+  --svg FILE           draw each bay filled by the fewest moves; with several vehicles, a file for each
+  --format markdown|csv|json  of standard output or --out; default: markdown, a summary
+  --out FILE           default: standard output
+  --jobs N             worker threads; default: one per processor
+  --timeout SECONDS    stop after so long, with exit code 124
+  --quiet              show no progress
+`,
+    options: {
+      ...AUDIT_OPTIONS,
+      set: { type: "string", multiple: true },
+      csv: { type: "string" },
+      svg: { type: "string" },
+      format: { type: "string" },
+      out: { type: "string" },
+      jobs: { type: "string" },
+      timeout: { type: "string" },
+      quiet: { type: "boolean" },
+    },
+    load: async () => (await import("./audit.js")).audit,
+  },
+  lot: {
+    about: `usage: parkade lot [options]
+
+  Draws a parking lot as a scene: a preset or, without one, what the seed draws, with the given numbers in their place.
+
+  --preset ID          \`--list\` lists them
+  --seed N             default: 1
+  --rows N, --bays N   rows of bays, and bays in each
+  --angle RADIANS      between aisle and bay
+  --bay-width M, --bay-length M, --aisle M
+  --columns N          bays from one column to the next; 0 for none
+  --occupancy SHARE    0 to 1
+  --entrances N        1 or 2
+  --ramp M             width of a ramp that joins the first aisle at a right angle; 0 for none
+  --out FILE           default: standard output
+`,
+    options: {
+      list: { type: "boolean" },
+      ...Object.fromEntries(
+        ["preset", "seed", "rows", "bays", "angle", "bay-width", "bay-length", "aisle", "columns", "occupancy"]
+          .concat(["entrances", "ramp", "out"])
+          .map((name) => [name, { type: /** @type {const} */ ("string") }]),
+      ),
+    },
+    load: async () => (await import("./audit.js")).lot,
+  },
+  vehicles: {
+    about: "usage: parkade vehicles [--format text|json]\n",
+    options: { format: { type: "string" } },
+    load: async () => (await import("./audit.js")).vehicles,
+  },
   bench: {
     about: `usage: parkade bench SCENE [options]
 
@@ -125,6 +187,9 @@ const COMMANDS = {
   has changed since then is superseded.
 
   --planner ID,ID…     default: hybrid
+  --task plan|audit    default: plan; audit asks every bay of each scene, with the options of \`parkade audit\`: --vehicle, --entry,
+                       --what-if, --entrance. Its results have \`asked\`, \`reachable\`, \`undecided\` and \`rows\`: bay, vehicle, entrance,
+                       entry, moves, length, driveTime, clearance, reason, …
   --set NAME=VALUE     a setting for all of the planners; may be repeated
   --sweep NAME=V,V…    plan with each of these values; repeated, with all combinations
   --jobs N             worker threads; default: one per processor
@@ -136,6 +201,8 @@ const COMMANDS = {
     options: {
       timeout: { type: "string" },
       planner: { type: "string" },
+      task: { type: "string" },
+      ...AUDIT_OPTIONS,
       set: { type: "string", multiple: true },
       sweep: { type: "string", multiple: true },
       jobs: { type: "string" },

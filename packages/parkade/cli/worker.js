@@ -2,7 +2,7 @@
 // A thread of `parkade batch`: reads scenes, plans them, and writes what comes of it as lines.
 import { closeSync, openSync, readSync } from "node:fs";
 import Tinypool from "tinypool";
-import { ParkadeError, Planner, init, version } from "../node.js";
+import { ParkadeError, Planner, audit, init, version } from "../node.js";
 import { MAX_BYTES, reason, tooLarge } from "./input.js";
 import { hashOf, outline } from "./results.js";
 
@@ -49,6 +49,7 @@ function planned({ scene, planner, content, config }) {
   try {
     if (scene.length > MAX_BYTES) throw new ParkadeError(tooLarge(scene.length), "bad-scenario");
     if (last.of !== content) last = { of: content, scene: parsed(scene, content) };
+    if (planner === "audit") return audited(/** @type {any} */ (last.scene), config);
     const prepared = new Planner(planner, /** @type {any} */ (last.scene), config);
     try {
       const { outcome, detail, reason, goal, metrics, stats, check, hash } = prepared.plan();
@@ -65,6 +66,26 @@ function planned({ scene, planner, content, config }) {
     } = /** @type {Partial<ParkadeError>} */ (error ?? {});
     return { error: { code, path, message } };
   }
+}
+
+/** The rows of an audit, without poses. @param {import("../index.js").Scenario} scene @param {import("../index.js").AuditOptions} options */
+function audited(scene, options) {
+  const rows = audit(scene, options).map(({ swept: _, out, ...row }) => {
+    if (out === null) return { ...row, out };
+    const { swept: __, ...way } = out;
+    return { ...row, out: way };
+  });
+  const reachable = rows.filter((row) => row.reachable).length,
+    undecided = rows.filter(({ outcome, out }) => [outcome, out?.outcome].includes("budget-spent")).length;
+  const hash = hashOf(rows.map((row) => `${row.hash} ${row.out?.hash ?? ""}`).join("\n"));
+  return /** @type {object} */ ({
+    outcome: reachable === rows.length ? "found" : "no-path",
+    asked: rows.length,
+    reachable,
+    undecided,
+    rows,
+    hash,
+  });
 }
 
 /** @param {Scene} scene @param {string} content */

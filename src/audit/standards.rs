@@ -1,0 +1,159 @@
+//! The smallest bays and aisles of the standards, with the standard's own vehicle.
+//!
+//! Each case is a row of five bays on one side of an aisle with a wall beyond it, the neighbours of the middle bay
+//! parked. The standard promises that its vehicle gets in; with a narrower aisle that shall cost moves, or fail.
+
+use serde_json::json;
+
+use super::{Options, Way, audit};
+use crate::error::Error;
+use crate::geometry::{Pose, math};
+use crate::scenario::{Entry, Goal, Lean, MapFrame, Obstacle, Scenario, Slot, SlotKind, VehicleSpec};
+use crate::vehicle::library;
+
+/// Bays in a case; the middle one is asked for.
+const BAYS: usize = 5;
+/// Room before and behind the row, metres.
+const ROOM: f64 = 12.0;
+/// Side of a map cell, metres.
+const CELL: f64 = 0.25;
+
+/// A size that a standard gives.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Case {
+    /// The standard, and the table in it.
+    pub source: &'static str,
+    /// The vehicle in the library.
+    pub vehicle: &'static str,
+    /// Degrees between aisle and bay.
+    pub degrees: u32,
+    /// The way in that the standard means.
+    pub entry: Entry,
+    /// Clear width and length of the bay, metres.
+    pub bay: [f64; 2],
+    /// Width of the aisle, metres.
+    pub aisle: f64,
+}
+
+const EAR: &str = "FGSV, Empfehlungen für Anlagen des ruhenden Verkehrs (EAR 05)";
+const JGJ: &str = "JGJ 100-2015, table 4.3.4";
+
+const fn case(
+    source: &'static str,
+    vehicle: &'static str,
+    degrees: u32,
+    entry: Entry,
+    bay: [f64; 2],
+    aisle: f64,
+) -> Case {
+    Case { source, vehicle, degrees, entry, bay, aisle }
+}
+
+/// The standards' sizes.
+pub const CASES: [Case; 8] = [
+    case(EAR, "german-car", 90, Entry::HeadIn, [2.5, 5.0], 6.0),
+    case(EAR, "german-car", 90, Entry::ReverseIn, [2.5, 5.0], 4.5),
+    case(EAR, "german-car", 60, Entry::HeadIn, [2.5, 5.0], 4.0),
+    case(EAR, "german-car", 45, Entry::HeadIn, [2.5, 5.0], 3.0),
+    case(JGJ, "china-small-car", 90, Entry::HeadIn, [2.4, 5.3], 9.0),
+    case(JGJ, "china-small-car", 90, Entry::ReverseIn, [2.4, 5.3], 5.5),
+    case(JGJ, "china-small-car", 60, Entry::HeadIn, [2.4, 5.3], 4.5),
+    case(JGJ, "china-small-car", 45, Entry::HeadIn, [2.4, 5.3], 3.8),
+];
+
+impl Case {
+    /// The lot, with an aisle of so many metres.
+    ///
+    /// # Errors
+    /// None for the cases here.
+    pub fn scene(&self, aisle: f64) -> Result<Scenario, Error> {
+        let angle = math::PI * f64::from(self.degrees) / 180.0;
+        let (sin, cos) = math::sin_cos(angle);
+        let [width, length] = self.bay;
+        let opening = width / sin;
+        let (floor, depth) = (2.0 * ROOM + opening * BAYS as f64, length * sin + width * cos);
+        let is_angled = self.degrees != 90;
+        let slot = |k: usize| Slot {
+            id: Some(format!("{}", k + 1)),
+            kind: if is_angled { SlotKind::Angled } else { SlotKind::Perpendicular },
+            x: ROOM + opening * (k as f64 + 0.5),
+            y: aisle,
+            heading: math::FRAC_PI_2,
+            width,
+            length,
+            angle: is_angled.then_some(angle),
+            lean: is_angled.then_some(Lean::Right),
+            occupied: false,
+        };
+        let slots: Vec<Slot> = (0..BAYS).map(slot).collect();
+        let vehicle = library::find(self.vehicle)
+            .map(library::LibraryVehicle::vehicle)
+            .unwrap_or(crate::vehicle::Vehicle::SEDAN);
+        // The neighbours are cars of the standard as well, not the sedan that stands in occupied bays.
+        let obstacles = slots
+            .iter()
+            .enumerate()
+            .filter(|(k, _)| *k != BAYS / 2)
+            .map(|(k, slot)| Obstacle::Car {
+                id: Some(format!("car {}", k + 1)),
+                pose: slot.pose(Entry::ReverseIn, &vehicle),
+                vehicle: VehicleSpec::Custom(vehicle),
+            })
+            .collect();
+        let height = aisle + depth;
+        let start = Pose::new(vehicle.rear_to_back + 0.5, aisle / 2.0, 0.0);
+        Ok(Scenario {
+            version: 1,
+            name: None,
+            map: MapFrame {
+                origin: [0.0, 0.0],
+                width: (floor / CELL).ceil() as u32,
+                height: (height / CELL).ceil() as u32,
+                resolution: CELL,
+                boundary: Some(vec![[0.0, 0.0], [floor, 0.0], [floor, height], [0.0, height]]),
+            },
+            obstacles,
+            slots,
+            costs: Vec::new(),
+            moving: Vec::new(),
+            lanes: Vec::new(),
+            speed_limits: Vec::new(),
+            vehicle: VehicleSpec::Custom(vehicle),
+            start,
+            goal: Goal::Pose(start),
+            planners: std::collections::BTreeMap::new(),
+        })
+    }
+
+    /// The way into the middle bay from an aisle of so many metres.
+    ///
+    /// # Errors
+    /// None for the cases here.
+    pub fn ask(&self, aisle: f64) -> Result<Way, Error> {
+        let scene = self.scene(aisle)?;
+        let entry = if self.entry == Entry::HeadIn { "head-in" } else { "reverse-in" };
+        let asked = json!({ "bays": [BAYS / 2], "entries": [entry], "out": false });
+        let options = Options::of(&scene, &asked)?;
+        let mut rows = audit(&scene, &options, &mut |_| std::ops::ControlFlow::Continue(()))?;
+        Ok(rows.remove(0).way)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A narrower aisle costs moves, but where the standard gives much more than its vehicle needs: 45° in JGJ 100.
+    #[test]
+    fn the_standards_vehicles_reach_their_bays_and_narrower_aisles_cost_moves() {
+        let mut costlier = 0;
+        for case in CASES {
+            let full = case.ask(case.aisle).unwrap();
+            assert!(full.reachable, "{case:?}: {full:?}");
+            let cut = case.ask(0.8 * case.aisle).unwrap();
+            assert!(!cut.reachable || cut.moves >= full.moves, "{case:?}: {} and {}", full.moves, cut.moves);
+            costlier += usize::from(!cut.reachable || cut.moves > full.moves);
+        }
+        assert!(costlier >= CASES.len() - 1, "only {costlier}");
+    }
+}
