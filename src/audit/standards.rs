@@ -87,8 +87,7 @@ impl Case {
         };
         let slots: Vec<Slot> = (0..BAYS).map(slot).collect();
         let vehicle = library::find(self.vehicle)
-            .map(library::LibraryVehicle::vehicle)
-            .unwrap_or(crate::vehicle::Vehicle::SEDAN);
+            .map_or(crate::vehicle::Vehicle::SEDAN, library::LibraryVehicle::vehicle);
         // The neighbours are cars of the standard as well, not the sedan that stands in occupied bays.
         let obstacles = slots
             .iter()
