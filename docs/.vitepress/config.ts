@@ -1,7 +1,15 @@
 import { defineConfig } from "vitepress";
+import { LESSONS } from "./lessons/contents";
+import { lessons } from "./lessons/markdown";
+import { said } from "./lessons/words";
 import { known } from "./planners";
+import { reference } from "./reference";
 
 const planners = await known();
+const names = reference();
+const formulasAndFigures = await lessons();
+const course = (lang: "en" | "zh", root: string) =>
+  LESSONS.map(({ id, title }) => ({ text: said(title, lang), link: `${root}/learn/${id}` }));
 const list = (lang: "en" | "zh", root: string) =>
   planners.map(({ id, title }) => ({ text: title[lang], link: `${root}/planners/${id}` }));
 const papers = [
@@ -39,6 +47,7 @@ export default defineConfig({
     page.title = page.params?.["title"] ?? page.title;
   },
   head: [["link", { rel: "icon", href: "data:," }]],
+  markdown: { config: formulasAndFigures },
   srcExclude: ["**/README.md", "zh/design.md"],
   vue: { template: { compilerOptions: { isCustomElement: (tag) => tag === "parkade-playground" } } },
   themeConfig: {
@@ -54,8 +63,9 @@ export default defineConfig({
       themeConfig: {
         nav: [
           { text: "Guide", link: "/guide" },
+          { text: "Learn", link: "/learn/flood" },
           { text: "Planners", link: "/planners/hybrid" },
-          { text: "API", link: "/api/reference" },
+          { text: "API", link: "/api/js/" },
         ],
         sidebar: [
           {
@@ -71,6 +81,7 @@ export default defineConfig({
               { text: "Where it is tested", link: "/consumers" },
             ],
           },
+          { text: "Learn", items: course("en", "") },
           {
             text: "Planners",
             items: [...list("en", ""), { text: "How tight can it be", link: "/planners/how-tight" }],
@@ -79,7 +90,7 @@ export default defineConfig({
           {
             text: "Reference",
             items: [
-              { text: "JavaScript", link: "/api/reference" },
+              { text: "JavaScript", link: "/api/js/", collapsed: true, items: names },
               { text: "Rust", link: "/api/rust" },
             ],
           },
@@ -94,10 +105,12 @@ export default defineConfig({
       themeConfig: {
         nav: [
           { text: "指南", link: "/zh/guide" },
+          { text: "课程", link: "/zh/learn/flood" },
           { text: "规划器", link: "/zh/planners/hybrid" },
         ],
         sidebar: [
           { text: "开始", items: [{ text: "五分钟第一个场景", link: "/zh/guide" }] },
+          { text: "课程", items: course("zh", "/zh") },
           {
             text: "规划器",
             items: [...list("zh", "/zh"), { text: "能停进多窄的地方", link: "/zh/planners/how-tight" }],

@@ -30,6 +30,30 @@ export function importScene(files, options = {}) {
 /** @type {typeof import("./index.js").generateScenario} */
 export const generateScenario = (family) => call(() => unpackedScene(raw.generateScenario(family)));
 
+/** @type {typeof import("./index.js").reedsShepp} */
+export function reedsShepp(from, to, radius) {
+  const [first, last] = [pose(from, "from"), pose(to, "to")];
+  if (!(number(radius, "radius") > 0 && radius <= 1e5)) {
+    throw mismatch(radius, "radius", "from just above 0 to 100000 metres", String(radius));
+  }
+  return call(() => raw.reedsShepp(first, last, radius));
+}
+
+/**
+ * @param {unknown} value
+ * @param {string} path
+ */
+function pose(value, path) {
+  const fields = /** @type {Record<string, unknown>} */ (object(value, path));
+  const [x, y, heading] = ["x", "y", "heading"].map((name) => number(fields[name], `${path}.${name}`));
+  for (const [name, one] of Object.entries({ x, y, heading })) {
+    if (!(Math.abs(/** @type {number} */ (one)) <= 1e6)) {
+      throw mismatch(one, `${path}.${name}`, "a number from -1000000 to 1000000", String(one));
+    }
+  }
+  return Float64Array.of(/** @type {number} */ (x), /** @type {number} */ (y), /** @type {number} */ (heading));
+}
+
 /** @type {typeof import("./index.js").roadFigures} */
 export const roadFigures = (scene, plan) => call(() => raw.roadFigures(packedScene(scene), line(plan)));
 

@@ -1438,6 +1438,24 @@ export function generateLot(options?: LotOptions): { scene: Scenario<Goal>; entr
 export function lotPresets(): { id: string; title: { en: string; zh: string }; bays: number }[];
 /** The library of vehicles. `parkade` only, not `parkade/core`. */
 export function vehicles(): LibraryVehicle[];
+
+/** One way to drive from a pose to another with circles of one radius and straight lines, obstacles left out. */
+export interface ReedsSheppCurve {
+  /** Its arcs in order: L left, S straight, R right, each with + ahead or - in reverse, as in "L+S+R-". */
+  word: string;
+  /** Metres, reverse included. */
+  length: number;
+  directionChanges: number;
+  /** Per arc: x, y, heading at its beginning, curvature (1/m, positive to the left), signed length (negative: reverse). */
+  arcs: [x: number, y: number, heading: number, curvature: number, length: number][];
+}
+
+/**
+ * All Reeds–Shepp curves between two poses for a turning radius in metres, the shortest first: up to 48 words, fewer where some
+ * need no arc or do not exist. `parkade` only, not `parkade/core`.
+ */
+export function reedsShepp(from: Pose, to: Pose, radius: number): ReedsSheppCurve[];
+
 /** Figures of any path on a scene's road. `parkade` only, not `parkade/core`. */
 export function roadFigures(scene: Scenario, plan: { path: Float64Array | number[] }): RoadFigures;
 /**

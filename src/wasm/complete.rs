@@ -6,7 +6,7 @@ use wasm_bindgen::prelude::*;
 
 use super::{JsResult, RawPlanner, answer, codec, goes_on, optional, read_scene};
 use crate::error::{Error, ErrorCode};
-use crate::geometry::Point;
+use crate::geometry::{Point, Pose, reeds_shepp};
 use crate::import::{self, Question};
 use crate::metrics::risk;
 use crate::papers::{claims, grid, parking, road, stranded, verdicts, volumes};
@@ -115,6 +115,31 @@ impl RawPlanner {
         let runs: Vec<[u32; 3]> = runs.chunks_exact(3).map(|r| [r[0], r[1], r[2]]).collect();
         self.planner.brush(&runs, blocked).map_err(|e| codec::js_error(&e))
     }
+}
+
+/// All Reeds–Shepp words between two poses (x, y, heading), the shortest first.
+#[wasm_bindgen(js_name = reedsShepp)]
+pub fn reeds_shepp(from: &[f64], to: &[f64], radius: f64) -> JsValue {
+    let [from, to] = [from, to].map(|p| Pose::new(p[0], p[1], p[2]));
+    let mut words = reeds_shepp::list_below(from, to, radius, f64::INFINITY);
+    words.sort_by(|a, b| a.length(radius).total_cmp(&b.length(radius)));
+    let words: Vec<Value> = words.iter().map(|word| curve(word, from, radius)).collect();
+    codec::write(&words)
+}
+
+fn curve(word: &reeds_shepp::Word, from: Pose, radius: f64) -> Value {
+    let mut pose = from;
+    let mut arcs = Vec::new();
+    for arc in word.arcs(radius) {
+        arcs.push([pose.x, pose.y, pose.heading, arc.curvature, arc.length]);
+        pose = pose.advance(arc.curvature, arc.length);
+    }
+    json!({
+        "word": word.letters(),
+        "length": word.length(radius),
+        "directionChanges": word.direction_changes(),
+        "arcs": arcs,
+    })
 }
 
 /// Figures of a path on a scene's road.

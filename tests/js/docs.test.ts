@@ -4,7 +4,7 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { chapter, pages } from "../../docs/.vitepress/planners";
-import { declarations } from "../../docs/.vitepress/reference";
+import { PAGES, reference } from "../../docs/.vitepress/reference";
 import { WORDS } from "../../docs/.vitepress/words";
 import { installed, parkade } from "./pack";
 
@@ -29,7 +29,7 @@ const samplesOf = (where: string, text: string): Sample[] =>
   }));
 
 const written = readdirSync(DOCS, { recursive: true, encoding: "utf8" })
-  .filter((file) => file.endsWith(".md") && !file.includes(".vitepress"))
+  .filter((file) => file.endsWith(".md") && !file.includes(".vitepress") && !file.startsWith("api/js"))
   .flatMap((file) => samplesOf(file, readFileSync(join(DOCS, file), "utf8")));
 
 /** Runs a script and gives what it prints, and what comments behind `console.log` say that it prints. */
@@ -120,13 +120,17 @@ test("every sample is of a kind that is run or only shown", () => {
   expect(book.replace(/\s+/g, " ")).toContain(written.find(({ language }) => language === "css")!.code.trim());
 });
 
-test("the reference has every exported name, each declaration whole", () => {
-  const text = readFileSync(new URL("../../packages/parkade/index.d.ts", import.meta.url), "utf8");
-  const names = [...text.matchAll(/^export (?:declare )?(?:class|function|interface|type) (\w+)/gm)].map(
-    (match) => match[1],
+test("the reference has a page for every exported name, with what the types say of it", () => {
+  const text = ["index.d.ts", "settings.d.ts"]
+    .map((file) => readFileSync(new URL(`../../packages/parkade/${file}`, import.meta.url), "utf8"))
+    .join("\n");
+  const names = new Set(
+    [...text.matchAll(/^export (?:declare )?(?:class|function|interface|type) (\w+)/gm)].map(([, name]) => name!),
   );
-  const found = declarations(text);
-  expect(found.map(({ name }) => name)).toEqual(names);
-  expect(found.find(({ name }) => name === "Planner")!.code).toMatch(/\[Symbol\.dispose\]\(\): void;\n}$/);
-  expect(found.find(({ name }) => name === "toSVG")!.comment).toMatch(/^A picture of a scene/);
+  const listed = reference().flatMap(({ items }) => items!.map(({ text: name }) => name));
+  expect(new Set(listed)).toEqual(names);
+  const page = (path: string): string => readFileSync(join(PAGES, path), "utf8");
+  expect(page("classes/Planner.md")).toContain("\\[dispose\\]()");
+  expect(page("functions/toSVG.md")).toMatch(/A picture of a scene/);
+  expect(page("functions/reedsShepp.md")).toMatch(/turning radius in metres/);
 });

@@ -164,6 +164,7 @@ function calls(): [name: string, run: (...args: never[]) => unknown, args: unkno
     ["paperVerdicts", parkade.paperVerdicts, [{ parking: [], road: [] }]],
     ["paperStranded", parkade.paperStranded, [{ row: "none", from: 1, to: 1 }]],
     ["paperVolumes", parkade.paperVolumes, [{ scene: "none", poses: 10, seed: 1, rounds: 1 }]],
+    ["reedsShepp", parkade.reedsShepp, [{ x: 0, y: 0, heading: 0 }, { x: 5, y: 3, heading: 1 }, 4]],
     ["roadFigures", parkade.roadFigures, [road, { path: [0, 0, 0, 1, 0, 0] }]],
     ["driveEnvelope", parkade.driveEnvelope, [small, { path: [...plan.path] }, { trials: 2, from: 0, seed: 1 }]],
     ["collisionRisk", parkade.collisionRisk, [small, { path: [...plan.path] }, { trials: 2, from: 0, seed: 1 }]],

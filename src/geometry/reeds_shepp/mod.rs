@@ -87,6 +87,20 @@ impl Word {
         })
     }
 
+    /// Its arcs as letters: `L` left, `S` straight, `R` right, each with `+` ahead or `-` in reverse.
+    pub fn letters(&self) -> String {
+        let driven = self.turns.iter().zip(&self.lengths).take(self.count).filter(|(_, l)| l.abs() > EPS);
+        driven.fold(String::new(), |mut text, (turn, &length)| {
+            text.push(match turn {
+                L => 'L',
+                S => 'S',
+                R => 'R',
+            });
+            text.push(if length < 0.0 { '-' } else { '+' });
+            text
+        })
+    }
+
     /// Gear changes within it.
     pub fn direction_changes(&self) -> u32 {
         let mut gear = 0.0_f64;

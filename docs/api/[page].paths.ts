@@ -1,3 +1,0 @@
-import { reference } from "../.vitepress/reference";
-
-export default { paths: () => [{ params: { page: "reference" }, content: reference() }] };
