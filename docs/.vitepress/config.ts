@@ -79,6 +79,7 @@ export default defineConfig({
               { text: "Python", link: "/python" },
               { text: "Many machines", link: "/machines" },
               { text: "Where it is tested", link: "/consumers" },
+              { text: "Recipes", link: "/recipes" },
             ],
           },
           { text: "Learn", items: course("en", "") },
@@ -92,6 +93,7 @@ export default defineConfig({
             items: [
               { text: "JavaScript", link: "/api/js/", collapsed: true, items: names },
               { text: "Rust", link: "/api/rust" },
+              { text: "Changelog", link: "/changelog" },
             ],
           },
         ],

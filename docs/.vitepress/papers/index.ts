@@ -1,6 +1,6 @@
 /** The papers' pages: their tables beside ours, computed anew while the site is built, with figures that can be played with. */
 import { init } from "../../../pkg/node.js";
-import { markdown, type Block, type Figure, type Lang } from "./blocks";
+import { escaped, markdown, type Block, type Figure, type Lang } from "./blocks";
 import { comparison, comparisonBlocks } from "./comparison";
 import { measure, type Measured } from "./measure";
 import { parking } from "./parking";
@@ -38,7 +38,7 @@ const playground =
   (lang: Lang) =>
   ({ scene, planners, draws, caption, svg }: Figure): string =>
     svg !== undefined
-      ? `*${caption}*`
+      ? `<figure class="drawn">${svg}<figcaption>${escaped(caption)}</figcaption></figure>`
       : `<parkade-playground scene="${scene}" planners="${planners.join(" ")}" layout="${planners.length > 1 ? "grid" : "single"}" controls="minimal" editable lang="${lang}"${draws === "stages" || draws === "potential" ? ' layers="slots obstacles path tree grid"' : ""} alt="${caption.replaceAll('"', "")}"></parkade-playground>\n\n*${caption}*`;
 
 /** For the site. */
