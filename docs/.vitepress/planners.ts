@@ -65,9 +65,9 @@ ${words[lang]}
 
 ## ${t.formulas}
 
-\`\`\`text
-${words.formulas}
-\`\`\`
+${words.formulas.map((one) => `$$\n${one}\n$$`).join("\n\n")}
+
+${words.letters?.[lang === "zh" ? 1 : 0] ?? ""}
 
 ${chapter(info.id, lang)}
 

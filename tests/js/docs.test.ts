@@ -48,9 +48,9 @@ test.each(written.filter(({ language }) => language === "js").map(({ where, code
   },
 );
 
-/** A page without its words: headings' levels, figures' attributes but their language, and code. */
+/** A page without its words: headings' levels, figures' attributes but their language, code, and formulas. */
 const skeletonOf = (text: string): string[] =>
-  [...text.matchAll(/^#+ |<parkade-playground [^>]*>|```\w+\n[^]*?```/gm)].map(([one]) =>
+  [...text.matchAll(/^#+ |<parkade-playground [^>]*>|```\w+\n[^]*?```|^\$\$\n[^]*?\n\$\$$/gm)].map(([one]) =>
     one.replace(/ (lang|alt)="[^"]*"/g, ""),
   );
 
