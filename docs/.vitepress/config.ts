@@ -47,6 +47,11 @@ export default defineConfig({
     page.title = page.params?.["title"] ?? page.title;
   },
   head: [["link", { rel: "icon", href: "data:," }]],
+  // Pages that nobody has asked for would weigh more than the one that is read.
+  router: { prefetchLinks: false },
+  // The bar's class for pages with a sidebar comes only with the scripts: without it here, the bar moves then.
+  transformHtml: (code, _, { pageData: { frontmatter } }) =>
+    frontmatter["layout"] === "home" ? code : code.replace('class="VPNavBar"', 'class="VPNavBar has-sidebar top"'),
   markdown: { config: formulasAndFigures },
   srcExclude: ["**/README.md", "zh/design.md"],
   vue: { template: { compilerOptions: { isCustomElement: (tag) => tag === "parkade-playground" } } },

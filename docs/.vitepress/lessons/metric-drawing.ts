@@ -200,25 +200,26 @@ function planned({ plans, chosen }: MetricState, scale: Scale): string {
 
 const SHADES = 5;
 
-/** The cost of a metre at each place, in shades. */
+/** The cost of a metre at each place, in shades: cells of one shade beside each other are one rectangle. */
 function heat({ cost, figure }: MetricState, scale: Scale): string {
   if (!cost) return "";
   const { resolution, origin } = figure.scene.map,
-    step = Math.max(1, Math.round(0.5 / resolution)),
+    side = px(resolution * scale.metre),
     parts: string[][] = Array.from({ length: SHADES }, () => []);
-  for (let y = 0; y < cost.height; y += step)
-    for (let x = 0; x < cost.width; x += step) {
-      const value = cost.data[y * cost.width + x]!;
-      const shade = Number.isFinite(value)
-        ? Math.min(SHADES - 1, Math.floor(SHADES * (1 - Math.exp(-value))))
-        : SHADES - 1;
+  for (let y = 0; y < cost.height; y++)
+    for (let x = 0, end = 0; x < cost.width; x = end) {
+      const shade = shadeOf(cost.data[y * cost.width + x]!);
+      for (end = x + 1; end < cost.width && shadeOf(cost.data[y * cost.width + end]!) === shade; end++);
       if (shade === 0) continue;
-      const size = step * resolution;
-      const corner = at(scale, [origin[0] + x * resolution, origin[1] + y * resolution + size]);
-      const side = px(size * scale.metre);
-      parts[shade]!.push(`M${corner}h${side}v${side}h-${side}z`);
+      const wide = px((end - x) * resolution * scale.metre);
+      parts[shade]!.push(
+        `M${at(scale, [origin[0] + x * resolution, origin[1] + (y + 1) * resolution])}h${wide}v${side}h-${wide}z`,
+      );
     }
   return parts
     .map((one, i) => (one.length > 0 ? `<path class="lab-cost lab-cost-${i}" d="${one.join("")}"/>` : ""))
     .join("");
 }
+
+const shadeOf = (value: number): number =>
+  Number.isFinite(value) ? Math.min(SHADES - 1, Math.floor(SHADES * (1 - Math.exp(-value)))) : SHADES - 1;
