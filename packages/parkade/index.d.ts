@@ -1451,8 +1451,8 @@ export interface ReedsSheppCurve {
 }
 
 /**
- * All Reeds–Shepp curves between two poses for a turning radius in metres, the shortest first: up to 48 words, fewer where some
- * need no arc or do not exist. `parkade` only, not `parkade/core`.
+ * The Reeds–Shepp words between two poses for a turning radius in metres, the shortest first. Words that turn farther than a
+ * shortest curve ever does are left out. `parkade` only, not `parkade/core`.
  */
 export function reedsShepp(from: Pose, to: Pose, radius: number): ReedsSheppCurve[];
 
