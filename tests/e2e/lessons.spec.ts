@@ -50,6 +50,11 @@ for (const root of ["/docs/learn/", "/docs/zh/learn/"]) {
     await done(estimate);
 
     const trap = await live(page, "flood-trap");
+    // A press on a wall erases.
+    await drag(page, trap, [
+      [15, 5],
+      [15, 11],
+    ]);
     await drag(page, trap, [
       [15, 4],
       [15, 1],
