@@ -86,6 +86,33 @@ for (const root of ["/docs/learn/", "/docs/zh/learn/"]) {
   });
 }
 
+test("cars are moved and turned by hand and by keys, and sliders steer them", async ({ page }) => {
+  const complaints = complaintsOf(page);
+  await page.goto("/docs/learn/car.html");
+  /** The cell whose middle is at these metres. */
+  const at = (x: number, y: number): [number, number] => [x - 0.5, 17.5 - y];
+  const gap = await live(page, "body-gap");
+  await drag(page, gap, [at(8.95, 14.16), at(11, 12)]);
+  await expect(gap.locator(".lab-readout")).toContainText("clearance");
+  await open(gap);
+  await drag(page, gap, [at(6.5, 12), at(17, 9)]);
+  await done(gap);
+
+  const turn = await live(page, "body-turn");
+  await turn.locator('[data-value="steer"]').fill("20");
+  await expect(turn.locator(".lab-readout")).toContainText("hits");
+  await open(turn);
+  await turn.locator('[data-value="steer"]').fill("33");
+  await done(turn);
+
+  const curves = await live(page, "body-curves");
+  const before = await curves.locator(".lab-readout").textContent();
+  await curves.locator(".lab-stage").focus();
+  for (let i = 0; i < 8; i++) await page.keyboard.press("ArrowUp");
+  await expect(curves.locator(".lab-readout")).not.toHaveText(before!);
+  expect(complaints).toEqual([]);
+});
+
 for (const { id } of LESSONS) {
   for (const root of ["/docs/learn/", "/docs/zh/learn/"]) {
     test(`${root}${id} is light, stays still, has stills and answers without scripts, and is accessible`, async ({
@@ -111,6 +138,9 @@ for (const { id } of LESSONS) {
       expect((await shifts()).reduce((sum, one) => sum + one, 0)).toBeLessThan(0.01);
       const { violations } = await new AxeBuilder({ page }).analyze();
       expect(violations.map(({ id: rule, nodes }) => [rule, nodes.map(({ html }) => html)])).toEqual([]);
+
+      await page.setViewportSize({ width: 375, height: 800 });
+      expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(375);
 
       const bare = await browser.newContext({ javaScriptEnabled: false });
       const reader = await bare.newPage();
