@@ -361,6 +361,7 @@ describe("what the package answers is of the types that it declares:", () => {
       api.call("toCSV", where, plan, parkade.trajectory(where, plan));
       api.call("toTrajectoryCSV", parkade.trajectory(where, plan));
       api.call("roadFigures", where, plan);
+      api.call("reedsShepp", where.start, { ...where.start, x: where.start.x + 9 }, 6);
       api.call("collisionRisk", where, plan, { trials: 50 });
       api.call("driveEnvelope", where, plan, { trials: 50 });
       made.free();
