@@ -56,15 +56,15 @@ for (const root of ["/docs/learn/", "/docs/zh/learn/"]) {
       [15, 11],
     ]);
     await drag(page, trap, [
-      [15, 4],
-      [15, 1],
-      [2, 1],
+      [24, 9],
+      [24, 1],
+      [1, 1],
     ]);
     await open(trap);
     await drag(page, trap, [
-      [15, 12],
-      [15, 16],
-      [2, 16],
+      [24, 10],
+      [24, 16],
+      [1, 16],
     ]);
     await done(trap);
 

@@ -26,7 +26,7 @@ export const WORDS = {
     "A car on a map in metres. Drag it to move it, its nose to turn it. Keys: the arrows move it, [ and ] turn it, Enter takes the other car.",
     "以米为单位的地图上的车辆。拖动可移动，拖动车头可转向。键盘：方向键移动，[ 与 ] 转向，回车换另一辆车。",
   ],
-  driven: ["{0} m, {1} gear changes", "{0} m，换挡 {1} 次"],
+  driven: ["{0} m, gear changes: {1}", "{0} m，换挡 {1} 次"],
   clearance: ["clearance {0} m", "净距 {0} m"],
   poses: ["{0} expanded", "展开 {0} 个"],
   curve: ["curve {0} of {1}:", "第 {0} / {1} 条曲线："],
