@@ -1492,6 +1492,8 @@ export interface PictureOptions {
   camera?: Camera | null;
   /** Rasters of the plan that leads (hybrid's, or else the last): `safety` and `risk` are drawn. */
   layers?: Partial<Record<LayerName, Layer>>;
+  /** Planned paths, by planner, of which trajectories took the place: x, y, heading; drawn as thin lines. */
+  planned?: Readonly<Record<string, ArrayLike<number>>>;
   /** CSS colours and the font in place of the page's, by the names of its `--parkade-…` properties without that. */
   colours?: Readonly<Record<string, string>>;
 }

@@ -16,6 +16,7 @@ export function toSVG(given, plans = [], options = {}) {
     camera = null,
     colours = {},
     layers = {},
+    planned = {},
   } = object(options, "options");
   for (const [name, value] of Object.entries({ width, height })) {
     if (typeof value !== "number" || !(value >= 16 && value <= 8192))
@@ -45,6 +46,7 @@ export function toSVG(given, plans = [], options = {}) {
     element: layout || controls ? { layout: layout ?? "single", controls: controls ?? "none" } : null,
     planners: planners(),
     plans: drawn,
+    planned: plannedPaths(object(planned, "planned")),
     layers: object(layers, "layers"),
     colours: object(colours, "colours"),
   };
@@ -60,6 +62,12 @@ export function toSVG(given, plans = [], options = {}) {
     );
   }
 }
+
+/** @param {Record<string, unknown>} planned */
+const plannedPaths = (planned) =>
+  Object.fromEntries(
+    Object.entries(planned).map(([planner, path]) => [planner, numbers(Float64Array, path, `planned.${planner}`)]),
+  );
 
 /** @param {string} name @param {unknown} value @param {string[]} known */
 function oneOf(name, value, known) {

@@ -190,6 +190,14 @@ test("the SVG picture is well formed, holds the scene, and draws each planner's 
   expect(() => toSVG(scene, plans, { camera: { x: 0, y: 0, scale: 0 } })).toThrow(
     "camera.scale: must be a positive number, got 0",
   );
+  const own = { hybrid: plans[1]!.path };
+  const [without, withPlanned] = [{}, own].map(
+    (planned) => toSVG(scene, plans[1]!, { theme: "light", planned }).split("<path").length,
+  );
+  expect(withPlanned).toBe(without! + 1);
+  expect(() => toSVG(scene, plans, { planned: { hybrid: [1, "2" as unknown as number] } })).toThrow(
+    "planned.hybrid[1]: must be a number",
+  );
   const { status, out } = run(["plan", "perpendicular", "--format", "svg", "--size", "300x200"]);
   expect([status, out.slice(0, 4), out.includes('width="300" height="200"')]).toEqual([0, "<svg", true]);
 });

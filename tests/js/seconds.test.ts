@@ -1,7 +1,19 @@
 /** All places that tell how long a drive takes tell the same: table, clock, timeline, charts, files and the referee. */
 import { beforeAll, describe, expect, it } from "vitest";
-import { init, judge, Planner, scenario, scenarios, toCSV, toTrajectoryCSV, type Plan, type PlannerId } from "parkade";
+import {
+  init,
+  judge,
+  Planner,
+  scenario,
+  scenarios,
+  toCSV,
+  toTrajectoryCSV,
+  type Drive,
+  type Plan,
+  type PlannerId,
+} from "parkade";
 import { driveOf } from "../../www/src/planning/drive-of";
+import { along } from "../../www/src/planning/smoother";
 import { smoothed } from "../../www/src/planning/trajectories";
 import { extentOf, linesOf } from "../../www/src/panels/chart-lines";
 import { rowsOf } from "../../www/src/panels/metrics";
@@ -33,7 +45,7 @@ function resultOf(scene: Scene, planner: PlannerId, smooth: boolean): PanelResul
   const { trajectory, drive: driven, line } = smoothed({ scene, waiting: "predictive", ...plan });
   return {
     ...result,
-    smoothed: { of: plan, plan: { ...plan, ...line }, drive: driven, trajectory, failure: null },
+    smoothed: { of: plan, plan: along(plan, line, trajectory.check), drive: driven, trajectory, failure: null },
   };
 }
 
@@ -110,6 +122,23 @@ describe("the seconds of a drive", () => {
         expect(judge(still, toTrajectoryCSV(drive)).duration, name).toBe(seconds);
       }
     expect(drives).toBeGreaterThan(40);
+  });
+
+  it("stand beside the length, the gear changes and the clearance of the path that is driven", () => {
+    for (const id of ["perpendicular", "par-7.2"]) {
+      const scene = scenario(id),
+        [row] = rowsOf(stateOf(scene, true)),
+        { smoothed: made, plan } = stateOf(scene, true).results["hybrid"]!,
+        { drive, trajectory } = made!;
+      const { length, gears, clearance, curvature } = row!.cells;
+      expect(length.value, id).toBeCloseTo((drive as Drive).stations.at(-1)!, 4);
+      expect(length.value, id).not.toBeCloseTo(plan!.metrics.length, 2);
+      expect(gears.value, id).toBe(trajectory!.check.gearChanges);
+      expect(clearance.value, id).toBe(trajectory!.check.minClearance);
+      expect(curvature.value, id).toBeLessThanOrEqual(1.001 * plan!.metrics.curvatureLimit);
+      const [own] = rowsOf(stateOf(scene, false));
+      expect(own!.cells.length.value, id).toBe(plan!.metrics.length);
+    }
   });
 
   it("are those of the longest drive for the clock, and each car arrives in its own", () => {

@@ -81,7 +81,8 @@ const line = {
   curvatures: new Float64Array(2),
   clearances: new Float64Array(2),
 };
-const trajectory = { ...driveIn(6), stage: "optimised" };
+const verdict = { length: 10.5, gearChanges: 0, minClearance: 0.25, endError: { x: 0, y: 0, heading: 0.001 } },
+  trajectory = { ...driveIn(6), stage: "optimised", check: verdict };
 
 function open(hash = "one"): Store {
   const store = createStore({ planners: ["hybrid"], complete: true, results: { hybrid: answered(hash) } });
@@ -101,7 +102,12 @@ describe("a trajectory", () => {
     await worker().answer({ answer: { trajectory, drive: trajectory, line } });
     const { plan: of, smoothed } = store.state.results["hybrid"]!;
     expect(smoothed).toMatchObject({ of, drive: trajectory, failure: null });
-    expect(played(store.state.results["hybrid"])!.plan).toMatchObject({ hash: "one", path: line.path });
+    expect(played(store.state.results["hybrid"])!.plan).toMatchObject({
+      hash: "one",
+      path: line.path,
+      metrics: { length: 10.5, directionChanges: 0, minClearance: 0.25, maxCurvature: 0 },
+      check: { drivable: true, goalHeadingError: 0.001 },
+    });
     chooseSmooth(store, false);
     expect(played(store.state.results["hybrid"])!.plan).toBe(of);
     chooseSmooth(store, true);

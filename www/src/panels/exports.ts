@@ -27,14 +27,12 @@ export async function saveAs(app: App, kind: ExportKind): Promise<void> {
 
 /** A drawing with the scene inside: it opens here again. */
 async function pictureFile(app: App): Promise<Blob> {
-  const { plansOf, toSVG } = await formats(app),
+  const { plannedIn, plansOf, toSVG } = await formats(app),
     { state } = app.store,
     { scene, planners, hidden, theme } = state;
-  const plans = plansOf(
-    state,
-    planners.filter((planner) => !hidden.has(planner)),
-  );
-  return new Blob([toSVG(scene, plans, { width: 1200, height: 700, theme })], { type: "image/svg+xml" });
+  const shown = planners.filter((planner) => !hidden.has(planner)),
+    options = { width: 1200, height: 700, theme, planned: plannedIn(state, shown) };
+  return new Blob([toSVG(scene, plansOf(state, shown), options)], { type: "image/svg+xml" });
 }
 
 async function pathFile(app: App): Promise<Blob | null> {

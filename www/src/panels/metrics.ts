@@ -97,7 +97,7 @@ function valueOf(result: PanelResult | undefined, column: Column, drivable: bool
   if (column === "memory") return plan.stats.memoryBytes / 1000 || null;
   if (plan.outcome !== "found") return null;
   if (column === "drive") return drivable ? driveSeconds(result) : null;
-  return pathValue(plan, column, drivable);
+  return pathValue(played(result)!.plan!, column, drivable);
 }
 
 /** Seconds of the drive that plays; null until it is known, and where the car does not arrive. */

@@ -2,7 +2,7 @@
 import { toCSV, toSVG, toTrajectoryCSV, type Plan } from "parkade";
 import type { SceneView } from "./scene-view";
 import type { State } from "../store";
-import { played } from "../store/results";
+import { plannedOf, played } from "../store/results";
 import { makeTokens, type Tokens } from "../view/tokens";
 
 /** Each map where it stands in the element, as it is seen. */
@@ -24,6 +24,7 @@ export function svgOf(host: HTMLElement, views: readonly SceneView[], state: Sta
         camera,
         colours,
         layers,
+        planned: plannedIn(state, view.planners),
       });
       return svg.replace(
         "<svg ",
@@ -61,6 +62,16 @@ export function trajectoryCsvOf(state: State): string | null {
   const drive = played(state.results[state.focus])?.drive;
   return drive ? toTrajectoryCSV(drive) : null;
 }
+
+/** The planned paths of which the shown ones were made, by planner. */
+export const plannedIn = (state: State, planners: readonly string[]): Record<string, Float64Array> =>
+  Object.fromEntries(
+    planners.flatMap((planner) => {
+      const result = state.results[planner],
+        path = state.smooth ? plannedOf(played(result)?.plan ?? null, result) : null;
+      return path ? [[planner, path]] : [];
+    }),
+  );
 
 /** The shown paths. */
 export const plansOf = (state: State, planners: readonly string[]): Plan[] =>

@@ -18,6 +18,8 @@ export interface Sheet {
   geometry: SceneGeometry;
   planners: readonly PlannerInfo[];
   plans: readonly Plan[];
+  /** Planned paths, by planner, of which the plans' paths were made. */
+  planned: Readonly<Record<string, Float64Array>>;
   width: number;
   height: number;
   theme: "auto" | "light" | "dark";
@@ -51,6 +53,7 @@ function drawn(sheet: Sheet): string {
       plan,
       result: { ...state.results[plan.planner]!, plan },
       ghost: false,
+      ...(sheet.planned[plan.planner] && { planned: sheet.planned[plan.planner]! }),
     }));
     new SceneLayers().draw(
       makeFrame({ ctx: canvas.getContext() as unknown as Context, view, ratio: 1, state, tokens, shown, draft: null }),
@@ -107,7 +110,7 @@ function drawBars(
   }
 }
 
-function stateOf({ scene, geometry, plans, layers, camera }: Sheet): State {
+function stateOf({ scene, geometry, plans, planned, layers, camera }: Sheet): State {
   const planners = [...new Set(plans.map((plan) => plan.planner))];
   const focus = planners.includes("hybrid") ? "hybrid" : (planners.at(-1) ?? "hybrid");
   const results = Object.fromEntries(
@@ -131,5 +134,6 @@ function stateOf({ scene, geometry, plans, layers, camera }: Sheet): State {
     results,
     camera,
     complete: true,
+    smooth: Object.keys(planned).length > 0,
   };
 }

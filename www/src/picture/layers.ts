@@ -6,6 +6,7 @@ import { drawLaneStrip } from "../view/layers/lane-strip";
 import { drawLanes } from "../view/layers/lanes";
 import { drawContact, drawMoving } from "../view/layers/moving";
 import { drawObstruction } from "../view/layers/obstruction";
+import { drawUnsmoothed } from "../view/layers/unsmoothed";
 import { extras, type Extras } from "../view/lazy-layers";
 
 const held: Partial<Extras> = {
@@ -17,6 +18,7 @@ const held: Partial<Extras> = {
   drawLaneStrip,
   drawMoving,
   drawObstruction,
+  drawUnsmoothed,
 };
 
 extras.hold(held as Extras);

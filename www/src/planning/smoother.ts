@@ -1,5 +1,5 @@
 /** Trajectories that a car can follow: made of the shown paths while a scene rests, and shown in their place. */
-import type { Plan, PlannerId } from "parkade";
+import type { Judgement, Plan, PlannerId } from "parkade";
 import { forPlanners } from "../scene/large-scene";
 import { hasRoad } from "../scene/speed-limits";
 import { recall, remember } from "../store/preferences";
@@ -138,7 +138,13 @@ class Smoother {
       const { path, directions, curvatures } = plan!;
       const input = { scene: forPlanners(scene, engine.api.packRuns), waiting, path, directions, curvatures };
       const { trajectory, drive: driven, line } = await helper.call("smooth", input);
-      this.known.set(plan!, { ...plain, plan: along(plan!, line), drive: driven, trajectory, failure: null });
+      this.known.set(plan!, {
+        ...plain,
+        plan: along(plan!, line, trajectory.check),
+        drive: driven,
+        trajectory,
+        failure: null,
+      });
     } catch (error) {
       // A drag says nothing of the plan.
       if (!this.isDropped) this.known.set(plan!, { ...plain, failure: (error as Error).message });
@@ -156,4 +162,13 @@ class Smoother {
   }
 }
 
-const along = (plan: Plan, line: Line): Plan => ({ ...plan, ...line });
+/** A plan with the trajectory's path in the place of its own, and with that path's figures by the referee. */
+export function along(plan: Plan, line: Line, { length, gearChanges, minClearance, endError }: Judgement): Plan {
+  const maxCurvature = line.curvatures.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
+  return {
+    ...plan,
+    ...line,
+    metrics: { ...plan.metrics, length, directionChanges: gearChanges, minClearance, maxCurvature },
+    check: { ...plan.check, goalHeadingError: endError.heading },
+  };
+}

@@ -43,6 +43,12 @@ export const played = (
 ): Pick<PanelResult, "plan" | "drive"> | null | undefined =>
   result?.smoothed && result.smoothed.of === result.plan ? result.smoothed : result;
 
+/** The planned path of which the shown one was made; null where it is the planned one itself. */
+export function plannedOf(plan: Plan | null, result: PanelResult | null | undefined): Float64Array | null {
+  const smoothed = result?.smoothed;
+  return smoothed?.trajectory && smoothed.plan === plan ? smoothed.of.path : null;
+}
+
 /** The path in front. */
 export function focusedPlan({ results, focus }: State): Plan | null {
   const plan = played(results[focus])?.plan;

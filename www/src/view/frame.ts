@@ -17,6 +17,8 @@ export interface Shown {
   result: PanelResult | null;
   /** An older plan that stands in for a missing one. */
   ghost: boolean;
+  /** The planned path of which the plan's own was made, in pictures. */
+  planned?: Float64Array;
 }
 
 export interface Frame {

@@ -1,4 +1,5 @@
 /** The planned path under the trajectory that took its place. */
+import { plannedOf } from "../../store/results";
 import { inMetres, pixels, type Frame } from "../frame";
 import { plannerStyle } from "../tokens";
 import { metreLine } from "./metre-line";
@@ -8,15 +9,15 @@ const WIDTH_PX = 1.25,
 
 export function drawUnsmoothed(frame: Frame): void {
   const { ctx, shown } = frame;
-  for (const { result, plan, planner, ghost } of shown) {
-    const smoothed = result?.smoothed;
-    if (ghost || !smoothed?.trajectory || smoothed.plan !== plan) continue;
+  for (const { result, plan, planner, ghost, planned } of shown) {
+    const path = planned ?? plannedOf(plan, result);
+    if (ghost || !path) continue;
     ctx.save();
     inMetres(frame);
     ctx.globalAlpha = STRENGTH;
     ctx.strokeStyle = plannerStyle(frame.tokens, planner).colour;
     ctx.lineWidth = pixels(frame, WIDTH_PX);
-    ctx.stroke(metreLine(smoothed.of.path));
+    ctx.stroke(metreLine(path));
     ctx.restore();
   }
 }
