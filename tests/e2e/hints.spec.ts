@@ -9,6 +9,13 @@ test("one sentence after another leads from the first drag to a wall and to a pl
   const complaints = complaintsOf(page);
   await open(page);
   await expect(page.locator(hint)).toContainText("Drag me");
+  // Another tool drags nothing, so the hint waits.
+  const choose = (tool: string) =>
+    page.evaluate((tool) => document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ tool }), tool);
+  await choose("brush");
+  await expect(page.locator(hint)).toHaveCount(0);
+  await choose("select");
+  await expect(page.locator(hint)).toContainText("Drag me");
   const { x, y } = await page.evaluate(
     () =>
       (document.querySelector<PlaygroundElement>("parkade-playground")!.store as any).state.geometry.goal as {

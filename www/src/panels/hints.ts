@@ -129,8 +129,9 @@ export class Hints extends AppElement {
       words = this.renderRoot.querySelector("div");
     if (!step || !words || !this.host || state.transient || state.playback.playing || this.host.hasAttribute("viewing"))
       return null;
-    const anchor =
-      step === "hint.drag" ? this.grip() : state.canUndo && state.tool === "select" ? this.anchor(step) : null;
+    // Another tool drags nothing.
+    if (state.tool !== "select") return null;
+    const anchor = step === "hint.drag" ? this.grip() : state.canUndo ? this.anchor(step) : null;
     if (!anchor) return null;
     // The switch at the same car gives way.
     const origin = this.getBoundingClientRect(),
