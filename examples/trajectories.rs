@@ -5,7 +5,10 @@
 //! ```sh
 //! PARKADE_DATA=folder cargo run --release --example trajectories
 //! cargo run --release --example trajectories hashes > tests/data/trajectory-hashes.json
+//! cargo run --release --example trajectories scenes
+//! cargo run --release --example trajectories references
 //! cargo run --release --example trajectories random 0 1000
+//! cargo run --release --example trajectories limits 0 1000
 //! cargo run --release --example trajectories tight 1 101
 //! ```
 
@@ -52,10 +55,12 @@ fn main() {
             let number = |text: &str| text.parse().expect("a whole number");
             let seeds = number(from)..number(to);
             match kind {
-                "random" => print_random(seeds),
+                "random" | "limits" => print_random(seeds, kind),
                 _ => print_tight(&seeds),
             }
         }
+        ["scenes"] => print_scenes(&built_in().into_iter().chain(public()).collect::<Vec<_>>()),
+        ["references"] => print_references(),
         _ => print_tables(),
     }
 }
@@ -125,13 +130,15 @@ struct Seeded {
     shares: Vec<f64>,
     /// How far a simulated car strays at most, metres.
     strays: f64,
+    /// How often a car brakes and speeds up again without a stop.
+    dips: Vec<f64>,
     millis: Vec<f64>,
 }
 
 impl Seeded {
-    fn add(&mut self, name: &str, made: &Made) {
+    fn add(&mut self, name: &str, made: &Made, limits: &MotionLimits) {
         let (Some(route), Some(driven)) = (&made.route, &made.driven) else { return };
-        let (slow, duration) = (slow(&made.geometry, route), driven.check.figures.duration);
+        let (slow, duration) = (slow(&made.geometry, route, limits), driven.check.figures.duration);
         let is_optimised = driven.stage == Stage::Optimised;
         self.plans += 1;
         self.optimised += u32::from(is_optimised);
@@ -139,6 +146,7 @@ impl Seeded {
         self.longer += u32::from(duration > slow);
         self.shares.push(duration / slow);
         self.strays = self.strays.max(strays(&made.geometry, driven));
+        self.dips.push(f64::from(dips(driven)));
         self.millis.push(made.millis.1);
         if !is_optimised || !driven.check.passes() || duration > slow {
             println!(
@@ -154,14 +162,17 @@ impl Seeded {
     fn print(&mut self, kind: &str) {
         let worst = self.millis.iter().copied().fold(0.0, f64::max);
         println!(
-            "{kind}: {} plans, {} optimised, {} pass, {} longer than slow; of slow's time {:.2} in the median; a car \
-             strays {:.1} mm at most; optimise {:.1} ms in the median, {worst:.1} at most",
+            "{kind}: {} plans, {} optimised, {} pass, {} longer than slow; of slow's time {:.2} in the median, {:.2} at most; a \
+             car strays {:.1} mm at most; it brakes and speeds up again {} times in the median; optimise {:.1} ms in \
+             the median, {worst:.1} at most",
             self.plans,
             self.optimised,
             self.passing,
             self.longer,
             median(&mut self.shares),
+            self.shares.last().copied().unwrap_or(f64::NAN),
             1000.0 * self.strays,
+            median(&mut self.dips),
             median(&mut self.millis),
         );
     }
@@ -172,19 +183,65 @@ fn strays(geometry: &Geometry, driven: &Optimised) -> f64 {
     track(&geometry.vehicle, &Body::new(geometry), &driven.states).max_lateral
 }
 
-/// Seconds of `slow` along the plan's own path.
-fn slow(geometry: &Geometry, route: &Route) -> f64 {
-    let limits = Limits { speed: 2.5, deceleration: 1.0, steps: Steps::Slow, ..Limits::default() };
-    trajectory(&geometry.vehicle, route, &limits).expect("a drivable path").duration
+/// How often a car brakes and speeds up again without a stop: by more than a centimetre a second.
+fn dips(driven: &Optimised) -> u32 {
+    let (mut count, mut low, mut high) = (0, 0.0, 0.0);
+    for speed in driven.states.speed.iter().map(|speed| speed.abs()) {
+        if speed == 0.0 {
+            (low, high) = (0.0, 0.0);
+        } else if low < high - 0.01 && speed > low + 0.01 {
+            count += 1;
+            (low, high) = (speed, speed);
+        } else if speed > high {
+            (low, high) = (speed, speed);
+        } else if speed < low {
+            low = speed;
+        }
+    }
+    count
 }
 
-fn print_random(seeds: Range<u64>) {
+/// Seconds of `slow` along the plan's own path within the same limits.
+fn slow(geometry: &Geometry, route: &Route, limits: &MotionLimits) -> f64 {
+    let vehicle = Vehicle { max_steer_rate: limits.steering_rate_of(&geometry.vehicle), ..geometry.vehicle };
+    let limits = Limits {
+        speed: limits.speed,
+        acceleration: limits.acceleration,
+        deceleration: limits.deceleration,
+        lateral_acceleration: limits.lateral_acceleration.unwrap_or(100.0),
+        steps: Steps::Slow,
+        ..Limits::default()
+    };
+    trajectory(&vehicle, route, &limits).expect("a drivable path").duration
+}
+
+fn print_random(seeds: Range<u64>, kind: &str) {
     let mut seeded = Seeded::default();
     for seed in seeds {
         let (scene, settings) = random_scenes::scene(seed);
-        seeded.add(&format!("seed {seed}"), &make("hybrid", &scene, &settings));
+        let limits = if kind == "limits" { some_limits(seed) } else { MotionLimits::default() };
+        let options = Options { limits: limits.clone(), ..Options::default() };
+        seeded.add(&format!("seed {seed}"), &made_with("hybrid", &scene, &settings, &options), &limits);
     }
-    seeded.print("random");
+    seeded.print(kind);
+}
+
+/// Limits of which some are as usual and the others anything from slow to fast.
+fn some_limits(seed: u64) -> MotionLimits {
+    let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    let mut draw = |usual: f64, low: f64, high: f64| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        let share = (state >> 33) as f64 / f64::from(1_u32 << 31);
+        if share < 0.5 { usual } else { low + (high - low) * (2.0 * share - 1.0) }
+    };
+    let lateral = draw(0.0, 0.2, 3.0);
+    MotionLimits {
+        speed: draw(2.5, 0.3, 6.0),
+        acceleration: draw(1.0, 0.2, 4.0),
+        deceleration: draw(1.0, 0.2, 4.0),
+        steering_rate: draw(0.5, 0.1, 2.0),
+        lateral_acceleration: (lateral > 0.0).then_some(lateral),
+    }
 }
 
 /// The cars take the seeds in turn.
@@ -194,7 +251,8 @@ fn print_tight(seeds: &Range<u64>) {
         for seed in seeds.clone() {
             let car = [Vehicle::SEDAN, Vehicle::PAPER][seed as usize % 2];
             let scene = draw(&car, seed).scenario();
-            seeded.add(&format!("{kind} {seed}"), &make("hybrid", &scene, &Map::new()));
+            let made = make("hybrid", &scene, &Map::new());
+            seeded.add(&format!("{kind} {seed}"), &made, &MotionLimits::default());
         }
         seeded.print(kind);
     }
@@ -248,13 +306,14 @@ fn print_scenes(scenes: &[(String, Scenario)]) {
     println!(
         "2.5 m/s, 1 m/s², 0.5 rad/s. `slow` and stop-and-steer drive the plan's own path within the same limits, as \
          does what is left where nothing optimised passes (fallback); the bound is \
-         the length at those limits without a stop. Track: how far a simulated car strays at most.\n"
+         the length at those limits without a stop. Track: how far a simulated car strays at most. \
+         Dips: how often it brakes and speeds up again without a stop.\n"
     );
     println!(
         "| scene | made by | s | bound s | `slow` s | stop-and-steer s | fallback s | length m (plan's) | gear \
-         changes (plan's) | clearance m | track mm | passes | smoothness | TPCAP cost |"
+         changes (plan's) | clearance m | track mm | dips | passes | smoothness | TPCAP cost |"
     );
-    println!("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |");
+    println!("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |");
     let (mut plans, mut optimised_plans, mut passing) = (0, 0, 0);
     let (mut saved, mut millis, mut worst) = (Vec::new(), Vec::new(), 0.0_f64);
     for (name, scene) in scenes {
@@ -265,12 +324,12 @@ fn print_scenes(scenes: &[(String, Scenario)]) {
             continue;
         };
         let options = Options::default();
-        let slow = slow(&geometry, &route);
+        let slow = slow(&geometry, &route, &options.limits);
         let plain = stop_and_steer(&geometry.vehicle, &route, &options.limits).duration();
         let own = fallback(&geometry, &route, &options.limits).expect("valid limits");
         let figures = &made.check.figures;
         println!(
-            "| {name} | {} | {:.2} | {:.2} | {slow:.2} | {plain:.2} | {:.2} | {:.2} ({:.2}) | {} ({}) | {:.3} | {:.1} | {} | \
+            "| {name} | {} | {:.2} | {:.2} | {slow:.2} | {plain:.2} | {:.2} | {:.2} ({:.2}) | {} ({}) | {:.3} | {:.1} | {} | {} | \
              {:.1} | {:.0} |",
             made.stage.as_str(),
             figures.duration,
@@ -282,6 +341,7 @@ fn print_scenes(scenes: &[(String, Scenario)]) {
             plan.metrics.direction_changes,
             made.check.contacts.min_clearance,
             1000.0 * strays(&geometry, &made),
+            dips(&made),
             if made.check.passes() { "yes" } else { "no" },
             figures.smoothness(),
             figures.tpcap_cost(),

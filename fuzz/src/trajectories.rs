@@ -14,6 +14,8 @@ use crate::Outcome;
 use crate::random::Random;
 use crate::random_scenes;
 
+/// The referee's centimetre in x and in y, metres.
+const ATTAINED: f64 = 0.0142;
 /// Seconds between two looks at a drive among boxes.
 const LOOK: f64 = 0.005;
 
@@ -130,7 +132,7 @@ fn encountered(geometry: &Geometry, movers: &[Mover], met: &Encounter) -> Result
     }
     let arrives = [Ending::Arrived, Ending::Hit, Ending::Unavoidable].contains(&met.ending);
     let end = rows.poses[rows.t.len() - 1];
-    if arrives && (end.point() - geometry.goal.point()).norm() > 1e-3 {
+    if arrives && (end.point() - geometry.goal.point()).norm() > ATTAINED {
         return Err(format!("{:?} at {end:?}", met.ending));
     }
     if met.ending == Ending::Arrived && met.contact.is_some() {

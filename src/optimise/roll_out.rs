@@ -17,7 +17,7 @@ const STILL_KEPT: f64 = 1.0005;
 /// No drive is slowed down by more than this.
 const MOST_SLOWED: f64 = 1.5;
 /// Corrections of the end.
-const CORRECTIONS: usize = 6;
+const CORRECTIONS: usize = 10;
 /// More than this is no correction of a steering angle, radians.
 const MOST_CORRECTED: f64 = 0.02;
 /// The end is reached when it is this near, metres and radians.
@@ -189,12 +189,22 @@ impl Rows {
             let lever = self.speed[i] * (1.0 + tan * tan) / wheelbase;
             [-lever * (end.y - poses[i].y), lever * (end.x - poses[i].x), lever]
         };
-        let rows: Vec<nalgebra::Vector3<f64>> = (0..n).map(|i| row(i).into()).collect();
-        let mut normal = nalgebra::Matrix3::<f64>::zeros();
-        for (t, row) in self.t.windows(3).zip(&rows[1..]) {
-            normal += row * row.transpose() * ((t[2] - t[0]) / 2.0);
+        let mut rows: Vec<nalgebra::Vector3<f64>> = (0..n).map(|i| row(i).into()).collect();
+        let factors = |rows: &[nalgebra::Vector3<f64>]| {
+            let mut normal = nalgebra::Matrix3::<f64>::zeros();
+            for (t, row) in self.t.windows(3).zip(&rows[1..]) {
+                normal += row * row.transpose() * ((t[2] - t[0]) / 2.0);
+            }
+            Some(normal.try_inverse()? * nalgebra::Vector3::from(off))
+        };
+        // Angles at the lock that would go beyond it stay where they are, and the others do more.
+        let all = factors(&rows)?;
+        for (angle, row) in self.angle.iter().zip(&mut rows) {
+            if angle.abs() >= max_angle && all.dot(row) * angle.signum() > 0.0 {
+                *row = nalgebra::Vector3::zeros();
+            }
         }
-        let factors = normal.try_inverse()? * nalgebra::Vector3::from(off);
+        let factors = factors(&rows).unwrap_or(all);
         for (angle, row) in self.angle[1..n - 1].iter_mut().zip(&rows[1..]) {
             let by = factors.dot(row);
             if by.abs() > MOST_CORRECTED {
@@ -225,7 +235,8 @@ pub(super) fn moved(from: Pose, dt: f64, speed: [f64; 3], angle: [f64; 3], wheel
 #[derive(Debug, Clone, Copy)]
 struct Cell {
     length: f64,
-    speed: f64,
+    /// Largest speed at its end, squared; in between the square is linear.
+    top: f64,
     /// True if the wheel's rate changes where it begins.
     begins: bool,
 }
@@ -235,8 +246,7 @@ fn speeds(limits: &MotionLimits, cells: &[Cell]) -> Vec<f64> {
     let n = cells.len();
     let mut square = vec![0.0; n + 1];
     for i in 0..n - 1 {
-        let top = cells[i].speed.min(cells[i + 1].speed);
-        square[i + 1] = (square[i] + 2.0 * limits.acceleration * cells[i].length).min(top * top);
+        square[i + 1] = (square[i] + 2.0 * limits.acceleration * cells[i].length).min(cells[i].top);
     }
     for i in (0..n).rev() {
         square[i] = square[i].min(square[i + 1] + 2.0 * limits.deceleration * cells[i].length);
@@ -245,20 +255,47 @@ fn speeds(limits: &MotionLimits, cells: &[Cell]) -> Vec<f64> {
 }
 
 fn cells(path: &Path, run: Run, car: &Car) -> Vec<Cell> {
+    let lengths: Vec<f64> = path.nodes[run.first..run.last].iter().map(|n| n[STEP].max(NOTHING)).collect();
+    let tops: Vec<f64> = (run.first..run.last)
+        .zip(&lengths)
+        .map(|(k, length)| {
+            debug_assert!(path.links[k] == Link::Drive(run.gear));
+            let (from, to) = (path.nodes[k][ANGLE], path.nodes[k + 1][ANGLE]);
+            let speed = car.limits.speed.min(car.max_rate * length / (to - from).abs());
+            let lateral = car.limits.lateral_acceleration.map_or(f64::INFINITY, |most| {
+                most * car.vehicle.wheelbase / math::tan(from.abs().max(to.abs()))
+            });
+            (speed * speed).min(lateral)
+        })
+        .collect();
+    let tops = between(&tops);
     let mut cells = Vec::new();
-    for k in run.first..run.last {
-        debug_assert!(path.links[k] == Link::Drive(run.gear));
-        let (node, next) = (&path.nodes[k], &path.nodes[k + 1]);
-        let length = node[STEP].max(NOTHING);
-        let mut speed = car.limits.speed.min(car.max_rate * length / (next[ANGLE] - node[ANGLE]).abs());
-        if let Some(most) = car.limits.lateral_acceleration {
-            let angle = node[ANGLE].abs().max(next[ANGLE].abs());
-            speed = speed.min((most * car.vehicle.wheelbase / math::tan(angle)).sqrt());
-        }
+    for (length, top) in lengths.into_iter().zip(tops.windows(2)) {
         let parts = (length / CELL).ceil();
-        for part in 0..parts as u32 {
-            cells.push(Cell { length: length / parts, speed, begins: part == 0 });
+        for part in 1..=parts as u32 {
+            let share = f64::from(part) / parts;
+            let top = if share == 1.0 { top[1] } else { top[0] + (top[1] - top[0]) * share };
+            cells.push(Cell { length: length / parts, top, begins: part == 1 });
         }
     }
     cells
+}
+
+/// Values at the ends of links, none above that of a link beside it.
+fn between(links: &[f64]) -> Vec<f64> {
+    let beside = |i: usize| links[i.saturating_sub(1)].min(links[i.min(links.len() - 1)]);
+    (0..=links.len()).map(beside).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tops_between_links_are_nowhere_above_them() {
+        let links = [4.0, 1.0, 3.0, 2.0];
+        let ends = between(&links);
+        assert_eq!(ends, [4.0, 1.0, 1.0, 2.0, 2.0]);
+        assert!(links.iter().zip(ends.windows(2)).all(|(top, ends)| ends[0].max(ends[1]) <= *top));
+    }
 }

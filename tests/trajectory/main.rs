@@ -9,3 +9,6 @@ mod outlines;
 #[path = "../random_scenes/mod.rs"]
 #[expect(dead_code, reason = "plans are checked elsewhere")]
 mod random_scenes;
+#[path = "../tight_scenes/mod.rs"]
+#[expect(dead_code, reason = "scenes are planned as scenarios")]
+mod tight_scenes;

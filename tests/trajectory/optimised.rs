@@ -13,7 +13,7 @@ use parkade::scenario::{Scenario, catalog};
 use parkade::vehicle::Vehicle;
 use serde_json::{Map, Value};
 
-use crate::random_scenes;
+use crate::{random_scenes, tight_scenes};
 
 struct Driven {
     made: Optimised,
@@ -43,8 +43,7 @@ fn driven(scene: &Scenario, settings: &Map<String, Value>, options: &Options) ->
     assert!(rates.iter().all(|r| r.abs() <= 1.001 * options.limits.steering_rate_of(&vehicle)), "{name}");
     continuous(&name, &vehicle, states, &options.limits);
     let tracked = track(&vehicle, &Body::new(geometry), states);
-    let limits = Limits { speed: 2.5, deceleration: 1.0, steps: Steps::Slow, ..Limits::default() };
-    let slow = trajectory(&vehicle, &route, &limits).unwrap().duration;
+    let slow = slow(&vehicle, &route, &options.limits);
     // The referee finds the same in the columns as if a stranger had handed them in.
     let rows = TimedRows {
         t: states.t.clone(),
@@ -58,6 +57,20 @@ fn driven(scene: &Scenario, settings: &Map<String, Value>, options: &Options) ->
         "{name}: {judged:?}"
     );
     Some(Driven { made, lateral: tracked.max_lateral, slow })
+}
+
+/// Seconds of `slow` along the plan's own path within the same limits.
+fn slow(vehicle: &Vehicle, route: &Route, limits: &MotionLimits) -> f64 {
+    let vehicle = Vehicle { max_steer_rate: limits.steering_rate_of(vehicle), ..*vehicle };
+    let limits = Limits {
+        speed: limits.speed,
+        acceleration: limits.acceleration,
+        deceleration: limits.deceleration,
+        lateral_acceleration: limits.lateral_acceleration.unwrap_or(100.0),
+        steps: Steps::Slow,
+        ..Limits::default()
+    };
+    trajectory(&vehicle, route, &limits).unwrap().duration
 }
 
 /// Where the car drives, the curvature changes no faster than the wheel turns, across rows too, and the rows' poses are
@@ -141,8 +154,83 @@ fn random_scenes_pass_and_most_are_optimised() {
         count += 1;
         optimised += usize::from(driven.made.stage == Stage::Optimised);
         assert!(driven.lateral < 0.01, "seed {seed}: {}", driven.lateral);
+        assert!(driven.made.states.duration() <= driven.slow, "seed {seed}");
     }
     assert!(count > 40 && optimised * 100 >= 95 * count, "{optimised} of {count}");
+}
+
+#[test]
+fn a_path_that_slow_drives_as_fast_is_no_slower() {
+    let (scene, settings) = random_scenes::scene(20126);
+    let driven = driven(&scene, &settings, &Options::default()).unwrap();
+    let duration = driven.made.states.duration();
+    assert!(duration <= driven.slow && duration > 0.95 * driven.slow, "{duration} s, slow {} s", driven.slow);
+}
+
+#[test]
+fn limits_of_which_only_some_are_given_are_kept_and_no_slower_than_slow() {
+    let usual = MotionLimits::default();
+    let all = [
+        MotionLimits { speed: 0.6, ..usual.clone() },
+        MotionLimits { speed: 5.0, ..usual.clone() },
+        MotionLimits { acceleration: 0.3, ..usual.clone() },
+        MotionLimits { deceleration: 3.0, ..usual.clone() },
+        MotionLimits { steering_rate: 0.15, ..usual.clone() },
+        MotionLimits { lateral_acceleration: Some(0.4), ..usual },
+    ];
+    for (limits, seed) in all.iter().zip(3000..) {
+        let options = Options { limits: limits.clone(), ..Options::default() };
+        let (scene, settings) = random_scenes::scene(seed);
+        for (scene, settings) in [(scene, settings), (catalog::scenario("L2").unwrap(), Map::new())] {
+            let Some(driven) = driven(&scene, &settings, &options) else { continue };
+            let duration = driven.made.states.duration();
+            assert!(duration <= driven.slow, "seed {seed}, {limits:?}: {duration} s, slow {} s", driven.slow);
+        }
+    }
+}
+
+#[test]
+fn tight_scenes_are_driven_to_the_centimetre() {
+    let mut count = 0;
+    for (kind, draw) in tight_scenes::KINDS {
+        for (seed, car) in [(4001, Vehicle::PAPER), (4002, Vehicle::SEDAN)] {
+            let scene = draw(&car, seed).scenario();
+            let Some(driven) = driven(&scene, &Map::new(), &Options::default()) else { continue };
+            count += 1;
+            assert!(driven.lateral < 0.01, "{kind} {seed}: {}", driven.lateral);
+            assert!(driven.made.states.duration() <= driven.slow, "{kind} {seed}");
+        }
+    }
+    assert!(count >= 6, "{count} have a path");
+}
+
+#[test]
+fn pulses_of_the_acceleration_are_rare() {
+    for id in ["reverse-in", "L2", "perpendicular", "P2"] {
+        let made = driven(&catalog::scenario(id).unwrap(), &Map::new(), &Options::default()).unwrap().made;
+        let states = &made.states;
+        let pieces = pieces(states);
+        let pulses = pieces.windows(3).filter(|three| {
+            let [before, pulse, after] = [three[0], three[1], three[2]];
+            let is_apart = |other: (f64, f64)| (pulse.0 - other.0).abs() > 0.3;
+            pulse.1 < 0.03 && is_apart(before) && is_apart(after) && (before.0 - after.0).abs() < 0.3
+        });
+        assert!(pulses.count() <= 4, "{id}: {pieces:?}");
+    }
+}
+
+/// Accelerations and how many seconds each lasts.
+fn pieces(states: &States) -> Vec<(f64, f64)> {
+    let mut pieces: Vec<(f64, f64)> = Vec::new();
+    for i in 1..states.t.len() {
+        let lasts = states.t[i] - states.t[i - 1];
+        let by = (states.speed[i].abs() - states.speed[i - 1].abs()) / lasts;
+        match pieces.last_mut() {
+            Some(last) if (last.0 - by).abs() < 0.02 => last.1 += lasts,
+            _ => pieces.push((by, lasts)),
+        }
+    }
+    pieces
 }
 
 #[test]
