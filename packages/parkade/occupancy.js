@@ -20,6 +20,11 @@ export function fromOccupancy(cells, width, options) {
     ...scene
   } = object(options, "options");
   const count = listOf(cells, "cells").length;
+  for (let index = 0; index < count; index++) {
+    const value = cells[index];
+    if (typeof value !== "number" && typeof value !== "boolean")
+      throw mismatch(value, `cells[${index}]`, "a number, true or false");
+  }
   const height = rowsOf(count, width);
   if (!Array.isArray(origin) || origin.length !== 2) throw mismatch(origin, "origin", "[x, y] in metres");
   oneOf(rows, "rows", ["bottom-up", "top-down"]);
@@ -47,7 +52,9 @@ export function fromOccupancyGrid(message, options) {
   const { info, data } = object(message, "message");
   const { width, height, resolution, origin } = object(info, "message.info");
   const { position, orientation } = object(origin, "message.info.origin");
-  const { x = 0, y = 0, z = 0, w = 1 } = orientation ?? {};
+  const part = (/** @type {"x" | "y" | "z" | "w"} */ axis, otherwise = 0) =>
+    number(orientation?.[axis] ?? otherwise, `message.info.origin.orientation.${axis}`);
+  const [x, y, z, w] = /** @type {const} */ ([part("x"), part("y"), part("z"), part("w", 1)]);
   // A scene's cells lie along its axes.
   if (Math.hypot(x, y, z) > 1e-6 * Math.hypot(x, y, z, w)) {
     throw new ParkadeError(
@@ -57,7 +64,7 @@ export function fromOccupancyGrid(message, options) {
     );
   }
   const count = listOf(data, "message.data").length;
-  if (count !== width * height) {
+  if (count !== number(width, "message.info.width") * number(height, "message.info.height")) {
     throw mismatch(data, "message.data", `${shown(width)} × ${shown(height)} cells`, `${count}`);
   }
   const at = object(position, "message.info.origin.position");

@@ -144,6 +144,17 @@ function calls(): [name: string, run: (...args: never[]) => unknown, args: unkno
     "a.map.scen": "version 1\n0\ta.map\t2\t2\t0\t0\t1\t1\t1.41\n",
   };
   const rows = Object.fromEntries(parkade.paperGridRows().rows.map(({ id }) => [id, new Float64Array(12)]));
+  // The start is blocked, so an audit takes no time.
+  const [x, y] = [small.start.x, small.start.y],
+    lot: Scenario = {
+      ...small,
+      slots: [{ id: "a", kind: "perpendicular", x, y, heading: 0, width: 3, length: 6 }],
+      obstacles: [{ type: "rectangle", center: [x, y], size: [2, 2], heading: 0 }],
+    };
+  const pose = { x: 0.5, y: 0.5, heading: 0 },
+    grid = { resolution: 1, start: pose, goal: pose, rows: "top-down" as const, costs: [1, 1, 1, 1, 1, 2] },
+    info = { resolution: 1, width: 2, height: 1, origin: { position: { x: 0, y: 0 }, orientation: { w: 1 } } },
+    message = { info, data: [0, 100] };
   return [
     ["defaultConfig", defaultConfig, ["hybrid"]],
     ["scenario", scenario, [small.name]],
@@ -164,6 +175,11 @@ function calls(): [name: string, run: (...args: never[]) => unknown, args: unkno
     ["paperVerdicts", parkade.paperVerdicts, [{ parking: [], road: [] }]],
     ["paperStranded", parkade.paperStranded, [{ row: "none", from: 1, to: 1 }]],
     ["paperVolumes", parkade.paperVolumes, [{ scene: "none", poses: 10, seed: 1, rounds: 1 }]],
+    ["audit", parkade.audit, [lot, { vehicles: ["compact"], entries: ["head-in"] }]],
+    ["affectedRows", parkade.affectedRows, [lot, { ...lot, obstacles: [] }, parkade.audit(lot), {}]],
+    ["generateLot", parkade.generateLot, [{ seed: 1, rows: 1, bays: 4 }]],
+    ["fromOccupancy", parkade.fromOccupancy, [[0, 1, 0, 0, 0, 0], 3, grid]],
+    ["fromOccupancyGrid", parkade.fromOccupancyGrid, [message, { start: grid.start, goal: grid.goal }]],
     ["reedsShepp", parkade.reedsShepp, [{ x: 0, y: 0, heading: 0 }, { x: 5, y: 3, heading: 1 }, 4]],
     ["roadFigures", parkade.roadFigures, [road, { path: [0, 0, 0, 1, 0, 0] }]],
     ["driveEnvelope", parkade.driveEnvelope, [small, { path: [...plan.path] }, { trials: 2, from: 0, seed: 1 }]],
@@ -214,7 +230,7 @@ test("every function of the package that takes something is called", () => {
   const tried = new Set(all.map(([, run]) => run));
   for (const [name, run] of Object.entries(parkade)) {
     expect(
-      tried.has(run as never) || run.length === 0 || ["init", "Planner", "ParkadeError"].includes(name),
+      tried.has(run as never) || run.length === 0 || ["init", "Planner", "ParkadeError", "auditInParts"].includes(name),
       name,
     ).toBe(true);
   }
@@ -238,6 +254,31 @@ test.each(all)(
     const words = ({ errorInstance, counterexample }: typeof found) =>
       `${errorInstance}, of ${fc.stringify(counterexample?.[0].by)}`;
     expect(found.failed && words(found)).toBe(false);
+  },
+  HOURS,
+);
+
+test(
+  "an audit in parts with damaged arguments rejects with an explained error or resolves",
+  async () => {
+    const scene = { ...small, slots: [{ id: "a" }, { id: "b" }] },
+      args = [scene, { bays: ["a"] }, () => [], { workers: 2, bays: 1 }];
+    const given = fc.tuple(choices, value).map(([path, by]) => {
+      const copy = damaged([args[0], args[1], null, args[3]], path, by);
+      return copy[2] === null ? [copy[0], copy[1], args[2], copy[3]] : copy;
+    });
+    const any = fc.oneof({ weight: 5, arbitrary: given }, fc.array(value, { maxLength: 4 }));
+    await fc.assert(
+      fc.asyncProperty(any, async (some) => {
+        try {
+          await parkade.auditInParts(...(some as unknown as Parameters<typeof parkade.auditInParts>));
+        } catch (error) {
+          expect(error).toBeInstanceOf(ParkadeError);
+          expect(CODES).toContain((error as ParkadeError).code);
+        }
+      }),
+      options,
+    );
   },
   HOURS,
 );
