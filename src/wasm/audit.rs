@@ -69,6 +69,7 @@ fn row(row: &Row) -> JsValue {
 
 /// The rows of an audit; `each` is given each row, and answers whether to go on.
 #[wasm_bindgen(js_name = audit)]
+#[expect(clippy::needless_pass_by_value, reason = "optional functions arrive as values of their own")]
 pub fn js_audit(scene: JsValue, options: JsValue, each: Option<js_sys::Function>) -> JsResult {
     let scene = read_scene(scene)?;
     let fields = optional(options, ErrorCode::Input)?;

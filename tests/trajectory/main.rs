@@ -10,5 +10,4 @@ mod outlines;
 #[expect(dead_code, reason = "plans are checked elsewhere")]
 mod random_scenes;
 #[path = "../tight_scenes/mod.rs"]
-#[expect(dead_code, reason = "scenes are planned as scenarios")]
 mod tight_scenes;
