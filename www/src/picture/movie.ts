@@ -1,6 +1,7 @@
 /// <reference path="./gifenc.d.ts" />
 /** Moving pictures of canvases: GIF, and WebM or MP4 where the browser encodes video. */
-import { applyPalette, GIFEncoder, quantize } from "gifenc";
+import { GIFEncoder } from "gifenc";
+import { ColourTable } from "./colour-table";
 
 export const FORMATS = ["gif", "webm", "mp4"] as const;
 export type Format = (typeof FORMATS)[number];
@@ -19,7 +20,6 @@ export interface Movie {
 
 /** Frames whose colours make the palette of a GIF. */
 const SAMPLED = 5;
-const COLOURS = 255;
 /** Work between two breaths of the page, milliseconds. */
 const SLICE_MS = 24;
 
@@ -43,30 +43,41 @@ function canvasOf({ width, height }: Movie): [HTMLCanvasElement, CanvasRendering
   return [canvas, ctx];
 }
 
-/** One palette for all frames; pixels that stay are transparent, so that only what moves takes room. */
+/** One table of colours for all frames; pixels that stay are transparent, so that only what moves takes room. */
 async function encodeGif(movie: Movie, tell: (done: number) => boolean): Promise<Blob | null> {
   const { width, height, frames, rate } = movie,
     [canvas, ctx] = canvasOf(movie);
-  const pixels = (i: number): Uint8ClampedArray => {
+  const pixels = (i: number): Uint32Array => {
     movie.draw(canvas, i);
-    return ctx.getImageData(0, 0, width, height).data;
+    return new Uint32Array(ctx.getImageData(0, 0, width, height).data.buffer);
   };
-  const palette = paletteOf(
+  const table = new ColourTable(
     Array.from({ length: SAMPLED }, (_, k) => pixels(Math.round((k * (frames - 1)) / (SAMPLED - 1)))),
   );
-  const same = palette.length;
-  const gif = GIFEncoder();
-  let before: Uint8Array | null = null,
+  const same = table.colours.length,
+    palette = [...table.colours, [0, 0, 0]];
+  const gif = GIFEncoder(),
+    shown = new Uint8Array(width * height),
+    indices = new Uint8Array(width * height);
+  let before: Uint32Array | null = null,
     since = performance.now();
   for (let i = 0; i < frames; i++) {
-    const indices = applyPalette(pixels(i), palette, "rgb565");
-    const shown = before ? without(indices, before, same) : indices;
+    const now = pixels(i);
+    for (let p = 0; p < now.length; p++) {
+      if (before?.[p] === now[p]) {
+        shown[p] = same;
+        continue;
+      }
+      const index = table.indexOf(now[p]!);
+      shown[p] = before && index === indices[p] ? same : index;
+      indices[p] = index;
+    }
     gif.writeFrame(shown, width, height, {
-      ...(before ? {} : { palette: [...palette, [0, 0, 0]], repeat: 0 }),
+      ...(before ? {} : { palette, repeat: 0 }),
       delay: i === frames - 1 ? 1500 : 1000 / rate,
       ...(before && { transparent: true, transparentIndex: same, dispose: 1 }),
     });
-    before = indices;
+    before = now;
     if (performance.now() - since > SLICE_MS) {
       if (!tell(i / frames)) return null;
       await new Promise((done) => setTimeout(done));
@@ -75,25 +86,4 @@ async function encodeGif(movie: Movie, tell: (done: number) => boolean): Promise
   }
   gif.finish();
   return new Blob([gif.bytes()], { type: "image/gif" });
-}
-
-function paletteOf(samples: readonly Uint8ClampedArray[]): number[][] {
-  // A quarter of the pixels of each: what is drawn is wider than one.
-  const each = samples.map((rgba) => {
-    const some = new Uint32Array(rgba.buffer, 0, rgba.length >> 2).filter((_, i) => (i & 3) === 0);
-    return new Uint8ClampedArray(some.buffer);
-  });
-  const all = new Uint8ClampedArray(each.reduce((sum, one) => sum + one.length, 0));
-  let at = 0;
-  for (const one of each) {
-    all.set(one, at);
-    at += one.length;
-  }
-  return quantize(all, COLOURS, { format: "rgb565" });
-}
-
-function without(indices: Uint8Array, before: Uint8Array, same: number): Uint8Array {
-  const shown = new Uint8Array(indices.length);
-  for (let p = 0; p < indices.length; p++) shown[p] = indices[p] === before[p] ? same : indices[p]!;
-  return shown;
 }
