@@ -2,6 +2,7 @@ import type { PlannerId } from "parkade";
 import { css, html, nothing, unsafeCSS, type TemplateResult } from "lit";
 import { plannerName } from "../styles/planner-style";
 import type { State } from "../store";
+import { played } from "../store/results";
 import { controls } from "../styles/controls";
 import { LEGEND } from "../view/camera";
 import { extras } from "../view/lazy-layers";
@@ -105,7 +106,7 @@ export class Stage extends AppElement {
 
   private heading(): TemplateResult {
     const { focus, results, lang } = this.state;
-    const plan = results[focus]?.plan;
+    const plan = played(results[focus])?.plan;
     return html`<div class="title" @pointerdown=${this.grab} @pointerup=${this.flip}>${marker(focus)}${plannerName(lang, focus)}
       <span>${plan?.outcome === "found" ? `${this.num(plan.metrics.length, 2)} m` : statusOf(this.state, focus).brief}</span></div>`;
   }
