@@ -13,7 +13,7 @@ import {
   type PlannerId,
 } from "parkade";
 import { driveOf } from "../../www/src/planning/drive-of";
-import { along } from "../../www/src/planning/smoother";
+import { along, marginOf } from "../../www/src/planning/smoother";
 import { smoothed } from "../../www/src/planning/trajectories";
 import { extentOf, linesOf } from "../../www/src/panels/chart-lines";
 import { rowsOf } from "../../www/src/panels/metrics";
@@ -42,7 +42,11 @@ function resultOf(scene: Scene, planner: PlannerId, smooth: boolean): PanelResul
     drive = driveOf(scene, plan, "predictive", limitsOn(scene)),
     result: PanelResult = { ...emptyResult, plan, drive, status: "done" };
   if (!smooth || !drive) return result;
-  const { trajectory, drive: driven, line } = smoothed({ scene, waiting: "predictive", ...plan });
+  const {
+    trajectory,
+    drive: driven,
+    line,
+  } = smoothed({ scene, waiting: "predictive", margin: marginOf(plan), ...plan });
   return {
     ...result,
     smoothed: { of: plan, plan: along(plan, line, trajectory.check), drive: driven, trajectory, failure: null },
@@ -84,6 +88,20 @@ const parking = (): string[] =>
   scenarios()
     .filter(({ group }) => PARKING.includes(group))
     .map(({ id }) => id);
+
+it("a smoothed path keeps the margin that its plan kept", () => {
+  let asked = 0;
+  for (const { id } of scenarios().filter(({ group }) => PARKING.includes(group))) {
+    const { plan, smoothed } = resultOf(scenario(id), "hybrid", true),
+      margin = plan && marginOf(plan);
+    if (!smoothed || typeof margin !== "number") continue;
+    asked++;
+    // Clearance is a price to the optimiser and no hard limit.
+    const kept = Math.min(margin, plan!.metrics.minClearance!);
+    expect(smoothed.plan.metrics.minClearance, id).toBeGreaterThan(kept - 0.02);
+  }
+  expect(asked).toBeGreaterThan(20);
+});
 
 describe("the seconds of a drive", () => {
   it("are the same everywhere, in every built-in scene where a car parks", () => {

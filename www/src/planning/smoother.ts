@@ -135,8 +135,9 @@ class Smoother {
       const engine = await this.app.complete();
       if (this.isDropped) throw new Error("A drag has begun.");
       const helper = (this.helper ??= new Helper(engine));
-      const { path, directions, curvatures } = plan!;
-      const input = { scene: forPlanners(scene, engine.api.packRuns), waiting, path, directions, curvatures };
+      const { path, directions, curvatures } = plan!,
+        margin = marginOf(plan!);
+      const input = { scene: forPlanners(scene, engine.api.packRuns), waiting, margin, path, directions, curvatures };
       const { trajectory, drive: driven, line } = await helper.call("smooth", input);
       this.known.set(plan!, {
         ...plain,
@@ -161,6 +162,9 @@ class Smoother {
     this.helper = null;
   }
 }
+
+/** The margin that the plan's own planner was asked for and kept: its drive keeps it, too. */
+export const marginOf = ({ metrics }: Plan): number | undefined => ("margin" in metrics ? metrics.margin : undefined);
 
 /** A plan with the trajectory's path in the place of its own, and with that path's figures by the referee. */
 export function along(plan: Plan, line: Line, { length, gearChanges, minClearance, endError }: Judgement): Plan {

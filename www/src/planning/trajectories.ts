@@ -29,13 +29,14 @@ export interface Line {
 export function smoothed({
   scene,
   waiting,
+  margin,
   ...plan
-}: { scene: Scenario; waiting: Waiting } & Omit<Line, "clearances">): {
+}: { scene: Scenario; waiting: Waiting; margin?: number | undefined } & Omit<Line, "clearances">): {
   trajectory: OptimisedTrajectory;
   drive: Drive | Encounter;
   line: Line;
 } {
-  const trajectory = optimise(scene, plan),
+  const trajectory = optimise(scene, plan, margin === undefined ? {} : { margin }),
     drive = scene.moving?.length ? stopWaitGo(scene, trajectory, { rule: waiting }) : trajectory,
     line = lineOf(trajectory, sceneGeometry(scene).vehicle.wheelbase);
   return { trajectory, drive, line: { ...line, clearances: checkPath(scene, line.path, line.directions).clearances } };
