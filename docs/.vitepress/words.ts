@@ -169,8 +169,8 @@ export const WORDS: Record<string, Words> = {
     scene: "P4",
     formulas: [String.raw`\text{fitness} = \text{length} + 20\,(\text{blocked legs} + \text{blocked cells on them})`],
     letters: [
-      "A candidate is the start, up to 16 cells and the goal, joined by straight legs. A parent is the fittest of 3. A child has the head of one and the tail of another.",
-      "个体由起点、至多 16 个栅格与终点以直线相连。父代取 3 个中最优者，子代取一个的前段与另一个的后段。",
+      "A candidate is the start, up to 48 cells and the goal, joined by straight legs. A parent is the fittest of 3. A child has the head of one and the tail of another.",
+      "个体由起点、至多 48 个栅格与终点以直线相连。父代取 3 个中最优者，子代取一个的前段与另一个的后段。",
     ],
     en: "A genetic algorithm over paths of straight legs. It is slow, and in narrow places no candidate may be free. It is here to compare with.",
     zh: "以折线路径为个体的遗传算法。速度慢，在狭窄处可能没有一个候选可行，用于对比。",

@@ -85,7 +85,7 @@ const CLAIMS: Record<string, () => boolean> = {
   "rrt worst": () => expanded("rrt", "road-curve") > 2000,
   "genetic best": () => metres("genetic", "P4") < metres("eight", "P4"),
   "genetic worst": () =>
-    answer("genetic", "random-60").outcome === "budget-spent" && expanded("genetic", "random-60") === 20_000,
+    answer("genetic", "fig9-100").outcome === "budget-spent" && expanded("genetic", "fig9-100") === 20_000,
 };
 
 const car = (scene: Scenario) => sceneGeometry(scene).vehicle;

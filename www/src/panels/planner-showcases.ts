@@ -152,7 +152,7 @@ export const CASES: readonly (readonly [PlannerId, Cases])[] = [
     "genetic",
     {
       best: one("P4", "genetic.best"),
-      worst: one("random-60", "genetic.worst"),
+      worst: one("fig9-100", "genetic.worst"),
     },
   ],
 ];
