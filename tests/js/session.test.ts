@@ -17,7 +17,9 @@ describe("a planner used again", () => {
     expect(planner.plan().hash).toBe(own);
     expect(() => planner.plan({ start: { x: 0, y: 0 } as Pose })).toThrow(/start\.heading: missing field/);
     expect(() => planner.plan({ goal: { x: 0, y: Number.NaN, heading: 0 } })).toThrow(/goal\.y/);
-    expect(() => planner.plan({ gaol: start } as object)).toThrow(/there are trace, traceLimit, start, goal, onProgress/);
+    expect(() => planner.plan({ gaol: start } as object)).toThrow(
+      /there are trace, traceLimit, start, goal, onProgress/,
+    );
   });
 
   it("searches alone, with the plan's raw path", () => {
