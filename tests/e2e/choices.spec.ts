@@ -36,7 +36,7 @@ test("chips under hybrid's title show other paths and choose them; the link keep
   await fewest.click();
   await expect.poll(async () => (await playground.evaluate(shown))[1]).toBe(0);
   await expect(fewest).toHaveAttribute("aria-pressed", "true");
-  await expect(page.locator(chips).and(page.locator("[aria-pressed=true]"))).toHaveText(/52\.8 m · 0/);
+  await expect(page.locator(chips).and(page.locator("[aria-pressed=true]"))).toHaveText(/52\.9 m · 0/);
   const chosen = await playground.evaluate(shown);
   const link = await playground.evaluate(
     (element: PlaygroundElement) => (element as any).app.links.address(true) as Promise<string>,
