@@ -10,7 +10,7 @@ export default defineConfig({
   outputDir: "test-results",
   forbidOnly: process.env["CI"] !== undefined,
   timeout: 60_000,
-  workers: 1,
+  workers: 2,
   retries: 1,
   use: {
     baseURL: url,

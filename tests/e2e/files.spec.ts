@@ -60,7 +60,7 @@ test("a saved drawing opens again as the scene it shows", async ({ page }) => {
     mimeType: "image/svg+xml",
     buffer: Buffer.from("<svg xmlns='http://www.w3.org/2000/svg'/>"),
   });
-  await expect(page.locator("parkade-notices .notice.err")).toContainText("holds no scene");
+  await expect(page.locator("parkade-notices .notice.err")).toContainText("holds no lines that can be read");
   expect(complaints).toEqual([]);
 });
 
