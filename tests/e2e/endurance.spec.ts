@@ -45,14 +45,14 @@ for (const [name, address] of [
   ["the page", "./"],
   ["a frame", `/host/frame.html?hash=${encodeURIComponent("layout=grid&controls=full&editable")}`],
 ] as const) {
-  test(`300 random clicks, keys and touches on ${name}: nothing is said on the console, no text reads NaN, and it plans afterwards`, async ({
+  test(`200 random clicks, keys and touches on ${name}: nothing is said on the console, no text reads NaN, and it plans afterwards`, async ({
     page,
   }) => {
     await page.goto(address);
     await page.waitForTimeout(1500);
     const found = await monkey(page, random(SEED), {
       frame: () => page.frames().at(-1),
-      enough: (actions: number) => actions >= 300,
+      enough: (actions: number) => actions >= 200,
     });
     expect(found.complaints).toEqual([]);
     expect(found.usable).toBe(true);
@@ -62,7 +62,7 @@ for (const [name, address] of [
 test.describe("on a phone", () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
-  test("300 random touches: nothing is said on the console, no text reads NaN, and the page plans afterwards", async ({
+  test("200 random touches: nothing is said on the console, no text reads NaN, and the page plans afterwards", async ({
     page,
   }) => {
     await page.goto("./");
@@ -70,7 +70,7 @@ test.describe("on a phone", () => {
     const found = await monkey(page, random(SEED), {
       frame: () => page.frames().at(-1),
       touch: true,
-      enough: (actions: number) => actions >= 300,
+      enough: (actions: number) => actions >= 200,
     });
     expect(found.complaints).toEqual([]);
     expect(found.usable).toBe(true);

@@ -16,16 +16,19 @@ test("the path is saved as a table of its poses", async ({ page }) => {
   await page.evaluate(() =>
     document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ smooth: false }),
   );
-  const { name, bytes } = await exported(page, "CSV path");
-  expect(name).toMatch(/-hybrid\.csv$/);
-  const [head, ...rows] = bytes.toString().trim().split("\n");
-  expect(head).toBe("s,x,y,theta,kappa,clearance,v,direction,t");
-  const plan = await page.evaluate(() => {
-    const { path, metrics } = document.querySelector<PlaygroundElement>("parkade-playground")!.results["hybrid"]!;
-    return { poses: path.length / 3, length: metrics.length };
-  });
-  expect(rows).toHaveLength(plan.poses);
-  expect(Number(rows.at(-1)!.split(",")[0])).toBeCloseTo(plan.length, 1);
+  // A better path may come in between.
+  await expect(async () => {
+    const { name, bytes } = await exported(page, "CSV path");
+    expect(name).toMatch(/-hybrid\.csv$/);
+    const [head, ...rows] = bytes.toString().trim().split("\n");
+    expect(head).toBe("s,x,y,theta,kappa,clearance,v,direction,t");
+    const plan = await page.evaluate(() => {
+      const { path, metrics } = document.querySelector<PlaygroundElement>("parkade-playground")!.results["hybrid"]!;
+      return { poses: path.length / 3, length: metrics.length };
+    });
+    expect(rows).toHaveLength(plan.poses);
+    expect(Number(rows.at(-1)!.split(",")[0])).toBeCloseTo(plan.length, 1);
+  }).toPass({ timeout: 20_000 });
 });
 
 test("pictures come at one and two pixels for each on the screen", async ({ page }) => {

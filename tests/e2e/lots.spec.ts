@@ -24,8 +24,7 @@ for (const [name, text] of Object.entries(FILES))
     if (name.endsWith(".svg")) await dialog.getByRole("spinbutton", { name: "One unit of the file" }).press("Tab");
     await expect(dialog).toContainText("10 bays, 1 wall, 1 kerb");
     await dialog.getByRole("button", { name: "Open", exact: true }).click();
-    await settled(page);
-    expect((await sceneOf(page)).slots).toHaveLength(10);
+    await expect.poll(async () => (await sceneOf(page)).slots?.length).toBe(10);
     expect(complaints).toEqual([]);
   });
 

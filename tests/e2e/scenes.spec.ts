@@ -55,7 +55,9 @@ test("another scene shows no plan of the one before, however it is opened", asyn
   await settled(page);
 });
 
-test("every planner on every preset: no error, and a drive in plausible time", async ({ page }) => {
+test("every preset with its planners and a third of the others: no error, and a drive in plausible time", async ({
+  page,
+}) => {
   test.setTimeout(600_000);
   await open(page);
   const said = await page.evaluate(async () => {
@@ -66,11 +68,12 @@ test("every planner on every preset: no error, and a drive in plausible time", a
     const faults: string[] = [];
     let pairs = 0,
       drives = 0;
-    for (const { id } of app.catalog.scenarios) {
+    for (const [at, { id }] of app.catalog.scenarios.entries()) {
       store.set({ message: null });
       app.openPreset(id);
-      // Roads open with the planners that they feature.
-      store.set({ planners });
+      // What it features, and a third of the others, each time another one: `parity.spec.ts` has all of all.
+      const featured = store.state.planners;
+      store.set({ planners: planners.filter((one, i) => featured.includes(one) || i % 3 === at % 3) });
       await element.settled();
       const { results, message, scene } = store.state;
       if (message) faults.push(`${id}: ${message.text}`);
@@ -91,6 +94,6 @@ test("every planner on every preset: no error, and a drive in plausible time", a
     return { faults, pairs, drives };
   });
   expect(said.faults).toEqual([]);
-  expect(said.pairs).toBeGreaterThanOrEqual(480);
-  expect(said.drives).toBeGreaterThan(60);
+  expect(said.pairs).toBeGreaterThanOrEqual(300);
+  expect(said.drives).toBeGreaterThan(50);
 });

@@ -504,7 +504,7 @@ test("with a pen in use, fingers move the view", async ({ page }) => {
   expect(await fingerprint(page)).toBe(drawn);
 });
 
-test("200 mixed edits are taken back to the very scene, and made again", async ({ page }) => {
+test("100 mixed edits are taken back to the very scene, and made again", async ({ page }) => {
   test.setTimeout(180_000);
   await openLot(page);
   await page.evaluate(() =>
@@ -518,7 +518,7 @@ test("200 mixed edits are taken back to the very scene, and made again", async (
   };
   const spot = (): Spot => [random(8, 32), random(8, 22)];
   const pick = <T>(list: readonly T[]): T => list[Math.floor(random(0, list.length))]!;
-  while (seen.length <= 200) {
+  while (seen.length <= 100) {
     const how = random(0, 1);
     if (how < 0.2) {
       await page.keyboard.press(pick(["b", "r", "m", "p", "e", "v", "k", "k"]));
