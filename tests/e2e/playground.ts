@@ -14,6 +14,7 @@ export interface PlaygroundElement extends HTMLElement {
     state: {
       scene: Scenario;
       canUndo: boolean;
+      planners: string[];
       message: { tone: string; text: string } | null;
       camera: unknown;
       mode: string;
