@@ -37,7 +37,7 @@ def test_the_playground_is_sent_when_it_is_asked_for(monkeypatch):
     assert b"parkadeAddresses" in worker
     # Nothing in a notebook can be fetched by a name.
     assert b"/assets/" not in page
-    assert sum(map(len, buffers)) < 1_000_000
+    assert sum(map(len, buffers)) < 1_100_000
 
 
 def test_the_state_in_a_notebook_is_small():
