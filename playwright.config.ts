@@ -10,7 +10,8 @@ export default defineConfig({
   outputDir: "test-results",
   forbidOnly: process.env["CI"] !== undefined,
   timeout: 60_000,
-  workers: 2,
+  expect: { timeout: 10_000 },
+  workers: 1,
   retries: 1,
   use: {
     baseURL: url,
