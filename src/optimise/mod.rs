@@ -182,7 +182,7 @@ pub fn optimise(
         [(kept, false), (kept, true)].into_iter().find_map(|how| trials.attempt(how, smooth.clone()));
     let optimised =
         |(states, check): Trial, steps| Optimised { states, stage: Stage::Optimised, check, steps };
-    let slow = slow(geometry, route, limits);
+    let slow = slow_duration(&geometry.vehicle, route, limits);
     let enough = slow.min(QUICK * plain.duration());
     if let Some(first) = first.take_if(|(states, _)| states.duration() < enough) {
         return Ok(optimised(first, trials.steps));
@@ -240,10 +240,10 @@ fn plain(geometry: &Geometry, route: &Route, limits: &MotionLimits) -> Result<St
     if plain.duration() > MAX_DURATION { Err(too_long(plain.duration())) } else { Ok(plain) }
 }
 
-/// Seconds of a slow drive along the route within the same limits, which the wheel can follow but for centimetres;
-/// infinite where there is none.
-fn slow(geometry: &Geometry, route: &Route, limits: &MotionLimits) -> f64 {
-    let vehicle = Vehicle { max_steer_rate: limits.steering_rate_of(&geometry.vehicle), ..geometry.vehicle };
+/// Seconds of a drive with [`Steps::Slow`] along a route within the same limits, the steering rate too; infinite where
+/// there is none. The wheel stays as it is at the goal, and the car may stray by centimetres.
+pub fn slow_duration(vehicle: &Vehicle, route: &Route, limits: &MotionLimits) -> f64 {
+    let vehicle = Vehicle { max_steer_rate: limits.steering_rate_of(vehicle), ..*vehicle };
     let limits = Limits {
         speed: limits.speed,
         acceleration: limits.acceleration,

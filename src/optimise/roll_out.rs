@@ -1,10 +1,12 @@
 //! From a path to states in time: speeds, rows, and the last millimetres to the goal.
 
+use super::OFF;
 use super::path::{Link, Path, Run};
 use super::round::Car;
 use super::segment::{ANGLE, STEP};
 use crate::geometry::{Pose, math};
 use crate::referee::{MotionLimits, States};
+use nalgebra::Vector3;
 
 /// Speeds are looked at this often, metres, …
 const CELL: f64 = 0.02;
@@ -18,8 +20,9 @@ const STILL_KEPT: f64 = 1.0005;
 const MOST_SLOWED: f64 = 1.5;
 /// Corrections of the end.
 const CORRECTIONS: usize = 10;
-/// More than this is no correction of a steering angle, radians.
+/// More than this is no correction of a steering angle, radians, or of a run's length, metres.
 const MOST_CORRECTED: f64 = 0.02;
+const MOST_STRETCHED: f64 = 0.1;
 /// The end is reached when it is this near, metres and radians.
 const REACHED: f64 = 1e-6;
 
@@ -117,14 +120,23 @@ impl Rows {
         if self.most < 0.0 {
             return None;
         }
-        for _ in 0..CORRECTIONS {
+        // Angles at the lock cannot bring every end to the goal: the runs' lengths change only where they do not suffice.
+        let mut stretches = false;
+        for round in 0..2 * CORRECTIONS {
             let poses = self.poses(start.heading, wheelbase);
             let end = poses[poses.len() - 1];
             let off = [goal.x - end.x, goal.y - end.y, goal.heading - end.heading];
-            if off.iter().all(|v| v.abs() < REACHED) {
+            let is_off = |least: f64| off.iter().any(|v| v.abs() >= least);
+            if !is_off(if round < CORRECTIONS { REACHED } else { OFF }) {
                 break;
             }
-            self.correct(&poses, off, wheelbase, max_angle)?;
+            stretches |= round == CORRECTIONS;
+            if !stretches && self.correct(&poses, off, (wheelbase, max_angle), false).is_none() {
+                stretches = true;
+            }
+            if stretches {
+                self.correct(&poses, off, (wheelbase, max_angle), true)?;
+            }
         }
         self.slow_down(car.limits.steering_rate_of(car.vehicle));
         Some(self.plain(start, wheelbase))
@@ -159,28 +171,51 @@ impl Rows {
         if !(STILL_KEPT..MOST_SLOWED).contains(&most) {
             return;
         }
-        let mut slowed = Self::new(self.most, self.angle[0]);
-        let mut first = 0;
-        while first + 1 < self.t.len() {
-            let last = (first + 1..self.t.len() - 1).find(|&i| self.speed[i] == 0.0);
-            let last = last.unwrap_or(self.t.len() - 1);
+        let slowed = |(first, last): (usize, usize)| {
             let factor = (first + 1..=last).map(too_fast).fold(1.0, f64::max);
+            (factor, factor)
+        };
+        let factors: Vec<(f64, f64)> = self.runs().into_iter().map(slowed).collect();
+        self.rescale(&factors);
+    }
+
+    /// The first and the last rows between one standstill and the next.
+    fn runs(&self) -> Vec<(usize, usize)> {
+        let (mut runs, mut first, end) = (Vec::new(), 0, self.t.len() - 1);
+        while first < end {
+            let last = (first + 1..end).find(|&i| self.speed[i] == 0.0).unwrap_or(end);
+            runs.push((first, last));
+            first = last;
+        }
+        runs
+    }
+
+    /// Multiplies the times and divides the speeds from one standstill to the next.
+    fn rescale(&mut self, factors: &[(f64, f64)]) {
+        let mut rescaled = Self::new(self.most, self.angle[0]);
+        for ((first, last), (longer, slower)) in self.runs().into_iter().zip(factors) {
             for i in first + 1..=last {
-                let duration = (self.t[i] - self.t[i - 1]) * factor;
+                let duration = (self.t[i] - self.t[i - 1]) * longer;
                 let parts = (duration / ROW - 1e-9).ceil().max(1.0);
                 for k in 1..=parts as u32 {
                     let share = f64::from(k) / parts;
                     let mixed = |column: &[f64]| column[i - 1] + (column[i] - column[i - 1]) * share;
-                    slowed.push(duration / parts, mixed(&self.speed) / factor, mixed(&self.angle));
+                    rescaled.push(duration / parts, mixed(&self.speed) / slower, mixed(&self.angle));
                 }
             }
-            first = last;
         }
-        *self = slowed;
+        *self = rescaled;
     }
 
-    /// The least change of the steering angles, as a function of time, that moves the end by `off`.
-    fn correct(&mut self, poses: &[Pose], off: [f64; 3], wheelbase: f64, max_angle: f64) -> Option<()> {
+    /// The least change of the steering angles, as a function of time, that moves the end by `off`; where it
+    /// `stretches`, of the runs' lengths, too.
+    fn correct(
+        &mut self,
+        poses: &[Pose],
+        off: [f64; 3],
+        (wheelbase, max_angle): (f64, f64),
+        stretches: bool,
+    ) -> Option<()> {
         let end = poses[poses.len() - 1];
         let n = self.t.len();
         // How the end's pose moves with the heading at a row, and that heading with the row's steering angle.
@@ -189,30 +224,67 @@ impl Rows {
             let lever = self.speed[i] * (1.0 + tan * tan) / wheelbase;
             [-lever * (end.y - poses[i].y), lever * (end.x - poses[i].x), lever]
         };
-        let mut rows: Vec<nalgebra::Vector3<f64>> = (0..n).map(|i| row(i).into()).collect();
-        let factors = |rows: &[nalgebra::Vector3<f64>]| {
+        let mut rows: Vec<Vector3<f64>> = (0..n).map(|i| row(i).into()).collect();
+        let columns = if stretches { self.columns(poses, wheelbase) } else { Vec::new() };
+        let factors = |rows: &[Vector3<f64>]| {
             let mut normal = nalgebra::Matrix3::<f64>::zeros();
             for (t, row) in self.t.windows(3).zip(&rows[1..]) {
                 normal += row * row.transpose() * ((t[2] - t[0]) / 2.0);
             }
-            Some(normal.try_inverse()? * nalgebra::Vector3::from(off))
+            for (_, column) in &columns {
+                normal += column * column.transpose();
+            }
+            Some(normal.try_inverse()? * Vector3::from(off))
         };
         // Angles at the lock that would go beyond it stay where they are, and the others do more.
         let all = factors(&rows)?;
         for (angle, row) in self.angle.iter().zip(&mut rows) {
             if angle.abs() >= max_angle && all.dot(row) * angle.signum() > 0.0 {
-                *row = nalgebra::Vector3::zeros();
+                *row = Vector3::zeros();
             }
         }
         let factors = factors(&rows).unwrap_or(all);
-        for (angle, row) in self.angle[1..n - 1].iter_mut().zip(&rows[1..]) {
-            let by = factors.dot(row);
-            if by.abs() > MOST_CORRECTED {
-                return None;
-            }
+        let turned: Vec<f64> = rows[1..n - 1].iter().map(|row| factors.dot(row)).collect();
+        let stretched: Vec<(f64, f64)> =
+            columns.iter().map(|(length, column)| (*length, factors.dot(column))).collect();
+        let is_too_far = turned.iter().any(|by| by.abs() > MOST_CORRECTED)
+            || stretched.iter().any(|(length, by)| by.abs() > MOST_STRETCHED.min(length / 2.0));
+        if is_too_far {
+            return None;
+        }
+        for (angle, by) in self.angle[1..].iter_mut().zip(turned) {
             *angle = (*angle + by).clamp(-max_angle, max_angle);
         }
+        if stretches {
+            // A longer run takes more time, a shorter one is driven more slowly: no limit is left.
+            let factors = stretched.into_iter().map(|(length, by)| {
+                let factor = 1.0 + by / length;
+                if factor < 1.0 { (1.0, 1.0 / factor) } else { (factor, 1.0) }
+            });
+            self.rescale(&factors.collect::<Vec<_>>());
+        }
         Some(())
+    }
+
+    /// The length of each run, and how the end's pose moves with it; a standstill has the least length there is.
+    fn columns(&self, poses: &[Pose], wheelbase: f64) -> Vec<(f64, Vector3<f64>)> {
+        let end = poses[poses.len() - 1];
+        let rate = |i: usize| {
+            let (speed, (sin, cos)) = (self.speed[i], math::sin_cos(poses[i].heading));
+            let turn = speed * math::tan(self.angle[i]) / wheelbase;
+            let (dx, dy) = (end.x - poses[i].x, end.y - poses[i].y);
+            Vector3::new(speed * cos - turn * dy, speed * sin + turn * dx, turn)
+        };
+        let column = |(first, last): (usize, usize)| {
+            let (mut length, mut sum) = (NOTHING, Vector3::zeros());
+            for i in first..last {
+                let half = (self.t[i + 1] - self.t[i]) / 2.0;
+                length += half * (self.speed[i] + self.speed[i + 1]).abs();
+                sum += (rate(i) + rate(i + 1)) * half;
+            }
+            (length, sum / length)
+        };
+        self.runs().into_iter().map(column).collect()
     }
 }
 

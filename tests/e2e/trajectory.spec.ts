@@ -39,6 +39,21 @@ const driven = (page: Page): Promise<Driven | null> =>
     };
   });
 
+/** The hash of the focused planner's trajectory, and the plan that it was made of. */
+const made = (page: Page) =>
+  page.evaluate(() => {
+    const { state } = document.querySelector<PlaygroundElement>("parkade-playground")!.store as unknown as {
+      state: { focus: string; results: Record<string, any> };
+    };
+    const { path, directions, curvatures, metrics } = state.results[state.focus].plan,
+      { hash } = state.results[state.focus].smoothed.trajectory;
+    const columns = { path: [...path], directions: [...directions], curvatures: [...curvatures] } as Record<
+      string,
+      number[]
+    >;
+    return { ...columns, hash, margin: metrics.margin } as { path: number[]; hash: string; margin: number };
+  });
+
 /** Better paths have been looked for, and none takes the place of what is shown any more. */
 const rested = (page: Page): Promise<unknown> =>
   page.waitForFunction(() => {
@@ -86,6 +101,9 @@ test("paths are driven as trajectories, and everything tells their seconds", asy
   const { stage, seconds, planned } = await smoothed(page);
   expect(stage).toBe("optimised");
   expect(seconds).toBeLessThan(planned);
+  const { hash, margin, ...plan } = await made(page);
+  await init();
+  expect(optimise(scenario("perpendicular"), plan, { margin }).hash, "as in Node").toBe(hash);
   const text = seconds.toFixed(1);
   await expect(cell(page, "Hybrid")).toContainText(text);
   await expect(total(page)).toHaveText(`${text} / ${text} s`);

@@ -3,10 +3,10 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use parkade::drive::{Limits, Route, Steps, trajectory};
+use parkade::drive::Route;
 use parkade::geometry::math;
 use parkade::metrics::Body;
-use parkade::optimise::{Optimised, Options, Stage, optimise};
+use parkade::optimise::{Optimised, Options, Stage, optimise, slow_duration};
 use parkade::plan::{Outcome, Planner};
 use parkade::referee::{MotionLimits, States, Submission, TimedRows, judge, track};
 use parkade::scenario::{Scenario, catalog};
@@ -43,7 +43,8 @@ fn driven(scene: &Scenario, settings: &Map<String, Value>, options: &Options) ->
     assert!(rates.iter().all(|r| r.abs() <= 1.001 * options.limits.steering_rate_of(&vehicle)), "{name}");
     continuous(&name, &vehicle, states, &options.limits);
     let tracked = track(&vehicle, &Body::new(geometry), states);
-    let slow = slow(&vehicle, &route, &options.limits);
+    let slow = slow_duration(&vehicle, &route, &options.limits);
+    assert!(slow.is_finite(), "{name}");
     // The referee finds the same in the columns as if a stranger had handed them in.
     let rows = TimedRows {
         t: states.t.clone(),
@@ -57,20 +58,6 @@ fn driven(scene: &Scenario, settings: &Map<String, Value>, options: &Options) ->
         "{name}: {judged:?}"
     );
     Some(Driven { made, lateral: tracked.max_lateral, slow })
-}
-
-/// Seconds of `slow` along the plan's own path within the same limits.
-fn slow(vehicle: &Vehicle, route: &Route, limits: &MotionLimits) -> f64 {
-    let vehicle = Vehicle { max_steer_rate: limits.steering_rate_of(vehicle), ..*vehicle };
-    let limits = Limits {
-        speed: limits.speed,
-        acceleration: limits.acceleration,
-        deceleration: limits.deceleration,
-        lateral_acceleration: limits.lateral_acceleration.unwrap_or(100.0),
-        steps: Steps::Slow,
-        ..Limits::default()
-    };
-    trajectory(&vehicle, route, &limits).unwrap().duration
 }
 
 /// Where the car drives, the curvature changes no faster than the wheel turns, across rows too, and the rows' poses are
