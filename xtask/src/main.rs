@@ -2,6 +2,7 @@
 
 mod bench;
 mod browser;
+mod counts;
 mod docs;
 mod endurance;
 mod fuzz;
@@ -42,7 +43,11 @@ const COMMANDS: &[Command] = &[
         run: python::notebooks,
     },
     Command { name: "serve", about: "build, then serve the page locally", run: serve::serve },
-    Command { name: "test", about: "build, then check and test everything", run: test::test },
+    Command {
+        name: "test",
+        about: "build, then check and test everything; or only the suites named: test \"Rust, native\" Python",
+        run: test::test,
+    },
     Command {
         name: "latency",
         about: "build, then measure how soon the page answers a drag",

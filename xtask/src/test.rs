@@ -1,103 +1,193 @@
 //! `cargo xtask test`: every check and test, whatever fails before; totals last.
 
-use std::fmt;
-use std::fs;
-use std::path::Path;
-use std::process::Command;
-use std::time::{Duration, Instant};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::time::Instant;
+use std::{env, fmt, fs};
 
-use anyhow::{Context as _, Result, bail, ensure};
+use anyhow::{Context as _, Result, bail};
+use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use crate::tools::{self, WASM_TARGET, Workspace, cargo, node_tool, tee};
+use crate::counts::{Counts, judge, libtest_counts, playwright_counts, pytest_counts, vitest_counts};
+use crate::tools::{self, WASM_TARGET, Workspace, cargo, command, node_tool, tee};
 use crate::{browser, docs, python, site};
 
 /// Selects this program, in the profile in which it is built anyway.
 const TOOL: &[&str] = &["--package", "xtask", "--profile", "tool"];
 const FUZZ: &[&str] = &["--package", "parkade-fuzz"];
 
-/// Tests of one suite; a check without tests of its own counts as one.
-#[derive(Default)]
-struct Counts {
-    passed: u64,
-    failed: u64,
-    skipped: u64,
-    repeated: u64,
-    /// What failed, a line each: the end of a long log is often all that is kept of it.
-    failures: Vec<String>,
-}
-
 struct Suite {
     name: &'static str,
+    needs: Needs,
+    run: fn() -> Result<Counts>,
+}
+
+#[derive(PartialEq)]
+enum Needs {
+    Sources,
+    /// The package and the page, built.
+    Build,
+}
+
+/// In the order in which they run.
+const SUITES: &[Suite] = &[
+    suite("build", Needs::Sources, || check(site::assemble())),
+    suite("format", Needs::Sources, || cargo_check(&["fmt", "--all", "--check"])),
+    suite("lint, native", Needs::Sources, || lint(&["--all-targets"])),
+    suite("lint, tool", Needs::Sources, || lint(&[TOOL, &["--all-targets"]].concat())),
+    suite("lint, fuzz", Needs::Sources, || lint(&[FUZZ, &["--all-targets"]].concat())),
+    suite("lint, wasm", Needs::Sources, || lint(&["--target", WASM_TARGET, "--lib", "--tests"])),
+    suite("lint, core", Needs::Sources, || {
+        lint(&["--target", WASM_TARGET, "--lib", "--no-default-features"])
+    }),
+    suite("lint, wheel", Needs::Sources, || check(python::lint_native())),
+    suite("lint, documentation", Needs::Sources, rustdoc),
+    suite("format and lint, JavaScript", Needs::Sources, || {
+        check(tools::run(node_tool("@biomejs/biome/bin/biome").args(["ci", "--diagnostic-level=error"])))
+    }),
+    suite("Rust, native", Needs::Sources, || rust_tests(&[])),
+    suite("Rust, tool", Needs::Sources, || rust_tests(TOOL)),
+    suite("Rust, random input", Needs::Sources, || rust_tests(FUZZ)),
+    suite("sizes", Needs::Build, || check(site::check_sizes())),
+    suite("types, page", Needs::Build, || type_check("www")),
+    suite("types, package and tests", Needs::Build, || type_check("tests")),
+    suite("documentation", Needs::Build, || check(docs::generate())),
+    suite("JavaScript", Needs::Build, vitest),
+    suite("page in a browser", Needs::Build, playwright),
+    suite("Rust, wasm in Node", Needs::Sources, || rust_tests(&["--target", WASM_TARGET, "--tests"])),
+    suite("Python", Needs::Build, wheel),
+];
+/// The suite that leaves half a machine idle, and those that run beside it when all are run. They give way to it: a
+/// browser that waits fails its tests.
+const WITH_COMPANY: (&str, &[&str]) = ("page in a browser", &["Rust, wasm in Node", "Python"]);
+/// Before the file that a run beside another leaves its results in.
+const REPORT: &str = "--report";
+
+const fn suite(name: &'static str, needs: Needs, run: fn() -> Result<Counts>) -> Suite {
+    Suite { name, needs, run }
+}
+
+#[derive(Serialize, Deserialize)]
+struct Outcome {
+    suite: String,
     counts: Counts,
-    time: Duration,
+    seconds: f64,
     remark: Option<String>,
 }
 
 pub(crate) fn test(arguments: &[String]) -> Result<()> {
-    ensure!(
-        arguments.is_empty(),
-        "`test` takes no arguments; single suites have their own commands, see README.md"
-    );
-    let mut suites = vec![suite("build", || check(site::assemble()))];
-    let built = suites[0].counts.failed == 0;
-    suites.push(suite("format", || cargo_check(&["fmt", "--all", "--check"])));
-    suites.push(suite("lint, native", || lint(&["--all-targets"])));
-    suites.push(suite("lint, tool", || lint(&[TOOL, &["--all-targets"]].concat())));
-    suites.push(suite("lint, fuzz", || lint(&[FUZZ, &["--all-targets"]].concat())));
-    suites.push(suite("lint, wasm", || lint(&["--target", WASM_TARGET, "--lib", "--tests"])));
-    suites.push(suite("lint, core", || lint(&["--target", WASM_TARGET, "--lib", "--no-default-features"])));
-    suites.push(suite("lint, wheel", || check(python::lint_native())));
-    suites.push(suite("lint, documentation", rustdoc));
-    suites.push(suite("format and lint, JavaScript", || {
-        check(tools::run(node_tool("@biomejs/biome/bin/biome").args(["ci", "--diagnostic-level=error"])))
-    }));
-    suites.push(suite("Rust, native", || rust_tests(&[])));
-    suites.push(suite("Rust, tool", || rust_tests(TOOL)));
-    suites.push(suite("Rust, random input", || rust_tests(FUZZ)));
-    suites.push(suite("Rust, wasm in Node", || rust_tests(&["--target", WASM_TARGET, "--tests"])));
-    let mut on_build = |name, run: fn() -> Result<Counts>| {
-        suites.push(suite(name, || if built { run() } else { bail!("not run: the build failed") }));
+    let (report, names) = match arguments {
+        [option, report, names @ ..] if option == REPORT => (Some(report), names),
+        names => (None, names),
     };
-    on_build("sizes", || check(site::check_sizes()));
-    on_build("types, page", || type_check("www"));
-    on_build("types, package and tests", || type_check("tests"));
-    on_build("documentation", || check(docs::generate()));
-    on_build("JavaScript", vitest);
-    on_build("page in a browser", playwright);
-    on_build("Python", wheel);
-    let total = conclude(&suites);
-    if total.failed > 0 {
+    let known = |name: &String| SUITES.iter().any(|suite| suite.name == name);
+    if let Some(name) = names.iter().find(|name| !known(name)) {
+        let all: Vec<_> = SUITES.iter().map(|suite| format!("  \"{}\"", suite.name)).collect();
+        bail!("no suite is called \"{name}\"; the suites are\n{}", all.join("\n"));
+    }
+    let outcomes = if names.is_empty() {
+        run_all()
+    } else {
+        let chosen = SUITES.iter().filter(|suite| names.iter().any(|name| name == suite.name));
+        chosen.map(|suite| Outcome::of(suite.name, suite.run)).collect()
+    };
+    if let Some(report) = report {
+        return fs::write(report, serde_json::to_string(&outcomes)?).context("the results");
+    }
+    if conclude(&outcomes).failed > 0 {
         // The totals stay the last line: no error message after them.
         std::process::exit(1);
     }
     Ok(())
 }
 
-fn suite(name: &'static str, run: impl FnOnce() -> Result<Counts>) -> Suite {
-    let start = Instant::now();
-    println!("\n=== {name}");
-    let (counts, remark) = match run() {
-        Ok(counts) => (counts, None),
-        Err(error) => (Counts { failed: 1, ..Counts::default() }, Some(format!("{error:#}"))),
-    };
-    if let Some(remark) = &remark {
-        eprintln!("error: {remark}");
+fn run_all() -> Vec<Outcome> {
+    let (host, guests) = WITH_COMPANY;
+    let mut built = false;
+    let mut outcomes = Vec::new();
+    for suite in SUITES.iter().filter(|suite| !guests.contains(&suite.name)) {
+        if suite.needs == Needs::Build && !built {
+            outcomes.push(Outcome::of(suite.name, || bail!("not run: the build failed")));
+            continue;
+        }
+        let company = (suite.name == host).then(|| Company::start(guests));
+        let outcome = Outcome::of(suite.name, suite.run);
+        built |= suite.name == "build" && outcome.counts.failed == 0;
+        outcomes.push(outcome);
+        if let Some(company) = company {
+            outcomes.extend(company.and_then(Company::results).unwrap_or_else(|error| {
+                let lost = |name: &&'static str| Outcome::of(name, || bail!("not run: {error:#}"));
+                guests.iter().map(lost).collect()
+            }));
+        }
     }
-    Suite { name, counts, time: start.elapsed(), remark }
+    outcomes
+}
+
+/// Suites that run beside another one, in a process of lower priority; what they print is shown when they have ended.
+struct Company {
+    process: Child,
+    log: PathBuf,
+    report: PathBuf,
+}
+
+impl Company {
+    fn start(suites: &[&str]) -> Result<Self> {
+        let folder = Workspace::load()?.target;
+        let [log, report] = ["txt", "json"].map(|kind| folder.join("tests-beside").with_extension(kind));
+        if report.exists() {
+            fs::remove_file(&report)?;
+        }
+        let output = fs::File::create(&log).with_context(|| log.display().to_string())?;
+        let program = env::current_exe()?;
+        let mut start = if cfg!(unix) {
+            let mut nice = command("nice");
+            nice.args(["-n", "19"]).arg(program);
+            nice
+        } else {
+            command(program)
+        };
+        start.args(["test", REPORT]).arg(&report).args(suites);
+        println!("\n=== beside the next suite: {}", suites.join(", "));
+        let process = start.stdin(Stdio::null()).stderr(output.try_clone()?).stdout(output).spawn()?;
+        Ok(Self { process, log, report })
+    }
+
+    fn results(mut self) -> Result<Vec<Outcome>> {
+        self.process.wait()?;
+        print!("{}", String::from_utf8_lossy(&fs::read(&self.log)?));
+        let text = fs::read_to_string(&self.report).context("the suites beside left no results")?;
+        Ok(serde_json::from_str(&text)?)
+    }
+}
+
+impl Outcome {
+    fn of(suite: &str, run: impl FnOnce() -> Result<Counts>) -> Self {
+        let start = Instant::now();
+        println!("\n=== {suite}");
+        let (counts, remark) = match run() {
+            Ok(counts) => (counts, None),
+            Err(error) => (Counts { failed: 1, ..Counts::default() }, Some(format!("{error:#}"))),
+        };
+        if let Some(remark) = &remark {
+            eprintln!("error: {remark}");
+        }
+        Self { suite: suite.to_owned(), counts, seconds: start.elapsed().as_secs_f64(), remark }
+    }
 }
 
 /// Prints a line per suite, what failed and, as the very last line, the totals.
-fn conclude(suites: &[Suite]) -> Counts {
+fn conclude(outcomes: &[Outcome]) -> Counts {
     println!();
     let mut total = Counts::default();
-    for suite in suites {
-        println!("{suite}");
-        suite.counts.failures.iter().for_each(|failure| println!("  failed: {failure}"));
-        total.passed += suite.counts.passed;
-        total.failed += suite.counts.failed;
-        total.skipped += suite.counts.skipped;
-        total.repeated += suite.counts.repeated;
+    for outcome in outcomes {
+        println!("{outcome}");
+        outcome.counts.failures.iter().for_each(|failure| println!("  failed: {failure}"));
+        total.passed += outcome.counts.passed;
+        total.failed += outcome.counts.failed;
+        total.skipped += outcome.counts.skipped;
+        total.repeated += outcome.counts.repeated;
     }
     println!("\n{total}");
     total
@@ -178,130 +268,9 @@ fn with_report(command: &mut Command, report: &Path, count: fn(&Value) -> Option
     judge(outcome.is_ok(), counts)
 }
 
-/// A suite that fails without a failed test, or passes without any test, has failed.
-fn judge(success: bool, counts: Counts) -> Result<Counts> {
-    if !success && counts.failed == 0 {
-        Ok(Counts { failed: 1, ..counts })
-    } else if success && counts.passed == 0 {
-        bail!("no tests ran")
-    } else {
-        Ok(counts)
-    }
-}
-
-/// Adds up the lines `test result: ok. 2 passed; 0 failed; 1 ignored; …`.
-fn libtest_counts(output: &str) -> Counts {
-    let mut counts = Counts::default();
-    for line in output.lines().filter(|line| line.starts_with("test result:")) {
-        for part in line.split([';', '.']) {
-            let mut words = part.split_whitespace();
-            let (Some(Ok(number)), Some(word)) = (words.next().map(str::parse::<u64>), words.next()) else {
-                continue;
-            };
-            match word {
-                "passed" => counts.passed += number,
-                "failed" => counts.failed += number,
-                "ignored" => counts.skipped += number,
-                _ => {}
-            }
-        }
-    }
-    // `test a::b ... FAILED`, and `FAIL` in wasm
-    let failed = |line: &str| Some(line.strip_prefix("test ")?.split_once(" ... FAIL")?.0.to_owned());
-    counts.failures = output.lines().filter_map(failed).collect();
-    counts
-}
-
-/// Adds up the line `2 failed, 8 passed, 1 skipped in 1.93s`; `FAILED` lines name what failed.
-fn pytest_counts(output: &str) -> Counts {
-    let mut counts = Counts::default();
-    let summary =
-        output.lines().rfind(|line| line.contains(" in ") && line.ends_with('s')).unwrap_or_default();
-    for part in summary.split(" in ").next().unwrap_or_default().split(", ") {
-        let Some((Ok(number), word)) =
-            part.split_once(' ').map(|(number, word)| (number.parse::<u64>(), word))
-        else {
-            continue;
-        };
-        match word {
-            "passed" => counts.passed += number,
-            "failed" | "error" | "errors" => counts.failed += number,
-            "skipped" => counts.skipped += number,
-            _ => {}
-        }
-    }
-    let failed = |line: &str| Some(line.strip_prefix("FAILED ")?.to_owned());
-    counts.failures = output.lines().filter_map(failed).collect();
-    counts
-}
-
-/// The first line of a message, without the codes that colour it.
-fn first_line(message: &Value) -> String {
-    let mut plain = String::new();
-    let mut rest = message.as_str().unwrap_or_default().lines().next().unwrap_or_default();
-    while let Some((text, code)) = rest.split_once('\u{1b}') {
-        plain.push_str(text);
-        rest = code.split_once('m').map_or("", |(_, after)| after);
-    }
-    plain + rest
-}
-
-fn vitest_counts(report: &Value) -> Option<Counts> {
-    let tests = report["testResults"].as_array()?.iter().flat_map(|file| {
-        file["assertionResults"].as_array().into_iter().flatten().map(move |test| (&file["name"], test))
-    });
-    let failed = tests.filter(|(_, test)| test["status"] == "failed").map(|(file, test)| {
-        let file = file.as_str().map_or("", |name| name.rsplit('/').next().unwrap_or(name));
-        format!(
-            "{file}: {}: {}",
-            test["fullName"].as_str().unwrap_or_default(),
-            first_line(&test["failureMessages"][0])
-        )
-    });
-    Some(Counts {
-        failures: failed.collect(),
-        passed: report["numPassedTests"].as_u64()?,
-        failed: report["numFailedTests"].as_u64()?,
-        skipped: report["numPendingTests"].as_u64()? + report["numTodoTests"].as_u64()?,
-        repeated: 0,
-    })
-}
-
-/// Tests that pass only when repeated pass, and are counted apart: a loaded machine can stall a browser.
-fn playwright_counts(report: &Value) -> Option<Counts> {
-    let stats = &report["stats"];
-    let repeated = stats["flaky"].as_u64()?;
-    let specs =
-        report["suites"].as_array()?.iter().flat_map(|file| file["specs"].as_array().into_iter().flatten());
-    let failed = specs.filter(|spec| spec["ok"] == false).map(|spec| {
-        let [file, title] = ["file", "title"].map(|key| spec[key].as_str().unwrap_or_default());
-        format!("{file}: {title}: {}", first_line(&spec["tests"][0]["results"][0]["errors"][0]["message"]))
-    });
-    Some(Counts {
-        failures: failed.collect(),
-        passed: stats["expected"].as_u64()? + repeated,
-        failed: stats["unexpected"].as_u64()?,
-        skipped: stats["skipped"].as_u64()?,
-        repeated,
-    })
-}
-
-impl fmt::Display for Counts {
+impl fmt::Display for Outcome {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} passed, {} failed", self.passed, self.failed)?;
-        if self.skipped > 0 {
-            write!(f, ", {} skipped", self.skipped)?;
-        }
-        if self.repeated > 0 {
-            write!(f, ", {} of the passed at the second try", self.repeated)?;
-        }
-        Ok(())
-    }
-}
-
-impl fmt::Display for Suite {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:<26}{:>6.1} s  {}", self.name, self.time.as_secs_f64(), self.counts)?;
+        write!(f, "{:<26}{:>6.1} s  {}", self.suite, self.seconds, self.counts)?;
         match &self.remark {
             Some(remark) => write!(f, " ({remark})"),
             None => Ok(()),
@@ -314,50 +283,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn adds_up_libtest_summaries() {
-        let output = "running 3 tests\n\
-            test result: ok. 2 passed; 0 failed; 1 ignored; 0 measured; 0 filtered out; finished in 0.02s\n\
-            test a::b ... ok\n\
-            test a::c ... FAILED\n\
-            test result: FAILED. 4 passed; 3 failed; 0 ignored; 0 filtered out; finished in 1.50s\n";
-        let counts = libtest_counts(output);
-        assert_eq!((counts.passed, counts.failed, counts.skipped), (6, 3, 1));
-        assert_eq!(counts.failures, ["a::c"]);
-    }
-
-    #[test]
-    fn adds_up_the_summary_of_pytest() {
-        let output = "..Fs\nFAILED tests/test_plans.py::test_a - assert 1 == 2\n1 failed, 2 passed, 1 skipped in 1.93s\n";
-        let counts = pytest_counts(output);
-        assert_eq!((counts.passed, counts.failed, counts.skipped), (2, 1, 1));
-        assert_eq!(counts.failures, ["tests/test_plans.py::test_a - assert 1 == 2"]);
-        assert_eq!(pytest_counts("no tests ran in 0.01s\n").passed, 0);
-    }
-
-    #[test]
-    fn names_what_failed_in_javascript() {
-        let report = serde_json::json!({
-            "numPassedTests": 1, "numFailedTests": 1, "numPendingTests": 0, "numTodoTests": 0,
-            "testResults": [{ "name": "/a/b/pool.test.ts", "assertionResults": [
-                { "status": "passed", "fullName": "works", "failureMessages": [] },
-                { "status": "failed", "fullName": "waits",
-                "failureMessages": ["\u{1b}[31mexpected 1\u{1b}[39m to be 2\nat"] },
-            ] }],
-        });
-        assert_eq!(vitest_counts(&report).unwrap().failures, ["pool.test.ts: waits: expected 1 to be 2"]);
-        let report = serde_json::json!({
-            "stats": { "expected": 0, "unexpected": 1, "flaky": 0, "skipped": 0 },
-            "suites": [{ "specs": [{ "ok": false, "file": "grid.spec.ts", "title": "drags",
-                "tests": [{ "results": [{ "errors": [{ "message": "Timeout\nmore" }] }] }] }] }],
-        });
-        assert_eq!(playwright_counts(&report).unwrap().failures, ["grid.spec.ts: drags: Timeout"]);
-    }
-
-    #[test]
-    fn silence_is_no_success() {
-        assert!(judge(true, Counts::default()).is_err());
-        assert!(
-            judge(false, Counts { passed: 7, ..Counts::default() }).is_ok_and(|counts| counts.failed == 1)
-        );
+    fn suites_in_company_exist_and_need_no_other_one_in_between() {
+        let (host, guests) = WITH_COMPANY;
+        let place = |name: &str| SUITES.iter().position(|suite| suite.name == name).unwrap();
+        assert!(guests.iter().all(|guest| place(guest) > place(host)));
+        assert_eq!(place("build"), 0);
     }
 }
