@@ -9,6 +9,7 @@ mod goals;
 mod grid;
 mod grid_search;
 mod hybrid;
+mod layers;
 #[cfg(all(feature = "complete", not(target_arch = "wasm32")))]
 mod options;
 mod outcome;
@@ -28,11 +29,13 @@ mod stages;
 mod tractrix;
 mod world;
 
+pub use layers::{Layer, LayerData};
 pub use outcome::{GridMetrics, HybridMetrics, Metrics, Outcome, Plan, PlanTrace, Stats};
 #[cfg(feature = "complete")]
 pub use outcome::{Member, Recorded};
+pub use path::check_path;
 #[cfg(feature = "complete")]
-pub use path::{optimise, path_poses, route};
+pub use path::{collision_risk, drive_envelope, optimise, path_poses, road_figures, route};
 #[cfg(feature = "complete")]
 pub use stages::{Stages, TangentArc};
 
@@ -47,12 +50,7 @@ use serde_json::{Map, Value};
 
 use crate::error::{Error, ErrorCode};
 use crate::geometry::Pose;
-use crate::map::{distance, inflation};
-#[cfg(feature = "complete")]
-use crate::metrics::risk::{self, Risk};
-#[cfg(feature = "complete")]
-use crate::metrics::road::{Figures, figures};
-use crate::metrics::{Body, Check, check};
+use crate::metrics::check;
 use crate::planners::registry::{Family, PlannerId, default_config};
 #[cfg(feature = "complete")]
 use crate::scenario::Goals;
@@ -122,26 +120,6 @@ impl Options<'_> {
 /// Given a plan; breaks to end the search.
 #[cfg(feature = "complete")]
 pub type Improved<'a> = &'a mut dyn FnMut(&Plan) -> std::ops::ControlFlow<()>;
-
-/// A raster for drawing, row-major from the south-western cell.
-#[derive(Debug, Clone)]
-pub struct Layer {
-    /// Columns.
-    pub width: u32,
-    /// Rows.
-    pub height: u32,
-    /// The values.
-    pub data: LayerData,
-}
-
-/// The values of a [`Layer`].
-#[derive(Debug, Clone)]
-pub enum LayerData {
-    /// One byte per cell.
-    Bytes(Vec<u8>),
-    /// One or two numbers per cell.
-    Floats(Vec<f32>),
-}
 
 enum Engine {
     Grid(Box<grid::Engine>),
@@ -309,73 +287,6 @@ impl Planner {
             }
         }
     }
-
-    /// A raster: `occupancy`, `safety`, `redundant` (safety under this planner's own settings), `clearance`, `risk`,
-    /// `potential` or `cost`; the ends are those of the last plan.
-    ///
-    /// `every` is 1, or for `risk` the side of squares of cells whose middle ones alone are told; squares that the
-    /// map's border cuts through are left out.
-    ///
-    /// # Errors
-    /// [`ErrorCode::Input`] for another name, for `risk` and `potential` of a planner without a field, for `redundant`
-    /// of one that is not a grid planner, for `cost` of one without a cost map, and for another `every`.
-    pub fn layer(&self, name: &str, every: u32) -> Result<Layer, Error> {
-        if every == 0 || (every > 1 && name != "risk") {
-            let rule = if name == "risk" { "a whole number from 1" } else { "1 but for risk" };
-            return Err(Error::new(ErrorCode::Input, "every", format!("must be {rule}, got {every}")));
-        }
-        let map = &self.world.occupancy;
-        let data = match (name, &self.engine) {
-            ("occupancy", _) => LayerData::Bytes(cells(&self.world)),
-            ("safety", _) => {
-                let radius = self.world.geometry.vehicle.width / 2.0 / self.world.frame.resolution;
-                let inflated = inflation::necessary(map, radius);
-                LayerData::Bytes(inflation::layer(map, &inflated).data)
-            }
-            ("clearance", _) => LayerData::Floats(distance::clearance(map, self.world.frame.resolution).data),
-            #[cfg(feature = "complete")]
-            ("redundant", Engine::Grid(engine)) => LayerData::Bytes(engine.safety(&self.world)),
-            #[cfg(feature = "complete")]
-            ("redundant", _) => {
-                let message = format!("{} closes no redundant cells; grid planners do", self.kind.id());
-                return Err(Error::new(ErrorCode::Input, "name", message));
-            }
-            #[cfg(feature = "complete")]
-            ("cost", Engine::Road(engine)) => LayerData::Floats(engine.costs()),
-            #[cfg(feature = "complete")]
-            ("cost", _) => {
-                let message = format!("{} has no cost map; cost-map has", self.kind.id());
-                return Err(Error::new(ErrorCode::Input, "name", message));
-            }
-            #[cfg(feature = "complete")]
-            ("potential", engine) => {
-                let potential =
-                    if let Engine::Grid(engine) = engine { engine.potential(&self.world) } else { None };
-                let message = || format!("{} has no risk field; risk-field has", self.kind.id());
-                LayerData::Floats(potential.ok_or_else(|| Error::new(ErrorCode::Input, "name", message()))?)
-            }
-            ("risk", engine) => {
-                let field =
-                    if let Engine::Grid(engine) = engine { engine.field(&self.world, every) } else { None };
-                let message = || format!("{} has no risk field; risk-field has", self.kind.id());
-                LayerData::Floats(field.ok_or_else(|| Error::new(ErrorCode::Input, "name", message()))?)
-            }
-            _ => {
-                #[cfg(feature = "complete")]
-                let known = "occupancy, safety, redundant, clearance, risk, potential or cost";
-                #[cfg(not(feature = "complete"))]
-                let known = "occupancy, safety, clearance or risk";
-                let message = format!("must be {known}, got \"{name}\"");
-                return Err(Error::new(ErrorCode::Input, "name", message));
-            }
-        };
-        Ok(Layer { width: map.width() / every, height: map.height() / every, data })
-    }
-}
-
-fn cells(world: &World) -> Vec<u8> {
-    let map = &world.occupancy;
-    (0..map.len() as u32).map(|i| u8::from(map.blocked(map.cell(i)))).collect()
 }
 
 /// Poses of a path, whatever made it.
@@ -430,62 +341,4 @@ fn measured(world: &World, outcome: Outcome, driven: Driven, near: f64) -> Plan 
         #[cfg(feature = "complete")]
         alternatives: Vec::new(),
     }
-}
-
-/// Re-checks any path against a scene: x, y, heading, … and the gear of the way on from each pose (forward where
-/// absent).
-///
-/// # Errors
-/// [`ErrorCode::Input`] when the numbers are not poses or the gears not ±1.
-pub fn check_path(geometry: &Geometry, path: &[f64], directions: Option<&[i8]>) -> Result<Check, Error> {
-    let poses = path::poses(path)?;
-    let directions = path::gears(directions, poses.len())?;
-    Ok(check(geometry, &Body::new(geometry), &poses, &directions, NEAR))
-}
-
-/// Figures of any path on a scene's road: x, y, heading, ….
-///
-/// # Errors
-/// [`ErrorCode::Input`] when the numbers are not poses, or none.
-#[cfg(feature = "complete")]
-pub fn road_figures(scenario: &Scenario, path: &[f64]) -> Result<Figures, Error> {
-    let (geometry, poses) = (scenario.geometry()?, path::some_poses(path)?);
-    let lanes = scenario.lanes_between(geometry.start.point(), geometry.goal.point());
-    Ok(figures(&geometry, &Body::new(&geometry), &lanes, &poses))
-}
-
-/// How often any path ends in a collision when nobody drives exactly along it: x, y, heading, ….
-///
-/// # Errors
-/// [`ErrorCode::Input`] when the numbers are not poses, or none, or too many metres would be driven.
-#[cfg(feature = "complete")]
-pub fn collision_risk(scenario: &Scenario, path: &[f64], options: &risk::Options) -> Result<Risk, Error> {
-    let (geometry, poses) = drivable(scenario, path, options)?;
-    Ok(risk::collision_risk(&geometry, &Body::new(&geometry), &poses, options))
-}
-
-/// The band that the car's middle stays in during the drives of [`collision_risk`]: [`risk::drive_envelope`].
-///
-/// # Errors
-/// As [`collision_risk`].
-#[cfg(feature = "complete")]
-pub fn drive_envelope(scenario: &Scenario, path: &[f64], options: &risk::Options) -> Result<Vec<f64>, Error> {
-    let (geometry, poses) = drivable(scenario, path, options)?;
-    Ok(risk::drive_envelope(&geometry, &poses, options))
-}
-
-/// The poses of a path that is short enough for all trials.
-#[cfg(feature = "complete")]
-fn drivable(
-    scenario: &Scenario,
-    path: &[f64],
-    options: &risk::Options,
-) -> Result<(crate::scenario::resolve::Geometry, Vec<Pose>), Error> {
-    let (geometry, poses) = (scenario.geometry()?, path::some_poses(path)?);
-    let driven = f64::from(options.trials) * path::length(&poses);
-    if driven > risk::MAX_DRIVEN {
-        let message = format!("must drive at most {} m together, got {driven} m", risk::MAX_DRIVEN);
-        return Err(Error::new(ErrorCode::Input, "trials", message));
-    }
-    Ok((geometry, poses))
 }

@@ -1,7 +1,16 @@
-//! Paths as callers hand them over: numbers, checked.
+//! Paths as callers hand them over: numbers, checked, and the figures of such paths.
 
+use super::NEAR;
 use crate::error::{Error, ErrorCode};
 use crate::geometry::Pose;
+#[cfg(feature = "complete")]
+use crate::metrics::risk::{self, Risk};
+#[cfg(feature = "complete")]
+use crate::metrics::road::{Figures, figures};
+use crate::metrics::{Body, Check, check};
+#[cfg(feature = "complete")]
+use crate::scenario::Scenario;
+use crate::scenario::resolve::Geometry;
 
 fn refused<T>(path: impl Into<String>, message: String) -> Result<T, Error> {
     Err(Error::new(ErrorCode::Input, path, message))
@@ -107,14 +116,72 @@ pub fn optimise(
     let poses = way(path)?;
     let gears = gears(directions, poses.len())?;
     (geometry.start, geometry.goal, geometry.goals) = (poses[0], poses[poses.len() - 1], None);
-    let body = crate::metrics::Body::new(&geometry);
-    let check = crate::metrics::check(&geometry, &body, &poses, &gears, super::NEAR);
+    let body = Body::new(&geometry);
+    let check = check(&geometry, &body, &poses, &gears, NEAR);
     if !check.drivable() {
         let message = format!("must pass its check, got \"{}\"", check.verdict.as_str());
         return refused("plan.path", message);
     }
     let route = route.with_speed_limits(&scene.all_speed_limits());
     crate::optimise::optimise(&geometry, &route, check.min_clearance, options)
+}
+
+/// Re-checks any path against a scene: x, y, heading, … and the gear of the way on from each pose (forward where
+/// absent).
+///
+/// # Errors
+/// [`ErrorCode::Input`] when the numbers are not poses or the gears not ±1.
+pub fn check_path(geometry: &Geometry, path: &[f64], directions: Option<&[i8]>) -> Result<Check, Error> {
+    let poses = poses(path)?;
+    let directions = gears(directions, poses.len())?;
+    Ok(check(geometry, &Body::new(geometry), &poses, &directions, NEAR))
+}
+
+/// Figures of any path on a scene's road: x, y, heading, ….
+///
+/// # Errors
+/// [`ErrorCode::Input`] when the numbers are not poses, or none.
+#[cfg(feature = "complete")]
+pub fn road_figures(scenario: &Scenario, path: &[f64]) -> Result<Figures, Error> {
+    let (geometry, poses) = (scenario.geometry()?, some_poses(path)?);
+    let lanes = scenario.lanes_between(geometry.start.point(), geometry.goal.point());
+    Ok(figures(&geometry, &Body::new(&geometry), &lanes, &poses))
+}
+
+/// How often any path ends in a collision when nobody drives exactly along it: x, y, heading, ….
+///
+/// # Errors
+/// [`ErrorCode::Input`] when the numbers are not poses, or none, or too many metres would be driven.
+#[cfg(feature = "complete")]
+pub fn collision_risk(scenario: &Scenario, path: &[f64], options: &risk::Options) -> Result<Risk, Error> {
+    let (geometry, poses) = drivable(scenario, path, options)?;
+    Ok(risk::collision_risk(&geometry, &Body::new(&geometry), &poses, options))
+}
+
+/// The band that the car's middle stays in during the drives of [`collision_risk`]: [`risk::drive_envelope`].
+///
+/// # Errors
+/// As [`collision_risk`].
+#[cfg(feature = "complete")]
+pub fn drive_envelope(scenario: &Scenario, path: &[f64], options: &risk::Options) -> Result<Vec<f64>, Error> {
+    let (geometry, poses) = drivable(scenario, path, options)?;
+    Ok(risk::drive_envelope(&geometry, &poses, options))
+}
+
+/// The poses of a path that is short enough for all trials.
+#[cfg(feature = "complete")]
+fn drivable(
+    scenario: &Scenario,
+    path: &[f64],
+    options: &risk::Options,
+) -> Result<(Geometry, Vec<Pose>), Error> {
+    let (geometry, poses) = (scenario.geometry()?, some_poses(path)?);
+    let driven = f64::from(options.trials) * length(&poses);
+    if driven > risk::MAX_DRIVEN {
+        let message = format!("must drive at most {} m together, got {driven} m", risk::MAX_DRIVEN);
+        return Err(Error::new(ErrorCode::Input, "trials", message));
+    }
+    Ok((geometry, poses))
 }
 
 #[cfg(all(test, feature = "complete"))]
