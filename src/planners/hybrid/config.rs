@@ -270,6 +270,13 @@ impl Level {
         Self { connect_every: ROCKING_CONNECT_EVERY, extra_change, rock: ROCK_BINS * self.yaw, ..self }
     }
 
+    /// One of the finer lattices, from 1 on.
+    pub(super) fn refined(self, number: usize, config: &Config) -> Self {
+        let (xy, degrees, step) = REFINED[number - 1];
+        let weight = config.heuristic_weight.unwrap_or(REFINED_WEIGHT);
+        Self { xy, yaw: degrees * DEGREE, step, weight, ..self }
+    }
+
     /// The finer lattice that rocks. With less weight there are too many states to go through.
     pub(super) fn fine_rocking(self, config: &Config) -> Self {
         let (xy, degrees, step, weight) = FINE_ROCKING;
@@ -279,6 +286,16 @@ impl Level {
     }
 }
 
+/// Finer lattices for a car that gains millimetres with each gear change: metres, degrees, metres.
+#[cfg(feature = "complete")]
+const REFINED: [(f64, f64, f64); REFINEMENTS] =
+    [(0.04, 0.6, 0.1), (0.03, 0.4, 0.1), (0.02, 0.25, 0.1), (0.02, 0.4, 0.08)];
+/// How many they are.
+#[cfg(feature = "complete")]
+pub(super) const REFINEMENTS: usize = 4;
+/// Weight of the estimate on them.
+#[cfg(feature = "complete")]
+const REFINED_WEIGHT: f64 = 1.3;
 /// Cost of a gear change while the car may rock, metres.
 #[cfg(feature = "complete")]
 const ROCKING_CHANGE_COST: f64 = 0.2;

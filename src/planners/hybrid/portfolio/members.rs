@@ -3,6 +3,8 @@
 use super::COMFORTABLE_MARGIN;
 use crate::planners::hybrid::Config;
 use crate::planners::hybrid::config::Level;
+#[cfg(feature = "complete")]
+use crate::planners::hybrid::config::{FIRST_SHUFFLING_LEVEL, REFINEMENTS};
 
 /// Up to this level a search with the least margin is worth its while before finer ones with more are.
 const LAST_CHEAP_LEVEL: u32 = 3;
@@ -11,6 +13,9 @@ const LAST_CHEAP_LEVEL: u32 = 3;
 const ROCKING_LEVEL: u32 = 2;
 #[cfg(feature = "complete")]
 const FINE_ROCKING_LEVEL: u32 = 3;
+/// The level that is refined.
+#[cfg(feature = "complete")]
+const FINEST_PLAIN_LEVEL: u32 = FIRST_SHUFFLING_LEVEL - 1;
 /// Expansions of each search that rocks from the hard end, …
 #[cfg(feature = "complete")]
 const ROCKING_EXPANSIONS: u32 = 100_000;
@@ -37,6 +42,9 @@ pub(super) struct Member {
     pub(super) from: From,
     /// True if the car may rock: turn nearly on the spot.
     pub(super) is_rocking: bool,
+    /// How much finer its lattice is than the level's; 0 where it is not.
+    #[cfg(feature = "complete")]
+    pub(super) refinement: usize,
 }
 
 impl Member {
@@ -46,6 +54,10 @@ impl Member {
         #[cfg(feature = "complete")]
         if self.is_rocking {
             return self.rocking_level(level, config);
+        }
+        #[cfg(feature = "complete")]
+        if self.refinement > 0 {
+            return level.refined(self.refinement, config);
         }
         if self.level == 1 && is_least {
             // What it saves on rocking is less than it costs on detours.
@@ -65,6 +77,10 @@ impl Member {
     /// True if a search that this one has ended without a way leaves no hope for `other`: coarser ones reach no more,
     /// nor do any with more margin, nor do those that do not rock where this one does.
     pub(super) fn outdoes(self, other: Self) -> bool {
+        #[cfg(feature = "complete")]
+        if other.refinement > self.refinement {
+            return false;
+        }
         other.from == self.from
             && other.margin <= self.margin
             && other.level <= self.level
@@ -72,10 +88,22 @@ impl Member {
     }
 }
 
+/// From the hard end, without rocking.
+fn plain(level: u32, margin: usize) -> Member {
+    Member {
+        level,
+        margin,
+        from: From::Hard,
+        is_rocking: false,
+        #[cfg(feature = "complete")]
+        refinement: 0,
+    }
+}
+
 /// Whoever has not tried yet, what a driver likes best in front.
 pub(super) fn members(levels: u32, widest: usize, margins: &[f64]) -> Vec<Member> {
     let least = margins.len() - 1;
-    let plain = Member { level: 0, margin: 0, from: From::Hard, is_rocking: false };
+    let plain = plain(0, 0);
     let mut members = Vec::new();
     for level in 1..levels {
         members.extend((widest..=least).map(|margin| Member { level, margin, ..plain }));
@@ -99,7 +127,14 @@ pub(super) fn members(levels: u32, widest: usize, margins: &[f64]) -> Vec<Member
 /// The members that rock from the hard end with these margins.
 #[cfg(feature = "complete")]
 pub(super) fn rocking(margins: core::ops::Range<usize>) -> impl Iterator<Item = Member> {
-    margins.map(|margin| Member { level: ROCKING_LEVEL, margin, from: From::Hard, is_rocking: true })
+    margins.map(|margin| Member { is_rocking: true, ..plain(ROCKING_LEVEL, margin) })
+}
+
+/// The members with ever finer lattices. A car that gains millimetres with each gear change never leaves the cell of a
+/// coarser one, which is then soon searched to its end.
+#[cfg(feature = "complete")]
+pub(super) fn refined(margin: usize) -> impl Iterator<Item = Member> {
+    (1..=REFINEMENTS).map(move |refinement| Member { refinement, ..plain(FINEST_PLAIN_LEVEL, margin) })
 }
 
 /// The members for open space, which the small module lacks. They rock with the least margin: on two lattices from the
