@@ -31,6 +31,7 @@ test("in the example book playgrounds come alive, move nothing, and leave the bo
     .locator("parkade-playground canvas")
     .first()
     .click({ position: { x: 30, y: 30 } });
+  await expect.poll(() => page.evaluate(() => document.activeElement?.localName)).toBe("parkade-playground");
   await page.keyboard.press("ArrowRight");
   expect(page.url()).toContain("parking.html");
   await page.locator("main h1").click();
