@@ -29,6 +29,18 @@ test("attributes, events, properties and methods are those of the element", () =
   expect(namesIn("ParkadePlayground")).toEqual(own.sort());
 });
 
+test("what editors read of the installed package names all of them", () => {
+  const read = (name: string) => JSON.parse(readFileSync(join(folder, "node_modules/parkade", name), "utf8"));
+  const names = (list: { name: string }[]) => list.map((one) => one.name).sort();
+  const [{ declarations }] = read("custom-elements.json").modules;
+  expect(names(declarations[0].attributes)).toEqual(namesIn("PlaygroundAttributes"));
+  expect(names(declarations[0].events)).toEqual(namesIn("PlaygroundEvents"));
+  expect(names(declarations[0].members)).toEqual(namesIn("ParkadePlayground"));
+  const [element] = read("web-types.json").contributions.html.elements;
+  expect(names(element.attributes)).toEqual(namesIn("PlaygroundAttributes"));
+  expect(element.attributes.find((one: { name: string }) => one.name === "layout").value.type).toContain('"overlay"');
+});
+
 test("a strict program of the installed package uses them, and a wrong one does not compile", () => {
   const compile = (code: string): string => {
     writeFileSync(join(folder, "page.ts"), code);

@@ -2,6 +2,7 @@
 
 mod bench;
 mod browser;
+mod consumers;
 mod counts;
 mod docs;
 mod endurance;
@@ -41,6 +42,11 @@ const COMMANDS: &[Command] = &[
         name: "notebooks",
         about: "build, then drive the widget in JupyterLab and marimo: notebooks [folder for pictures]",
         run: python::notebooks,
+    },
+    Command {
+        name: "consumers",
+        about: "build, then run the npm package in bundlers and frameworks of the registry: consumers [name…]",
+        run: consumers::consumers,
     },
     Command { name: "serve", about: "build, then serve the page locally", run: serve::serve },
     Command {

@@ -58,6 +58,8 @@ const SITE_PLAN_TYPES: &str = "siteplan.d.ts";
 const COMMAND: &str = "cli";
 /// Types of the element, whose script is the page's.
 const ELEMENT_TYPES: &str = "element.d.ts";
+/// Types of the element for frameworks.
+const ELEMENT_FRAMEWORKS: &str = "element";
 /// The package's planners in workers.
 const WORKER: &str = "worker";
 const PACKAGE_PAPERS: &[&str] = &["README.md", "CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE"];
@@ -141,6 +143,8 @@ fn build_package(workspace: &Workspace) -> Result<()> {
     }
     copy(&sources.join(SITE_PLAN_TYPES), &package.join(SITE_PLAN_TYPES))?;
     write_types(&sources, &package)?;
+    let editors = root().join("xtask/element-manifest.mjs");
+    run(node().arg(editors).arg(sources.join(ELEMENT_TYPES)).arg(&package).arg(&workspace.version))?;
     write_manifest(&workspace.version, &package)?;
     // Last, as it bundles what is there.
     run(node_tool("vite/bin/vite.js").args(["build", "--config", "vite.require.config.ts"]))
@@ -183,6 +187,7 @@ fn bind(compiled: &Path, package: &Path) -> Result<()> {
 /// own.
 fn write_types(sources: &Path, package: &Path) -> Result<()> {
     copy(&sources.join(ELEMENT_TYPES), &package.join(ELEMENT_TYPES))?;
+    copy_folder(&sources.join(ELEMENT_FRAMEWORKS), &package.join(ELEMENT_FRAMEWORKS))?;
     for folder in ["", CORE] {
         let module = package.join(folder).join("node.js");
         let settings = capture(node().arg(root().join("xtask/settings-types.mjs")).arg(module))?;
