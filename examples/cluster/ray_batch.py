@@ -1,5 +1,7 @@
 """Plans a folder of scenes on a Ray cluster: python ray_batch.py SCENES --shards 8 [--planner hybrid]
 
+Every bay of each scene: --task="--task audit --vehicle sedan,van".
+
 Every shard is one task that runs the command `parkade batch`. All machines need Node, the npm package and the scenes' folder at
 the same place, and OUT must be a folder that they share. Tasks that die are tried again and go on in their own file.
 """
@@ -14,9 +16,9 @@ import ray
 
 
 @ray.remote(num_cpus=1, max_retries=3)
-def shard(command, scenes, planner, at, of, out):
+def shard(command, scenes, task, at, of, out):
     result = pathlib.Path(out) / f"results-{at}-of-{of}.jsonl"
-    arguments = ["batch", scenes, "--planner", planner, "--jobs", "1", "--shard", f"{at}/{of}", "--out", str(result), "--quiet"]
+    arguments = ["batch", scenes, *task, "--jobs", "1", "--shard", f"{at}/{of}", "--out", str(result), "--quiet"]
     done = subprocess.run([*command, *arguments], capture_output=True, text=True, check=False)
     if done.returncode not in (0, 1):  # 1: some scenes were refused, which their results say
         raise RuntimeError(done.stderr.strip())
@@ -28,6 +30,7 @@ def main():
     parser.add_argument("scenes")
     parser.add_argument("--shards", type=int, default=2)
     parser.add_argument("--planner", default="hybrid")
+    parser.add_argument("--task", help="options of batch in the place of --planner")
     parser.add_argument("--out", default=".")
     parser.add_argument("--command", default="npx parkade", help="how the command is started")
     given = parser.parse_args()
@@ -35,7 +38,8 @@ def main():
     scenes, out = os.path.abspath(given.scenes), os.path.abspath(given.out)
     os.makedirs(out, exist_ok=True)
     ray.init(address=os.environ.get("RAY_ADDRESS"), log_to_driver=False)
-    tasks = [shard.remote(command, scenes, given.planner, at, given.shards, out) for at in range(1, given.shards + 1)]
+    task = shlex.split(given.task) if given.task else ["--planner", given.planner]
+    tasks = [shard.remote(command, scenes, task, at, given.shards, out) for at in range(1, given.shards + 1)]
     files = []
     for task in tasks:
         file, words, node = ray.get(task)

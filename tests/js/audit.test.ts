@@ -4,6 +4,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { Worker } from "node:worker_threads";
+import { asyncBufferFromFile, parquetReadObjects } from "hyparquet";
 import {
   affectedRows,
   audit,
@@ -199,6 +200,33 @@ describe("an audit in parts", () => {
     expect(lines[1]).toContain(rows[0]!.hash);
     const svg = readFileSync(join(folder, "out.svg"), "utf8");
     expect(svg.match(/<polygon points="[^"]+" fill="(#|url)/g)?.length).toBe(10);
+
+    writeFileSync(join(folder, "refused.json"), "{}");
+    const run = (...words: string[]) =>
+      spawnSync(process.execPath, [command, ...words], { cwd: folder, encoding: "utf8" });
+    run(
+      "batch",
+      "lot.json",
+      "refused.json",
+      "--task",
+      "audit",
+      "--what-if",
+      "each-free",
+      "--out",
+      "all.jsonl",
+      "--quiet",
+    );
+    expect(run("columns", "all.jsonl", "--out", "all.parquet").stdout).toBe(
+      `all.parquet: 2 results, ${rows.length + 1} rows\n`,
+    );
+    const buffer = await asyncBufferFromFile(join(folder, "all.parquet"));
+    const table = await parquetReadObjects({ file: buffer });
+    expect(
+      table.filter(({ bay }) => bay !== null).map((row) => [row["hash"], row["out_hash"], Number(row["moves"])]),
+    ).toEqual(rows.map(({ hash, out, moves }) => [hash, out!.hash, moves]));
+    expect(table.find(({ bay }) => bay === null)?.["error_message"]).toBeTruthy();
+    run("batch", "lot.json", "--planner", "eight", "--out", "all.jsonl", "--quiet");
+    expect(run("columns", "all.jsonl").stderr).toContain("audits and plans have different columns");
     rmSync(folder, { recursive: true });
   }, 120_000);
 

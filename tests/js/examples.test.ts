@@ -82,15 +82,18 @@ test.skipIf(process.platform === "win32")(
     expect(digestOf("results-1.jsonl", "results-2.jsonl", "results-3.jsonl")).toBe(whole);
     const job = readFileSync(join(EXAMPLES, "cluster/job.yaml"), "utf8");
     const [, script] = /command: \["sh", "-c", "(.*)"\]/.exec(job)!,
-      completions = Number(/completions: (\d+)/.exec(job)![1]);
+      completions = Number(/completions: (\d+)/.exec(job)![1]),
+      [, task] = /name: TASK, value: "(.*)"/.exec(job)!;
     expect(script).toContain(`/${completions} `);
     const local = script!
       .replaceAll("/data/", `${folder}/`)
-      .replace("hybrid", "eight")
       .replace(`/${completions} `, "/4 ")
       .replace("results-", "pod-");
     const files = Array.from({ length: 4 }, (_, index) => {
-      execFileSync("sh", ["-c", local], { cwd: folder, env: { ...env, JOB_COMPLETION_INDEX: String(index) } });
+      execFileSync("sh", ["-c", local], {
+        cwd: folder,
+        env: { ...env, TASK: task!.replace("hybrid", "eight"), JOB_COMPLETION_INDEX: String(index) },
+      });
       return `pod-${index}.jsonl`;
     });
     expect(digestOf(...files)).toBe(whole);

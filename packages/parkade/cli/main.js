@@ -216,7 +216,7 @@ ${AUDIT_ABOUT}
     about: `usage: parkade columns FILE… [options]
 
   Writes the newest results of \`batch\` (.jsonl, in any number of files) as the columns of one Parquet file, for DuckDB, pandas,
-  Ray and \`parkade report\`.
+  Ray and \`parkade report\`. Results of \`--task audit\` become a row for each bay, vehicle, entrance and entry.
 
   --out FILE           default: results.parquet
 `,

@@ -10,13 +10,17 @@ import { read } from "./results.js";
 const VERSION = 1;
 /** Key of the version in a file's metadata. */
 const MARK = "parkade.results";
+/** The same of audits. */
+const BAYS_MARK = "parkade.audits";
 /** Rows that are in memory at a time. */
 const GROUP = 50_000;
 
 /** @typedef {import("./results.js").Result} Result */
 /** @typedef {Record<string, any>} Row */
 
-/** Name, type and value of each column. @type {[name: string, type: "STRING" | "INT64" | "DOUBLE" | "BOOLEAN", of: (result: any) => unknown][]} */
+/** Name, type and value. @typedef {[name: string, type: "STRING" | "INT64" | "DOUBLE" | "BOOLEAN", of: (result: any) => unknown]} Column */
+
+/** Of plans. @type {Column[]} */
 const COLUMNS = [
   ["key", "STRING", ({ key }) => key],
   ["scene", "STRING", ({ scene }) => scene],
@@ -47,35 +51,81 @@ const COLUMNS = [
   ["error_message", "STRING", ({ error }) => error?.message],
 ];
 
+/** Of the ways of an audit, a row for each bay, vehicle, entrance and entry. @type {Column[]} */
+const BAYS = [
+  ...COLUMNS.filter(([name]) => ["key", "scene", "scene_hash", "planner", "settings", "version"].includes(name)),
+  ["bay", "STRING", ({ bay }) => bay],
+  ["vehicle", "STRING", ({ vehicle }) => vehicle],
+  ["entrance", "STRING", ({ entrance }) => entrance],
+  ["entry", "STRING", ({ entry }) => entry],
+  ["overhang", "DOUBLE", ({ overhang }) => overhang],
+  ...ways("", (row) => row),
+  ...ways("out_", (row) => row.out),
+  ...COLUMNS.filter(([name]) => name.startsWith("error_")),
+];
+
+/** Columns of a way in or out. @param {string} prefix @param {(row: Row) => Row | null | undefined} way @returns {Column[]} */
+function ways(prefix, way) {
+  return [
+    [`${prefix}reachable`, "BOOLEAN", (row) => way(row)?.["reachable"]],
+    [`${prefix}outcome`, "STRING", (row) => way(row)?.["outcome"]],
+    [`${prefix}detail`, "STRING", (row) => way(row)?.["detail"]],
+    [`${prefix}reason`, "STRING", (row) => way(row)?.["reason"]],
+    [`${prefix}blocker`, "STRING", (row) => way(row)?.["blocker"]],
+    [`${prefix}moves`, "INT64", (row) => way(row)?.["moves"]],
+    [`${prefix}length`, "DOUBLE", (row) => way(row)?.["length"]],
+    [`${prefix}drive_time`, "DOUBLE", (row) => way(row)?.["driveTime"]],
+    [`${prefix}clearance`, "DOUBLE", (row) => way(row)?.["clearance"]],
+    [`${prefix}hash`, "STRING", (row) => way(row)?.["hash"]],
+  ];
+}
+
 /** Columns that every row has. */
 const NEEDED = ["key", "scene", "planner", "settings", "version"];
 
 /** @param {Result} result @returns {Row} */
-const rowOf = (result) => Object.fromEntries(COLUMNS.map(([name, , of]) => [name, of(result) ?? null]));
+const rowOf = (result) => valuesOf(COLUMNS, result);
 
-/** The newest result of each key in files of lines. @param {string[]} files */
-async function newest(files) {
-  /** @type {Map<string, Row>} */
+/** A row for each bay; one that tells its error for a scene that was refused. @param {Result} result @returns {Row[]} */
+function baysOf(result) {
+  const rows = /** @type {Row[]} */ (result["rows"] ?? [{}]);
+  return rows.map((row) => valuesOf(BAYS, { ...result, ...row }));
+}
+
+/** @param {Column[]} columns @param {object} result @returns {Row} */
+const valuesOf = (columns, result) => Object.fromEntries(columns.map(([name, , of]) => [name, of(result) ?? null]));
+
+/** What `of` makes of the newest result of each key in files of lines. @template T @param {string[]} files @param {(result: Result) => T} of */
+async function newest(files, of) {
+  /** @type {Map<string, T>} */
   const rows = new Map();
   for (const file of files)
     for await (const result of read(file)) {
       if (result.superseded) rows.delete(result.key);
-      else rows.set(result.key, rowOf(result));
+      else rows.set(result.key, of(result));
     }
   return rows;
 }
 
 /** The rows of files of lines or columns. @param {string[]} files @returns {Promise<Row[]>} */
 export async function rowsOf(files) {
+  await present(files);
+  const inColumns = files.filter((file) => file.endsWith(".parquet"));
+  const rows = await newest(
+    files.filter((file) => !file.endsWith(".parquet")),
+    rowOf,
+  );
+  for (const file of inColumns) for (const row of await columnsOf(file)) rows.set(row["key"], row);
+  return [...rows.values()];
+}
+
+/** @param {string[]} files */
+async function present(files) {
   if (files.length === 0) throw new Refused("which files? Results of `parkade batch` (.jsonl) or columns (.parquet)");
   for (const file of files)
     await stat(file).catch((error) => {
       throw new Refused(`${file}: ${reason(error)}`);
     });
-  const inColumns = files.filter((file) => file.endsWith(".parquet"));
-  const rows = await newest(files.filter((file) => !file.endsWith(".parquet")));
-  for (const file of inColumns) for (const row of await columnsOf(file)) rows.set(row["key"], row);
-  return [...rows.values()];
 }
 
 /** @param {string} file @returns {Promise<Row[]>} */
@@ -101,22 +151,28 @@ async function columnsOf(file) {
 export async function columns(files, values) {
   if (files.some((file) => file.endsWith(".parquet")))
     throw new Refused(`${files.find((file) => file.endsWith(".parquet"))}: is in columns already; which .jsonl files?`);
-  const rows = await rowsOf(files);
+  await present(files);
+  const results = await newest(files, (result) => (result.planner === "audit" ? baysOf(result) : rowOf(result)));
+  const plans = [...results.values()].filter((result) => !Array.isArray(result));
+  const isAudit = results.size > 0 && plans.length === 0;
+  if (!isAudit && plans.length < results.size)
+    throw new Refused("audits and plans have different columns; which of them? Give the files of one");
+  const rows = isAudit ? [...results.values()].flat() : plans;
   const out = values.out ?? "results.parquet";
   try {
-    written(rows, out);
+    written(rows, isAudit ? BAYS : COLUMNS, isAudit ? BAYS_MARK : MARK, out);
   } catch (error) {
     throw new Refused(`${out}: ${reason(error)}`);
   }
-  process.stdout.write(`${out}: ${rows.length} results\n`);
+  process.stdout.write(`${out}: ${results.size} results${isAudit ? `, ${rows.length} rows` : ""}\n`);
   return 0;
 }
 
-/** @param {Row[]} rows @param {string} out */
-function written(rows, out) {
+/** @param {Row[]} rows @param {Column[]} columns @param {string} mark @param {string} out */
+function written(rows, columns, mark, out) {
   const schema = /** @type {import("hyparquet").SchemaElement[]} */ ([
-    { name: "root", num_children: COLUMNS.length },
-    ...COLUMNS.map(([name, type]) => ({
+    { name: "root", num_children: columns.length },
+    ...columns.map(([name, type]) => ({
       name,
       repetition_type: NEEDED.includes(name) ? "REQUIRED" : "OPTIONAL",
       ...(type === "STRING" ? { type: "BYTE_ARRAY", converted_type: "UTF8" } : { type }),
@@ -125,11 +181,11 @@ function written(rows, out) {
   const writer = new ParquetWriter({
     writer: fileWriter(out),
     schema,
-    kvMetadata: [{ key: MARK, value: String(VERSION) }],
+    kvMetadata: [{ key: mark, value: String(VERSION) }],
   });
   for (let at = 0; at < rows.length; at += GROUP) {
     const group = rows.slice(at, at + GROUP);
-    const columnData = COLUMNS.map(([name, type]) => ({
+    const columnData = columns.map(([name, type]) => ({
       name,
       data: group.map((row) => (type === "INT64" && row[name] !== null ? BigInt(row[name]) : row[name])),
     }));
