@@ -76,8 +76,8 @@ fn report(name: &str, lot: &Lot, threads: usize) -> Result<(), Error> {
     let count = |is: &dyn Fn(&Row) -> bool| rows.iter().filter(|row| is(row)).count();
     let moves: Vec<usize> = (1..=3).map(|k| count(&|row| row.way.moves == k)).collect();
     println!(
-        "{name}: {} bays, {:.0}°, aisle {:.1} m: {seconds:.2} s; in {moves:?} and {} more, {} out of reach; out {} out of \
-         reach; budget ended {} + {}",
+        "{name}: {} bays, {:.0}°, aisle {:.1} m: {seconds:.2} s; in {moves:?} and {} more, {} out of reach; \
+         out {} out of reach; budget ended {} + {}",
         drawn.scene.slots.len(),
         lot.angle.to_degrees(),
         lot.aisle,

@@ -1,8 +1,8 @@
 //! Runs a `MovingAI` map's questions.
 //!
 //! ```sh
-//! cargo run --release --example movingai -- check FOLDER      # every question of every map, by eight and jump-point
-//! cargo run --release --example movingai -- time MAP eight    # milliseconds of the questions on stdin, the fastest of 15
+//! cargo run --release --example movingai -- check FOLDER     # every question of every map, by eight and jump-point
+//! cargo run --release --example movingai -- time MAP eight   # milliseconds per question on stdin, the fastest of 15
 //! ```
 //!
 //! `check` compares every length with the printed one and walks every path again.

@@ -29,8 +29,8 @@
 //! (dimensions, collision) · [`scenario`] (scenes, their JSON, built-in and generated ones) · `import` (maps of other
 //! programs) · [`search`] (best-first search over any [`search::Domain`]) · [`planners`] · [`post`] (pruning,
 //! smoothing) · [`metrics`] (validator, figures) · `drive` (paths in time) · `referee` (verdicts on trajectories) ·
-//! `optimise` (plans as trajectories) · [`plan`] (joins all of these) · `audit` (every bay of a lot) · `papers` (the papers' tables) · `wasm`
-//! (JavaScript bindings, on wasm32 only).
+//! `optimise` (plans as trajectories) · [`plan`] (joins all of these) · `audit` (every bay of a lot) · `papers`
+//! (the papers' tables) · `wasm` (JavaScript bindings, on wasm32 only).
 //!
 //! # Determinism
 //!

@@ -1,5 +1,5 @@
-//! What a set of goals costs against the goal that is taken, planned for alone: lots by seed with ten free slots, each of
-//! which may be entered either way.
+//! What a set of goals costs against the goal that is taken, planned for alone: lots by seed with ten free slots,
+//! each of which may be entered either way.
 
 use parkade::plan::{Ends, Options, Plan, Planner};
 use parkade::scenario::GoalPose;
@@ -39,7 +39,8 @@ pub(crate) fn print(count: u64, first: u64, is_verbose: bool) {
         for one in &lots {
             let [set, alone] = one.millis;
             println!(
-                "lot {}: {set:.2} ms, alone {alone:.2} ms, {:.2} times, again {:.2} times; checks {:?}; expanded {:?}; cost {:.3}; margin {:.3} m",
+                "lot {}: {set:.2} ms, alone {alone:.2} ms, {:.2} times, again {:.2} times; checks {:?}; expanded {:?}; \
+                 cost {:.3}; margin {:.3} m",
                 one.seed,
                 set / alone,
                 one.again[0] / one.again[1],
@@ -53,8 +54,8 @@ pub(crate) fn print(count: u64, first: u64, is_verbose: bool) {
     let near = lots.iter().filter(|one| one.share <= 1.05).count();
     let dearest = lots.iter().map(|one| one.own_share).fold(0.0, f64::max);
     println!(
-        "{} of {count} lots from seed {first}; within 5 % of the cheapest: {near}; cost against the goal taken, alone, at \
-         most {dearest:.3}",
+        "{} of {count} lots from seed {first}; within 5 % of the cheapest: {near}; cost against the goal taken, alone, \
+         at most {dearest:.3}",
         lots.len()
     );
     print_quantiles("the first time", &mut lots, |one| one.millis);

@@ -143,7 +143,8 @@ fn markdown(tables: &[Table], claims: &[Claim]) -> String {
 /// What a printed length may mean, side by side: our medians, and how much they differ from it.
 fn readings(table: &Table) -> String {
     let mut text = String::from(
-        "\n| length | printed | cells | pruned | shortest over the cells | smoothed |\n| --- | --- | --- | --- | --- | --- |\n",
+        "\n| length | printed | cells | pruned | shortest over the cells | smoothed |\n\
+         | --- | --- | --- | --- | --- | --- |\n",
     );
     for line in table.lines.iter().filter(|line| line.printed_length.is_some()) {
         let _ = write!(text, "| {} | {} ", line.planner, line.printed_length.unwrap_or_default());
@@ -161,7 +162,11 @@ fn readings(table: &Table) -> String {
 /// On how many rows each reading is the nearest to the printed length.
 fn closest(tables: &[Table]) -> String {
     let mut text = String::from(
-        "\n## Which length is printed\n\nRows on which a reading is the nearest to the printed length; rows with a length that cannot be are left out.\n\n| | cells | pruned | shortest over the cells | smoothed |\n| --- | --- | --- | --- | --- |\n",
+        "\n## Which length is printed\n\n\
+         Rows on which a reading is the nearest to the printed length; rows with a length that cannot be are \
+         left out.\n\n\
+         | | cells | pruned | shortest over the cells | smoothed |\n\
+         | --- | --- | --- | --- | --- |\n",
     );
     for planner in ["four", "eight", "risk-field"] {
         let lines = || tables.iter().flat_map(|t| &t.lines).filter(|line| line.planner == planner);

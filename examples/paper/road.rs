@@ -67,8 +67,9 @@ fn is_same(read: f64, found: f64) -> bool {
 fn markdown(tables: &[Table], wasm: Option<&Other>, flags: &Value) -> String {
     let mut text = String::from(
         "# Road navigation manuscript, section 4\n\nPercentages compare with plain A*, printed with printed and ours \
-         with ours. Body clearances are mean, mean with each sample\ncapped at 1.2 m, and minimum, otherwise without caps; \
-         side clearances, mean and minimum, are centre clearance minus half the width. Hits are of 1,000 simulated drives with random offsets, in\nbrackets for a \
+         with ours. Body clearances are mean, mean with each sample\ncapped at 1.2 m, and minimum, otherwise without \
+         caps; side clearances, mean and minimum, are centre clearance minus half the width. Hits are of \
+         1,000 simulated drives with random offsets, in\nbrackets for a \
          disc. Milliseconds cover everything, rasters and checks included, here and natively.\n",
     );
     for table in tables {
@@ -177,8 +178,8 @@ fn scene(table: &Table) -> String {
         };
         let _ = writeln!(
             text,
-            "| {}{} | {:.1}{} | {}{} | {:.2} / {:.2} / {:.2} | {:.2} / {:.2} | {:.2}{} | {} ({}){} | {:.2} / {:.2} | {:.1} | \
-             {:.1} | {} |",
+            "| {}{} | {:.1}{} | {}{} | {:.2} / {:.2} / {:.2} | {:.2} / {:.2} | {:.2}{} | {} ({}){} | {:.2} / {:.2} | \
+             {:.1} | {:.1} | {} |",
             line.id,
             if line.fell_back { ", chords" } else { "" },
             f.middle_length,

@@ -2,15 +2,16 @@
 //! solved, what became of the others, and what an answer takes.
 //!
 //! ```sh
-//! cargo run --release --example tight [all|promised|KIND] [count] [first seed] [members] [work] [verbose] [setting=value …]
+//! cargo run --release --example tight [all|promised|KIND] [count] [first seed] [members] [work] \
+//!     [verbose] [setting=value …]
 //! cargo run --release --example tight json [scenes per cell] [every]
 //! ```
 //!
 //! `all` takes every kind in turn, the cars by turns; `promised` the kerb slots that the sedan must enter. `members`
-//! asks, for each scene without a path, whether a single lattice with a far larger budget finds one. `work` compares the
-//! planner's collision checks for each path with those of the best single lattice. `verbose` prints a line a scene.
-//! `json`, for `cargo xtask bench tight`: how tight it can be over two sizes, every so-many-th cell, and 100 scenes of
-//! each kind.
+//! asks, for each scene without a path, whether a single lattice with a far larger budget finds one. `work`
+//! compares the planner's collision checks for each path with those of the best single lattice. `verbose` prints a
+//! line a scene. `json`, for `cargo xtask bench tight`: how tight it can be over two sizes, every so-many-th cell,
+//! and 100 scenes of each kind.
 
 mod answer;
 #[path = "../clock/mod.rs"]

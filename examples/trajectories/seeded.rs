@@ -46,7 +46,8 @@ impl Seeded {
         self.millis.push(made.millis.1);
         if !is_optimised || !driven.check.passes() || duration > straight + 1e-9 {
             println!(
-                "{name}: {}, {duration:.2} s, slow {slow:.2} s, with straight wheels {straight:.2} s, passes: {}, {} gear changes, clearance {:.3} m",
+                "{name}: {}, {duration:.2} s, slow {slow:.2} s, with straight wheels {straight:.2} s, \
+                 passes: {}, {} gear changes, clearance {:.3} m",
                 driven.stage.as_str(),
                 driven.check.passes(),
                 made.plan.metrics.direction_changes,

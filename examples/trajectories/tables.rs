@@ -79,8 +79,8 @@ pub(crate) fn print_scenes(scenes: &[(String, Scenario)]) {
         let own = fallback(&geometry, &route, &options.limits).expect("valid limits");
         let figures = &made.check.figures;
         println!(
-            "| {name} | {} | {:.2} | {:.2} | {slow:.2} | {plain:.2} | {:.2} | {:.2} ({:.2}) | {} ({}) | {:.3} | {:.1} | {} | {} | \
-             {:.1} | {:.0} |",
+            "| {name} | {} | {:.2} | {:.2} | {slow:.2} | {plain:.2} | {:.2} | {:.2} ({:.2}) | {} ({}) | {:.3} | \
+             {:.1} | {} | {} | {:.1} | {:.0} |",
             made.stage.as_str(),
             figures.duration,
             bound(&options.limits, figures.length),
@@ -104,7 +104,8 @@ pub(crate) fn print_scenes(scenes: &[(String, Scenario)]) {
         worst = worst.max(optimised);
     }
     println!(
-        "\n{optimised_plans} of {plans} plans are optimised, {passing} pass. Against `slow`: {:.0} % less in the median, {:.0} % at least.",
+        "\n{optimised_plans} of {plans} plans are optimised, {passing} pass. Against `slow`: \
+         {:.0} % less in the median, {:.0} % at least.",
         100.0 * median(&mut saved),
         100.0 * saved.iter().copied().fold(f64::INFINITY, f64::min)
     );

@@ -95,8 +95,8 @@ pub fn guided(parser: &str, bytes: &[u8]) {
     }
 }
 
-/// Every planner on every built-in scene, then as many random questions: planner, scene, settings, and the hashes of the
-/// plan and of what is made of it, or the error's words.
+/// Every planner on every built-in scene, then as many random questions: planner, scene, settings, and the hashes
+/// of the plan and of what is made of it, or the error's words.
 pub fn questions(random: u64) -> impl Iterator<Item = Value> {
     let none = Map::new();
     let built_in = scenes().filter_map(|info| scenario(info.id).ok()).flat_map(move |scene| {

@@ -17,7 +17,13 @@ const YAML: &str = "image: lot.pgm\nresolution: 0.5\norigin: [-1.0, 2.0, 0.3]\nn
 const P2: &str = "P2\n# drawn by hand\n4 3\n255\n0 254 254 205\n205 254 0 254\n254 254 254 254\n";
 const P5: &[u8] = b"P5 4 3 255\n\x00\xfe\xfe\xcd\xfe\xfe\x00\xfe\xfe\xfe\xfe\xfe";
 const CASE: &str = "5,2,0.1,16,9,3.14,2,4,3,10,10,12,10,12,11,15,2,17,2,16,4.5,13,3";
-const LOT: &str = r#"{"lots":[{"id":"lot","vehicle":{"wheelbase":2.7,"rear_axle_to_front":3.7,"rear_axle_to_rear":1.0,"width":2.0,"max_steer":0.6},"lines":[[0,0,20,0],[20,0,20,12],[0,12,20,12]],"polygons":[[[4,4],[6,4],[6,6]],[[9,2],[9,3],[12,3],[12,2]]],"start":[3,9,0],"goal":[15,9,1.57],"alternatives":[{"start":[4,5,0],"goal":[16,5,1]}]}]}"#;
+const LOT: &str = concat!(
+    r#"{"lots":[{"id":"lot","vehicle":{"wheelbase":2.7,"rear_axle_to_front":3.7,"#,
+    r#""rear_axle_to_rear":1.0,"width":2.0,"max_steer":0.6},"#,
+    r#""lines":[[0,0,20,0],[20,0,20,12],[0,12,20,12]],"#,
+    r#""polygons":[[[4,4],[6,4],[6,6]],[[9,2],[9,3],[12,3],[12,2]]],"#,
+    r#""start":[3,9,0],"goal":[15,9,1.57],"alternatives":[{"start":[4,5,0],"goal":[16,5,1]}]}]}"#
+);
 
 pub(crate) fn scene(seed: u64) -> Outcome {
     let r = &mut Random::new(seed);

@@ -72,7 +72,8 @@ fn planned(scene: &Scenario, settings: &Map<String, Value>) -> Result<Option<Pla
     Ok(Some((geometry, route.map_err(|e| e.to_string())?, plan.metrics.min_clearance)))
 }
 
-/// What became of a path: the stage of its trajectory, or that it touches something as a trajectory and with stops alike.
+/// What became of a path: the stage of its trajectory, or that it touches something as a trajectory and with stops
+/// alike.
 fn held(
     geometry: &Geometry,
     route: &Route,

@@ -12,8 +12,8 @@ use crate::vehicle::Vehicle;
 /// Velocities below this do not bring anything nearer, m/s.
 const STILL: f64 = 1e-9;
 
-/// Per row of a drive: seconds until the car would touch a moving box if both kept their velocity; 0 while they overlap,
-/// infinite where they never would.
+/// Per row of a drive: seconds until the car would touch a moving box if both kept their velocity; 0 while they
+/// overlap, infinite where they never would.
 pub(crate) fn times_to_collision(vehicle: &Vehicle, movers: &[Mover], rows: &Rows) -> Vec<f64> {
     let at = |row: usize| {
         let (t, pose) = (rows.t[row], rows.poses[row]);

@@ -1,5 +1,5 @@
-//! Smoothing splines whose knots the data choose, as FITPACK's `parcur` and with it `scipy.interpolate.splprep` fit them: P.
-//! Dierckx, Curve and Surface Fitting with Splines, Oxford 1993, chapters 4, 5 and 9.
+//! Smoothing splines whose knots the data choose, as FITPACK's `parcur` and with it `scipy.interpolate.splprep` fit
+//! them: P. Dierckx, Curve and Surface Fitting with Splines, Oxford 1993, chapters 4, 5 and 9.
 //!
 //! Knots are added, always at a point in the interval with the largest sum of squared residuals, until a least-squares
 //! spline is as close as asked. Then the jumps of the third derivative at these knots are made as small as the bound
@@ -170,7 +170,8 @@ impl Fit<'_> {
         let (jumps, rows) = (self.jumps(), self.rows());
         let count = solved.controls.len();
         let mut p = count as f64 / solved.band.iter().fold(0.0, |sum, row| sum + row[0]);
-        // Bounds on p, and by how much the sums there miss: too large at the low one. The high one is infinite at first.
+        // Bounds on p, and by how much the sums there miss: too large at the low one. The high one is infinite at
+        // first.
         let (mut low, mut high) = ((0.0, whole - self.bound), (-1.0, solved.sum - self.bound));
         let (mut is_low_known, mut is_high_known) = (false, false);
         let mut controls = Vec::new();

@@ -194,8 +194,8 @@ impl Body {
         if self.hit(pose).is_some() { 0.0 } else { self.room(pose, self.buckets.side, FAR) }
     }
 
-    /// Distance to the nearest obstacle where nothing is hit, metres, at most `most`; faster the nearer above it `guess`
-    /// is.
+    /// Distance to the nearest obstacle where nothing is hit, metres, at most `most`; faster the nearer above it
+    /// `guess` is.
     pub(super) fn room(&self, pose: Pose, guess: f64, most: f64) -> f64 {
         let body = self.outline(pose, 0.0);
         let (low, high) = bounds(&body);

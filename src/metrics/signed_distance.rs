@@ -38,9 +38,9 @@ impl Body {
         if blocked { -distance } else { distance }
     }
 
-    /// Signed distance from the body's outline to the nearest obstacle or kerb, metres, between `-most` and `most`: exact
-    /// where it overlaps nothing, otherwise that of the deepest of points of the outline at most 0.24 m apart, of a
-    /// ship's a 64th of it. `most` may be infinite, for every floor has an edge.
+    /// Signed distance from the body's outline to the nearest obstacle or kerb, metres, between `-most` and `most`:
+    /// exact where it overlaps nothing, otherwise that of the deepest of points of the outline at most 0.24 m
+    /// apart, of a ship's a 64th of it. `most` may be infinite, for every floor has an edge.
     pub fn signed_clearance(&self, pose: Pose, most: f64) -> f64 {
         if self.hit(pose).is_none() {
             return self.room(pose, self.buckets.side, most);

@@ -3,8 +3,8 @@
 //!
 //! The path stage changes the path's shape, gear changes included. Then the fastest speeds along it are found exactly,
 //! rows are rolled out in time, and the last millimetres to the goal are corrected. The referee's check has the last
-//! word: where it refuses every attempt, the plan's own path is driven, and where its curvature steps, the wheel turns on
-//! the way or, where there is no room for that, at a standstill.
+//! word: where it refuses every attempt, the plan's own path is driven, and where its curvature steps, the wheel
+//! turns on the way or, where there is no room for that, at a standstill.
 
 mod banded;
 mod encounter;

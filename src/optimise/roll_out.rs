@@ -120,7 +120,8 @@ impl Rows {
         if self.most < 0.0 {
             return None;
         }
-        // Angles at the lock cannot bring every end to the goal: the runs' lengths change only where they do not suffice.
+        // Angles at the lock cannot bring every end to the goal: the runs' lengths change only where they do not
+        // suffice.
         let mut stretches = false;
         for round in 0..2 * CORRECTIONS {
             let poses = self.poses(start.heading, wheelbase);
@@ -161,7 +162,8 @@ impl Rows {
         poses
     }
 
-    /// Drives the same way more slowly, from one standstill to the next, where a correction has made the wheel too fast.
+    /// Drives the same way more slowly, from one standstill to the next, where a correction has made the wheel too
+    /// fast.
     fn slow_down(&mut self, rate: f64) {
         let too_fast = |i: usize| {
             let turn = (self.angle[i] - self.angle[i - 1]).abs();

@@ -21,8 +21,8 @@ const ALIGNED: f64 = 0.7;
 const FORWARD: f64 = 0.5;
 /// A curve strays from a line that is smooth already by this share of what it may stray from chords.
 const CLOSER: f64 = 0.7;
-/// Curves tried for one that keeps the margin. Roads by seed where one does: 17 of 40 after four curves that each had to
-/// be better than the last, 29 after eight.
+/// Curves tried for one that keeps the margin. Roads by seed where one does: 17 of 40 after four curves that each
+/// had to be better than the last, 29 after eight.
 const ROUNDS: u32 = 8;
 /// Clearances this much below the margin count as keeping it, metres.
 const MARGIN_TOLERANCE: f64 = 1e-3;

@@ -1,8 +1,8 @@
 //! Dijkstra's search and greedy best-first search, between which A* stands (Yuan 2020, section 1).
 //!
-//! Dijkstra's search orders cells by the cost from the start alone and finds the cheapest path. Greedy best-first search
-//! orders them by the straight distance to the goal alone: it keeps the first way that it finds to each cell, so its path
-//! can be far from the shortest.
+//! Dijkstra's search orders cells by the cost from the start alone and finds the cheapest path. Greedy best-first
+//! search orders them by the straight distance to the goal alone: it keeps the first way that it finds to each
+//! cell, so its path can be far from the shortest.
 
 use super::grid_astar::record_grid;
 use super::grid_lattice::Grid;
@@ -70,7 +70,8 @@ pub fn dijkstra<O: Observer<i64, ()>>(
 
 /// Searches a path over the cells of a map by greedy best-first search.
 ///
-/// `config` must be valid ([`Config::validate`]); `observer` is `()` where nobody watches. Weights of cells are ignored.
+/// `config` must be valid ([`Config::validate`]); `observer` is `()` where nobody watches. Weights of cells are
+/// ignored.
 ///
 /// ```
 /// use parkade::map::{Cell, Occupancy};

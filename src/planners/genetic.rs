@@ -1,8 +1,8 @@
 //! A genetic algorithm over paths of straight legs (manuscript on roads, section 4.4.2).
 //!
 //! A candidate is a list of cells between start and goal. Candidates that cross fewer blocked cells are fitter, and
-//! shorter ones among equal ones. The algorithm cannot prove that there is no path: where no candidate is free, its budget
-//! is spent.
+//! shorter ones among equal ones. The algorithm cannot prove that there is no path: where no candidate is free, its
+//! budget is spent.
 
 use super::moves::{D, cost};
 use super::parameters::{Form, parameters, spec};
@@ -37,7 +37,8 @@ parameters! {
         /// The seed of all choices.
         seed: u32 = 1,
             spec("seed", Form::Integer(1.0, 100.0), "1", true,
-                 ["Seed", "随机种子"], ["The same seed gives the same path.", "同一种子得到同一路径。"]).within(0.0, 4_294_967_295.0);
+                 ["Seed", "随机种子"],
+                 ["The same seed gives the same path.", "同一种子得到同一路径。"]).within(0.0, 4_294_967_295.0);
         /// Candidates of a generation.
         population: u32 = 50,
             spec("population", Form::Integer(10.0, 200.0), "1", true,

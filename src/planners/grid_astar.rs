@@ -80,7 +80,8 @@ parameters! {
         /// The factor on the estimate.
         weight: Weight = Weight::None,
             spec("weight", Form::Choice(&["none", "distance"]), "1", true,
-                 ["Dynamic weight", "动态权重"], ["Faster far from the goal, but not optimal.", "远离目标时加速，放弃最优性。"]);
+                 ["Dynamic weight", "动态权重"],
+                 ["Faster far from the goal, but not optimal.", "远离目标时加速，放弃最优性。"]);
     }
     /// The settings that all grid planners share.
     shared common: Common = Common::PLAIN;

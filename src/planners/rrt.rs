@@ -24,7 +24,8 @@ parameters! {
         /// The seed of the random cells.
         seed: u32 = 1,
             spec("seed", Form::Integer(1.0, 100.0), "1", true,
-                 ["Seed", "随机种子"], ["The same seed gives the same path.", "同一种子得到同一路径。"]).within(0.0, 4_294_967_295.0);
+                 ["Seed", "随机种子"],
+                 ["The same seed gives the same path.", "同一种子得到同一路径。"]).within(0.0, 4_294_967_295.0);
         /// Longest leg, cells.
         step: f64 = 5.0,
             spec("step", Form::Number(1.0, 30.0, 0.5), "cells", true,

@@ -114,7 +114,8 @@ parameters! {
         /// The rule for moves at corners of blocked cells.
         corner: Corner = Corner::Strict,
             spec("corner", Form::Choice(&["strict", "no-squeeze", "free"]), "1", false,
-                 ["Corners", "转角规则"], ["Strict: a path may not touch a blocked cell.", "严格：路径不得触碰障碍格。"]);
+                 ["Corners", "转角规则"],
+                 ["Strict: a path may not touch a blocked cell.", "严格：路径不得触碰障碍格。"]);
         /// Room for the car.
         inflation: Inflation = Inflation::None,
             spec("inflation", Form::Choice(&["none", "width", "half-diagonal"]), "1", true,
@@ -145,7 +146,8 @@ parameters! {
         smooth_mode: SmoothMode = SmoothMode::Dynamic,
             spec("smoothMode", Form::Choice(&["dynamic", "paper"]), "1", false,
                  ["Smoothing", "平滑方式"],
-                 ["Dynamic shrinks an arc until it is free; the paper tries once.", "动态：缩小圆弧直至无碰；论文：只试一次。"]);
+                 ["Dynamic shrinks an arc until it is free; the paper tries once.",
+                  "动态：缩小圆弧直至无碰；论文：只试一次。"]);
         /// Tightest arc of smoothing, cells.
         min_radius: MinRadius = MinRadius::Cells(1.0),
             spec("minRadius", Form::NumberOr(0.0, 40.0, 0.5, &["vehicle"]), "cells", true,

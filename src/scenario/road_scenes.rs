@@ -1,5 +1,5 @@
-//! The road scenes: a lane, a curve, a crossing, a narrow road, a roundabout, a junction with a turn ban. Every road goes on for 5 m before the start and beyond
-//! the goal, so that the car stands on it.
+//! The road scenes: a lane, a curve, a crossing, a narrow road, a roundabout, a junction with a turn ban. Every
+//! road goes on for 5 m before the start and beyond the goal, so that the car stands on it.
 
 use super::catalog::{Info, info};
 use super::road::{Lane, LanePiece, SpeedLimit};

@@ -1,8 +1,9 @@
 //! A search written down event by event, for people who want to follow it.
 //!
 //! The fast searches keep only the order of their expansions. [`record_one_way`](super::record_one_way) and
-//! [`record_bidirectional`](super::record_bidirectional) repeat a search over the same lattice at leisure and write down
-//! every entry taken from the open list and every move considered there, with the reason for what became of it.
+//! [`record_bidirectional`](super::record_bidirectional) repeat a search over the same lattice at leisure and write
+//! down every entry taken from the open list and every move considered there, with the reason for what became of
+//! it.
 
 use super::NodeId;
 

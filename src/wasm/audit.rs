@@ -83,8 +83,8 @@ pub fn js_audit(scene: JsValue, options: JsValue, each: Option<js_sys::Function>
     Ok(rows.into())
 }
 
-/// Which rows an edit can touch: 1 for those. Of each row its bay, its vehicle in the options, whether all its ways were
-/// found, and how many numbers of `swept` are its own.
+/// Which rows an edit can touch: 1 for those. Of each row its bay, its vehicle in the options, whether all its ways
+/// were found, and how many numbers of `swept` are its own.
 #[wasm_bindgen(js_name = affectedRows)]
 pub fn affected_rows(
     before: JsValue,

@@ -55,7 +55,11 @@ pub fn default_config(planner: &str) -> JsResult {
 #[wasm_bindgen]
 pub fn scenarios() -> JsValue {
     let both = |[en, zh]: [&str; 2]| object!({ "en": en, "zh": zh });
-    let entry = |s: &catalog::Info| object!({ "id": s.id, "group": s.group, "title": both(s.title), "question": both(s.question) });
+    let entry = |s: &catalog::Info| {
+        object!({
+            "id": s.id, "group": s.group, "title": both(s.title), "question": both(s.question),
+        })
+    };
     codec::write(&catalog::scenes().map(entry).collect::<Vec<_>>())
 }
 

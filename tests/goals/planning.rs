@@ -278,8 +278,8 @@ fn a_tight_goal_takes_no_margin_from_the_others() {
     assert_eq!(plan.metrics.hybrid.unwrap().margin, 0.1);
 }
 
-/// Of two goals with little room the common search keeps what the tighter one has, and so does its answer: the goal that
-/// is taken could be reached with 1 cm by itself, as the tail swings towards the wall.
+/// Of two goals with little room the common search keeps what the tighter one has, and so does its answer: the goal
+/// that is taken could be reached with 1 cm by itself, as the tail swings towards the wall.
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn a_tighter_goal_takes_no_margin_from_a_tight_one() {

@@ -112,8 +112,8 @@ fn price(lot: &Lot, path: &Report, config: &Config, answer: &Report) -> Option<f
     stay(&query, config, &last, asked, &mut Scratch::default(), &mut |_| true).map(|path| path.cost)
 }
 
-/// Less margin than 5 or 10 cm costs no more than these, by 1 %; nor does an answer under a price of obstacles cost more
-/// than the ordinary path does under it.
+/// Less margin than 5 or 10 cm costs no more than these, by 1 %; nor does an answer under a price of obstacles cost
+/// more than the ordinary path does under it.
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn more_freedom_and_a_price_lose_nothing_by_their_own_measure() {

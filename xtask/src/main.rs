@@ -84,8 +84,8 @@ const COMMANDS: &[Command] = &[
     },
     Command {
         name: "parity",
-        about: "compare plan hashes between native code, Node with and without SIMD, Python, Chromium and Firefox: parity \
-            [parking] [random scenes]",
+        about: "compare plan hashes between native code, Node with and without SIMD, Python, Chromium and Firefox: \
+            parity [parking] [random scenes]",
         run: parity::parity,
     },
     Command {

@@ -1,5 +1,6 @@
 //! `cargo xtask paper grid`, `road` and `parking`: the papers' tables beside ours; `settings` and `volumes` beside
-//! them; `comparison`: the road manuscript's comparison with other algorithms; `all`: everything with figures, as one Markdown and one HTML file.
+//! them; `comparison`: the road manuscript's comparison with other algorithms; `all`: everything with figures, as
+//! one Markdown and one HTML file.
 
 use std::fs;
 

@@ -66,7 +66,8 @@ parameters! {
         costs: Costs = Costs::Metre,
             spec("costs", Form::Choice(&["metre", "paper", "steps"]), "1", true,
                  ["Costs", "代价"],
-                 ["Metre: base, lane, kerb and speed costs per metre; paper: base cost once per cell; steps: plain A*.", "metre：每米按基础、车道、路缘、速度加价；paper：每格计一次基础代价（论文）；steps：普通 A*。"]);
+                 ["Metre: base, lane, kerb and speed costs per metre; paper: base cost once per cell; steps: plain A*.",
+                  "metre：每米按基础、车道、路缘、速度加价；paper：每格计一次基础代价（论文）；steps：普通 A*。"]);
         /// How the base cost falls with the clearance.
         base: Base = Base::Inverse,
             spec("base", Form::Choice(&["inverse", "exponential"]), "1", true,
@@ -75,12 +76,15 @@ parameters! {
         /// K of the inverse base cost, metres.
         factor: f64 = 0.8,
             spec("factor", Form::Number(0.2, 3.0, 0.1), "m", true,
-                 ["K", "K"], ["Inverse base cost; larger keeps farther away.", "反比基础代价的系数；越大离障碍越远。"]).within(0.2, 3.0);
+                 ["K", "K"],
+                 ["Inverse base cost; larger keeps farther away.",
+                  "反比基础代价的系数；越大离障碍越远。"]).within(0.2, 3.0);
         /// ε of the inverse base cost, metres.
         epsilon: f64 = 0.2,
             spec("epsilon", Form::Number(0.05, 1.0, 0.05), "m", false,
                  ["ε", "ε"],
-                 ["Inverse base cost; smaller is steeper at contact.", "反比基础代价的偏移；越小贴近时越陡。"]).within(0.05, 1.0);
+                 ["Inverse base cost; smaller is steeper at contact.",
+                  "反比基础代价的偏移；越小贴近时越陡。"]).within(0.05, 1.0);
         /// A of the exponential base cost.
         amplitude: f64 = 4.0,
             spec("amplitude", Form::Number(1.0, 10.0, 0.5), "1", false,
@@ -97,21 +101,25 @@ parameters! {
         /// Weight of the last metre to the kerb.
         kerb_weight: f64 = 0.5,
             spec("kerbWeight", Form::Number(0.0, 3.0, 0.1), "1", true,
-                 ["Kerb β", "路缘 β"], ["Weight of the last metre to the kerb.", "距路缘最后一米的权重。"]).within(0.0, 3.0);
+                 ["Kerb β", "路缘 β"],
+                 ["Weight of the last metre to the kerb.", "距路缘最后一米的权重。"]).within(0.0, 3.0);
         /// Weight of the time that slow places take.
         speed_weight: f64 = 0.5,
             spec("speedWeight", Form::Number(0.0, 3.0, 0.1), "1", true,
-                 ["Speed γ", "速度 γ"], ["Weight of time lost to limits and bends.", "限速与弯道耗时的权重。"]).within(0.0, 3.0);
+                 ["Speed γ", "速度 γ"],
+                 ["Weight of time lost to limits and bends.", "限速与弯道耗时的权重。"]).within(0.0, 3.0);
         /// Kept free around the body wherever there is such a path, metres.
         margin: f64 = 0.8,
             spec("margin", Form::Number(0.0, 20.0, 0.05), "m", true,
                  ["Extra margin", "额外余量"],
-                 ["Kept free around the car; where no path has that much room, the plan says how much it keeps.", "车身周围须保持的空间；没有这样的路径时，结果注明实际保持多少。"]).within(0.0, 20.0);
+                 ["Kept free around the car; where no path has that much room, the plan says how much it keeps.",
+                  "车身周围须保持的空间；没有这样的路径时，结果注明实际保持多少。"]).within(0.0, 20.0);
         /// Which chords may replace cells.
         pruning: Pruning = Pruning::Auto,
             spec("pruning", Form::Choice(&["auto", "los", "none"]), "1", true,
                  ["Chords", "删减"],
-                 ["Auto: chords keep most of the clearance; los: line of sight only (the paper).", "auto：弦保留路径大部分间距；los：只要互相可见（论文）。"]);
+                 ["Auto: chords keep most of the clearance; los: line of sight only (the paper).",
+                  "auto：弦保留路径大部分间距；los：只要互相可见（论文）。"]);
         /// Share of the cells' smallest clearance that a chord keeps.
         prune_share: f64 = 0.8,
             spec("pruneShare", Form::Number(0.5, 1.0, 0.05), "1", false,
@@ -126,7 +134,8 @@ parameters! {
         smoothing: Curves = Curves::Spline,
             spec("smoothing", Form::Choice(&["spline", "paper", "none"]), "1", true,
                  ["Curve", "平滑"],
-                 ["Spline keeps clearance and steering limit; paper: within a metre of the chords.", "spline：保持间距与转向极限；paper：允许偏离一米，不计后果（论文）。"]);
+                 ["Spline keeps clearance and steering limit; paper: within a metre of the chords.",
+                  "spline：保持间距与转向极限；paper：允许偏离一米，不计后果（论文）。"]);
         /// Root mean square distance that a curve may keep from the chords, metres.
         residual: f64 = 0.12,
             spec("residual", Form::Number(0.02, 1.0, 0.01), "m", false,
@@ -135,17 +144,20 @@ parameters! {
         /// True if the curve begins and ends in the car's headings at start and goal.
         headings: bool = false,
             spec("headings", Form::Flag, "1", false,
-                 ["Keep headings", "保持朝向"], ["The curve keeps the start and goal headings.", "曲线在起点和终点与车辆朝向一致。"]);
+                 ["Keep headings", "保持朝向"],
+                 ["The curve keeps the start and goal headings.", "曲线在起点和终点与车辆朝向一致。"]);
         /// Places of the curve, at least.
         smooth_points: u32 = 100,
             spec("smoothPoints", Form::Integer(50.0, 200.0), "1", false,
                  ["Samples", "采样点"],
-                 ["Least number of tests; long paths: two a metre.", "曲线检验点的最少个数；长路每米两个。"]).within(50.0, 200.0);
+                 ["Least number of tests; long paths: two a metre.",
+                  "曲线检验点的最少个数；长路每米两个。"]).within(50.0, 200.0);
         /// K of the manuscript's inverse cost, metres.
         paper_factor: f64 = 5000.0,
             spec("paperFactor", Form::Number(50.0, 10_000.0, 50.0), "m", false,
                  ["K, paper", "K（论文）"],
-                 ["It cancels: 500 to 8000 give the same path.", "该系数会约去：500 至 8000 路径相同。"]).within(50.0, 10_000.0);
+                 ["It cancels: 500 to 8000 give the same path.",
+                  "该系数会约去：500 至 8000 路径相同。"]).within(50.0, 10_000.0);
         /// ε of the manuscript's inverse cost, metres.
         paper_epsilon: f64 = 1.0,
             spec("paperEpsilon", Form::Number(0.5, 2.0, 0.1), "m", false,
@@ -153,11 +165,13 @@ parameters! {
         /// A of the manuscript's exponential cost.
         paper_amplitude: f64 = 5000.0,
             spec("paperAmplitude", Form::Number(50.0, 10_000.0, 50.0), "1", false,
-                 ["A, paper", "A（论文）"], ["Of the paper's exponential cost.", "论文指数代价的幅值。"]).within(50.0, 10_000.0);
+                 ["A, paper", "A（论文）"],
+                 ["Of the paper's exponential cost.", "论文指数代价的幅值。"]).within(50.0, 10_000.0);
         /// B of the manuscript's exponential cost, 1/m.
         paper_decay: f64 = 0.05,
             spec("paperDecay", Form::Number(0.01, 0.1, 0.01), "1/m", false,
-                 ["B, paper", "B（论文）"], ["Of the paper's exponential cost.", "论文指数代价的衰减。"]).within(0.01, 0.1);
+                 ["B, paper", "B（论文）"],
+                 ["Of the paper's exponential cost.", "论文指数代价的衰减。"]).within(0.01, 0.1);
         /// Expansions after which the search gives up.
         max_expansions: u32 = 20_000_000,
             EXPANSIONS;

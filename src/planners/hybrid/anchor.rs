@@ -37,9 +37,9 @@ const COMPARE_SPACING: f64 = 0.25;
 const MAX_COMPARISONS: f64 = 500.0;
 /// Arcs with less curvature are as long as their chords, 1/m.
 const STRAIGHT_CURVATURE: f64 = 1e-6;
-/// Shares of the margin that pieces of the old path must keep when they are looked at again. The checks grow the body to
-/// a rectangle, whose corners stick out: one that stands on a piece's first check may have passed unseen between two. Of
-/// what keeps less the clearance decides.
+/// Shares of the margin that pieces of the old path must keep when they are looked at again. The checks grow the
+/// body to a rectangle, whose corners stick out: one that stands on a piece's first check may have passed unseen
+/// between two. Of what keeps less the clearance decides.
 const KEPT_MARGINS: [f64; 2] = [1.0, core::f64::consts::FRAC_1_SQRT_2];
 /// Expansions of the search around the old path, on the coarsest level and on the next.
 const CORRIDOR_EXPANSIONS: [u32; 2] = [1500, 4000];

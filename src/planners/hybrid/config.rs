@@ -75,7 +75,8 @@ parameters! {
         /// Kept free around the body while planning, metres; less where start or goal have less.
         margin: f64 = 0.1,
             spec("margin", Form::Number(0.0, 0.5, 0.05), "m", true,
-                 ["Safety margin", "安全余量"], ["Kept free around the whole car.", "车身四周保持的空隙。"]).within(0.0, 10.0);
+                 ["Safety margin", "安全余量"],
+                 ["Kept free around the whole car.", "车身四周保持的空隙。"]).within(0.0, 10.0);
         /// Gear changes of an analytic connection, at most.
         max_direction_changes: u32 = 3,
             spec("maxDirectionChanges", Form::Integer(0.0, 5.0), "1", true,
@@ -89,21 +90,25 @@ parameters! {
         /// Width of a heading bin, radians; by the level where absent.
         heading_resolution: Option<f64> = None,
             spec("headingResolution", Form::Number(0.01, 0.35, 0.01), "rad", true,
-                 ["Heading bins", "航向分格"], ["Closer headings count as one state.", "更接近的航向视为同一状态。"]).within(0.005, 1.6);
+                 ["Heading bins", "航向分格"],
+                 ["Closer headings count as one state.", "更接近的航向视为同一状态。"]).within(0.005, 1.6);
         /// Cost of a gear change, metres.
         direction_change_cost: f64 = 1.0,
             spec("directionChangeCost", Form::Number(0.0, 10.0, 0.5), "m", true,
                  ["Gear-change cost", "换挡代价"],
-                 ["Extra metres accepted to avoid one gear change.", "为避免一次换挡可接受的绕行米数。"]).within(0.0, 1000.0);
+                 ["Extra metres accepted to avoid one gear change.",
+                  "为避免一次换挡可接受的绕行米数。"]).within(0.0, 1000.0);
         /// Which end the search tree grows from.
         search_from: SearchFrom = SearchFrom::Goal,
             spec("searchFrom", Form::Choice(ENDS), "1", true,
-                 ["Search from", "搜索起点"], ["Leaving a slot is easier than finding it.", "驶出车位比驶入更易搜索。"]);
+                 ["Search from", "搜索起点"],
+                 ["Leaving a slot is easier than finding it.", "驶出车位比驶入更易搜索。"]);
         /// Cost profile; `comfort` and `classic` replace the six costs.
         profile: Profile = Profile::Practical,
             spec("profile", Form::Choice(&["practical", "shortest", "comfort", "classic"]), "1", false,
                  ["Cost profile", "代价方案"],
-                 ["Practical avoids long reversing; comfort and classic replace the costs below.", "practical 避免长距离倒车；comfort 与 classic 取代以下各项代价。"]);
+                 ["Practical avoids long reversing; comfort and classic replace the costs below.",
+                  "practical 避免长距离倒车；comfort 与 classic 取代以下各项代价。"]);
         /// Weight of a metre in reverse.
         reverse_cost: f64 = 1.0,
             spec("reverseCost", Form::Number(1.0, 5.0, 0.1), "1", true,
@@ -116,12 +121,14 @@ parameters! {
         /// Steering angles per side, besides straight; by the level where absent.
         steer_samples: Option<u32> = None,
             spec("steerSamples", Form::Integer(1.0, 10.0), "1", false,
-                 ["Steering angles", "转角采样"], ["Per side, besides straight.", "每侧的采样数，直行除外。"]).within(1.0, 50.0);
+                 ["Steering angles", "转角采样"],
+                 ["Per side, besides straight.", "每侧的采样数，直行除外。"]).within(1.0, 50.0);
         /// How the way still to go is estimated.
         heuristic: Heuristic = Heuristic::Max,
             spec("heuristic", Form::Choice(&["max", "reeds-shepp", "euclid"]), "1", false,
                  ["Heuristic", "启发函数"],
-                 ["Max: the larger of the free-space curve and the way around obstacles.", "max：自由曲线与绕障路程取大者。"]);
+                 ["Max: the larger of the free-space curve and the way around obstacles.",
+                  "max：自由曲线与绕障路程取大者。"]);
         /// Factor on the estimate; absent: 1, and 1.2 on the finer levels.
         heuristic_weight: Option<f64> = None,
             spec("heuristicWeight", Form::Number(0.5, 5.0, 0.1), "1", false,
@@ -134,15 +141,18 @@ parameters! {
         /// Cost of moving the wheel from straight to full lock, metres.
         steer_change_cost: f64 = 0.0,
             spec("steerChangeCost", Form::Number(0.0, 5.0, 0.1), "m", false,
-                 ["Steering-change cost", "转角变化代价"], ["Cost of turning the wheel.", "转动方向盘的代价。"]).within(0.0, 1000.0);
+                 ["Steering-change cost", "转角变化代价"],
+                 ["Cost of turning the wheel.", "转动方向盘的代价。"]).within(0.0, 1000.0);
         /// Weight of a metre in contact with an obstacle.
         obstacle_cost: f64 = 0.0,
             spec("obstacleCost", Form::Number(0.0, 10.0, 0.5), "1", false,
-                 ["Obstacle cost", "近障代价"], ["Cost of driving close to obstacles.", "贴近障碍行驶的权重。"]).within(0.0, 1000.0);
+                 ["Obstacle cost", "近障代价"],
+                 ["Cost of driving close to obstacles.", "贴近障碍行驶的权重。"]).within(0.0, 1000.0);
         /// Distance at which that weight begins, metres.
         obstacle_distance: f64 = 0.5,
             spec("obstacleDistance", Form::Number(0.1, 3.0, 0.1), "m", false,
-                 ["Obstacle distance", "近障距离"], ["Distance where that cost begins.", "该代价开始的距离。"]).within(0.01, 20.0);
+                 ["Obstacle distance", "近障距离"],
+                 ["Distance where that cost begins.", "该代价开始的距离。"]).within(0.01, 20.0);
         /// True if stretches are replaced by shorter curves afterwards.
         shortcut: bool = true,
             spec("shortcut", Form::Flag, "1", false,
@@ -150,21 +160,25 @@ parameters! {
         /// True if the first connection ends the search, as in the paper.
         first_shot: bool = false,
             spec("firstShot", Form::Flag, "1", false,
-                 ["First connection", "首次连接即止"], ["Stops at the first path found (the paper).", "找到第一条路径即停（论文）。"]);
+                 ["First connection", "首次连接即止"],
+                 ["Stops at the first path found (the paper).", "找到第一条路径即停（论文）。"]);
         /// True if finer levels are tried when the coarse one finds nothing.
         ladder: bool = true,
             spec("ladder", Form::Flag, "1", false,
-                 ["Finer levels", "逐级细化"], ["Tries finer steps if coarse ones fail.", "粗步无解时尝试更细的步长。"]);
+                 ["Finer levels", "逐级细化"],
+                 ["Tries finer steps if coarse ones fail.", "粗步无解时尝试更细的步长。"]);
         /// The finest level that is tried, 0 to 6; from 5 on, for cars that can hardly move, smaller margins are tried
         /// too.
         finest_level: u32 = LEVEL_COUNT - 1,
             spec("finestLevel", Form::Integer(0.0, 6.0), "1", false,
                  ["Finest level", "最细级别"],
-                 ["5 and 6: very tight spaces, many gear changes.", "5 和 6 用于极窄空间，换挡很多。"]).within(0.0, 6.0);
+                 ["5 and 6: very tight spaces, many gear changes.",
+                  "5 和 6 用于极窄空间，换挡很多。"]).within(0.0, 6.0);
         /// Expansions per level; by the level where absent.
         max_expansions: Option<u32> = None,
             spec("maxExpansions", Form::Integer(1.0, 1e7), "1", false,
-                 ["Expansion budget", "扩展上限"], ["Stops after this many.", "超过此数即放弃。"]).within(1.0, 10_000_000.0);
+                 ["Expansion budget", "扩展上限"],
+                 ["Stops after this many.", "超过此数即放弃。"]).within(1.0, 10_000_000.0);
     }
 }
 
@@ -262,8 +276,8 @@ pub(super) struct Level {
 
 #[cfg(feature = "complete")]
 impl Level {
-    /// The same where the car may rock. Gear changes cost little, or else everything would be tried before; and there are
-    /// hardly any connections, as a way out of every slot is known and the way to the target is not.
+    /// The same where the car may rock. Gear changes cost little, or else everything would be tried before; and
+    /// there are hardly any connections, as a way out of every slot is known and the way to the target is not.
     pub(super) fn rocking(self, config: &Config) -> Self {
         let change = config.with_profile().direction_change_cost;
         let extra_change = change.min(ROCKING_CHANGE_COST) - change;

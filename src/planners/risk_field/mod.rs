@@ -81,7 +81,8 @@ parameters! {
         /// The estimate before the distance weight.
         heuristic: Heuristic = Heuristic::Corrected,
             spec("heuristic", Form::Choice(&["corrected", "printed", "octile"]), "1", false,
-                 ["Heuristic", "启发函数"], ["Corrected removes the printed formula's jump.", "修正式消除论文公式的跳变。"]);
+                 ["Heuristic", "启发函数"],
+                 ["Corrected removes the printed formula's jump.", "修正式消除论文公式的跳变。"]);
         /// Gain of the goal's attraction.
         k1: f64 = 1.0,
             spec("k1", Form::Number(0.1, 10.0, 0.1), "1", false,
@@ -95,23 +96,28 @@ parameters! {
         k2: Option<f64> = None,
             spec("k2", Form::Number(0.0, 1000.0, 0.5), "cells", false,
                  ["Repulsion k2", "斥力 k2"],
-                 ["Repulsion gain; empty: half of k1 times the distance.", "障碍斥力增益；空：k1 × 距离之半。"]).within(0.0, 1e6);
+                 ["Repulsion gain; empty: half of k1 times the distance.",
+                  "障碍斥力增益；空：k1 × 距离之半。"]).within(0.0, 1e6);
         /// How the pull depends on the distance.
         attraction: Attraction = Attraction::Linear,
             spec("attraction", Form::Choice(&["linear", "conic"]), "1", false,
-                 ["Attraction law", "引力形式"], ["Linear grows with the distance (the paper).", "线性随距离增大（论文）。"]);
+                 ["Attraction law", "引力形式"],
+                 ["Linear grows with the distance (the paper).", "线性随距离增大（论文）。"]);
         /// Which obstacles repel.
         obstacle_set: ObstacleSet = ObstacleSet::NearestMean,
             spec("obstacleSet", Form::Choice(&["nearest-mean", "nearest-first", "sum"]), "1", false,
-                 ["Repelling cells", "斥力来源"], ["The nearest, or all within reach.", "最近的障碍格，或范围内全部。"]);
+                 ["Repelling cells", "斥力来源"],
+                 ["The nearest, or all within reach.", "最近的障碍格，或范围内全部。"]);
         /// Longest extension beyond a step, in steps; 1 is the paper's double step.
         ext_len: u32 = 1,
             spec("extLen", Form::Integer(0.0, 16.0), "cells", false,
-                 ["Extension", "扩展长度"], ["How far diagonal moves may be stretched.", "斜向移动可延伸的格数。"]).within(0.0, 16.0);
+                 ["Extension", "扩展长度"],
+                 ["How far diagonal moves may be stretched.", "斜向移动可延伸的格数。"]).within(0.0, 16.0);
         /// True if diagonal extensions that lead away from the goal are left out.
         goal_side: bool = false,
             spec("goalSide", Form::Flag, "1", false,
-                 ["Goal side only", "仅目标侧"], ["Drops extensions that lead away from the goal.", "去除背离目标的延伸格。"]);
+                 ["Goal side only", "仅目标侧"],
+                 ["Drops extensions that lead away from the goal.", "去除背离目标的延伸格。"]);
         /// Treatment of the directions that the field does not pick.
         fallback: Fallback = Fallback::Penalty,
             spec("fallback", Form::Choice(&["penalty", "lexicographic", "stuck-only", "none"]), "1", false,
@@ -121,7 +127,8 @@ parameters! {
         /// How far `fallback: "penalty"` puts them back, cells.
         penalty: f64 = 4.0,
             spec("penalty", Form::Number(0.0, 40.0, 1.0), "cells", false,
-                 ["Deferral cost", "延后代价"], ["Cost added to deferred moves.", "延后扩展附加的代价。"]).within(0.0, 10_000.0);
+                 ["Deferral cost", "延后代价"],
+                 ["Cost added to deferred moves.", "延后扩展附加的代价。"]).within(0.0, 10_000.0);
         /// True if the search ends as soon as the goal is in sight.
         goal_shot: bool = false,
             spec("goalShot", Form::Flag, "1", false,

@@ -196,7 +196,8 @@ fn a_price_above_every_way_finds_the_fewest_changes() {
         }
     }
     println!(
-        "changes 0 to 4, none: {tally:?}; with the estimate alone as many {alike} times of 200, as asked fewer {fewer} times"
+        "changes 0 to 4, none: {tally:?}; with the estimate alone as many {alike} times of 200, \
+         as asked fewer {fewer} times"
     );
     assert!(tally[..3].iter().all(|&rooms| rooms >= 20) && tally[5] >= 5, "{tally:?}");
     // Where the order differs, so may the pose that stands for a cell, by which a path may also save a change.
