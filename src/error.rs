@@ -1,4 +1,7 @@
 //! The one error type: bad input, named by field, value and rule.
+//!
+//! An error has a code for programs, the path of the field (`vehicle.wheelbase`, `obstacles[3].points`) and a
+//! sentence for people. A scene in which no path exists is not an error but an [`Outcome`](crate::plan::Outcome).
 
 use std::fmt;
 

@@ -1,7 +1,9 @@
 //! Reading JSON values, with errors that name the field, however deep it is.
 //!
-//! By hand: serde's tagged and untagged enums forget where inside them an error arose, and derived readers of scenes
-//! and settings would be a quarter of the wasm file. The errors' code is the caller's to set.
+//! By hand: serde's tagged and untagged enums forget where inside them an error arose, and derived readers of
+//! scenes and settings would be a quarter of the wasm file. The errors' code is the caller's to set.
+//!
+//! Unknown fields are errors: a misspelt setting must not be ignored.
 
 use serde_json::{Map, Value};
 

@@ -1,4 +1,7 @@
 //! What an audit is asked.
+//!
+//! Options name the vehicles, the entrances and the entries; their product with the bays is the list of questions,
+//! whose order does not depend on how it is divided among workers.
 
 use serde_json::{Map, Value};
 

@@ -1,4 +1,7 @@
 //! The answers of an audit.
+//!
+//! A row is one question: a bay, a vehicle, an entrance and an entry (head first or in reverse). It says whether
+//! the vehicle gets in and out again, in how many moves, and what stands in the way where it does not.
 
 use serde::Serialize;
 

@@ -1,4 +1,8 @@
 //! A path as legs of constant curvature.
+//!
+//! Planners return poses or arcs; everything in `drive` asks by the distance driven, the *station*. A [`Route`]
+//! stores the legs in order, each with its station, and groups them into runs without a gear change. At the end of
+//! a run the car stands still.
 
 use crate::error::{Error, ErrorCode};
 use crate::geometry::arcs::Arc;

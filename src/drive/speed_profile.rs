@@ -1,4 +1,16 @@
 //! Speeds along a route: limits, a forward and a backward pass, standstill at gear changes.
+//!
+//! Along the distance s the speed is bounded by the speed limit, by the lateral acceleration, v² ≤ a_lat / |κ|,
+//! and, where the curvature changes gradually, by the wheel's rate. Between two places Δs apart the car can neither
+//! speed up nor brake harder than its limits:
+//!
+//! ```text
+//! v(s + Δs)² ≤ v(s)² + 2 · a_up · Δs          forward pass
+//! v(s)² ≤ v(s + Δs)² + 2 · a_down · Δs        backward pass
+//! ```
+//!
+//! The largest v that satisfies all of them is the fastest drive without a limit of jerk. Limited jerk is planned
+//! on top of it (`jerk_limited`). All in m, m/s, m/s² and m/s³.
 
 use super::jerk_limited;
 use super::path_segments::{Route, Run};

@@ -1,4 +1,7 @@
 //! A route sampled in time.
+//!
+//! Rows are at most `dt` seconds apart, and there is one wherever the acceleration changes. The steering angle
+//! follows the curvature no faster than the car's limit, which is why it may lag behind where the curvature steps.
 
 use super::path_segments::Route;
 use super::speed_profile::{Limits, Motion, angle, preview};

@@ -1,4 +1,8 @@
 //! Paths of circular arcs and straight lines, driven forward and in reverse.
+//!
+//! A car with a fixed steering angle δ and wheelbase L drives a circle of curvature κ = tan δ / L about the middle
+//! of its rear axle. So a list of arcs, a start pose and nothing else describe a path that a car can drive, apart
+//! from the moments at which the wheel turns. Poses along an arc are integrated exactly, not in steps.
 
 use super::Pose;
 

@@ -1,4 +1,7 @@
 //! A position and a heading.
+//!
+//! A pose doubles as a frame of reference: x ahead, y to the left. [`Pose::to_world`] and [`Pose::to_local`]
+//! convert points between that frame and the world, and [`Pose::advance`] drives along an arc.
 
 use serde::Serialize;
 

@@ -1,4 +1,7 @@
 //! The only place where cells become metres and metres cells.
+//!
+//! The centre of cell (x, y) lies at `origin + (x + ½, y + ½) · resolution`, in metres; the cell is the square
+//! around it. A single home for this conversion prevents overlays that are half a cell off.
 
 use crate::geometry::Point;
 

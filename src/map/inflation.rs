@@ -1,4 +1,10 @@
 //! Safety space: cells that the car's width takes away.
+//!
+//! A grid planner moves a point. A disc of radius r fits where that point keeps the distance r from every obstacle,
+//! so all cells that are closer are blocked before the search (*necessary* safety space, Hu et al. 2024, 2.2).
+//! Distances come from one exact distance transform: O(cells) for the whole map. Other free cells that a car had
+//! better not enter are *redundant* space; they are closed by the planner's settings and stay free for the
+//! collision check.
 
 use super::{Cell, Layer, Occupancy, distance};
 

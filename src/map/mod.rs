@@ -1,4 +1,17 @@
 //! The world on a lattice of square cells.
+//!
+//! Grid planners, distance fields and drawings work on cells; the car, obstacles and paths are in metres. [`Frame`]
+//! is the only place where one becomes the other. The cell (0, 0) is the south-western one, x counts columns to the
+//! east and y rows to the north. Arrays are row-major from that cell: `index = y · width + x`.
+//!
+//! * [`Occupancy`]: which cells are blocked, and the weights of the others. Everything outside the map is blocked.
+//! * [`Layer`]: one value of any type for each cell.
+//! * [`raster`]: shapes in metres to blocked cells.
+//! * [`distance`]: exact Euclidean distance transforms.
+//! * [`inflation`]: cells that the car's width takes away, so that a planner may treat the car as a point.
+//! * [`risk`]: the artificial potential field of the risk-field planner.
+//! * [`line_of_sight()`]: the one rule by which moves, pruning and any-angle search decide that two cells see each
+//!   other.
 
 pub mod distance;
 mod frame;

@@ -1,4 +1,20 @@
 //! The artificial potential field of the risk-field planner: the goal attracts, the nearest obstacle repels.
+//!
+//! With ρ the distance to an obstacle's cell in cells, d the vector to the goal and n the unit vector away from the
+//! obstacle, the force at a cell is (Hu et al. 2024)
+//!
+//! ```text
+//! F = k1 · d                                  attraction, linear
+//!   + k2 · (1/ρ − 1/ρ0) · 1/ρ² · n            repulsion, where ρ ≤ ρ0
+//! ```
+//!
+//! and both parts are slopes of the potentials ½·k1·d² and ½·k2·(1/ρ − 1/ρ0)². The conic form of the attraction has
+//! the constant length k1. The paper leaves open what repels where several cells are equally near; [`ObstacleSet`]
+//! names the readings.
+//!
+//! The field is evaluated on demand, at the cells that a search expands. With the default reading and a reach ρ0 of
+//! at most three cells the forces of all offsets are tabulated once, so that a cell costs a look-up by the bits of
+//! the blocked cells around it.
 
 use super::occupancy::DIRECTIONS;
 use super::{Cell, Layer, Occupancy};

@@ -1,4 +1,17 @@
 //! The independent validator: exact footprint against exact obstacles, motion against the car's limits.
+//!
+//! Four questions, the worst answer first ([`Verdict`]):
+//!
+//! 1. Does the body overlap an obstacle at a pose or between two? Between two poses the car is assumed to follow
+//!    the arc through both. It is tested each 2 cm of way and each 0.02 rad of turn; where the room around the body
+//!    is larger than what it moves, that certifies the motion without a test.
+//! 2. Is a stretch tighter than the turning radius, or does the body slide: does it move in another direction than
+//!    its heading by more than 0.02 rad?
+//! 3. Does the path begin at the start, within 5° of its heading?
+//! 4. Does it end at the goal, within 5° of its heading?
+//!
+//! Motion is summed over short steps until it exceeds rounding, so the verdict does not depend on how finely a path
+//! is sampled.
 
 #[cfg(feature = "complete")]
 use super::Narrowest;

@@ -1,4 +1,8 @@
 //! Figures of a path, and the independent check whether the car can drive it.
+//!
+//! The check shares no collision code with the planners: it measures the distance from body to outlines by code of
+//! its own. So a bug in a planner's collision test shows as a path that the check refuses. Figures come in
+//! families: lengths and turns of grid paths ([`grid`]) in cells, everything else in metres.
 
 #[cfg(feature = "complete")]
 mod any_angle;

@@ -1,4 +1,12 @@
 //! From a scene and settings to a checked plan: the only place that joins all the rest.
+//!
+//! A [`Planner`] is made once for a scene and settings, and asked any number of times. Making it validates both and
+//! prepares the map; a plan then runs, in this order, the search, post-processing, sampling of poses, the
+//! independent check and the figures. Start and goal can be moved and cells brushed between plans without preparing
+//! the map again.
+//!
+//! The result is always a [`Plan`]. Its [`Outcome`] says whether there is a path; errors are for wrong input only.
+//! Lengths are in metres, headings in radians counter-clockwise from east, poses are the middle of the rear axle.
 
 #[cfg(feature = "complete")]
 mod brush;

@@ -1,4 +1,8 @@
 //! The answer of a planner.
+//!
+//! A [`Plan`] holds the path as poses, the search's counters ([`Stats`]), figures of the path ([`Metrics`]) and the
+//! verdict of the independent check. A plan without a path has the counters and the trace, too, and says what
+//! blocks the way.
 
 use serde::Serialize;
 

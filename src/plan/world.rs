@@ -1,4 +1,8 @@
 //! A scene as the planners need it: exact for the car, rasters for the grid.
+//!
+//! Hybrid planners and the check test the body against exact outlines; grid planners see cells. Both views are made
+//! here, from one validated scene, so they cannot disagree about what is in it. A filled outline blocks each cell
+//! that it overlaps, a thin wall each cell that it touches.
 
 use crate::map::{Frame, Occupancy, WeightMap, Weights, raster};
 use crate::metrics::Body;

@@ -1,4 +1,17 @@
 //! Estimates of the cost between cells, in micro-cells.
+//!
+//! With dx and dy the columns and rows to the goal, M the larger and m the smaller of them:
+//!
+//! ```text
+//! manhattan   dx + dy                admissible with 4 neighbours
+//! octile      M + (√2 − 1)·m         with 4 and 8
+//! euclid      √(dx² + dy²)           with all
+//! gauge       the cheapest way over an empty map, by the planner's own moves
+//! ```
+//!
+//! A heuristic that never overestimates with the planner's moves keeps A\* optimal. The gauge is the largest such
+//! estimate that depends on dx and dy alone. A Euclidean estimate is rounded down and a move's cost up
+//! ([`moves`](super::moves)), so that none becomes inconsistent by rounding.
 
 use super::moves::{D, Neighbourhood, R2, R5, R10, R13, euclid};
 use crate::json;

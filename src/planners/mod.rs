@@ -1,4 +1,13 @@
 //! The planners. One file or folder each: its settings, its search domain and `plan`.
+//!
+//! There are three families ([`registry::Family`]). *Grid* planners move a point over cells: [`grid_astar`],
+//! [`risk_field`] and, with the feature `complete`, search from both ends, jump points, any angle and planners to
+//! compare with. *Hybrid* planners search poses of a car, whose path can be driven ([`hybrid`]). The *road* planner
+//! is `cost_map`, whose metres cost more near obstacles, kerbs and the edge of a lane.
+//!
+//! Planners know cells, poses and obstacles, but no scenes: [`plan`](crate::plan) prepares those, calls a planner,
+//! and checks what it answers. A planner is registered by one row in [`registry`]; its settings are declared once,
+//! by the macro in `parameters`, from which defaults, ranges, forms and types come.
 
 #[cfg(feature = "complete")]
 pub mod any_angle;

@@ -1,4 +1,8 @@
 //! The planners by id: titles, papers, parameters with units.
+//!
+//! A planner is one row here. What other layers ask of a planner (its family, whether it drives a car, has a risk
+//! field or takes weighted cells) is a field of its [`Info`]. Titles and effects are in English and Chinese, for
+//! forms and documentation.
 
 use serde::Serialize;
 use serde_json::{Map, Value};

@@ -1,4 +1,8 @@
 //! Leaving out cells that a path does not need.
+//!
+//! [`prune`] walks along the path once. From the last cell kept it skips every cell whose successor it still sees;
+//! it is greedy, and may therefore miss the shortest way. [`prune_dp`] looks at all pairs of cells: `best(j) = min
+//! over i < j that see j of best(i) + |ij|`. It takes quadratic time at worst.
 
 use crate::map::{Cell, Corner, Occupancy, first_in_sight, line_of_sight};
 use crate::planners::weighted_cost;

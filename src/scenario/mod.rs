@@ -1,4 +1,12 @@
 //! The scene as people write it: plain data, checked once by [`Scenario::validate`].
+//!
+//! A scene is the JSON that files, links and the page exchange: metres and radians, x east, y north, headings
+//! counter-clockwise from east. A pose is the middle of the rear axle. Obstacles are walls, polygons, rectangles,
+//! parked cars, roads and brushed cells; slots may hold parked cars, which block as obstacles do.
+//!
+//! The data stay as they were written: relative goals such as a slot stay a slot. [`resolve`] turns a valid scene
+//! into outlines and poses in metres ([`resolve::Geometry`]), which is what planners and the check use. [`catalog`]
+//! has the built-in scenes, [`generate`] seeded grid maps.
 
 use serde::Serialize;
 use std::collections::BTreeMap;

@@ -1,4 +1,8 @@
 //! A scene as plain geometry in metres.
+//!
+//! References become poses, parked cars and kerbs become shapes, and each shape remembers its owner, so that a
+//! collision can be told by the name of what is hit. Everything is in world coordinates; the boundary is the
+//! floor's outline, and what lies outside it is blocked.
 
 #[cfg(feature = "complete")]
 use std::ops::Range;

@@ -1,4 +1,8 @@
 //! Rules that a scene must satisfy before anything is built from it.
+//!
+//! Scenes come from files, links and other programs, so every number is distrusted: it must be finite and within a
+//! bound that keeps time and memory bounded. The first broken rule is answered as an error with the field's path,
+//! its value and the rule.
 
 use std::collections::BTreeMap;
 

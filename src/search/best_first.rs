@@ -1,4 +1,13 @@
-//! A* and its kin: one loop for every planner.
+//! A\* and its kin: one loop for every planner that searches a [`Domain`].
+//!
+//! The loop takes the first entry of the open list. An entry for a node is expanded: its moves are relaxed, and the
+//! domain may offer a completion from there ([`Domain::finish`]). A completion enters the open list with its total
+//! cost as priority. The search ends when a completion is taken or costs no more than the entry in hand, not when
+//! one is found: no open node can then lead to a cheaper one, provided that the heuristic is consistent.
+//! [`Limits::first`] takes the first completion instead.
+//!
+//! With E expansions, b moves a node and an open list of n entries a search takes O(E·b) relaxations and O(log n)
+//! for each entry at worst; the buckets of the open list make most insertions constant.
 
 use super::open_list::Kind;
 use super::{Budget, Cost, Domain, End, NodeId, Observer, Scratch, Tree};

@@ -1,4 +1,8 @@
 //! How far a search may go.
+//!
+//! Budgets count expansions instead of seconds, so that a search ends at the same node on a fast and on a slow
+//! machine. The observer is asked at the same counts: progress and cancellation do not change the order of a
+//! search.
 
 use super::Observer;
 

@@ -1,4 +1,8 @@
 //! Entries of the [open list](super::bucket_queue) of lattice searches.
+//!
+//! An entry holds f, h, the node and whether it stands for the node's deferred moves. The packed form takes 16
+//! bytes, its order is that of its upper 96 bits, and f and h are from 0 to below 2⁴⁸. The wide form has no such
+//! limit; lattices whose priorities may be negative need it. Nodes are below 2²⁸ in both.
 
 use super::NodeId;
 

@@ -1,4 +1,8 @@
 //! Memory of a [`lattice`](super::lattice) search: a record per node, and an open list per side.
+//!
+//! A record packs cost, move and generation into one 64-bit number. Relaxing a move is then one comparison of two
+//! numbers: what is closed or better is smaller than the candidate. Costs are below 2⁴⁴ micro-cells, which is 17
+//! million cells of a path; move numbers are at most 254.
 
 use super::bucket_queue::BucketQueue;
 use super::entry::Entry;

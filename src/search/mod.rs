@@ -1,4 +1,34 @@
 //! Best-first search over any [`Domain`]; knows nodes and costs, nothing else.
+//!
+//! A best-first search keeps an *open list* of nodes that it has reached and not yet expanded. It takes the one
+//! with the smallest priority
+//!
+//! ```text
+//! f(n) = g(n) + h(n)
+//! ```
+//!
+//! where g is the cost of the best known path from the root and h estimates the cost that remains. Expanding a node
+//! emits its moves, and a move that improves its target enters the open list. With h = 0 this is Dijkstra's search,
+//! with an estimate that never exceeds the true cost it is A\*.
+//!
+//! There are two cores, which agree in order, counters and result:
+//!
+//! * [`best_first()`] works on any [`Domain`]: costs of any ordered type, a label per node (a pose in hybrid A\*),
+//!   and completions beyond the last node.
+//! * [`lattice`] is for graphs whose nodes all have the same numbered moves and integer costs. It keeps a node in
+//!   eight bytes, which grids need.
+//!
+//! Invariants that both rely on:
+//!
+//! * A node is expanded once and never reopened (moves that a lattice defers are a second part of it), so a path is
+//!   the cheapest only where h is consistent: h(a) ≤ cost(a, b) + h(b) for every move.
+//! * The open list is a total order: f, then h, then age of the entry ([`Order`]). The same input therefore gives
+//!   the same expansions on every machine.
+//! * Memory belongs to the caller ([`Scratch`], [`PackedScratch`]) and is not cleared between searches. Generation
+//!   numbers tell old entries from new ones, so a query costs what it touches, not the size of the map.
+//! * An [`Observer`] is a type parameter. `()` compiles to nothing; [`Trace`] keeps the order of expansions for
+//!   drawing.
+//! * A budget counts expansions, never time.
 
 mod best_first;
 #[cfg(feature = "complete")]

@@ -1,4 +1,8 @@
 //! Per-node state, reused between searches by generation stamps.
+//!
+//! A search of a large map touches few of its nodes. Clearing the table before each search would cost more than the
+//! search itself. Instead each slot remembers the *ticket* of its latest entry in the open list, tickets only grow,
+//! and a slot with a ticket from before the search began counts as never reached.
 
 use super::open_list::{self, Kind, OpenList, Order};
 use super::{Cost, NodeId};

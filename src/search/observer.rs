@@ -1,4 +1,7 @@
 //! Watching a search: `()` watches nothing at no cost.
+//!
+//! The search calls its observer at each expansion and each improvement. The observer is a type parameter, so the
+//! calls to `()` vanish when they are compiled, and a search without a watcher is as fast as one without the calls.
 
 use std::num::NonZeroU32;
 use std::ops::ControlFlow;

@@ -1,4 +1,14 @@
 //! The car: dimensions, footprint and collision.
+//!
+//! A car is a rectangle on a kinematic bicycle: it turns about a point on the line of its rear axle, and does not
+//! slide. With wheelbase L and steering angle δ the curvature of the rear axle's path is
+//!
+//! ```text
+//! κ = tan δ / L,   |κ| ≤ tan(max_steer) / wheelbase = 1 / min_turning_radius
+//! ```
+//!
+//! All dimensions are in metres, angles in radians, and measured from the middle of the rear axle: the body reaches
+//! from `-rear_to_back` to `rear_to_front` along the heading and `width / 2` to either side.
 
 pub mod collision;
 #[cfg(feature = "complete")]

@@ -1,4 +1,18 @@
 //! The road as a graph of cells.
+//!
+//! Nodes are the cells with room for the car, numbered without gaps. A step of length ℓ between neighbours with
+//! surcharges a and b costs ℓ · (1 + (a + b) / 2), and the surcharge of a cell is (costs `metre`)
+//!
+//! ```text
+//! base(clearance)                              room beside the body
+//! + laneWeight · min((off / half width)², 1.5) offset from the lane's middle
+//! + kerbWeight · (1 − near)²                   near: 0 at the kerb, 1 a metre away, less in narrow lanes
+//! + speedWeight · (10 / v − 1)                 v: speed limit, or what a bend allows, m/s
+//! + a price below the margin                   up to twice a metre without any room beside the body
+//! ```
+//!
+//! Painted weights multiply all of it. No metre costs less than its length, so the octile distance is a consistent
+//! estimate.
 
 use std::sync::Arc;
 

@@ -1,4 +1,18 @@
 //! Cost model of driving.
+//!
+//! An arc of length s (metres) and curvature κ, for a car of turning radius R, costs
+//!
+//! ```text
+//! |s| · (w + steerCost · |κ|·R)          w = reverseCost in reverse, else 1
+//! + directionChangeCost                  if the gear changes
+//! + steerChangeCost · |Δκ|·R             where the curvature changes
+//! + obstacleCost · ∫ (1 − c/D)² ds       where the clearance c is below D = obstacleDistance
+//! + the profile's price · ds             in reverse, more than 10 m from both ends
+//! + w · (weight − 1) ds                  over cells with a weight
+//! ```
+//!
+//! The first three terms depend on the arc and the one before it; the others are sampled along it, at most half a
+//! metre apart. No weight is negative and w is at least 1, so that the length bounds the cost from below.
 
 use super::Config;
 use super::config::Level;

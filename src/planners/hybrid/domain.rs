@@ -1,4 +1,13 @@
 //! The search space: poses on a lattice of position, heading and gear, joined by arcs.
+//!
+//! A node is a lattice cell; its label is the real-valued pose that reached the cell at the least cost. The cell's
+//! key packs x and y in steps of `Level::xy`, the heading in steps of `Level::yaw`, and the gear; `StateIndex`
+//! gives each key met a dense number. Moves are arcs of length `Level::step` ahead and back, at 2·`steer_samples` +
+//! 1 steering angles that are spread evenly from lock to lock; levels that shuffle also take shorter ones, up to an
+//! obstacle.
+//!
+//! Poses are local to the obstacles. A tree that grows from the goal is *mirrored*: it drives the path backwards,
+//! so every gear is the other one.
 
 use core::cell::{Cell, RefCell, RefMut};
 

@@ -1,7 +1,23 @@
-//! Hybrid A* for parking: arcs on a lattice of poses, joined to the target by Reeds–Shepp curves.
+//! Hybrid A\* for parking: arcs on a lattice of poses, joined to the target by Reeds–Shepp curves.
 //!
-//! The tree grows from the goal by default (the parking paper's reverse search): the car model drives the same way
-//! back, and leaving a slot needs far fewer expansions than finding it. Dolgov et al. 2010 for the search itself.
+//! Grid search treats the car as a point; its paths have corners that no car can drive. Hybrid A\* searches over
+//! poses (x, y, heading) and gears instead. A node's moves are *motion primitives*: arcs of a fixed length at some
+//! steering angles, in both gears. A lattice cell of position, heading and gear keeps the cheapest real-valued pose
+//! that reached it, so poses are not rounded and every path can be driven (Dolgov et al. 2010).
+//!
+//! Three things make that fast:
+//!
+//! * The *heuristic* is the larger of two: the Reeds–Shepp curve to the target, which knows the turning radius but
+//!   no obstacles, and the way of a disc around obstacles, which knows obstacles but no turning radius.
+//! * *Analytic expansion*: from many nodes a Reeds–Shepp curve to the target is tried. The first free one that no
+//!   open node can beat ends the search exactly at the target pose.
+//! * The tree grows *from the goal* by default (the parking paper's reverse search): the car model drives the same
+//!   way back, and leaving a slot needs far fewer expansions than finding it.
+//!
+//! A cost in metres: length, times `reverseCost` in reverse, plus `directionChangeCost` a gear change, plus weights
+//! of steering and of nearness to obstacles (`cost`). Where the coarse lattice finds nothing, a portfolio of finer
+//! ones and of smaller margins takes turns (`portfolio`). "No path" with a proof and "budget spent" are told apart
+//! ([`Status`]).
 
 mod analytic_expansion;
 #[cfg(feature = "complete")]

@@ -1,4 +1,11 @@
 //! The way around obstacles for a disc, from one flood of the lattice: an estimate of the car's way.
+//!
+//! The body contains a disc as wide as itself. Wherever the car can drive, that disc can move; so the disc's
+//! shortest way to the target is nearly a lower bound of the car's. One flood from the target over the cells of the
+//! obstacles' distance field gives it for every place; a node of the search then reads it from a table.
+//!
+//! It is a little greedy, not a strict bound: cells count with eight neighbours, and places with hardly any room
+//! count twice.
 
 use crate::geometry::{Point, Pose, Vector};
 use crate::map::{Cell, Frame};

@@ -1,4 +1,9 @@
 //! Which of the eight directions a force picks (tables 1 and 2 of Hu et al. 2024).
+//!
+//! The plane of forces is cut into regions by the slope |y| / |x|. In *oblique* mode, where diagonal steps make up
+//! most of the way to the goal, there are eight regions, which split at the slopes 1/3 and 3. In *straight* mode
+//! there are four, which split at 1. The region's central direction and its two neighbours are the three that the
+//! search expands.
 
 use crate::planners::moves::{D, R2};
 
