@@ -1,6 +1,6 @@
 //! Speeds along a route: limits, a forward and a backward pass, standstill at gear changes.
 //!
-//! Along the distance s the speed is bounded by the speed limit, by the lateral acceleration, v² ≤ a_lat / |κ|,
+//! Along the distance s the speed is bounded by the speed limit, by the lateral acceleration, |κ|·v² ≤ `lateral_acceleration`,
 //! and, where the curvature changes gradually, by the wheel's rate. Between two places Δs apart the car can neither
 //! speed up nor brake harder than its limits:
 //!
@@ -9,8 +9,8 @@
 //! v(s)² ≤ v(s + Δs)² + 2 · a_down · Δs        backward pass
 //! ```
 //!
-//! The largest v that satisfies all of them is the fastest drive without a limit of jerk. Limited jerk is planned
-//! on top of it (`jerk_limited`). All in m, m/s, m/s² and m/s³.
+//! The largest v that satisfies all of them is the fastest drive without a limit of jerk. Drives of limited jerk
+//! are planned by other rules (`jerk_limited`). All in m, m/s, m/s² and m/s³.
 
 use super::jerk_limited;
 use super::path_segments::{Route, Run};

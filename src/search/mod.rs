@@ -22,8 +22,8 @@
 //!
 //! * A node is expanded once and never reopened (moves that a lattice defers are a second part of it), so a path is
 //!   the cheapest only where h is consistent: h(a) ≤ cost(a, b) + h(b) for every move.
-//! * The open list is a total order: f, then h, then age of the entry ([`Order`]). The same input therefore gives
-//!   the same expansions on every machine.
+//! * The open list is a total order ([`Order`]): f, then on grids h, then the age of the entry. The same input
+//!   therefore gives the same expansions on every machine.
 //! * Memory belongs to the caller ([`Scratch`], [`PackedScratch`]) and is not cleared between searches. Generation
 //!   numbers tell old entries from new ones, so a query costs what it touches, not the size of the map.
 //! * An [`Observer`] is a type parameter. `()` compiles to nothing; [`Trace`] keeps the order of expansions for

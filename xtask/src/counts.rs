@@ -156,7 +156,8 @@ mod tests {
 
     #[test]
     fn adds_up_the_summary_of_pytest() {
-        let output = "..Fs\nFAILED tests/test_plans.py::test_a - assert 1 == 2\n1 failed, 2 passed, 1 skipped in 1.93s\n";
+        let output = "..Fs\nFAILED tests/test_plans.py::test_a - assert 1 == 2\n\
+            1 failed, 2 passed, 1 skipped in 1.93s\n";
         let counts = pytest_counts(output);
         assert_eq!((counts.passed, counts.failed, counts.skipped), (2, 1, 1));
         assert_eq!(counts.failures, ["tests/test_plans.py::test_a - assert 1 == 2"]);
