@@ -1,8 +1,8 @@
 //! Speeds along a route: limits, a forward and a backward pass, standstill at gear changes.
 //!
-//! Along the distance s the speed is bounded by the speed limit, by the lateral acceleration, |κ|·v² ≤ `lateral_acceleration`,
-//! and, where the curvature changes gradually, by the wheel's rate. Between two places Δs apart the car can neither
-//! speed up nor brake harder than its limits:
+//! Along the distance s the speed is bounded by the speed limit, by the lateral acceleration, |κ|·v² ≤
+//! `lateral_acceleration`, and, where the curvature changes gradually, by the wheel's rate. Between two places Δs
+//! apart the car can neither speed up nor brake harder than its limits:
 //!
 //! ```text
 //! v(s + Δs)² ≤ v(s)² + 2 · a_up · Δs          forward pass
