@@ -7,9 +7,9 @@ use parkade::planners::moves::Neighbourhood;
 use parkade::planners::query::{GridReport, GridScratch, Query};
 use parkade::planners::risk_field::Fallback;
 use parkade::planners::settings::Common;
-use parkade::planners::{bidirectional, dijkstra_greedy, grid_astar, jump_point, risk_field};
+use parkade::planners::{any_angle, bidirectional, dijkstra_greedy, grid_astar, jump_point, risk_field};
 use parkade::scenario::generate::SplitMix64;
-use parkade::search::{BACKWARD, Fate, Observer, Recording, StepKind, Stop};
+use parkade::search::{BACKWARD, Fate, Observer, PAST, Recording, StepKind, Stop};
 
 const MAPS: u64 = 100;
 const CORNERS: [Corner; 3] = [Corner::Strict, Corner::NoSqueeze, Corner::Free];
@@ -29,18 +29,23 @@ fn random_map(random: &mut SplitMix64) -> (Occupancy, Cell, Cell) {
 }
 
 /// A planner's own events.
-#[derive(Default)]
-struct Events {
-    expanded: Vec<(u32, i64)>,
-    relaxed: Vec<(u32, u32, i64)>,
+struct Events<C = i64> {
+    expanded: Vec<(u32, C)>,
+    relaxed: Vec<(u32, u32, C)>,
 }
 
-impl Observer<i64, ()> for Events {
-    fn expanded(&mut self, node: u32, (): (), g: i64) {
+impl<C> Default for Events<C> {
+    fn default() -> Self {
+        Self { expanded: Vec::new(), relaxed: Vec::new() }
+    }
+}
+
+impl<C, L> Observer<C, L> for Events<C> {
+    fn expanded(&mut self, node: u32, _: L, g: C) {
         self.expanded.push((node, g));
     }
 
-    fn relaxed(&mut self, node: u32, parent: u32, (): (), g: i64) {
+    fn relaxed(&mut self, node: u32, parent: u32, _: L, g: C) {
         self.relaxed.push((node, parent, g));
     }
 }
@@ -48,7 +53,7 @@ impl Observer<i64, ()> for Events {
 /// The moves of each step: target, fate, g, h.
 fn offers(r: &Recording, step: usize) -> impl Iterator<Item = (u32, u8, f64, f64)> {
     let all = r.first[step] as usize..r.first[step + 1] as usize;
-    all.map(|at| (r.targets[at], r.fates[at], r.target_g[at], r.target_h[at]))
+    all.map(|at| (r.targets[at], r.fates[at] % PAST, r.target_g[at], r.target_h[at]))
 }
 
 fn is(fate: u8, one: Fate) -> bool {
@@ -261,6 +266,56 @@ fn jumps_and_plain_searches_are_recorded_as_they_are() {
         knows_the_map(&r, query, config.neighbours, config.common.corner);
         assert_eq!((r.expanded, r.generated), (report.expanded, report.generated));
     });
+}
+
+/// Theta* as one writes it down: a cell hangs on its parent's parent where that sees it.
+fn parents_see_their_cells(r: &Recording, query: Query, corner: Corner) {
+    let far = |a: Cell, b: Cell| f64::from(b.x - a.x).hypot(f64::from(b.y - a.y));
+    let mut known = BTreeMap::from([(query.map.index(query.start), (0.0, None::<u32>))]);
+    for step in 0..r.nodes.len() {
+        let (node, at) = (r.nodes[step], query.map.cell(r.nodes[step]));
+        let (g, parent) = known[&node];
+        assert_eq!((g, r.h[step]), (r.g[step], far(at, query.goal)));
+        for move_ in r.first[step] as usize..r.first[step + 1] as usize {
+            let (target, to) = (r.targets[move_], query.map.cell(r.targets[move_]));
+            if matches!(r.fates[move_] % PAST, 3..=5) {
+                continue;
+            }
+            let sees = |parent: &u32| line_of_sight(query.map, query.map.cell(*parent), to, corner);
+            let past = parent.filter(sees);
+            assert_eq!(past.is_some(), r.fates[move_] >= PAST);
+            let from = past.unwrap_or(node);
+            let expected = known[&from].0 + far(query.map.cell(from), to);
+            assert!((r.target_g[move_] - expected).abs() < 1e-9);
+            if r.fates[move_] % PAST < 2 {
+                known.insert(target, (r.target_g[move_], Some(from)));
+            }
+        }
+    }
+}
+
+#[test]
+fn any_angle_searches_are_recorded_as_they_are() {
+    let mut past = 0;
+    on_random_maps(15, |query, corner| {
+        let config = any_angle::Config { common: Common { corner, ..Common::PLAIN } };
+        let mut events = Events::default();
+        let report = any_angle::plan(query, &config, &mut GridScratch::new(), &mut events);
+        let r = any_angle::record(query, &config, usize::MAX);
+        let steps: Vec<_> = r.nodes.iter().copied().zip(r.g.iter().copied()).collect();
+        assert_eq!(steps, events.expanded);
+        let taken = r.fates.iter().filter(|&&fate| fate % PAST < 2).count();
+        assert_eq!(taken, events.relaxed.len());
+        assert_eq!(
+            (r.expanded, r.generated, r.pushes, r.open_peak),
+            (report.expanded, report.generated, report.pushes, report.open_peak)
+        );
+        follows_the_rules(&r, roots(query));
+        knows_the_map(&r, query, Neighbourhood::Eight, corner);
+        parents_see_their_cells(&r, query, corner);
+        past += r.fates.iter().filter(|&&fate| fate >= PAST).count();
+    });
+    assert!(past > 1000, "{past}");
 }
 
 #[test]

@@ -350,17 +350,45 @@ export interface ArcTrace { kind: "arcs"; arcs: Float64Array; dropped: number; s
 export type Trace = CellTrace | ArcTrace;
 
 /**
- * Every event of a search over cells, in columns: what `trace: "full"` asks for. A step is an entry taken from the open list; its
- * moves follow one another in the columns named `target…`. 33 bytes a step and 21 bytes a move.
- *
- * Costs are in millionths of a cell. The open list is ordered by f, then by h, then the newest entry first.
+ * Every event of a search over cells: what `trace: "full"` asks for. The open list is ordered by f, then by h, then the newest entry
+ * first.
  */
-export interface SearchTrace {
+export interface SearchTrace extends SearchEvents {
   kind: "search";
   /** Columns and rows of the map: node `y * width + x`. */
   width: number;
   height: number;
-  /** Per step: 0 expanded, 1 its deferred moves tried, 2 excluded by a bound, 3 the goal, 4 where two sides meet; 16 more of the side from the goal. */
+}
+
+/**
+ * The same of hybrid A*'s last search from one end: a node is a cell of position, heading and gear. The open list is ordered by f, then
+ * the oldest entry first. 44 bytes more a move.
+ */
+export interface PoseTrace extends SearchEvents {
+  kind: "poses";
+  /** The root's pose. */
+  root: Pose;
+  /** True if the tree grows from the goal, against the direction of driving. */
+  fromGoal: boolean;
+  /** Per move: x, y, heading of the pose that it leads to, or stops at where something is in its way. */
+  poses: Float64Array;
+  /** Per move: curvature and signed length of its arc up to there, as the tree grows. */
+  arcs: Float64Array;
+  /** Per move: index in the scene's `obstacles` of what is in its way, -1 for the border and parked cars of slots, -2 for nothing. */
+  obstacles: Int32Array;
+  /** The ordinary trace of the same search. */
+  tree: ArcTrace;
+}
+
+/**
+ * Events of a search in columns. A step is an entry taken from the open list; its moves follow one another in the columns named
+ * `target…`. 33 bytes a step and 21 bytes a move.
+ */
+export interface SearchEvents {
+  /**
+   * Per step: 0 expanded, 1 its deferred moves tried, 2 excluded by a bound, 3 the goal, 4 where two sides meet, 5 expanded, and a path
+   * completed that a cheaper one may replace; 16 more of the side from the goal.
+   */
   kinds: Uint8Array;
   /** Per step: its node, cost from the root, estimate, priority. */
   nodes: Uint32Array;
@@ -378,11 +406,13 @@ export interface SearchTrace {
    * for its deferred moves, 8 left out by the search's rule; 16 more where it leads from the node's parent.
    */
   fates: Uint8Array;
+  /** Costs of a cell or metre: a million where the planner reckons in whole micro-cells, 1 for `any-angle` and hybrid A*. */
+  unit: number;
   /** By how much f of a node that waits exceeds g + h. */
   penalty: number;
   /** True if steps beyond `traceLimit` are missing. */
   cut: boolean;
-  /** As in the plan's `stats`, of the steps that are there. */
+  /** As in the plan's `stats`, of the steps that are there; of the whole search for `any-angle` and hybrid A*. */
   counters: { expanded: number; generated: number; pushes: number; openPeak: number };
 }
 
@@ -967,8 +997,8 @@ export class Planner<Id extends PlannerId = PlannerId> {
    * throws ends the search and is thrown by `plan`; the planner can be used again. It cannot use the planner that calls it.
    *
    * `trace: "full"`, not in `parkade/core`, records the search with every move that it considered and what became of it
-   * ({@link SearchTrace}), at most `traceLimit` steps, 1 to 1 000 000, by default 100 000. The search is run once more for that, so that
-   * plans without it are as fast as ever. Planners without an open list of cells give their ordinary trace.
+   * ({@link SearchTrace}, {@link PoseTrace}), at most `traceLimit` steps, 1 to 1 000 000, by default 100 000. Plans without it are as
+   * fast as ever. Planners without an open list, and hybrid A* from both ends, give their ordinary trace.
    *
    * Hybrid only, and not in `parkade/core`: `prefer` looks for a better path than the ordinary one by that measure, gear changes
    * first for "fewest-changes"; `alternatives` looks for all that are worth choosing from. Without `prefer` the answer is
@@ -987,7 +1017,7 @@ export class Planner<Id extends PlannerId = PlannerId> {
     start?: Goal;
     goal?: Goal;
     onProgress?: (expansions: number) => void;
-  }): Omit<PlanOf<Id>, "trace"> & { trace: Trace | SearchTrace | null };
+  }): Omit<PlanOf<Id>, "trace"> & { trace: Trace | SearchTrace | PoseTrace | null };
   plan(options?: {
     trace?: boolean;
     start?: Goal;

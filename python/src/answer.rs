@@ -100,7 +100,6 @@ fn trace<'py>(py: Python<'py>, trace: &PlanTrace) -> PyResult<Bound<'py, PyDict>
             fields.set_item("arcs", rows(py, arcs.clone(), 5)?)?;
             dropped
         }
-        PlanTrace::Search(_) => unreachable!("the options of the wheel ask for no recording"),
     };
     fields.set_item("dropped", *dropped)?;
     Ok(fields)

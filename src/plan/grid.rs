@@ -107,7 +107,7 @@ impl Engine {
         let [start, goal] = [world.geometry.start, world.geometry.goal].map(|p| cell_of(&world.frame, p));
         let map = self.rasters.map(world);
         let recording = self.search.record(Query { map, start, goal }, &self.rasters, limit)?;
-        Some(Recorded { width: map.width(), height: map.height(), recording })
+        Some(Recorded::Cells { width: map.width(), height: map.height(), recording })
     }
 
     /// The risk field's potential at every cell; `None` without a risk field.

@@ -148,7 +148,8 @@ impl Search {
             }
             Self::Dijkstra(config) => dijkstra_greedy::record_dijkstra(query, config, limit),
             Self::Greedy(config) => dijkstra_greedy::record_greedy(query, config, limit),
-            Self::AnyAngle(_) | Self::Rrt(_) | Self::Genetic(_) => return None,
+            Self::AnyAngle(config) => any_angle::record(query, config, limit),
+            Self::Rrt(_) | Self::Genetic(_) => return None,
         })
     }
 }

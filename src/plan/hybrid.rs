@@ -6,6 +6,8 @@ use serde_json::{Map, Value};
 use super::choices::{self, Choosing, Wish};
 #[cfg(feature = "complete")]
 use super::outcome::Member;
+#[cfg(feature = "complete")]
+use super::outcome::Recorded;
 use super::outcome::{HybridMetrics, Outcome, Plan, PlanTrace, Stats};
 use super::path::MAX_LENGTH;
 use super::world::World;
@@ -101,6 +103,12 @@ impl Engine {
         self.last = Some(Last::along(self.obstacles.local(poses[0]), poses, gears, curvatures));
     }
 
+    /// The next plan's search is written down, at most so many steps of it.
+    #[cfg(feature = "complete")]
+    pub(super) fn record(&mut self, limit: Option<usize>) {
+        self.scratch.record(limit);
+    }
+
     /// The obstacles have changed.
     #[cfg(feature = "complete")]
     pub(super) fn change(&mut self, world: &World) {
@@ -150,6 +158,11 @@ impl Engine {
             dropped: report.tree_dropped,
             shots: core::mem::take(&mut report.shots),
         });
+        #[cfg(feature = "complete")]
+        {
+            self.scratch.record(None);
+            plan.recorded = report.recorded.take().map(|poses| Box::new(Recorded::Poses(poses)));
+        }
         (plan, report)
     }
 
@@ -188,6 +201,7 @@ impl Engine {
             if let (Some(kept), Some(mut stayed)) = (kept, stayed) {
                 (stayed.detail, stayed.stats) = (detail(kept.status), plan.stats.clone());
                 (stayed.member, stayed.trace) = (plan.member, plan.trace.take());
+                stayed.recorded = plan.recorded.take();
                 *plan = stayed;
                 report = kept;
             }
@@ -239,7 +253,7 @@ impl Engine {
         let Geometry { start, goal, .. } = world.geometry;
         let query = Query { obstacles: &self.obstacles, vehicle: &vehicle, start, goal };
         let prefer = wish.searched();
-        let trace = plan.trace.take();
+        let (trace, recorded) = (plan.trace.take(), plan.recorded.take());
         let (id, config) = (self.kind.id(), self.config);
         plan.planner = id;
         let mut choosing = Choosing::new(wish, world.geometry.clone(), scenario.all_speed_limits());
@@ -267,7 +281,7 @@ impl Engine {
         }
         let mut plan = choosing.conclude(&stats(&last));
         world.geometry.goal = plan.path.last().copied().unwrap_or(world.geometry.goal);
-        plan.trace = trace;
+        (plan.trace, plan.recorded) = (trace, recorded);
         plan
     }
 }

@@ -88,8 +88,7 @@ const NEAR: f64 = 1e-3;
 pub struct Options<'a> {
     /// True to keep the search trace.
     pub trace: bool,
-    /// Steps of the search to keep with all they did, in the place of the trace; only of planners that search cells
-    /// with an open list.
+    /// Steps of the search to keep with all they did ([`Plan::recorded`]); only of planners with an open list.
     #[cfg(feature = "complete")]
     pub record: Option<usize>,
     /// Told of the expansions so far each 16 384 cells, or 256 poses of a car, and never of more than
@@ -245,6 +244,8 @@ impl Planner {
         let mut plan = match &mut self.engine {
             Engine::Grid(engine) => engine.plan(&self.world, (trace(), progress)),
             Engine::Hybrid(engine) => {
+                #[cfg(feature = "complete")]
+                engine.record(options.record);
                 let found = engine.plan(&self.scenario, &mut self.world, options.trace, &mut progress);
                 #[cfg(feature = "complete")]
                 let found = (engine.choose((&self.scenario, &mut self.world), found, wish, &mut progress),);
@@ -257,7 +258,7 @@ impl Planner {
         if let (Engine::Grid(engine), Some(limit)) = (&self.engine, options.record)
             && let Some(recorded) = engine.record(&self.world, limit)
         {
-            plan.trace = Some(PlanTrace::Search(Box::new(recorded)));
+            plan.recorded = Some(Box::new(recorded));
         }
         plan.planner = self.kind.id();
         plan
@@ -342,6 +343,8 @@ fn measured(world: &World, outcome: Outcome, driven: Driven, near: f64) -> Plan 
         metrics,
         check,
         trace: None,
+        #[cfg(feature = "complete")]
+        recorded: None,
         #[cfg(feature = "complete")]
         member: None,
         #[cfg(feature = "complete")]

@@ -11,6 +11,8 @@ use crate::metrics::Check;
 use crate::planners::Obstruction;
 use crate::planners::hybrid::FailedExpansions;
 #[cfg(feature = "complete")]
+use crate::planners::hybrid::PoseRecording;
+#[cfg(feature = "complete")]
 use crate::scenario::GoalPose;
 #[cfg(feature = "complete")]
 use crate::search::Recording;
@@ -209,21 +211,23 @@ pub enum PlanTrace {
         /// Analytic connections that hit something.
         shots: FailedExpansions,
     },
-    /// Every event of a search over cells.
-    #[cfg(feature = "complete")]
-    Search(Box<Recorded>),
 }
 
-/// Every event of a search over the cells of a map.
+/// Every event of a search.
 #[cfg(feature = "complete")]
-#[derive(Debug, Clone, PartialEq)]
-pub struct Recorded {
-    /// Columns of the map.
-    pub width: u32,
-    /// Rows of the map.
-    pub height: u32,
-    /// The events; node `y * width + x` is a cell.
-    pub recording: Recording,
+#[derive(Debug, Clone)]
+pub enum Recorded {
+    /// Over the cells of a map.
+    Cells {
+        /// Columns of the map.
+        width: u32,
+        /// Rows of the map.
+        height: u32,
+        /// The events; node `y * width + x` is a cell.
+        recording: Recording,
+    },
+    /// Over the poses of a car.
+    Poses(PoseRecording),
 }
 
 /// A search of hybrid A*'s portfolio: the one that found the path or, where there is none, that went through everything
@@ -279,6 +283,9 @@ pub struct Plan {
     pub member: Option<Member>,
     /// The search trace, if requested.
     pub trace: Option<PlanTrace>,
+    /// The search with all its events, if requested.
+    #[cfg(feature = "complete")]
+    pub recorded: Option<Box<Recorded>>,
     /// Grid planners: what each step after the search makes of the path, if the trace is asked for.
     #[cfg(feature = "complete")]
     pub stages: Option<super::Stages>,

@@ -9,7 +9,10 @@ use super::parameters::parameters;
 use super::query::{GridReport, GridScratch, Query};
 use super::settings::Common;
 use crate::map::{Cell, line_of_sight};
-use crate::search::{Domain, Finish, Limits, NodeId, Observer, Relax, Visit, best_first};
+use crate::search::{
+    Domain, Fate, Finish, Limits, NodeId, Observer, Recording, Relax, Scratch, Told, Visit, best_first,
+    record_best_first,
+};
 
 parameters! {
     /// Settings of any-angle search.
@@ -24,6 +27,15 @@ struct AnyAngle<'a> {
     query: Query<'a>,
     config: Config,
     los_calls: Counter<u32>,
+}
+
+impl<'a> AnyAngle<'a> {
+    /// With the search's root and limits.
+    fn new(query: Query<'a>, config: &Config) -> (Self, (NodeId, Cell), Limits) {
+        let domain = Self { query, config: *config, los_calls: Counter::new(0) };
+        let limits = Limits { max_expansions: config.common.max_expansions, first: true };
+        (domain, (query.map.index(query.start), query.start), limits)
+    }
 }
 
 impl Domain for AnyAngle<'_> {
@@ -66,6 +78,21 @@ impl Domain for AnyAngle<'_> {
     }
 }
 
+impl Told for AnyAngle<'_> {
+    fn consider(&self, from: Visit<f64, Cell>, tell: &mut dyn FnMut(NodeId, f64, Cell, Option<Fate>)) {
+        let map = self.query.map;
+        let legal = legal_steps(map.free_around(from.label), self.config.common.corner);
+        for (c, &(dx, dy)) in DIRECTIONS.iter().enumerate() {
+            let to = from.label.offset(dx, dy);
+            if map.contains(to) {
+                let step = if c % 2 == 0 { 1.0 } else { std::f64::consts::SQRT_2 };
+                let illegal = if map.blocked(to) { Fate::Blocked } else { Fate::Corner };
+                tell(map.index(to), step, to, (legal >> c & 1 == 0).then_some(illegal));
+            }
+        }
+    }
+}
+
 fn distance(a: Cell, b: Cell) -> f64 {
     let (dx, dy) = (f64::from(b.x - a.x), f64::from(b.y - a.y));
     (dx * dx + dy * dy).sqrt()
@@ -95,11 +122,18 @@ pub fn plan<O: Observer<f64, Cell>>(
     if let Some(report) = query.trivial() {
         return report;
     }
-    let mut domain = AnyAngle { query, config: *config, los_calls: Counter::new(0) };
-    let root = (query.map.index(query.start), query.start);
-    let limits = Limits { max_expansions: config.common.max_expansions, first: true };
+    let (mut domain, root, limits) = AnyAngle::new(query, config);
     let search = best_first(&mut domain, root, limits, &mut scratch.lengths, observer);
     let mut report = GridReport::of(&query, &search, &scratch.lengths, domain.los_calls.get());
     report.cost_micro = report.cells.windows(2).map(|p| cost(p[1].x - p[0].x, p[1].y - p[0].y)).sum();
     report
+}
+
+/// The same search with its events written down, at most `limit` of them.
+pub fn record(query: Query, config: &Config, limit: usize) -> Recording {
+    if query.trivial().is_some() {
+        return Recording::empty();
+    }
+    let (mut domain, root, limits) = AnyAngle::new(query, config);
+    record_best_first(&mut domain, root, limits, &mut Scratch::new(), &mut (), limit).1.recording
 }

@@ -49,6 +49,8 @@ mod recorded;
 #[cfg(feature = "complete")]
 mod recorded_both;
 #[cfg(feature = "complete")]
+mod recorded_domain;
+#[cfg(feature = "complete")]
 mod recording;
 #[cfg(test)]
 #[cfg(feature = "complete")]
@@ -73,6 +75,8 @@ pub use open_list::Order;
 pub use recorded::{Considered, Legality, Part, record_one_way};
 #[cfg(feature = "complete")]
 pub use recorded_both::record_bidirectional;
+#[cfg(feature = "complete")]
+pub use recorded_domain::{Labelled, Told, record_best_first};
 #[cfg(feature = "complete")]
 pub use recording::{BACKWARD, Fate, PAST, Recording, StepKind};
 pub use tree::Tree;

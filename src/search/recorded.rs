@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BinaryHeap};
 use super::NodeId;
 use super::frontier::ROOT;
 use super::lattice::{Deferral, Edge, EdgeSink, Lattice};
-use super::recording::{Fate, Recording, StepKind};
+use super::recording::{Fate, MICRO, Recording, StepKind};
 
 /// Whether a move that is considered can be made.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -368,5 +368,6 @@ pub(super) fn count(mut out: Recording, sides: &[Side]) -> Recording {
         out.pushes += side.pushes;
         out.open_peak += side.peak.max(side.open.len()) as u32;
     }
+    out.unit = MICRO;
     out.finish()
 }

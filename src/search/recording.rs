@@ -20,6 +20,8 @@ pub enum StepKind {
     Goal = 3,
     /// The node is where the two sides meet.
     Meet = 4,
+    /// The node completes a path, and its moves were tried for a cheaper one.
+    Joined = 5,
 }
 
 /// What became of a move that was considered.
@@ -45,12 +47,14 @@ pub enum Fate {
     LeftOut = 8,
 }
 
+/// Micro-cells of a cell.
+pub(super) const MICRO: f64 = 1e6;
 /// Added to a [`Fate`]: the move leads from the node's parent, past the node itself.
 pub const PAST: u8 = 16;
 /// Added to a [`StepKind`]: the side that searches from the goal.
 pub const BACKWARD: u8 = 16;
 
-/// The events of a search in columns. Costs are those of the search: micro-cells, or cells where it reckons in `f64`.
+/// The events of a search in columns.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Recording {
     /// Per step its [`StepKind`], with [`BACKWARD`] where the side from the goal took it.
@@ -73,6 +77,8 @@ pub struct Recording {
     pub target_h: Vec<f64>,
     /// Per move its [`Fate`], with [`PAST`] where it leads from the node's parent.
     pub fates: Vec<u8>,
+    /// Costs per cell or metre: a million where the search reckons in micro-cells, 1 where in `f64`.
+    pub unit: f64,
     /// Steps beyond the limit are missing.
     pub is_cut: bool,
     /// The penalty by which f of [`Fate::Requeued`] exceeds g + h.
@@ -95,7 +101,7 @@ impl Recording {
 
     /// A search without steps: nothing had to be searched.
     pub fn empty() -> Self {
-        Self::default().finish()
+        Self { unit: MICRO, ..Self::default() }.finish()
     }
 
     pub(super) fn step(&mut self, kind: StepKind, side: usize, node: NodeId, [g, h, f]: [f64; 3]) {

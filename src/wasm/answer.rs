@@ -11,9 +11,13 @@ use crate::metrics::Narrowest;
 #[cfg(feature = "complete")]
 use crate::plan::Recorded;
 use crate::plan::{Layer, LayerData, Plan, PlanTrace, Stats};
+#[cfg(feature = "complete")]
+use crate::planners::hybrid::PoseRecording;
 use crate::planners::{Gap, Obstruction};
 use crate::scenario::Scenario;
 use crate::scenario::resolve::{Geometry, Owner, PARKED};
+#[cfg(feature = "complete")]
+use crate::search::Recording;
 use crate::vehicle::Vehicle;
 
 pub(super) fn plan(scene: &Scenario, geometry: &Geometry, plan: &Plan) -> JsValue {
@@ -33,7 +37,7 @@ pub(super) fn plan(scene: &Scenario, geometry: &Geometry, plan: &Plan) -> JsValu
         ("metrics", write(&plan.metrics)),
         ("check", check(scene, geometry, &plan.check)),
         ("obstruction", write(&plan.obstruction.as_ref().map(|o| obstruction(scene, geometry, o)))),
-        ("trace", plan.trace.as_ref().map_or(JsValue::NULL, |t| trace(geometry, t))),
+        ("trace", trace_of(geometry, plan)),
         ("hash", plan.hash().into()),
     ]);
     #[cfg(feature = "complete")]
@@ -89,6 +93,15 @@ fn obstruction(scene: &Scenario, geometry: &Geometry, obstruction: &Obstruction)
     }
 }
 
+/// Of a plan: the recorded search, or what else is kept of it.
+fn trace_of(geometry: &Geometry, plan: &Plan) -> JsValue {
+    #[cfg(feature = "complete")]
+    if let Some(search) = &plan.recorded {
+        return recorded(geometry, plan, search);
+    }
+    plan.trace.as_ref().map_or(JsValue::NULL, |t| trace(geometry, t))
+}
+
 fn trace(geometry: &Geometry, trace: &PlanTrace) -> JsValue {
     match trace {
         PlanTrace::Cells { cells, dropped } => {
@@ -113,18 +126,38 @@ fn trace(geometry: &Geometry, trace: &PlanTrace) -> JsValue {
                 ]),
             ),
         ]),
-        #[cfg(feature = "complete")]
-        PlanTrace::Search(recorded) => search(recorded),
     }
 }
 
 #[cfg(feature = "complete")]
-fn search(recorded: &Recorded) -> JsValue {
-    let Recorded { width, height, recording: r } = recorded;
+fn recorded(geometry: &Geometry, plan: &Plan, recorded: &Recorded) -> JsValue {
+    match recorded {
+        Recorded::Cells { width, height, recording } => {
+            let answer = events("search", recording);
+            set(&answer, "width", &(*width).into());
+            set(&answer, "height", &(*height).into());
+            answer
+        }
+        Recorded::Poses(poses) => {
+            let answer = events("poses", &poses.recording);
+            let owner = |&owner: &u32| {
+                if owner == PoseRecording::NOBODY { NO_OWNER } else { index(geometry.owner(owner)) }
+            };
+            set(&answer, "root", &write(&poses.root));
+            set(&answer, "fromGoal", &poses.from_goal.into());
+            set(&answer, "poses", &f64s(&poses.poses));
+            set(&answer, "arcs", &f64s(&poses.arcs));
+            set(&answer, "obstacles", &i32s(&poses.owners.iter().map(owner).collect::<Vec<_>>()));
+            set(&answer, "tree", &plan.trace.as_ref().map_or(JsValue::NULL, |t| trace(geometry, t)));
+            answer
+        }
+    }
+}
+
+#[cfg(feature = "complete")]
+fn events(kind: &str, r: &Recording) -> JsValue {
     object(&[
-        ("kind", "search".into()),
-        ("width", (*width).into()),
-        ("height", (*height).into()),
+        ("kind", kind.into()),
         ("kinds", u8s(&r.kinds)),
         ("nodes", u32s(&r.nodes)),
         ("g", f64s(&r.g)),
@@ -135,6 +168,7 @@ fn search(recorded: &Recorded) -> JsValue {
         ("targetG", f64s(&r.target_g)),
         ("targetH", f64s(&r.target_h)),
         ("fates", u8s(&r.fates)),
+        ("unit", r.unit.into()),
         ("penalty", r.penalty.into()),
         ("cut", r.is_cut.into()),
         (
@@ -178,6 +212,10 @@ pub(super) fn check(scene: &Scenario, geometry: &Geometry, check: &Check) -> JsV
 pub(super) fn hit(scene: &Scenario, owner: Owner, pose: Pose) -> Value {
     json!({ "obstacle": scene.name_of(owner), "index": index(owner), "pose": pose })
 }
+
+/// Among indices of obstacles: nothing is hit.
+#[cfg(feature = "complete")]
+const NO_OWNER: i32 = -2;
 
 /// Its index in the scene's obstacles, or -1.
 fn index(owner: Owner) -> i32 {

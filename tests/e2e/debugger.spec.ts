@@ -53,10 +53,12 @@ test("a run stops where a node is improved, and a planner of cars shows its conn
   await page.evaluate(() =>
     document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ focus: "hybrid" }),
   );
-  await expect(panel.getByText("Expand the root")).toBeVisible();
+  await expect(panel.locator(".event")).toContainText("Nothing is expanded yet");
   await panel.getByLabel("Step by").selectOption("failure");
   await panel.getByRole("button", { name: "Step", exact: true }).click();
   await expect(panel.getByText(/The cheapest curve to the other end hits .+ after/)).toBeVisible();
+  await expect(panel.getByText(/hits .+ after [\d.]+ m$/).first()).toBeVisible();
+  await expect(panel.locator(".code .now")).toHaveText("n ← entry with least f, then oldest");
   expect(await violations(page)).toEqual([]);
 });
 

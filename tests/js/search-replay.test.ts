@@ -14,6 +14,7 @@ const PLANNERS: PlannerId[] = [
   "sixteen",
   "sixteen-bidirectional",
   "jump-point",
+  "any-angle",
   "risk-field",
   "risk-field-plus",
   "dijkstra",

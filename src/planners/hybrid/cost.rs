@@ -45,7 +45,7 @@ pub(super) struct CostModel {
 }
 
 /// How the car came to a pose: gear (0 at the root) and curvature.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Motion {
     pub(super) gear: i8,
     /// True if the arc ends a rock: the same arc, twice as far back on the other lock, and the arc again.

@@ -39,7 +39,7 @@ const MIN_SHUFFLE_MOVE: f64 = 0.01;
 const NO_CELL: u64 = u64::MAX;
 
 /// A node's real-valued state: its pose and the arc that led there.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct State {
     pub(super) pose: Pose,
     pub(super) motion: Motion,
@@ -61,9 +61,9 @@ pub(super) struct StateLattice<'a> {
     /// The poses that a search with many roots begins from, all at no cost; none where it begins from one.
     #[cfg(feature = "complete")]
     roots: &'a [Pose],
-    mirrored: bool,
+    pub(super) mirrored: bool,
     watch: Option<&'a RefCell<Recorder>>,
-    primitives: Vec<Arc>,
+    pub(super) primitives: Vec<Arc>,
     words: Vec<(f64, Word)>,
     /// States that were asked for a connection so far.
     asked: u32,
@@ -145,7 +145,7 @@ impl<'a> StateLattice<'a> {
     }
 
     #[cfg(feature = "complete")]
-    fn is_before_roots(&self, at: &Visit<f64, State>) -> bool {
+    pub(super) fn is_before_roots(&self, at: &Visit<f64, State>) -> bool {
         at.parent.is_none() && !self.roots.is_empty()
     }
 

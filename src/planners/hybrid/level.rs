@@ -2,6 +2,8 @@
 
 use core::cell::RefCell;
 
+#[cfg(feature = "complete")]
+use super::PoseRecording;
 use super::analytic_expansion::Recorder;
 use super::config::Level;
 use super::cost::CostModel;
@@ -10,6 +12,8 @@ use super::obstacle_heuristic::ObstacleHeuristic;
 use super::{Config, Query, Report, Scratch, Status, Tree, shortcut};
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::{Pose, math};
+#[cfg(feature = "complete")]
+use crate::search::record_best_first;
 use crate::search::{End, Limits, Progress, best_first};
 use crate::vehicle::collision::CollisionChecker;
 
@@ -236,7 +240,17 @@ impl<'a> Search<'a> {
             Limits { max_expansions: level.max_expansions, first: self.config.first_shot || level.shuffle };
         let root = lattice.root(self.root);
         let mut observer = (tree, progress.as_mut());
+        #[cfg(not(feature = "complete"))]
         let found = best_first(&mut lattice, root, limits, &mut scratch.search, &mut observer);
+        #[cfg(feature = "complete")]
+        let found = if let Some(limit) = scratch.recorded_steps {
+            let (found, recorded) =
+                record_best_first(&mut lattice, root, limits, &mut scratch.search, &mut observer, limit);
+            report.recorded = Some(PoseRecording::new(&lattice, root.1.pose, self.origin(), recorded));
+            found
+        } else {
+            best_first(&mut lattice, root, limits, &mut scratch.search, &mut observer)
+        };
         report.keep(observer.0, watch.as_ref());
         report.expanded += found.expanded;
         report.generated += found.generated;

@@ -38,6 +38,8 @@ mod level;
 mod obstacle_heuristic;
 mod obstruction;
 mod portfolio;
+#[cfg(feature = "complete")]
+mod recording;
 mod shortcut;
 mod state_index;
 #[cfg(feature = "complete")]
@@ -51,6 +53,9 @@ pub use choices::{Prefer, choices};
 pub use config::{Config, Heuristic, Profile, SearchFrom};
 #[cfg(feature = "complete")]
 pub use goals::{goal_of, plan_any, with_room};
+
+#[cfg(feature = "complete")]
+pub use recording::PoseRecording;
 
 use core::cell::RefCell;
 
@@ -181,6 +186,9 @@ pub struct Report {
     pub tree_dropped: u64,
     /// Connections that hit something, of the same search.
     pub shots: FailedExpansions,
+    /// The events of the same search, where [`Scratch::record`] asks for them.
+    #[cfg(feature = "complete")]
+    pub recorded: Option<PoseRecording>,
 }
 
 /// The memory of hybrid A*, reused between queries.
@@ -192,6 +200,16 @@ pub struct Scratch {
     /// Of the other tree, where two grow.
     #[cfg(feature = "complete")]
     other: Option<Box<Self>>,
+    #[cfg(feature = "complete")]
+    recorded_steps: Option<usize>,
+}
+
+#[cfg(feature = "complete")]
+impl Scratch {
+    /// From now on searches from one end write down all that they do, each at most so many steps.
+    pub fn record(&mut self, limit: Option<usize>) {
+        self.recorded_steps = limit;
+    }
 }
 
 /// Keeps the arcs that led to expanded states.
@@ -406,5 +424,7 @@ fn empty(rs_bound: f64) -> Report {
         tree: Vec::new(),
         tree_dropped: 0,
         shots: FailedExpansions::default(),
+        #[cfg(feature = "complete")]
+        recorded: None,
     }
 }

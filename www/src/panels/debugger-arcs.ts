@@ -1,6 +1,7 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import type { HybridPlan, PlannerId } from "parkade";
-import { ArcWalk } from "../planning/arc-walk";
+import { number } from "../i18n/index";
+import { ArcWalk, type FailedConnection } from "../planning/arc-walk";
 import { resolve } from "../scene/model";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
@@ -141,21 +142,31 @@ export class ArcDebugger extends AppElement {
   }
 
   private connection(walk: ArcWalk): TemplateResult {
-    const { lang, scene } = this.state,
-      { failed } = walk.at(this.step);
-    const children = walk.childrenOf(this.step).length;
+    const { lang } = this.state,
+      children = walk.childrenOf(this.step).length;
     const isLast = this.step === walk.steps - 1 && this.plan?.outcome === "found";
-    const thing =
-      failed && failed.obstacle >= 0
-        ? thingName(this.state, {
-            obstacle: scene.obstacles?.[failed.obstacle]?.id ?? "",
-            index: failed.obstacle,
-          })
-        : say(lang, "arcs.other");
-    return html`<h3>${say(lang, "arcs.connection")}</h3>
-      <p>${failed ? say(lang, "arcs.failed", { thing, length: this.num(failed.length, 2) }) : say(lang, isLast ? "arcs.joined" : "arcs.untried")}</p>
+    return html`${connectionCard(this.state, walk.failedAt(this.step), isLast)}
       <h3>${say(lang, "arcs.children")}</h3><p>${say(lang, "arcs.childrenCount", { n: children })}</p>`;
   }
+}
+
+/** What came of the connection that a step tried. */
+export function connectionCard(state: State, failed: FailedConnection | null, isJoined: boolean): TemplateResult {
+  const { lang } = state;
+  const text = failed
+    ? say(lang, "arcs.failed", {
+        thing: obstacleName(state, failed.obstacle),
+        length: number(lang, failed.length, 2),
+      })
+    : say(lang, isJoined ? "arcs.joined" : "arcs.untried");
+  return html`<h3>${say(lang, "arcs.connection")}</h3><p>${text}</p>`;
+}
+
+/** The name of an obstacle by its index; below 0 the border and parked cars. */
+export function obstacleName(state: State, index: number): string {
+  const { lang, scene } = state;
+  if (index < 0) return say(lang, "arcs.other");
+  return thingName(state, { obstacle: scene.obstacles?.[index]?.id ?? "", index });
 }
 
 customElements.define("parkade-arc-debugger", ArcDebugger);

@@ -1,9 +1,9 @@
 /** The lists of the search debugger: moves, open list, pseudocode, risk field. */
 import { html, nothing, type TemplateResult } from "lit";
 import type { Explanation } from "parkade";
-import type { Lang } from "../i18n/index";
+import { number, type Lang } from "../i18n/index";
 import type { SearchReplay } from "../planning/search-replay";
-import { cost, estimatesAt, fateText, placeOf, pseudocode, say } from "../texts/search-steps";
+import { cost, estimatesAt, fateText, placeOf, pseudocode, say, targetOf } from "../texts/search-steps";
 import { SIGNS } from "../view/layers/search-marks";
 
 const SHOWN_ENTRIES = 12;
@@ -14,7 +14,7 @@ export function movesTable(lang: Lang, replay: SearchReplay): TemplateResult | t
   if (step < 0) return nothing;
   const moves: number[] = [];
   for (let one = trace.first[step]!; one <= move; one++) moves.push(one);
-  return html`<h3>${say(lang, "moves", { place: placeOf(replay, trace.nodes[step]!) })}</h3>
+  return html`<h3>${say(lang, "moves", { place: placeOf(lang, replay, trace.nodes[step]!) })}</h3>
     ${
       trace.first[step] === trace.first[step + 1]
         ? html`<p class="note">${say(lang, "moves.none")}</p>`
@@ -28,8 +28,8 @@ function moveRow(lang: Lang, replay: SearchReplay, move: number): TemplateResult
     fate = replay.fateOf(move);
   const isLegal = fate !== "blocked" && fate !== "corner",
     hasH = fate === "kept" || fate === "improved";
-  return html`<tr class="${move === replay.move ? "now" : ""} ${isLegal ? "" : "bad"}"><td class="sign" aria-hidden="true">${SIGNS[fate]}</td><td>${placeOf(replay, trace.targets[move]!)}</td>
-    <td class="n">${isLegal ? cost(lang, trace.targetG[move]!) : ""}</td><td class="n">${hasH ? cost(lang, trace.targetH[move]!) : ""}</td><td class="why">${fateText(lang, replay, move)}</td></tr>`;
+  return html`<tr class="${move === replay.move ? "now" : ""} ${isLegal ? "" : "bad"}"><td class="sign" aria-hidden="true">${SIGNS[fate]}</td><td>${targetOf(lang, replay, move)}</td>
+    <td class="n">${isLegal ? cost(lang, replay, trace.targetG[move]!) : ""}</td><td class="n">${hasH ? cost(lang, replay, trace.targetH[move]!) : ""}</td><td class="why">${fateText(lang, replay, move)}</td></tr>`;
 }
 
 /** The entries that come next on a side. */
@@ -38,13 +38,13 @@ export function openTable(lang: Lang, replay: SearchReplay, side: number): Templ
     all = replay.sides[side]?.open.length ?? 0;
   const head = `${replay.sides.length > 1 ? `${say(lang, side === 1 ? "side.1" : "side.0")} · ` : ""}${say(lang, "openList", { n: entries.length, all })}`;
   if (entries.length === 0) return html`<h3>${head}</h3><p class="note">${say(lang, "openEmpty")}</p>`;
-  return html`<h3>${head}</h3><p class="note">${say(lang, "openOrder")}</p>
+  return html`<h3>${head}</h3><p class="note">${say(lang, replay.trace.kind === "poses" ? "openOldest" : "openOrder")}</p>
     <table><thead><tr><th></th><th>${say(lang, "place")}</th><th class="n">f</th><th class="n">h</th><th class="n">${say(lang, "age")}</th></tr></thead>
     <tbody>${entries.map((one, i) => {
       const tied = (other: (typeof entries)[number] | undefined): boolean => other?.f === one.f;
       return html`<tr class=${tied(entries[i - 1]) || tied(entries[i + 1]) ? "tied" : ""}><td class="rank">${i + 1}</td>
-        <td>${placeOf(replay, one.node)}${one.deferred ? html` <i>${say(lang, "waits")}</i>` : nothing}</td>
-        <td class="n">${cost(lang, one.f)}</td><td class="n">${cost(lang, one.h)}</td><td class="n">${one.age}</td></tr>`;
+        <td>${placeOf(lang, replay, one.node)}${one.deferred ? html` <i>${say(lang, "waits")}</i>` : nothing}</td>
+        <td class="n">${cost(lang, replay, one.f)}</td><td class="n">${cost(lang, replay, one.h)}</td><td class="n">${one.age}</td></tr>`;
     })}</tbody></table>`;
 }
 
@@ -60,13 +60,12 @@ export function variables(lang: Lang, replay: SearchReplay): TemplateResult | ty
   const { step, move, trace } = replay;
   if (step < 0) return nothing;
   const rows: [string, string][] = [
-    ["n", placeOf(replay, trace.nodes[step]!)],
-    ["g(n)", cost(lang, trace.g[step]!)],
-    ["h(n)", cost(lang, trace.h[step]!)],
-    ["f(n)", cost(lang, trace.f[step]!)],
+    ["n", placeOf(lang, replay, trace.nodes[step]!)],
+    ["g(n)", cost(lang, replay, trace.g[step]!)],
+    ["h(n)", cost(lang, replay, trace.h[step]!)],
+    ["f(n)", cost(lang, replay, trace.f[step]!)],
   ];
-  if (move >= 0)
-    rows.push(["m", placeOf(replay, trace.targets[move]!)], ["g(n) + c", cost(lang, trace.targetG[move]!)]);
+  if (move >= 0) rows.push(["m", targetOf(lang, replay, move)], ["g(n) + c", cost(lang, replay, trace.targetG[move]!)]);
   rows.push(["|open|", replay.sides.map(({ open }) => open.length).join(" + ")]);
   return html`<dl aria-label=${say(lang, "vars")}>${rows.map(([name, value]) => html`<div><dt>${name}</dt><dd>${value}</dd></div>`)}</dl>`;
 }
@@ -92,9 +91,9 @@ export function estimatesCard(
   // Rounding down to whole micro-cells is no overestimate.
   const over = names.filter((name) => found.all[name] > found.least + 1);
   const list = over.map((name) => say(lang, ESTIMATES[name])).join(", ");
-  return html`<section><h3>${say(lang, "estimates", { place: placeOf(replay, node) })}</h3>
-    <dl>${names.map((name) => html`<div class=${over.includes(name) ? "over" : ""}><dt>${say(lang, ESTIMATES[name])}</dt><dd>${cost(lang, found.all[name])}</dd></div>`)}</dl>
-    <p class="note">${say(lang, "estimates.least", { g: cost(lang, found.least) })} ${over.length > 0 ? say(lang, "estimates.over", { names: list }) : say(lang, "estimates.under")}</p></section>`;
+  return html`<section><h3>${say(lang, "estimates", { place: placeOf(lang, replay, node) })}</h3>
+    <dl>${names.map((name) => html`<div class=${over.includes(name) ? "over" : ""}><dt>${say(lang, ESTIMATES[name])}</dt><dd>${cost(lang, replay, found.all[name])}</dd></div>`)}</dl>
+    <p class="note">${say(lang, "estimates.least", { g: cost(lang, replay, found.least) })} ${over.length > 0 ? say(lang, "estimates.over", { names: list }) : say(lang, "estimates.under")}</p></section>`;
 }
 
 /** The risk field in the terms of its tables. */
@@ -102,7 +101,7 @@ export function fieldCard(
   lang: Lang,
   { cell, force, attraction, repulsion, mode, region, candidates }: Explanation,
 ): TemplateResult {
-  const two = (value: number): string => cost(lang, value * 1e6);
+  const two = (value: number): string => number(lang, value, 2);
   const cells = (role: string): string =>
     candidates
       .filter((one) => one.role === role)

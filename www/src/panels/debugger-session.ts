@@ -1,14 +1,14 @@
 /** Walking through a recorded search: steps of several kinds, running, breakpoints. */
-import type { PlannerId, SearchTrace } from "parkade";
+import type { PlannerId, PoseTrace, SearchTrace } from "parkade";
 import { FATE, SearchReplay, STEP } from "../planning/search-replay";
 
-export const UNITS = ["step", "move", "improved", "tie", "refused", "held"] as const;
+export const UNITS = ["step", "move", "improved", "tie", "refused", "held", "failure"] as const;
 export type Unit = (typeof UNITS)[number];
 export const SPEEDS = [2, 10, 60, 600, 6000] as const;
 
 export interface Breakpoints {
   cells: ReadonlySet<number>;
-  /** Micro-cells. */
+  /** In the units of the search. */
   f: number | null;
   improved: boolean;
   meet: boolean;
@@ -20,6 +20,8 @@ const SLICE_MS = 8;
 export class Session {
   readonly replay: SearchReplay;
   unit: Unit = "step";
+  /** True if a step's connection to the other end failed. */
+  fails: (step: number) => boolean = () => false;
   speed: number = SPEEDS[1];
   breaks: Breakpoints = { cells: new Set(), f: null, improved: false, meet: false };
   /** True if the last run ended at a breakpoint. */
@@ -30,7 +32,7 @@ export class Session {
 
   constructor(
     readonly planner: PlannerId,
-    trace: SearchTrace,
+    trace: SearchTrace | PoseTrace,
     private readonly changed: () => void,
   ) {
     this.replay = new SearchReplay(trace);
@@ -120,6 +122,8 @@ export class Session {
         return has(FATE.blocked, FATE.corner);
       case "held":
         return has(FATE.heldBack, FATE.requeued);
+      case "failure":
+        return this.fails(step);
       case "tie": {
         const { f } = this.replay.trace;
         return step > 0 && f[step] === f[step - 1];

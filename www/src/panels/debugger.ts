@@ -1,7 +1,8 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
-import type { Explanation, PlannerId, SearchTrace } from "parkade";
+import type { Explanation, PlannerId, PoseTrace, SearchTrace } from "parkade";
 import { download, sentence, type App } from "../app/app";
 import { Helper } from "../planning/job-client";
+import { ArcWalk } from "../planning/arc-walk";
 import { STEP } from "../planning/search-replay";
 import { traceAsJson, traceForPosthoc } from "../planning/trace-export";
 import { forPlanners } from "../scene/large-scene";
@@ -12,11 +13,11 @@ import { icon, marker, type IconName } from "../styles/icons";
 import { hasField, plannerName } from "../styles/planner-style";
 import { eventLine, placeOf, say } from "../texts/search-steps";
 import { drawExplained } from "../view/layers/explained";
+import { drawPoseStep } from "../view/layers/arc-walk";
 import { SearchStepsLayer } from "../view/layers/search-steps";
 import type { Frame } from "../view/frame";
 import { AppElement } from "./base";
-import type { ArcDebugger } from "./debugger-arcs";
-import "./debugger-arcs";
+import { connectionCard, obstacleName, type ArcDebugger } from "./debugger-arcs";
 import { code, estimatesCard, fieldCard, movesTable, openTable, variables } from "./debugger-parts";
 import { Session, SPEEDS, UNITS, type Breakpoints, type Unit } from "./debugger-session";
 import { debuggerStyles } from "./debugger-styles";
@@ -26,11 +27,14 @@ import { numberOf, valueOf } from "./inputs";
 const ASK_BYTES = 8e6;
 const STEP_BYTES = 33,
   MOVE_BYTES = 21,
+  POSE_BYTES = 44,
   MOVES_A_STEP = 16;
 const LIMIT = 100_000;
 /** How long the walk rests before the risk field is asked, milliseconds. */
 const REST_MS = 80;
 const ZOOMED_PX = 84;
+/** Pixels a metre where a car's moves are looked at. */
+const CAR_SCALE = 40;
 
 const UNIT_KEYS = {
   step: "unit.step",
@@ -39,6 +43,7 @@ const UNIT_KEYS = {
   tie: "unit.tie",
   refused: "unit.refused",
   held: "unit.held",
+  failure: "unit.failure",
 } as const;
 
 /** The search debugger: walks through a planner's search beside its map. */
@@ -60,10 +65,11 @@ export class Debugger extends AppElement {
   declare asked: number | null;
   /** Events that are done when the first recording is there. */
   opensAt = 0;
-  /** True if the planner searches poses of a car: another element shows its tree. */
+  /** True if the planner searches poses of a car from both ends: another element shows its tree. */
   private hasArcs = false;
   private helper: Helper | null = null;
-  private layer: SearchStepsLayer | null = null;
+  private layer: Pick<SearchStepsLayer, "draw"> | null = null;
+  private walkOfArcs: ArcWalk | null = null;
   private scene: State["scene"] | null = null;
   private planner: PlannerId | null = null;
   private looks: Partial<State> | null = null;
@@ -156,11 +162,6 @@ export class Debugger extends AppElement {
     this.trouble = "";
     await this.app.planning?.whenSettled();
     const { focus } = this.state;
-    this.hasArcs = this.state.results[focus]?.plan?.trace?.kind === "arcs";
-    if (this.hasArcs) {
-      this.requestUpdate();
-      return;
-    }
     const expanded = this.state.results[focus]?.plan?.stats.expanded ?? 0;
     const steps = Math.min(LIMIT, expanded);
     if (bytesOf(steps) > ASK_BYTES) this.asked = steps;
@@ -176,16 +177,26 @@ export class Debugger extends AppElement {
       const packed = forPlanners(scene!, engine.api.packRuns);
       const trace = await this.helper.call("record", { planner: planner!, scene: packed, limit: LIMIT });
       if (scene !== this.scene || planner !== this.planner) return;
+      this.hasArcs = !trace && this.state.results[planner!]?.plan?.trace?.kind === "arcs";
       if (trace) this.take(planner!, trace);
+      else if (this.hasArcs) this.requestUpdate();
       else this.trouble = say(this.state.lang, "none", { planner: plannerName(this.state.lang, planner!) });
     } catch (error) {
       this.trouble = sentence(error);
     }
   };
 
-  private take(planner: PlannerId, trace: SearchTrace): void {
+  private take(planner: PlannerId, trace: SearchTrace | PoseTrace): void {
     this.session = new Session(planner, trace, this.moved);
-    this.layer = new SearchStepsLayer(this.session.replay);
+    const { replay } = this.session;
+    replay.nameOf = (obstacle) => obstacleName(this.state, obstacle);
+    if (trace.kind === "search") this.layer = new SearchStepsLayer(replay, trace);
+    else {
+      this.walkOfArcs = new ArcWalk(trace.tree, trace.root, trace.fromGoal);
+      const walk = this.walkOfArcs;
+      this.session.fails = (step) => walk.failedAt(step) !== null;
+      this.layer = { draw: (frame) => drawPoseStep(frame, replay, walk, planner) };
+    }
     this.session.replay.seek(this.opensAt);
     this.opensAt = 0;
     this.moved();
@@ -261,6 +272,7 @@ export class Debugger extends AppElement {
       { replay } = session;
     return html`<section class="transport">${this.transport(session)}</section>
       <section class="event"><p aria-live="polite">${session.stopped ? html`<b>${say(lang, "breaks.hit")}</b> ` : nothing}${eventLine(lang, replay, session.unit === "move")}</p></section>
+      ${replay.trace.kind === "poses" ? html`<section>${connectionCard(this.state, this.walkOfArcs?.failedAt(replay.step) ?? null, replay.kindOf(replay.step) === STEP.goal || replay.kindOf(replay.step) === STEP.joined)}<p class="note">${say(lang, replay.trace.fromGoal ? "arcs.fromGoal" : "arcs.fromStart")} ${say(lang, "arcs.steps")}</p></section>` : nothing}
       ${this.field ? html`<section class="field-card">${fieldCard(lang, this.field)}</section>` : nothing}
       <section>${movesTable(lang, replay)}</section>
       <section>${code(lang, replay, session.unit === "move")}${variables(lang, replay)}</section>
@@ -288,14 +300,14 @@ export class Debugger extends AppElement {
         ${press("next", "next", () => session.move(1))}${press("last", "last", () => session.seek(replay.events))}
         <select aria-label=${say(lang, "unit")} title=${say(lang, "unit")} @change=${(e: Event) => {
           session.unit = valueOf(e) as Unit;
-        }}>${UNITS.map((unit) => html`<option value=${unit} ?selected=${unit === session.unit}>${say(lang, UNIT_KEYS[unit])}</option>`)}</select>
+        }}>${UNITS.filter((unit) => replay.trace.kind === (unit === "failure" ? "poses" : unit === "held" ? "search" : replay.trace.kind)).map((unit) => html`<option value=${unit} ?selected=${unit === session.unit}>${say(lang, UNIT_KEYS[unit])}</option>`)}</select>
         <select aria-label=${say(lang, "speed")} title=${say(lang, "speed")} @change=${(e: Event) => {
           session.speed = numberOf(e);
         }}>${SPEEDS.map((speed) => html`<option value=${speed} ?selected=${speed === session.speed}>${speed}/s</option>`)}</select></div>
       <input class="slider" type="range" min="0" max=${replay.events} .value=${String(replay.at)} .style=${`--at:${(100 * replay.at) / Math.max(1, replay.events)}%`} aria-label=${say(lang, "position", { step: replay.step + 1, steps: replay.steps })}
         @input=${(e: Event) => session.seek(numberOf(e))}>
       <p class="note">${say(lang, "position", { step: replay.step + 1, steps: replay.steps })}</p>
-      <p class="note legend"><i class="ramp"></i>${say(lang, "legend.closed")}<i class="open"></i>${say(lang, "legend.open")}${replay.sides.length > 1 ? html`<i class="back"></i>${say(lang, "legend.back")}` : nothing}</p>`;
+      <p class="note legend" ?hidden=${replay.trace.kind === "poses"}><i class="ramp"></i>${say(lang, "legend.closed")}<i class="open"></i>${say(lang, "legend.open")}${replay.sides.length > 1 ? html`<i class="back"></i>${say(lang, "legend.back")}` : nothing}</p>`;
   }
 
   private breakpoints(session: Session): TemplateResult {
@@ -307,10 +319,10 @@ export class Debugger extends AppElement {
     };
     const cells = [...breaks.cells];
     return html`<h3>${say(lang, "breaks")}</h3>
-      <div class="rows"><button class="button outline" aria-pressed=${this.picking} @click=${this.pick}>${say(lang, "breaks.cell")}</button>
-        ${cells.map((node) => html`<button class="chip" aria-label=${say(lang, "breaks.remove", { place: placeOf(replay, node) })} @click=${() => set({ cells: new Set(cells.filter((one) => one !== node)) })}>${placeOf(replay, node)} ✕</button>`)}</div>
+      <div class="rows" ?hidden=${replay.trace.kind === "poses"}><button class="button outline" aria-pressed=${this.picking} @click=${this.pick}>${say(lang, "breaks.cell")}</button>
+        ${cells.map((node) => html`<button class="chip" aria-label=${say(lang, "breaks.remove", { place: placeOf(lang, replay, node) })} @click=${() => set({ cells: new Set(cells.filter((one) => one !== node)) })}>${placeOf(lang, replay, node)} ✕</button>`)}</div>
       ${this.picking ? html`<p class="note">${say(lang, "breaks.pick")}</p>` : nothing}
-      <label class="check">${say(lang, "breaks.f")}<span class="field"><input inputmode="decimal" .value=${breaks.f === null ? "" : String(breaks.f / 1e6)} @change=${(e: Event) => set({ f: Number.isNaN(numberOf(e)) || valueOf(e) === "" ? null : numberOf(e) * 1e6 })}></span></label>
+      <label class="check">${say(lang, "breaks.f")}<span class="field"><input inputmode="decimal" .value=${breaks.f === null ? "" : String(breaks.f / replay.trace.unit)} @change=${(e: Event) => set({ f: Number.isNaN(numberOf(e)) || valueOf(e) === "" ? null : numberOf(e) * replay.trace.unit })}></span></label>
       <label class="check"><input type="checkbox" .checked=${breaks.improved} @change=${() => set({ improved: !breaks.improved })}>${say(lang, "breaks.improved")}</label>
       ${replay.sides.length > 1 ? html`<label class="check"><input type="checkbox" .checked=${breaks.meet} @change=${() => set({ meet: !breaks.meet })}>${say(lang, "breaks.meet")}</label>` : nothing}`;
   }
@@ -353,8 +365,8 @@ export class Debugger extends AppElement {
     const name = `${session.planner}-search`;
     return html`<div class="rows"><button class="button outline" @click=${this.zoom}>${say(lang, "zoom")}</button>
         <button class="button outline" @click=${() => download(new Blob([traceAsJson(session.planner, trace)], { type: "application/json" }), `${name}.json`)}>${say(lang, "export.json")}</button>
-        <button class="button outline" @click=${() => download(new Blob([traceForPosthoc(trace)], { type: "application/json" }), `${name}.trace.json`)}>${say(lang, "export.posthoc")}</button></div>
-      <p class="note">${say(lang, "size", { steps, moves, mb: this.num((steps * STEP_BYTES + moves * MOVE_BYTES) / 1e6, 1) })}
+        ${trace.kind === "search" ? html`<button class="button outline" @click=${() => download(new Blob([traceForPosthoc(trace)], { type: "application/json" }), `${name}.trace.json`)}>${say(lang, "export.posthoc")}</button>` : nothing}</div>
+      <p class="note">${say(lang, "size", { steps, moves, mb: this.num((steps * STEP_BYTES + moves * (trace.kind === "poses" ? MOVE_BYTES + POSE_BYTES : MOVE_BYTES)) / 1e6, 1) })}
       ${trace.cut ? say(lang, "cut", { n: steps }) : isEqual ? say(lang, "equal", { expanded, generated, pushes, peak }) : say(lang, "unequal")}</p>`;
   }
 
@@ -364,7 +376,9 @@ export class Debugger extends AppElement {
     if (!session) return;
     const { step, trace } = session.replay;
     const scale = ZOOMED_PX / this.state.scene.map.resolution;
-    this.app.store.set({ camera: { ...this.centreOf(trace.nodes[Math.max(0, step)]!), scale: Math.min(400, scale) } });
+    const node = trace.nodes[Math.max(0, step)]!,
+      { x, y } = session.replay.poseOf(node) ?? this.centreOf(node);
+    this.app.store.set({ camera: { x, y, scale: trace.kind === "poses" ? CAR_SCALE : Math.min(400, scale) } });
   };
 }
 

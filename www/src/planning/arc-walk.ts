@@ -72,7 +72,7 @@ export class ArcWalk {
     return { pose: arc ? this.ends(arc)[1] : this.root, arc, failed: this.failedAt(step) };
   }
 
-  private failedAt(step: number): FailedConnection | null {
+  failedAt(step: number): FailedConnection | null {
     const number = this.failures[step] ?? -1,
       { shots } = this.trace;
     if (number < 0) return null;

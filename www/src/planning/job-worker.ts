@@ -21,6 +21,7 @@ import type {
   RoadFigures,
   RoadRow,
   RoadTable,
+  PoseTrace,
   SearchTrace,
   VolumeComparison,
 } from "parkade";
@@ -120,11 +121,19 @@ const JOBS = {
     }
   },
   /** The search once more, with all that it did. */
-  record: ({ planner, scene, limit }: { planner: PlannerId; scene: Scenario; limit: number }): SearchTrace | null => {
+  record: ({
+    planner,
+    scene,
+    limit,
+  }: {
+    planner: PlannerId;
+    scene: Scenario;
+    limit: number;
+  }): SearchTrace | PoseTrace | null => {
     const made = new Planner(planner, scene);
     try {
       const { trace } = made.plan({ trace: "full", traceLimit: limit });
-      return trace?.kind === "search" ? trace : null;
+      return trace?.kind === "search" || trace?.kind === "poses" ? trace : null;
     } finally {
       made.free();
     }

@@ -4,9 +4,9 @@
  * An event is either an entry taken from the open list or one move considered there. Every event can be taken back from
  * what the trace itself and a few columns of the same length hold, so memory does not grow with the way walked.
  */
-import type { SearchTrace } from "parkade";
+import type { Pose, PoseTrace, SearchTrace } from "parkade";
 
-export const STEP = { expand: 0, deferred: 1, rejected: 2, goal: 3, meet: 4 } as const;
+export const STEP = { expand: 0, deferred: 1, rejected: 2, goal: 3, meet: 4, joined: 5 } as const;
 export const FATE = {
   kept: 0,
   improved: 1,
@@ -66,8 +66,10 @@ export class SearchReplay {
   /** Per node the entry of its deferred moves. */
   private readonly waiting: Int32Array | null;
   private readonly isNba: boolean;
+  /** Names an obstacle of the scene by its index. */
+  nameOf: (obstacle: number) => string = String;
 
-  constructor(readonly trace: SearchTrace) {
+  constructor(readonly trace: SearchTrace | PoseTrace) {
     const { nodes, targets, kinds, fates } = trace;
     this.steps = nodes.length;
     this.events = nodes.length + targets.length;
@@ -254,7 +256,7 @@ export class SearchReplay {
       if (first.length === count && last && this.priority(number) > last.f) continue;
       const entry = this.entryOf(number);
       let place = first.length;
-      while (place > 0 && precedes(entry, first[place - 1]!)) place--;
+      while (place > 0 && this.precedes(entry, first[place - 1]!)) place--;
       if (place < count) first.splice(place, 0, entry);
       if (first.length > count) first.pop();
     }
@@ -295,6 +297,32 @@ export class SearchReplay {
     return { ...this.entryOf(entry), parent: this.parentOf(side, entry), closed: one.closed[node] === 1 };
   }
 
+  /** Where a node lies that has been reached; null over cells. */
+  poseOf(node: number): Pose | null {
+    const { trace } = this;
+    if (trace.kind !== "poses") return null;
+    const entry = this.sides[0]?.entry[node] ?? NONE;
+    return entry < 3 ? trace.root : this.poseAfter(entry - 3);
+  }
+
+  /** Where a move leads; null over cells. */
+  poseAfter(move: number): Pose | null {
+    if (this.trace.kind !== "poses") return null;
+    const [x, y, heading] = this.trace.poses.subarray(3 * move, 3 * move + 3) as unknown as [number, number, number];
+    return { x, y, heading };
+  }
+
+  /** The move that reached a node; -1 of the root and over nodes not reached. */
+  moveTo(node: number): number {
+    return Math.max(-1, (this.sides[0]?.entry[node] ?? NONE) - 3);
+  }
+
+  private precedes(a: OpenEntry, b: OpenEntry): boolean {
+    if (a.f !== b.f) return a.f < b.f;
+    if (this.trace.kind === "poses") return a.age < b.age;
+    return a.h !== b.h ? a.h < b.h : a.age > b.age;
+  }
+
   /** The cost of a move's target before the move improved it. */
   costBefore(move: number): number | null {
     const entry = this.before[move] ?? NONE;
@@ -321,9 +349,4 @@ export class SearchReplay {
     }
     return low;
   }
-}
-
-function precedes(a: OpenEntry, b: OpenEntry): boolean {
-  if (a.f !== b.f) return a.f < b.f;
-  return a.h !== b.h ? a.h < b.h : a.age > b.age;
 }

@@ -1,16 +1,12 @@
 /** Recorded searches as files: plain JSON, and the trace format of Posthoc (version 1.4.0). */
-import type { PlannerId, SearchTrace } from "parkade";
+import type { PlannerId, PoseTrace, SearchTrace } from "parkade";
 import { FATE, STEP } from "./search-replay";
 
-const UNIT = 1e6;
-
 /** All columns as lists of numbers, by their names in the API. */
-export function traceAsJson(planner: PlannerId, trace: SearchTrace): string {
-  const columns = Object.entries(trace).map(([name, value]) => [
-    name,
+export function traceAsJson(planner: PlannerId, trace: SearchTrace | PoseTrace): string {
+  return JSON.stringify({ format: "parkade-search", version: 1, planner, ...trace }, (_, value: unknown) =>
     ArrayBuffer.isView(value) ? [...(value as Uint8Array)] : value,
-  ]);
-  return JSON.stringify({ format: "parkade-search", version: 1, planner, ...Object.fromEntries(columns) });
+  );
 }
 
 interface PosthocEvent {
@@ -26,7 +22,7 @@ interface PosthocEvent {
 
 /** Events of the types that Posthoc colours itself; y counts from the top. Blocked and refused moves are left out. */
 export function traceForPosthoc(trace: SearchTrace): string {
-  const { width, height, nodes, kinds, first, targets, fates } = trace;
+  const { width, height, nodes, kinds, first, targets, fates, unit } = trace;
   const at = (node: number): { id: number; x: number; y: number } => ({
     id: node,
     x: node % width,
@@ -42,7 +38,7 @@ export function traceForPosthoc(trace: SearchTrace): string {
       parents.set(key, null);
       events.push({ type: side === 1 ? "destination" : "source", ...at(node) });
     }
-    const costs = { g: trace.g[step]! / UNIT, h: trace.h[step]! / UNIT, f: trace.f[step]! / UNIT };
+    const costs = { g: trace.g[step]! / unit, h: trace.h[step]! / unit, f: trace.f[step]! / unit };
     const type = kind === STEP.goal || kind === STEP.meet ? "end" : kind === STEP.rejected ? "closing" : "expanding";
     events.push({ type, ...at(node), pId: parents.get(key)!, ...costs });
     for (let move = first[step]!; move < first[step + 1]!; move++) {
@@ -50,8 +46,8 @@ export function traceForPosthoc(trace: SearchTrace): string {
       if (fate > FATE.improved) continue;
       const target = targets[move]!,
         parent = fates[move]! >= 16 ? (parents.get(key) ?? node) : node;
-      const g = trace.targetG[move]! / UNIT,
-        h = trace.targetH[move]! / UNIT;
+      const g = trace.targetG[move]! / unit,
+        h = trace.targetH[move]! / unit;
       parents.set(target * 2 + side, parent);
       events.push({
         type: kind === STEP.goal ? "end" : fate === FATE.kept ? "generating" : "updating",

@@ -1,4 +1,5 @@
 /** A recorded search in words: the event, the reasons of moves, the pseudocode and its current line. */
+import type { Pose, SearchTrace } from "parkade";
 import { number, type Lang } from "../i18n/index";
 import messages from "../i18n/messages/debugger.json";
 import { words } from "../i18n/words";
@@ -9,13 +10,28 @@ type Key = Parameters<typeof say>[1];
 
 /** Micro-cells a cell. */
 const UNIT = 1e6;
+const DEGREES = 180 / Math.PI;
 
-/** Costs as people read them: cells. */
-export const cost = (lang: Lang, micro: number): string => number(lang, micro / UNIT, 2);
+/** Costs as people read them: cells or metres. */
+export const cost = (lang: Lang, { trace }: SearchReplay, value: number): string => number(lang, value / trace.unit, 2);
 
-/** Column and row of a node. */
-export function placeOf({ trace }: SearchReplay, node: number): string {
-  return `(${node % trace.width}, ${Math.floor(node / trace.width)})`;
+/** Column and row of a node, or its pose. */
+export function placeOf(lang: Lang, replay: SearchReplay, node: number): string {
+  const { trace } = replay;
+  return trace.kind === "search"
+    ? `(${node % trace.width}, ${Math.floor(node / trace.width)})`
+    : poseText(lang, replay.poseOf(node)!);
+}
+
+/** Column and row of a move's target, or the pose that it leads to. */
+export function targetOf(lang: Lang, replay: SearchReplay, move: number): string {
+  const pose = replay.poseAfter(move);
+  return pose ? poseText(lang, pose) : placeOf(lang, replay, replay.trace.targets[move]!);
+}
+
+function poseText(lang: Lang, { x, y, heading }: Pose): string {
+  const degrees = (((heading * DEGREES) % 360) + 360) % 360;
+  return `(${number(lang, x, 2)}, ${number(lang, y, 2)}, ${number(lang, degrees, 0)}°)`;
 }
 
 /** What the last step did, in one sentence; or, of single moves, what the last event did. */
@@ -23,14 +39,14 @@ export function eventLine(lang: Lang, replay: SearchReplay, byMoves: boolean): s
   const { step, trace } = replay,
     move = moveShown(replay, byMoves);
   if (step < 0) return say(lang, "begin");
-  const place = placeOf(replay, trace.nodes[step]!);
+  const place = placeOf(lang, replay, trace.nodes[step]!);
   const side = replay.sides.length > 1 ? `${say(lang, replay.sideOf(step) === 1 ? "side.1" : "side.0")} · ` : "";
-  if (move >= 0) return `${side}${place} → ${placeOf(replay, trace.targets[move]!)}: ${fateText(lang, replay, move)}`;
+  if (move >= 0) return `${side}${place} → ${targetOf(lang, replay, move)}: ${fateText(lang, replay, move)}`;
   const values = {
     place,
-    f: cost(lang, trace.f[step]!),
-    g: cost(lang, trace.g[step]!),
-    h: cost(lang, trace.h[step]!),
+    f: cost(lang, replay, trace.f[step]!),
+    g: cost(lang, replay, trace.g[step]!),
+    h: cost(lang, replay, trace.h[step]!),
   };
   switch (replay.kindOf(step)) {
     case STEP.deferred:
@@ -41,6 +57,8 @@ export function eventLine(lang: Lang, replay: SearchReplay, byMoves: boolean): s
       return side + say(lang, "goal", values);
     case STEP.meet:
       return side + say(lang, "meet", values);
+    case STEP.joined:
+      return `${say(lang, "expand", { ...values, why: whyOf(lang, replay, step) })} ${say(lang, "joined")}`;
     default:
       return side + say(lang, "expand", { ...values, why: whyOf(lang, replay, step) });
   }
@@ -53,6 +71,7 @@ const moveShown = (replay: SearchReplay, byMoves: boolean): number =>
 /** Why a step took its entry and no other. */
 export function whyOf(lang: Lang, replay: SearchReplay, step: number): string {
   const { byF, byH } = replay.ties(step);
+  if (byF > 0 && replay.trace.kind === "poses") return say(lang, "why.oldest", { n: byF });
   if (byF === 0) return say(lang, "why.only");
   return byH === 0 ? say(lang, "why.h", { n: byF }) : say(lang, "why.age", { n: byF, m: byH });
 }
@@ -74,14 +93,21 @@ export function fateText(lang: Lang, replay: SearchReplay, move: number): string
   const fate = replay.fateOf(move),
     { trace } = replay;
   const target = trace.targets[move]!;
+  if (fate === "blocked" && trace.kind === "poses")
+    return say(lang, "fate.hit", {
+      thing: replay.nameOf(trace.obstacles[move]!),
+      length: number(lang, Math.abs(trace.arcs[2 * move + 1]!), 2),
+    });
   if (fate === "requeued")
     return say(lang, "fate.requeued", {
-      f: cost(lang, trace.targetG[move]! + trace.targetH[move]! + trace.penalty),
+      f: cost(lang, replay, trace.targetG[move]! + trace.targetH[move]! + trace.penalty),
     });
   if (fate === "improved" || fate === "dearer") {
     const before =
       fate === "improved" ? replay.costBefore(move) : replay.known(replay.sideOf(replay.stepOfMove(move)), target)?.g;
-    return say(lang, FATE_KEYS[fate], { g: before === undefined || before === null ? "–" : cost(lang, before) });
+    return say(lang, FATE_KEYS[fate], {
+      g: before === undefined || before === null ? "–" : cost(lang, replay, before),
+    });
   }
   return say(lang, FATE_KEYS[fate]);
 }
@@ -96,8 +122,11 @@ const DIAGONAL = 1_414_214;
 
 /** Null where the moves are not those of four or eight neighbours. */
 export function estimatesAt(replay: SearchReplay, node: number, goal: { x: number; y: number }): Estimates | null {
-  const reach = reachOf(replay.trace),
-    { width } = replay.trace;
+  const { trace } = replay;
+  // Any-angle moves and arcs are longer than a step.
+  if (trace.kind !== "search" || trace.unit === 1) return null;
+  const reach = reachOf(trace),
+    { width } = trace;
   if (reach === 0) return null;
   const dx = Math.abs((node % width) - goal.x),
     dy = Math.abs(Math.floor(node / width) - goal.y);
@@ -115,7 +144,7 @@ export function estimatesAt(replay: SearchReplay, node: number, goal: { x: numbe
 const reaches = new WeakMap<SearchReplay["trace"], 0 | 4 | 8>();
 
 /** How many neighbours a search has, told from its moves; 0 for more than eight. */
-function reachOf(trace: SearchReplay["trace"]): 0 | 4 | 8 {
+function reachOf(trace: SearchTrace): 0 | 4 | 8 {
   let reach = reaches.get(trace);
   if (reach !== undefined) return reach;
   const { width, nodes, targets, first } = trace;
@@ -169,6 +198,7 @@ interface Shape {
   holds: boolean;
   jumps: boolean;
   leaves: boolean;
+  arcs: boolean;
 }
 
 const shapes = new WeakMap<SearchReplay["trace"], Shape>();
@@ -182,8 +212,9 @@ function shapeOf({ trace, sides }: SearchReplay): Shape {
       both: sides.length > 1,
       bounds: trace.kinds.some((kind) => (kind & 15) === STEP.rejected),
       holds: has(FATE.heldBack) || has(FATE.requeued),
-      jumps: !has(FATE.blocked) && !has(FATE.corner) && isJumping(trace),
+      jumps: trace.kind === "search" && !has(FATE.blocked) && !has(FATE.corner) && isJumping(trace),
       leaves: has(FATE.leftOut),
+      arcs: trace.kind === "poses",
     };
     shapes.set(trace, shape);
   }
@@ -191,7 +222,7 @@ function shapeOf({ trace, sides }: SearchReplay): Shape {
 }
 
 /** True if some move leads farther than any neighbourhood has neighbours. */
-function isJumping({ width, nodes, targets, first }: SearchReplay["trace"]): boolean {
+function isJumping({ width, nodes, targets, first }: SearchTrace): boolean {
   for (let step = 0; step < nodes.length; step++) {
     const x = nodes[step]! % width,
       y = (nodes[step]! - x) / width;
@@ -203,20 +234,25 @@ function isJumping({ width, nodes, targets, first }: SearchReplay["trace"]): boo
   return false;
 }
 
-function linesOf({ both, bounds, holds, jumps, leaves }: Shape): [Role, number, Key][] {
-  const each: Key = jumps ? "code.eachJump" : holds ? "code.eachRisk" : "code.each";
+function linesOf({ both, bounds, holds, jumps, leaves, arcs }: Shape): [Role, number, Key][] {
+  const each: Key = arcs ? "code.eachArc" : jumps ? "code.eachJump" : holds ? "code.eachRisk" : "code.each";
   const lines: ([Role, number, Key] | false)[] = [
     ["init", 0, both ? "code.initBoth" : "code.init"],
     ["while", 0, both ? "code.whileBoth" : "code.while"],
-    ["pop", 1, "code.pop"],
+    ["pop", 1, arcs ? "code.popOldest" : "code.pop"],
     holds && ["deferred", 1, "code.deferred"],
-    both && !bounds ? ["meet", 1, "code.meet"] : bounds ? ["bound", 1, "code.bound"] : ["goal", 1, "code.goal"],
+    both && !bounds
+      ? ["meet", 1, "code.meet"]
+      : bounds
+        ? ["bound", 1, "code.bound"]
+        : ["goal", 1, arcs ? "code.connect" : "code.goal"],
     ["close", 1, "code.close"],
     ["each", 1, each],
-    !jumps && ["blocked", 2, "code.blocked"],
+    !jumps && !arcs && ["blocked", 2, "code.blocked"],
     leaves && ["leftOut", 2, "code.leftOut"],
     ["closed", 2, "code.closed"],
     ["dearer", 2, "code.dearer"],
+    arcs && ["blocked", 2, "code.blockedArc"],
     ["push", 2, "code.push"],
     holds && ["hold", 1, "code.hold"],
     ["end", 0, "code.end"],
@@ -235,6 +271,7 @@ function roleNow(replay: SearchReplay, byMoves: boolean): Role {
     case STEP.rejected:
       return "bound";
     case STEP.goal:
+    case STEP.joined:
       return "goal";
     case STEP.meet:
       return "meet";

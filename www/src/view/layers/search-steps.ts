@@ -1,4 +1,5 @@
 /** A recorded search on the map: what is closed and open, the node at hand and its moves, costs and parents where there is room. */
+import type { SearchTrace } from "parkade";
 import type { SearchReplay } from "../../planning/search-replay";
 import { inPixels, toScreen, type Frame } from "../frame";
 import { RAMP_SIZE, RAMP_WORDS } from "../ramp";
@@ -13,7 +14,6 @@ const OUTLINED = 5,
   PARENTS = 14,
   ONLY_F = 22,
   ALL_COSTS = 34;
-const UNIT = 1e6;
 
 interface Picture {
   canvas: HTMLCanvasElement;
@@ -29,8 +29,11 @@ export class SearchStepsLayer {
   /** Per side and node the step that expanded it. */
   private readonly order: Int32Array[];
 
-  constructor(private readonly replay: SearchReplay) {
-    const { trace, sides } = replay;
+  constructor(
+    private readonly replay: SearchReplay,
+    private readonly trace: SearchTrace,
+  ) {
+    const { sides } = replay;
     this.order = sides.map(({ entry }) => new Int32Array(entry.length));
     trace.nodes.forEach((node, step) => {
       this.order[replay.sideOf(step)]![node] = step;
@@ -39,7 +42,7 @@ export class SearchStepsLayer {
 
   draw(frame: Frame): void {
     const { map } = frame.state.scene,
-      { trace } = this.replay;
+      { trace } = this;
     if (trace.width !== map.width || trace.height !== map.height) return;
     const size = map.resolution * frame.view.camera.scale;
     this.drawClosed(frame, size);
@@ -63,7 +66,8 @@ export class SearchStepsLayer {
   }
 
   private paint(frame: Frame, withOpen: boolean): Picture {
-    const { trace, sides, at, steps } = this.replay;
+    const { sides, at, steps } = this.replay,
+      { trace } = this;
     const { width, height } = trace;
     const picture = (this.picture ??= blank(width, height));
     const stamp = at * 2 + Number(withOpen);
@@ -90,7 +94,7 @@ export class SearchStepsLayer {
   /** Nodes that a side has reached, in sight. */
   private visible(frame: Frame): number[] {
     const { map } = frame.state.scene,
-      { width, height } = this.replay.trace;
+      { width, height } = this.trace;
     const [left, top] = screenToWorld(frame.view, 0, 0),
       [right, bottom] = screenToWorld(frame.view, frame.view.width, frame.view.height);
     const column = (x: number): number => Math.floor((x - map.origin[0]) / map.resolution),
@@ -104,7 +108,7 @@ export class SearchStepsLayer {
 
   private middle(frame: Frame, node: number): readonly [number, number] {
     const { origin, resolution } = frame.state.scene.map,
-      { width } = this.replay.trace;
+      { width } = this.trace;
     const x = node % width,
       y = (node - x) / width;
     return toScreen(frame, [origin[0] + (x + 0.5) * resolution, origin[1] + (y + 0.5) * resolution]);
@@ -161,7 +165,7 @@ export class SearchStepsLayer {
       tokens: { colour, font },
     } = frame;
     const digits = size >= 80 ? 2 : size >= 52 ? 1 : 0;
-    const text = (value: number): string => (value / UNIT).toFixed(digits);
+    const text = (value: number): string => (value / this.trace.unit).toFixed(digits);
     ctx.textBaseline = "middle";
     ctx.textAlign = "center";
     // Numbers stand on a ramp from dark to light: a halo keeps them legible.
@@ -185,7 +189,8 @@ export class SearchStepsLayer {
 
   /** The node at hand, and what has become of its moves so far. */
   private drawMoves(frame: Frame, size: number): void {
-    const { step, move, trace } = this.replay;
+    const { step, move } = this.replay,
+      { trace } = this;
     if (step < 0) return;
     const {
       ctx,
