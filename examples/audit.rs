@@ -1,6 +1,6 @@
 //! Audits of drawn lots: how long they take, what they find, and the standards' smallest bays and aisles.
 //!
-//! `cargo run --release --example audit -- lots [FROM TO] [threads]`, `… -- presets`, `… -- goals`, `… -- standards`
+//! `cargo run --release --example audit -- lots [FROM TO] [threads]`, `… -- presets [threads] [ID]`, `… -- goals [seeds] [threads]`, `… -- standards`
 
 use std::ops::ControlFlow;
 use std::time::Instant;
@@ -18,7 +18,7 @@ fn main() -> Result<(), Error> {
     match arguments.first().map(String::as_str) {
         Some("standards") => standards()?,
         Some("presets") => {
-            for preset in &PRESETS {
+            for preset in PRESETS.iter().filter(|one| arguments.get(2).is_none_or(|id| id == one.id)) {
                 report(preset.id, &preset.lot, number(1, 2) as usize)?;
             }
         }

@@ -3,30 +3,24 @@
 //! Aisles run from west to east, a row of bays on either side of each; rows back to back are parted by a kerb. Lanes
 //! across the ends join the aisles. What the caller leaves open is drawn by the seed.
 
+mod plan;
+mod presets;
+
+pub use presets::{PRESETS, Preset};
+
 use serde_json::Value;
 
 use super::generate::SplitMix64;
-use super::{Goal, Lean, MapFrame, Obstacle, Scenario, Slot, SlotKind, VehicleSpec};
+use super::{Goal, Scenario, VehicleSpec};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::{Pose, math};
 use crate::json::{Fields, bad, count, number};
 use crate::vehicle::Vehicle;
+use plan::Plan;
+use presets::{SIXTY_DEGREES, named};
 
 /// The car at the entrance.
 const CAR: Vehicle = Vehicle::SEDAN;
-/// Side of a map cell, metres.
-const CELL: f64 = 0.25;
-/// Thickness of kerbs between rows and of the wall beside a ramp, metres.
-const KERB: f64 = 0.2;
-/// Side of a column, metres, and how far it stands back from the aisle.
-const COLUMN: f64 = 0.4;
-const SET_BACK: f64 = 0.8;
-/// Between the car at the entrance and the wall behind it, metres.
-const BEHIND: f64 = 0.5;
-/// Length of a ramp before its corner, metres.
-const RAMP: f64 = 8.0;
-/// Lanes across the ends of aisles are at least this wide, metres.
-const CROSS: f64 = 6.0;
 
 /// How a lot is drawn: metres and radians.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,6 +49,25 @@ pub struct Lot {
     pub ramp: f64,
 }
 
+/// A field as options spell it, its least and greatest value, and its place.
+type Field<T> = (&'static str, [f64; 2], fn(&mut Lot) -> &mut T);
+
+const COUNTS: [Field<u32>; 4] = [
+    ("rows", [1.0, 40.0], |lot| &mut lot.rows),
+    ("bays", [1.0, 100.0], |lot| &mut lot.bays),
+    ("columns", [0.0, 100.0], |lot| &mut lot.columns),
+    ("entrances", [1.0, 2.0], |lot| &mut lot.entrances),
+];
+
+const NUMBERS: [Field<f64>; 6] = [
+    ("angle", [0.5, math::FRAC_PI_2], |lot| &mut lot.angle),
+    ("bayWidth", [1.5, 8.0], |lot| &mut lot.bay_width),
+    ("bayLength", [2.5, 24.0], |lot| &mut lot.bay_length),
+    ("aisle", [2.0, 20.0], |lot| &mut lot.aisle),
+    ("occupancy", [0.0, 1.0], |lot| &mut lot.occupancy),
+    ("ramp", [0.0, 10.0], |lot| &mut lot.ramp),
+];
+
 /// A lot and the poses in which cars come in.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DrawnLot {
@@ -64,87 +77,6 @@ pub struct DrawnLot {
     pub entrances: Vec<Pose>,
 }
 
-/// A lot with a name.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Preset {
-    /// Its name in options.
-    pub id: &'static str,
-    /// English and Chinese.
-    pub title: [&'static str; 2],
-    /// How it is drawn.
-    pub lot: Lot,
-}
-
-const PLAIN: Lot = Lot {
-    seed: 1,
-    rows: 2,
-    bays: 12,
-    angle: math::FRAC_PI_2,
-    bay_width: 2.5,
-    bay_length: 5.0,
-    aisle: 6.0,
-    columns: 0,
-    occupancy: 0.5,
-    entrances: 1,
-    ramp: 0.0,
-};
-
-const SIXTY_DEGREES: f64 = math::PI / 3.0;
-
-/// Lots like those that people ask about.
-pub const PRESETS: [Preset; 10] = [
-    preset(
-        "corner-shop",
-        ["Corner shop", "街角小店"],
-        Lot { rows: 1, bays: 10, aisle: 6.5, occupancy: 0.4, ..PLAIN },
-    ),
-    preset("apartment", ["Apartment house", "公寓楼"], Lot { bays: 8, columns: 2, seed: 2, ..PLAIN }),
-    preset(
-        "supermarket",
-        ["Supermarket", "超市"],
-        Lot { rows: 4, bays: 15, bay_width: 2.7, aisle: 6.5, seed: 3, ..PLAIN },
-    ),
-    preset(
-        "angled-60",
-        ["One-way aisles, 60°", "单行通道，60°"],
-        Lot { rows: 4, bays: 14, angle: SIXTY_DEGREES, aisle: 4.5, seed: 4, ..PLAIN },
-    ),
-    preset(
-        "angled-45",
-        ["One-way aisles, 45°", "单行通道，45°"],
-        Lot { rows: 4, bays: 12, angle: math::FRAC_PI_4, aisle: 3.6, seed: 5, ..PLAIN },
-    ),
-    preset(
-        "basement",
-        ["Basement with columns", "带立柱的地下车库"],
-        Lot { rows: 4, bays: 12, columns: 3, aisle: 5.8, occupancy: 0.7, seed: 6, ..PLAIN },
-    ),
-    preset(
-        "ramp",
-        ["Garage behind a ramp's corner", "坡道直角转弯后的车库"],
-        Lot { rows: 2, bays: 16, columns: 3, ramp: 3.6, seed: 7, ..PLAIN },
-    ),
-    preset(
-        "old-town",
-        ["Old narrow garage", "狭窄的老车库"],
-        Lot { bays: 14, bay_width: 2.3, aisle: 5.2, columns: 2, occupancy: 0.6, seed: 8, ..PLAIN },
-    ),
-    preset(
-        "station",
-        ["Railway station", "火车站"],
-        Lot { rows: 6, bays: 20, occupancy: 0.8, entrances: 2, seed: 9, ..PLAIN },
-    ),
-    preset(
-        "stadium",
-        ["Stadium", "体育场"],
-        Lot { rows: 8, bays: 30, bay_width: 2.4, occupancy: 0.6, entrances: 2, seed: 10, ..PLAIN },
-    ),
-];
-
-const fn preset(id: &'static str, title: [&'static str; 2], lot: Lot) -> Preset {
-    Preset { id, title, lot }
-}
-
 impl Lot {
     /// Reads a lot: a `preset`'s values or, without one, values drawn by the `seed`, with the given fields in their
     /// place.
@@ -152,20 +84,8 @@ impl Lot {
     /// # Errors
     /// [`ErrorCode::Input`] with the field and the rule.
     pub fn from_json(value: &Value) -> Result<Self, Error> {
-        let known = [
-            "preset",
-            "seed",
-            "rows",
-            "bays",
-            "angle",
-            "bayWidth",
-            "bayLength",
-            "aisle",
-            "columns",
-            "occupancy",
-            "entrances",
-            "ramp",
-        ];
+        let names = COUNTS.iter().map(|field| field.0).chain(NUMBERS.iter().map(|field| field.0));
+        let known: Vec<&str> = ["preset", "seed"].into_iter().chain(names).collect();
         let f = Fields::of(value, &known)?;
         let seed = f.maybe("seed", whole)?;
         let mut lot = match f.maybe("preset", named)? {
@@ -173,22 +93,12 @@ impl Lot {
             None => Self::drawn(seed.unwrap_or(1)),
         };
         lot.seed = seed.unwrap_or(lot.seed);
-        for (name, field) in [
-            ("rows", &mut lot.rows),
-            ("bays", &mut lot.bays),
-            ("columns", &mut lot.columns),
-            ("entrances", &mut lot.entrances),
-        ] {
+        for (name, _, field) in COUNTS {
+            let field = field(&mut lot);
             *field = f.maybe(name, count)?.unwrap_or(*field);
         }
-        for (name, field) in [
-            ("angle", &mut lot.angle),
-            ("bayWidth", &mut lot.bay_width),
-            ("bayLength", &mut lot.bay_length),
-            ("aisle", &mut lot.aisle),
-            ("occupancy", &mut lot.occupancy),
-            ("ramp", &mut lot.ramp),
-        ] {
+        for (name, _, field) in NUMBERS {
+            let field = field(&mut lot);
             *field = f.maybe(name, number)?.unwrap_or(*field);
         }
         lot.validate()?;
@@ -230,15 +140,13 @@ impl Lot {
             }
             bad(name, format!("must be {least} to {most}, got {value}"))
         };
-        within("rows", self.rows.into(), [1.0, 40.0])?;
-        within("bays", self.bays.into(), [1.0, 100.0])?;
-        within("angle", self.angle, [0.5, math::FRAC_PI_2])?;
-        within("bayWidth", self.bay_width, [1.5, 8.0])?;
-        within("bayLength", self.bay_length, [2.5, 24.0])?;
-        within("aisle", self.aisle, [2.0, 20.0])?;
-        within("columns", self.columns.into(), [0.0, 100.0])?;
-        within("occupancy", self.occupancy, [0.0, 1.0])?;
-        within("entrances", self.entrances.into(), [1.0, 2.0])?;
+        let mut lot = *self;
+        for (name, range, field) in COUNTS {
+            within(name, f64::from(*field(&mut lot)), range)?;
+        }
+        for (name, range, field) in NUMBERS {
+            within(name, *field(&mut lot), range)?;
+        }
         if self.ramp != 0.0 {
             within("ramp", self.ramp, [2.0, self.aisle.min(10.0)])?;
         }
@@ -298,158 +206,11 @@ fn whole(value: &Value) -> Result<u64, Error> {
     whole.map_or_else(|| bad("", format!("must be a whole number from 0, got {value}")), Ok)
 }
 
-fn named(value: &Value) -> Result<Lot, Error> {
-    let found = PRESETS.iter().find(|preset| value.as_str() == Some(preset.id));
-    found.map(|preset| preset.lot).map_or_else(
-        || {
-            let ids: Vec<&str> = PRESETS.iter().map(|preset| preset.id).collect();
-            bad("", format!("must be {}, got {value}", ids.join(" or ")))
-        },
-        Ok,
-    )
-}
-
-/// Where everything of a lot stands.
-struct Plan<'a> {
-    lot: &'a Lot,
-    /// Length of a bay's mouth along the aisle, and depth of a row.
-    opening: f64,
-    depth: f64,
-    /// Width of the lanes across the aisles' ends.
-    cross: f64,
-    /// The floor's size.
-    width: f64,
-    height: f64,
-}
-
-impl<'a> Plan<'a> {
-    fn new(lot: &'a Lot) -> Self {
-        let (sin, cos) = math::sin_cos(lot.angle);
-        let opening = lot.bay_width / sin;
-        let depth = lot.bay_length * sin + lot.bay_width * cos;
-        let cross = CROSS.max(lot.aisle);
-        let columns = lot.bays.checked_div(lot.columns).unwrap_or(0);
-        let skew = lot.bay_length * cos;
-        let length = f64::from(lot.bays) * opening + f64::from(columns) * COLUMN + skew;
-        let aisles = f64::from(lot.rows.div_ceil(2));
-        let kerbs = f64::from(lot.rows.div_ceil(2) - 1) * KERB;
-        let height = aisles * lot.aisle + f64::from(lot.rows) * depth + kerbs;
-        Self { lot, opening, depth, cross, width: length + 2.0 * cross, height }
-    }
-
-    /// The lower edge of an aisle.
-    fn aisle(&self, number: u32) -> f64 {
-        // A single row lies north of its aisle.
-        let south = if self.lot.rows == 1 { 0.0 } else { self.depth };
-        south + f64::from(number) * (2.0 * self.depth + self.lot.aisle + KERB)
-    }
-
-    fn map(&self) -> MapFrame {
-        let cells = |metres: f64| (metres / CELL).ceil() as u32;
-        let (width, height) = (self.width, self.height);
-        let plain = vec![[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]];
-        if self.lot.ramp == 0.0 {
-            return MapFrame {
-                origin: [0.0, 0.0],
-                width: cells(width),
-                height: cells(height),
-                resolution: CELL,
-                boundary: Some(plain),
-            };
-        }
-        let low = self.aisle(0);
-        let (left, right, bottom, top) = (-KERB - self.lot.ramp, -KERB, low - RAMP, low + self.lot.ramp);
-        let ramp = [[0.0, top], [left, top], [left, bottom], [right, bottom], [right, low], [0.0, low]];
-        let y = bottom.min(0.0);
-        MapFrame {
-            origin: [left, y],
-            width: cells(width - left),
-            height: cells(height - y),
-            resolution: CELL,
-            boundary: Some(plain.into_iter().chain(ramp).collect()),
-        }
-    }
-
-    /// Where cars come in: by the first aisle or the ramp, by the last aisle.
-    fn entrance(&self, number: u32) -> Pose {
-        let behind = CAR.rear_to_back + BEHIND;
-        if number == 0 && self.lot.ramp > 0.0 {
-            let low = self.aisle(0);
-            return Pose::new(-KERB - self.lot.ramp / 2.0, low - RAMP + behind, math::FRAC_PI_2);
-        }
-        let last = self.lot.rows.div_ceil(2) - 1;
-        let (aisle, x, heading) =
-            if number == 0 { (0, behind, 0.0) } else { (last, self.width - behind, math::PI) };
-        Pose::new(x, self.aisle(aisle) + self.lot.aisle / 2.0, heading)
-    }
-
-    /// Adds a row of bays, its columns and the kerb behind it.
-    fn fill(&self, row: u32, scene: &mut Scenario) {
-        let lot = self.lot;
-        let is_north = lot.rows == 1 || row % 2 == 1;
-        let low = self.aisle(row / 2);
-        let (mouth, inward) = if is_north { (low + lot.aisle, 1.0) } else { (low, -1.0) };
-        let is_angled = lot.angle < math::FRAC_PI_2 - 1e-9;
-        let mut x = self.cross;
-        for bay in 0..lot.bays {
-            if lot.columns > 0 && bay > 0 && bay % lot.columns == 0 {
-                scene.obstacles.push(self.column(x, mouth, inward, scene.obstacles.len()));
-                x += COLUMN;
-            }
-            scene.slots.push(Slot {
-                id: Some(format!("{}{}", letters(row), bay + 1)),
-                kind: if is_angled { SlotKind::Angled } else { SlotKind::Perpendicular },
-                x: x + self.opening / 2.0,
-                y: mouth,
-                heading: inward * math::FRAC_PI_2,
-                width: lot.bay_width,
-                length: lot.bay_length,
-                angle: is_angled.then_some(lot.angle),
-                lean: is_angled.then_some(if is_north { Lean::Right } else { Lean::Left }),
-                occupied: false,
-            });
-            x += self.opening;
-        }
-        let back = mouth + inward * (self.depth + KERB / 2.0);
-        if is_north && back < self.height {
-            let end = x + lot.bay_length * math::sin_cos(lot.angle).1;
-            scene.obstacles.push(Obstacle::Rectangle {
-                id: Some(format!("kerb-{}", row.div_ceil(2))),
-                center: [f64::midpoint(self.cross, end), back],
-                size: [end - self.cross, KERB],
-                heading: 0.0,
-            });
-        }
-    }
-
-    fn column(&self, x: f64, mouth: f64, inward: f64, number: usize) -> Obstacle {
-        let along = math::sin_cos(self.lot.angle).1 / math::sin_cos(self.lot.angle).0;
-        let depth = SET_BACK + COLUMN / 2.0;
-        Obstacle::Rectangle {
-            id: Some(format!("column-{}", number + 1)),
-            center: [x + COLUMN / 2.0 + depth * along, mouth + inward * depth],
-            size: [COLUMN, COLUMN],
-            heading: 0.0,
-        }
-    }
-}
-
-/// A, B, …, Z, AA, ….
-fn letters(mut number: u32) -> String {
-    let mut name = String::new();
-    loop {
-        name.insert(0, char::from(b'A' + (number % 26) as u8));
-        if number < 26 {
-            return name;
-        }
-        number = number / 26 - 1;
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use serde_json::json;
 
+    use super::plan::letters;
     use super::*;
     use crate::vehicle::collision::contains;
 
