@@ -80,7 +80,8 @@ export default defineConfig({
               { text: "Embed it", link: "/embed" },
               { text: "Bundlers and servers", link: "/bundlers" },
               { text: "Command line", link: "/command" },
-              { text: "Check every bay", link: "/audit" },
+              { text: "Check a real lot", link: "/lots" },
+              { text: "Check every bay in code", link: "/audit" },
               { text: "Python", link: "/python" },
               { text: "Many machines", link: "/machines" },
               { text: "Where it is tested", link: "/consumers" },
@@ -116,7 +117,13 @@ export default defineConfig({
           { text: "规划器", link: "/zh/planners/hybrid" },
         ],
         sidebar: [
-          { text: "开始", items: [{ text: "五分钟第一个场景", link: "/zh/guide" }] },
+          {
+            text: "开始",
+            items: [
+              { text: "五分钟第一个场景", link: "/zh/guide" },
+              { text: "检查真实停车场", link: "/zh/lots" },
+            ],
+          },
           { text: "课程", items: course("zh", "/zh") },
           {
             text: "规划器",

@@ -1,9 +1,10 @@
 /** Site plans of each kind become the same scene; damaged ones are refused in words. */
+import type { Role, SitePlan } from "parkade/siteplan";
 import { init, Planner, sceneGeometry, type Slot } from "parkade";
 import { beforeAll, describe, expect, it } from "vitest";
 import { readSitePlan } from "../../www/src/siteplan/read-site-plan";
-import { MOST_BYTES, SitePlanError, type SitePlan } from "../../www/src/siteplan/site-plan";
-import { sceneFromSitePlan, suggestedRole, suggestedUnit, type Role } from "../../www/src/siteplan/site-plan-scene";
+import { MOST_BYTES, SitePlanError } from "../../www/src/siteplan/site-plan";
+import { sceneFromSitePlan, suggestedRole, suggestedUnit } from "../../www/src/siteplan/site-plan-scene";
 import { localProjection } from "../../www/src/siteplan/projection";
 import { dxf, FILES, geojson, LOT } from "./site-plan-files";
 
@@ -38,6 +39,30 @@ describe("a lot", () => {
     }
     using planner = new Planner("hybrid", scene);
     expect(planner.plan().outcome).toBe("found");
+  });
+
+  it("is the largest of a town, in a unit that its size can have", () => {
+    const square = (at: number, side: number): SitePlan["layers"][number]["lines"][number] => ({
+      points: [
+        [at, 0],
+        [at + side, 0],
+        [at + side, side],
+        [at, side],
+      ],
+      closed: true,
+    });
+    const plan: SitePlan = {
+      kind: "osm",
+      layers: [{ name: "amenity=parking", lines: [square(0, 20), square(3000, 40)] }],
+      metresPerUnit: 1,
+      notes: [],
+    };
+    const { map } = converted(plan).scene;
+    expect([map.width * map.resolution, map.height * map.resolution]).toEqual([40, 40]);
+    // Inches, in a file that says millimetres.
+    expect(suggestedUnit({ ...plan, layers: [{ name: "0", lines: [square(0, 900)] }], metresPerUnit: 0.001 })).toBe(
+      0.0254,
+    );
   });
 
   it("is measured the same whichever file it comes from", () => {

@@ -17,7 +17,7 @@ import { fileName } from "../scene/files";
 import { slotOutline } from "../scene/slots";
 import type { Scene } from "../store";
 import { bestRow, countBays, gradeOf, HARD, type BayCheck } from "../store/bay-check";
-import { RAMP } from "../view/layers/bays";
+import { INK, RAMP } from "../view/layers/bays";
 import { BAY_COLUMNS, bayLines } from "./bay-rows";
 import { say as sayBays } from "./bay-words";
 import { say, today, vehicleText } from "./sheet-words";
@@ -73,7 +73,7 @@ function areaOf(scene: Scene, check: BayCheck, index: number): SheetArea[] {
     {
       points: slotOutline(slot),
       fill: grade === 0 ? "#FBECEA" : RAMP.light[grade - 1]!,
-      ink: grade === 0 ? "#B3261E" : grade > HARD ? "#FFFFFF" : "#1B1D20",
+      ink: grade === 0 ? "#B3261E" : INK.light[grade - 1]!,
       text: grade === 0 ? "\u2715" : String(row.moves),
       isHatched: grade === 0,
     },

@@ -1,18 +1,12 @@
+import type { Role, SitePlan, SitePlanScene } from "parkade/siteplan";
 import { css, html, nothing, type TemplateResult } from "lit";
 import { sentence } from "../app/app";
 import { reasonIn } from "../i18n/index";
 import messages from "../i18n/messages/site-plan.json";
 import { words } from "../i18n/words";
 import { boxOf, distance, type Point } from "../scene/geometry";
-import { SitePlanError, type SitePlan } from "../siteplan/site-plan";
-import {
-  ROLES,
-  sceneFromSitePlan,
-  suggestedRole,
-  suggestedUnit,
-  type Role,
-  type SitePlanScene,
-} from "../siteplan/site-plan-scene";
+import { SitePlanError } from "../siteplan/site-plan";
+import { ROLES, sceneFromSitePlan, suggestedRole, suggestedUnit } from "../siteplan/site-plan-scene";
 import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
 import { vast } from "../view/lazy-layers";
@@ -47,9 +41,9 @@ export class SitePlanDialog extends DialogElement {
     li span { overflow: hidden; text-overflow: ellipsis; white-space: nowrap; } small { color: var(--parkade-t3); font-size: 12px; }
     select { height: 28px; padding: 0 6px; max-width: 150px; color: var(--parkade-t1); background: var(--parkade-panel); border: 1px solid var(--parkade-hair2); border-radius: calc(6px * var(--parkade-radius)); }
     label { display: flex; align-items: center; justify-content: space-between; gap: 8px; color: var(--parkade-t2); } .field { width: 112px; color: var(--parkade-t1); }
-    p { margin: 0; color: var(--parkade-t2); font-size: 12px; line-height: 16px; } .fault { color: var(--parkade-err); } .solid { width: 100%; }
+    p { margin: 0; color: var(--parkade-t2); font-size: 12px; line-height: 16px; } .fault { color: var(--parkade-err); } .fault::first-letter { text-transform: uppercase; } .solid { width: 100%; }
     @media (max-width: 640px) { form { grid-template-columns: 1fr; gap: 12px; } parkade-site-plan-preview { min-height: 34vh; height: 34vh; } ul { max-height: 200px; } select { height: 36px; } }
-    @media (max-height: 480px) { form { grid-template-columns: minmax(0, 1fr) 300px; } parkade-site-plan-preview { min-height: 200px; height: 100%; } ul { max-height: none; } }
+    @media (max-height: 480px) { form { grid-template-columns: minmax(0, 1fr) 300px; } parkade-site-plan-preview { position: sticky; top: 0; min-height: 0; height: min(250px, 92vh - 120px); } ul { max-height: none; } }
   `,
   ];
   declare plan: SitePlan | null;
@@ -113,7 +107,7 @@ export class SitePlanDialog extends DialogElement {
       light = (to: string) => () => {
         this.lit = to;
       };
-    return html`<li @pointerenter=${light(name)} @pointerleave=${light("")}><span title=${name}>${name} <small>${say(lang, "count", { n: lines })}</small></span>
+    return html`<li @pointerenter=${light(name)} @pointerleave=${light("")}><span title=${name}>${withoutReference(name)} <small>${say(lang, "count", { n: lines })}</small></span>
       <select aria-label=${say(lang, "role", { layer: name })} @focus=${light(name)} @blur=${light("")} @change=${(
         event: Event,
       ) => {
@@ -162,6 +156,7 @@ export class SitePlanDialog extends DialogElement {
   /** The scene, or why there is none. */
   private made(plan: SitePlan): SitePlanScene | { reason: string } {
     const { roles, unit, around } = this;
+    if (Object.values(roles).every((role) => role === "none")) return { reason: say(this.state.lang, "choose") };
     try {
       const made = sceneFromSitePlan(plan, {
         roles,
@@ -187,5 +182,8 @@ export class SitePlanDialog extends DialogElement {
     this.close();
   }
 }
+
+/** DXF names layers of a referenced drawing "drawing$0$layer": the layer alone fits the list. */
+const withoutReference = (name: string): string => name.replace(/^.*\$\d+\$/, "");
 
 customElements.define("parkade-site-plan", SitePlanDialog);

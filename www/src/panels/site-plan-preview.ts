@@ -1,10 +1,9 @@
 /** A site plan in its layers' roles, on which a known distance is drawn. */
+import type { Role, SitePlan, SitePlanLine } from "parkade/siteplan";
 import { css, html, type TemplateResult } from "lit";
 import { boxOf, type Box, type Point } from "../scene/geometry";
 import { slotOutline } from "../scene/slots";
 import type { Scenario } from "../scene/scenario";
-import type { SitePlan, SitePlanLine } from "../siteplan/site-plan";
-import type { Role } from "../siteplan/site-plan-scene";
 import type { State } from "../store";
 import type { Tokens } from "../view/tokens";
 import { AppElement } from "./base";

@@ -1,5 +1,6 @@
 /** Site plans from files, read in a worker that ends with its file. */
-import { MOST_BYTES, SitePlanError, type SitePlan } from "../siteplan/site-plan";
+import type { SitePlan } from "parkade/siteplan";
+import { MOST_BYTES, SitePlanError } from "../siteplan/site-plan";
 import type { SitePlanFile, SitePlanReply } from "./site-plan-worker";
 
 export async function sitePlanOf(file: File): Promise<SitePlan> {

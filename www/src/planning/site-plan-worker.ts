@@ -1,6 +1,7 @@
 /** Reads a site plan beside the page: a file of 50 MB takes seconds. */
+import type { SitePlan } from "parkade/siteplan";
 import { readSitePlan } from "../siteplan/read-site-plan";
-import { SitePlanError, type SitePlan } from "../siteplan/site-plan";
+import { SitePlanError } from "../siteplan/site-plan";
 
 export interface SitePlanFile {
   name: string;

@@ -1,8 +1,9 @@
 /** Bays of a plan: outlines of four corners, or the parallel lines between them. */
+import type { SitePlanLine } from "parkade/siteplan";
 import type { Slot } from "parkade";
 import { boxOf, distance, insidePolygon, towards, wrapAngle, type Box, type Point } from "../scene/geometry";
 import { chained, straightened } from "./chain";
-import { SitePlanError, type SitePlanLine } from "./site-plan";
+import { SitePlanError } from "./site-plan";
 
 export type Quad = [Point, Point, Point, Point];
 export type Segment = [Point, Point];

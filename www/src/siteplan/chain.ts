@@ -1,6 +1,6 @@
 /** Lines that meet at their ends as one. */
+import type { SitePlanLine } from "parkade/siteplan";
 import type { Point } from "../scene/geometry";
-import type { SitePlanLine } from "./site-plan";
 
 /** Joins open lines whose ends are within `reach` where no third one meets them; such a line that comes back to its beginning is closed. */
 export function chained(lines: readonly SitePlanLine[], reach: number): SitePlanLine[] {

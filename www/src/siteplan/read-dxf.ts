@@ -1,8 +1,9 @@
 /** DXF in ASCII: lines, polylines, arcs, splines, solids and blocks of model space, by layer. */
+import type { SitePlan, SitePlanLine } from "parkade/siteplan";
 import { TAU, radians, type Point } from "../scene/geometry";
 import { after, bulged, circleArc, ellipseArc, IDENTITY, mapped, spline, type Affine } from "./curves";
 import { numberIn, numberOf, recordsOf, textIn, type DxfRecord } from "./dxf-groups";
-import { PlanBuilder, SitePlanError, type SitePlan, type SitePlanLine } from "./site-plan";
+import { PlanBuilder, SitePlanError } from "./site-plan";
 
 /** Metres per unit by the header's `$INSUNITS`. */
 const UNITS: Record<number, number> = {

@@ -1,8 +1,9 @@
 /** GeoJSON in degrees of WGS 84 or in metres; the layer of a feature is its property `layer`, or the tag that says what it is. */
+import type { SitePlan, SitePlanLine } from "parkade/siteplan";
 import { boxOf, type Point } from "../scene/geometry";
 import { circleArc } from "./curves";
 import { areDegrees, localProjection } from "./projection";
-import { PlanBuilder, SitePlanError, type SitePlan, type SitePlanLine } from "./site-plan";
+import { PlanBuilder, SitePlanError } from "./site-plan";
 
 /** Tags that say what a thing is, the first that a feature has counts. */
 const TELLING = ["amenity", "building", "barrier", "parking", "highway", "landuse", "natural", "area:highway"];

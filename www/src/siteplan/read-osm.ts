@@ -1,7 +1,8 @@
 /** OpenStreetMap: `.osm` XML, or the JSON of its query service. Ways and multipolygons with a telling tag, by that tag. */
+import type { SitePlan } from "parkade/siteplan";
 import type { Point } from "../scene/geometry";
 import { layerOf, parsed, projected } from "./read-geojson";
-import { PlanBuilder, SitePlanError, type SitePlan } from "./site-plan";
+import { PlanBuilder, SitePlanError } from "./site-plan";
 import { readXml } from "./xml";
 
 type Tags = Record<string, string>;

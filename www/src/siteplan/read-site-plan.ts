@@ -1,9 +1,10 @@
 /** A site plan from a file of any kind that can be read, by its name and its contents. */
+import type { SitePlan } from "parkade/siteplan";
 import { readDxf } from "./read-dxf";
 import { readGeoJson } from "./read-geojson";
 import { readOsm } from "./read-osm";
 import { readSvg } from "./read-svg";
-import { MOST_BYTES, SitePlanError, type SitePlan, type SitePlanKind } from "./site-plan";
+import { MOST_BYTES, SitePlanError, type SitePlanKind } from "./site-plan";
 
 const READERS: Record<SitePlanKind, (text: string) => SitePlan> = {
   dxf: readDxf,

@@ -1,8 +1,9 @@
 /** SVG: lines, shapes and paths; a layer is the nearest group with a name. */
+import type { SitePlan } from "parkade/siteplan";
 import svgpath from "svgpath";
 import type { Point } from "../scene/geometry";
 import { bezier } from "./curves";
-import { PlanBuilder, SitePlanError, type SitePlan } from "./site-plan";
+import { PlanBuilder, SitePlanError } from "./site-plan";
 import { readXml } from "./xml";
 
 type Attribute = (name: string) => string | undefined;

@@ -1,5 +1,6 @@
 /** A scene from a site plan: what each layer is, and how large. */
 import type { Obstacle, Pose, Slot, VehicleSpec } from "parkade";
+import type { Role, SitePlan, SitePlanLine, SitePlanOptions, SitePlanScene } from "parkade/siteplan";
 import {
   boxOf,
   crossesItself,
@@ -16,27 +17,9 @@ import { footprint, vehicleOf } from "../scene/vehicle";
 import { findBays, slotsOf, type Segment } from "./bays";
 import { chained, straightened } from "./chain";
 import { clippedLine, clippedPolygon } from "./clip";
-import { SitePlanError, type SitePlan, type SitePlanLine } from "./site-plan";
+import { SitePlanError } from "./site-plan";
 
-export const ROLES = ["none", "wall", "kerb", "column", "building", "bay", "ground"] as const;
-/** What a layer is: lines that stop a car, closed things that do, bays, or the outline of the ground. */
-export type Role = (typeof ROLES)[number];
-
-export interface SitePlanOptions {
-  /** By the layers' names; layers without one are left out. */
-  roles: Readonly<Record<string, Role>>;
-  metresPerUnit: number;
-  /** Kept around bays, or around everything where there are none; metres. Default 25. */
-  around?: number;
-  vehicle?: VehicleSpec;
-  name?: string;
-}
-
-export interface SitePlanScene {
-  scene: Scenario;
-  counts: Record<Exclude<Role, "none">, number>;
-  notes: string[];
-}
+export const ROLES = ["none", "wall", "kerb", "column", "building", "bay", "ground"] as const satisfies readonly Role[];
 
 /** Ends that meet, and corners that are none, metres. */
 const REACH = 0.02,
@@ -56,17 +39,20 @@ const NAMES: [Role, RegExp][] = [
   ["column", /column|pillar|post\b|bollard|s[t\u00fc]+tze|st\u00fctze|tree|\u67f1/i],
   ["building", /build|geb(\u00e4|ae)ude|house|\u5efa\u7b51|\u697c/i],
   ["wall", /wall|wand|mauer|fence|barrier|\u5899/i],
-  ["ground", /ground|floor|boundary|outline|site\b|grundst|\u8303\u56f4|\u573a\u5730/i],
+  ["ground", /amenity=parking$|ground|floor|boundary|outline|site\b|grundst|\u8303\u56f4|\u573a\u5730/i],
 ];
 
 export const suggestedRole = (name: string): Role => NAMES.find(([, words]) => words.test(name))?.[0] ?? "none";
 
-/** Metres per unit that give the plan the size of a parking lot; what the file says where it does. */
+/** A plan of fewer metres across holds no car and no way: its file names a wrong unit. */
+const SMALLEST = 4;
+
+/** Metres per unit that give the plan the size of a parking lot; what the file says where that can be. */
 export function suggestedUnit({ layers, metresPerUnit }: SitePlan): number {
-  if (metresPerUnit !== null) return metresPerUnit;
   const box = boxOf(layers.flatMap(({ lines }) => lines.flatMap(({ points }) => points))),
     across = Math.max(box.maxX - box.minX, box.maxY - box.minY);
-  const fitting = [1, 0.001, 0.01, 0.0254, 0.3048].find((unit) => across * unit >= 8 && across * unit <= 400);
+  if (metresPerUnit !== null && across * metresPerUnit >= SMALLEST) return metresPerUnit;
+  const fitting = [1, 0.001, 0.01, 0.0254, 0.3048].find((unit) => across * unit >= 12 && across * unit <= 400);
   return fitting ?? Number((50 / across).toPrecision(3));
 }
 
@@ -78,13 +64,13 @@ export function sceneFromSitePlan(plan: SitePlan, options: SitePlanOptions): Sit
   if (!(around >= 0 && Number.isFinite(around))) throw new SitePlanError(`around: must be at least 0 m, got ${around}`);
   const of = linesByRole(plan, options),
     found = findBays(of.bay),
-    window = windowOf(of, found.quads.flat(), around);
+    ground = groundOf(of.ground),
+    window = windowOf(of, ground, found.quads.flat(), around);
   const solids = solidsOf(of, window);
   const bays = found.quads.some((quad) => quad.some((corner) => isIn(corner, window)))
     ? found
     : { ...found, quads: [] };
-  const slots = slotsOf(bays, solids.segments),
-    ground = groundOf(of.ground);
+  const slots = slotsOf(bays, solids.segments);
   const map = frameOf(ground, [...solids.segments.flat(), ...bays.quads.flat(), ...apronsOf(slots, solids.segments)]);
   const start = startFor(slots, solids, ground ?? cornersOf(map), vehicle);
   const goal =
@@ -126,12 +112,13 @@ function linesByRole({ layers }: SitePlan, { roles, metresPerUnit }: SitePlanOpt
   return of;
 }
 
-function windowOf(of: ByRole, bays: readonly Point[], around: number): Box {
-  const outer = of.ground.length > 0 ? of.ground.flatMap(({ points }) => points) : bays,
+/** The part of the plan that is kept; a map of a town is cut to its largest outline of the ground. */
+function windowOf(of: ByRole, ground: readonly Point[] | null, bays: readonly Point[], around: number): Box {
+  const outer = ground ?? bays,
     box = boxOf(
       outer.length > 0 ? [...outer] : Object.values(of).flatMap((lines) => lines.flatMap(({ points }) => points)),
     ),
-    by = of.ground.length > 0 ? EDGE : around;
+    by = ground ? EDGE : around;
   if (Math.max(box.maxX - box.minX, box.maxY - box.minY) > WIDEST)
     throw new SitePlanError(
       `the plan must be at most ${WIDEST} m wide, and is ${Math.ceil(Math.max(box.maxX - box.minX, box.maxY - box.minY))} m; choose another unit or fewer layers`,

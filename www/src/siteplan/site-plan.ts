@@ -1,26 +1,8 @@
 /** A site plan read from a file: lines by layer, in the file's units, y up. */
+import type { SitePlan, SitePlanLine } from "parkade/siteplan";
 import type { Point } from "../scene/geometry";
 
-export type SitePlanKind = "dxf" | "svg" | "geojson" | "osm";
-
-export interface SitePlanLine {
-  points: Point[];
-  closed: boolean;
-}
-
-export interface SitePlanLayer {
-  name: string;
-  lines: SitePlanLine[];
-}
-
-export interface SitePlan {
-  kind: SitePlanKind;
-  layers: SitePlanLayer[];
-  /** Metres per unit of the file; null where the file does not say it. */
-  metresPerUnit: number | null;
-  /** What has been left out, in words. */
-  notes: string[];
-}
+export type SitePlanKind = SitePlan["kind"];
 
 /** Why a file is no site plan. */
 export class SitePlanError extends Error {

@@ -9,10 +9,13 @@ import { labelFont, useFont } from "../text";
 /** One move, two, three, more; on a light floor and on a dark one. */
 export const RAMP = {
   light: ["#CFE3F1", "#8FBBDD", "#4A90C4", "#1F5E93"],
-  dark: ["#2B3F4E", "#3D6C91", "#5BA3D9", "#A5D3F7"],
+  dark: ["#3F5A6E", "#5186AE", "#72B4E6", "#BFE0F9"],
 } as const;
 /** Ink that is read on each of them. */
-const INK = { light: ["#1B1D20", "#1B1D20", "#1B1D20", "#FFFFFF"], dark: ["#ECEEF0", "#FFFFFF", "#0E1013", "#0E1013"] };
+export const INK = {
+  light: ["#1B1D20", "#1B1D20", "#1B1D20", "#FFFFFF"],
+  dark: ["#FFFFFF", "#0E1013", "#0E1013", "#0E1013"],
+} as const;
 /** Of answers that an edit has overtaken. */
 const STALE = 0.5;
 /** Numbers stand on bays that are at least so wide, CSS pixels. */
@@ -57,10 +60,17 @@ export function drawBayNumbers(frame: Frame): void {
   });
 }
 
+/** Ink on a casing of the floor's colour, so that it stands out from every step of the ramp. */
 function outlined({ ctx, tokens: { colour } }: Frame, outline: readonly Point[]): void {
-  ctx.strokeStyle = colour.t1;
-  ctx.lineWidth = 2;
-  ctx.stroke(polygonPath(outline));
+  const path = polygonPath(outline);
+  for (const [ink, width] of [
+    [colour.floor, 5],
+    [colour.t1, 2],
+  ] as const) {
+    ctx.strokeStyle = ink;
+    ctx.lineWidth = width;
+    ctx.stroke(path);
+  }
 }
 
 function numbered(
