@@ -52,11 +52,13 @@ export function drawBays(frame: Frame): void {
 export function drawBayNumbers(frame: Frame): void {
   const { bays, scene } = frame.state;
   if (!bays || bays.opened) return;
+  const { goal } = scene,
+    parkedIn = "slot" in goal ? goal.slot : undefined;
   scene.slots?.forEach((slot, index) => {
     const outline = outlineOf(frame, index),
       row = bestRow(bays, index);
     if (index === bays.lit) outlined(frame, outline);
-    if (row) numbered(frame, outline, slot.occupied === true, bays, row);
+    if (row) numbered(frame, outline, slot.occupied === true || slot.id === parkedIn, bays, row);
   });
 }
 
