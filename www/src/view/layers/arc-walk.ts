@@ -64,13 +64,14 @@ export function drawPoseStep(frame: Frame, replay: SearchReplay, walk: ArcWalk, 
   const node = trace.nodes[step]!,
     led = replay.moveTo(node),
     failed = walk.failedAt(step);
+  // Arcs are hardly longer than the car: they lie on it.
+  drawCar(frame, replay.poseOf(node)!, frame.resolved.vehicle, 0, startStyle(frame));
   frame.ctx.save();
   strokeArcs(frame, hit, colour.err, 1.5, [4, 3]);
   strokeArcs(frame, kept, colour.accent, 1.5);
   if (led >= 0) strokeArcs(frame, [of(led)], colour.t1, 2.5);
   drawFailure(frame, failed, planner);
   frame.ctx.restore();
-  drawCar(frame, replay.poseOf(node)!, frame.resolved.vehicle, 0, startStyle(frame));
 }
 
 /** A move's arc back from the pose that it leads to. */
