@@ -270,7 +270,10 @@ fn jumps_and_plain_searches_are_recorded_as_they_are() {
 
 /// Theta* as one writes it down: a cell hangs on its parent's parent where that sees it.
 fn parents_see_their_cells(r: &Recording, query: Query, corner: Corner) {
-    let far = |a: Cell, b: Cell| f64::from(b.x - a.x).hypot(f64::from(b.y - a.y));
+    let far = |a: Cell, b: Cell| {
+        let [x, y] = [b.x - a.x, b.y - a.y].map(f64::from);
+        (x * x + y * y).sqrt()
+    };
     let mut known = BTreeMap::from([(query.map.index(query.start), (0.0, None::<u32>))]);
     for step in 0..r.nodes.len() {
         let (node, at) = (r.nodes[step], query.map.cell(r.nodes[step]));
