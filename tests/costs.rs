@@ -1,6 +1,8 @@
 //! Cells that cost more: the cheapest paths against an oracle, what comes after the search, every planner's use of
 //! them.
 
+mod random_maps;
+
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -23,22 +25,14 @@ const CORNERS: [Corner; 3] = [Corner::Strict, Corner::NoSqueeze, Corner::Free];
 
 /// A map with cells blocked and painted at random, start and goal free.
 fn random_map(random: &mut SplitMix64) -> (Occupancy, Cell, Cell) {
-    let (width, height) = (2 + random.below(18), 2 + random.below(18));
-    let density = random.below(35);
-    let mut map = Occupancy::new(width, height);
-    for index in 0..map.len() as u32 {
-        map.set(map.cell(index), random.below(100) < density);
-    }
-    let ends = [0, 1].map(|_| map.cell(random.below(map.len() as u32)));
-    for cell in ends {
-        map.set(cell, false);
-    }
+    let (map, start, goal) = random_maps::random_map(random, [2, 18], 35);
+    let (width, height) = (map.width(), map.height());
     let mut weights = Weights::new(width, height);
     for _ in 0..random.below(30) {
         let (x, y) = (random.below(width), random.below(height));
         weights.paint(&[[x, y, 1 + random.below(width - x)]], 1 + random.below(10));
     }
-    (map.weighing(weights), ends[0], ends[1])
+    (map.weighing(weights), start, goal)
 }
 
 /// What a move costs by the cells under 120 places of it, none of them on a border for moves of up to three cells.

@@ -1,5 +1,7 @@
 //! Grid planners, rasters and distances against oracles that are too simple to be wrong.
 
+mod random_maps;
+
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -16,23 +18,11 @@ use parkade::planners::{any_angle, bidirectional, jump_point};
 use parkade::post::{prune, prune_dp, smooth};
 use parkade::scenario::generate::SplitMix64;
 use parkade::search::{Stop, Trace};
+use random_maps::random_map;
 
+/// The least and the additional cells of a random map's sides.
+const SIDES: [u32; 2] = [1, 24];
 const CORNERS: [Corner; 3] = [Corner::Strict, Corner::NoSqueeze, Corner::Free];
-
-/// A map with every cell blocked at random, start and goal free.
-fn random_map(random: &mut SplitMix64) -> (Occupancy, Cell, Cell) {
-    let (width, height) = (1 + random.below(24), 1 + random.below(24));
-    let density = random.below(45);
-    let mut map = Occupancy::new(width, height);
-    for index in 0..map.len() as u32 {
-        map.set(map.cell(index), random.below(100) < density);
-    }
-    let ends = [0, 1].map(|_| map.cell(random.below(map.len() as u32)));
-    for cell in ends {
-        map.set(cell, false);
-    }
-    (map, ends[0], ends[1])
-}
 
 /// Dijkstra's algorithm with nothing clever in it.
 fn dijkstra(query: Query, neighbourhood: Neighbourhood, corner: Corner) -> Option<i64> {
@@ -93,7 +83,7 @@ fn grid_searches_find_the_cheapest_path_or_none() {
     let mut scratch = GridScratch::new();
     let mut found = 0;
     for _ in 0..150 {
-        let (map, start, goal) = random_map(&mut random);
+        let (map, start, goal) = random_map(&mut random, SIDES, 45);
         let query = Query { map: &map, start, goal };
         for (neighbourhood, corner) in Neighbourhood::ALL.iter().flat_map(|&n| CORNERS.map(|c| (n, c))) {
             let cheapest = dijkstra(query, neighbourhood, corner);
@@ -130,7 +120,7 @@ fn long_moves_that_short_ones_add_up_to_save_nothing() {
     assert_eq!(some.len(), 32);
     let mut random = SplitMix64::new(25);
     for _ in 0..1000 {
-        let (map, start, goal) = random_map(&mut random);
+        let (map, start, goal) = random_map(&mut random, SIDES, 45);
         let query = Query { map: &map, start, goal };
         let cost = |moves: &[Move]| dijkstra_with(query, moves, Corner::Strict);
         assert_eq!(cost(&some), cost(&all));
@@ -146,7 +136,7 @@ fn searches_from_both_ends_and_jumps_find_the_cheapest_path_or_none() {
     let mut scratch = GridScratch::new();
     let (mut found, mut dearer, mut missed) = (0, 0, 0);
     for _ in 0..1000 {
-        let (map, start, goal) = random_map(&mut random);
+        let (map, start, goal) = random_map(&mut random, SIDES, 45);
         let query = Query { map: &map, start, goal };
         for (neighbours, corner) in Neighbourhood::ALL.iter().flat_map(|&n| CORNERS.map(|c| (n, c))) {
             let cheapest = grid_astar::plan(
@@ -236,7 +226,7 @@ fn risk_field_searches_are_complete_with_every_option() {
     let mut scratch = GridScratch::new();
     let (mut found, mut stranded) = (0, 0);
     for _ in 0..300 {
-        let (map, start, goal) = random_map(&mut random);
+        let (map, start, goal) = random_map(&mut random, SIDES, 45);
         let query = Query { map: &map, start, goal };
         for (mut config, corner) in configs.iter().flat_map(|&c| CORNERS.map(|corner| (c, corner))) {
             config.common.corner = corner;
@@ -374,7 +364,7 @@ fn distances_are_those_of_brute_force() {
 fn distances_and_inflation_are_exact() {
     let mut random = SplitMix64::new(40);
     for round in 0..60 {
-        let (mut map, ..) = random_map(&mut random);
+        let (mut map, ..) = random_map(&mut random, SIDES, 45);
         if round == 0 {
             map = Occupancy::new(5, 4);
         }

@@ -1,5 +1,7 @@
 //! Recorded searches against the planners' own events, and against a plain open list that is looked through.
 
+mod random_maps;
+
 use std::collections::BTreeMap;
 
 use parkade::map::{Bits, Cell, Corner, Occupancy, line_of_sight};
@@ -10,23 +12,12 @@ use parkade::planners::settings::Common;
 use parkade::planners::{any_angle, bidirectional, dijkstra_greedy, grid_astar, jump_point, risk_field};
 use parkade::scenario::generate::SplitMix64;
 use parkade::search::{BACKWARD, Fate, Observer, PAST, Recording, StepKind, Stop};
+use random_maps::random_map;
 
 const MAPS: u64 = 100;
+/// The least and the additional cells of a random map's sides.
+const SIDES: [u32; 2] = [2, 26];
 const CORNERS: [Corner; 3] = [Corner::Strict, Corner::NoSqueeze, Corner::Free];
-
-fn random_map(random: &mut SplitMix64) -> (Occupancy, Cell, Cell) {
-    let (width, height) = (2 + random.below(26), 2 + random.below(26));
-    let density = random.below(45);
-    let mut map = Occupancy::new(width, height);
-    for index in 0..map.len() as u32 {
-        map.set(map.cell(index), random.below(100) < density);
-    }
-    let ends = [0, 1].map(|_| map.cell(random.below(map.len() as u32)));
-    for cell in ends {
-        map.set(cell, false);
-    }
-    (map, ends[0], ends[1])
-}
 
 /// A planner's own events.
 struct Events<C = i64> {
@@ -176,7 +167,7 @@ fn on_random_maps(seed: u64, mut check: impl FnMut(Query, Corner)) {
     let mut random = SplitMix64::new(seed);
     let mut searched = 0;
     while searched < MAPS {
-        let (map, start, goal) = random_map(&mut random);
+        let (map, start, goal) = random_map(&mut random, SIDES, 45);
         if start != goal {
             check(Query { map: &map, start, goal }, CORNERS[searched as usize % 3]);
             searched += 1;
