@@ -47,7 +47,9 @@ fn default_config<'py>(py: Python<'py>, planner: &str) -> PyResult<Bound<'py, Py
 #[pyfunction]
 fn scenarios(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
     let both = |[en, zh]: [&str; 2]| json!({ "en": en, "zh": zh });
-    let entry = |s: &catalog::Info| json!({ "id": s.id, "group": s.group, "title": both(s.title), "question": both(s.question) });
+    let entry = |s: &catalog::Info| -> Value {
+        json!({ "id": s.id, "group": s.group, "title": both(s.title), "question": both(s.question) })
+    };
     write(py, &Value::Array(catalog::scenes().map(entry).collect()))
 }
 
@@ -91,7 +93,9 @@ fn import_scene<'py>(
         py.detach(|| import::import(&files, &options))
     });
     let made = made.map_err(|e| refused(py, &e))?;
-    let query = |q: &import::Question| json!({ "bucket": q.bucket, "start": q.start, "goal": q.goal, "length": q.length });
+    let query = |q: &import::Question| -> Value {
+        json!({ "bucket": q.bucket, "start": q.start, "goal": q.goal, "length": q.length })
+    };
     let queries: Vec<Value> = made.queries.iter().map(query).collect();
     write(
         py,
