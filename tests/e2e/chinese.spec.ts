@@ -16,6 +16,7 @@ const NAMES = new RegExp(
     "PNG",
     "SVG",
     "CSV",
+    "DXF",
     "JSON",
     "MovingAI",
     "ROS",
