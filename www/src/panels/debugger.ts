@@ -363,7 +363,7 @@ export class Debugger extends AppElement {
       counters.openPeak === stats.openPeak;
     const { expanded, generated, pushes, openPeak: peak } = counters;
     const name = `${session.planner}-search`;
-    return html`<div class="rows"><button class="button outline" @click=${this.zoom}>${say(lang, "zoom")}</button>
+    return html`<div class="rows"><button class="button outline" @click=${this.zoom}>${say(lang, trace.kind === "poses" ? "zoomPose" : "zoom")}</button>
         <button class="button outline" @click=${() => download(new Blob([traceAsJson(session.planner, trace)], { type: "application/json" }), `${name}.json`)}>${say(lang, "export.json")}</button>
         ${trace.kind === "search" ? html`<button class="button outline" @click=${() => download(new Blob([traceForPosthoc(trace)], { type: "application/json" }), `${name}.trace.json`)}>${say(lang, "export.posthoc")}</button>` : nothing}</div>
       <p class="note">${say(lang, "size", { steps, moves, mb: this.num((steps * STEP_BYTES + moves * (trace.kind === "poses" ? MOVE_BYTES + POSE_BYTES : MOVE_BYTES)) / 1e6, 1) })}
