@@ -6,7 +6,7 @@ use super::heuristics::Estimate;
 use super::moves::{D, DIRECTIONS, LEGAL, Move, Neighbourhood, R2, cost};
 use super::query::Query;
 use crate::map::{Cell, Corner, Occupancy, line_of_sight};
-use crate::search::lattice::{Edge, EdgeSink, Lattice};
+use crate::search::lattice::{Edge, EdgeSink, Lattice, Reversible};
 #[cfg(feature = "complete")]
 use crate::search::{Considered, Legality, Part};
 use crate::search::{NodeId, PackedEntry};
@@ -179,20 +179,22 @@ impl<E: Estimate> Lattice for Grid<'_, E> {
         self.offer(node, last, false, sink);
     }
 
-    fn predecessors<S: EdgeSink>(&self, node: NodeId, last: Option<u32>, sink: &mut S) {
-        self.offer(node, last, true, sink);
-    }
-
-    fn after(&self, node: NodeId, number: u32) -> NodeId {
-        node.wrapping_add_signed(self.steps[number as usize].offset)
-    }
-
     fn before(&self, node: NodeId, number: u32) -> NodeId {
         node.wrapping_add_signed(-self.steps[number as usize].offset)
     }
 
     fn to_goal(&self, node: NodeId) -> i64 {
         self.ahead(self.map.cell(node), false)
+    }
+}
+
+impl<E: Estimate> Reversible for Grid<'_, E> {
+    fn predecessors<S: EdgeSink>(&self, node: NodeId, last: Option<u32>, sink: &mut S) {
+        self.offer(node, last, true, sink);
+    }
+
+    fn after(&self, node: NodeId, number: u32) -> NodeId {
+        node.wrapping_add_signed(self.steps[number as usize].offset)
     }
 
     fn to_start(&self, node: NodeId) -> i64 {

@@ -164,24 +164,12 @@ impl Lattice for Jumps<'_> {
         }
     }
 
-    fn predecessors<S: EdgeSink>(&self, _: NodeId, _: Option<u32>, _: &mut S) {
-        unreachable!("jumps lead forwards");
-    }
-
-    fn after(&self, node: NodeId, _: u32) -> NodeId {
-        node
-    }
-
     fn before(&self, node: NodeId, _: u32) -> NodeId {
         node
     }
 
     fn to_goal(&self, node: NodeId) -> i64 {
         self.ahead(self.query.map.cell(node))
-    }
-
-    fn to_start(&self, _: NodeId) -> i64 {
-        0
     }
 }
 

@@ -7,7 +7,7 @@ use super::moves::{D, DIRECTIONS, R2, cost};
 use super::query::Query;
 use crate::map::{Cell, Occupancy, Weights};
 use crate::search::NodeId;
-use crate::search::lattice::{Deferral, Edge, EdgeSink, Lattice};
+use crate::search::lattice::{Deferral, Deferring, Edge, EdgeSink, Lattice, Reversible};
 #[cfg(feature = "complete")]
 use crate::search::{Considered, Legality, Part};
 
@@ -101,7 +101,6 @@ impl<L: Lattice> Lattice for Weighted<'_, L> {
     type Entry = L::Entry;
 
     const JUMPS: bool = L::JUMPS;
-    const DEFERS: bool = L::DEFERS;
 
     fn node_count(&self) -> usize {
         self.lattice.node_count()
@@ -116,6 +115,23 @@ impl<L: Lattice> Lattice for Weighted<'_, L> {
         self.lattice.successors(node, None, &mut self.weighing(node, sink));
     }
 
+    fn before(&self, node: NodeId, number: u32) -> NodeId {
+        self.lattice.before(node, number)
+    }
+
+    /// Straight to the goal where nothing heavier is on the way: a way around may be cheaper otherwise.
+    fn direct(&self, node: NodeId) -> Option<i64> {
+        let weights = self.weights?;
+        let straight = |&cost: &i64| weighted_cost(weights, self.map.cell(node), self.goal) == cost;
+        self.lattice.direct(node).filter(straight)
+    }
+
+    fn to_goal(&self, node: NodeId) -> i64 {
+        self.lattice.to_goal(node)
+    }
+}
+
+impl<L: Reversible> Reversible for Weighted<'_, L> {
     fn predecessors<S: EdgeSink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
         self.lattice.predecessors(node, None, &mut self.weighing(node, sink));
     }
@@ -124,10 +140,12 @@ impl<L: Lattice> Lattice for Weighted<'_, L> {
         self.lattice.after(node, number)
     }
 
-    fn before(&self, node: NodeId, number: u32) -> NodeId {
-        self.lattice.before(node, number)
+    fn to_start(&self, node: NodeId) -> i64 {
+        self.lattice.to_start(node)
     }
+}
 
+impl<L: Deferring> Deferring for Weighted<'_, L> {
     fn deferred_successors<S: EdgeSink>(&self, node: NodeId, payload: u32, sink: &mut S) {
         self.lattice.deferred_successors(node, payload, &mut self.weighing(node, sink));
     }
@@ -142,21 +160,6 @@ impl<L: Lattice> Lattice for Weighted<'_, L> {
 
     fn deferral(&self) -> Deferral {
         self.lattice.deferral()
-    }
-
-    /// Straight to the goal where nothing heavier is on the way: a way around may be cheaper otherwise.
-    fn direct(&self, node: NodeId) -> Option<i64> {
-        let weights = self.weights?;
-        let straight = |&cost: &i64| weighted_cost(weights, self.map.cell(node), self.goal) == cost;
-        self.lattice.direct(node).filter(straight)
-    }
-
-    fn to_goal(&self, node: NodeId) -> i64 {
-        self.lattice.to_goal(node)
-    }
-
-    fn to_start(&self, node: NodeId) -> i64 {
-        self.lattice.to_start(node)
     }
 }
 

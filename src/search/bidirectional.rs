@@ -1,11 +1,11 @@
 //! Search from both ends at once, one node at a time in turns.
 //!
-//! The backward side follows *forward* costs against their direction ([`Lattice::predecessors`]), so costs may depend
+//! The backward side follows *forward* costs against their direction ([`Reversible::predecessors`]), so costs may depend
 //! on the direction of a move.
 
 use super::entry::Entry;
 use super::frontier::{PackedScratch, Record, Relaxing, cost_of, move_of};
-use super::lattice::{Found, Lattice};
+use super::lattice::{Found, Reversible};
 use super::{Budget, End, NodeId, Observer};
 
 /// When a search from both ends stops.
@@ -24,7 +24,7 @@ pub enum Stop {
 }
 
 /// Searches a path from `start` to `goal` from both ends. The estimates must be consistent.
-pub fn bidirectional<L: Lattice, O: Observer<i64, ()>>(
+pub fn bidirectional<L: Reversible, O: Observer<i64, ()>>(
     lattice: &L,
     (start, goal): (NodeId, NodeId),
     stop: Stop,
@@ -78,7 +78,7 @@ struct Search<'a, L, O> {
 }
 
 /// The side is a const generic, which avoids a branch per node.
-impl<L: Lattice, O: Observer<i64, ()>> Search<'_, L, O> {
+impl<L: Reversible, O: Observer<i64, ()>> Search<'_, L, O> {
     /// Takes up the side's next node. Tells whether to go on.
     #[inline]
     fn turn<const TURN: usize>(&mut self, memory: &mut PackedScratch<L::Entry>) -> bool {

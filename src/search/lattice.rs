@@ -4,7 +4,8 @@
 //! it carries no label and stores the number of the move that reached it instead of its parent, so that a large map
 //! stays in the caches. `bidirectional` runs the same search from both ends.
 //!
-//! A lattice may defer some of a node's moves ([`Lattice::DEFERS`]); [`Lattice::deferral`] says when they are tried.
+//! Two traits add what only some lattices can do: [`Reversible`] lattices are searched from both ends, [`Deferring`]
+//! ones keep some of a node's moves for later.
 
 use super::entry::Entry;
 use super::frontier::{COST, Frontier, MOVE, PackedScratch, ROOT, Record, Relaxing, cost_of, move_of};
@@ -18,8 +19,6 @@ pub trait Lattice {
 
     /// True if a move's number does not determine its origin, so that the search stores parents.
     const JUMPS: bool = false;
-    /// True if [`Lattice::deferred_successors`] emits moves.
-    const DEFERS: bool = false;
 
     /// Number of nodes.
     fn node_count(&self) -> usize;
@@ -33,35 +32,8 @@ pub trait Lattice {
     /// the previous node already offered at no higher cost may be left out.
     fn successors<S: EdgeSink>(&self, node: NodeId, last: Option<u32>, sink: &mut S);
 
-    /// Emits the legal moves into `node`: the move's number, its origin and its forward cost *from that origin*. `last`
-    /// is the move that leaves the node.
-    fn predecessors<S: EdgeSink>(&self, node: NodeId, last: Option<u32>, sink: &mut S);
-
-    /// The target of move `number` from `node`.
-    fn after(&self, node: NodeId, number: u32) -> NodeId;
-
-    /// The origin of move `number` into `node`.
+    /// The origin of move `number` into `node`. Not asked of a lattice that [`Lattice::JUMPS`].
     fn before(&self, node: NodeId, number: u32) -> NodeId;
-
-    /// Emits the moves that [`Lattice::successors`] deferred; `payload` is the node's [`Lattice::payload`].
-    fn deferred_successors<S: EdgeSink>(&self, node: NodeId, payload: u32, sink: &mut S) {
-        let _ = (node, payload, sink);
-    }
-
-    /// Emits the deferred moves directly after [`Lattice::successors`] of the same node, which improved nothing.
-    fn deferred_at_once<S: EdgeSink>(&self, node: NodeId, sink: &mut S) {
-        let _ = (node, sink);
-    }
-
-    /// Three-bit payload (0 to 7) stored with the deferred entry of the node that was expanded last.
-    fn payload(&self) -> u32 {
-        0
-    }
-
-    /// The rule that says when deferred moves are tried.
-    fn deferral(&self) -> Deferral {
-        Deferral::IfStuck
-    }
 
     /// Cost of a direct connection from `node`, which is not the goal, to the goal; `None` where there is none.
     fn direct(&self, node: NodeId) -> Option<i64> {
@@ -71,9 +43,34 @@ pub trait Lattice {
 
     /// A lower bound of the cost from the node to the goal.
     fn to_goal(&self, node: NodeId) -> i64;
+}
+
+/// A lattice that can be searched from the goal as well.
+pub trait Reversible: Lattice {
+    /// Emits the legal moves into `node`: the move's number, its origin and its forward cost *from that origin*. `last`
+    /// is the move that leaves the node.
+    fn predecessors<S: EdgeSink>(&self, node: NodeId, last: Option<u32>, sink: &mut S);
+
+    /// The target of move `number` from `node`.
+    fn after(&self, node: NodeId, number: u32) -> NodeId;
 
     /// A lower bound of the cost from the start to the node.
     fn to_start(&self, node: NodeId) -> i64;
+}
+
+/// A lattice that tries some of a node's moves later than the others, or never.
+pub trait Deferring: Lattice {
+    /// Emits the moves that [`Lattice::successors`] deferred; `payload` is the node's [`Deferring::payload`].
+    fn deferred_successors<S: EdgeSink>(&self, node: NodeId, payload: u32, sink: &mut S);
+
+    /// Emits the deferred moves directly after [`Lattice::successors`] of the same node, which improved nothing.
+    fn deferred_at_once<S: EdgeSink>(&self, node: NodeId, sink: &mut S);
+
+    /// Three-bit payload (0 to 7) stored with the deferred entry of the node that was expanded last.
+    fn payload(&self) -> u32;
+
+    /// The rule that says when deferred moves are tried.
+    fn deferral(&self) -> Deferral;
 }
 
 /// The rule that says when a node's deferred moves are tried.
@@ -158,8 +155,72 @@ pub struct Found {
     pub bytes: u64,
 }
 
-/// Searches a path from `start` to `goal`: the cheapest one if the estimate is consistent.
+/// Searches a path from the first node to the second: the cheapest one if the estimate is consistent.
 pub fn one_way<L: Lattice, O: Observer<i64, ()>>(
+    lattice: &L,
+    ends: (NodeId, NodeId),
+    max_expansions: u32,
+    memory: &mut PackedScratch<L::Entry>,
+    observer: &mut O,
+) -> Found {
+    search::<L, NoneDeferred, O>(lattice, ends, max_expansions, memory, observer)
+}
+
+/// [`one_way`] over a lattice that defers moves.
+pub fn one_way_deferring<L: Deferring, O: Observer<i64, ()>>(
+    lattice: &L,
+    ends: (NodeId, NodeId),
+    max_expansions: u32,
+    memory: &mut PackedScratch<L::Entry>,
+    observer: &mut O,
+) -> Found {
+    search::<L, SomeDeferred, O>(lattice, ends, max_expansions, memory, observer)
+}
+
+/// The part of a one-sided search that concerns deferred moves.
+trait DeferredMoves<L: Lattice> {
+    /// True if there are any.
+    const EXIST: bool;
+
+    /// Emits those of a node: the ones whose entry carries the payload, or at once.
+    fn emit<S: EdgeSink>(lattice: &L, node: NodeId, payload: Option<u32>, sink: &mut S);
+
+    /// When those of the node that was expanded last are tried, and their payload.
+    fn rule(lattice: &L) -> (Deferral, u32);
+}
+
+struct NoneDeferred;
+
+impl<L: Lattice> DeferredMoves<L> for NoneDeferred {
+    const EXIST: bool = false;
+
+    fn emit<S: EdgeSink>(_: &L, _: NodeId, _: Option<u32>, _: &mut S) {}
+
+    fn rule(_: &L) -> (Deferral, u32) {
+        (Deferral::Never, 0)
+    }
+}
+
+struct SomeDeferred;
+
+impl<L: Deferring> DeferredMoves<L> for SomeDeferred {
+    const EXIST: bool = true;
+
+    #[inline]
+    fn emit<S: EdgeSink>(lattice: &L, node: NodeId, payload: Option<u32>, sink: &mut S) {
+        match payload {
+            Some(payload) => lattice.deferred_successors(node, payload, sink),
+            None => lattice.deferred_at_once(node, sink),
+        }
+    }
+
+    #[inline]
+    fn rule(lattice: &L) -> (Deferral, u32) {
+        (lattice.deferral(), lattice.payload())
+    }
+}
+
+fn search<L: Lattice, M: DeferredMoves<L>, O: Observer<i64, ()>>(
     lattice: &L,
     (start, goal): (NodeId, NodeId),
     max_expansions: u32,
@@ -169,11 +230,11 @@ pub fn one_way<L: Lattice, O: Observer<i64, ()>>(
     let h = lattice.to_goal(start);
     memory.begin::<L, 1>(lattice);
     // Inadmissible estimates let f decrease below the root's.
-    memory.root::<1>(0, start, (h, h), if L::DEFERS { 0 } else { h });
+    memory.root::<1>(0, start, (h, h), if M::EXIST { 0 } else { h });
     let mut found = Found::nothing(start);
     let mut nearest = h;
     let mut budget = Budget::new(max_expansions, observer);
-    while let Some((entry, record)) = memory.pop::<1>(0, L::DEFERS) {
+    while let Some((entry, record)) = memory.pop::<1>(0, M::EXIST) {
         if budget.is_spent(found.expanded, observer) {
             found.end = End::BudgetSpent;
             break;
@@ -181,13 +242,10 @@ pub fn one_way<L: Lattice, O: Observer<i64, ()>>(
         let (node, h, g) = (entry.node(), entry.h(), cost_of(record));
         found.expanded += 1;
         observer.expanded(node, (), g);
-        if L::DEFERS && entry.is_deferred() {
+        if M::EXIST && entry.is_deferred() {
             found.deferred += 1;
-            lattice.deferred_successors(
-                node,
-                entry.payload(),
-                &mut only(lattice, memory, observer, (node, record)),
-            );
+            let sink = &mut only(lattice, memory, observer, (node, record));
+            M::emit(lattice, node, Some(entry.payload()), sink);
             continue;
         }
         memory.close::<1>(0, node, record);
@@ -208,17 +266,15 @@ pub fn one_way<L: Lattice, O: Observer<i64, ()>>(
         }
         let pushes = memory.sides[0].open.pushes();
         lattice.successors(node, move_of(record), &mut only(lattice, memory, observer, (node, record)));
-        if L::DEFERS {
-            let open = &mut memory.sides[0].open;
-            match (lattice.deferral(), open.pushes() > pushes) {
-                (Deferral::Never, _) | (Deferral::IfStuck, true) => {}
-                (_, false) => {
-                    found.deferred += 1;
-                    lattice.deferred_at_once(node, &mut only(lattice, memory, observer, (node, record)));
-                }
-                (Deferral::Penalty(penalty), true) => {
-                    open.push(g + h + penalty, h, L::Entry::deferred(node, lattice.payload()));
-                }
+        let open = &mut memory.sides[0].open;
+        match (M::rule(lattice), open.pushes() > pushes) {
+            ((Deferral::Never, _), _) | ((Deferral::IfStuck, _), true) => {}
+            (_, false) => {
+                found.deferred += 1;
+                M::emit(lattice, node, None, &mut only(lattice, memory, observer, (node, record)));
+            }
+            ((Deferral::Penalty(penalty), payload), true) => {
+                open.push(g + h + penalty, h, L::Entry::deferred(node, payload));
             }
         }
     }

@@ -72,7 +72,7 @@ pub use node_table::Scratch;
 pub use observer::{Observer, Progress, ProgressCallback, Trace, Watch};
 pub use open_list::Order;
 #[cfg(feature = "complete")]
-pub use recorded::{Considered, Legality, Part, record_one_way};
+pub use recorded::{Considered, Legality, Part, record_deferring, record_one_way};
 #[cfg(feature = "complete")]
 pub use recorded_both::record_bidirectional;
 #[cfg(feature = "complete")]

@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BinaryHeap};
 
 use super::NodeId;
 use super::frontier::ROOT;
-use super::lattice::{Deferral, Edge, EdgeSink, Lattice};
+use super::lattice::{Deferral, Deferring, Edge, EdgeSink, Lattice, Reversible};
 use super::recording::{Fate, MICRO, Recording, StepKind};
 
 /// Whether a move that is considered can be made.
@@ -50,8 +50,6 @@ pub trait Considered: Lattice {
 /// A lattice as the recorder asks it: behind a pointer, so that the searches are compiled once.
 pub(super) trait Asked {
     fn successors(&self, node: NodeId, last: Option<u32>, sink: &mut Sink);
-    fn predecessors(&self, node: NodeId, last: Option<u32>, sink: &mut Sink);
-    fn deferred(&self, node: NodeId, payload: Option<u32>, sink: &mut Sink);
     fn consider(
         &self,
         node: NodeId,
@@ -59,28 +57,26 @@ pub(super) trait Asked {
         part: Part,
         tell: &mut dyn FnMut(NodeId, i64, Legality),
     );
-    /// The rule for deferred moves; `None` without such moves.
-    fn deferral(&self) -> Option<Deferral>;
-    fn payload(&self) -> u32;
     fn direct(&self, node: NodeId) -> Option<i64>;
     fn to_goal(&self, node: NodeId) -> i64;
+}
+
+/// The same of a [`Reversible`] lattice.
+pub(super) trait AskedBothWays: Asked {
+    fn predecessors(&self, node: NodeId, last: Option<u32>, sink: &mut Sink);
     fn to_start(&self, node: NodeId) -> i64;
+}
+
+/// The deferred moves of a [`Deferring`] lattice.
+trait AskedLater {
+    fn deferred(&self, node: NodeId, payload: Option<u32>, sink: &mut Sink);
+    fn deferral(&self) -> Deferral;
+    fn payload(&self) -> u32;
 }
 
 impl<L: Considered> Asked for L {
     fn successors(&self, node: NodeId, last: Option<u32>, sink: &mut Sink) {
         Lattice::successors(self, node, last, sink);
-    }
-
-    fn predecessors(&self, node: NodeId, last: Option<u32>, sink: &mut Sink) {
-        Lattice::predecessors(self, node, last, sink);
-    }
-
-    fn deferred(&self, node: NodeId, payload: Option<u32>, sink: &mut Sink) {
-        match payload {
-            Some(payload) => self.deferred_successors(node, payload, sink),
-            None => self.deferred_at_once(node, sink),
-        }
     }
 
     fn consider(
@@ -93,14 +89,6 @@ impl<L: Considered> Asked for L {
         Considered::consider(self, node, last, part, tell);
     }
 
-    fn deferral(&self) -> Option<Deferral> {
-        L::DEFERS.then(|| Lattice::deferral(self))
-    }
-
-    fn payload(&self) -> u32 {
-        Lattice::payload(self)
-    }
-
     fn direct(&self, node: NodeId) -> Option<i64> {
         Lattice::direct(self, node)
     }
@@ -108,9 +96,32 @@ impl<L: Considered> Asked for L {
     fn to_goal(&self, node: NodeId) -> i64 {
         Lattice::to_goal(self, node)
     }
+}
+
+impl<L: Considered + Reversible> AskedBothWays for L {
+    fn predecessors(&self, node: NodeId, last: Option<u32>, sink: &mut Sink) {
+        Reversible::predecessors(self, node, last, sink);
+    }
 
     fn to_start(&self, node: NodeId) -> i64 {
-        Lattice::to_start(self, node)
+        Reversible::to_start(self, node)
+    }
+}
+
+impl<L: Deferring> AskedLater for L {
+    fn deferred(&self, node: NodeId, payload: Option<u32>, sink: &mut Sink) {
+        match payload {
+            Some(payload) => self.deferred_successors(node, payload, sink),
+            None => self.deferred_at_once(node, sink),
+        }
+    }
+
+    fn deferral(&self) -> Deferral {
+        Deferring::deferral(self)
+    }
+
+    fn payload(&self) -> u32 {
+        Deferring::payload(self)
     }
 }
 
@@ -285,18 +296,29 @@ pub fn record_one_way<L: Considered>(
     max_expansions: u32,
     limit: usize,
 ) -> Recording {
-    one_way(lattice, ends, max_expansions, limit)
+    one_way(lattice, None, ends, max_expansions, limit)
+}
+
+/// [`one_way_deferring`](super::lattice::one_way_deferring), of which at most `limit` steps are written down.
+pub fn record_deferring<L: Considered + Deferring>(
+    lattice: &L,
+    ends: (NodeId, NodeId),
+    max_expansions: u32,
+    limit: usize,
+) -> Recording {
+    one_way(lattice, Some(lattice), ends, max_expansions, limit)
 }
 
 fn one_way(
     lattice: &dyn Asked,
+    later: Option<&dyn AskedLater>,
     (start, goal): (NodeId, NodeId),
     max_expansions: u32,
     limit: usize,
 ) -> Recording {
     let mut side = Side::root(start, lattice.to_goal(start));
     let mut out = Recording::default();
-    if let Some(Deferral::Penalty(penalty)) = lattice.deferral() {
+    if let Some(Deferral::Penalty(penalty)) = later.map(AskedLater::deferral) {
         out.penalty = penalty as f64;
     }
     while let Some(entry) = side.pop() {
@@ -315,7 +337,9 @@ fn one_way(
         if let Some(payload) = entry.payload {
             out.step(StepKind::Deferred, 0, node, numbers);
             let sink = &mut Sink { side: &mut side, other: None, best: None, recording: &mut out, g };
-            lattice.deferred(node, Some(payload), sink);
+            if let Some(later) = later {
+                later.deferred(node, Some(payload), sink);
+            }
             refuse(lattice, (node, known, Part::Deferred), &side, &mut out, false);
             continue;
         }
@@ -335,8 +359,8 @@ fn one_way(
         lattice.successors(node, known.number, sink);
         let has_improved = side.pushes > pushes;
         refuse(lattice, (node, known, Part::Forward), &side, &mut out, false);
-        if let Some(deferral) = lattice.deferral() {
-            defer((lattice, deferral), (node, known, h), has_improved, &mut side, &mut out);
+        if let Some(later) = later {
+            defer((lattice, later), (node, known, h), has_improved, &mut side, &mut out);
         }
     }
     count(out, &[side])
@@ -344,20 +368,20 @@ fn one_way(
 
 /// Tries the deferred moves of a node at once, or has it wait for them.
 fn defer(
-    (lattice, deferral): (&dyn Asked, Deferral),
+    (lattice, later): (&dyn Asked, &dyn AskedLater),
     (node, known, h): (NodeId, Known, i64),
     has_improved: bool,
     side: &mut Side,
     out: &mut Recording,
 ) {
-    let g = known.g;
+    let (g, deferral) = (known.g, later.deferral());
     let at_once = !has_improved && deferral != Deferral::Never;
     if at_once {
-        lattice.deferred(node, None, &mut Sink { side, other: None, best: None, recording: out, g });
+        later.deferred(node, None, &mut Sink { side, other: None, best: None, recording: out, g });
     }
     refuse(lattice, (node, known, Part::Deferred), side, out, !at_once);
     if let (Deferral::Penalty(penalty), true) = (deferral, has_improved) {
-        side.push(g + h + penalty, h, node, Some(lattice.payload()));
+        side.push(g + h + penalty, h, node, Some(later.payload()));
         out.offer(node, Fate::Requeued as u8, g as f64, h as f64);
     }
 }

@@ -2,11 +2,12 @@
 
 use super::NodeId;
 use super::bidirectional::Stop;
-use super::recorded::{Asked, Considered, Known, Part, Side, Sink, count, refuse};
+use super::lattice::Reversible;
+use super::recorded::{AskedBothWays, Considered, Known, Part, Side, Sink, count, refuse};
 use super::recording::{Recording, StepKind};
 
 /// [`bidirectional`](super::bidirectional()), of which at most `limit` steps are written down.
-pub fn record_bidirectional<L: Considered>(
+pub fn record_bidirectional<L: Considered + Reversible>(
     lattice: &L,
     ends: (NodeId, NodeId),
     stop: Stop,
@@ -17,7 +18,7 @@ pub fn record_bidirectional<L: Considered>(
 }
 
 fn both_ways(
-    lattice: &dyn Asked,
+    lattice: &dyn AskedBothWays,
     (start, goal): (NodeId, NodeId),
     stop: Stop,
     max_expansions: u32,
@@ -40,7 +41,7 @@ fn both_ways(
 }
 
 struct TwoSides<'a> {
-    lattice: &'a dyn Asked,
+    lattice: &'a dyn AskedBothWays,
     stop: Stop,
     most: u32,
     limit: usize,

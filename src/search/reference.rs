@@ -6,7 +6,7 @@ use std::marker::PhantomData;
 
 use super::bidirectional::{Stop, bidirectional};
 use super::entry::{Entry, PackedEntry, WideEntry};
-use super::lattice::{Edge, EdgeSink, Found, Lattice, one_way};
+use super::lattice::{Edge, EdgeSink, Found, Lattice, Reversible, one_way};
 use super::{End, NodeId, PackedScratch};
 
 const SIDE: u32 = 12;
@@ -97,12 +97,6 @@ impl<E: Entry> Lattice for Directed<E> {
     fn successors<S: EdgeSink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
         self.offer(0, node, sink);
     }
-    fn predecessors<S: EdgeSink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
-        self.offer(1, node, sink);
-    }
-    fn after(&self, node: NodeId, number: u32) -> NodeId {
-        Self::neighbour(node, number)
-    }
     fn before(&self, node: NodeId, number: u32) -> NodeId {
         Self::neighbour(node, (number + 2) % 4)
     }
@@ -111,6 +105,15 @@ impl<E: Entry> Lattice for Directed<E> {
     }
     fn to_goal(&self, node: NodeId) -> i64 {
         self.estimate(0, node)
+    }
+}
+
+impl<E: Entry> Reversible for Directed<E> {
+    fn predecessors<S: EdgeSink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
+        self.offer(1, node, sink);
+    }
+    fn after(&self, node: NodeId, number: u32) -> NodeId {
+        Self::neighbour(node, number)
     }
     fn to_start(&self, node: NodeId) -> i64 {
         self.estimate(1, node)

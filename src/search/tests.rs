@@ -1,6 +1,8 @@
 //! Searches along a line of nodes, down to the last counter; a bidirectional one on random graphs, against Dijkstra's.
 
-use super::lattice::{Deferral, Edge, EdgeSink, Found, Lattice, one_way};
+use super::lattice::{
+    Deferral, Deferring, Edge, EdgeSink, Found, Lattice, Reversible, one_way, one_way_deferring,
+};
 use super::{
     Domain, End, Finish, Join, Limits, NodeId, Observer, PackedScratch, Relax, Scratch, Stop, Summary, Tree,
     Trees, Visit, WideEntry, bidirectional, bidirectional_best_first,
@@ -28,15 +30,20 @@ impl<const JUMPS: bool, const HOLDS: bool> Line<JUMPS, HOLDS> {
         }
     }
 
+    fn down<S: EdgeSink>(&self, node: NodeId, sink: &mut S) {
+        let down = node.wrapping_sub(1);
+        Self::offer(down, 1, self.to_goal(down), sink);
+    }
+
     fn one_way(&self, expansions: u32) -> Found {
-        one_way(self, self.ends, expansions, &mut PackedScratch::default(), &mut ())
+        let search = if HOLDS { one_way_deferring } else { one_way };
+        search(self, self.ends, expansions, &mut PackedScratch::default(), &mut ())
     }
 }
 
 impl<const JUMPS: bool, const HOLDS: bool> Lattice for Line<JUMPS, HOLDS> {
     type Entry = WideEntry;
     const JUMPS: bool = JUMPS;
-    const DEFERS: bool = HOLDS;
 
     fn node_count(&self) -> usize {
         NODES as usize
@@ -47,20 +54,28 @@ impl<const JUMPS: bool, const HOLDS: bool> Lattice for Line<JUMPS, HOLDS> {
     fn successors<S: EdgeSink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
         Self::offer(node + 1, 0, self.to_goal(node + 1), sink);
         if !HOLDS {
-            self.deferred_at_once(node, sink);
+            self.down(node, sink);
         }
     }
-    fn predecessors<S: EdgeSink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
-        Self::offer(node.wrapping_sub(1), 0, self.to_start(node.wrapping_sub(1)), sink);
-        Self::offer(node + 1, 1, self.to_start(node + 1), sink);
+    fn direct(&self, node: NodeId) -> Option<i64> {
+        self.direct.filter(|direct| direct.0 == node).map(|direct| direct.1)
     }
+    fn before(&self, node: NodeId, number: u32) -> NodeId {
+        assert!(!JUMPS, "where moves do not tell, parents do");
+        [node.wrapping_sub(1), node + 1][number as usize]
+    }
+    fn to_goal(&self, node: NodeId) -> i64 {
+        i64::from(node.abs_diff(self.ends.1))
+    }
+}
+
+impl<const JUMPS: bool, const HOLDS: bool> Deferring for Line<JUMPS, HOLDS> {
     fn deferred_successors<S: EdgeSink>(&self, node: NodeId, payload: u32, sink: &mut S) {
         assert_eq!(payload, PAYLOAD);
-        self.deferred_at_once(node, sink);
+        self.down(node, sink);
     }
     fn deferred_at_once<S: EdgeSink>(&self, node: NodeId, sink: &mut S) {
-        let down = node.wrapping_sub(1);
-        Self::offer(down, 1, self.to_goal(down), sink);
+        self.down(node, sink);
     }
     fn payload(&self) -> u32 {
         PAYLOAD
@@ -68,18 +83,15 @@ impl<const JUMPS: bool, const HOLDS: bool> Lattice for Line<JUMPS, HOLDS> {
     fn deferral(&self) -> Deferral {
         self.deferral
     }
-    fn direct(&self, node: NodeId) -> Option<i64> {
-        self.direct.filter(|direct| direct.0 == node).map(|direct| direct.1)
+}
+
+impl<const JUMPS: bool, const HOLDS: bool> Reversible for Line<JUMPS, HOLDS> {
+    fn predecessors<S: EdgeSink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
+        Self::offer(node.wrapping_sub(1), 0, self.to_start(node.wrapping_sub(1)), sink);
+        Self::offer(node + 1, 1, self.to_start(node + 1), sink);
     }
     fn after(&self, node: NodeId, number: u32) -> NodeId {
-        assert!(!JUMPS, "where moves do not tell, parents do");
-        [node + 1, node.wrapping_sub(1)][number as usize]
-    }
-    fn before(&self, node: NodeId, number: u32) -> NodeId {
-        self.after(node, 1 - number)
-    }
-    fn to_goal(&self, node: NodeId) -> i64 {
-        i64::from(node.abs_diff(self.ends.1))
+        self.before(node, 1 - number)
     }
     fn to_start(&self, node: NodeId) -> i64 {
         i64::from(node.abs_diff(self.ends.0))

@@ -11,7 +11,7 @@ use crate::planners::grid_lattice::legality;
 use crate::planners::heuristics::DistanceWeight;
 use crate::planners::moves::{D, DIRECTIONS, LEGAL, R2, cost};
 use crate::planners::query::Query;
-use crate::search::lattice::{Deferral, Edge, EdgeSink, Lattice};
+use crate::search::lattice::{Deferral, Deferring, Edge, EdgeSink, Lattice};
 #[cfg(feature = "complete")]
 use crate::search::{Considered, Legality, Part};
 use crate::search::{NodeId, WideEntry};
@@ -168,8 +168,6 @@ impl RiskGrid<'_> {
 impl Lattice for RiskGrid<'_> {
     type Entry = WideEntry;
 
-    const DEFERS: bool = true;
-
     fn node_count(&self) -> usize {
         self.query.map.len()
     }
@@ -205,10 +203,27 @@ impl Lattice for RiskGrid<'_> {
         }
     }
 
-    fn predecessors<S: EdgeSink>(&self, _: NodeId, _: Option<u32>, _: &mut S) {
-        unreachable!("the field leads forwards");
+    /// The goal where it is in sight.
+    fn direct(&self, node: NodeId) -> Option<i64> {
+        if !self.goal_shot {
+            return None;
+        }
+        self.count_los(1);
+        let at = self.query.map.cell(node);
+        let (dx, dy) = self.toward_goal(at);
+        line_of_sight(self.query.map, at, self.query.goal, self.corner).then(|| cost(dx, dy))
     }
 
+    fn before(&self, node: NodeId, number: u32) -> NodeId {
+        node.wrapping_add_signed(-(number as i32 / 8 + 1) * self.offsets[number as usize % 8])
+    }
+
+    fn to_goal(&self, node: NodeId) -> i64 {
+        self.ahead(self.query.map.cell(node))
+    }
+}
+
+impl Deferring for RiskGrid<'_> {
     /// The central direction: the force at a cell is not computed twice.
     fn payload(&self) -> u32 {
         self.center.get() as u32
@@ -229,33 +244,6 @@ impl Lattice for RiskGrid<'_> {
 
     fn deferral(&self) -> Deferral {
         self.deferral
-    }
-
-    /// The goal where it is in sight.
-    fn direct(&self, node: NodeId) -> Option<i64> {
-        if !self.goal_shot {
-            return None;
-        }
-        self.count_los(1);
-        let at = self.query.map.cell(node);
-        let (dx, dy) = self.toward_goal(at);
-        line_of_sight(self.query.map, at, self.query.goal, self.corner).then(|| cost(dx, dy))
-    }
-
-    fn after(&self, node: NodeId, number: u32) -> NodeId {
-        node.wrapping_add_signed((number as i32 / 8 + 1) * self.offsets[number as usize % 8])
-    }
-
-    fn before(&self, node: NodeId, number: u32) -> NodeId {
-        node.wrapping_add_signed(-(number as i32 / 8 + 1) * self.offsets[number as usize % 8])
-    }
-
-    fn to_goal(&self, node: NodeId) -> i64 {
-        self.ahead(self.query.map.cell(node))
-    }
-
-    fn to_start(&self, _: NodeId) -> i64 {
-        0
     }
 }
 

@@ -21,10 +21,10 @@ use super::weighted::Weighted;
 use crate::json;
 use crate::map::Corner;
 use crate::map::risk::{Attraction, FieldSettings, ObstacleSet, PotentialField};
-use crate::search::lattice::{Deferral, one_way};
+use crate::search::lattice::{Deferral, one_way_deferring};
 use crate::search::{Observer, Watch};
 #[cfg(feature = "complete")]
-use crate::search::{Recording, record_one_way};
+use crate::search::{Recording, record_deferring};
 
 #[cfg(feature = "complete")]
 pub use explain::{Candidate, Explanation, explain};
@@ -209,10 +209,10 @@ pub fn plan<O: Observer<i64, ()>>(
     let most = config.common.max_expansions;
     let mut report = if query.map.weights().is_some() {
         let grid = Weighted::new(grid, &query);
-        let found = one_way(&grid, query.ends(), most, &mut scratch.risk, observer);
+        let found = one_way_deferring(&grid, query.ends(), most, &mut scratch.risk, observer);
         GridReport::along(&query, &found, grid.lattice.los_calls())
     } else {
-        let found = one_way(&grid, query.ends(), most, &mut scratch.risk, observer);
+        let found = one_way_deferring(&grid, query.ends(), most, &mut scratch.risk, observer);
         GridReport::along(&query, &found, grid.los_calls())
     };
     let incomplete = matches!(config.fallback, Fallback::StuckOnly | Fallback::None);
@@ -233,9 +233,9 @@ pub fn record(query: Query, config: &Config, limit: usize) -> Recording {
     let grid = domain::RiskGrid::new(query, config, weight, config.deferral());
     let (ends, most) = (query.ends(), config.common.max_expansions);
     if query.map.weights().is_some() {
-        return record_one_way(&Weighted::new(grid, &query), ends, most, limit);
+        return record_deferring(&Weighted::new(grid, &query), ends, most, limit);
     }
-    record_one_way(&grid, ends, most, limit)
+    record_deferring(&grid, ends, most, limit)
 }
 
 /// True if ordinary steps lead from start to goal.
