@@ -27,8 +27,8 @@ test("damaged links and stored states: nothing is thrown, no frame is held, and 
   const complaints = complaintsOf(page);
   await page.goto("./");
   await ready(page);
-  expect((await damagedLinks(page, random(SEED), 100, false)).lost).toEqual([]);
-  expect((await damagedLinks(page, random(SEED + 1), 100, true)).lost).toEqual([]);
+  expect((await damagedLinks(page, random(SEED), 60, false)).lost).toEqual([]);
+  expect((await damagedLinks(page, random(SEED + 1), 60, true)).lost).toEqual([]);
   expect((await damagedStores(page, random(SEED + 2), 8)).lost).toEqual([]);
   expect(complaints).toEqual([]);
 });
@@ -45,14 +45,14 @@ for (const [name, address] of [
   ["the page", "./"],
   ["a frame", `/host/frame.html?hash=${encodeURIComponent("layout=grid&controls=full&editable")}`],
 ] as const) {
-  test(`200 random clicks, keys and touches on ${name}: nothing is said on the console, no text reads NaN, and it plans afterwards`, async ({
+  test(`120 random clicks, keys and touches on ${name}: nothing is said on the console, no text reads NaN, and it plans afterwards`, async ({
     page,
   }) => {
     await page.goto(address);
     await page.waitForTimeout(1500);
     const found = await monkey(page, random(SEED), {
       frame: () => page.frames().at(-1),
-      enough: (actions: number) => actions >= 200,
+      enough: (actions: number) => actions >= 120,
     });
     expect(found.complaints).toEqual([]);
     expect(found.usable).toBe(true);
@@ -62,7 +62,7 @@ for (const [name, address] of [
 test.describe("on a phone", () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
-  test("200 random touches: nothing is said on the console, no text reads NaN, and the page plans afterwards", async ({
+  test("120 random touches: nothing is said on the console, no text reads NaN, and the page plans afterwards", async ({
     page,
   }) => {
     await page.goto("./");
@@ -70,7 +70,7 @@ test.describe("on a phone", () => {
     const found = await monkey(page, random(SEED), {
       frame: () => page.frames().at(-1),
       touch: true,
-      enough: (actions: number) => actions >= 200,
+      enough: (actions: number) => actions >= 120,
     });
     expect(found.complaints).toEqual([]);
     expect(found.usable).toBe(true);

@@ -1,5 +1,5 @@
 import type { Page } from "@playwright/test";
-import type { Scenario } from "parkade";
+import type { Obstacle, Scenario } from "parkade";
 import { look, onScreen, open, sceneOf, settled, type PlaygroundElement } from "./playground.js";
 
 export type Spot = [x: number, y: number];
@@ -104,3 +104,28 @@ export async function fingers(
 export async function fingerprint(page: Page): Promise<string> {
   return JSON.stringify(await sceneOf(page));
 }
+
+/** The painted cells of a scene, as "x,y". */
+export const cells = (scene: Scenario): Set<string> =>
+  new Set(
+    (scene.obstacles ?? []).flatMap((one) =>
+      one.type === "cells" ? one.runs.flatMap(([x, y, n]) => Array.from({ length: n }, (_, i) => `${x + i},${y}`)) : [],
+    ),
+  );
+export const kinds = (scene: Scenario): string[] => (scene.obstacles ?? []).map((one) => one.type);
+/** The first obstacle of a type, which must be there. */
+export const only = <Type extends Obstacle["type"]>(scene: Scenario, type: Type): Extract<Obstacle, { type: Type }> =>
+  scene.obstacles!.find((one): one is Extract<Obstacle, { type: Type }> => one.type === type)!;
+/** What is selected on the page. */
+export const selection = (page: Page): Promise<unknown> =>
+  page.evaluate(
+    () =>
+      (
+        document.querySelector<PlaygroundElement>("parkade-playground")!.store.state as unknown as {
+          selection: unknown;
+        }
+      ).selection,
+  );
+
+/** An obstacle to edit. */
+export const BOX: Obstacle = { type: "rectangle", id: "box", center: [20, 15], size: [2, 2], heading: 0 };
