@@ -33,6 +33,11 @@ enum Needs {
 /// In the order in which they run.
 const SUITES: &[Suite] = &[
     suite("build", Needs::Sources, || check(site::assemble())),
+    suite("sizes", Needs::Build, || check(site::check_sizes())),
+    suite("types, page", Needs::Build, || type_check("www")),
+    suite("types, package and tests", Needs::Build, || type_check("tests")),
+    suite("documentation", Needs::Build, || check(docs::generate())),
+    suite("JavaScript", Needs::Build, vitest),
     suite("format", Needs::Sources, || cargo_check(&["fmt", "--all", "--check"])),
     suite("lint, native", Needs::Sources, || lint(&["--all-targets"])),
     suite("lint, tool", Needs::Sources, || lint(&[TOOL, &["--all-targets"]].concat())),
@@ -49,18 +54,37 @@ const SUITES: &[Suite] = &[
     suite("Rust, native", Needs::Sources, || rust_tests(&[])),
     suite("Rust, tool", Needs::Sources, || rust_tests(TOOL)),
     suite("Rust, random input", Needs::Sources, || rust_tests(FUZZ)),
-    suite("sizes", Needs::Build, || check(site::check_sizes())),
-    suite("types, page", Needs::Build, || type_check("www")),
-    suite("types, package and tests", Needs::Build, || type_check("tests")),
-    suite("documentation", Needs::Build, || check(docs::generate())),
-    suite("JavaScript", Needs::Build, vitest),
     suite("page in a browser", Needs::Build, playwright),
     suite("Rust, wasm in Node", Needs::Sources, || rust_tests(&["--target", WASM_TARGET, "--tests"])),
     suite("Python", Needs::Build, wheel),
 ];
-/// The suite that leaves half a machine idle, and those that run beside it when all are run. They give way to it: a
-/// browser that waits fails its tests.
-const WITH_COMPANY: (&str, &[&str]) = ("page in a browser", &["Rust, wasm in Node", "Python"]);
+/// Suites that leave half a machine idle, one after the other, and those that run beside them when all are run.
+struct Shared {
+    hosts: &'static [&'static str],
+    /// They give way to the hosts: a browser that waits fails its tests.
+    guests: &'static [&'static str],
+}
+
+const SHARED: &[Shared] = &[
+    Shared {
+        hosts: &["documentation", "JavaScript"],
+        guests: &[
+            "format",
+            "lint, native",
+            "lint, tool",
+            "lint, fuzz",
+            "lint, wasm",
+            "lint, core",
+            "lint, wheel",
+            "lint, documentation",
+            "format and lint, JavaScript",
+            "Rust, native",
+            "Rust, tool",
+            "Rust, random input",
+        ],
+    },
+    Shared { hosts: &["page in a browser"], guests: &["Rust, wasm in Node", "Python"] },
+];
 /// Before the file that a run beside another leaves its results in.
 const REPORT: &str = "--report";
 
@@ -103,32 +127,37 @@ pub(crate) fn test(arguments: &[String]) -> Result<()> {
 }
 
 fn run_all() -> Vec<Outcome> {
-    let (host, guests) = WITH_COMPANY;
     let mut built = false;
     let mut outcomes = Vec::new();
+    let mut company = None;
     for suite in SUITES {
-        if built && guests.contains(&suite.name) {
+        if built && SHARED.iter().any(|shared| shared.guests.contains(&suite.name)) {
             continue;
         }
         if suite.needs == Needs::Build && !built {
             outcomes.push(Outcome::of(suite.name, || bail!("not run: the build failed")));
             continue;
         }
-        let company = (suite.name == host).then(|| Company::start(guests));
+        let shared = SHARED.iter().find(|shared| shared.hosts.contains(&suite.name));
+        if let Some(shared) = shared.filter(|shared| shared.hosts.first() == Some(&suite.name)) {
+            company = Some(Company::start(shared.guests));
+        }
         let outcome = Outcome::of(suite.name, suite.run);
         built |= suite.name == "build" && outcome.counts.failed == 0;
         outcomes.push(outcome);
-        if let Some(company) = company {
+        if let Some(shared) = shared.filter(|shared| shared.hosts.last() == Some(&suite.name))
+            && let Some(company) = company.take()
+        {
             outcomes.extend(company.and_then(Company::results).unwrap_or_else(|error| {
                 let lost = |name: &&'static str| Outcome::of(name, || bail!("not run: {error:#}"));
-                guests.iter().map(lost).collect()
+                shared.guests.iter().map(lost).collect()
             }));
         }
     }
     outcomes
 }
 
-/// Suites that run beside another one, in a process of lower priority; what they print is shown when they have ended.
+/// Suites that run beside others, in a process of lower priority; what they print is shown when they have ended.
 struct Company {
     process: Child,
     log: PathBuf,
@@ -152,7 +181,7 @@ impl Company {
             command(program)
         };
         start.args(["test", REPORT]).arg(&report).args(suites);
-        println!("\n=== beside the next suite: {}", suites.join(", "));
+        println!("\n=== beside what follows: {}", suites.join(", "));
         let process = start.stdin(Stdio::null()).stderr(output.try_clone()?).stdout(output).spawn()?;
         Ok(Self { process, log, report })
     }
@@ -286,10 +315,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn suites_in_company_exist_and_need_no_other_one_in_between() {
-        let (host, guests) = WITH_COMPANY;
+    fn suites_in_company_come_after_their_hosts_and_before_the_next() {
         let place = |name: &str| SUITES.iter().position(|suite| suite.name == name).unwrap();
-        assert!(guests.iter().all(|guest| place(guest) > place(host)));
         assert_eq!(place("build"), 0);
+        for Shared { hosts, guests } in SHARED {
+            let first = place(hosts[0]);
+            let all = hosts.iter().chain(*guests).enumerate();
+            all.for_each(|(i, name)| assert_eq!(place(name), first + i, "{name}"));
+        }
     }
 }
