@@ -5,9 +5,8 @@
 //! a run the car stands still.
 
 use crate::error::{Error, ErrorCode};
-use crate::geometry::arcs::Arc;
+use crate::geometry::arcs::{self, Arc};
 use crate::geometry::{Pose, math};
-use crate::planners::cost_map::limit_at;
 use crate::scenario::SpeedLimit;
 use crate::vehicle::Vehicle;
 
@@ -96,8 +95,7 @@ impl Route {
                 }
                 continue;
             }
-            let half = turn / 2.0;
-            let length = if half.abs() < 1e-6 { chord } else { chord * half / math::sin(half) };
+            let length = arcs::length_over(chord, turn);
             let curvature = match curvatures.and_then(|k| k.get(i)) {
                 Some(k) if k.is_finite() => *k,
                 _ => turn / length * gear,
@@ -121,7 +119,7 @@ impl Route {
         let steps = if areas.is_empty() { 0 } else { (self.length / SCAN).ceil() as u32 };
         for k in 0..steps {
             let (from, to) = (SCAN * f64::from(k), (SCAN * f64::from(k + 1)).min(self.length));
-            let ends = [from, to].map(|station| limit_at(areas, self.pose(station).point()));
+            let ends = [from, to].map(|station| SpeedLimit::lowest_at(areas, self.pose(station).point()));
             let speed = ends[0].min(ends[1]);
             match self.slow.last_mut() {
                 Some(last) if last.1 == from && last.2 == speed => last.1 = to,

@@ -4,7 +4,7 @@
 //! of its rear axle. So a list of arcs, a start pose and nothing else describe a path that a car can drive, apart
 //! from the moments at which the wheel turns. Poses along an arc are integrated exactly, not in steps.
 
-use super::Pose;
+use super::{Pose, math};
 
 /// An arc of constant curvature, or a straight line.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,6 +26,12 @@ pub struct Waypoint {
     pub gear: i8,
     /// Distance driven so far, metres.
     pub station: f64,
+}
+
+/// Length of the arc over a chord on which the heading turns by `turn` radians; metres, as the chord.
+pub(crate) fn length_over(chord: f64, turn: f64) -> f64 {
+    let half = turn / 2.0;
+    if half.abs() < 1e-6 { chord } else { chord * half / math::sin(half) }
 }
 
 /// Curvatures closer than this are one curvature, 1/m.

@@ -13,6 +13,7 @@ pub mod arcs;
 #[cfg(feature = "complete")]
 pub mod bspline;
 pub mod math;
+pub(crate) mod polygon;
 mod pose;
 pub mod reeds_shepp;
 #[cfg(feature = "complete")]

@@ -10,6 +10,7 @@
 //! * [`distance`]: exact Euclidean distance transforms.
 //! * [`inflation`]: cells that the car's width takes away, so that a planner may treat the car as a point.
 //! * [`risk`]: the artificial potential field of the risk-field planner.
+//! * [`move_cost`]: what a straight move between two cells costs, in whole micro-cells.
 //! * [`line_of_sight()`]: the one rule by which moves, pruning and any-angle search decide that two cells see each
 //!   other.
 
@@ -22,6 +23,7 @@ mod jump_bitmaps;
 mod jump_directions;
 mod layer;
 mod line_of_sight;
+pub mod move_cost;
 mod occupancy;
 pub mod raster;
 #[cfg(feature = "complete")]

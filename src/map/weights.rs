@@ -6,6 +6,7 @@
 
 use std::sync::Arc;
 
+use super::move_cost::{D, R2, cost};
 use super::{Cell, Frame, Layer};
 use crate::geometry::Point;
 
@@ -59,6 +60,19 @@ impl Weights {
             }
         }
         (sum + (whole - last) * i64::from(self.at(at)), whole)
+    }
+
+    /// The cost of a straight move between two cells, every part of it times the weight of its cell, rounded up.
+    /// Micro-cells.
+    pub(crate) fn cost(&self, from: Cell, to: Cell) -> i64 {
+        let (dx, dy) = ((to.x - from.x).abs(), (to.y - from.y).abs());
+        if dx.max(dy) == 1 {
+            // Half of a single step lies in each of its cells.
+            let half = if dx == dy { R2 / 2 } else { D / 2 };
+            return half * i64::from(self.at(from) + self.at(to));
+        }
+        let (above, below) = self.mean(from, to);
+        (cost(dx, dy) * above + below - 1) / below
     }
 
     /// The length of a straight line, every part of it times the weight there. Cells, with centres at whole numbers.

@@ -2,6 +2,7 @@
 
 use super::Body;
 use super::footprint_distance::FAR;
+use crate::geometry::polygon::nearest_share;
 use crate::geometry::{Point, Pose};
 use crate::scenario::resolve::Owner;
 
@@ -58,10 +59,7 @@ impl Body {
 
 /// The point of a segment that is closest to `p`.
 fn closest(p: Point, [a, b]: [Point; 2]) -> Point {
-    let along = b - a;
-    let length2 = along.norm_squared();
-    let t = if length2 > 0.0 { ((p - a).dot(&along) / length2).clamp(0.0, 1.0) } else { 0.0 };
-    a + along * t
+    a + (b - a) * nearest_share(p, a, b)
 }
 
 #[cfg(test)]

@@ -7,9 +7,8 @@ use serde::Serialize;
 
 use super::Body;
 use crate::geometry::{Point, Pose, math};
-use crate::planners::cost_map::{lane_at, lane_beside, legs};
-use crate::scenario::Lane;
 use crate::scenario::resolve::Geometry;
+use crate::scenario::{Lane, LaneLeg};
 
 /// Stations are about this far apart, metres.
 const STEP: f64 = 1.0;
@@ -88,14 +87,13 @@ pub fn figures(geometry: &Geometry, body: &Body, lanes: &[Lane], path: &[Pose]) 
     let rooms: Vec<f64> = line.inner().map(|i| body.signed_clearance(line.pose(i, 0.0), far)).collect();
     (figures.body_clearance_min, figures.body_clearance_mean) = least_and_mean(rooms.iter().copied());
     figures.body_clearance_mean_capped = least_and_mean(rooms.iter().map(|r| r.min(MOST))).1;
-    let legs = legs(lanes);
+    let legs = LaneLeg::all(lanes);
     if !legs.is_empty() {
-        let away: Vec<f64> =
-            line.points.iter().filter_map(|&p| lane_at(&legs, p)).map(|near| near.0).collect();
+        let nearest = || line.points.iter().filter_map(|&p| Some((p, LaneLeg::nearest(&legs, p)?)));
+        let away: Vec<f64> = nearest().map(|(_, (_, away))| away).collect();
         figures.lane_deviation_max = Some(away.iter().fold(0.0, |most: f64, d| most.max(*d)));
         figures.lane_deviation_mean = Some(least_and_mean(away.into_iter()).1);
-        let beside = line.points.iter().filter_map(|&p| lane_beside(&legs, p));
-        let left = beside.map(|(left, half)| f64::from(u8::from(left > half)));
+        let left = nearest().map(|(p, (leg, _))| f64::from(u8::from(leg.left(p) > leg.half_width)));
         figures.lane_left_share = Some(least_and_mean(left).1);
     }
     figures

@@ -4,6 +4,7 @@
 //! outlines that come near each other, one of the two is the nearest. Distances below zero are depths.
 
 use super::segment::{HEADING, Node, X, Y};
+use crate::geometry::polygon::{crosses_ray, nearest_share};
 use crate::geometry::{Point, Vector, math};
 use crate::scenario::resolve::{Form, Geometry};
 use crate::vehicle::Vehicle;
@@ -245,12 +246,8 @@ impl Features {
         let mut is_inside = false;
         for (i, &a) in ring.iter().enumerate() {
             let b = ring[(i + 1) % ring.len()];
-            if (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x) {
-                is_inside = !is_inside;
-            }
-            let (ab, ap) = (b - a, p - a);
-            let share = (ap.dot(&ab) / ab.norm_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
-            if (ap - ab * share).norm_squared() < depth * depth * (1.0 - 1e-9) {
+            is_inside ^= crosses_ray(a, b, p);
+            if (p - a - (b - a) * nearest_share(p, a, b)).norm_squared() < depth * depth * (1.0 - 1e-9) {
                 return false;
             }
         }

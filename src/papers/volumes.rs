@@ -8,6 +8,7 @@
 use serde::Serialize;
 
 use crate::error::{Error, ErrorCode};
+use crate::geometry::polygon::nearest_share;
 use crate::geometry::{Point, Pose, math};
 use crate::metrics::Body;
 use crate::scenario::generate::SplitMix64;
@@ -105,13 +106,7 @@ fn crosses(half: [f64; 2], a: Point, b: Point) -> bool {
 }
 
 fn squared(p: Point, a: Point, b: Point) -> f64 {
-    let (along, to) = (b - a, p - a);
-    let share = if along.norm_squared() > 0.0 {
-        (to.dot(&along) / along.norm_squared()).clamp(0.0, 1.0)
-    } else {
-        0.0
-    };
-    (to - along * share).norm_squared()
+    (p - a - (b - a) * nearest_share(p, a, b)).norm_squared()
 }
 
 /// Answers of one volume on all poses.

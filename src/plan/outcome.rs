@@ -6,7 +6,7 @@
 
 use serde::Serialize;
 
-use crate::geometry::{Point, Pose, math};
+use crate::geometry::{Point, Pose, arcs, math};
 use crate::metrics::Check;
 use crate::planners::Obstruction;
 use crate::planners::hybrid::FailedExpansions;
@@ -334,7 +334,6 @@ pub(super) fn path_length(path: &[Pose]) -> f64 {
     // Not `sum`, which starts from −0.
     path.windows(2).fold(0.0, |sum, pair| {
         let chord = (pair[1].point() - pair[0].point()).norm();
-        let half = math::turn(pair[0].heading, pair[1].heading) / 2.0;
-        sum + if chord == 0.0 || half.abs() < 1e-6 { chord } else { chord * half / math::sin(half) }
+        sum + arcs::length_over(chord, math::turn(pair[0].heading, pair[1].heading))
     })
 }

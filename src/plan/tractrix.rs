@@ -1,7 +1,7 @@
 //! The poses of a car whose middle follows a line.
 
 use super::Driven;
-use crate::geometry::{Point, Pose, Vector, math};
+use crate::geometry::{Point, Pose, Vector, arcs, math};
 use crate::scenario::resolve::Geometry;
 
 /// Tows the car by its middle through `places`, each with the direction of the way there: forwards, the rear wheels
@@ -35,8 +35,7 @@ pub(super) fn tractrix(geometry: &Geometry, places: &[(Point, Vector)]) -> Drive
         heading = math::wrap(heading + turn);
         let pose = behind(next, heading);
         let chord = (pose.point() - driven.poses[driven.poses.len() - 1].point()).norm();
-        let half = turn / 2.0;
-        let length = if half.abs() < 1e-6 { chord } else { chord * half / math::sin(half) };
+        let length = arcs::length_over(chord, turn);
         driven.curvatures.push(if length > 0.0 { turn / length } else { 0.0 });
         driven.poses.push(pose);
         middle = next;

@@ -37,4 +37,3 @@ pub mod settings;
 mod weighted;
 
 pub use obstruction::{Gap, Obstruction, Region};
-pub(crate) use weighted::weighted_cost;

@@ -6,6 +6,7 @@ use super::parameters::{EXPANSIONS, Form, parameters, spec};
 use crate::error::Error;
 use crate::json::{self, Setting, bad};
 use crate::map::Corner;
+use crate::post::SmoothMode;
 
 /// Expansions after which a grid search gives up, unless told otherwise.
 pub const MAX_EXPANSIONS: u32 = 20_000_000;
@@ -50,18 +51,6 @@ pub enum Post {
 }
 
 json::words!(Post: "none" = None, "prune" = Prune, "prune-dp" = PruneDp, "smooth" = Smooth);
-
-/// How corners share the segment between them.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum SmoothMode {
-    /// Each corner may use what the one before it left, and half of the segment ahead; arcs shrink until they are free.
-    #[default]
-    Dynamic,
-    /// Each corner tries the whole segment once.
-    Paper,
-}
-
-json::words!(SmoothMode: "dynamic" = Dynamic, "paper" = Paper);
 
 /// The tightest arc that smoothing may put in.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,26 +3,13 @@
 //! Weights are at least 1, so every estimate that never exceeds the plain cost stays one, and a consistent one
 //! consistent.
 
-use super::moves::{D, DIRECTIONS, R2, cost};
+use super::moves::DIRECTIONS;
 use super::query::Query;
 use crate::map::{Cell, Occupancy, Weights};
 use crate::search::NodeId;
 use crate::search::lattice::{Deferral, Deferring, Edge, EdgeSink, Lattice, Reversible};
 #[cfg(feature = "complete")]
 use crate::search::{Considered, Legality, Part};
-
-/// The cost of a straight move between two cells, every part of it times the weight of its cell, rounded up.
-/// Micro-cells.
-pub(crate) fn weighted_cost(weights: &Weights, from: Cell, to: Cell) -> i64 {
-    let (dx, dy) = ((to.x - from.x).abs(), (to.y - from.y).abs());
-    if dx.max(dy) == 1 {
-        // Half of a single step lies in each of its cells.
-        let half = if dx == dy { R2 / 2 } else { D / 2 };
-        return half * i64::from(weights.at(from) + weights.at(to));
-    }
-    let (above, below) = weights.mean(from, to);
-    (cost(dx, dy) * above + below - 1) / below
-}
 
 /// `lattice` over a map's cells, its moves at other costs than their lengths.
 pub(super) struct Weighted<'a, L> {
@@ -63,7 +50,7 @@ impl<'a, L> Weighted<'a, L> {
 
 impl<S> Weighing<'_, S> {
     fn cost(&self, to: Cell) -> i64 {
-        self.weights.map_or(0, |weights| weighted_cost(weights, self.from, to))
+        self.weights.map_or(0, |weights| weights.cost(self.from, to))
     }
 }
 
@@ -122,7 +109,7 @@ impl<L: Lattice> Lattice for Weighted<'_, L> {
     /// Straight to the goal where nothing heavier is on the way: a way around may be cheaper otherwise.
     fn direct(&self, node: NodeId) -> Option<i64> {
         let weights = self.weights?;
-        let straight = |&cost: &i64| weighted_cost(weights, self.map.cell(node), self.goal) == cost;
+        let straight = |&cost: &i64| weights.cost(self.map.cell(node), self.goal) == cost;
         self.lattice.direct(node).filter(straight)
     }
 
@@ -173,7 +160,7 @@ impl<L: Considered> Considered for Weighted<'_, L> {
         tell: &mut dyn FnMut(NodeId, i64, Legality),
     ) {
         let from = self.map.cell(node);
-        let cost = |to| self.weights.map_or(0, |weights| weighted_cost(weights, from, self.map.cell(to)));
+        let cost = |to| self.weights.map_or(0, |weights| weights.cost(from, self.map.cell(to)));
         self.lattice.consider(node, None, part, &mut |to, _, legality| {
             let cost = if legality == Legality::Free { cost(to) } else { 0 };
             tell(to, cost, legality);

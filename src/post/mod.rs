@@ -14,4 +14,4 @@ mod smooth;
 
 pub use piece::Piece;
 pub use prune::{prune, prune_dp};
-pub use smooth::{Smoothed, smooth};
+pub use smooth::{SmoothMode, Smoothed, smooth};

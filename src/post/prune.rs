@@ -5,7 +5,6 @@
 //! over i < j that see j of best(i) + |ij|`. It takes quadratic time at worst.
 
 use crate::map::{Cell, Corner, Occupancy, first_in_sight, line_of_sight};
-use crate::planners::weighted_cost;
 
 /// Leaves out, in one pass, every cell that the last kept one need not pass to see the next (Hu et al. 2024, 5.1).
 ///
@@ -14,7 +13,7 @@ pub fn prune(map: &Occupancy, path: &[Cell], corner: Corner) -> Vec<Cell> {
     let [first, .., last] = path else { return path.to_vec() };
     let mut kept = vec![*first];
     let mut anchor = *first;
-    let step = |a, b| map.weights().map_or(0, |weights| weighted_cost(weights, a, b));
+    let step = |a, b| map.weights().map_or(0, |weights| weights.cost(a, b));
     // What the path costs from the anchor on.
     let mut spent = step(anchor, path[1]);
     for pair in path[1..].windows(2) {

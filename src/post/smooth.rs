@@ -5,8 +5,20 @@
 
 use super::piece::{Piece, distance};
 use crate::geometry::math;
+use crate::json;
 use crate::map::{Cell, Occupancy};
-use crate::planners::settings::SmoothMode;
+
+/// How corners share the segment between them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum SmoothMode {
+    /// Each corner may use what the one before it left, and half of the segment ahead; arcs shrink until they are free.
+    #[default]
+    Dynamic,
+    /// Each corner tries the whole segment once.
+    Paper,
+}
+
+json::words!(SmoothMode: "dynamic" = Dynamic, "paper" = Paper);
 
 /// Farthest that two checked points of an arc are apart, cells.
 const STEP: f64 = 0.1;

@@ -7,10 +7,10 @@ use super::parse;
 use super::validate::{bad, outline, touch};
 use crate::error::Error;
 use crate::geometry::math::{self, PI};
+use crate::geometry::polygon::contains;
 use crate::geometry::{Point, Pose, Vector};
 use crate::json::{Fields, list, number};
 use crate::vehicle::Vehicle;
-use crate::vehicle::collision::contains;
 
 /// A region's heading is met up to this much to either side, radians.
 pub const HEADING_TOLERANCE: f64 = PI / 12.0;

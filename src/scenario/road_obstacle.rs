@@ -8,7 +8,7 @@ use super::parse::point;
 use super::road::{Lane, LanePiece, SpeedLimit};
 use super::validate::{bad, corners, positive};
 use crate::error::Error;
-use crate::geometry::{Point, Pose, math};
+use crate::geometry::{Point, Pose, math, polygon};
 use crate::json::{Fields, count, exactly, flag, list, number, owned};
 
 /// Most lanes of a direction.
@@ -207,21 +207,10 @@ fn outside(a: Point, b: Point, polygons: &[Vec<Point>], parts: &mut Vec<(Point, 
     }
     for pair in cuts.windows(2).filter(|w| w[1] - w[0] > 1e-9) {
         let middle = a + way * f64::midpoint(pair[0], pair[1]);
-        if !polygons.iter().any(|polygon| within(polygon, middle)) {
+        if !polygons.iter().any(|polygon| polygon::contains(polygon, middle)) {
             parts.push((a + way * pair[0], a + way * pair[1]));
         }
     }
-}
-
-fn within(polygon: &[Point], p: Point) -> bool {
-    let mut odd = false;
-    for (i, a) in polygon.iter().enumerate() {
-        let b = polygon[(i + 1) % polygon.len()];
-        if (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x) {
-            odd = !odd;
-        }
-    }
-    odd
 }
 
 #[cfg(feature = "complete")]

@@ -6,8 +6,8 @@ use parkade::metrics::grid::length;
 use parkade::planners::heuristics::Heuristic;
 use parkade::planners::moves::Neighbourhood;
 use parkade::planners::query::{GridScratch, Query, Status};
-use parkade::planners::settings::SmoothMode;
 use parkade::planners::{any_angle, bidirectional, jump_point, risk_field};
+use parkade::post::SmoothMode;
 use parkade::post::{prune, prune_dp, smooth};
 use parkade::search::Stop;
 

@@ -17,10 +17,10 @@
 use std::sync::Arc;
 
 use super::rank_bitmap::RankBitmap;
-use super::road_rasters::{lane_at, legs, limit_at};
 use super::{Config, Costs, RoadRasters, Traffic};
 use crate::geometry::Point;
 use crate::map::{Cell, Frame, Weights};
+use crate::scenario::{LaneLeg, SpeedLimit};
 use crate::search::{Domain, Finish, NodeId, Order, Relax, Visit};
 
 /// Speed at which no place is slow, m/s.
@@ -77,7 +77,7 @@ impl CostMap {
     pub fn new(ground: &RoadRasters, kerb: &[f32], traffic: &Traffic, radius: f64, config: &Config) -> Self {
         let frame = ground.frame;
         let numbers = RankBitmap::new(ground.clearance.iter().map(|&d| f64::from(d) >= radius));
-        let legs = legs(&traffic.lanes);
+        let legs = LaneLeg::all(&traffic.lanes);
         let base = |clearance: f64, enough: Option<f64>| config.base_cost(clearance, radius, enough);
         let keeps = Margin {
             radius,
@@ -91,13 +91,16 @@ impl CostMap {
                 Costs::Paper => base(clearance, None),
                 Costs::Metre => {
                     let point = frame.center(frame.cell(index));
-                    let lane = lane_at(&legs, point);
-                    let (off, bend) = lane.map_or((0.0, 0.0), |(off, half, bend)| (off / half, bend));
+                    let lane = LaneLeg::nearest(&legs, point);
+                    let (off, bend) =
+                        lane.map_or((0.0, 0.0), |(leg, away)| (away / leg.half_width, leg.curvature));
                     // The room in the middle of a lane as wide as this one.
-                    let enough = lane.map(|(_, half, _)| half - radius - frame.resolution * LEEWAY);
+                    let enough = lane.map(|(leg, _)| leg.half_width - radius - frame.resolution * LEEWAY);
                     let last = enough.unwrap_or(1.0).clamp(0.1, 1.0);
                     let near = ((f64::from(kerb[index]) - radius) / last).clamp(0.0, 1.0);
-                    let pace = limit_at(&traffic.limits, point).min((LATERAL / bend.abs()).sqrt()).min(PACE);
+                    let pace = SpeedLimit::lowest_at(&traffic.limits, point)
+                        .min((LATERAL / bend.abs()).sqrt())
+                        .min(PACE);
                     base(clearance, enough)
                         + config.lane_weight * (off * off).min(LANE_MOST)
                         + config.kerb_weight * (1.0 - near) * (1.0 - near)

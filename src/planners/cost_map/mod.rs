@@ -18,7 +18,6 @@ pub use lateral::{Lateral, Row, Station};
 pub use margin::is_excluded;
 pub use prune::corners;
 pub use road_rasters::{RoadRasters, kerb_distances};
-pub(crate) use road_rasters::{lane_at, lane_beside, legs, limit_at};
 pub use smooth::{Smooth, Smoothing, dense, paper_spline, smooth};
 
 use crate::geometry::{Point, math};

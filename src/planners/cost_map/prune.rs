@@ -1,8 +1,7 @@
 //! Chords instead of cells, where they keep their distance and are worth what they cost.
 
 use super::{Config, CostMap, Curves, Pruning, RoadRasters};
-use crate::map::Cell;
-use crate::planners::weighted_cost;
+use crate::map::{Cell, Weights};
 
 /// Around each corner of the cells this many to either side may become corners of the chords.
 const AROUND: usize = 4;
@@ -183,7 +182,7 @@ fn spent(ground: &RoadRasters, cells: &[Cell]) -> Vec<i64> {
     let Some(weights) = &ground.weights else { return Vec::new() };
     let mut spent = vec![0];
     spent.extend(cells.windows(2).scan(0, |sum, pair| {
-        *sum += weighted_cost(weights, pair[0], pair[1]);
+        *sum += weights.cost(pair[0], pair[1]);
         Some(*sum)
     }));
     spent
@@ -191,7 +190,7 @@ fn spent(ground: &RoadRasters, cells: &[Cell]) -> Vec<i64> {
 
 /// True if a chord between two of the cells costs no more by weights than the cells do.
 fn is_cheap(ground: &RoadRasters, cells: &[Cell], spent: &[i64], (a, b): (usize, usize)) -> bool {
-    let dearer = |weights| weighted_cost(weights, cells[a], cells[b]) > spent[b] - spent[a];
+    let dearer = |weights: &Weights| weights.cost(cells[a], cells[b]) > spent[b] - spent[a];
     !ground.weights.as_deref().is_some_and(dearer)
 }
 

@@ -2,10 +2,9 @@
 
 use std::sync::Arc;
 
-use crate::geometry::{Point, Pose, Vector, math};
+use crate::geometry::{Point, math};
 use crate::map::{Cell, Frame, Occupancy, Weights, distance, raster};
 use crate::scenario::resolve::{Form, Geometry};
-use crate::scenario::{Lane, SpeedLimit};
 
 /// Centres this near to an outline are on it, metres.
 const EDGE: f64 = 1e-9;
@@ -119,81 +118,6 @@ fn distances(map: &Occupancy, frame: &Frame, open: bool) -> Vec<f32> {
     clearance
 }
 
-/// How far a point is from the nearest lane's middle, half that lane's width, and the middle's curvature there.
-pub(crate) fn lane_at(legs: &[(Pose, f64, f64, f64)], point: Point) -> Option<(f64, f64, f64)> {
-    let mut best: Option<(f64, f64, f64)> = None;
-    for &(from, length, curvature, half) in legs {
-        let away = distance_to(from, length, curvature, point);
-        if best.is_none_or(|b| away < b.0) {
-            best = Some((away, half, curvature));
-        }
-    }
-    best
-}
-
-/// How far to the left of the nearest lane's middle a point is, metres, below zero to the right, and half that lane's
-/// width.
-pub(crate) fn lane_beside(legs: &[(Pose, f64, f64, f64)], point: Point) -> Option<(f64, f64)> {
-    let mut best: Option<(f64, (f64, f64))> = None;
-    for &(from, length, curvature, half) in legs {
-        let away = distance_to(from, length, curvature, point);
-        if best.is_none_or(|b| away < b.0) {
-            let local = from.to_local(point);
-            let left = if curvature == 0.0 {
-                local.y
-            } else {
-                let radius = curvature.recip();
-                radius - curvature.signum() * (Point::new(local.x, local.y - radius)).coords.norm()
-            };
-            best = Some((away, (left, half)));
-        }
-    }
-    best.map(|b| b.1)
-}
-
-/// The pieces of lanes: beginning, length, curvature, half the width.
-pub(crate) fn legs(lanes: &[Lane]) -> Vec<(Pose, f64, f64, f64)> {
-    let legs = |lane: &Lane| {
-        let half = lane.width / 2.0;
-        lane.legs().into_iter().map(move |(from, piece)| (from, piece.length, piece.curvature, half))
-    };
-    lanes.iter().flat_map(legs).collect()
-}
-
-fn distance_to(from: Pose, length: f64, curvature: f64, point: Point) -> f64 {
-    if curvature == 0.0 {
-        let local = from.to_local(point);
-        let ahead = local.x.clamp(0.0, length);
-        return (local - Point::new(ahead, 0.0)).norm();
-    }
-    let center = from.to_world(Point::new(0.0, 1.0 / curvature));
-    let (a, b): (Vector, Vector) = (from.point() - center, point - center);
-    // How far round, along the arc.
-    let turned = math::atan2(a.perp(&b), a.dot(&b)) * curvature.signum();
-    let turned = if turned < 0.0 { turned + math::TAU } else { turned };
-    if turned * curvature.abs().recip() <= length {
-        return (b.norm() - 1.0 / curvature.abs()).abs();
-    }
-    let end = from.advance(curvature, length);
-    (point - from.point()).norm().min((point - end.point()).norm())
-}
-
-/// The lowest limit at a point, m/s.
-pub(crate) fn limit_at(limits: &[SpeedLimit], point: Point) -> f64 {
-    limits.iter().filter(|l| inside(&l.points, point)).fold(f64::INFINITY, |low, l| low.min(l.speed))
-}
-
-fn inside(outline: &[[f64; 2]], p: Point) -> bool {
-    let mut odd = false;
-    for (i, a) in outline.iter().enumerate() {
-        let b = outline[(i + 1) % outline.len()];
-        if (a[1] > p.y) != (b[1] > p.y) && p.x < a[0] + (p.y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]) {
-            odd = !odd;
-        }
-    }
-    odd
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -215,18 +139,5 @@ mod tests {
             cells += u32::from(!std::mem::replace(&mut seen[index], true));
         });
         assert_eq!(cells, 6, "edges through centres count");
-    }
-
-    #[test]
-    fn a_bend_is_as_far_as_its_nearest_point() {
-        let from = Pose::new(0.0, 0.0, 0.0);
-        let quarter = 10.0 * math::FRAC_PI_2;
-        assert!((distance_to(from, quarter, 0.1, Point::new(0.0, 3.0)) - 3.0).abs() < 1e-12);
-        let diagonal = Point::new(20.0 * math::sin(0.5), 10.0 - 20.0 * math::cos(0.5));
-        assert!((distance_to(from, quarter, 0.1, diagonal) - 10.0).abs() < 1e-12);
-        assert!((distance_to(from, quarter, 0.1, Point::new(-3.0, 0.0)) - 3.0).abs() < 1e-12);
-        assert!(
-            (distance_to(from, 10.0 * math::FRAC_PI_2, -0.1, Point::new(10.0, -12.0)) - 2.0).abs() < 1e-9
-        );
     }
 }

@@ -212,7 +212,7 @@ mod tests {
 
     use super::plan::letters;
     use super::*;
-    use crate::vehicle::collision::contains;
+    use crate::geometry::polygon::contains;
 
     #[test]
     fn every_preset_has_its_bays_and_entrances_on_the_floor() {

@@ -15,7 +15,5 @@ mod tests;
 pub use checker::CollisionChecker;
 #[cfg(feature = "complete")]
 pub use corridor::Corridor;
-#[cfg(feature = "complete")]
-pub(crate) use obstacles::contains;
 pub use obstacles::{Edge, Obstacles, Solid};
 pub use reach::{Reach, Sampling};

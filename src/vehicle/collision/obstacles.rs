@@ -4,6 +4,7 @@
 //! edges near it only. A distance field over coarser cells tells a lower bound of the room at any place in constant
 //! time. Coordinates are local: the origin is the boundary's lower left corner.
 
+use crate::geometry::polygon::{contains, nearest_share};
 use crate::geometry::{Point, Pose, Vector, math};
 use crate::map::{Frame, Layer, Occupancy, WeightMap, distance, raster};
 
@@ -256,10 +257,7 @@ fn field(edges: &[Edge], frame: &Frame) -> Layer<f32> {
 }
 
 pub(super) fn point_distance(p: Point, a: Point, b: Point) -> f64 {
-    let ab = b - a;
-    let square = ab.norm_squared();
-    let t = if square > 0.0 { ((p - a).dot(&ab) / square).clamp(0.0, 1.0) } else { 0.0 };
-    (p - (a + ab * t)).norm()
+    (p - (a + (b - a) * nearest_share(p, a, b))).norm()
 }
 
 /// Distance of two segments that do not cross.
@@ -273,18 +271,6 @@ fn bounds(points: impl IntoIterator<Item = Point>) -> (Point, Point) {
     points.into_iter().fold((Point::new(inf, inf), Point::new(-inf, -inf)), |(low, high), p| {
         (Point::new(low.x.min(p.x), low.y.min(p.y)), Point::new(high.x.max(p.x), high.y.max(p.y)))
     })
-}
-
-/// True if a point is inside a simple polygon.
-pub(crate) fn contains(outline: &[Point], p: Point) -> bool {
-    let mut odd = false;
-    for (i, &a) in outline.iter().enumerate() {
-        let b = outline[(i + 1) % outline.len()];
-        if (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x) {
-            odd = !odd;
-        }
-    }
-    odd
 }
 
 #[cfg(test)]
