@@ -3,7 +3,8 @@
 //! The fastest such drive up to one peak is tried; where it is too fast for a stretch, the slowest of these is driven
 //! at its limit, and the ways before and after it are planned in the same manner.
 
-use super::speed_profile::{Limits, Phase};
+use super::limits::Limits;
+use super::speed_profile::Phase;
 
 /// Bisections of a speed.
 const STEPS: u32 = 48;

@@ -6,6 +6,7 @@
 
 mod contact;
 mod jerk_limited;
+mod limits;
 mod moving_obstacles;
 mod path_segments;
 mod speed_profile;
@@ -16,9 +17,10 @@ mod trajectory;
 
 pub use contact::Contact;
 pub(crate) use contact::{first_contact, nearest};
+pub use limits::{Limits, Profile, Steps};
 pub use moving_obstacles::Mover;
 pub use path_segments::Route;
-pub use speed_profile::{Limits, Motion, Profile, Steps};
+pub use speed_profile::Motion;
 pub use stop_wait_go::{Encounter, Ending, Rule, Scope, Wait, WaitOptions, stop_wait_go};
 pub(crate) use stop_wait_go::{SAMPLE, SHORTEST, SPARE};
 pub(crate) use time_to_collision::times_to_collision;

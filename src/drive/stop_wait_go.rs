@@ -5,9 +5,9 @@
 //! to stand. The result is checked by other code: outlines edge by edge, between the moments too.
 
 use super::contact::{Contact, first_contact, nearest};
+use super::limits::within;
 use super::moving_obstacles::Mover;
 use super::path_segments::Route;
-use super::speed_profile::within;
 use super::time_to_collision::times_to_collision;
 use super::trajectory::{Moment, Rows, Wheel};
 use crate::error::Error;

@@ -3,8 +3,9 @@
 //! A kinematic bicycle whose wheel turns at a limited rate, driven at the trajectory's speeds, so that only steering is
 //! judged.
 
+use super::limits::Limits;
 use super::path_segments::{Route, Run};
-use super::speed_profile::{Limits, Motion, angle, preview};
+use super::speed_profile::{Motion, angle, preview};
 use super::trajectory::hash;
 use crate::error::Error;
 use crate::geometry::{Point, Pose, math};

@@ -3,8 +3,9 @@
 //! Rows are at most `dt` seconds apart, and there is one wherever the acceleration changes. The steering angle
 //! follows the curvature no faster than the car's limit, which is why it may lag behind where the curvature steps.
 
+use super::limits::Limits;
 use super::path_segments::Route;
-use super::speed_profile::{Limits, Motion, angle, preview};
+use super::speed_profile::{Motion, angle, preview};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::Pose;
 use crate::vehicle::Vehicle;

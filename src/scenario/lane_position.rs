@@ -96,6 +96,7 @@ mod tests {
         let right = LaneLeg { curvature: -0.1, ..left };
         assert!((right.distance(Point::new(10.0, -12.0)) - 2.0).abs() < 1e-9);
         // Outside of a left bend is to its right.
-        assert!((left.left(diagonal) + 10.0).abs() < 1e-12 && (right.left(diagonal) > 0.0));
+        assert!((left.left(diagonal) + 10.0).abs() < 1e-12);
+        assert!((right.left(Point::new(0.0, 3.0)) - 3.0).abs() < 1e-12);
     }
 }

@@ -92,3 +92,6 @@ fn next_side<D: Domain>([a, b]: &[Tree<D>; 2]) -> Option<usize> {
         [a, b] => Some(usize::from(a == 0 || (b > 0 && b < a))),
     }
 }
+
+#[cfg(test)]
+mod tests;
