@@ -3,7 +3,7 @@ import type { PaperClaim, PaperRow, PaperTable } from "parkade";
 import { workersHere, type Progress } from "./worker-count";
 import { Helper } from "./job-client";
 import type { Engine } from "./engine-loader";
-import { median } from "./planning";
+import { median } from "./medians";
 
 /** `times`: mean milliseconds per row and planner. */
 export interface Summary {

@@ -1,14 +1,16 @@
 import type { Timing } from "../store/results";
-import type { LayerName, Plan, PlannerId, PlannerSettings } from "parkade";
+import type { PlannerId } from "parkade";
 import { translate } from "../i18n/index";
-import { drivesCar, hasField, infoOf, plannerName } from "../styles/planner-style";
+import { drivesCar, hasField, plannerName } from "../styles/planner-style";
 import { isOneGoal } from "../scene/model";
 import { limitsOn } from "../scene/speed-limits";
 import { forPlanners, isUnpacked, withoutCells } from "../scene/large-scene";
 import { emptyResult, type PanelResult, type Scene, type State, type Store } from "../store";
 import { Lane, type Job } from "./planner-queue";
 import { extentFor, type Engine } from "./engine-loader";
-import type { Failure, Layers, Reply } from "./protocol";
+import { forceEvery, isTraced, layersOf, offLattice, sameMap, withOld, withoutPath } from "./answers";
+import { medians } from "./medians";
+import type { Failure, Reply } from "./protocol";
 
 const SAMPLES = 9;
 /** Silent repeats behind the first time that is shown of a scene; what comes before them is slowed by compilers and caches. */
@@ -21,8 +23,6 @@ const TOO_LONG_MS = 400,
   FAR_TOO_LONG_MS = 3000;
 const QUIET_MS = 350;
 const HOLD_MS = 12;
-/** Of the risk field, that a step of a drag brings. */
-const MOST_FORCES = 1 << 18;
 
 /** Keeps `results` and `geometry` of the store in step with its scene. */
 export class Planning {
@@ -400,60 +400,4 @@ export class Planning {
       else void this.measure(SAMPLES);
     }, QUIET_MS);
   }
-}
-
-const medians = (samples: readonly Timing[]): Timing => ({
-  search: median(samples.map((one) => one.search)),
-  total: median(samples.map((one) => one.total)),
-});
-
-export function median(values: readonly number[]): number {
-  const sorted = [...values].sort((a, b) => a - b);
-  const middle = sorted.length >> 1;
-  return sorted.length % 2 === 1 ? sorted[middle]! : (sorted[middle - 1]! + sorted[middle]!) / 2;
-}
-
-/** The arrows and hatching of the risk planner follow a drag; the hover's clearance can wait for its end. */
-function layersOf(planner: PlannerId, state: State): LayerName[] {
-  const names: LayerName[] = hasField(planner) ? ["safety"] : [];
-  if (state.layers.risk && hasField(planner)) names.push("risk");
-  if (state.layers.tree && state.complete && hasField(planner)) names.push("potential");
-  if (state.layers.redundant && state.complete && closes(state.scene.planners?.[planner])) names.push("redundant");
-  if (state.layers.cost && hasCosts(planner)) names.push("cost");
-  if (!state.transient) names.push("clearance");
-  return names;
-}
-
-/** A drag over a huge map moves as many arrows as are drawn of all of it. */
-const forceEvery = ({
-  transient,
-  scene: {
-    map: { width, height },
-  },
-}: State): number => (transient ? Math.max(1, Math.ceil(Math.sqrt((width * height) / MOST_FORCES))) : 1);
-
-/** A drag's plans bring no more than is drawn of them. */
-const isTraced = (planner: PlannerId, { transient, layers, playback }: State): boolean =>
-  !transient || playback.base === "search" || (drivesCar(planner) ? layers.tree : layers.heat);
-
-const hasCosts = (planner: PlannerId): boolean => infoOf(planner)?.family === "road";
-
-/** True if a grid planner's settings close free cells. */
-const closes = (settings: PlannerSettings[PlannerId] = {}): boolean =>
-  ("minPassage" in settings && Number(settings.minPassage) > 1) ||
-  ("trapMouth" in settings && Number(settings.trapMouth) > 1);
-
-const withOld = (layers: Layers, old: Layers, transient: boolean): Layers =>
-  transient && old.clearance && !layers.clearance ? { ...layers, clearance: old.clearance } : layers;
-
-/** The part of a result that stays true on a map with other cells: the paths, not the cells. */
-function offLattice({ plan, lastGood, ...rest }: PanelResult): PanelResult {
-  const clear = (one: Plan | null): Plan | null => (one?.trace?.kind === "cells" ? { ...one, trace: null } : one);
-  return { ...rest, plan: clear(plan), lastGood: clear(lastGood), layers: {} };
-}
-
-const sameMap = (a: Scene, b: Scene): boolean => a.map === b.map || JSON.stringify(a.map) === JSON.stringify(b.map);
-
-function withoutPath({ path, message }: Failure): string {
-  return path && message.startsWith(path) ? message.slice(path.length).replace(/^:\s*/, "") : message;
 }
