@@ -18,10 +18,10 @@ pub use goal_region::{GoalRegion, HEADING_TOLERANCE};
 #[cfg(feature = "complete")]
 pub use goal_set::{EntryChoice, GoalPose, GoalSet, Goals, SlotChoice, SlotsGoal};
 #[cfg(feature = "complete")]
-#[cfg(feature = "complete")]
 pub(crate) use lane_position::LaneLeg;
 #[cfg(feature = "complete")]
 pub use moving::MovingObstacle;
+#[cfg(feature = "complete")]
 pub use road::{Lane, LanePiece, SpeedLimit};
 pub use road_obstacle::Road;
 
@@ -33,6 +33,7 @@ pub mod generate;
 mod goal_region;
 #[cfg(feature = "complete")]
 mod goal_set;
+#[cfg(feature = "complete")]
 mod lane_position;
 #[cfg(feature = "complete")]
 pub mod lot;
