@@ -1,3 +1,4 @@
+import { readFileSync } from "node:fs";
 import { defineConfig } from "vitepress";
 import { LESSONS } from "./lessons/contents";
 import { lessons } from "./lessons/markdown";
@@ -8,8 +9,10 @@ import { reference } from "./reference";
 const planners = await known();
 const names = reference();
 const formulasAndFigures = await lessons();
-const course = (lang: "en" | "zh", root: string) =>
-  LESSONS.map(({ id, title }) => ({ text: said(title, lang), link: `${root}/learn/${id}` }));
+const course = (lang: "en" | "zh", root: string) => [
+  ...LESSONS.map(({ id, title }) => ({ text: said(title, lang), link: `${root}/learn/${id}` })),
+  { text: lang === "en" ? "Six questions to the debugger" : "向调试器提六个问题", link: `${root}/questions` },
+];
 const list = (lang: "en" | "zh", root: string) =>
   planners.map(({ id, title }) => ({ text: title[lang], link: `${root}/planners/${id}` }));
 const papers = [
@@ -38,6 +41,18 @@ const SEARCH_IN_CHINESE = {
   },
 };
 
+/** The site's version is the crate's. */
+const version = /^version = "(.+)"$/m.exec(readFileSync(new URL("../../Cargo.toml", import.meta.url), "utf8"))![1]!;
+
+/**
+ * Terms of a text, for index and query alike. Chinese has no spaces between words: two neighbouring characters are a term.
+ * The browser gets this function as text, so it uses nothing from outside.
+ */
+const tokenize = (text: string): string[] =>
+  (text.match(/\p{Script=Han}+|[^\s\p{P}\p{S}\p{Script=Han}]+/gu) ?? []).flatMap((word) =>
+    /\p{Script=Han}{2}/u.test(word) ? Array.from({ length: word.length - 1 }, (_, i) => word.slice(i, i + 2)) : [word],
+  );
+
 export default defineConfig({
   title: "Parkade",
   // The page around may lie anywhere; figures take the element from the folder above this one.
@@ -56,7 +71,10 @@ export default defineConfig({
   srcExclude: ["**/README.md", "zh/design.md"],
   vue: { template: { compilerOptions: { isCustomElement: (tag) => tag === "parkade-playground" } } },
   themeConfig: {
-    search: { provider: "local", options: { locales: { zh: { translations: SEARCH_IN_CHINESE } } } },
+    search: {
+      provider: "local",
+      options: { locales: { zh: { translations: SEARCH_IN_CHINESE } }, miniSearch: { options: { tokenize } } },
+    },
     // Not every page is there in every language.
     i18nRouting: false,
   },
@@ -71,6 +89,7 @@ export default defineConfig({
           { text: "Learn", link: "/learn/flood" },
           { text: "Planners", link: "/planners/hybrid" },
           { text: "API", link: "/api/js/" },
+          { text: version, link: "/changelog" },
         ],
         sidebar: [
           {
@@ -115,6 +134,7 @@ export default defineConfig({
           { text: "指南", link: "/zh/guide" },
           { text: "课程", link: "/zh/learn/flood" },
           { text: "规划器", link: "/zh/planners/hybrid" },
+          { text: version, link: "/changelog" },
         ],
         sidebar: [
           {

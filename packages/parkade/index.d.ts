@@ -366,9 +366,9 @@ export interface SearchTrace extends SearchEvents {
  */
 export interface PoseTrace extends SearchEvents {
   kind: "poses";
-  /** The root's pose. */
-  root: Pose;
-  /** True if the tree grows from the goal, against the direction of driving. */
+  /** The root's pose; from both ends those of the start's tree and the goal's. A node's number is its side's own. */
+  roots: Pose[];
+  /** True if the only tree grows from the goal, against the direction of driving. */
   fromGoal: boolean;
   /** Per move: x, y, heading of the pose that it leads to, or stops at where something is in its way. */
   poses: Float64Array;
@@ -998,7 +998,7 @@ export class Planner<Id extends PlannerId = PlannerId> {
    *
    * `trace: "full"`, not in `parkade/core`, records the search with every move that it considered and what became of it
    * ({@link SearchTrace}, {@link PoseTrace}), at most `traceLimit` steps, 1 to 1 000 000, by default 100 000. Plans without it are as
-   * fast as ever. Planners without an open list, and hybrid A* from both ends, give their ordinary trace.
+   * fast as ever. Planners without an open list give their ordinary trace.
    *
    * Hybrid only, and not in `parkade/core`: `prefer` looks for a better path than the ordinary one by that measure, gear changes
    * first for "fewest-changes"; `alternatives` looks for all that are worth choosing from. Without `prefer` the answer is

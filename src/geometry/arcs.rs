@@ -7,6 +7,20 @@
 use super::{Pose, math};
 
 /// An arc of constant curvature, or a straight line.
+///
+/// The sign of the length is the gear, the sign of the curvature the side on which the centre lies. Turning the
+/// wheel left and reversing therefore has a positive curvature and a negative length, and the heading falls.
+///
+/// # Examples
+/// ```
+/// use parkade::geometry::{Pose, arcs::{self, Arc}};
+///
+/// // A quarter circle of radius 5 m to the left, then 2 m back.
+/// let path = [Arc { curvature: 0.2, length: 2.5 * std::f64::consts::PI }, Arc { curvature: 0.0, length: -2.0 }];
+/// let end = arcs::end(Pose::default(), &path);
+/// assert!((end.x - 5.0).abs() < 1e-9 && (end.y - 3.0).abs() < 1e-9);
+/// assert_eq!(arcs::direction_changes(&path), 1);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Arc {
     /// 1/m, positive to the left of the car in either gear.
@@ -16,6 +30,8 @@ pub struct Arc {
 }
 
 /// A pose along a path and how the car goes on from there.
+///
+/// At a gear change there is one waypoint; it tells of the arc ahead.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Waypoint {
     /// The pose.
@@ -40,6 +56,8 @@ const SAME_CURVATURE: f64 = 1e-9;
 const SHORTEST: f64 = 1e-9;
 
 /// Joins neighbouring arcs of one curvature and gear and drops those without length.
+///
+/// The path stays the same curve. A search finds a circle as many pieces, one per expansion; joined they are one arc.
 pub fn merge(arcs: impl IntoIterator<Item = Arc>) -> Vec<Arc> {
     let mut merged: Vec<Arc> = Vec::new();
     for arc in arcs.into_iter().filter(|a| a.length.abs() >= SHORTEST) {
@@ -56,13 +74,14 @@ pub fn merge(arcs: impl IntoIterator<Item = Arc>) -> Vec<Arc> {
     merged
 }
 
-/// Distance driven, metres.
+/// Distance driven in both gears, metres.
 pub fn length(arcs: &[Arc]) -> f64 {
     // Not `sum`, which starts from −0.
     arcs.iter().fold(0.0, |sum, a| sum + a.length.abs())
 }
 
-/// Sign changes between consecutive arcs.
+/// Gear changes (cusps): sign changes of the length between consecutive arcs. Arcs without length should be
+/// [merged](merge) away before, as they count as forward.
 pub fn direction_changes(arcs: &[Arc]) -> u32 {
     arcs.windows(2).filter(|w| (w[0].length < 0.0) != (w[1].length < 0.0)).count() as u32
 }
@@ -72,12 +91,18 @@ pub fn end(start: Pose, arcs: &[Arc]) -> Pose {
     arcs.iter().fold(start, |pose, arc| pose.advance(arc.curvature, arc.length))
 }
 
-/// The same way driven from its end back to its start.
+/// The same curve driven from its end back to its start: the order is reversed and so is every gear.
+///
+/// A search that grows from the goal finds its path in this form.
 pub fn reversed(arcs: &[Arc]) -> Vec<Arc> {
     arcs.iter().rev().map(|a| Arc { curvature: a.curvature, length: -a.length }).collect()
 }
 
 /// Poses at most `step` metres apart, the ends of all arcs included; the last is exactly `end`.
+///
+/// Each arc is divided evenly, and each pose is integrated from the beginning of its arc, so errors do not add up along
+/// an arc. `end` is given because the sum of rounding errors over a path would otherwise leave the goal by some
+/// nanometres.
 pub fn sample(start: Pose, arcs: &[Arc], end: Pose, step: f64) -> Vec<Waypoint> {
     let mut points = Vec::new();
     let (mut pose, mut station) = (start, 0.0);

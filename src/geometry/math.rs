@@ -1,4 +1,9 @@
 //! Transcendental functions that give the same bits natively and in wasm (libm), and angles.
+//!
+//! The sine of the standard library is the platform's, and platforms differ in the last bit. A search compares costs,
+//! so one bit can change the order of two nodes and with it the path. `libm` is plain Rust: square roots, sums and
+//! products of `f64` are exact to the rule everywhere, and everything else here is made of them. Clippy refuses the
+//! methods of `f64`.
 
 pub use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 pub use libm::{acos, asin, atan, atan2, cos, exp, hypot, log as ln, sin, tan};
@@ -8,7 +13,7 @@ pub fn sin_cos(a: f64) -> (f64, f64) {
     (sin(a), cos(a))
 }
 
-/// The same direction in (−π, π].
+/// The same direction in (−π, π]. Angles that lie there already keep their bits.
 pub fn wrap(angle: f64) -> f64 {
     if angle > -PI && angle <= PI {
         return angle;
@@ -17,7 +22,15 @@ pub fn wrap(angle: f64) -> f64 {
     if a > PI { a - TAU } else { a }
 }
 
-/// The smallest turn from `from` to `to`, in (−π, π].
+/// The smallest turn from heading `from` to heading `to`, in (−π, π]; positive to the left.
+///
+/// # Examples
+/// ```
+/// use parkade::geometry::math::{PI, turn};
+///
+/// // Across the seam at ±π the short way is taken.
+/// assert!((turn(PI - 0.1, -PI + 0.1) - 0.2).abs() < 1e-12);
+/// ```
 pub fn turn(from: f64, to: f64) -> f64 {
     wrap(to - from)
 }

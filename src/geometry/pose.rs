@@ -8,6 +8,17 @@ use serde::Serialize;
 use super::{Point, Vector, math};
 
 /// Position of the rear axle's middle (metres) and heading (radians, counter-clockwise from east).
+///
+/// # Examples
+/// ```
+/// use parkade::geometry::{Point, Pose};
+///
+/// let car = Pose::new(10.0, 4.0, std::f64::consts::FRAC_PI_2);
+/// // A point 2 m ahead of the rear axle and 1 m to its left lies north and west of it.
+/// let lamp = car.to_world(Point::new(2.0, 1.0));
+/// assert!((lamp - Point::new(9.0, 6.0)).norm() < 1e-12);
+/// assert!((car.to_local(lamp) - Point::new(2.0, 1.0)).norm() < 1e-12);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Pose {
     /// Metres, to the east.
@@ -52,7 +63,10 @@ impl Pose {
         Point::new(dx * cos + dy * sin, dy * cos - dx * sin)
     }
 
-    /// The pose after an arc of signed `length` at `curvature` (left positive), integrated exactly.
+    /// The pose after an arc of signed `length` (metres, negative in reverse) at `curvature` (1/m, left positive).
+    ///
+    /// Integrated exactly: θ′ = θ + κℓ, and the position moves by the integral of (cos θ, sin θ) along the arc, which is
+    /// (sin θ′ − sin θ, cos θ − cos θ′)/κ. The heading is wrapped to (−π, π] unless the line is straight.
     #[must_use]
     pub fn advance(self, curvature: f64, length: f64) -> Self {
         let (s0, c0) = math::sin_cos(self.heading);

@@ -2,6 +2,10 @@
 //!
 //! Costs are in micro-cells (a millionth of a cell), so that ties are real ties on every machine. A move costs the
 //! *ceiling* of its length and a Euclidean estimate is the *floor*: every heuristic stays exactly consistent.
+//!
+//! Consistency asks h(a) ≤ cost(a, b) + h(b). In exact numbers the triangle inequality gives it for Euclid. Rounding costs
+//! up and estimates down keeps it: ⌊x⌋ ≤ ⌈y⌉ + ⌊z⌋ wherever x ≤ y + z. Rounding both to the nearest would break it by a
+//! millionth here and there, and a closed cell would not always have its lowest cost.
 
 /// Micro-cells per cell: the cost of a straight step.
 pub const D: i64 = 1_000_000;
@@ -15,6 +19,9 @@ pub const R10: i64 = 3_162_278;
 pub const R13: i64 = 3_605_552;
 
 /// The cost of a straight move: the number of primitive steps times the rounded-up length of one. Micro-cells.
+///
+/// A move of (4, 2) is two steps of (2, 1), so long moves cost what their parts cost, and a pruned path costs no more
+/// than the cells that it replaces.
 pub fn cost(dx: i32, dy: i32) -> i64 {
     let (a, b) = (dx.unsigned_abs(), dy.unsigned_abs());
     let k = gcd(a, b);

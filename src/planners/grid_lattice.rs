@@ -1,4 +1,24 @@
 //! The cells of a map with the moves of a neighbourhood, as a lattice to search.
+//!
+//! A node is the index of its cell, row by row; a move is a number, its place in [`Neighbourhood::moves`]. The eight
+//! single steps come first and are handled together: one byte has the free cells around a node (the map keeps it up to
+//! date), tables give the legal steps of every byte, and only steps that would improve their target are looked at.
+//!
+//! Most steps need no look at all. A cell that was reached by a step from p has neighbours that p has seen at no higher
+//! cost, so these are left out (`unseen`). For a step to the east, with `.` left out and `?` kept only beside a wall:
+//!
+//! ```text
+//! straight        diagonal (north-east)
+//! . ? +           + + +
+//! . n +           . n +
+//! . ? +           . . +
+//! ```
+//!
+//! A diagonal step leads to `+` on the far side, a straight one ahead, and to a side only where the cell half behind is
+//! blocked. What is left out never had a lower cost, so g, order and counters do not change.
+//!
+//! Longer moves (sixteen neighbours and more) test every cell that their line crosses: one 64-bit mask over the 7 × 7
+//! window around the node against the mask of the move.
 
 use std::cell::Cell as Counter;
 
@@ -11,7 +31,7 @@ use crate::search::lattice::{Edge, EdgeSink, Lattice, Reversible};
 use crate::search::{Considered, Legality, Part};
 use crate::search::{NodeId, PackedEntry};
 
-/// A step to one of the cells around.
+/// A step to one of the cells around. The offset is constant, because rows have one width.
 struct Single {
     /// How much larger the target's number is.
     offset: i32,
@@ -21,6 +41,7 @@ struct Single {
     edges: [Edge; 2],
 }
 
+/// Any move of the neighbourhood.
 struct Step {
     /// How much larger the target's number is.
     offset: i32,
@@ -34,6 +55,7 @@ struct Step {
     target: u64,
 }
 
+/// The lattice. The estimate is a type parameter, so a search is compiled for each and calls none through a pointer.
 pub(super) struct Grid<'a, E> {
     map: &'a Occupancy,
     /// Targets of the search from the start and of the search from the goal.

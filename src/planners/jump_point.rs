@@ -4,6 +4,19 @@
 //! Of the many equally cheap ways over open ground only those are followed that go diagonally first, and of their
 //! cells only those become nodes where an obstacle forces a turn. Few expansions are not little work:
 //! [`GridReport::cells_scanned`] counts the cells looked at.
+//!
+//! A straight jump runs from a cell until it meets the goal, a wall, or a cell beside which a wall ends: behind the wall
+//! lies a *forced neighbour*, which no cheaper way reaches. A diagonal jump tries straight jumps to both of its sides at
+//! each cell. A jump ends only where a turn can be worthwhile, so a search expands turns, not cells:
+//!
+//! ```text
+//! . . . # f        x jumps east; at n the wall above ends,
+//! x → → → n        so f is a forced neighbour and n becomes a node
+//! ```
+//!
+//! Straight jumps read rows and columns as bitmaps, 64 cells at a time, and find the end by counting zeros. Costs,
+//! estimates and paths' costs are those of eight neighbours. All free cells must cost the same, else a turn might be
+//! worthwhile anywhere.
 
 use std::cell::Cell as Counter;
 

@@ -39,6 +39,20 @@ impl Neighbourhood {
     pub const ALL: [Self; 5] = [Self::Four, Self::Eight, Self::Sixteen, Self::TwentyFour, Self::FortyEight];
 
     /// The moves in the order in which they are tried: counter-clockwise from the east, inner ring first.
+    ///
+    /// The order matters: among entries of equal f and h the newest comes first, so it decides which of several equally
+    /// cheap paths is found.
+    ///
+    /// # Examples
+    /// ```
+    /// use parkade::planners::moves::{Neighbourhood, R5};
+    ///
+    /// let moves = Neighbourhood::Sixteen.moves();
+    /// assert_eq!(moves.len(), 16);
+    /// assert_eq!((moves[0].dx, moves[0].dy), (1, 0));
+    /// // The other eight are knight's moves.
+    /// assert!(moves[8..].iter().all(|m| m.cost == R5));
+    /// ```
     pub fn moves(self) -> Vec<Move> {
         let rings = match self {
             Self::Four | Self::Eight => 1,

@@ -4,6 +4,16 @@
 //! of f, as in [`OpenList`](super::open_list::OpenList), but near ones at once in a bucket of their own, which is
 //! [sorted](super::bucket_sort) when its turn comes. Recency is positional, so every operation on a bucket is
 //! stable.
+//!
+//! ```text
+//! stack   the current bucket, in order
+//! ring    2048 buckets: the rest of this span and the next one, unsorted; a bit map finds the next that holds entries
+//! later   one list per span of 1024 buckets, spread into the ring when the ring reaches it
+//! ```
+//!
+//! A bucket is 2^[`WIDTH`](Entry::WIDTH) micro-cells wide. A push is O(1); taking an entry is O(1) and its share of
+//! sorting one bucket. With consistent estimates f never falls, so buckets are only left forwards; an inconsistent
+//! estimate may push before the current bucket, which is then put back (`go_back`): rare, but exact.
 
 use super::bucket_sort::Sorter;
 use super::entry::Entry;

@@ -2,6 +2,10 @@
 //!
 //! Entries come in long runs, mostly from the last one of the order to the first or just the other way round, so that
 //! turning runs and merging a few of them does for most buckets. Equal entries keep the order in which they came.
+//!
+//! Three ways, chosen by what the bucket holds: insertion for few entries, merging for long runs, and otherwise, where
+//! all entries share f, spreading them by h over as many steps as there are entries, like one pass of a radix sort.
+//! All are stable, and linear in the number of entries on the buckets that grids produce.
 
 use super::entry::Entry;
 

@@ -3,6 +3,10 @@
 //! A record packs cost, move and generation into one 64-bit number. Relaxing a move is then one comparison of two
 //! numbers: what is closed or better is smaller than the candidate. Costs are below 2⁴⁴ micro-cells, which is 17
 //! million cells of a path; move numbers are at most 254.
+//!
+//! No parent is stored: a node and the number of the move that reached it give the parent
+//! ([`Lattice::before`]). Only jump points, whose moves have no fixed length, keep parents beside the records.
+//! A map of 1000 × 1000 cells thus takes 8 MB, and its records are cleared once in about 2000 searches.
 
 use super::bucket_queue::BucketQueue;
 use super::entry::Entry;

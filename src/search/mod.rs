@@ -76,7 +76,9 @@ pub use recorded::{Considered, Legality, Part, record_deferring, record_one_way}
 #[cfg(feature = "complete")]
 pub use recorded_both::record_bidirectional;
 #[cfg(feature = "complete")]
-pub use recorded_domain::{Labelled, Told, record_best_first};
+pub use recorded_domain::{
+    Ground, Labelled, Told, Watched, record_best_first, record_bidirectional_best_first,
+};
 #[cfg(feature = "complete")]
 pub use recording::{BACKWARD, Fate, PAST, Recording, StepKind};
 pub use tree::Tree;

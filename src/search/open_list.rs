@@ -4,6 +4,16 @@
 //! the current fine bucket are in order. Whatever falls into or before it is put among them, so the order is exact for
 //! every heuristic, consistent or not. They are a sorted stack, onto which an entry goes that comes before nearly all
 //! others, as that of the next cell on a straight way does, and a heap for the rest.
+//!
+//! Entries are never decreased. A node that is improved gets a second entry, and the older one is recognised by its
+//! ticket when it is taken ([`Scratch`](super::Scratch)). So a push is O(1) but for entries of the current bucket, which
+//! cost O(log k) for the k entries there; every entry is moved at most twice, into a coarse and into a fine bucket.
+//!
+//! ```text
+//! origin                      current
+//!   │ coarse 0 │ coarse 1 … │ 16 fine buckets │ coarse … │ the last one has no end
+//!                             └ stack and heap: the only ones in order
+//! ```
 
 use super::{Cost, NodeId};
 

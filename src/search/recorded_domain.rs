@@ -1,15 +1,19 @@
 //! A search over a [`Domain`] written down while it runs: the domain is watched, not repeated.
 //!
-//! The search is [`best_first`](super::best_first()) itself. It asks a domain that passes every question on and keeps the
-//! answers, so order, costs and counters are the planner's own; a search that nobody watches knows nothing of this.
+//! The search is [`best_first`](super::best_first()) or
+//! [`bidirectional_best_first`](super::bidirectional_best_first()) itself. It asks a domain that passes every question on
+//! and keeps the answers, so order, costs and counters are the planner's own; a search that nobody watches knows nothing
+//! of this. Two trees write into one recording, each with nodes of its own.
 
+use std::borrow::Borrow;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use super::best_first::{Limits, Report, best_first};
+use super::bidirectional_best_first::{Join, Summary, Trees, bidirectional_best_first};
 use super::observer::Observer;
-use super::recording::{Fate, PAST, Recording, StepKind};
-use super::{Domain, Finish, NodeId, Order, Relax, Scratch, Visit};
+use super::recording::{BACKWARD, Fate, PAST, Recording, StepKind};
+use super::{Domain, Finish, NodeId, Order, Relax, Scratch, Tree, Visit};
 
 /// A domain that can name its moves whether they were taken or not.
 pub trait Told: Domain<Cost = f64, Label: PartialEq> {
@@ -32,16 +36,18 @@ pub struct Labelled<L> {
 }
 
 /// What the search knows of a node.
-#[derive(Clone, Copy)]
+#[derive(Debug, Clone, Copy)]
 struct Known {
     g: f64,
     is_closed: bool,
 }
 
+#[derive(Debug)]
 struct Notes<L> {
     out: Labelled<L>,
-    known: BTreeMap<NodeId, Known>,
-    /// Cost of the best completion so far.
+    /// Per side its nodes.
+    known: [BTreeMap<NodeId, Known>; 2],
+    /// Cost of the best path so far.
     best: f64,
     /// Moves of the node at hand whose cost the domain has asked about.
     asked: Vec<(NodeId, f64, Fate)>,
@@ -49,8 +55,17 @@ struct Notes<L> {
 }
 
 impl<L> Notes<L> {
-    fn fate(&self, target: NodeId, g: f64) -> Fate {
-        match self.known.get(&target) {
+    fn new(roots: &[NodeId], limit: usize) -> Self {
+        let out = Labelled { recording: Recording::default(), labels: Vec::new() };
+        let mut known = [BTreeMap::new(), BTreeMap::new()];
+        for (known, &root) in known.iter_mut().zip(roots) {
+            known.insert(root, Known { g: 0.0, is_closed: false });
+        }
+        Self { out, known, best: f64::INFINITY, asked: Vec::new(), limit }
+    }
+
+    fn fate(&self, side: usize, target: NodeId, g: f64) -> Fate {
+        match self.known[side].get(&target) {
             Some(known) if known.is_closed => Fate::Closed,
             Some(known) if g >= known.g => Fate::Dearer,
             _ if g >= self.best => Fate::LeftOut,
@@ -78,9 +93,18 @@ impl<L> Notes<L> {
     }
 }
 
-struct Watched<'a, D: Told> {
+/// A domain that passes every question on.
+#[derive(Debug)]
+pub struct Watched<'a, D: Told> {
     domain: &'a mut D,
-    notes: RefCell<Notes<D::Label>>,
+    notes: &'a RefCell<Notes<D::Label>>,
+    side: usize,
+}
+
+impl<D: Told> Borrow<D> for Watched<'_, D> {
+    fn borrow(&self) -> &D {
+        self.domain
+    }
 }
 
 impl<D: Told> Domain for Watched<'_, D> {
@@ -95,10 +119,10 @@ impl<D: Told> Domain for Watched<'_, D> {
     }
 
     fn successors<S: Relax<f64, D::Label>>(&self, from: Visit<f64, D::Label>, sink: &mut S) {
-        let parent_g = from.parent.map_or(0.0, |parent| self.notes.borrow().known[&parent].g);
+        let parent_g = from.parent.map_or(0.0, |parent| self.notes.borrow().known[self.side][&parent].g);
         let first = self.notes.borrow_mut().begin_moves();
         self.domain.successors(from, &mut Passing { watched: self, sink, from: [from.g, parent_g] });
-        let notes = &self.notes;
+        let Self { notes, side, .. } = *self;
         self.domain.consider(from, &mut |target, cost, label, reason| {
             let mut notes = notes.borrow_mut();
             if notes.out.recording.is_cut || notes.out.labels[first..].contains(&label) {
@@ -107,7 +131,7 @@ impl<D: Told> Domain for Watched<'_, D> {
             let g = from.g + cost;
             let asked = notes.asked.iter().find(|one| (one.0, one.1) == (target, cost)).map(|one| one.2);
             let is_dear = asked.filter(|fate| !matches!(fate, Fate::Kept | Fate::Improved));
-            let fate = is_dear.or(reason).unwrap_or_else(|| match notes.fate(target, g) {
+            let fate = is_dear.or(reason).unwrap_or_else(|| match notes.fate(side, target, g) {
                 Fate::Kept | Fate::Improved => Fate::LeftOut,
                 fate => fate,
             });
@@ -122,13 +146,14 @@ impl<D: Told> Domain for Watched<'_, D> {
     fn finish(&mut self, at: Visit<f64, D::Label>, bound: f64) -> Option<Finish<f64, D::Tail>> {
         let h = self.domain.heuristic(at.node, at.label);
         let found = self.domain.finish(at, bound).filter(|finish| at.g + finish.cost < bound);
-        let notes = self.notes.get_mut();
-        notes.known.insert(at.node, Known { g: at.g, is_closed: true });
+        let mut notes = self.notes.borrow_mut();
+        let notes = &mut *notes;
+        notes.known[self.side].insert(at.node, Known { g: at.g, is_closed: true });
         let recording = &mut notes.out.recording;
         recording.is_cut |= recording.nodes.len() == notes.limit;
         if !recording.is_cut {
             let kind = if found.is_some() { StepKind::Goal } else { StepKind::Expand };
-            recording.step(kind, 0, at.node, [at.g, h, at.g + h]);
+            recording.step(kind, self.side, at.node, [at.g, h, at.g + h]);
         }
         if let Some(finish) = &found {
             notes.best = at.g + finish.cost;
@@ -148,13 +173,14 @@ struct Passing<'a, 'd, D: Told, S> {
 impl<D: Told, S: Relax<f64, D::Label>> Passing<'_, '_, D, S> {
     fn note(&mut self, target: NodeId, g: f64, past: u8, label: D::Label) {
         let h = self.watched.domain.heuristic(target, label);
+        let side = self.watched.side;
         let mut notes = self.watched.notes.borrow_mut();
-        let fate = match notes.fate(target, g) {
+        let fate = match notes.fate(side, target, g) {
             Fate::Kept | Fate::Improved if h.is_infinite() || g + h >= notes.best => Fate::LeftOut,
             fate => fate,
         };
         if matches!(fate, Fate::Kept | Fate::Improved) {
-            notes.known.insert(target, Known { g, is_closed: false });
+            notes.known[side].insert(target, Known { g, is_closed: false });
         }
         notes.offer(target, fate as u8 | past, g, h, label);
     }
@@ -163,7 +189,7 @@ impl<D: Told, S: Relax<f64, D::Label>> Passing<'_, '_, D, S> {
 impl<D: Told, S: Relax<f64, D::Label>> Relax<f64, D::Label> for Passing<'_, '_, D, S> {
     fn improves(&self, target: NodeId, cost: f64) -> bool {
         let mut notes = self.watched.notes.borrow_mut();
-        let fate = notes.fate(target, self.from[0] + cost);
+        let fate = notes.fate(self.watched.side, target, self.from[0] + cost);
         notes.asked.push((target, cost, fate));
         self.sink.improves(target, cost)
     }
@@ -183,6 +209,56 @@ impl<D: Told, S: Relax<f64, D::Label>> Relax<f64, D::Label> for Passing<'_, '_, 
     }
 }
 
+/// A join of two watched trees, which says where a path comes from.
+struct Noted<'a, L, J> {
+    join: &'a mut J,
+    notes: &'a RefCell<Notes<L>>,
+}
+
+impl<L, J> Noted<'_, L, J> {
+    /// The step at hand made the best path cheaper, or the completion that it was noted for did not.
+    fn note<D: Domain<Cost = f64, Label = L>>(&mut self, before: f64, kind: StepKind)
+    where
+        J: Join<D>,
+    {
+        let mut notes = self.notes.borrow_mut();
+        let is_cheaper = self.join.best() < before;
+        notes.best = self.join.best();
+        if let (false, Some(last)) = (notes.out.recording.is_cut, notes.out.recording.kinds.last_mut()) {
+            let side = *last & BACKWARD;
+            if is_cheaper {
+                *last = side + kind as u8;
+            } else if *last == side + StepKind::Goal as u8 {
+                *last = side + StepKind::Expand as u8;
+            }
+        }
+    }
+}
+
+impl<D: Domain<Cost = f64>, J: Join<D>> Join<D> for Noted<'_, D::Label, J> {
+    fn best(&self) -> f64 {
+        self.join.best()
+    }
+
+    fn complete(
+        &mut self,
+        trees: Trees<D>,
+        side: usize,
+        at: Visit<f64, D::Label>,
+        finish: Finish<f64, D::Tail>,
+    ) {
+        let before = self.join.best();
+        self.join.complete(trees, side, at, finish);
+        self.note::<D>(before, StepKind::Joined);
+    }
+
+    fn join(&mut self, trees: Trees<D>, side: usize, at: Visit<f64, D::Label>) {
+        let before = self.join.best();
+        self.join.join(trees, side, at);
+        self.note::<D>(before, StepKind::Meet);
+    }
+}
+
 /// [`best_first`](super::best_first()), of which at most `limit` steps are written down.
 pub fn record_best_first<D: Told, O: Observer<f64, D::Label>>(
     domain: &mut D,
@@ -192,14 +268,43 @@ pub fn record_best_first<D: Told, O: Observer<f64, D::Label>>(
     observer: &mut O,
     limit: usize,
 ) -> (Report<f64, D::Tail>, Labelled<D::Label>) {
-    let out = Labelled { recording: Recording::default(), labels: Vec::new() };
-    let known = BTreeMap::from([(root.0, Known { g: 0.0, is_closed: false })]);
-    let notes = RefCell::new(Notes { out, known, best: f64::INFINITY, asked: Vec::new(), limit });
-    let mut watched = Watched { domain, notes };
+    let notes = RefCell::new(Notes::new(&[root.0], limit));
+    let mut watched = Watched { domain, notes: &notes, side: 0 };
     let report = best_first(&mut watched, root, limits, scratch, observer);
-    let Labelled { mut recording, labels } = watched.notes.into_inner().out;
-    recording.unit = 1.0;
-    (recording.expanded, recording.generated) = (report.expanded, report.generated);
-    (recording.pushes, recording.open_peak) = (report.pushes, report.open_peak);
-    (report, Labelled { recording: recording.finish(), labels })
+    let counters = [report.expanded, report.generated, report.pushes, report.open_peak];
+    (report, finished(notes, counters))
+}
+
+/// Domain, root and memory of one side of a search.
+pub type Ground<'a, D> =
+    (&'a mut D, (NodeId, <D as Domain>::Label), &'a mut Scratch<f64, <D as Domain>::Label>);
+
+/// [`bidirectional_best_first`](super::bidirectional_best_first()), of which at most `limit` steps are written down.
+pub fn record_bidirectional_best_first<'a, D, J, O>(
+    [first, second]: [Ground<'a, D>; 2],
+    limits: Limits,
+    join: &mut J,
+    observer: &mut O,
+    limit: usize,
+) -> (Summary, Labelled<D::Label>)
+where
+    D: Told,
+    J: for<'w> Join<Watched<'w, D>>,
+    O: Observer<f64, D::Label>,
+{
+    let notes = RefCell::new(Notes::new(&[first.1.0, second.1.0], limit));
+    let mut domains =
+        [(0, first.0), (1, second.0)].map(|(side, domain)| Watched { domain, notes: &notes, side });
+    let [a, b] = &mut domains;
+    let mut trees = [Tree::new(a, first.1, first.2), Tree::new(b, second.1, second.2)];
+    let mut noted = Noted { join, notes: &notes };
+    let summary = bidirectional_best_first(&mut trees, limits, &mut noted, observer);
+    let counters = [summary.expanded, summary.generated, summary.pushes, summary.open_peak];
+    (summary, finished(notes, counters))
+}
+
+fn finished<L>(notes: RefCell<Notes<L>>, [expanded, generated, pushes, open_peak]: [u32; 4]) -> Labelled<L> {
+    let Labelled { recording, labels } = notes.into_inner().out;
+    let recording = Recording { unit: 1.0, expanded, generated, pushes, open_peak, ..recording };
+    Labelled { recording: recording.finish(), labels }
 }

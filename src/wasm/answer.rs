@@ -143,7 +143,7 @@ fn recorded(geometry: &Geometry, plan: &Plan, recorded: &Recorded) -> JsValue {
             let owner = |&owner: &u32| {
                 if owner == PoseRecording::NOBODY { NO_OWNER } else { index(geometry.owner(owner)) }
             };
-            set(&answer, "root", &write(&poses.root));
+            set(&answer, "roots", &write(&poses.roots));
             set(&answer, "fromGoal", &poses.from_goal.into());
             set(&answer, "poses", &f64s(&poses.poses));
             set(&answer, "arcs", &f64s(&poses.arcs));

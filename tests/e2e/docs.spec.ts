@@ -61,6 +61,24 @@ for (const home of ["", "zh/"]) {
   });
 }
 
+for (const { home, button, query, heading } of [
+  { home: "", button: "Search", query: "stickiness corridor", heading: /Hybrid A/ },
+  { home: "zh/", button: "搜索", query: "障碍物", heading: /[\u4e00-\u9fff]/ },
+]) {
+  test(`a search on /docs/${home} for "${query}" lands on the section that says it`, async ({ page }) => {
+    await page.goto(BASE + home);
+    await page.getByRole("button", { name: button }).click();
+    await page.getByRole("searchbox").fill(query);
+    const first = page.locator(".VPLocalSearchBox a.result").first();
+    await expect(first).toBeVisible();
+    await first.click();
+    await expect(page.locator(".VPLocalSearchBox")).toHaveCount(0);
+    await expect(page.locator("h1")).toHaveText(heading);
+    await expect(page.locator(".vp-doc")).toContainText(query.split(" ")[0]!, { ignoreCase: true });
+    expect(new URL(page.url()).pathname.startsWith(`${BASE}${home}`)).toBe(true);
+  });
+}
+
 for (const file of [
   "planners/hybrid.html",
   "planners/risk-field.html",

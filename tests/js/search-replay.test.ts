@@ -1,6 +1,6 @@
 /** Recorded searches, walked through by the debugger, against a plain search and the planners' own counters. */
 import { beforeAll, describe, expect, it } from "vitest";
-import { Planner, init, type PlannerId, type Scenario, type SearchTrace } from "parkade";
+import { Planner, init, scenario, type PlannerId, type PoseTrace, type Scenario, type SearchTrace } from "parkade";
 import { FATE, STEP, SearchReplay } from "../../www/src/planning/search-replay";
 import { traceAsJson, traceForPosthoc } from "../../www/src/planning/trace-export";
 import { eventLine, pseudocode } from "../../www/src/texts/search-steps";
@@ -61,6 +61,17 @@ function recorded(planner: PlannerId, scene: Scenario, limit = 100_000) {
     if (plan.trace?.kind !== "search") throw new Error(`${planner} gave no recording`);
     const blocked = made.layer("occupancy").data as Uint8Array;
     return { plan, trace: plan.trace as SearchTrace, blocked };
+  } finally {
+    made.free();
+  }
+}
+
+function recordedPoses(planner: PlannerId, id: string, settings = {}, traceLimit = 100_000): PoseTrace {
+  const made = new Planner(planner, scenario(id), settings);
+  try {
+    const { trace } = made.plan({ trace: "full", traceLimit });
+    if (trace?.kind !== "poses") throw new Error(`${planner} on ${id} gave no recording`);
+    return trace;
   } finally {
     made.free();
   }
@@ -188,33 +199,73 @@ describe("a recorded search", () => {
     }
   });
 
-  it("of a hundred thousand events takes no more memory at its end, nor when it is walked back and forth", () => {
-    const scene = {
-      ...randomScene(1),
-      map: { origin: [0, 0], width: 160, height: 160, resolution: 1 },
-      obstacles: [],
-    } as Scenario;
-    const replay = new SearchReplay(
-      recorded("dijkstra", {
-        ...scene,
-        start: { x: 0.5, y: 0.5, heading: 0 },
-        goal: { x: 159.5, y: 159.5, heading: 0 },
-      }).trace,
-    );
+  it.each([
+    ["hybrid", "perpendicular"],
+    ["hybrid", "par-6.6"],
+    ["hybrid-bidirectional", "L2"],
+    ["hybrid-bidirectional", "road-roundabout"],
+  ] as const)("of %s on %s takes the first entry of a side's open list at each step, and walks back", (planner, id) => {
+    const trace = recordedPoses(planner, id);
+    const replay = new SearchReplay(trace);
+    expect(replay.sides).toHaveLength(planner === "hybrid" ? 1 : 2);
+    expect(trace.counters.expanded).toBe(replay.steps);
+    const before: string[] = [];
+    for (let step = 0; step < replay.steps; step++) {
+      const side = replay.sideOf(step),
+        [next] = replay.openList(side, 1);
+      expect([next?.node, next?.f, next?.g]).toEqual([trace.nodes[step], trace.f[step], trace.g[step]]);
+      if (step % 97 === 0) before.push(JSON.stringify(replay.sides.map((one) => one.open.length)));
+      replay.seek(replay.endOf(step));
+    }
+    expect(before.length).toBeGreaterThan(0);
+    for (let step = replay.steps - 1; step >= 0; step--) {
+      replay.seek(replay.endOf(step - 1));
+      if (step % 97 === 0) expect(JSON.stringify(replay.sides.map((one) => one.open.length))).toBe(before.pop());
+    }
+    expect(replay.at).toBe(0);
+  });
+
+  it("from both ends says where the trees of a car meet", () => {
+    const { kinds, roots } = recordedPoses("hybrid-bidirectional", "road-roundabout");
+    expect(kinds.some((kind) => (kind & 15) === STEP.meet)).toBe(true);
+    const { start, goal } = scenario("road-roundabout");
+    [start, goal as { x: number; y: number }].forEach(({ x, y }, side) => {
+      expect(roots[side]!.x).toBeCloseTo(x);
+      expect(roots[side]!.y).toBeCloseTo(y);
+    });
+  });
+
+  const long: [string, () => SearchTrace | PoseTrace][] = [
+    [
+      "cells",
+      () =>
+        recorded("dijkstra", {
+          ...randomScene(1),
+          map: { origin: [0, 0], width: 160, height: 160, resolution: 1 },
+          obstacles: [],
+          start: { x: 0.5, y: 0.5, heading: 0 },
+          goal: { x: 159.5, y: 159.5, heading: 0 },
+        } as Scenario).trace,
+    ],
+    ["poses", () => recordedPoses("hybrid", "random-60", { heuristic: "euclid", heuristicWeight: 0.1 }, 12_000)],
+  ];
+  it.each(long)("of a hundred thousand events over %s takes no more memory, walked back and forth", (_, make) => {
+    const replay = new SearchReplay(make());
     expect(replay.events).toBeGreaterThan(100_000);
     const held = (): number =>
       Object.values(replay as object).reduce(
         (sum: number, part: unknown) => sum + (ArrayBuffer.isView(part) ? part.byteLength : 0),
         0,
       );
-    const bytes = held();
-    for (let round = 0; round < 3; round++) {
+    const bytes = held(),
+      [first] = replay.openList(0, 12);
+    for (let round = 0; round < 2; round++) {
       replay.seek(replay.events);
       expect(held()).toBe(bytes);
       replay.seek(0);
     }
     expect(held()).toBe(bytes);
-    expect(replay.openList(0, 12).map(({ node }) => node)).toEqual([0]);
+    expect(replay.openList(0, 12)).toEqual([first]);
   });
 
   it("stops at its limit and says so", () => {

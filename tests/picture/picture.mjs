@@ -1,10 +1,12 @@
-// README's picture: the page in dist/ as a visitor meets it, once all planners have answered and been timed. `cargo xtask picture` builds it first.
+// Pictures of the documents, of the page in dist/; `cargo xtask picture` builds it first.
 import { fileURLToPath } from "node:url";
 import { withBrowser } from "../e2e/browser.js";
+import { photographQuestions } from "./questions.mjs";
 
 const FILE = fileURLToPath(new URL("../../docs/public/playground.png", import.meta.url));
 
 await withBrowser(async (browser, url) => {
+  // README's: as a visitor meets it, once all planners have answered and been timed.
   const page = await browser.newPage({
     viewport: { width: 1400, height: 900 },
     colorScheme: "light",
@@ -15,6 +17,7 @@ await withBrowser(async (browser, url) => {
   await page.waitForFunction(isAtRest);
   await page.screenshot({ path: FILE });
   console.log(FILE);
+  await photographQuestions(browser, url);
 });
 
 /** Runs in the page: every planner is loaded and timed, and no better path is looked for any more. */

@@ -1,11 +1,11 @@
-//! `cargo xtask picture`: README's picture of the page.
+//! `cargo xtask picture`: pictures of the page in README and in the documentation.
 
 use anyhow::{Result, ensure};
 
 use crate::tools::{node, run};
 use crate::{browser, site};
 
-/// Builds the page and photographs it into `docs/public/playground.png`.
+/// Builds the page and photographs it into `docs/public/playground.png` and `docs/public/questions`.
 pub(crate) fn picture(arguments: &[String]) -> Result<()> {
     ensure!(arguments.is_empty(), "`picture` takes no arguments");
     site::assemble()?;

@@ -1,8 +1,20 @@
 //! The formulas of all words, from two pairs of turning circles.
 //!
+//! Frame and units: the start is the origin with heading 0, the target is (x, y, φ), lengths are divided by the radius.
+//! A car on its left circle turns about (0, 1), on its right one about (0, −1).
+//!
 //! Reeds and Shepp's formulas see the target through two vectors: A, from the left circle at the start to the left one
-//! at the end, and B, from the left one to the right one. Time flip mirrors both across the y axis, and seen backwards
-//! A is only turned by φ, and B is the reflected B turned by φ. So four lengths and four angles serve all 48 words.
+//! at the end, and B, from the left one to the right one:
+//!
+//! ```text
+//! A = (x − sin φ, y − 1 + cos φ)        B = (x + sin φ, y − 1 − cos φ)
+//! ```
+//!
+//! Time flip mirrors both across the y axis, and seen backwards A is only turned by φ, and B is the reflected B turned
+//! by φ. So four lengths and four angles serve all 48 words.
+//!
+//! The straight part of a word follows from |A| or |B| alone. A word whose straight part is no shorter than the caller's
+//! bound is skipped before its arctangents are taken.
 
 use super::{Shape, Word};
 use crate::geometry::Pose;
@@ -96,7 +108,8 @@ impl Side {
         [(false, angle, self.phi), (true, PI - angle, -self.phi)]
     }
 
-    /// CSC.
+    /// CSC: LSL along the outer tangent of two circles (u = |A|), LSR along the inner one (u² = |B|² − 4). Circles that
+    /// overlap have no inner tangent.
     fn straight(&self, to: &mut impl Visit, (a, alpha): (f64, f64), (b, beta): (f64, f64)) {
         if a < to.bound() {
             for (flip, angle, phi) in self.ways(alpha) {
@@ -124,6 +137,9 @@ impl Side {
     }
 
     /// Words that start and end on the same side: LRL and LRSL, both ways round.
+    ///
+    /// LRL needs a third circle that touches both, so |A| ≤ 4; LRSL turns back a quarter circle before its straight line,
+    /// which needs |A| ≥ 2.
     fn same_turn(&self, to: &mut impl Visit, (a, alpha): (f64, f64)) {
         if a <= 4.0 {
             let u = -2.0 * math::asin(a / 4.0);
@@ -198,7 +214,8 @@ impl Side {
         }
     }
 
-    /// LRLR with one cusp in the middle, or with two around the middle.
+    /// LRLR with one cusp in the middle (lengths t, u, −u, v), or with two around the middle (t, u, u, v); the two middle
+    /// arcs are equally long.
     fn four_circles(&self, to: &mut impl Visit, (b, beta): (f64, f64)) {
         let rho = (2.0 + b) / 4.0;
         if rho <= 1.0 {

@@ -1,8 +1,29 @@
 //! Shortest paths without obstacles for a car that drives both ways (Reeds and Shepp 1990).
 //!
+//! A car with turning radius R that may reverse gets from any pose to any other, and one of 48 kinds of path, the
+//! *words*, is the shortest. A word has at most five segments, each on the tightest circle to one side or straight, and
+//! at most two cusps. Hybrid A\* uses them twice: their length is an estimate of the cost that remains (a lower bound,
+//! because obstacles only lengthen paths), and a free one from an expanded pose to the target completes the path.
+//!
 //! Names and words follow the paper: C and its L, R are circles of the tightest curvature, S is a straight line;
-//! lengths t, u, v are in units of the turning radius, negative in reverse. Each word is tried under time flip (driving
-//! the other way), reflection (L for R) and, where that gives something new, backwards.
+//! lengths t, u, v are in units of the turning radius, negative in reverse. Nine families of formulas are enough. Each is
+//! tried under time flip (driving the other way: every gear changes), reflection (L for R) and, where that gives
+//! something new, backwards (the segments in the opposite order).
+//!
+//! All words together take some 20 inverse trigonometric functions and no allocation. A caller that has a bound passes it, and words that
+//! cannot be shorter are not solved.
+//!
+//! # Examples
+//! ```
+//! use parkade::geometry::{Pose, reeds_shepp};
+//!
+//! // Parking sideways: 2 m to the left, same heading, with a radius of 5 m.
+//! let (from, to) = (Pose::default(), Pose::new(0.0, 2.0, 0.0));
+//! let words = reeds_shepp::list_below(from, to, 5.0, f64::INFINITY);
+//! let shortest = words.iter().min_by(|a, b| a.length(5.0).total_cmp(&b.length(5.0))).unwrap();
+//! assert_eq!(shortest.length(5.0), reeds_shepp::distance(from, to, 5.0));
+//! assert!(shortest.direction_changes() > 0 && shortest.length(5.0) > 2.0);
+//! ```
 
 mod families;
 
@@ -49,7 +70,9 @@ impl Shape {
     }
 }
 
-/// A Reeds–Shepp path: at most five arcs, lengths in turning radii.
+/// A Reeds–Shepp path: at most five segments, lengths in turning radii, negative in reverse.
+///
+/// It is small and `Copy`: a search makes dozens per expansion and keeps the one that completes its path.
 #[derive(Debug, Clone, Copy)]
 pub struct Word {
     turns: [Turn; 5],
@@ -121,7 +144,9 @@ fn mirrored(turn: Turn) -> Turn {
     }
 }
 
-/// All words from `from` to `to` for turning radius `radius`, unordered, handed to `each`.
+/// All words from `from` to `to` for turning radius `radius`, metres, unordered, handed to `each`.
+///
+/// Words of the same family under different symmetries can be the same curve; they are not sorted out.
 pub fn words(from: Pose, to: Pose, radius: f64, each: impl FnMut(Word)) {
     words_below(from, to, radius, f64::INFINITY, each);
 }
@@ -139,12 +164,16 @@ pub fn list_below(from: Pose, to: Pose, radius: f64, bound: f64) -> Vec<Word> {
     list
 }
 
-/// Length of the shortest word, metres.
+/// Length of the shortest word, metres: the distance for a car without obstacles. It is a metric, symmetric because
+/// every word can be driven backwards.
 pub fn distance(from: Pose, to: Pose, radius: f64) -> f64 {
     distance_or(from, to, radius, 0.0)
 }
 
 /// Length of the shortest word, metres, or of any word that is at most `enough` long: the caller has a better bound.
+///
+/// The estimate of hybrid A\* is the larger of this length and of the way around obstacles. Where the latter is larger,
+/// it does not matter which short word is found, and the formulas of the others are saved.
 pub fn distance_or(from: Pose, to: Pose, radius: f64, enough: f64) -> f64 {
     let mut least = Least { best: f64::INFINITY, enough: enough / radius };
     visit(from, to, radius, &mut least);

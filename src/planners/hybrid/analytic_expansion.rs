@@ -1,4 +1,7 @@
 //! Connections that were tried and hit something, kept for drawing.
+//!
+//! A search asks many curves at each pose whether they are free, and throws the answers away. For people the cheapest
+//! that failed tells most: where the way would be if that obstacle were not there.
 
 use crate::geometry::Pose;
 use crate::geometry::arcs::Arc;

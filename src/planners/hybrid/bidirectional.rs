@@ -2,7 +2,12 @@
 //!
 //! The parking paper's flowchart lets the trees meet where they share a cell; cells alone do not make a drivable join,
 //! so a curve between the two real poses does. Each expanded state is also tried with a curve to the other root.
+//!
+//! The tree from the goal is mirrored: it drives backwards in time, so its arcs are reversed when both are joined. Both
+//! trees charge the costs of driving forwards in time. The search ends when the least f of either tree is no less than the
+//! cost of the best path, as that tree then has nothing cheaper to offer.
 
+use core::borrow::Borrow;
 use core::cell::RefCell;
 
 use super::analytic_expansion::Recorder;
@@ -11,10 +16,12 @@ use super::cost::CostModel;
 use super::domain::{self, Setting, State, StateLattice};
 use super::level::{Search, Work};
 use super::obstacle_heuristic::ObstacleHeuristic;
-use super::{Status, Tree};
+use super::{PoseRecording, Status, Tree};
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::reeds_shepp::{self, Word};
-use crate::search::{self, End, Finish, Join, Limits, Trees, bidirectional_best_first};
+use crate::search::{
+    self, Domain, End, Finish, Join, Limits, Trees, bidirectional_best_first, record_bidirectional_best_first,
+};
 
 type Visit = search::Visit<f64, State>;
 
@@ -26,21 +33,25 @@ struct Cheapest<'a> {
     arcs: Vec<Arc>,
 }
 
-impl Join<StateLattice<'_>> for Cheapest<'_> {
+impl<'l, D> Join<D> for Cheapest<'_>
+where
+    D: Domain<Cost = f64, Label = State, Tail = Word> + Borrow<StateLattice<'l>>,
+{
     fn best(&self) -> f64 {
         self.cost
     }
 
-    fn complete(&mut self, trees: Trees<StateLattice>, side: usize, at: Visit, finish: Finish<f64, Word>) {
+    fn complete(&mut self, trees: Trees<D>, side: usize, at: Visit, finish: Finish<f64, Word>) {
         let arcs = domain::path(&trees[side].chain(at.node), &finish.tail, self.costs.radius);
         self.keep(if side == 0 { arcs } else { arcs::reversed(&arcs) });
     }
 
     /// Tries the states of the other tree in the cell of this pose, whatever their gear.
-    fn join(&mut self, trees: Trees<StateLattice>, side: usize, at: Visit) {
+    fn join(&mut self, trees: Trees<D>, side: usize, at: Visit) {
         let other = &trees[1 - side];
+        let lattice: &StateLattice = (*other.domain).borrow();
         for gear in [-1, 0, 1] {
-            if let Some(there) = other.reached(other.domain.node(at.label.pose, gear)) {
+            if let Some(there) = other.reached(lattice.node(at.label.pose, gear)) {
                 self.bridge(trees, if side == 0 { [at, there] } else { [there, at] });
             }
         }
@@ -56,9 +67,12 @@ impl Cheapest<'_> {
     }
 
     /// Joins a state of the tree from the start to one of the tree from the goal.
-    fn bridge(&mut self, trees: Trees<StateLattice>, [from, to]: [Visit; 2]) {
+    fn bridge<'l, D>(&mut self, trees: Trees<D>, [from, to]: [Visit; 2])
+    where
+        D: Domain<Cost = f64, Label = State, Tail = Word> + Borrow<StateLattice<'l>>,
+    {
         let (here, there) = (from.label.pose, to.label.pose);
-        let (lattice, radius) = (&trees[0].domain, self.costs.radius);
+        let (lattice, radius): (&StateLattice, _) = ((*trees[0].domain).borrow(), self.costs.radius);
         let words = reeds_shepp::list_below(here, there, radius, self.cost - from.g - to.g);
         let mut words: Vec<_> = words.into_iter().map(|word| (word.length(radius), word)).collect();
         while let Some((_, word)) = domain::take_cheapest(&mut words) {
@@ -102,14 +116,24 @@ pub(super) fn search(
     let (mut first, mut second) = (lattice(0, &scratch.keys), lattice(1, &other.keys));
     let roots = ends.map(|pose| State { pose, ..State::default() });
     let nodes = [first.node(ends[0], 0), second.node(ends[1], 0)];
-    let mut trees = [
-        search::Tree::new(&mut first, (nodes[0], roots[0]), &mut scratch.search),
-        search::Tree::new(&mut second, (nodes[1], roots[1]), &mut other.search),
-    ];
     let limits = Limits { max_expansions: level.max_expansions, first: config.first_shot };
     let mut cheapest = Cheapest { search, costs: driven, cost: f64::INFINITY, arcs: Vec::new() };
     let mut observer = (tree.as_mut(), progress.as_mut());
-    let found = bidirectional_best_first(&mut trees, limits, &mut cheapest, &mut observer);
+    let [a, b] = [(nodes[0], roots[0]), (nodes[1], roots[1])];
+    let found = if let Some(limit) = scratch.recorded_steps {
+        let sides = [(&mut first, a, &mut scratch.search), (&mut second, b, &mut other.search)];
+        let (found, recorded) =
+            record_bidirectional_best_first(sides, limits, &mut cheapest, &mut observer, limit);
+        let sides = [(&first, ends[0]), (&second, ends[1])];
+        report.recorded = Some(PoseRecording::new(&sides, search.origin(), recorded));
+        found
+    } else {
+        let mut trees = [
+            search::Tree::new(&mut first, a, &mut scratch.search),
+            search::Tree::new(&mut second, b, &mut other.search),
+        ];
+        bidirectional_best_first(&mut trees, limits, &mut cheapest, &mut observer)
+    };
     report.expanded += found.expanded;
     report.generated += found.generated;
     report.pushes += found.pushes;

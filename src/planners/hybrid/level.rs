@@ -246,7 +246,7 @@ impl<'a> Search<'a> {
         let found = if let Some(limit) = scratch.recorded_steps {
             let (found, recorded) =
                 record_best_first(&mut lattice, root, limits, &mut scratch.search, &mut observer, limit);
-            report.recorded = Some(PoseRecording::new(&lattice, root.1.pose, self.origin(), recorded));
+            report.recorded = Some(PoseRecording::new(&[(&lattice, root.1.pose)], self.origin(), recorded));
             found
         } else {
             best_first(&mut lattice, root, limits, &mut scratch.search, &mut observer)
@@ -309,7 +309,7 @@ impl<'a> Search<'a> {
     }
 
     /// The world position of the local origin.
-    fn origin(&self) -> Pose {
+    pub(super) fn origin(&self) -> Pose {
         let at = self.query.start.point() - self.start.point();
         Pose::new(at.x, at.y, 0.0)
     }

@@ -4,16 +4,17 @@ use super::cost::Motion;
 use super::domain::{State, StateLattice};
 use crate::geometry::Pose;
 use crate::geometry::arcs::Arc;
-use crate::search::{Fate, Labelled, NodeId, Recording, Told, Visit};
+use crate::search::{BACKWARD, Fate, Labelled, NodeId, Recording, Told, Visit};
+use crate::vehicle::collision::CollisionChecker;
 
 /// The events of a search over poses; a node is a cell of position, heading and gear.
 #[derive(Debug, Clone, Default)]
 pub struct PoseRecording {
     /// The events; costs are metres under the planner's settings.
     pub recording: Recording,
-    /// The root's pose.
-    pub root: Pose,
-    /// True if the tree grows from the goal.
+    /// Per side the root's pose; of two sides the first grows from the start.
+    pub roots: Vec<Pose>,
+    /// True if the only tree, or the first, grows from the goal.
     pub from_goal: bool,
     /// Per move the pose that it leads to, or stops at where something is in its way: x, y, heading, ….
     pub poses: Vec<f64>,
@@ -27,32 +28,55 @@ impl PoseRecording {
     /// Stands where nothing is in a move's way.
     pub const NOBODY: u32 = u32::MAX;
 
-    pub(super) fn new(lattice: &StateLattice, root: Pose, origin: Pose, search: Labelled<State>) -> Self {
-        // The probe counts, so it must not be the search's own.
-        let probe = lattice.probe.clone();
+    /// `sides` are the lattices, each with its root; poses are told from `origin`.
+    pub(super) fn new(
+        sides: &[(&StateLattice, Pose)],
+        origin: Pose,
+        Labelled { recording, labels }: Labelled<State>,
+    ) -> Self {
         let world = |pose: Pose| Pose::new(pose.x + origin.x, pose.y + origin.y, pose.heading);
-        let from_goal = lattice.mirrored;
-        let mut out = Self { root: world(root), from_goal, ..Self::default() };
-        for (label, fate) in search.labels.iter().zip(&search.recording.fates) {
-            let State { mut pose, motion, mut length } = *label;
-            let mut owner = Self::NOBODY;
-            if *fate == Fate::Blocked as u8 {
-                let from = pose.advance(motion.curvature, -length);
-                let arc = Arc { curvature: motion.curvature, length };
-                let far = probe.free_length(from, &arc, lattice.level.spacing, lattice.margin);
-                let beyond = (far + lattice.level.spacing).min(length.abs()).copysign(length);
-                let hit = probe.hit(from.advance(motion.curvature, beyond), lattice.margin);
-                owner = hit.unwrap_or(Self::NOBODY);
-                length = far.copysign(length);
-                pose = from.advance(motion.curvature, length);
+        let mut out = Self {
+            roots: sides.iter().map(|side| world(side.1)).collect(),
+            from_goal: sides[0].0.mirrored,
+            ..Self::default()
+        };
+        // The probe counts, so it must not be the search's own.
+        let probe = sides[0].0.probe.clone();
+        for (step, moves) in recording.first.windows(2).enumerate() {
+            let lattice = sides[usize::from(recording.kinds[step] >= BACKWARD)].0;
+            let moves = moves[0] as usize..moves[1] as usize;
+            for (&label, &fate) in labels[moves.clone()].iter().zip(&recording.fates[moves]) {
+                out.offer(lattice, &probe, label, fate == Fate::Blocked as u8, world);
             }
-            let Pose { x, y, heading } = world(pose);
-            out.poses.extend([x, y, heading]);
-            out.arcs.extend([motion.curvature, length]);
-            out.owners.push(owner);
         }
-        out.recording = search.recording;
+        out.recording = recording;
         out
+    }
+
+    /// Writes a move's arc down, up to where something is in its way.
+    fn offer(
+        &mut self,
+        lattice: &StateLattice,
+        probe: &CollisionChecker,
+        State { mut pose, motion, mut length }: State,
+        is_blocked: bool,
+        world: impl Fn(Pose) -> Pose,
+    ) {
+        let mut owner = Self::NOBODY;
+        if is_blocked {
+            let from = pose.advance(motion.curvature, -length);
+            let arc = Arc { curvature: motion.curvature, length };
+            let far = probe.free_length(from, &arc, lattice.level.spacing, lattice.margin);
+            let beyond = (far + lattice.level.spacing).min(length.abs()).copysign(length);
+            let hit = probe.hit(from.advance(motion.curvature, beyond), lattice.margin);
+            owner = hit.unwrap_or(Self::NOBODY);
+            length = far.copysign(length);
+            pose = from.advance(motion.curvature, length);
+        }
+        let Pose { x, y, heading } = world(pose);
+        self.poses.extend([x, y, heading]);
+        self.arcs.extend([motion.curvature, length]);
+        self.owners.push(owner);
     }
 }
 

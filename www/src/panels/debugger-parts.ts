@@ -3,7 +3,7 @@ import { html, nothing, type TemplateResult } from "lit";
 import type { Explanation } from "parkade";
 import { number, type Lang } from "../i18n/index";
 import type { SearchReplay } from "../planning/search-replay";
-import { cost, estimatesAt, fateText, placeOf, pseudocode, say, targetOf } from "../texts/search-steps";
+import { cost, estimatesAt, fateText, placeOf, placeOfStep, pseudocode, say, targetOf } from "../texts/search-steps";
 import { SIGNS } from "../view/layers/search-marks";
 
 const SHOWN_ENTRIES = 12;
@@ -14,7 +14,7 @@ export function movesTable(lang: Lang, replay: SearchReplay): TemplateResult | t
   if (step < 0) return nothing;
   const moves: number[] = [];
   for (let one = trace.first[step]!; one <= move; one++) moves.push(one);
-  return html`<h3>${say(lang, "moves", { place: placeOf(lang, replay, trace.nodes[step]!) })}</h3>
+  return html`<h3>${say(lang, "moves", { place: placeOfStep(lang, replay, step) })}</h3>
     ${
       trace.first[step] === trace.first[step + 1]
         ? html`<p class="note">${say(lang, "moves.none")}</p>`
@@ -44,7 +44,7 @@ export function openTable(lang: Lang, replay: SearchReplay, side: number): Templ
     <tbody>${entries.map((one, i) => {
       const tied = (other: (typeof entries)[number] | undefined): boolean => other?.f === one.f;
       return html`<tr class=${tied(entries[i - 1]) || tied(entries[i + 1]) ? "tied" : ""}><td class="rank">${i + 1}</td>
-        <td>${placeOf(lang, replay, one.node)}${one.deferred ? html` <i>${say(lang, "waits")}</i>` : nothing}</td>
+        <td>${placeOf(lang, replay, side, one.node)}${one.deferred ? html` <i>${say(lang, "waits")}</i>` : nothing}</td>
         <td class="n">${cost(lang, replay, one.f)}</td><td class="n">${cost(lang, replay, one.h)}</td><td class="n">${one.age}</td></tr>`;
     })}</tbody></table>`;
 }
@@ -61,7 +61,7 @@ export function variables(lang: Lang, replay: SearchReplay): TemplateResult | ty
   const { step, move, trace } = replay;
   if (step < 0) return nothing;
   const rows: [string, string][] = [
-    ["n", placeOf(lang, replay, trace.nodes[step]!)],
+    ["n", placeOfStep(lang, replay, step)],
     ["g(n)", cost(lang, replay, trace.g[step]!)],
     ["h(n)", cost(lang, replay, trace.h[step]!)],
     ["f(n)", cost(lang, replay, trace.f[step]!)],
@@ -92,7 +92,7 @@ export function estimatesCard(
   // Rounding down to whole micro-cells is no overestimate.
   const over = names.filter((name) => found.all[name] > found.least + 1);
   const list = over.map((name) => say(lang, ESTIMATES[name])).join(", ");
-  return html`<section><h3>${say(lang, "estimates", { place: placeOf(lang, replay, node) })}</h3>
+  return html`<section><h3>${say(lang, "estimates", { place: placeOfStep(lang, replay, step) })}</h3>
     <dl>${names.map((name) => html`<div class=${over.includes(name) ? "over" : ""}><dt>${say(lang, ESTIMATES[name])}</dt><dd>${cost(lang, replay, found.all[name])}</dd></div>`)}</dl>
     <p class="note">${say(lang, "estimates.least", { g: cost(lang, replay, found.least) })} ${over.length > 0 ? say(lang, "estimates.over", { names: list }) : say(lang, "estimates.under")}</p></section>`;
 }

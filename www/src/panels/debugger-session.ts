@@ -6,8 +6,13 @@ export const UNITS = ["step", "move", "improved", "tie", "refused", "held", "fai
 export type Unit = (typeof UNITS)[number];
 export const SPEEDS = [2, 10, 60, 600, 6000] as const;
 
+/** Radius around a point on the map in which an expanded pose stops the run, metres. */
+export const POSE_RADIUS = 0.5;
+
 export interface Breakpoints {
   cells: ReadonlySet<number>;
+  /** Points on the map; a pose's middle of the rear axle comes near one. */
+  points: readonly { x: number; y: number }[];
   /** In the units of the search. */
   f: number | null;
   improved: boolean;
@@ -23,7 +28,7 @@ export class Session {
   /** True if a step's connection to the other end failed. */
   fails: (step: number) => boolean = () => false;
   speed: number = SPEEDS[1];
-  breaks: Breakpoints = { cells: new Set(), f: null, improved: false, meet: false };
+  breaks: Breakpoints = { cells: new Set(), points: [], f: null, improved: false, meet: false };
   /** True if the last run ended at a breakpoint. */
   stopped = false;
   private frame = 0;
@@ -135,9 +140,11 @@ export class Session {
 
   private isBreak(step: number): boolean {
     const { trace } = this.replay,
-      { cells, f, improved, meet } = this.breaks;
+      { cells, points, f, improved, meet } = this.breaks;
     if (step < 0) return false;
     if (cells.has(trace.nodes[step]!)) return true;
+    const pose = points.length > 0 ? this.replay.poseOf(this.replay.sideOf(step), trace.nodes[step]!) : null;
+    if (pose && points.some(({ x, y }) => Math.hypot(x - pose.x, y - pose.y) <= POSE_RADIUS)) return true;
     if (f !== null && trace.f[step]! > f && (step === 0 || trace.f[step - 1]! <= f)) return true;
     if (meet && this.replay.kindOf(step) === STEP.meet) return true;
     return (

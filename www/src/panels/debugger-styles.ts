@@ -24,7 +24,7 @@ export const debuggerStyles = css`
   select:hover { background: var(--parkade-hover); }
   option { background: var(--parkade-raise); color: var(--parkade-t1); }
   .legend { display: flex; flex-wrap: wrap; align-items: center; gap: 0 5px; margin-top: 2px; } .legend i { width: 12px; height: 12px; flex: none; } .legend i ~ i { margin-left: 8px; }
-  .ramp { background: linear-gradient(90deg, #00224e, #8a8678, #fde838); opacity: .6; width: 24px !important; } .open { border: 1.5px solid var(--parkade-accent); } .back { background: var(--parkade-warn); opacity: .5; }
+  .ramp { background: linear-gradient(90deg, #00224e, #8a8678, #fde838); opacity: .6; width: 24px !important; } .closed { background: var(--parkade-t2); } .open { border: 1.5px solid var(--parkade-accent); } .back { background: var(--parkade-warn); opacity: .5; }
   .event { min-height: 56px; font-weight: 500; }
   .event b { color: var(--parkade-accent); }
   table { width: 100%; border-collapse: collapse; font-size: 12px; line-height: 16px; }

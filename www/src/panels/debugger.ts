@@ -2,7 +2,7 @@ import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import type { Explanation, PlannerId, PoseTrace, SearchTrace } from "parkade";
 import { download, sentence, type App } from "../app/app";
 import { Helper } from "../planning/job-client";
-import { ArcWalk } from "../planning/arc-walk";
+import { FailedConnections } from "../planning/failed-connections";
 import { STEP } from "../planning/search-replay";
 import { traceAsJson, traceForPosthoc } from "../planning/trace-export";
 import { forPlanners } from "../scene/large-scene";
@@ -13,13 +13,14 @@ import { icon, marker, type IconName } from "../styles/icons";
 import { hasField, plannerName } from "../styles/planner-style";
 import { eventLine, placeOf, say } from "../texts/search-steps";
 import { drawExplained } from "../view/layers/explained";
-import { drawPoseStep } from "../view/layers/arc-walk";
+import { drawBreakpoints } from "../view/layers/breakpoints";
+import { drawPoseStep } from "../view/layers/pose-steps";
 import { SearchStepsLayer } from "../view/layers/search-steps";
 import type { Frame } from "../view/frame";
 import { AppElement } from "./base";
-import { connectionCard, obstacleName, type ArcDebugger } from "./debugger-arcs";
+import { connectionCard, obstacleName } from "./debugger-connection";
 import { code, estimatesCard, fieldCard, movesTable, openTable, variables } from "./debugger-parts";
-import { Session, SPEEDS, UNITS, type Breakpoints, type Unit } from "./debugger-session";
+import { POSE_RADIUS, Session, SPEEDS, UNITS, type Breakpoints, type Unit } from "./debugger-session";
 import { debuggerStyles } from "./debugger-styles";
 import { numberOf, valueOf } from "./inputs";
 
@@ -65,11 +66,9 @@ export class Debugger extends AppElement {
   declare asked: number | null;
   /** Events that are done when the first recording is there. */
   opensAt = 0;
-  /** True if the planner searches poses of a car from both ends: another element shows its tree. */
-  private hasArcs = false;
   private helper: Helper | null = null;
   private layer: Pick<SearchStepsLayer, "draw"> | null = null;
-  private walkOfArcs: ArcWalk | null = null;
+  private failures: FailedConnections | null = null;
   private scene: State["scene"] | null = null;
   private planner: PlannerId | null = null;
   private looks: Partial<State> | null = null;
@@ -91,7 +90,7 @@ export class Debugger extends AppElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    const { layers, playback, mode, camera } = this.state;
+    const { layers, playback, mode, camera, planners } = this.state;
     this.looks = { layers, playback, mode, camera };
     const off = {
       path: false,
@@ -107,7 +106,8 @@ export class Debugger extends AppElement {
     this.app.store.set({
       layers: { ...layers, ...off, obstacles: true },
       playback: { ...playback, base: "search", fraction: 1, playing: false },
-      mode: "focus",
+      // The other planners' column would be empty.
+      mode: planners.length > 1 ? "focus" : mode,
       camera: null,
     });
     this.widen("380px");
@@ -142,7 +142,7 @@ export class Debugger extends AppElement {
     this.session?.pause();
     clearTimeout(this.rest);
     this.session = this.layer = this.field = this.asked = null;
-    this.hasArcs = false;
+    this.failures = null;
     this.app.store.set({ searchSteps: null });
   }
 
@@ -154,7 +154,6 @@ export class Debugger extends AppElement {
   /** One unit on, or back, as presenters' keys ask. */
   move(sign: 1 | -1): void {
     this.session?.move(sign);
-    this.renderRoot.querySelector<ArcDebugger>("parkade-arc-debugger")?.move(sign);
   }
 
   /** Records the search at once where it is short. */
@@ -177,9 +176,7 @@ export class Debugger extends AppElement {
       const packed = forPlanners(scene!, engine.api.packRuns);
       const trace = await this.helper.call("record", { planner: planner!, scene: packed, limit: LIMIT });
       if (scene !== this.scene || planner !== this.planner) return;
-      this.hasArcs = !trace && this.state.results[planner!]?.plan?.trace?.kind === "arcs";
       if (trace) this.take(planner!, trace);
-      else if (this.hasArcs) this.requestUpdate();
       else this.trouble = say(this.state.lang, "none", { planner: plannerName(this.state.lang, planner!) });
     } catch (error) {
       this.trouble = sentence(error);
@@ -192,10 +189,10 @@ export class Debugger extends AppElement {
     replay.nameOf = (obstacle) => obstacleName(this.state, obstacle);
     if (trace.kind === "search") this.layer = new SearchStepsLayer(replay, trace);
     else {
-      this.walkOfArcs = new ArcWalk(trace.tree, trace.root, trace.fromGoal);
-      const walk = this.walkOfArcs;
-      this.session.fails = (step) => walk.failedAt(step) !== null;
-      this.layer = { draw: (frame) => drawPoseStep(frame, replay, walk, planner) };
+      const failures = new FailedConnections(trace.tree.shots);
+      this.failures = failures;
+      this.session.fails = failures.has;
+      this.layer = { draw: (frame) => drawPoseStep(frame, replay, failures.at(replay.step), planner) };
     }
     this.session.replay.seek(this.opensAt);
     this.opensAt = 0;
@@ -217,6 +214,7 @@ export class Debugger extends AppElement {
     if (!session || !layer) return;
     const draw = (frame: unknown): void => {
       layer.draw(frame as Frame);
+      drawBreakpoints(frame as Frame, session.breaks, POSE_RADIUS);
       if (field) drawExplained(frame as Frame, field);
     };
     this.app.store.set({ searchSteps: { planner: session.planner, draw } });
@@ -258,7 +256,7 @@ export class Debugger extends AppElement {
       { session } = this;
     return html`<section class="head"><h2>${marker(focus)}${say(lang, "title")}</h2><span class="who">${plannerName(lang, focus)}</span>
         <button class="icon" aria-label=${say(lang, "close")} title=${say(lang, "close")} @click=${() => this.remove()}>${icon("close")}</button></section>
-      ${this.hasArcs ? html`<parkade-arc-debugger .app=${this.app}></parkade-arc-debugger>` : session ? this.walk(session) : html`<section><p role="status">${this.waiting()}</p>${this.asked === null ? nothing : html`<button class="button outline" @click=${this.record}>${say(lang, "record")}</button>`}</section>`}`;
+      ${session ? this.walk(session) : html`<section><p role="status">${this.waiting()}</p>${this.asked === null ? nothing : html`<button class="button outline" @click=${this.record}>${say(lang, "record")}</button>`}</section>`}`;
   }
 
   private waiting(): string {
@@ -272,7 +270,7 @@ export class Debugger extends AppElement {
       { replay } = session;
     return html`<section class="transport">${this.transport(session)}</section>
       <section class="event"><p aria-live="polite">${session.stopped ? html`<b>${say(lang, "breaks.hit")}</b> ` : nothing}${eventLine(lang, replay, session.unit === "move")}</p></section>
-      ${replay.trace.kind === "poses" ? html`<section>${connectionCard(this.state, this.walkOfArcs?.failedAt(replay.step) ?? null, replay.kindOf(replay.step) === STEP.goal || replay.kindOf(replay.step) === STEP.joined)}<p class="note">${say(lang, replay.trace.fromGoal ? "arcs.fromGoal" : "arcs.fromStart")} ${say(lang, "arcs.steps")}</p></section>` : nothing}
+      ${replay.trace.kind === "poses" ? html`<section>${connectionCard(this.state, replay, this.failures?.at(replay.step) ?? null)}<p class="note">${say(lang, replay.sides.length > 1 ? "arcs.fromBoth" : replay.trace.fromGoal ? "arcs.fromGoal" : "arcs.fromStart")} ${say(lang, "arcs.steps")}</p></section>` : nothing}
       ${this.field ? html`<section class="field-card">${fieldCard(lang, this.field)}</section>` : nothing}
       <section>${movesTable(lang, replay)}</section>
       <section>${code(lang, replay, session.unit === "move")}${variables(lang, replay)}</section>
@@ -307,7 +305,7 @@ export class Debugger extends AppElement {
       <input class="slider" type="range" min="0" max=${replay.events} .value=${String(replay.at)} .style=${`--at:${(100 * replay.at) / Math.max(1, replay.events)}%`} aria-label=${say(lang, "position", { step: replay.step + 1, steps: replay.steps })}
         @input=${(e: Event) => session.seek(numberOf(e))}>
       <p class="note">${say(lang, "position", { step: replay.step + 1, steps: replay.steps })}</p>
-      <p class="note legend" ?hidden=${replay.trace.kind === "poses"}><i class="ramp"></i>${say(lang, "legend.closed")}<i class="open"></i>${say(lang, "legend.open")}${replay.sides.length > 1 ? html`<i class="back"></i>${say(lang, "legend.back")}` : nothing}</p>`;
+      <p class="note legend"><i class=${replay.trace.kind === "poses" ? "closed" : "ramp"}></i>${say(lang, replay.trace.kind === "poses" ? "legend.expanded" : "legend.closed")}<i class="open"></i>${say(lang, "legend.open")}${replay.sides.length > 1 ? html`<i class="back"></i>${say(lang, "legend.back")}` : nothing}</p>`;
   }
 
   private breakpoints(session: Session): TemplateResult {
@@ -315,19 +313,24 @@ export class Debugger extends AppElement {
       { breaks, replay } = session;
     const set = (patch: Partial<Breakpoints>): void => {
       session.breaks = { ...breaks, ...patch };
-      this.requestUpdate();
+      this.show();
     };
-    const cells = [...breaks.cells];
+    const cells = [...breaks.cells],
+      { points } = breaks;
+    const chip = (place: string, without: Partial<Breakpoints>): TemplateResult =>
+      html`<button class="chip" aria-label=${say(lang, "breaks.remove", { place })} @click=${() => set(without)}>${place} ✕</button>`;
+    const hasPoses = replay.trace.kind === "poses";
     return html`<h3>${say(lang, "breaks")}</h3>
-      <div class="rows" ?hidden=${replay.trace.kind === "poses"}><button class="button outline" aria-pressed=${this.picking} @click=${this.pick}>${say(lang, "breaks.cell")}</button>
-        ${cells.map((node) => html`<button class="chip" aria-label=${say(lang, "breaks.remove", { place: placeOf(lang, replay, node) })} @click=${() => set({ cells: new Set(cells.filter((one) => one !== node)) })}>${placeOf(lang, replay, node)} ✕</button>`)}</div>
-      ${this.picking ? html`<p class="note">${say(lang, "breaks.pick")}</p>` : nothing}
+      <div class="rows"><button class="button outline" aria-pressed=${this.picking} @click=${this.pick}>${say(lang, hasPoses ? "breaks.pose" : "breaks.cell")}</button>
+        ${cells.map((node) => chip(placeOf(lang, replay, 0, node), { cells: new Set(cells.filter((one) => one !== node)) }))}
+        ${points.map((point) => chip(`(${this.num(point.x, 2)}, ${this.num(point.y, 2)})`, { points: points.filter((one) => one !== point) }))}</div>
+      ${this.picking ? html`<p class="note">${hasPoses ? say(lang, "breaks.pickPose", { r: this.num(POSE_RADIUS, 1) }) : say(lang, "breaks.pick")}</p>` : nothing}
       <label class="check">${say(lang, "breaks.f")}<span class="field"><input inputmode="decimal" .value=${breaks.f === null ? "" : String(breaks.f / replay.trace.unit)} @change=${(e: Event) => set({ f: Number.isNaN(numberOf(e)) || valueOf(e) === "" ? null : numberOf(e) * replay.trace.unit })}></span></label>
       <label class="check"><input type="checkbox" .checked=${breaks.improved} @change=${() => set({ improved: !breaks.improved })}>${say(lang, "breaks.improved")}</label>
       ${replay.sides.length > 1 ? html`<label class="check"><input type="checkbox" .checked=${breaks.meet} @change=${() => set({ meet: !breaks.meet })}>${say(lang, "breaks.meet")}</label>` : nothing}`;
   }
 
-  /** The next click on the map chooses a cell. */
+  /** The next click on the map chooses a cell or, of a search for a car, a point. */
   private readonly pick = (): void => {
     this.picking = true;
     const stage = (this.getRootNode() as ShadowRoot).querySelector("parkade-stage");
@@ -338,12 +341,18 @@ export class Debugger extends AppElement {
       const { hover, scene } = this.state,
         { session } = this;
       if (!hover || !session) return;
+      const { breaks } = session;
+      if (session.replay.trace.kind === "poses") {
+        session.breaks = { ...breaks, points: [...breaks.points, { x: hover.x, y: hover.y }] };
+        this.show();
+        return;
+      }
       const { origin, resolution, width, height } = scene.map;
       const x = Math.floor((hover.x - origin[0]) / resolution),
         y = Math.floor((hover.y - origin[1]) / resolution);
       if (x < 0 || y < 0 || x >= width || y >= height) return;
-      session.breaks = { ...session.breaks, cells: new Set([...session.breaks.cells, y * width + x]) };
-      this.requestUpdate();
+      session.breaks = { ...breaks, cells: new Set([...breaks.cells, y * width + x]) };
+      this.show();
     };
     stage?.addEventListener("pointerdown", take, { capture: true, once: true });
   };
@@ -377,7 +386,7 @@ export class Debugger extends AppElement {
     const { step, trace } = session.replay;
     const scale = ZOOMED_PX / this.state.scene.map.resolution;
     const node = trace.nodes[Math.max(0, step)]!,
-      { x, y } = session.replay.poseOf(node) ?? this.centreOf(node);
+      { x, y } = session.replay.poseOf(step < 0 ? 0 : session.replay.sideOf(step), node) ?? this.centreOf(node);
     this.app.store.set({ camera: { x, y, scale: trace.kind === "poses" ? CAR_SCALE : Math.min(400, scale) } });
   };
 }

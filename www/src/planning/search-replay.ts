@@ -298,11 +298,11 @@ export class SearchReplay {
   }
 
   /** Where a node lies that has been reached; null over cells. */
-  poseOf(node: number): Pose | null {
+  poseOf(side: number, node: number): Pose | null {
     const { trace } = this;
     if (trace.kind !== "poses") return null;
-    const entry = this.sides[0]?.entry[node] ?? NONE;
-    return entry < 3 ? trace.root : this.poseAfter(entry - 3);
+    const entry = this.sides[side]?.entry[node] ?? NONE;
+    return entry < 3 ? trace.roots[side]! : this.poseAfter(entry - 3);
   }
 
   /** Where a move leads; null over cells. */
@@ -313,8 +313,8 @@ export class SearchReplay {
   }
 
   /** The move that reached a node; -1 of the root and over nodes not reached. */
-  moveTo(node: number): number {
-    return Math.max(-1, (this.sides[0]?.entry[node] ?? NONE) - 3);
+  moveTo(side: number, node: number): number {
+    return Math.max(-1, (this.sides[side]?.entry[node] ?? NONE) - 3);
   }
 
   private precedes(a: OpenEntry, b: OpenEntry): boolean {

@@ -15,18 +15,22 @@ const DEGREES = 180 / Math.PI;
 /** Costs as people read them: cells or metres. */
 export const cost = (lang: Lang, { trace }: SearchReplay, value: number): string => number(lang, value / trace.unit, 2);
 
-/** Column and row of a node, or its pose. */
-export function placeOf(lang: Lang, replay: SearchReplay, node: number): string {
+/** Column and row of a node of a side, or its pose. */
+export function placeOf(lang: Lang, replay: SearchReplay, side: number, node: number): string {
   const { trace } = replay;
   return trace.kind === "search"
     ? `(${node % trace.width}, ${Math.floor(node / trace.width)})`
-    : poseText(lang, replay.poseOf(node)!);
+    : poseText(lang, replay.poseOf(side, node)!);
 }
+
+/** The place of the node that a step took. */
+export const placeOfStep = (lang: Lang, replay: SearchReplay, step: number): string =>
+  placeOf(lang, replay, replay.sideOf(step), replay.trace.nodes[step]!);
 
 /** Column and row of a move's target, or the pose that it leads to. */
 export function targetOf(lang: Lang, replay: SearchReplay, move: number): string {
   const pose = replay.poseAfter(move);
-  return pose ? poseText(lang, pose) : placeOf(lang, replay, replay.trace.targets[move]!);
+  return pose ? poseText(lang, pose) : placeOf(lang, replay, 0, replay.trace.targets[move]!);
 }
 
 function poseText(lang: Lang, { x, y, heading }: Pose): string {
@@ -39,7 +43,7 @@ export function eventLine(lang: Lang, replay: SearchReplay, byMoves: boolean): s
   const { step, trace } = replay,
     move = moveShown(replay, byMoves);
   if (step < 0) return say(lang, "begin");
-  const place = placeOf(lang, replay, trace.nodes[step]!);
+  const place = placeOfStep(lang, replay, step);
   const side = replay.sides.length > 1 ? `${say(lang, replay.sideOf(step) === 1 ? "side.1" : "side.0")} · ` : "";
   if (move >= 0) return `${side}${place} → ${targetOf(lang, replay, move)}: ${fateText(lang, replay, move)}`;
   const values = {
@@ -48,6 +52,7 @@ export function eventLine(lang: Lang, replay: SearchReplay, byMoves: boolean): s
     g: cost(lang, replay, trace.g[step]!),
     h: cost(lang, replay, trace.h[step]!),
   };
+  const expanded = (): string => say(lang, "expand", { ...values, why: whyOf(lang, replay, step) });
   switch (replay.kindOf(step)) {
     case STEP.deferred:
       return side + say(lang, "deferred", values);
@@ -56,11 +61,11 @@ export function eventLine(lang: Lang, replay: SearchReplay, byMoves: boolean): s
     case STEP.goal:
       return side + say(lang, "goal", values);
     case STEP.meet:
-      return side + say(lang, "meet", values);
+      return `${side}${trace.kind === "poses" ? `${expanded()} ${say(lang, "arcs.met")}` : say(lang, "meet", values)}`;
     case STEP.joined:
-      return `${say(lang, "expand", { ...values, why: whyOf(lang, replay, step) })} ${say(lang, "joined")}`;
+      return `${side}${expanded()} ${say(lang, "joined")}`;
     default:
-      return side + say(lang, "expand", { ...values, why: whyOf(lang, replay, step) });
+      return side + expanded();
   }
 }
 
@@ -238,14 +243,17 @@ function linesOf({ both, bounds, holds, jumps, leaves, arcs }: Shape): [Role, nu
   const each: Key = arcs ? "code.eachArc" : jumps ? "code.eachJump" : holds ? "code.eachRisk" : "code.each";
   const lines: ([Role, number, Key] | false)[] = [
     ["init", 0, both ? "code.initBoth" : "code.init"],
-    ["while", 0, both ? "code.whileBoth" : "code.while"],
+    ["while", 0, both ? (arcs ? "code.whileFewer" : "code.whileBoth") : "code.while"],
     ["pop", 1, arcs ? "code.popOldest" : "code.pop"],
     holds && ["deferred", 1, "code.deferred"],
-    both && !bounds
-      ? ["meet", 1, "code.meet"]
+    arcs
+      ? ["goal", 1, "code.connect"]
       : bounds
         ? ["bound", 1, "code.bound"]
-        : ["goal", 1, arcs ? "code.connect" : "code.goal"],
+        : both
+          ? ["meet", 1, "code.meet"]
+          : ["goal", 1, "code.goal"],
+    arcs && both && ["meet", 1, "code.meetPoses"],
     ["close", 1, "code.close"],
     ["each", 1, each],
     !jumps && !arcs && ["blocked", 2, "code.blocked"],
