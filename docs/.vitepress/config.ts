@@ -3,11 +3,19 @@ import { defineConfig } from "vitepress";
 import { LESSONS } from "./lessons/contents";
 import { lessons } from "./lessons/markdown";
 import { said } from "./lessons/words";
-import { known } from "./planners";
+import { papers as paperPages } from "./papers";
+import { known, pages, searched, write } from "./planners";
 import { reference } from "./reference";
 
 const planners = await known();
 const names = reference();
+for (const [lang, root] of [
+  ["en", ""],
+  ["zh", "zh/"],
+] as const) {
+  write(`${root}planners`, await pages(lang));
+  write(`${root}papers`, await paperPages(lang));
+}
 const formulasAndFigures = await lessons();
 const course = (lang: "en" | "zh", root: string) => [
   ...LESSONS.map(({ id, title }) => ({ text: said(title, lang), link: `${root}/learn/${id}` })),
@@ -57,10 +65,6 @@ export default defineConfig({
   title: "Parkade",
   // The page around may lie anywhere; figures take the element from the folder above this one.
   base: BASE,
-  // Frontmatter is not interpolated: a page made from a template brings its title with it.
-  transformPageData: (page) => {
-    page.title = page.params?.["title"] ?? page.title;
-  },
   head: [["link", { rel: "icon", href: "data:," }]],
   // Pages that nobody has asked for would weigh more than the one that is read.
   router: { prefetchLinks: false },
@@ -73,7 +77,11 @@ export default defineConfig({
   themeConfig: {
     search: {
       provider: "local",
-      options: { locales: { zh: { translations: SEARCH_IN_CHINESE } }, miniSearch: { options: { tokenize } } },
+      options: {
+        locales: { zh: { translations: SEARCH_IN_CHINESE } },
+        miniSearch: { options: { tokenize } },
+        _render: (source, env, md) => md.render(searched(source), env),
+      },
     },
     // Not every page is there in every language.
     i18nRouting: false,

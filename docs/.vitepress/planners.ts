@@ -1,5 +1,5 @@
 /** What the planners' pages are made of: the package's own words, settings and units, and DESIGN.md. */
-import { readFileSync } from "node:fs";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import type { ParameterInfo, PlannerInfo } from "parkade";
 import { init, planners } from "../../pkg/node.js";
 import { WORDS } from "./words";
@@ -43,14 +43,40 @@ const TEXT = {
   },
 };
 
-export async function pages(lang: Lang): Promise<{ params: { id: string; title: string }; content: string }[]> {
-  return (await known()).map((info) => ({
-    params: { id: info.id, title: info.title[lang] },
-    content: page(info, lang),
-  }));
+export interface Page {
+  params: { id: string; title: string };
+  content: string;
 }
 
-function page(info: PlannerInfo, lang: Lang): string {
+export async function pages(lang: Lang): Promise<Page[]> {
+  const seen = new Set<string>();
+  return (await known()).map((info) => {
+    const text = chapter(info.id, lang),
+      isShared = seen.has(text);
+    seen.add(text);
+    return {
+      params: { id: info.id, title: info.title[lang] },
+      content: page(info, lang, isShared ? `${SHARED[0]}\n\n${text}\n\n${SHARED[1]}` : text),
+    };
+  });
+}
+
+/** Around a chapter that stands on an earlier page, too: the search finds it there. */
+const SHARED = ["<!-- shared -->", "<!-- end of shared -->"] as const;
+
+/** A page as the search reads it. */
+export const searched = (content: string): string =>
+  content.replace(new RegExp(`${SHARED[0]}[^]*?${SHARED[1]}`, "g"), "");
+
+/** Writes pages into a folder of the documentation, anew with every build: the search reads files only. */
+export function write(folder: string, all: readonly Page[]): void {
+  const into = new URL(`../${folder}/`, import.meta.url);
+  mkdirSync(into, { recursive: true });
+  for (const { params, content } of all)
+    writeFileSync(new URL(`${params.id}.md`, into), `---\ntitle: ${JSON.stringify(params.title)}\n---\n\n${content}`);
+}
+
+function page(info: PlannerInfo, lang: Lang, chapterText: string): string {
   const words = WORDS[info.id]!,
     t = TEXT[lang];
   return `# ${info.title[lang]}
@@ -69,7 +95,7 @@ ${words.formulas.map((one) => `$$\n${one}\n$$`).join("\n\n")}
 
 ${words.letters?.[lang === "zh" ? 1 : 0] ?? ""}
 
-${chapter(info.id, lang)}
+${chapterText}
 
 ## ${t.use}
 

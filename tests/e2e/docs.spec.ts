@@ -62,7 +62,7 @@ for (const home of ["", "zh/"]) {
 }
 
 for (const { home, button, query, heading } of [
-  { home: "", button: "Search", query: "stickiness corridor", heading: /Hybrid A/ },
+  { home: "", button: "Search", query: "universal search Levin", heading: /Hybrid A/ },
   { home: "zh/", button: "搜索", query: "障碍物", heading: /[\u4e00-\u9fff]/ },
 ]) {
   test(`a search on /docs/${home} for "${query}" lands on the section that says it`, async ({ page }) => {

@@ -1,3 +1,0 @@
-import { pages } from "../.vitepress/planners";
-
-export default { paths: () => pages("en") };

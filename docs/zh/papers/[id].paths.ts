@@ -1,3 +1,0 @@
-import { papers } from "../../.vitepress/papers";
-
-export default { paths: () => papers("zh") };
