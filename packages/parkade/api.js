@@ -55,8 +55,8 @@ export class Planner {
   /** @type {import("./index.js").Planner["plan"]} */
   plan(options = {}) {
     if (typeof options !== "object" || options === null) return this.#call((planner) => planner.plan(options));
-    /** @type {Parameters<import("./index.js").Planner["plan"]>[0] & { onImproved?: (plan: any) => void }} */
-    const { onProgress, onImproved, ...others } = options;
+    /** @type {Parameters<import("./index.js").Planner["plan"]>[0] & { onImproved?: (plan: any) => void, onExpanded?: (events: any) => void }} */
+    const { onProgress, onImproved, onExpanded, ...others } = options;
     /** @type {{ error: unknown } | undefined} */
     let thrown;
     /**
@@ -78,13 +78,14 @@ export class Planner {
         return thrown === undefined;
       };
     };
-    const tell = told(onProgress, "onProgress");
     const improved = told(onImproved, "onImproved");
-    const method = improved && "improve";
-    const plan = this.#call(
-      (planner) => planner[method ?? "plan"](others, tell, /** @type {any} */ (improved)),
-      method,
-    );
+    const expanded = told(onExpanded, "onExpanded");
+    // What the others throw ends the search where it tells its progress.
+    const tell = told(onProgress ?? (expanded && (() => {})), "onProgress");
+    const plan =
+      improved || expanded
+        ? this.#call((planner) => planner.watched(others, tell, improved, expanded), "watched")
+        : this.#call((planner) => planner.plan(others, tell));
     if (thrown !== undefined) throw thrown.error;
     return plan;
   }
@@ -153,14 +154,17 @@ export class Planner {
   /**
    * @template T
    * @param {(planner: raw.RawPlanner) => T} run
-   * @param {"search" | "anyAngleLength" | "brush" | "continueFrom" | "explain" | "improve"} [method] what only the complete module has
+   * @param {"search" | "anyAngleLength" | "brush" | "continueFrom" | "explain" | "watched"} [method] what only the complete module has
    */
   #call(run, method) {
     this.#rest();
     const planner = this.#raw;
     if (planner === undefined) throw new ParkadeError("this planner has been freed", "freed");
     if (method && !planner[method])
-      throw new ParkadeError(`${method}: not in parkade/core, but in parkade`, "bad-input");
+      throw new ParkadeError(
+        `${method === "watched" ? "onImproved, onExpanded" : method}: not in parkade/core, but in parkade`,
+        "bad-input",
+      );
     return call(() => run(planner));
   }
 

@@ -984,6 +984,14 @@ export interface VolumeComparison {
 /** Compares them on "P0", "park-fig13" or "reverse-in", on poses at random (10 000, seed 1, one round). */
 export function paperVolumes(options: { scene: string; poses?: number; seed?: number; rounds?: number }): VolumeComparison;
 
+/**
+ * Some of a search's expansions in their order, as in a trace: cells, or arcs (x, y, heading, curvature, signed length). `search`
+ * counts the searches of a plan from 0: hybrid's may be several, of which the last is the trace's.
+ */
+export type Expansions =
+  | { kind: "cells"; search: number; cells: Uint32Array }
+  | { kind: "arcs"; search: number; arcs: Float64Array };
+
 export class Planner<Id extends PlannerId = PlannerId> {
   /** Checks scene and settings and prepares the map, once. Throws ParkadeError. */
   constructor(planner: Id, scene: Scenario, config?: PlannerSettings[Id]);
@@ -1010,6 +1018,9 @@ export class Planner<Id extends PlannerId = PlannerId> {
    * stays unless another one costs less by more than that share and is longer or shorter by more than it, or keeps a margin that the
    * last one does not. With `prefer`, and without `alternatives` and `onImproved`, it is that measure by which the other one must be
    * better, and nothing more is searched for. Without `stickiness` a plan does not depend on the one before.
+   *
+   * `onExpanded` is given what is expanded while it is searched, a thousand cells or 64 arcs at a time, for drawings of
+   * one's own; the plan then has its trace. Not in `parkade/core`.
    */
   plan(options: {
     trace: "full";
@@ -1017,6 +1028,7 @@ export class Planner<Id extends PlannerId = PlannerId> {
     start?: Goal;
     goal?: Goal;
     onProgress?: (expansions: number) => void;
+    onExpanded?: (events: Expansions) => void;
   }): Omit<PlanOf<Id>, "trace"> & { trace: Trace | SearchTrace | PoseTrace | null };
   plan(options?: {
     trace?: boolean;
@@ -1027,6 +1039,7 @@ export class Planner<Id extends PlannerId = PlannerId> {
     stickiness?: number;
     onProgress?: (expansions: number) => void;
     onImproved?: (plan: PlanOf<Id>) => void;
+    onExpanded?: (events: Expansions) => void;
   }): PlanOf<Id>;
   /**
    * Takes over a path for `stickiness`: the last one of a planner of the scene as it was before an edit, or a plan's, say one of the

@@ -82,7 +82,8 @@ function converted(error) {
   if (error instanceof ParkadeError) return error;
   if (error instanceof Error && error.name === "ParkadeError") {
     const { code, path } = /** @type {ParkadeError} */ (error);
-    return new ParkadeError(error.message, code, path);
+    // A value may be a whole scene.
+    return new ParkadeError(error.message.replace(/(, got .{100}).+/s, "$1…"), code, path);
   }
   if (error instanceof WebAssembly.RuntimeError) state = "stopped";
   return new ParkadeError(`internal error: ${describe(error)}`, "internal", "", { cause: error });
@@ -145,7 +146,7 @@ export function kind(value) {
  * @param {unknown} value
  */
 export function shown(value) {
-  return Object(value) === value ? kind(value) : String(value);
+  return Object(value) === value ? kind(value) : typeof value === "string" ? `"${value}"` : String(value);
 }
 
 /**

@@ -9,6 +9,7 @@ The same core as the crate and the JavaScript package: equal input gives equal p
 """
 
 from . import _native
+from ._drive import Trajectory, judge, optimise
 from ._errors import ParkadeError
 from ._plan import Plan, Planner, Scene, as_dict, plan
 from ._scenes import (
@@ -31,6 +32,7 @@ __all__ = [
     "Plan",
     "Planner",
     "Scene",
+    "Trajectory",
     "__version__",
     "as_dict",
     "check_path",
@@ -39,7 +41,9 @@ __all__ = [
     "from_occupancy_grid",
     "generate_scenario",
     "import_scene",
+    "judge",
     "load",
+    "optimise",
     "plan",
     "planners",
     "scenario",

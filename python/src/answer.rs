@@ -4,7 +4,7 @@ use numpy::PyArray1;
 use parkade::metrics::Check;
 use parkade::plan::{Plan, PlanTrace};
 use parkade::scenario::Scenario;
-use parkade::scenario::resolve::{Geometry, Owner};
+use parkade::scenario::resolve::Geometry;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use serde_json::{Value, json};
@@ -52,7 +52,7 @@ pub(crate) fn check<'py>(
     check: &Check,
 ) -> PyResult<Bound<'py, PyAny>> {
     let hit =
-        |(owner, pose)| json!({ "obstacle": scene.name_of(owner), "index": index(owner), "pose": pose });
+        |(owner, pose)| json!({ "obstacle": scene.name_of(owner), "index": owner.index(), "pose": pose });
     let mut fields = json!({
         "verdict": check.verdict.as_str(),
         "drivable": check.drivable(),
@@ -73,18 +73,10 @@ pub(crate) fn check<'py>(
             "body": [place.body.x, place.body.y],
             "point": [place.obstacle.x, place.obstacle.y],
             "obstacle": scene.name_of(place.owner),
-            "index": index(place.owner),
+            "index": place.owner.index(),
         });
     }
     write(py, &fields)
-}
-
-/// Its index in the scene's obstacles, or -1.
-fn index(owner: Owner) -> i64 {
-    match owner {
-        Owner::Obstacle(i) => i64::try_from(i).unwrap_or(-1),
-        Owner::Border | Owner::Slot(_) => -1,
-    }
 }
 
 fn trace<'py>(py: Python<'py>, trace: &PlanTrace) -> PyResult<Bound<'py, PyDict>> {

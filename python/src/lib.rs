@@ -1,6 +1,7 @@
 //! The wheel's native part: the crate `parkade` for Python. The package in `parkade/` gives it its names and types.
 
 mod answer;
+mod drive;
 mod planner;
 mod scenes;
 mod value;
@@ -11,5 +12,6 @@ use pyo3::prelude::*;
 fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("VERSION", scenes::VERSION)?;
     module.add_class::<planner::Planner>()?;
+    drive::register(module)?;
     scenes::register(module)
 }

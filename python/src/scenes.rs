@@ -14,7 +14,7 @@ use serde_json::{Value, json};
 
 use crate::answer;
 use crate::planner::scene as read_scene;
-use crate::value::{numbers, optional, read, refused, write};
+use crate::value::{gears, numbers, optional, read, refused, write};
 
 /// The version of the package and of the crate, which are published together.
 pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
@@ -113,7 +113,7 @@ fn check_path<'py>(
 ) -> PyResult<Bound<'py, PyAny>> {
     let scene = read_scene(py, scene)?;
     let made = numbers(path, "path").and_then(|path| {
-        let gears = directions.filter(|d| !d.is_none()).map(gears).transpose()?;
+        let gears = directions.filter(|d| !d.is_none()).map(|d| gears(d, "directions")).transpose()?;
         let geometry = scene.geometry()?;
         let check = py.detach(|| plan::check_path(&geometry, &path, gears.as_deref()))?;
         Ok((geometry, check))
@@ -122,18 +122,4 @@ fn check_path<'py>(
     let answer = answer::check(py, &scene, &geometry, &check)?;
     answer.set_item("clearances", PyArray1::from_slice(py, &check.clearances))?;
     Ok(answer)
-}
-
-/// Gears, ±1.
-fn gears(value: &Bound<'_, PyAny>) -> Result<Vec<i8>, Error> {
-    let gear = |(i, number): (usize, f64)| match number {
-        1.0 => Ok(1),
-        -1.0 => Ok(-1),
-        _ => Err(Error::new(
-            ErrorCode::Input,
-            format!("directions[{i}]"),
-            format!("must be 1 or -1, got {number}"),
-        )),
-    };
-    numbers(value, "directions")?.into_iter().enumerate().map(gear).collect()
 }

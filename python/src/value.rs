@@ -184,10 +184,28 @@ pub(crate) fn numbers(value: &Bound<'_, PyAny>, name: &str) -> Result<Vec<f64>, 
     if let Ok(array) = value.cast::<PyArray2<f64>>() {
         return Ok(array.readonly().as_array().iter().copied().collect());
     }
+    // A corner's curvature is NaN.
+    if let Ok(array) = value.cast::<PyArray1<f64>>() {
+        return Ok(array.readonly().as_array().iter().copied().collect());
+    }
     let mut numbers = Vec::new();
     flatten(&read(value, ErrorCode::Input).map_err(|e| e.within(name))?, &mut numbers)
         .map_err(|got| Error::new(ErrorCode::Input, name, format!("must be numbers, got {got}")))?;
     Ok(numbers)
+}
+
+/// Gears, ±1.
+pub(crate) fn gears(value: &Bound<'_, PyAny>, name: &str) -> Result<Vec<i8>, Error> {
+    let gear = |(i, number): (usize, f64)| match number {
+        1.0 => Ok(1),
+        -1.0 => Ok(-1),
+        _ => Err(Error::new(
+            ErrorCode::Input,
+            format!("{name}[{i}]"),
+            format!("must be 1 or -1, got {number}"),
+        )),
+    };
+    numbers(value, name)?.into_iter().enumerate().map(gear).collect()
 }
 
 fn flatten<'v>(value: &'v Value, numbers: &mut Vec<f64>) -> Result<(), &'v Value> {

@@ -197,3 +197,23 @@ def test_types_cover_the_native_part():
 def test_licenses_are_those_of_the_crate():
     for name in ("LICENSE-APACHE", "LICENSE-MIT"):
         assert (ROOT / "python/licenses" / name).read_text() == (ROOT / name).read_text()
+
+
+def test_a_plan_becomes_a_trajectory_that_the_referee_passes():
+    plan = parkade.plan(SCENE)
+    drive = parkade.optimise(SCENE, plan)
+    assert drive.stage == "optimised"
+    assert drive.check["passes"]
+    assert len(drive.path) == len(drive.t) == len(drive.steering_rates)
+    assert drive.duration == drive.t[-1] == drive.check["duration"]
+    expected = json.loads((ROOT / "tests/data/trajectory-hashes.json").read_text())
+    assert drive.hash == expected["perpendicular"]
+    assert (
+        parkade.optimise(SCENE, {"path": plan.path, "directions": plan.directions, "curvatures": plan.curvatures}).hash
+        == drive.hash
+    )
+    assert parkade.judge(SCENE, drive)["passes"]
+    assert parkade.judge(SCENE, drive.to_csv())["attained"]
+    assert parkade.judge(SCENE, plan)["gearChanges"] == plan.metrics["directionChanges"]
+    assert parkade.optimise(SCENE, plan, speed=1).duration > drive.duration
+    assert pickle.loads(pickle.dumps(drive)).hash == drive.hash

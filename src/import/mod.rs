@@ -132,8 +132,8 @@ fn read_scenes(file: File) -> Result<Imported, Error> {
         };
         return Ok(done("tpcap", vec![tpcap::scene(stem(file.name), text).map_err(numbered)?]));
     }
-    let value: Value =
-        serde_json::from_str(text).map_err(|e| line_reader::at(file.name, e.line(), e.to_string()))?;
+    let value: Value = serde_json::from_str(text)
+        .map_err(|e| line_reader::at(file.name, e.line(), format!("is not JSON: {e}")))?;
     if value.get("version").is_some() {
         return Ok(done("scene", vec![Scenario::from_json(&value).map_err(inside)?]));
     }

@@ -34,10 +34,18 @@ impl Planner {
                         Some(tell) => Some(&mut **tell),
                         None => None,
                     };
-                    let Options { trace, record, prefer, alternatives, stickiness, .. } = options;
+                    let Options { trace, record, expansions, prefer, alternatives, stickiness, .. } = options;
                     let improved: Option<Improved> = Some(&mut told);
-                    let improved =
-                        Options { trace, record, progress, prefer, alternatives, stickiness, improved };
+                    let improved = Options {
+                        trace,
+                        record,
+                        progress,
+                        expansions,
+                        prefer,
+                        alternatives,
+                        stickiness,
+                        improved,
+                    };
                     self.toward(ends, improved)
                 }
             }
@@ -103,8 +111,8 @@ impl Planner {
         }
         let is_over = expanded >= EFFORT;
         let mut tell = |count| told(&mut options.progress, expanded, count);
-        let Options { trace, record, .. } = options;
-        let last = Options { trace, record, progress: Some(&mut tell), ..Options::default() };
+        let Options { trace, record, expansions, .. } = options;
+        let last = Options { trace, record, expansions, progress: Some(&mut tell), ..Options::default() };
         let mut plan = self.toward([start, best.1], last);
         plan.stats.expanded = plan.stats.expanded.saturating_add(expanded);
         if is_over && plan.outcome != Outcome::Found {

@@ -57,6 +57,10 @@ impl Engine {
 
     pub(super) fn plan(&mut self, world: &World, mut watch: Watch) -> Plan {
         let report = self.search(world, world.geometry.start, world.geometry.goal, &mut watch);
+        #[cfg(feature = "complete")]
+        if let Some(trace) = &mut watch.0 {
+            trace.flush();
+        }
         if let Some(progress) = &mut watch.1 {
             progress.finish(report.expanded);
         }

@@ -64,6 +64,8 @@ use crate::planners::registry::{Family, PlannerId, default_config};
 use crate::scenario::Goals;
 use crate::scenario::Scenario;
 use crate::scenario::resolve::Geometry;
+#[cfg(feature = "complete")]
+pub use crate::search::{ExpansionCallback, Expansions};
 use crate::search::{Progress, Trace};
 #[cfg(feature = "complete")]
 use crate::{geometry::Point, planners::risk_field::Explanation};
@@ -95,6 +97,10 @@ pub struct Options<'a> {
     /// [`Stats::expanded`]. The plan is the same with and without; where it breaks, the search ends as if its budget
     /// were spent.
     pub progress: Option<ProgressCallback<'a>>,
+    /// Given the expansions of each search that is traced, a few at a time while it runs; only beside `progress`.
+    /// Numbers are arcs as in [`PlanTrace::Arcs`].
+    #[cfg(feature = "complete")]
+    pub expansions: Option<ExpansionCallback<'a>>,
     /// The preference by which hybrid A* chooses its path; `None` for the default cost.
     #[cfg(feature = "complete")]
     pub prefer: Option<Prefer>,
@@ -234,6 +240,10 @@ impl Planner {
         let every = if self.kind.family() == Family::Hybrid { POSES } else { CELLS };
         let mut progress = options.progress.map(|tell| Progress::new(every, tell));
         #[cfg(feature = "complete")]
+        if let Some(progress) = &mut progress {
+            progress.expansions = options.expansions;
+        }
+        #[cfg(feature = "complete")]
         let wish = choices::Wish {
             prefer: options.prefer,
             alternatives: options.alternatives,
@@ -241,6 +251,8 @@ impl Planner {
             stickiness: options.stickiness,
         };
         let trace = || options.trace.then(|| Trace::new(TRACE));
+        #[cfg(feature = "complete")]
+        let trace = || trace().map(|trace| trace.telling(options.expansions));
         let mut plan = match &mut self.engine {
             Engine::Grid(engine) => engine.plan(&self.world, (trace(), progress)),
             Engine::Hybrid(engine) => {

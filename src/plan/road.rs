@@ -6,7 +6,7 @@ use super::outcome::{Outcome, Plan, PlanTrace, Stats};
 use super::road_curve::{Curve, ENDS, along};
 use super::tractrix::tractrix;
 use super::world::World;
-use super::{Driven, NEAR, STEP, TRACE, measured};
+use super::{Driven, NEAR, STEP, measured};
 use crate::error::Error;
 use crate::geometry::bspline::Spline;
 use crate::geometry::{Point, Pose, Vector};
@@ -86,16 +86,19 @@ impl Engine {
         let is_bad = line.fell_back || plan.check.verdict == Verdict::Collides;
         if report.has_margin && report.status == Status::Found && is_bad {
             // A way with the margin that no car can drive is none.
-            let before = watch.0.take();
-            watch.0 = before.as_ref().map(|_| Trace::new(TRACE));
+            let mut before = watch.0.take();
+            watch.0 = before.as_mut().map(Trace::restart);
             let next = self::plan(&self.query(world, true), &self.config, &mut scratch, &mut watch);
-            watch.0 = before.zip(watch.0.take()).map(|(before, after)| before.followed_by(&after));
+            watch.0 = before.zip(watch.0.take()).map(|(before, after)| before.followed_by(after));
             let expanded = report.expanded + next.expanded;
             report = Report { expanded, ..next };
             (line, plan) = self.driven(world, &report);
         }
         if let Some(progress) = &mut watch.1 {
             progress.finish(report.expanded);
+        }
+        if let Some(trace) = &mut watch.0 {
+            trace.flush();
         }
         let query = self.query(world, false);
         let found = report.status == Status::Found;

@@ -1,5 +1,7 @@
 //! The verdict on a trajectory.
 
+use serde_json::{Value, json};
+
 use super::replay::FRAME;
 use super::submission::MAX_DURATION;
 use super::{Contacts, Figures, MotionLimits, States, Submission, TimedRows, derive, replay, scan};
@@ -7,6 +9,7 @@ use crate::drive::{Motion, Route, follow};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::{Pose, math};
 use crate::metrics::Body;
+use crate::scenario::Scenario;
 use crate::scenario::resolve::Geometry;
 use crate::vehicle::Vehicle;
 
@@ -48,6 +51,41 @@ impl Judgement {
             && self.keeps_limits
             && self.contacts.touching_frames == 0
             && self.contacts.uncertified == 0
+    }
+
+    /// The verdict as plain data, with the names of the JS API.
+    pub fn to_json(&self, scene: &Scenario) -> Value {
+        let (figures, contacts) = (&self.figures, &self.contacts);
+        let first = contacts.first.map(|(t, owner, pose)| {
+            json!({ "t": t, "obstacle": scene.name_of(owner), "index": owner.index(), "pose": pose })
+        });
+        json!({
+            "passes": self.passes(),
+            "attained": self.attained,
+            "keepsLimits": self.keeps_limits,
+            "frames": contacts.frames,
+            "touchingFrames": contacts.touching_frames,
+            "uncertified": contacts.uncertified,
+            "firstContact": first,
+            "minClearance": contacts.min_clearance,
+            "duration": figures.duration,
+            "length": figures.length,
+            "effort": figures.effort,
+            "steeringEffort": figures.steering,
+            "gearChanges": figures.gear_changes,
+            "smoothness": figures.smoothness(),
+            "tpcapCost": figures.tpcap_cost(),
+            "maxSpeed": figures.max_speed,
+            "maxAcceleration": figures.max_acceleration,
+            "maxDeceleration": figures.max_deceleration,
+            "maxSteering": figures.max_steering,
+            "maxSteeringRate": figures.max_steering_rate,
+            "maxLateralAcceleration": figures.max_lateral_acceleration,
+            "startError": { "distance": self.start_error.0, "heading": self.start_error.1 },
+            "endError": { "x": self.end_error.0, "y": self.end_error.1, "heading": self.end_error.2 },
+            "endSpeed": self.end_speed,
+            "modelError": { "distance": self.model_error.0, "heading": self.model_error.1 },
+        })
     }
 }
 

@@ -142,7 +142,7 @@ pub(crate) fn goal(value: &Value) -> Result<Goal> {
             "must be one pose or slot, got a set of goals: not in parkade/core, but in parkade".to_owned(),
         );
     }
-    if value.get("slot").is_none() {
+    if value.get("slot").or(value.get("entry")).is_none() {
         return pose(value).map(Goal::Pose);
     }
     let f = Fields::of(value, &["slot", "entry"])?;

@@ -28,6 +28,16 @@ pub enum Owner {
     Slot(usize),
 }
 
+impl Owner {
+    /// Its index in the scene's obstacles, or -1.
+    pub fn index(self) -> i32 {
+        match self {
+            Self::Obstacle(i) => i as i32,
+            Self::Border | Self::Slot(_) => -1,
+        }
+    }
+}
+
 /// The exact form of something that blocks.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Form {

@@ -69,6 +69,8 @@ pub(crate) use budget::Budget;
 pub use entry::{Entry, PackedEntry, WideEntry};
 pub use frontier::PackedScratch;
 pub use node_table::Scratch;
+#[cfg(feature = "complete")]
+pub use observer::{ExpansionCallback, Expansions};
 pub use observer::{Observer, Progress, ProgressCallback, Trace, Watch};
 pub use open_list::Order;
 #[cfg(feature = "complete")]

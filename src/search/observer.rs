@@ -101,39 +101,105 @@ impl<C: Copy, L: Copy, A: Observer<C, L>, B: Observer<C, L>> Observer<C, L> for 
 }
 
 /// How plans are watched; of one type, so that each search is compiled once for all of them.
-pub type Watch<'a> = (Option<Trace>, Option<Progress<'a>>);
+pub type Watch<'a> = (Option<Trace<'a>>, Option<Progress<'a>>);
+
+/// Some of a search's expansions, in their order: nodes of a grid, or what a lattice makes of its states.
+#[cfg(feature = "complete")]
+#[derive(Debug, Clone, Copy)]
+pub struct Expansions<'a> {
+    /// True if these are the first of their search.
+    pub is_first: bool,
+    /// Expanded nodes of a grid.
+    pub nodes: &'a [NodeId],
+    /// Numbers of expanded states, where a search has no grid.
+    pub numbers: &'a [f64],
+}
+
+/// Receives expansions while a search runs.
+#[cfg(feature = "complete")]
+pub type ExpansionCallback<'a> = &'a dyn Fn(Expansions<'_>);
+
+/// Nodes that a callback is given at a time: often enough for a drawing, and few calls.
+#[cfg(feature = "complete")]
+const NODES: usize = 1024;
 
 /// Expanded nodes in order, up to a cap.
-#[derive(Debug, Clone)]
-pub struct Trace {
+#[derive(Clone)]
+pub struct Trace<'a> {
     /// The nodes, in order of expansion.
     pub expanded: Vec<NodeId>,
     /// Expansions beyond the cap, counted only.
     pub dropped: u64,
     cap: usize,
+    /// Those of the nodes that `tell` knows.
+    #[cfg(feature = "complete")]
+    told: usize,
+    #[cfg(feature = "complete")]
+    tell: Option<ExpansionCallback<'a>>,
+    #[cfg(not(feature = "complete"))]
+    tell: core::marker::PhantomData<&'a ()>,
 }
 
-impl Trace {
+impl Trace<'_> {
     /// A trace that keeps the first `cap` expansions.
     pub fn new(cap: usize) -> Self {
-        Self { expanded: Vec::new(), dropped: 0, cap }
+        Self {
+            expanded: Vec::new(),
+            dropped: 0,
+            cap,
+            #[cfg(feature = "complete")]
+            told: 0,
+            #[cfg(feature = "complete")]
+            tell: None,
+            #[cfg(not(feature = "complete"))]
+            tell: core::marker::PhantomData,
+        }
+    }
+}
+
+#[cfg(feature = "complete")]
+impl<'a> Trace<'a> {
+    /// The same, told as it grows.
+    #[must_use]
+    pub fn telling(self, tell: Option<ExpansionCallback<'a>>) -> Self {
+        Self { tell, ..self }
+    }
+
+    /// Tells what is not told yet.
+    pub fn flush(&mut self) {
+        if let Some(tell) = self.tell.filter(|_| self.told < self.expanded.len()) {
+            tell(Expansions { is_first: self.told == 0, nodes: &self.expanded[self.told..], numbers: &[] });
+            self.told = self.expanded.len();
+        }
+    }
+
+    /// An empty trace of the same kind, for the search that comes next.
+    #[must_use]
+    pub fn restart(&mut self) -> Self {
+        self.flush();
+        Self { tell: self.tell, ..Self::new(self.cap) }
     }
 
     /// This one and what came after it, as one trace.
-    #[cfg(feature = "complete")]
     #[must_use]
-    pub fn followed_by(mut self, after: &Self) -> Self {
+    pub fn followed_by(mut self, mut after: Self) -> Self {
+        after.flush();
         let kept = after.expanded.len().min(self.cap.saturating_sub(self.expanded.len()));
         self.dropped += after.dropped + (after.expanded.len() - kept) as u64;
         self.expanded.extend_from_slice(&after.expanded[..kept]);
+        self.told = self.expanded.len();
         self
     }
 }
 
-impl<C, L> Observer<C, L> for Trace {
+impl<C, L> Observer<C, L> for Trace<'_> {
     fn expanded(&mut self, node: NodeId, _: L, _: C) {
         if self.expanded.len() < self.cap {
             self.expanded.push(node);
+            #[cfg(feature = "complete")]
+            if self.expanded.len() - self.told == NODES {
+                self.flush();
+            }
         } else {
             self.dropped += 1;
         }
@@ -155,6 +221,9 @@ pub struct Progress<'a> {
     before: u32,
     stopped: bool,
     tell: ProgressCallback<'a>,
+    /// Receives expansions, where the search tells those itself.
+    #[cfg(feature = "complete")]
+    pub expansions: Option<ExpansionCallback<'a>>,
 }
 
 impl<'a> Progress<'a> {
@@ -168,6 +237,8 @@ impl<'a> Progress<'a> {
             before: 0,
             stopped: false,
             tell,
+            #[cfg(feature = "complete")]
+            expansions: None,
         }
     }
 

@@ -102,6 +102,20 @@ fn trace_of(geometry: &Geometry, plan: &Plan) -> JsValue {
     plan.trace.as_ref().map_or(JsValue::NULL, |t| trace(geometry, t))
 }
 
+/// Some of a search's expansions; a grid's are nodes.
+#[cfg(feature = "complete")]
+pub(super) fn expansions(search: u32, some: crate::plan::Expansions<'_>) -> JsValue {
+    let [kind, events] = if some.numbers.is_empty() {
+        ["cells".into(), u32s(some.nodes)]
+    } else {
+        ["arcs".into(), f64s(some.numbers)]
+    };
+    let name = kind.clone();
+    let fields = object(&[("kind", kind), ("search", search.into())]);
+    let _ = js_sys::Reflect::set(&fields, &name, &events);
+    fields
+}
+
 fn trace(geometry: &Geometry, trace: &PlanTrace) -> JsValue {
     match trace {
         PlanTrace::Cells { cells, dropped } => {
@@ -119,7 +133,7 @@ fn trace(geometry: &Geometry, trace: &PlanTrace) -> JsValue {
                     ("hits", f64s(&shots.hits)),
                     (
                         "obstacles",
-                        i32s(&shots.owners.iter().map(|&o| index(geometry.owner(o))).collect::<Vec<_>>()),
+                        i32s(&shots.owners.iter().map(|&o| geometry.owner(o).index()).collect::<Vec<_>>()),
                     ),
                     ("expansions", u32s(&shots.expansions)),
                     ("dropped", (shots.dropped as f64).into()),
@@ -141,7 +155,7 @@ fn recorded(geometry: &Geometry, plan: &Plan, recorded: &Recorded) -> JsValue {
         Recorded::Poses(poses) => {
             let answer = events("poses", &poses.recording);
             let owner = |&owner: &u32| {
-                if owner == PoseRecording::NOBODY { NO_OWNER } else { index(geometry.owner(owner)) }
+                if owner == PoseRecording::NOBODY { NO_OWNER } else { geometry.owner(owner).index() }
             };
             set(&answer, "roots", &write(&poses.roots));
             set(&answer, "fromGoal", &poses.from_goal.into());
@@ -201,7 +215,7 @@ pub(super) fn check(scene: &Scenario, geometry: &Geometry, check: &Check) -> JsV
     set(&answer, "hitPoses", &u32s(&check.hit_poses));
     #[cfg(feature = "complete")]
     if let Some(Narrowest { index, body, obstacle, owner }) = check.narrowest {
-        let (name, at) = (scene.name_of(owner), self::index(owner));
+        let (name, at) = (scene.name_of(owner), owner.index());
         let [body, point] = [body, obstacle].map(|p| [p.x, p.y]);
         let place = json!({ "pose": index, "body": body, "point": point, "obstacle": name, "index": at });
         set(&answer, "narrowest", &write(&place));
@@ -210,20 +224,12 @@ pub(super) fn check(scene: &Scenario, geometry: &Geometry, check: &Check) -> JsV
 }
 
 pub(super) fn hit(scene: &Scenario, owner: Owner, pose: Pose) -> Value {
-    json!({ "obstacle": scene.name_of(owner), "index": index(owner), "pose": pose })
+    json!({ "obstacle": scene.name_of(owner), "index": owner.index(), "pose": pose })
 }
 
 /// Among indices of obstacles: nothing is hit.
 #[cfg(feature = "complete")]
 const NO_OWNER: i32 = -2;
-
-/// Its index in the scene's obstacles, or -1.
-fn index(owner: Owner) -> i32 {
-    match owner {
-        Owner::Obstacle(i) => i as i32,
-        Owner::Border | Owner::Slot(_) => -1,
-    }
-}
 
 pub(super) fn layer(layer: &Layer, every: u32) -> JsValue {
     let data = match &layer.data {

@@ -1,6 +1,9 @@
 //! Exports of the complete module that `core` lacks: maps of other programs, generated scenes, bare searches, edits,
 //! the papers' tables.
 
+use std::cell::Cell;
+use std::ops::ControlFlow;
+
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::*;
 
@@ -68,21 +71,36 @@ impl RawPlanner {
         Ok(numbers)
     }
 
-    /// As `plan`; `improved` is given the first plan and each better one, and answers whether to go on. Neither
-    /// callback may throw.
-    #[wasm_bindgen(js_name = improve)]
-    pub fn improve(
+    /// As `plan`; `improved` is given the first plan and each better one, and answers whether to go on; `expanded` is
+    /// given expansions while a search runs. No callback may throw.
+    #[wasm_bindgen(js_name = watched)]
+    pub fn watched(
         &mut self,
         options: JsValue,
         tell: Option<js_sys::Function>,
-        improved: &js_sys::Function,
+        improved: Option<js_sys::Function>,
+        expanded: Option<js_sys::Function>,
     ) -> JsResult {
         let (mut options, ends) = self.options(options)?;
-        let mut told = tell.map(|tell| move |expanded: u32| goes_on(&tell, &expanded.into()));
-        options.progress = told.as_mut().map(|told| told as plan::ProgressCallback);
+        let mut told = move |expanded: u32| {
+            tell.as_ref().map_or(ControlFlow::Continue(()), |tell| goes_on(tell, &expanded.into()))
+        };
+        options.progress = Some(&mut told);
         let (scene, geometry) = (self.planner.scenario().clone(), self.planner.geometry().clone());
-        let mut better = |plan: &plan::Plan| goes_on(improved, &answer::plan(&scene, &geometry, plan));
-        options.improved = Some(&mut better);
+        let mut better = improved.map(|improved| {
+            move |plan: &plan::Plan| goes_on(&improved, &answer::plan(&scene, &geometry, plan))
+        });
+        options.improved = better.as_mut().map(|better| better as plan::Improved);
+        let searches = Cell::new(0_u32);
+        let tell_expanded = expanded.map(|expanded| {
+            move |some: plan::Expansions<'_>| {
+                searches.set(searches.get() + u32::from(some.is_first));
+                // It cannot end the search; `tell` does.
+                let _ = expanded.call1(&JsValue::NULL, &answer::expansions(searches.get() - 1, some));
+            }
+        });
+        options.trace |= tell_expanded.is_some();
+        options.expansions = tell_expanded.as_ref().map(|tell| tell as plan::ExpansionCallback);
         let plan = self.planner.plan_between(ends, options).map_err(|e| codec::js_error(&e))?;
         Ok(answer::plan(self.planner.scenario(), self.planner.geometry(), &plan))
     }

@@ -4,7 +4,7 @@ use serde_json::json;
 use wasm_bindgen::prelude::*;
 
 use super::codec::{f64s, object, write};
-use super::{JsResult, answer, codec, optional, read_scene, referee};
+use super::{JsResult, answer, codec, optional, read_scene};
 use crate::drive::{
     Controller, Encounter, Limits, Mover, Route, Rows, Tracking, WaitOptions, stop_wait_go, track, trajectory,
 };
@@ -116,7 +116,7 @@ pub fn js_optimise(
         ("dwell", states.dwell().into()),
         ("maxLateralAcceleration", made.check.figures.max_lateral_acceleration.into()),
         ("stage", made.stage.as_str().into()),
-        ("check", write(&referee::judgement(&scene, &made.check))),
+        ("check", write(&made.check.to_json(&scene))),
         ("hash", states.hash().into()),
     ]))
 }

@@ -346,11 +346,21 @@ test("workers and modules come from the folders that are named", async ({ page }
     asked.push(name);
     await route.fulfill({ response: await route.fetch({ url: new URL(`/sub/path/assets/${name}`, page.url()).href }) });
   });
-  await visit(page, 'layout="single" worker-url="copies" wasm-url="copies/"', "");
+  await visit(page, 'layout="single" controls="none" worker-url="copies" wasm-url="copies/"', "");
   await ready(page);
   expect(asked).toEqual(
     expect.arrayContaining([expect.stringMatching(/^engine-.*\.js$/), expect.stringMatching(/^parkade_bg-.*\.wasm$/)]),
   );
+  // They are that element's alone.
+  const before = asked.length;
+  await page.evaluate(async () => {
+    const other = document.createElement("parkade-playground") as Embed;
+    for (const [name, value] of Object.entries({ layout: "single", controls: "none", loading: "eager" }))
+      other.setAttribute(name, value);
+    document.body.prepend(other);
+    await other.settled();
+  });
+  expect(asked.slice(before)).toEqual([]);
   await page.unrouteAll({ behavior: "ignoreErrors" });
 });
 

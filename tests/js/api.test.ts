@@ -127,6 +127,35 @@ describe("after init", () => {
     planner.free();
   });
 
+  test("expansions are told while they are made: together they are the trace", () => {
+    using grid = new Planner("eight", scenario("random-60"));
+    const cells: number[] = [];
+    const plan = grid.plan({
+      onExpanded: (events) => {
+        expect([events.kind, events.search]).toEqual(["cells", 0]);
+        if (events.kind === "cells") cells.push(...events.cells);
+      },
+    });
+    expect(cells).toEqual([...(plan.trace as { cells: Uint32Array }).cells]);
+    expect(plan.hash).toBe(grid.plan().hash);
+    using car = new Planner("hybrid", scenario("L2"));
+    const arcs: number[][] = [];
+    const { trace } = car.plan({
+      onExpanded: (events) => {
+        arcs[events.search] ??= [];
+        if (events.kind === "arcs") arcs[events.search]!.push(...events.arcs);
+      },
+    });
+    expect(arcs.at(-1)).toEqual([...(trace as { arcs: Float64Array }).arcs]);
+    expect(() =>
+      car.plan({
+        onExpanded: () => {
+          throw new RangeError("enough");
+        },
+      }),
+    ).toThrow(new RangeError("enough"));
+  });
+
   test("a traced search shows its tree and the connections that failed", () => {
     const scene = scenario("L2");
     using planner = new Planner("hybrid", scene);

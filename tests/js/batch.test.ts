@@ -75,6 +75,24 @@ test("a run that has all its results plans nothing", () => {
   expect(lines("whole.jsonl")).toHaveLength(SCENES);
 });
 
+test("paths and times are added where they are asked for, and the digest stays", () => {
+  const few = ["batch", "scenes/parking", "--planner", "eight,hybrid", "--out", "more.jsonl", "--quiet", "--jobs", "1"];
+  const before = /digest (\w+)/.exec(run(...few).out)![1];
+  expect(run(...few, "--paths", "--times").out).toContain(
+    `2 of 2 planned (2 now): 2 found, 0 without a path, 0 refused; digest ${before}`,
+  );
+  expect(run(...few, "--times").out).toContain("(0 now)");
+  expect(run("digest", "more.jsonl").out).toBe(`${before}  2 results\n`);
+  const newest = results("more.jsonl").slice(-2) as unknown as {
+    path: number[];
+    directions: number[];
+    seconds: number;
+  }[];
+  const plan = new Planner("eight", scenario("perpendicular")).plan();
+  expect([newest[0]!.path, newest[0]!.directions]).toEqual([[...plan.path], [...plan.directions]]);
+  expect(newest.every(({ seconds }) => seconds > 0)).toBe(true);
+});
+
 test("two shards are two halves of the whole, by hash", () => {
   for (const shard of ["1/2", "2/2"])
     expect(run("batch", "scenes", "--planner", "eight", "--shard", shard, "--quiet").status).toBe(0);
@@ -118,7 +136,7 @@ test("a scene that is edited, cut short or gone since it was listed is refused, 
   };
   const tasks: object[] = [];
   for await (const { scene, content } of scenes(join(folder, "edited")))
-    tasks.push({ key: basename(scene.name), scene, content, planner: "eight" });
+    tasks.push({ key: basename(scene.name), scene, content, planner: "eight", extras: { paths: false, times: false } });
   writeFileSync(files[0]!, text.replace('"name":"p', '"name":"P'));
   writeFileSync(files[1]!, text.slice(0, -1));
   rmSync(files[2]!);

@@ -5,6 +5,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { generateScenario, importScene, init, planners, scenario, scenarios } from "parkade";
+import { FILES } from "./site-plan-files";
 import { parkade } from "./pack";
 
 let folder = "";
@@ -44,28 +45,24 @@ test("convert prints the scene of a map by the question that is asked, and sever
   expect(run(["batch", "all.jsonl", "--planner", "eight", "--quiet", "--jobs", "1"]).status).toBe(0);
 });
 
-test.each([
-  [["scenario"], "which scene? `parkade scenarios` lists their ids"],
-  [["scenario", "perpendiculer"], "perpendiculer: there is no such built-in scene; did you mean perpendicular?"],
-  [["scenario", "fig16", "fig12"], "one scene at a time, got also fig12"],
-  [["generate", "here"], "generate takes options only, got here"],
-  [["generate", "--family", "rondom"], "--family rondom: must be one of random, regular, trap"],
-  [["generate", "--size", "x"], "--size x: must be a number"],
-  [["generate", "--size", "1e9"], "size"],
-  [["generate", "--sed", "1"], "did you mean --seed?"],
-  [["convert"], "which files?"],
-  [["convert", "nothing.map"], "nothing.map: there is no such file"],
-  [["convert", "room.map", "room.map"], "2 scenes: JSON holds one; --format jsonl"],
-  [["convert", "room.map", "--query", "7"], "query"],
-  [["convert", "room.map", "--unknown", "maybe"], "--unknown maybe: must be one of blocked, free"],
-  [["convert", "-"], "standard input: is not JSON"],
-  [["completion"], "which shell?"],
-  [["completion", "csh"], "--shell csh: must be one of bash, zsh, fish"],
-])("%j is refused in words", (args, words) => {
-  const { status, out, err } = run(args);
+test("site plans of each format are scenes, by what their layers are called or said to be", () => {
+  for (const [name, content] of Object.entries(FILES)) {
+    writeFileSync(join(folder, name), content);
+    const { out, status, err } = run(["convert", name, ...(name.endsWith(".svg") ? ["--unit", "0.1"] : [])]);
+    expect([name, status, err.includes("internal")]).toEqual([name, 0, false]);
+    expect((JSON.parse(out) as { slots: unknown[] }).slots).toHaveLength(10);
+  }
+  const [geojson] = Object.keys(FILES).filter((name) => name.endsWith(".geojson"));
+  expect(run(["check", geojson!]).out).toMatch(/^ok: .* 10 slots/);
+  expect(run(["convert", geojson!, "--role", "nothing=wall"]).err).toMatch(
+    /--role nothing=wall: there is no such layer; there are /,
+  );
+});
+
+test("standard input that is no scene is refused in words", () => {
+  const { status, out, err } = run(["convert", "-"]);
   expect([status, out]).toEqual([2, ""]);
-  expect(err).toContain(words);
-  expect(err).not.toMatch(/\n\s+at /);
+  expect(err).toContain("standard input: is not JSON");
 });
 
 test("bash completes commands, options, planners and scenes", () => {

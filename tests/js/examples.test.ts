@@ -97,6 +97,22 @@ test.skipIf(process.platform === "win32")(
       return `pod-${index}.jsonl`;
     });
     expect(digestOf(...files)).toBe(whole);
+    const matrix = readFileSync(join(EXAMPLES, "cluster/matrix.yml"), "utf8");
+    const steps = [...matrix.matchAll(/- run: (npx .*?)( # .*)?$/gm)].map(([, step]) => step!);
+    const [, shards] = /shard: \[(.*)\]/.exec(matrix)!;
+    expect(steps).toHaveLength(2);
+    for (const shard of shards!.split(", "))
+      execFileSync(
+        "sh",
+        ["-ec", steps[0]!.replaceAll(/\$\{\{ matrix.shard \}\}/g, shard).replaceAll("results-", "matrix-")],
+        {
+          cwd: folder,
+          env: { ...env, TASK: "--planner eight" },
+          stdio: "pipe",
+        },
+      );
+    const told = execFileSync("sh", ["-ec", steps[1]!.replace("results-", "matrix-")], { cwd: folder, env });
+    expect(String(told)).toContain(whole);
   },
   120_000,
 );

@@ -84,6 +84,18 @@ test("progress, better plans, rasters, sets of paths and trajectories come from 
   expect((await planner.optimise(await planner.plan())).hash).toBe(optimise(scene, here.plan()).hash);
 });
 
+test("expansions come while it searches, whole and in order", async () => {
+  const planner = await createPlanner("eight", scenario("random-60"));
+  const cells: number[] = [];
+  const plan = await planner.plan({
+    onExpanded: (events) => {
+      if (events.kind === "cells") cells.push(...events.cells);
+    },
+  });
+  expect(cells).toEqual([...(plan.trace as { cells: Uint32Array }).cells]);
+  planner.free();
+});
+
 test("a signal ends the search that runs, and the plans that wait, each with its reason; the next one is whole", async () => {
   const scene = long();
   const planner = await pool({ size: 1 }).createPlanner("hybrid", scene);

@@ -1,7 +1,7 @@
 //! `cargo xtask docs`: the documentation site in `docs/.vitepress/dist/`, around the package and the page as built.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Result, ensure};
 
@@ -26,8 +26,13 @@ pub(crate) fn generate() -> Result<()> {
     book()
 }
 
+/// The program that makes books.
+pub(crate) fn mdbook() -> Result<PathBuf> {
+    cargo_tool("mdbook", MDBOOK, &["--no-default-features"])
+}
+
 fn book() -> Result<()> {
-    let program = cargo_tool("mdbook", MDBOOK, &["--no-default-features"])?;
+    let program = mdbook()?;
     let example = root().join("examples/mdbook");
     let page = example.join("src/parkade");
     if page.exists() {

@@ -45,7 +45,7 @@ const COMMANDS: &[Command] = &[
     },
     Command {
         name: "consumers",
-        about: "build, then run the npm package in bundlers and frameworks of the registry: consumers [name…]",
+        about: "build, then try the package in bundlers, or the page in hosts: consumers [hosts] [name…]",
         run: consumers::consumers,
     },
     Command { name: "serve", about: "build, then serve the page locally", run: serve::serve },

@@ -25,7 +25,9 @@ export function auditOptions(values) {
   const ids = values["vehicle"]?.split(",").map((/** @type {string} */ word) => word.trim());
   for (const id of ids ?? [])
     if (!known.includes(id))
-      throw new Refused(`--vehicle ${id}: there is no such vehicle${meant(id, known)}; there are ${known.join(", ")}`);
+      throw new Refused(
+        `--vehicle ${id}: there is no such vehicle${meant(id, known) || `; there are ${known.join(", ")}`}`,
+      );
   const entrances = values["entrance"]?.map(entrance);
   const config = settings(values["set"], ["hybrid"]);
   return {

@@ -5,12 +5,12 @@ import { extname } from "node:path";
 import { Tinypool } from "tinypool";
 import { auditInParts, generateLot, lotPresets, sceneGeometry, toSVG, vehicles as library } from "../node.js";
 import { auditOptions } from "./audit-options.js";
-import { Refused, choice, count, scene as read } from "./input.js";
+import { Refused, choice, count, onlyOptions, scene as read } from "./input.js";
 import { table, toJSON, write } from "./output.js";
 
 /** @typedef {import("../index.js").AuditRow} AuditRow */
 
-/** @type {import("./main.js").Run} */
+/** @type {import("./commands.js").Run} */
 export async function audit(places, values, module) {
   const format = choice("format", values.format, ["markdown", "csv", "json"]);
   const jobs = count("jobs", values.jobs, availableParallelism(), 1024);
@@ -183,8 +183,9 @@ function picture(scene, rows) {
   return svg.replace(/<\/svg>\s*$/, `${layer}</svg>\n`);
 }
 
-/** @type {import("./main.js").Run} */
-export async function vehicles(_, values) {
+/** @type {import("./commands.js").Run} */
+export async function vehicles(places, values) {
+  onlyOptions("vehicles", places);
   const all = library();
   if (choice("format", values.format, ["text", "json"]) === "json") return write(toJSON(all, 2)).then(() => 0);
   const head = ["id", "title", "length", "width", "wheelbase", "kerb circle", "wall circle", "source"];
@@ -218,8 +219,9 @@ const NUMBERS = {
   ramp: "ramp",
 };
 
-/** @type {import("./main.js").Run} */
-export async function lot(_, values) {
+/** @type {import("./commands.js").Run} */
+export async function lot(places, values) {
+  onlyOptions("lot", places);
   if (values.list === true) {
     const lines = lotPresets().map(({ id, title, bays }) => [id, title.en, bays]);
     await write(table(["id", "title", "bays"], lines, "markdown"));

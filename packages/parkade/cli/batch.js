@@ -6,12 +6,13 @@ import { availableParallelism } from "node:os";
 import { Tinypool } from "tinypool";
 import { version } from "../node.js";
 import { auditOptions } from "./audit-options.js";
-import { Refused, choice, count, explained, plannerIds, reason, seconds, settings, sweep } from "./input.js";
-import { digest, hashOf, isFinal, mend, outline, questionOf, read } from "./results.js";
+import { Refused, choice, count, explained, plannerIds, reason, seconds, settings, sweep, unwritten } from "./input.js";
+import { digest, hashOf, isFinal, isShort, mend, outline, questionOf, read } from "./results.js";
 import { scenes } from "./scenes.js";
 
 /** @typedef {import("./results.js").Result} Result */
-/** @typedef {{ key: string, scene: import("./scenes.js").Scene, content: string, planner: import("../index.js").PlannerId | "audit", config: Record<string, unknown> }} Task */
+/** @typedef {import("./results.js").Extras} Extras */
+/** @typedef {{ key: string, scene: import("./scenes.js").Scene, content: string, planner: import("../index.js").PlannerId | "audit", config: Record<string, unknown>, extras: Extras }} Task */
 
 /** The name of audits among planners. @type {"audit"} */
 const AUDIT = "audit";
@@ -22,7 +23,7 @@ const GROUP_MS = 50;
 const GROUP = 256;
 const TICK_MS = 200;
 
-/** @type {import("./main.js").Run} */
+/** @type {import("./commands.js").Run} */
 export async function batch(places, values, module) {
   if (places.length === 0) throw new Refused("which scenes? Folders, .json or .jsonl files");
   const jobs = count("jobs", values.jobs, availableParallelism(), 1024);
@@ -30,6 +31,8 @@ export async function batch(places, values, module) {
   const out = values.out ?? (shard.of === 1 ? "results.jsonl" : `results-${shard.at}-of-${shard.of}.jsonl`);
   const isAudit = choice("task", values.task, ["plan", "audit"]) === "audit";
   if (isAudit && values.planner !== undefined) throw new Refused("--planner: audits are hybrid's");
+  if (isAudit && values.paths)
+    throw new Refused("--paths: rows of audits have no paths; `parkade audit --format json` has");
   if (isAudit && values.sweep !== undefined) throw new Refused("--sweep: audits have one set of settings");
   // In results, an audit stands where planners do, and its options where settings do.
   const planners = plannerIds(values.planner, "hybrid");
@@ -38,7 +41,8 @@ export async function batch(places, values, module) {
     configs = isAudit
       ? [/** @type {Record<string, unknown>} */ (auditOptions(values))]
       : sweep(values.sweep, settings(values.set, planners), planners),
-    timeout = seconds(values.timeout);
+    timeout = seconds(values.timeout),
+    extras = { paths: values.paths === true, times: values.times === true };
   for (const place of places)
     if (!(await stat(place).catch(() => null))) throw new Refused(`${place}: no such file or folder`);
 
@@ -58,17 +62,18 @@ export async function batch(places, values, module) {
     /** @type {Map<string, Result>} */
     const done = new Map();
     if (await stat(out).catch(() => null)) for await (const result of read(out)) done.set(result.key, outline(result));
-    const { tasks, keys } = await listed(places, ids, configs, shard);
-    const open = tasks.filter(({ key }) => !isFinal(done.get(key)));
-    const results = tasks.flatMap(({ key }) => done.get(key) ?? []).filter(isFinal);
+    const { tasks, keys } = await listed(places, ids, configs, shard, extras);
+    const isDone = (/** @type {Result | undefined} */ result) => isFinal(result) && !isShort(result, extras);
+    const open = tasks.filter(({ key }) => !isDone(done.get(key)));
+    const results = tasks.flatMap(({ key }) => done.get(key) ?? []).filter(isDone);
     const append = (/** @type {string} */ lines) => {
       try {
         appendFileSync(out, lines);
       } catch (error) {
-        throw new Refused(`${out}: ${reason(error)}`);
+        throw unwritten(out, error);
       }
     };
-    append(superseded(done.values(), keys));
+    append(superseded(done.values(), keys, extras));
     const progress = new Progress(tasks.length, results.length, values.quiet === true);
     const each = (/** @type {string} */ lines, /** @type {Result[]} */ more) => {
       append(lines);
@@ -107,14 +112,16 @@ function shardOf(text = "1/1") {
 }
 
 /**
- * Lines that end those results whose scene holds something else by now.
+ * Lines that end those results whose scene holds something else by now, and those that are planned again for more.
  * @param {Iterable<Result>} results
  * @param {Map<string, Set<string>>} keys
+ * @param {Extras} extras
  */
-function superseded(results, keys) {
+function superseded(results, keys, extras) {
   const current = new Set([...keys.values()].flatMap((some) => [...some]));
   return [...results]
-    .filter((one) => !one.superseded && !current.has(one.key) && keys.has(questionOf(one)))
+    .filter((one) => !one.superseded && keys.has(questionOf(one)))
+    .filter((one) => !current.has(one.key) || isShort(one, extras))
     .map(
       ({ key, scene, planner, settings }) => `${JSON.stringify({ key, scene, planner, settings, superseded: true })}\n`,
     )
@@ -127,8 +134,9 @@ function superseded(results, keys) {
  * @param {readonly Task["planner"][]} ids
  * @param {Record<string, unknown>[]} configs
  * @param {{ at: number, of: number }} shard
+ * @param {Extras} extras
  */
-async function listed(places, ids, configs, { at, of }) {
+async function listed(places, ids, configs, { at, of }, extras) {
   /** @type {Map<string, Task>} */
   const tasks = new Map();
   /** @type {Map<string, Set<string>>} */
@@ -144,7 +152,7 @@ async function listed(places, ids, configs, { at, of }) {
       const isMine = parseInt(content.slice(0, 8), 16) % of === at - 1;
       for (const { planner, config, under } of asked) {
         const key = hashOf([by, planner, under, content].join("\n"));
-        if (isMine && !tasks.has(key)) tasks.set(key, { key, scene, content, planner, config });
+        if (isMine && !tasks.has(key)) tasks.set(key, { key, scene, content, planner, config, extras });
         const question = questionOf({ scene: scene.name, planner, settings: config });
         keys.set(question, (keys.get(question) ?? new Set()).add(key));
       }

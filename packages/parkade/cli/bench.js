@@ -1,23 +1,29 @@
 // @ts-check
 // `parkade bench`.
 import { Planner } from "../node.js";
-import { choice, count, plannerIds, scene as read } from "./input.js";
+import { choice, count, of, plannerIds, scenesAt } from "./input.js";
 import { table, toJSON, write } from "./output.js";
 
-/** @type {import("./main.js").Run} */
+/** @type {import("./commands.js").Run} */
 export async function bench(places, values) {
   const format = choice("format", values.format, ["markdown", "csv", "json"]);
   const repeats = count("repeats", values.repeats, 25, 100_000);
-  const scene = await read(places);
-  const racers = plannerIds(values.planner, "four,eight,risk-field,hybrid").map((planner) => ({
-    planner,
-    samples: /** @type {number[]} */ ([]),
-    plan: planned(planner, scene).plan,
-  }));
+  const scenes = await scenesAt(places),
+    ids = plannerIds(values.planner, "four,eight,risk-field,hybrid");
+  const racers = scenes.flatMap(({ place, scene }) =>
+    ids.map((planner) => ({
+      place,
+      scene,
+      planner,
+      samples: /** @type {number[]} */ ([]),
+      plan: planned(planner, { place, scene }).plan,
+    })),
+  );
   // The map is read and prepared anew for each plan, as on the page; rivals take turns, so that a busy moment hits all.
   for (let i = 0; i < repeats; i++)
-    for (const { planner, samples } of racers) samples.push(planned(planner, scene).millis);
-  const results = racers.map(({ planner, samples, plan }) => ({
+    for (const { planner, samples, ...asked } of racers) samples.push(planned(planner, asked).millis);
+  const results = racers.map(({ place, planner, samples, plan }) => ({
+    ...(scenes.length > 1 && { scene: place }),
     planner,
     outcome: plan.outcome,
     verdict: plan.check.verdict,
@@ -37,9 +43,9 @@ export async function bench(places, values) {
   return results.some(({ outcome }) => outcome !== "found") ? 1 : 0;
 }
 
-/** @param {import("../index.js").PlannerId} planner @param {import("../index.js").Scenario} scene */
-function planned(planner, scene) {
-  const prepared = new Planner(planner, scene);
+/** @param {import("../index.js").PlannerId} planner @param {{ place: string, scene: import("../index.js").Scenario }} asked */
+function planned(planner, { place, scene }) {
+  const prepared = of(place, () => new Planner(planner, scene));
   const from = performance.now();
   const plan = prepared.plan();
   const millis = performance.now() - from;
@@ -59,7 +65,9 @@ function quantile(values, part) {
 
 /** @param {Record<string, any>[]} results @param {"markdown" | "csv"} format */
 function report(results, format) {
+  const isNamed = results.some(({ scene }) => scene !== undefined);
   const head = [
+    ...(isNamed ? ["scene"] : []),
     "planner",
     "outcome",
     "verdict",
@@ -80,6 +88,7 @@ function report(results, format) {
   return table(
     head,
     results.map((one) => [
+      ...(isNamed ? [one.scene] : []),
       one.planner,
       one.outcome,
       one.verdict,

@@ -4,7 +4,7 @@ import { checkPath, sceneGeometry } from "../node.js";
 import { Refused, choice, isMap, json, scene as read, text } from "./input.js";
 import { toJSON, write } from "./output.js";
 
-/** @type {import("./main.js").Run} */
+/** @type {import("./commands.js").Run} */
 export async function check([place, path, ...more], values) {
   const format = choice("format", values.format, ["text", "json"]);
   if (more.length > 0) throw new Refused(`one path at a time, got also ${more.join(", ")}`);

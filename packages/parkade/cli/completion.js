@@ -1,15 +1,15 @@
 // @ts-check
 // `parkade completion`: what a shell offers after `parkade`, made of the commands' own table.
 import { planners, scenarios } from "../node.js";
-import { Refused, choice } from "./input.js";
+import { Refused } from "./input.js";
 import { write } from "./output.js";
 
 /** Commands whose first word is a scene. */
 const OF_SCENES = ["plan", "check", "judge", "bench", "scenario"];
 
 /**
- * @param {Record<string, import("./main.js").Command>} commands
- * @returns {import("./main.js").Run}
+ * @param {Record<string, import("./commands.js").Command>} commands
+ * @returns {import("./commands.js").Run}
  */
 export const completion = (commands) => async (places) => {
   const [shell, ...more] = places;
@@ -22,7 +22,8 @@ export const completion = (commands) => async (places) => {
   );
   const scenes = scenarios().map(({ id }) => id),
     ids = planners().map(({ id }) => id);
-  const kind = choice("shell", shell, ["bash", "zsh", "fish"]);
+  const kind = shell === "bash" || shell === "zsh" || shell === "fish" ? shell : undefined;
+  if (kind === undefined) throw new Refused(`completion ${shell}: must be one of bash, zsh, fish`);
   await write(kind === "fish" ? fish(words, scenes, ids) : bash(words, scenes, ids, kind === "zsh"));
   return 0;
 };

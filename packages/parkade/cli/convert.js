@@ -1,16 +1,17 @@
 // @ts-check
 // `parkade scenario`, `parkade generate` and `parkade convert`: scenes as JSON.
 import { generateScenario, importScene, sceneGeometry, scenario as builtIn, scenarios } from "../node.js";
-import { Refused, choice, json, meant, text, withCompanions } from "./input.js";
+import { Refused, choice, json, meant, onlyOptions, text, withCompanions } from "./input.js";
 import { toJSON, write } from "./output.js";
+import { isSitePlan, sitePlan } from "./site-plan.js";
 
-/** @type {import("./main.js").Run} */
+/** @type {import("./commands.js").Run} */
 export async function scenario([id, ...more], values) {
   const known = scenarios().map((one) => one.id);
   if (id === undefined) throw new Refused("which scene? `parkade scenarios` lists their ids");
   if (more.length > 0) throw new Refused(`one scene at a time, got also ${more.join(", ")}`);
   if (!known.includes(id))
-    throw new Refused(`${id}: there is no such built-in scene${meant(id, known)}; \`parkade scenarios\` lists all`);
+    throw new Refused(`${id}: there is no such built-in scene${meant(id, known) || "; `parkade scenarios` lists all"}`);
   await write(toJSON(builtIn(id), 2), values.out);
   return 0;
 }
@@ -24,9 +25,9 @@ const NUMBERS = {
   "block-max": "blockMax",
 };
 
-/** @type {import("./main.js").Run} */
+/** @type {import("./commands.js").Run} */
 export async function generate(places, values) {
-  if (places.length > 0) throw new Refused(`generate takes options only, got ${places.join(", ")}`);
+  onlyOptions("generate", places);
   const family = choice("family", values.family, ["random", "regular", "trap"]);
   const given = Object.entries(NUMBERS).filter(([option]) => values[option] !== undefined);
   const numbers = Object.fromEntries(given.map(([option, name]) => [name, numeric(option, values[option])]));
@@ -34,21 +35,29 @@ export async function generate(places, values) {
   return 0;
 }
 
-/** @type {import("./main.js").Run} */
+/** @type {import("./commands.js").Run} */
 export async function convert(places, values) {
   if (places.length === 0)
-    throw new Refused("which files? MovingAI .map, ROS .yaml, TPCAP .csv, lots or scenes as .json");
+    throw new Refused(
+      "which files? MovingAI .map, ROS .yaml, TPCAP .csv, plans as .dxf, .svg, .geojson or .osm, lots or scenes as .json",
+    );
   const options = {
     ...(values.resolution !== undefined && { resolution: numeric("resolution", values.resolution) }),
     ...(values.query !== undefined && { query: numeric("query", values.query) }),
     ...(values.unknown !== undefined && { unknown: choice("unknown", values.unknown, ["blocked", "free"]) }),
+  };
+  const plans = {
+    role: values.role,
+    ...(values.unit !== undefined && { unit: numeric("unit", values.unit) }),
   };
   const scenes = [];
   for (const place of places) {
     const found =
       place === "-"
         ? [json("standard input", await text("-"))]
-        : importScene(await withCompanions(place), options).scenes;
+        : isSitePlan(place)
+          ? [await sitePlan(place, plans)]
+          : importScene(await withCompanions(place), options).scenes;
     for (const scene of found) {
       try {
         sceneGeometry(scene);

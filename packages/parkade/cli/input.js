@@ -3,7 +3,7 @@
 import { readFile, stat } from "node:fs/promises";
 import { buffer } from "node:stream/consumers";
 import { basename, dirname, extname, join } from "node:path";
-import { defaultConfig, importScene, planners, scenario, scenarios } from "../node.js";
+import { ParkadeError, defaultConfig, importScene, planners, scenario, scenarios } from "../node.js";
 
 /** Bad input, in words for people. */
 export class Refused extends Error {}
@@ -54,6 +54,23 @@ export function reason(error) {
   return (code !== undefined && REASONS[code]) || message;
 }
 
+/** A file that cannot be written. @param {string} file @param {unknown} error */
+export function unwritten(file, error) {
+  const { code } = /** @type {NodeJS.ErrnoException} */ (error);
+  return new Refused(`${file}: ${code === "ENOENT" ? "its folder does not exist" : reason(error)}`);
+}
+
+/** What is wrong with a scene, with the place that it is read from. @template T @param {string} place @param {() => T} use @returns {T} */
+export function of(place, use) {
+  try {
+    return use();
+  } catch (error) {
+    if (error instanceof ParkadeError && ["bad-scenario", "bad-vehicle"].includes(error.code))
+      throw new Refused(`${place === "-" ? "standard input" : place}: ${explained(error)}`);
+    throw error;
+  }
+}
+
 /** @param {string} path @param {string} content */
 export function json(path, content) {
   try {
@@ -69,8 +86,23 @@ export function json(path, content) {
  * @returns {Promise<import("../index.js").Scenario>}
  */
 export async function scene([place, ...more]) {
-  if (place === undefined) throw new Refused("which scene? A file, the id of a built-in scene, or -");
   if (more.length > 0) throw new Refused(`one scene at a time, got also ${more.join(", ")}`);
+  return sceneAt(place);
+}
+
+/** Scenes with the places that they are read from; one at least. @param {string[]} places */
+export async function scenesAt(places) {
+  if (new Set(places).size < places.length) {
+    const twice = places.find((place, i) => places.indexOf(place) < i);
+    throw new Refused(`${twice}: is given twice`);
+  }
+  const given = places.length > 0 ? places : [undefined];
+  return Promise.all(given.map(async (place = "") => ({ place, scene: await sceneAt(place || undefined) })));
+}
+
+/** @param {string} [place] @returns {Promise<import("../index.js").Scenario>} */
+async function sceneAt(place) {
+  if (place === undefined) throw new Refused("which scene? A file, the id of a built-in scene, or -");
   if (place === "-") return json("standard input", await text("-"));
   const isFile = await stat(place).then(
     () => true,
@@ -79,13 +111,22 @@ export async function scene([place, ...more]) {
   if (!isFile && scenarios().some(({ id }) => id === place)) return scenario(place);
   if (!isFile && extname(place) === "")
     throw new Refused(
-      `${place}: neither a file nor a built-in scene${meant(
-        place,
-        scenarios().map(({ id }) => id),
-      )}; \`parkade scenarios\` lists those`,
+      `${place}: neither a file nor a built-in scene${
+        meant(
+          place,
+          scenarios().map(({ id }) => id),
+        ) || "; `parkade scenarios` lists those"
+      }`,
     );
   if (extname(place) === ".json") return json(place, await text(place));
+  const { isSitePlan, sitePlan } = await import("./site-plan.js");
+  if (isSitePlan(place)) return sitePlan(place);
   return importScene(await withCompanions(place)).scene;
+}
+
+/** Refuses words beside the options. @param {string} command @param {string[]} places */
+export function onlyOptions(command, places) {
+  if (places.length > 0) throw new Refused(`${command} takes options only, got ${places.join(", ")}`);
 }
 
 /** True if it is a grid of another program. @param {string} [place] */
@@ -121,7 +162,9 @@ export function settings(pairs = [], ids, option = "set") {
       const known = Object.keys(defaultConfig(id));
       if (!known.includes(name))
         throw new Refused(
-          `--${option} ${pair}: ${id} has no such setting${meant(name, known)}; \`parkade planners --planner ${id}\` lists its settings`,
+          `--${option} ${pair}: ${id} has no such setting${
+            meant(name, known) || `; \`parkade planners --planner ${id}\` lists its settings`
+          }`,
         );
     }
     const word = value.join("=");
@@ -191,7 +234,7 @@ export function plannerIds(value, otherwise) {
     const id = known.find((one) => one === word.trim());
     if (id === undefined)
       throw new Refused(
-        `--planner ${word}: there is no such planner${meant(word, known)}; there are ${known.join(", ")}`,
+        `--planner ${word}: there is no such planner${meant(word, known) || `; there are ${known.join(", ")}`}`,
       );
     return id;
   });
@@ -223,17 +266,24 @@ export function explained({ path, message }) {
   return words === undefined ? message : message + meant(got, words.split(/, | or /));
 }
 
-/** Levenshtein's. @param {string} a @param {string} b */
+/** Damerau and Levenshtein's: letters that are wrong, missing, too many, or swapped with the next. @param {string} a @param {string} b */
 function distance(a, b) {
-  let row = Array.from({ length: b.length + 1 }, (_, i) => i);
+  /** @type {number[][]} */
+  const rows = [Array.from({ length: b.length + 1 }, (_, i) => i)];
+  const at = (/** @type {number} */ i, /** @type {number} */ j) => rows[i]?.[j] ?? 0;
   for (let i = 1; i <= a.length; i++) {
-    const next = [i];
+    rows[i] = [i];
     for (let j = 1; j <= b.length; j++) {
-      next.push(
-        Math.min((row[j] ?? 0) + 1, (next[j - 1] ?? 0) + 1, (row[j - 1] ?? 0) + (a[i - 1] === b[j - 1] ? 0 : 1)),
+      const isSwap = i > 1 && j > 1 && a[i - 1] === b[j - 2] && a[i - 2] === b[j - 1];
+      rows[i]?.push(
+        Math.min(
+          at(i - 1, j) + 1,
+          at(i, j - 1) + 1,
+          at(i - 1, j - 1) + (a[i - 1] === b[j - 1] ? 0 : 1),
+          isSwap ? at(i - 2, j - 2) + 1 : Infinity,
+        ),
       );
     }
-    row = next;
   }
-  return row[b.length] ?? 0;
+  return at(a.length, b.length);
 }

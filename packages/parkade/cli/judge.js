@@ -12,7 +12,7 @@ const LIMITS = {
   "steering-rate": "steeringRate",
 };
 
-/** @type {import("./main.js").Run} */
+/** @type {import("./commands.js").Run} */
 export async function judge([place, file, ...more], values) {
   const format = choice("format", values.format, ["text", "json"]);
   if (file === undefined) throw new Refused("which trajectory? `parkade judge SCENE TRAJECTORY`, CSV or JSON");

@@ -1,11 +1,12 @@
 // @ts-check
 // `parkade planners` and `parkade scenarios`.
 import { planners as allPlanners, scenarios as allScenarios } from "../node.js";
-import { choice, plannerIds } from "./input.js";
+import { choice, onlyOptions, plannerIds } from "./input.js";
 import { toJSON, write } from "./output.js";
 
-/** @type {import("./main.js").Run} */
-export async function planners(_places, values) {
+/** @type {import("./commands.js").Run} */
+export async function planners(places, values) {
+  onlyOptions("planners", places);
   const asJSON = choice("format", values.format, ["text", "json"]) === "json";
   const one = values.planner === undefined ? undefined : plannerIds(values.planner, "")[0];
   const infos = allPlanners().filter(({ id }) => one === undefined || id === one);
@@ -31,8 +32,9 @@ function range({ unit, min, max, choices }) {
   return said ? ` (${said})` : "";
 }
 
-/** @type {import("./main.js").Run} */
-export async function scenarios(_places, values) {
+/** @type {import("./commands.js").Run} */
+export async function scenarios(places, values) {
+  onlyOptions("scenarios", places);
   const infos = allScenarios();
   await write(
     choice("format", values.format, ["text", "json"]) === "json"

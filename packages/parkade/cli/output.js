@@ -1,7 +1,7 @@
 // @ts-check
 // What the command line prints.
 import { writeFile } from "node:fs/promises";
-import { Refused, reason } from "./input.js";
+import { unwritten } from "./input.js";
 
 /** Typed arrays as lists; JSON has no NaN and no infinity. @param {unknown} value @param {number} [indent] */
 export const toJSON = (value, indent) =>
@@ -14,7 +14,7 @@ export async function write(content, file) {
     return;
   }
   await writeFile(file, content).catch((error) => {
-    throw new Refused(`${file}: ${reason(error)}`);
+    throw unwritten(file, error);
   });
 }
 

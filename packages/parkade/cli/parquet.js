@@ -3,7 +3,7 @@
 import { stat } from "node:fs/promises";
 import { asyncBufferFromFile, parquetMetadataAsync, parquetReadObjects } from "hyparquet";
 import { ParquetWriter, fileWriter } from "hyparquet-writer";
-import { Refused, reason } from "./input.js";
+import { Refused, reason, unwritten } from "./input.js";
 import { read } from "./results.js";
 
 /** Version of the columns; a new column keeps it, another meaning does not. */
@@ -44,12 +44,15 @@ const COLUMNS = [
   ["open_peak", "INT64", ({ stats }) => stats?.openPeak],
   ["collision_checks", "INT64", ({ stats }) => stats?.collisionChecks],
   ["memory_bytes", "INT64", ({ stats }) => stats?.memoryBytes],
-  ["seconds", "DOUBLE", () => null],
+  ["seconds", "DOUBLE", ({ seconds }) => seconds],
   ["hash", "STRING", ({ hash }) => hash],
   ["error_code", "STRING", ({ error }) => error?.code],
   ["error_path", "STRING", ({ error }) => error?.path],
   ["error_message", "STRING", ({ error }) => error?.message],
 ];
+
+/** Where results have paths. @type {Column} */
+const PATH = ["path", "STRING", ({ path }) => path && JSON.stringify(path)];
 
 /** Of the ways of an audit, a row for each bay, vehicle, entrance and entry. @type {Column[]} */
 const BAYS = [
@@ -84,7 +87,7 @@ function ways(prefix, way) {
 const NEEDED = ["key", "scene", "planner", "settings", "version"];
 
 /** @param {Result} result @returns {Row} */
-const rowOf = (result) => valuesOf(COLUMNS, result);
+const rowOf = (result) => valuesOf(result.path === undefined ? COLUMNS : [...COLUMNS, PATH], result);
 
 /** A row for each bay; one that tells its error for a scene that was refused. @param {Result} result @returns {Row[]} */
 function baysOf(result) {
@@ -131,8 +134,8 @@ async function present(files) {
 /** @param {string} file @returns {Promise<Row[]>} */
 async function columnsOf(file) {
   const buffer = await asyncBufferFromFile(file);
-  const metadata = await parquetMetadataAsync(buffer).catch((error) => {
-    throw new Refused(`${file}: is no Parquet file: ${reason(error)}`);
+  const metadata = await parquetMetadataAsync(buffer).catch(() => {
+    throw new Refused(`${file}: is no Parquet file`);
   });
   const version = metadata.key_value_metadata?.find(({ key }) => key === MARK)?.value;
   if (version === undefined || Number(version) > VERSION)
@@ -147,7 +150,7 @@ async function columnsOf(file) {
   return rows;
 }
 
-/** @type {import("./main.js").Run} */
+/** @type {import("./commands.js").Run} */
 export async function columns(files, values) {
   if (files.some((file) => file.endsWith(".parquet")))
     throw new Refused(`${files.find((file) => file.endsWith(".parquet"))}: is in columns already; which .jsonl files?`);
@@ -160,9 +163,10 @@ export async function columns(files, values) {
   const rows = isAudit ? [...results.values()].flat() : plans;
   const out = values.out ?? "results.parquet";
   try {
-    written(rows, isAudit ? BAYS : COLUMNS, isAudit ? BAYS_MARK : MARK, out);
+    const plain = rows.some((row) => "path" in row) ? [...COLUMNS, PATH] : COLUMNS;
+    written(rows, isAudit ? BAYS : plain, isAudit ? BAYS_MARK : MARK, out);
   } catch (error) {
-    throw new Refused(`${out}: ${reason(error)}`);
+    throw unwritten(out, error);
   }
   process.stdout.write(`${out}: ${results.size} results${isAudit ? `, ${rows.length} rows` : ""}\n`);
   return 0;
@@ -187,7 +191,7 @@ function written(rows, columns, mark, out) {
     const group = rows.slice(at, at + GROUP);
     const columnData = columns.map(([name, type]) => ({
       name,
-      data: group.map((row) => (type === "INT64" && row[name] !== null ? BigInt(row[name]) : row[name])),
+      data: group.map((row) => (type === "INT64" && row[name] !== null ? BigInt(row[name]) : (row[name] ?? null))),
     }));
     writer.write({ columnData, rowGroupSize: GROUP });
   }

@@ -1,7 +1,7 @@
 // @ts-check
 // `parkade report`: what results say of planners and settings, counted here and drawn in `report-page.js`.
 import { writeFile } from "node:fs/promises";
-import { Refused, reason } from "./input.js";
+import { Refused, unwritten } from "./input.js";
 import { rowsOf } from "./parquet.js";
 import { page } from "./report-page.js";
 
@@ -28,7 +28,7 @@ const FACTORS = Array.from({ length: 41 }, (_, i) => 10 ** (i / 40));
 /** More would be no page to read. */
 const MOST = 24;
 
-/** @type {import("./main.js").Run} */
+/** @type {import("./commands.js").Run} */
 export async function report(files, values) {
   const rows = await rowsOf(files);
   if (rows.length === 0) throw new Refused(`${files.join(", ")}: no results`);
@@ -48,7 +48,7 @@ export async function report(files, values) {
     ),
   });
   await writeFile(out, html).catch((error) => {
-    throw new Refused(`${out}: ${reason(error)}`);
+    throw unwritten(out, error);
   });
   process.stdout.write(`${out}: ${rows.length} results of ${contenders.length} planners with settings\n`);
   return 0;

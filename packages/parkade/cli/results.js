@@ -9,11 +9,11 @@ import { Refused, reason } from "./input.js";
 /**
  * A scene planned by a planner, or why it could not be.
  * `superseded` ends a result: its scene is another one by now.
- * @typedef {{ key: string, scene: string, planner: string, settings: Record<string, unknown>, superseded?: true, outcome?: string, verdict?: string, hash?: string, error?: { code: string, path: string, message: string }, [figure: string]: unknown }} Result
+ * @typedef {{ key: string, scene: string, planner: string, settings: Record<string, unknown>, superseded?: true, outcome?: string, verdict?: string, hash?: string, path?: unknown, seconds?: number, error?: { code: string, path: string, message: string }, [figure: string]: unknown }} Result
  */
 
 /** The part of a written result that is kept in memory. @param {Result} result @returns {Result} */
-export const outline = ({ key, scene, planner, settings, superseded, outcome, hash, error }) => ({
+export const outline = ({ key, scene, planner, settings, superseded, outcome, hash, path, seconds, error }) => ({
   key,
   scene,
   planner,
@@ -21,8 +21,16 @@ export const outline = ({ key, scene, planner, settings, superseded, outcome, ha
   superseded,
   outcome,
   hash,
+  path: path === undefined ? undefined : true,
+  seconds,
   error,
 });
+
+/** What `--paths` and `--times` add to results. @typedef {{ paths: boolean, times: boolean }} Extras */
+
+/** True if a plan was made without what is asked for now. @param {Result | undefined} result @param {Extras} extras */
+export const isShort = (result, { paths, times }) =>
+  result?.outcome !== undefined && ((paths && result.path === undefined) || (times && result.seconds === undefined));
 
 /** The key of a result: scene, planner and settings. @param {Pick<Result, "scene" | "planner" | "settings">} result */
 export const questionOf = ({ scene, planner, settings }) =>
@@ -54,7 +62,10 @@ export async function* read(file) {
   }
 }
 
-/** Removes the partial last line of a run that was stopped while writing. @param {string} file */
+/** How a line of results begins. */
+const BEGINNING = '{"key":"';
+
+/** Removes the partial last line of a run that was stopped while writing; other text is somebody else's. @param {string} file */
 export async function mend(file) {
   const size = await stat(file).then(
     (one) => one.size,
@@ -68,13 +79,15 @@ export async function mend(file) {
       const from = Math.max(0, end - block.length);
       await handle.read(block, 0, end - from, from);
       const last = block.subarray(0, end - from).lastIndexOf(10);
-      if (last >= 0) {
-        if (from + last + 1 < size) await handle.truncate(from + last + 1);
-        return;
-      }
       end = from;
+      if (last < 0 && from > 0) continue;
+      const start = from + last + 1;
+      if (start === size) return;
+      const { buffer, bytesRead } = await handle.read(Buffer.alloc(BEGINNING.length), 0, BEGINNING.length, start);
+      if (!BEGINNING.startsWith(buffer.toString("utf8", 0, bytesRead)))
+        throw new Error("is no file of results of `parkade batch`");
+      return await handle.truncate(start);
     }
-    await handle.truncate(0);
   } finally {
     await handle.close();
   }
@@ -86,7 +99,7 @@ export function digest(results) {
   return hashOf(lines.join("\n"));
 }
 
-/** @type {import("./main.js").Run} */
+/** @type {import("./commands.js").Run} */
 export async function digestFiles(files) {
   if (files.length === 0) throw new Refused("which files?");
   /** @type {Map<string, Result>} */

@@ -28,7 +28,8 @@ export default function run(tasks) {
   const done = [];
   for (const task of tasks) {
     if (stopped) break;
-    const { key, scene, content, planner, config } = task;
+    const { key, scene, content, planner, config, extras } = task,
+      start = performance.now();
     const result = {
       key,
       scene: scene.name,
@@ -37,6 +38,7 @@ export default function run(tasks) {
       settings: config,
       version: version(),
       ...planned(task),
+      ...(extras.times && { seconds: (performance.now() - start) / 1000 }),
     };
     stopped = result.error?.code === "internal";
     done.push({ line: `${JSON.stringify(result)}\n`, result: outline(result) });
@@ -45,16 +47,17 @@ export default function run(tasks) {
 }
 
 /** @param {import("./batch.js").Task} task @returns {Pick<Result, "outcome" | "error">} */
-function planned({ scene, planner, content, config }) {
+function planned({ scene, planner, content, config, extras }) {
   try {
     if (scene.length > MAX_BYTES) throw new ParkadeError(tooLarge(scene.length), "bad-scenario");
     if (last.of !== content) last = { of: content, scene: parsed(scene, content) };
     if (planner === "audit") return audited(/** @type {any} */ (last.scene), config);
     const prepared = new Planner(planner, /** @type {any} */ (last.scene), config);
     try {
-      const { outcome, detail, reason, goal, metrics, stats, check, hash } = prepared.plan();
+      const { outcome, detail, reason, goal, metrics, stats, check, hash, path, directions } = prepared.plan();
       const { verdict, drivable } = check;
-      return /** @type {object} */ ({ outcome, detail, reason, goal, verdict, drivable, metrics, stats, hash });
+      const way = extras.paths ? { path: [...path], directions: [...directions] } : {};
+      return /** @type {object} */ ({ outcome, detail, reason, goal, verdict, drivable, metrics, stats, hash, ...way });
     } finally {
       prepared.free();
     }

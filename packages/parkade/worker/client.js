@@ -9,7 +9,7 @@ import { WorkerPool } from "./pool.js";
  * package), and how many workers run at the same time.
  * @typedef {{ spawn(): any, compile(wasm?: URL | string): Promise<WebAssembly.Module>, most(): number }} Host
  * @typedef {import("./protocol.js").Job} Job
- * @typedef {{ signal?: AbortSignal, onProgress?: (expansions: number) => void, onImproved?: (plan: any) => void }} Ears
+ * @typedef {{ signal?: AbortSignal, onProgress?: (expansions: number) => void, onImproved?: (plan: any) => void, onExpanded?: (events: any) => void }} Ears
  * @typedef {Ears & { fields: any, transfer?: ArrayBuffer[], done(result: any): void, failed(error: unknown): void, detach(): void }} Task
  * @typedef {{ task: Task, id: number, stop: SharedArrayBuffer | undefined, grace?: ReturnType<typeof setTimeout> }} Running
  */
@@ -165,14 +165,18 @@ class WorkerPlanner {
 
   /** @param {any} options */
   async plan(options = {}) {
-    const { signal, onProgress, onImproved, layers = [], ...others } = plainObject(options, "options");
+    const { signal, onProgress, onImproved, onExpanded, layers = [], ...others } = plainObject(options, "options");
     if (!Array.isArray(layers)) throw mismatch(layers, "layers", "a list of names");
-    const tells = { progress: !!ear(onProgress, "onProgress"), improved: !!ear(onImproved, "onImproved") };
+    const tells = {
+      progress: !!ear(onProgress, "onProgress"),
+      improved: !!ear(onImproved, "onImproved"),
+      expanded: !!ear(onExpanded, "onExpanded"),
+    };
     const sent = sendable(others, "options");
     this.#sticky ||= others.stickiness !== undefined;
     const plan = await this.#ask(
       { kind: "plan", options: sent, layers: [...layers], tells },
-      { signal, onProgress, onImproved },
+      { signal, onProgress, onImproved, onExpanded },
     );
     // Where another planner takes the worker its last path is lost with it.
     if (this.#sticky)
@@ -287,6 +291,7 @@ class WorkerPlanner {
     if (!task || reply.id !== id) return;
     if (reply.kind === "progress") return this.#tell(task, () => task.onProgress?.(reply.expansions));
     if (reply.kind === "improved") return this.#tell(task, () => task.onImproved?.(reply.plan));
+    if (reply.kind === "expanded") return this.#tell(task, () => task.onExpanded?.(reply.events));
     if (reply.kind === "failed") {
       // Where scene or settings were refused, the worker has no planner.
       this.#known = false;

@@ -1,5 +1,5 @@
 import type {
-  DrivenPath, Goal, Layer, LayerName, OptimiseOptions, OptimisedTrajectory, PlannerId, PlannerSettings, PlanOf, Prefer, Scenario,
+  DrivenPath, Expansions, Goal, Layer, LayerName, OptimiseOptions, OptimisedTrajectory, PlannerId, PlannerSettings, PlanOf, Prefer, Scenario,
 } from "../index.js";
 
 export { ParkadeError } from "../index.js";
@@ -20,6 +20,8 @@ export interface WorkerPlanOptions<Id extends PlannerId = PlannerId> {
   /** What it throws ends the search and rejects the promise. */
   onProgress?: (expansions: number) => void;
   onImproved?: (plan: PlanOf<Id>) => void;
+  /** Expansions while the search runs, for drawings of one's own; their arrays are moved. */
+  onExpanded?: (events: Expansions) => void;
 }
 
 /** A planner in a worker. Its jobs run one after the other; those of several planners run side by side. */

@@ -1,4 +1,4 @@
-import type { DrivenPath, ErrorCode, HybridPlan, LayerName, OptimiseOptions, Plan, PlannerId, Scenario } from "../index.js";
+import type { DrivenPath, ErrorCode, Expansions, HybridPlan, LayerName, OptimiseOptions, Plan, PlannerId, Scenario } from "../index.js";
 
 /** To a worker. */
 export type Message = { kind: "start"; module: WebAssembly.Module } | Job;
@@ -16,7 +16,7 @@ export type Job = Base &
         kind: "plan";
         options: object;
         layers: LayerName[];
-        tells: { progress: boolean; improved: boolean };
+        tells: { progress: boolean; improved: boolean; expanded: boolean };
         /** One 32-bit number: the search ends where it is not 0. Absent where threads cannot share memory. */
         stop: SharedArrayBuffer | undefined;
       }
@@ -27,6 +27,7 @@ export type Job = Base &
 export type Reply =
   | { kind: "progress"; id: number; expansions: number }
   | { kind: "improved"; id: number; plan: Plan }
+  | { kind: "expanded"; id: number; events: Expansions }
   | { kind: "done"; id: number; result: unknown }
   | { kind: "stopped"; id: number }
   | { kind: "failed"; id: number; error: { code: ErrorCode; path: string; message: string } };

@@ -51,6 +51,12 @@ export function serve(api, port) {
         onImproved: (/** @type {import("../index.js").Plan} */ better) =>
           port.send({ kind: "improved", id, plan: better }, transferables(better)),
       }),
+      ...(tells.expanded && {
+        onExpanded: (/** @type {import("../index.js").Expansions} */ events) =>
+          port.send({ kind: "expanded", id, events }, [
+            /** @type {ArrayBuffer} */ ((events.kind === "cells" ? events.cells : events.arcs).buffer),
+          ]),
+      }),
     });
     /** @type {Record<string, import("../index.js").Layer>} */
     const layers = {};

@@ -207,6 +207,12 @@ impl<'a> Search<'a> {
             dropped: 0,
             origin: self.origin(),
             mirrored: self.mirrored,
+            #[cfg(feature = "complete")]
+            told: 0,
+            #[cfg(feature = "complete")]
+            tell: work.progress.as_ref().and_then(|progress| progress.expansions),
+            #[cfg(not(feature = "complete"))]
+            tell: core::marker::PhantomData,
         });
         let watch = self.trace.then(|| RefCell::new(Recorder::new(self.origin())));
         #[cfg(feature = "complete")]

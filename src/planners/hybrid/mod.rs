@@ -70,6 +70,8 @@ use super::{Gap, Obstruction};
 use crate::geometry::arcs::Arc;
 use crate::geometry::{Pose, math, reeds_shepp};
 use crate::scenario::resolve::{Form, Geometry};
+#[cfg(feature = "complete")]
+use crate::search::{ExpansionCallback, Expansions};
 use crate::search::{NodeId, Observer, Progress};
 use crate::vehicle::Vehicle;
 use crate::vehicle::collision::{CollisionChecker, Edge, Obstacles, Solid};
@@ -212,15 +214,39 @@ impl Scratch {
     }
 }
 
+/// Numbers of an arc: x, y, heading, curvature, signed length.
+const ARC: usize = 5;
+/// Arcs that a callback is given at a time: often enough for a drawing, and few calls.
+#[cfg(feature = "complete")]
+const TOLD_ARCS: usize = 64;
+
 /// Keeps the arcs that led to expanded states.
-struct Tree {
+struct Tree<'a> {
     arcs: Vec<f64>,
     dropped: u64,
     origin: Pose,
     mirrored: bool,
+    /// Those of the numbers that `tell` knows.
+    #[cfg(feature = "complete")]
+    told: usize,
+    #[cfg(feature = "complete")]
+    tell: Option<ExpansionCallback<'a>>,
+    #[cfg(not(feature = "complete"))]
+    tell: core::marker::PhantomData<&'a ()>,
 }
 
-impl Observer<f64, State> for Tree {
+impl Tree<'_> {
+    /// Tells what is not told yet.
+    #[cfg(feature = "complete")]
+    fn flush(&mut self) {
+        if let Some(tell) = self.tell.filter(|_| self.told < self.arcs.len()) {
+            tell(Expansions { is_first: self.told == 0, nodes: &[], numbers: &self.arcs[self.told..] });
+            self.told = self.arcs.len();
+        }
+    }
+}
+
+impl Observer<f64, State> for Tree<'_> {
     fn side(&mut self, side: usize) {
         self.mirrored = side == 1;
     }
@@ -229,7 +255,7 @@ impl Observer<f64, State> for Tree {
         if at.length == 0.0 {
             return;
         }
-        if self.arcs.len() >= MAX_TREE_ARCS * 5 {
+        if self.arcs.len() >= MAX_TREE_ARCS * ARC {
             self.dropped += 1;
             return;
         }
@@ -238,6 +264,10 @@ impl Observer<f64, State> for Tree {
             if self.mirrored { (at.pose, -length) } else { (at.pose.advance(curvature, -length), length) };
         let (x, y) = (from.x + self.origin.x, from.y + self.origin.y);
         self.arcs.extend([x, y, from.heading, curvature, length]);
+        #[cfg(feature = "complete")]
+        if self.arcs.len() - self.told == TOLD_ARCS * ARC {
+            self.flush();
+        }
     }
 }
 
@@ -256,6 +286,12 @@ impl Report {
 
     fn keep(&mut self, tree: Option<Tree>, watch: Option<&RefCell<Recorder>>) {
         if let (Some(tree), Some(watch)) = (tree, watch) {
+            #[cfg(feature = "complete")]
+            let tree = {
+                let mut tree = tree;
+                tree.flush();
+                tree
+            };
             (self.tree, self.tree_dropped) = (tree.arcs, tree.dropped);
             self.shots = core::mem::take(&mut watch.borrow_mut().shots);
         }

@@ -2,7 +2,7 @@ import type { PlannerId, PlannerInfo, ScenarioInfo, SceneGeometry } from "parkad
 import { loadLang, translate, type Lang, type MessageKey, type Values } from "../i18n/index";
 import { introduce } from "../styles/planner-style";
 import { LAYER_PRESETS, presetLayers, presetOf } from "../store/layer-sets";
-import { extentFor, loadEngine, type Engine } from "../planning/engine-loader";
+import { extentFor, loadEngine, whenWhole, type Engine, type Folders } from "../planning/engine-loader";
 import { Planning } from "../planning/planning";
 import { checkedScene, geometryOf } from "../scene/foreign";
 import { ensureIds, isOneGoal } from "../scene/model";
@@ -38,6 +38,8 @@ export interface Beginning {
   syncAddress: boolean;
   drives: boolean;
   given: Promise<Scene | null>;
+  /** When the planners and formats that the first picture does without are worth their bytes. */
+  wanted?: Promise<void>;
   loaded(): void;
 }
 
@@ -46,6 +48,7 @@ export class App {
   readonly store: Store = createStore();
   readonly controller = new ToolController(this.store);
   readonly player = new Player(this.store);
+  folders: Folders = { worker: null, wasm: null };
   readonly links = new LinkSync(
     this.store,
     (scene, view) => this.openLink(scene, view),
@@ -71,12 +74,12 @@ export class App {
    * Loads the planners and the first scene, the address's or else the given one or the preset's, and plans it; `loaded` comes
    * before the plans. `drives`: the car then parks once.
    */
-  async start({ preset, syncAddress, drives, given, loaded }: Beginning): Promise<void> {
+  async start({ preset, syncAddress, drives, given, wanted, loaded }: Beginning): Promise<void> {
     const { signal } = (this.starting = new AbortController());
     const view = syncAddress ? await this.links.view() : null;
     let missed = false;
     const engine = await persistently(
-      () => loadEngine(extentFor(view?.planners ?? this.store.state.planners)),
+      () => loadEngine(extentFor(view?.planners ?? this.store.state.planners), this.folders),
       (error) => {
         missed = true;
         if (syncAddress) document.documentElement.classList.add("failed");
@@ -97,7 +100,7 @@ export class App {
       this.links.start();
       this.rememberFirstEdit();
     }
-    this.planning = new Planning(this.store, await loadEngine("core"), () => this.complete());
+    this.planning = new Planning(this.store, await loadEngine("core", this.folders), () => this.complete());
     this.planning.start();
     loaded();
     void this.controller.fetchTools().then(() => import("./edit-commands"));
@@ -107,13 +110,15 @@ export class App {
     );
     await this.planning.whenSettled();
     if (drives && !looks.playback) this.player.driveIn();
-    requestIdle(() => void this.complete().catch(() => undefined));
+    void Promise.race([wanted, whenWhole(this.folders)]).then(() =>
+      requestIdle(() => void this.complete().catch(() => undefined)),
+    );
     if (syncAddress) requestIdle(() => void this.remember());
   }
 
   /** Every planner and format, which the first picture does not wait for. */
   async complete(): Promise<Engine> {
-    const engine = await loadEngine("complete");
+    const engine = await loadEngine("complete", this.folders);
     if (!this.store.state.complete) {
       this.catalog = catalogOf(engine);
       this.planning?.use(engine);

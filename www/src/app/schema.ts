@@ -188,8 +188,11 @@ const ATTRIBUTES: Record<string, (text: string) => [value: unknown, rule: Rule]>
   wheel: (text) => [text, oneOf(["ctrl", "always", "none"])],
   theme: (text) => [text, RULES.theme()],
   smooth: (text) => [text, oneOf(["true", "false"])],
-  speed: (text) => [numeral(text), numberFrom(0.01, 100)],
-  "budget-ms": (text) => [numeral(text), numberFrom(1, HOUR_MS)],
+  loading: (text) => [text, oneOf(["auto", "lazy", "eager"])],
+  reveal: (text) => [text, oneOf(["auto", "interaction", "manual"])],
+  editable: (text) => [text || "true", oneOf(["true", "false"])],
+  speed: (text) => [figure(text), numberFrom(0.01, 100)],
+  "budget-ms": (text) => [figure(text), numberFrom(1, HOUR_MS)],
   layers: (text) => [
     text.split(/\s+/).filter(Boolean),
     listOf(oneOf([...LAYER_PRESETS, ...ALL_LAYERS]), 0, ALL_LAYERS.length),
@@ -204,6 +207,9 @@ export function faultOfAttribute(name: string, text: string): ValueError | null 
 
 /** An empty text is no zero. */
 export const numeral = (text: string | undefined): number => (text ? Number(text) : NaN);
+
+/** The number, or else the text that is none. */
+const figure = (text: string): unknown => (Number.isNaN(numeral(text)) ? text : numeral(text));
 
 /** What the browser keeps of a setting, by its key's beginning; other keys are somebody else's, or look after themselves. */
 const STORED: Record<string, (text: string) => [value: unknown, rule: Rule]> = {

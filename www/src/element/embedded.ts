@@ -1,6 +1,5 @@
 import type { PlannerId } from "parkade";
 import { css, html, nothing, unsafeCSS, type PropertyValues, type TemplateResult } from "lit";
-import { elsewhere } from "../planning/engine-loader";
 import type { Camera, Scene, State } from "../store";
 import { chip } from "../styles/chip";
 import { controls } from "../styles/controls";
@@ -71,6 +70,11 @@ export class Embedded extends SceneOpening {
   private readonly sight = new IntersectionObserver(([entry]) => this.seen(entry?.isIntersecting ?? false));
   private wasPlaying = false;
   private scheme: Scheme = "light";
+  private touch = (): void => {};
+  /** Resolves where somebody does more than look at a bare picture. */
+  private readonly touched = new Promise<void>((resolve) => {
+    this.touch = resolve;
+  });
   private unwatch = (): void => {};
 
   constructor() {
@@ -90,8 +94,7 @@ export class Embedded extends SceneOpening {
 
   override connectedCallback(): void {
     this.viewing = this.editable === null || this.editable === "false";
-    if (this.workerUrl) elsewhere.worker = this.workerUrl;
-    if (this.wasmUrl) elsewhere.wasm = this.wasmUrl;
+    this.app.folders = { worker: this.workerUrl || null, wasm: this.wasmUrl || null };
     const { host } = this.getRootNode() as ShadowRoot;
     this.unwatch = watchScheme(host as HTMLElement, (scheme) => {
       this.scheme = scheme;
@@ -219,7 +222,13 @@ export class Embedded extends SceneOpening {
     // An element that was moved goes on with its drawing.
     const given = this.loaded ? Promise.resolve(this.store.state.scene) : this.given();
     given.catch(() => undefined);
-    return { preset: this.scene, syncAddress: false, drives: this.autoplay && !this.loaded, given };
+    return {
+      preset: this.scene,
+      syncAddress: false,
+      drives: this.autoplay && !this.loaded,
+      given,
+      wanted: this.touched,
+    };
   }
 
   /** Writes the scheme where the colours are chosen by it. */
@@ -298,6 +307,7 @@ export class Embedded extends SceneOpening {
     super.updated(changed);
     if (this.app.planning) this.app.planning.budget = this.budgetMs;
     if (changed.has("controls")) this.fetchParts();
+    if (this.isFull || !this.viewing) this.touch();
     if (changed.has("loaded") && this.loaded) this.onStep(0.8);
   }
 
@@ -312,6 +322,8 @@ export class Embedded extends SceneOpening {
   protected override onState(state: State, previous: State): void {
     const busy = state.planners.some((planner) => state.results[planner]?.status === "planning");
     this.begun(state, previous, busy);
+    const { layers, hover, playback, canUndo } = state;
+    if (canUndo || playback.playing || layers.tree || layers.redundant || (layers.risk && hover)) this.touch();
     super.onState(state, previous);
     if (state.theme !== previous.theme) this.onTheme(state.theme);
     if (state.playback.fraction !== previous.playback.fraction)

@@ -130,6 +130,8 @@ export class ParkadePlayground extends Base {
     inner.onStep = (share) => this.progress(share);
     inner.onTheme = (theme) => this.setAttribute("theme", theme);
     for (const name of ATTRIBUTES) this.pass(inner, name);
+    // The rules of its own attributes come with the other code.
+    for (const name of ["loading", "reveal"]) inner.attributeChangedCallback(name, null, this.getAttribute(name));
     this.inner = inner;
     // What went wrong is said below the poster.
     inner.addEventListener("error", () => this.uncover(), { once: true });

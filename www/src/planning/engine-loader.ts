@@ -7,7 +7,7 @@ import completeUrl from "../../../pkg/parkade_bg.wasm?url";
 /** The small module is asked for no more than it has: its planners, and scenes without sets of goals. */
 type Api = typeof import("./engine-complete");
 
-/** The planners' functions, ready to be called, their compiled module for the workers, and these; of all playgrounds of a page. */
+/** The planners' functions, ready to be called, their compiled module for the workers, and these; of all playgrounds of a page from the same folders. */
 export interface Engine {
   extent: Extent;
   api: Api;
@@ -16,8 +16,11 @@ export interface Engine {
   script: string;
 }
 
-/** Addresses of worker scripts and modules that are not beside this script: pages that embed another host's element need their own copies. */
-export const elsewhere: { worker: string | null; wasm: string | null } = { worker: null, wasm: null };
+/** Folders of worker scripts and modules that are not beside this script: pages that embed another host's element need their own copies. */
+export interface Folders {
+  worker: string | null;
+  wasm: string | null;
+}
 
 /** `core` plans the first picture; `complete` has every planner and format and comes later, or at once where it is needed. */
 export type Extent = "core" | "complete";
@@ -28,36 +31,64 @@ const SOURCES = {
 };
 const CORE: readonly PlannerId[] = ["four", "eight", "risk-field", "hybrid", "hybrid-forward"];
 
-const loading: Partial<Record<Extent, Promise<Engine>>> = {};
+/** The engines of playgrounds that load from the same folders. */
+interface Loaded {
+  loading: Partial<Record<Extent, Promise<Engine>>>;
+  whole: Engine | null;
+  /** Resolves when every planner is there, whoever asked for it. */
+  isWhole: Promise<void>;
+  becomeWhole(): void;
+}
+const loadedFrom = new Map<string, Loaded>();
+
+function loadedIn(folders: Folders): Loaded {
+  const place = JSON.stringify([folders.worker, folders.wasm]);
+  let loaded = loadedFrom.get(place);
+  if (!loaded) {
+    let becomeWhole = (): void => {};
+    const isWhole = new Promise<void>((resolve) => (becomeWhole = resolve));
+    loadedFrom.set(place, (loaded = { loading: {}, whole: null, isWhole, becomeWhole }));
+  }
+  return loaded;
+}
+
+/** Resolves when every planner is there, so that another playground has them at no cost. */
+export const whenWhole = (folders: Folders): Promise<void> => loadedIn(folders).isWhole;
+
+/** The functions of this document take the first module that is compiled; workers plan with that of their folder. */
+const initialised: Partial<Record<Extent, Promise<void>>> = {};
 
 /** The engine that these planners need; those of the first picture are in both. */
 export const extentFor = (planners: readonly PlannerId[]): Extent =>
   planners.every((planner) => CORE.includes(planner)) ? "core" : "complete";
 
-let whole: Engine | null = null;
-
 /** Loads and compiles the planners once, however many playgrounds there are; where all of them are there, nobody begins with fewer. */
-export function loadEngine(extent: Extent): Promise<Engine> {
-  if (whole) return Promise.resolve(whole);
-  return (loading[extent] ??= load(extent).catch((error: unknown) => {
-    delete loading[extent];
+export function loadEngine(extent: Extent, folders: Folders): Promise<Engine> {
+  const loaded = loadedIn(folders);
+  if (loaded.whole) return Promise.resolve(loaded.whole);
+  return (loaded.loading[extent] ??= load(extent, folders, loaded).catch((error: unknown) => {
+    delete loaded.loading[extent];
     throw error;
   }));
 }
 
-async function load(extent: Extent): Promise<Engine> {
+async function load(extent: Extent, folders: Folders, loaded: Loaded): Promise<Engine> {
   const { url, script } = SOURCES[extent];
   const [api, module] = await Promise.all([
     script() as Promise<unknown> as Promise<Api>,
-    compile(beside(elsewhere.wasm, url)),
+    compile(beside(folders.wasm, url)),
   ]);
-  await api.init({ wasm: module });
-  const source = beside(elsewhere.worker, api.script);
+  await (initialised[extent] ??= api.init({ wasm: module }).catch((error: unknown) => {
+    delete initialised[extent];
+    throw error;
+  }));
+  const source = beside(folders.worker, api.script);
   const pool = new WorkerPool(() => new Worker(source, { type: "module", name: "parkade" }) as WorkerLike);
   const engine = { extent, api, module, pool, script: source };
   if (extent === "complete") {
-    whole = engine;
-    void loading.core?.then(
+    loaded.whole = engine;
+    loaded.becomeWhole();
+    void loaded.loading.core?.then(
       (first) => first.pool.retire(),
       () => undefined,
     );

@@ -1,0 +1,4 @@
+import theme from "vitepress/theme";
+import "./parkade.css";
+
+export default theme;
