@@ -1,4 +1,6 @@
 //! One value per cell.
+//!
+//! Rows lie one after the other from the south-western cell, as in ROS maps and unlike pictures, which begin in the north.
 
 use super::Cell;
 

@@ -1,4 +1,9 @@
 //! Line of sight between cell centres: one predicate for moves, pruning and any-angle checks.
+//!
+//! The line is walked cell by cell with whole numbers (as Bresenham's, but with every cell that it touches, not the
+//! nearest ones alone), so the answer is exact and the same from either end. It costs O(cells on the line). A line through
+//! a corner where four cells meet is the only case left open; [`Corner`] decides it, for a single diagonal step and for a
+//! long chord alike. One rule for all is what keeps a pruned path as legal as the cells that it replaces.
 
 use super::{Cell, Occupancy};
 use crate::json;
@@ -18,6 +23,17 @@ pub enum Corner {
 json::words!(Corner: "strict" = Strict, "no-squeeze" = NoSqueeze, "free" = Free);
 
 /// True if the straight line between two cell centres crosses free cells only. Symmetric in its ends.
+///
+/// # Examples
+/// ```
+/// use parkade::map::{Cell, Corner, Occupancy, line_of_sight};
+///
+/// let mut map = Occupancy::new(4, 3);
+/// map.set(Cell::new(1, 0), true);
+/// let (from, to) = (Cell::new(0, 0), Cell::new(1, 1));
+/// assert!(!line_of_sight(&map, from, to, Corner::Strict));
+/// assert!(line_of_sight(&map, from, to, Corner::NoSqueeze));
+/// ```
 pub fn line_of_sight(map: &Occupancy, from: Cell, to: Cell, corner: Corner) -> bool {
     first_in_sight(map, from, to, corner).is_none()
 }

@@ -3,6 +3,10 @@
 //! A candidate is a list of cells between start and goal. Candidates that cross fewer blocked cells are fitter, and
 //! shorter ones among equal ones. The algorithm cannot prove that there is no path: where no candidate is free, its
 //! budget is spent.
+//!
+//! A generation keeps its two fittest candidates, a tenth is drawn anew, and the rest are children of parents that each won
+//! a tournament of three. A child takes the head of one parent and the tail of another; some children are changed at
+//! random, and half of these changes repair a leg that is not free.
 
 use super::moves::{D, cost};
 use super::parameters::{Form, parameters, spec};

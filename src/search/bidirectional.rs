@@ -2,6 +2,11 @@
 //!
 //! The backward side follows *forward* costs against their direction ([`Reversible::predecessors`]), so costs may depend
 //! on the direction of a move.
+//!
+//! The first meeting is not the cheapest path: two sides may touch on a dear way while a cheaper one is still open. The
+//! rules ([`Stop`]) differ in what they do about that: take it, take the best connection seen so far, or search on until no
+//! better one can exist. The last, NBA\* (Pijls and Post 2009), rejects a node if g and the bounds of both sides show that
+//! no cheaper path leads through it; each node is expanded by one side only.
 
 use super::entry::Entry;
 use super::frontier::{PackedScratch, Record, Relaxing, cost_of, move_of};

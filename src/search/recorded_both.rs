@@ -1,4 +1,7 @@
 //! The recorded search from both ends: the turns and stopping rules of [`bidirectional`](super::bidirectional()).
+//!
+//! Each side has an open list of its own, and both write into one recording in the order of their turns; a step's kind
+//! tells the side ([`BACKWARD`](super::BACKWARD)).
 
 use super::NodeId;
 use super::bidirectional::Stop;

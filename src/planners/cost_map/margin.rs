@@ -1,4 +1,9 @@
 //! Proof that no path keeps a margin.
+//!
+//! Wherever the car passes, the middle of its body is at least the margin and half the width away from everything. Cells in
+//! which no such place exists are closed, by an upper bound of the clearance of any place in a cell; if a flood over the
+//! others does not join start and goal, no path keeps the margin. The converse does not hold, because the body is longer
+//! than the disc about its middle.
 
 use super::RoadRasters;
 use crate::geometry::Point;

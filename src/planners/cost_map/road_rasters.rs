@@ -1,4 +1,8 @@
 //! Rasters of a road: cells count by their centres.
+//!
+//! A cell is road if its centre is. Its clearance is the exact distance from its centre to the nearest blocked one,
+//! less half a cell; distances to kerbs and lanes' middles are in metres. Places are the middle of the car, not its rear
+//! axle.
 
 use std::sync::Arc;
 
