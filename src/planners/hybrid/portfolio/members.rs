@@ -2,9 +2,9 @@
 
 use super::COMFORTABLE_MARGIN;
 use crate::planners::hybrid::Config;
-use crate::planners::hybrid::config::Level;
 #[cfg(feature = "complete")]
-use crate::planners::hybrid::config::{FIRST_SHUFFLING_LEVEL, REFINEMENTS};
+use crate::planners::hybrid::config::REFINEMENTS;
+use crate::planners::hybrid::config::{FIRST_SHUFFLING_LEVEL, Level};
 
 /// Up to this level a search with the least margin is worth its while before finer ones with more are.
 const LAST_CHEAP_LEVEL: u32 = 3;
@@ -74,6 +74,15 @@ impl Member {
         if self.level == FINE_ROCKING_LEVEL { level.fine_rocking(config) } else { level }
     }
 
+    /// True if it is for a car that can hardly move.
+    pub(super) fn is_last_resort(self) -> bool {
+        #[cfg(feature = "complete")]
+        if self.refinement > 0 {
+            return true;
+        }
+        self.level >= FIRST_SHUFFLING_LEVEL
+    }
+
     /// True if a search that this one has ended without a way leaves no hope for `other`: coarser ones reach no more,
     /// nor do any with more margin, nor do those that do not rock where this one does.
     pub(super) fn outdoes(self, other: Self) -> bool {
@@ -103,11 +112,18 @@ fn plain(level: u32, margin: usize) -> Member {
 /// Whoever has not tried yet, what a driver likes best in front.
 pub(super) fn members(levels: u32, widest: usize, margins: &[f64]) -> Vec<Member> {
     let least = margins.len() - 1;
-    let plain = plain(0, 0);
     let mut members = Vec::new();
+    #[cfg(feature = "complete")]
+    let mut finer = refined(levels, widest, margins);
     for level in 1..levels {
-        members.extend((widest..=least).map(|margin| Member { level, margin, ..plain }));
+        #[cfg(feature = "complete")]
+        if level > FIRST_SHUFFLING_LEVEL {
+            members.extend(finer.next());
+        }
+        members.extend((widest..=least).map(|margin| plain(level, margin)));
     }
+    #[cfg(feature = "complete")]
+    members.extend(finer);
     // Sorted by level and margin before.
     arrange(&mut members, &|&Member { level, margin, .. }| {
         let is_comfortable = margins[margin] >= COMFORTABLE_MARGIN || margin == widest;
@@ -130,11 +146,14 @@ pub(super) fn rocking(margins: core::ops::Range<usize>) -> impl Iterator<Item = 
     margins.map(|margin| Member { is_rocking: true, ..plain(ROCKING_LEVEL, margin) })
 }
 
-/// The members with ever finer lattices. A car that gains millimetres with each gear change never leaves the cell of a
-/// coarser one, which is then soon searched to its end.
+/// The members with ever finer lattices and the least margin with which a car need not creep. A car that gains
+/// millimetres with each gear change never leaves the cell of a coarser one, which is then soon searched to its end.
 #[cfg(feature = "complete")]
-pub(super) fn refined(margin: usize) -> impl Iterator<Item = Member> {
-    (1..=REFINEMENTS).map(move |refinement| Member { refinement, ..plain(FINEST_PLAIN_LEVEL, margin) })
+fn refined(levels: u32, widest: usize, margins: &[f64]) -> impl Iterator<Item = Member> {
+    let comfortable = margins.iter().rposition(|&margin| margin >= COMFORTABLE_MARGIN);
+    let margin = comfortable.filter(|&margin| margin >= widest && levels > FIRST_SHUFFLING_LEVEL);
+    let refined = |margin| move |refinement| Member { refinement, ..plain(FINEST_PLAIN_LEVEL, margin) };
+    margin.into_iter().flat_map(move |margin| (1..=REFINEMENTS).map(refined(margin)))
 }
 
 /// The members for open space, which the small module lacks. They rock with the least margin: on two lattices from the

@@ -11,7 +11,7 @@ mod members;
 
 pub(super) use floods::Floods;
 
-use super::config::{FIRST_SHUFFLING_LEVEL, Level};
+use super::config::Level;
 #[cfg(feature = "complete")]
 use super::holonomic;
 use super::level::{First, Search, Work};
@@ -22,7 +22,7 @@ use crate::geometry::arcs;
 use crate::search::Progress;
 use members::{From, Member, arrange, members};
 #[cfg(feature = "complete")]
-use members::{in_open_space, refined, rocking};
+use members::{in_open_space, rocking};
 
 /// With less than this a car creeps, metres.
 pub(super) const COMFORTABLE_MARGIN: f64 = 0.03;
@@ -31,10 +31,7 @@ const FIRST_SLICE: u32 = 8192;
 /// Expansions of all members together, where the settings say nothing.
 const TOTAL_EXPANSIONS: u32 = 150_000;
 /// Expansions for more margin once there is a path, besides as many as it took.
-const MORE_MARGIN_EXPANSIONS: u32 = 100_000;
-/// Expansions for a path with which a car need not creep.
-#[cfg(feature = "complete")]
-const REFINED_EXPANSIONS: u32 = 200_000;
+const MORE_MARGIN_EXPANSIONS: u32 = 200_000;
 /// With more gear changes than this, finer steps may find a path with fewer.
 const MANY_CHANGES: u32 = 4;
 /// A member that has searched more than this many poses to the end, times its level, came out of any slot: there are
@@ -85,8 +82,6 @@ pub(super) fn plan(search: Search, floods: &Floods, widest: usize, work: &mut Wo
         proof: None,
     };
     run.rounds(work);
-    #[cfg(feature = "complete")]
-    run.refine(work);
     run.conclude(work.report);
 }
 
@@ -267,7 +262,7 @@ impl Run<'_> {
         self.drop(at, |one| {
             let is_better = one.margin < member.margin
                 || (is_restless && one.margin == member.margin && one.level > member.level);
-            !is_better || (is_comfortable && one.level >= FIRST_SHUFFLING_LEVEL)
+            !is_better || (is_comfortable && one.is_last_resort())
         });
         let margins = &self.floods.margins;
         arrange(&mut self.members, &|one| {
@@ -275,22 +270,6 @@ impl Run<'_> {
             [usize::from(is_close), usize::from(one.margin == member.margin), margins.len() - one.margin]
         });
         0
-    }
-
-    /// Asks ever finer lattices where the path at hand makes a car creep, for one that does not.
-    #[cfg(feature = "complete")]
-    fn refine(&mut self, work: &mut Work) {
-        let is_creeping = self.best.as_ref().is_some_and(|best| best.margin < COMFORTABLE_MARGIN);
-        // Where only rocking found a way, small steps between two gear changes are not what is missing.
-        let may_refine = is_creeping
-            && matches!(self.hope, Hope::Unasked)
-            && self.search.config.levels() > FIRST_SHUFFLING_LEVEL;
-        let comfortable = self.floods.margins.iter().rposition(|&margin| margin >= COMFORTABLE_MARGIN);
-        if let Some(margin) = comfortable.filter(|&at| may_refine && at >= self.widest) {
-            self.members = refined(margin).collect();
-            self.effort = work.report.expanded.saturating_add(REFINED_EXPANSIONS);
-            self.rounds(work);
-        }
     }
 
     /// Takes the member that had its turn out of the list, and the others for which there is no hope; tells where the
