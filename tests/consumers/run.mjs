@@ -55,6 +55,13 @@ const vite = (major) => [
     files: page(shown("parkade/inline")),
     serve: ["vite", "--port", `${PORT}`, "--strictPort", "--host", "127.0.0.1"],
   },
+  `vite ${major}, development server, worker`,
+  {
+    folder: `vite${major}-worker`,
+    packages: [`vite@${major}`],
+    files: { ...page(asWorker), "vite.config.js": 'export default { optimizeDeps: { exclude: ["parkade"] } };' },
+    serve: ["vite", "--port", `${PORT}`, "--strictPort", "--host", "127.0.0.1"],
+  },
 ];
 const webpack = {
   folder: "webpack",
