@@ -6,11 +6,16 @@
 //! methods of `f64`.
 
 pub use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
-pub use libm::{acos, asin, atan, atan2, cos, exp, hypot, log as ln, sin, tan};
+pub use libm::{acos, asin, atan, atan2, exp, hypot, log as ln, sincos as sin_cos, tan};
 
-/// `(sin a, cos a)`.
-pub fn sin_cos(a: f64) -> (f64, f64) {
-    (sin(a), cos(a))
+/// The sine of an angle.
+pub fn sin(a: f64) -> f64 {
+    sin_cos(a).0
+}
+
+/// The cosine of an angle.
+pub fn cos(a: f64) -> f64 {
+    sin_cos(a).1
 }
 
 /// The same direction in (−π, π]. Angles that lie there already keep their bits.

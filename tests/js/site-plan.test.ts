@@ -59,6 +59,23 @@ describe("a lot", () => {
     };
     const { map } = converted(plan).scene;
     expect([map.width * map.resolution, map.height * map.resolution]).toEqual([40, 40]);
+    const bay = (x: number, y: number): SitePlan["layers"][number]["lines"][number] => ({
+      points: [
+        [x, y],
+        [x + 2.5, y],
+        [x + 2.5, y + 5],
+        [x, y + 5],
+      ],
+      closed: true,
+    });
+    // One bay by the first outline, and three in a place 3 km away.
+    const lines = [bay(5, 5), bay(3200, 0), bay(3202.5, 0), bay(3205, 0)];
+    const bays: SitePlan = { ...plan, layers: [...plan.layers, { name: "amenity=parking_space", lines }] };
+    const held = converted(bays);
+    expect(held.scene.map).toMatchObject({ origin: [0, 0], width: 20 / held.scene.map.resolution });
+    expect([held.scene.slots!.length, held.notes]).toEqual([1, ["Bays elsewhere, which are left out: 3"]]);
+    const alone = converted({ ...bays, layers: bays.layers.slice(1) });
+    expect([alone.scene.slots!.length, alone.notes]).toEqual([3, ["Bays elsewhere, which are left out: 1"]]);
     // Inches, in a file that says millimetres.
     expect(suggestedUnit({ ...plan, layers: [{ name: "0", lines: [square(0, 900)] }], metresPerUnit: 0.001 })).toBe(
       0.0254,

@@ -240,13 +240,7 @@ impl<'a> CollisionChecker<'a> {
     pub(super) fn exact(&self, at: Placement, margin: f64) -> Option<u32> {
         let sides = self.sides(margin);
         let (low, high) = self.bounds(at, margin);
-        self.obstacles.find(low, high, |edge| {
-            let is_apart = (edge.a.x < low.x && edge.b.x < low.x)
-                || (edge.a.x > high.x && edge.b.x > high.x)
-                || (edge.a.y < low.y && edge.b.y < low.y)
-                || (edge.a.y > high.y && edge.b.y > high.y);
-            !is_apart && segment_meets_box(at.local(edge.a), at.local(edge.b), sides)
-        })
+        self.obstacles.find(low, high, |edge| segment_meets_box(at.local(edge.a), at.local(edge.b), sides))
     }
 
     /// Distance from the body to the nearest edge, metres, at most `limit`; 0 where it overlaps.

@@ -14,12 +14,18 @@ import { controls } from "../styles/controls";
 import { icon } from "../styles/icons";
 import { INK, RAMP } from "../view/layers/bays";
 import { AppElement } from "./base";
-import { BAY_COLUMNS, bayCsv, bayLines, type BayColumn, type BayLine, type BayOrder } from "./bay-rows";
-import { say } from "./bay-words";
+import { BAY_COLUMNS, bayCsv, bayLines, UNITS, type BayColumn, type BayLine, type BayOrder } from "./bay-rows";
+import { heading, say } from "./bay-words";
 import { valueOf } from "./inputs";
 
 const ENTRIES: readonly BayEntry[] = ["either", "head-in", "reverse-in"];
 const ENTRY_WORDS = { either: "either", "head-in": "headIn", "reverse-in": "reverseIn" } as const;
+
+/** Room for the panel: the way back stands above the inspector, and in a low window the table beside the map. */
+const room = css`
+  .layout-wide:has(~ parkade-bays[opened]) parkade-inspector { margin-top: 44px; }
+  .rails:has(~ parkade-bays:not([hidden], [opened])) :is(parkade-stage, parkade-timeline) { margin-right: 360px; }
+`;
 
 /** What the page showed before all bays were checked. */
 interface Before {
@@ -53,7 +59,7 @@ export class BayPanel extends AppElement {
     p { margin: 0; padding: 12px 14px; color: var(--parkade-t2); }
     .back { display: none; } :host([opened]) { inset: 49px 0 auto auto; width: var(--pane-side, 280px); height: 44px; box-sizing: border-box; display: flex; align-items: center; padding: 0 8px; border-bottom: 1px solid var(--parkade-hair); } :host([opened]) > :not(.back) { display: none; } :host([opened]) .back { display: flex; }
     :host(.phone) { inset: auto 0 0 0; width: auto; height: 46%; border-left: 0; border-top: 1px solid var(--parkade-hair); } :host(.phone) .side, :host(.rails) .side { display: none; }
-    :host(.rails) { inset: 0 57px 0 auto; width: 360px; z-index: 30; } :host(.rails) header { gap: 4px; padding-block: 4px; grid-template-columns: minmax(0, 1fr) auto; } :host(.rails) header > :first-child { grid-column: 1 / -1; } :host(.rails) footer { padding-block: 3px; } :host(.rails) :is(th, td), :host(.phone) :is(th, td) { padding-inline: 3px; } :host(.rails) :is(th, td):first-child, :host(.phone) :is(th, td):first-child { padding-left: 14px; } :host(.rails) :is(th, td):last-child, :host(.phone) :is(th, td):last-child { padding-right: 10px; } :host(.rails) thead th:first-child { width: 17%; } :host(.rails) thead th:last-child { width: 21%; }
+    :host(.rails) { inset: 0 57px 0 auto; width: 360px; z-index: 30; } :host(.rails) header { gap: 2px; padding-block: 2px 4px; } :host(.rails) footer { padding-block: 3px; } :host(.rails) :is(th, td), :host(.phone) :is(th, td) { padding-inline: 3px; } :host(.rails) :is(th, td):first-child, :host(.phone) :is(th, td):first-child { padding-left: 14px; } :host(.rails) :is(th, td):last-child, :host(.phone) :is(th, td):last-child { padding-right: 10px; } :host(.rails) thead th:first-child { width: 17%; } :host(.rails) thead th:last-child { width: 21%; }
     :host(.phone[opened]), :host(.rails[opened]) { width: auto; height: auto; padding: 0; border: 1px solid var(--parkade-hair); border-radius: calc(10px * var(--parkade-radius)); box-shadow: var(--parkade-float); background: var(--parkade-raise); } :host(.phone[opened]) { inset: 106px 8px auto auto; } :host(.rails[opened]) { inset: 8px 66px auto auto; }
     @container (max-width: 960px) { :host([opened]:not(.phone, .rails)) { inset: 96px 12px auto auto; width: auto; height: auto; padding: 0; border: 1px solid var(--parkade-hair); border-radius: calc(10px * var(--parkade-radius)); box-shadow: var(--parkade-float); background: var(--parkade-raise); } }
   `,
@@ -111,7 +117,7 @@ export class BayPanel extends AppElement {
     this.checker = null;
     this.hidden = true;
     this.visited = null;
-    this.setOpened(false);
+    this.opened = false;
     this.host.style.removeProperty("--pane-side");
     this.host.folded = false;
     store.set({ bays: null, ...(this.earlier ?? {}), camera: null });
@@ -141,15 +147,8 @@ export class BayPanel extends AppElement {
       host.style.setProperty("--pane-side", "420px");
       host.folded = true;
     }
-    this.setOpened(false);
+    this.opened = false;
     this.app.store.set({ planners: ["hybrid"], focus: "hybrid", mode: "overlay", camera: null });
-  }
-
-  /** While one plan is open, the way back stands above the inspector. */
-  private setOpened(opened: boolean): void {
-    this.opened = opened;
-    const inspector = (this.getRootNode() as ShadowRoot).querySelector<HTMLElement>("parkade-inspector");
-    if (inspector) inspector.style.marginTop = opened ? "44px" : "";
   }
 
   private onState(state: State, previous: State): void {
@@ -194,7 +193,7 @@ export class BayPanel extends AppElement {
           ? scene
           : { ...scene, vehicle, start: sameTail(scene.start, scene.vehicle, vehicle) },
       to = setGoalFromSlot(moved, slot.id, best.entry);
-    this.setOpened(true);
+    this.opened = true;
     this.visited = { from: scene, to };
     this.host.style.removeProperty("--pane-side");
     this.host.folded = false;
@@ -266,13 +265,12 @@ export class BayPanel extends AppElement {
 
   private head(column: BayColumn): TemplateResult {
     const { lang } = this.state,
-      name = say(lang, column),
-      [title, unit] = name.split(/, |，/),
+      unit = UNITS[column],
       { order } = this,
       sorted = order.column === column ? (order.descends ? "descending" : "ascending") : "none";
-    return html`<th scope="col" aria-sort=${sorted}><button class="button" title=${say(lang, "sort", { column: name })} @click=${() => {
+    return html`<th scope="col" aria-sort=${sorted}><button class="button" title=${say(lang, "sort", { column: heading(lang, column) })} @click=${() => {
       this.order = { column, descends: order.column === column && !order.descends };
-    }}>${title}${sorted === "none" ? nothing : sorted === "ascending" ? " ↑" : " ↓"}${unit ? html`<small>${unit}</small>` : nothing}</button></th>`;
+    }}>${say(lang, column)}${sorted === "none" ? nothing : sorted === "ascending" ? " ↑" : " ↓"}${unit ? html`<small>${unit}</small>` : nothing}</button></th>`;
   }
 
   private line(line: BayLine, check: BayCheck): TemplateResult {
@@ -313,6 +311,7 @@ export function toggleBays(app: App, beside: HTMLElement): void {
   if (!panel) {
     panel = Object.assign(new BayPanel(), { app });
     root.append(panel);
+    root.adoptedStyleSheets.push(room.styleSheet!);
   }
   void panel.toggle();
 }

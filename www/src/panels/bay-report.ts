@@ -19,7 +19,7 @@ import type { Scene } from "../store";
 import { bestRow, countBays, gradeOf, HARD, type BayCheck } from "../store/bay-check";
 import { INK, RAMP } from "../view/layers/bays";
 import { BAY_COLUMNS, bayLines } from "./bay-rows";
-import { say as sayBays } from "./bay-words";
+import { heading, say as sayBays } from "./bay-words";
 import { say, today, vehicleText } from "./sheet-words";
 
 export function saveReport({ store }: App): void {
@@ -106,6 +106,6 @@ function tableOf(check: BayCheck, lang: Lang, title: string): string {
       : `<td class="text" colspan="3">${escaped(reasonIn(lang, best.reason ?? ""))}</td>`;
     return `<tr>${cell(bay)}${cell(moves(headIn))}${cell(moves(reverseIn))}${figures}</tr>`;
   });
-  const head = BAY_COLUMNS.map((column) => `<th>${escaped(sayBays(lang, column))}</th>`).join("");
+  const head = BAY_COLUMNS.map((column) => `<th>${escaped(heading(lang, column))}</th>`).join("");
   return `<h1>${escaped(title)}</h1><table><thead><tr>${head}</tr></thead><tbody>${rows.join("")}</tbody></table>`;
 }

@@ -5,6 +5,8 @@ import { bestRow, gradeOf, type BayCheck } from "../store/bay-check";
 export const BAY_COLUMNS = ["bay", "headIn", "reverseIn", "length", "seconds", "clearance"] as const;
 export type BayColumn = (typeof BAY_COLUMNS)[number];
 
+export const UNITS: Partial<Record<BayColumn, string>> = { length: "m", seconds: "s", clearance: "m" };
+
 export interface BayLine {
   index: number;
   bay: string;

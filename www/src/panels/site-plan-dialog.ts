@@ -6,7 +6,7 @@ import messages from "../i18n/messages/site-plan.json";
 import { words } from "../i18n/words";
 import { boxOf, distance, type Point } from "../scene/geometry";
 import { SitePlanError } from "../siteplan/site-plan";
-import { ROLES, sceneFromSitePlan, suggestedRole, suggestedUnit } from "../siteplan/site-plan-scene";
+import { ROLES, sceneFromSitePlan, suggestedRole, suggestedUnit, widthOf } from "../siteplan/site-plan-scene";
 import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
 import { vast } from "../view/lazy-layers";
@@ -121,7 +121,7 @@ export class SitePlanDialog extends DialogElement {
     const drawn = ruler && distance(...ruler) > 0 ? distance(...ruler) : null;
     return html`${this.field("unit", unit, "m", (value) => {
       this.unit = value;
-    })}
+    })}${this.guess(plan)}
       ${
         drawn
           ? this.field("distance", Number((drawn * unit).toPrecision(4)), "m", (value) => {
@@ -129,6 +129,18 @@ export class SitePlanDialog extends DialogElement {
             })
           : html`<p>${say(lang, "ruler")}</p>`
       }<p>${this.across(plan)}</p>`;
+  }
+
+  /** Where the unit is not the file's, which nobody would see in its field. */
+  private guess(plan: SitePlan): TemplateResult | typeof nothing {
+    const { lang } = this.state,
+      { metresPerUnit } = plan;
+    if (this.unit !== suggestedUnit(plan) || this.unit === metresPerUnit) return nothing;
+    const words =
+      metresPerUnit === null
+        ? say(lang, "unitUnknown")
+        : say(lang, "unitReplaced", { metres: this.num(widthOf(plan) * metresPerUnit, 2) });
+    return html`<p class="guess">${words}</p>`;
   }
 
   private field(

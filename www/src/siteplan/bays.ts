@@ -67,6 +67,36 @@ const middleOf = (quad: readonly Point[]): Point => [
 
 const overlap = (a: Quad, b: Quad): boolean => insidePolygon(middleOf(b), a) || insidePolygon(middleOf(a), b);
 
+/** Bays of one place are no farther from the next than a street is wide, metres. */
+const NEXT = 25;
+
+/** Of the bays of a town, those of the place with the most. */
+export function largestGroup(quads: readonly Quad[]): Quad[] {
+  const middles = quads.map(middleOf),
+    cellOf = ([x, y]: Point): Point => [Math.floor(x / NEXT), Math.floor(y / NEXT)],
+    cells = new Map<string, number[]>();
+  middles.forEach((middle, i) => {
+    const key = cellOf(middle).join();
+    cells.set(key, [...(cells.get(key) ?? []), i]);
+  });
+  const around = ([column, row]: Point): number[] =>
+    [-1, 0, 1].flatMap((dx) => [-1, 0, 1].flatMap((dy) => cells.get(`${column + dx},${row + dy}`) ?? []));
+  const left = new Set(middles.keys());
+  let largest: number[] = [];
+  for (const first of left) {
+    const group = [first];
+    left.delete(first);
+    for (const i of group)
+      for (const j of around(cellOf(middles[i]!)))
+        if (left.has(j) && distance(middles[i]!, middles[j]!) <= NEXT) {
+          left.delete(j);
+          group.push(j);
+        }
+    if (group.length > largest.length) largest = group;
+  }
+  return largest.map((i) => quads[i]!);
+}
+
 /** Lines cut where others end on them or cross them. */
 function split(lines: readonly Segment[]): Segment[] {
   return lines.flatMap(([a, b]) => {

@@ -14,7 +14,7 @@ import {
 import type { Scenario } from "../scene/scenario";
 import { poseInSlot } from "../scene/slots";
 import { footprint, vehicleOf } from "../scene/vehicle";
-import { findBays, slotsOf, type Segment } from "./bays";
+import { findBays, largestGroup, slotsOf, type Quad, type Segment } from "./bays";
 import { chained, straightened } from "./chain";
 import { clippedLine, clippedPolygon } from "./clip";
 import { SitePlanError } from "./site-plan";
@@ -48,12 +48,18 @@ export const suggestedRole = (name: string): Role => NAMES.find(([, words]) => w
 const SMALLEST = 4;
 
 /** Metres per unit that give the plan the size of a parking lot; what the file says where that can be. */
-export function suggestedUnit({ layers, metresPerUnit }: SitePlan): number {
-  const box = boxOf(layers.flatMap(({ lines }) => lines.flatMap(({ points }) => points))),
-    across = Math.max(box.maxX - box.minX, box.maxY - box.minY);
+export function suggestedUnit(plan: SitePlan): number {
+  const across = widthOf(plan),
+    { metresPerUnit } = plan;
   if (metresPerUnit !== null && across * metresPerUnit >= SMALLEST) return metresPerUnit;
   const fitting = [1, 0.001, 0.01, 0.0254, 0.3048].find((unit) => across * unit >= 12 && across * unit <= 400);
   return fitting ?? Number((50 / across).toPrecision(3));
+}
+
+/** The longer side of a plan, in its units. */
+export function widthOf({ layers }: SitePlan): number {
+  const box = boxOf(layers.flatMap(({ lines }) => lines.flatMap(({ points }) => points)));
+  return Math.max(box.maxX - box.minX, box.maxY - box.minY);
 }
 
 /** Throws `SitePlanError` where the choice gives no scene that fits. */
@@ -64,12 +70,11 @@ export function sceneFromSitePlan(plan: SitePlan, options: SitePlanOptions): Sit
   if (!(around >= 0 && Number.isFinite(around))) throw new SitePlanError(`around: must be at least 0 m, got ${around}`);
   const of = linesByRole(plan, options),
     found = findBays(of.bay),
-    ground = groundOf(of.ground),
-    window = windowOf(of, ground, found.quads.flat(), around);
+    ground = groundOf(of.ground, found.quads),
+    kept = ground || !isTooWide(boxOf(found.quads.flat())) ? found.quads : largestGroup(found.quads),
+    window = windowOf(of, ground, kept.flat(), around);
   const solids = solidsOf(of, window);
-  const bays = found.quads.some((quad) => quad.some((corner) => isIn(corner, window)))
-    ? found
-    : { ...found, quads: [] };
+  const bays = { ...found, quads: kept.filter((quad) => quad.some((corner) => isIn(corner, window))) };
   const slots = slotsOf(bays, solids.segments);
   const map = frameOf(ground, [...solids.segments.flat(), ...bays.quads.flat(), ...apronsOf(slots, solids.segments)]);
   const start = startFor(slots, solids, ground ?? cornersOf(map), vehicle);
@@ -90,7 +95,7 @@ export function sceneFromSitePlan(plan: SitePlan, options: SitePlanOptions): Sit
       goal,
     },
     counts,
-    notes: notesOf(plan, found.others),
+    notes: notesOf(plan, found.others, found.quads.length - bays.quads.length),
   };
 }
 
@@ -112,14 +117,16 @@ function linesByRole({ layers }: SitePlan, { roles, metresPerUnit }: SitePlanOpt
   return of;
 }
 
-/** The part of the plan that is kept; a map of a town is cut to its largest outline of the ground. */
+const isTooWide = ({ minX, minY, maxX, maxY }: Box): boolean => Math.max(maxX - minX, maxY - minY) > WIDEST;
+
+/** The part of the plan that is kept: a map of a town is cut to one outline of the ground, or to one group of bays. */
 function windowOf(of: ByRole, ground: readonly Point[] | null, bays: readonly Point[], around: number): Box {
   const outer = ground ?? bays,
     box = boxOf(
       outer.length > 0 ? [...outer] : Object.values(of).flatMap((lines) => lines.flatMap(({ points }) => points)),
     ),
     by = ground ? EDGE : around;
-  if (Math.max(box.maxX - box.minX, box.maxY - box.minY) > WIDEST)
+  if (isTooWide(box))
     throw new SitePlanError(
       `the plan must be at most ${WIDEST} m wide, and is ${Math.ceil(Math.max(box.maxX - box.minX, box.maxY - box.minY))} m; choose another unit or fewer layers`,
     );
@@ -179,8 +186,8 @@ function put(
 
 const rounded = ([x, y]: Point): Point => [Math.round(x * 1000) / 1000, Math.round(y * 1000) / 1000];
 
-/** The largest closed outline. */
-function groundOf(lines: readonly SitePlanLine[]): Point[] | null {
+/** The closed outline with the most bays, the largest of several. */
+function groundOf(lines: readonly SitePlanLine[], bays: readonly Quad[]): Point[] | null {
   const area = (points: readonly Point[]): number =>
     Math.abs(
       points.reduce(
@@ -192,7 +199,10 @@ function groundOf(lines: readonly SitePlanLine[]): Point[] | null {
     .filter((line) => line.closed)
     .map(({ points }) => straightened(points, STRAIGHT, true).map(rounded))
     .filter((points) => points.length > 2 && !crossesItself(points));
-  return closed.sort((a, b) => area(b) - area(a))[0] ?? null;
+  const held = new Map(
+    closed.map((points) => [points, bays.filter(([corner]) => insidePolygon(corner, points)).length]),
+  );
+  return closed.sort((a, b) => held.get(b)! - held.get(a)! || area(b) - area(a))[0] ?? null;
 }
 
 /** Places before bays where nothing is drawn, so that cars have an aisle. */
@@ -267,8 +277,12 @@ function aheadOf(start: Pose): Pose {
   return { x, y, heading: start.heading };
 }
 
-function notesOf({ notes }: SitePlan, others: number): string[] {
-  return others > 0 ? [...notes, `Outlines that are no bay: ${others}`] : notes;
+function notesOf({ notes }: SitePlan, others: number, elsewhere: number): string[] {
+  return [
+    ...notes,
+    ...(others > 0 ? [`Outlines that are no bay: ${others}`] : []),
+    ...(elsewhere > 0 ? [`Bays elsewhere, which are left out: ${elsewhere}`] : []),
+  ];
 }
 
 /** Metres between two places of a plan, to set its scale by a known distance. */
