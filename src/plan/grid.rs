@@ -1,8 +1,5 @@
 //! Grid planners in a scene: cells in, a checked path in metres out.
 
-use serde_json::{Map, Value};
-
-use super::grid_search::Search;
 #[cfg(feature = "complete")]
 use super::outcome::Recorded;
 use super::outcome::{GridMetrics, Outcome, Plan, PlanTrace, Stats};
@@ -19,6 +16,7 @@ use crate::map::{Cell, Frame};
 use crate::metrics::any_angle_length;
 use crate::metrics::grid as cells;
 use crate::planners::Obstruction;
+use crate::planners::grid_planner::GridPlanner;
 use crate::planners::query::{Detail, GridReport, GridScratch, Query, Status};
 use crate::planners::registry::PlannerId;
 #[cfg(feature = "complete")]
@@ -36,17 +34,15 @@ const CHORD: f64 = 0.1;
 
 /// A grid planner and its memory.
 pub(super) struct Engine {
-    search: Search,
+    search: GridPlanner,
     settings: Common,
     rasters: Rasters,
     scratch: GridScratch,
 }
 
 impl Engine {
-    pub(super) fn new(world: &World, kind: PlannerId, config: &Map<String, Value>) -> Result<Self, Error> {
-        let search = Search::new(kind, config)?;
+    pub(super) fn new(world: &World, kind: PlannerId, search: GridPlanner) -> Result<Self, Error> {
         let settings = search.common();
-        settings.validate()?;
         if world.occupancy.weights().is_some() && !kind.takes_costs() {
             let rule = format!("must be empty for {}, for which all free cells cost the same", kind.id());
             return Err(Error::new(ErrorCode::Config, "costs", rule));
@@ -86,7 +82,7 @@ impl Engine {
         self.search.run(
             query,
             #[cfg(feature = "complete")]
-            &self.rasters,
+            self.rasters.bits(),
             &mut self.scratch,
             watch,
         )
@@ -95,7 +91,7 @@ impl Engine {
     /// The risk field's force at the middle cells of squares of `every` cells: east, north, …; `None` without a risk
     /// field.
     pub(super) fn field(&self, world: &World, every: u32) -> Option<Vec<f32>> {
-        let Search::RiskField(config) = &self.search else { return None };
+        let GridPlanner::RiskField(config) = &self.search else { return None };
         let map = self.rasters.map(world);
         let start = cell_of(&world.frame, world.geometry.start);
         let goal = cell_of(&world.frame, world.geometry.goal);
@@ -110,13 +106,13 @@ impl Engine {
     pub(super) fn record(&self, world: &World, limit: usize) -> Option<Recorded> {
         let [start, goal] = [world.geometry.start, world.geometry.goal].map(|p| cell_of(&world.frame, p));
         let map = self.rasters.map(world);
-        let recording = self.search.record(Query { map, start, goal }, &self.rasters, limit)?;
+        let recording = self.search.record(Query { map, start, goal }, self.rasters.bits(), limit)?;
         Some(Recorded::Cells { width: map.width(), height: map.height(), recording })
     }
 
     /// The risk field's potential at every cell; `None` without a risk field.
     pub(super) fn potential(&self, world: &World) -> Option<Vec<f32>> {
-        let Search::RiskField(config) = &self.search else { return None };
+        let GridPlanner::RiskField(config) = &self.search else { return None };
         let map = self.rasters.map(world);
         let [start, goal] = [world.geometry.start, world.geometry.goal].map(|p| cell_of(&world.frame, p));
         Some(config.field(&Query { map, start, goal }).potential_layer().data)
@@ -124,7 +120,7 @@ impl Engine {
 
     /// Explains the risk field at the cell of a point; `None` without a risk field, off the map and in blocked cells.
     pub(super) fn explain(&self, world: &World, at: Point) -> Option<risk_field::Explanation> {
-        let Search::RiskField(config) = &self.search else { return None };
+        let GridPlanner::RiskField(config) = &self.search else { return None };
         let map = self.rasters.map(world);
         let start = cell_of(&world.frame, world.geometry.start);
         let goal = cell_of(&world.frame, world.geometry.goal);
@@ -137,8 +133,8 @@ impl Engine {
     /// Counters that only some planners and settings have.
     fn count(&self, report: &GridReport, stats: &mut Stats) {
         match &self.search {
-            Search::JumpPoint(_) => stats.cells_scanned = Some(report.cells_scanned),
-            Search::Bidirectional(config) if config.stop == Stop::Optimal => {
+            GridPlanner::JumpPoint(_) => stats.cells_scanned = Some(report.cells_scanned),
+            GridPlanner::Bidirectional(config) if config.stop == Stop::Optimal => {
                 stats.rejected = Some(report.rejected);
             }
             _ => {}

@@ -1,7 +1,5 @@
 //! Hybrid A* in a scene.
 
-use serde_json::{Map, Value};
-
 #[cfg(feature = "complete")]
 use super::choices::{self, Choosing, Wish};
 #[cfg(feature = "complete")]
@@ -50,7 +48,7 @@ pub(super) struct Engine {
 }
 
 impl Engine {
-    pub(super) fn new(world: &World, kind: PlannerId, config: &Map<String, Value>) -> Result<Self, Error> {
+    pub(super) fn new(world: &World, kind: PlannerId, config: Config) -> Result<Self, Error> {
         let frame = &world.frame;
         let side = f64::from(frame.width.max(frame.height)) * frame.resolution;
         if side > MAX_LENGTH {
@@ -58,16 +56,6 @@ impl Engine {
                 format!("must be at most {MAX_LENGTH} m wide and high where a car is to drive, got {side} m");
             return Err(Error::new(ErrorCode::Input, "map", message));
         }
-        let defaults = match kind {
-            PlannerId::HybridForward => Config::forward(),
-            #[cfg(feature = "complete")]
-            PlannerId::HybridBidirectional => Config::bidirectional(),
-            #[cfg(feature = "complete")]
-            PlannerId::HybridClassic => Config::classic(),
-            _ => Config::default(),
-        };
-        let config = defaults.with(config)?;
-        config.validate()?;
         let obstacles = obstacles(&world.geometry).painted(world.paint());
         Ok(Self {
             #[cfg(feature = "complete")]

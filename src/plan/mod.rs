@@ -15,7 +15,6 @@ mod choices;
 #[cfg(feature = "complete")]
 mod goals;
 mod grid;
-mod grid_search;
 mod hybrid;
 mod layers;
 #[cfg(all(feature = "complete", not(target_arch = "wasm32")))]
@@ -59,7 +58,7 @@ use serde_json::{Map, Value};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::Pose;
 use crate::metrics::check;
-use crate::planners::registry::{Family, PlannerId, default_config};
+use crate::planners::registry::{Family, PlannerId, Settings, default_config};
 #[cfg(feature = "complete")]
 use crate::scenario::Goals;
 use crate::scenario::Scenario;
@@ -185,13 +184,11 @@ impl Planner {
         }
         #[cfg_attr(not(feature = "complete"), expect(unused_mut, reason = "sets of goals are moved out"))]
         let mut world = World::new(scenario)?;
-        let engine = match kind {
+        let engine = match kind.settings(&settings)? {
+            Settings::Grid(search) => Engine::Grid(Box::new(grid::Engine::new(&world, kind, search)?)),
+            Settings::Hybrid(config) => Engine::Hybrid(Box::new(hybrid::Engine::new(&world, kind, config)?)),
             #[cfg(feature = "complete")]
-            PlannerId::CostMap => Engine::Road(Box::new(road::Engine::new(scenario, &world, &settings)?)),
-            kind if kind.family() == Family::Hybrid => {
-                Engine::Hybrid(Box::new(hybrid::Engine::new(&world, kind, &settings)?))
-            }
-            kind => Engine::Grid(Box::new(grid::Engine::new(&world, kind, &settings)?)),
+            Settings::Road(config) => Engine::Road(Box::new(road::Engine::new(scenario, &world, config))),
         };
         Ok(Self {
             kind,

@@ -1,13 +1,10 @@
 //! Cost-map A* in a scene: the car's middle follows chords or a curve, the rest of the car is towed.
 
-use serde_json::{Map, Value};
-
 use super::outcome::{Outcome, Plan, PlanTrace, Stats};
 use super::road_curve::{Curve, ENDS, along};
 use super::tractrix::tractrix;
 use super::world::World;
 use super::{Driven, NEAR, STEP, measured};
-use crate::error::Error;
 use crate::geometry::bspline::Spline;
 use crate::geometry::{Point, Pose, Vector};
 use crate::metrics::road::{self, RoadMetrics};
@@ -44,17 +41,11 @@ struct Line {
 }
 
 impl Engine {
-    pub(super) fn new(
-        scenario: &Scenario,
-        world: &World,
-        config: &Map<String, Value>,
-    ) -> Result<Self, Error> {
-        let config = Config::default().with(config)?;
-        config.validate()?;
+    pub(super) fn new(scenario: &Scenario, world: &World, config: Config) -> Self {
         let ground = ground(scenario, world);
         let traffic = traffic(scenario, world);
         let costs = costs(scenario, world, &ground, &traffic, &config);
-        Ok(Self { config, ground, traffic, costs, scratch: Scratch::default() })
+        Self { config, ground, traffic, costs, scratch: Scratch::default() }
     }
 
     /// The obstacles have changed.

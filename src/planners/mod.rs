@@ -21,8 +21,10 @@ pub mod dijkstra_greedy;
 pub mod genetic;
 pub mod grid_astar;
 mod grid_lattice;
+pub(crate) mod grid_planner;
 pub mod heuristics;
 pub mod hybrid;
+mod info;
 #[cfg(feature = "complete")]
 pub mod jump_point;
 pub mod moves;

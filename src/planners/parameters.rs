@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value};
 
-use super::registry::{Parameter, Text};
+use super::info::{Parameter, Text};
 use crate::error::{Error, ErrorCode};
 use crate::json::{self, Setting};
 

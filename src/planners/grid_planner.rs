@@ -1,22 +1,21 @@
 //! One of the grid planners with its settings.
 
-use serde_json::{Map, Value};
-
+use super::moves::Neighbourhood;
+use super::parameters::{Field, Parameters as _};
+use super::query::{GridReport, GridScratch, Query};
+use super::settings::Common;
 #[cfg(feature = "complete")]
-use super::rasters::Rasters;
+use super::{any_angle, bidirectional, dijkstra_greedy, genetic, jump_point, rrt};
+use super::{grid_astar, risk_field};
 use crate::error::Error;
-use crate::planners::moves::Neighbourhood;
-use crate::planners::query::{GridReport, GridScratch, Query};
-use crate::planners::registry::PlannerId;
-use crate::planners::settings::Common;
 #[cfg(feature = "complete")]
-use crate::planners::{any_angle, bidirectional, dijkstra_greedy, genetic, jump_point, rrt};
-use crate::planners::{grid_astar, risk_field};
+use crate::map::Bits;
 #[cfg(feature = "complete")]
 use crate::search::Recording;
 use crate::search::Watch;
 
-pub(super) enum Search {
+/// A grid planner with its settings.
+pub(crate) enum GridPlanner {
     Neighbours(Neighbourhood, grid_astar::Config),
     RiskField(risk_field::Config),
     #[cfg(feature = "complete")]
@@ -35,51 +34,47 @@ pub(super) enum Search {
     Genetic(genetic::Config),
 }
 
-impl Search {
-    pub(super) fn new(kind: PlannerId, config: &Map<String, Value>) -> Result<Self, Error> {
-        if let Some(around) = kind.neighbourhood() {
-            let config = grid_astar::Config::new(around).with(config)?;
-            config.validate_for(around)?;
-            return Ok(Self::Neighbours(around, config));
-        }
-        Ok(match kind {
-            #[cfg(feature = "complete")]
-            PlannerId::Bidirectional => Self::Bidirectional(bidirectional::Config::default().with(config)?),
-            #[cfg(feature = "complete")]
-            PlannerId::JumpPoint => Self::JumpPoint(jump_point::Config::default().with(config)?),
-            #[cfg(feature = "complete")]
-            PlannerId::AnyAngle => Self::AnyAngle(any_angle::Config::default().with(config)?),
-            #[cfg(feature = "complete")]
-            PlannerId::Dijkstra => Self::Dijkstra(dijkstra_greedy::Config::default().with(config)?),
-            #[cfg(feature = "complete")]
-            PlannerId::Greedy => Self::Greedy(dijkstra_greedy::Config::default().with(config)?),
-            #[cfg(feature = "complete")]
-            PlannerId::Rrt => {
-                let config = rrt::Config::default().with(config)?;
-                config.validate()?;
-                Self::Rrt(config)
-            }
-            #[cfg(feature = "complete")]
-            PlannerId::Genetic => {
-                let config = genetic::Config::default().with(config)?;
-                config.validate()?;
-                Self::Genetic(config)
-            }
-            kind => {
-                let defaults = match kind {
-                    #[cfg(feature = "complete")]
-                    PlannerId::RiskFieldPlus => risk_field::Config::PLUS,
-                    _ => risk_field::Config::default(),
-                };
-                let config = defaults.with(config)?;
-                config.validate()?;
-                Self::RiskField(config)
-            }
-        })
+impl GridPlanner {
+    /// Grid A* with a neighbourhood.
+    pub(super) fn around(neighbourhood: Neighbourhood) -> Self {
+        Self::Neighbours(neighbourhood, grid_astar::Config::new(neighbourhood))
     }
 
-    /// The settings that all grid planners share, not yet validated.
-    pub(super) fn common(&self) -> Common {
+    pub(super) fn fields(&mut self) -> Vec<Field<'_>> {
+        match self {
+            Self::Neighbours(_, config) => config.fields(),
+            Self::RiskField(config) => config.fields(),
+            #[cfg(feature = "complete")]
+            Self::Bidirectional(config) => config.fields(),
+            #[cfg(feature = "complete")]
+            Self::JumpPoint(config) => config.fields(),
+            #[cfg(feature = "complete")]
+            Self::AnyAngle(config) => config.fields(),
+            #[cfg(feature = "complete")]
+            Self::Dijkstra(config) | Self::Greedy(config) => config.fields(),
+            #[cfg(feature = "complete")]
+            Self::Rrt(config) => config.fields(),
+            #[cfg(feature = "complete")]
+            Self::Genetic(config) => config.fields(),
+        }
+    }
+
+    pub(super) fn validate(&self) -> Result<(), Error> {
+        match self {
+            Self::Neighbours(around, config) => config.validate_for(*around)?,
+            Self::RiskField(config) => config.validate()?,
+            #[cfg(feature = "complete")]
+            Self::Rrt(config) => config.validate()?,
+            #[cfg(feature = "complete")]
+            Self::Genetic(config) => config.validate()?,
+            #[cfg(feature = "complete")]
+            _ => {}
+        }
+        self.common().validate()
+    }
+
+    /// The settings that all grid planners share.
+    pub(crate) fn common(&self) -> Common {
         match self {
             Self::Neighbours(_, config) => config.common,
             Self::RiskField(config) => config.common,
@@ -98,16 +93,16 @@ impl Search {
         }
     }
 
-    /// True if it searches [`Rasters::bits`].
+    /// True if it searches a map's bits.
     #[cfg(feature = "complete")]
-    pub(super) fn needs_bits(&self) -> bool {
+    pub(crate) fn needs_bits(&self) -> bool {
         matches!(self, Self::JumpPoint(_))
     }
 
-    pub(super) fn run(
+    pub(crate) fn run(
         &self,
         query: Query,
-        #[cfg(feature = "complete")] rasters: &Rasters,
+        #[cfg(feature = "complete")] bits: Option<&Bits>,
         scratch: &mut GridScratch,
         watch: &mut Watch,
     ) -> GridReport {
@@ -118,7 +113,7 @@ impl Search {
             Self::Bidirectional(config) => bidirectional::plan(query, config, scratch, watch),
             #[cfg(feature = "complete")]
             Self::JumpPoint(config) => {
-                let bits = rasters.bits().expect("prepared before the search");
+                let bits = bits.expect("prepared before the search");
                 jump_point::plan(query, bits, config, scratch, watch)
             }
             #[cfg(feature = "complete")]
@@ -137,13 +132,13 @@ impl Search {
     /// The search once more with its events written down, at most `limit` of them; `None` for planners without an open
     /// list of cells.
     #[cfg(feature = "complete")]
-    pub(super) fn record(&self, query: Query, rasters: &Rasters, limit: usize) -> Option<Recording> {
+    pub(crate) fn record(&self, query: Query, bits: Option<&Bits>, limit: usize) -> Option<Recording> {
         Some(match self {
             Self::Neighbours(around, config) => grid_astar::record(query, *around, config, limit),
             Self::RiskField(config) => risk_field::record(query, config, limit),
             Self::Bidirectional(config) => bidirectional::record(query, config, limit),
             Self::JumpPoint(config) => {
-                let bits = rasters.bits().expect("prepared before the search");
+                let bits = bits.expect("prepared before the search");
                 jump_point::record(query, bits, config, limit)
             }
             Self::Dijkstra(config) => dijkstra_greedy::record_dijkstra(query, config, limit),
