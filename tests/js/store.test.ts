@@ -202,6 +202,20 @@ describe("notifications", () => {
     expect(heard).toHaveLength(1);
   });
 
+  it("bring along what is derived from a change", () => {
+    const store = createStore({}),
+      heard: string[] = [];
+    store.subscribe(({ mode, follow }, previous) =>
+      heard.push(`${previous.mode} ${previous.follow} > ${mode} ${follow}`),
+    );
+    const stop = store.derive(({ mode }) => store.set({ follow: mode === "focus" }));
+    store.set({ mode: "focus" });
+    store.set({ mode: "overlay" });
+    stop();
+    store.set({ mode: "focus" });
+    expect(heard).toEqual(["grid false > focus true", "focus true > overlay false", "overlay false > focus false"]);
+  });
+
   it("go on after a listener or a batch has failed", () => {
     const store = createStore({}),
       heard: string[] = [];

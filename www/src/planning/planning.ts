@@ -64,7 +64,7 @@ export class Planning {
   }
 
   start(): void {
-    this.unsubscribe ??= this.store.subscribe((state, previous) => {
+    this.unsubscribe ??= this.store.derive((state, previous) => {
       if (state.scene !== previous.scene || state.planners !== previous.planners || state.waiting !== previous.waiting)
         this.replan(previous.scene);
       else if (previous.transient && !state.transient)

@@ -24,6 +24,8 @@ export interface Store {
   /** Makes one notification of all changes: those of a pointer's move are one. */
   batch(run: () => void): void;
   subscribe(listener: Listener): () => void;
+  /** The same before all listeners: what it sets is part of the notification that it is told of. */
+  derive(listener: Listener): () => void;
   /** Applies an edit and pushes one undo step; the edits of one drag (`transient`, then one final) are one step. */
   edit(next: Scene, options?: EditOptions): void;
   /** Gives up the drag that is going on; false where there is none. */
@@ -45,6 +47,7 @@ export function createStore(initial: Partial<State> = {}): Store {
 class SceneStore implements Store {
   state: State;
   private readonly listeners = new Set<Listener>();
+  private readonly derivers = new Set<Listener>();
   /** The state that the listeners know. */
   private told: State;
   /** Above 0 while changes wait: in a batch, and while listeners are told of one. */
@@ -73,8 +76,9 @@ class SceneStore implements Store {
     try {
       run();
       while (this.holds === 1 && this.told !== this.state) {
-        const previous = this.told,
-          state = (this.told = this.state);
+        const previous = this.told;
+        for (const deriver of [...this.derivers]) deriver(this.state, previous);
+        const state = (this.told = this.state);
         for (const listener of [...this.listeners]) listener(state, previous);
       }
     } finally {
@@ -83,8 +87,11 @@ class SceneStore implements Store {
   }
 
   subscribe(listener: Listener): () => void {
-    this.listeners.add(listener);
-    return () => this.listeners.delete(listener);
+    return heard(this.listeners, listener);
+  }
+
+  derive(listener: Listener): () => void {
+    return heard(this.derivers, listener);
   }
 
   edit(next: Scene, options: EditOptions = {}): void {
@@ -160,4 +167,9 @@ function stillThere(scene: Scene, selection: Selection): Selection {
   if ("id" in selection) return known.has(selection.id) ? selection : null;
   const ids = selection.ids.filter((id) => known.has(id));
   return ids.length === selection.ids.length ? selection : ids.length > 1 ? { kind: "group", ids } : null;
+}
+
+function heard(listeners: Set<Listener>, listener: Listener): () => void {
+  listeners.add(listener);
+  return () => listeners.delete(listener);
 }
