@@ -218,28 +218,31 @@ fn zones(vehicle: &Vehicle, route: &Route, run: &Run, limits: &Limits) -> Vec<(f
         let end = if i + 1 < legs.len() { leg.station + leg.length } else { run.to };
         zones.push((end, limits.speed.min(lateral).min(wheel)));
     }
-    let zones = route
-        .slow
-        .iter()
-        .fold(zones, |zones, &(from, to, speed)| lowered(&zones, run.from, (from, to), speed));
+    let zones = lowered(&zones, run.from, &route.slow);
     let steps = legs.windows(2).filter(|pair| slow && pair[0].length.max(pair[1].length) > SAMPLE);
-    steps.fold(zones, |zones, pair| {
-        let at = pair[1].station;
-        lowered(&zones, run.from, (at - NEAR_STEP, at + NEAR_STEP), SLOW)
-    })
+    let near_steps: Vec<_> =
+        steps.map(|pair| (pair[1].station - NEAR_STEP, pair[1].station + NEAR_STEP, SLOW)).collect();
+    lowered(&zones, run.from, &near_steps)
 }
 
-/// The same zones with at most `speed` between two stations.
-fn lowered(zones: &[(f64, f64)], start: f64, (from, to): (f64, f64), speed: f64) -> Vec<(f64, f64)> {
+/// The same zones with at most some speeds between two stations each: from, to, speed, by both stations in order.
+/// Linear in zones and stretches, as few stretches overlap.
+fn lowered(zones: &[(f64, f64)], start: f64, slow: &[(f64, f64, f64)]) -> Vec<(f64, f64)> {
     let mut parts = Vec::new();
-    let mut at = start;
+    let (mut at, mut passed) = (start, 0);
     for &(end, limit) in zones {
-        for (until, limit) in [(from, limit), (to, limit.min(speed)), (end, limit)] {
-            let until = until.min(end);
-            if until > at {
-                parts.push((until, limit));
-                at = until;
+        while at < end {
+            passed += slow[passed..].iter().take_while(|stretch| stretch.1 <= at).count();
+            let (mut until, mut lowest) = (end, limit);
+            for &(from, to, speed) in &slow[passed..] {
+                if from > at {
+                    until = until.min(from);
+                    break;
+                }
+                (until, lowest) = (until.min(to), lowest.min(speed));
             }
+            parts.push((until, lowest));
+            at = until;
         }
     }
     parts
@@ -311,4 +314,29 @@ fn passes(zones: &[(f64, f64)], limits: &Limits, run: &Run, speeds: [f64; 2]) ->
         }
     }
     Some(phases)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stretches_lower_the_zones_that_they_overlap() {
+        let zones = [(2.0, 5.0), (6.0, 3.0), (9.0, 8.0)];
+        assert_eq!(lowered(&zones, 0.0, &[]), zones);
+        let parts =
+            lowered(&zones, 0.0, &[(-1.0, 1.0, 4.0), (1.5, 3.0, 2.0), (2.5, 7.0, 6.0), (8.0, 20.0, 7.0)]);
+        let want = [
+            (1.0, 4.0),
+            (1.5, 5.0),
+            (2.0, 2.0),
+            (2.5, 2.0),
+            (3.0, 2.0),
+            (6.0, 3.0),
+            (7.0, 6.0),
+            (8.0, 8.0),
+            (9.0, 7.0),
+        ];
+        assert_eq!(parts, want);
+    }
 }
