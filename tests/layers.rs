@@ -1,7 +1,7 @@
 //! A module may use only modules before it in the list of the crate's documentation; `search` uses only `error`.
 #![cfg(not(target_arch = "wasm32"))]
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -157,6 +157,54 @@ fn imports_point_one_way() {
     }
     assert_eq!(wrong, Vec::<String>::new());
     assert!(seen > 500, "found only {seen} uses: is the test looking in the right place?");
+}
+
+/// A level of hybrid A* may run a search from both ends or for several goals, each of which runs levels.
+const MAY_CIRCLE: [&str; 1] = ["planners/hybrid"];
+
+/// The files beside a file that its code names by `super::…`.
+fn siblings_used(code: &str, names: &BTreeSet<String>) -> BTreeSet<String> {
+    let after = code.split("super::").skip(1).flat_map(|rest| {
+        let tree = rest.split(';').next().unwrap_or_default();
+        if let Some(group) = tree.strip_prefix('{') {
+            paths_of(group.trim_end_matches('}'))
+        } else {
+            vec![rest.chars().take_while(|&c| c.is_alphanumeric() || c == '_').collect()]
+        }
+    });
+    let first = |path: String| path.split([':', ',', ' ']).next().unwrap_or_default().trim().to_owned();
+    after.map(first).filter(|name| names.contains(name)).collect()
+}
+
+#[test]
+fn files_of_a_folder_use_each_other_one_way() {
+    let source = root().join("src");
+    let mut files = Vec::new();
+    rust_files(&source, &mut files);
+    let mut folders: BTreeMap<PathBuf, Vec<PathBuf>> = BTreeMap::new();
+    for file in files.into_iter().filter(|file| !["mod", "lib", "tests"].contains(&stem(file).as_str())) {
+        folders.entry(file.parent().unwrap().to_owned()).or_default().push(file);
+    }
+    let (mut seen, mut wrong) = (0, Vec::new());
+    for (folder, files) in folders {
+        let names: BTreeSet<String> = files.iter().map(|file| stem(file)).collect();
+        let mut uses: BTreeMap<String, BTreeSet<String>> =
+            files.iter().map(|file| (stem(file), siblings_used(&code_of(&read(file)), &names))).collect();
+        seen += uses.values().map(BTreeSet::len).sum::<usize>();
+        // Whoever uses nothing that is left is in no circle.
+        while let Some(free) = uses.iter().find(|used| used.1.is_empty()).map(|used| used.0.clone()) {
+            uses.remove(&free);
+            for used in uses.values_mut() {
+                used.remove(&free);
+            }
+        }
+        let place = folder.strip_prefix(&source).unwrap().display().to_string();
+        if !uses.is_empty() && !MAY_CIRCLE.contains(&place.as_str()) {
+            wrong.push(format!("{place}: {uses:?}"));
+        }
+    }
+    assert_eq!(wrong, Vec::<String>::new());
+    assert!(seen > 150, "found only {seen} uses: is the test looking in the right place?");
 }
 
 #[test]

@@ -8,7 +8,7 @@ use serde_json::{Map, Value};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::Pose;
 use crate::json::{Fields, bad, flag, list, object, owned, word};
-use crate::scenario::{Entry, Scenario, VehicleSpec, parse, validate};
+use crate::scenario::{Entry, Scenario, VehicleSpec, places, validate};
 use crate::vehicle::{Vehicle, library};
 
 /// The name of the scene's own car where it has none.
@@ -114,7 +114,7 @@ fn vehicle(value: &Value) -> Result<AuditVehicle, Error> {
     }
     let f = Fields::of(value, &["id", "vehicle"])?;
     let id = f.need("id", owned)?;
-    let spec = f.need("vehicle", parse::vehicle)?;
+    let spec = f.need("vehicle", places::vehicle)?;
     let vehicle = match spec {
         VehicleSpec::Profile(name) => named(&name).map_err(|e| e.within("vehicle"))?.vehicle,
         VehicleSpec::Custom(vehicle) => {
@@ -147,7 +147,7 @@ fn own(scene: &Scenario) -> Result<AuditVehicle, Error> {
 fn entrance(value: &Value) -> Result<Entrance, Error> {
     let f = Fields::of(value, &["id", "pose", "exit"])?;
     let pose = |value: &Value| {
-        let pose = parse::pose(value)?;
+        let pose = places::pose(value)?;
         validate::finite_pose(pose).map(|()| pose).map_err(|e| Error { code: ErrorCode::Input, ..e })
     };
     Ok(Entrance { id: f.need("id", owned)?, pose: f.need("pose", pose)?, exit: f.maybe("exit", pose)? })

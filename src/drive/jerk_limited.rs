@@ -4,7 +4,7 @@
 //! at its limit, and the ways before and after it are planned in the same manner.
 
 use super::limits::Limits;
-use super::speed_profile::Phase;
+use super::phase::Phase;
 
 /// Bisections of a speed.
 const STEPS: u32 = 48;

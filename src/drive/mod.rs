@@ -9,6 +9,7 @@ mod jerk_limited;
 mod limits;
 mod moving_obstacles;
 mod path_segments;
+mod phase;
 mod speed_profile;
 mod stop_wait_go;
 mod time_to_collision;

@@ -15,6 +15,7 @@
 use super::jerk_limited;
 use super::limits::{Limits, Profile, Steps};
 use super::path_segments::{Route, Run};
+use super::phase::Phase;
 use crate::error::{Error, ErrorCode};
 use crate::geometry::math;
 use crate::vehicle::Vehicle;
@@ -27,27 +28,6 @@ const SAMPLE: f64 = 0.25;
 const SLOW: f64 = 0.5;
 /// … this near to a step of the curvature, metres.
 const NEAR_STEP: f64 = 0.5;
-
-/// A time of constant jerk.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Phase {
-    pub(super) time: f64,
-    pub(super) duration: f64,
-    pub(super) station: f64,
-    pub(super) speed: f64,
-    pub(super) acceleration: f64,
-    pub(super) jerk: f64,
-    pub(super) run: usize,
-}
-
-impl Phase {
-    /// Station, speed and acceleration after `t` seconds of it.
-    pub(super) fn after(&self, t: f64) -> (f64, f64, f64) {
-        let (v, a, j) = (self.speed, self.acceleration, self.jerk);
-        let station = self.station + t * (v + t * (a / 2.0 + t * j / 6.0));
-        (station, (v + t * (a + t * j / 2.0)).max(0.0), a + t * j)
-    }
-}
 
 /// Speeds along a route, in time.
 #[derive(Debug, Clone)]

@@ -138,7 +138,7 @@ pub fn trajectory(vehicle: &Vehicle, route: &Route, limits: &Limits) -> Result<T
     }
     let (mut rows, mut wheel, mut lateral) = (Rows::default(), Wheel::default(), 0.0_f64);
     let mut tick = 0.0;
-    let mut add = |phase: &super::speed_profile::Phase, after: f64| {
+    let mut add = |phase: &super::phase::Phase, after: f64| {
         let (station, speed, acceleration) = phase.after(after);
         let now = Moment { t: phase.time + after, station, speed, acceleration, run: phase.run };
         rows.push(vehicle, route, now, &mut wheel);
@@ -158,7 +158,7 @@ pub fn trajectory(vehicle: &Vehicle, route: &Route, limits: &Limits) -> Result<T
     }
     match motion.phases.last() {
         Some(last) => add(last, last.duration),
-        None => add(&super::speed_profile::Phase::default(), 0.0),
+        None => add(&super::phase::Phase::default(), 0.0),
     }
     if let (Some(station), Some(acceleration)) = (rows.station.last_mut(), rows.acceleration.last_mut()) {
         (*station, *acceleration) = (route.length(), 0.0);

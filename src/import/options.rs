@@ -3,7 +3,7 @@
 use serde_json::{Map, Value};
 
 use crate::error::{Error, ErrorCode};
-use crate::scenario::{VehicleSpec, parse};
+use crate::scenario::{VehicleSpec, places};
 
 /// Treatment of cells that are neither free nor occupied.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -54,7 +54,7 @@ impl Options {
                     }
                 }
                 "vehicle" => {
-                    let vehicle = parse::vehicle(value).and_then(|v| v.resolve().map(|_| v));
+                    let vehicle = places::vehicle(value).and_then(|v| v.resolve().map(|_| v));
                     options.vehicle =
                         Some(vehicle.map_err(|e| Error { code: ErrorCode::Input, ..e.within(name) })?);
                 }

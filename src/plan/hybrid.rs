@@ -20,6 +20,7 @@ use crate::planners::hybrid::plan;
 #[cfg(feature = "complete")]
 use crate::planners::hybrid::{self, Last, Prefer, goal_of, plan_any, stay, with_room};
 use crate::planners::hybrid::{Config, Query, Report, Scratch, Status, obstacles};
+#[cfg(feature = "complete")]
 use crate::planners::registry::PlannerId;
 use crate::scenario::Scenario;
 use crate::scenario::resolve::Geometry;
@@ -48,7 +49,11 @@ pub(super) struct Engine {
 }
 
 impl Engine {
-    pub(super) fn new(world: &World, kind: PlannerId, config: Config) -> Result<Self, Error> {
+    pub(super) fn new(
+        world: &World,
+        #[cfg(feature = "complete")] kind: PlannerId,
+        config: Config,
+    ) -> Result<Self, Error> {
         let frame = &world.frame;
         let side = f64::from(frame.width.max(frame.height)) * frame.resolution;
         if side > MAX_LENGTH {

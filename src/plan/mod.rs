@@ -186,7 +186,12 @@ impl Planner {
         let mut world = World::new(scenario)?;
         let engine = match kind.settings(&settings)? {
             Settings::Grid(search) => Engine::Grid(Box::new(grid::Engine::new(&world, kind, search)?)),
-            Settings::Hybrid(config) => Engine::Hybrid(Box::new(hybrid::Engine::new(&world, kind, config)?)),
+            Settings::Hybrid(config) => Engine::Hybrid(Box::new(hybrid::Engine::new(
+                &world,
+                #[cfg(feature = "complete")]
+                kind,
+                config,
+            )?)),
             #[cfg(feature = "complete")]
             Settings::Road(config) => Engine::Road(Box::new(road::Engine::new(scenario, &world, config))),
         };

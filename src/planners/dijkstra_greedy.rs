@@ -12,7 +12,7 @@ use super::parameters::{Form, parameters, spec};
 use super::query::{GridReport, GridScratch, Query, Status};
 use super::settings::Common;
 use super::weighted::Weighted;
-use crate::search::lattice::one_way;
+use crate::search::one_way;
 use crate::search::{Observer, Recording, record_one_way};
 
 parameters! {

@@ -15,7 +15,7 @@ use super::weighted::Weighted;
 use crate::error::{Error, ErrorCode};
 use crate::json;
 use crate::search::Observer;
-use crate::search::lattice::one_way;
+use crate::search::one_way;
 #[cfg(feature = "complete")]
 use crate::search::{Recording, record_one_way};
 

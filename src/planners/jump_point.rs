@@ -26,7 +26,8 @@ use super::parameters::{Form, parameters, spec};
 use super::query::{GridReport, GridScratch, Query};
 use super::settings::Common;
 use crate::map::{Bits, Cell};
-use crate::search::lattice::{Edge, EdgeSink, Lattice, one_way};
+use crate::search::lattice::{Edge, EdgeSink, Lattice};
+use crate::search::one_way;
 use crate::search::{Considered, Legality, NodeId, Observer, PackedEntry, Part, Recording, record_one_way};
 
 parameters! {

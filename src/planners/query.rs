@@ -4,7 +4,7 @@
 //! serves any number of queries, and a planner can be tested and measured without a scene.
 
 use crate::map::{Cell, Occupancy};
-use crate::search::lattice::Found;
+use crate::search::Found;
 use crate::search::{End, NodeId, PackedEntry, PackedScratch, WideEntry};
 #[cfg(feature = "complete")]
 use crate::search::{Report, Scratch};

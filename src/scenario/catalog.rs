@@ -1,34 +1,12 @@
 //! Built-in scenes: the page's presets, the parking paper's rows and the tight slots beyond it.
 
-use super::{Entry, Goal, Lean, MapFrame, Obstacle, Scenario, Slot, SlotGoal, SlotKind, VehicleSpec};
-use std::collections::BTreeMap;
-
+use super::paper_lot::{PAPER_ROWS, lot, paper_row};
+pub use super::scene_info::Info;
+use super::scene_info::info;
+use super::{Entry, Goal, Lean, Obstacle, Scenario, Slot, SlotGoal, SlotKind, VehicleSpec};
 use crate::error::{Error, ErrorCode};
-use crate::geometry::Pose;
 use crate::geometry::math::{FRAC_PI_2, FRAC_PI_4, PI};
 use crate::scenario::generate::{Family, generate};
-
-/// Title and description of a built-in scene.
-#[derive(Debug, Clone, Copy)]
-pub struct Info {
-    /// Its id.
-    pub id: &'static str,
-    /// `parking`, `grid`, `tight`, `paper`, `moving`, `road` or `figures`.
-    pub group: &'static str,
-    /// Its name in English and Chinese.
-    pub title: [&'static str; 2],
-    /// The question it asks, in English and Chinese.
-    pub question: [&'static str; 2],
-}
-
-pub(super) const fn info(
-    id: &'static str,
-    group: &'static str,
-    title: [&'static str; 2],
-    question: [&'static str; 2],
-) -> Info {
-    Info { id, group, title, question }
-}
 
 const PAPER_QUESTION: [&str; 2] = [
     "A row of the parking paper's tables: shorter, or with fewer gear changes?",
@@ -140,20 +118,6 @@ const SCENES: [Info; 23] = [
     info("L4", "paper", ["Paper row L4", "论文 L4"], PAPER_QUESTION),
 ];
 
-/// Start and goal of each row of the parking paper.
-const PAPER_ROWS: [(&str, [f64; 3], [f64; 3]); 10] = [
-    ("P0", [22.0, 8.19, PI], [2.5, 5.0, -FRAC_PI_2]),
-    ("P1", [24.0, 8.4, PI], [2.5, 5.0, -FRAC_PI_2]),
-    ("P2", [-20.0, 14.5, PI], [-7.0, 5.0, -FRAC_PI_2]),
-    ("P3", [16.0, 18.0, PI], [-2.0, 5.0, -FRAC_PI_2]),
-    ("P4", [-16.0, 7.5, PI], [7.0, 5.0, -FRAC_PI_2]),
-    ("L0", [20.0, 19.06, PI], [-3.0, 2.0, PI]),
-    ("L1", [18.0, 15.7, PI], [-3.0, 2.0, PI]),
-    ("L2", [16.0, 14.7, PI], [2.0, 2.0, PI]),
-    ("L3", [19.0, 15.5, PI], [-4.0, 3.0, PI]),
-    ("L4", [-8.0, 14.2, PI], [7.0, 3.0, PI]),
-];
-
 /// The built-in scene of this id.
 ///
 /// # Errors
@@ -211,57 +175,6 @@ fn build(id: &str) -> Option<Scenario> {
         "perp-nose-3.2" => lot(0.0, 3.2, 6.0, [16.0, 9.0, PI], [1.6, 3.9, -FRAC_PI_2]),
         _ => return None,
     })
-}
-
-pub(super) fn paper_row(id: &str) -> Option<Scenario> {
-    let &(_, start, goal) = PAPER_ROWS.iter().find(|row| row.0 == id)?;
-    Some(lot(-10.0, 10.0, 5.0, start, goal))
-}
-
-/// The parking paper's lot: 50 m × 25 m above y = 5, with a bay `x0..x1` of some depth below it.
-pub(super) fn lot(x0: f64, x1: f64, depth: f64, start: [f64; 3], goal: [f64; 3]) -> Scenario {
-    let floor = 5.0 - depth;
-    let low = floor.min(0.0);
-    let boundary = [
-        [-25.0, 5.0],
-        [x0, 5.0],
-        [x0, floor],
-        [x1, floor],
-        [x1, 5.0],
-        [25.0, 5.0],
-        [25.0, 30.0],
-        [-25.0, 30.0],
-    ];
-    let map = MapFrame {
-        origin: [-25.0, low],
-        width: 200,
-        height: ((30.0 - low) * 4.0) as u32,
-        resolution: 0.25,
-        boundary: Some(boundary.to_vec()),
-    };
-    let pose = |[x, y, heading]: [f64; 3]| Pose::new(x, y, heading);
-    // The improved planner keeps the paper's necessary safety space, and arcs that this car can drive.
-    let risk = serde_json::json!({ "inflation": "width", "minRadius": "vehicle" });
-    let mut planners = BTreeMap::new();
-    planners.insert("risk-field".to_owned(), risk.as_object().cloned().unwrap_or_default());
-    Scenario {
-        version: 1,
-        name: None,
-        map,
-        obstacles: Vec::new(),
-        slots: Vec::new(),
-        costs: Vec::new(),
-        #[cfg(feature = "complete")]
-        moving: Vec::new(),
-        #[cfg(feature = "complete")]
-        lanes: Vec::new(),
-        #[cfg(feature = "complete")]
-        speed_limits: Vec::new(),
-        vehicle: VehicleSpec::default(),
-        start: pose(start),
-        goal: Goal::Pose(pose(goal)),
-        planners,
-    }
 }
 
 /// A row of perpendicular slots in the bay, south of the aisle, numbered from the west.

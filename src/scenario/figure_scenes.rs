@@ -1,7 +1,8 @@
 //! Scenes of the papers' figures and the widths of tight bays that the other groups leave out.
 
-use super::catalog::{Info, info, lot, paper_row};
 use super::generate::{Family, generate};
+use super::paper_lot::{lot, paper_row};
+use super::scene_info::{Info, info};
 use super::{MapFrame, MovingObstacle, Obstacle, Scenario};
 use crate::geometry::math::{FRAC_PI_2, PI};
 

@@ -3,7 +3,7 @@
 use serde::Serialize;
 use serde_json::Value;
 
-use super::parse;
+use super::places;
 use super::validate::{bad, outline, touch};
 use crate::error::Error;
 use crate::geometry::math::{self, PI};
@@ -39,7 +39,7 @@ pub struct GoalRegion {
 impl GoalRegion {
     pub(super) fn read(value: &Value) -> Result<Self, Error> {
         let f = Fields::of(value, &["region", "heading"])?;
-        Ok(Self { region: f.need("region", list(parse::point))?, heading: f.maybe("heading", number)? })
+        Ok(Self { region: f.need("region", list(places::point))?, heading: f.maybe("heading", number)? })
     }
 
     pub(super) fn validate(&self) -> Result<(), Error> {

@@ -4,7 +4,7 @@ use serde::{Serialize, Serializer};
 use serde_json::Value;
 
 use super::goal_region::GoalRegion;
-use super::parse;
+use super::places;
 use super::validate::{bad, finite_pose};
 use super::{Entry, Scenario, Slot};
 use crate::error::Error;
@@ -108,7 +108,7 @@ impl GoalSet {
     /// Reads a goal that is a list or has the field `slots` or `region`; `None` for every other.
     pub(super) fn read(value: &Value) -> Result<Option<Self>, Error> {
         if value.is_array() {
-            return list(parse::pose)(value).map(|poses| Some(Self::Poses(poses)));
+            return list(places::pose)(value).map(|poses| Some(Self::Poses(poses)));
         }
         if value.get("region").is_some() {
             return GoalRegion::read(value).map(|region| Some(Self::Region(region)));

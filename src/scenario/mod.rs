@@ -41,7 +41,9 @@ pub mod lot;
 mod moving;
 #[cfg(feature = "complete")]
 mod moving_scenes;
+mod paper_lot;
 pub(crate) mod parse;
+pub(crate) mod places;
 pub mod resolve;
 #[cfg(feature = "complete")]
 mod road;
@@ -49,6 +51,7 @@ mod road_obstacle;
 #[cfg(feature = "complete")]
 mod road_scenes;
 pub mod run_length;
+mod scene_info;
 pub mod slot;
 pub(crate) mod validate;
 

@@ -3,7 +3,7 @@
 use serde::Serialize;
 use serde_json::Value;
 
-use super::parse::point;
+use super::places::point;
 use super::validate::{bad, corners, positive};
 use crate::error::Error;
 use crate::json::{Fields, list, number, owned};

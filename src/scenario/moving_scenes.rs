@@ -1,6 +1,7 @@
 //! Scenes in which something crosses the car's way: the parking paper's figure 16 and what it takes to make it wait.
 
-use super::catalog::{Info, info, paper_row};
+use super::paper_lot::paper_row;
+use super::scene_info::{Info, info};
 use super::{MovingObstacle, Scenario};
 
 pub(super) const SCENES: [Info; 5] = [

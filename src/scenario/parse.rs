@@ -4,25 +4,13 @@ use serde::de::{Deserialize, Deserializer, Error as _};
 use serde_json::Value;
 use std::collections::BTreeMap;
 
+use super::places::{point, pose, vehicle};
 use super::run_length;
-use super::{
-    CostArea, Entry, Goal, Lean, MapFrame, Obstacle, Road, Scenario, Slot, SlotGoal, SlotKind, VehicleSpec,
-};
+use super::{CostArea, Entry, Goal, Lean, MapFrame, Obstacle, Road, Scenario, Slot, SlotGoal, SlotKind};
 use crate::error::{Error, ErrorCode};
-use crate::geometry::Pose;
 use crate::json::{Fields, bad, count, exactly, flag, list, number, object, owned, text, word};
-use crate::vehicle::{DEFAULT_STEER_RATE, Vehicle};
 
 type Result<T> = core::result::Result<T, Error>;
-
-pub(super) fn point(value: &Value) -> Result<[f64; 2]> {
-    exactly(number)(value)
-}
-
-pub(crate) fn pose(value: &Value) -> Result<Pose> {
-    let f = Fields::of(value, &["x", "y", "heading"])?;
-    Ok(Pose::new(f.need("x", number)?, f.need("y", number)?, f.need("heading", number)?))
-}
 
 fn map(value: &Value) -> Result<MapFrame> {
     let f = Fields::of(value, &["origin", "width", "height", "resolution", "boundary"])?;
@@ -33,23 +21,6 @@ fn map(value: &Value) -> Result<MapFrame> {
         resolution: f.need("resolution", number)?,
         boundary: f.maybe("boundary", list(point))?,
     })
-}
-
-/// A car: a profile's name or dimensions, not yet checked.
-pub(crate) fn vehicle(value: &Value) -> Result<VehicleSpec> {
-    if let Value::String(name) = value {
-        return Ok(VehicleSpec::Profile(name.clone()));
-    }
-    let known = ["wheelbase", "width", "rearToFront", "rearToBack", "maxSteer", "maxSteerRate"];
-    let f = Fields::of(value, &known)?;
-    Ok(VehicleSpec::Custom(Vehicle {
-        wheelbase: f.need("wheelbase", number)?,
-        width: f.need("width", number)?,
-        rear_to_front: f.need("rearToFront", number)?,
-        rear_to_back: f.need("rearToBack", number)?,
-        max_steer: f.need("maxSteer", number)?,
-        max_steer_rate: f.maybe("maxSteerRate", number)?.unwrap_or(DEFAULT_STEER_RATE),
-    }))
 }
 
 /// Runs of cells: threes of numbers, or packed.

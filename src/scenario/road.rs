@@ -5,9 +5,8 @@
 use serde::Serialize;
 use serde_json::Value;
 
-use super::parse::{point, pose};
+use super::places::{point, pose};
 use super::validate::{bad, finite_pose, outline, positive};
-use super::{Obstacle, Road, Scenario};
 use crate::error::Error;
 use crate::geometry::{Point, Pose, math};
 use crate::json::{Fields, list, number, owned};
@@ -120,23 +119,6 @@ impl SpeedLimit {
     }
 }
 
-impl Scenario {
-    /// Lanes to keep to between two points: the scene's, and those of its drawn roads in the direction of travel.
-    pub fn lanes_between(&self, start: Point, goal: Point) -> Vec<Lane> {
-        let drawn = self.roads().flat_map(|road| road.lanes_between(start, goal));
-        self.lanes.iter().cloned().chain(drawn).collect()
-    }
-
-    /// All limits, those of drawn roads included.
-    pub fn all_speed_limits(&self) -> Vec<SpeedLimit> {
-        self.speed_limits.iter().cloned().chain(self.roads().filter_map(Road::limit)).collect()
-    }
-
-    fn roads(&self) -> impl Iterator<Item = &Road> {
-        self.obstacles.iter().filter_map(|o| if let Obstacle::Road(road) = o { Some(road) } else { None })
-    }
-}
-
 pub(super) fn read_lanes(value: &Value) -> Result<Vec<Lane>, Error> {
     list(Lane::read)(value)
 }
@@ -150,6 +132,7 @@ mod tests {
     use serde_json::json;
 
     use super::*;
+    use crate::scenario::Scenario;
 
     fn scene() -> Value {
         json!({

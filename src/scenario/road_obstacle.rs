@@ -3,10 +3,12 @@
 use serde::Serialize;
 use serde_json::Value;
 
-use super::parse::point;
+use super::places::point;
 #[cfg(feature = "complete")]
 use super::road::{Lane, LanePiece, SpeedLimit};
 use super::validate::{bad, corners, positive};
+#[cfg(feature = "complete")]
+use super::{Obstacle, Scenario};
 use crate::error::Error;
 use crate::geometry::{Point, Pose, math, polygon};
 use crate::json::{Fields, count, exactly, flag, list, number, owned};
@@ -271,5 +273,23 @@ impl Road {
             station += length;
         }
         best.1
+    }
+}
+
+#[cfg(feature = "complete")]
+impl Scenario {
+    /// Lanes to keep to between two points: the scene's, and those of its drawn roads in the direction of travel.
+    pub fn lanes_between(&self, start: Point, goal: Point) -> Vec<Lane> {
+        let drawn = self.roads().flat_map(|road| road.lanes_between(start, goal));
+        self.lanes.iter().cloned().chain(drawn).collect()
+    }
+
+    /// All limits, those of drawn roads included.
+    pub fn all_speed_limits(&self) -> Vec<SpeedLimit> {
+        self.speed_limits.iter().cloned().chain(self.roads().filter_map(Road::limit)).collect()
+    }
+
+    fn roads(&self) -> impl Iterator<Item = &Road> {
+        self.obstacles.iter().filter_map(|o| if let Obstacle::Road(road) = o { Some(road) } else { None })
     }
 }

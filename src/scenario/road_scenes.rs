@@ -1,8 +1,8 @@
 //! The road scenes: a lane, a curve, a crossing, a narrow road, a roundabout, a junction with a turn ban. Every
 //! road goes on for 5 m before the start and beyond the goal, so that the car stands on it.
 
-use super::catalog::{Info, info};
 use super::road::{Lane, LanePiece, SpeedLimit};
+use super::scene_info::{Info, info};
 use super::{Goal, MapFrame, Obstacle, Scenario, VehicleSpec};
 use crate::geometry::Pose;
 use crate::geometry::math::{FRAC_PI_2, PI, asin, sin_cos};

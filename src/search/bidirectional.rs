@@ -10,7 +10,8 @@
 
 use super::entry::Entry;
 use super::frontier::{PackedScratch, Record, Relaxing, cost_of, move_of};
-use super::lattice::{Found, Reversible};
+use super::lattice::Reversible;
+use super::one_way::Found;
 use super::{Budget, End, NodeId, Observer};
 
 /// When a search from both ends stops.

@@ -10,7 +10,7 @@
 
 use super::bucket_queue::BucketQueue;
 use super::entry::Entry;
-use super::lattice::{Edge, EdgeSink, Lattice};
+use super::lattice::{COST, Edge, EdgeSink, Lattice, MOVE, ROOT};
 use super::{NodeId, Observer};
 
 /// One node's state in 64 bits.
@@ -30,15 +30,9 @@ use super::{NodeId, Observer};
 /// `2046 << 53 | 1 << 52 | 1_414_214 << 8 | 1`.
 pub(super) type Record = u64;
 
-pub(super) const MOVE: u32 = 8;
 const OPEN: Record = 1 << 52;
 const GENERATION: Record = 1 << 53;
 const GENERATIONS: u64 = 1 << 11;
-/// The number that stands for "no move" in the root's record.
-pub(super) const ROOT: u32 = 255;
-/// The largest cost that a record holds.
-pub(super) const COST: i64 = (1 << 44) - 1;
-
 /// Memory shared by successive searches. Nothing is cleared in between, so a query costs what it touches.
 #[derive(Debug)]
 pub struct PackedScratch<E> {

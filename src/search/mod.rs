@@ -43,6 +43,7 @@ mod frontier;
 pub mod lattice;
 mod node_table;
 mod observer;
+mod one_way;
 mod open_list;
 #[cfg(feature = "complete")]
 mod recorded;
@@ -72,6 +73,7 @@ pub use node_table::Scratch;
 #[cfg(feature = "complete")]
 pub use observer::{ExpansionCallback, Expansions};
 pub use observer::{Observer, Progress, ProgressCallback, Trace, Watch};
+pub use one_way::{Found, one_way, one_way_deferring};
 pub use open_list::Order;
 #[cfg(feature = "complete")]
 pub use recorded::{Considered, Legality, Part, record_deferring, record_one_way};

@@ -8,8 +8,7 @@ use std::cmp::Ordering;
 use std::collections::{BTreeMap, BinaryHeap};
 
 use super::NodeId;
-use super::frontier::ROOT;
-use super::lattice::{Deferral, Deferring, Edge, EdgeSink, Lattice, Reversible};
+use super::lattice::{Deferral, Deferring, Edge, EdgeSink, Lattice, ROOT, Reversible};
 use super::recording::{Fate, MICRO, Recording, StepKind};
 
 /// Whether a move that is considered can be made.
@@ -289,7 +288,7 @@ pub(super) fn refuse(
     }
 }
 
-/// [`one_way`](super::lattice::one_way), of which at most `limit` steps are written down.
+/// [`one_way`](super::one_way::one_way), of which at most `limit` steps are written down.
 pub fn record_one_way<L: Considered>(
     lattice: &L,
     ends: (NodeId, NodeId),
@@ -299,7 +298,7 @@ pub fn record_one_way<L: Considered>(
     one_way(lattice, None, ends, max_expansions, limit)
 }
 
-/// [`one_way_deferring`](super::lattice::one_way_deferring), of which at most `limit` steps are written down.
+/// [`one_way_deferring`](super::one_way::one_way_deferring), of which at most `limit` steps are written down.
 pub fn record_deferring<L: Considered + Deferring>(
     lattice: &L,
     ends: (NodeId, NodeId),

@@ -6,8 +6,9 @@ use std::marker::PhantomData;
 
 use super::bidirectional::{Stop, bidirectional};
 use super::entry::{Entry, PackedEntry, WideEntry};
-use super::lattice::{Edge, EdgeSink, Found, Lattice, Reversible, one_way};
+use super::lattice::{Edge, EdgeSink, Lattice, Reversible};
 use super::{End, NodeId, PackedScratch};
+use super::{Found, one_way};
 
 const SIDE: u32 = 12;
 const NODES: usize = (SIDE * SIDE) as usize;

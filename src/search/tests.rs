@@ -1,9 +1,7 @@
 //! Searches along a line of nodes, down to the last counter.
 
-use super::lattice::{
-    Deferral, Deferring, Edge, EdgeSink, Found, Lattice, Reversible, one_way, one_way_deferring,
-};
-use super::{End, NodeId, PackedScratch, Stop, WideEntry, bidirectional};
+use super::lattice::{Deferral, Deferring, Edge, EdgeSink, Lattice, Reversible};
+use super::{End, Found, NodeId, PackedScratch, Stop, WideEntry, bidirectional, one_way, one_way_deferring};
 
 /// Nodes 0 to 9 with steps of cost 1 up (number 0) and down (number 1). With `HOLDS`, steps down are held back.
 struct Line<const JUMPS: bool, const HOLDS: bool> {

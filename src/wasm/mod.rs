@@ -23,7 +23,11 @@ use crate::json;
 use crate::json::Words;
 use crate::plan::{self, Planner};
 use crate::planners::registry;
-use crate::scenario::{Scenario, catalog, parse};
+#[cfg(feature = "complete")]
+use crate::scenario::parse;
+#[cfg(not(feature = "complete"))]
+use crate::scenario::places;
+use crate::scenario::{Scenario, catalog};
 
 type JsResult = Result<JsValue, JsValue>;
 
@@ -202,7 +206,7 @@ impl RawPlanner {
                     #[cfg(feature = "complete")]
                     let pose = parse::goal(&value).and_then(|goal| self.planner.scenario().goal_pose(&goal));
                     #[cfg(not(feature = "complete"))]
-                    let pose = parse::pose(&value);
+                    let pose = places::pose(&value);
                     *(if name == "start" { &mut ends.start } else { &mut ends.goal }) =
                         Some(pose.map_err(wrong)?);
                 }

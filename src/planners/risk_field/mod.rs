@@ -21,7 +21,8 @@ use super::weighted::Weighted;
 use crate::json;
 use crate::map::Corner;
 use crate::map::risk::{Attraction, FieldSettings, ObstacleSet, PotentialField};
-use crate::search::lattice::{Deferral, one_way_deferring};
+use crate::search::lattice::Deferral;
+use crate::search::one_way_deferring;
 use crate::search::{Observer, Watch};
 #[cfg(feature = "complete")]
 use crate::search::{Recording, record_deferring};
