@@ -6,11 +6,12 @@
 use parkade::map::{Bits, Cell, Corner, Occupancy, line_of_sight};
 use parkade::metrics::any_angle_length;
 use parkade::metrics::grid::{length, turns};
+use parkade::planners::Outcome;
 use parkade::planners::grid_astar::{self, Config, Weight};
 #[cfg(not(target_arch = "wasm32"))]
 use parkade::planners::heuristics::Heuristic;
 use parkade::planners::moves::{Neighbourhood, cost};
-use parkade::planners::query::{GridReport, GridScratch, Query, Status};
+use parkade::planners::query::{GridReport, GridScratch, Query};
 use parkade::planners::{bidirectional, jump_point, risk_field};
 use parkade::post::SmoothMode;
 use parkade::post::{Piece, prune, prune_dp, smooth};
@@ -49,7 +50,7 @@ fn astar(
 
 fn risk(map: &Occupancy, config: &risk_field::Config, scratch: &mut GridScratch) -> GridReport {
     let report = risk_field::plan(query(map), config, scratch, &mut ());
-    assert_eq!(report.status, Status::Found);
+    assert_eq!(report.outcome, Outcome::Found);
     report
 }
 
@@ -216,7 +217,7 @@ fn costs_agree(map: &Occupancy, scratch: &mut GridScratch) -> BesideSixteen {
             let both = [Stop::First, Stop::Best, Stop::Optimal].map(|stop| {
                 let config = bidirectional::Config { neighbours, stop, ..bidirectional::Config::default() };
                 let both = bidirectional::plan(query(map), &config, scratch, &mut ());
-                assert_eq!(both.status, Status::Found);
+                assert_eq!(both.outcome, Outcome::Found);
                 assert_eq!(both.cost_micro, walked(map, &both.cells));
                 both
             });

@@ -2,9 +2,10 @@
 #![cfg(feature = "complete")]
 
 use parkade::map::{Cell, Corner, Occupancy, line_of_sight};
+use parkade::planners::Outcome;
 use parkade::planners::dijkstra_greedy::{self, dijkstra, greedy};
 use parkade::planners::moves::{Neighbourhood, cost};
-use parkade::planners::query::{Detail, GridReport, GridScratch, Query, Status};
+use parkade::planners::query::{Detail, GridReport, GridScratch, Query};
 use parkade::planners::settings::Common;
 use parkade::planners::{genetic, grid_astar, rrt};
 use parkade::scenario::generate::{Family, occupancy};
@@ -43,8 +44,8 @@ fn dijkstra_costs_as_a_star_and_expands_no_less() {
                 dijkstra(query, &dijkstra_greedy::Config { neighbours, common }, &mut scratch, &mut ());
             let config = grid_astar::Config { common, ..grid_astar::Config::new(neighbours) };
             let star = grid_astar::plan(query, neighbours, &config, &mut scratch, &mut ());
-            assert_eq!((report.status, report.cost_micro), (star.status, star.cost_micro));
-            if report.status == Status::Found {
+            assert_eq!((report.outcome, report.cost_micro), (star.outcome, star.cost_micro));
+            if report.outcome == Outcome::Found {
                 check_path(query, corner, &report);
                 (more, asked) = (more + u32::from(report.expanded > star.expanded), asked + 1);
             }
@@ -65,8 +66,8 @@ fn greedy_finds_a_path_wherever_there_is_one_and_seldom_the_cheapest() {
                 dijkstra(query, &config, &mut scratch, &mut ()),
                 greedy(query, &config, &mut scratch, &mut ()),
             ];
-            assert_eq!((report.status, report.detail), (best.status, best.detail));
-            if report.status == Status::Found {
+            assert_eq!((report.outcome, report.detail), (best.outcome, best.detail));
+            if report.outcome == Outcome::Found {
                 check_path(query, corner, &report);
                 assert!(report.cost_micro >= best.cost_micro && report.generated <= best.generated);
                 // No cell is taken up twice: a move costs nothing, so the first way to a cell stays.
@@ -84,7 +85,7 @@ fn both_tell_how_near_they_came() {
     let query = Query { map: &map, start: Cell::new(0, 2), goal: Cell::new(4, 0) };
     for search in [dijkstra::<()>, greedy::<()>] {
         let report = search(query, &dijkstra_greedy::Config::default(), &mut GridScratch::new(), &mut ());
-        assert_eq!((report.status, report.detail), (Status::NoPath, Some(Detail::Unreachable)));
+        assert_eq!((report.outcome, report.detail), (Outcome::NoPath, Some(Detail::Unreachable)));
         assert_eq!(report.closest, Cell::new(3, 1));
     }
 }
@@ -113,13 +114,13 @@ fn random_trees_and_generations_keep_to_free_cells() {
                 genetic::plan(query, &genes, &mut scratch, &mut ()),
             ];
             for (count, report) in found.iter_mut().zip(&reports) {
-                if report.status == Status::Found {
+                if report.outcome == Outcome::Found {
                     check_path(query, corner, report);
                     *count += 1;
                     // Any angle saves at most 1.4 % of 48 neighbours' length.
                     assert!(report.cost_micro as f64 > 0.97 * shortest.cost_micro as f64);
                 } else {
-                    assert_eq!(report.status, Status::BudgetSpent);
+                    assert_eq!(report.outcome, Outcome::BudgetSpent);
                 }
             }
         }

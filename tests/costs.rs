@@ -11,7 +11,7 @@ use parkade::plan::{Options, Outcome, Plan, Planner};
 use parkade::planners::grid_astar::{self, Config};
 use parkade::planners::heuristics::Heuristic;
 use parkade::planners::moves::{Neighbourhood, cost};
-use parkade::planners::query::{GridScratch, Query, Status};
+use parkade::planners::query::{GridScratch, Query};
 use parkade::planners::registry;
 use parkade::planners::{bidirectional, risk_field};
 use parkade::post::SmoothMode;
@@ -89,7 +89,7 @@ fn paths_are_the_cheapest_by_weights() {
         }
         let best = dijkstra(query, neighbourhood, corner);
         let report = grid_astar::plan(query, neighbourhood, &config, &mut scratch, &mut ());
-        assert_eq!(best.is_some(), report.status == Status::Found, "round {round}");
+        assert_eq!(best.is_some(), report.outcome == Outcome::Found, "round {round}");
         let Some(best) = best else { continue };
         found += 1;
         assert_eq!((report.cost_micro, price(&map, &report.cells)), (best, best), "round {round}");
@@ -116,7 +116,7 @@ fn the_risk_field_counts_weights() {
         let best = dijkstra(query, Neighbourhood::Eight, Corner::Strict);
         for config in [risk_field::Config::PAPER, risk_field::Config::PLUS] {
             let report = risk_field::plan(query, &config, &mut scratch, &mut ());
-            assert_eq!(best.is_some(), report.status == Status::Found, "round {round}");
+            assert_eq!(best.is_some(), report.outcome == Outcome::Found, "round {round}");
             let Some(best) = best else { continue };
             // A straight line to the goal can be shorter than eight directions allow.
             assert!(config.goal_shot || report.cost_micro >= best, "round {round}");
@@ -137,7 +137,7 @@ fn nothing_after_the_search_makes_a_path_dearer() {
         let neighbourhood = Neighbourhood::ALL[round % 5];
         let report =
             grid_astar::plan(query, neighbourhood, &Config::new(neighbourhood), &mut scratch, &mut ());
-        if report.status != Status::Found {
+        if report.outcome != Outcome::Found {
             continue;
         }
         let weights = map.weights().unwrap();

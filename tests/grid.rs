@@ -8,10 +8,11 @@ use std::collections::BinaryHeap;
 use parkade::geometry::Point;
 use parkade::map::{Bits, Cell, Corner, Frame, Occupancy, distance, inflation, line_of_sight, raster};
 use parkade::metrics::grid::length;
+use parkade::planners::Outcome;
 use parkade::planners::grid_astar::{self, Config};
 use parkade::planners::heuristics::Heuristic;
 use parkade::planners::moves::{Move, Neighbourhood, cost};
-use parkade::planners::query::{Detail, GridReport, GridScratch, Query, Status};
+use parkade::planners::query::{Detail, GridReport, GridScratch, Query};
 use parkade::planners::risk_field::{self, Fallback};
 use parkade::planners::settings::Common;
 use parkade::planners::{any_angle, bidirectional, jump_point};
@@ -100,11 +101,11 @@ fn grid_searches_find_the_cheapest_path_or_none() {
                 }
                 let report = grid_astar::plan(query, neighbourhood, &config, &mut scratch, &mut ());
                 if let Some(cheapest) = cheapest {
-                    assert_eq!((report.status, report.cost_micro), (Status::Found, cheapest));
+                    assert_eq!((report.outcome, report.cost_micro), (Outcome::Found, cheapest));
                     check_path(query, corner, &report);
                     found += 1;
                 } else {
-                    assert_eq!((report.status, report.detail), (Status::NoPath, Some(Detail::Unreachable)));
+                    assert_eq!((report.outcome, report.detail), (Outcome::NoPath, Some(Detail::Unreachable)));
                 }
             }
         }
@@ -155,8 +156,8 @@ fn searches_from_both_ends_and_jumps_find_the_cheapest_path_or_none() {
                 let common = Common { corner, ..Common::PLAIN };
                 let config = bidirectional::Config { neighbours, stop, common };
                 let report = bidirectional::plan(query, &config, &mut scratch, &mut ());
-                assert_eq!((report.status, report.detail), (cheapest.status, cheapest.detail));
-                if report.status == Status::Found {
+                assert_eq!((report.outcome, report.detail), (cheapest.outcome, cheapest.detail));
+                if report.outcome == Outcome::Found {
                     check_path(query, corner, &report);
                     found += 1;
                 }
@@ -167,17 +168,17 @@ fn searches_from_both_ends_and_jumps_find_the_cheapest_path_or_none() {
             let common = Common { corner, ..Common::PLAIN };
             let config = bidirectional::Config { neighbours, stop: Stop::Naive, common };
             let naive = bidirectional::plan(query, &config, &mut scratch, &mut ());
-            match (naive.status, naive.detail) {
-                (Status::Found, None) => {
+            match (naive.outcome, naive.detail) {
+                (Outcome::Found, None) => {
                     check_path(query, corner, &naive);
                     dearer += u32::from(naive.cost_micro > costs[0]);
                     assert!(naive.cost_micro >= costs[0]);
                 }
-                (Status::NoPath, Some(Detail::Stranded)) => {
+                (Outcome::NoPath, Some(Detail::Stranded)) => {
                     missed += 1;
-                    assert_eq!(cheapest.status, Status::Found);
+                    assert_eq!(cheapest.outcome, Outcome::Found);
                 }
-                other => assert_eq!(other, (cheapest.status, cheapest.detail)),
+                other => assert_eq!(other, (cheapest.outcome, cheapest.detail)),
             }
         }
         let eight = grid_astar::plan(
@@ -191,14 +192,14 @@ fn searches_from_both_ends_and_jumps_find_the_cheapest_path_or_none() {
         for prune in [false, true] {
             let config = jump_point::Config { prune, ..jump_point::Config::default() };
             let report = jump_point::plan(query, &bits, &config, &mut scratch, &mut ());
-            assert_eq!((report.status, report.cost_micro), (eight.status, eight.cost_micro));
-            if report.status == Status::Found {
+            assert_eq!((report.outcome, report.cost_micro), (eight.outcome, eight.cost_micro));
+            if report.outcome == Outcome::Found {
                 check_path(query, Corner::Strict, &report);
             }
         }
         let report = any_angle::plan(query, &any_angle::Config::default(), &mut scratch, &mut ());
-        assert_eq!(report.status, eight.status);
-        if report.status == Status::Found {
+        assert_eq!(report.outcome, eight.outcome);
+        if report.outcome == Outcome::Found {
             check_path(query, Corner::Strict, &report);
         }
     }
@@ -234,10 +235,10 @@ fn risk_field_searches_are_complete_with_every_option() {
             config.validate().unwrap();
             let reachable = dijkstra(query, Neighbourhood::Eight, corner).is_some();
             let report = risk_field::plan(query, &config, &mut scratch, &mut ());
-            match (report.status, report.detail) {
-                (Status::Found, None) => check_path(query, corner, &report),
-                (Status::NoPath, Some(Detail::Unreachable)) => assert!(!reachable),
-                (Status::NoPath, Some(Detail::Stranded)) => {
+            match (report.outcome, report.detail) {
+                (Outcome::Found, None) => check_path(query, corner, &report),
+                (Outcome::NoPath, Some(Detail::Unreachable)) => assert!(!reachable),
+                (Outcome::NoPath, Some(Detail::Stranded)) => {
                     assert!(reachable && matches!(config.fallback, Fallback::StuckOnly | Fallback::None));
                     stranded += 1;
                 }
@@ -262,19 +263,19 @@ fn questions_without_a_search() {
         grid
     };
     let (corner, wall, outside) = (Cell::new(0, 0), Cell::new(1, 1), Cell::new(4, 0));
-    for (start, goal, status) in [
-        (wall, corner, Status::StartBlocked),
-        (corner, wall, Status::GoalBlocked),
-        (outside, wall, Status::StartOutside),
-        (wall, outside, Status::GoalOutside),
-        (Cell::new(0, -1), corner, Status::StartOutside),
+    for (start, goal, outcome) in [
+        (wall, corner, Outcome::StartBlocked),
+        (corner, wall, Outcome::GoalBlocked),
+        (outside, wall, Outcome::StartOutside),
+        (wall, outside, Outcome::GoalOutside),
+        (Cell::new(0, -1), corner, Outcome::StartOutside),
     ] {
         let report = ask(start, goal);
-        assert_eq!((report.status, report.expanded, report.generated), (status, 0, 0));
+        assert_eq!((report.outcome, report.expanded, report.generated), (outcome, 0, 0));
         assert!(report.cells.is_empty());
     }
     let here = ask(corner, corner);
-    assert_eq!((here.status, here.expanded, here.generated), (Status::Found, 0, 1));
+    assert_eq!((here.outcome, here.expanded, here.generated), (Outcome::Found, 0, 1));
     assert_eq!(here.cells, [corner]);
 }
 
@@ -300,7 +301,7 @@ fn small_and_empty_maps() {
 
     let budget = Config { common: Common { max_expansions: 3, ..Common::PLAIN }, ..octile };
     let report = grid_astar::plan(query, eight, &budget, &mut GridScratch::new(), &mut ());
-    assert_eq!((report.status, report.expanded, report.closest), (Status::BudgetSpent, 3, Cell::new(2, 2)));
+    assert_eq!((report.outcome, report.expanded, report.closest), (Outcome::BudgetSpent, 3, Cell::new(2, 2)));
 }
 
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]

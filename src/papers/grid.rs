@@ -12,10 +12,11 @@ use super::Spread;
 use crate::error::{Error, ErrorCode};
 use crate::map::{Cell, Corner, Occupancy};
 use crate::metrics::grid::{clearance, length, polyline, turns};
+use crate::planners::Outcome;
 use crate::planners::grid_astar::{self, Weight};
 use crate::planners::heuristics::Heuristic;
 use crate::planners::moves::Neighbourhood;
-use crate::planners::query::{GridReport, GridScratch, Query, Status};
+use crate::planners::query::{GridReport, GridScratch, Query};
 use crate::planners::{bidirectional, dijkstra_greedy, risk_field};
 use crate::post::SmoothMode;
 use crate::post::{prune, prune_dp, smooth};
@@ -189,7 +190,7 @@ fn run(planner: &str, map: &Occupancy, scratch: &mut GridScratch) -> GridReport 
 
 /// All columns but the time.
 fn figures_of(map: &Occupancy, report: &GridReport) -> Result<[f64; COLUMNS.len() - 1], Error> {
-    if report.status != Status::Found {
+    if report.outcome != Outcome::Found {
         // Generated maps are connected and every planner here is complete.
         return Err(Error::new(ErrorCode::Input, "row", "must have a path on every map"));
     }

@@ -7,8 +7,9 @@ use serde::Serialize;
 use super::grid::{ROWS, Row};
 use crate::error::Error;
 use crate::map::Cell;
+use crate::planners::Outcome;
 use crate::planners::bidirectional::{Config, plan};
-use crate::planners::query::{GridScratch, Query, Status};
+use crate::planners::query::{GridScratch, Query};
 use crate::scenario::generate::occupancy;
 use crate::search::{Stop, Watch};
 
@@ -59,7 +60,7 @@ impl NaiveStop {
         let mut by = |stop| plan(query, &Config { stop, ..Config::DEFAULT }, scratch, &mut Watch::default());
         let [cheapest, naive] = [Stop::Optimal, Stop::Naive].map(&mut by);
         self.maps += 1;
-        if naive.status == Status::Found {
+        if naive.outcome == Outcome::Found {
             self.longer += u32::from(naive.cost_micro > cheapest.cost_micro);
             self.worst = self.worst.max(naive.cost_micro as f64 / cheapest.cost_micro as f64);
         } else {

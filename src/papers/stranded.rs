@@ -3,7 +3,8 @@
 use super::grid::Row;
 use crate::error::{Error, ErrorCode};
 use crate::map::Cell;
-use crate::planners::query::{GridScratch, Query, Status};
+use crate::planners::Outcome;
+use crate::planners::query::{GridScratch, Query};
 use crate::planners::risk_field::{self, Config, Fallback};
 use crate::scenario::generate::occupancy;
 
@@ -35,7 +36,7 @@ pub fn stranded(row: &Row, from: u64, to: u64) -> Result<Vec<u64>, Error> {
         let map = occupancy(row.family, row.size, seed)?;
         let end = map.width() as i32 - 1;
         let query = Query { map: &map, start: Cell::new(0, 0), goal: Cell::new(end, end) };
-        if risk_field::plan(query, &literal, &mut scratch, &mut ()).status != Status::Found {
+        if risk_field::plan(query, &literal, &mut scratch, &mut ()).outcome != Outcome::Found {
             seeds.push(seed);
         }
     }

@@ -17,7 +17,7 @@ use crate::metrics::any_angle_length;
 use crate::metrics::grid as cells;
 use crate::planners::Obstruction;
 use crate::planners::grid_planner::GridPlanner;
-use crate::planners::query::{Detail, GridReport, GridScratch, Query, Status};
+use crate::planners::query::{Detail, GridReport, GridScratch, Query};
 use crate::planners::registry::PlannerId;
 #[cfg(feature = "complete")]
 use crate::planners::risk_field;
@@ -192,17 +192,17 @@ impl Finish<'_> {
         let near = NEAR.max(world.frame.resolution);
         #[cfg(not(feature = "complete"))]
         let _ = traced;
-        let mut plan = measured(world, outcome(report.status), driven, near);
+        let mut plan = measured(world, report.outcome, driven, near);
         plan.detail = report.detail.map(Detail::as_str);
         plan.reason = self.reason();
-        if report.status == Status::NoPath {
+        if report.outcome == Outcome::NoPath {
             let at = world.frame.center(report.closest);
             plan.obstruction = Some(Obstruction::Nearest { at, heading: None });
         }
         plan.raw_path = report.cells.iter().map(|&c| world.frame.center(c)).collect();
         plan.stats = stats(report);
         plan.stats.memory_bytes = report.bytes + self.rasters.bytes(world) as u64;
-        if report.status == Status::Found {
+        if report.outcome == Outcome::Found {
             plan.metrics.grid = Some(self.metrics(&pruned, &shortest, &smoothed, &pieces));
             #[cfg(feature = "complete")]
             if traced {
@@ -268,21 +268,23 @@ impl Finish<'_> {
         let geometry = &self.world.geometry;
         let space =
             if self.settings.inflation == Inflation::None { "" } else { " or in the safety space around it" };
-        Some(match self.report.status {
-            Status::Found => return None,
-            Status::StartOutside => format!("The start {} is off the map.", at(geometry.start)),
-            Status::GoalOutside => format!("The goal {} is off the map.", at(geometry.goal)),
-            Status::StartBlocked => format!("The start {} is inside an obstacle{space}.", at(geometry.start)),
-            Status::GoalBlocked => format!("The goal {} is inside an obstacle{space}.", at(geometry.goal)),
-            Status::BudgetSpent => format!("Stopped after {} expansions.", self.report.expanded),
+        Some(match self.report.outcome {
+            Outcome::Found => return None,
+            Outcome::StartOutside => format!("The start {} is off the map.", at(geometry.start)),
+            Outcome::GoalOutside => format!("The goal {} is off the map.", at(geometry.goal)),
+            Outcome::StartBlocked => {
+                format!("The start {} is inside an obstacle{space}.", at(geometry.start))
+            }
+            Outcome::GoalBlocked => format!("The goal {} is inside an obstacle{space}.", at(geometry.goal)),
+            Outcome::BudgetSpent => format!("Stopped after {} expansions.", self.report.expanded),
             #[cfg(feature = "complete")]
-            Status::NoPath if self.report.detail == Some(Detail::Stranded) => {
+            Outcome::NoPath if self.report.detail == Some(Detail::Stranded) => {
                 format!(
                     "There is a path, but this rule missed it: {} cells were searched.",
                     self.report.expanded
                 )
             }
-            Status::NoPath => {
+            Outcome::NoPath => {
                 let near = self.world.frame.center(self.report.closest);
                 format!(
                     "No way through: all {} cells that can be reached were searched; the nearest to the goal is \
@@ -294,18 +296,6 @@ impl Finish<'_> {
     }
 }
 
-pub(super) fn outcome(status: Status) -> Outcome {
-    match status {
-        Status::Found => Outcome::Found,
-        Status::NoPath => Outcome::NoPath,
-        Status::BudgetSpent => Outcome::BudgetSpent,
-        Status::StartBlocked => Outcome::StartBlocked,
-        Status::GoalBlocked => Outcome::GoalBlocked,
-        Status::StartOutside => Outcome::StartOutside,
-        Status::GoalOutside => Outcome::GoalOutside,
-    }
-}
-
 fn stats(report: &GridReport) -> Stats {
     Stats {
         expanded: report.expanded,
@@ -314,7 +304,7 @@ fn stats(report: &GridReport) -> Stats {
         open_peak: report.open_peak,
         deferred: Some(report.deferred),
         los_calls: Some(report.los_calls),
-        cost_micro: (report.status == Status::Found).then_some(report.cost_micro),
+        cost_micro: (report.outcome == Outcome::Found).then_some(report.cost_micro),
         ..Stats::default()
     }
 }

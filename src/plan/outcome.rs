@@ -9,6 +9,7 @@ use serde::Serialize;
 use crate::geometry::{Point, Pose, arcs, math};
 use crate::metrics::Check;
 use crate::planners::Obstruction;
+pub use crate::planners::Outcome;
 use crate::planners::hybrid::FailedExpansions;
 #[cfg(feature = "complete")]
 use crate::planners::hybrid::PoseRecording;
@@ -16,40 +17,6 @@ use crate::planners::hybrid::PoseRecording;
 use crate::scenario::GoalPose;
 #[cfg(feature = "complete")]
 use crate::search::Recording;
-
-/// How planning ended; no path is an outcome, not an error.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Outcome {
-    /// There is a path.
-    Found,
-    /// There is none at these settings.
-    NoPath,
-    /// The expansion budget was spent first.
-    BudgetSpent,
-    /// The start is inside an obstacle.
-    StartBlocked,
-    /// The goal is inside an obstacle.
-    GoalBlocked,
-    /// The start is off the map.
-    StartOutside,
-    /// The goal is off the map.
-    GoalOutside,
-}
-
-impl Outcome {
-    /// The word of the JS API.
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::Found => "found",
-            Self::NoPath => "no-path",
-            Self::BudgetSpent => "budget-spent",
-            Self::StartBlocked => "start-blocked",
-            Self::GoalBlocked => "goal-blocked",
-            Self::StartOutside => "start-outside",
-            Self::GoalOutside => "goal-outside",
-        }
-    }
-}
 
 /// Counters of the search.
 #[derive(Debug, Clone, Default, Serialize)]

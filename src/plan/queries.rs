@@ -1,7 +1,7 @@
 //! Other ends than the scene's, and the search of a grid planner alone.
 
 #[cfg(feature = "complete")]
-use super::{Engine, grid};
+use super::Engine;
 use super::{Options, Outcome, Plan, Planner};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::{Point, Pose};
@@ -110,7 +110,7 @@ impl Planner {
         };
         let report = engine.search(&self.world, start, goal, &mut Watch::default());
         Ok(Found {
-            outcome: grid::outcome(report.status),
+            outcome: report.outcome,
             path: report.cells.iter().map(|&cell| self.world.frame.center(cell)).collect(),
             cost_micro: report.cost_micro,
             expanded: report.expanded,

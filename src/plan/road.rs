@@ -10,7 +10,7 @@ use crate::geometry::{Point, Pose, Vector};
 use crate::metrics::road::{self, RoadMetrics};
 use crate::metrics::{FAR, Verdict};
 use crate::planners::cost_map::{
-    Config, CostMap, Curves, Query, Report, RoadRasters, Scratch, Smoothing, Status, Traffic, corners, dense,
+    Config, CostMap, Curves, Query, Report, RoadRasters, Scratch, Smoothing, Traffic, corners, dense,
     is_excluded, kerb_distances, paper_spline, plan,
 };
 use crate::scenario::Scenario;
@@ -75,7 +75,7 @@ impl Engine {
         let mut report = plan(&self.query(world, false), &self.config, &mut scratch, &mut watch);
         let (mut line, mut plan) = self.driven(world, &report);
         let is_bad = line.fell_back || plan.check.verdict == Verdict::Collides;
-        if report.has_margin && report.status == Status::Found && is_bad {
+        if report.has_margin && report.outcome == Outcome::Found && is_bad {
             // A way with the margin that no car can drive is none.
             let mut before = watch.0.take();
             watch.0 = before.as_mut().map(Trace::restart);
@@ -92,7 +92,7 @@ impl Engine {
             trace.flush();
         }
         let query = self.query(world, false);
-        let found = report.status == Status::Found;
+        let found = report.outcome == Outcome::Found;
         if line.curve.is_none() && line.chords.len() > 2 {
             plan.metrics.max_curvature = None;
         }
@@ -140,8 +140,8 @@ impl Engine {
     /// The line that the car follows and the checked plan of following it.
     fn driven(&self, world: &World, report: &Report) -> (Line, Plan) {
         let line = self.line(world, report);
-        let driven = if report.status == Status::Found { drive(world, &line) } else { Driven::default() };
-        let outcome = outcome(world, &self.query(world, false), report.status);
+        let driven = if report.outcome == Outcome::Found { drive(world, &line) } else { Driven::default() };
+        let outcome = outcome(world, &self.query(world, false), report.outcome);
         let plan = measured(world, outcome, driven, NEAR.max(world.frame.resolution));
         (line, plan)
     }
@@ -251,16 +251,12 @@ fn drive(world: &World, line: &Line) -> Driven {
     tractrix(&world.geometry, &places)
 }
 
-fn outcome(world: &World, query: &Query, status: Status) -> Outcome {
+fn outcome(world: &World, query: &Query, outcome: Outcome) -> Outcome {
     let outside = |point: Point| world.frame.cell_at(point).is_none();
-    match status {
-        Status::Found => Outcome::Found,
-        Status::NoPath => Outcome::NoPath,
-        Status::BudgetSpent => Outcome::BudgetSpent,
-        Status::StartBlocked if outside(query.start) => Outcome::StartOutside,
-        Status::StartBlocked => Outcome::StartBlocked,
-        Status::GoalBlocked if outside(query.goal) => Outcome::GoalOutside,
-        Status::GoalBlocked => Outcome::GoalBlocked,
+    match outcome {
+        Outcome::StartBlocked if outside(query.start) => Outcome::StartOutside,
+        Outcome::GoalBlocked if outside(query.goal) => Outcome::GoalOutside,
+        outcome => outcome,
     }
 }
 
@@ -272,12 +268,12 @@ fn reason(query: &Query, report: &Report) -> Option<String> {
             at.x, at.y, query.radius
         )
     };
-    Some(match report.status {
-        Status::Found => return None,
-        Status::StartBlocked => room("start", query.start),
-        Status::GoalBlocked => room("goal", query.goal),
-        Status::BudgetSpent => format!("Stopped after {} expansions.", report.expanded),
-        Status::NoPath => format!(
+    Some(match report.outcome {
+        Outcome::Found => return None,
+        Outcome::StartBlocked | Outcome::StartOutside => room("start", query.start),
+        Outcome::GoalBlocked | Outcome::GoalOutside => room("goal", query.goal),
+        Outcome::BudgetSpent => format!("Stopped after {} expansions.", report.expanded),
+        Outcome::NoPath => format!(
             "No way through: all {} cells that can be reached with {:.2} m of room to each side were searched.",
             report.generated, query.radius
         ),

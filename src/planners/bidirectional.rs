@@ -4,11 +4,12 @@
 //! by default the search stops where they meet, which is fast but not always the cheapest; NBA* (Pijls and Post 2009)
 //! goes on until nothing cheaper can exist. Estimates are the exact costs over an empty map.
 
+use super::Outcome;
 use super::grid_lattice::Grid;
 use super::heuristics::{Chosen, Estimate, Heuristic, Octile};
 use super::moves::Neighbourhood;
 use super::parameters::{Form, parameters, spec};
-use super::query::{Detail, GridReport, GridScratch, Query, Status};
+use super::query::{Detail, GridReport, GridScratch, Query};
 use super::settings::Common;
 use super::weighted::Weighted;
 use crate::json;
@@ -60,10 +61,10 @@ pub fn plan<O: Observer<i64, ()>>(
         return report;
     }
     let mut report = stopped(query, config, scratch, observer);
-    if report.status == Status::NoPath && config.stop == Stop::Naive {
+    if report.outcome == Outcome::NoPath && config.stop == Stop::Naive {
         // Silent, but of the type that plans are watched with: a second copy of the search saves nothing.
         let sound = Config { stop: Stop::First, ..*config };
-        if stopped(query, &sound, scratch, &mut Watch::default()).status == Status::Found {
+        if stopped(query, &sound, scratch, &mut Watch::default()).outcome == Outcome::Found {
             report.detail = Some(Detail::Stranded);
         }
     }

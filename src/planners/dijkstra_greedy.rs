@@ -4,12 +4,13 @@
 //! search orders them by the straight distance to the goal alone: it keeps the first way that it finds to each
 //! cell, so its path can be far from the shortest.
 
+use super::Outcome;
 use super::grid_astar::record_grid;
 use super::grid_lattice::Grid;
 use super::heuristics::{Chosen, Heuristic};
 use super::moves::{Neighbourhood, cost};
 use super::parameters::{Form, parameters, spec};
-use super::query::{GridReport, GridScratch, Query, Status};
+use super::query::{GridReport, GridScratch, Query};
 use super::settings::Common;
 use super::weighted::Weighted;
 use crate::search::one_way;
@@ -61,7 +62,7 @@ pub fn dijkstra<O: Observer<i64, ()>>(
         let found = one_way(&grid, ends, most, &mut scratch.lattice, observer);
         GridReport::along(&query, &found, grid.los_calls())
     };
-    if report.status == Status::NoPath {
+    if report.outcome == Outcome::NoPath {
         // Without an estimate no expanded cell is nearer than another.
         report.closest = greedy(query, config, scratch, observer).closest;
     }

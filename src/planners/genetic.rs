@@ -8,9 +8,10 @@
 //! a tournament of three. A child takes the head of one parent and the tail of another; some children are changed at
 //! random, and half of these changes repair a leg that is not free.
 
+use super::Outcome;
 use super::moves::{D, cost};
 use super::parameters::{Form, parameters, spec};
-use super::query::{GridReport, GridScratch, Query, Status};
+use super::query::{GridReport, GridScratch, Query};
 use super::settings::Common;
 use crate::geometry::math::sorted_by;
 use crate::map::{Cell, line_of_sight};
@@ -79,12 +80,13 @@ struct Evolution<'a> {
 /// ```
 /// use parkade::map::{Cell, Occupancy};
 /// use parkade::planners::genetic::{Config, plan};
-/// use parkade::planners::query::{GridScratch, Query, Status};
+/// use parkade::planners::query::{GridScratch, Query};
+/// use parkade::planners::Outcome;
 ///
 /// let map = Occupancy::parse("....\n.##.\n....");
 /// let query = Query { map: &map, start: Cell::new(0, 0), goal: Cell::new(3, 2) };
 /// let report = plan(query, &Config::default(), &mut GridScratch::new(), &mut ());
-/// assert_eq!((report.status, report.cost_micro), (Status::Found, 5_000_000));
+/// assert_eq!((report.outcome, report.cost_micro), (Outcome::Found, 5_000_000));
 /// ```
 pub fn plan<O: Observer<i64, ()>>(
     query: Query,
@@ -237,7 +239,7 @@ impl Evolution<'_> {
 
     fn report(&self, best: Option<&Candidate>, expanded: u32) -> GridReport {
         let found = best.filter(|candidate| candidate.is_free);
-        let status = if found.is_some() { Status::Found } else { Status::BudgetSpent };
+        let outcome = if found.is_some() { Outcome::Found } else { Outcome::BudgetSpent };
         let candidate = size_of::<Candidate>() + GENES * size_of::<Cell>();
         GridReport {
             cells: found.map_or_else(Vec::new, |candidate| legs(&self.query, &candidate.genes)),
@@ -248,7 +250,7 @@ impl Evolution<'_> {
             los_calls: self.los_calls,
             open_peak: self.config.population,
             bytes: 2 * u64::from(self.config.population) * candidate as u64,
-            ..GridReport::empty(status, self.query.start)
+            ..GridReport::empty(outcome, self.query.start)
         }
     }
 }
@@ -287,7 +289,7 @@ mod tests {
             around_a_wall(&Config { seed, common, ..Config::DEFAULT })
         };
         assert_eq!(of(3, 2000), of(3, 2000));
-        assert!((1..20).all(|seed| of(seed, 20_000).status == Status::Found));
+        assert!((1..20).all(|seed| of(seed, 20_000).outcome == Outcome::Found));
         assert!((1..20).any(|seed| of(seed, 60) != of(1, 60)), "a choice that does not depend on the seed");
     }
 
@@ -300,7 +302,7 @@ mod tests {
         let lengths: Vec<_> = [200, 2000, 20_000]
             .map(of)
             .iter()
-            .filter(|r| r.status == Status::Found)
+            .filter(|r| r.outcome == Outcome::Found)
             .map(|r| r.cost_micro)
             .collect();
         assert!(lengths.len() >= 2 && lengths.is_sorted_by(|a, b| a >= b), "{lengths:?}");
@@ -311,7 +313,7 @@ mod tests {
         let map = Occupancy::parse("..#..\n..#..\n..#..");
         let query = Query { map: &map, start: Cell::new(0, 0), goal: Cell::new(4, 2) };
         let report = plan(query, &Config::default(), &mut GridScratch::new(), &mut ());
-        assert_eq!((report.status, report.expanded), (Status::BudgetSpent, 20_000));
+        assert_eq!((report.outcome, report.expanded), (Outcome::BudgetSpent, 20_000));
         assert!(report.cells.is_empty());
     }
 }

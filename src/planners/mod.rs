@@ -29,6 +29,7 @@ mod info;
 pub mod jump_point;
 pub mod moves;
 mod obstruction;
+mod outcome;
 mod parameters;
 pub mod query;
 pub mod registry;
@@ -39,3 +40,4 @@ pub mod settings;
 mod weighted;
 
 pub use obstruction::{Gap, Obstruction, Region};
+pub use outcome::Outcome;

@@ -3,9 +3,10 @@
 //! A query is a prepared map with two cells on it; metres, cars and headings are the business of those who ask. So one map
 //! serves any number of queries, and a planner can be tested and measured without a scene.
 
+use super::Outcome;
 use crate::map::{Cell, Occupancy};
 use crate::search::Found;
-use crate::search::{End, NodeId, PackedEntry, PackedScratch, WideEntry};
+use crate::search::{NodeId, PackedEntry, PackedScratch, WideEntry};
 #[cfg(feature = "complete")]
 use crate::search::{Report, Scratch};
 
@@ -20,26 +21,7 @@ pub struct Query<'a> {
     pub goal: Cell,
 }
 
-/// How a grid search ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Status {
-    /// There is a path.
-    Found,
-    /// Everything that can be reached was searched.
-    NoPath,
-    /// The expansion budget is spent.
-    BudgetSpent,
-    /// The start's cell is blocked; nothing was searched.
-    StartBlocked,
-    /// The goal's cell is blocked; nothing was searched.
-    GoalBlocked,
-    /// The start is not on the map; nothing was searched.
-    StartOutside,
-    /// The goal is not on the map; nothing was searched.
-    GoalOutside,
-}
-
-/// A finer word for [`Status::NoPath`].
+/// A finer word for [`Outcome::NoPath`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Detail {
     /// No path exists on this map.
@@ -62,7 +44,7 @@ impl Detail {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct GridReport {
     /// How the search ended.
-    pub status: Status,
+    pub outcome: Outcome,
     /// A finer word where there is no path.
     pub detail: Option<Detail>,
     /// The path from start to goal, one entry per move; empty where there is none.
@@ -115,21 +97,21 @@ impl Query<'_> {
 
     /// The answer that needs no search: start or goal outside or blocked, or start and goal the same cell.
     pub(super) fn trivial(&self) -> Option<GridReport> {
-        let status = if !self.map.contains(self.start) {
-            Status::StartOutside
+        let outcome = if !self.map.contains(self.start) {
+            Outcome::StartOutside
         } else if !self.map.contains(self.goal) {
-            Status::GoalOutside
+            Outcome::GoalOutside
         } else if self.map.blocked(self.start) {
-            Status::StartBlocked
+            Outcome::StartBlocked
         } else if self.map.blocked(self.goal) {
-            Status::GoalBlocked
+            Outcome::GoalBlocked
         } else if self.start == self.goal {
-            Status::Found
+            Outcome::Found
         } else {
             return None;
         };
-        let mut report = GridReport::empty(status, self.start);
-        if status == Status::Found {
+        let mut report = GridReport::empty(outcome, self.start);
+        if outcome == Outcome::Found {
             report.cells = vec![self.start];
             report.generated = 1;
         }
@@ -139,9 +121,9 @@ impl Query<'_> {
 
 impl GridReport {
     /// An answer without a path, all of its counters at 0.
-    pub(super) fn empty(status: Status, closest: Cell) -> Self {
+    pub(super) fn empty(outcome: Outcome, closest: Cell) -> Self {
         Self {
-            status,
+            outcome,
             detail: None,
             cells: Vec::new(),
             cost_micro: 0,
@@ -166,7 +148,7 @@ impl GridReport {
         scratch: &Scratch<f64, Cell>,
         los_calls: u32,
     ) -> Self {
-        let status = status(search.end);
+        let outcome = Outcome::from(search.end);
         let mut report = Self {
             expanded: search.expanded,
             generated: search.generated,
@@ -174,10 +156,10 @@ impl GridReport {
             los_calls,
             open_peak: search.open_peak,
             bytes: Scratch::<f64, Cell>::bytes(query.map.len(), search.open_peak) as u64,
-            detail: (status == Status::NoPath).then_some(Detail::Unreachable),
-            ..Self::empty(status, query.map.cell(search.closest.1))
+            detail: (outcome == Outcome::NoPath).then_some(Detail::Unreachable),
+            ..Self::empty(outcome, query.map.cell(search.closest.1))
         };
-        if let (Status::Found, Some((last, ..))) = (status, &search.found) {
+        if let (Outcome::Found, Some((last, ..))) = (outcome, &search.found) {
             report.cells = scratch.chain(*last).into_iter().map(|(_, cell)| cell).collect();
         }
         report
@@ -185,7 +167,7 @@ impl GridReport {
 
     /// The answer of a search over the map's cells by number.
     pub(super) fn along(query: &Query, found: &Found, los_calls: u32) -> Self {
-        let status = status(found.end);
+        let outcome = Outcome::from(found.end);
         Self {
             cells: found.nodes.iter().map(|&node| query.map.cell(node)).collect(),
             cost_micro: found.cost,
@@ -197,16 +179,8 @@ impl GridReport {
             los_calls,
             open_peak: found.open_peak,
             bytes: found.bytes,
-            detail: (status == Status::NoPath).then_some(Detail::Unreachable),
-            ..Self::empty(status, query.map.cell(found.closest))
+            detail: (outcome == Outcome::NoPath).then_some(Detail::Unreachable),
+            ..Self::empty(outcome, query.map.cell(found.closest))
         }
-    }
-}
-
-fn status(end: End) -> Status {
-    match end {
-        End::Found => Status::Found,
-        End::Exhausted => Status::NoPath,
-        End::BudgetSpent => Status::BudgetSpent,
     }
 }

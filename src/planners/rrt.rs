@@ -8,9 +8,10 @@
 //! towards it, if that is free. Random cells lie more often near large unexplored regions, which is what pulls the tree
 //! outward. The nearest cell is found by looking at the whole tree, so n expansions take O(n²).
 
+use super::Outcome;
 use super::moves::{D, cost, euclid};
 use super::parameters::{Form, parameters, spec};
-use super::query::{GridReport, GridScratch, Query, Status};
+use super::query::{GridReport, GridScratch, Query};
 use super::settings::Common;
 use crate::map::{Cell, line_of_sight};
 use crate::scenario::generate::SplitMix64;
@@ -98,13 +99,14 @@ impl Tree {
 ///
 /// ```
 /// use parkade::map::{Cell, Occupancy};
-/// use parkade::planners::query::{GridScratch, Query, Status};
+/// use parkade::planners::query::{GridScratch, Query};
+/// use parkade::planners::Outcome;
 /// use parkade::planners::rrt::{Config, plan};
 ///
 /// let map = Occupancy::parse("....\n.##.\n....");
 /// let query = Query { map: &map, start: Cell::new(0, 0), goal: Cell::new(3, 2) };
 /// let report = plan(query, &Config::default(), &mut GridScratch::new(), &mut ());
-/// assert_eq!((report.status, report.cells.last()), (Status::Found, Some(&query.goal)));
+/// assert_eq!((report.outcome, report.cells.last()), (Outcome::Found, Some(&query.goal)));
 /// ```
 pub fn plan<O: Observer<i64, ()>>(
     query: Query,
@@ -125,8 +127,8 @@ pub fn plan<O: Observer<i64, ()>>(
     let mut random = SplitMix64::new(u64::from(config.seed));
     let mut budget = Budget::new(config.common.max_expansions, observer);
     let (mut expanded, mut los_calls) = (0, 0);
-    let mut status = Status::BudgetSpent;
-    while status != Status::Found && !budget.is_spent(expanded, observer) {
+    let mut outcome = Outcome::BudgetSpent;
+    while outcome != Outcome::Found && !budget.is_spent(expanded, observer) {
         let towards = sample(&query, config, &mut random);
         let place = tree.nearest(towards);
         let from = tree.cells[place];
@@ -140,11 +142,11 @@ pub fn plan<O: Observer<i64, ()>>(
         if line_of_sight(query.map, from, to, config.common.corner) {
             tree.add(&query, to, place);
             if to == query.goal {
-                status = Status::Found;
+                outcome = Outcome::Found;
             }
         }
     }
-    report(&query, &tree, status, [expanded, los_calls])
+    report(&query, &tree, outcome, [expanded, los_calls])
 }
 
 /// The goal with a probability of the bias, otherwise any free cell of the map.
@@ -174,8 +176,8 @@ fn leg(from: Cell, towards: Cell, step: f64) -> Cell {
     from.offset(part(dx), part(dy))
 }
 
-fn report(query: &Query, tree: &Tree, status: Status, [expanded, los_calls]: [u32; 2]) -> GridReport {
-    let found = status == Status::Found;
+fn report(query: &Query, tree: &Tree, outcome: Outcome, [expanded, los_calls]: [u32; 2]) -> GridReport {
+    let found = outcome == Outcome::Found;
     let size = tree.cells.len();
     let bytes = query.map.len() + size * (size_of::<Cell>() + size_of::<u32>() + size_of::<i64>());
     GridReport {
@@ -187,7 +189,7 @@ fn report(query: &Query, tree: &Tree, status: Status, [expanded, los_calls]: [u3
         los_calls,
         open_peak: size as u32,
         bytes: bytes as u64,
-        ..GridReport::empty(status, tree.cells[tree.nearest(query.goal)])
+        ..GridReport::empty(outcome, tree.cells[tree.nearest(query.goal)])
     }
 }
 
@@ -231,6 +233,6 @@ mod tests {
         let report = plan(query, &config, &mut GridScratch::new(), &mut ());
         assert_eq!((report.expanded, report.cost_micro), (4, 17 * D));
         let stuck = around_a_wall(&config);
-        assert_eq!((stuck.status, stuck.expanded), (Status::BudgetSpent, 20_000));
+        assert_eq!((stuck.outcome, stuck.expanded), (Outcome::BudgetSpent, 20_000));
     }
 }

@@ -4,10 +4,11 @@ use std::cell::Cell as Counter;
 use std::rc::Rc;
 
 use parkade::map::{Cell, Occupancy};
+use parkade::planners::Outcome;
 use parkade::planners::grid_astar::{self, Config};
 use parkade::planners::heuristics::Heuristic;
 use parkade::planners::moves::Neighbourhood;
-use parkade::planners::query::{GridReport, GridScratch, Query, Status};
+use parkade::planners::query::{GridReport, GridScratch, Query};
 use parkade::scenario::generate::{self, Family};
 use serde_json::Value;
 
@@ -37,7 +38,7 @@ impl Golden {
         let config = Config { heuristic, ..Config::new(neighbourhood) };
         config.validate_for(neighbourhood).unwrap();
         let report = grid_astar::plan(self.query(), neighbourhood, &config, &mut GridScratch::new(), &mut ());
-        assert_eq!(report.status, Status::Found);
+        assert_eq!(report.outcome, Outcome::Found);
         report
     }
 

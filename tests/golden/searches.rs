@@ -3,9 +3,10 @@
 use parkade::map::{Bits, Corner};
 use parkade::metrics::any_angle_length;
 use parkade::metrics::grid::length;
+use parkade::planners::Outcome;
 use parkade::planners::heuristics::Heuristic;
 use parkade::planners::moves::Neighbourhood;
-use parkade::planners::query::{GridScratch, Query, Status};
+use parkade::planners::query::{GridScratch, Query};
 use parkade::planners::{any_angle, bidirectional, jump_point, risk_field};
 use parkade::post::SmoothMode;
 use parkade::post::{prune, prune_dp, smooth};
@@ -43,7 +44,7 @@ fn searches_from_both_ends_cost_the_same() {
         for (name, stop) in [("nba", Stop::Optimal), ("first", Stop::First), ("best", Stop::Best)] {
             let config = bidirectional::Config { stop, ..bidirectional::Config::default() };
             let report = bidirectional::plan(golden.query(), &config, &mut GridScratch::new(), &mut ());
-            assert_eq!(report.status, Status::Found);
+            assert_eq!(report.outcome, Outcome::Found);
             golden.equal(&format!("/bidirectional16_cost_micro/{name}"), report.cost_micro);
         }
     }
@@ -85,7 +86,7 @@ fn risk_searches_count_and_cost_the_same() {
         for (name, config) in planners {
             config.validate().unwrap();
             let report = risk_field::plan(golden.query(), &config, &mut GridScratch::new(), &mut ());
-            assert_eq!(report.status, Status::Found);
+            assert_eq!(report.outcome, Outcome::Found);
             golden.equal(&format!("/{name}/cost_micro"), report.cost_micro);
             golden.equal(&format!("/{name}/expanded"), report.expanded);
             golden.equal(&format!("/{name}/generated"), report.generated);

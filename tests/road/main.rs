@@ -12,8 +12,9 @@ mod search;
 use parkade::geometry::{Point, Pose};
 use parkade::map::{Cell, Frame};
 use parkade::plan::{Options, Plan, Planner};
+use parkade::planners::Outcome;
 use parkade::planners::cost_map::{
-    Config, CostMap, Query, Report, RoadRasters, Scratch, Status, Traffic, kerb_distances, plan,
+    Config, CostMap, Query, Report, RoadRasters, Scratch, Traffic, kerb_distances, plan,
 };
 use parkade::scenario::{Scenario, catalog};
 use parkade::search::Watch;
@@ -79,7 +80,7 @@ pub(crate) fn length(cells: &[Cell]) -> f64 {
 /// Neighbouring cells with room, no corner cut, from start to goal.
 pub(crate) fn sound(scene: &Scene, report: &Report) {
     let ground = &scene.ground;
-    assert_eq!(report.status, Status::Found);
+    assert_eq!(report.outcome, Outcome::Found);
     let room = |cell: Cell| ground.at(cell) >= 0.95;
     for pair in report.cells.windows(2) {
         let (dx, dy) = (pair[1].x - pair[0].x, pair[1].y - pair[0].y);

@@ -5,7 +5,8 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use parkade::geometry::Point;
 use parkade::map::Cell;
-use parkade::planners::cost_map::{Base, Config, Costs, Pruning, Status, corners};
+use parkade::planners::Outcome;
+use parkade::planners::cost_map::{Base, Config, Costs, Pruning, corners};
 use parkade::scenario::{Scenario, catalog};
 use serde_json::json;
 
@@ -119,20 +120,23 @@ fn starts_without_room_are_moved_and_said() {
     let mut scene = Scene::new("road-narrow");
     scene.start = Point::new(10.25, 0.25);
     let report = scene.plan(&Config::default());
-    assert_eq!((report.status, report.moved), (Status::Found, [1.0, 0.0]));
+    assert_eq!((report.outcome, report.moved), (Outcome::Found, [1.0, 0.0]));
     scene.start = Point::new(10.25, -0.75);
-    assert_eq!(scene.plan(&Config::default()).status, Status::StartBlocked);
+    assert_eq!(scene.plan(&Config::default()).outcome, Outcome::StartBlocked);
     scene.start = Point::new(10.25, 3.25);
     scene.goal = Point::new(45.25, 1.0);
-    assert_eq!(scene.plan(&Config::default()).status, Status::GoalBlocked);
+    assert_eq!(scene.plan(&Config::default()).outcome, Outcome::GoalBlocked);
     scene.goal = Point::new(900.0, 3.25);
-    assert_eq!(scene.plan(&Config::default()).status, Status::GoalBlocked);
+    assert_eq!(scene.plan(&Config::default()).outcome, Outcome::GoalBlocked);
     scene.goal = scene.start;
     let still = scene.plan(&Config::default());
-    assert_eq!((still.status, still.cells.len(), still.pruned.len(), still.cost), (Status::Found, 1, 1, 0.0));
+    assert_eq!(
+        (still.outcome, still.cells.len(), still.pruned.len(), still.cost),
+        (Outcome::Found, 1, 1, 0.0)
+    );
     let short = Config { max_expansions: 3, ..Config::default() };
     scene.goal = Point::new(100.0, 3.25);
-    assert_eq!(scene.plan(&short).status, Status::BudgetSpent);
+    assert_eq!(scene.plan(&short).outcome, Outcome::BudgetSpent);
 }
 
 #[test]
@@ -143,7 +147,7 @@ fn a_closed_road_has_no_path() {
     value["obstacles"] = json!([barrier]);
     scenario = Scenario::from_json(&value).unwrap();
     let scene = Scene::of(scenario);
-    assert_eq!(scene.plan(&Config::default()).status, Status::NoPath);
+    assert_eq!(scene.plan(&Config::default()).outcome, Outcome::NoPath);
 }
 
 #[test]

@@ -20,10 +20,11 @@ pub use prune::corners;
 pub use road_rasters::{RoadRasters, kerb_distances};
 pub use smooth::{Smooth, Smoothing, dense, paper_spline, smooth};
 
+use super::Outcome;
 use crate::geometry::{Point, math};
 use crate::map::Cell;
 use crate::scenario::{Lane, SpeedLimit};
-use crate::search::{End, Limits, NodeId, Watch, best_first};
+use crate::search::{Limits, NodeId, Watch, best_first};
 use domain::{FifoTies, LifoTies, Road};
 use prune::Chords;
 
@@ -56,26 +57,11 @@ pub struct Query<'a> {
     pub less: bool,
 }
 
-/// How planning ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Status {
-    /// There is a path.
-    Found,
-    /// There is none.
-    NoPath,
-    /// The expansion budget was spent first.
-    BudgetSpent,
-    /// The start is no road, or has no room within 1.5 m.
-    StartBlocked,
-    /// The goal is no road, or has no room within 1.5 m.
-    GoalBlocked,
-}
-
 /// The result of a query and its counters.
 #[derive(Debug, Clone)]
 pub struct Report {
-    /// How it ended.
-    pub status: Status,
+    /// How it ended; blocked where there is no road, or no room within 1.5 m.
+    pub outcome: Outcome,
     /// Neighbouring cells from start to goal.
     pub cells: Vec<Cell>,
     /// Those that pruning kept.
@@ -109,7 +95,7 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, watch: &mut W
     let ground = query.ground;
     let map = query.costs;
     let mut report = Report {
-        status: Status::NoPath,
+        outcome: Outcome::NoPath,
         cells: Vec::new(),
         pruned: Vec::new(),
         cost: 0.0,
@@ -123,11 +109,11 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, watch: &mut W
         bytes: 0,
     };
     let Some((_, root, away)) = snapped(query, query.start) else {
-        return Report { status: Status::StartBlocked, ..report };
+        return Report { outcome: Outcome::StartBlocked, ..report };
     };
     report.moved[0] = away;
     let Some((goal, last, away)) = snapped(query, query.goal) else {
-        return Report { status: Status::GoalBlocked, ..report };
+        return Report { outcome: Outcome::GoalBlocked, ..report };
     };
     report.moved[1] = away;
     let memory = &mut scratch.0;
@@ -147,14 +133,10 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, watch: &mut W
         report.generated = next.generated;
         report.pushes += next.pushes;
         report.open_peak = report.open_peak.max(next.open_peak);
-        report.status = match next.end {
-            End::Found => Status::Found,
-            End::BudgetSpent => Status::BudgetSpent,
-            End::Exhausted => Status::NoPath,
-        };
+        report.outcome = next.end.into();
         found = next.found;
         report.has_margin = strict;
-        if report.status != Status::NoPath || report.expanded >= config.max_expansions {
+        if report.outcome != Outcome::NoPath || report.expanded >= config.max_expansions {
             break;
         }
     }

@@ -15,12 +15,13 @@ use super::grid_astar;
 use super::heuristics::{DistanceWeight, Heuristic as GridHeuristic};
 use super::moves::Neighbourhood;
 use super::parameters::{Form, parameters, spec};
-use super::query::{Detail, GridReport, GridScratch, Query, Status};
+use super::query::{Detail, GridReport, GridScratch, Query};
 use super::settings::{Common, Post};
 use super::weighted::Weighted;
 use crate::json;
 use crate::map::Corner;
 use crate::map::risk::{Attraction, FieldSettings, ObstacleSet, PotentialField};
+use crate::planners::Outcome;
 use crate::search::lattice::Deferral;
 use crate::search::one_way_deferring;
 use crate::search::{Observer, Watch};
@@ -217,7 +218,7 @@ pub fn plan<O: Observer<i64, ()>>(
         GridReport::along(&query, &found, grid.los_calls())
     };
     let incomplete = matches!(config.fallback, Fallback::StuckOnly | Fallback::None);
-    if report.status == Status::NoPath && incomplete && is_reachable(query, config.common.corner, scratch) {
+    if report.outcome == Outcome::NoPath && incomplete && is_reachable(query, config.common.corner, scratch) {
         report.detail = Some(Detail::Stranded);
     }
     report
@@ -246,7 +247,7 @@ fn is_reachable(query: Query, corner: Corner, scratch: &mut GridScratch) -> bool
     let config =
         grid_astar::Config { heuristic: GridHeuristic::Octile, common, ..grid_astar::Config::new(eight) };
     // Silent, but of the type that plans are watched with: a second copy of the search saves nothing.
-    grid_astar::plan(query, eight, &config, scratch, &mut Watch::default()).status == Status::Found
+    grid_astar::plan(query, eight, &config, scratch, &mut Watch::default()).outcome == Outcome::Found
 }
 
 fn permille(weight: f64) -> i64 {
