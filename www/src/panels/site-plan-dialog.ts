@@ -97,7 +97,7 @@ export class SitePlanDialog extends DialogElement {
           ${this.field("around", this.around, "m", (value) => {
             this.around = value;
           })}
-          ${plan.notes.map((note) => html`<p>${reasonIn(lang, sentence(note))}</p>`)}
+          ${("reason" in made ? plan : made).notes.map((note) => html`<p>${reasonIn(lang, sentence(note))}</p>`)}
           ${"reason" in made ? html`<p class="fault" role="alert">${reasonIn(lang, made.reason)}</p>` : html`<p aria-live="polite">${say(lang, "found", made.counts)} ${this.size(made)}</p>`}
           <button class="button solid" ?disabled=${"reason" in made}>${say(lang, "open")}</button></div></form></div>`;
   }
