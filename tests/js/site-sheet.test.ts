@@ -3,7 +3,7 @@ import { init, Planner, scenario, type Plan, type Scenario } from "parkade";
 import { beforeAll, expect, it } from "vitest";
 import { wayCsv } from "../../www/src/panels/way-csv";
 import { dxfOf } from "../../www/src/picture/dxf-file";
-import { boxOfDrawing, PAPERS, paperFor, printPage, sheetSvg } from "../../www/src/picture/scale-sheet";
+import { boxOfDrawing, PAPERS, paperFor, printPage, SCALES, sheetSvg } from "../../www/src/picture/scale-sheet";
 import { DRAWING_LAYERS, siteDrawing } from "../../www/src/picture/site-drawing";
 import { readSitePlan } from "../../www/src/siteplan/read-site-plan";
 
@@ -65,7 +65,7 @@ it("DXF is read again with the same lines on the same layers", () => {
   expect(dxfOf(drawing, new Set(["path"]))).not.toContain("\r\nBODY\r\n10");
 });
 
-it.each([50, 100, 200, 500])("at 1:%i a metre is so many millimetres", (scale) => {
+it.each(SCALES)("at 1:%i a metre is so many millimetres", (scale) => {
   const { svg, paper } = sheetOf(scale),
     [width, height] = PAPERS[paper];
   expect(svg).toContain(`width="${width}mm" height="${height}mm" viewBox="0 0 ${width} ${height}"`);
@@ -88,6 +88,8 @@ it("the paper is the smallest on which the drawing fits, or none", () => {
   expect(paperFor(box(25), 100)).toBe("A4");
   expect(paperFor(box(35), 100)).toBe("A3");
   expect(paperFor(box(200), 100)).toBeNull();
+  // The widest plan, as high as wide, has its paper.
+  expect(paperFor({ minX: 0, minY: 0, maxX: 1000, maxY: 1000 }, SCALES.at(-1)!)).not.toBeNull();
   expect(() =>
     sheetSvg({
       drawing: {

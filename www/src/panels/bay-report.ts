@@ -33,7 +33,7 @@ export function saveReport({ store }: App): void {
 export function reportPage(scene: Scene, check: BayCheck, lang: Lang): string {
   const drawing = siteDrawing(scene, null, { every: 0 }),
     box = boxOfDrawing(drawing),
-    scale = SCALES.find((one) => paperFor(box, one) === "A4") ?? SCALES.find((one) => paperFor(box, one)) ?? 500;
+    scale = SCALES.find((one) => paperFor(box, one) === "A4") ?? SCALES.find((one) => paperFor(box, one)) ?? 2000;
   const { asked, reachable, hard } = countBays(check),
     title = scene.name || sayBays(lang, "title");
   const sheet: Sheet = {

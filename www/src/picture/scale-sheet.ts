@@ -6,7 +6,7 @@ import { DRAWING_LAYERS, type DrawingLayer, type SiteDrawing } from "./site-draw
 /** Landscape, millimetres. */
 export const PAPERS = { A4: [297, 210], A3: [420, 297], A2: [594, 420], A1: [841, 594], A0: [1189, 841] } as const;
 export type Paper = keyof typeof PAPERS;
-export const SCALES = [50, 100, 200, 500] as const;
+export const SCALES = [50, 100, 200, 500, 1000, 2000] as const;
 
 const EDGE = 10,
   /** Of the title block. */
