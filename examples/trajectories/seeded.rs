@@ -25,7 +25,10 @@ struct Seeded {
     strays: f64,
     /// How often a car brakes and speeds up again without a stop.
     dips: Vec<f64>,
+    /// Of optimising.
     millis: Vec<f64>,
+    /// Of planning and optimising.
+    both: Vec<f64>,
 }
 
 impl Seeded {
@@ -44,6 +47,7 @@ impl Seeded {
         self.strays = self.strays.max(strays(&made.geometry, driven));
         self.dips.push(f64::from(dips(driven)));
         self.millis.push(made.millis.1);
+        self.both.push(made.millis.0 + made.millis.1);
         if !is_optimised || !driven.check.passes() || duration > straight + 1e-9 {
             println!(
                 "{name}: {}, {duration:.2} s, slow {slow:.2} s, with straight wheels {straight:.2} s, \
@@ -57,12 +61,13 @@ impl Seeded {
     }
 
     fn print(&mut self, kind: &str) {
-        let worst = self.millis.iter().copied().fold(0.0, f64::max);
+        let worst = |millis: &[f64]| millis.iter().copied().fold(0.0, f64::max);
+        let (optimise, both) = (worst(&self.millis), worst(&self.both));
         println!(
             "{kind}: {} plans, {} optimised, {} pass, {} longer than slow, {} also \
              where slow ends with straight wheels; of slow's time {:.2} in the median, {:.2} at most; a \
              car strays {:.1} mm at most; it brakes and speeds up again {} times in the median; optimise {:.1} ms in \
-             the median, {worst:.1} at most",
+             the median, {optimise:.1} at most, with planning {:.1} and {both:.1}",
             self.plans,
             self.optimised,
             self.passing,
@@ -73,6 +78,7 @@ impl Seeded {
             1000.0 * self.strays,
             median(&mut self.dips),
             median(&mut self.millis),
+            median(&mut self.both),
         );
     }
 }
