@@ -65,7 +65,7 @@ fn print(questions: impl Iterator<Item = Value>) -> Result<()> {
 fn help(name: &str) -> Result<()> {
     println!("{USAGE}");
     for Target { name, about, .. } in TARGETS {
-        println!("  {name:<10}{about}");
+        println!("  {name:<14}{about}");
     }
     if name == "--help" { Ok(()) } else { bail!("{name}: no target or option") }
 }
