@@ -55,22 +55,29 @@ impl Knots {
         }
     }
 
-    /// The functions of a degree that do not vanish at u: which control point the cubic ones begin with, and their
-    /// values.
-    pub(super) fn bases(&self, n: usize, u: f64, degree: usize) -> (usize, [f64; 4]) {
+    /// The cubic functions that do not vanish at u: which control point they begin with, and their values.
+    pub(super) fn bases(&self, n: usize, u: f64) -> (usize, [f64; 4]) {
+        let (first, [.., cubic]) = self.all_bases(n, u);
+        (first, cubic)
+    }
+
+    /// The same with the functions of degree 1 and 2 on the way to them.
+    fn all_bases(&self, n: usize, u: f64) -> (usize, [[f64; 4]; 3]) {
         let span = self.span(n, u);
+        let around = [0, 1, 2, 3, 4, 5].map(|k| self.at(n, span + k - 2));
         let mut values = [1.0, 0.0, 0.0, 0.0];
-        for d in 1..=degree {
+        let by_degree = [1, 2, 3].map(|d| {
             let mut saved = 0.0;
             for (r, value) in values[..d].iter_mut().enumerate() {
-                let (right, left) = (self.at(n, span + r + 1), self.at(n, span + r + 1 - d));
+                let (right, left) = (around[r + 3], around[r + 3 - d]);
                 let share = *value / (right - left);
                 *value = saved + (right - u) * share;
                 saved = (u - left) * share;
             }
             values[d] = saved;
-        }
-        (span - 3, values)
+            values
+        });
+        (span - 3, by_degree)
     }
 }
 
@@ -94,27 +101,26 @@ impl Place {
 }
 
 impl Spline {
-    /// The smoothest spline with `count` (at least 4) control points whose root mean square distance from `points` is
-    /// at most `sigma` metres, ends met exactly; the closest one where none is as close. `at[i]` is the u of point i,
-    /// `slopes` derivatives by u to have at the ends.
+    /// The smoothest uniform spline whose root mean square distance from `points` is at most `sigma` metres, ends met
+    /// exactly; the closest one where none is as close. `rows` are the points' own, `slopes` derivatives by u to have
+    /// at the ends.
     pub fn fit(
         points: &[Point],
-        at: &[f64],
+        rows: &Rows,
         weights: &[f64],
-        count: usize,
         sigma: f64,
         slopes: [Option<Vector>; 2],
     ) -> Self {
-        let rows: Vec<(usize, [f64; 4])> = at.iter().map(|&u| basis(count, u)).collect();
+        let count = rows.count;
         let ends = [points[0].coords, points[points.len() - 1].coords];
         let third = 1.0 / (3.0 * (count - 3) as f64);
         let mut fixed = vec![(0, ends[0]), (count - 1, ends[1])];
         fixed.extend(slopes[0].map(|slope| (1, ends[0] + slope * third)));
         fixed.extend(slopes[1].map(|slope| (count - 2, ends[1] - slope * third)));
-        let system = System::new(points, &rows, weights, count);
+        let system = System::new(points, &rows.values, weights, count);
         let solve =
             |power: f64| Self { controls: system.solve(&fixed, power10(power)), knots: Knots::Uniform };
-        let is_near = |spline: &Self| spline.distance(points, &rows) <= sigma;
+        let is_near = |spline: &Self| spline.distance(points, rows) <= sigma;
         let (mut low, mut high) = POWERS;
         let mut best = solve(high);
         if is_near(&best) {
@@ -137,7 +143,7 @@ impl Spline {
     /// are divided differences of these.
     pub fn at(&self, u: f64) -> Place {
         let n = self.controls.len();
-        let (first, values) = self.knots.bases(n, u, 3);
+        let (first, [linear, quadratic, cubic]) = self.knots.all_bases(n, u);
         let knot = |i: usize| self.knots.at(n, i);
         let zeroth = [0, 1, 2, 3].map(|k| self.controls[first + k].coords);
         // Control point k of a derivative depends on two of the function's.
@@ -151,18 +157,37 @@ impl Spline {
             controls.iter().zip(values).fold(Vector::zeros(), |sum, (c, v)| sum + c * v)
         };
         Place {
-            point: Point::from(sum(&zeroth, values)),
-            first: sum(&slopes, self.knots.bases(n, u, 2).1),
-            second: sum(&bends, self.knots.bases(n, u, 1).1),
+            point: Point::from(sum(&zeroth, cubic)),
+            first: sum(&slopes, quadratic),
+            second: sum(&bends, linear),
         }
     }
 
-    fn distance(&self, points: &[Point], rows: &[(usize, [f64; 4])]) -> f64 {
-        let sum = points.iter().zip(rows).fold(0.0, |sum, (point, (first, values))| {
-            let near = (0..4).fold(Vector::zeros(), |s, k| s + self.controls[first + k].coords * values[k]);
-            sum + (near - point.coords).norm_squared()
-        });
+    /// The places of rows.
+    pub fn points<'a>(&'a self, rows: &'a Rows) -> impl Iterator<Item = Point> + 'a {
+        rows.values.iter().map(|(first, values)| {
+            let controls = self.controls[*first..].iter().zip(values);
+            Point::from(controls.fold(Vector::zeros(), |sum, (c, v)| sum + c.coords * *v))
+        })
+    }
+
+    fn distance(&self, points: &[Point], rows: &Rows) -> f64 {
+        let sum = self.points(rows).zip(points).fold(0.0, |sum, (near, p)| sum + (near - p).norm_squared());
         (sum / points.len() as f64).sqrt()
+    }
+}
+
+/// Parameters and the functions of a uniform spline there.
+#[derive(Debug, Clone)]
+pub struct Rows {
+    count: usize,
+    values: Vec<(usize, [f64; 4])>,
+}
+
+impl Rows {
+    /// Of a spline with `count` (at least 4) control points at these u.
+    pub fn new(at: &[f64], count: usize) -> Self {
+        Self { count, values: at.iter().map(|&u| Knots::Uniform.bases(count, u)).collect() }
     }
 }
 
@@ -174,10 +199,6 @@ fn power10(power: f64) -> f64 {
 /// Knot i of a clamped uniform cubic spline with n control points.
 fn knot(n: usize, i: usize) -> f64 {
     (i.clamp(3, n) - 3) as f64 / (n - 3) as f64
-}
-
-fn basis(n: usize, u: f64) -> (usize, [f64; 4]) {
-    Knots::Uniform.bases(n, u, 3)
 }
 
 /// The banded normal equations of a fit, without the penalty. They are set up once and serve every λ.
@@ -265,7 +286,7 @@ mod tests {
             .iter()
             .map(|u| Point::new(100.0 * u, 2.0 * math::sin(9.0 * u) + 0.1 * math::sin(400.0 * u)))
             .collect();
-        let spline = Spline::fit(&points, &at, &[1.0; 101], 30, sigma, [None; 2]);
+        let spline = Spline::fit(&points, &Rows::new(&at, 30), &[1.0; 101], sigma, [None; 2]);
         (points, at, spline)
     }
 
@@ -275,8 +296,7 @@ mod tests {
             let (points, at, spline) = wave(sigma);
             assert!((spline.at(0.0).point - points[0]).norm() < 1e-9);
             assert!((spline.at(1.0).point - points[100]).norm() < 1e-9);
-            let rows: Vec<_> = at.iter().map(|&u| basis(30, u)).collect();
-            let residual = spline.distance(&points, &rows);
+            let residual = spline.distance(&points, &Rows::new(&at, 30));
             assert!(residual <= sigma && residual > 0.95 * sigma, "{sigma}: {residual}");
         }
     }
@@ -285,7 +305,7 @@ mod tests {
     fn a_line_stays_a_line() {
         let at: Vec<f64> = (0..=20).map(|i| f64::from(i) / 20.0).collect();
         let points: Vec<Point> = at.iter().map(|u| Point::new(7.0 * u, 1.0 + u)).collect();
-        let spline = Spline::fit(&points, &at, &[1.0; 21], 6, 0.1, [None; 2]);
+        let spline = Spline::fit(&points, &Rows::new(&at, 6), &[1.0; 21], 0.1, [None; 2]);
         for u in [0.0, 0.13, 0.5, 1.0] {
             let place = spline.at(u);
             assert!((place.point.y - 1.0 - place.point.x / 7.0).abs() < 1e-9, "{place:?}");
@@ -323,7 +343,7 @@ mod tests {
     fn slopes_at_the_ends_are_kept() {
         let (points, at, free) = wave(0.3);
         let slopes = [Vector::new(80.0, -40.0), Vector::new(60.0, 60.0)];
-        let bent = Spline::fit(&points, &at, &[1.0; 101], 30, 0.3, slopes.map(Some));
+        let bent = Spline::fit(&points, &Rows::new(&at, 30), &[1.0; 101], 0.3, slopes.map(Some));
         for (u, slope) in [0.0, 1.0].into_iter().zip(slopes) {
             assert!((bent.at(u).first - slope).norm() < 1e-9, "{}", bent.at(u).first);
             assert!((free.at(u).first - slope).norm() > 10.0);
@@ -336,7 +356,7 @@ mod tests {
         let (points, at, _) = wave(1.0);
         let mut weights = [1.0; 101];
         weights[50] = 1e4;
-        let heavy = Spline::fit(&points, &at, &weights, 30, 1.0, [None; 2]);
+        let heavy = Spline::fit(&points, &Rows::new(&at, 30), &weights, 1.0, [None; 2]);
         assert!((heavy.at(0.5).point - points[50]).norm() < 0.05);
     }
 }

@@ -121,7 +121,7 @@ impl Fit<'_> {
     /// Per point: the first control point that counts, and the values of the functions there.
     fn rows(&self) -> Vec<(usize, [f64; 4])> {
         let (knots, count) = (self.all_knots(), self.knots.len() + 4);
-        self.at.iter().map(|&u| knots.bases(count, u, 3)).collect()
+        self.at.iter().map(|&u| knots.bases(count, u)).collect()
     }
 
     fn least_squares(&self) -> Solved {

@@ -28,6 +28,8 @@ mod rasters;
 mod road;
 #[cfg(feature = "complete")]
 mod road_curve;
+#[cfg(feature = "complete")]
+mod road_fit;
 #[cfg(not(target_arch = "wasm32"))]
 mod serialize;
 #[cfg(feature = "complete")]

@@ -2,6 +2,7 @@
 
 use super::outcome::{Outcome, Plan, PlanTrace, Stats};
 use super::road_curve::{Curve, ENDS, along};
+use super::road_fit::Fit;
 use super::tractrix::tractrix;
 use super::world::World;
 use super::{Driven, NEAR, STEP, measured};
@@ -10,7 +11,7 @@ use crate::geometry::{Point, Pose, Vector};
 use crate::metrics::road::{self, RoadMetrics};
 use crate::metrics::{FAR, Verdict};
 use crate::planners::cost_map::{
-    Config, CostMap, Curves, Query, Report, RoadRasters, Scratch, Smoothing, Traffic, corners, dense,
+    Config, CostMap, Curves, Exact, Query, Report, RoadRasters, Scratch, Smoothing, Traffic, corners, dense,
     is_excluded, kerb_distances, paper_spline, plan,
 };
 use crate::scenario::Scenario;
@@ -112,6 +113,11 @@ impl Engine {
                 plan.detail = plan.detail.or(Some("less-margin"));
             }
             let needed = radius(world) + margin - MARGIN_TOLERANCE;
+            let fit = Fit::new(world, margin - MARGIN_TOLERANCE);
+            let exact = Exact {
+                room: &|place| world.body.point_clearance(place, needed + 1.0),
+                fits: &|place, half| fit.may_be_in(place, half),
+            };
             let figures = road::figures(&world.geometry, &world.body, &self.traffic.lanes, &plan.path);
             plan.metrics.road = Some(RoadMetrics {
                 cost: report.cost,
@@ -121,7 +127,7 @@ impl Engine {
                 goal_moved: report.moved[1],
                 margin,
                 margin_kept: kept,
-                margin_excluded: is_short && is_excluded(&self.ground, middles(world), needed, ENDS),
+                margin_excluded: is_short && is_excluded(&self.ground, middles(world), needed, ENDS, &exact),
                 bytes: report.bytes as u64,
                 figures,
             });

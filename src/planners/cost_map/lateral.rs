@@ -99,7 +99,7 @@ impl Lateral<'_> {
         let places = 2 * side + 1;
         let prices = self.prices(stations, asked, side);
         let last = stations.len() - 1;
-        // Per place and slope of the step to it: the cost of the way there.
+        // Per slope of the step to it and place: the cost of the way there.
         let mut spent = vec![f64::INFINITY; places * SLOPES];
         let end = |at: usize, way: Vector, length: f64| {
             let own = stations[at].way;
@@ -108,9 +108,10 @@ impl Lateral<'_> {
         };
         let length = |i: usize| (stations[i].point - stations[i - 1].point).norm();
         let ends = [end(0, ways[0], length(1)), end(last, ways[1], length(last))];
-        spent[side * SLOPES + ends[0]] = 0.0;
+        spent[ends[0] * places + side] = 0.0;
         // And the slope of the step before.
         let mut before: Vec<Vec<u8>> = vec![Vec::new()];
+        let mut steps: Vec<f64> = Vec::with_capacity(places);
         for i in 1..=last {
             let length = length(i);
             let slope = |d: usize| (d as f64 - SLOPE as f64) * ACROSS * self.scale / length;
@@ -123,16 +124,22 @@ impl Lateral<'_> {
             let mut from = vec![0_u8; places * SLOPES];
             for d in 0..SLOPES {
                 let longer = slope(d) * slope(d) / 2.0;
+                // Place k is reached from place k + SLOPE − d.
+                let reached = d.saturating_sub(SLOPE)..places.min(places + d - SLOPE);
+                let origin = reached.start + SLOPE - d;
+                let origins = origin..origin + reached.len();
+                let pairs = prices[i - 1][origins.clone()].iter().zip(&prices[i][reached.clone()]);
+                steps.clear();
+                steps.extend(pairs.map(|(a, b)| 0.5 * (a + b) + longer));
+                let row = d * places + reached.start..d * places + reached.end;
                 for e in d.saturating_sub(CHANGE)..=(d + CHANGE).min(SLOPES - 1) {
                     let factor = length * bend(e, d);
-                    // Place k is reached from place k + SLOPE − d.
-                    for k in d.saturating_sub(SLOPE)..places.min(places + d - SLOPE) {
-                        let p = k + SLOPE - d;
-                        let middle = f64::midpoint(prices[i - 1][p], prices[i][k]);
-                        let cost = spent[p * SLOPES + e] + factor * (middle + longer);
-                        let place = k * SLOPES + d;
-                        if cost < next[place] {
-                            (next[place], from[place]) = (cost, e as u8);
+                    let spent = &spent[e * places + origins.start..e * places + origins.end];
+                    let found = next[row.clone()].iter_mut().zip(&mut from[row.clone()]);
+                    for ((best, before), (spent, step)) in found.zip(spent.iter().zip(&steps)) {
+                        let cost = spent + factor * step;
+                        if cost < *best {
+                            (*best, *before) = (cost, e as u8);
                         }
                     }
                 }
@@ -140,7 +147,7 @@ impl Lateral<'_> {
             before.push(from);
             spent = next;
         }
-        let cost = |d: usize| spent[side * SLOPES + d];
+        let cost = |d: usize| spent[d * places + side];
         let nearest = (0..SLOPES).filter(|&d| cost(d) < f64::INFINITY).min_by_key(|d| d.abs_diff(ends[1]));
         let Some(slope) = nearest else {
             let points = stations.iter().map(|s| s.point).collect();
@@ -155,7 +162,7 @@ impl Lateral<'_> {
             let fine = if is_end { (across, false) } else { self.widest(&stations[i], across, asked[i]) };
             line.push((Self::place(&stations[i], fine.0), fine.1));
             if i > 0 {
-                let e = usize::from(before[i][k * SLOPES + d]);
+                let e = usize::from(before[i][d * places + k]);
                 (k, d) = (k + SLOPE - d, e);
             }
         }

@@ -5,38 +5,172 @@
 //! others does not join start and goal, no path keeps the margin. The converse does not hold, because the body is longer
 //! than the disc about its middle.
 
+use std::collections::BTreeMap;
+
 use super::RoadRasters;
-use crate::geometry::Point;
+use crate::geometry::{Point, Vector};
 use crate::map::Cell;
 
+/// Parts of a cell in a row; their bits in a word are numbered row by row.
+const PARTS: i32 = 8;
+const ALL: u64 = u64::MAX;
+/// With so much more room than asked the body is not looked at, metres.
+const AMPLE: f64 = 0.25;
+
+/// Exact measures.
+pub struct Exact<'a> {
+    /// How far a place is from everything, metres.
+    pub room: &'a dyn Fn(Point) -> f64,
+    /// False if the body keeps the margin nowhere with its middle in the square around a place with half this side.
+    pub fits: &'a dyn Fn(Point, f64) -> bool,
+}
+
 /// True if every path of the car's middle from start to goal comes nearer to something than `room` metres, places
-/// within `ends` metres of start and goal left out.
+/// within `ends` metres of start and goal left out. `exact` measures a place.
 ///
-/// Where the body keeps a margin, its middle keeps that margin and half the width. Every cell is entered that holds a
-/// place with so much exact room, by [`RoadRasters::unsure`], and from each one all eight around it: what such a flood
-/// does not reach, no line through places with that room does. It proves nothing where it reaches the goal.
-pub fn is_excluded(ground: &RoadRasters, [start, goal]: [Point; 2], room: f64, ends: f64) -> bool {
+/// Where the body keeps a margin, its middle keeps that margin and half the width. An eighth of a cell may hold such a
+/// place unless its centre has less room by more than half its diagonal, for no place has more room than another by
+/// more than what lies between them. What a flood over these parts, diagonals included, does not reach, no line through
+/// places with that room does. It proves nothing where it reaches the goal.
+pub fn is_excluded(
+    ground: &RoadRasters,
+    [start, goal]: [Point; 2],
+    room: f64,
+    ends: f64,
+    exact: &Exact,
+) -> bool {
     let frame = &ground.frame;
     let [Some(first), Some(last)] = [start, goal].map(|end| frame.cell_at(end)) else { return false };
     let near = ends + frame.resolution;
-    let may_hold = |cell: Cell| {
-        let center = frame.center(cell);
-        ground.at(cell) + ground.unsure >= room
+    let parts = |cell: Cell| {
+        let (center, rough) = (frame.center(cell), ground.at(cell));
+        if rough >= room + AMPLE + frame.resolution
             || [start, goal].iter().any(|end| (center - end).norm() <= near)
+        {
+            ALL
+        } else if rough + ground.unsure < room {
+            0
+        } else {
+            let low = center - Vector::repeat(frame.resolution / 2.0);
+            Parts { low, side: frame.resolution / f64::from(PARTS), room, exact }.holding([0, 0], PARTS)
+        }
     };
-    let mut met = vec![false; frame.len()];
-    met[frame.index(first)] = true;
-    let mut open = vec![first];
-    while let Some(cell) = open.pop() {
+    // Per cell met: its parts that may hold a place with the room, and those reached.
+    let mut met: BTreeMap<(i32, i32), [u64; 2]> = BTreeMap::new();
+    met.insert((first.x, first.y), [ALL, 0]);
+    let mut open = vec![(first, ALL)];
+    while let Some((cell, entered)) = open.pop() {
+        let entry = met.entry((cell.x, cell.y)).or_insert_with(|| [parts(cell), 0]);
+        let reached = grown(entry[1] | entered & entry[0], entry[0]);
+        if reached == entry[1] {
+            continue;
+        }
+        entry[1] = reached;
         if cell == last {
             return false;
         }
-        for next in (-1..=1).flat_map(|y| (-1..=1).map(move |x| cell.offset(x, y))) {
-            if frame.contains(next) && !met[frame.index(next)] && may_hold(next) {
-                met[frame.index(next)] = true;
-                open.push(next);
+        for (dx, dy) in (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (dx, dy))).filter(|to| *to != (0, 0)) {
+            let (next, entered) = (cell.offset(dx, dy), spilled(reached, dx, dy));
+            if entered != 0 && frame.contains(next) {
+                open.push((next, entered));
             }
         }
     }
     true
+}
+
+/// A cell's parts.
+struct Parts<'a> {
+    low: Point,
+    side: f64,
+    room: f64,
+    exact: &'a Exact<'a>,
+}
+
+impl Parts<'_> {
+    /// Those of a square of `size` parts that may hold a place with the room.
+    fn holding(&self, [x, y]: [i32; 2], size: i32) -> u64 {
+        let middle =
+            self.low + Vector::new(f64::from(2 * x + size), f64::from(2 * y + size)) * (self.side / 2.0);
+        let clearance = (self.exact.room)(middle);
+        let reach = f64::from(size) * self.side * core::f64::consts::FRAC_1_SQRT_2;
+        if clearance + reach < self.room {
+            0
+        } else if clearance - reach >= self.room + AMPLE {
+            let row = ((1_u64 << size) - 1) << x;
+            (y..y + size).fold(0, |all, y| all | row << (PARTS * y))
+        } else if size == 1 {
+            u64::from((self.exact.fits)(middle, self.side / 2.0)) << (PARTS * y + x)
+        } else {
+            let half = size / 2;
+            [[0, 0], [half, 0], [0, half], [half, half]]
+                .iter()
+                .fold(0, |all, by| all | self.holding([x + by[0], y + by[1]], half))
+        }
+    }
+}
+
+/// Bits of the first and of the last column.
+const FIRST: u64 = 0x0101_0101_0101_0101;
+const LAST: u64 = FIRST << 7;
+
+/// The bits and those beside them in their rows.
+fn widened(bits: u64) -> u64 {
+    bits | (bits & !LAST) << 1 | (bits & !FIRST) >> 1
+}
+
+/// What can be reached from some bits over the `free` ones.
+fn grown(mut bits: u64, free: u64) -> u64 {
+    loop {
+        let rows = widened(bits);
+        let next = bits | (rows | rows << 8 | rows >> 8) & free;
+        if next == bits {
+            return bits;
+        }
+        bits = next;
+    }
+}
+
+/// The bits of the cell (dx, dy) beside this one that bits of this one touch.
+fn spilled(bits: u64, dx: i32, dy: i32) -> u64 {
+    let column = match dx {
+        0 => bits,
+        1 => (bits & LAST) >> 7,
+        _ => (bits & FIRST) << 7,
+    };
+    match dy {
+        0 => column | column << 8 | column >> 8,
+        1 if dx == 0 => widened(column) >> 56,
+        1 => column >> 56,
+        _ if dx == 0 => widened(column) << 56,
+        _ => column << 56,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenario::generate::SplitMix64;
+
+    #[test]
+    fn bits_touch_as_squares_do() {
+        let mut random = SplitMix64::new(4);
+        let touches = |a: (i32, i32), b: (i32, i32)| (a.0 - b.0).abs() <= 1 && (a.1 - b.1).abs() <= 1;
+        let places = |bits: u64| (0..64).filter(move |i| bits >> i & 1 == 1).map(|i| (i % 8, i / 8));
+        for _ in 0..500 {
+            let bits = random.next() & random.next() & random.next();
+            for (dx, dy) in (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (dx, dy))) {
+                let beside = |i: i32| (i % 8 + 8 * dx, i / 8 + 8 * dy);
+                let expected = (0..64).filter(|&i| places(bits).any(|place| touches(place, beside(i))));
+                let expected = expected.fold(0_u64, |all, i| all | 1 << i);
+                if (dx, dy) == (0, 0) {
+                    assert_eq!(grown(bits, expected) & expected, expected);
+                } else {
+                    assert_eq!(spilled(bits, dx, dy), expected, "{bits:x} {dx} {dy}");
+                }
+            }
+        }
+        assert_eq!(grown(1, !0x0200), ALL & !0x0200);
+        assert_eq!(grown(1, 0x55AA_55AA_55AA_55AA), 1);
+    }
 }

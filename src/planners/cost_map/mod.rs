@@ -15,7 +15,7 @@ mod smooth;
 pub use config::{Base, Config, Costs, Curves, Pruning};
 pub use domain::CostMap;
 pub use lateral::{Lateral, Row, Station};
-pub use margin::is_excluded;
+pub use margin::{Exact, is_excluded};
 pub use prune::corners;
 pub use road_rasters::{RoadRasters, kerb_distances};
 pub use smooth::{Smooth, Smoothing, dense, paper_spline, smooth};

@@ -6,9 +6,10 @@
 //! chords themselves are the answer, and the plan says so.
 
 use super::RoadRasters;
-use crate::geometry::bspline::{Place, Spline};
+use crate::geometry::bspline::{Place, Rows, Spline};
 use crate::geometry::smoothing_spline::smoothing_spline;
 use crate::geometry::{Point, Vector};
+use crate::map::Cell;
 
 /// Points of the chords are this far apart at most, metres.
 const DATA: f64 = 1.0;
@@ -98,12 +99,12 @@ pub fn smooth(
         is_good.then_some(Smooth { points, curvatures, spline: Some(spline), clearance, fell_back: false })
     };
     for spacing in SPACINGS.into_iter().skip(usize::from(how.close)) {
-        let count = count(spacing);
+        let rows = Rows::new(&at, count(spacing));
         let (mut weights, mut sigma) = (own.clone(), how.sigma);
         let mut best: Option<(f64, Spline)> = None;
         for _ in 0..ROUNDS {
-            let spline = Spline::fit(&data, &at, &weights, count, sigma, slopes);
-            let rooms: Vec<f64> = at.iter().map(|&u| room(spline.at(u).point)).collect();
+            let spline = Spline::fit(&data, &rows, &weights, sigma, slopes);
+            let rooms: Vec<f64> = spline.points(&rows).map(room).collect();
             let over = rooms.iter().zip(&targets).map(|(room, target)| room - target);
             let worst = over.fold(f64::INFINITY, f64::min);
             if best.as_ref().is_none_or(|b| worst > b.0) {
@@ -124,11 +125,11 @@ pub fn smooth(
         }
     }
     // Chords can turn where no car does. The points near such corners count less, until the curve is wide enough.
-    let count = count(SPACINGS[0]);
+    let rows = Rows::new(&at, count(SPACINGS[0]));
     let reach = (0.5 / (how.max_curvature * DATA * how.scale)).ceil() as usize;
     let (mut weights, mut sigma) = (own, how.sigma);
     for _ in 0..2 * ROUNDS {
-        let spline = Spline::fit(&data, &at, &weights, count, sigma, slopes);
+        let spline = Spline::fit(&data, &rows, &weights, sigma, slopes);
         let met: Vec<Place> = at.iter().map(|&u| spline.at(u)).collect();
         let around = |i: usize, by: usize| i.saturating_sub(by)..(i + by + 1).min(data.len());
         let mut factors = vec![1.0; data.len()];
@@ -199,11 +200,11 @@ pub(super) fn bilinear(ground: &RoadRasters, point: Point) -> f64 {
     let (w, h) = (f64::from(ground.frame.width - 1), f64::from(ground.frame.height - 1));
     let (x, y) = (x.clamp(0.0, w), y.clamp(0.0, h));
     let (x0, y0) = (x.floor(), y.floor());
-    let at = |dx: f64, dy: f64| {
-        let cell = crate::map::Cell::new((x0 + dx).min(w) as i32, (y0 + dy).min(h) as i32);
-        ground.at(cell)
-    };
     let (fx, fy) = (x - x0, y - y0);
-    (at(0.0, 0.0) * (1.0 - fx) + at(1.0, 0.0) * fx) * (1.0 - fy)
-        + (at(0.0, 1.0) * (1.0 - fx) + at(1.0, 1.0) * fx) * fy
+    let below = ground.frame.index(Cell::new(x0 as i32, y0 as i32));
+    let above = if y0 < h { below + ground.frame.width as usize } else { below };
+    let next = usize::from(x0 < w);
+    let at = |index: usize| f64::from(ground.clearance[index]);
+    (at(below) * (1.0 - fx) + at(below + next) * fx) * (1.0 - fy)
+        + (at(above) * (1.0 - fx) + at(above + next) * fx) * fy
 }
