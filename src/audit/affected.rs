@@ -1,4 +1,9 @@
 //! Which rows of an audit an edit of the scene can touch.
+//!
+//! Any edit can change which path a search finds. What an audit promises is less, and can be kept cheaply. A reachable
+//! row stays *true* while its swept body is clear of all changes, because the path that was found is still free. An
+//! unreachable row stays true while nothing was removed, because more obstacles open no way. These two rules need no
+//! search; a row that satisfies neither is asked again.
 
 use std::collections::BTreeSet;
 
@@ -48,6 +53,9 @@ impl Known {
 /// what was added or removed, it was out of reach and something was removed, or its bay changed. Where more than
 /// obstacles and slots changed, all are. Rows that are not may become shorter by other ways; what they say stays true.
 ///
+/// Takes time linear in the swept poses, with one clearance query each against the changed shapes alone. `rows` may be
+/// in any order; the answers are in the same one. A row of a vehicle that `options` does not have is affected.
+///
 /// # Errors
 /// Of a wrong scene.
 pub fn affected(
@@ -96,12 +104,14 @@ fn frame_of(scene: &Scenario) -> Value {
     serde_json::to_value(bare).unwrap_or_default()
 }
 
-/// The shapes of `one` that `other` lacks.
+/// The shapes of `one` that `other` lacks. Shapes are compared by the bits of their corners, so a shape that moved by
+/// any amount is both removed and added.
 fn difference<'a>(one: &'a Geometry, other: &Geometry) -> Vec<&'a Shape> {
     let known: BTreeSet<Vec<u64>> = other.shapes.iter().map(|shape| bits(&shape.form)).collect();
     one.shapes.iter().filter(|shape| !known.contains(&bits(&shape.form))).collect()
 }
 
+/// The bits of a form's corners, x and y in turn: a key that is equal for equal shapes only.
 fn bits(form: &Form) -> Vec<u64> {
     let corners = match form {
         Form::Segment(a, b) => &[*a, *b][..],

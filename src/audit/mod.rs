@@ -4,6 +4,14 @@
 //! answer is that of hybrid A* between two poses and depends on nothing else, so parts of the job give exactly the
 //! rows of the whole, in any order and on any number of workers. What the questions have in common is prepared once:
 //! the obstacles, and the way around them to each entrance.
+//!
+//! The number of questions is bays × vehicles × entrances × entries, with one search each and one more for the way out.
+//! Their order (bay, vehicle, entrance, entry) is part of the contract: rows of parts, joined by bay, are the rows of
+//! the whole, byte for byte. No time and no thread takes part, and budgets count expansions.
+//!
+//! A bay is *reachable* only where the planner found a path **and** the independent validator
+//! ([`crate::metrics::check()`]) accepts it. An unreachable bay may be proven (`no-path`, with the reason and the
+//! place) or not (`budget-spent`). All lengths are metres, poses are those of the rear axle in the world frame.
 
 mod affected;
 mod options;
@@ -32,6 +40,8 @@ const OUT: &str = "hybrid-forward";
 /// Audits the bays of a scene: the rows bay by bay, and for each bay by vehicle, entrance and entry.
 ///
 /// `each` is given every row as soon as it is known; where it breaks, the audit ends with the rows so far.
+///
+/// Memory holds one planner pair for each vehicle, and one more while an occupied bay is asked as if it were free.
 ///
 /// # Errors
 /// A wrong scene or option, named by field, value and rule.
@@ -88,6 +98,9 @@ pub fn bay_name(slot: &Slot, index: usize) -> String {
 }
 
 /// One vehicle among the obstacles of a scene.
+///
+/// Its planners hold the obstacles of the scene and, from question to question, the rasters that do not depend on start
+/// and goal.
 struct Asker {
     way_in: Planner,
     way_out: Planner,
@@ -121,6 +134,8 @@ impl Asker {
         Ok(Self { way_in, way_out, ahead: vehicle.vehicle.rear_to_back - own.rear_to_back })
     }
 
+    /// The answer to one question. The start is the entrance's pose moved by `ahead`, the goal the bay's pose for this
+    /// vehicle and entry.
     fn row(
         &mut self,
         bay: usize,
@@ -150,6 +165,8 @@ impl Asker {
     }
 }
 
+/// The plan between two poses, which start and goal of the scene do not influence. A question that the planner refuses
+/// is a way out of reach with the error as its reason; it does not end the audit.
 fn ask(planner: &mut Planner, start: Pose, goal: Pose) -> Way {
     let ends = Ends { start: Some(start), goal: Some(goal) };
     match planner.plan_between(ends, plan::Options::default()) {
@@ -158,6 +175,7 @@ fn ask(planner: &mut Planner, start: Pose, goal: Pose) -> Way {
     }
 }
 
+/// The pose moved forward by `ahead` metres, heading unchanged.
 fn along(pose: Pose, ahead: f64) -> Pose {
     let at = pose.point() + pose.direction() * ahead;
     Pose::new(at.x, at.y, pose.heading)

@@ -2,6 +2,9 @@
 //!
 //! Options name the vehicles, the entrances and the entries; their product with the bays is the list of questions,
 //! whose order does not depend on how it is divided among workers.
+//!
+//! Absent fields have defaults: the scene's car, its start as the only entrance, both entries, all bays, ways out
+//! asked, occupied bays left out. A field that is present must be valid in full; nothing is clamped or skipped.
 
 use serde_json::{Map, Value};
 
@@ -69,6 +72,17 @@ impl Options {
     ///
     /// # Errors
     /// [`ErrorCode::Input`] with the field and the rule; [`ErrorCode::Vehicle`] for impossible dimensions.
+    ///
+    /// # Examples
+    /// ```
+    /// use parkade::audit::{Options, WhatIf};
+    ///
+    /// let scene = parkade::scenario::catalog::scenario("perpendicular").unwrap();
+    /// let options = Options::of(&scene, &serde_json::json!({ "bays": [0], "whatIf": "each-free" })).unwrap();
+    /// assert_eq!((options.what_if, options.vehicles.len(), options.entries.len()), (WhatIf::EachFree, 1, 2));
+    /// let error = Options::of(&scene, &serde_json::json!({ "bays": [999] })).unwrap_err();
+    /// assert!(error.to_string().contains("bays"));
+    /// ```
     pub fn of(scene: &Scenario, value: &Value) -> Result<Self, Error> {
         scene.validate()?;
         let f =
@@ -125,6 +139,7 @@ fn vehicle(value: &Value) -> Result<AuditVehicle, Error> {
     Ok(AuditVehicle { id, vehicle })
 }
 
+/// A profile or a vehicle of the library by its id. The error lists all ids that are known.
 fn named(id: &str) -> Result<AuditVehicle, Error> {
     let found = Vehicle::profile(id).or_else(|| library::find(id).map(library::LibraryVehicle::vehicle));
     if let Some(vehicle) = found {
@@ -144,6 +159,7 @@ fn own(scene: &Scenario) -> Result<AuditVehicle, Error> {
     Ok(AuditVehicle { id, vehicle: scene.vehicle.resolve().map_err(|e| e.within("vehicle"))? })
 }
 
+/// `{ id, pose, exit? }` with finite poses in metres and radians.
 fn entrance(value: &Value) -> Result<Entrance, Error> {
     let f = Fields::of(value, &["id", "pose", "exit"])?;
     let pose = |value: &Value| {
@@ -153,7 +169,7 @@ fn entrance(value: &Value) -> Result<Entrance, Error> {
     Ok(Entrance { id: f.need("id", owned)?, pose: f.need("pose", pose)?, exit: f.maybe("exit", pose)? })
 }
 
-/// Bays by id or index.
+/// Bays by id or index. The result ascends and has no index twice.
 fn bays(scene: &Scenario, value: &Value) -> Result<Vec<usize>, Error> {
     let one = |value: &Value| {
         let found = match value {
@@ -169,6 +185,7 @@ fn bays(scene: &Scenario, value: &Value) -> Result<Vec<usize>, Error> {
     Ok(all)
 }
 
+/// Refuses an empty list, one that is too long, and ids that occur twice: rows are told apart by them.
 fn distinct<'a>(field: &str, ids: impl ExactSizeIterator<Item = &'a String>) -> Result<(), Error> {
     let count = ids.len();
     if count == 0 || count > MAX_ITEMS {

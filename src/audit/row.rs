@@ -54,9 +54,10 @@ pub struct Way {
     pub place: Option<[f64; 2]>,
     /// The name of what stands there.
     pub blocker: Option<String>,
-    /// Gear changes and one; 0 without a path.
+    /// Gear changes and one; 0 without a path. A move is a stretch without a gear change, so driving straight in is one
+    /// move.
     pub moves: u32,
-    /// Metres.
+    /// Metres. Of the path; 0 without one.
     pub length: f64,
     /// Seconds, the wheel turned at standstill at gear changes; `None` without a path.
     pub drive_time: Option<f64>,
@@ -80,6 +81,8 @@ impl Row {
 }
 
 impl Way {
+    /// Takes the figures of a plan. A path that the validator refuses keeps its length and clearance, but is not
+    /// reachable and has no moves.
     pub(super) fn of(planner: &Planner, plan: &Plan) -> Self {
         let reachable = plan.outcome == Outcome::Found && plan.check.verdict == Verdict::Ok;
         let (place, owner) = place(planner, plan);
@@ -120,7 +123,10 @@ impl Way {
     }
 }
 
-/// What stands in the way, and where.
+/// What stands in the way, and where. A point of the world frame, metres, and the thing in the scene that owns it.
+///
+/// Without a path the obstruction decides: an end in contact, enclosed or boxed in gives the middle of the car there, a
+/// gap that is too narrow its own place. With a path it is the narrowest place.
 fn place(planner: &Planner, plan: &Plan) -> (Option<Point>, Option<Owner>) {
     let geometry = planner.geometry();
     let end = |at_start| if at_start { geometry.start } else { geometry.goal };

@@ -2,6 +2,17 @@
 //!
 //! Each case is a row of five bays on one side of an aisle with a wall beyond it, the neighbours of the middle bay
 //! parked. The standard promises that its vehicle gets in; with a narrower aisle that shall cost moves, or fail.
+//!
+//! The frame: the aisle runs along +x between y = 0, the wall, and y = `aisle`, where the bays open; bays lean to the
+//! right by 90° less their angle. An opening along the aisle is width / sin(angle). All sizes are metres.
+//!
+//! # Examples
+//! ```
+//! use parkade::audit::standards::CASES;
+//!
+//! let case = CASES.iter().find(|case| case.degrees == 45).unwrap();
+//! assert!(case.ask(case.aisle).unwrap().reachable);
+//! ```
 
 use serde_json::json;
 
@@ -19,6 +30,8 @@ const ROOM: f64 = 12.0;
 const CELL: f64 = 0.25;
 
 /// A size that a standard gives.
+///
+/// Sizes are those between markings or walls; vehicles are measured without mirrors.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Case {
     /// The standard, and the table in it.
@@ -69,6 +82,8 @@ pub const CASES: [Case; 12] = [
 
 impl Case {
     /// The lot, with an aisle of so many metres.
+    ///
+    /// The start is at the low end of the aisle, in its middle, heading +x.
     ///
     /// # Errors
     /// None for the cases here.

@@ -1,4 +1,8 @@
 //! Straight pieces and arcs, of which a smoothed path is made.
+//!
+//! Arcs are stored by centre, start angle and sweep, because each query is then one sine and one cosine: a point of the
+//! arc at share u is `centre + R·(cos(α + u·sweep), sin(α + u·sweep))`. Angles are counter-clockwise from +x, as
+//! headings are.
 
 use crate::geometry::math;
 
@@ -27,11 +31,27 @@ pub enum Piece {
 
 impl Piece {
     /// The straight pieces along a row of points.
+    ///
+    /// A row of n points gives n − 1 pieces; none for fewer than two points.
     pub fn lines(points: &[[f64; 2]]) -> Vec<Self> {
         points.windows(2).map(|pair| Self::Line { from: pair[0], to: pair[1] }).collect()
     }
 
     /// The points of pieces that join, those of arcs at most `step` apart.
+    ///
+    /// The ends of every piece are among the points. A straight piece adds its end only, so `step` (cells, positive)
+    /// bounds the distance on arcs alone. The chords of an arc of radius R stray by step²/(8R) cells at most.
+    ///
+    /// # Examples
+    /// ```
+    /// use parkade::post::Piece;
+    ///
+    /// let sweep = std::f64::consts::FRAC_PI_2;
+    /// let quarter = Piece::Arc { center: [0.0, 0.0], radius: 2.0, start_angle: 0.0, sweep };
+    /// let points = Piece::polyline(&[quarter], 0.5);
+    /// assert_eq!(points.len(), 8);
+    /// assert!((points[7][1] - 2.0).abs() < 1e-12);
+    /// ```
     pub fn polyline(pieces: &[Self], step: f64) -> Vec<[f64; 2]> {
         let mut points: Vec<_> = pieces.first().map(|first| first.point(0.0)).into_iter().collect();
         for piece in pieces {
@@ -44,7 +64,7 @@ impl Piece {
         points
     }
 
-    /// Its length.
+    /// Its length. Cells.
     pub fn length(&self) -> f64 {
         match *self {
             Self::Line { from, to } => distance(from, to),
@@ -74,6 +94,9 @@ impl Piece {
     }
 
     /// The heading at a share of its length, radians in (−π, π].
+    ///
+    /// On an arc it is the tangent in the direction of travel: a quarter turn to the left of the radius where the arc
+    /// turns left, to the right otherwise.
     pub fn heading(&self, share: f64) -> f64 {
         match *self {
             Self::Line { from, to } => math::atan2(to[1] - from[1], to[0] - from[0]),
