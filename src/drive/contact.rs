@@ -1,4 +1,8 @@
 //! Whether a drive touches what moves.
+//!
+//! The test advances by safe steps: while everything is at least g metres apart, and the two can approach at no more
+//! than w m/s, nothing can touch for g/w seconds. Here w is the boxes' largest speed plus that of the car's farthest
+//! corner, |v|·(1 + reach·κ_max). A step is never shorter than [`CHECK`]/w; within that an overlap may stay unseen.
 
 use super::moving_obstacles::Mover;
 use crate::geometry::{Point, Pose};
@@ -22,7 +26,7 @@ pub struct Contact {
     pub standing: bool,
 }
 
-/// Distance from a body to the nearest box, and which.
+/// Distance from a body to the nearest box, and which. Metres, 0 where they overlap; infinite and 0 without boxes.
 pub(crate) fn nearest(movers: &[Mover], body: &[Point; 4], t: f64) -> (f64, usize) {
     let gaps = movers.iter().enumerate().map(|(i, m)| (gap(body, &m.outline(t)), i));
     gaps.fold((f64::INFINITY, 0), |best, next| if next.0 < best.0 { next } else { best })

@@ -2,6 +2,20 @@
 //!
 //! The fastest such drive up to one peak is tried; where it is too fast for a stretch, the slowest of these is driven
 //! at its limit, and the ways before and after it are planned in the same manner.
+//!
+//! A change of speed by Δv takes three phases: the acceleration grows with the jerk j, stays at its limit a, and falls
+//! again. If Δv < a²/j it never reaches its limit, and the middle phase vanishes:
+//!
+//! ```text
+//! Δv ≥ a²/j:  T = Δv/a + a/j        Δv < a²/j:  T = 2·√(Δv/j)        s = (v₀ + v₁)/2 · T
+//! ```
+//!
+//! The length s is the mean speed times the time, because the speed is point-symmetric about the ramp's middle. It
+//! grows with the speed at the top, so the highest peak that fits between two places is found by bisection; 48 halvings
+//! leave 2⁻⁴⁸ of the range.
+//!
+//! Parts are worked off from the start on, so the phases come out in order; each part looks at the zones between its
+//! ends. The profile is not the fastest there is: between two slow zones acceleration returns to 0.
 
 use super::limits::Limits;
 use super::phase::Phase;
@@ -12,6 +26,8 @@ const STEPS: u32 = 48;
 const ROUNDING: f64 = 1e-9;
 
 /// A change of speed, without acceleration at its ends.
+///
+/// Lengths are positive: a ramp down is driven forwards in time too.
 struct Ramp {
     from: f64,
     /// Seconds and jerk of its phases.
@@ -35,6 +51,7 @@ impl Ramp {
         Self { from, parts: [(edge, jerk), (flat, 0.0), (edge, -jerk)], length }
     }
 
+    /// The three phases from `station` on; some may last no time.
     fn phases(&self, station: f64) -> impl Iterator<Item = Phase> {
         let mut next = Phase { station, speed: self.from, ..Phase::default() };
         self.parts.into_iter().map(move |(duration, jerk)| {

@@ -1,4 +1,7 @@
 //! What a drive keeps to: speeds, accelerations, jerk, the wheel at steps of the curvature.
+//!
+//! Limits are those of comfort or of the law as much as of the car: the wheel's largest angle and rate come from the
+//! vehicle. Every range is checked before a drive is planned, and nothing is clamped.
 
 use crate::error::{Error, ErrorCode};
 use crate::json;

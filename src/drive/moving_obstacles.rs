@@ -1,4 +1,9 @@
 //! Boxes that follow lines.
+//!
+//! A box rests at its line's first point until `start`, drives along the line at constant speed and rests at its last
+//! point for ever. It heads along the segment it is on and turns on the spot at corners. Since it moves straight
+//! between corners, the area it sweeps during an interval is one rectangle per segment: the box, longer at the front by
+//! the way driven. Intersecting those is exact in time and needs no sampling.
 
 use crate::geometry::{Point, Pose, Vector, math};
 use crate::scenario::MovingObstacle;
@@ -7,6 +12,8 @@ use crate::scenario::MovingObstacle;
 const CONTACT: f64 = 1e-6;
 
 /// A moving obstacle in time.
+///
+/// Positions are those of the box's middle, world frame, metres.
 #[derive(Debug, Clone)]
 pub struct Mover {
     points: Vec<Point>,
@@ -68,10 +75,12 @@ impl Mover {
         self.stretched(self.pose(t), 0.0, 0.0)
     }
 
+    /// How far along the line the box is at a time, metres.
     fn station(&self, t: f64) -> f64 {
         ((t - self.start) * self.speed).clamp(0.0, self.stations[self.stations.len() - 1])
     }
 
+    /// The segment on which a station lies, and its direction, radians.
     fn segment(&self, station: f64) -> (usize, f64) {
         let after = self.stations.partition_point(|s| *s <= station);
         let segment = after.clamp(1, self.points.len() - 1) - 1;
@@ -87,7 +96,8 @@ impl Mover {
     }
 
     /// True if the box, grown by `margin`, meets a rectangle at any time from `from` to `to`, corners of the line cut
-    /// as the box cuts them: it turns on the spot.
+    /// as the box cuts them: it turns on the spot. `to` may be infinite: then the answer holds for all later times.
+    /// Linear in the segments passed.
     pub(crate) fn meets(&self, body: &[Point; 4], margin: f64, from: f64, to: f64) -> bool {
         let (mut station, end) = (self.station(from), self.station(to));
         loop {
@@ -107,7 +117,8 @@ impl Mover {
     }
 }
 
-/// True if two rectangles overlap, by their separating axes.
+/// True if two rectangles overlap, by their separating axes. Two convex outlines are apart exactly if their projections
+/// on the normal of one of their edges are; a rectangle has two.
 fn overlap(a: &[Point; 4], b: &[Point; 4]) -> bool {
     [a, b].into_iter().all(|ring| {
         (0..2).all(|k| {

@@ -34,6 +34,8 @@ pub(super) struct Leg {
 }
 
 /// Legs without a gear change between them.
+///
+/// `from` and `to` are stations, metres.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Run {
     pub(super) first: usize,
@@ -45,6 +47,10 @@ pub(super) struct Run {
 }
 
 /// A path that a car can drive, by the distance driven.
+///
+/// The legs join in position and heading. Memory and construction are linear in the legs, queries by station
+/// logarithmic. Neighbouring steps of the same arc become one leg, so a path of straight lines and arcs has as many
+/// legs as those, however finely it was sampled.
 #[derive(Debug, Clone)]
 pub struct Route {
     pub(super) legs: Vec<Leg>,
@@ -130,6 +136,7 @@ impl Route {
         self
     }
 
+    /// Appends a step, to the last leg where gear and curvature are the same.
     fn extend(&mut self, from: Pose, curvature: f64, length: f64, gear: f64) {
         match self.legs.last_mut() {
             Some(last) if last.gear == gear && (last.curvature - curvature).abs() < SAME_CURVATURE => {
@@ -140,6 +147,7 @@ impl Route {
         self.length += length;
     }
 
+    /// Groups the legs into runs. The last run ends at the route's length, without rounding.
     fn part(&mut self) {
         for (i, leg) in self.legs.iter().enumerate() {
             let to = leg.station + leg.length;
@@ -201,6 +209,7 @@ impl Route {
         self.leg_in(run, station).curvature
     }
 
+    /// The leg of a run that is driven from a station on; its first before it, its last beyond it.
     fn leg_in(&self, run: &Run, station: f64) -> &Leg {
         let legs = &self.legs[run.first..run.end];
         let after = legs.partition_point(|leg| leg.station <= station);

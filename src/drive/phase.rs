@@ -1,4 +1,7 @@
 //! A stretch of a drive with one jerk.
+//!
+//! Every motion is a list of these. Station, speed and acceleration are those at the beginning; at time t of it they
+//! follow from Taylor's polynomial, which is exact for a constant jerk.
 
 /// A time of constant jerk.
 #[derive(Debug, Clone, Copy, Default)]

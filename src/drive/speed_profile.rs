@@ -30,6 +30,8 @@ const SLOW: f64 = 0.5;
 const NEAR_STEP: f64 = 0.5;
 
 /// Speeds along a route, in time.
+///
+/// Phases follow each other without a gap and cover the whole duration, standstills included.
 #[derive(Debug, Clone)]
 pub struct Motion {
     pub(super) phases: Vec<Phase>,
@@ -136,7 +138,7 @@ impl Motion {
         }
     }
 
-    /// The time of the whole drive, seconds.
+    /// The time of the whole drive, seconds. 0 for a route of no length.
     pub fn duration(&self) -> f64 {
         self.duration
     }
@@ -253,6 +255,10 @@ fn gathered(zones: &[(f64, f64)], start: f64) -> Vec<(f64, f64)> {
 
 /// The fastest speeds through the zones from one speed to another: a forward pass, a backward pass, then at most three
 /// phases in each zone. `None` where a limit comes too soon for the one or the other.
+///
+/// Within a zone of length s between the squared speeds a and b, the parabolas of speeding up and braking meet at v² =
+/// (2·up·down·s + down·a + up·b)/(up + down). Above the zone's limit the top is cut off by a phase of steady speed.
+/// Linear in the zones.
 fn passes(zones: &[(f64, f64)], limits: &Limits, run: &Run, speeds: [f64; 2]) -> Option<Vec<Phase>> {
     let (up, down) = (limits.acceleration, limits.deceleration);
     let length = |i: usize| zones[i].0 - if i == 0 { run.from } else { zones[i - 1].0 };

@@ -3,6 +3,13 @@
 //! The parking paper stops when the obstacle's present place touches the way ahead (`reactive`). That can be in the
 //! middle of the obstacle's way. `predictive` rolls the drive out against the known motion and stops where it is safe
 //! to stand. The result is checked by other code: outlines edge by edge, between the moments too.
+//!
+//! A decision is taken every `dt` seconds, at stations that are whole multiples of `speed`·`dt`. The car stops and
+//! starts at once (its speed is a step), so the drive's time is that of the free drive plus the waits. A moving box
+//! never reacts to the car.
+//!
+//! The guarantee of `predictive` is one-sided: where it arrives without [`Ending::Unavoidable`], the check found no
+//! contact. It tries no other speeds and no other paths, and its waits need not be the shortest.
 
 use super::contact::{Contact, first_contact, nearest};
 use super::limits::within;
@@ -109,6 +116,8 @@ impl WaitOptions {
 }
 
 /// How a drive among moving obstacles ended.
+///
+/// The first three are all arrivals; the check after the drive decides among them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ending {
     /// At the goal, nothing touched.
@@ -276,6 +285,7 @@ impl Drive<'_> {
         (states, waits, Ending::OutOfTime)
     }
 
+    /// True if a car that has stood at station `s` since `from` goes on at time `t`.
     fn released(&self, s: f64, t: f64, from: f64) -> bool {
         match self.options.rule {
             Rule::Predictive => {
@@ -307,7 +317,8 @@ impl Drive<'_> {
         })
     }
 
-    /// The last station up to `hit` where the car, once there, stays free for all later times.
+    /// The last station up to `hit` where the car, once there, stays free for all later times. Steps back from the hit
+    /// by [`SAMPLE`]; `None` where no place from the start on is free for ever.
     fn safe_until(&self, s: f64, t: f64, hit: f64) -> Option<f64> {
         let steps = (hit / SAMPLE + 1e-6).floor() as u32;
         (0..=steps).map(|k| hit - f64::from(k) * SAMPLE).find(|&station| {
@@ -331,6 +342,7 @@ impl Drive<'_> {
         })
     }
 
+    /// The corners of the car's body at a station.
     fn body(&self, station: f64) -> [Point; 4] {
         self.vehicle.outline(self.route.pose(station))
     }

@@ -3,6 +3,10 @@
 //! The usual measure of traffic safety (Hayward 1972). Both outlines move in straight lines, so the moment of touch is
 //! exact: along each separating axis the projections meet during an interval of time, and the outlines touch when all
 //! intervals overlap.
+//!
+//! With the relative speed w along an axis, the projections [a₀, a₁] and [b₀, b₁] overlap from (a₁ − b₀)/w to (a₀ −
+//! b₁)/w or the other way around. The intersection of the four axes' intervals is the time of overlap; its beginning,
+//! not before now, is the answer.
 
 use super::moving_obstacles::Mover;
 use super::trajectory::Rows;

@@ -2,6 +2,10 @@
 //!
 //! A kinematic bicycle whose wheel turns at a limited rate, driven at the trajectory's speeds, so that only steering is
 //! judged.
+//!
+//! The same feedback law as [`crate::referee::track`], plus a preview of half the wheel's time from straight to full
+//! lock, because the curvature of a route steps. Errors are measured to the nearest point of the current run: lateral
+//! positive to the left of the route, heading positive where the car points farther to the left.
 
 use super::limits::Limits;
 use super::path_segments::{Route, Run};
@@ -25,6 +29,10 @@ const KEPT: u32 = 10;
 const STANLEY: f64 = 1.5;
 
 /// The steering controller.
+///
+/// Pure pursuit steers along the circle through a point ahead, κ = 2·y/d² with its lateral offset y and distance d in
+/// the car's frame. Looking ahead makes it cut corners; Stanley's rule corrects at the axle that leads. Both are there
+/// to compare.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Controller {
     /// Curvature ahead, corrected by heading and lateral error.
@@ -39,6 +47,8 @@ pub enum Controller {
 json::words!(Controller: "feedback" = Feedback, "pure-pursuit" = PurePursuit, "stanley" = Stanley);
 
 /// How well a car followed.
+///
+/// Columns have one item per kept row (every 50 ms of motion); the largest errors count every step.
 #[derive(Debug, Clone)]
 pub struct Tracking {
     /// Seconds, one per row.
@@ -218,11 +228,14 @@ fn simulate(
     each(&car, Event::Step { t: motion.duration(), errors, index: 0, is_last: true });
 }
 
+/// How many steps of at most [`STEP`] seconds a time has.
 fn steps(time: f64) -> u32 {
     (time / STEP - 1e-6).ceil().max(0.0) as u32
 }
 
 /// Moves the car's station on to the nearest point of the run, never back.
+///
+/// Four projections on the tangent are enough: at parking speeds the car moves by a centimetre in a step.
 fn nearest(route: &Route, run: &Run, car: &mut Car) -> Errors {
     let mut pose = route.pose_in(run, car.station);
     for _ in 0..4 {

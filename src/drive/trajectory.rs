@@ -11,6 +11,9 @@ use crate::geometry::Pose;
 use crate::vehicle::Vehicle;
 
 /// Columns of equal length, one item per moment; times increase strictly.
+///
+/// Between two rows speed is linear (or of the second degree with a limited jerk), so the trapezoids under |speed| add
+/// up to `station` without a limit of jerk.
 #[derive(Debug, Clone, Default)]
 pub struct Rows {
     /// Seconds.

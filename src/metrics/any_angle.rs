@@ -3,16 +3,22 @@
 //! A shortest such path turns at corners only. So A* searches a graph of start, goal and the cells beside convex
 //! corners, two of which are joined where they see each other. Against the same search over all free cells the length
 //! was equal in the median and at worst a thousandth above.
+//!
+//! With n nodes each expansion tests up to n lines of sight, so the work is at most n² tests of a length that the map
+//! bounds. The estimate is the straight distance, which is admissible and consistent.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use crate::map::{Cell, Corner, Occupancy, line_of_sight};
 
+/// The four diagonal neighbours: a blocked one with both cells beside it free is a convex corner.
 const AROUND: [(i32, i32); 4] = [(1, 1), (1, -1), (-1, 1), (-1, -1)];
 
 /// The length in cells of the shortest any-angle path with strict corners; `None` where there is no path. Takes tens of
 /// milliseconds on a map of 100 × 100 cells, and grows with the square of its corners.
+///
+/// Cells' weights play no part. The border is blocked, but is no corner.
 pub fn any_angle_length(map: &Occupancy, start: Cell, goal: Cell) -> Option<f64> {
     if !map.connected(start, goal) {
         return None;

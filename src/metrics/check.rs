@@ -19,7 +19,8 @@ use super::{Body, FAR};
 use crate::geometry::{Pose, math};
 use crate::scenario::resolve::{Geometry, Owner};
 
-/// Between two poses the body is tested at least this often, metres.
+/// Between two poses the body is tested at least this often, metres. A corner of an obstacle can be overlooked only
+/// where it enters the body by less than about half of this.
 const STEP: f64 = 0.02;
 /// Curvature above the limit by this factor is still the limit.
 const CURVATURE_SLACK: f64 = 1.001;
@@ -97,6 +98,9 @@ impl Check {
 
 /// Checks `path` against the scene. `directions[i]` is the gear (±1) from pose i to pose i + 1; `near` is how far from
 /// the start a path may begin and from the goal it may end, metres.
+///
+/// The goal is the nearest of the scene's goals to the last pose, so a set of goals is checked like a single one. An
+/// empty path gives [`Verdict::None`]. `geometry` and `body` must be of the same scene.
 pub fn check(geometry: &Geometry, body: &Body, path: &[Pose], directions: &[i8], near: f64) -> Check {
     let mut check = empty();
     let (Some(first), Some(last)) = (path.first(), path.last()) else { return check };
@@ -138,6 +142,8 @@ fn empty() -> Check {
 }
 
 /// The circular arc from one pose to the next: curvature and signed length.
+///
+/// A step without a turn is a straight line; `direction` (±1) is the sign of the length.
 fn arc_between(a: Pose, b: Pose, direction: i8) -> (f64, f64) {
     let chord = (b.point() - a.point()).norm_squared().sqrt();
     let turn = math::turn(a.heading, b.heading);
@@ -192,6 +198,7 @@ impl Motion {
     }
 }
 
+/// Fills in turns, slips and the tightest radius. Adjoining tight steps count as one tight turn.
 fn check_motion(check: &mut Check, path: &[Pose], directions: &[i8], min_radius: f64) {
     let (mut motion, mut tight_before) = (Motion::default(), false);
     for (i, pair) in path.windows(2).enumerate() {
@@ -210,6 +217,8 @@ fn check_motion(check: &mut Check, path: &[Pose], directions: &[i8], min_radius:
 /// More than rounding adds to a distance, metres.
 const ROUNDING: f64 = 1e-6;
 
+/// Fills in hits and clearances. The clearance at one pose serves twice: as a figure, and as the room that certifies
+/// the way to the next.
 fn check_body(check: &mut Check, body: &Body, path: &[Pose], directions: &[i8]) {
     let (mut sum, mut room) = (0.0, 0.0);
     check.min_clearance = f64::INFINITY;

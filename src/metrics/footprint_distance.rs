@@ -2,6 +2,10 @@
 //!
 //! The checker's own code path: the planners' separating axes, discs and rasters are not used here. Two outlines meet
 //! when edges cross or one holds a corner of the other; that is exact for concave polygons too.
+//!
+//! Coordinates are relative to the boundary's first corner, so that scenes far from the origin lose no digits. Edges
+//! are hashed into square buckets; a query looks at those that the body's box touches, then at larger surroundings
+//! until the nearest edge found is nearer than anything not yet looked at.
 
 use std::cell::Cell;
 
@@ -15,6 +19,7 @@ pub const FAR: f64 = 10.0;
 /// Overlaps shallower than this count as contact, which is free, metres.
 const CONTACT: f64 = 1e-6;
 
+/// A segment of an outline with its bounding box. The boundary's edges come first in [`Body::edges`].
 pub(super) struct Edge {
     pub(super) a: Point,
     pub(super) b: Point,
@@ -37,6 +42,7 @@ impl Edge {
     }
 }
 
+/// A polygon with an inside; a body that lies wholly in it meets no edge.
 pub(super) struct Solid {
     outline: Vec<Point>,
     owner: Owner,
@@ -45,6 +51,7 @@ pub(super) struct Solid {
 }
 
 impl Solid {
+    /// True if the point is inside.
     pub(super) fn holds(&self, p: Point) -> bool {
         let (low, high) = (self.low, self.high);
         let near = p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y;
@@ -53,6 +60,19 @@ impl Solid {
 }
 
 /// The exact obstacles of a scene, ready for body queries.
+///
+/// The name is that of the car's body, about which all queries are. Building takes time linear in the edges plus the
+/// buckets they touch; a query costs about as much as there are edges near the body.
+///
+/// # Examples
+/// ```
+/// use parkade::metrics::Body;
+///
+/// let scene = parkade::scenario::catalog::scenario("perpendicular").unwrap();
+/// let geometry = scene.geometry().unwrap();
+/// let body = Body::new(&geometry);
+/// assert!(body.hit(geometry.start).is_none() && body.clearance(geometry.start) > 0.1);
+/// ```
 pub struct Body {
     vehicle: Vehicle,
     pub(super) origin: Point,
@@ -66,6 +86,8 @@ pub struct Body {
 }
 
 /// Edges by the square of the plane that their bounding box touches.
+///
+/// Row by row from `low`; what lies outside is in the nearest bucket of the rim.
 pub(super) struct Buckets {
     pub(super) side: f64,
     low: Point,
@@ -88,6 +110,7 @@ impl Buckets {
         ((y - self.low.y) / self.side).clamp(0.0, (self.rows - 1) as f64) as usize
     }
 
+    /// The buckets that a box touches.
     pub(super) fn range(&self, low: Point, high: Point) -> impl Iterator<Item = usize> + use<> {
         let clamp = |v: f64, n: usize| (v / self.side).clamp(0.0, (n - 1) as f64) as usize;
         let (x0, x1) = (clamp(low.x - self.low.x, self.columns), clamp(high.x - self.low.x, self.columns));
@@ -165,6 +188,8 @@ impl Body {
     }
 
     /// The obstacle that the body overlaps at `pose`, if any; touching counts as free.
+    ///
+    /// Where several are overlapped it is the first found, in an order that depends on the scene alone.
     pub fn hit(&self, pose: Pose) -> Option<Owner> {
         let body = self.outline(pose, CONTACT);
         let (low, high) = bounds(&body);
@@ -224,7 +249,8 @@ impl Body {
         }
     }
 
-    /// How far a point of the body moves at most on an arc of a length with a turn, metres.
+    /// How far a point of the body moves at most on an arc of a length with a turn, metres. The lever is an upper bound
+    /// of the farthest corner's distance from the rear axle.
     pub(super) fn sweep(&self, length: f64, turn: f64) -> f64 {
         let v = &self.vehicle;
         let lever = v.rear_to_front.max(v.rear_to_back) + v.width / 2.0;
@@ -250,6 +276,7 @@ impl Body {
     }
 }
 
+/// Positive where a point is to the left of the line from a to b: twice the area of the triangle.
 fn side(a: Point, b: Point, p: Point) -> f64 {
     (b - a).perp(&(p - a))
 }

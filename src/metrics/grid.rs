@@ -1,4 +1,7 @@
 //! Lengths, turns and clearances of grid paths, in cells.
+//!
+//! Cell centres have integer coordinates; x grows to the east, y to the north. A cell's side is 1, so lengths become
+//! metres by the map's resolution.
 
 use crate::geometry::math;
 use crate::map::{Cell, Occupancy};
@@ -32,6 +35,18 @@ pub fn length(path: &[Cell]) -> f64 {
 }
 
 /// The corners of a path over cell centres.
+///
+/// Exact integers decide what a corner is; only the angle is rounded. A reversal counts as a corner of 180°.
+///
+/// # Examples
+/// ```
+/// use parkade::map::Cell;
+/// use parkade::metrics::grid::{length, turns};
+///
+/// let path = [Cell::new(0, 0), Cell::new(2, 0), Cell::new(3, 1)];
+/// assert_eq!((turns(&path).count, turns(&path).angle_deg), (1, 45.0));
+/// assert!((length(&path) - 2.0 - 2.0_f64.sqrt()).abs() < 1e-12);
+/// ```
 pub fn turns(path: &[Cell]) -> Turns {
     let mut turns = Turns::default();
     for triple in path.windows(3) {
@@ -48,6 +63,8 @@ pub fn turns(path: &[Cell]) -> Turns {
 
 /// The clearance along a polyline in cell coordinates (centres at integers): distance from the centre of each sample's
 /// cell to the nearest blocked cell's centre, at most [`MAX_CLEARANCE`]. The border does not count.
+///
+/// A line without points has the largest clearance there is.
 pub fn clearance(map: &Occupancy, line: &[[f64; 2]]) -> Clearance {
     let (mut min, mut sum, mut samples) = (MAX_CLEARANCE, 0.0, 0_u32);
     // Samples are close together: most are in the cell of the one before.
@@ -79,6 +96,7 @@ pub fn polyline(path: &[Cell]) -> Vec<[f64; 2]> {
     path.iter().map(|&c| point(c)).collect()
 }
 
+/// Distance from a cell's centre to the nearest obstacle's, at most [`MAX_CLEARANCE`].
 fn nearest(map: &Occupancy, cell: Cell) -> f64 {
     let reach = MAX_CLEARANCE as i32;
     let mut squared = reach * reach;

@@ -3,6 +3,10 @@
 //! The check shares no collision code with the planners: it measures the distance from body to outlines by code of
 //! its own. So a bug in a planner's collision test shows as a path that the check refuses. Figures come in
 //! families: lengths and turns of grid paths ([`grid`]) in cells, everything else in metres.
+//!
+//! Three levels of trust: [`check()`] decides whether a path is drivable and is the only judge of paths; [`Body`]
+//! answers distance queries about one pose; the figures describe and never decide. Everything is computed from the
+//! resolved scene and the path alone, so figures of paths by different planners are comparable.
 
 #[cfg(feature = "complete")]
 mod any_angle;

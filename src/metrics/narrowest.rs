@@ -1,4 +1,7 @@
 //! The narrowest place of a path.
+//!
+//! The nearest points of two segments that do not cross include an end of one of them. So all pairs of a corner with an
+//! edge, both ways around, are enough to find both points exactly.
 
 use super::Body;
 use super::footprint_distance::FAR;
@@ -10,6 +13,9 @@ use crate::scenario::resolve::Owner;
 const ROUNDING: f64 = 1e-6;
 
 /// The narrowest place of a path.
+///
+/// Both points are in the world frame, metres; their distance is the path's least clearance. The page draws it as a
+/// dimension line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Narrowest {
     /// Of the path's poses.

@@ -4,6 +4,12 @@
 //! a(s) a stationary first-order autoregression of standard deviation 0.12 m and correlation length 10 m, e within ±1
 //! m, the heading untouched. Room is told at 21 offsets of every station and interpolated between. Trial k of a seed is
 //! the same however trials are grouped.
+//!
+//! The recursion a(s + Δ) = ρ·a(s) + σ·√(1 − ρ²)·z with ρ = exp(−Δ/10 m) and z from N(0, 1) keeps the standard
+//! deviation σ for any step Δ, so the risk does not depend on how stations are spaced.
+//!
+//! Measuring the room for each offset of each trial would take trials × stations queries; measured once per station and
+//! offset it takes 21 × stations, and a trial is then arithmetic. Offsets are metres to the left of the line.
 
 use serde_json::{Map, Value};
 
@@ -32,6 +38,8 @@ const OFFSETS: usize = 21;
 pub const MAX_DRIVEN: f64 = 1e9;
 
 /// Which trials to run.
+///
+/// Results of slices `from..from + trials` of one seed add up to those of the whole, on any number of workers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
     /// How many, 1 to 1 000 000, and so few that together they drive no more than [`MAX_DRIVEN`].
@@ -77,6 +85,8 @@ impl Options {
 }
 
 /// How many trials collide.
+///
+/// The standard error of the share p = hits/trials is √(p·(1 − p)/trials): 0.7 % for 1000 trials with p = 5 %.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Risk {
@@ -180,6 +190,7 @@ impl Drive {
     }
 }
 
+/// The room at a place between two offsets, linear; `place` counts offsets from the rightmost.
 fn between(rooms: &Rooms, place: f64) -> f64 {
     let low = (place as usize).min(OFFSETS - 2);
     let share = place - low as f64;

@@ -99,7 +99,7 @@ pub fn figures(geometry: &Geometry, body: &Body, lanes: &[Lane], path: &[Pose]) 
     figures
 }
 
-/// Of nothing: zero, so that there is always a number.
+/// Of nothing: zero, so that there is always a number. The pair of the least and the mean value.
 fn least_and_mean(values: impl Iterator<Item = f64>) -> (f64, f64) {
     let (least, sum, count) =
         values.fold((f64::INFINITY, 0.0, 0_u32), |(least, sum, n), v| (v.min(least), sum + v, n + 1));

@@ -1,4 +1,7 @@
 //! Distances that go on below zero where something is overlapped.
+//!
+//! Outside obstacles the value is the distance to the nearest edge, inside it is the same with a minus sign. The sign
+//! lets a mean or an interpolation tell a slight overlap from a deep one, which a clearance of 0 does not.
 
 use super::Body;
 use super::footprint_distance::squared_to_segment;
@@ -41,6 +44,8 @@ impl Body {
     /// Signed distance from the body's outline to the nearest obstacle or kerb, metres, between `-most` and `most`:
     /// exact where it overlaps nothing, otherwise that of the deepest of points of the outline at most 0.24 m
     /// apart, of a ship's a 64th of it. `most` may be infinite, for every floor has an edge.
+    ///
+    /// An overlap that no point of the outline shows (a thin obstacle across the body) counts as one nanometre.
     pub fn signed_clearance(&self, pose: Pose, most: f64) -> f64 {
         if self.hit(pose).is_none() {
             return self.room(pose, self.buckets.side, most);

@@ -1,4 +1,8 @@
 //! Trajectories and paths as CSV, with errors that name the line and the column.
+//!
+//! The reader accepts numbers as Rust's `f64` parses them and spaces around them, no quotes and no comments. It stops
+//! at the first error; nothing is repaired, because a judgement must be about the file as it is. Memory grows with the
+//! rows, which are bounded; so is every line.
 
 use super::{Submission, TimedRows};
 use crate::error::{Error, ErrorCode};
@@ -16,7 +20,7 @@ fn at<T>(line: usize, column: usize, rule: impl Into<String>) -> Result<T, Error
     Err(Error::new(ErrorCode::Import, format!("{line}:{column}"), rule))
 }
 
-/// A field of a line and the column where it begins.
+/// A field of a line and the column where it begins. Columns count characters, not bytes, as editors do.
 fn fields(line: &str) -> Vec<(usize, &str)> {
     let mut begin = 1;
     let split = line.split(',').map(|field| {
@@ -35,6 +39,9 @@ fn quoted(text: &str) -> String {
 }
 
 /// Which column each field is.
+///
+/// Columns may come in any order. Beside `t` there is no `gear`, because the sign of v tells it; without `t` there are
+/// no columns in time.
 fn header(line: &str) -> Result<Vec<&'static str>, Error> {
     let mut columns = Vec::new();
     for (place, name) in fields(line) {
@@ -61,6 +68,17 @@ fn header(line: &str) -> Result<Vec<&'static str>, Error> {
 
 /// Reads `t,x,y,theta[,v,phi[,a,omega]]`, a trajectory, or `x,y,theta[,gear]`, a path; columns in any order, empty
 /// lines at the end.
+///
+/// Controls in the file (a, omega) are checked to be numbers and then ignored: they follow from v and phi.
+///
+/// # Examples
+/// ```
+/// use parkade::referee::{Submission, read};
+///
+/// let path = read("x,y,theta,gear\n0,0,0,1\n1,0,0,1\n").unwrap();
+/// assert!(matches!(path, Submission::Path { gears: Some(_), .. }));
+/// assert!(read("x,y,theta\n0,0,0\n1,zero,0\n").unwrap_err().to_string().contains("3:3"));
+/// ```
 ///
 /// # Errors
 /// [`ErrorCode::Import`] with `line:column` and the rule.
@@ -114,6 +132,7 @@ pub fn read(text: &str) -> Result<Submission, Error> {
     }
 }
 
+/// The columns as a submission: a trajectory where there are times.
 fn submission(columns: &[&str], mut values: Vec<Vec<f64>>) -> Submission {
     let mut take =
         |name: &str| columns.iter().position(|c| *c == name).map(|i| std::mem::take(&mut values[i]));

@@ -1,4 +1,9 @@
 //! Speeds and steering angles of poses in time, where they are not given.
+//!
+//! Poses and times are data, speeds and steering angles a reconstruction. Between two poses the car is taken to drive
+//! the circular arc through both, whose length follows from the chord c and the turn Δθ: s = c·(Δθ/2)/sin(Δθ/2). Speed
+//! is ds/dt and curvature dθ/ds, hence φ = atan(L·κ). Where the reconstruction is wrong, the replay strays from the
+//! poses, and [`super::Judgement::model_error`] shows it.
 
 use super::states::unwrapped;
 use super::{MotionLimits, States, TimedRows};
@@ -11,6 +16,8 @@ const SHORTEST: f64 = 1e-6;
 const AT_REST: f64 = 1e-4;
 
 /// Signed length of the arc between two poses: negative where the car moves against its heading.
+///
+/// The sign is that of the chord along the mean heading, so headings must be unwrapped.
 pub(super) fn arc(from: Pose, to: Pose) -> f64 {
     let (dx, dy) = (to.x - from.x, to.y - from.y);
     let half = (to.heading - from.heading) / 2.0;
@@ -32,6 +39,9 @@ pub(super) fn states(vehicle: &Vehicle, limits: &MotionLimits, rows: &TimedRows)
 
 /// Speeds that are linear between rows and cover the arcs, from rest to rest, where they keep the limits of
 /// acceleration; else central differences.
+///
+/// The exact solution is the recursion v₀ = 0, vᵢ₊₁ = 2·sᵢ/Δtᵢ − vᵢ. It is unstable under noise (an error alternates in
+/// sign and stays), so it counts only where every acceleration keeps the limits and the car ends at rest.
 fn speeds(limits: &MotionLimits, t: &[f64], arcs: &[f64]) -> Vec<f64> {
     let dt: Vec<f64> = t.windows(2).map(|t| t[1] - t[0]).collect();
     let mean: Vec<f64> = arcs.iter().zip(&dt).map(|(s, dt)| s / dt).collect();
@@ -58,7 +68,9 @@ fn speeds(limits: &MotionLimits, t: &[f64], arcs: &[f64]) -> Vec<f64> {
     speeds
 }
 
-/// Steering angles at the rows: of the mean curvature of the two arcs that meet there.
+/// Steering angles at the rows: of the mean curvature of the two arcs that meet there. A standstill tells no curvature
+/// and takes that of the motion before it. The mean is weighted by the other arc's length, which is the linear
+/// interpolation between the middles of the arcs.
 fn angles(vehicle: &Vehicle, arcs: &[f64], turns: &[f64]) -> Vec<f64> {
     let known = |i: usize| (arcs[i].abs() > SHORTEST).then(|| turns[i] / arcs[i]);
     let n = arcs.len();

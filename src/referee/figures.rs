@@ -1,4 +1,7 @@
 //! Figures of a trajectory's time, effort and smoothness, as the competitions state them.
+//!
+//! With a linear course c₀ → c₁ over Δt, the integral of its square is Δt·(c₀² + c₀c₁ + c₁²)/3, which makes the effort
+//! exact. Lateral acceleration v²·tan φ/L has no such form and is sampled at the ends and at three places between.
 
 use super::{MotionLimits, States};
 use crate::geometry::math;
@@ -13,17 +16,19 @@ const PARTS: u32 = 4;
 
 /// Duration, effort and smoothness of a trajectory. The integrals are exact for speeds and steering angles that are
 /// linear between rows.
+///
+/// A trajectory with fewer than two rows has zeros. Figures say nothing of obstacles; [`super::Contacts`] does.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Figures {
     /// Seconds.
     pub duration: f64,
     /// Distance driven, ∫|v|, metres.
     pub length: f64,
-    /// ∫ a² + v²·ω² dt.
+    /// ∫ a² + v²·ω² dt. With a in m/s², v in m/s and ω in rad/s; a sum of two units, as the benchmark has it.
     pub effort: f64,
     /// ∫ φ² dt.
     pub steering: f64,
-    /// Changes of the sign of v between speeds beyond 0.01 m/s.
+    /// Changes of the sign of v between speeds beyond 0.01 m/s. A stop that goes on in the same gear is none.
     pub gear_changes: u32,
     /// Largest |v|, m/s.
     pub max_speed: f64,
@@ -58,6 +63,7 @@ impl Figures {
         figures
     }
 
+    /// Takes in what lies between two rows: `v` and `angle` at their ends, linear between them.
     fn add(&mut self, vehicle: &Vehicle, dt: f64, v: [f64; 2], angle: [f64; 2]) {
         let square = |c: [f64; 2]| dt * (c[0] * c[0] + c[0] * c[1] + c[1] * c[1]) / 3.0;
         let (a, rate) = ((v[1] - v[0]) / dt, (angle[1] - angle[0]) / dt);
@@ -100,6 +106,9 @@ impl Figures {
     }
 
     /// True if all limits are kept, to 0.1 %.
+    ///
+    /// Largest steering angle and rate come from the vehicle, the other limits from `limits`; of two steering rates the
+    /// lesser holds.
     pub fn keep(&self, vehicle: &Vehicle, limits: &MotionLimits) -> bool {
         let pairs = [
             (self.max_speed, limits.speed),

@@ -36,11 +36,13 @@ pub struct Judgement {
     pub contacts: Contacts,
     /// How far the first pose is from the start: metres, radians.
     pub start_error: (f64, f64),
-    /// How far the last pose is from the goal: metres in x and in y, radians.
+    /// How far the last pose is from the goal: metres in x and in y, radians. Infinite where the scene's set of goals
+    /// is empty.
     pub end_error: (f64, f64, f64),
     /// The speed at the end, m/s.
     pub end_speed: f64,
-    /// How far the given poses are from the replayed ones at most: metres, radians.
+    /// How far the given poses are from the replayed ones at most: metres, radians. Large values mean that no car
+    /// drives these poses at these speeds.
     pub model_error: (f64, f64),
 }
 
@@ -143,6 +145,7 @@ pub fn judge(
     Ok(verdict(geometry, &body, &states, limits, &moments, error))
 }
 
+/// The larger of an error so far and that between two poses: metres, radians.
 fn larger((distance, turn): (f64, f64), a: Pose, b: Pose) -> (f64, f64) {
     (distance.max(math::hypot(a.x - b.x, a.y - b.y)), turn.max((a.heading - b.heading).abs()))
 }
@@ -202,7 +205,8 @@ fn verdict(
     }
 }
 
-/// The trajectory of the closed-loop follower on a path.
+/// The trajectory of the closed-loop follower on a path. Gears that are absent follow from the side on which the next
+/// pose lies.
 fn driven(
     vehicle: &Vehicle,
     limits: &MotionLimits,

@@ -1,10 +1,21 @@
 //! Limits that a trajectory must keep.
+//!
+//! One set of limits serves both sides: `optimise` plans within it and `referee` judges by it, with 0.1 % of tolerance
+//! for rounding.
 
 use crate::error::{Error, ErrorCode};
 use crate::json;
 use crate::vehicle::Vehicle;
 
 /// Limits of a car in motion; the steering angle's limit is the car's own.
+///
+/// # Examples
+/// ```
+/// use parkade::referee::MotionLimits;
+///
+/// let limits = MotionLimits { speed: 0.0, ..MotionLimits::default() };
+/// assert!(limits.validate().unwrap_err().to_string().contains("speed"));
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionLimits {
     /// Largest speed in either gear, m/s, 0.1 to 100.

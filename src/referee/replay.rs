@@ -1,4 +1,8 @@
 //! The controls of a trajectory, integrated by the classical Runge–Kutta method in steps of at most a millisecond.
+//!
+//! Controls are constant between two rows, so v and φ are linear there and only the pose has to be integrated. The
+//! method's error in a step of h = 1 ms is of the order h⁵, so beside the verdict's centimetre the replay counts as
+//! exact.
 
 use super::States;
 use crate::geometry::{Pose, math};
@@ -10,6 +14,8 @@ pub(super) const FRAME: f64 = 0.001;
 const SAME_TIME: f64 = 1e-9;
 
 /// A moment of a replay.
+///
+/// Speed and steering angle at a row are that row's own values, not sums of increments.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frame {
     /// Seconds.
@@ -24,6 +30,9 @@ pub struct Frame {
 
 /// Drives the controls of `states` from its first state and tells each millisecond, each row and the end. Steps end at
 /// rows, where the controls change. Positions and headings of later rows play no part.
+///
+/// Times count in whole milliseconds from 0, so equal trajectories give equal frames on every platform. A trajectory of
+/// T seconds with n rows gives at most 1000·T + n frames. `states` without poses gives none.
 pub fn replay(vehicle: &Vehicle, states: &States, mut each: impl FnMut(Frame)) {
     let Some(&start) = states.poses.first() else { return };
     let mut now = Frame { t: states.t[0], pose: start, speed: states.speed[0], steering: states.steering[0] };

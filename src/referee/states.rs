@@ -1,4 +1,7 @@
 //! A trajectory as columns.
+//!
+//! Columns instead of rows of records: the JS API hands each out as one typed array, and figures read one or two of
+//! them only. All columns have the same length, which is an invariant of whoever fills them; [`States::push`] keeps it.
 
 use crate::geometry::{Pose, math};
 
@@ -31,6 +34,18 @@ impl States {
     }
 
     /// Acceleration (m/s²) and steering rate (rad/s) from each moment to the next; 0 from the last.
+    ///
+    /// # Examples
+    /// ```
+    /// use parkade::geometry::Pose;
+    /// use parkade::referee::States;
+    ///
+    /// let mut states = States::default();
+    /// states.push(0.0, Pose::new(0.0, 0.0, 0.0), 0.0, 0.0);
+    /// states.push(2.0, Pose::new(1.0, 0.0, 0.0), 1.0, 0.0);
+    /// assert_eq!(states.controls().0, [0.5, 0.0]);
+    /// assert_eq!((states.duration(), states.stations()), (2.0, vec![0.0, 1.0]));
+    /// ```
     pub fn controls(&self) -> (Vec<f64>, Vec<f64>) {
         let slopes = |column: &[f64]| {
             let steps = self.t.windows(2).zip(column.windows(2));

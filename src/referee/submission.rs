@@ -1,4 +1,7 @@
 //! A submission to the referee: a trajectory with times, or a path.
+//!
+//! Both kinds are checked in full before any work: lengths of columns, finite values within ±1e10, times that increase
+//! strictly from 0. The same rules serve the CSV reader, which turns row and column into a place in the text.
 
 use crate::error::{Error, ErrorCode};
 use crate::geometry::Pose;
@@ -23,6 +26,9 @@ pub struct TimedRows {
 }
 
 /// A trajectory or a path that somebody hands in.
+///
+/// For a path the referee chooses the speeds, so its duration and effort are those of the referee's own follower and
+/// not comparable with a trajectory's.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Submission {
     /// Poses with times.
