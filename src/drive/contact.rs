@@ -2,7 +2,8 @@
 //!
 //! The test advances by safe steps: while everything is at least g metres apart, and the two can approach at no more
 //! than w m/s, nothing can touch for g/w seconds. Here w is the boxes' largest speed plus that of the car's farthest
-//! corner, |v|·(1 + reach·κ_max). A step is never shorter than [`CHECK`]/w; within that an overlap may stay unseen.
+//! corner, |v|·(1 + r·κ), r metres from the rear axle at the largest curvature κ. A step is never shorter than
+//! [`CHECK`]/w; within that an overlap may stay unseen.
 
 use super::moving_obstacles::Mover;
 use crate::geometry::{Point, Pose};
