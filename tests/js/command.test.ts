@@ -203,7 +203,7 @@ test("the SVG picture is well formed, holds the scene, and draws each planner's 
   );
   expect(() => toSVG(scene, plans, { width: 0 })).toThrow("width: must be 16 to 8192 pixels, got 0");
   expect(() => toSVG(scene, plans, { controls: "full" as "none" })).toThrow(
-    "controls: must be none or minimal, got full",
+    'controls: must be none or minimal, got "full"',
   );
   expect(() => toSVG(scene, plans, { camera: { x: 0, y: 0, scale: 0 } })).toThrow(
     "camera.scale: must be a positive number, got 0",
