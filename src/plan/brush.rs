@@ -1,4 +1,12 @@
 //! Edits of a planner's map that cost what they touch, not the size of the map.
+//!
+//! Painting walls by hand sends an edit with every frame, so an edit must not prepare the map again. The planner keeps
+//! two occupancy maps: the cells that other obstacles block, and those under the brush. A cell of the searched map is
+//! blocked where either is, so taking the brush away restores exactly what was below. Each changed cell updates the
+//! rasters around it: the safety space in its radius, and the jump bitmaps of its row and column.
+//!
+//! The exact geometry (the body's outlines, the scene's runs) is needed only for a plan. It follows once at the next
+//! one, however many strokes came before.
 
 use super::world::{World, brushed, shapes};
 use super::{Engine, Planner};
@@ -8,6 +16,8 @@ use crate::metrics::Body;
 use crate::scenario::{Obstacle, Scenario};
 
 /// Cells covered by the brush, kept apart from the other obstacles.
+///
+/// Both maps have the frame of the planner's own.
 pub(super) struct Brush {
     /// Cells that other obstacles block.
     others: Occupancy,
@@ -32,6 +42,20 @@ impl Planner {
     /// brush away from them; what other obstacles block stays blocked.
     ///
     /// Rasters change only where the runs touch them. The scene and its exact geometry follow at the next plan.
+    ///
+    /// Overlapping runs count once, and a cell that already is as asked costs one look. The plan afterwards is the same
+    /// as that of a planner made anew for the edited scene.
+    ///
+    /// # Examples
+    /// ```
+    /// let scene = parkade::scenario::catalog::scenario("perpendicular").unwrap();
+    /// let mut planner = parkade::plan::Planner::new("eight", &scene, &Default::default()).unwrap();
+    /// let before = planner.plan(Default::default()).hash();
+    /// planner.brush(&[[40, 30, 3]], true).unwrap();
+    /// planner.brush(&[[40, 30, 3]], false).unwrap();
+    /// assert_eq!(planner.plan(Default::default()).hash(), before);
+    /// assert!(planner.brush(&[[1_000_000, 0, 1]], true).is_err());
+    /// ```
     ///
     /// # Errors
     /// [`ErrorCode::Input`] when a run is not on the map.

@@ -1,4 +1,13 @@
 //! Which of hybrid A*'s paths is the answer, and which are worth showing beside it.
+//!
+//! A search minimises one cost: length with prices for reversing, gear changes and steering. People want other things
+//! of a path: few changes, a wide berth, little time. Those are figures of the whole path, not sums over edges, so no
+//! single search minimises them. Instead the planner makes several candidates, and this module keeps the *Pareto
+//! front*: a path leaves it only when another is as good in length, gear changes, clearance and time at once.
+//!
+//! Two figures count as equal within 1 % (lengths, times) and 5 cm (clearances). Without these tolerances the front
+//! would fill with paths that look the same. The preferred path is never dropped from the front, and the answer is the
+//! best of all that were offered, in an order that does not depend on time.
 
 use std::ops::ControlFlow;
 
@@ -14,6 +23,9 @@ const SAME: f64 = 0.01;
 const SAME_CLEARANCE: f64 = 0.05;
 
 /// A request to choose among paths.
+///
+/// `stickiness` is a share of the cost, from 0: the hysteresis that keeps a path from jumping to and fro while somebody
+/// drags the goal.
 pub(super) struct Wish<'a> {
     pub(super) prefer: Option<Prefer>,
     pub(super) alternatives: bool,
@@ -27,7 +39,8 @@ impl Wish<'_> {
         (self.prefer.is_none() || self.stickiness > 0.0) && !self.alternatives && self.improved.is_none()
     }
 
-    /// True if the time of a path matters to the choice.
+    /// True if the time of a path matters to the choice. It takes an optimisation for each path, so it is avoided
+    /// otherwise.
     fn needs_time(&self) -> bool {
         self.prefer == Some(Prefer::Fastest) || self.alternatives
     }
@@ -53,7 +66,8 @@ impl Wish<'_> {
     }
 }
 
-/// A plan's path and the speed limits on it.
+/// A plan's path and the speed limits on it. `None` where no car can drive the path: it has corners or turns that are
+/// too tight.
 fn route(plan: &Plan, geometry: &Geometry, limits: &[SpeedLimit]) -> Option<Route> {
     let route = Route::new(&geometry.vehicle, &plan.path, &plan.directions, Some(&plan.curvatures)).ok()?;
     Some(route.with_speed_limits(limits))
@@ -68,6 +82,8 @@ pub(super) fn estimated_time(plan: &Plan, geometry: &Geometry, limits: &[SpeedLi
 }
 
 /// Tells how long the trajectory takes that [`optimise`] makes of a path of hybrid A*'s; nothing where it makes none.
+///
+/// The trajectory runs between the path's own ends, which may be another goal's than the scene's.
 fn tell_time(plan: &mut Plan, geometry: &Geometry, limits: &[SpeedLimit]) {
     let (Some(&start), Some(&goal)) = (plan.path.first(), plan.path.last()) else { return };
     let geometry = Geometry { start, goal, ..geometry.clone() };
@@ -80,6 +96,8 @@ fn tell_time(plan: &mut Plan, geometry: &Geometry, limits: &[SpeedLimit]) {
 }
 
 /// The paths so far.
+///
+/// Invariant: `plans` is empty or `best` is an index in it.
 pub(super) struct Choosing<'w> {
     wish: Wish<'w>,
     geometry: Geometry,
@@ -97,6 +115,9 @@ impl<'w> Choosing<'w> {
     }
 
     /// Takes another path; tells whether to look for more.
+    ///
+    /// The first path is the best so far by definition. A later one that is not better and is covered by one that is
+    /// kept leaves without a trace; one that stays drops those that it covers.
     pub(super) fn offer(&mut self, mut plan: Plan) -> ControlFlow<()> {
         if self.wish.needs_time() {
             tell_time(&mut plan, &self.geometry, &self.limits);
@@ -140,6 +161,10 @@ impl<'w> Choosing<'w> {
     }
 
     /// The answer, after as much work.
+    ///
+    /// Counters are those of all searches together; the level is that of the search which found the path.
+    ///
+    /// Panics if nothing was offered.
     pub(super) fn conclude(mut self, stats: &Stats) -> Plan {
         let level = self.plans[self.best].stats.level;
         let mut best = self.plans[self.best].clone();
@@ -156,6 +181,9 @@ impl<'w> Choosing<'w> {
 }
 
 /// The figures by which paths are compared.
+///
+/// Metres, seconds and the planner's cost. A time that is not known counts as the largest number, so a path with a
+/// known time is always faster.
 struct Figures {
     length: f64,
     changes: u32,
@@ -178,6 +206,8 @@ impl Figures {
 }
 
 /// True if one path is as good as another in everything, but for differences that nobody would notice.
+///
+/// Not transitive because of the tolerances, which is why the order of the offers is fixed.
 fn covers(one: &Plan, other: &Plan) -> bool {
     let (one, other) = (Figures::of(one), Figures::of(other));
     one.changes <= other.changes
@@ -186,6 +216,7 @@ fn covers(one: &Plan, other: &Plan) -> bool {
         && one.clearance >= other.clearance - SAME_CLEARANCE
 }
 
+/// The margin that a plan was searched with, metres; 0 for other planners.
 fn margin(plan: &Plan) -> f64 {
     plan.metrics.hybrid.as_ref().map_or(0.0, |figures| figures.margin)
 }

@@ -1,4 +1,13 @@
 //! To whichever of several goals is the cheapest to reach.
+//!
+//! Hybrid A* takes all goals as sinks of one search: the tree that reaches any of them first by cost has the answer. A
+//! grid planner has one goal in its estimate, so the goals are tried one after another, the nearest first. The straight
+//! distance d to a goal bounds the cost of any path to it from below, because no move costs less than its length. So
+//! once a path of cost c is found, goals with d − slack ≥ c cannot be cheaper and are skipped; `slack` covers the way
+//! from the pose to the middle of its cell.
+//!
+//! The chosen goal is planned once more at the end, with trace and callbacks, so that the answer is the same plan as
+//! for this goal alone; only the count of expansions is the sum.
 
 use std::ops::ControlFlow;
 
@@ -6,11 +15,15 @@ use super::{Driven, Engine, Improved, NEAR, Options, Outcome, Plan, Planner, Pro
 use crate::geometry::{Pose, math};
 use crate::scenario::{GoalPose, Goals};
 
-/// Expansions of cells after which no further goal is tried.
+/// Expansions of cells after which no further goal is tried. The cap keeps a scene with many unreachable goals from
+/// searching the whole map once for each.
 const EFFORT: u32 = 50_000_000;
 
 impl Planner {
     /// Plans to the cheapest goal: in one search with hybrid A*, else to one goal after another.
+    ///
+    /// Without any goal the outcome is `goal-blocked`, with the scene's reason. Afterwards the planner's geometry has
+    /// the goal that was reached.
     pub(super) fn plan_any(&mut self, start: Pose, goals: &Goals, mut options: Options) -> Plan {
         let mut poses: Vec<Pose> = goals.poses.iter().map(|goal| goal.pose).collect();
         if poses.is_empty() {
@@ -122,7 +135,8 @@ impl Planner {
     }
 
     /// Cost of a plan's path under its planner's settings, metres. Failures cost more than any path; the more a failure
-    /// explains, the less it costs.
+    /// explains, the less it costs. So if all goals fail, the plan that is answered is a search that went through
+    /// everything rather than a goal inside a wall.
     fn price(&self, plan: &Plan) -> f64 {
         let cells = plan.stats.cost_micro.map(|cost| cost as f64 * 1e-6 * self.world.frame.resolution);
         let road = plan.metrics.road.as_ref().map(|road| road.cost);

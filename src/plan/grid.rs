@@ -1,4 +1,18 @@
 //! Grid planners in a scene: cells in, a checked path in metres out.
+//!
+//! A pose becomes the cell that holds the rear axle's middle; a heading plays no part in the search. The way back to
+//! metres goes through these steps, each of which keeps what the one before has made:
+//!
+//! 1. the search answers cells from start to goal;
+//! 2. pruning leaves out cells that a straight line can skip, greedily ([`prune`]) and by dynamic programming
+//!    ([`prune_dp`]);
+//! 3. tangent arcs round the corners ([`smooth`]);
+//! 4. poses are sampled along the result that the setting `post` asks for;
+//! 5. the independent check drives the car along them, with its real body.
+//!
+//! Steps 2 and 3 always run, since their lengths and corners are among the metrics. A grid path is not expected to pass
+//! the check of a car: it has corners, and the search knew a point or a disc. The check says so, and the outcome stays
+//! `found`.
 
 #[cfg(feature = "complete")]
 use super::outcome::Recorded;
@@ -27,12 +41,14 @@ use crate::post::{Piece, Smoothed, prune, prune_dp, smooth};
 use crate::search::Stop;
 use crate::search::Watch;
 
-/// A path of more poses than this is sampled less often.
+/// A path of more poses than this is sampled less often. It bounds time and memory of the check on maps of kilometres.
 const MAX_POSES: f64 = 50_000.0;
 /// Longest chord that stands for a piece of an arc where clearances are measured, cells.
 const CHORD: f64 = 0.1;
 
 /// A grid planner and its memory.
+///
+/// The scratch keeps node tables and queues between plans; its size follows the largest map so far.
 pub(super) struct Engine {
     search: GridPlanner,
     settings: Common,
@@ -41,6 +57,8 @@ pub(super) struct Engine {
 }
 
 impl Engine {
+    /// # Errors
+    /// [`ErrorCode::Config`] where cells have weights and the planner takes them for equal.
     pub(super) fn new(world: &World, kind: PlannerId, search: GridPlanner) -> Result<Self, Error> {
         let settings = search.common();
         if world.occupancy.weights().is_some() && !kind.takes_costs() {
@@ -51,6 +69,7 @@ impl Engine {
         Ok(Self { search, settings, rasters, scratch: GridScratch::new() })
     }
 
+    /// Search, then [`Finish`]. Rasters that depend on start and goal are brought up to date before.
     pub(super) fn plan(&mut self, world: &World, mut watch: Watch) -> Plan {
         let report = self.search(world, world.geometry.start, world.geometry.goal, &mut watch);
         #[cfg(feature = "complete")]
@@ -69,6 +88,8 @@ impl Engine {
     }
 
     /// The search alone.
+    ///
+    /// Ends outside the map get a cell that no map has, which the planner answers with an outcome.
     pub(super) fn search(&mut self, world: &World, start: Pose, goal: Pose, watch: &mut Watch) -> GridReport {
         let [start, goal] = [start, goal].map(|pose| cell_of(&world.frame, pose));
         #[cfg(feature = "complete")]
@@ -102,7 +123,7 @@ impl Engine {
 #[cfg(feature = "complete")]
 impl Engine {
     /// The last search, between the ends of `world`, with its events written down; `None` for planners without an open
-    /// list of cells.
+    /// list of cells. Recording runs the search a second time, so that a plan without it pays nothing.
     pub(super) fn record(&self, world: &World, limit: usize) -> Option<Recorded> {
         let [start, goal] = [world.geometry.start, world.geometry.goal].map(|p| cell_of(&world.frame, p));
         let map = self.rasters.map(world);
@@ -166,10 +187,13 @@ impl Engine {
 }
 
 /// The cell of a pose; one outside the map where it is outside.
+///
+/// Outside the map the cell is (−1, −1), which is blocked in every map.
 fn cell_of(frame: &Frame, pose: Pose) -> Cell {
     frame.cell_at(pose.point()).unwrap_or(Cell::new(-1, -1))
 }
 
+/// Everything after the search, from cells to a checked plan in metres.
 struct Finish<'a> {
     world: &'a World,
     rasters: &'a Rasters,
@@ -223,6 +247,8 @@ impl Finish<'_> {
         }
     }
 
+    /// The poses along the pieces, [`STEP`] apart, or farther on very long paths. A path of one cell is the car at its
+    /// start heading.
     fn driven(&self, pieces: &[Piece]) -> super::Driven {
         let frame = &self.world.frame;
         let start = self.world.geometry.start.heading;
@@ -235,6 +261,7 @@ impl Finish<'_> {
         path_sampling::follow(frame, pieces, start, STEP.max(length / MAX_POSES))
     }
 
+    /// Lengths and clearances in cells, measured before the sampling to poses.
     fn metrics(
         &self,
         pruned: &[Cell],
@@ -263,6 +290,7 @@ impl Finish<'_> {
         }
     }
 
+    /// The outcome in a sentence, with the place in metres; `None` where there is a path.
     fn reason(&self) -> Option<String> {
         let at = |pose: Pose| format!("({:.2}, {:.2})", pose.x, pose.y);
         let geometry = &self.world.geometry;
@@ -296,6 +324,7 @@ impl Finish<'_> {
     }
 }
 
+/// The counters that all grid planners have. The cost is told only where there is a path.
 fn stats(report: &GridReport) -> Stats {
     Stats {
         expanded: report.expanded,

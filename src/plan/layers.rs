@@ -1,4 +1,8 @@
 //! Rasters of a planner's maps, for drawing.
+//!
+//! Layers are made when they are asked for and never kept: a planner that nobody draws spends no memory on them. Each
+//! takes time linear in the cells, but for `redundant` and the fields, which are as dear as preparing a search. Values
+//! are in row-major order from the south-western cell, x fastest: cell (x, y) is item `y * width + x`, as in the map.
 
 use super::world::World;
 use super::{Engine, Planner};
@@ -17,6 +21,9 @@ pub struct Layer {
 }
 
 /// The values of a [`Layer`].
+///
+/// Bytes are 0 or 1 in `occupancy` and a [`Safety`](crate::map::inflation::Safety) elsewhere. Floats are metres in
+/// `clearance`, and two numbers per cell (east, north) in `risk`.
 #[derive(Debug, Clone)]
 pub enum LayerData {
     /// One byte per cell.
@@ -35,6 +42,18 @@ impl Planner {
     /// # Errors
     /// [`ErrorCode::Input`] for another name, for `risk` and `potential` of a planner without a field, for `redundant`
     /// of one that is not a grid planner, for `cost` of one without a cost map, and for another `every`.
+    ///
+    /// # Examples
+    /// ```
+    /// use parkade::plan::{LayerData, Planner};
+    ///
+    /// let scene = parkade::scenario::catalog::scenario("perpendicular").unwrap();
+    /// let planner = Planner::new("eight", &scene, &Default::default()).unwrap();
+    /// let layer = planner.layer("clearance", 1).unwrap();
+    /// let LayerData::Floats(metres) = &layer.data else { unreachable!() };
+    /// assert_eq!(metres.len(), (layer.width * layer.height) as usize);
+    /// assert!(planner.layer("risk", 1).is_err());
+    /// ```
     pub fn layer(&self, name: &str, every: u32) -> Result<Layer, Error> {
         if every == 0 || (every > 1 && name != "risk") {
             let rule = if name == "risk" { "a whole number from 1" } else { "1 but for risk" };
@@ -89,6 +108,7 @@ impl Planner {
     }
 }
 
+/// 1 where the map is blocked, else 0.
 fn cells(world: &World) -> Vec<u8> {
     let map = &world.occupancy;
     (0..map.len() as u32).map(|i| u8::from(map.blocked(map.cell(i)))).collect()

@@ -135,6 +135,7 @@ impl Options<'_> {
 #[cfg(feature = "complete")]
 pub type Improved<'a> = &'a mut dyn FnMut(&Plan) -> std::ops::ControlFlow<()>;
 
+/// Boxed, because the three differ much in size. All three answer the same [`Plan`].
 enum Engine {
     Grid(Box<grid::Engine>),
     Hybrid(Box<hybrid::Engine>),
@@ -221,6 +222,9 @@ impl Planner {
     }
 
     /// Plans, and checks the answer.
+    ///
+    /// Plans depend on the scene and the settings alone: any number of calls give the same bytes. The exception is
+    /// [`Options::stickiness`] above 0, with which the last plan counts, too.
     pub fn plan(&mut self, options: Options) -> Plan {
         self.between(self.own_ends[0], None, options)
     }
@@ -238,6 +242,7 @@ impl Planner {
         self.toward([start, goal.unwrap_or(self.own_ends[1])], options)
     }
 
+    /// Searches between two poses, which become the ends of the world until the next plan.
     #[cfg_attr(feature = "complete", inline(never))]
     fn toward(&mut self, ends: [Pose; 2], options: Options) -> Plan {
         [self.world.geometry.start, self.world.geometry.goal] = ends;
@@ -280,7 +285,8 @@ impl Planner {
         plan
     }
 
-    /// About how long this planner's path takes to drive as it is, seconds; infinite where it cannot be told.
+    /// About how long this planner's path takes to drive as it is, seconds; infinite where it cannot be told. It uses
+    /// default limits without a limit of jerk; [`optimise`] gives the time of a trajectory that a car can follow.
     #[cfg(feature = "complete")]
     pub fn driving_time(&self, plan: &Plan) -> f64 {
         choices::estimated_time(plan, &self.world.geometry, &self.scenario.all_speed_limits())
@@ -315,6 +321,8 @@ impl Planner {
 }
 
 /// Poses of a path, whatever made it.
+///
+/// One item per pose in each column, as in [`Plan`].
 #[derive(Debug, Default)]
 struct Driven {
     poses: Vec<Pose>,
@@ -323,6 +331,8 @@ struct Driven {
 }
 
 /// The plan of a path, checked and measured.
+///
+/// `near` is how far from the goal the path may end, metres: a millimetre for a car, a cell for a path of cells.
 fn measured(world: &World, outcome: Outcome, driven: Driven, near: f64) -> Plan {
     let Driven { poses, directions, curvatures } = driven;
     let check = check(&world.geometry, &world.body, &poses, &directions, near);

@@ -1,4 +1,7 @@
 //! Options of a plan as JSON, native only: in wasm they come with callbacks.
+//!
+//! Callbacks have no JSON; a caller sets them on the result. `null` counts as absent, so that a caller may pass a field
+//! on that it does not have.
 
 use serde_json::{Map, Value};
 

@@ -3,6 +3,19 @@
 //! A [`Plan`] holds the path as poses, the search's counters ([`Stats`]), figures of the path ([`Metrics`]) and the
 //! verdict of the independent check. A plan without a path has the counters and the trace, too, and says what
 //! blocks the way.
+//!
+//! # Layout
+//!
+//! `path`, `directions` and `curvatures` have one item per pose. Item i of the latter two describes the way from pose i
+//! to pose i + 1; the last repeats the one before. With the gear g (±1) and the curvature κ (1/m, positive where the
+//! car turns to its left) the next pose is the arc's end after the signed length g·s, s metres on. Two poses at one
+//! place with different headings are a corner, which only grid planners make.
+//!
+//! # Without a path
+//!
+//! The outcome tells a proof from a shortage. `no-path` means that the search went through everything that its settings
+//! allow. `budget-spent` means that it stopped before that, and proves nothing. `start-blocked` and its likes are found
+//! before any search. `path` is then empty and [`Plan::check`] has the verdict `none`.
 
 use serde::Serialize;
 
@@ -19,6 +32,9 @@ use crate::scenario::GoalPose;
 use crate::search::Recording;
 
 /// Counters of the search.
+///
+/// Counts are exact and equal on every platform, so they compare planners where times cannot. Absent fields are those
+/// that the planner does not have; they do not stand for 0.
 #[derive(Debug, Clone, Default, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Stats {
@@ -70,6 +86,8 @@ pub struct Stats {
 }
 
 /// Figures of the path.
+///
+/// Of the path as it is answered, after post-processing; all are 0 without a path.
 #[derive(Debug, Clone, Default, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Metrics {
@@ -102,6 +120,9 @@ pub struct Metrics {
 }
 
 /// Metrics of a path of cells, lengths in cells.
+///
+/// The four lengths are those of the same search: raw ≥ pruned ≥ shortest on equal weights, and arcs shorten the
+/// corners further.
 #[derive(Debug, Clone, Default, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct GridMetrics {
@@ -144,7 +165,7 @@ pub struct HybridMetrics {
     pub margin: f64,
     /// Length of the shortest path without obstacles, metres.
     pub rs_bound: f64,
-    /// How far the length is above that, percent.
+    /// How far the length is above that, percent. No planner can do better than 0.
     pub gap_percent: f64,
     /// Length in the parking paper's rounding, metres.
     pub paper_length: f64,
@@ -160,6 +181,8 @@ pub struct HybridMetrics {
 }
 
 /// The nodes that the search visited, for drawing.
+///
+/// Kept up to a million events; `dropped` counts the rest, so a drawing can say that it is not complete.
 #[derive(Debug, Clone)]
 pub enum PlanTrace {
     /// Cell indices in order of expansion.
@@ -181,6 +204,8 @@ pub enum PlanTrace {
 }
 
 /// Every event of a search.
+///
+/// Enough to step through the search and to say of each node why it was kept, improved or rejected.
 #[cfg(feature = "complete")]
 #[derive(Debug, Clone)]
 pub enum Recorded {
@@ -264,6 +289,20 @@ pub struct Plan {
 
 impl Plan {
     /// FNV-1a-64 over everything but the trace and words for people, as 16 hex digits: equal on every platform.
+    ///
+    /// Plans whose path, verdict, figures or counters differ in one bit have different hashes, but for chance. It
+    /// serves to compare platforms and versions, not as a defence against forgery.
+    ///
+    /// # Examples
+    /// ```
+    /// use parkade::plan::Planner;
+    ///
+    /// let scene = parkade::scenario::catalog::scenario("P2").unwrap();
+    /// let plan = || Planner::new("hybrid", &scene, &Default::default()).unwrap().plan(Default::default());
+    /// let (one, other) = (plan(), plan());
+    /// assert_eq!(one.hash(), other.hash());
+    /// assert_eq!((one.path.len(), one.path.len()), (one.directions.len(), one.curvatures.len()));
+    /// ```
     pub fn hash(&self) -> String {
         let mut hash = 0xcbf2_9ce4_8422_2325_u64;
         let mut eat = |bytes: &[u8]| {
@@ -296,7 +335,7 @@ pub(super) fn direction_changes(directions: &[i8]) -> u32 {
     directions.windows(2).filter(|d| d[0] != d[1]).count() as u32
 }
 
-/// Length of a way through poses along its arcs, metres.
+/// Length of a way through poses along its arcs, metres. A corner has none.
 pub(super) fn path_length(path: &[Pose]) -> f64 {
     // Not `sum`, which starts from −0.
     path.windows(2).fold(0.0, |sum, pair| {

@@ -1,4 +1,9 @@
 //! Paths as callers hand them over: numbers, checked, and the figures of such paths.
+//!
+//! The boundary of the library for paths that it did not make: from JavaScript, the command line or a file. Poses come
+//! as flat numbers x, y, heading, …, in metres and radians of the world frame, with a gear (±1) and perhaps a curvature
+//! (1/m) of the way on from each. Here they are checked once (number, finite, range, equal lengths), so that the code
+//! behind needs no checks of its own. An error names the list and the index of its first wrong number.
 
 use super::NEAR;
 use crate::error::{Error, ErrorCode};
@@ -31,6 +36,7 @@ pub(super) fn poses(path: &[f64]) -> Result<Vec<Pose>, Error> {
 /// car's way is looked for: time and memory grow with it.
 pub(super) const MAX_LENGTH: f64 = 100_000.0;
 
+/// Along the chords between poses.
 #[cfg(feature = "complete")]
 pub(super) fn length(poses: &[Pose]) -> f64 {
     poses.windows(2).map(|pair| (pair[1].point() - pair[0].point()).norm()).sum()
@@ -51,6 +57,15 @@ fn way(path: &[f64]) -> Result<Vec<Pose>, Error> {
 ///
 /// # Errors
 /// [`ErrorCode::Input`] when the numbers are not poses, or are a way of more than 100 km.
+///
+/// # Examples
+/// ```
+/// use parkade::plan::path_poses;
+///
+/// assert_eq!(path_poses(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0]).unwrap().len(), 2);
+/// assert!(path_poses(&[0.0, 0.0]).is_err());
+/// assert!(path_poses(&[0.0, f64::NAN, 0.0]).unwrap_err().to_string().starts_with("path[1]"));
+/// ```
 #[cfg(feature = "complete")]
 pub fn path_poses(path: &[f64]) -> Result<Vec<Pose>, Error> {
     way(path)
@@ -101,6 +116,9 @@ pub fn route(
 
 /// Optimises a path that a car can drive from its first pose to its last; speed limits of the scene hold.
 ///
+/// The scene gives obstacles and speed limits; its own start and goal play no part. The path must be drivable first,
+/// because the optimiser improves a path locally and does not look for another one.
+///
 /// # Errors
 /// As [`route`] and [`crate::optimise::optimise`]; [`ErrorCode::Input`] for a path that fails its check.
 #[cfg(feature = "complete")]
@@ -129,6 +147,21 @@ pub fn optimise(
 /// Re-checks any path against a scene: x, y, heading, … and the gear of the way on from each pose (forward where
 /// absent).
 ///
+/// A path of any origin is judged as a plan's own is: collisions, turning radius, sliding, start and goal. It must end
+/// within a millimetre of the goal to arrive.
+///
+/// # Examples
+/// ```
+/// use parkade::metrics::Verdict;
+/// use parkade::plan::check_path;
+///
+/// let geometry = parkade::scenario::catalog::scenario("perpendicular").unwrap().geometry().unwrap();
+/// let start = geometry.start;
+/// let ahead = start.advance(0.0, 0.5);
+/// let path = [start, ahead].map(|p| [p.x, p.y, p.heading]).concat();
+/// assert_eq!(check_path(&geometry, &path, None).unwrap().verdict, Verdict::ArrivesTurned);
+/// ```
+///
 /// # Errors
 /// [`ErrorCode::Input`] when the numbers are not poses or the gears not ±1.
 pub fn check_path(geometry: &Geometry, path: &[f64], directions: Option<&[i8]>) -> Result<Check, Error> {
@@ -138,6 +171,9 @@ pub fn check_path(geometry: &Geometry, path: &[f64], directions: Option<&[i8]>) 
 }
 
 /// Figures of any path on a scene's road: x, y, heading, ….
+///
+/// The lanes are those on the right of the way from the scene's start to its goal. A path with corners can be measured,
+/// too.
 ///
 /// # Errors
 /// [`ErrorCode::Input`] when the numbers are not poses, or none.
@@ -149,6 +185,8 @@ pub fn road_figures(scenario: &Scenario, path: &[f64]) -> Result<Figures, Error>
 }
 
 /// How often any path ends in a collision when nobody drives exactly along it: x, y, heading, ….
+///
+/// The seed and the numbers of the trials decide everything, so parts of the trials can run anywhere and be added.
 ///
 /// # Errors
 /// [`ErrorCode::Input`] when the numbers are not poses, or none, or too many metres would be driven.

@@ -1,4 +1,9 @@
 //! A path of straight pieces and arcs as the poses of a car that follows it.
+//!
+//! A grid path knows positions only, so the heading of each pose is that of the piece it lies on. Where two pieces meet
+//! without a change of heading, one pose serves both; at a corner there are two poses, and the curvature of the way
+//! between them is not a number, since a turn on the spot has none. Curvature in 1/m is that of the piece in 1/cells
+//! divided by the resolution; in reverse the car's nose points the other way and the sign changes.
 
 use super::Driven;
 use crate::geometry::{Pose, math};
@@ -7,6 +12,8 @@ use crate::post::Piece;
 
 /// Follows `pieces`, given in cells, with poses at most `step` metres apart. A corner gives two poses at one place. The
 /// car drives in reverse throughout where its tail points along the path at the start, rather than its nose.
+///
+/// A reversal in the middle of the path is a corner of 180°, not a gear change: a grid planner does not know gears.
 pub(super) fn follow(frame: &Frame, pieces: &[Piece], start_heading: f64, step: f64) -> Driven {
     let pose = |piece: &Piece, share: f64| {
         let at = frame.world(piece.point(share));

@@ -1,4 +1,8 @@
 //! Other ends than the scene's, and the search of a grid planner alone.
+//!
+//! A planner is prepared for a map, not for one question. Ends are therefore options of a plan; only what depends on
+//! them (a risk field, closed dead ends) is made anew. Ends are checked for finite coordinates alone: a start inside a
+//! wall or off the map is an outcome, because it can happen to anybody who drags it there.
 
 #[cfg(feature = "complete")]
 use super::Engine;
@@ -35,6 +39,7 @@ pub struct Found {
     pub generated: u32,
 }
 
+/// Refuses a pose with a number that is not finite or out of range, by the name of the end.
 fn checked(path: &str, pose: Pose) -> Result<Pose, Error> {
     finite_pose(pose).map(|()| pose).map_err(|e| Error { code: ErrorCode::Input, ..e.within(path) })
 }
@@ -46,6 +51,19 @@ impl Planner {
     /// # Errors
     /// [`ErrorCode::Input`] when a coordinate is not a finite number, within the range of scenes, and when a planner
     /// other than hybrid A* is asked for a choice.
+    ///
+    /// # Examples
+    /// ```
+    /// use parkade::geometry::Pose;
+    /// use parkade::plan::{Ends, Options, Outcome, Planner};
+    ///
+    /// let scene = parkade::scenario::catalog::scenario("perpendicular").unwrap();
+    /// let mut planner = Planner::new("eight", &scene, &Default::default()).unwrap();
+    /// let far = Ends { start: None, goal: Some(Pose::new(-50.0, 0.0, 0.0)) };
+    /// assert_eq!(planner.plan_between(far, Options::default()).unwrap().outcome, Outcome::GoalOutside);
+    /// let nowhere = Ends { start: Some(Pose::new(f64::NAN, 0.0, 0.0)), goal: None };
+    /// assert!(planner.plan_between(nowhere, Options::default()).is_err());
+    /// ```
     pub fn plan_between(&mut self, ends: Ends, options: Options) -> Result<Plan, Error> {
         let start = ends.start.map(|pose| checked("start", pose)).transpose()?;
         let goal = ends.goal.map(|pose| checked("goal", pose)).transpose()?;
@@ -59,6 +77,8 @@ impl Planner {
 
     /// Takes over the last path of a hybrid planner of the scene as it was before an edit, for [`Options::stickiness`].
     /// On a map with another floor there is none.
+    ///
+    /// The old planner gives its path away and plans afterwards as if it had none.
     #[cfg(feature = "complete")]
     pub fn continue_from(&mut self, before: &mut Self) {
         if let (Engine::Hybrid(engine), Engine::Hybrid(last)) = (&mut self.engine, &mut before.engine)
@@ -97,6 +117,19 @@ impl Planner {
 
     /// The search of a grid planner between two points, and nothing else: no car follows the path, nothing is checked
     /// or measured. A second search on the same map costs what it touches.
+    ///
+    /// For many questions on one map, such as a table of distances. The cost is exact in millionths of a cell.
+    ///
+    /// # Examples
+    /// ```
+    /// use parkade::plan::Planner;
+    ///
+    /// let scene = parkade::scenario::catalog::scenario("perpendicular").unwrap();
+    /// let mut planner = Planner::new("eight", &scene, &Default::default()).unwrap();
+    /// let at = planner.geometry().start.point();
+    /// let found = planner.search(at, at).unwrap();
+    /// assert_eq!((found.cost_micro, found.path.len()), (0, 1));
+    /// ```
     ///
     /// # Errors
     /// [`ErrorCode::Input`] when a coordinate is not a finite number, and for planners other than grid planners.

@@ -1,4 +1,11 @@
 //! The maps that a grid planner searches: safety space blocked, dead ends closed, as bits.
+//!
+//! Up to three maps lie over each other, each blocked where the one below is: the *occupancy* (cells that obstacles
+//! overlap), the *necessary* safety space (cells from which a disc as wide as the car would touch something) and the
+//! *redundant* one (passages and pockets that settings close, which depends on start and goal). The search runs on the
+//! topmost; smoothing and clearances use the one below, since closing a pocket makes nothing solid.
+//!
+//! Each is made at most once for a map: the first two with the planner, the last when its ends are first asked for.
 
 use super::world::World;
 #[cfg(feature = "complete")]
@@ -6,6 +13,7 @@ use crate::map::{Bits, Cell, Layer, Redundant, RedundantSettings, redundant};
 use crate::map::{Occupancy, inflation};
 use crate::planners::settings::Common;
 
+/// Absent maps are equal to the one below and take no memory.
 pub(super) struct Rasters {
     /// The map with necessary safety space blocked, where there is any.
     inflated: Option<Occupancy>,
@@ -64,6 +72,7 @@ impl Rasters {
 
 #[cfg(feature = "complete")]
 impl Extra {
+    /// Passages and mouths of one cell are no restriction.
     fn new(radius: Option<f64>, settings: &Common) -> Self {
         let (min_passage, trap_mouth) = (settings.min_passage, settings.trap_mouth);
         let closes = min_passage > 1 || trap_mouth > 1;
@@ -110,6 +119,9 @@ impl Rasters {
     }
 
     /// The map has changed in one cell.
+    ///
+    /// Costs what the cell's surroundings cost; only closed redundant space is thrown away, because it can change
+    /// anywhere.
     pub(super) fn change(&mut self, world: &World, cell: Cell) {
         let extra = &mut self.extra;
         if let (Some(inflated), Some(radius)) = (&mut self.inflated, extra.radius) {

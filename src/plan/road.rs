@@ -1,4 +1,13 @@
 //! Cost-map A* in a scene: the car's middle follows chords or a curve, the rest of the car is towed.
+//!
+//! The search finds cells for the *middle of the car*, the point that should keep to the middle of its lane. The car
+//! itself is steered at the front and follows its rear axle, so a line for the middle is turned into poses by towing
+//! ([`tractrix`]). If the rear axle turns with the curvature κ, the middle, l metres ahead of it, is on a larger
+//! circle: its squared radius is 1/κ² + l². That is how the car's limit becomes a limit of the curve.
+//!
+//! Two searches at most: the first among cells that have the margin; where no curve of that way can be driven, the
+//! second among all cells with room for the car, where short room is dear. Counters add up, and the trace has both. A
+//! plan that keeps less than the margin says so (`less-margin`) and, where it can be proven, that none keeps it.
 
 use super::outcome::{Outcome, Plan, PlanTrace, Stats};
 use super::road_curve::{Curve, ENDS, along};
@@ -19,12 +28,15 @@ use crate::search::{Trace, Watch};
 
 /// A path of more poses than this is sampled less often.
 const MAX_POSES: f64 = 50_000.0;
-/// Paths this much below the margin count as keeping it, metres.
+/// Paths this much below the margin count as keeping it, metres. The check measures poses, the curve was made for
+/// places between them.
 const MARGIN_TOLERANCE: f64 = 2e-3;
 /// Cars longer than this are smoothed at a scale of their own, metres.
 const LARGEST_CAR: f64 = 10.0;
 
 /// Cost-map A*, its rasters and its memory.
+///
+/// Rasters depend on the obstacles, the traffic on the ends as well, the costs on both.
 pub(super) struct Engine {
     config: Config,
     ground: RoadRasters,
@@ -42,6 +54,7 @@ struct Line {
 }
 
 impl Engine {
+    /// Prepares the rasters: distances, lanes, kerbs and speed limits, each linear in the cells.
     pub(super) fn new(scenario: &Scenario, world: &World, config: Config) -> Self {
         let ground = ground(scenario, world);
         let traffic = traffic(scenario, world);
@@ -70,6 +83,7 @@ impl Engine {
         self.costs.layer(&self.ground)
     }
 
+    /// Search, chords, curve, towing, check and figures.
     pub(super) fn plan(&mut self, scenario: &Scenario, world: &World, mut watch: Watch) -> Plan {
         let mut scratch = std::mem::take(&mut self.scratch);
         self.turn(scenario, world);
@@ -137,6 +151,7 @@ impl Engine {
         plan
     }
 
+    /// The question to the search; with `less`, cells with less than the margin count, too.
     fn query(&self, world: &World, less: bool) -> Query<'_> {
         let [start, goal] = middles(world);
         let radius = radius(world);
@@ -152,6 +167,8 @@ impl Engine {
         (line, plan)
     }
 
+    /// Chords with the curve that replaces them; no curve where the settings ask for none or there is nothing to
+    /// smooth.
     fn line(&self, world: &World, report: &Report) -> Line {
         let chords: Vec<Point> = report.pruned.iter().map(|&c| world.frame.center(c)).collect();
         let (curve, fell_back) = match self.config.smoothing {
@@ -181,7 +198,8 @@ impl Engine {
     }
 }
 
-/// The least room around the car, metres, without 5 m at the ends, where it stands as it is asked to.
+/// The least room around the car, metres, without 5 m at the ends, where it stands as it is asked to. At the ends the
+/// poses are given and no planner can change the room there.
 fn kept(world: &World, plan: &Plan, margin: f64) -> f64 {
     // The check's clearances go no farther.
     let exact: Vec<f64> = if margin < FAR {
@@ -203,6 +221,7 @@ fn kept(world: &World, plan: &Plan, margin: f64) -> f64 {
     if least.is_finite() { least } else { plan.check.min_clearance }
 }
 
+/// Lanes in the direction of travel, and all speed limits.
 fn traffic(scenario: &Scenario, world: &World) -> Traffic {
     let [start, goal] = middles(world);
     Traffic { lanes: scenario.lanes_between(start, goal), limits: scenario.all_speed_limits() }
@@ -218,6 +237,7 @@ fn is_open(scenario: &Scenario) -> bool {
     !scenario.lanes.is_empty()
 }
 
+/// The cost per metre of each cell for one direction of travel.
 fn costs(
     scenario: &Scenario,
     world: &World,
@@ -235,11 +255,13 @@ fn middles(world: &World) -> [Point; 2] {
     [world.geometry.start, world.geometry.goal].map(|pose| pose.advance(0.0, lever).point())
 }
 
+/// Distances to obstacles and kerbs, with the weights that the scene paints.
 fn ground(scenario: &Scenario, world: &World) -> RoadRasters {
     let ground = RoadRasters::new(world.frame, &world.geometry, is_open(scenario));
     RoadRasters { weights: world.occupancy.weights().cloned(), ..ground }
 }
 
+/// The towed car's poses along the line, [`STEP`] apart or farther on very long roads.
 fn drive(world: &World, line: &Line) -> Driven {
     if let [only] = line.chords[..] {
         let heading = world.geometry.start.heading;
@@ -257,6 +279,7 @@ fn drive(world: &World, line: &Line) -> Driven {
     tractrix(&world.geometry, &places)
 }
 
+/// A blocked end that lies outside the map is told as such.
 fn outcome(world: &World, query: &Query, outcome: Outcome) -> Outcome {
     let outside = |point: Point| world.frame.cell_at(point).is_none();
     match outcome {
@@ -266,6 +289,7 @@ fn outcome(world: &World, query: &Query, outcome: Outcome) -> Outcome {
     }
 }
 
+/// The outcome in a sentence with places and rooms in metres; `None` where there is a path.
 fn reason(query: &Query, report: &Report) -> Option<String> {
     let room = |end: &str, at: Point| {
         format!(

@@ -1,4 +1,18 @@
 //! The curve of a road plan: smooth, as cheap as the search's costs allow, and with the margin around the whole car.
+//!
+//! Smoothing chords and then checking would waste most curves: a curve strays from its chords where they turn, and the
+//! towed car strays from the curve. So the curve is found by iteration:
+//!
+//! 1. a spline near the chords, in the car's headings at the ends where it can take them;
+//! 2. along it, stations with places to either side; dynamic programming over places and slopes picks the cheapest row,
+//!    with a price for room that lacks ([`Lateral`]);
+//! 3. a spline through that row, closer than the first;
+//! 4. the car is towed along it and the room around its exact body measured;
+//! 5. where the margin is missing, more room is asked for at the nearest stations, and 2 to 4 repeat, [`ROUNDS`] times
+//!    at most.
+//!
+//! Of all curves the best is kept by three criteria in this order: it arrives in the goal's direction, it has more of
+//! the margin, it costs less. So a further round never makes the answer worse.
 
 use super::tractrix::tractrix;
 use super::world::World;
@@ -11,7 +25,8 @@ use crate::planners::cost_map::{CostMap, Lateral, RoadRasters, Smooth, Smoothing
 const STATION: f64 = 0.25;
 /// The room around it at this.
 const ROOMS: f64 = 0.5;
-/// How much more a curve may cost by weights than its chords.
+/// How much more a curve may cost by weights than its chords. Chords are the cheapest by the weights; a curve cannot
+/// keep to them exactly.
 const DEARER: f64 = 1.05;
 /// Nearer to the ends of a curve only its raster clearance counts, metres.
 pub(super) const ENDS: f64 = 5.0;
@@ -42,6 +57,8 @@ pub(super) struct Curve<'a> {
 }
 
 /// A curve and what it is worth.
+///
+/// Candidates are compared by [`Candidate::is_better_than`], which is no total order because of the tolerance.
 struct Candidate {
     spline: Spline,
     /// True if the car ends in the direction that is asked for.
@@ -52,6 +69,7 @@ struct Candidate {
 }
 
 impl Candidate {
+    /// Room that differs by less than the tolerance is equal, and the cost decides.
     fn is_better_than(&self, other: &Self) -> bool {
         if self.arrives != other.arrives {
             return self.arrives;
@@ -63,6 +81,8 @@ impl Candidate {
 
 impl Curve<'_> {
     /// A curve near the chords' ends; `None` where none is good enough, or where a straight line is.
+    ///
+    /// The second item is true if smoothing gave up, and the chords have to serve.
     pub(super) fn along(&self, chords: &[Point], is_straight: bool) -> (Option<Spline>, bool) {
         let accept = |spline: &Spline| self.is_clear(spline) && self.is_cheap(chords, spline);
         let first = self.first(chords, &accept);
@@ -129,10 +149,13 @@ impl Curve<'_> {
         [0, 1].map(|i| if ends[i].dot(&own[i]) > ALIGNED { ends[i] } else { own[i] })
     }
 
+    /// True if a room is the margin, within [`MARGIN_TOLERANCE`].
     fn is_kept(&self, room: f64) -> bool {
         room >= self.how.margin - MARGIN_TOLERANCE
     }
 
+    /// A curve with its figures, and the rooms along it for the next round. The cost is the integral of the cost per
+    /// metre, by the middles of short chords.
     fn candidate(&self, spline: Spline, lateral: &Lateral) -> (Candidate, Vec<(Point, f64)>) {
         let places = along(&spline, ROOMS * self.how.scale);
         let (rooms, last) = self.rooms(&places);
@@ -223,13 +246,14 @@ fn inner(rooms: &[(Point, f64)]) -> &[(Point, f64)] {
     if from < to { &rooms[from..to] } else { rooms }
 }
 
+/// Places along the straight line of the chords, all in its direction.
 fn straight(chords: &[Point]) -> Vec<(Point, Vector)> {
     let points = dense(chords, ROOMS);
     let way = chords[chords.len() - 1] - chords[0];
     points.into_iter().map(|point| (point, way)).collect()
 }
 
-/// Of a curve, or of the straight line that is one.
+/// Of a curve, or of the straight line that is one. `step` is their distance in metres, about.
 fn stations(spline: Option<&Spline>, chords: &[Point], step: f64) -> Vec<Station> {
     let Some(spline) = spline else {
         let way = (chords[chords.len() - 1] - chords[0]).normalize();
@@ -238,6 +262,7 @@ fn stations(spline: Option<&Spline>, chords: &[Point], step: f64) -> Vec<Station
     along_curve(spline, step)
 }
 
+/// Stations of a curve, equally spaced in its parameter.
 fn along_curve(spline: &Spline, step: f64) -> Vec<Station> {
     let length = along(spline, step).windows(2).fold(0.0, |sum, w| sum + (w[1].0 - w[0].0).norm());
     let count = (length / step).ceil().max(2.0) as u32;

@@ -1,4 +1,8 @@
 //! Plans as JSON, native only: in wasm they leave as typed arrays.
+//!
+//! The command, the Python package and Rust callers get the same names as JavaScript does, so a plan saved by one can
+//! be read by the others. Numbers are written with the digits that give back the same bits. What JSON cannot say is
+//! `null`: an infinite radius, a curvature at a corner, a figure that the planner does not have.
 
 use serde::{Serialize, Serializer};
 
@@ -8,6 +12,8 @@ use crate::geometry::Pose;
 use crate::scenario::GoalPose;
 
 /// The fields of the JS API's plan, but for its trace and what names things of the scene.
+///
+/// Optional parts are left out rather than written as `null`, as in the JS API.
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
 struct Fields<'a> {
@@ -35,6 +41,7 @@ struct Fields<'a> {
     hash: String,
 }
 
+/// The verdict and its reasons; clearances are beside the path.
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
 struct Check<'a> {

@@ -1,4 +1,8 @@
 //! A grid path after each post-processing step, as the risk-field paper's figures 5 to 7 draw it.
+//!
+//! Kept only with a trace, because a plan answers one path and the others are for the eye. The arcs are told by their
+//! tangent points, which a drawing needs: an arc of radius R over the change of heading β begins R·tan(β/2) before the
+//! corner.
 
 use serde::Serialize;
 
@@ -10,6 +14,8 @@ use crate::post::{Piece, Smoothed};
 const SAME: f64 = 1e-6;
 
 /// A path's stages after the search; [`super::Plan::raw_path`] is what they begin with. Metres.
+///
+/// World frame. `sharp` and the corners of `arcs` together are all corners of `pruned`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Stages {
     /// Corners that remain after pruning, ends included.
@@ -56,6 +62,7 @@ impl Stages {
     }
 }
 
+/// The arc of a piece in metres; `None` for a straight one. The corner is where the tangents at both ends meet.
 fn tangent(frame: &Frame, piece: &Piece) -> Option<TangentArc> {
     let &Piece::Arc { center, radius, sweep, .. } = piece else { return None };
     let (from, (sin, cos)) = (piece.point(0.0), math::sin_cos(piece.heading(0.0)));

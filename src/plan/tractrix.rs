@@ -1,4 +1,14 @@
 //! The poses of a car whose middle follows a line.
+//!
+//! A *tractrix* is the path of a point that is towed at a fixed distance by another one. Here the car's middle goes
+//! along a line and tows the rear axle, l metres behind. The rear wheels roll without slip, so with the angle α from
+//! the heading to the middle's direction of motion the heading changes by dθ/ds = sin α / l per metre of the middle's
+//! way.
+//!
+//! Between two places the rear axle is taken to drive one arc. Its chord then has the mean heading, which fixes the
+//! turn in closed form: with the step d and the angle α from the heading to it, tan(Δθ/2) = d·sin α / (2l + d·cos α).
+//! The middle is exactly in each place, errors do not add up, and the curvature that is answered is that of the arc
+//! that the check drives.
 
 use super::Driven;
 use crate::geometry::{Point, Pose, Vector, arcs, math};
@@ -8,6 +18,9 @@ use crate::scenario::resolve::Geometry;
 /// rolling without slip, so between two places the rear axle drives an arc. The car points along its start's heading at
 /// first where the wheel can turn that into the line, along the line otherwise. Where its rear axle is its middle it
 /// points along the line throughout.
+///
+/// Linear in the places. The gear is forward throughout: towing backwards is unstable, since an error of the heading
+/// grows.
 pub(super) fn tractrix(geometry: &Geometry, places: &[(Point, Vector)]) -> Driven {
     let lever = geometry.vehicle.middle();
     let towed = lever > 1e-3;

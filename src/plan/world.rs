@@ -11,6 +11,8 @@ use crate::scenario::{Obstacle, Scenario};
 use crate::{Error, geometry::Point};
 
 /// A validated scene, prepared for planning.
+///
+/// The frame maps cells to metres: cell (x, y) covers the square from origin + resolution·(x, y) to the next.
 pub(super) struct World {
     pub(super) geometry: Geometry,
     pub(super) body: Body,
@@ -20,6 +22,8 @@ pub(super) struct World {
 }
 
 impl World {
+    /// # Errors
+    /// Of a wrong scene, named by field, value and rule.
     pub(super) fn new(scenario: &Scenario) -> Result<Self, Error> {
         let geometry = scenario.geometry()?;
         let map = &scenario.map;
@@ -61,6 +65,8 @@ pub(super) fn brushed(scenario: &Scenario) -> impl Iterator<Item = &[[u32; 3]]> 
 }
 
 /// The cells that everything but the brush blocks.
+///
+/// Outside the boundary all cells are blocked. Shapes may overlap; the map does not tell whose a cell is.
 pub(super) fn shapes(scenario: &Scenario, geometry: &Geometry, frame: &Frame) -> Occupancy {
     let mut map = Occupancy::new(frame.width, frame.height);
     if scenario.map.boundary.is_some() {
