@@ -19,6 +19,7 @@ import ray
 def shard(command, scenes, task, at, of, out):
     result = pathlib.Path(out) / f"results-{at}-of-{of}.jsonl"
     arguments = ["batch", scenes, *task, "--jobs", "1", "--shard", f"{at}/{of}", "--out", str(result), "--quiet"]
+    subprocess.run([*command, "version"], capture_output=True, check=True)  # npx without the package ends with 1, too
     done = subprocess.run([*command, *arguments], capture_output=True, text=True, check=False)
     if done.returncode not in (0, 1):  # 1: some scenes were refused, which their results say
         raise RuntimeError(done.stderr.strip())
@@ -32,7 +33,7 @@ def main():
     parser.add_argument("--planner", default="hybrid")
     parser.add_argument("--task", help="options of batch in the place of --planner")
     parser.add_argument("--out", default=".")
-    parser.add_argument("--command", default="npx parkade", help="how the command is started")
+    parser.add_argument("--command", default="npx --no parkade", help="how the command is started")
     given = parser.parse_args()
     command = shlex.split(given.command)
     scenes, out = os.path.abspath(given.scenes), os.path.abspath(given.out)

@@ -418,11 +418,14 @@ test("what cannot be read or written is said in a sentence, with code 2", () => 
   }
 });
 
-test.runIf(existsSync("/dev/full"))("a full disk behind standard output is said, with code 2", () => {
-  const { status, stderr } = spawnSync(
-    "sh",
-    ["-c", `"${process.execPath}" "${join(PACKAGE, "cli/main.js")}" plan perpendicular > /dev/full`],
-    { encoding: "utf8" },
-  );
-  expect([status, stderr]).toEqual([2, "parkade: standard output: no space left on the device\n"]);
+test.runIf(existsSync("/dev/full"))("a full disk is said, with code 2", () => {
+  write("full.json", scenario("perpendicular"));
+  const command = `"${process.execPath}" "${join(PACKAGE, "cli/main.js")}"`;
+  for (const [line, place] of [
+    ["plan perpendicular > /dev/full", "standard output"],
+    [`batch "${join(folder, "full.json")}" --planner eight --jobs 1 --quiet --out /dev/full`, "/dev/full"],
+  ] as const) {
+    const { status, stderr } = spawnSync("sh", ["-c", `${command} ${line}`], { encoding: "utf8" });
+    expect([status, stderr]).toEqual([2, `parkade: ${place}: no space left on the device\n`]);
+  }
 });

@@ -98,7 +98,7 @@ test.skipIf(process.platform === "win32")(
     });
     expect(digestOf(...files)).toBe(whole);
     const matrix = readFileSync(join(EXAMPLES, "cluster/matrix.yml"), "utf8");
-    const steps = [...matrix.matchAll(/- run: (npx .*?)( # .*)?$/gm)].map(([, step]) => step!);
+    const steps = [...matrix.matchAll(/- run: (parkade .*?)( # .*)?$/gm)].map(([, step]) => step!);
     const [, shards] = /shard: \[(.*)\]/.exec(matrix)!;
     expect(steps).toHaveLength(2);
     for (const shard of shards!.split(", "))
@@ -123,8 +123,8 @@ test.skipIf(process.platform === "win32")(
     mkdirSync(join(folder, "some"));
     writeFileSync(join(folder, "some/bad.json"), "{}");
     writeFileSync(join(folder, "some/good.json"), readFileSync(join(folder, "scenes/0.json")));
-    const run = (scenes: string): number => {
-      const env = { ...process.env, PATH: path, PLANNER: "eight", SHARDS: "1", SLURM_ARRAY_TASK_ID: "1" };
+    const run = (scenes: string, command = {}): number => {
+      const env = { ...process.env, PATH: path, PLANNER: "eight", SHARDS: "1", SLURM_ARRAY_TASK_ID: "1", ...command };
       try {
         execFileSync("sh", [join(EXAMPLES, "cluster/array.sh"), scenes], { cwd: folder, env, stdio: "pipe" });
         return 0;
@@ -133,12 +133,16 @@ test.skipIf(process.platform === "win32")(
       }
     };
     expect(run("some")).toBe(0);
+    expect(run("some", { PARKADE: "parkade" })).toBe(0);
     expect(run("nowhere")).not.toBe(0);
+    // npx ends with 1 where it finds no package, as `batch` does after a refused scene.
+    expect(run("some", { PARKADE: "false" })).not.toBe(0);
   },
 );
 
 test("the CI matrix names the command's options as it has them", () => {
   const help = parkade(["batch", "--help"], folder).out,
     text = readFileSync(join(EXAMPLES, "cluster/matrix.yml"), "utf8");
-  for (const [option] of text.replaceAll("npx --yes", "npx").matchAll(/--[a-z]+/g)) expect(help).toContain(option);
+  expect(text).toContain(`default: parkade@${VERSION}\n`);
+  for (const [option] of text.replaceAll("--global", "").matchAll(/--[a-z]+/g)) expect(help).toContain(option);
 });

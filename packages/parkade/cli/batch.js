@@ -61,7 +61,8 @@ export async function batch(places, values, module) {
     });
     /** @type {Map<string, Result>} */
     const done = new Map();
-    if (await stat(out).catch(() => null)) for await (const result of read(out)) done.set(result.key, outline(result));
+    const before = await stat(out).catch(() => null);
+    if (before?.isFile()) for await (const result of read(out)) done.set(result.key, outline(result));
     const { tasks, keys } = await listed(places, ids, configs, shard, extras);
     const isDone = (/** @type {Result | undefined} */ result) => isFinal(result) && !isShort(result, extras);
     const open = tasks.filter(({ key }) => !isDone(done.get(key)));
