@@ -4,6 +4,13 @@
 //! scenes and settings would be a quarter of the wasm file. The errors' code is the caller's to set.
 //!
 //! Unknown fields are errors: a misspelt setting must not be ignored.
+//!
+//! A reader is a function from a [`Value`] to a result. Readers are put together: `list(exactly(number))` reads a
+//! list of pairs or triples. Each layer adds its own step to the path of an error ([`Error::within`]), from the
+//! inside outwards, so that a reader of a point need not know where in a scene the point stands:
+//! `obstacles[3].points[0][1]: must be a number, got "2"`.
+//!
+//! Absent and `null` mean the same for fields that may be left out, because JavaScript programs write either.
 
 use serde_json::{Map, Value};
 
@@ -11,6 +18,7 @@ use crate::error::{Error, ErrorCode};
 
 type Result<T> = core::result::Result<T, Error>;
 
+/// An error about a value: the path to it from where the reader stands, and the rule that it breaks.
 pub(crate) fn bad<T>(path: &str, message: String) -> Result<T> {
     Err(Error::new(ErrorCode::Input, path, message))
 }
@@ -20,6 +28,7 @@ pub(crate) fn bad<T>(path: &str, message: String) -> Result<T> {
 pub(crate) struct Fields<'a>(&'a Map<String, Value>);
 
 impl<'a> Fields<'a> {
+    /// The fields of an object, or an error if the value is none, or has a field that is not in `known`.
     pub(crate) fn of(value: &'a Value, known: &[&str]) -> Result<Self> {
         let Value::Object(map) = value else { return bad("", format!("must be an object, got {value}")) };
         match map.keys().find(|k| !known.contains(&k.as_str())) {
@@ -36,6 +45,7 @@ impl<'a> Fields<'a> {
         }
     }
 
+    /// A field that must be there; `null` counts as missing.
     pub(crate) fn need<T>(self, name: &str, read: impl Fn(&'a Value) -> Result<T>) -> Result<T> {
         match self.maybe(name, read)? {
             Some(value) => Ok(value),
@@ -44,28 +54,34 @@ impl<'a> Fields<'a> {
     }
 }
 
+/// A number; integers count, strings of digits do not.
 pub(crate) fn number(value: &Value) -> Result<f64> {
     value.as_f64().map_or_else(|| bad("", format!("must be a number, got {value}")), Ok)
 }
 
+/// A whole number from 0 to 2³² − 1.
 pub(crate) fn count(value: &Value) -> Result<u32> {
     let whole = value.as_u64().and_then(|v| u32::try_from(v).ok());
     whole.map_or_else(|| bad("", format!("must be a whole number from 0, got {value}")), Ok)
 }
 
+/// `true` or `false`, and no other value that might stand for one.
 pub(crate) fn flag(value: &Value) -> Result<bool> {
     value.as_bool().map_or_else(|| bad("", format!("must be true or false, got {value}")), Ok)
 }
 
+/// A string, borrowed.
 pub(crate) fn text(value: &Value) -> Result<&str> {
     value.as_str().map_or_else(|| bad("", format!("must be a string, got {value}")), Ok)
 }
 
+/// A string of its own, for data that outlives the JSON.
 pub(crate) fn owned(value: &Value) -> Result<String> {
     text(value).map(str::to_owned)
 }
 
 /// One of some words.
+/// The error lists all words, so a misspelt one can be corrected from the message.
 pub(crate) fn word<T: Copy>(choices: &'static [(&'static str, T)]) -> impl Fn(&Value) -> Result<T> {
     move |value| index_of_word(value, &mut choices.iter().map(|choice| choice.0)).map(|at| choices[at].1)
 }
@@ -80,6 +96,7 @@ fn index_of_word(value: &Value, words: &mut dyn Iterator<Item = &'static str>) -
     }
 }
 
+/// An array of any length, each item by the same reader.
 pub(crate) fn list<T>(read: impl Fn(&Value) -> Result<T>) -> impl Fn(&Value) -> Result<Vec<T>> {
     move |value| {
         let mut all = Vec::new();
@@ -99,6 +116,7 @@ fn each(value: &Value, read: &mut dyn FnMut(&Value) -> Result<()>) -> Result<()>
 }
 
 /// Exactly `N` of something.
+/// `exactly(number)` in the place of an array of two numbers reads a point.
 pub(crate) fn exactly<T, const N: usize>(
     read: impl Fn(&Value) -> Result<T>,
 ) -> impl Fn(&Value) -> Result<[T; N]> {
@@ -110,6 +128,7 @@ pub(crate) fn exactly<T, const N: usize>(
     }
 }
 
+/// An object whose keys are not known beforehand.
 pub(crate) fn object(value: &Value) -> Result<&Map<String, Value>> {
     value.as_object().map_or_else(|| bad("", format!("must be an object, got {value}")), Ok)
 }
@@ -131,6 +150,7 @@ macro_rules! words {
 pub(crate) use words;
 
 /// A value inside a config.
+/// A config is a list of settings with names, so that one loop reads and writes the settings of every planner.
 pub(crate) trait Setting {
     /// Takes its value from JSON.
     fn read(&mut self, value: &Value) -> Result<()>;
@@ -175,6 +195,8 @@ impl Setting for bool {
     }
 }
 
+/// `null` means that the setting is absent, which is a value of its own: the planner then chooses by its level or
+/// scene.
 impl<T: Setting + Default> Setting for Option<T> {
     fn read(&mut self, value: &Value) -> Result<()> {
         *self = if value.is_null() {
@@ -207,6 +229,8 @@ impl<T: Words> Setting for T {
 type Named<'a> = (&'static str, &'a mut dyn Setting);
 
 /// Lays JSON fields over settings.
+/// Fields that are left out keep their value. An unknown name or a value of another type is an error; ranges are
+/// checked later, by the config as a whole.
 pub(crate) fn overlay(settings: &mut [Named], fields: &Map<String, Value>) -> Result<()> {
     for (name, value) in fields {
         let read = if let Some((_, setting)) = settings.iter_mut().find(|s| s.0 == name) {
@@ -221,6 +245,7 @@ pub(crate) fn overlay(settings: &mut [Named], fields: &Map<String, Value>) -> Re
 }
 
 /// Settings as JSON fields.
+/// The inverse of [`overlay`]: what it writes can be read back to the same settings.
 pub(crate) fn written(settings: &[Named]) -> Map<String, Value> {
     let mut fields = Map::new();
     for (name, setting) in settings {

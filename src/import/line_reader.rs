@@ -1,4 +1,8 @@
 //! A text file line by line, with errors that name the line.
+//!
+//! The reader works on bytes, because a file may claim to be text and not be. A line becomes text only when words are
+//! read from it, and only up to an ordinary length, so that a binary file is refused at its first long line. A
+//! byte-order mark at the beginning is skipped.
 
 use std::str::FromStr;
 
@@ -26,6 +30,7 @@ pub(super) struct Lines<'a> {
 }
 
 impl<'a> Lines<'a> {
+    /// The lines of a file from its first one on.
     pub(super) fn new(file: File<'a>) -> Self {
         let bytes = file.bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(file.bytes);
         Self { file: file.name, rest: bytes, number: 0 }
@@ -58,11 +63,13 @@ impl<'a> Iterator for Lines<'a> {
 }
 
 impl<'a> Line<'a> {
+    /// An error that names this line.
     pub(super) fn error(&self, rule: impl Into<String>) -> Error {
         at(self.file, self.number, rule)
     }
 
     /// The line as words are read from it: no format has lines as long as a file of junk may be.
+    /// # Errors A line that is too long, or bytes that are not UTF-8.
     pub(super) fn text(&self) -> Result<&'a str, Error> {
         if self.bytes.len() > LONGEST {
             return Err(self.error(format!("must have at most {LONGEST} bytes, got {}", self.bytes.len())));
@@ -70,6 +77,7 @@ impl<'a> Line<'a> {
         std::str::from_utf8(self.bytes).map_err(|_| self.error("must be text"))
     }
 
+    /// True if the line has nothing but white space; such lines may end a file.
     pub(super) fn is_blank(&self) -> bool {
         self.bytes.iter().all(u8::is_ascii_whitespace)
     }
@@ -86,6 +94,7 @@ pub(super) fn at(file: &str, line: usize, rule: impl Into<String>) -> Error {
 }
 
 /// Quotes a file's text, shortened for a message.
+/// Control characters are escaped, so that a message stays on one line.
 pub(super) fn quoted(text: &str) -> String {
     if text.chars().count() <= 40 {
         return format!("{text:?}");

@@ -6,6 +6,9 @@
 //!   "max_steer": 0.6 }, "lines": [[0, 0, 30, 0]], "polygons": [],
 //!   "start": [4, 5, 0], "goal": [20, 15, 1], "alternatives": [{ "start": [4, 15, 0], "goal": [20, 5, 1] }] }
 //! ```
+//!
+//! Keys are those of the benchmark's files, with underscores. Fields that are not known are ignored here, unlike in
+//! scenes, because such files carry remarks and results of other programs.
 
 use std::collections::BTreeMap;
 
@@ -20,6 +23,7 @@ use crate::vehicle::{DEFAULT_STEER_RATE, Vehicle};
 /// Side of a map cell on lots that are small enough, metres.
 const CELL: f64 = 0.25;
 
+/// One lot of the file: walls, polygons, a car, and one question at least.
 #[derive(Deserialize)]
 struct Lot {
     id: String,
@@ -40,6 +44,7 @@ struct Question {
     goal: [f64; 3],
 }
 
+/// Dimensions from the middle of the rear axle, metres; the steering angle in radians.
 #[derive(Deserialize)]
 struct Car {
     wheelbase: f64,
@@ -55,6 +60,22 @@ struct Car {
 ///
 /// # Errors
 /// [`ErrorCode::Import`] where a field is missing or of another type; then what [`Scenario::validate`] says.
+/// # Examples
+/// ```
+/// let lot = serde_json::json!({
+///     "id": "bay",
+///     "vehicle": {
+///         "wheelbase": 2.7, "rear_axle_to_front": 3.7, "rear_axle_to_rear": 1.0, "width": 2.0, "max_steer": 0.6
+///     },
+///     "lines": [[0, 0, 30, 0], [0, 20, 30, 20]],
+///     "start": [4, 5, 0],
+///     "goal": [20, 15, 1],
+///     "alternatives": [{ "start": [4, 15, 0], "goal": [20, 5, 1] }]
+/// });
+/// let scenes = parkade::import::lots::scenes(&lot).unwrap();
+/// assert_eq!(scenes[1].name.as_deref(), Some("bay-2"));
+/// assert_eq!(scenes[0].obstacles.len(), 2);
+/// ```
 pub fn scenes(lot: &Value) -> Result<Vec<Scenario>, Error> {
     let lot: Lot = Lot::deserialize(lot).map_err(|e| Error::new(ErrorCode::Import, "", e.to_string()))?;
     let first = Question { start: lot.start, goal: lot.goal };
@@ -63,6 +84,7 @@ pub fn scenes(lot: &Value) -> Result<Vec<Scenario>, Error> {
 }
 
 impl Lot {
+    /// The lot as a scene with one of its questions; the first has the lot's own name.
     fn scene(&self, number: u32, question: &Question) -> Result<Scenario, Error> {
         let [start, goal] = [question.start, question.goal].map(|[x, y, heading]| Pose::new(x, y, heading));
         let wall = |&[x1, y1, x2, y2]: &[f64; 4]| Obstacle::Wall {
@@ -97,6 +119,8 @@ impl Lot {
         Ok(scene)
     }
 
+    /// The map: the box around all walls and polygons, in cells of 0.25 m, or larger where the box is larger than
+    /// [`MAX_CELLS`] of them. The box is the floor's boundary, too.
     fn frame(&self) -> MapFrame {
         let lines = self.lines.iter().flat_map(|&[x1, y1, x2, y2]| [[x1, y1], [x2, y2]]);
         let points = lines.chain(self.polygons.iter().flatten().copied());

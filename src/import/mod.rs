@@ -4,6 +4,12 @@
 //! (TPCAP cases), `.json` (scenes, and lots of lines and polygons). Files that belong together are given together.
 //! Every file is distrusted: sizes are compared with the bytes that are there before anything is allocated for them,
 //! and what is wrong is said with the file's name and line.
+//!
+//! What a map of cells does not say is added by one rule: the car by [`Options::vehicle`], start and goal, where no
+//! question gives them, as the two ends of the largest connected room in which the car has space to turn. The result
+//! is a valid scene; what would not be one is an import error.
+//!
+//! Complexity is linear in the bytes of the files and the cells of the map.
 
 mod line_reader;
 pub mod lots;
@@ -35,6 +41,7 @@ pub struct File<'a> {
 }
 
 /// The scenes and queries of the imported files.
+/// A `movingai` or `ros-map` import has one scene, a `tpcap` file one, a file of lots one for each question.
 #[derive(Debug, Clone)]
 pub struct Imported {
     /// `movingai`, `ros-map`, `tpcap`, `lots` or `scene`.
@@ -48,6 +55,7 @@ pub struct Imported {
 }
 
 /// A start, a goal and the length of the shortest path between them.
+/// Lengths and poses are in metres of the scene, whatever unit the file counts in.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Question {
     /// The group of questions of about the same length that it is in.
@@ -119,6 +127,8 @@ pub fn import(files: &[File], options: &Options) -> Result<Imported, Error> {
 }
 
 /// Scenes that need no options: a TPCAP case, lots, or a scene as this crate writes it.
+/// A `.json` file with a `version` is a scene; one with `lots` is a list of lots. Anything else is an error that says
+/// so.
 fn read_scenes(file: File) -> Result<Imported, Error> {
     let inside = |e: Error| Error { code: ErrorCode::Import, ..e.within(file.name) };
     let text = std::str::from_utf8(file.bytes)
@@ -151,10 +161,12 @@ fn read_scenes(file: File) -> Result<Imported, Error> {
     Ok(done("lots", scenes))
 }
 
+/// True if the file's name ends in one of these, in small letters or capitals.
 fn has(file: &File, endings: &[&str]) -> bool {
     ending(file.name).is_some_and(|e| endings.contains(&e.as_str()))
 }
 
+/// What follows the last dot of a name, in small letters.
 fn ending(name: &str) -> Option<String> {
     name.rsplit_once('.').map(|(_, e)| e.to_ascii_lowercase())
 }
@@ -171,6 +183,7 @@ fn stem(name: &str) -> &str {
 }
 
 /// The only file with one of these endings, if there is any.
+/// # Errors A second file of the same kind: which of them is meant would be a guess.
 fn the_one<'a>(files: &[File<'a>], endings: &[&str]) -> Result<Option<File<'a>>, Error> {
     let mut fitting = files.iter().filter(|f| has(f, endings));
     let first = fitting.next().copied();
@@ -184,6 +197,7 @@ fn the_one<'a>(files: &[File<'a>], endings: &[&str]) -> Result<Option<File<'a>>,
 }
 
 /// A map of cells as a scene without slots.
+/// The map's first row is the southern one, as in all frames of this crate.
 struct Raster {
     map: Occupancy,
     frame: MapFrame,
@@ -192,6 +206,7 @@ struct Raster {
 
 impl Raster {
     /// The scene that goes from one cell to another, or along the farthest way of the largest room when none are given.
+    /// # Errors No free cell, or a scene that [`Scenario::validate`] refuses.
     fn scene(self, ends: Option<[Cell; 2]>, file: &str) -> Result<Scenario, Error> {
         let frame = lattice(&self.frame);
         let car = self.vehicle.resolve()?;
@@ -231,12 +246,14 @@ impl Raster {
     }
 }
 
+/// The map's frame as the rasters use it.
 fn lattice(map: &MapFrame) -> Frame {
     let [x, y] = map.origin;
     Frame { origin: Point::new(x, y), width: map.width, height: map.height, resolution: map.resolution }
 }
 
 /// The poses in the middle of two cells, both along the line from the first to the second.
+/// The heading is that of the straight line, so that a question without headings is one that a car can start from.
 fn poses(frame: &Frame, start: Cell, goal: Cell) -> [Pose; 2] {
     let (dx, dy) = (f64::from(goal.x - start.x), f64::from(goal.y - start.y));
     let heading = math::atan2(dy, dx);
@@ -247,6 +264,7 @@ fn poses(frame: &Frame, start: Cell, goal: Cell) -> [Pose; 2] {
 }
 
 /// The map without the cells that lie less than `reach` cells from a blocked cell or the border.
+/// What remains is where the middle of a disc of that radius may be.
 fn inner(map: &Occupancy, reach: f64) -> Occupancy {
     let mut inner = map.clone();
     // From centre to centre; a cell's corner may be that much nearer.
@@ -263,6 +281,7 @@ fn inner(map: &Occupancy, reach: f64) -> Occupancy {
 }
 
 /// The first and the last cell of the largest set of free cells that share edges, row by row.
+/// `None` where every cell is blocked. A flood over the cells: O(cells).
 fn largest_room(map: &Occupancy) -> Option<[Cell; 2]> {
     let mut seen = vec![false; map.len()];
     let mut largest = (0, None);

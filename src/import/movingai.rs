@@ -3,6 +3,17 @@
 //! A map's first line is the northern row; `.`, `G` and `S` are free, `@`, `O`, `T` and `W` are blocked. Questions
 //! count rows from the north; a cell is a metre, and the centre of the south-western one is the origin, unless asked
 //! otherwise.
+//!
+//! The benchmark's rule for corners is strict: a diagonal step needs both side cells to be free. Its lengths count √2
+//! a diagonal and 1 a straight step, in cells; they come with the questions as [`Question::length`], so that a
+//! planner's path can be compared with the optimum.
+//!
+//! Errors name the line: a row of another length, a letter that stands for no terrain, a question about another map
+//! or a cell off the map. Nothing is allocated for the size in the head before as many rows have been seen.
+//!
+//! Coordinates: the scene's y grows to the north and the file's rows grow to the south, so row r of h rows is y = h −
+//! 1 − r. With cells of s metres the centre of cell (x, y) is at (s·x, s·y), because the map's lower left corner is
+//! at (−s/2, −s/2).
 
 use super::line_reader::{Line, Lines, at, quoted};
 use super::{File, Imported, Options, Question, Raster, base, lattice, poses};
@@ -15,6 +26,10 @@ use crate::vehicle::Vehicle;
 /// Most questions of one file; the largest published ones have some ten thousand.
 const MAX_QUESTIONS: usize = 1_000_000;
 
+/// Reads a map and, where there is one, its file of questions; the question of the options gives start and goal.
+///
+/// # Errors A map that is missing, anything in the files that the format does not allow, or the number of a question
+/// that there is not.
 pub(super) fn read(map: Option<File>, scen: Option<File>, options: &Options) -> Result<Imported, Error> {
     let Some(map_file) = map else {
         let name = scen.map_or("files", |f| f.name);
@@ -44,6 +59,7 @@ pub(super) fn read(map: Option<File>, scen: Option<File>, options: &Options) -> 
 }
 
 /// A car that fits between cells of `side` metres.
+/// The same proportions at every size, so that a map is as tight at half a metre a cell as at one.
 fn cart(side: f64) -> Vehicle {
     Vehicle {
         wheelbase: CART.wheelbase * side,
@@ -55,6 +71,7 @@ fn cart(side: f64) -> Vehicle {
 }
 
 /// The cells of a `.map` file.
+/// Lines before `map` may come in any order; after the last row only blank lines may follow.
 fn read_map(file: File) -> Result<Occupancy, Error> {
     let mut lines = Lines::new(file);
     let first = lines.need("\"type octile\"")?;
@@ -108,6 +125,7 @@ fn read_map(file: File) -> Result<Occupancy, Error> {
     }
 }
 
+/// A number of cells from the head of a map.
 fn side(line: &Line, name: &str, text: &str) -> Result<u32, Error> {
     let what = format!("1 to {MAX_CELLS}");
     let cells: u32 = line.number(name, text, &what)?;
@@ -118,11 +136,15 @@ fn side(line: &Line, name: &str, text: &str) -> Result<u32, Error> {
     }
 }
 
+/// A question, and its ends as cells.
 struct Read {
+    /// Start and goal, rows counted from the south.
     ends: [Cell; 2],
+    /// The same in metres, as it is handed out.
     question: Question,
 }
 
+/// Reads all questions: the version's line, then one question a line, at least one.
 fn read_questions(scen: File, map_name: &str, map: &Occupancy, frame: &Frame) -> Result<Vec<Read>, Error> {
     let mut lines = Lines::new(scen);
     let first = lines.need("\"version 1\"")?;
@@ -144,6 +166,8 @@ fn read_questions(scen: File, map_name: &str, map: &Occupancy, frame: &Frame) ->
     Ok(questions)
 }
 
+/// Reads nine fields: group, map, its width and height, start, goal, length. Rows count from the north in the file
+/// and from the south in the result.
 fn read_question(line: &Line, map_name: &str, map: &Occupancy, frame: &Frame) -> Result<Read, Error> {
     let fields: Vec<&str> = line.text()?.split_ascii_whitespace().collect();
     let [bucket, name, width, height, x0, y0, x1, y1, length] = fields[..] else {

@@ -1,4 +1,7 @@
 //! Options of an import.
+//!
+//! Every option is checked when it is read, and one that the file decides itself is refused by name: an option
+//! without effect would hide a mistake.
 
 use serde_json::{Map, Value};
 
@@ -33,6 +36,18 @@ impl Options {
     ///
     /// # Errors
     /// [`ErrorCode::Input`] with the field and the rule it breaks.
+    /// # Examples
+    /// ```
+    /// use parkade::import::{Options, Unknown};
+    ///
+    /// let fields = serde_json::json!({ "unknown": "free", "query": 3 });
+    /// let options = Options::from_json(fields.as_object().unwrap()).unwrap();
+    /// assert_eq!((options.unknown, options.query), (Unknown::Free, 3));
+    ///
+    /// let fields = serde_json::json!({ "resolution": 0 });
+    /// let error = Options::from_json(fields.as_object().unwrap()).unwrap_err();
+    /// assert_eq!(error.to_string(), "resolution: must be 0.001 to 1000 m, got 0");
+    /// ```
     pub fn from_json(fields: &Map<String, Value>) -> Result<Self, Error> {
         let mut options = Self::default();
         for (name, value) in fields {
@@ -67,6 +82,7 @@ impl Options {
         Ok(options)
     }
 
+    /// Files without questions take no number of one.
     pub(super) fn refuse_question(&self) -> Result<(), Error> {
         match self.query {
             0 => Ok(()),

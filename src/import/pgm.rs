@@ -1,4 +1,11 @@
 //! Grey pictures of the Netpbm family: PGM as text (P2) and as bytes (P5).
+//!
+//! A head of words (the kind, width, height and the value of white, with comments from `#` to the end of a line) is
+//! followed by one value a pixel, row by row from the top. In P5 a value takes one byte, or two with the higher one
+//! first where white is above 255.
+//!
+//! The size in the head is compared with the bytes that are left before room is made for the pixels: a head that
+//! claims a larger picture than its file can hold is refused.
 
 use super::File;
 use super::line_reader::{at, quoted};
@@ -6,14 +13,21 @@ use crate::error::Error;
 use crate::scenario::MAX_CELLS;
 
 /// A grey picture, row by row from the top.
+/// `values` has width · height numbers from 0 (black) to `max`.
 pub(super) struct Picture {
+    /// Pixels in a row.
     pub(super) width: u32,
+    /// Rows.
     pub(super) height: u32,
     /// The value of white.
     pub(super) max: u16,
+    /// Lightness, the northern row first.
     pub(super) values: Vec<u16>,
 }
 
+/// Reads the first picture of a file; what follows it is ignored.
+///
+/// # Errors Another kind of file, a number that is missing or out of range, too few bytes, or a value above white.
 pub(super) fn read(file: File) -> Result<Picture, Error> {
     let mut text = Text { file, position: 2 };
     let as_text = match file.bytes.get(..2) {
@@ -41,22 +55,26 @@ pub(super) fn read(file: File) -> Result<Picture, Error> {
     Ok(Picture { width, height, max, values })
 }
 
+/// The file as words, from `position` on.
 struct Text<'a> {
     file: File<'a>,
     position: usize,
 }
 
 impl Text<'_> {
+    /// An error that names the line of the present position.
     fn error(&self, rule: impl Into<String>) -> Error {
         let before = &self.file.bytes[..self.position];
         at(self.file.name, before.split(|&b| b == b'\n').count(), rule)
     }
 
+    /// The next byte, if there is one.
     fn peek(&self) -> Option<u8> {
         self.file.bytes.get(self.position).copied()
     }
 
     /// The next number after blanks and comments.
+    /// # Errors No blank before it, no digits, or a value that is out of range.
     fn number(&mut self, name: &str, min: u32, max: u32) -> Result<u32, Error> {
         let before = self.position;
         while let Some(byte) = self.peek() {
@@ -93,6 +111,7 @@ impl Text<'_> {
     }
 
     /// The values as bytes, one or two each, after a single blank.
+    /// A head that was written with CRLF has two bytes there, which is told by the size of the rest.
     fn raw(&mut self, length: usize, max: u16) -> Result<Vec<u16>, Error> {
         if !self.peek().is_some_and(|b| b.is_ascii_whitespace()) {
             return Err(self.error("values must follow a blank"));

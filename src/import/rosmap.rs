@@ -3,6 +3,19 @@
 //! A picture's first row is the northern one. Its lower left corner lies at `origin` of the world, turned by the
 //! origin's third number. A turned picture is laid on a lattice along the world's axes: a cell is blocked where a
 //! blocked pixel overlaps it, and the picture's outline becomes the floor's boundary.
+//!
+//! The server's rule for a pixel of value v, where white is m: its occupancy is p = 1 − v/m, or v/m with `negate`. In
+//! the mode `trinary`
+//!
+//! ```text
+//! p > occupied_thresh      blocked
+//! p < free_thresh          free
+//! otherwise                unknown: blocked, unless the options say free
+//! ```
+//!
+//! `scale` has grades of occupancy between the thresholds instead of unknown pixels, and `raw` takes the value itself
+//! as a percentage. Files are read by hand, as flat mappings of words; a YAML library would be larger than the
+//! importer.
 
 use super::line_reader::{Line, Lines, quoted};
 use super::{File, Imported, Options, Raster, Unknown, base, ending, lattice, pgm};
@@ -12,6 +25,7 @@ use crate::map::{Cell, Occupancy, raster};
 use crate::scenario::{MAX_CELLS, MapFrame};
 
 /// How a pixel's lightness becomes free, blocked or unknown.
+/// The names are the map servers' own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Mode {
     /// Free below one threshold, blocked above the other, unknown between them.
@@ -23,16 +37,25 @@ enum Mode {
 }
 
 /// The contents of a `.yaml` file.
+/// Defaults are those of the map servers: thresholds of 0.65 and 0.25, the mode `trinary`.
 struct Description<'a> {
+    /// The picture's file as the description names it.
     image: Option<&'a str>,
+    /// Side of a pixel, metres.
     resolution: f64,
+    /// Lower left corner of the picture in the world, metres, and its turn, radians.
     origin: [f64; 3],
+    /// True if dark pixels are free.
     negate: bool,
+    /// Occupancy above which a pixel is blocked, 0 to 1.
     occupied: f64,
+    /// Occupancy below which it is free, 0 to 1.
     free: f64,
+    /// How values between the two are read.
     mode: Mode,
 }
 
+/// What a pixel says of its cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Class {
     Free,
@@ -41,6 +64,10 @@ enum Class {
     Blocked,
 }
 
+/// Reads a map and its picture. The notes of the result say how many cells are unknown or between the thresholds.
+///
+/// # Errors An option that the file decides itself, a file or picture that the format does not allow, or a turned map
+/// that is too large.
 pub(super) fn read(yaml: File, files: &[File], options: &Options) -> Result<Imported, Error> {
     options.refuse_question()?;
     if options.resolution.is_some() {
@@ -95,6 +122,7 @@ pub(super) fn read(yaml: File, files: &[File], options: &Options) -> Result<Impo
 }
 
 /// The picture on a lattice along the world's axes.
+/// Blocked pixels are filled as turned rectangles, run by run, so that no cell that one of them overlaps stays free.
 fn turned(map: &Occupancy, description: &Description, yaml: File) -> Result<(Occupancy, MapFrame), Error> {
     let side = description.resolution;
     let [x, y, yaw] = description.origin;
@@ -128,6 +156,7 @@ fn turned(map: &Occupancy, description: &Description, yaml: File) -> Result<(Occ
 }
 
 impl Description<'_> {
+    /// What a value says, by mode and thresholds; `max` is the value of white.
     fn class(&self, value: u16, max: u16) -> Class {
         let shade = f64::from(value) / f64::from(max);
         let occupied = match self.mode {
@@ -154,6 +183,7 @@ impl Description<'_> {
 }
 
 /// The picture that the description names, or the only one there is.
+/// Names are compared without folders, since a description may name a path of another machine.
 fn picture_of<'a>(description: &Description, yaml: File, files: &[File<'a>]) -> Result<File<'a>, Error> {
     let pictures = || files.iter().filter(|f| ending(f.name).is_some_and(|e| e == "pgm"));
     let named = description.image.and_then(|image| pictures().find(|f| base(f.name) == base(image)));
@@ -171,6 +201,7 @@ fn picture_of<'a>(description: &Description, yaml: File, files: &[File<'a>]) -> 
 }
 
 /// Reads the flat mappings that map servers write: `key: value`, the origin in brackets or as a list below its key.
+/// Keys that are not known are skipped, because map servers keep settings of their own beside these.
 fn describe(file: File) -> Result<Description, Error> {
     let mut description = Description {
         image: None,
@@ -256,6 +287,7 @@ fn describe(file: File) -> Result<Description, Error> {
 }
 
 /// A line without its comment and the blanks behind it.
+/// A `#` begins a comment only at the beginning of a word; lines with quotes are kept whole.
 fn content(text: &str) -> &str {
     let quoted = text.contains(['"', '\'']);
     let end =
@@ -263,20 +295,24 @@ fn content(text: &str) -> &str {
     text[..end.unwrap_or(text.len())].trim_end()
 }
 
+/// True if a word begins at this byte: a `#` within a word begins no comment.
 fn starts_word(text: &str, index: usize) -> bool {
     index == 0 || text.as_bytes()[index - 1].is_ascii_whitespace()
 }
 
+/// A value without the quotes around it, if it has any.
 fn unquoted(value: &str) -> &str {
     let strip = |quote| value.strip_prefix(quote).and_then(|v| v.strip_suffix(quote));
     strip('"').or_else(|| strip('\'')).unwrap_or(value)
 }
 
+/// A finite number behind a key.
 fn number(line: &Line, key: &str, value: &str) -> Result<f64, Error> {
     let value: f64 = line.number(key, value, "a number")?;
     if value.is_finite() { Ok(value) } else { Err(line.error(format!("{key} must be finite, got {value}"))) }
 }
 
+/// A number from 0 to 1 behind a key.
 fn share(line: &Line, key: &str, value: &str) -> Result<f64, Error> {
     let share = number(line, key, value)?;
     if (0.0..=1.0).contains(&share) {
@@ -286,6 +322,7 @@ fn share(line: &Line, key: &str, value: &str) -> Result<f64, Error> {
     }
 }
 
+/// Adds a number to the origin, which has three.
 fn push(line: &Line, origin: &mut Vec<f64>, item: &str) -> Result<(), Error> {
     if origin.len() == 3 {
         return Err(line.error("origin must have 3 numbers, has more"));

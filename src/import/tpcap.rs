@@ -4,6 +4,9 @@
 //! all corners. Metres and radians, poses of the rear axle's middle; outlines in either direction, convex or not;
 //! headings beyond ±π and coordinates of 1e9 m occur. The cases state no border: the map is the box around start and
 //! goal, grown by [`AROUND`] metres.
+//!
+//! The format counts on the reader to know how many numbers follow, so a missing or surplus number shifts all that
+//! comes after it. Errors therefore count the numbers from 1, and the last corner must end the file.
 
 use std::collections::BTreeMap;
 
@@ -90,6 +93,8 @@ pub fn scene(name: &str, text: &str) -> Result<Scenario, Error> {
 }
 
 /// The box around two poses, grown.
+/// In cells of 0.2 m, or larger where the box has more than [`MAX_CELLS`] of them a side. A box wider than 1000 km is
+/// cut.
 fn frame(poses: [Pose; 2]) -> MapFrame {
     let [a, b] = poses;
     let side = |a: f64, b: f64| ((a - b).abs() + 2.0 * AROUND).min(1e6);
@@ -105,12 +110,14 @@ fn frame(poses: [Pose; 2]) -> MapFrame {
     }
 }
 
+/// The file's numbers one after another; errors count them from 1.
 struct Numbers<'a> {
     items: core::str::Split<'a, char>,
     read: usize,
 }
 
 impl Numbers<'_> {
+    /// The next number, which must be there and finite.
     fn number(&mut self) -> Result<f64, Error> {
         self.read += 1;
         let Some(item) = self.items.next() else {
@@ -122,10 +129,12 @@ impl Numbers<'_> {
         }
     }
 
+    /// The next three numbers: x, y, heading.
     fn pose(&mut self) -> Result<Pose, Error> {
         Ok(Pose::new(self.number()?, self.number()?, self.number()?))
     }
 
+    /// The next number as a count from `least` to a million.
     fn count(&mut self, what: &str, least: f64) -> Result<u32, Error> {
         let value = self.number()?;
         if value.fract() == 0.0 && (least..=1e6).contains(&value) {

@@ -1,4 +1,14 @@
 //! Built-in scenes: the page's presets, the parking paper's rows and the tight slots beyond it.
+//!
+//! A built-in scene is a function of its id: nothing is stored but the numbers that it is built from. Ids are stable,
+//! because links, benchmarks and golden values name them. Each scene asks a question that its planners answer
+//! differently; the question is told with the scene.
+//!
+//! Frame: metres, x east and y north. The parking scenes are bays below an aisle whose kerb lies at y = 5; grid
+//! scenes have one metre per cell.
+//!
+//! The complete module has more scenes than `core`: those with moving boxes, with roads, and those of the papers'
+//! figures.
 
 use super::paper_lot::{PAPER_ROWS, lot, paper_row};
 pub use super::scene_info::Info;
@@ -14,6 +24,13 @@ const PAPER_QUESTION: [&str; 2] = [
 ];
 
 /// All built-in scenes, in the order of the page's menu.
+/// The same scenes in the same order on every call; `core` lists the first 23 of them.
+///
+/// # Examples
+/// ```
+/// let ids: Vec<&str> = parkade::scenario::catalog::scenes().map(|scene| scene.id).collect();
+/// assert_eq!(ids[..2], ["perpendicular", "reverse-in"]);
+/// ```
 pub fn scenes() -> impl Iterator<Item = &'static Info> {
     let all = SCENES.iter();
     #[cfg(feature = "complete")]
@@ -24,6 +41,7 @@ pub fn scenes() -> impl Iterator<Item = &'static Info> {
     all
 }
 
+/// The scenes of both modules, by groups.
 const SCENES: [Info; 23] = [
     info(
         "perpendicular",
@@ -142,12 +160,20 @@ pub fn scenario(id: &str) -> Result<Scenario, Error> {
 ///
 /// # Errors
 /// [`ErrorCode::UnknownScenario`] for other ids than those of road scenes.
+/// # Examples
+/// ```
+/// use parkade::scenario::catalog::{scenario, ship_scenario};
+///
+/// let (car, ship) = (scenario("road-curve").unwrap(), ship_scenario("road-curve").unwrap());
+/// assert_eq!(ship.map.resolution, 10.0 * car.map.resolution);
+/// ```
 #[cfg(feature = "complete")]
 pub fn ship_scenario(id: &str) -> Result<Scenario, Error> {
     super::road_scenes::ship(id)
         .ok_or_else(|| Error::new(ErrorCode::UnknownScenario, "", format!("no road scene \"{id}\"")))
 }
 
+/// A scene without its name, or `None` for an unknown id.
 fn build(id: &str) -> Option<Scenario> {
     if let Some(row) = paper_row(id) {
         return Some(row);
@@ -194,16 +220,19 @@ fn bay_slots(centers: &[f64], occupied: &[usize]) -> Vec<Slot> {
     centers.iter().enumerate().map(slot).collect()
 }
 
+/// A polygon with a name.
 fn island(id: &str, points: &[[f64; 2]]) -> Obstacle {
     Obstacle::Polygon { id: Some(id.to_owned()), points: points.to_vec() }
 }
 
+/// A rectangle about its centre.
 fn block(id: &str, center: [f64; 2], size: [f64; 2], heading: f64) -> Obstacle {
     Obstacle::Rectangle { id: Some(id.to_owned()), center, size, heading }
 }
 
 /// The page's first scene: of its planners four directions drive into the planter, eight into a parked car, the risk
 /// field arrives tail-in, and hybrid A* parks with one gear change.
+///
 fn perpendicular() -> Scenario {
     let mut scene = lot(-7.25, 12.25, 6.25, [-7.125, 10.625, 29.0 * PI / 36.0], [0.0; 3]);
     scene.map.origin[0] = -14.0;
@@ -224,6 +253,7 @@ fn perpendicular() -> Scenario {
     scene
 }
 
+/// A row of perpendicular slots of 2.80 m; the car must leave it nose first.
 fn reverse_in() -> Scenario {
     let mut scene = lot(-10.0, 10.0, 5.0, [14.0, 9.0, PI], [0.0; 3]);
     scene.slots = bay_slots(&[-8.5, -5.75, -3.0, -0.25, 2.5, 5.25, 8.0], &[0, 1, 3, 5]);
@@ -236,6 +266,7 @@ fn reverse_in() -> Scenario {
     scene
 }
 
+/// The paper's parallel bay, with row L0's start and goal and two obstacles in the aisle.
 fn parallel() -> Scenario {
     let mut scene = lot(-10.0, 10.0, 5.0, PAPER_ROWS[5].1, PAPER_ROWS[5].2);
     scene.obstacles = vec![
@@ -245,6 +276,7 @@ fn parallel() -> Scenario {
     scene
 }
 
+/// Seven slots at 45°, four of them occupied, on an aisle that is driven from the west.
 fn angled() -> Scenario {
     let mut scene = lot(-10.0, 10.0, 5.0, [-18.0, 12.0, 0.0], [0.0; 3]);
     scene.map.boundary = None;

@@ -1,4 +1,11 @@
 //! Scenes of the papers' figures and the widths of tight bays that the other groups leave out.
+//!
+//! The figures show scenes that the papers do not publish as data. Where a text states numbers, the scene has them;
+//! maps of cells are seeded ones of the same kind and size. Ratios and shapes can therefore be compared with a
+//! figure, lengths cannot.
+//!
+//! The tight bays are those of the catalogue at other widths: the paper's car is 2.60 m wide, so a bay of 3.0 m
+//! leaves 0.2 m on either side and one of 3.6 m leaves 0.5 m.
 
 use super::generate::{Family, generate};
 use super::paper_lot::{lot, paper_row};
@@ -6,6 +13,7 @@ use super::scene_info::{Info, info};
 use super::{MapFrame, MovingObstacle, Obstacle, Scenario};
 use crate::geometry::math::{FRAC_PI_2, PI};
 
+/// The scenes in the order of the page's menu.
 pub(super) const SCENES: [Info; 13] = [
     info(
         "perp-tail-3.6",
@@ -104,6 +112,7 @@ pub(super) const SCENES: [Info; 13] = [
 /// stops.
 const BARRIER: [[f64; 2]; 4] = [[2.0, 15.8], [25.0, 15.8], [25.0, 16.8], [2.0, 16.8]];
 
+/// The scene of an id; `None` for ids of other groups.
 pub(super) fn build(id: &str) -> Option<Scenario> {
     Some(match id {
         "perp-tail-3.6" => tail_in(3.6),
@@ -138,14 +147,17 @@ pub(super) fn build(id: &str) -> Option<Scenario> {
     })
 }
 
+/// An obstacle of four corners.
 fn polygon(id: &str, points: [[f64; 2]; 4]) -> Obstacle {
     Obstacle::Polygon { id: Some(id.to_owned()), points: points.to_vec() }
 }
 
+/// A bay of this width in which the car shall stand with its tail to the wall.
 fn tail_in(width: f64) -> Scenario {
     lot(0.0, width, 6.0, [16.0, 9.0, PI], [width / 2.0, 0.4, FRAC_PI_2])
 }
 
+/// The same bay, entered nose first; the rear axle then stands near the mouth.
 fn nose_in(width: f64) -> Scenario {
     lot(0.0, width, 6.0, [16.0, 9.0, PI], [width / 2.0, 3.9, -FRAC_PI_2])
 }

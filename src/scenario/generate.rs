@@ -3,6 +3,10 @@
 //!
 //! The start is the south-western cell, the goal the north-eastern one. A map in which they are not connected is drawn
 //! again from the continuing random stream.
+//!
+//! A map is a function of family, size and seed: the generator is [`SplitMix64`], every draw is an integer, and no
+//! map depends on the order of a hash table or on the machine. A square of two cells at either corner stays free in
+//! all families, so that the car can turn out of it.
 
 use super::{Goal, MAX_CELLS, MapFrame, Obstacle, Scenario, VehicleSpec};
 use crate::error::{Error, ErrorCode};
@@ -49,6 +53,7 @@ impl Family {
     /// Random blocks as in the tables: 15 %, of one to three cells a side.
     pub const RANDOM: Self = Self::Random { density_permille: 150, block_min: 1, block_max: 3 };
 
+    /// A number of the family, so that two families with the same seed draw from different streams.
     fn tag(self) -> u64 {
         match self {
             Self::Random { .. } => 0x5241_4E44,
@@ -57,6 +62,7 @@ impl Family {
         }
     }
 
+    /// A size that holds the family's shapes, and densities and sides within their ranges.
     fn validate(self, size: u32) -> Result<(), Error> {
         let within = |path: &str, value: u32, min: u32, max: u32| {
             let rule = || format!("must be between {min} and {max}, got {value}");
@@ -80,6 +86,8 @@ impl Family {
 ///
 /// # Errors
 /// [`ErrorCode::Input`] when a parameter is out of range, or when a thousand maps did not connect start and goal.
+/// Row 0 is the southern one, and cells (0, 0) and (size − 1, size − 1) are free and connected by steps between free
+/// cells. Drawing costs O(size²) a try.
 pub fn occupancy(family: Family, size: u32, seed: u64) -> Result<Occupancy, Error> {
     family.validate(size)?;
     let mut random =
@@ -104,6 +112,15 @@ pub fn occupancy(family: Family, size: u32, seed: u64) -> Result<Occupancy, Erro
 ///
 /// # Errors
 /// As [`occupancy`].
+///
+/// ```
+/// use parkade::scenario::generate::{Family, generate};
+///
+/// let scene = generate(Family::RANDOM, 40, 7).unwrap();
+/// assert_eq!((scene.map.width, scene.map.resolution), (40, 1.0));
+/// // The same seed draws the same scene.
+/// assert_eq!(scene, generate(Family::RANDOM, 40, 7).unwrap());
+/// ```
 pub fn generate(family: Family, size: u32, seed: u64) -> Result<Scenario, Error> {
     let map = occupancy(family, size, seed)?;
     let end = f64::from(size - 1);
@@ -167,6 +184,8 @@ pub fn from_json(value: &serde_json::Value) -> Result<Scenario, Error> {
 }
 
 /// Sebastiano Vigna's `SplitMix64`.
+/// 64 bits of state and of output, a period of 2⁶⁴, every seed as good as another. It is quick and passes the usual
+/// tests of randomness; it is no generator for secrets.
 #[derive(Debug, Clone)]
 pub struct SplitMix64(u64);
 
@@ -191,6 +210,7 @@ impl SplitMix64 {
     }
 
     /// A number below `n`.
+    /// By multiplication instead of division; for small n, as here, no number is noticeably preferred.
     pub const fn below(&mut self, n: u32) -> u32 {
         (((self.next() >> 32) * n as u64) >> 32) as u32
     }
@@ -201,6 +221,7 @@ fn in_keep_out(size: u32, x: u32, y: u32, width: u32, height: u32) -> bool {
     x <= 1 && y <= 1 || x + width + 1 >= size && y + height + 1 >= size
 }
 
+/// Blocks a cell; tells whether it was free.
 fn block(map: &mut Occupancy, x: u32, y: u32) -> bool {
     let cell = Cell::new(x as i32, y as i32);
     let fresh = !map.blocked(cell);
@@ -208,6 +229,7 @@ fn block(map: &mut Occupancy, x: u32, y: u32) -> bool {
     fresh
 }
 
+/// Rectangles at random places until so many thousandths of the cells are blocked, overlaps counted once.
 fn draw_random(random: &mut SplitMix64, size: u32, permille: u32, (min, max): (u32, u32)) -> Occupancy {
     let mut map = Occupancy::new(size, size);
     let target = u64::from(size) * u64::from(size) * u64::from(permille) / 1000;
@@ -230,6 +252,8 @@ fn draw_random(random: &mut SplitMix64, size: u32, permille: u32, (min, max): (u
     map
 }
 
+/// Rectangles in rows, each shifted by none, one or two thirds of a period against the row before; `first` is the
+/// fixed pattern of seed 0.
 fn draw_regular(random: &mut SplitMix64, size: u32, first: bool) -> Occupancy {
     let (width, height, gap_x, gap_y, shift, offset_x, offset_y) = if first {
         (4, 3, 3, 3, 0, 2, 2)
@@ -253,6 +277,7 @@ fn draw_regular(random: &mut SplitMix64, size: u32, first: bool) -> Occupancy {
     map
 }
 
+/// Boxes of walls with one open side, one for each 150 cells.
 fn draw_traps(random: &mut SplitMix64, size: u32) -> Occupancy {
     let mut map = Occupancy::new(size, size);
     for _ in 0..(size * size / 150).max(1) {

@@ -1,4 +1,13 @@
 //! A goal's region: the car arrives when its whole body is inside.
+//!
+//! The set of poses inside a region has three dimensions; planners want a list. For a heading, the positions that
+//! keep the body between the region's outermost corners are a rectangle along that heading (`Span`). It is sampled at
+//! equal distances, and the polygon itself decides about each sample. Headings are those asked for, or the directions
+//! of the longest edges and sixteen around the circle.
+//!
+//! The distance of the samples follows from the area of all spans, so that a region of any size gives some 2000 poses
+//! at most, never closer than 0.25 m. A path that ends anywhere inside has arrived: the region decides, not the
+//! sample.
 
 use serde::Serialize;
 use serde_json::Value;
@@ -27,6 +36,7 @@ const SPACING: f64 = 0.25;
 const ROUNDING: f64 = 1e-6;
 
 /// A simple polygon, and how the car shall point in it.
+/// Coordinates are the world's, and the outline may run in either direction.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct GoalRegion {
     /// Corners, metres.
@@ -37,11 +47,13 @@ pub struct GoalRegion {
 }
 
 impl GoalRegion {
+    /// Reads `region` and `heading`; ranges are checked by [`GoalRegion::validate`].
     pub(super) fn read(value: &Value) -> Result<Self, Error> {
         let f = Fields::of(value, &["region", "heading"])?;
         Ok(Self { region: f.need("region", list(places::point))?, heading: f.maybe("heading", number)? })
     }
 
+    /// A simple outline with some area, and a finite heading.
     pub(super) fn validate(&self) -> Result<(), Error> {
         outline("region", &self.region)?;
         match self.heading {
@@ -84,11 +96,14 @@ impl GoalRegion {
         self.region.iter().map(|corner| Point::new(corner[0] - x, corner[1] - y)).collect()
     }
 
+    /// A pose as seen from the first corner.
     fn to_local(&self, pose: Pose) -> Pose {
         let [x, y] = self.region[0];
         Pose::new(pose.x - x, pose.y - y, pose.heading)
     }
 
+    /// The headings to sample: five within the tolerance of the one asked for, else those of long edges and all
+    /// around.
     fn headings(&self, corners: &[Point]) -> Vec<f64> {
         if let Some(heading) = self.heading {
             return [0.0, -1.0, 1.0, -0.5, 0.5].map(|part| heading + part * HEADING_TOLERANCE).to_vec();
@@ -125,6 +140,7 @@ struct Span {
 }
 
 impl Span {
+    /// The rectangle for one heading; `None` where the body is longer or wider than the region.
     fn new(corners: &[Point], vehicle: &Vehicle, heading: f64) -> Option<Self> {
         let ahead = Pose::new(0.0, 0.0, heading).direction();
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
@@ -139,6 +155,7 @@ impl Span {
         fits.then(|| Self { heading, ahead, low, length: length.max(0.0), width: width.max(0.0) })
     }
 
+    /// Emits the poses of a grid over the rectangle, its edges included; one line or one place where it is that thin.
     fn poses(&self, spacing: f64, mut emit: impl FnMut(Pose)) {
         let [along, across] = [self.length, self.width].map(|span| (span / spacing).ceil());
         let part = |span: f64, k: f64, count: f64| if count == 0.0 { span / 2.0 } else { span * k / count };

@@ -1,4 +1,14 @@
 //! Goals that can be met in several ways: one of some slots, one of some poses, or any place inside a region.
+//!
+//! A set is resolved to a list of poses before planning. Which of them is reached is the planner's choice, by cost;
+//! which of them a finished path has reached is decided here, by distance ([`Goals::nearest`]).
+//!
+//! ```text
+//! "goal": { "slots": "free", "entry": "either" }                    any free slot, nose in or out
+//! "goal": { "slots": ["a1", "a2"], "entry": "head-in" }             one of two slots
+//! "goal": [{ "x": 5, "y": 5, "heading": 0 }, …]                     one of some poses
+//! "goal": { "region": [[0, 0], [9, 0], [9, 6]], "heading": 1.57 }   anywhere inside
+//! ```
 
 use serde::{Serialize, Serializer};
 use serde_json::Value;
@@ -77,6 +87,8 @@ pub struct GoalPose {
 }
 
 /// A goal set in its scene.
+/// An empty list is valid: all slots may be occupied, or the car may not fit into the region. Planning then ends with
+/// a reason, not with an error.
 #[derive(Debug, Clone)]
 pub struct Goals {
     /// The ways to meet it, whether or not the car has room there. In a region, a sample of them.
@@ -95,6 +107,7 @@ impl Serialize for SlotChoice {
 }
 
 impl EntryChoice {
+    /// The ways that a choice allows, in the order in which they are tried.
     const fn entries(self) -> &'static [Entry] {
         match self {
             Self::Either => &[Entry::ReverseIn, Entry::HeadIn],
@@ -126,6 +139,7 @@ impl GoalSet {
         Ok(Some(Self::Slots(SlotsGoal { slots, entry })))
     }
 
+    /// 1 to 1000 poses or ids, each id of a slot and named once, or a region that is valid.
     pub(super) fn validate(&self, scene: &Scenario) -> Result<(), Error> {
         match self {
             Self::Slots(SlotsGoal { slots: SlotChoice::Free, .. }) => Ok(()),
@@ -174,6 +188,19 @@ impl GoalSet {
 
 impl Goals {
     /// The goal that a path which ends at `last` is held against: the nearest; `None` where none can be met.
+    /// A radian of heading counts as much as a metre. In a region every pose inside is as good as another, so the end
+    /// of the path itself is the goal.
+    ///
+    /// ```
+    /// use parkade::geometry::Pose;
+    /// use parkade::scenario::{Goal, GoalSet, catalog};
+    ///
+    /// let mut scene = catalog::scenario("perpendicular").unwrap();
+    /// let goals = [Pose::new(0.0, 8.0, 0.0), Pose::new(9.0, 8.0, 0.0)];
+    /// scene.goal = Goal::Set(GoalSet::Poses(goals.to_vec()));
+    /// let goals = scene.geometry().unwrap().goals.unwrap();
+    /// assert_eq!(goals.nearest(Pose::new(8.0, 8.1, 0.1)).unwrap().x, 9.0);
+    /// ```
     pub fn nearest(&self, last: Pose) -> Option<Pose> {
         if self.region.as_ref().is_some_and(|region| region.holds(&self.vehicle, last)) {
             return Some(last);
@@ -200,6 +227,7 @@ impl Goals {
     }
 }
 
+/// Reads `"free"` or a list of ids.
 fn slot_choice(value: &Value) -> Result<SlotChoice, Error> {
     match value {
         Value::String(word) if word == "free" => Ok(SlotChoice::Free),
@@ -208,6 +236,7 @@ fn slot_choice(value: &Value) -> Result<SlotChoice, Error> {
     }
 }
 
+/// An error unless a list has 1 to [`MAX_ITEMS`] items.
 fn bounded<T>(items: &[T]) -> Result<(), Error> {
     if (1..=MAX_ITEMS).contains(&items.len()) {
         return Ok(());

@@ -1,4 +1,10 @@
 //! Where a point is on lanes, and how fast it may be passed.
+//!
+//! A lane is a chain of lines and arcs. The distance from a point to one of them is closed form: along a line the
+//! point's ordinate, along an arc of radius r about the centre c the difference ||p − c| − r|, beyond their ends the
+//! distance to an end point. Lateral positions are signed, positive to the left of the lane's direction.
+//!
+//! A look-up is O(pieces). Rasters ask for each cell once, and keep the answers.
 
 use super::{Lane, SpeedLimit};
 use crate::geometry::{Point, Pose, Vector, math, polygon};
@@ -43,6 +49,7 @@ impl LaneLeg {
     }
 
     /// How far to the left of its middle a point is, metres; below zero to the right.
+    /// Only meaningful beside the leg, not beyond its ends.
     pub(crate) fn left(&self, point: Point) -> f64 {
         let local = self.from.to_local(point);
         if self.curvature == 0.0 {
@@ -52,6 +59,7 @@ impl LaneLeg {
         radius - self.curvature.signum() * Point::new(local.x, local.y - radius).coords.norm()
     }
 
+    /// The distance from a point to the leg, metres.
     fn distance(&self, point: Point) -> f64 {
         let &Self { from, length, curvature, .. } = self;
         if curvature == 0.0 {

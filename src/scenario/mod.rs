@@ -59,6 +59,21 @@ pub(crate) mod validate;
 pub const MAX_CELLS: u32 = 4096;
 
 /// A scene: the map's frame, what stands in it, the car, where it is and where it shall go.
+///
+/// ```
+/// use parkade::scenario::Scenario;
+///
+/// let scene = Scenario::from_json(&serde_json::json!({
+///     "version": 1,
+///     "map": { "origin": [0, 0], "width": 80, "height": 40, "resolution": 0.25 },
+///     "obstacles": [{ "type": "wall", "points": [[10, 0], [10, 6]] }],
+///     "vehicle": "sedan",
+///     "start": { "x": 4, "y": 5, "heading": 0 },
+///     "goal": { "x": 15, "y": 5, "heading": 0 }
+/// }))
+/// .unwrap();
+/// assert_eq!(scene.obstacles.len(), 1);
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Scenario {

@@ -1,4 +1,7 @@
 //! Boxes that move.
+//!
+//! A box knows nothing of the car: its position is a function of time alone, and time 0 is the moment at which the
+//! car could set off. The search ignores it; a drive along a finished path stops before it and waits (`drive`).
 
 use serde::Serialize;
 use serde_json::Value;
@@ -10,6 +13,7 @@ use crate::json::{Fields, list, number, owned};
 
 /// A box that follows a line at constant speed, its length along its motion. It stands at the first point before its
 /// start and at the last one after its arrival, and can be run into at any time.
+/// At a corner of its line it turns at once; between two points its heading is that of the line.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MovingObstacle {
     /// Name for messages and selection.
@@ -26,6 +30,7 @@ pub struct MovingObstacle {
 }
 
 impl MovingObstacle {
+    /// Reads one box; `start` may be left out and is 0 then.
     pub(super) fn read(value: &Value) -> Result<Self, Error> {
         let f = Fields::of(value, &["id", "points", "size", "speed", "start"])?;
         Ok(Self {
@@ -37,6 +42,7 @@ impl MovingObstacle {
         })
     }
 
+    /// Two points at least, none twice in a row, and a size, speed and start within their ranges.
     pub(super) fn validate(&self) -> Result<(), Error> {
         corners("points", &self.points, 2)?;
         if let Some(i) = self.points.windows(2).position(|pair| pair[0] == pair[1]) {
@@ -52,6 +58,7 @@ impl MovingObstacle {
     }
 }
 
+/// Reads the scene's list.
 pub(super) fn read_all(value: &Value) -> Result<Vec<MovingObstacle>, Error> {
     list(MovingObstacle::read)(value)
 }

@@ -1,9 +1,15 @@
 //! Scenes in which something crosses the car's way: the parking paper's figure 16 and what it takes to make it wait.
+//!
+//! A box that crosses matters only if it and the car are at the same place at the same time. On the shortest path
+//! through the figure's scene they are not; the other scenes change the box's way or its speed so that they are.
+//!
+//! All of them are row L0 of the parking paper with one box of 5 m by 1 m.
 
 use super::paper_lot::paper_row;
 use super::scene_info::{Info, info};
 use super::{MovingObstacle, Scenario};
 
+/// The scenes in the order of the page's menu.
 pub(super) const SCENES: [Info; 5] = [
     info(
         "fig16",
@@ -49,6 +55,7 @@ const BOXES: [(&str, [f64; 4]); 5] = [
     ("fig16-low", [25.0, -20.0, 10.0, 2.0]),
 ];
 
+/// The scene of an id; `None` for ids of other groups.
 pub(super) fn build(id: &str) -> Option<Scenario> {
     let (_, [from, to, y, speed]) = BOXES.into_iter().find(|b| b.0 == id)?;
     let mut scene = paper_row("L0")?;

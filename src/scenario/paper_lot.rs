@@ -1,4 +1,10 @@
 //! The parking paper's lot, and the rows of its tables.
+//!
+//! The paper draws one lot for all rows: an aisle above y = 5 m, and below it a bay whose width and depth decide how
+//! tight it is. Rows `P0` to `P4` park at right angles, rows `L0` to `L4` along the aisle. Poses are those of the
+//! tables: the rear axle's middle, metres and radians.
+//!
+//! The lot is a boundary without obstacles, so the edge of the bay is exact and not a row of cells.
 
 use std::collections::BTreeMap;
 
@@ -20,6 +26,7 @@ pub(super) const PAPER_ROWS: [(&str, [f64; 3], [f64; 3]); 10] = [
     ("L4", [-8.0, 14.2, PI], [7.0, 3.0, PI]),
 ];
 
+/// The scene of a row of the tables; `None` for other ids.
 pub(super) fn paper_row(id: &str) -> Option<Scenario> {
     let &(_, start, goal) = PAPER_ROWS.iter().find(|row| row.0 == id)?;
     Some(lot(-10.0, 10.0, 5.0, start, goal))

@@ -1,5 +1,10 @@
 //! From JSON to [`Scenario`], with errors that name the field, however deep it is.
 //!
+//! One reader for each kind of thing, made of the readers of [`crate::json`]. Readers know shapes and types only;
+//! ranges, outlines and references are checked by [`Scenario::validate`], which sees the whole scene. An unknown
+//! field is an error here, because a misspelt one would otherwise be a setting that has no effect.
+//!
+//! Fields with a default may be left out: `obstacles`, `slots` and `costs` are empty then, and the car is `paper`.
 use serde::de::{Deserialize, Deserializer, Error as _};
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -12,6 +17,7 @@ use crate::json::{Fields, bad, count, exactly, flag, list, number, object, owned
 
 type Result<T> = core::result::Result<T, Error>;
 
+/// Reads the lattice; sides and outline are not checked yet.
 fn map(value: &Value) -> Result<MapFrame> {
     let f = Fields::of(value, &["origin", "width", "height", "resolution", "boundary"])?;
     Ok(MapFrame {
@@ -28,6 +34,7 @@ fn runs(value: &Value) -> Result<Vec<[u32; 3]>> {
     value.as_str().map_or_else(|| list(exactly(count))(value), run_length::unpack)
 }
 
+/// Reads one obstacle of the kind that `type` names.
 fn obstacle(value: &Value) -> Result<Obstacle> {
     let kind = match value.get("type") {
         Some(kind) => text(kind).map_err(|e| e.within("type"))?,
@@ -74,11 +81,13 @@ fn obstacle(value: &Value) -> Result<Obstacle> {
     })
 }
 
+/// Reads an area with a weight.
 fn cost_area(value: &Value) -> Result<CostArea> {
     let f = Fields::of(value, &["id", "runs", "weight"])?;
     Ok(CostArea { id: f.maybe("id", owned)?, runs: f.need("runs", runs)?, weight: f.need("weight", count)? })
 }
 
+/// Reads a slot; `angle` and `lean` matter only for angled ones.
 fn slot(value: &Value) -> Result<Slot> {
     let known = ["id", "kind", "x", "y", "heading", "width", "length", "angle", "lean", "occupied"];
     let f = Fields::of(value, &known)?;
@@ -101,6 +110,7 @@ fn slot(value: &Value) -> Result<Slot> {
     })
 }
 
+/// Reads a goal: a pose, a slot, or a set of goals. Its fields tell which.
 pub(crate) fn goal(value: &Value) -> Result<Goal> {
     #[cfg(feature = "complete")]
     if let Some(set) = super::GoalSet::read(value)? {
@@ -132,12 +142,22 @@ impl Scenario {
     /// let error = parkade::scenario::Scenario::from_json(&serde_json::json!({ "version": 1 })).unwrap_err();
     /// assert_eq!(error.to_string(), "map: missing field");
     /// ```
+    ///
+    /// ```
+    /// use parkade::scenario::Scenario;
+    ///
+    /// let mut scene = serde_json::to_value(parkade::scenario::catalog::scenario("parallel").unwrap()).unwrap();
+    /// scene["obstacles"][0]["points"][2] = serde_json::json!([1, "north"]);
+    /// let error = Scenario::from_json(&scene).unwrap_err();
+    /// assert_eq!(error.to_string(), "obstacles[0].points[2][1]: must be a number, got \"north\"");
+    /// ```
     pub fn from_json(value: &Value) -> Result<Self> {
         let scenario = Self::read(value).map_err(|e| Error { code: ErrorCode::Scenario, ..e })?;
         scenario.validate()?;
         Ok(scenario)
     }
 
+    /// Reads the scene's fields without checking what they mean.
     fn read(value: &Value) -> Result<Self> {
         let known = [
             "version",
@@ -184,6 +204,7 @@ impl Scenario {
     }
 }
 
+/// A scene inside another value, as in files of several scenes; the path of an error is then part of its message.
 impl<'de> Deserialize<'de> for Scenario {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> core::result::Result<Self, D::Error> {
         Self::from_json(&Value::deserialize(deserializer)?).map_err(D::Error::custom)

@@ -3,6 +3,13 @@
 //! References become poses, parked cars and kerbs become shapes, and each shape remembers its owner, so that a
 //! collision can be told by the name of what is hit. Everything is in world coordinates; the boundary is the
 //! floor's outline, and what lies outside it is blocked.
+//!
+//! Exactness: a wall without thickness stays a segment, a rectangle its four corners, a parked car the outline of its
+//! body. Nothing is rasterised here, so checks do not depend on the map's resolution. Brushed cells are the exception
+//! by nature; runs that stand above each other become one rectangle, which saves most of their edges.
+//!
+//! Order: shapes come as obstacles are listed, then kerbs, then parked cars. Their numbers, from 1 on, are the owners
+//! of collision checks; 0 is the border.
 
 #[cfg(feature = "complete")]
 use std::ops::Range;
@@ -39,6 +46,8 @@ impl Owner {
 }
 
 /// The exact form of something that blocks.
+/// In world coordinates, metres. Both forms have no inside that is drivable: a segment is two-sided, a polygon is
+/// full.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Form {
     /// A wall without thickness, from end to end.
@@ -57,6 +66,19 @@ pub struct Shape {
 }
 
 /// A validated scene, resolved.
+///
+/// ```
+/// use parkade::scenario::catalog;
+/// use parkade::scenario::resolve::Owner;
+///
+/// let scene = catalog::scenario("reverse-in").unwrap();
+/// let geometry = scene.geometry().unwrap();
+/// // Two obstacles and the cars in four occupied slots.
+/// assert_eq!(geometry.shapes.len(), 6);
+/// assert_eq!(geometry.parked.len(), 4);
+/// assert_eq!(scene.name_of(geometry.owner(0)), "border");
+/// assert_eq!(geometry.owner(1), Owner::Obstacle(0));
+/// ```
 #[derive(Debug, Clone)]
 pub struct Geometry {
     /// Start pose.
@@ -102,6 +124,7 @@ impl Scenario {
     ///
     /// # Errors
     /// As [`Scenario::validate`].
+    /// O(corners), and O(roads²) for the openings of kerbs.
     pub fn geometry(&self) -> Result<Geometry, Error> {
         self.validate()?;
         let vehicle = self.vehicle.resolve()?;
@@ -166,6 +189,7 @@ impl Scenario {
     ///
     /// # Errors
     /// The pose's number that is out of range, the slot's id that no slot has, or what is wrong with the car.
+    /// An occupied slot has a pose, too: whether the car may stand there is found by planning.
     pub fn goal_pose(&self, goal: &Goal) -> Result<Pose, Error> {
         let goal = match goal {
             Goal::Pose(pose) => return finite_pose(*pose).map(|()| *pose),
@@ -199,6 +223,7 @@ impl Scenario {
         id.unwrap_or(kind).to_owned()
     }
 
+    /// The floor's outline: the scene's own or, without one, the map's rectangle.
     fn boundary(&self) -> Vec<Point> {
         let map = &self.map;
         if let Some(boundary) = &map.boundary {
@@ -210,6 +235,7 @@ impl Scenario {
         vec![Point::new(x0, y0), Point::new(x1, y0), Point::new(x1, y1), Point::new(x0, y1)]
     }
 
+    /// Emits the shapes of one obstacle, in world coordinates.
     fn forms(&self, obstacle: &Obstacle, mut emit: impl FnMut(Form)) {
         match obstacle {
             Obstacle::Cells { runs, .. } => {
@@ -241,6 +267,7 @@ impl Scenario {
         }
     }
 
+    /// The corners of a block of cells, metres.
     fn cell_rectangle(&self, x: u32, y: u32, w: u32, h: u32) -> Vec<Point> {
         let at = |x: u32, y: u32| {
             let [x0, y0] = self.map.origin;
@@ -257,6 +284,7 @@ struct Known(Vec<Range<usize>>);
 
 #[cfg(feature = "complete")]
 impl Known {
+    /// Room for as many obstacles, half of it empty.
     fn of(obstacles: usize) -> Self {
         Self(vec![0..0; (2 * obstacles).next_power_of_two()])
     }
@@ -290,10 +318,12 @@ impl Known {
     }
 }
 
+/// Where the car of an occupied slot stands: tail first, in the middle of the slot.
 fn parked_pose(slot: &Slot) -> Pose {
     slot.pose(Entry::ReverseIn, &PARKED)
 }
 
+/// Pairs of numbers as points.
 fn points(list: &[[f64; 2]]) -> Vec<Point> {
     list.iter().map(|p| Point::new(p[0], p[1])).collect()
 }

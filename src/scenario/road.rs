@@ -1,6 +1,10 @@
 //! Lanes and speed limits of a road.
 //!
 //! The drivable area is the map's boundary, whose edges are the kerbs; hatched areas are obstacles.
+//!
+//! A lane is told by its middle line and its width, because planners ask how far from the middle a place is and which
+//! way traffic goes there. Pieces follow each other without gaps: each begins at the pose where the one before ends,
+//! so heading and position are continuous by construction, and the curvature jumps at the joints.
 
 use serde::Serialize;
 use serde_json::Value;
@@ -15,6 +19,17 @@ use crate::json::{Fields, list, number, owned};
 const MAX_PIECES: usize = 2000;
 
 /// A lane's middle, from its beginning, and its width. Driven the way it is drawn.
+///
+/// ```
+/// use parkade::geometry::Pose;
+/// use parkade::scenario::{Lane, LanePiece};
+///
+/// let straight = LanePiece { length: 10.0, curvature: 0.0 };
+/// let lane = Lane { id: None, start: Pose::new(0.0, 2.0, 0.0), pieces: vec![straight], width: 3.5 };
+/// // Four metres along the lane, one metre to the left of its middle.
+/// let beside = lane.point(4.0, 1.0);
+/// assert_eq!((beside.x, beside.y), (4.0, 3.0));
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Lane {
     /// Name for messages and selection.
@@ -38,6 +53,7 @@ pub struct LanePiece {
 }
 
 /// An area in which nobody may drive faster.
+/// Where areas overlap, the lowest limit counts; outside of all there is none.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SpeedLimit {
     /// Corners of a simple polygon, metres.
@@ -80,6 +96,7 @@ impl Lane {
     }
 
     /// Its pieces, each with where it begins.
+    /// O(pieces).
     pub fn legs(&self) -> Vec<(Pose, LanePiece)> {
         let mut at = self.start;
         let step = |piece: &LanePiece| {
@@ -91,6 +108,7 @@ impl Lane {
     }
 
     /// The point `station` metres along its middle, `left` metres to the left of it.
+    /// The heading is that of the lane there. Stations beyond the end continue the last piece.
     pub fn point(&self, station: f64, left: f64) -> Pose {
         let mut at = self.start;
         let mut rest = station;
@@ -119,10 +137,12 @@ impl SpeedLimit {
     }
 }
 
+/// Reads the scene's list of lanes.
 pub(super) fn read_lanes(value: &Value) -> Result<Vec<Lane>, Error> {
     list(Lane::read)(value)
 }
 
+/// Reads the scene's list of limits.
 pub(super) fn read_limits(value: &Value) -> Result<Vec<SpeedLimit>, Error> {
     list(SpeedLimit::read)(value)
 }

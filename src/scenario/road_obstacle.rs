@@ -1,4 +1,19 @@
 //! A road as it is drawn: a line with rounded corners, lanes to both sides, kerbs.
+//!
+//! The geometry of a bend: two straight lines meet at an angle that turns by δ. An arc of radius r touches both at
+//! the distance
+//!
+//! ```text
+//! t = r · tan(δ/2)
+//! ```
+//!
+//! from the corner. A line between two corners has room for two such tangents, so each bend may use half of it and a
+//! bend beside an end all of it; where that is too short for the radius, the radius shrinks. The inner edge of the
+//! road then has the radius r less half the width, which must stay above half a metre.
+//!
+//! Kerbs are polylines that stray from their arcs by a millimetre at most: an arc of radius r may be cut into chords
+//! of √(8·r·s) for a deviation of s. Where another road's surface lies, the kerb is cut out, which makes junctions
+//! without naming them.
 
 use serde::Serialize;
 use serde_json::Value;
@@ -22,6 +37,8 @@ const STRAY: f64 = 0.001;
 
 /// A road. Its kerbs, where it has any, are walls without thickness at both sides, open where another road meets it;
 /// its ends are open. Traffic keeps to the right.
+/// Right-hand traffic: lanes along the line lie to the right of its middle where both directions have the same
+/// number.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(tag = "type", rename = "road", rename_all = "camelCase")]
 pub struct Road {
@@ -44,6 +61,8 @@ pub struct Road {
 }
 
 /// A straight line (curvature 0) or an arc.
+///
+/// The length is in metres, the curvature in 1/m and positive to the left.
 #[derive(Clone, Copy)]
 struct Piece {
     length: f64,
@@ -51,6 +70,7 @@ struct Piece {
 }
 
 impl Road {
+    /// Reads a road: lanes of 3.5 m, one each way, corners of 20 m and kerbs where nothing else is said.
     pub(super) fn read(value: &Value) -> Result<Self, Error> {
         let known = ["type", "id", "points", "radius", "lanes", "laneWidth", "speed", "kerbs"];
         let f = Fields::of(value, &known)?;
@@ -65,6 +85,7 @@ impl Road {
         })
     }
 
+    /// Distinct corners, 1 to 16 lanes, and bends whose inner edge is no point.
     pub(super) fn validate(&self) -> Result<(), Error> {
         corners("points", &self.points, 2)?;
         positive("radius", self.radius)?;
@@ -103,6 +124,7 @@ impl Road {
         self.lane_width * f64::from(self.lanes[0] + self.lanes[1]) / 2.0
     }
 
+    /// Length and heading of each straight line between two corners.
     fn ways(&self) -> Vec<(f64, f64)> {
         let way = |w: &[[f64; 2]]| {
             let (dx, dy) = (w[1][0] - w[0][0], w[1][1] - w[0][1]);
@@ -191,6 +213,7 @@ pub(super) fn kerbs(roads: &[&Road], i: usize) -> Vec<(Point, Point)> {
 }
 
 /// The parts of a segment in none of these polygons.
+/// The segment is cut where it crosses an edge, and the middle of each part decides about the part. O(edges).
 fn outside(a: Point, b: Point, polygons: &[Vec<Point>], parts: &mut Vec<(Point, Point)>) {
     let way = b - a;
     let mut cuts = vec![0.0, 1.0];
@@ -279,16 +302,36 @@ impl Road {
 #[cfg(feature = "complete")]
 impl Scenario {
     /// Lanes to keep to between two points: the scene's, and those of its drawn roads in the direction of travel.
+    ///
+    /// ```
+    /// use parkade::geometry::Point;
+    /// use parkade::scenario::Scenario;
+    ///
+    /// let scene = Scenario::from_json(&serde_json::json!({
+    ///     "version": 1,
+    ///     "map": { "origin": [-10, -10], "width": 60, "height": 20, "resolution": 2 },
+    ///     "obstacles": [{ "type": "road", "points": [[0, 0], [100, 0]] }],
+    ///     "start": { "x": 5, "y": -1.75, "heading": 0 },
+    ///     "goal": { "x": 90, "y": -1.75, "heading": 0 }
+    /// }))
+    /// .unwrap();
+    /// // Traffic keeps to the right: eastwards south of the middle, westwards north of it.
+    /// let [west, east] = [Point::new(5.0, 0.0), Point::new(90.0, 0.0)];
+    /// assert_eq!(scene.lanes_between(west, east)[0].start.y, -1.75);
+    /// assert_eq!(scene.lanes_between(east, west)[0].start.y, 1.75);
+    /// ```
     pub fn lanes_between(&self, start: Point, goal: Point) -> Vec<Lane> {
         let drawn = self.roads().flat_map(|road| road.lanes_between(start, goal));
         self.lanes.iter().cloned().chain(drawn).collect()
     }
 
     /// All limits, those of drawn roads included.
+    /// They are areas and have no direction; where two overlap, the lower one counts.
     pub fn all_speed_limits(&self) -> Vec<SpeedLimit> {
         self.speed_limits.iter().cloned().chain(self.roads().filter_map(Road::limit)).collect()
     }
 
+    /// The scene's drawn roads in their order.
     fn roads(&self) -> impl Iterator<Item = &Road> {
         self.obstacles.iter().filter_map(|o| if let Obstacle::Road(road) = o { Some(road) } else { None })
     }

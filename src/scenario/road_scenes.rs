@@ -1,5 +1,13 @@
 //! The road scenes: a lane, a curve, a crossing, a narrow road, a roundabout, a junction with a turn ban. Every
 //! road goes on for 5 m before the start and beyond the goal, so that the car stands on it.
+//!
+//! S1 to S4 are the manuscript's scenes at a car's scale: lengths, widths and obstacles are its numbers, where it
+//! states them. The roundabout and the junction are this crate's and ask what S1 to S4 do not: whether lanes are kept
+//! that are not the shortest way.
+//!
+//! Coordinates of starts, goals and lanes are places of the car's *middle*, as the planner for roads counts them;
+//! `scene` moves the poses back to the rear axle. The map's boundary is the kerb, and a lattice of half a metre lies
+//! over it.
 
 use super::road::{Lane, LanePiece, SpeedLimit};
 use super::scene_info::{Info, info};
@@ -8,6 +16,7 @@ use crate::geometry::Pose;
 use crate::geometry::math::{FRAC_PI_2, PI, asin, sin_cos};
 use crate::vehicle::Vehicle;
 
+/// The scenes in the order of the page's menu.
 pub(super) const SCENES: [Info; 6] = [
     info(
         "road-straight",
@@ -61,10 +70,12 @@ pub(super) const SCENES: [Info; 6] = [
 
 /// How far a road goes on before the start and beyond the goal, metres; ten cells.
 const RUN_OUT: f64 = 5.0;
+/// Side of a cell, metres: the manuscript's lattice.
 const RESOLUTION: f64 = 0.5;
 /// The manuscript's ship has cells of 5 m.
 const SHIP_SCALE: f64 = 10.0;
 
+/// The scene of an id; `None` for ids of other groups.
 pub(super) fn build(id: &str) -> Option<Scenario> {
     match id {
         "road-straight" => Some(straight()),
@@ -78,6 +89,8 @@ pub(super) fn build(id: &str) -> Option<Scenario> {
 }
 
 /// Ten times a scene, with the manuscript's ship on it.
+/// The ship's middle takes the place of the car's middle, so that the same lanes and clearances are compared at
+/// another scale.
 pub(super) fn ship(id: &str) -> Option<Scenario> {
     let mut scene = build(id)?;
     let scale = |value: f64| value * SHIP_SCALE;
@@ -115,6 +128,8 @@ pub(super) fn ship(id: &str) -> Option<Scenario> {
 }
 
 /// A scene whose start and goal are places of the car's middle.
+/// The map's lower left corner, its cells and the kerb's outline are given; obstacles and lanes are added by the
+/// caller.
 fn scene(origin: [f64; 2], cells: [u32; 2], boundary: Vec<[f64; 2]>, start: Pose, goal: Pose) -> Scenario {
     let car = Vehicle::SEDAN;
     let behind = -car.middle();
@@ -136,11 +151,13 @@ fn scene(origin: [f64; 2], cells: [u32; 2], boundary: Vec<[f64; 2]>, start: Pose
     }
 }
 
+/// A lane of lines and arcs: length in metres, curvature in 1/m.
 fn lane(id: &str, start: Pose, pieces: &[(f64, f64)], width: f64) -> Lane {
     let pieces = pieces.iter().map(|&(length, curvature)| LanePiece { length, curvature }).collect();
     Lane { id: Some(id.to_owned()), start, pieces, width }
 }
 
+/// A rectangle along the axes between two x and two y.
 fn block(id: &str, [x0, x1]: [f64; 2], [y0, y1]: [f64; 2]) -> Obstacle {
     Obstacle::Rectangle {
         id: Some(id.to_owned()),
@@ -151,6 +168,7 @@ fn block(id: &str, [x0, x1]: [f64; 2], [y0, y1]: [f64; 2]) -> Obstacle {
 }
 
 /// A straight road from x = −5 to `end` + 5, y = 0 to `width`, with a metre around it.
+/// One lane fills the width; callers may narrow it.
 fn along_x(end: f64, width: f64, start: Pose, goal: Pose) -> Scenario {
     let (low, high) = (-RUN_OUT, end + RUN_OUT);
     let boundary = vec![[low, 0.0], [high, 0.0], [high, width], [low, width]];
@@ -161,10 +179,12 @@ fn along_x(end: f64, width: f64, start: Pose, goal: Pose) -> Scenario {
     scene
 }
 
+/// S1: one lane of 3.5 m, a kilometre long, without obstacles.
 fn straight() -> Scenario {
     along_x(1000.5, 3.5, Pose::new(0.25, 1.75, 0.0), Pose::new(1000.25, 1.75, 0.0))
 }
 
+/// S4: a road of 6.5 m with eight obstacles on alternate sides, 55 m apart.
 fn narrow() -> Scenario {
     let mut scene = along_x(500.5, 6.5, Pose::new(0.25, 3.25, 0.0), Pose::new(500.25, 3.25, 0.0));
     scene.lanes[0].width = 3.25;
@@ -177,6 +197,7 @@ fn narrow() -> Scenario {
     scene
 }
 
+/// S2: two lanes with a bend to the left and one to the right, 120 m in radius, a parked car and a box.
 fn curve() -> Scenario {
     let bend = 120.0 * PI / 3.0;
     let rest = 800.0 - 250.0 - 2.0 * bend;
@@ -212,6 +233,7 @@ fn curve() -> Scenario {
     scene
 }
 
+/// S3: a left turn at a crossing of two roads with two lanes each way, hatched areas and five barriers.
 fn crossing() -> Scenario {
     let (low, high, half) = (-360.0 - RUN_OUT, 40.0, 7.5);
     let boundary = vec![
@@ -260,13 +282,15 @@ fn crossing() -> Scenario {
 }
 
 /// A place at a distance and an angle from the origin.
+/// Angles in radians, counter-clockwise from east.
 fn polar(radius: f64, angle: f64) -> [f64; 2] {
     let (sin, cos) = sin_cos(angle);
     [radius * cos, radius * sin]
 }
 
-/// Four roads of 7 m and a ring around an island. A barrier closes the ring between the road in and the third exit, so
-/// that the way there is the one that the direction of the ring allows.
+/// Four roads of 7 m and a ring around an island. A barrier closes the ring between the road in and the third exit,
+/// so that the way there is the one that the direction of the ring allows. The lane around the ring is one arc of
+/// 250°, between the lanes in and out.
 fn roundabout() -> Scenario {
     const OUTER: f64 = 17.0;
     const ISLAND: f64 = 9.0;
@@ -306,7 +330,7 @@ fn roundabout() -> Scenario {
 }
 
 /// A road from the south meets one with a median, which bans the left turn: the way west is to the right and back
-/// around the median's end.
+/// around the median's end. The lane leads around the median's end with a radius of 6.75 m, which the sedan can turn.
 fn turn_ban() -> Scenario {
     const HALF: f64 = 10.5;
     const MEDIAN_END: f64 = 46.0;

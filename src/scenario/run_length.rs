@@ -3,6 +3,13 @@
 //! Two numbers per run, ascending and apart: the cells between it and the one before, and its own. Cells are counted
 //! row by row from the south-west on a lattice of 4096 columns, whatever the map's width. A number is written five bits
 //! a digit, the lowest first, with Base64's digits, to which 32 is added when another one follows.
+//!
+//! Example: the runs of three cells at (2, 0) and of forty at (2, 1) are `CD9/DoB`: a gap of 2, 3 cells, a gap of
+//! 4093, 40 cells. A number below 32 takes one character, one below 1024 two. A map of large rooms takes two or three
+//! characters a run, where JSON takes ten and an array of numbers costs an allocation.
+//!
+//! The reader refuses a text that is broken, with the place of the character: runs that pass the end of their row or
+//! the last row, numbers that are too large, and characters that are no digits.
 
 use super::MAX_CELLS;
 use crate::error::Error;
@@ -12,6 +19,13 @@ use crate::json;
 const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 /// Runs in order, written as text.
+/// The runs must be sorted by row, then by column, and lie apart; no run passes the end of a row.
+///
+/// ```
+/// use parkade::scenario::run_length::pack;
+///
+/// assert_eq!(pack(&[[2, 0, 3], [2, 1, 40]]), "CD9/DoB");
+/// ```
 #[cfg(feature = "complete")]
 pub fn pack(runs: &[[u32; 3]]) -> String {
     let mut text = String::new();
@@ -36,6 +50,7 @@ pub fn pack(runs: &[[u32; 3]]) -> String {
 }
 
 /// The runs that a text stands for.
+/// Inverse of [`pack`]. O(characters).
 pub(super) fn unpack(text: &str) -> Result<Vec<[u32; 3]>, Error> {
     let mut runs = Vec::with_capacity(text.len() / 2);
     let (mut value, mut shift, mut gap, mut at) = (0_u32, 0, None, 0_u32);

@@ -13,6 +13,7 @@ pub struct Info {
     pub question: [&'static str; 2],
 }
 
+/// An entry of a menu; a function, because tables of scenes are constants.
 pub(super) const fn info(
     id: &'static str,
     group: &'static str,

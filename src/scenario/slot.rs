@@ -1,4 +1,13 @@
 //! Corners of a slot, and the poses of a car parked in it.
+//!
+//! A slot is told by the middle of its mouth, on the aisle's side, and the heading that leads straight into it from
+//! there. In that frame, x inwards and y to the left:
+//!
+//! ```text
+//! perpendicular   width across the mouth, length inwards
+//! parallel        length along the aisle, width inwards
+//! angled          the axis leans by π/2 − angle; the mouth is width / cos of that lean
+//! ```
 
 use super::{Entry, Lean, Slot, SlotKind};
 use crate::geometry::math::{self, FRAC_PI_2, FRAC_PI_4, PI};
@@ -19,7 +28,8 @@ impl Slot {
         }
     }
 
-    /// The four corners, metres: near left, near right, far right, far left, seen from the aisle.
+    /// The four corners, metres: near left, near right, far right, far left, seen from the aisle. Counter-clockwise,
+    /// and a parallelogram where the slot is angled.
     pub fn outline(&self) -> [Point; 4] {
         let inward = Pose::new(self.x, self.y, self.heading).direction();
         let left = Vector::new(-inward.y, inward.x);
@@ -37,6 +47,34 @@ impl Slot {
     }
 
     /// The pose of `vehicle` centred in the slot.
+    /// The body's middle is the slot's middle; the pose is the rear axle's, so it depends on the vehicle and on the
+    /// entry. Whether the body fits is not asked.
+    ///
+    /// ```
+    /// use std::f64::consts::FRAC_PI_2;
+    ///
+    /// use parkade::scenario::{Entry, Slot, SlotKind};
+    /// use parkade::vehicle::Vehicle;
+    ///
+    /// // A slot south of its aisle: the mouth at y = 5, the far end at y = 0.
+    /// let slot = Slot {
+    ///     id: None,
+    ///     kind: SlotKind::Perpendicular,
+    ///     x: 0.0,
+    ///     y: 5.0,
+    ///     heading: -FRAC_PI_2,
+    ///     width: 2.8,
+    ///     length: 5.0,
+    ///     angle: None,
+    ///     lean: None,
+    ///     occupied: false,
+    /// };
+    /// // The body's middle is at y = 2.5, the rear axle 1.4 m behind it.
+    /// let nose_in = slot.pose(Entry::HeadIn, &Vehicle::SEDAN);
+    /// assert!((nose_in.y - 3.9).abs() < 1e-9);
+    /// let nose_out = slot.pose(Entry::ReverseIn, &Vehicle::SEDAN);
+    /// assert!((nose_out.y - 1.1).abs() < 1e-9);
+    /// ```
     #[inline(never)]
     pub fn pose(&self, entry: Entry, vehicle: &Vehicle) -> Pose {
         let [a, _, c, _] = self.outline();

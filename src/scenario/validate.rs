@@ -3,6 +3,12 @@
 //! Scenes come from files, links and other programs, so every number is distrusted: it must be finite and within a
 //! bound that keeps time and memory bounded. The first broken rule is answered as an error with the field's path,
 //! its value and the rule.
+//!
+//! Checks are ordered from the map to the goal, so that a message never refers to something that is itself invalid.
+//! Nothing is corrected: a scene that passes is used as it was written.
+//!
+//! Costs: linear in the scene, except for outlines. Whether one crosses itself is asked of all pairs of edges, which
+//! is why corners have a limit.
 
 use std::collections::BTreeMap;
 
@@ -78,6 +84,15 @@ impl VehicleSpec {
     ///
     /// # Errors
     /// [`ErrorCode::Vehicle`] when the profile is unknown or a dimension is not possible.
+    /// The profile's name is looked up each time; nothing is cached.
+    /// # Examples
+    /// ```
+    /// use parkade::scenario::VehicleSpec;
+    /// use parkade::vehicle::Vehicle;
+    ///
+    /// assert_eq!(VehicleSpec::Profile("sedan".to_owned()).resolve(), Ok(Vehicle::SEDAN));
+    /// assert!(VehicleSpec::Profile("tank".to_owned()).resolve().is_err());
+    /// ```
     pub fn resolve(&self) -> Result<Vehicle, Error> {
         match self {
             Self::Profile(name) => Vehicle::profile(name).ok_or_else(|| {
@@ -142,6 +157,7 @@ impl Obstacle {
     }
 }
 
+/// Runs that hold a cell and lie on the map.
 fn on_map(runs: &[[u32; 3]], map: &MapFrame) -> Result<(), Error> {
     for (i, &[x, y, count]) in runs.iter().enumerate() {
         let end = u64::from(x) + u64::from(count);
@@ -154,6 +170,7 @@ fn on_map(runs: &[[u32; 3]], map: &MapFrame) -> Result<(), Error> {
     Ok(())
 }
 
+/// Weights within their range, and a sum of all cells that searches can count to.
 fn costs(areas: &[CostArea], map: &MapFrame) -> Result<(), Error> {
     let mut all = u64::from(map.width) * u64::from(map.height);
     for (i, area) in areas.iter().enumerate() {
@@ -187,10 +204,12 @@ impl Slot {
     }
 }
 
+/// An error for NaN and infinities.
 fn finite(path: &str, value: f64) -> Result<(), Error> {
     if value.is_finite() { Ok(()) } else { bad(path, format!("must be a finite number, got {value}")) }
 }
 
+/// A length, width or speed: above 0, at most 10⁶.
 pub(super) fn positive(path: &str, value: f64) -> Result<(), Error> {
     if value > 0.0 && value <= 1e6 {
         Ok(())
@@ -199,6 +218,7 @@ pub(super) fn positive(path: &str, value: f64) -> Result<(), Error> {
     }
 }
 
+/// Two coordinates within [`MAX_COORDINATE`].
 fn point(path: &str, [x, y]: [f64; 2]) -> Result<(), Error> {
     match [x, y].into_iter().find(|v| v.is_nan() || v.abs() > MAX_COORDINATE) {
         Some(v) => bad(path, format!("must be finite, within ±{MAX_COORDINATE:e} m, got {v}")),
@@ -206,12 +226,14 @@ fn point(path: &str, [x, y]: [f64; 2]) -> Result<(), Error> {
     }
 }
 
+/// A pose within the bounds of coordinates; any finite heading.
 pub(crate) fn finite_pose(pose: Pose) -> Result<(), Error> {
     point("x", [pose.x, 0.0])?;
     point("y", [pose.y, 0.0])?;
     finite("heading", pose.heading)
 }
 
+/// A list of points within the bounds, `least` of them at least.
 pub(super) fn corners(path: &str, points: &[[f64; 2]], least: usize) -> Result<(), Error> {
     if points.len() < least || points.len() > MAX_CORNERS {
         return bad(path, format!("must have {least} to {MAX_CORNERS} points, got {}", points.len()));
@@ -220,6 +242,7 @@ pub(super) fn corners(path: &str, points: &[[f64; 2]], least: usize) -> Result<(
 }
 
 /// A closed outline: at least three corners, no two edges that touch, some area.
+/// O(corners²): two thousand corners are two million pairs. Either direction is allowed.
 pub(super) fn outline(path: &str, points: &[[f64; 2]]) -> Result<(), Error> {
     corners(path, points, 3)?;
     let n = points.len();

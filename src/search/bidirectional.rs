@@ -7,6 +7,15 @@
 //! rules ([`Stop`]) differ in what they do about that: take it, take the best connection seen so far, or search on until no
 //! better one can exist. The last, NBA\* (Pijls and Post 2009), rejects a node if g and the bounds of both sides show that
 //! no cheaper path leads through it; each node is expanded by one side only.
+//!
+//! NBA\* in formulas. Let side s take node n with cost gₛ(n), let F be the f of the node that the other side took
+//! last, b(n) the estimate from n back to the root of side s, and M the cost of the best connection so far. A path
+//! through n costs at least gₛ(n) + h(n); and because the other side has taken everything below F, also at least
+//! gₛ(n) + F − b(n). Where one of the two bounds reaches M, no path through n is cheaper, and n is rejected without
+//! an expansion. The search ends when a side's f reaches M.
+//!
+//! Both sides read and write one table of records, two adjacent ones per node. Each turn of a side costs what an
+//! expansion of a one-sided search does, and one more look at the other side's record per relaxed move.
 
 use super::entry::Entry;
 use super::frontier::{PackedScratch, Record, Relaxing, cost_of, move_of};
@@ -30,6 +39,11 @@ pub enum Stop {
 }
 
 /// Searches a path from `start` to `goal` from both ends. The estimates must be consistent.
+/// With [`Stop::Optimal`] the path is the cheapest; with the other rules it may be longer, and with [`Stop::Naive`] a
+/// search of connected ends may find none.
+///
+/// A search whose budget is spent returns no path, even where the sides have met: the connection known by then has no
+/// meaning under any of the rules.
 pub fn bidirectional<L: Reversible, O: Observer<i64, ()>>(
     lattice: &L,
     (start, goal): (NodeId, NodeId),
@@ -152,6 +166,7 @@ impl<L: Reversible, O: Observer<i64, ()>> Search<'_, L, O> {
         Some(true)
     }
 
+    /// Emits the node's moves on its side: along their direction from the start, against it from the goal.
     #[inline]
     fn expand<const TURN: usize>(
         &mut self,

@@ -2,6 +2,14 @@
 //!
 //! The domain knows how nodes of two trees form a path ([`Join`]): on a graph one node belongs to both, for a car two
 //! poses are joined by a curve.
+//!
+//! Balance comes from sizes, not from turns: the tree with fewer waiting nodes grows. A car in a narrow slot can do
+//! little, so the tree from the slot stays small and is finished first, while the tree from open space would fill the
+//! whole lot.
+//!
+//! Let C be the cost of the best path so far. When the least f of one tree is at least C, no node that still waits in
+//! this tree leads to a cheaper path. Each tree alone would find every path to its target, so this one condition
+//! suffices.
 
 use super::{Budget, Cost, Domain, End, Finish, Limits, Observer, Tree, Visit};
 
@@ -9,6 +17,9 @@ use super::{Budget, Cost, Domain, End, Finish, Limits, Observer, Tree, Visit};
 pub type Trees<'t, 'a, D> = &'t [Tree<'a, D>; 2];
 
 /// How two trees are joined, and the cheapest path that came of it.
+///
+/// A join owns the best path, because only it knows how the two halves are put together: whether the second half is
+/// reversed, and what a curve between them costs. The search reads its cost alone.
 pub trait Join<D: Domain> {
     /// The cost of the cheapest path so far; [`Cost::MAX`] without one.
     fn best(&self) -> D::Cost;

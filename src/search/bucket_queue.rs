@@ -18,6 +18,10 @@
 use super::bucket_sort::Sorter;
 use super::entry::Entry;
 
+/// The open list of one side of a lattice search.
+///
+/// Memory: 2048 list heads of the ring, and the entries. Lists that become empty are kept with their room and used
+/// again, so a search of a map that was searched before hardly allocates.
 #[derive(Debug)]
 pub(super) struct BucketQueue<E> {
     /// The entries of the current bucket in order, the first one last.
@@ -122,6 +126,7 @@ impl<E: Entry> BucketQueue<E> {
         self.place(entry);
     }
 
+    /// Adds an entry for which the short ways of `push` do not suffice.
     #[inline(never)]
     fn place(&mut self, entry: E) {
         let bucket = self.bucket(entry.f());
@@ -175,10 +180,13 @@ impl<E: Entry> BucketQueue<E> {
         }
     }
 
+    /// The bucket of a priority. What lies before the first bucket counts to it, and all that lies beyond the last
+    /// span shares one bucket, which is divided anew from its own least f when its turn comes.
     fn bucket(&self, f: i64) -> usize {
         ((f - self.origin).max(0) >> E::WIDTH).min((SPANS * SPAN) as i64) as usize
     }
 
+    /// Adds an entry to a bucket after the current one, and marks the bucket as filled.
     fn put(&mut self, entry: E, bucket: usize) {
         if bucket < self.reach {
             let list = &mut self.ring[bucket % RING];

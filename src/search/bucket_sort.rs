@@ -6,6 +6,10 @@
 //! Three ways, chosen by what the bucket holds: insertion for few entries, merging for long runs, and otherwise, where
 //! all entries share f, spreading them by h over as many steps as there are entries, like one pass of a radix sort.
 //! All are stable, and linear in the number of entries on the buckets that grids produce.
+//!
+//! The order within a bucket is f, then h, then age, the youngest first. Age is not stored: among equal entries the
+//! one that was pushed last lies last, so a stable sort keeps it. The sorted bucket is a stack whose top is the first
+//! entry of the order, which makes taking an entry and pushing a new first one cost the same: one write.
 
 use super::entry::Entry;
 
@@ -18,6 +22,7 @@ const LONG: usize = 8;
 const STEPS: u32 = 2;
 
 /// Room for sorting.
+/// Both lists keep their room between buckets, so that sorting allocates only while buckets still grow.
 #[derive(Debug)]
 pub(super) struct Sorter<E> {
     spare: Vec<E>,

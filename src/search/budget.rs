@@ -3,6 +3,9 @@
 //! Budgets count expansions instead of seconds, so that a search ends at the same node on a fast and on a slow
 //! machine. The observer is asked at the same counts: progress and cancellation do not change the order of a
 //! search.
+//!
+//! Let the budget be N expansions, and let the observer ask to be told at P. The loop compares its count with min(N,
+//! P) alone, and only when it is reached finds out which of the two it was.
 
 use super::Observer;
 

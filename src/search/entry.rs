@@ -7,6 +7,7 @@
 use super::NodeId;
 
 /// An entry of the open list: a node's f and h, and whether it stands for the node's deferred moves.
+/// Entries of equal f and h are ordered by position in the open list, so no entry stores its age.
 pub trait Entry: Copy {
     /// A bucket of the open list is 2 to this power wide.
     const WIDTH: u32;

@@ -104,6 +104,7 @@ impl<E: Entry> PackedScratch<E> {
     }
 
     /// A node's records, one per side.
+    /// They are adjacent: in a search from both ends, reading one brings the other into the cache.
     fn at<const SIDES: usize>(&mut self, node: NodeId) -> &mut [Record; SIDES] {
         &mut self.records.as_chunks_mut().0[node as usize + self.padding]
     }
@@ -234,6 +235,9 @@ impl<'a, L: Lattice, O, const SIDES: usize, const TURN: usize> Relaxing<'a, L, O
     }
 }
 
+/// The candidate of a move is one number: the record that it would write, `base + code`. Where the target's record is
+/// larger, the target is stale or reached at a higher cost, and the move improves it. A closed node's record lacks
+/// the bit `op` and is therefore smaller than every candidate, so closed nodes need no test of their own.
 impl<L: Lattice, O: Observer<i64, ()>, const SIDES: usize, const TURN: usize> EdgeSink
     for Relaxing<'_, L, O, SIDES, TURN>
 {

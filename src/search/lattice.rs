@@ -4,6 +4,52 @@
 //!
 //! Two traits add what only some lattices can do: [`Reversible`] lattices are searched from both ends, [`Deferring`]
 //! ones keep some of a node's moves for later.
+//!
+//! A search from the start tries the moves *out of* a node ([`Lattice::successors`]). Costs are micro-cells, 10⁻⁶ of
+//! a cell, in whole numbers: sums are exact, so that equal costs are real ties and the order of expansions is the
+//! same on every machine. One rule of rounding keeps estimates consistent: the cost of a move is rounded up, the
+//! estimate down.
+//!
+//! The lattice decides what is legal, and the sink what is worthwhile. The cheap question comes first: a lattice asks
+//! [`EdgeSink::improves`], which reads one number of the search's memory, before it looks at the map.
+//!
+//! ```
+//! use parkade::search::lattice::{Edge, EdgeSink, Lattice};
+//! use parkade::search::{End, NodeId, PackedEntry, PackedScratch, one_way};
+//!
+//! /// A corridor of ten cells with the goal in cell 7. Move 0 leads to the next cell, move 1 to the previous one.
+//! struct Corridor;
+//!
+//! const CELL: i64 = 1_000_000;
+//!
+//! impl Lattice for Corridor {
+//!     type Entry = PackedEntry;
+//!
+//!     fn node_count(&self) -> usize {
+//!         10
+//!     }
+//!
+//!     fn successors<S: EdgeSink>(&self, node: NodeId, _: Option<u32>, sink: &mut S) {
+//!         for (number, target) in [(0, node + 1), (1, node.wrapping_sub(1))] {
+//!             if target < 10 && sink.improves(target, CELL) {
+//!                 sink.relax(Edge::new(number, CELL), target, self.to_goal(target));
+//!             }
+//!         }
+//!     }
+//!
+//!     fn before(&self, node: NodeId, number: u32) -> NodeId {
+//!         if number == 0 { node - 1 } else { node + 1 }
+//!     }
+//!
+//!     fn to_goal(&self, node: NodeId) -> i64 {
+//!         i64::from(node.abs_diff(7)) * CELL
+//!     }
+//! }
+//!
+//! let found = one_way(&Corridor, (2, 7), 100, &mut PackedScratch::default(), &mut ());
+//! assert_eq!((found.end, found.cost), (End::Found, 5 * CELL));
+//! assert_eq!(found.nodes, [2, 3, 4, 5, 6, 7]);
+//! ```
 
 use super::NodeId;
 use super::entry::Entry;

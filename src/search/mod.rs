@@ -140,6 +140,49 @@ pub struct Visit<C, L> {
 }
 
 /// A graph to search, defined by its moves.
+///
+/// Nodes are numbers. A domain of known size gives every node its number beforehand; hybrid A\* numbers states in the
+/// order in which it meets them. What else a node needs is its label, which the search keeps with the node's best
+/// cost.
+///
+/// ```
+/// use parkade::search::{Domain, End, Finish, Limits, NodeId, Relax, Scratch, Visit, best_first};
+///
+/// /// For each junction the roads out of it: target and metres. The goal is junction 3.
+/// struct Roads([&'static [(NodeId, f64)]; 4]);
+///
+/// impl Domain for Roads {
+///     type Cost = f64;
+///     type Label = ();
+///     type Tail = ();
+///
+///     fn node_count(&self) -> usize {
+///         self.0.len()
+///     }
+///
+///     fn successors<S: Relax<f64, ()>>(&self, from: Visit<f64, ()>, sink: &mut S) {
+///         for &(target, metres) in self.0[from.node as usize] {
+///             sink.emit(target, metres, ());
+///         }
+///     }
+///
+///     fn heuristic(&self, _: NodeId, (): ()) -> f64 {
+///         0.0
+///     }
+///
+///     fn finish(&mut self, at: Visit<f64, ()>, _: f64) -> Option<Finish<f64, ()>> {
+///         (at.node == 3).then_some(Finish { cost: 0.0, tail: () })
+///     }
+/// }
+///
+/// let mut roads = Roads([&[(1, 90.0), (2, 30.0)], &[(3, 10.0)], &[(1, 40.0), (3, 80.0)], &[]]);
+/// let limits = Limits { max_expansions: 100, first: false };
+/// let mut scratch = Scratch::new();
+/// let report = best_first(&mut roads, (0, ()), limits, &mut scratch, &mut ());
+/// assert_eq!(report.end, End::Found);
+/// let junctions: Vec<NodeId> = scratch.chain(3).into_iter().map(|(node, ())| node).collect();
+/// assert_eq!(junctions, [0, 2, 1, 3]);
+/// ```
 pub trait Domain {
     /// The cost of a path.
     type Cost: Cost;

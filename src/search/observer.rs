@@ -210,6 +210,26 @@ impl<C, L> Observer<C, L> for Trace<'_> {
 pub type ProgressCallback<'a> = &'a mut dyn FnMut(u32) -> ControlFlow<()>;
 
 /// Tells how many nodes a plan's searches have expanded: at each multiple of some number, and when they have ended.
+///
+/// ```
+/// use std::num::NonZeroU32;
+/// use std::ops::ControlFlow;
+///
+/// use parkade::search::{Observer, Progress};
+///
+/// let mut told = Vec::new();
+/// let mut tell = |expanded| {
+///     told.push(expanded);
+///     if expanded < 2000 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+/// };
+/// let mut progress = Progress::new(NonZeroU32::new(1000).unwrap(), &mut tell);
+/// assert_eq!(Observer::<i64, ()>::due(&mut progress, 0), 1000);
+/// assert_eq!(Observer::<i64, ()>::due(&mut progress, 1000), 2000);
+/// // The callback ends the search: the next count at which it is asked is 0.
+/// assert_eq!(Observer::<i64, ()>::due(&mut progress, 2000), 0);
+/// assert!(progress.is_stopped());
+/// assert_eq!(told, [1000, 2000]);
+/// ```
 pub struct Progress<'a> {
     every: NonZeroU32,
     /// When it tells next.

@@ -3,6 +3,15 @@
 //! The order, the counters and the result equal those of [`best_first`](super::best_first). A node takes eight bytes,
 //! so that a large map stays in the caches. [`bidirectional`](super::bidirectional()) runs the same search from both
 //! ends.
+//!
+//! Per expansion the loop takes the first entry whose node is still open, closes the node, and asks the lattice for its
+//! moves. It ends at the goal, or at a node from which the lattice knows a direct connection ([`Lattice::direct`]).
+//! Because a node is never reopened, that is the cheapest path only if the estimate is consistent; with another
+//! estimate it may be longer.
+//!
+//! A lattice that defers moves is searched by the same loop, with one rule more: [`Deferral`] says whether a node's
+//! deferred moves are tried never, at once, or when the node is taken a second time. [`one_way`] compiles to a loop
+//! without that rule.
 
 use super::entry::Entry;
 use super::frontier::{Frontier, PackedScratch, Record, Relaxing, cost_of, move_of};
@@ -37,6 +46,8 @@ pub struct Found {
 }
 
 /// Searches a path from the first node to the second: the cheapest one if the estimate is consistent.
+/// `max_expansions` counts expanded nodes; a search that reaches it ends with [`End::BudgetSpent`] and without a
+/// path. The memory is left as the search ended and serves the next search, of this map or another.
 pub fn one_way<L: Lattice, O: Observer<i64, ()>>(
     lattice: &L,
     ends: (NodeId, NodeId),
@@ -101,6 +112,7 @@ impl<L: Deferring> DeferredMoves<L> for SomeDeferred {
     }
 }
 
+/// The loop of both functions; `M` tells at compile time whether there are deferred moves.
 fn search<L: Lattice, M: DeferredMoves<L>, O: Observer<i64, ()>>(
     lattice: &L,
     (start, goal): (NodeId, NodeId),
@@ -174,6 +186,7 @@ fn only<'a, L: Lattice, O>(
 }
 
 impl Found {
+    /// The result of a search that has not begun: no path, and no node nearer to the goal than the start.
     pub(super) fn nothing(start: NodeId) -> Self {
         Self {
             end: End::Exhausted,
@@ -190,6 +203,7 @@ impl Found {
         }
     }
 
+    /// Adds the counters of the sides, and the bytes that records, parents and open lists need.
     pub(super) fn count<L: Lattice>(&mut self, lattice: &L, sides: &[Frontier<L::Entry>]) {
         for side in sides {
             self.generated += side.generated;

@@ -66,6 +66,11 @@ impl<C: Cost> Entry<C> {
     }
 }
 
+/// Entries in buckets of f; the current bucket alone is in order.
+///
+/// Invariants: every entry of `stack` and `heap` lies in the current bucket or before it, every entry of `fine` after
+/// it in the same coarse bucket, every entry of `later` in a later coarse bucket. The first entry of the order is
+/// therefore the top of the stack or of the heap.
 #[derive(Debug)]
 pub(super) struct OpenList<C> {
     /// Entries up to the current bucket, as a 4-ary heap: the four children of an entry are neighbours in memory.
@@ -182,6 +187,7 @@ impl<C: Cost> OpenList<C> {
         ticket
     }
 
+    /// The number of the fine bucket of a priority, counted from the origin.
     fn bucket(&self, f: C) -> usize {
         (f - self.origin).bucket().min(LAST_BUCKET)
     }

@@ -2,6 +2,13 @@
 //!
 //! Each side has an open list of its own, and both write into one recording in the order of their turns; a step's kind
 //! tells the side ([`BACKWARD`](super::BACKWARD)).
+//!
+//! The recorder is written from the definition of the search, not from its code: a map of known nodes and a heap for
+//! each side. What it writes down is compared with the fast search by tests, event by event, so a reader of a
+//! recording sees what the planner did and not a second opinion.
+//!
+//! A step costs O(log n) for n known nodes, and every step is written down with all its moves. `limit` bounds the
+//! memory: [`Recording::STEP_BYTES`] and [`Recording::MOVE_BYTES`] tell how much a step takes.
 
 use super::NodeId;
 use super::bidirectional::Stop;
@@ -10,6 +17,7 @@ use super::recorded::{AskedBothWays, Considered, Known, Part, Side, Sink, count,
 use super::recording::{Recording, StepKind};
 
 /// [`bidirectional`](super::bidirectional()), of which at most `limit` steps are written down.
+/// A recording that reaches the limit is cut ([`Recording::is_cut`]), and its counters end there.
 pub fn record_bidirectional<L: Considered + Reversible>(
     lattice: &L,
     ends: (NodeId, NodeId),
@@ -43,6 +51,7 @@ fn both_ways(
     count(search.out, &search.sides)
 }
 
+/// The state of the search: the fields of the fast one, with a [`Side`] in place of packed records.
 struct TwoSides<'a> {
     lattice: &'a dyn AskedBothWays,
     stop: Stop,
@@ -95,6 +104,7 @@ impl TwoSides<'_> {
         true
     }
 
+    /// True if the sides meet in the node that one of them has just taken.
     fn meets(&self, turn: usize, node: NodeId) -> bool {
         match self.stop {
             Stop::Naive => self.current[1 - turn] == node,
@@ -108,6 +118,7 @@ impl TwoSides<'_> {
         self.best.0 < i64::MAX && (g + h >= self.best.0 || g + self.last[1 - turn] - back >= self.best.0)
     }
 
+    /// Writes the node down with its moves: those that were relaxed, then those that were not and why.
     fn expand(&mut self, turn: usize, (node, known): (NodeId, Known), numbers: [f64; 3]) {
         self.out.expanded += 1;
         self.out.step(StepKind::Expand, turn, node, numbers);

@@ -4,6 +4,11 @@
 //! [`bidirectional_best_first`](super::bidirectional_best_first()) itself. It asks a domain that passes every question on
 //! and keeps the answers, so order, costs and counters are the planner's own; a search that nobody watches knows nothing
 //! of this. Two trees write into one recording, each with nodes of its own.
+//!
+//! A step is opened by [`Domain::finish`], which the search asks once for every node that it takes, and filled by
+//! [`Domain::successors`], which follows. Between the two the recorder knows the node's g and h; what becomes of each
+//! move it works out from its own table of costs. The search itself is generic over its domain, so the planner's own
+//! domain compiles to the planner's own loop, and the watched one to a second copy.
 
 use std::borrow::Borrow;
 use std::cell::RefCell;
@@ -16,6 +21,7 @@ use super::recording::{BACKWARD, Fate, PAST, Recording, StepKind};
 use super::{Domain, Finish, NodeId, Order, Relax, Scratch, Tree, Visit};
 
 /// A domain that can name its moves whether they were taken or not.
+/// A target may be told more than once; what the search emitted is recognised by its label.
 pub trait Told: Domain<Cost = f64, Label: PartialEq> {
     /// Tells of all moves of a node, those that [`Domain::successors`] emits among them: target, cost of the move, label
     /// there, and why it is not made unless its cost is against it; `None` where nothing else is.
@@ -42,6 +48,8 @@ struct Known {
     is_closed: bool,
 }
 
+/// The recording so far, and what is needed to judge the next move. It lies in a [`RefCell`], because a domain is
+/// asked for its moves by shared reference.
 #[derive(Debug)]
 struct Notes<L> {
     out: Labelled<L>,
@@ -64,6 +72,7 @@ impl<L> Notes<L> {
         Self { out, known, best: f64::INFINITY, asked: Vec::new(), limit }
     }
 
+    /// What becomes of a legal move to `target` that reaches it at cost `g`, by the best costs known before it.
     fn fate(&self, side: usize, target: NodeId, g: f64) -> Fate {
         match self.known[side].get(&target) {
             Some(known) if known.is_closed => Fate::Closed,
@@ -85,6 +94,7 @@ impl<L> Notes<L> {
         self.out.labels.len()
     }
 
+    /// Adds a move to the step at hand, unless the recording has reached its limit.
     fn offer(&mut self, target: NodeId, fate: u8, g: f64, h: f64, label: L) {
         if !self.out.recording.is_cut {
             self.out.recording.offer(target, fate, g, h);
@@ -171,6 +181,7 @@ struct Passing<'a, 'd, D: Told, S> {
 }
 
 impl<D: Told, S: Relax<f64, D::Label>> Passing<'_, '_, D, S> {
+    /// Writes one emitted move down before it is passed on.
     fn note(&mut self, target: NodeId, g: f64, past: u8, label: D::Label) {
         let h = self.watched.domain.heuristic(target, label);
         let side = self.watched.side;
@@ -303,6 +314,7 @@ where
     (summary, finished(notes, counters))
 }
 
+/// Closes the last step and adds the search's own counters.
 fn finished<L>(notes: RefCell<Notes<L>>, [expanded, generated, pushes, open_peak]: [u32; 4]) -> Labelled<L> {
     let Labelled { recording, labels } = notes.into_inner().out;
     let recording = Recording { unit: 1.0, expanded, generated, pushes, open_peak, ..recording };

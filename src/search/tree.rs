@@ -106,12 +106,14 @@ impl<D: Domain> Tree<'_, D> {
     }
 }
 
+/// The state of a node in the form in which domains see it.
 #[inline(always)]
 fn visit<C: Copy, L: Copy>(node: NodeId, slot: &Slot<C, L>) -> Visit<C, L> {
     let parent = (slot.parent != NO_PARENT).then_some(slot.parent);
     Visit { node, label: slot.label, g: slot.g, parent }
 }
 
+/// Takes the moves of one node, `parent`, which the search has reached at cost `g`.
 struct Sink<'a, D: Domain, O> {
     domain: &'a D,
     scratch: &'a mut Scratch<D::Cost, D::Label>,
@@ -147,7 +149,10 @@ impl<D: Domain, O: Observer<D::Cost, D::Label>> Relax<D::Cost, D::Label> for Sin
     }
 }
 
+/// A move whose target is estimated at infinity, or whose f is no less than the best path's cost, never enters the
+/// open list. This keeps the list short once a first path is known: every later entry can still improve on it.
 impl<D: Domain, O: Observer<D::Cost, D::Label>> Sink<'_, D, O> {
+    /// Records `parent` as the way to `target` and puts the target into the open list.
     fn link(&mut self, parent: NodeId, g: D::Cost, target: NodeId, label: D::Label) {
         let h = self.domain.heuristic(target, label);
         if h >= D::Cost::MAX || g + h >= self.best {

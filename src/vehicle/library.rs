@@ -1,4 +1,15 @@
 //! Vehicles of standards and of everyday traffic, with their sources.
+//!
+//! Design guides state a vehicle by its axles, overhangs and turning circles. The kinematic model needs one steering
+//! angle instead, and the circles then follow from it: with the rear axle's radius R = wheelbase / tan δ, the width
+//! w, the wheelbase L and the distance F from the rear axle to the front bumper,
+//!
+//! ```text
+//! kerb to kerb:  √((R + w/2)² + L²)       the outer front wheel
+//! wall to wall:  √((R + w/2)² + F²)       the outer front corner of the body
+//! ```
+//!
+//! Where a source states a circle, a test holds the model's circle to it.
 
 use std::sync::OnceLock;
 
@@ -51,6 +62,17 @@ pub struct Title {
 
 impl LibraryVehicle {
     /// Its dimensions without mirrors.
+    /// It is valid by [`Vehicle::validate`], and its steering speed is [`DEFAULT_STEER_RATE`].
+    ///
+    /// ```
+    /// use parkade::vehicle::library;
+    ///
+    /// for entry in library::all() {
+    ///     let vehicle = entry.vehicle();
+    ///     assert!(vehicle.validate().is_ok());
+    ///     assert!(vehicle.kerb_radius() < vehicle.wall_radius());
+    /// }
+    /// ```
     pub fn vehicle(&self) -> Vehicle {
         Vehicle {
             wheelbase: self.wheelbase,
@@ -126,6 +148,7 @@ fn read(value: &Value) -> Result<LibraryVehicle, Error> {
 }
 
 /// The vehicle with an id, if there is one.
+/// Ids are compared letter by letter. O(entries).
 pub fn find(id: &str) -> Option<&'static LibraryVehicle> {
     all().iter().find(|entry| entry.id == id)
 }

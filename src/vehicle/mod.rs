@@ -9,6 +9,12 @@
 //!
 //! All dimensions are in metres, angles in radians, and measured from the middle of the rear axle: the body reaches
 //! from `-rear_to_back` to `rear_to_front` along the heading and `width / 2` to either side.
+//!
+//! Two frames occur: the *world*, x east and y north, and the *body*, x ahead and y to the left. A [`Pose`] places
+//! the body in the world; headings run counter-clockwise from east, and a positive curvature turns to the left.
+//!
+//! A rectangle is a model: mirrors, rounded corners and tyres are left out. Everything that must be certain, the
+//! final check above all, treats contact as free and overlap as a collision.
 
 pub mod collision;
 #[cfg(feature = "complete")]
@@ -90,6 +96,7 @@ impl Vehicle {
     }
 
     /// Radius of the tightest circle of the rear axle's middle, metres.
+    /// 1 / [`Vehicle::max_curvature`]; the outer corners of the body sweep a wider circle.
     pub fn min_turning_radius(&self) -> f64 {
         self.wheelbase / math::tan(self.max_steer)
     }
@@ -117,6 +124,16 @@ impl Vehicle {
     }
 
     /// The corners of the body at `pose`: front left, rear left, rear right, front right.
+    /// Counter-clockwise around the body, in the coordinates of `pose`.
+    ///
+    /// ```
+    /// use parkade::geometry::{Point, Pose};
+    /// use parkade::vehicle::Vehicle;
+    ///
+    /// let [front_left, rear_left, ..] = Vehicle::SEDAN.outline(Pose::new(10.0, 0.0, 0.0));
+    /// assert_eq!(front_left, Point::new(13.75, 0.95));
+    /// assert_eq!(rear_left, Point::new(9.05, 0.95));
+    /// ```
     pub fn outline(&self, pose: Pose) -> [Point; 4] {
         self.outline_turned(pose, math::sin_cos(pose.heading))
     }

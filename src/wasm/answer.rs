@@ -1,4 +1,15 @@
 //! Plans, checks and layers as JS objects with typed arrays.
+//!
+//! Everything that has many numbers becomes one typed array per column; everything small becomes plain objects by way
+//! of JSON. A property of a JavaScript object costs more than a short search, so poses are x, y, heading in a row and
+//! not objects.
+//!
+//! Frames and units are those of the crate: world metres, radians, micro-cells where grid costs are meant. Obstacles
+//! are told by name for people and by index in the scene's list for programs: −1 is the border or a parked car of a
+//! slot, −2 in arrays that nothing is hit.
+//!
+//! `core` and the complete module share this file. Parts that only the complete one knows, as the chosen goal,
+//! alternatives or a recorded search, are added to the same object, so that programs can move from one to the other.
 
 use serde_json::{Value, json};
 use wasm_bindgen::JsValue;
@@ -20,6 +31,7 @@ use crate::scenario::resolve::{Geometry, Owner, PARKED};
 use crate::search::Recording;
 use crate::vehicle::Vehicle;
 
+/// A plan as `index.d.ts` describes it; optional parts are set only where the plan has them.
 pub(super) fn plan(scene: &Scenario, geometry: &Geometry, plan: &Plan) -> JsValue {
     let poses: Vec<f64> = plan.path.iter().flat_map(|p| [p.x, p.y, p.heading]).collect();
     let raw: Vec<f64> = plan.raw_path.iter().flat_map(|p| [p.x, p.y]).collect();
@@ -61,12 +73,14 @@ pub(super) fn plan(scene: &Scenario, geometry: &Geometry, plan: &Plan) -> JsValu
     answer
 }
 
+/// Counters, with the bytes as a JavaScript number.
 fn stats(stats: &Stats) -> JsValue {
     let answer = write(stats);
     set(&answer, "memoryBytes", &(stats.memory_bytes as f64).into());
     answer
 }
 
+/// Where a plan fails, by kind; places and poses are in world coordinates.
 fn obstruction(scene: &Scenario, geometry: &Geometry, obstruction: &Obstruction) -> Value {
     let end = |at_start| if at_start { "start" } else { "goal" };
     let named = |(pose, owner)| hit(scene, geometry.owner(owner), pose);
@@ -94,6 +108,7 @@ fn obstruction(scene: &Scenario, geometry: &Geometry, obstruction: &Obstruction)
 }
 
 /// Of a plan: the recorded search, or what else is kept of it.
+/// Null where neither was asked for.
 fn trace_of(geometry: &Geometry, plan: &Plan) -> JsValue {
     #[cfg(feature = "complete")]
     if let Some(search) = &plan.recorded {
@@ -116,6 +131,7 @@ pub(super) fn expansions(search: u32, some: crate::plan::Expansions<'_>) -> JsVa
     fields
 }
 
+/// A trace as columns: cells of a grid, or arcs with the connections that failed.
 fn trace(geometry: &Geometry, trace: &PlanTrace) -> JsValue {
     match trace {
         PlanTrace::Cells { cells, dropped } => {
@@ -143,6 +159,7 @@ fn trace(geometry: &Geometry, trace: &PlanTrace) -> JsValue {
     }
 }
 
+/// A recorded search with what its moves mean: the grid's size, or poses, arcs and obstacles.
 #[cfg(feature = "complete")]
 fn recorded(geometry: &Geometry, plan: &Plan, recorded: &Recorded) -> JsValue {
     match recorded {
@@ -168,6 +185,7 @@ fn recorded(geometry: &Geometry, plan: &Plan, recorded: &Recorded) -> JsValue {
     }
 }
 
+/// The events' columns as typed arrays, copied once.
 #[cfg(feature = "complete")]
 fn events(kind: &str, r: &Recording) -> JsValue {
     object(&[
@@ -197,6 +215,7 @@ fn events(kind: &str, r: &Recording) -> JsValue {
     ])
 }
 
+/// The verdict of a path. Numbers that JSON cannot express, as the radius of a straight path, become null.
 pub(super) fn check(scene: &Scenario, geometry: &Geometry, check: &Check) -> JsValue {
     let small = json!({
         "verdict": check.verdict.as_str(),
@@ -223,14 +242,17 @@ pub(super) fn check(scene: &Scenario, geometry: &Geometry, check: &Check) -> JsV
     answer
 }
 
+/// An obstacle by name and index, and the pose at which the body meets it.
 pub(super) fn hit(scene: &Scenario, owner: Owner, pose: Pose) -> Value {
     json!({ "obstacle": scene.name_of(owner), "index": owner.index(), "pose": pose })
 }
 
 /// Among indices of obstacles: nothing is hit.
+/// −1 is taken: it stands for the border and for parked cars of slots.
 #[cfg(feature = "complete")]
 const NO_OWNER: i32 = -2;
 
+/// A raster row by row from the south; each of its cells stands for `every` × `every` cells of the map.
 pub(super) fn layer(layer: &Layer, every: u32) -> JsValue {
     let data = match &layer.data {
         LayerData::Bytes(bytes) => u8s(bytes),
@@ -244,12 +266,14 @@ pub(super) fn layer(layer: &Layer, every: u32) -> JsValue {
     ])
 }
 
+/// Dimensions and the turning radius that follows from them.
 fn vehicle(vehicle: &Vehicle) -> Value {
     let mut value = json!(vehicle);
     value["minTurningRadius"] = json!(vehicle.min_turning_radius());
     value
 }
 
+/// A scene's outlines, poses and slots, for drawing.
 pub(super) fn geometry(scene: &Scenario, geometry: &Geometry) -> Value {
     let points = |list: &[Point]| list.iter().map(|p| [p.x, p.y]).collect::<Vec<_>>();
     let parked =

@@ -1,4 +1,10 @@
 //! Audits of lots, for JS.
+//!
+//! An audit of a lot plans a way into each bay for each vehicle and may take minutes. Rows therefore leave one by
+//! one: the callback is given each as soon as it is known and may end the audit; the rows so far are the answer then.
+//!
+//! After an edit only some rows can change. Rows cross the border as flat numbers, four for each row and three for
+//! each swept pose, because thousands of objects would cost more than the test itself.
 
 use std::ops::ControlFlow;
 
@@ -14,15 +20,19 @@ use crate::geometry::Pose;
 use crate::scenario::lot::{Lot, PRESETS, Preset};
 use crate::vehicle::library;
 
+/// A result for JavaScript: an error becomes a `ParkadeError`.
 fn js<T>(result: Result<T, Error>) -> Result<T, JsValue> {
     result.map_err(|e| codec::js_error(&e))
 }
 
+/// The poses that the body passes, three numbers each.
+/// One array for each way, as in a plan.
 fn poses(way: &Way) -> JsValue {
     f64s(&way.swept.iter().flat_map(|p| [p.x, p.y, p.heading]).collect::<Vec<_>>())
 }
 
 /// Puts a way's fields into an object.
+/// Columns and words are those of a row of the audit, as in `index.d.ts`.
 fn fill(target: &JsValue, way: &Way) {
     let text = |text: Option<&str>| text.map_or(JsValue::NULL, JsValue::from);
     let fields = [
@@ -48,6 +58,7 @@ fn fill(target: &JsValue, way: &Way) {
     }
 }
 
+/// One row as an object; `out` is null where no way out was asked for.
 fn row(row: &Row) -> JsValue {
     let answer = object(&[
         ("bay", row.bay.as_str().into()),

@@ -1,4 +1,14 @@
 //! Values across the border: JSON-like in, typed arrays out.
+//!
+//! Inwards, a value passes through `Strict` to JSON and from there to the readers of [`crate::json`]: one path for
+//! all input, so that every error names its field in the same way. NaN and infinities are refused here, because JSON
+//! has no word for them and would turn them into null, which means "absent".
+//!
+//! Outwards, typed arrays are copies in JavaScript's memory: they stay valid when the module's memory grows or the
+//! planner is freed.
+//!
+//! Small objects take one detour: they become JSON values first and JavaScript objects then. Each type that is
+//! written directly would add its own copy of the serializer to the module, which is loaded before the first picture.
 
 use std::fmt;
 
@@ -14,6 +24,7 @@ use crate::error::{Error, ErrorCode};
 const STEP: char = '\u{1}';
 
 /// A JSON value that refuses NaN and infinities, which JSON would turn into null.
+/// JavaScript has one kind of number, so whole ones below 9·10¹⁵ become integers; integer fields would refuse 3.0.
 struct Strict(Value);
 
 impl<'de> Deserialize<'de> for Strict {
@@ -22,6 +33,7 @@ impl<'de> Deserialize<'de> for Strict {
     }
 }
 
+/// Builds the JSON value; each layer of an array or object adds its step to the message of an error.
 struct StrictVisitor;
 
 impl<'de> Visitor<'de> for StrictVisitor {
@@ -90,6 +102,7 @@ impl<'de> Visitor<'de> for StrictVisitor {
 }
 
 /// Any plain JS value as JSON, or an error that names the first field that is not plain or not finite.
+/// # Errors `code` with the path of the first field that is a function, a symbol, NaN or infinite.
 pub(super) fn json(value: JsValue, code: ErrorCode) -> Result<Value, Error> {
     if value.is_function() || value.is_symbol() {
         return Err(Error::new(code, "", "must be plain data"));
@@ -107,6 +120,7 @@ pub(super) fn json(value: JsValue, code: ErrorCode) -> Result<Value, Error> {
 }
 
 /// A small value as plain JS objects.
+/// Sizes are small; what has thousands of numbers goes through typed arrays.
 pub(super) fn write(value: &impl Serialize) -> JsValue {
     // By way of JSON: one instance of the JS serializer instead of one for every type.
     let value = serde_json::to_value(value).unwrap_or_default();
@@ -114,6 +128,7 @@ pub(super) fn write(value: &impl Serialize) -> JsValue {
 }
 
 /// A `ParkadeError` for JS: name, message, code, path.
+/// `message` holds path and rule, `path` the path alone, so that programs need not take the text apart.
 pub(super) fn js_error(error: &Error) -> JsValue {
     let js = js_sys::Error::new(&error.to_string());
     js.set_name("ParkadeError");
@@ -122,6 +137,7 @@ pub(super) fn js_error(error: &Error) -> JsValue {
     js.into()
 }
 
+/// Sets a field of an object that was made here.
 pub(super) fn set(target: &JsValue, key: &str, value: &JsValue) {
     // Setting an own property of a fresh object cannot fail.
     let _ = Reflect::set(target, &key.into(), value);
@@ -136,6 +152,7 @@ pub(super) fn object(fields: &[(&str, JsValue)]) -> JsValue {
     target
 }
 
+/// Coordinates, lengths and times: columns of the crate as JavaScript sees them.
 pub(super) fn f64s(values: &[f64]) -> JsValue {
     Float64Array::from(values).into()
 }

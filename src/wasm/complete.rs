@@ -1,5 +1,12 @@
 //! Exports of the complete module that `core` lacks: maps of other programs, generated scenes, bare searches, edits,
 //! the papers' tables.
+//!
+//! These exports serve the papers' pages, the importer and the editor. `core` lacks them, so the first picture loads
+//! without their code.
+//!
+//! Arguments and answers are flat where they are many: files are a list of names and one of bytes, figures of tables
+//! are arrays of numbers whose columns the first answer names. Measurements are given a clock by the page, as the
+//! module itself has none.
 
 use std::cell::Cell;
 use std::ops::ControlFlow;
@@ -145,6 +152,7 @@ pub fn reeds_shepp(from: &[f64], to: &[f64], radius: f64) -> JsValue {
     codec::write(&words)
 }
 
+/// A word as letters, length, gear changes, and its arcs from `from` on, five numbers each.
 fn curve(word: &reeds_shepp::Word, from: Pose, radius: f64) -> Value {
     let mut pose = from;
     let mut arcs = Vec::new();
@@ -226,6 +234,7 @@ pub fn paper_parking(row: &str, rounds: f64, clock: &js_sys::Function) -> JsResu
     table.map(|table| codec::write(&table)).map_err(|e| codec::js_error(&e))
 }
 
+/// A whole number that JavaScript has as a float; larger ones than 9·10¹⁵ are not exact there.
 fn whole(name: &str, value: f64) -> Result<u64, Error> {
     let whole = value.fract() == 0.0 && (0.0..9e15).contains(&value);
     let rule = || Error::new(ErrorCode::Input, name, format!("must be a whole number from 0, got {value}"));
@@ -297,10 +306,12 @@ pub fn paper_volumes(scene: &str, poses: f64, seed: f64, rounds: f64, clock: &js
     compared.map(|compared| codec::write(&compared)).map_err(|e| codec::js_error(&e))
 }
 
+/// A clock of JavaScript's as a function. Only what is measured for tables depends on it; no search does.
 fn clock_of(clock: &js_sys::Function) -> impl FnMut() -> f64 {
     || clock.call0(&JsValue::NULL).ok().and_then(|v| v.as_f64()).unwrap_or(0.0)
 }
 
+/// A question of an imported map as an object.
 fn question(question: &Question) -> Value {
     let Question { bucket, start, goal, length } = question;
     json!({ "bucket": bucket, "start": start, "goal": goal, "length": length })
@@ -308,6 +319,7 @@ fn question(question: &Question) -> Value {
 
 /// A scene as JSON, long lists of cells run-length encoded: `api.js` unpacks them faster than the border passes their
 /// numbers.
+/// Short lists stay as they are, so that scenes of a few obstacles can be read by people.
 fn scene(mut scene: Scenario) -> Value {
     let long: Vec<Option<String>> = scene
         .obstacles

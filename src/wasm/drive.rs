@@ -1,4 +1,9 @@
 //! Driving in time, for JS: trajectories, following, waiting.
+//!
+//! All functions take a scene, a path as flat poses, and options; those that drive along a path read them in one
+//! place (`Question`). A path without gears is driven forwards, and one without curvatures gets those of its poses.
+//! Times are seconds, speeds metres per second and signed, steering angles radians, and the columns of an answer have
+//! one entry for each time.
 
 use serde_json::json;
 use wasm_bindgen::prelude::*;
@@ -18,18 +23,25 @@ use crate::referee::{States, Submission, TimedRows};
 use crate::scenario::Scenario;
 use crate::scenario::resolve::Geometry;
 
+/// What every function here is asked: a path on a scene and the options of a drive.
 struct Question {
+    /// The scene, for the names of what is touched.
     scene: Scenario,
+    /// The same in metres.
     geometry: Geometry,
+    /// The path as arcs with gears and the speed limits along it.
     route: Route,
+    /// What is left of the options for the function itself.
     options: serde_json::Map<String, serde_json::Value>,
 }
 
+/// A result for JavaScript: an error becomes a `ParkadeError`.
 fn js<T>(result: Result<T, Error>) -> Result<T, JsValue> {
     result.map_err(|e| codec::js_error(&e))
 }
 
 impl Question {
+    /// Reads and checks scene, path and options; an error of the path is told as one of the field `plan`.
     fn read(
         scene: JsValue,
         path: &[f64],
@@ -45,11 +57,13 @@ impl Question {
     }
 }
 
+/// Three numbers for each pose.
 fn poses(poses: &[Pose]) -> JsValue {
     f64s(&poses.iter().flat_map(|p| [p.x, p.y, p.heading]).collect::<Vec<_>>())
 }
 
 /// The columns of a drive, and more fields.
+/// All columns have one entry for each time; the hash is that of the rows, the same in Rust and in JavaScript.
 fn drive(rows: &Rows, more: &[(&str, JsValue)]) -> JsValue {
     let columns = [
         ("t", f64s(&rows.t)),
@@ -122,6 +136,7 @@ pub fn js_optimise(
 }
 
 /// The states of a trajectory's columns.
+/// # Errors Columns of different lengths, times that do not grow, or numbers that are no poses.
 fn states(path: &[f64], t: Vec<f64>, speed: Vec<f64>, steering: Vec<f64>) -> Result<States, Error> {
     let poses = plan::path_poses(path)?;
     let rows = TimedRows { t, poses, speed: Some(speed), steering: Some(steering) };
@@ -168,6 +183,7 @@ pub fn js_track(
     Ok(tracking(&asked.scene, &got))
 }
 
+/// Deviations of a simulated car from its path, metres and radians, and the obstacle that it touches, if any.
 fn tracking(scene: &Scenario, got: &Tracking) -> JsValue {
     let hit = got.hit.map(|(owner, pose)| answer::hit(scene, owner, pose));
     object(&[
@@ -221,10 +237,12 @@ pub fn js_stop_wait_go_states(
     Ok(encounter(&scene, &movers, &met))
 }
 
+/// The scene's moving boxes as functions of time.
 fn movers(scene: &Scenario) -> Vec<Mover> {
     scene.moving.iter().map(Mover::new).collect()
 }
 
+/// A drive among moving boxes. `boxes` has the pose of every box at every time, time by time.
 fn encounter(scene: &Scenario, movers: &[Mover], met: &Encounter) -> JsValue {
     let boxes: Vec<Pose> = met.rows.t.iter().flat_map(|&t| movers.iter().map(move |m| m.pose(t))).collect();
     let waits: Vec<_> = met

@@ -1,4 +1,12 @@
 //! The JS border: exported functions and the planner session. Types are in `packages/parkade/index.d.ts`.
+//!
+//! A function here does three things and no more: it reads its arguments, calls the crate, and writes the answer.
+//! Errors leave as thrown `ParkadeError`s with a code and the path of the field; a panic is a bug and ends the
+//! module. An exception that a callback throws is caught here and means "stop"; the package's JavaScript keeps it and
+//! throws it again.
+//!
+//! The module keeps no state between calls but in [`RawPlanner`]: settings are checked and the map is prepared once,
+//! and each plan reuses its memory.
 #![expect(unreachable_pub, reason = "wasm-bindgen exports only items marked pub")]
 
 mod answer;
@@ -29,8 +37,10 @@ use crate::scenario::parse;
 use crate::scenario::places;
 use crate::scenario::{Scenario, catalog};
 
+/// An answer, or the error that JavaScript is thrown.
 type JsResult = Result<JsValue, JsValue>;
 
+/// Panics are written to the console with their place, before the module ends.
 #[wasm_bindgen(start)]
 fn start() {
     console_error_panic_hook::set_once();
@@ -95,6 +105,7 @@ pub fn check_path(scene: JsValue, path: &[f64], directions: Option<Vec<i8>>) -> 
     Ok(answer)
 }
 
+/// A scene from JavaScript, read and validated; every function that takes a scene begins with it.
 fn read_scene(scene: JsValue) -> Result<Scenario, JsValue> {
     codec::json(scene, ErrorCode::Scenario)
         .and_then(|v| Scenario::from_json(&v))
@@ -102,6 +113,7 @@ fn read_scene(scene: JsValue) -> Result<Scenario, JsValue> {
 }
 
 /// An object that may be left out.
+/// `undefined` and `null` are an empty object.
 fn optional(value: JsValue, code: ErrorCode) -> Result<serde_json::Map<String, Value>, JsValue> {
     if value.is_undefined() || value.is_null() {
         return Ok(serde_json::Map::new());
@@ -112,6 +124,7 @@ fn optional(value: JsValue, code: ErrorCode) -> Result<serde_json::Map<String, V
     }
 }
 
+/// An error about an option.
 fn refused(path: &str, message: &str) -> JsValue {
     codec::js_error(&Error::new(ErrorCode::Input, path, message))
 }
@@ -160,6 +173,7 @@ impl RawPlanner {
 }
 
 /// Interprets a callback's return value.
+/// An exception counts as "stop", as does every value that is not truthy.
 fn goes_on(callback: &js_sys::Function, value: &JsValue) -> ControlFlow<()> {
     match callback.call1(&JsValue::NULL, value) {
         Ok(goes_on) if goes_on.is_truthy() => ControlFlow::Continue(()),
@@ -169,6 +183,7 @@ fn goes_on(callback: &js_sys::Function, value: &JsValue) -> ControlFlow<()> {
 
 impl RawPlanner {
     /// The options of a plan, but for callbacks, and its ends.
+    /// # Errors An option that is not known or has another type, by name.
     #[cfg_attr(not(feature = "complete"), expect(clippy::unused_self, reason = "slots are the scene's"))]
     fn options<'o>(&self, options: JsValue) -> Result<(plan::Options<'o>, plan::Ends), JsValue> {
         let (mut asked, mut ends) = (plan::Options::default(), plan::Ends::default());

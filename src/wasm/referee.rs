@@ -1,4 +1,10 @@
 //! Verdicts on trajectories, for JS.
+//!
+//! Trajectories of other programs come as text or as columns and are judged by the same rules as this crate's own:
+//! replayed, checked for collisions and measured. How they were made is not asked.
+//!
+//! Text is CSV with a head; columns are what a program has in memory already. Options are limits of the motion:
+//! speeds in m/s, accelerations in m/s², angles and rates in radians.
 
 use wasm_bindgen::prelude::*;
 
@@ -7,10 +13,12 @@ use crate::error::{Error, ErrorCode};
 use crate::plan;
 use crate::referee::{MotionLimits, Submission, TimedRows, judge, read};
 
+/// A result for JavaScript: an error becomes a `ParkadeError`.
 fn js<T>(result: Result<T, Error>) -> Result<T, JsValue> {
     result.map_err(|e| codec::js_error(&e))
 }
 
+/// Judges a submission on a scene; options replace the limits of motion.
 fn judged(scene: JsValue, submission: &Submission, options: JsValue) -> JsResult {
     let scene = read_scene(scene)?;
     let geometry = js(scene.geometry())?;

@@ -1,4 +1,8 @@
 //! Settings of cost-map A*.
+//!
+//! Two families of settings stand side by side: this crate's own (`metre`, `auto`, the line and the spline that the
+//! car can follow) and the manuscript's (`paper`, `los`), which are kept so that its tables can be measured again.
+//! Defaults are the former. Lengths are metres, and a margin is measured beside the body, not from its middle.
 
 use crate::geometry::math;
 use crate::json;

@@ -13,6 +13,16 @@
 //!
 //! Painted weights multiply all of it. No metre costs less than its length, so the octile distance is a consistent
 //! estimate.
+//!
+//! A cell's own surcharge counts half for each of its two steps, the one in and the one out. The cost of a step is
+//! therefore the same in both directions.
+//!
+//! With the costs `steps` every metre costs 1. Lengths are then rounded to 2⁻³², so that sums are exact and equally
+//! long ways stay equal; without this, rounding would choose among them. With `paper` a cell costs its surcharge
+//! once, however long the step, which is the manuscript's formula.
+//!
+//! Memory: per cell of the map a bit and its counts, per cell with room a surcharge of four bytes and, on painted
+//! floors, a weight of one.
 
 use std::sync::Arc;
 
@@ -50,6 +60,8 @@ struct Margin {
 }
 
 impl Margin {
+    /// The extra cost at a place with this clearance of the car's middle: none with the whole margin, `price` without
+    /// any.
     fn surcharge(self, clearance: f64) -> f64 {
         let room = clearance - self.radius;
         if room >= self.asked { 0.0 } else { self.price * (1.0 - room / self.asked) }
@@ -120,6 +132,7 @@ impl CostMap {
 
     /// Per cell of the map: what a metre there costs beyond its length (with the manuscript's costs, what the cell
     /// costs), whatever the margin; infinity where there is no room.
+    /// Row by row from the south, as the rasters are.
     pub fn layer(&self, ground: &RoadRasters) -> Vec<f32> {
         let own = u8::from(self.costs != Costs::Paper);
         let cost = |index| {
@@ -184,10 +197,12 @@ impl CostMap {
         self.numbers.bytes() + size_of_val(&self.surcharges[..]) + size_of_val(&self.weights[..])
     }
 
+    /// The painted weight of a node; 1 where nothing is painted.
     fn weight(&self, node: NodeId) -> u8 {
         self.weights.get(node as usize).copied().unwrap_or(1)
     }
 
+    /// The cell of a node.
     pub(super) fn cell(&self, node: NodeId) -> Cell {
         self.frame.cell(self.numbers.place(node))
     }
@@ -209,6 +224,7 @@ pub(super) struct Road<'a> {
 }
 
 impl Road<'_> {
+    /// Emits the steps to the eight cells around a node. A diagonal step needs both cells beside it to have room.
     fn moves<S: Relax<f64, ()>>(&self, node: NodeId, sink: &mut S) {
         let map = self.map;
         let from = map.cell(node);
@@ -237,6 +253,7 @@ impl Road<'_> {
         }
     }
 
+    /// The octile distance in metres with the costs `metre`, the straight one with the others.
     fn estimate(&self, node: NodeId) -> f64 {
         let (map, (goal, _)) = (self.map, self.goal);
         let cell = map.cell(node);

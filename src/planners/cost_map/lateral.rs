@@ -58,6 +58,7 @@ pub struct Row {
 }
 
 /// The costs by which lines are chosen.
+/// Places are given by a station and an offset across, positive to the left of the curve's direction.
 #[derive(Clone, Copy)]
 pub struct Lateral<'a> {
     /// The road's raster.

@@ -1,9 +1,15 @@
 //! Proof that no path keeps a margin.
 //!
-//! Wherever the car passes, the middle of its body is at least the margin and half the width away from everything. Cells in
-//! which no such place exists are closed, by an upper bound of the clearance of any place in a cell; if a flood over the
-//! others does not join start and goal, no path keeps the margin. The converse does not hold, because the body is longer
-//! than the disc about its middle.
+//! Wherever the car passes, the middle of its body is at least the margin and half the width away from everything.
+//! Cells in which no such place exists are closed, by an upper bound of the clearance of any place in a cell; if a
+//! flood over the others does not join start and goal, no path keeps the margin. The converse does not hold: places
+//! beside each other may need directions between which the car cannot turn.
+//!
+//! Cells are too coarse where a gap is about as wide as the car. Near obstacles a cell is therefore cut into 8 × 8
+//! parts, one bit of a word each. A square of parts with the centre c and half the diagonal r is closed where room(c)
+//! + r is less than the room asked for, as no place has more room than another by more than their distance; otherwise
+//! it is quartered. A single part is open only if the whole body keeps the margin there in some direction. The flood
+//! spreads over words of bits, with shifts in the place of single steps.
 
 use std::collections::BTreeMap;
 
@@ -81,8 +87,11 @@ pub fn is_excluded(
 
 /// A cell's parts.
 struct Parts<'a> {
+    /// The cell's lower left corner, world metres.
     low: Point,
+    /// Side of a part, metres.
     side: f64,
+    /// Distance that the middle of the body needs from everything, metres.
     room: f64,
     exact: &'a Exact<'a>,
 }

@@ -2,6 +2,14 @@
 //!
 //! From a manuscript on road navigation whose distances are a ship's; see DESIGN.md for what is kept of it. Places are
 //! the middle of the car. The road's kerbs are the map's boundary.
+//!
+//! The steps: [`RoadRasters`] and [`CostMap`] are made of a scene; [`plan`] searches cells, first among those that
+//! keep the margin and then, where that finds nothing, among all with room; [`corners`] and the pruning turn cells
+//! into chords; the [`Lateral`] programme and [`smooth()`] turn chords into a curve. Only the curve is what a car
+//! drives; it is measured with the towed car before it is accepted.
+//!
+//! All coordinates are world metres. Clearances are those of the body's middle from a blocked cell; half the car's
+//! width (`radius`) is subtracted where the room beside the body is meant.
 
 mod config;
 mod domain;
@@ -155,6 +163,8 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, watch: &mut W
 }
 
 /// The cell of a place, or the nearest one with room, and its number.
+/// `None` on a blocked cell, or where no cell within [`SNAP`] has room. The distance is 0 where the place's own cell
+/// has room.
 fn snapped(query: &Query, place: Point) -> Option<(Cell, NodeId, f64)> {
     let ground = query.ground;
     let cell = ground.frame.cell_at(place)?;

@@ -3,6 +3,16 @@
 //! A path of cells turns by 45° where a straight line would do. Cells near corners become candidates, and the cheapest chain
 //! of chords between them is found by dynamic programming: a chord costs what the map charges along it, a corner costs
 //! as much as ten cells. A chord keeps at least 0.8 of the room that its cells have, and half the car's width.
+//!
+//! In formulas, for candidates c₀ … cₙ in the order of the path, with the cost w of a chord and the price p of a
+//! corner:
+//!
+//! ```text
+//! best(b) = min over a < b of  best(a) + w(a, b) + p
+//! ```
+//!
+//! That is O(n²) chords, each as long as its cells, so n is limited to 400 and a row of 40 failures from one
+//! candidate ends its turn. Chords follow Bresenham's cells; each of them must have the room that is asked for.
 
 use super::{Config, CostMap, Curves, Pruning, RoadRasters};
 use crate::map::{Cell, Weights};
@@ -50,6 +60,7 @@ impl Chords<'_> {
         }
     }
 
+    /// From each kept cell the farthest one in sight, as the manuscript prunes. O(cells²) at worst.
     fn greedy(&self, cells: &[Cell]) -> Vec<Cell> {
         let spent = spent(self.ground, cells);
         let mut kept = vec![cells[0]];
@@ -68,6 +79,7 @@ impl Chords<'_> {
         kept
     }
 
+    /// The cheapest chain of chords over the candidates.
     fn cheapest(&self, cells: &[Cell]) -> Vec<Cell> {
         let places = places(cells);
         let spent = spent(self.ground, cells);
@@ -161,6 +173,7 @@ fn away(a: Cell, b: Cell) -> f64 {
     (dx * dx + dy * dy).sqrt()
 }
 
+/// True if all steps between the cells are the same.
 fn is_straight(cells: &[Cell]) -> bool {
     let step = |w: &[Cell]| (w[1].x - w[0].x, w[1].y - w[0].y);
     cells.windows(2).all(|w| step(w) == step(cells))

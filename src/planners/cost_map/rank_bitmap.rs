@@ -16,6 +16,7 @@ pub(super) struct RankBitmap {
 }
 
 impl RankBitmap {
+    /// Marks the places for which the iterator is true.
     pub(super) fn new(places: impl ExactSizeIterator<Item = bool>) -> Self {
         let mut words = vec![0; places.len().div_ceil(64)];
         for (i, _) in places.enumerate().filter(|place| place.1) {
@@ -42,17 +43,21 @@ impl RankBitmap {
         size_of_val(&self.words[..]) + size_of_val(&self.before[..]) + size_of_val(&self.words_of[..])
     }
 
+    /// True if a place is in. O(1); the place must be one of those that the bitmap was made of.
     pub(super) fn has(&self, place: usize) -> bool {
         self.words[place / 64] >> (place % 64) & 1 == 1
     }
 
     /// The number of a place that is in.
+    /// `None` for a place that is not in. O(1).
     pub(super) fn of(&self, place: usize) -> Option<u32> {
         let below = self.words[place / 64] & ((1 << (place % 64)) - 1);
         self.has(place).then(|| self.before[place / 64] + below.count_ones())
     }
 
     /// The place with a number.
+    /// The inverse of [`RankBitmap::of`], for numbers below [`RankBitmap::len`]; a few words are looked at on
+    /// average.
     pub(super) fn place(&self, number: u32) -> usize {
         let mut at = self.words_of[number as usize / 64] as usize;
         while at + 1 < self.before.len() && self.before[at + 1] <= number {

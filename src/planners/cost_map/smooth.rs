@@ -4,6 +4,15 @@
 //! where the car would come nearer to something than on the chords, points there weigh more and σ falls; where it would have
 //! to turn too tightly, points near the sharp place count less and σ grows. Both loops have a limit. If no curve passes, the
 //! chords themselves are the answer, and the plan says so.
+//!
+//! The spline minimises
+//!
+//! ```text
+//! Σ wⱼ·|C(uⱼ) − pⱼ|² + λ·Σ |Δ³Pᵢ|²
+//! ```
+//!
+//! over cubic splines C with control points Pᵢ, for points pⱼ on the chords ([`Spline`]). λ is found by bisection so
+//! that the root mean square distance is σ; so σ, a length that can be pictured, is the setting, and λ is not.
 
 use super::RoadRasters;
 use crate::geometry::bspline::{Place, Rows, Spline};
@@ -60,6 +69,8 @@ pub struct Smooth {
 
 /// Smooths a polyline; `accept` has the last word on a curve. The line's `firm` points, none where it is shorter, are
 /// passed more closely than the others.
+/// Points are world metres. The result begins and ends where the line does; without a good curve it is the line
+/// itself with [`Smooth::fell_back`] set, which is an answer and not an error.
 pub fn smooth(
     ground: &RoadRasters,
     line: &[Point],

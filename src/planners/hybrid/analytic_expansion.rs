@@ -2,6 +2,13 @@
 //!
 //! A search asks many curves at each pose whether they are free, and throws the answers away. For people the cheapest
 //! that failed tells most: where the way would be if that obstacle were not there.
+//!
+//! An expansion's connections are Reeds–Shepp words from its pose to the target. The search takes the cheapest free
+//! one, or none; the recorder keeps the cheapest of those that failed, cut off at the first contact. It asks a
+//! collision checker of its own, because the plan's counter of checks must be the same with and without a trace.
+//!
+//! Columns instead of a list of structures, because the whole goes to JavaScript as typed arrays: connection k has
+//! the arcs from `first[k]` to `first[k + 1]`, five numbers each.
 
 use crate::geometry::Pose;
 use crate::geometry::arcs::Arc;
@@ -12,6 +19,7 @@ use crate::vehicle::collision::CollisionChecker;
 const MAX_RECORDED: usize = 4000;
 
 /// Failed connections, at most one an expansion: the cheapest that was tried.
+/// World coordinates, metres and radians, in the direction in which the car would drive.
 #[derive(Debug, Clone, Default)]
 pub struct FailedExpansions {
     /// Index of each expansion's first arc in `arcs`.
@@ -88,6 +96,7 @@ impl Recorder {
         self.shots.arcs.truncate(begin);
     }
 
+    /// Adds an arc as the car drives it; in a tree that grows from the goal that is the other direction.
     fn keep(&mut self, from: Pose, arc: &Arc, mirrored: bool) {
         let length = if mirrored { -arc.length } else { arc.length };
         let (x, y) = (from.x + self.origin.x, from.y + self.origin.y);

@@ -3,6 +3,23 @@
 //!
 //! First the old path itself is joined to the new ends, and led around what has come in its way. Where that fails, a
 //! search that keeps to the corridor around it bends it. That is made only where the new answer lies elsewhere.
+//!
+//! A planner that answers each question anew jumps: when the goal moves by a centimetre, another homotopy class may
+//! become cheaper by a millimetre, and the whole path changes before the user's eyes. The old path has to be given a
+//! chance.
+//!
+//! The distance between two paths is the larger of the two one-sided distances (Hausdorff): no place of either is
+//! farther than that from the other. Paths within a metre of each other count as one and the same way.
+//!
+//! The steps, of which each is tried only where the one before fails:
+//!
+//! 1. join the old path to the new ends, go around what is in its way, and keep at least the whole margin on it;
+//! 2. the same with 71 % of the margin on pieces of the old path;
+//! 3. both of them again within the corridor around the old path;
+//! 4. search within the corridor, on the coarsest level and then on the next.
+//!
+//! A candidate counts only if it is near the old path, as good as the new answer to within the share asked for, and
+//! passes the caller's own check.
 
 use super::config::{Config, Level, SearchFrom};
 use super::cost::{CostModel, Motion};
@@ -45,6 +62,7 @@ const KEPT_MARGINS: [f64; 2] = [1.0, core::f64::consts::FRAC_1_SQRT_2];
 const CORRIDOR_EXPANSIONS: [u32; 2] = [1500, 4000];
 
 /// A path and where it begins, in the obstacles' coordinates.
+/// It holds no cost and no margin: those follow from the next question.
 #[derive(Debug, Clone)]
 pub struct Last {
     start: Pose,
@@ -68,6 +86,7 @@ impl Last {
         Self { start, arcs: arcs::merge(arcs) }
     }
 
+    /// Places along the path, close enough to compare it with another.
     fn points(&self) -> Vec<Point> {
         points(self.start, &self.arcs)
     }
@@ -85,6 +104,9 @@ fn points(start: Pose, path: &[Arc]) -> Vec<Point> {
 /// The last path between the ends of this question with the margin of its answer `report`, where it stays: its cost or
 /// its length is within `share` of the answer's, and `is_sound` is content with it. Its counters are those of `report`.
 /// Without `cuts` it is not made shorter, which would lead it nearer to obstacles.
+///
+/// Ends are in the query's world coordinates. The search around the old path, where it is made, takes at most
+/// `CORRIDOR_EXPANSIONS`.
 pub fn stay(
     query: &Query,
     config: &Config,
@@ -114,6 +136,7 @@ pub fn stay(
     anchored(&narrow).or_else(|| old.bent(&narrow, reach - CORRIDOR_INSET, scratch).filter(is_kept))
 }
 
+/// The path in pieces of at most [`KNOT_SPACING`]; their ends are the knots.
 fn split(path: &[Arc]) -> Vec<Arc> {
     let parts = |arc: &Arc| {
         let count = (arc.length.abs() / KNOT_SPACING).ceil().max(1.0);
@@ -156,6 +179,7 @@ impl Old<'_> {
         path.cost <= self.report.cost * (1.0 + self.share) || is_like(old) || is_like(last)
     }
 
+    /// A report of this path, with the counters of the plan that it competes with.
     fn answer(&self, path: Vec<Arc>, probe: &CollisionChecker) -> Report {
         let cost = self.costs.path(probe, self.ends[0], &path);
         Report { arcs: path, cost, status: Status::Suboptimal, ..self.report.clone() }
@@ -218,6 +242,7 @@ impl Old<'_> {
     }
 }
 
+/// The rules by which pieces of the old path are joined with new curves.
 struct Joining<'a> {
     probe: &'a CollisionChecker<'a>,
     costs: &'a CostModel,
@@ -279,6 +304,7 @@ impl Joining<'_> {
         }
     }
 
+    /// Cost of some knots in a row, obstacles aside.
     fn stretch(&self, knots: &[Arc]) -> f64 {
         let mut before = Motion::default();
         knots.iter().fold(0.0, |cost, arc| {

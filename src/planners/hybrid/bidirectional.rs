@@ -6,6 +6,22 @@
 //! The tree from the goal is mirrored: it drives backwards in time, so its arcs are reversed when both are joined. Both
 //! trees charge the costs of driving forwards in time. The search ends when the least f of either tree is no less than the
 //! cost of the best path, as that tree then has nothing cheaper to offer.
+//!
+//! A join of two poses in one cell needs a curve that begins and ends in that cell, with a turning radius of several
+//! metres. Such a curve often makes a loop or a gear change; it is one candidate among others, and the shortcut that
+//! follows takes out what is not needed. Per expansion there are at most three cells to look into, one per gear, and
+//! one list of words for each.
+//!
+//! The costs of the two trees add up, because both charge arcs as driven forwards in time. A gear change at the joint
+//! is charged when the whole path is priced, not while it is searched for.
+//!
+//! ```text
+//! start ──tree──▶ a ⌒ curve ⌒ b ◀──tree── goal          cost: g(a) + curve + g(b)
+//! ```
+//!
+//! With C the cost of the best path and F₁, F₂ the least f of the open lists, the search goes on while F₁ < C and F₂
+//! < C. One of the two at C is enough, as each tree is also tried with a curve to the other root and would find every
+//! path by itself.
 
 use core::borrow::Borrow;
 use core::cell::RefCell;
@@ -26,6 +42,7 @@ use crate::search::{
 type Visit = search::Visit<f64, State>;
 
 /// The cheapest path so far, as driven.
+/// `arcs` lead from start to goal; the second half has been reversed already.
 struct Cheapest<'a> {
     search: &'a Search<'a>,
     costs: CostModel,
@@ -41,6 +58,7 @@ where
         self.cost
     }
 
+    /// The path from a node of one tree by a curve to the other root.
     fn complete(&mut self, trees: Trees<D>, side: usize, at: Visit, finish: Finish<f64, Word>) {
         let arcs = domain::path(&trees[side].chain(at.node), &finish.tail, self.costs.radius);
         self.keep(if side == 0 { arcs } else { arcs::reversed(&arcs) });
@@ -59,6 +77,7 @@ where
 }
 
 impl Cheapest<'_> {
+    /// Takes a whole path if it costs less than the best one so far.
     fn keep(&mut self, arcs: Vec<Arc>) {
         let cost = self.costs.path(self.search.probe, self.search.start, &arcs);
         if cost < self.cost {
@@ -87,6 +106,8 @@ impl Cheapest<'_> {
 }
 
 /// Searches one level from both ends.
+/// Returns the path from start to goal and whether it is proven the cheapest of its lattice, or `None`; the report's
+/// status then says why. Counters are added to those of the report.
 pub(super) fn search(
     search: &Search,
     level: Level,

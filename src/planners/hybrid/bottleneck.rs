@@ -3,6 +3,17 @@
 //! A widest-path search over the cells of a distance field: like Dijkstra's, but a way counts by its least clearance
 //! instead of by the sum of its steps, and the largest is taken first. The cell with the least clearance on the widest way
 //! is the gap to name, because every other way has a narrower one.
+//!
+//! Let c(n) be the clearance of cell n. The width of a way is twice the least c along it, and the search maximises
+//! it:
+//!
+//! ```text
+//! w(n) = max over neighbours m of  min(w(m), c(n))
+//! ```
+//!
+//! Cells are taken in order of falling w from an array of buckets, 2 cm each, so a flood costs O(cells). Two rasters
+//! are used: the coarse one of the scene shows quickly where a closed wall leaves no way at all, and a raster of 5 cm
+//! then finds the gap and measures it exactly.
 
 use crate::geometry::{Point, Pose};
 use crate::map::{Cell, Frame, Layer};
@@ -20,6 +31,8 @@ const MIN_GAP: f64 = 0.2;
 const BUCKETS_PER_METRE: f64 = 50.0;
 
 /// The narrowest place of the widest way from start to goal, local, if it is narrower than the car.
+/// The way is one of the body's middle. `None` where the gap is at least as wide as the body, narrower than 20 cm, or
+/// where no way of any width exists: then a wall is in the way, not a gap.
 pub(super) fn too_narrow(obstacles: &Obstacles, vehicle: &Vehicle, start: Pose, goal: Pose) -> Option<Gap> {
     let middle = Point::new((vehicle.rear_to_front - vehicle.rear_to_back) / 2.0, 0.0);
     let narrowest = |frame: &Frame, clearance: &Layer<f32>| {
@@ -50,6 +63,7 @@ fn neighbours(frame: &Frame, at: usize) -> impl Iterator<Item = usize> + '_ {
 }
 
 /// The narrowest cell of the widest way.
+/// `None` where no way joins the two cells. O(cells); each cell enters the buckets once.
 fn bottleneck(frame: &Frame, clearance: &Layer<f32>, from: Cell, to: Cell) -> Option<Cell> {
     let (from, to) = (frame.index(from), frame.index(to));
     let slot = |v: f32| (f64::from(v) * BUCKETS_PER_METRE) as usize;

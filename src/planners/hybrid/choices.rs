@@ -1,4 +1,21 @@
 //! Paths to choose between, beside the ordinary answer: with fewer gear changes, shorter, quicker, with more room.
+//!
+//! The ordinary answer is the cheapest by one sum of several costs. Somebody who looks at it often asks for an
+//! extreme instead, and an extreme is found by a search of its own:
+//!
+//! * *Fewest gear changes*: a change costs more than any way, so the search goes through all poses that can be
+//!   reached with no change, then with one, and so on.
+//! * *Shortest*: length is the only cost.
+//! * *Fastest*: length plus the distances that the car could have driven while it changes gear and turns the wheel.
+//! * *Widest*: the margin is the largest with which there is a path, found by trying shares of the room at the ends
+//!   and halving the gap between the last that fails and the first that succeeds.
+//!
+//! Each search has its own limit of expansions. It is as deterministic as the ordinary plan, and no result is proven
+//! the best of its kind.
+//!
+//! Layers by a price: let a gear change cost P metres more than any path is long. Then f orders states by gear
+//! changes first and by length second, and one search goes through them layer by layer. `Level::bound` is P times the
+//! changes that are known, so the search ends when nothing with fewer is left.
 
 use core::ops::ControlFlow;
 
@@ -55,6 +72,10 @@ const STEER_TIME: f64 = 0.3;
 /// Searches for paths that are better than `first` by `prefer`, or in any way where nothing is preferred; with several
 /// `goals` to any of them. Each is given to `offer`, which answers whether to go on. The counters in each, and in the
 /// empty report returned, count everything so far, `first` included.
+///
+/// Poses are in world coordinates, `first` is the ordinary answer to the same question, and the paths offered have
+/// their status at [`Status::Suboptimal`]. A caller that wants the best by `prefer` compares them itself: several may
+/// be offered, and one that is offered later is not always better.
 pub fn choices(
     query: &Query,
     (config, goals): (&Config, &[Pose]),
@@ -111,9 +132,11 @@ pub fn choices(
 }
 
 /// Whether the search goes on (true), and the arcs found.
+/// The caller ends the run by its answer to an offer, or by ending the progress.
 type Goes<T = ()> = ControlFlow<(), T>;
 
 /// The searches for paths beside the first.
+/// Each search goes through `attempt`, which offers what it finds and adds what it cost.
 struct Run<'a, 'p> {
     search: Search<'a>,
     floods: &'a Floods<'a>,
@@ -131,6 +154,7 @@ struct Run<'a, 'p> {
 }
 
 impl Run<'_, '_> {
+    /// Runs the searches that are wanted, those whose results help the later ones first.
     fn all(&mut self, wants: &dyn Fn(Prefer) -> bool) -> Goes {
         if wants(Prefer::FewestChanges) {
             self.fewer_changes()?;
@@ -195,6 +219,7 @@ impl Run<'_, '_> {
         Goes::Continue(())
     }
 
+    /// A path with fewer gear changes on a fine lattice, where a change costs 5 m more than usual.
     fn fewer_by_price(&mut self, number: u32, margin: usize) -> Goes {
         let config = *self.search.config;
         if number >= config.levels() || self.changes < 2 {

@@ -1,4 +1,13 @@
 //! Settings of hybrid A*.
+//!
+//! A level is one resolution of the state lattice. Coarse levels are fast and answer ordinary questions; fine ones
+//! find the way out of slots that the coarse ones cannot leave, because in a narrow slot a step of 0.8 m hits
+//! something at both ends of every arc. Each finer level divides the position cell, the heading bin and the step
+//! together: a step must leave its cell, or else a move leads back to the state that it came from, and a bin must be
+//! narrower than the turn of a step at full lock, or else turning shows no progress.
+//!
+//! Finer levels weigh the estimate with 2 instead of 1. They have many more states, and the shortest path is not what
+//! they are for.
 
 use crate::json;
 use crate::planners::parameters::{Form, parameters, spec};
@@ -245,13 +254,19 @@ pub(super) const FIRST_SHUFFLING_LEVEL: u32 = 5;
 /// One resolution of the lattice.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Level {
+    /// Side of a position cell, metres.
     pub(super) xy: f64,
+    /// Width of a heading bin, radians.
     pub(super) yaw: f64,
+    /// Length of a motion primitive, metres.
     pub(super) step: f64,
+    /// Steering angles to either side, besides straight.
     pub(super) steer_samples: u32,
     /// Spacing of collision checks along an arc, metres.
     pub(super) spacing: f64,
+    /// Expansions after which this level gives up.
     pub(super) max_expansions: u32,
+    /// Factor on the estimate; above 1 the path may cost as many times more.
     pub(super) weight: f64,
     /// Extra weight of a metre in reverse away from both ends while searching.
     pub(super) far_reverse: f64,
@@ -330,11 +345,13 @@ const LEVEL_COUNT: u32 = 7;
 
 impl Config {
     /// How many levels these settings allow.
+    /// From 1, where the ladder is off, to [`LEVEL_COUNT`].
     pub(super) fn levels(&self) -> u32 {
         if self.ladder { self.finest_level.min(LEVEL_COUNT - 1) + 1 } else { 1 }
     }
 
     /// One of the levels, coarse ones first.
+    /// Settings of resolution replace the level's own on every level but those that shuffle.
     pub(super) fn level(&self, number: u32) -> Level {
         let (xy, yaw, step, steer_samples, spacing, max_expansions, weight) = match number {
             0 => (0.5, 5.0, 0.8, 2, 0.1, 20_000, 1.0),

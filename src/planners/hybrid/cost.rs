@@ -13,6 +13,14 @@
 //!
 //! The first three terms depend on the arc and the one before it; the others are sampled along it, at most half a
 //! metre apart. No weight is negative and w is at least 1, so that the length bounds the cost from below.
+//!
+//! What each term is for: the weight of reverse driving and the price of a gear change are what drivers mind; the
+//! weights of the wheel make steady curves cheaper than winding ones of equal length; the obstacle term prefers the
+//! middle of a passage and falls to nothing, with its slope, at D. κ·R is 1 at full lock, so the weights of the wheel
+//! need no knowledge of the car.
+//!
+//! A gear change and a movement of the wheel belong to the joint of two arcs. That is why a state knows the arc by
+//! which it was reached, and why the cost of a path can be summed arc by arc.
 
 use super::Config;
 use super::config::Level;
@@ -27,6 +35,8 @@ const CLEARANCE_STEP: f64 = 0.5;
 const MANOEUVRE: f64 = 10.0;
 
 /// The cost model of one plan.
+/// All prices are in metres, or in metres per metre: a path's cost is the length of a straight way ahead that is
+/// worth as much.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CostModel {
     pub(super) radius: f64,
@@ -55,6 +65,7 @@ pub(super) struct Motion {
 }
 
 impl Motion {
+    /// How the car moves at the end of an arc.
     pub(super) fn after(arc: &Arc) -> Self {
         Self {
             gear: if arc.length < 0.0 { -1 } else { 1 },
@@ -105,6 +116,7 @@ impl CostModel {
         self.obstacle != 0.0
     }
 
+    /// True if the car drives this arc of the tree in reverse.
     fn in_reverse(&self, arc: &Arc) -> bool {
         (arc.length < 0.0) != self.mirrored
     }
@@ -120,6 +132,7 @@ impl CostModel {
     }
 
     /// Cost of a word after `before`, obstacles aside.
+    /// The words of an analytic expansion are compared by this, before any collision check.
     pub(super) fn word(&self, mut before: Motion, word: &Word) -> f64 {
         word.arcs(self.radius).fold(0.0, |cost, arc| {
             let cost = cost + self.arc(before, &arc);
@@ -170,6 +183,7 @@ impl CostModel {
     }
 
     /// Cost of a whole path from `start`.
+    /// What a report's cost is: every term, sampled afresh along the path as driven.
     pub(super) fn path(&self, probe: &CollisionChecker, start: Pose, arcs: &[Arc]) -> f64 {
         let (mut pose, mut before) = (start, Motion::default());
         let mut cost = 0.0;

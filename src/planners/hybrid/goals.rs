@@ -3,6 +3,20 @@
 //! The tree grows from the goals, so one search may begin at all of them: a node before them leads to each at no cost,
 //! and the first connection to the start comes from the goal of the cheapest path. It searches the coarse level, which
 //! answers nearly always; where it does not, each goal is planned for on its own until one has a path.
+//!
+//! A marked lot has dozens of free bays, and a driver takes whichever is convenient. Planning for each of them costs
+//! dozens of searches. A super-source costs one: with an artificial root that leads to every goal at no cost, the
+//! search expands the goals in the order of their estimates, and goals whose estimate exceeds the cost of the best
+//! path are never expanded.
+//!
+//! Goals differ in the room that they have, and one margin must serve a whole search. Those with room for the margin
+//! are searched from first; the others follow, with the least room among them, only if they may be cheaper by 3 %.
+//!
+//! The root's label is the goal with the least estimate, and its children are the goals, each at the cost 0. Their f
+//! is the estimate of the way from the start to that goal, so the most promising goal is expanded first.
+//!
+//! The weight of 1.03 keeps many goals apart: without it, every goal whose estimate is a little below the best path
+//! has to be searched from until it is proven dearer.
 
 use super::config::Level;
 use super::level::{Search, Work};
@@ -74,18 +88,21 @@ pub fn plan_any(
 }
 
 /// The one of some goals to which a path leads; in world coordinates.
+/// The nearest to the path's end, where a radian counts as a metre. O(goals + arcs).
 pub fn goal_of(query: &Query, goals: &[Pose], report: &Report) -> Pose {
     let locals: Vec<Pose> = goals.iter().map(|&goal| query.obstacles.local(goal)).collect();
     goals[nearest(&locals, arcs::end(query.obstacles.local(query.start), &report.arcs))]
 }
 
 /// Of some poses those at which the body keeps `margin`, metres.
+/// Indices into `poses`, which are in world coordinates. A pose inside a solid obstacle has no room.
 pub fn with_room(obstacles: &Obstacles, vehicle: &Vehicle, poses: &[Pose], margin: f64) -> Vec<usize> {
     let probe = CollisionChecker::new(obstacles, vehicle);
     let has_room = |&at: &usize| is_free(&probe, obstacles, poses[at], margin);
     (0..poses.len()).filter(has_room).collect()
 }
 
+/// True if a body at a pose in world coordinates keeps `margin` and does not stand inside an obstacle.
 fn is_free(probe: &CollisionChecker, obstacles: &Obstacles, pose: Pose, margin: f64) -> bool {
     let pose = obstacles.local(pose);
     obstacles.inside(pose.point()).is_none() && probe.hit(pose, margin).is_none()
@@ -100,11 +117,13 @@ pub(super) fn nearest(goals: &[Pose], to: Pose) -> usize {
     math::argmin(&goals.iter().map(apart).collect::<Vec<_>>())
 }
 
+/// True if two poses differ by less than a micrometre and a microradian.
 fn is_same(a: Pose, b: Pose) -> bool {
     (a.point() - b.point()).norm() <= 1e-6 && math::turn(a.heading, b.heading).abs() <= 1e-6
 }
 
 /// A question with two goals or more, at each of which the car has room.
+/// `goals` are local, `worlds` the same poses in world coordinates and in the same order.
 struct Many<'a> {
     query: &'a Query<'a>,
     config: &'a Config,
@@ -117,6 +136,7 @@ struct Many<'a> {
 }
 
 impl Many<'_> {
+    /// Searches the goals with room, then those with less, then each on its own; tells which goal was taken.
     fn plan(&self, scratch: &mut Scratch, progress: &mut Option<Progress>) -> (usize, Report) {
         let clearances: Vec<f64> = self.goals.iter().map(|&goal| self.clearance(goal)).collect();
         let roomiest = clearances.iter().copied().fold(0.0, f64::max);
@@ -169,6 +189,7 @@ impl Many<'_> {
     }
 
     /// True if a path has so much room all the way, although less was asked of it.
+    /// Checked every two centimetres.
     fn keeps(&self, found: &Report, margin: f64) -> bool {
         let mut pose = self.start;
         found.arcs.iter().all(|arc| {
@@ -178,6 +199,7 @@ impl Many<'_> {
         })
     }
 
+    /// Distance from the body at a pose to the nearest obstacle, metres, up to what is of interest here.
     fn clearance(&self, pose: Pose) -> f64 {
         self.probe.clearance(pose, self.config.margin.max(TIGHT_CLEARANCE))
     }
@@ -187,6 +209,7 @@ impl Many<'_> {
         self.config.margin.max(MIN_MARGIN).min(clearance).min(self.clearance(self.start))
     }
 
+    /// The ways around obstacles to the start, for a car with this margin.
     fn flood(&self, margin: f64, scratch: &mut Scratch) -> ObstacleHeuristic {
         let Query { obstacles, vehicle, .. } = *self.query;
         ObstacleHeuristic::new(obstacles, vehicle, self.start, margin, scratch.flood.take())

@@ -8,6 +8,20 @@
 //! The converse does not hold: open boxes may join where no way leads, and a way for a holonomic body may be none for a
 //! car. So the answer is "proven apart" or "not known", never "there is a path". Boxes of three sizes are tried, coarse
 //! ones first, because a coarse proof costs a hundredth of a fine one.
+//!
+//! Why this is a proof. Let a box have side a in x and y and the turn φ, and let r be the distance from the body's
+//! middle to a corner. Between the box's middle and any pose in it no point of the body moves farther than
+//!
+//! ```text
+//! a/√2 + r·φ/2
+//! ```
+//!
+//! Shrink the body by that much. If the shrunk body at the middle meets an obstacle, then the whole body meets it at
+//! every pose of the box. A continuous motion passes from box to box through shared faces, so it stays within the
+//! open boxes that are joined to the first one.
+//!
+//! The order of the flood does not matter for the proof; it decides which open box is reported as the nearest, and
+//! how soon the other end is reached where there is a way. Each box is looked at once, with one collision check.
 
 use super::obstacle_heuristic::ObstacleHeuristic;
 use super::state_index::StateIndex;
@@ -36,6 +50,9 @@ enum Search {
 
 /// Proves that the body cannot get from `root` to `target`, whichever way it moves, with `margin` metres around it:
 /// tells the pose nearest to the target that it may reach.
+///
+/// Poses are local. `None` means "not known": the boxes join, or too many would have to be looked at. At most 700 000
+/// checks.
 #[inline(never)]
 pub(super) fn proven_apart(
     car: (&CollisionChecker, &Vehicle),
@@ -98,6 +115,7 @@ impl<'a> Boxes<'a> {
         }
     }
 
+    /// Turn of a box, radians: a corner of the body moves about as far in it as the side of a box.
     fn turn(&self) -> f64 {
         math::TAU / self.headings.len() as f64
     }
@@ -118,6 +136,7 @@ impl<'a> Boxes<'a> {
         (Pose::new(middle.x - self.ahead * cos, middle.y - self.ahead * sin, heading), (sin, cos))
     }
 
+    /// The six boxes that share a face with this one; headings are cyclic.
     fn around(&self, [x, y, turn]: Box3) -> [Box3; 6] {
         let count = self.headings.len() as i32;
         let (left, right) = ((turn + 1) % count, (turn + count - 1) % count);

@@ -1,4 +1,21 @@
 //! One search of the lattice at one resolution, with one margin, from one end.
+//!
+//! The steps of one search:
+//!
+//! 1. grow a tree from `root` until a Reeds–Shepp curve from some state to `target` is free and nothing open is
+//!    cheaper;
+//! 2. turn the path round if the tree grew from the goal;
+//! 3. straighten it with the shortcut, by the same costs, margin and spacing of checks;
+//! 4. check the whole path every centimetre without a margin.
+//!
+//! Collision checks are samples along arcs. A spacing of a few centimetres is fast and misses a corner now and then;
+//! step 4 finds that, and the level is searched again with half the spacing, twice at most. A path that is returned
+//! has always passed step 4.
+//!
+//! The first level also has a rule of patience. A thousand expansions answer most questions. Where they do not, 250
+//! from the other end show whether that one is the hard end, and the rest of the budget is spent with the estimate
+//! times 1.3: weighted A\*, whose path may cost that much more, and which no longer explores every detour of equal
+//! promise.
 
 use core::cell::RefCell;
 
@@ -39,20 +56,33 @@ const COMPARED_MARGINS: [f64; 2] = [0.05, 0.1];
 
 /// State shared by the levels: the answer so far, the memory, and the observer of expansions.
 pub(super) struct Work<'a, 'p> {
+    /// The answer so far, with the counters of all searches.
     pub(super) report: &'a mut Report,
+    /// Memory of the search, used again by each level.
     pub(super) scratch: &'a mut Scratch,
+    /// Told of expansions; it may end the plan between two of them.
     pub(super) progress: &'a mut Option<Progress<'p>>,
 }
 
 /// One question at one margin.
+///
+/// Poses are in the obstacles' coordinates. `root` and `target` are the ends of the tree, `start` and `goal` those of
+/// the path: the same two poses, swapped where the search is `mirrored`.
 #[derive(Clone, Copy)]
 pub(super) struct Search<'a> {
+    /// Obstacles, car and poses in world coordinates.
     pub(super) query: &'a Query<'a>,
+    /// The settings that are asked for; a level may replace costs and resolution.
     pub(super) config: &'a Config,
+    /// Counts all collision checks of the plan.
     pub(super) probe: &'a CollisionChecker<'a>,
+    /// The ways around obstacles to `target`, for a disc with the margin of this search.
     pub(super) flood: &'a ObstacleHeuristic,
+    /// Where the tree begins.
     pub(super) root: Pose,
+    /// Where the tree shall arrive.
     pub(super) target: Pose,
+    /// True if the tree grows from the goal.
     pub(super) mirrored: bool,
     pub(super) start: Pose,
     pub(super) goal: Pose,
@@ -194,6 +224,8 @@ impl<'a> Search<'a> {
         false
     }
 
+    /// Grows the tree of one level; returns the path as driven, and whether it is proven the cheapest. Without a path
+    /// the report's status says whether the level was exhausted or its budget spent.
     #[inline(never)]
     fn search(&self, level: Level, work: &mut Work) -> Option<(Vec<Arc>, Status)> {
         if let Some(progress) = work.progress.as_mut() {
@@ -293,6 +325,7 @@ impl<'a> Search<'a> {
         *self
     }
 
+    /// The path after the shortcut, where the settings ask for one.
     fn improve(&self, arcs: Vec<Arc>, level: Level, margin: f64) -> Vec<Arc> {
         if !self.config.shortcut {
             return arcs;
@@ -320,6 +353,7 @@ impl<'a> Search<'a> {
         Pose::new(at.x, at.y, 0.0)
     }
 
+    /// A local pose in world coordinates: shifted by the origin, never turned.
     pub(super) fn world(&self, pose: Pose) -> Pose {
         let origin = self.origin();
         Pose::new(pose.x + origin.x, pose.y + origin.y, pose.heading)

@@ -1,4 +1,8 @@
 //! Finding where it fails.
+//!
+//! A failed plan that says only "no path" leaves the reader to guess. The place where it fails is usually known from
+//! the search itself: a region that the flood could not leave, or a pose from which no arc leads far. These functions
+//! put such a place into words and world coordinates. They run only where a plan has failed.
 
 use super::Query;
 use super::obstacle_heuristic::ObstacleHeuristic;
@@ -11,6 +15,8 @@ use crate::vehicle::collision::CollisionChecker;
 const PROBE_DEPTH: f64 = 0.01;
 
 /// The smaller of the regions around start and goal that no way joins; local poses.
+/// The region is in world coordinates, as runs of cells; the smaller one is the easier to see, and more often the
+/// cause.
 pub(super) fn enclosed(query: &Query, [start, goal]: [Pose; 2], margin: f64) -> Obstruction {
     let flood = |pose| ObstacleHeuristic::new(query.obstacles, query.vehicle, pose, margin, None);
     let (from_start, from_goal) = (flood(start), flood(goal));
@@ -24,6 +30,8 @@ pub(super) fn enclosed(query: &Query, [start, goal]: [Pose; 2], margin: f64) -> 
 }
 
 /// How far the car gets from a local pose that it can hardly leave, and what stops it.
+/// At most six pairs of a pose and an obstacle's owner: full lock left, straight, full lock right, ahead and in
+/// reverse. Poses are in world coordinates. Directions in which the car gets a whole metre are left out.
 pub(super) fn stops(probe: &CollisionChecker, query: &Query, pose: Pose, margin: f64) -> Vec<(Pose, u32)> {
     let limit = query.vehicle.max_curvature();
     let shift = query.start.point() - query.obstacles.local(query.start).point();

@@ -6,6 +6,11 @@
 //! why pairs and collision checks have limits.
 //!
 //! The result is deterministic: limits count work, not time.
+//!
+//! The lattice prefers paths that follow its own arcs; the shortcut knows only the car. For knots i < j with the
+//! costs c of the way driven between them, a word of length ℓ is looked at only if ℓ < c, because no metre costs less
+//! than 1. Straight distance rules out most pairs before any curve is computed, and the reach of the body, measured
+//! once per knot and kept, rules out most curves before a collision check.
 
 use super::cost::{CostModel, Motion};
 use super::domain::take_cheapest;
@@ -37,6 +42,9 @@ pub(super) struct Rules<'a> {
 
 /// A path of arcs from `start`, made cheaper where a curve between two of its knots is free. Gear changes never
 /// increase.
+///
+/// Start and end pose stay as they are to rounding, and the cost never rises. `path` must be free by the same rules;
+/// what is not replaced is not checked again.
 pub(super) fn shortcut(rules: Rules, start: Pose, mut path: Vec<Arc>) -> Vec<Arc> {
     let limit = rules.probe.checks().saturating_add(MAX_CHECKS);
     for knot in KNOT_SPACINGS {
@@ -52,6 +60,7 @@ pub(super) fn shortcut(rules: Rules, start: Pose, mut path: Vec<Arc>) -> Vec<Arc
     path
 }
 
+/// The path with each arc cut into equal parts of at most `knot` metres.
 fn split(path: &[Arc], knot: f64) -> Vec<Arc> {
     path.iter()
         .flat_map(|arc| {
@@ -62,7 +71,8 @@ fn split(path: &[Arc], knot: f64) -> Vec<Arc> {
         .collect()
 }
 
-/// One round over all pairs of knots.
+/// One round over all pairs of knots. Invariant: `poses` and `spent` have one entry more than `knots`; a replacement
+/// renews what follows it.
 struct Pass<'a> {
     rules: Rules<'a>,
     /// Knots that a replaced stretch has, at most.
@@ -104,6 +114,7 @@ impl<'a> Pass<'a> {
         }
     }
 
+    /// How the car arrives at knot `k`; at the start it has neither gear nor curvature.
     fn before(&self, k: usize) -> Motion {
         if k == 0 { Motion::default() } else { Motion::after(&self.knots[k - 1]) }
     }
@@ -113,6 +124,7 @@ impl<'a> Pass<'a> {
         self.knots.get(k).map_or(0.0, |next| self.rules.costs.arc(Motion::after(last), next))
     }
 
+    /// Tries every pair once, the farthest first; tells whether something was replaced.
     fn run(&mut self, limit: u32) -> bool {
         let mut improved = false;
         let mut i = 0;

@@ -3,6 +3,9 @@
 //! The lattice of a large lot has some 10¹⁰ states, of which a search meets thousands. Numbering those in the order in
 //! which they are met lets the search keep its nodes in a plain table. A look-up is O(1) on average; the table grows at
 //! half its room, and clearing it between searches is O(1), by a stamp.
+//!
+//! The hash is multiplication by 2⁶⁴/φ, of which the upper half is used, with linear probing. Keys of neighbouring
+//! cells differ in few bits and land far apart.
 
 /// Slots of the smallest table.
 const MIN_SLOTS: u32 = 4096;
@@ -41,6 +44,7 @@ impl StateIndex {
     }
 
     /// The number of a key.
+    /// The first key that is met gets 0, the next new one 1, and so on: the numbers are those of the search's nodes.
     pub(super) fn id(&mut self, key: u64) -> u32 {
         if self.count as usize * 2 >= self.slots.len() {
             self.grow();
@@ -53,6 +57,7 @@ impl StateIndex {
         self.slots[at].id
     }
 
+    /// The slot of a key, or the free one where it belongs.
     fn find(&self, key: u64) -> usize {
         let mask = self.slots.len() - 1;
         let mut at = (key.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32) as usize & mask;
@@ -62,6 +67,7 @@ impl StateIndex {
         at
     }
 
+    /// Doubles the table and enters the present keys again; their numbers stay.
     fn grow(&mut self) {
         self.stamp = self.stamp.max(1);
         let size = (self.slots.len() * 2).max(MIN_SLOTS as usize);

@@ -1,4 +1,9 @@
 //! The widest path to one of several goals: which margins are tried, and which goals have the most room.
+//!
+//! The width of a path is the least clearance of the body along it, in metres on either side, and a plan with margin
+//! m exists or not: a monotone question, so a list of margins and halving find the largest m with few searches. With
+//! several goals each has a limit of its own, the room at the goal, and no path to it is wider. Goals with less room
+//! than the best path so far are therefore not searched for.
 
 use super::choices::MARGIN_SHARES;
 use crate::geometry::Pose;
@@ -40,6 +45,7 @@ pub(super) fn margins(probe: &CollisionChecker, start: Pose, goals: &[Pose], lea
 }
 
 /// The least distance from the body to an obstacle along a path, metres; three at most.
+/// Sampled every 10 cm; the distances themselves are exact.
 pub(super) fn clearance(probe: &CollisionChecker, start: Pose, path: &[Arc]) -> f64 {
     let mut pose = start;
     let mut least = probe.clearance(start, ENOUGH_CLEARANCE_AMONG_GOALS);

@@ -1,4 +1,23 @@
 //! The search domain of risk-field A*.
+//!
+//! The search asks for the steps of a cell in two parts. First come the three directions that the force picks, with
+//! the extensions of diagonal ones (in straight mode of the middle one); the other five are deferred and come when
+//! the search's rule says so. Nothing is computed twice: the bits of all eight steps that are free, and that would
+//! improve their targets, are read once and split by a mask.
+//!
+//! The estimate in integers, for differences x ≥ y of columns and rows: with a diagonal part √2·y and a straight part
+//! x − y, the weight w1 belongs to the larger part and w2 to the other. The result is linear in x and y within a
+//! mode,
+//!
+//! ```text
+//! h = a · x + b · y          (a, b) by mode and heuristic
+//! ```
+//!
+//! so two multiplications give it, and the distance weight of eq 12 multiplies the sum. The weights are free, so
+//! priorities may be negative or reach 2⁴⁸; entries are therefore wide ones.
+//!
+//! A move's number is 8·k + c for k extra steps in direction c, so that it alone gives the origin
+//! ([`Lattice::before`]).
 
 use std::cell::Cell as Counter;
 
@@ -16,6 +35,7 @@ use crate::search::lattice::{Deferral, Deferring, Edge, EdgeSink, Lattice};
 use crate::search::{Considered, Legality, Part};
 use crate::search::{NodeId, WideEntry};
 
+/// One query as a lattice. Counters are cells, because a lattice is asked by shared reference.
 pub(super) struct RiskGrid<'a> {
     query: Query<'a>,
     field: PotentialField<'a>,
@@ -63,10 +83,12 @@ impl<'a> RiskGrid<'a> {
         }
     }
 
+    /// Line-of-sight questions so far: one for each move that would improve its target.
     pub(super) fn los_calls(&self) -> u32 {
         self.los_calls.get()
     }
 
+    /// Columns and rows from a cell to the goal.
     fn toward_goal(&self, at: Cell) -> (i32, i32) {
         (self.query.goal.x - at.x, self.query.goal.y - at.y)
     }
@@ -84,6 +106,7 @@ impl<'a> RiskGrid<'a> {
         (worth & u32::from(free), u32::from(self.legal[usize::from(free)]))
     }
 
+    /// Relaxes the single step in direction `c`, which is known to be legal and to improve its target.
     #[inline]
     fn step<S: EdgeSink>(&self, (node, at): (NodeId, Cell), c: usize, sink: &mut S) {
         let (dx, dy) = DIRECTIONS[c % 8];
@@ -115,6 +138,7 @@ impl<'a> RiskGrid<'a> {
         }
     }
 
+    /// True if a step in direction `c` increases the distance to the goal's column or row.
     fn leads_away(&self, at: Cell, c: usize) -> bool {
         let (dx, dy) = self.toward_goal(at);
         DIRECTIONS[c].0 * dx < 0 || DIRECTIONS[c].1 * dy < 0
@@ -137,6 +161,7 @@ const fn mask(directions: [usize; 3]) -> u32 {
     1 << directions[0] | 1 << directions[1] | 1 << directions[2]
 }
 
+/// Micro-cells of a single step.
 const fn step_cost(direction: usize) -> i64 {
     if direction.is_multiple_of(2) { D } else { R2 }
 }

@@ -1,4 +1,8 @@
 //! Explains the planner's step at one cell in the terms of the paper's tables 1 and 2.
+//!
+//! The explanation asks the same field, tables and estimate as the search, so it says what the planner would do; it
+//! knows nothing of what a search has already reached. Whether a candidate would improve anything is therefore not
+//! part of it.
 
 use serde::Serialize;
 
@@ -55,7 +59,21 @@ pub struct Candidate {
     pub free: bool,
 }
 
-/// Explains a free cell; `None` where the cell is blocked or off the map.
+/// Explains a free cell; `None` where the cell is blocked or off the map. No search is needed for it, and the
+/// counters of the planner do not change.
+///
+/// # Examples
+/// ```
+/// use parkade::map::{Cell, Occupancy};
+/// use parkade::planners::query::Query;
+/// use parkade::planners::risk_field::{Config, explain};
+///
+/// let map = Occupancy::new(9, 9);
+/// let query = Query { map: &map, start: Cell::new(0, 0), goal: Cell::new(8, 8) };
+/// let step = explain(query, &Config::PAPER, Cell::new(2, 2)).unwrap();
+/// // Nothing repels on an empty map: the force points along the diagonal.
+/// assert_eq!((step.mode, step.candidates[0].direction), ("oblique", "NE"));
+/// ```
 pub fn explain(query: Query, config: &Config, at: Cell) -> Option<Explanation> {
     if query.map.blocked(at) {
         return None;

@@ -5,6 +5,9 @@
 //! diagonal and the straight part drives the search on. The three-direction rule alone loses the way on 2 to 22 % of
 //! ordinary maps, so the other five directions are held back, not dropped ([`Fallback`]).
 //! The path is not the cheapest one: the paper trades that for speed.
+//!
+//! Units: distances in the field are cells, forces have none, and costs are micro-cells. Of equal priorities the
+//! smaller estimate and then the newest entry comes first, as in all grid planners.
 
 mod directions;
 mod domain;
@@ -225,6 +228,7 @@ pub fn plan<O: Observer<i64, ()>>(
 }
 
 /// The same search with its events written down, at most `limit` of them.
+/// The recorded search agrees with [`plan`] in order, costs and counters, but for a bound of steps.
 #[cfg(feature = "complete")]
 pub fn record(query: Query, config: &Config, limit: usize) -> Recording {
     if query.trivial().is_some() {

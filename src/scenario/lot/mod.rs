@@ -2,6 +2,22 @@
 //!
 //! Aisles run from west to east, a row of bays on either side of each; rows back to back are parted by a kerb. Lanes
 //! across the ends join the aisles. What the caller leaves open is drawn by the seed.
+//!
+//! A lot serves tests and audits: many bays, each of which opens to an aisle; whether a car of some size gets in is
+//! what an audit finds out. The same fields and seed draw the same lot on every machine.
+//!
+//! ```text
+//!  the next aisle
+//!   │ │ │ │ │ │      row of bays, mouths to the north
+//!   ├─┼─┼─┼─┼─┤      kerb between rows back to back
+//!   │ │ │ │ │ │      row of bays, mouths to the south
+//!  entrance →        first aisle
+//!   │ │ │ │ │ │      row of bays, mouths to the north
+//!   └─┴─┴─┴─┴─┘      the floor's southern edge
+//! ```
+//!
+//! Bays are slots, told from the middle of their mouths ([`super::Slot`]); angled ones are parallelograms. The frame's
+//! origin is the south-western corner of the floor, or of the ramp where there is one.
 
 mod plan;
 mod presets;
@@ -23,6 +39,18 @@ use presets::{SIXTY_DEGREES, named};
 const CAR: Vehicle = Vehicle::SEDAN;
 
 /// How a lot is drawn: metres and radians.
+/// Every field has a range that [`Lot::draw`] checks.
+///
+/// ```
+/// use parkade::scenario::lot::Lot;
+///
+/// let fields = serde_json::json!({ "seed": 3, "rows": 2, "bays": 10, "occupancy": 0.5 });
+/// let lot = Lot::from_json(&fields).unwrap();
+/// let drawn = lot.draw().unwrap();
+/// assert_eq!(drawn.scene.slots.len(), 20);
+/// assert_eq!(drawn.scene.slots.iter().filter(|slot| slot.occupied).count(), 10);
+/// assert_eq!(drawn, lot.draw().unwrap());
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Lot {
     /// Number that everything drawn follows from.
@@ -52,6 +80,7 @@ pub struct Lot {
 /// A field as options spell it, its least and greatest value, and its place.
 type Field<T> = (&'static str, [f64; 2], fn(&mut Lot) -> &mut T);
 
+/// Whole numbers, with their ranges.
 const COUNTS: [Field<u32>; 4] = [
     ("rows", [1.0, 40.0], |lot| &mut lot.rows),
     ("bays", [1.0, 100.0], |lot| &mut lot.bays),
@@ -59,6 +88,7 @@ const COUNTS: [Field<u32>; 4] = [
     ("entrances", [1.0, 2.0], |lot| &mut lot.entrances),
 ];
 
+/// Lengths in metres, an angle in radians and a share, with their ranges.
 const NUMBERS: [Field<f64>; 6] = [
     ("angle", [0.5, math::FRAC_PI_2], |lot| &mut lot.angle),
     ("bayWidth", [1.5, 8.0], |lot| &mut lot.bay_width),
@@ -133,6 +163,7 @@ impl Lot {
         }
     }
 
+    /// Each field within its range; the ramp, where there is one, no wider than the aisle.
     fn validate(&self) -> Result<(), Error> {
         let within = |name: &str, value: f64, [least, most]: [f64; 2]| {
             if (least..=most).contains(&value) {
@@ -157,6 +188,7 @@ impl Lot {
     ///
     /// # Errors
     /// [`ErrorCode::Input`] with the field and the rule.
+    /// O(bays). The scene is valid, and its slots have ids.
     pub fn draw(&self) -> Result<DrawnLot, Error> {
         self.validate()?;
         let plan = Plan::new(self);
@@ -201,6 +233,7 @@ impl Lot {
     }
 }
 
+/// A seed: a whole number of up to 64 bits.
 fn whole(value: &Value) -> Result<u64, Error> {
     let whole = value.as_u64();
     whole.map_or_else(|| bad("", format!("must be a whole number from 0, got {value}")), Ok)

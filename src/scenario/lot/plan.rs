@@ -1,4 +1,14 @@
 //! Where everything of a lot stands.
+//!
+//! A bay of width w and length ℓ at the angle α to the aisle takes w / sin α of the aisle's length, and its row is
+//!
+//! ```text
+//! ℓ · sin α + w · cos α
+//! ```
+//!
+//! deep. Everything else follows from these two: the rows stand at multiples of the depth, aisles and kerbs between
+//! them, and the floor is as long as the longest row with a lane across either end. The kerb between two rows is an
+//! obstacle, columns stand on the lines between bays, set back from the aisle.
 
 use super::{CAR, Lot};
 use crate::geometry::{Pose, math};
@@ -32,6 +42,7 @@ pub(super) struct Plan<'a> {
 }
 
 impl<'a> Plan<'a> {
+    /// Lays a valid lot out; nothing is drawn yet.
     pub(super) fn new(lot: &'a Lot) -> Self {
         let (sin, cos) = math::sin_cos(lot.angle);
         let opening = lot.bay_width / sin;
@@ -53,6 +64,7 @@ impl<'a> Plan<'a> {
         south + f64::from(number) * (2.0 * self.depth + self.lot.aisle + KERB)
     }
 
+    /// The floor: a rectangle, with the ramp's corner beside it where there is one.
     pub(super) fn map(&self) -> MapFrame {
         let cells = |metres: f64| (metres / CELL).ceil() as u32;
         let (width, height) = (self.width, self.height);
@@ -131,6 +143,8 @@ impl<'a> Plan<'a> {
         }
     }
 
+    /// A column between two bays, at `x` along the aisle; `inward` is 1 for rows north of their aisle and −1 south of
+    /// it.
     fn column(&self, x: f64, mouth: f64, inward: f64, number: usize) -> Obstacle {
         let along = math::sin_cos(self.lot.angle).1 / math::sin_cos(self.lot.angle).0;
         let depth = SET_BACK + COLUMN / 2.0;

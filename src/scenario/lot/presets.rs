@@ -1,4 +1,7 @@
 //! Lots with names, like those that people ask about.
+//!
+//! Values are rounded figures of what is commonly built: aisles of 6 m beside bays at right angles, narrower ones
+//! beside angled bays. They are no standard; where a rule of some country must hold, its widths are given as fields.
 
 use serde_json::Value;
 
@@ -18,6 +21,7 @@ pub struct Preset {
     pub lot: Lot,
 }
 
+/// What a preset does not say: twelve bays of 2.50 m by 5 m on either side of an aisle of 6 m.
 const PLAIN: Lot = Lot {
     seed: 1,
     rows: 2,
@@ -35,6 +39,14 @@ const PLAIN: Lot = Lot {
 pub(super) const SIXTY_DEGREES: f64 = math::PI / 3.0;
 
 /// Lots like those that people ask about.
+///
+/// ```
+/// use parkade::scenario::lot::PRESETS;
+///
+/// let station = PRESETS.iter().find(|preset| preset.id == "station").unwrap();
+/// let drawn = station.lot.draw().unwrap();
+/// assert_eq!((drawn.scene.slots.len(), drawn.entrances.len()), (120, 2));
+/// ```
 pub const PRESETS: [Preset; 10] = [
     preset(
         "corner-shop",
@@ -84,10 +96,12 @@ pub const PRESETS: [Preset; 10] = [
     ),
 ];
 
+/// An entry of the table.
 const fn preset(id: &'static str, title: [&'static str; 2], lot: Lot) -> Preset {
     Preset { id, title, lot }
 }
 
+/// The lot of a preset's id, or an error that lists the ids.
 pub(super) fn named(value: &Value) -> Result<Lot, Error> {
     let found = PRESETS.iter().find(|preset| value.as_str() == Some(preset.id));
     found.map(|preset| preset.lot).map_or_else(

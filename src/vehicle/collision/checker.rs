@@ -3,6 +3,10 @@
 //! A pose passes two cheap tests before the exact one. Discs that cover the body are looked up in the distance
 //! field; where all have room the pose is free. Otherwise the edges in the buckets around the body are tested by
 //! separating axes. Tests are counted: besides expansions they are the planners' measure of work.
+//!
+//! The margin: where a question has one, the body is grown by it on every side to a larger rectangle. A corner of
+//! that rectangle is √2 times the margin away from the body's corner, so the answer is on the safe side.
+//! [`CollisionChecker::clearance`] measures the true distance instead.
 
 use std::cell::Cell as Counter;
 
@@ -190,6 +194,9 @@ impl<'a> CollisionChecker<'a> {
 
     /// How far the body with `margin` around it can drive along an arc until it meets something, metres without sign:
     /// tested every `spacing` metres, or less often where there is room, and the end told to a sixteenth of that.
+    ///
+    /// Sampling may miss an obstacle that is thinner than the body moves between two samples, as in
+    /// [`CollisionChecker::arc_free`].
     pub fn free_length(&self, from: Pose, arc: &Arc, spacing: f64, margin: f64) -> f64 {
         let whole = arc.length.abs();
         let radius = self.disc_radius(margin);
@@ -210,6 +217,7 @@ impl<'a> CollisionChecker<'a> {
     }
 
     /// True if nothing is near the body with `margin` around it.
+    /// A cheap test that errs on one side: true is certain, false means that something may be near. Not counted.
     pub fn clear_by(&self, pose: Pose, margin: f64) -> bool {
         self.room(Placement::of(pose)) > self.disc_radius(margin)
     }
@@ -233,10 +241,13 @@ impl<'a> CollisionChecker<'a> {
         self.discs.iter().map(field).fold(f64::INFINITY, f64::min) - self.slack
     }
 
+    /// The answer of [`CollisionChecker::hit`] as a truth value, for a place whose sine and cosine are known; not
+    /// counted.
     pub(super) fn is_free_at(&self, at: Placement, margin: f64) -> bool {
         self.room(at) > self.disc_radius(margin) || self.exact(at, margin - CONTACT).is_none()
     }
 
+    /// The owner of an edge that the body with `margin` around it meets, by the edges themselves.
     pub(super) fn exact(&self, at: Placement, margin: f64) -> Option<u32> {
         let sides = self.sides(margin);
         let (low, high) = self.bounds(at, margin);
@@ -275,6 +286,7 @@ impl<'a> CollisionChecker<'a> {
         [v.rear_to_front + margin, -v.rear_to_back - margin, side, -side]
     }
 
+    /// The box along the axes around the grown body.
     fn bounds(&self, at: Placement, margin: f64) -> (Point, Point) {
         let v = &self.vehicle;
         let (half, side) = (v.length() / 2.0 + margin, v.width / 2.0 + margin);

@@ -1,4 +1,10 @@
 //! A strip of floor along a path.
+//!
+//! A corridor restricts where a path may lead, not what the body may touch: only the middle of the rear axle is held
+//! against it. It is a bitmap, so a question costs O(1) a point; building one costs O(points · (reach / cell)²).
+//!
+//! The cells are decided by their centres. A place in a cell that counts may therefore be half a cell's diagonal
+//! farther from the points than the reach, and callers that need a bound take it off beforehand.
 
 use crate::geometry::arcs::Arc;
 use crate::geometry::{Point, Pose, Vector};
@@ -12,6 +18,7 @@ const CELLS: f64 = 1e6;
 const STEP: f64 = 0.5;
 
 /// The positions allowed for the middle of the rear axle, in cells of 0.2 m.
+/// Coordinates are those of the points that it was made around.
 #[derive(Debug)]
 pub struct Corridor {
     frame: Frame,
@@ -20,6 +27,7 @@ pub struct Corridor {
 
 impl Corridor {
     /// Everything within `reach` metres of some points, one at least.
+    /// # Panics Without points.
     pub fn around(points: &[Point], reach: f64) -> Self {
         let edge = Vector::new(reach, reach);
         let low = points.iter().fold(points[0], |low, p| Point::from(low.coords.inf(&p.coords))) - edge;
@@ -46,6 +54,7 @@ impl Corridor {
     }
 
     /// True if a point is in it.
+    /// Places off the bitmap are not.
     pub fn holds(&self, point: Point) -> bool {
         self.frame.cell_at(point).is_some_and(|cell| self.held[self.frame.index(cell)])
     }

@@ -49,7 +49,11 @@ pub struct Solid {
     pub owner: u32,
 }
 
-/// Everything that blocks, in a frame whose origin is the boundary's lower left corner.
+/// Everything that blocks, in a frame whose origin is the boundary's lower left corner. It never changes after it was
+/// made; [`Obstacles::painted`] makes another one of it.
+///
+/// Memory: the distance field takes four bytes for each of some 300 000 cells at most, the buckets four bytes for
+/// each edge that they hold. Making one is linear in edges, buckets and cells.
 #[derive(Debug)]
 pub struct Obstacles {
     origin: Point,
@@ -145,6 +149,8 @@ impl Obstacles {
         (frame, field(&self.edges, &frame))
     }
 
+    /// Sorts the edges into buckets by counting. An edge goes only into buckets that it comes near, not into all of
+    /// its box.
     fn fill_buckets(&mut self) {
         let mut pairs: Vec<(u32, u32)> = Vec::new();
         let half_diagonal = self.bucket * core::f64::consts::FRAC_1_SQRT_2 * 1.001;
@@ -195,6 +201,8 @@ impl Obstacles {
     }
 
     /// Distance from a local point to the nearest edge, metres, at most `limit`.
+    /// Exact, by the edges themselves. A point inside a solid has a distance from its outline, too; see
+    /// [`Obstacles::inside`].
     pub fn distance(&self, point: Point, limit: f64) -> f64 {
         let mut best = limit;
         let reach = crate::geometry::Vector::new(limit, limit);
@@ -205,6 +213,7 @@ impl Obstacles {
         best
     }
 
+    /// Calls `each` with every bucket that a box meets; what lies outside counts to the outermost ones.
     fn buckets(&self, low: Point, high: Point, mut each: impl FnMut(usize)) {
         let place = |v: f64, n: usize| (v / self.bucket).clamp(0.0, (n - 1) as f64) as usize;
         for y in place(low.y, self.rows)..=place(high.y, self.rows) {
@@ -220,6 +229,8 @@ impl Obstacles {
     }
 
     /// The obstacle that contains a point, or the boundary if the point is outside it; local coordinates.
+    /// Every solid is asked: O(corners). A path needs this at its ends only, because a body that starts outside a
+    /// solid cannot enter without meeting an edge.
     pub fn inside(&self, point: Point) -> Option<u32> {
         if !contains(&self.boundary.outline, point) {
             return Some(self.boundary.owner);
@@ -256,6 +267,7 @@ impl Obstacles {
     }
 }
 
+/// A hash of the edges' coordinates, to the last bit.
 fn fingerprint(edges: &[Edge]) -> u64 {
     let numbers = edges.iter().flat_map(|e| [e.a.x, e.a.y, e.b.x, e.b.y]);
     numbers.fold(0xcbf2_9ce4_8422_2325, |hash: u64, number| {
@@ -264,6 +276,7 @@ fn fingerprint(edges: &[Edge]) -> u64 {
     })
 }
 
+/// A frame over a floor of this size with a margin of one cell around it.
 fn lattice(size: Vector, cell: f64, most: f64) -> Frame {
     let cell = cell.max((size.x * size.y / most).sqrt());
     Frame {
@@ -274,6 +287,7 @@ fn lattice(size: Vector, cell: f64, most: f64) -> Frame {
     }
 }
 
+/// The distance from each cell's centre to the nearest cell that an edge touches.
 fn field(edges: &[Edge], frame: &Frame) -> Layer<f32> {
     let mut map = Occupancy::new(frame.width, frame.height);
     for edge in edges {
@@ -282,6 +296,7 @@ fn field(edges: &[Edge], frame: &Frame) -> Layer<f32> {
     distance::clearance(&map, frame.resolution)
 }
 
+/// Distance from a point to a segment, metres.
 pub(super) fn point_distance(p: Point, a: Point, b: Point) -> f64 {
     (p - (a + (b - a) * nearest_share(p, a, b))).norm()
 }
@@ -292,6 +307,7 @@ pub(super) fn segment_distance(a: Point, b: Point, c: Point, d: Point) -> f64 {
     one.min(point_distance(c, a, b)).min(point_distance(d, a, b))
 }
 
+/// The lower left and the upper right corner of the box around some points.
 fn bounds(points: impl IntoIterator<Item = Point>) -> (Point, Point) {
     let inf = f64::INFINITY;
     points.into_iter().fold((Point::new(inf, inf), Point::new(-inf, -inf)), |(low, high), p| {

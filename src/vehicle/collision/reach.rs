@@ -3,6 +3,13 @@
 //! Every Reeds–Shepp curve begins with one of six motions: full lock to either side or straight, in either gear. What
 //! blocks one of them blocks every curve that begins with a longer one, so each motion is followed once, no farther
 //! than it is asked for.
+//!
+//! A sample with spare room settles more than itself. If the nearest edge is s metres beyond what the discs need, and
+//! no disc moves farther than v metres per metre of the arc, the next s/v metres are free without a look. Open space
+//! is passed in a few steps, and only near obstacles the samples lie `spacing` apart.
+//!
+//! What is known of a motion is an interval: free up to one length, blocked from another on. A question between the
+//! two costs one check, a longer one extends the interval, and all others cost nothing.
 
 use super::CollisionChecker;
 use super::checker::{CONTACT, Placement};
@@ -29,6 +36,7 @@ impl Sampling {
 }
 
 /// The known part of one motion.
+/// `free` and `blocked` are lengths along the motion, without sign.
 #[derive(Debug, Clone, Copy, Default)]
 struct Motion {
     /// The body is free at every sample up to here, metres.
@@ -38,6 +46,7 @@ struct Motion {
 }
 
 /// The six motions from one pose, as far as they were followed.
+/// The memory is valid for one pose, one margin and one set of obstacles; it is not told when these change.
 #[derive(Debug, Clone)]
 pub struct Reach {
     from: Pose,

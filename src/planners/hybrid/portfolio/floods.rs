@@ -1,4 +1,10 @@
 //! The estimates' rasters of the portfolio's members, shared by all that have the same margin and end.
+//!
+//! A flood goes through every cell of the raster, and a portfolio of ten members would make ten or twenty. They
+//! depend on two things only, the margin and the end from which they spread. So there is one cell per pair, filled at
+//! first use; a plan that succeeds on the first level usually makes one flood.
+//!
+//! `ends[0]` is the target of the tree that is asked for; a swapped search uses `ends[1]`.
 
 use core::cell::OnceCell;
 
@@ -48,6 +54,7 @@ impl<'a> Floods<'a> {
         Self { query, ends, margins, made }
     }
 
+    /// The flood for a margin's index, towards the first end or, if swapped, the second; made at the first call.
     pub(in crate::planners::hybrid) fn get(&self, margin: usize, is_swapped: bool) -> &ObstacleHeuristic {
         self.get_from(margin, is_swapped, None)
     }
@@ -72,6 +79,7 @@ impl<'a> Floods<'a> {
         (0..self.margins.len()).find(reaches).map(|at| (at, self.get(at, false)))
     }
 
+    /// The margin at an index, metres; indices grow as margins fall.
     pub(in crate::planners::hybrid) fn margin(&self, at: usize) -> f64 {
         self.margins[at]
     }
@@ -81,6 +89,7 @@ impl<'a> Floods<'a> {
         self.margins[self.margins.len() - 1]
     }
 
+    /// Bytes of the rasters made so far.
     pub(in crate::planners::hybrid) fn bytes(&self) -> u64 {
         self.made.iter().flatten().filter_map(OnceCell::get).map(ObstacleHeuristic::bytes).sum()
     }

@@ -1,4 +1,9 @@
 //! The members of the portfolio: who they are, what they search, and in which order they are asked.
+//!
+//! The order is that of a driver's wishes: first a comfortable margin with coarse steps, then smaller margins, then
+//! finer steps, at last the searches that creep or rock out of the tightest slots. One member stands out of that
+//! order. The coarsest search with the least margin goes early, because it reaches more than any other of its level:
+//! where it ends without a path, it rules out many others at once (`outdoes`).
 
 use super::COMFORTABLE_MARGIN;
 use crate::planners::hybrid::Config;
@@ -34,6 +39,7 @@ pub(super) enum From {
 }
 
 /// A level with one of the margins, from one end or both.
+/// `margin` is an index into the list of margins, which fall: a larger index is a smaller margin.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Member {
     pub(super) level: u32,
@@ -66,6 +72,7 @@ impl Member {
         level
     }
 
+    /// The level with shorter moves and rocks, and the budget of its kind.
     #[cfg(feature = "complete")]
     fn rocking_level(self, level: Level, config: &Config) -> Level {
         let most = if self.from == From::Both { BOTH_EXPANSIONS } else { ROCKING_EXPANSIONS };
@@ -110,6 +117,9 @@ fn plain(level: u32, margin: usize) -> Member {
 }
 
 /// Whoever has not tried yet, what a driver likes best in front.
+///
+/// `levels` is the number of levels that the settings allow, `widest` the index of the largest margin with which a
+/// disc reaches the other end. At most `levels` times `margins` entries, and some for cars that creep.
 pub(super) fn members(levels: u32, widest: usize, margins: &[f64]) -> Vec<Member> {
     let least = margins.len() - 1;
     let mut members = Vec::new();
