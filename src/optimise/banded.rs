@@ -1,4 +1,15 @@
 //! Symmetric positive definite systems whose unknowns touch only near ones.
+//!
+//! One Gauss–Newton step solves H·δ = −g, where H sums w·a·aᵀ over all terms with the slopes a. Every term of the path
+//! stage couples a node with itself and the next one only. So entry (i, j) of H is zero for |i − j| ≥ 10: H has a band.
+//! Cholesky's factorisation creates nothing outside the band, so a system of n unknowns takes n·10² operations and n·10
+//! numbers, instead of n³ and n². For 200 nodes that is a factor of ten thousand.
+//!
+//! # Layout
+//!
+//! Row i holds the entries (i, i) to (i, i + 9), the diagonal first: the lower half is the mirror image and is not
+//! kept. Unknown `k * BLOCK + u` is component u of node k, in the order of [`segment`](super::segment). Memory is kept
+//! from one step to the next.
 
 /// Unknowns of one node.
 pub(super) const BLOCK: usize = 5;
@@ -6,6 +17,9 @@ pub(super) const BLOCK: usize = 5;
 const WIDTH: usize = 2 * BLOCK;
 
 /// The upper band of a matrix and a right-hand side.
+///
+/// `rows` stays as it was assembled, `factor` is the last factorisation: so a step can be repeated with more damping
+/// without assembling again.
 #[derive(Debug, Default)]
 pub(super) struct Banded {
     rows: Vec<[f64; WIDTH]>,
@@ -39,12 +53,15 @@ impl Banded {
         }
     }
 
-    /// Adds the term slope·δ.
+    /// Adds the term slope·δ. Its share of the gradient is constant and it adds nothing to the matrix.
     pub(super) fn slope(&mut self, unknown: usize, slope: f64) {
         self.right[unknown] -= slope;
     }
 
     /// Keeps an unknown at 0.
+    ///
+    /// Row and column become those of the identity, which keeps the matrix symmetric and the band as it is. Terms must
+    /// not be added to it afterwards.
     pub(super) fn fix(&mut self, unknown: usize) {
         self.rows[unknown] = [0.0; WIDTH];
         self.rows[unknown][0] = 1.0;
@@ -56,6 +73,10 @@ impl Banded {
 
     /// The solution with `damping[unknown % BLOCK]` added to the diagonal, by Cholesky's factorisation; `None` where
     /// that meets a pivot that is not positive.
+    ///
+    /// Without a square root: H = L·D·Lᵀ with ones on the diagonal of L, where row i of `factor` is row i of D·Lᵀ. Then
+    /// two sweeps: forwards L·y = right side, backwards D·Lᵀ·x = y. A pivot that is not positive means that the matrix
+    /// is singular within rounding; more damping helps.
     pub(super) fn solve(&mut self, damping: [f64; BLOCK]) -> Option<Vec<f64>> {
         let n = self.rows.len();
         self.factor.clone_from(&self.rows);

@@ -4,6 +4,14 @@
 //! keeps a stopping distance: it brakes for a moving box that is nearer to its way than the car needs to stop. It knows
 //! no motion ahead, so it may still be in a box's way, where it brakes or where it stands. `predictive` knows all
 //! motions, so its stops are found before the car starts.
+//!
+//! A constant-speed car stops within no distance. This one needs v²/(2b) with the deceleration b, so *where* it can
+//! stand depends on how fast it comes, and a decision has to be taken that far ahead. Both rules change the speeds
+//! only, never the path or the steering angle at a place; every stop re-times the rest of the drive ([`PathInTime`]).
+//!
+//! Times are seconds from the start of the drive, stations metres driven in either gear. The answer has rows that are
+//! more finely spaced than the trajectory's, and is checked for contact between the rows by code that the rules do not
+//! use.
 
 use super::path_in_time::{PathInTime, Stop, Timeline};
 use crate::drive::{
@@ -17,6 +25,9 @@ use crate::vehicle::Vehicle;
 
 /// Drives a trajectory, stopping and waiting for `movers`. It is nowhere faster than the trajectory, and brakes and
 /// speeds up no harder; of the options `speed` and `deceleration` do not matter.
+///
+/// The work grows with the rows, the samples of the path and the stops. `free_duration` of the answer is the
+/// trajectory's own.
 ///
 /// # Errors
 /// As [`WaitOptions::validate`].
@@ -87,6 +98,8 @@ fn contact(vehicle: &Vehicle, movers: &[Mover], rows: &Rows) -> Option<Contact> 
     })
 }
 
+/// Samples ascend; their stations do as well, except that several samples can share a station where the wheel turns at
+/// standstill.
 struct Drive<'a> {
     path: PathInTime<'a>,
     movers: &'a [Mover],
@@ -117,17 +130,21 @@ impl<'a> Drive<'a> {
         Self { path, movers, options, samples, bodies, last_motion, top }
     }
 
+    /// Distance driven up to a sample, metres.
     fn station(&self, sample: usize) -> f64 {
         self.path.stations[self.samples[sample]]
     }
 
-    /// True if a box, grown by `margin`, is at a sample's body between two times.
+    /// True if a box, grown by `margin`, is at a sample's body between two times. `to` may be infinite.
     fn is_met(&self, sample: usize, margin: f64, from: f64, to: f64) -> bool {
         self.movers.iter().any(|mover| mover.meets(&self.bodies[sample], margin, from, to))
     }
 
     /// The first sample from one on, up to another, at which a box comes nearer than `margin`; all `later` by so many
     /// seconds.
+    ///
+    /// Between a sample and the next the body is taken to stand at the first for the whole time; samples are [`SAMPLE`]
+    /// apart, which the margin covers.
     fn first_hit(
         &self,
         timeline: &Timeline,
@@ -144,6 +161,9 @@ impl<'a> Drive<'a> {
     }
 
     /// The stops of `predictive`, and whether the car arrives.
+    ///
+    /// Each stop is added behind the last, so the loop ends: a stop either lies farther along, or releases later at the
+    /// same place, and time is bounded by the options.
     fn foreseen(&self) -> (Vec<Stop>, Ending) {
         let mut stops: Vec<Stop> = Vec::new();
         // The sample at which the car stands.
@@ -176,6 +196,9 @@ impl<'a> Drive<'a> {
 
     /// The last sample from `at` up to a hit where the car can stop half a metre earlier than it must, and stays free
     /// for all later times.
+    ///
+    /// Later places are tried first, since a car that stands nearer to the box's way needs less time to be past it. The
+    /// braking car itself must stay free on the way to the stop.
     fn hold(&self, stops: &[Stop], timeline: &Timeline, (at, hit): (usize, usize)) -> Option<usize> {
         let margin = self.options.margin;
         let is_safe = |k: usize, from: f64| !self.is_met(k, margin, from, f64::INFINITY);
@@ -220,6 +243,8 @@ impl<'a> Drive<'a> {
     }
 
     /// The stops of `reactive`, and whether the car arrives.
+    ///
+    /// A decision every `dt` seconds. A car that is braking does not change its mind before it stands.
     fn reacted(&self) -> (Vec<Stop>, Ending) {
         let mut stops: Vec<Stop> = Vec::new();
         let mut timeline = self.path.timeline(&stops);
@@ -269,7 +294,8 @@ impl<'a> Drive<'a> {
         (row, station + f64::midpoint(from, speed) * after, speed)
     }
 
-    /// The row at which a braking car stands; none where that is the end.
+    /// The row at which a braking car stands; none where that is the end. The trajectory's rows are the only places to
+    /// stop, so it may be a little farther than the least braking distance.
     fn braked(&self, stops: &[Stop], (row, station, speed): (usize, f64, f64)) -> Option<usize> {
         let end = station + self.path.braking_distance(speed);
         let last = stops.last().map_or(0, |stop| stop.row);
@@ -298,6 +324,7 @@ impl<'a> Drive<'a> {
             .any(|k| self.movers.iter().any(|mover| is_near(k, mover)))
     }
 
+    /// The stops as waits, those at one station joined; what begins after the end of the drive is left out.
     fn waits(&self, stops: &[Stop], timeline: &Timeline, end: f64) -> Vec<Wait> {
         let mut waits: Vec<Wait> = Vec::new();
         for stop in stops {

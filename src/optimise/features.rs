@@ -2,6 +2,21 @@
 //!
 //! A corner of the body is held against edges, a corner of an obstacle against the body's rectangle; between convex
 //! outlines that come near each other, one of the two is the nearest. Distances below zero are depths.
+//!
+//! The optimiser needs more than whether the body is free: how far it is from each obstacle, and how that changes with
+//! the pose. For the corner p of the body at the arm r from the rear axle (world frame, R its quarter turn to the left)
+//! and an edge with the normal n, the distance and its slopes are
+//!
+//! ```text
+//! d = n · (p − a)        ∂d/∂(x, y) = n        ∂d/∂θ = n · R r
+//! ```
+//!
+//! For an obstacle's corner in the car's frame it is the distance to a rectangle, whose slopes have the opposite sign,
+//! because the point moves against the car. Both are exact, so Gauss–Newton steps need no differences. Behind an edge
+//! the value goes on below zero as long as that edge is the nearest way out of its outline; deeper than 0.6 m it is not
+//! counted, since the direction out is then arbitrary.
+//!
+//! All coordinates are relative to an origin near the car, so that far from the world's origin no digits are lost.
 
 use super::segment::{HEADING, Node, X, Y};
 use crate::geometry::polygon::{crosses_ray, nearest_share};
@@ -17,6 +32,8 @@ const MOST: f64 = 256.0;
 const DEEPEST: f64 = 0.6;
 
 /// Something that the body is held against.
+///
+/// `along` is a unit vector, and the free side's normal is its quarter turn to the left.
 #[derive(Debug, Clone, Copy)]
 enum Feature {
     /// A corner that sticks out.
@@ -27,6 +44,8 @@ enum Feature {
 }
 
 /// A signed distance and its slopes by x, y and heading.
+///
+/// Metres, and metres per metre or radian. The gradient of the distance by position has length 1.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Distance {
     pub(super) value: f64,
@@ -34,6 +53,9 @@ pub(super) struct Distance {
 }
 
 /// Obstacles sorted into buckets.
+///
+/// Outline 0 is the floor's boundary. Buckets are squares of `side` metres, row by row from `low`; what lies outside is
+/// in the nearest bucket of the rim.
 pub(super) struct Features {
     vehicle: Vehicle,
     all: Vec<Feature>,
@@ -45,6 +67,7 @@ pub(super) struct Features {
     buckets: Vec<Vec<u32>>,
 }
 
+/// Positive for an outline that goes counter-clockwise.
 fn doubled_area(outline: &[Point]) -> f64 {
     let next = outline.iter().cycle().skip(1);
     outline.iter().zip(next).fold(0.0, |sum, (a, b)| sum + a.x * b.y - b.x * a.y)
@@ -52,6 +75,8 @@ fn doubled_area(outline: &[Point]) -> f64 {
 
 impl Features {
     /// The obstacles of a scene, relative to `origin`.
+    ///
+    /// Linear in the edges and the buckets that they cross. Edges of no length are left out.
     pub(super) fn new(geometry: &Geometry, origin: Point) -> Self {
         let local = |p: &Point| Point::from(p - origin);
         let (mut features, mut outlines) = (Vec::new(), Vec::new());
@@ -102,6 +127,8 @@ impl Features {
         Self::sorted(geometry, features, outlines)
     }
 
+    /// Puts each feature into the buckets that it passes, not only those of its bounding box: a long slanting wall
+    /// would fill them all.
     fn sorted(geometry: &Geometry, features: Vec<Feature>, outlines: Vec<Vec<Point>>) -> Self {
         let mut low = outlines[0][0];
         let mut high = low;
@@ -140,6 +167,7 @@ impl Features {
         sorted
     }
 
+    /// The buckets that a box touches.
     fn range(&self, low: Point, high: Point) -> impl Iterator<Item = usize> + use<> {
         let clamp = |v: f64, n: usize| (v / self.side).floor().clamp(0.0, (n - 1) as f64) as usize;
         let (x0, x1) = (clamp(low.x - self.low.x, self.columns), clamp(high.x - self.low.x, self.columns));
@@ -148,7 +176,10 @@ impl Features {
         (y0..=y1).flat_map(move |y| (x0..=x1).map(move |x| y * columns + x))
     }
 
-    /// The features that a car at `node` may come nearer to than `reach` metres, each once.
+    /// The features that a car at `node` may come nearer to than `reach` metres, each once. `found` is emptied first;
+    /// the indices ascend.
+    ///
+    /// The test is conservative: a feature that is left out is farther away than `reach`, one that is kept may be, too.
     pub(super) fn near(&self, node: &Node, reach: f64, found: &mut Vec<u32>) {
         let (sin, cos) = math::sin_cos(node[HEADING]);
         let middle = Point::new(node[X] + cos * self.vehicle.middle(), node[Y] + sin * self.vehicle.middle());
@@ -183,6 +214,9 @@ impl Features {
     }
 
     /// Tells every signed distance of the car at `node` to a feature that is less than `reach`.
+    ///
+    /// `features` are indices from [`Features::near`] for this pose or one close to it. The same obstacle may be told
+    /// several times, as corner and as edge; each violation counts on its own.
     pub(super) fn distances(
         &self,
         node: &Node,
@@ -263,6 +297,9 @@ fn touches(a: Point, b: Point, from: Point, side: f64) -> bool {
 }
 
 /// From a point in the car's frame to its rectangle, x from `ends[0]` to `ends[1]` and y within `side`.
+///
+/// In front and to the side at once, the nearest point is a corner of the rectangle; otherwise the larger of both
+/// excesses counts, which inside is the least depth.
 fn outside(p: [f64; 2], ends: [f64; 2], side: f64, (sin, cos): (f64, f64)) -> Distance {
     let (dx, dy) = ((p[0] - ends[1]).max(ends[0] - p[0]), p[1].abs() - side);
     let (sx, sy) =

@@ -5,6 +5,33 @@
 //! rows are rolled out in time, and the last millimetres to the goal are corrected. The referee's check has the last
 //! word: where it refuses every attempt, the plan's own path is driven, and where its curvature steps, the wheel
 //! turns on the way or, where there is no room for that, at a standstill.
+//!
+//! # Why a path is not yet a drive
+//!
+//! Hybrid A* joins arcs of constant curvature. Where one ends the steering angle φ would have to jump, which no wheel
+//! does: the car either stops there or leaves the path. A trajectory here is a list of times, poses, speeds and
+//! steering angles for which
+//!
+//! ```text
+//! |v| ≤ v_max    −b ≤ d|v|/dt ≤ a    |φ| ≤ φ_max    |dφ/dt| ≤ ω_max    v²·|κ| ≤ a_lat
+//! ```
+//!
+//! hold, and whose poses are those of the kinematic bicycle under these controls. It starts and ends at rest with
+//! straight wheels.
+//!
+//! # Why in two stages
+//!
+//! Time along a given path is a solved problem: a forward and a backward pass give the fastest speeds exactly. The
+//! shape is not convex, because every obstacle can be passed on two sides. So the shape is improved from the plan's, by
+//! Gauss–Newton steps over nodes in the *distance*, and obstacles keep the side that the search has chosen. Nodes in
+//! distance have one advantage over nodes in time: a node stays at its place while speeds change.
+//!
+//! # What a caller may rely on
+//!
+//! There is always an answer: the worst is the plan's own path with standstills, if the route takes no longer than an
+//! hour. No answer takes longer than that one. [`Optimised::check`] is the referee's verdict on the states as they are
+//! answered, and it may be that they do not pass. Equal input gives equal bytes; work is bounded by counts of steps,
+//! not by time.
 
 mod banded;
 mod encounter;
@@ -55,6 +82,8 @@ const ON: usize = 2;
 const OFF: f64 = 5e-4;
 
 /// Options of an optimisation.
+///
+/// Metres, seconds and radians. The steering angle's limit is the vehicle's.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
     /// Limits of the car.
@@ -95,6 +124,8 @@ impl Options {
 }
 
 /// The stage that made a trajectory.
+///
+/// In the order of preference.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stage {
     /// The optimised path.
@@ -117,6 +148,8 @@ impl Stage {
 }
 
 /// A trajectory and the referee's verdict on it.
+///
+/// The states are in the world frame, as the route is.
 #[derive(Debug, Clone)]
 pub struct Optimised {
     /// Its states; the controls are constant between rows, which are at most 0.05 s apart.
@@ -202,6 +235,8 @@ pub fn optimise(
 
 /// What `optimise` falls back to: the plan's own path, the wheel turning on the way where the referee allows it.
 ///
+/// Takes as long as a few checks by the referee, without an optimisation.
+///
 /// # Errors
 /// As [`optimise`].
 pub fn fallback(geometry: &Geometry, route: &Route, limits: &MotionLimits) -> Result<Optimised, Error> {
@@ -231,6 +266,9 @@ fn judged(
 }
 
 /// Stop-and-steer, unless that takes too long.
+///
+/// # Errors
+/// Where it takes longer than an hour.
 fn plain(geometry: &Geometry, route: &Route, limits: &MotionLimits) -> Result<States, Error> {
     let shortest = route.length() / limits.speed;
     if shortest > MAX_DURATION {
@@ -259,6 +297,8 @@ pub fn slow_duration(vehicle: &Vehicle, route: &Route, limits: &MotionLimits) ->
 type Trial = (States, Judgement);
 
 /// Attempts at one route.
+///
+/// They share what depends on the scene alone: features for the optimiser and outlines for the referee.
 struct Trials<'a> {
     geometry: &'a Geometry,
     body: Body,
@@ -317,6 +357,7 @@ fn too_long(duration: f64) -> Error {
     Error::new(ErrorCode::Input, "path", message)
 }
 
+/// The car's limits for the path stage, less the reserve for the last correction.
 fn task<'a>(
     geometry: &'a Geometry,
     limits: &'a MotionLimits,

@@ -1,4 +1,12 @@
 //! The path that is optimised: nodes, links between them, runs.
+//!
+//! Positions are metres relative to the start's place, headings are not wrapped: a car that turns twice around ends at
+//! 4π more. A node's five numbers are in the order of [`segment`](super::segment).
+//!
+//! A gear change is two nodes at one place with a [`Link::Turn`] between them, so the wheel's angle may differ before
+//! and after. The first guess replaces the jumps of the curvature by means over half a metre to either side, since a
+//! Gauss–Newton step needs angles that the wheel can nearly follow. Runs that the time does not justify shrink in the
+//! optimisation, and below 12 cm they are taken out, with the two gear changes at their ends.
 
 use super::segment::{ANGLE, Node, STEP};
 use crate::drive::Route;
@@ -25,6 +33,9 @@ pub(super) enum Link {
 
 /// Nodes from start to goal; `links[k]` leads from node k to node k + 1. A standstill, where the wheel may turn, comes
 /// before, between and after the runs.
+///
+/// Invariants: one link fewer than nodes; a node before a turn has step 0. In a whole path the first and the last link
+/// are turns.
 #[derive(Debug, Clone)]
 pub(super) struct Path {
     pub(super) nodes: Vec<Node>,
@@ -32,6 +43,8 @@ pub(super) struct Path {
 }
 
 /// A stretch in one gear: its first and its last node.
+///
+/// Indices of nodes; all links between them drive in this gear.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Run {
     pub(super) first: usize,
@@ -41,6 +54,8 @@ pub(super) struct Run {
 
 impl Path {
     /// Samples a route, relative to its start. The goal's heading is the one that the route turns to, not wrapped.
+    ///
+    /// The spacing grows with the length, so that a long route has a few hundred nodes as well.
     pub(super) fn new(vehicle: &Vehicle, route: &Route) -> Self {
         let spacing = SPACING.max(route.length() / (0.6 * MOST));
         let mut path = Self { nodes: Vec::new(), links: Vec::new() };
@@ -114,6 +129,9 @@ impl Path {
 
     /// Leaves out the shortest run that is shorter than `least` metres; the runs on both sides of it, which are in the
     /// same gear, become one. The only run stays.
+    ///
+    /// One run at a time: its neighbours become one longer run, which changes what is short. True if a run was left
+    /// out.
     pub(super) fn drop_short(&mut self, least: f64) -> bool {
         let runs = self.runs();
         let lengths: Vec<f64> = runs.iter().map(|&run| self.length_of(run)).collect();
@@ -160,6 +178,8 @@ fn along(start: Pose, run: &[Arc], s: f64) -> Pose {
     pose
 }
 
+/// The mean curvature of a run within `window` metres of a place, weighted by length; at the ends over the part that
+/// there is.
 fn mean_curvature(run: &[Arc], s: f64, window: f64) -> f64 {
     let (mut from, mut turned, mut length) = (0.0, 0.0, 0.0);
     for arc in run {

@@ -2,6 +2,17 @@
 //!
 //! The path and the steering angle at each place stay; the car is nowhere faster than the trajectory and brakes and
 //! speeds up no harder, so that all limits are kept that the trajectory keeps.
+//!
+//! The limits along the distance s are those of the trajectory: with its own speed v₀(s), and its largest acceleration
+//! a and deceleration b,
+//!
+//! ```text
+//! v ≤ v₀(s)        dv²/ds ≤ 2a        dv²/ds ≥ −2b        v = 0 at each stop
+//! ```
+//!
+//! A slower drive of the same path turns the wheel more slowly and has less lateral acceleration, so these hold too.
+//! The forward and the backward pass over v² give the fastest such drive in time linear in the rows. Stops can only be
+//! at rows, because only there v² has a corner.
 
 use super::roll_out::moved;
 use crate::drive::Rows;
@@ -16,6 +27,8 @@ const NOTHING: f64 = 1e-12;
 const LEAST: f64 = 0.01;
 
 /// A stop at a row of the trajectory until a time, seconds.
+///
+/// Several stops may be at one row: the car waits until the last of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Stop {
     pub(super) row: usize,
@@ -23,6 +36,8 @@ pub(super) struct Stop {
 }
 
 /// Times and speeds at the trajectory's rows.
+///
+/// All columns have one item per row of the trajectory.
 #[derive(Debug)]
 pub(super) struct Timeline {
     /// When the car comes to a row and when it leaves it, seconds; infinite behind a stop without end.
@@ -33,6 +48,7 @@ pub(super) struct Timeline {
 }
 
 impl Timeline {
+    /// Infinite if the last stop has no end.
     pub(super) fn duration(&self) -> f64 {
         self.leaves.last().copied().unwrap_or(0.0)
     }
@@ -43,6 +59,7 @@ impl Timeline {
     }
 }
 
+/// `stations` are metres driven up to each row.
 pub(super) struct PathInTime<'a> {
     states: &'a States,
     wheelbase: f64,
@@ -53,6 +70,7 @@ pub(super) struct PathInTime<'a> {
 }
 
 impl<'a> PathInTime<'a> {
+    /// Linear in the rows. A trajectory of constant speed would allow no braking; [`LEAST`] sees to it that it does.
     pub(super) fn new(states: &'a States, wheelbase: f64) -> Self {
         let (mut up, mut down) = (LEAST, LEAST);
         for (t, v) in states.t.windows(2).zip(states.speed.windows(2)) {
@@ -116,6 +134,9 @@ impl<'a> PathInTime<'a> {
     }
 
     /// The rows of a drive up to a time.
+    ///
+    /// Rows stand at most 0.05 s apart, at those of the trajectory and at the ends of waits. The last one is at `end`
+    /// or the drive's own end.
     pub(super) fn rows(&self, timeline: &Timeline, end: f64) -> Rows {
         let mut rows = Rows::default();
         let n = self.states.t.len();
@@ -170,6 +191,9 @@ impl<'a> PathInTime<'a> {
     }
 
     /// Station, pose and steering angle a share of the way, or at standstill of the time, from row `i` to the next.
+    ///
+    /// The trajectory is linear in *time* between rows, so a share of the distance is first turned into its own time
+    /// there, and the pose is integrated to that time.
     fn place(&self, i: usize, share: f64) -> (f64, Pose, f64) {
         let states = self.states;
         let (pose, angle) = (states.poses[i], states.steering[i]);

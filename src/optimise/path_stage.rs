@@ -4,6 +4,39 @@
 //! Gauss–Newton steps with Levenberg–Marquardt damping on an augmented Lagrangian of the defects. Inequalities are
 //! squared where they are violated; which ones are is found anew within each step from their linear forms, at no cost
 //! but that of a further factorisation.
+//!
+//! # The problem
+//!
+//! Unknowns are x, y, θ, φ and the step h to the next node, for each node. With F the end of the segment from a node
+//! ([`drive`]) the following is minimised:
+//!
+//! ```text
+//! Σ runs   T(length)                          time from rest to rest, linearised
+//! Σ links  extra time that the wheel takes    |Δφ|/ω_max beyond the driving time
+//! Σ links  w₁·∫ω² dt + w₂·∫φ² ds              smoothness
+//! Σ links  (hₖ₊₁ − hₖ)²                       evenly spaced nodes
+//! subject to   F(node k) − node k + 1 = 0     the path is one that the car drives
+//!              distance ≥ margin, |φ| ≤ φ_max, h ≥ 0
+//! ```
+//!
+//! # Equalities
+//!
+//! The defects c = F − next are weighted by ρ and shifted by multipliers: ρ/2·|c + λ/ρ|², with λ ← λ + ρ·c after each
+//! round. So c goes to zero without ρ going to infinity, which would leave the system without digits. ρ grows over
+//! three rounds all the same: while it is small the path may cheat a little and find a better shape; when it is stiff
+//! the cheating has to end.
+//!
+//! # Inequalities
+//!
+//! A violated inequality r > 0 costs w/2·r², a kept one nothing. Which are violated after a step is not known before
+//! it. So the step is solved with those that are violated now, then with those that its linear forms violate, three
+//! sets at most. Clearance is therefore met up to a small violation, for which the caller adds a reserve to the margin.
+//!
+//! # Steps
+//!
+//! A step is accepted if the true cost falls; damping then falls by four, otherwise it grows by six. A round keeps
+//! features, speeds and time slopes as they are, so its cost is one function; 16 rounds of six steps are the most,
+//! which bounds the work in any case. A step takes time linear in nodes and near features.
 
 use super::banded::{BLOCK, Banded};
 use super::path::{Link, Path};
@@ -45,6 +78,8 @@ const FARTHEST: f64 = 0.4;
 const STEADY: f64 = 2e-4;
 
 /// A squared inequality: active where `residual + slopes·δ` is above 0.
+///
+/// `count` of the slopes are in use; six are two nodes' positions and headings.
 struct Hinge {
     slopes: [(usize, f64); 6],
     count: usize,
@@ -54,6 +89,7 @@ struct Hinge {
 }
 
 impl Hinge {
+    /// Active at first where it is violated now.
     fn new(slopes: &[(usize, f64)], residual: f64, weight: f64) -> Self {
         let mut all = [(0, 0.0); 6];
         all[..slopes.len()].copy_from_slice(slopes);
@@ -66,6 +102,9 @@ impl Hinge {
 }
 
 /// The optimiser of one path.
+///
+/// `base` has all terms but the inequalities, `system` is a copy with the active ones. `multipliers` are λ for x, y and
+/// heading of each link, `defect` is ρ.
 pub(super) struct PathStage<'a> {
     task: &'a Task<'a>,
     base: Banded,
@@ -78,6 +117,8 @@ pub(super) struct PathStage<'a> {
 }
 
 /// A quadratic near 0 that becomes a straight line beyond `round`.
+///
+/// Huber's function over `round`: a smooth stand-in for |r|, whose corner at 0 a Newton step cannot handle.
 fn rounded(r: f64, round: f64) -> f64 {
     if r.abs() < round { r * r / 2.0 / round } else { r.abs() - round / 2.0 }
 }
@@ -131,11 +172,13 @@ impl<'a> PathStage<'a> {
         taken
     }
 
+    /// The least step from a node, metres: half the first guess where runs are kept, else 0.
     fn least_step(&self, node: usize) -> f64 {
         self.least.get(node).copied().unwrap_or(0.0)
     }
 
-    /// The value of what is minimised.
+    /// The value of what is minimised. It must be the function whose model [`PathStage::assemble`] builds; otherwise
+    /// good steps would be refused.
     fn cost(&self, path: &Path, facts: &Round) -> f64 {
         let (mut cost, task) = (0.0, self.task);
         let above = |value: f64, weight: f64| if value > 0.0 { weight / 2.0 * value * value } else { 0.0 };
@@ -179,6 +222,8 @@ impl<'a> PathStage<'a> {
     }
 
     /// The normal equations of all but the inequalities, and those as a list.
+    ///
+    /// Absolute values |r| become squares weighted by 1/max(|r|, ε) at the current r, which have the same slope there.
     fn assemble(&mut self, path: &Path, facts: &Round) {
         let task = self.task;
         let (n, base, hinges) = (path.nodes.len(), &mut self.base, &mut self.hinges);
@@ -275,6 +320,9 @@ impl<'a> PathStage<'a> {
     }
 
     /// The unknowns' changes, with the inequalities that are violated after them.
+    ///
+    /// `None` where a factorisation fails. Where the sets do not settle, the last one's answer is taken, and the cost
+    /// decides about it.
     fn solve(&mut self, path: &Path, damping: f64) -> Option<Vec<f64>> {
         let mut found = None;
         for hinge in &mut self.hinges {
@@ -302,6 +350,7 @@ impl<'a> PathStage<'a> {
         found
     }
 
+    /// Moves the multipliers by what is left of the defects: the end of a round of the augmented Lagrangian.
     fn multiply(&mut self, path: &Path) {
         for (k, link) in path.links.iter().enumerate() {
             let (node, next) = (&path.nodes[k], &path.nodes[k + 1]);

@@ -1,5 +1,11 @@
 //! The plan's own path, driven as it is: where its curvature steps, the wheel turns on the way, along a short ramp, or
 //! at a standstill.
+//!
+//! The fallback has to work for every plan, so it changes the path as little as possible. A ramp of length 2h replaces
+//! the jump of the angle between two arcs: the wheel turns evenly while the car drives on, half before and half after
+//! the jump. At the speed v and the wheel's rate ω it needs 2h = v·|Δφ|/ω, so ramps get short where the car is slow,
+//! and at v = 0 they vanish: the wheel turns at standstill. The path with ramps leaves the plan's by some millimetres
+//! to centimetres, which the referee checks run by run.
 
 use super::path::{Link, Path};
 use super::roll_out::Rows;
@@ -26,6 +32,8 @@ const NOTHING: f64 = 1e-12;
 const REACHED: f64 = 1e-5;
 
 /// A stretch in one gear.
+///
+/// All arcs have the same sign of length. Headings go on from the run before.
 struct Run {
     /// Relative to the start's place; the heading is not wrapped.
     from: Pose,
@@ -33,6 +41,7 @@ struct Run {
 }
 
 impl Run {
+    /// The pose where the run ends, relative to the start's place.
     fn end(&self) -> Pose {
         self.arcs.iter().fold(self.from, driven)
     }
@@ -45,6 +54,8 @@ fn driven(from: Pose, arc: &Arc) -> Pose {
 }
 
 /// The plan's path in runs, each driven at the fastest of [`SPEEDS`] that keeps it free.
+///
+/// `speeds` has the speed of each run's ramps, m/s; 0 where the wheel turns at standstill.
 pub(super) struct PlanPath<'a> {
     car: Car<'a>,
     start: Pose,
@@ -53,6 +64,9 @@ pub(super) struct PlanPath<'a> {
 }
 
 /// Drives the arcs of a route, each from rest to rest, and turns the wheel between them.
+///
+/// The slowest answer and the surest: it follows the plan exactly, so it is free wherever the plan is. It serves as the
+/// bound that no other answer may exceed. The wheel is straight at both ends.
 pub fn stop_and_steer(vehicle: &Vehicle, route: &Route, limits: &MotionLimits) -> States {
     PlanPath::new(vehicle, route, limits).states()
 }
@@ -77,6 +91,8 @@ impl<'a> PlanPath<'a> {
     }
 
     /// The wheel turns on the way wherever the referee allows it.
+    ///
+    /// Each run is judged by itself, with a replay and a scan for each speed that is tried.
     pub(super) fn quick(
         geometry: &'a Geometry,
         body: &Body,
@@ -100,6 +116,8 @@ impl<'a> PlanPath<'a> {
         self.runs.iter().zip(&self.speeds).all(|(run, &speed)| run.arcs.len() < 2 || speed > 0.0)
     }
 
+    /// Runs one after another, each beginning with the angle that the one before ends with; the wheel is straightened
+    /// at last.
     pub(super) fn states(&self) -> States {
         let mut all = States::default();
         let mut angle = 0.0;
@@ -182,7 +200,8 @@ impl<'a> PlanPath<'a> {
         path
     }
 
-    /// Half the length of the ramp at each step of the curvature.
+    /// Half the length of the ramp at each step of the curvature. A ramp takes at most half of an arc between two
+    /// ramps, so neighbouring ramps never meet.
     fn halves(&self, run: &Run, angles: &[f64], speed: f64) -> Vec<f64> {
         let count = run.arcs.len();
         let room = |i: usize| {

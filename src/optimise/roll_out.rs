@@ -1,4 +1,10 @@
 //! From a path to states in time: speeds, rows, and the last millimetres to the goal.
+//!
+//! Speeds are found on cells of 2 cm by the passes v²(s + Δ) ≤ v²(s) + 2aΔ and back, below the limits of the wheel and
+//! of lateral acceleration. The poses that follow differ from the path's by millimetres, since the path's integration
+//! is another one. The correction is a least-norm problem: with J(t) the change of the end's pose per change of φ at
+//! time t, the smallest ∫δφ² dt with ∫J·δφ dt = off is δφ = Jᵀ·(∫J·Jᵀ dt)⁻¹·off, a 3 × 3 system, repeated until the end
+//! is there.
 
 use super::OFF;
 use super::path::{Link, Path, Run};
@@ -27,6 +33,8 @@ const MOST_STRETCHED: f64 = 0.1;
 const REACHED: f64 = 1e-6;
 
 /// Rows while they are made: time, signed speed, steering angle.
+///
+/// Columns of equal length; speed and angle are linear in time between rows.
 #[derive(Debug, Default)]
 pub(super) struct Rows {
     /// No drive may take longer, seconds; it is given up then.
@@ -42,6 +50,7 @@ impl Rows {
         Self { most, t: vec![0.0], speed: vec![0.0], angle: vec![angle] }
     }
 
+    /// Adds a row `after` seconds.
     fn push(&mut self, after: f64, speed: f64, angle: f64) {
         let t = self.t.last().copied().unwrap_or(0.0);
         self.t.push(t + after);
@@ -193,6 +202,8 @@ impl Rows {
     }
 
     /// Multiplies the times and divides the speeds from one standstill to the next.
+    ///
+    /// Path and angles stay; (longer, slower) above 1 lengthens the run, or slows it down.
     fn rescale(&mut self, factors: &[(f64, f64)]) {
         let mut rescaled = Self::new(self.most, self.angle[0]);
         for ((first, last), (longer, slower)) in self.runs().into_iter().zip(factors) {
@@ -211,6 +222,8 @@ impl Rows {
 
     /// The least change of the steering angles, as a function of time, that moves the end by `off`; where it
     /// `stretches`, of the runs' lengths, too.
+    ///
+    /// `None` where the system is singular or the change is no longer small.
     fn correct(
         &mut self,
         poses: &[Pose],
@@ -306,6 +319,8 @@ pub(super) fn moved(from: Pose, dt: f64, speed: [f64; 3], angle: [f64; 3], wheel
 }
 
 /// A short stretch with a largest speed.
+///
+/// Metres; `top` is in m²/s².
 #[derive(Debug, Clone, Copy)]
 struct Cell {
     length: f64,
@@ -328,6 +343,7 @@ fn speeds(limits: &MotionLimits, cells: &[Cell]) -> Vec<f64> {
     square.into_iter().map(f64::sqrt).collect()
 }
 
+/// Divides the links of a run into cells with the largest speeds that limit, wheel and lateral acceleration allow.
 fn cells(path: &Path, run: Run, car: &Car) -> Vec<Cell> {
     let lengths: Vec<f64> = path.nodes[run.first..run.last].iter().map(|n| n[STEP].max(NOTHING)).collect();
     let tops: Vec<f64> = (run.first..run.last)
