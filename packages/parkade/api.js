@@ -81,7 +81,7 @@ export class Planner {
     const improved = told(onImproved, "onImproved");
     const expanded = told(onExpanded, "onExpanded");
     // What the others throw ends the search where it tells its progress.
-    const tell = told(onProgress ?? (expanded && (() => {})), "onProgress");
+    const tell = told(onProgress === undefined && expanded ? () => {} : onProgress, "onProgress");
     const plan =
       improved || expanded
         ? this.#call((planner) => planner.watched(others, tell, improved, expanded), "watched")

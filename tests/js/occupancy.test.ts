@@ -120,7 +120,7 @@ test.each<[string, () => unknown, string]>([
   [
     "rows",
     () => fromOccupancy([0], 1, { ...MAP, rows: "up" as never }),
-    'rows: must be "bottom-up" or "top-down", got up',
+    'rows: must be "bottom-up" or "top-down", got "up"',
   ],
   [
     "unknown",
