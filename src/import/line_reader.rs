@@ -69,7 +69,9 @@ impl<'a> Line<'a> {
     }
 
     /// The line as words are read from it: no format has lines as long as a file of junk may be.
-    /// # Errors A line that is too long, or bytes that are not UTF-8.
+    ///
+    /// # Errors
+    /// A line that is too long, or bytes that are not UTF-8.
     pub(super) fn text(&self) -> Result<&'a str, Error> {
         if self.bytes.len() > LONGEST {
             return Err(self.error(format!("must have at most {LONGEST} bytes, got {}", self.bytes.len())));

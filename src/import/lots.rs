@@ -60,6 +60,7 @@ struct Car {
 ///
 /// # Errors
 /// [`ErrorCode::Import`] where a field is missing or of another type; then what [`Scenario::validate`] says.
+///
 /// # Examples
 /// ```
 /// let lot = serde_json::json!({

@@ -183,7 +183,9 @@ fn stem(name: &str) -> &str {
 }
 
 /// The only file with one of these endings, if there is any.
-/// # Errors A second file of the same kind: which of them is meant would be a guess.
+///
+/// # Errors
+/// A second file of the same kind: which of them is meant would be a guess.
 fn the_one<'a>(files: &[File<'a>], endings: &[&str]) -> Result<Option<File<'a>>, Error> {
     let mut fitting = files.iter().filter(|f| has(f, endings));
     let first = fitting.next().copied();
@@ -206,7 +208,9 @@ struct Raster {
 
 impl Raster {
     /// The scene that goes from one cell to another, or along the farthest way of the largest room when none are given.
-    /// # Errors No free cell, or a scene that [`Scenario::validate`] refuses.
+    ///
+    /// # Errors
+    /// No free cell, or a scene that [`Scenario::validate`] refuses.
     fn scene(self, ends: Option<[Cell; 2]>, file: &str) -> Result<Scenario, Error> {
         let frame = lattice(&self.frame);
         let car = self.vehicle.resolve()?;

@@ -28,7 +28,8 @@ const MAX_QUESTIONS: usize = 1_000_000;
 
 /// Reads a map and, where there is one, its file of questions; the question of the options gives start and goal.
 ///
-/// # Errors A map that is missing, anything in the files that the format does not allow, or the number of a question
+/// # Errors
+/// A map that is missing, anything in the files that the format does not allow, or the number of a question
 /// that there is not.
 pub(super) fn read(map: Option<File>, scen: Option<File>, options: &Options) -> Result<Imported, Error> {
     let Some(map_file) = map else {

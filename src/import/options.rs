@@ -36,6 +36,7 @@ impl Options {
     ///
     /// # Errors
     /// [`ErrorCode::Input`] with the field and the rule it breaks.
+    ///
     /// # Examples
     /// ```
     /// use parkade::import::{Options, Unknown};

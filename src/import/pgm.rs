@@ -27,7 +27,8 @@ pub(super) struct Picture {
 
 /// Reads the first picture of a file; what follows it is ignored.
 ///
-/// # Errors Another kind of file, a number that is missing or out of range, too few bytes, or a value above white.
+/// # Errors
+/// Another kind of file, a number that is missing or out of range, too few bytes, or a value above white.
 pub(super) fn read(file: File) -> Result<Picture, Error> {
     let mut text = Text { file, position: 2 };
     let as_text = match file.bytes.get(..2) {
@@ -74,7 +75,9 @@ impl Text<'_> {
     }
 
     /// The next number after blanks and comments.
-    /// # Errors No blank before it, no digits, or a value that is out of range.
+    ///
+    /// # Errors
+    /// No blank before it, no digits, or a value that is out of range.
     fn number(&mut self, name: &str, min: u32, max: u32) -> Result<u32, Error> {
         let before = self.position;
         while let Some(byte) = self.peek() {

@@ -66,7 +66,8 @@ enum Class {
 
 /// Reads a map and its picture. The notes of the result say how many cells are unknown or between the thresholds.
 ///
-/// # Errors An option that the file decides itself, a file or picture that the format does not allow, or a turned map
+/// # Errors
+/// An option that the file decides itself, a file or picture that the format does not allow, or a turned map
 /// that is too large.
 pub(super) fn read(yaml: File, files: &[File], options: &Options) -> Result<Imported, Error> {
     options.refuse_question()?;

@@ -160,6 +160,7 @@ pub fn scenario(id: &str) -> Result<Scenario, Error> {
 ///
 /// # Errors
 /// [`ErrorCode::UnknownScenario`] for other ids than those of road scenes.
+///
 /// # Examples
 /// ```
 /// use parkade::scenario::catalog::{scenario, ship_scenario};

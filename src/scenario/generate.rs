@@ -84,10 +84,11 @@ impl Family {
 
 /// Draws a square map of `size` cells a side.
 ///
-/// # Errors
-/// [`ErrorCode::Input`] when a parameter is out of range, or when a thousand maps did not connect start and goal.
 /// Row 0 is the southern one, and cells (0, 0) and (size − 1, size − 1) are free and connected by steps between free
 /// cells. Drawing costs O(size²) a try.
+///
+/// # Errors
+/// [`ErrorCode::Input`] when a parameter is out of range, or when a thousand maps did not connect start and goal.
 pub fn occupancy(family: Family, size: u32, seed: u64) -> Result<Occupancy, Error> {
     family.validate(size)?;
     let mut random =
@@ -113,6 +114,7 @@ pub fn occupancy(family: Family, size: u32, seed: u64) -> Result<Occupancy, Erro
 /// # Errors
 /// As [`occupancy`].
 ///
+/// # Examples
 /// ```
 /// use parkade::scenario::generate::{Family, generate};
 ///

@@ -122,9 +122,10 @@ pub const PARKED: Vehicle = Vehicle::SEDAN;
 impl Scenario {
     /// Resolves the scene to geometry, validating it first.
     ///
+    /// O(corners), and O(roads²) for the openings of kerbs.
+    ///
     /// # Errors
     /// As [`Scenario::validate`].
-    /// O(corners), and O(roads²) for the openings of kerbs.
     pub fn geometry(&self) -> Result<Geometry, Error> {
         self.validate()?;
         let vehicle = self.vehicle.resolve()?;
@@ -187,9 +188,10 @@ impl Scenario {
 
     /// The pose of a goal in this scene: its own, or that of the scene's car in the slot.
     ///
+    /// An occupied slot has a pose, too: whether the car may stand there is found by planning.
+    ///
     /// # Errors
     /// The pose's number that is out of range, the slot's id that no slot has, or what is wrong with the car.
-    /// An occupied slot has a pose, too: whether the car may stand there is found by planning.
     pub fn goal_pose(&self, goal: &Goal) -> Result<Pose, Error> {
         let goal = match goal {
             Goal::Pose(pose) => return finite_pose(*pose).map(|()| *pose),

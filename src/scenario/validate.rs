@@ -84,7 +84,7 @@ impl VehicleSpec {
     ///
     /// # Errors
     /// [`ErrorCode::Vehicle`] when the profile is unknown or a dimension is not possible.
-    /// The profile's name is looked up each time; nothing is cached.
+    ///
     /// # Examples
     /// ```
     /// use parkade::scenario::VehicleSpec;

@@ -4,10 +4,9 @@
 //! search itself. Instead each slot remembers the *ticket* of its latest entry in the open list, tickets only grow,
 //! and a slot with a ticket from before the search began counts as never reached.
 //!
-//! One slot holds the node's cost g, its label, its parent and the ticket: 24 bytes on a grid with `f64` costs and no
-//! label. A node that is improved while it is open gets a new ticket. Its older entry in the open list then has a
-//! ticket that the slot no longer knows, and is skipped when it is taken. Nothing has to be searched and moved in the
-//! open list.
+//! One slot holds the node's cost g, its label, its parent and the ticket: 16 bytes without a label. A node that is
+//! improved while it is open gets a new ticket. Its older entry in the open list then has a ticket that the slot no
+//! longer knows, and is skipped when it is taken. Nothing has to be searched and moved in the open list.
 //!
 //! ```text
 //! ticket < since                 stale: not reached in this search

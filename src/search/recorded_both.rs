@@ -4,7 +4,7 @@
 //! tells the side ([`BACKWARD`](super::BACKWARD)).
 //!
 //! The recorder is written from the definition of the search, not from its code: a map of known nodes and a heap for
-//! each side. What it writes down is compared with the fast search by tests, event by event, so a reader of a
+//! each side. Tests compare it with the fast search: order, costs, relaxed moves and counters. So a reader of a
 //! recording sees what the planner did and not a second opinion.
 //!
 //! A step costs O(log n) for n known nodes, and every step is written down with all its moves. `limit` bounds the

@@ -102,7 +102,9 @@ impl<'de> Visitor<'de> for StrictVisitor {
 }
 
 /// Any plain JS value as JSON, or an error that names the first field that is not plain or not finite.
-/// # Errors `code` with the path of the first field that is a function, a symbol, NaN or infinite.
+///
+/// # Errors
+/// `code` with the path of the first field that is a function, a symbol, NaN or infinite.
 pub(super) fn json(value: JsValue, code: ErrorCode) -> Result<Value, Error> {
     if value.is_function() || value.is_symbol() {
         return Err(Error::new(code, "", "must be plain data"));

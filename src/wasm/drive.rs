@@ -136,7 +136,9 @@ pub fn js_optimise(
 }
 
 /// The states of a trajectory's columns.
-/// # Errors Columns of different lengths, times that do not grow, or numbers that are no poses.
+///
+/// # Errors
+/// Columns of different lengths, times that do not grow, or numbers that are no poses.
 fn states(path: &[f64], t: Vec<f64>, speed: Vec<f64>, steering: Vec<f64>) -> Result<States, Error> {
     let poses = plan::path_poses(path)?;
     let rows = TimedRows { t, poses, speed: Some(speed), steering: Some(steering) };

@@ -183,7 +183,9 @@ fn goes_on(callback: &js_sys::Function, value: &JsValue) -> ControlFlow<()> {
 
 impl RawPlanner {
     /// The options of a plan, but for callbacks, and its ends.
-    /// # Errors An option that is not known or has another type, by name.
+    ///
+    /// # Errors
+    /// An option that is not known or has another type, by name.
     #[cfg_attr(not(feature = "complete"), expect(clippy::unused_self, reason = "slots are the scene's"))]
     fn options<'o>(&self, options: JsValue) -> Result<(plan::Options<'o>, plan::Ends), JsValue> {
         let (mut asked, mut ends) = (plan::Options::default(), plan::Ends::default());

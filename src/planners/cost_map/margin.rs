@@ -6,10 +6,10 @@
 //! beside each other may need directions between which the car cannot turn.
 //!
 //! Cells are too coarse where a gap is about as wide as the car. Near obstacles a cell is therefore cut into 8 × 8
-//! parts, one bit of a word each. A square of parts with the centre c and half the diagonal r is closed where room(c)
-//! + r is less than the room asked for, as no place has more room than another by more than their distance; otherwise
-//! it is quartered. A single part is open only if the whole body keeps the margin there in some direction. The flood
-//! spreads over words of bits, with shifts in the place of single steps.
+//! parts, one bit of a word each. A square of parts is closed where the room at its centre and half its diagonal are
+//! together less than the room asked for, as no place has more room than another by more than their distance;
+//! otherwise it is quartered. A single part is open only if the whole body keeps the margin there in some direction.
+//! The flood spreads over words of bits, with shifts in the place of single steps.
 
 use std::collections::BTreeMap;
 

@@ -13,13 +13,13 @@
 //!
 //! The steps, of which each is tried only where the one before fails:
 //!
-//! 1. join the old path to the new ends, go around what is in its way, and keep at least the whole margin on it;
+//! 1. join the old path to the new ends and go around what is in its way, all of it with the whole margin;
 //! 2. the same with 71 % of the margin on pieces of the old path;
 //! 3. both of them again within the corridor around the old path;
 //! 4. search within the corridor, on the coarsest level and then on the next.
 //!
-//! A candidate counts only if it is near the old path, as good as the new answer to within the share asked for, and
-//! passes the caller's own check.
+//! The last two are left out where the new answer runs along the old path anyway. A candidate counts only if it is
+//! near the old path, as good as the new answer to within the share asked for, and passes the caller's own check.
 
 use super::config::{Config, Level, SearchFrom};
 use super::cost::{CostModel, Motion};

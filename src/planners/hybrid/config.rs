@@ -1,10 +1,10 @@
 //! Settings of hybrid A*.
 //!
 //! A level is one resolution of the state lattice. Coarse levels are fast and answer ordinary questions; fine ones
-//! find the way out of slots that the coarse ones cannot leave, because in a narrow slot a step of 0.8 m hits
-//! something at both ends of every arc. Each finer level divides the position cell, the heading bin and the step
-//! together: a step must leave its cell, or else a move leads back to the state that it came from, and a bin must be
-//! narrower than the turn of a step at full lock, or else turning shows no progress.
+//! find the way out of slots that the coarse ones cannot leave, because in a narrow slot no step of 0.8 m is free.
+//! Levels 1 to 4 make the position cell, the heading bin and the step smaller together: a step must leave its cell,
+//! or else a move leads back to the state that it came from, and a bin must be narrower than the turn of a step at
+//! full lock, or else turning shows no progress.
 //!
 //! Finer levels weigh the estimate with 2 instead of 1. They have many more states, and the shortest path is not what
 //! they are for.

@@ -186,9 +186,10 @@ impl Lot {
 
     /// Draws the lot.
     ///
+    /// O(bays). The scene is valid, and its slots have ids.
+    ///
     /// # Errors
     /// [`ErrorCode::Input`] with the field and the rule.
-    /// O(bays). The scene is valid, and its slots have ids.
     pub fn draw(&self) -> Result<DrawnLot, Error> {
         self.validate()?;
         let plan = Plan::new(self);

@@ -27,7 +27,9 @@ pub struct Corridor {
 
 impl Corridor {
     /// Everything within `reach` metres of some points, one at least.
-    /// # Panics Without points.
+    ///
+    /// # Panics
+    /// Without points.
     pub fn around(points: &[Point], reach: f64) -> Self {
         let edge = Vector::new(reach, reach);
         let low = points.iter().fold(points[0], |low, p| Point::from(low.coords.inf(&p.coords))) - edge;
