@@ -40,7 +40,6 @@ use crate::scenario::{Scenario, catalog};
 /// An answer, or the error that JavaScript is thrown.
 type JsResult = Result<JsValue, JsValue>;
 
-/// Panics are written to the console with their place, before the module ends.
 #[wasm_bindgen(start)]
 fn start() {
     console_error_panic_hook::set_once();
