@@ -58,6 +58,19 @@ impl Known {
 ///
 /// # Errors
 /// Of a wrong scene.
+///
+/// # Examples
+/// ```
+/// use parkade::audit::{Known, Options, affected};
+///
+/// let before = parkade::scenario::catalog::scenario("perpendicular").unwrap();
+/// let mut after = before.clone();
+/// after.obstacles.clear();
+/// let options = Options::of(&before, &serde_json::json!({})).unwrap();
+/// let row = Known { bay: 0, vehicle: 0, reachable: false, swept: vec![before.start] };
+/// let is_freer = affected(&before, &after, &options, &[row.clone()]).unwrap()[0];
+/// assert!(is_freer && !affected(&before, &before, &options, &[row]).unwrap()[0]);
+/// ```
 pub fn affected(
     before: &Scenario,
     after: &Scenario,

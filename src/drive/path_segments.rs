@@ -72,6 +72,19 @@ impl Route {
     ///
     /// # Errors
     /// [`ErrorCode::Input`] for a path without poses, with corners, or with turns tighter than the car's.
+    ///
+    /// # Examples
+    /// ```
+    /// use parkade::drive::Route;
+    /// use parkade::geometry::Pose;
+    /// use parkade::vehicle::Vehicle;
+    ///
+    /// let path = [Pose::new(0.0, 0.0, 0.0), Pose::new(4.0, 0.0, 0.0), Pose::new(1.0, 0.0, 0.0)];
+    /// let route = Route::new(&Vehicle::SEDAN, &path, &[1, -1], None).unwrap();
+    /// assert_eq!((route.length(), route.pose(5.0).x), (7.0, 3.0));
+    /// let corner = [path[0], Pose::new(0.0, 0.0, 1.0)];
+    /// assert!(Route::new(&Vehicle::SEDAN, &corner, &[1], None).unwrap_err().to_string().contains("corners"));
+    /// ```
     pub fn new(
         vehicle: &Vehicle,
         path: &[Pose],

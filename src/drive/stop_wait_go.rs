@@ -198,6 +198,30 @@ struct Drive<'a> {
 
 /// Drives `route` at constant speed, stopping and waiting for `movers`.
 ///
+/// The work is that of a roll-out along the way ahead at each decision, until the way is known to stay clear.
+///
+/// # Examples
+/// ```
+/// use parkade::drive::{Ending, Mover, Route, WaitOptions, stop_wait_go};
+/// use parkade::geometry::Pose;
+/// use parkade::scenario::MovingObstacle;
+/// use parkade::vehicle::Vehicle;
+///
+/// let path = [Pose::new(0.0, 0.0, 0.0), Pose::new(20.0, 0.0, 0.0)];
+/// let route = Route::new(&Vehicle::SEDAN, &path, &[1], None).unwrap();
+/// // A cart that crosses the way ten metres ahead.
+/// let cart = MovingObstacle {
+///     id: None,
+///     size: [1.0, 1.0],
+///     points: vec![[12.0, -8.0], [12.0, 8.0]],
+///     speed: 1.5,
+///     start: 0.0,
+/// };
+/// let met = stop_wait_go(&Vehicle::SEDAN, &route, &[Mover::new(&cart)], &WaitOptions::default()).unwrap();
+/// assert!(met.ending == Ending::Arrived && met.contact.is_none());
+/// assert!(met.waits.len() == 1 && met.duration > met.free_duration);
+/// ```
+///
 /// # Errors
 /// As [`WaitOptions::validate`].
 pub fn stop_wait_go(

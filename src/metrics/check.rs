@@ -101,6 +101,18 @@ impl Check {
 ///
 /// The goal is the nearest of the scene's goals to the last pose, so a set of goals is checked like a single one. An
 /// empty path gives [`Verdict::None`]. `geometry` and `body` must be of the same scene.
+///
+/// # Examples
+/// ```
+/// use parkade::geometry::Pose;
+/// use parkade::metrics::{Body, Verdict, check};
+///
+/// let geometry = parkade::scenario::catalog::scenario("perpendicular").unwrap().geometry().unwrap();
+/// let (body, start) = (Body::new(&geometry), geometry.start);
+/// let turned = Pose { heading: start.heading + 0.1, ..start };
+/// let found = check(&geometry, &body, &[start, turned], &[1, 1], 0.001);
+/// assert_eq!((found.verdict, found.tightest_radius), (Verdict::TooTight, 0.0));
+/// ```
 pub fn check(geometry: &Geometry, body: &Body, path: &[Pose], directions: &[i8], near: f64) -> Check {
     let mut check = empty();
     let (Some(first), Some(last)) = (path.first(), path.last()) else { return check };

@@ -113,6 +113,21 @@ fn rooms(hits: impl Fn(usize) -> bool, exact: impl Fn(usize) -> f64) -> Rooms {
 }
 
 /// Runs trials along a path of rear-axle poses.
+///
+/// # Examples
+/// ```
+/// use parkade::metrics::Body;
+/// use parkade::metrics::risk::{Options, collision_risk};
+///
+/// let geometry = parkade::scenario::catalog::scenario("road-straight").unwrap().geometry().unwrap();
+/// let body = Body::new(&geometry);
+/// let path = [geometry.start, geometry.start.advance(0.0, 50.0)];
+/// let hits = |from, trials| {
+///     let options = Options { trials, from, ..Options::default() };
+///     collision_risk(&geometry, &body, &path, &options).hits
+/// };
+/// assert_eq!(hits(0, 20) + hits(20, 30), hits(0, 50));
+/// ```
 pub fn collision_risk(geometry: &Geometry, body: &Body, path: &[Pose], options: &Options) -> Risk {
     let line = Line::new(geometry, path);
     let side = geometry.vehicle.width / 2.0;

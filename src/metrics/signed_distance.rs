@@ -46,6 +46,18 @@ impl Body {
     /// apart, of a ship's a 64th of it. `most` may be infinite, for every floor has an edge.
     ///
     /// An overlap that no point of the outline shows (a thin obstacle across the body) counts as one nanometre.
+    ///
+    /// # Examples
+    /// ```
+    /// use parkade::geometry::Pose;
+    /// use parkade::metrics::Body;
+    ///
+    /// let geometry = parkade::scenario::catalog::scenario("perpendicular").unwrap().geometry().unwrap();
+    /// let body = Body::new(&geometry);
+    /// assert_eq!(body.signed_clearance(geometry.start, 10.0), body.clearance(geometry.start));
+    /// let outside = Pose { x: geometry.start.x - 100.0, ..geometry.start };
+    /// assert!(body.signed_clearance(outside, f64::INFINITY) < -80.0);
+    /// ```
     pub fn signed_clearance(&self, pose: Pose, most: f64) -> f64 {
         if self.hit(pose).is_none() {
             return self.room(pose, self.buckets.side, most);

@@ -90,6 +90,8 @@ impl Planner {
     /// Plans for each goal, and once more for the one with the cheapest path, else for that whose failure tells most.
     /// Goals that are nearer as the crow flies come first; those farther away than the best path is dear cannot be
     /// cheaper.
+    ///
+    /// Of goals in one cell a grid planner tries the first only: it cannot tell them apart.
     fn one_by_one(&mut self, start: Pose, goals: &[Pose], mut options: Options) -> Plan {
         let mut straight: Vec<f64> = goals.iter().map(|goal| (goal.point() - start.point()).norm()).collect();
         let frame = self.world.frame;
@@ -151,12 +153,16 @@ impl Planner {
 }
 
 /// The goal at which a path ends.
+///
+/// Compares bits: the last pose of a path is the goal's own, not an integrated one.
 fn at_end(goals: &Goals, plan: &Plan) -> Option<GoalPose> {
     let end = *plan.path.last()?;
     goals.poses.iter().find(|one| one.pose == end).cloned()
 }
 
 /// Tells of expansions that follow others.
+///
+/// The caller sees one count that never falls, whatever the number of searches.
 fn told(tell: &mut Option<ProgressCallback>, before: u32, count: u32) -> ControlFlow<()> {
     match tell {
         Some(tell) => tell(before.saturating_add(count)),

@@ -297,6 +297,14 @@ impl Planner {
     ///
     /// # Errors
     /// [`ErrorCode::Input`] for a planner without a risk field, and for coordinates that are not finite.
+    ///
+    /// # Examples
+    /// ```
+    /// let scene = parkade::scenario::catalog::scenario("perpendicular").unwrap();
+    /// let planner = |id| parkade::plan::Planner::new(id, &scene, &Default::default()).unwrap();
+    /// assert!(planner("risk-field").explain(scene.start.x, scene.start.y).unwrap().is_some());
+    /// assert!(planner("eight").explain(0.0, 0.0).is_err());
+    /// ```
     #[cfg(feature = "complete")]
     pub fn explain(&self, x: f64, y: f64) -> Result<Option<Explanation>, Error> {
         for (name, value) in [("x", x), ("y", y)] {

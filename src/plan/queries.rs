@@ -154,6 +154,15 @@ impl Planner {
     /// Length of the shortest any-angle path between the centres of the last plan's start and goal cells (before any
     /// plan, the scene's), metres, with this grid planner's safety space: what no path over cells is shorter than, but
     /// for rounded corners. `None` where there is no path, and for planners other than grid planners.
+    ///
+    /// # Examples
+    /// ```
+    /// let scene = parkade::scenario::catalog::scenario("perpendicular").unwrap();
+    /// let mut planner = parkade::plan::Planner::new("eight", &scene, &Default::default()).unwrap();
+    /// let plan = planner.plan(Default::default());
+    /// let raw = plan.metrics.grid.unwrap().length_raw * scene.map.resolution;
+    /// assert!(planner.any_angle_length().unwrap() <= raw + 1e-9);
+    /// ```
     #[cfg(feature = "complete")]
     pub fn any_angle_length(&self) -> Option<f64> {
         let Engine::Grid(engine) = &self.engine else { return None };

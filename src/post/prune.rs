@@ -54,6 +54,16 @@ fn goes_straight(a: Cell, b: Cell, c: Cell) -> bool {
 /// Ties keep the earliest predecessor, so equal input gives equal cells.
 ///
 /// With weights the cost of a segment is its length times the mean weight of the cells it passes.
+///
+/// # Examples
+/// ```
+/// use parkade::map::{Cell, Corner, Occupancy};
+/// use parkade::post::prune_dp;
+///
+/// let map = Occupancy::new(9, 9);
+/// let detour = [Cell::new(0, 0), Cell::new(4, 4), Cell::new(8, 0)];
+/// assert_eq!(prune_dp(&map, &detour, Corner::Strict), [detour[0], detour[2]]);
+/// ```
 pub fn prune_dp(map: &Occupancy, path: &[Cell], corner: Corner) -> Vec<Cell> {
     let points = unit_steps(path);
     let mut best = vec![(f64::INFINITY, 0_usize); points.len()];
