@@ -30,6 +30,8 @@ export function fromOccupancy(cells, width, options) {
   oneOf(rows, "rows", ["bottom-up", "top-down"]);
   oneOf(unknown, "unknown", ["blocked", "free"]);
   number(occupied, "occupied");
+  if (!(number(resolution, "resolution") > 0))
+    throw mismatch(resolution, "resolution", "a number above 0", shown(resolution));
   /** @param {number} x @param {number} y */
   const at = (x, y) => (rows === "top-down" ? height - 1 - y : y) * width + x;
   const isBlocked = (/** @type {number} */ index) => {

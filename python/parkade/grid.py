@@ -53,10 +53,10 @@ def from_occupancy(
     scene: dict[str, Any] = {
         "version": 1,
         "map": {
-            "origin": [float(origin[0]), float(origin[1])],
+            "origin": _origin(origin),
             "width": int(cells.shape[1]),
             "height": int(cells.shape[0]),
-            "resolution": float(resolution),
+            "resolution": _positive(resolution, "resolution"),
         },
         "obstacles": [{"type": "cells", "runs": _runs(cells != 0).tolist()}],
         "vehicle": vehicle,
@@ -80,8 +80,13 @@ def from_occupancy_grid(
     A map that is turned against its frame is refused: scenes have none.
     """
     info = _field(message, "info", "message")
-    width, height = (int(_field(info, name, "info")) for name in ("width", "height"))
-    data = np.asarray(_field(message, "data", "message"), dtype=np.int64)
+    width, height = (_count(_field(info, name, "info"), f"info.{name}") for name in ("width", "height"))
+    try:
+        data = np.asarray(_field(message, "data", "message"), dtype=np.int64)
+    except (TypeError, ValueError, OverflowError):
+        raise ParkadeError("data: must be a list of whole numbers", "bad-input", "data") from None
+    if not isinstance(occupied, int):
+        raise ParkadeError(f"occupied: must be a whole number, got {occupied!r:.60}", "bad-input", "occupied")
     if data.size != width * height:
         rule = f"must have width × height = {width * height} cells, got {data.size}"
         raise ParkadeError(f"data: {rule}", "bad-input", "data")
@@ -94,7 +99,7 @@ def from_occupancy_grid(
         blocked |= data < 0
     return from_occupancy(
         blocked.reshape(height, width),
-        resolution=float(_field(info, "resolution", "info")),
+        resolution=_positive(_field(info, "resolution", "info"), "info.resolution"),
         origin=(origin["x"], origin["y"]),
         start=start,
         goal=goal,
@@ -109,10 +114,13 @@ def to_path(plan: Plan, *, frame_id: str = "map", stamp: tuple[int, int] = (0, 0
     """
     if not plan.found:
         raise ParkadeError(f"plan: must have a path, got {plan.outcome}: {plan.reason}", "bad-input", "plan")
-    sec, nanosec = stamp
+    try:
+        sec, nanosec = (int(part) for part in stamp)
+    except (TypeError, ValueError):
+        raise ParkadeError(f"stamp: must be (seconds, nanoseconds), got {stamp!r:.60}", "bad-input", "stamp") from None
 
     def header() -> dict[str, Any]:
-        return {"stamp": {"sec": int(sec), "nanosec": int(nanosec)}, "frame_id": frame_id}
+        return {"stamp": {"sec": sec, "nanosec": nanosec}, "frame_id": frame_id}
 
     def pose(x: float, y: float, heading: float) -> dict[str, Any]:
         turn = {"x": 0.0, "y": 0.0, "z": math.sin(heading / 2), "w": math.cos(heading / 2)}
@@ -137,6 +145,30 @@ def _field(message: Any, name: str, path: str) -> Any:
             f"{path}: must have the field {name} (nav_msgs/OccupancyGrid), got a {kind}", "bad-input", path
         )
     return found
+
+
+def _positive(value: Any, path: str) -> float:
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        number = math.nan
+    if not 0 < number < math.inf:
+        raise ParkadeError(f"{path}: must be a number above 0, got {value!r:.60}", "bad-input", path)
+    return number
+
+
+def _count(value: Any, path: str) -> int:
+    if isinstance(value, (int, np.integer)) and value >= 0:
+        return int(value)
+    raise ParkadeError(f"{path}: must be a whole number of cells, got {value!r:.60}", "bad-input", path)
+
+
+def _origin(value: Any) -> list[float]:
+    try:
+        x, y = (float(part) for part in value)
+    except (TypeError, ValueError):
+        raise ParkadeError(f"origin: must be (x, y) in metres, got {value!r:.60}", "bad-input", "origin") from None
+    return [x, y]
 
 
 def _pose(value: Any, path: str) -> dict[str, float]:

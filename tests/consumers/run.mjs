@@ -27,6 +27,12 @@ const asWorker = `import { createPlanner } from "parkade/worker";
   import { init, scenario as built } from "parkade";
   init().then(() => createPlanner("hybrid", built("perpendicular"))).then((planner) => planner.plan())
     .then((plan) => (document.title = plan.hash), (error) => (document.title = error));`;
+const printedByWorker = `import { init, scenario as built } from "parkade";
+  import { createPlanner } from "parkade/worker";
+  await init();
+  const planner = await createPlanner("hybrid", built("perpendicular"));
+  console.log((await planner.plan()).hash);
+  process.exit();`;
 const printed = (entry) => `${planned(entry)}\nanswer.then((hash) => console.log(hash));`;
 const html = (script) => `<!doctype html><title>wait</title><script type="module" src="${script}"></script>`;
 const page = (text) => ({ "index.html": html("./main.js"), "main.js": text });
@@ -85,10 +91,12 @@ const next = (folder, version) => ({
       import { useEffect } from "react";
       export default function Client() {
         useEffect(() => {
-          import("parkade/inline").then(async ({ init, Planner, scenario }) => {
+          Promise.all([import("parkade/inline"), import("parkade/worker")]).then(async ([{ init, Planner, scenario }, { createPlanner }]) => {
             await init();
             const hash = new Planner("hybrid", scenario("perpendicular")).plan().hash;
-            document.title = document.getElementById("server").textContent === hash ? hash : "the server's plan differs";
+            const inWorker = (await (await createPlanner("hybrid", scenario("perpendicular"))).plan()).hash;
+            const isSame = document.getElementById("server").textContent === hash && inWorker === hash;
+            document.title = isSame ? hash : "the plan of the server or the worker differs";
           }).catch((error) => (document.title = error));
         }, []);
         return null;
@@ -149,6 +157,15 @@ const rows = [
     run: ["parcel", "build", "index.html", "--dist-dir", "out", "--public-url", "./"],
     open: "out",
   },
+  "parcel, worker",
+  {
+    // Parcel's cache of another page at the same place makes a page that asks for a module by its number.
+    folder: "parcel-worker",
+    packages: ["parcel"],
+    files: page(asWorker),
+    run: ["parcel", "build", "index.html", "--dist-dir", "out", "--public-url", "./"],
+    open: "out",
+  },
   "esbuild",
   {
     folder: "esbuild",
@@ -180,6 +197,13 @@ const rows = [
     files: { "main.js": printed("parkade") },
     print: ["node_modules/.bin/bun", "main.js"],
   },
+  "bun, worker",
+  {
+    folder: "bun",
+    packages: ["bun"],
+    files: { "main.js": printedByWorker },
+    print: ["node_modules/.bin/bun", "main.js"],
+  },
   "react, types",
   types("react", ["react@19"], JSX),
   "preact, types",
@@ -188,9 +212,9 @@ const rows = [
   types("solid", ["solid-js"], JSX, "solid-js"),
   "vue, types",
   types("vue", ["vue"], TEMPLATE),
-  "next 15, server and client",
+  "next 15, server, client and worker",
   next("next15", 15),
-  "next, server and client",
+  "next, server, client and worker",
   next("next", "latest"),
 ];
 
