@@ -360,6 +360,8 @@ function ofCalls(): Misuse[] {
   add("directions[0]", () => parkade.checkPath(scene, [1, 2, 3], [257]));
   add("text", () => parkade.unpackRuns(any("?")));
   add("cells", () => parkade.fromOccupancy(any(7), 3, any({})));
+  add("resolution", () => parkade.fromOccupancy([0, 1, 0, 0], 2, any({ resolution: -1 })));
+  add("resolution", () => parkade.fromOccupancy([0, 1, 0, 0], 2, any({})));
   add("family", () => parkade.generateScenario(any({ family: "rondom", size: 20, seed: 1 })));
   add("size", () => parkade.generateScenario(any({ family: "random", size: 4, seed: 1 })));
   add("size", () => parkade.generateScenario(any({ family: "random", size: "20", seed: 1 })));
