@@ -134,6 +134,7 @@ pub(crate) fn object(value: &Value) -> Result<&Map<String, Value>> {
 }
 
 /// A type whose values have names.
+/// Names are in lower case with hyphens, as in JSON; each value has exactly one.
 pub(crate) trait Words: Copy + PartialEq + 'static {
     /// Each value with its name.
     const WORDS: &'static [(&'static str, Self)];
