@@ -32,6 +32,21 @@ const NEAR_STEP: f64 = 0.5;
 /// Speeds along a route, in time.
 ///
 /// Phases follow each other without a gap and cover the whole duration, standstills included.
+///
+/// # Examples
+/// ```
+/// use parkade::drive::{Limits, Motion, Route};
+/// use parkade::geometry::Pose;
+/// use parkade::vehicle::Vehicle;
+///
+/// let path = [Pose::new(0.0, 0.0, 0.0), Pose::new(30.0, 0.0, 0.0)];
+/// let route = Route::new(&Vehicle::SEDAN, &path, &[1], None).unwrap();
+/// let seconds = |limits: Limits| Motion::new(&Vehicle::SEDAN, &route, &limits).unwrap().duration();
+/// assert_eq!(seconds(Limits::paper()), 15.0);
+/// // Limited accelerations take time, a limited jerk some more.
+/// let jerk = Limits { jerk: Some(1.0), ..Limits::default() };
+/// assert!(15.0 < seconds(Limits::default()) && seconds(Limits::default()) < seconds(jerk));
+/// ```
 #[derive(Debug, Clone)]
 pub struct Motion {
     pub(super) phases: Vec<Phase>,
@@ -168,6 +183,9 @@ pub(super) fn preview(vehicle: &Vehicle) -> f64 {
 /// The wheel's turn for a step of the curvature lies half before and half after the step; a leg has to be long enough
 /// for the halves at its two ends. On samples of a changing curvature that is the limit δ̇ / |dδ/ds|, which always
 /// holds.
+///
+/// A leg of length s between steps whose turns of the wheel take t₁ and t₂ seconds has room for both halves up to the
+/// speed 2s/(t₁ + t₂).
 fn zones(vehicle: &Vehicle, route: &Route, run: &Run, limits: &Limits) -> Vec<(f64, f64)> {
     let legs = &route.legs[run.first..run.end];
     let turn = |i: usize| {
@@ -209,6 +227,8 @@ fn zones(vehicle: &Vehicle, route: &Route, run: &Run, limits: &Limits) -> Vec<(f
 
 /// The same zones with at most some speeds between two stations each: from, to, speed, by both stations in order.
 /// Linear in zones and stretches, as few stretches overlap.
+///
+/// `start` is the station at which the first zone begins, metres.
 fn lowered(zones: &[(f64, f64)], start: f64, slow: &[(f64, f64, f64)]) -> Vec<(f64, f64)> {
     let mut parts = Vec::new();
     let (mut at, mut passed) = (start, 0);
@@ -231,6 +251,9 @@ fn lowered(zones: &[(f64, f64)], start: f64, slow: &[(f64, f64, f64)]) -> Vec<(f
 }
 
 /// Zones at least [`SAMPLE`] long, with the lowest limit in each; what is shorter takes of the next zone what it lacks.
+///
+/// A long zone keeps its limit where it can; one that is too short takes the lower limit with it, so no limit is ever
+/// exceeded.
 fn gathered(zones: &[(f64, f64)], start: f64) -> Vec<(f64, f64)> {
     let mut parts: Vec<(f64, f64)> = Vec::new();
     let mut begin = start;

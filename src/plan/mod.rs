@@ -224,7 +224,7 @@ impl Planner {
     /// Plans, and checks the answer.
     ///
     /// Plans depend on the scene and the settings alone: any number of calls give the same bytes. The exception is
-    /// [`Options::stickiness`] above 0, with which the last plan counts, too.
+    /// `stickiness` above 0, with which the last plan counts, too.
     pub fn plan(&mut self, options: Options) -> Plan {
         self.between(self.own_ends[0], None, options)
     }

@@ -289,7 +289,8 @@ fn outcome(world: &World, query: &Query, outcome: Outcome) -> Outcome {
     }
 }
 
-/// The outcome in a sentence with places and rooms in metres; `None` where there is a path.
+/// The outcome in a sentence with places and rooms in metres; `None` where there is a path. The search moves an end by
+/// 1.5 m at most to find room, which is why the sentence names that distance.
 fn reason(query: &Query, report: &Report) -> Option<String> {
     let room = |end: &str, at: Point| {
         format!(
