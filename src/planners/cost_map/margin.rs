@@ -180,6 +180,8 @@ mod tests {
             }
         }
         assert_eq!(grown(1, !0x0200), ALL & !0x0200);
-        assert_eq!(grown(1, 0x55AA_55AA_55AA_55AA), 1);
+        // Diagonal steps count, a whole row that is closed does not let through.
+        assert_eq!(grown(1, 0x55AA_55AA_55AA_55AA), 0x55AA_55AA_55AA_55AB);
+        assert_eq!(grown(1, !0xFF00), 0xFF);
     }
 }
