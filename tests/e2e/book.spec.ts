@@ -33,6 +33,8 @@ test("in the example book playgrounds come alive, move nothing, and leave the bo
     .click({ position: { x: 30, y: 30 } });
   await expect.poll(() => page.evaluate(() => document.activeElement?.localName)).toBe("parkade-playground");
   await page.keyboard.press("ArrowRight");
+  // Were the page turned, it would be gone by then.
+  await page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 500)));
   expect(page.url()).toContain("parking.html");
   await page.locator("main h1").click();
   await page.keyboard.press("ArrowRight");

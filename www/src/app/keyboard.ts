@@ -20,7 +20,7 @@ export function listenToKeys(host: HTMLElement & { alone: boolean; viewing: bool
       !event.ctrlKey &&
       !event.metaKey &&
       !event.altKey &&
-      (event.defaultPrevented || isControls(event))
+      (event.defaultPrevented || isControls(event) || (!host.viewing && isMaps(event)))
     )
       event.stopPropagation();
   };
@@ -42,6 +42,12 @@ function isOurs(host: HTMLElement & { alone: boolean }, event: KeyboardEvent): b
   const target = path[0];
   if (!path.includes(host) && !(host.alone && target === document.body)) return false;
   return !isControls(event) && !path.some((node) => node instanceof HTMLDialogElement);
+}
+
+/** True if the key would do something to the map that has the focus, were there something to do it to. */
+function isMaps(event: KeyboardEvent): boolean {
+  const [target] = event.composedPath();
+  return target instanceof HTMLElement && CONTROL_KEYS.test(event.key) && target.matches("[role=application]");
 }
 
 /** True if the key does something to the control that has the focus. */
