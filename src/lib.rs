@@ -24,8 +24,8 @@
 //!
 //! # Layers
 //!
-//! A module uses only modules before it in this list: [`error`] · `json` (reading settings and scenes) · [`geometry`]
-//! (poses, arcs, Reeds–Shepp curves) · [`map`] (cells, rasters, distance and potential fields) · [`vehicle`]
+//! A module uses only modules before it in this list: [`error`] · `fnv` (the hash of results) · `json` (reading settings
+//! and scenes) · [`geometry`] (poses, arcs, Reeds–Shepp curves) · [`map`] (cells, rasters, distance and potential fields) · [`vehicle`]
 //! (dimensions, collision) · [`scenario`] (scenes, their JSON, built-in and generated ones) · `import` (maps of other
 //! programs) · [`search`] (best-first search over any [`search::Domain`]) · [`post`] (pruning, smoothing) ·
 //! [`metrics`] (validator, figures) · `drive` (paths in time) · `referee` (verdicts on trajectories) · [`planners`] ·
@@ -45,6 +45,7 @@ pub mod audit;
 #[cfg(feature = "complete")]
 pub mod drive;
 pub mod error;
+mod fnv;
 pub mod geometry;
 #[cfg(feature = "complete")]
 pub mod import;

@@ -6,6 +6,7 @@ the processes'. On a busy machine only the processor time tells something.
 """
 
 import argparse
+import multiprocessing
 import os
 import statistics
 import time
@@ -64,7 +65,8 @@ def main():
     tasks = batch.manifest(scenes, [given.planner])
     ray.init(num_cpus=given.processes, log_to_driver=False, logging_level="error")
     ray.data.DataContext.get_current().enable_progress_bars = False
-    with ProcessPoolExecutor(given.processes) as pool:
+    # Ray and Arrow have threads by now, and what they hold would stay held in a fork.
+    with ProcessPoolExecutor(given.processes, multiprocessing.get_context("spawn")) as pool:
         by_ray(tasks.slice(0, 100), 50)
         by_shards(tasks.slice(0, 100), pool, given.processes)
         shares = []

@@ -476,7 +476,10 @@ export interface AnyPlan {
   metrics: Metrics;
   check: Check;
   trace: Trace | null;
-  /** The same in every browser and in Node; time, trace, member and alternatives are no part of it. */
+  /**
+   * Two hashes with a hyphen between them, the same in every browser and in Node: 16 hex digits of planner, outcome, verdict and path,
+   * 16 of figures and counters. Time, trace, member and alternatives are no part of it.
+   */
   hash: string;
 }
 

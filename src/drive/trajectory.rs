@@ -7,6 +7,7 @@ use super::limits::Limits;
 use super::path_segments::Route;
 use super::speed_profile::{Motion, angle, preview};
 use crate::error::{Error, ErrorCode};
+use crate::fnv::Fnv;
 use crate::geometry::Pose;
 use crate::vehicle::Vehicle;
 
@@ -72,11 +73,9 @@ const MAX_TICKS: f64 = 1e6;
 
 /// FNV-1a-64 of numbers, as 16 hex digits.
 pub(crate) fn hash(values: impl Iterator<Item = f64>) -> String {
-    let bytes = values.flat_map(|v| v.to_bits().to_le_bytes());
-    let hash = bytes.fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-    });
-    format!("{hash:016x}")
+    let mut hash = Fnv::new();
+    hash.add_numbers(values);
+    hash.hex()
 }
 
 /// A wheel that turns towards an angle at a limited rate, straight at first.

@@ -7,6 +7,7 @@
 use std::sync::Arc;
 
 use super::{Cell, Layer, Weights};
+use crate::fnv::Fnv;
 
 /// Blocked cells around the map, so that the cells around a cell need no range checks of their own.
 const RIM: usize = 3;
@@ -228,13 +229,9 @@ impl Occupancy {
 
     /// FNV-1a-64 over one byte per cell (0 free, 1 blocked), row by row: names a map in tests.
     pub fn fnv1a64(&self) -> u64 {
-        let mut hash = 0xcbf2_9ce4_8422_2325_u64;
-        for y in 0..self.height {
-            for &byte in self.row(y) {
-                hash = (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3);
-            }
-        }
-        hash
+        let mut hash = Fnv::new();
+        (0..self.height).for_each(|y| hash.add(self.row(y)));
+        hash.value()
     }
 
     /// True if a path of edge-sharing free cells joins the two cells, which is what a path that touches no corner of

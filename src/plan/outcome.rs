@@ -19,6 +19,7 @@
 
 use serde::Serialize;
 
+use crate::fnv::Fnv;
 use crate::geometry::{Point, Pose, arcs, math};
 use crate::metrics::Check;
 use crate::planners::Obstruction;
@@ -288,10 +289,12 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// FNV-1a-64 over everything but the trace and words for people, as 16 hex digits: equal on every platform.
+    /// Two FNV-1a-64 hashes, 16 hex digits each with a hyphen between them, equal on every platform: of the answer
+    /// (planner, outcome, verdict, poses and gears of the path), and of the figures and counters (statistics, metrics,
+    /// clearances, the path before post-processing). The trace and words for people are in neither.
     ///
-    /// Plans whose path, verdict, figures or counters differ in one bit have different hashes, but for chance. It
-    /// serves to compare platforms and versions, not as a defence against forgery.
+    /// Plans that differ in one bit of a part have different hashes there, but for chance. It serves to compare
+    /// platforms and versions, not as a defence against forgery. A new figure or counter changes the second part only.
     ///
     /// # Examples
     /// ```
@@ -304,29 +307,27 @@ impl Plan {
     /// assert_eq!((one.path.len(), one.path.len()), (one.directions.len(), one.curvatures.len()));
     /// ```
     pub fn hash(&self) -> String {
-        let mut hash = 0xcbf2_9ce4_8422_2325_u64;
-        let mut eat = |bytes: &[u8]| {
-            for &byte in bytes {
-                hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-            }
-        };
-        eat(self.planner.as_bytes());
-        eat(self.outcome.as_str().as_bytes());
-        eat(self.check.verdict.as_str().as_bytes());
-        for pose in &self.path {
-            for value in [pose.x, pose.y, pose.heading] {
-                eat(&value.to_bits().to_le_bytes());
-            }
+        format!("{}-{}", self.answer_hash().hex(), self.figures_hash().hex())
+    }
+
+    fn answer_hash(&self) -> Fnv {
+        let mut hash = Fnv::new();
+        for word in [self.planner, self.outcome.as_str(), self.check.verdict.as_str()] {
+            hash.add(word.as_bytes());
         }
-        self.directions.iter().for_each(|&d| eat(&d.to_le_bytes()));
-        self.check.clearances.iter().for_each(|v| eat(&v.to_bits().to_le_bytes()));
-        self.raw_path
-            .iter()
-            .for_each(|p| eat(&[p.x.to_bits().to_le_bytes(), p.y.to_bits().to_le_bytes()].concat()));
+        hash.add_numbers(self.path.iter().flat_map(|pose| [pose.x, pose.y, pose.heading]));
+        self.directions.iter().for_each(|&d| hash.add(&d.to_le_bytes()));
+        hash
+    }
+
+    fn figures_hash(&self) -> Fnv {
+        let mut hash = Fnv::new();
+        hash.add_numbers(self.check.clearances.iter().copied());
+        hash.add_numbers(self.raw_path.iter().flat_map(|p| [p.x, p.y]));
         for value in [serde_json::to_value(&self.stats), serde_json::to_value(&self.metrics)] {
-            eat(value.unwrap_or_default().to_string().as_bytes());
+            hash.add(value.unwrap_or_default().to_string().as_bytes());
         }
-        format!("{hash:016x}")
+        hash
     }
 }
 
