@@ -97,6 +97,10 @@ test("controls of the phone are large enough for fingers", async ({ browser }) =
 test("the language changes everywhere at once", async ({ page }) => {
   await page.setViewportSize({ width: 1400, height: 900 });
   await open(page);
+  // Words end in their language's stops; a path with corners has no gear changes.
+  const spoken = page.locator("parkade-notices output");
+  await expect(spoken).toHaveText(/^4-neighbour: [^.]+.*\. [\d.]+ metres, [\d.]+ milliseconds\. 8-neighbour: /);
+  await expect(spoken).toHaveText(/ Hybrid A\*: OK\. [\d.]+ metres, 1 gear change, [\d.]+ milliseconds\.$/);
   await page.locator("parkade-toolbar .lang").click();
   await expect(page.locator("parkade-playground")).toHaveAttribute("lang", "zh");
   await page.locator("parkade-table tbody button").first().click();

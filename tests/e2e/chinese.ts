@@ -54,6 +54,7 @@ export const NAMES = new RegExp(
     "auto",
     "comfort",
     "classic",
+    "vehicle\\.\\w+",
     "vehicle",
     "max",
     "none",
@@ -77,7 +78,6 @@ export const NAMES = new RegExp(
     "\\.(map|scen|yaml|pgm|csv|json)",
     "(room|floor|case|note|lot)(\\.\\w+)*",
     "start\\.\\w+",
-    "vehicle\\.\\w+",
     "broken\\.[\\w.]+",
   ]
     .map((name) => `(?<![A-Za-z])${name}(?![A-Za-z])`)

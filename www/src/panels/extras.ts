@@ -17,6 +17,7 @@ export { drawDraft } from "../view/layers/draft";
 export { drawFailure } from "../view/layers/failure";
 export { drawExplained } from "../view/layers/explained";
 export { gearMarks } from "./gear-marks";
+export { spokenOf } from "./spoken";
 export { drawGoals } from "../view/layers/goals";
 export { drawOthers, drawPreview } from "../view/layers/ghosts";
 export { drawLaneStrip } from "../view/layers/lane-strip";

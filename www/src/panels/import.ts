@@ -190,7 +190,9 @@ export class ImportBar extends AppElement {
     );
     const place = /^(.*):(\d+)$/.exec(path);
     if (place) return say(lang, "line", { name: place[1]!, line: place[2]!, reason });
-    return say(lang, "bad", { name, reason: path && !name.includes(path) ? `${path}: ${reason}` : reason });
+    // The sentence begins with the file's name.
+    const field = path.startsWith(`${name}.`) ? path.slice(name.length + 1) : path;
+    return say(lang, "bad", { name, reason: field && !name.includes(field) ? `${field}: ${reason}` : reason });
   }
 
   protected override render(): TemplateResult | typeof nothing {

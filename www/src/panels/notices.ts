@@ -1,11 +1,9 @@
 import { css, html, nothing, type TemplateResult } from "lit";
-import { plannerName } from "../styles/planner-style";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
 import { icon } from "../styles/icons";
 import { extras } from "../view/lazy-layers";
-import { statusOf } from "../texts/status";
 
 const SETTLE_MS = 500;
 const INFO_MS = 4000;
@@ -77,31 +75,8 @@ export class Notices extends AppElement {
     this.lastResults = results;
     clearTimeout(this.quiet);
     this.quiet = setTimeout(() => {
-      this.spoken = { [this.state.lang]: this.sentence() };
+      this.spoken = { [this.state.lang]: extras()?.spokenOf(this.state) ?? "" };
     }, SETTLE_MS);
-  }
-
-  private sentence(): string {
-    const { state } = this;
-    return state.planners
-      .filter((planner) => !state.hidden.has(planner))
-      .map((planner) => {
-        const result = state.results[planner];
-        const values = {
-          planner: plannerName(state.lang, planner),
-          status: extras()?.whyOf(state, planner) ?? statusOf(state, planner).chip,
-        };
-        const plan = result?.plan;
-        if (!plan || plan.outcome !== "found") return this.t("say.failed", values);
-        return (
-          this.t("say.result", {
-            ...values,
-            length: this.num(plan.metrics.length, 1),
-            gears: plan.metrics.directionChanges,
-          }) + (result.time ? this.t("say.time", { millis: this.num(result.time.search, 1) }) : "")
-        );
-      })
-      .join(". ");
   }
 }
 
