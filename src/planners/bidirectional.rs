@@ -24,7 +24,7 @@ parameters! {
         /// Which cells a step may lead to.
         neighbours: Neighbourhood = Neighbourhood::Sixteen,
             spec("neighbours", Form::Choice(&["four", "eight", "sixteen", "twenty-four", "forty-eight"]), "1", true,
-                 ["Neighbours", "邻域"], ["Cells reachable in one step.", "一步可达的格子。"]);
+                 ["Neighbours", "邻域"], ["Cells reachable in one step.", "一步可达的栅格。"]);
         /// When the search stops.
         stop: Stop = Stop::First,
             spec("stop", Form::Choice(&["first", "best", "nba", "naive"]), "1", true,

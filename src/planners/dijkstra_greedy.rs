@@ -23,7 +23,7 @@ parameters! {
         /// Which cells a step may lead to.
         neighbours: Neighbourhood = Neighbourhood::Eight,
             spec("neighbours", Form::Choice(&["four", "eight", "sixteen", "twenty-four", "forty-eight"]), "1", true,
-                 ["Neighbours", "邻域"], ["Cells reachable in one step.", "一步可达的格子。"]);
+                 ["Neighbours", "邻域"], ["Cells reachable in one step.", "一步可达的栅格。"]);
     }
     /// The settings that all grid planners share.
     shared common: Common = Common::PLAIN;

@@ -40,7 +40,7 @@ parameters! {
             spec("prune", Form::Flag, "1", false,
                  ["Skip free turns", "跳过自由转折"],
                  ["Expands only cells where an obstacle forces a turn: the same cost from fewer expansions.",
-                  "只扩展被障碍迫使转向的格子：代价相同，扩展更少。"]);
+                  "只扩展被障碍迫使转向的栅格：代价相同，扩展更少。"]);
     }
     /// The settings that all grid planners share.
     shared common: Common = Common::PLAIN, without "corner";

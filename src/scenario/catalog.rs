@@ -79,7 +79,7 @@ const SCENES: [Info; 23] = [
         ["Regular blocks", "规则障碍"],
         [
             "The risk field expands the fewest cells: can the car follow?",
-            "风险场扩展的格子最少：车能跟上吗？",
+            "风险场扩展的栅格最少：车能跟上吗？",
         ],
     ),
     info(

@@ -14,6 +14,18 @@ async function openDebugger(page: Page, focus: string): Promise<void> {
   await page.getByRole("button", { name: "Search debugger" }).click();
 }
 
+interface Box {
+  x: number;
+  y: number;
+  width: number;
+  height: number;
+}
+
+/** Pixels that two boxes share. */
+const overlap = (a: Box, b: Box): number =>
+  Math.max(0, Math.min(a.x + a.width, b.x + b.width) - Math.max(a.x, b.x)) *
+  Math.max(0, Math.min(a.y + a.height, b.y + b.height) - Math.max(a.y, b.y));
+
 const violations = async (page: Page): Promise<string[]> => {
   const found = await new AxeBuilder({ page })
     .withTags(["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"])
@@ -36,6 +48,25 @@ test("a search is walked forward and back, with reasons, and ends as it began", 
   await expect(panel.getByText("closed: already expanded").first()).toBeVisible();
   await expect(panel.getByText("Counters equal the planner's")).toBeVisible();
   expect(await violations(page)).toEqual([]);
+  // On every page the map lies beside it, and a zoomed map goes along.
+  const stage = page.locator("parkade-stage");
+  for (const [width, height] of [
+    [844, 390],
+    [390, 844],
+    [800, 700],
+    [1400, 900],
+  ] as const) {
+    await page.setViewportSize({ width, height });
+    await expect.poll(async () => overlap((await stage.boundingBox())!, (await panel.boundingBox())!)).toBeLessThan(1);
+  }
+  const camera = () =>
+    page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.store.state.camera);
+  await panel.getByRole("button", { name: "Zoom to the cell" }).click();
+  const before = await camera();
+  await panel.getByRole("button", { name: "Last step" }).click();
+  expect(await camera()).not.toEqual(before);
+  await panel.getByRole("slider").fill("0");
+  for (let i = 0; i < 6; i++) await next.click();
   for (let i = 0; i < 6; i++) await panel.getByRole("button", { name: "Back" }).click();
   await expect(event).toContainText("Nothing is expanded yet");
   await panel.getByRole("button", { name: "Close the debugger" }).click();

@@ -48,14 +48,14 @@ const SOLUTIONS: Record<string, (state: GridState) => void> = {
   "neighbours-angle": (state) => move(state, "goal", 25, 17),
   "neighbours-estimate": (state) => move(state, "goal", 25, 17),
   "neighbours-weight": (state) => {
-    wall(state, 9, 5, 9, 10);
+    wall(state, 10, 3, 10, 7);
   },
   "both-meet": (state) => {
     state.share = meetingOf(state, "first")! / state.plans["first"]!.trace!.cells.length;
   },
   "both-first": (state) => {
-    wall(state, 27, 5, 27, 9);
-    wall(state, 9, 5, 9, 9);
+    wall(state, 13, 2, 13, 9);
+    wall(state, 21, 2, 21, 9);
   },
   "both-trap": (state) => {
     clear(state);
@@ -68,8 +68,7 @@ const SOLUTIONS: Record<string, (state: GridState) => void> = {
     wall(state, 8, 5, 8, 5);
   },
   "risk-price": (state) => {
-    wall(state, 18, 5, 18, 5);
-    wall(state, 27, 9, 27, 9);
+    wall(state, 8, 9, 8, 15);
   },
   "rounding-prune": (state) => {
     wall(state, 15, 8, 15, 17);

@@ -34,7 +34,7 @@ const MEETS = 4;
 const QUESTIONS = [
   {
     name: "order",
-    words: ["Why is this cell expanded before the others?", "为什么先展开这个格子？"],
+    words: ["Why is this cell expanded before the others?", "为什么先展开这个栅格？"],
     planner: "eight",
     scene: WALL,
     shows: ({ step, tied }) => step > 8 && tied === 0,

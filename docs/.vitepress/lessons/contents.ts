@@ -3,7 +3,7 @@ import type { Text } from "./words";
 
 export const LESSONS: readonly { id: string; title: Text }[] = [
   { id: "flood", title: ["1. From flood to A*", "1. 从泛洪到 A*"] },
-  { id: "neighbours", title: ["2. Neighbours and guesses", "2. 邻域与估计值"] },
+  { id: "neighbours", title: ["2. Neighbours and estimates", "2. 邻域与估计值"] },
   { id: "both-ends", title: ["3. From both ends", "3. 双向搜索"] },
   { id: "risk-field", title: ["4. The risk field", "4. 风险场"] },
   { id: "rounding", title: ["5. Pruning and rounding", "5. 剪枝与圆角"] },

@@ -10,20 +10,23 @@ const LEFT = 520,
   METRES = 6,
   COST = 6;
 
-/** The mean cost at each half of a metre of clearance. */
+/** Samples a metre: nearer ones would be empty between the middles of cells. */
+const FINE = 4;
+
+/** The mean cost at each quarter of a metre of clearance. */
 export function curveSamples({
   cost,
   clearance,
 }: Pick<MetricState, "cost" | "clearance">): [metres: number, cost: number][] {
   if (!cost || !clearance) return [];
-  const sums = Array.from({ length: 2 * METRES }, () => [0, 0] as [number, number]);
+  const sums = Array.from({ length: FINE * METRES }, () => [0, 0] as [number, number]);
   cost.data.forEach((value, i) => {
-    const bin = sums[Math.floor(2 * clearance.data[i]!)];
+    const bin = sums[Math.floor(FINE * clearance.data[i]!)];
     if (!bin || !Number.isFinite(value)) return;
     bin[0] += value;
     bin[1] += 1;
   });
-  return sums.flatMap(([sum, count], i) => (count > 0 ? [[i / 2 + 0.25, sum / count] as [number, number]] : []));
+  return sums.flatMap(([sum, count], i) => (count > 0 ? [[(i + 0.5) / FINE, sum / count] as [number, number]] : []));
 }
 
 export function costCurve(state: MetricState, lang: Lang): string {
@@ -33,5 +36,5 @@ export function costCurve(state: MetricState, lang: Lang): string {
   );
   const axis = `M${LEFT} ${TOP}v${HIGH}h${WIDE}`;
   const curve = points.length > 1 ? `<path class="lab-curve" d="M${points.join("L")}"/>` : "";
-  return `<g class="lab-plot"><rect x="${LEFT - 26}" y="${TOP - 8}" width="${WIDE + 34}" height="${HIGH + 32}"/><path d="${axis}"/>${curve}<text x="${LEFT + WIDE / 2}" y="${TOP + HIGH + 17}">${word("distance", lang)}</text><text x="${LEFT - 13}" y="${TOP + 10}">${word("cost", lang)}</text></g>`;
+  return `<g class="lab-plot"><rect x="${LEFT - 38}" y="${TOP - 8}" width="${WIDE + 46}" height="${HIGH + 32}"/><path d="${axis}"/>${curve}<text x="${LEFT + WIDE / 2}" y="${TOP + HIGH + 17}">${word("distance", lang)}</text><text x="${LEFT - 19}" y="${TOP + 10}">${word("cost", lang)}</text></g>`;
 }

@@ -23,9 +23,14 @@ function field(
   );
 }
 
-const WIDE = field(34, 18, [
+/** Goals off the axis: beside it, and between two of eight directions. */
+const BESIDE = field(34, 18, [
   [5, 9],
-  [28, 9],
+  [28, 8],
+]);
+const SLANTED = field(34, 18, [
+  [5, 9],
+  [28, 4],
 ]);
 const GATES = field(
   34,
@@ -52,21 +57,21 @@ function straightOf({ map: { width, start, goal } }: GridState): number {
 export const neighbours: Record<string, GridFigure> = {
   "neighbours-count": {
     kind: "grid",
-    map: WIDE,
+    map: BESIDE,
     choices: [FOUR, EIGHT],
     view: "search",
     done: (state) => found(state) && 2 * expandedBy(state, "four") < expandedBy(state, "eight"),
   },
   "neighbours-angle": {
     kind: "grid",
-    map: WIDE,
+    map: SLANTED,
     choices: [EIGHT, SIXTEEN],
     view: "search",
     done: (state) => found(state) && costOf(state.plans["eight"]) >= 1.08 * straightOf(state),
   },
   "neighbours-estimate": {
     kind: "grid",
-    map: WIDE,
+    map: BESIDE,
     choices: [
       { ...EIGHT, key: "octile", settings: { heuristic: "octile" }, title: ["Octile", "八方距离"] },
       { ...EIGHT, key: "euclid", settings: { heuristic: "euclid" }, title: ["Straight line", "直线距离"] },
@@ -78,7 +83,7 @@ export const neighbours: Record<string, GridFigure> = {
   },
   "neighbours-weight": {
     kind: "grid",
-    map: WIDE,
+    map: SLANTED,
     choices: [
       { ...EIGHT, key: "exact", title: ["Never too high", "从不偏高"] },
       { ...EIGHT, key: "weighted", settings: { weight: "distance" }, title: ["Weighted", "加权"] },
@@ -137,7 +142,7 @@ export const both: Record<string, GridFigure> = {
   },
   "both-first": {
     kind: "grid",
-    map: WIDE,
+    map: SLANTED,
     choices: [FIRST, PROVEN],
     view: "search",
     done: (state) => found(state) && costOf(state.plans["first"]) > costOf(state.plans["proven"]) + 1e-6,
@@ -186,7 +191,7 @@ export const risk: Record<string, GridFigure> = {
   },
   "risk-price": {
     kind: "grid",
-    map: WIDE,
+    map: SLANTED,
     choices: [EIGHT, RISK],
     chosen: 1,
     view: "search",

@@ -118,7 +118,12 @@ const COST: MetricChoice = {
   settings: { margin: 0 },
   title: ["Cost map", "代价地图"],
 };
-const PLAIN: MetricChoice = { key: "plain", planner: "eight", title: ["8 neighbours", "八邻域"] };
+const PLAIN: MetricChoice = {
+  key: "plain",
+  planner: "eight",
+  settings: { post: "prune" },
+  title: ["8 neighbours, pruned", "八邻域，剪枝"],
+};
 const EXPONENTIAL: MetricChoice = { ...COST, settings: { margin: 0, base: "exponential" } };
 
 const clearOf = (state: MetricState): number =>

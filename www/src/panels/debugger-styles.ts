@@ -1,11 +1,25 @@
 import { css } from "lit";
 
-/** A column over the inspector; a sheet in narrow layouts, a drawer in low ones. */
+/** Of the layout around: the debugger has a place of its own, so that the map shows every step beside it. */
+export const room = css`
+  parkade-debugger { grid-area: side; z-index: 16; border-left: 1px solid var(--parkade-hair); }
+  .layout-wide { --pane-side: 380px; }
+  parkade-splitter[pane="side"] { display: none; }
+  @container (max-width: 960px) {
+    .layout-wide { grid-template-columns: minmax(0, 1fr) min(380px, 46cqw); }
+    .layout-wide > parkade-inspector { visibility: hidden; }
+  }
+  .layout-narrow > :is(parkade-chips, parkade-sheet) { display: none; }
+  .layout-narrow.rails { grid-template-columns: 49px minmax(0, 1fr) min(340px, 46cqw); }
+  .rails > parkade-debugger { grid-area: 1 / 3 / -1 / 4; }
+  :host .layout-narrow:not(.rails) { grid-template: "bar" 45px "stage" minmax(0, 1fr) "sheet" 46cqh / minmax(0, 1fr); }
+  .layout-narrow:not(.rails) > parkade-timeline { display: none; }
+  .layout-narrow:not(.rails) > parkade-debugger { grid-area: sheet; border-left: 0; border-top: 1px solid var(--parkade-hair); box-shadow: var(--parkade-lift); }
+`;
+
 export const debuggerStyles = css`
-  :host { grid-area: side; justify-self: end; width: 380px; max-width: 60cqw; z-index: 16; min-height: 0; overflow-y: auto; overscroll-behavior: contain; background: var(--parkade-panel); border-left: 1px solid var(--parkade-hair); scrollbar-width: thin; scrollbar-color: var(--parkade-hair2) transparent; }
-  @container (max-width: 960px) { :host { grid-area: 2 / 1 / 4 / 2; box-shadow: var(--parkade-float); } }
-  @container (max-width: 640px) { :host { grid-area: auto; position: absolute; inset: auto 0 0 0; width: auto; max-width: none; height: 46cqh; border-left: 0; border-top: 1px solid var(--parkade-hair); box-shadow: var(--parkade-lift); } }
-  @container (max-height: 479px) { :host { grid-area: auto; position: absolute; inset: 0 0 0 auto; width: min(340px, 46cqw); height: auto; box-shadow: var(--parkade-float); } .keys-row select:first-of-type { max-width: 84px; } }
+  :host { min-width: 0; min-height: 0; overflow-y: auto; overscroll-behavior: contain; background: var(--parkade-panel); scrollbar-width: thin; scrollbar-color: var(--parkade-hair2) transparent; }
+  @container (max-height: 479px) { .keys-row select:first-of-type { max-width: 84px; } }
   section { padding: 10px 14px; border-top: 1px solid var(--parkade-hair); }
   section:first-child { border-top: 0; }
   .head { position: sticky; top: 0; z-index: 2; display: flex; align-items: center; gap: 8px; height: 44px; padding: 0 6px 0 14px; background: var(--parkade-panel); border-bottom: 1px solid var(--parkade-hair); }

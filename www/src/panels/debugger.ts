@@ -1,10 +1,9 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import type { Explanation, PlannerId, PoseTrace, SearchTrace } from "parkade";
-import { download, sentence, type App } from "../app/app";
+import { sentence, type App } from "../app/app";
 import { Helper } from "../planning/job-client";
 import { FailedConnections } from "../planning/failed-connections";
 import { STEP } from "../planning/search-replay";
-import { traceAsJson, traceForPosthoc } from "../planning/trace-export";
 import { forPlanners } from "../scene/large-scene";
 import { resolve } from "../scene/model";
 import type { State } from "../store";
@@ -15,25 +14,25 @@ import { eventLine, placeOf, say } from "../texts/search-steps";
 import { drawExplained } from "../view/layers/explained";
 import { drawBreakpoints } from "../view/layers/breakpoints";
 import { drawPoseStep } from "../view/layers/pose-steps";
+import { MAX_SCALE } from "../view/camera";
 import { SearchStepsLayer } from "../view/layers/search-steps";
 import type { Frame } from "../view/frame";
 import { AppElement } from "./base";
 import { connectionCard, obstacleName } from "./debugger-connection";
 import { code, estimatesCard, fieldCard, movesTable, openTable, variables } from "./debugger-parts";
 import { POSE_RADIUS, Session, SPEEDS, UNITS, type Breakpoints, type Unit } from "./debugger-session";
-import { debuggerStyles } from "./debugger-styles";
+import { bytesOf, recordingNote, saveButtons } from "./debugger-recording";
+import { debuggerStyles, room } from "./debugger-styles";
 import { numberOf, valueOf } from "./inputs";
 
 /** A recording of more than this is asked for, bytes. */
 const ASK_BYTES = 8e6;
-const STEP_BYTES = 33,
-  MOVE_BYTES = 21,
-  POSE_BYTES = 44,
-  MOVES_A_STEP = 16;
 const LIMIT = 100_000;
 /** How long the walk rests before the risk field is asked, milliseconds. */
 const REST_MS = 80;
 const ZOOMED_PX = 84;
+/** A node nearer to the map's edge than this counts as out of sight, CSS pixels. */
+const EDGE_PX = 24;
 /** Pixels a metre where a car's moves are looked at. */
 const CAR_SCALE = 40;
 
@@ -72,9 +71,8 @@ export class Debugger extends AppElement {
   private scene: State["scene"] | null = null;
   private planner: PlannerId | null = null;
   private looks: Partial<State> | null = null;
-  /** The inspector's own width, and its host's element. */
-  private width = "";
-  private host: HTMLElement | null = null;
+  /** The root whose layout makes room. */
+  private around: ShadowRoot | null = null;
   private rest: ReturnType<typeof setTimeout> | undefined;
 
   constructor() {
@@ -110,7 +108,8 @@ export class Debugger extends AppElement {
       mode: planners.length > 1 ? "focus" : mode,
       camera: null,
     });
-    this.widen("380px");
+    this.around = this.getRootNode() as ShadowRoot;
+    this.around.adoptedStyleSheets.push(room.styleSheet!);
   }
 
   override disconnectedCallback(): void {
@@ -119,14 +118,8 @@ export class Debugger extends AppElement {
     this.helper?.stop();
     this.helper = null;
     if (this.looks) this.app.store.set({ ...this.looks, searchSteps: null });
-    this.widen(this.width);
-  }
-
-  /** Gives the inspector's column a width; none for its own. */
-  private widen(width: string): void {
-    this.host ??= (this.getRootNode() as ShadowRoot).host as HTMLElement;
-    this.width ||= this.host.style.getPropertyValue("--pane-side");
-    this.host.style.setProperty("--pane-side", width);
+    if (this.around)
+      this.around.adoptedStyleSheets = this.around.adoptedStyleSheets.filter((one) => one !== room.styleSheet);
   }
 
   protected override willUpdate(changed: PropertyValues): void {
@@ -203,6 +196,7 @@ export class Debugger extends AppElement {
   private readonly moved = (): void => {
     const { session, layer } = this;
     if (!session || !layer) return;
+    this.follow(session);
     this.field = null;
     clearTimeout(this.rest);
     if (!session.isRunning && hasField(session.planner)) this.rest = setTimeout(() => void this.askField(), REST_MS);
@@ -277,7 +271,8 @@ export class Debugger extends AppElement {
       <section>${replay.sides.map((_, side) => openTable(lang, replay, side))}</section>
       ${estimatesCard(lang, replay, this.goalCell())}
       <section>${this.breakpoints(session)}</section>
-      <section class="foot">${this.foot(session)}</section>`;
+      <section class="foot"><div class="rows"><button class="button outline" @click=${this.zoom}>${say(lang, replay.trace.kind === "poses" ? "zoomPose" : "zoom")}</button>${saveButtons(lang, session)}</div>
+        <p class="note">${recordingNote(this.state, session)}</p></section>`;
   }
 
   private transport(session: Session): TemplateResult {
@@ -357,41 +352,35 @@ export class Debugger extends AppElement {
     stage?.addEventListener("pointerdown", take, { capture: true, once: true });
   };
 
-  private foot(session: Session): TemplateResult {
-    const { lang, results } = this.state,
-      { trace } = session.replay,
-      { counters } = trace,
-      stats = results[session.planner]?.plan?.stats;
-    const steps = trace.nodes.length,
-      moves = trace.targets.length;
-    const isEqual =
-      stats &&
-      counters.expanded === stats.expanded &&
-      counters.generated === stats.generated &&
-      counters.pushes === stats.pushes &&
-      counters.openPeak === stats.openPeak;
-    const { expanded, generated, pushes, openPeak: peak } = counters;
-    const name = `${session.planner}-search`;
-    return html`<div class="rows"><button class="button outline" @click=${this.zoom}>${say(lang, trace.kind === "poses" ? "zoomPose" : "zoom")}</button>
-        <button class="button outline" @click=${() => download(new Blob([traceAsJson(session.planner, trace)], { type: "application/json" }), `${name}.json`)}>${say(lang, "export.json")}</button>
-        ${trace.kind === "search" ? html`<button class="button outline" @click=${() => download(new Blob([traceForPosthoc(trace)], { type: "application/json" }), `${name}.trace.json`)}>${say(lang, "export.posthoc")}</button>` : nothing}</div>
-      <p class="note">${say(lang, "size", { steps, moves, mb: this.num((steps * STEP_BYTES + moves * (trace.kind === "poses" ? MOVE_BYTES + POSE_BYTES : MOVE_BYTES)) / 1e6, 1) })}
-      ${trace.cut ? say(lang, "cut", { n: steps }) : isEqual ? say(lang, "equal", { expanded, generated, pushes, peak }) : say(lang, "unequal")}</p>`;
-  }
-
   /** Shows the node at hand with its costs. */
   private readonly zoom = (): void => {
     const { session } = this;
     if (!session) return;
-    const { step, trace } = session.replay;
-    const scale = ZOOMED_PX / this.state.scene.map.resolution;
-    const node = trace.nodes[Math.max(0, step)]!,
-      { x, y } = session.replay.poseOf(step < 0 ? 0 : session.replay.sideOf(step), node) ?? this.centreOf(node);
-    this.app.store.set({ camera: { x, y, scale: trace.kind === "poses" ? CAR_SCALE : Math.min(400, scale) } });
+    const scale = session.replay.trace.kind === "poses" ? CAR_SCALE : ZOOMED_PX / this.state.scene.map.resolution;
+    this.app.store.set({ camera: { ...this.placeAtHand(session), scale: Math.min(MAX_SCALE, scale) } });
   };
-}
 
-const bytesOf = (steps: number): number => steps * (STEP_BYTES + MOVES_A_STEP * MOVE_BYTES);
+  /** The middle of the node at hand, or of the first. */
+  private placeAtHand({ replay }: Session): { x: number; y: number } {
+    const step = Math.max(0, replay.step),
+      node = replay.trace.nodes[step]!,
+      { x, y } = replay.poseOf(replay.sideOf(step), node) ?? this.centreOf(node);
+    return { x, y };
+  }
+
+  /** Moves a zoomed map on where the node at hand is out of sight. */
+  private follow(session: Session): void {
+    const { camera } = this.state,
+      stage = this.around?.querySelector("parkade-stage");
+    if (!camera || !stage) return;
+    const { x, y } = this.placeAtHand(session),
+      { clientWidth: width, clientHeight: height } = stage;
+    const isSeen =
+      Math.abs(x - camera.x) * camera.scale < width / 2 - EDGE_PX &&
+      Math.abs(y - camera.y) * camera.scale < height / 2 - EDGE_PX;
+    if (!isSeen) this.app.store.set({ camera: { ...camera, x, y } });
+  }
+}
 
 customElements.define("parkade-debugger", Debugger);
 

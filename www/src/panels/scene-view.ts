@@ -94,7 +94,12 @@ export class SceneView extends LitElement {
    */
   private follow(state: State, previous: State): void {
     const keys = Object.keys(state) as (keyof State)[];
-    const changed = keys.filter((key) => state[key] !== previous[key] && !UNSEEN.includes(key));
+    const isWalked = [state, previous].some(({ searchSteps }) =>
+      this.planners.some((one) => one === searchSteps?.planner),
+    );
+    const changed = keys.filter(
+      (key) => state[key] !== previous[key] && !UNSEEN.includes(key) && (isWalked || key !== "searchSteps"),
+    );
     if (changed.length === 0) return;
     const isDrag =
       state.transient &&
