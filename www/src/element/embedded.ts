@@ -1,19 +1,18 @@
 import type { PlannerId } from "parkade";
-import { css, html, nothing, unsafeCSS, type PropertyValues, type TemplateResult } from "lit";
+import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import type { Camera, Scene, State } from "../store";
 import { chip } from "../styles/chip";
 import { controls } from "../styles/controls";
 import { layout } from "../styles/layout";
-import { tokens } from "../styles/tokens";
 import { LAYER_PRESETS, layerSet, presetLayers, type LayerPreset } from "../store/layer-sets";
 import type { Beginning } from "../app/app";
+import { sceneViews } from "./arrangement";
 import { watchScheme, type Scheme } from "./host-scheme";
 import { FIRST_SCENE, Playground } from "./playground";
 import { plain, SceneOpening } from "./scene-opening";
 import { check, faultOfAttribute, RULES, type Known } from "../app/schema";
 
-/** The colours by the scheme that `Embedded` writes on the outer element; the reader's own setting is one of the things it follows. */
-export const colours = css`${unsafeCSS(tokens.cssText.replace(/:not\(\[theme="?light"?\]\)/, ":not(*)").replace(/\[theme="?dark"?\]/, '[data-scheme="dark"]'))}`;
+export { colours } from "./colours";
 
 type Layout = State["mode"] | "single";
 
@@ -112,7 +111,7 @@ export class Embedded extends SceneOpening {
     this.removeEventListener("wheel", this.onWheel, { capture: true });
   }
 
-  protected override get isFull(): boolean {
+  override get isFull(): boolean {
     return this.controls !== "minimal" && this.controls !== "none";
   }
 
@@ -189,7 +188,7 @@ export class Embedded extends SceneOpening {
   /** The maps as on screen. */
   async toSVG(): Promise<string> {
     const [{ svgOf }] = await Promise.all([import("../panels/svg-csv"), this.app.complete()]);
-    return svgOf(this, this.views(), this.store.state, this.app.tokens());
+    return svgOf(this, sceneViews(this.renderRoot), this.store.state, this.app.tokens());
   }
 
   /** The focused planner's path, once it is planned. */
@@ -361,7 +360,7 @@ export class Embedded extends SceneOpening {
   private readonly edit = (): void => {
     this.viewing = false;
     void this.app.fetchPart(() => import("../panels/hints"));
-    void this.updateComplete.then(() => this.views()[0]?.canvas?.focus());
+    void this.updateComplete.then(() => sceneViews(this.renderRoot)[0]?.canvas?.focus());
   };
 
   /** The page's wheel stays the page's. */

@@ -1,47 +1,20 @@
 import type { Plan, PlannerId } from "parkade";
 import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { pickLang } from "../i18n/index";
-import type { Pane } from "../panels/splitter";
-import type { SceneView } from "../panels/scene-view";
 import type { Scene, State, Store } from "../store";
 import { controls } from "../styles/controls";
 import { tokens } from "../styles/tokens";
 import { layout } from "../styles/layout";
 import type { MenuRequest } from "../tools/controller";
 import { App, download, sentence, type Beginning, type Request } from "../app/app";
-import { extras, menus, vast } from "../view/lazy-layers";
 import { recall, remember } from "../store/preferences";
+import { narrow, roomOf, sceneViews, wide } from "./arrangement";
+import { PARTS } from "./parts";
 import "../panels/notices";
 import "../panels/stage";
 import "../panels/timeline";
 
-const PHONE_WIDTH = 640;
-/** Too low for an embedded map with a sheet or a table. */
-const SHORT_HEIGHT = 560;
-/** A page lower and wider than this has its controls in rails beside the map: a phone on its side. */
-const RAILS = { height: 480, width: 480 };
 export const FIRST_SCENE = "perpendicular";
-/** Parts after the first picture, fetched at once or when opened. */
-const PARTS = [
-  () => import("../panels/toolbar"),
-  () => import("../panels/table"),
-  () => import("../panels/inspector"),
-  () => import("../panels/charts"),
-  () => import("../panels/options"),
-  () => import("../panels/view-controls"),
-  () => import("../panels/splitter"),
-];
-extras.from(() => import("../panels/extras"));
-menus.from(() => import("../panels/toolbar-menus"));
-vast.from(() => import("../view/large-map-raster"));
-
-const DIALOGS = {
-  presets: () => import("../panels/presets"),
-  keys: () => import("../panels/keys-dialog"),
-  import: () => import("../panels/import"),
-  papers: () => import("../panels/papers"),
-};
-
 /**
  * Draws a scene and plans it with several planners at once: the page. What other pages embed is `Embedded`.
  *
@@ -123,7 +96,10 @@ export class Playground extends LitElement {
       this.dropping =
       this.bare =
         false;
-    this.takeEarly("sceneData");
+    // A value set before this element was defined hides the accessor.
+    const early = Object.getOwnPropertyDescriptor(this, "sceneData")?.value as Scene | undefined;
+    delete (this as { sceneData?: Scene }).sceneData;
+    if (early) this.sceneData = early;
   }
 
   get store(): Store {
@@ -198,7 +174,7 @@ export class Playground extends LitElement {
 
   async toBlob({ type = "image/png" }: { type?: string } = {}): Promise<Blob | null> {
     const { picture } = await import("./screenshot");
-    return picture(this.app, this.views(), { type });
+    return picture(this.app, sceneViews(this.renderRoot), { type });
   }
 
   override connectedCallback(): void {
@@ -242,7 +218,7 @@ export class Playground extends LitElement {
   }
 
   /** True if there is more than the map and the timeline. */
-  protected get isFull(): boolean {
+  get isFull(): boolean {
     return true;
   }
 
@@ -266,10 +242,8 @@ export class Playground extends LitElement {
 
   protected override render(): TemplateResult {
     return html`<div class="layout-${this.compact ? "narrow" : "wide"} ${this.rails ? "rails" : ""} ${this.bare ? "bare" : ""}" role="region" aria-label=${this.app.t("app.label")}
-        @parkade-menu=${this.showMenu}
-        @dragover=${this.onDragOver} @dragleave=${() => {
-          this.dropping = false;
-        }} @drop=${this.onDrop}>
+        @parkade-menu=${({ detail }: CustomEvent<MenuRequest>) => this.ask(({ showMenu }) => showMenu(this.renderRoot, detail))}
+        @dragover=${this.onDragOver} @dragleave=${() => (this.dropping = false)} @drop=${this.onDrop}>
       ${this.isFull && !this.bare ? html`<parkade-toolbar part="toolbar" .app=${this.app} .ready=${this.loaded} ?compact=${this.compact} ?rail=${this.rails} .inspecting=${this.inspecting}><slot name="toolbar-extra"></slot></parkade-toolbar>` : nothing}
       <parkade-stage exportparts="panel, canvas" .app=${this.app} ?compact=${this.compact} .bare=${this.bare}></parkade-stage>
       ${this.bare ? nothing : this.rest()}
@@ -278,7 +252,7 @@ export class Playground extends LitElement {
 
   /** The controls around and over the maps. */
   private rest(): TemplateResult {
-    return html`${this.compact ? this.narrow() : this.wide()}
+    return html`${this.compact ? narrow(this, this.app) : wide(this, this.app)}
       <parkade-entry .app=${this.app}></parkade-entry>
       <parkade-hints .app=${this.app}></parkade-hints>
       <parkade-notices .app=${this.app}></parkade-notices>
@@ -290,32 +264,6 @@ export class Playground extends LitElement {
       <parkade-context .app=${this.app}></parkade-context>
       <parkade-import .app=${this.app}></parkade-import>
       <input class="file" type="file" hidden multiple accept=".json,.map,.scen,.yaml,.yml,.pgm,.csv,.dxf,.osm,.geojson,image/*" aria-label=${this.app.t("bar.open")} @change=${this.onFile}>`;
-  }
-
-  private wide(): TemplateResult {
-    return html`
-      ${this.isFull ? html`<parkade-options .app=${this.app}></parkade-options>` : nothing}
-      <parkade-timeline part="timeline" .app=${this.app} .folded=${this.folded}></parkade-timeline>
-      ${this.isFull ? this.around() : nothing}`;
-  }
-
-  private around(): TemplateResult {
-    return html`
-      <parkade-inspector .app=${this.app} .ready=${this.loaded}></parkade-inspector>
-      <div class="bottom-pane"><parkade-table part="table" .app=${this.app}></parkade-table><parkade-charts part="chart" .app=${this.app}></parkade-charts>${this.splitter("chart")}</div>
-      ${this.splitter("side")}${this.splitter("bottom")}`;
-  }
-
-  private splitter(pane: Pane): TemplateResult {
-    return html`<parkade-splitter part="handle" pane=${pane} lang=${this.store.state.lang}></parkade-splitter>`;
-  }
-
-  private narrow(): TemplateResult {
-    return html`${this.isFull ? html`<parkade-chips .app=${this.app} ?rail=${this.rails}></parkade-chips>` : nothing}
-      <parkade-choices .app=${this.app}></parkade-choices><parkade-failure .app=${this.app} ?short=${this.isFull}></parkade-failure>
-      ${this.rails ? html`<parkade-options .app=${this.app}></parkade-options>` : nothing}
-      <parkade-timeline part="timeline" .app=${this.app} compact ?slim=${this.rails}></parkade-timeline>
-      ${this.isFull && !this.short ? html`<parkade-sheet .app=${this.app} .ready=${this.loaded} ?drawer=${this.rails}></parkade-sheet>` : nothing}`;
   }
 
   /** Takes language, theme, layout and planners from attributes and from the last visit. */
@@ -344,11 +292,9 @@ export class Playground extends LitElement {
     super.scheduleUpdate();
   }
 
-  private measure({ width, height }: { width: number; height: number }): void {
-    this.rails = this.alone && height < RAILS.height && width > RAILS.width;
-    this.compact = this.rails || width <= PHONE_WIDTH;
+  private measure(size: { width: number; height: number }): void {
+    Object.assign(this, roomOf(size, this.alone));
     if (this.compact) void this.app.fetchPart(() => import("../panels/mobile-sheet"));
-    this.short = !this.alone && height < SHORT_HEIGHT;
   }
 
   protected async begin(): Promise<void> {
@@ -400,29 +346,34 @@ export class Playground extends LitElement {
     this.store.set({ layers: { ...this.store.state.layers } });
   }
 
-  private readonly showMenu = async ({ detail }: CustomEvent<MenuRequest>): Promise<void> => {
-    await import("../panels/context-menu");
-    await this.renderRoot
-      .querySelector<HTMLElement & { show(request: MenuRequest): Promise<void> }>("parkade-context")
-      ?.show(detail);
-  };
-
   private answer(request: Request, scale = 1): void {
     if (request === "fold") this.folded = !this.folded;
     else if (request === "inspect") this.inspecting = !this.inspecting;
     else if (request === "open") this.fileInput?.click();
-    else void (request === "png" ? this.savePicture(scale) : this.openDialog(request));
+    else
+      void (request === "png"
+        ? this.savePicture(scale)
+        : this.ask(({ openDialog }) => openDialog(this.renderRoot, request)));
   }
 
   private async savePicture(scale: number): Promise<void> {
     const { picture } = await import("./screenshot");
-    const blob = await picture(this.app, this.views(), { scale });
+    const blob = await picture(this.app, sceneViews(this.renderRoot), { scale });
     if (blob) download(blob, `parkade${scale > 1 ? `@${scale}x` : ""}.png`);
   }
 
-  private readonly onFile = (event: Event): void => {
-    const input = event.target as HTMLInputElement;
-    void this.openFiles([...(input.files ?? [])]);
+  private ask(what: (dialogs: typeof import("./dialogs")) => Promise<void>): Promise<void> {
+    return this.app.fetchPart(async () => what(await import("./dialogs")));
+  }
+
+  private openFiles(files: Iterable<File> | null | undefined): void {
+    const list = [...(files ?? [])];
+    void this.ask(({ openFiles }) => openFiles(this.renderRoot, list));
+  }
+
+  private readonly onFile = ({ target }: Event): void => {
+    const input = target as HTMLInputElement;
+    this.openFiles(input.files);
     input.value = "";
   };
 
@@ -435,41 +386,11 @@ export class Playground extends LitElement {
   private readonly onDrop = (event: DragEvent): void => {
     event.preventDefault();
     this.dropping = false;
-    void this.openFiles([...(event.dataTransfer?.files ?? [])]);
+    this.openFiles(event.dataTransfer?.files);
   };
-
-  private async openFiles(files: File[]): Promise<void> {
-    if (files.length === 0) return;
-    await DIALOGS.import();
-    await this.renderRoot
-      .querySelector<HTMLElement & { openFiles(files: File[]): Promise<void> }>("parkade-import")
-      ?.openFiles(files);
-  }
-
-  protected views(): SceneView[] {
-    const stage = this.renderRoot.querySelector("parkade-stage")?.shadowRoot;
-    if (!stage) return [];
-    const panels = [...stage.querySelectorAll("parkade-panel")].flatMap((panel) => [
-      ...(panel.shadowRoot?.querySelectorAll<SceneView>("parkade-scene-view") ?? []),
-    ]);
-    return [...stage.querySelectorAll<SceneView>("parkade-scene-view"), ...panels];
-  }
-
-  private async openDialog(name: keyof typeof DIALOGS): Promise<void> {
-    await DIALOGS[name]();
-    this.renderRoot.querySelector<HTMLElement & { open(): void }>(`parkade-${name}`)?.open();
-  }
 
   private get fileInput(): HTMLInputElement | null {
     return this.renderRoot.querySelector(".file");
-  }
-
-  /** Values set before this element was defined hide its accessors. */
-  private takeEarly(name: "sceneData"): void {
-    if (!Object.hasOwn(this, name)) return;
-    const value = this[name];
-    delete (this as Partial<Record<typeof name, unknown>>)[name];
-    this[name] = value;
   }
 
   protected emit(name: string, detail: object): void {

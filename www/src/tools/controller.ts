@@ -1,16 +1,14 @@
 /** Pointers and keys of all canvases, handed to the tool in force. */
-import type { Scene, State, Store, ToolId } from "../store";
+import type { Scene, State, Store } from "../store";
 import { cameraFor, forgetFit, leastScale, zoomAt, type View } from "../view/camera";
 import { distance, type Point } from "../scene/geometry";
-import { piece } from "../view/lazy-layers";
 import type { Draft } from "../store/draft";
-import type { Drawing } from "./tool-registry";
 import { Fingers } from "./fingers";
-import { HandTool } from "./pan";
 import { inputOf, keyedInput, viewOf } from "./input";
 import { arrowOf, stepOf } from "./keys";
-import { SelectTool } from "./select";
 import type { Bench, Input, Tool } from "./tool";
+import { ToolInForce } from "./tool-in-force";
+import { turnOf } from "./wheel";
 
 /** A second finger within this time takes back what the first one drew: it was meant to be a pinch. */
 const STRAY_MS = 120;
@@ -19,8 +17,6 @@ const STRAY_MS = 120;
 const CLICK_PX = 4;
 /** Of a press by keys. */
 const KEYS = -1;
-
-const registry = piece(() => import("./tool-registry"));
 
 /** Place at which a canvas asks for its menu, CSS pixels of the window. */
 export interface MenuRequest {
@@ -40,13 +36,7 @@ export class ToolController {
   /** Which wheel turns zoom: embedded pages keep plain ones for scrolling. */
   wheel: "always" | "ctrl" | "none" = "always";
 
-  private readonly select = new SelectTool();
-  private readonly hand = new HandTool();
-  /** All other tools; null until they are fetched. */
-  private drawing: Drawing | null = null;
-  /** Set by S or T: the next press places that pose. */
-  private armed: "start" | "goal" | null = null;
-  private spaceDown = false;
+  private readonly inForce: ToolInForce;
   private press: Press | null = null;
   /** The tool of the last press. */
   private pressed: Tool | null = null;
@@ -62,17 +52,12 @@ export class ToolController {
   private last: Input | null = null;
 
   constructor(private readonly store: Store) {
+    this.inForce = new ToolInForce(store, () => this.refresh());
     store.subscribe((state, previous) => this.toolChanged(state, previous));
   }
 
-  /** The first picture does without the tools that draw. */
-  async fetchTools(): Promise<void> {
-    if (this.drawing) return;
-    const { makeDrawing, watchGoalSlot } = await registry.load();
-    if (this.drawing) return;
-    this.drawing = makeDrawing(this.select);
-    watchGoalSlot(this.store);
-    this.refresh();
+  fetchTools(): Promise<void> {
+    return this.inForce.fetch();
   }
 
   /** True if this is the canvas that the pointer, or else the focus, is on. */
@@ -101,7 +86,7 @@ export class ToolController {
     on("pointerleave", (event) => this.leave(event.pointerType === "touch"));
     on("dblclick", (event) => {
       // The second press may have ended a shape and handed over to another tool.
-      if (this.pressed === this.tool())
+      if (this.pressed === this.inForce.now())
         this.pressed.doubleClick?.(this.bench(), inputOf(canvas, this.store.state, event));
     });
     on("contextmenu", (event) => this.menuAsked(canvas, event), false);
@@ -133,14 +118,14 @@ export class ToolController {
 
   /** True where the key was used; the caller then prevents its default. Takes keydown and keyup. */
   handleKey(event: KeyboardEvent): boolean {
-    if (event.type === "keyup") return this.keyUp(event);
+    if (event.type === "keyup") return this.inForce.releaseSpace(event.key);
     if (event.ctrlKey || event.metaKey) return false;
     if (event.key === "Escape") return this.escape();
     if (this.drawByKey(event)) return true;
-    if (event.key === "Enter") return this.tool().confirm?.(this.bench()) ?? false;
-    if (event.key === " ") return this.holdSpace();
+    if (event.key === "Enter") return this.inForce.now().confirm?.(this.bench()) ?? false;
+    if (event.key === " ") return this.inForce.holdSpace();
     const way = arrowOf(event.key);
-    return way !== undefined && this.edit((store) => this.drawing?.nudge(store, way, event.shiftKey) ?? false);
+    return way !== undefined && this.edit((store) => this.inForce.drawing?.nudge(store, way, event.shiftKey) ?? false);
   }
 
   /** Changes something by a key or a menu; false where there was nothing to change. */
@@ -157,7 +142,7 @@ export class ToolController {
     if (event.pointerType === "touch" && this.fingers.press(event.pointerId, input.pixel, event.timeStamp) > 1)
       return this.beginPinch(event.timeStamp);
     if (this.press || this.fingers.pinching) return;
-    const tool = (this.pressed = this.toolFor(event));
+    const tool = (this.pressed = this.inForce.forPress(event));
     if (event.button === 1) event.preventDefault();
     this.rightAt = event.button === 2 ? input.pixel : null;
     this.press = { pointer: event.pointerId, tool, input, since: event.timeStamp };
@@ -198,9 +183,9 @@ export class ToolController {
     if (press) {
       press.input = input;
       press.tool.move?.(this.bench(), input);
-    } else this.tool().hover?.(this.bench(), input);
+    } else this.inForce.now().hover?.(this.bench(), input);
     this.store.set({ hover: { x: input.at[0], y: input.at[1] } });
-    this.setCursor(press?.tool ?? this.tool(), input);
+    this.setCursor(press?.tool ?? this.inForce.now(), input);
   }
 
   private pointerUp(canvas: HTMLElement, event: PointerEvent): void {
@@ -221,15 +206,14 @@ export class ToolController {
     if (!press) return;
     this.press = null;
     press.tool.up?.(this.bench(), press.input);
-    if (this.drawing && (press.tool === this.drawing.place.start || press.tool === this.drawing.place.goal))
-      this.armed = null;
-    this.setCursor(this.tool(), this.last);
+    this.inForce.ended(press.tool);
+    this.setCursor(this.inForce.now(), this.last);
   }
 
   private leave(lifted: boolean): void {
     if (this.press) return;
     this.last = null;
-    this.tool().hover?.(this.bench(), null);
+    this.inForce.now().hover?.(this.bench(), null);
     if (!lifted) this.store.set({ hover: null });
   }
 
@@ -251,7 +235,7 @@ export class ToolController {
     const { press } = this;
     this.press = null;
     press?.tool.cancel?.(this.bench());
-    this.select.pick(this.bench(), inputOf(canvas, this.store.state, event));
+    this.inForce.select.pick(this.bench(), inputOf(canvas, this.store.state, event));
     this.askForMenu(canvas, event.clientX, event.clientY);
   }
 
@@ -263,7 +247,7 @@ export class ToolController {
     // Fingers that rest are told apart from drawing ones elsewhere.
     if ((event as PointerEvent).pointerType === "touch" || (tool !== "select" && tool !== "hand")) return;
     if (from && distance(from, input.pixel) > CLICK_PX) return;
-    this.select.pick(this.bench(), input);
+    this.inForce.select.pick(this.bench(), input);
     this.askForMenu(canvas, event.clientX, event.clientY);
   }
 
@@ -295,7 +279,7 @@ export class ToolController {
     const at: Point = way ? [from[0] + way[0] * step, from[1] + way[1] * step] : from;
     this.keyed = at;
     const input = keyedInput(view, at),
-      tool = this.tool();
+      tool = this.inForce.now();
     this.last = input;
     if (!way) this.pressByKey(tool, input);
     else if (this.press) {
@@ -318,53 +302,23 @@ export class ToolController {
     event.preventDefault();
     if (!this.press) this.canvas = canvas;
     const input = inputOf(canvas, this.store.state, event);
-    const pixels =
-      event.deltaMode === 1 ? event.deltaY * 33 : event.deltaMode === 2 ? event.deltaY * 400 : event.deltaY;
-    if (this.tool().wheel?.(this.bench(), input, -Math.sign(pixels) * Math.max(1, Math.round(Math.abs(pixels) / 100))))
-      return;
-    // Pinches on a track pad arrive as small turns with Ctrl.
-    const factor = Math.exp(-pixels * (event.ctrlKey ? 0.01 : 0.0015));
+    const { notches, factor } = turnOf(event);
+    if (this.inForce.now().wheel?.(this.bench(), input, notches)) return;
     this.store.set({
-      camera: zoomAt(
-        this.view(),
-        input.pixel[0],
-        input.pixel[1],
-        Math.min(4, Math.max(0.25, factor)),
-        leastScale(this.store.state.scene.map),
-      ),
+      camera: zoomAt(this.view(), input.pixel[0], input.pixel[1], factor, leastScale(this.store.state.scene.map)),
     });
-  }
-
-  private toolFor(event: PointerEvent): Tool {
-    if (event.button === 1 || this.spaceDown) return this.hand;
-    const { tool, penSeen, toolOptions } = this.store.state;
-    if (event.pointerType === "touch" && penSeen && toolOptions.penDraws) return this.hand;
-    if (event.button === 2)
-      return tool === "select" || tool === "hand" ? this.hand : (this.drawing?.eraser ?? this.hand);
-    return this.tool();
-  }
-
-  private tool(): Tool {
-    if (this.spaceDown) return this.hand;
-    if (this.armed && this.drawing) return this.drawing.place[this.armed];
-    return this.toolCalled(this.store.state.tool);
-  }
-
-  private toolCalled(tool: ToolId): Tool {
-    if (tool === "hand") return this.hand;
-    if (!this.drawing && tool !== "select") void this.fetchTools();
-    return this.drawing?.tools[tool] ?? (tool === "select" ? this.select : this.hand);
   }
 
   private escape(): boolean {
     const { press } = this;
     this.press = null;
-    if (this.armed) {
-      this.drawing?.place[this.armed].cancel(this.bench());
-      this.armed = null;
+    const { armed, drawing } = this.inForce;
+    if (armed) {
+      drawing?.place[armed].cancel(this.bench());
+      this.inForce.armed = null;
       return this.refresh();
     }
-    if ((press?.tool ?? this.tool()).cancel?.(this.bench())) return this.refresh();
+    if ((press?.tool ?? this.inForce.now()).cancel?.(this.bench())) return this.refresh();
     if (this.store.state.selection) this.store.set({ selection: null });
     else if (this.store.state.tool !== "select") this.store.set({ tool: "select" });
     else return false;
@@ -373,37 +327,16 @@ export class ToolController {
 
   /** The next press places this pose. */
   arm(which: "start" | "goal"): boolean {
-    this.armed = which;
+    this.inForce.armed = which;
     void this.fetchTools();
-    return this.refresh();
-  }
-
-  /** The release may reach only the window. */
-  private holdSpace(): true {
-    if (this.spaceDown) return true;
-    this.spaceDown = true;
-    const released = new AbortController();
-    globalThis.addEventListener(
-      "keyup",
-      (event) => {
-        if (this.keyUp(event)) released.abort();
-      },
-      { signal: released.signal },
-    );
-    return this.refresh();
-  }
-
-  private keyUp(event: KeyboardEvent): boolean {
-    if (event.key !== " " || !this.spaceDown) return false;
-    this.spaceDown = false;
     return this.refresh();
   }
 
   private toolChanged(state: State, previous: State): void {
     if (state.tool === previous.tool) return;
-    this.toolCalled(previous.tool).cancel?.(this.bench());
+    this.inForce.called(previous.tool).cancel?.(this.bench());
     this.press = null;
-    this.armed = null;
+    this.inForce.armed = null;
     this.keyed = null;
     this.refresh();
   }
@@ -412,9 +345,9 @@ export class ToolController {
   private refresh(): true {
     if (!this.press) {
       this.show(null);
-      this.tool().hover?.(this.bench(), this.last);
+      this.inForce.now().hover?.(this.bench(), this.last);
     }
-    this.setCursor(this.press?.tool ?? this.tool(), this.last);
+    this.setCursor(this.press?.tool ?? this.inForce.now(), this.last);
     return true;
   }
 
