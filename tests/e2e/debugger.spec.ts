@@ -1,3 +1,4 @@
+import { readFileSync } from "node:fs";
 import { AxeBuilder } from "@axe-core/playwright";
 import { expect, test, type Page } from "@playwright/test";
 import { complaintsOf, open, type PlaygroundElement } from "./playground.js";
@@ -134,6 +135,12 @@ test("the search is saved as a GIF", async ({ page }) => {
   ]);
   expect(file.suggestedFilename()).toBe("parkade-drive.gif");
   await expect(dialog.getByRole("status")).toContainText("Saved:");
+  // Fifteen frames: fourteen fifteenths of a second, and the rest on the last.
+  const bytes = readFileSync(await file.path());
+  let hundredths = 0;
+  for (let at = bytes.indexOf("21f904", 0, "hex"); at >= 0; at = bytes.indexOf("21f904", at + 1, "hex"))
+    hundredths += bytes.readUInt16LE(at + 4);
+  expect(hundredths).toBe(93 + 150);
 });
 
 test("a task's link opens its scene with hidden answers and the debugger at its step", async ({ page }) => {

@@ -22,6 +22,8 @@ export interface Movie {
 const SAMPLED = 5;
 /** Work between two breaths of the page, milliseconds. */
 const SLICE_MS = 24;
+/** How long a GIF rests on its last frame, milliseconds. */
+const LAST_MS = 1500;
 
 /** Encodes a movie; `tell` is given the share that is done and returns whether to go on. Null where it was stopped. */
 export async function encode(movie: Movie, tell: (done: number) => boolean): Promise<Blob | null> {
@@ -59,6 +61,8 @@ async function encodeGif(movie: Movie, tell: (done: number) => boolean): Promise
   const gif = GIFEncoder(),
     shown = new Uint8Array(width * height),
     indices = new Uint8Array(width * height);
+  // A GIF counts hundredths of a second: their remainders must not add up.
+  const hundredths = (i: number): number => Math.round((100 * i) / rate);
   let before: Uint32Array | null = null,
     since = performance.now();
   for (let i = 0; i < frames; i++) {
@@ -74,7 +78,7 @@ async function encodeGif(movie: Movie, tell: (done: number) => boolean): Promise
     }
     gif.writeFrame(shown, width, height, {
       ...(before ? {} : { palette, repeat: 0 }),
-      delay: i === frames - 1 ? 1500 : 1000 / rate,
+      delay: i === frames - 1 ? LAST_MS : 10 * (hundredths(i + 1) - hundredths(i)),
       ...(before && { transparent: true, transparentIndex: same, dispose: 1 }),
     });
     before = now;
