@@ -62,7 +62,7 @@ pub(crate) fn number(value: &Value) -> Result<f64> {
 /// A whole number from 0 to 2³² − 1.
 pub(crate) fn count(value: &Value) -> Result<u32> {
     let whole = value.as_u64().and_then(|v| u32::try_from(v).ok());
-    whole.map_or_else(|| bad("", format!("must be a whole number from 0, got {value}")), Ok)
+    whole.map_or_else(|| bad("", format!("must be a whole number from 0 to {}, got {value}", u32::MAX)), Ok)
 }
 
 /// `true` or `false`, and no other value that might stand for one.

@@ -2,7 +2,7 @@
 // The API over the raw wasm exports; `index.d.ts` documents it. Only what both modules have: the complete one and `core`.
 import { packedScene } from "./cells.js";
 import * as raw from "./parkade.js";
-import { ParkadeError, call, isRunning, mismatch, number, numbers, text } from "./runtime.js";
+import { ParkadeError, call, isRunning, mismatch, number, numbers, optional, text } from "./runtime.js";
 
 export { packRuns, unpackRuns } from "./cells.js";
 export { ParkadeError };
@@ -48,15 +48,16 @@ export class Planner {
 
   /** @param {ConstructorParameters<Api["Planner"]>} args */
   constructor(...args) {
-    const [planner, scene, config = {}] = args;
-    this.#raw = call(() => new raw.RawPlanner(text(planner, "planner"), packedScene(scene), config));
+    const [planner, scene, config] = args;
+    this.#raw = call(
+      () => new raw.RawPlanner(text(planner, "planner"), packedScene(scene), optional(config, "config", "bad-config")),
+    );
   }
 
   /** @type {import("./index.js").Planner["plan"]} */
   plan(options = {}) {
-    if (typeof options !== "object" || options === null) return this.#call((planner) => planner.plan(options));
     /** @type {Parameters<import("./index.js").Planner["plan"]>[0] & { onImproved?: (plan: any) => void, onExpanded?: (events: any) => void }} */
-    const { onProgress, onImproved, onExpanded, ...others } = options;
+    const { onProgress, onImproved, onExpanded, ...others } = optional(options);
     /** @type {{ error: unknown } | undefined} */
     let thrown;
     /**
@@ -84,7 +85,11 @@ export class Planner {
     const tell = told(onProgress === undefined && expanded ? () => {} : onProgress, "onProgress");
     const plan =
       improved || expanded
-        ? this.#call((planner) => planner.watched(others, tell, improved, expanded), "watched")
+        ? this.#call(
+            (planner) => planner.watched(others, tell, improved, expanded),
+            "watched",
+            "onImproved, onExpanded",
+          )
         : this.#call((planner) => planner.plan(others, tell));
     if (thrown !== undefined) throw thrown.error;
     return plan;
@@ -113,7 +118,8 @@ export class Planner {
     const { path, directions, curvatures } = Object(before);
     if (path && directions && curvatures)
       return this.#call((planner) => planner.continueAlong(path, directions, curvatures), "continueFrom");
-    if (!(before instanceof Planner) || before === this) throw mismatch(before, "before", "another planner or a plan");
+    if (!(before instanceof Planner) || before === this)
+      throw mismatch(before, "before", "another planner or a plan", before === this ? "itself" : undefined);
     before.#call((last) => this.#call((planner) => planner.continueFrom(last), "continueFrom"));
   }
 
@@ -130,8 +136,8 @@ export class Planner {
   }
 
   /** @type {import("./index.js").Planner["layer"]} */
-  layer(name, options = {}) {
-    return this.#call((planner) => planner.layer(text(name, "name"), options));
+  layer(name, options) {
+    return this.#call((planner) => planner.layer(text(name, "name"), optional(options)));
   }
 
   /** @type {import("./index.js").Planner["explain"]} */
@@ -155,16 +161,13 @@ export class Planner {
    * @template T
    * @param {(planner: raw.RawPlanner) => T} run
    * @param {"search" | "anyAngleLength" | "brush" | "continueFrom" | "explain" | "watched"} [method] what only the complete module has
+   * @param {string} [name] what it is called here
    */
-  #call(run, method) {
+  #call(run, method, name = method) {
     this.#rest();
     const planner = this.#raw;
     if (planner === undefined) throw new ParkadeError("this planner has been freed", "freed");
-    if (method && !planner[method])
-      throw new ParkadeError(
-        `${method === "watched" ? "onImproved, onExpanded" : method}: not in parkade/core, but in parkade`,
-        "bad-input",
-      );
+    if (method && !planner[method]) throw new ParkadeError(`${name}: not in parkade/core, but in parkade`, "bad-input");
     return call(() => run(planner));
   }
 

@@ -2,14 +2,14 @@
 // Which bays of a lot can be reached; in the complete module only.
 import { packedScene } from "./cells.js";
 import * as raw from "./parkade.js";
-import { call, mismatch, object, shown } from "./runtime.js";
+import { call, mismatch, object, optional } from "./runtime.js";
 
 /** @type {typeof import("./index.js").vehicles} */
 export const vehicles = () => call(() => raw.vehicles());
 
 /** @type {typeof import("./index.js").audit} */
-export function audit(scene, options = {}) {
-  const { onRow, ...others } = object(options, "options");
+export function audit(scene, options) {
+  const { onRow, ...others } = optional(options);
   if (onRow !== undefined && typeof onRow !== "function") throw mismatch(onRow, "onRow", "a function");
   /** @type {{ error: unknown } | undefined} */
   let thrown;
@@ -30,8 +30,8 @@ export function audit(scene, options = {}) {
 }
 
 /** @type {typeof import("./index.js").affectedRows} */
-export function affectedRows(before, after, rows, options = {}) {
-  const { vehicles } = object(options, "options");
+export function affectedRows(before, after, rows, options) {
+  const { vehicles } = optional(options);
   if (vehicles !== undefined && !Array.isArray(vehicles)) throw mismatch(vehicles, "vehicles", "a list");
   const names = (vehicles ?? []).map((one) => (typeof one === "string" ? one : one?.id));
   const read = listed(rows, "rows").map((row, at) => rowOf(row, `rows[${at}]`, names));
@@ -50,7 +50,7 @@ export function affectedRows(before, after, rows, options = {}) {
 function rowOf(row, path, vehicles) {
   const { index, vehicle, reachable, swept, out } = object(row, path);
   if (!Number.isInteger(index) || index < 0 || index > 0xffff_ffff)
-    throw mismatch(index, `${path}.index`, "a slot's index", shown(index));
+    throw mismatch(index, `${path}.index`, "a slot's index");
   const ways = [{ reachable, swept, path }];
   if (out !== null && out !== undefined) ways.push({ ...object(out, `${path}.out`), path: `${path}.out` });
   const boxes = ways.flatMap((way) => {
@@ -70,7 +70,7 @@ function listed(value, path) {
 }
 
 /** @type {typeof import("./index.js").generateLot} */
-export const generateLot = (options = {}) => call(() => raw.generateLot(options));
+export const generateLot = (options) => call(() => raw.generateLot(optional(options)));
 
 /** @type {typeof import("./index.js").lotPresets} */
 export const lotPresets = () => call(() => raw.lotPresets());
@@ -86,14 +86,12 @@ export async function auditInParts(scene, options, run, how = {}) {
     throw mismatch(onProgress, "how.onProgress", "a function");
   if (typeof run !== "function") throw mismatch(run, "run", "a function");
   for (const [name, value] of Object.entries({ workers, bays }))
-    if (!Number.isInteger(value) || value < 1)
-      throw mismatch(value, `how.${name}`, "a whole number from 1", shown(value));
+    if (!Number.isInteger(value) || value < 1) throw mismatch(value, `how.${name}`, "a whole number from 1");
   const slots = listed(object(scene, "scene").slots ?? [], "slots");
   const asked = listed(object(options, "options").bays ?? slots.map((_, index) => index), "bays");
   const indices = asked.map((bay) => (typeof bay === "number" ? bay : slots.findIndex((slot) => slot?.id === bay)));
   const unknown = indices.findIndex((index) => !(index in slots));
-  if (unknown >= 0)
-    throw mismatch(asked[unknown], `bays[${unknown}]`, "the id or index of a slot", shown(asked[unknown]));
+  if (unknown >= 0) throw mismatch(asked[unknown], `bays[${unknown}]`, "the id or index of a slot");
   const all = [...new Set(indices)].sort((a, b) => a - b);
   const parts = Array.from({ length: Math.ceil(all.length / bays) }, (_, at) => all.slice(at * bays, (at + 1) * bays));
   /** @type {import("./index.js").AuditRow[][]} */

@@ -1,7 +1,7 @@
 // @ts-check
 // Brushed cells as text: scenes of many cells cross into the module as one string instead of a million numbers.
 
-import { ParkadeError, text } from "./runtime.js";
+import { mismatch, object, text } from "./runtime.js";
 
 /** @typedef {[number, number, number]} Run */
 
@@ -24,7 +24,7 @@ export function unpackRuns(packed) {
     at = 0;
   for (const letter of text(packed, "text")) {
     const digit = DIGITS.indexOf(letter);
-    if (digit < 0 || factor > COLUMNS * COLUMNS) throw unreadable();
+    if (digit < 0 || factor > COLUMNS * COLUMNS) throw unreadable(packed);
     value += (digit & 31) * factor;
     if (digit > 31) {
       factor *= 32;
@@ -34,7 +34,7 @@ export function unpackRuns(packed) {
       gap = value;
     } else {
       const start = at + gap;
-      if (value < 1 || (start % COLUMNS) + value > COLUMNS || start >= COLUMNS * COLUMNS) throw unreadable();
+      if (value < 1 || (start % COLUMNS) + value > COLUMNS || start >= COLUMNS * COLUMNS) throw unreadable(packed);
       runs.push([start % COLUMNS, Math.floor(start / COLUMNS), value]);
       at = start + value;
       gap = -1;
@@ -42,20 +42,23 @@ export function unpackRuns(packed) {
     value = 0;
     factor = 1;
   }
-  if (gap >= 0 || factor > 1) throw unreadable();
+  if (gap >= 0 || factor > 1) throw unreadable(packed);
   return runs;
 }
 
-const unreadable = () => new ParkadeError("text: must be runs as `packRuns` writes them", "bad-input", "text");
+/** @param {string} packed */
+const unreadable = (packed) => mismatch(packed, "text", "runs as `packRuns` writes them");
 
 /**
- * The scene with long lists of cells packed; what is no scene stays what it is, for the module to refuse.
+ * The scene with long lists of cells packed; what else is wrong with it, the module refuses.
  * @template T
  * @param {T} scene
  * @returns {T}
  */
 export function packedScene(scene) {
-  return mapCells(scene, (runs) => (Array.isArray(runs) && runs.length > MANY ? (pack(runs) ?? runs) : runs));
+  return mapCells(object(scene, "scene", "bad-scenario"), (runs) =>
+    Array.isArray(runs) && runs.length > MANY ? (pack(runs) ?? runs) : runs,
+  );
 }
 
 /**

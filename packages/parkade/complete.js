@@ -2,7 +2,7 @@
 // What the complete module has and `core` lacks.
 import { packedScene, unpackedScene } from "./cells.js";
 import * as raw from "./parkade.js";
-import { ParkadeError, call, mismatch, number, numbers, object, text } from "./runtime.js";
+import { ParkadeError, call, mismatch, number, numbers, object, optional, text } from "./runtime.js";
 
 export * from "./audit.js";
 export * from "./columns.js";
@@ -14,27 +14,27 @@ export * from "./picture.js";
 const MAX_BYTES = 80_000_000;
 
 /** @type {typeof import("./index.js").importScene} */
-export function importScene(files, options = {}) {
+export function importScene(files, options) {
   if (typeof files !== "object" || files === null || Array.isArray(files)) {
     throw mismatch(files, "files", "contents by name");
   }
   const names = Object.keys(files);
   const contents = names.map((name) => bytes(name, files[name]));
   return call(() => {
-    const imported = raw.importScene(names, contents, options);
+    const imported = raw.importScene(names, contents, optional(options));
     const scenes = imported.scenes.map(unpackedScene);
     return { ...imported, scene: scenes[0], scenes };
   });
 }
 
 /** @type {typeof import("./index.js").generateScenario} */
-export const generateScenario = (family) => call(() => unpackedScene(raw.generateScenario(family)));
+export const generateScenario = (family) => call(() => unpackedScene(raw.generateScenario(object(family, "family"))));
 
 /** @type {typeof import("./index.js").reedsShepp} */
 export function reedsShepp(from, to, radius) {
   const [first, last] = [pose(from, "from"), pose(to, "to")];
   if (!(number(radius, "radius") > 0 && radius <= 1e5)) {
-    throw mismatch(radius, "radius", "from just above 0 to 100000 metres", String(radius));
+    throw mismatch(radius, "radius", "from just above 0 to 100000 metres");
   }
   return call(() => raw.reedsShepp(first, last, radius));
 }
@@ -48,7 +48,7 @@ function pose(value, path) {
   const [x, y, heading] = ["x", "y", "heading"].map((name) => number(fields[name], `${path}.${name}`));
   for (const [name, one] of Object.entries({ x, y, heading })) {
     if (!(Math.abs(/** @type {number} */ (one)) <= 1e6)) {
-      throw mismatch(one, `${path}.${name}`, "a number from -1000000 to 1000000", String(one));
+      throw mismatch(one, `${path}.${name}`, "a number from -1000000 to 1000000");
     }
   }
   return Float64Array.of(/** @type {number} */ (x), /** @type {number} */ (y), /** @type {number} */ (heading));
@@ -58,12 +58,12 @@ function pose(value, path) {
 export const roadFigures = (scene, plan) => call(() => raw.roadFigures(packedScene(scene), line(plan)));
 
 /** @type {typeof import("./index.js").collisionRisk} */
-export const collisionRisk = (scene, plan, options = {}) =>
-  call(() => raw.collisionRisk(packedScene(scene), line(plan), options));
+export const collisionRisk = (scene, plan, options) =>
+  call(() => raw.collisionRisk(packedScene(scene), line(plan), optional(options)));
 
 /** @type {typeof import("./index.js").driveEnvelope} */
-export const driveEnvelope = (scene, plan, options = {}) =>
-  call(() => raw.driveEnvelope(packedScene(scene), line(plan), options));
+export const driveEnvelope = (scene, plan, options) =>
+  call(() => raw.driveEnvelope(packedScene(scene), line(plan), optional(options)));
 
 /** @type {typeof import("./index.js").paperGridRows} */
 export const paperGridRows = () => call(() => raw.paperGridRows());

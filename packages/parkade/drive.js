@@ -2,37 +2,43 @@
 // Driving in time; in the complete module only.
 import { packedScene } from "./cells.js";
 import * as raw from "./parkade.js";
-import { call, measures, numbers, object } from "./runtime.js";
+import { call, measures, numbers, object, optional } from "./runtime.js";
+
+/** @param {object | undefined} options */
+const configured = (options) => optional(options, "options", "bad-config");
 
 /** @type {typeof import("./index.js").trajectory} */
-export const trajectory = (scene, plan, options = {}) =>
-  call(() => raw.trajectory(packedScene(scene), ...columns(plan), options));
+export const trajectory = (scene, plan, options) =>
+  call(() => raw.trajectory(packedScene(scene), ...columns(plan), configured(options)));
 
 /** @type {typeof import("./index.js").optimise} */
-export const optimise = (scene, plan, options = {}) =>
-  call(() => raw.optimise(packedScene(scene), ...columns(plan), options));
+export const optimise = (scene, plan, options) =>
+  call(() => raw.optimise(packedScene(scene), ...columns(plan), configured(options)));
 
 /** @type {typeof import("./index.js").track} */
-export function track(scene, plan, options = {}) {
+export function track(scene, plan, options) {
   const states = trajectoryColumns(plan);
   return call(() =>
-    states ? raw.trackStates(packedScene(scene), ...states) : raw.track(packedScene(scene), ...columns(plan), options),
+    states
+      ? raw.trackStates(packedScene(scene), ...states)
+      : raw.track(packedScene(scene), ...columns(plan), configured(options)),
   );
 }
 
 /** @type {typeof import("./index.js").stopWaitGo} */
-export function stopWaitGo(scene, plan, options = {}) {
+export function stopWaitGo(scene, plan, options) {
   const states = trajectoryColumns(plan);
   return call(() =>
     states
-      ? raw.stopWaitGoStates(packedScene(scene), ...states, options)
-      : raw.stopWaitGo(packedScene(scene), ...columns(plan), options),
+      ? raw.stopWaitGoStates(packedScene(scene), ...states, configured(options))
+      : raw.stopWaitGo(packedScene(scene), ...columns(plan), configured(options)),
   );
 }
 
 /** @type {typeof import("./index.js").judge} */
-export function judge(scene, trajectory, limits = {}) {
-  if (typeof trajectory === "string") return call(() => raw.judgeText(packedScene(scene), trajectory, limits));
+export function judge(scene, trajectory, limits) {
+  if (typeof trajectory === "string")
+    return call(() => raw.judgeText(packedScene(scene), trajectory, optional(limits, "limits", "bad-config")));
   const { path, t, speeds, steering, directions } = object(trajectory, "trajectory");
   const column = (/** @type {ArrayLike<number> | undefined} */ values, /** @type {string} */ name) =>
     values === undefined ? undefined : numbers(Float64Array, values, `trajectory.${name}`);
@@ -44,7 +50,7 @@ export function judge(scene, trajectory, limits = {}) {
       column(speeds, "speeds"),
       column(steering, "steering"),
       directions === undefined ? undefined : numbers(Int8Array, directions, "trajectory.directions"),
-      limits,
+      optional(limits, "limits", "bad-config"),
     ),
   );
 }

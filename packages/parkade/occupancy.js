@@ -30,8 +30,7 @@ export function fromOccupancy(cells, width, options) {
   oneOf(rows, "rows", ["bottom-up", "top-down"]);
   oneOf(unknown, "unknown", ["blocked", "free"]);
   number(occupied, "occupied");
-  if (!(number(resolution, "resolution") > 0))
-    throw mismatch(resolution, "resolution", "a number above 0", shown(resolution));
+  if (!(number(resolution, "resolution") > 0)) throw mismatch(resolution, "resolution", "a number above 0");
   /** @param {number} x @param {number} y */
   const at = (x, y) => (rows === "top-down" ? height - 1 - y : y) * width + x;
   const isBlocked = (/** @type {number} */ index) => {
@@ -97,7 +96,7 @@ function listOf(value, path) {
 /** @param {number} count @param {number} width */
 function rowsOf(count, width) {
   if (!Number.isInteger(width) || width < 1 || width > MOST) {
-    throw mismatch(width, "width", `a whole number from 1 to ${MOST}`, shown(width));
+    throw mismatch(width, "width", `a whole number from 1 to ${MOST}`);
   }
   const height = count / width;
   if (!Number.isInteger(height) || height < 1 || height > MOST) {
@@ -109,7 +108,7 @@ function rowsOf(count, width) {
 /** @param {unknown} value @param {string} path @param {readonly string[]} words */
 function oneOf(value, path, words) {
   if (!words.some((word) => word === value)) {
-    throw mismatch(value, path, words.map((word) => `"${word}"`).join(" or "), shown(value));
+    throw mismatch(value, path, words.map((word) => `"${word}"`).join(" or "));
   }
 }
 
@@ -149,7 +148,7 @@ function weighed(costs, count, width, height, at) {
   const weights = Array.from(costs);
   const wrong = weights.findIndex((weight) => !Number.isInteger(weight) || weight < 1 || weight > WEIGHTS);
   if (wrong >= 0) {
-    throw mismatch(weights[wrong], `costs[${wrong}]`, `a whole number from 1 to ${WEIGHTS}`, shown(weights[wrong]));
+    throw mismatch(weights[wrong], `costs[${wrong}]`, `a whole number from 1 to ${WEIGHTS}`);
   }
   // A weight of 1 is that of every cell.
   const runs = runsOf(width, height, (x, y) => ((weights[at(x, y)] ?? 1) === 1 ? 0 : (weights[at(x, y)] ?? 0)));

@@ -100,9 +100,10 @@ function describe(error) {
  * @param {string} path
  * @param {string} rule
  * @param {string} [got] what it is
+ * @param {import("./index.js").ErrorCode} [code]
  */
-export function mismatch(value, path, rule, got = kind(value)) {
-  return new ParkadeError(`${path}: must be ${rule}, got ${got}`, "bad-input", path);
+export function mismatch(value, path, rule, got = shown(value), code = "bad-input") {
+  return new ParkadeError(`${path}: must be ${rule}, got ${got}`, code, path);
 }
 
 /**
@@ -129,30 +130,41 @@ export function number(value, path) {
  * @template T
  * @param {T} value
  * @param {string} path
+ * @param {import("./index.js").ErrorCode} [code]
  * @returns {T & object}
  */
-export function object(value, path) {
-  if (typeof value === "object" && value !== null) return value;
-  throw mismatch(value, path, "an object");
-}
-
-/** @param {unknown} value */
-export function kind(value) {
-  return value === null ? "null" : typeof value;
+export function object(value, path, code) {
+  if (typeof value === "object" && value !== null && !Array.isArray(value)) return value;
+  throw mismatch(value, path, "an object", shown(value), code);
 }
 
 /**
- * A value in a message; objects may refuse to become a string.
+ * Fields that may be left out.
+ * @template T
+ * @param {T} value
+ * @param {string} [path]
+ * @param {import("./index.js").ErrorCode} [code]
+ */
+export const optional = (value, path = "options", code) => object(value ?? /** @type {T & object} */ ({}), path, code);
+
+/**
+ * A value in a message, cut where it is long.
  * @param {unknown} value
  */
 export function shown(value) {
-  return Object(value) === value ? kind(value) : typeof value === "string" ? `"${value}"` : String(value);
+  try {
+    const text = typeof value === "number" ? `${value}` : JSON.stringify(value);
+    return text.length > 60 ? `${text.slice(0, 60)}…` : text;
+  } catch {
+    // Functions, big integers and cycles have no JSON.
+    return typeof value;
+  }
 }
 
 /**
  * The typed array itself, or an array's numbers in one; never another number than the given one.
  * @template {Float64Array | Int8Array | Uint32Array} T
- * @param {{ new (values: number[]): T }} Numbers
+ * @param {{ new (values: number[]): T, name: string }} Numbers
  * @param {unknown} values
  * @param {string} path
  */
@@ -165,7 +177,8 @@ export function numbers(Numbers, values, path) {
   const changed = typed.findIndex((value, index) => value !== values[index] && !Number.isNaN(values[index]));
   if (changed >= 0) {
     const at = `${path}[${changed}]`;
-    throw mismatch(values[changed], at, "a number that fits", shown(values[changed]));
+    const whole = Numbers.name === "Int8Array" ? "1 or -1" : "a whole number from 0 to 4294967295";
+    throw mismatch(values[changed], at, Numbers.name === "Float64Array" ? "a number" : whole);
   }
   return typed;
 }

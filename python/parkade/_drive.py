@@ -76,5 +76,5 @@ def _columns(value: Any, what: str, *names: str) -> dict[str, Any]:
     if isinstance(value, (Plan, Trajectory)):
         return {name: getattr(value, name, None) for name in names}
     if not isinstance(value, Mapping):
-        raise ParkadeError(f"{what}: must be a plan, a trajectory or a dict, got {type(value).__name__}", path=what)
+        raise ParkadeError(f"{what}: must be a plan, a trajectory or a dict, got {value!r:.60}", path=what)
     return {name: value.get(name) for name in names}

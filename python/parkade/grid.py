@@ -140,9 +140,8 @@ def _runs(blocked: NDArray[np.bool_]) -> NDArray[np.int64]:
 def _field(message: Any, name: str, path: str) -> Any:
     found = message.get(name) if isinstance(message, Mapping) else getattr(message, name, None)
     if found is None:
-        kind = type(message).__name__
         raise ParkadeError(
-            f"{path}: must have the field {name} (nav_msgs/OccupancyGrid), got a {kind}", "bad-input", path
+            f"{path}: must have the field {name} (nav_msgs/OccupancyGrid), got {message!r:.60}", "bad-input", path
         )
     return found
 

@@ -21,12 +21,20 @@ pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
 struct Columns<'a, 'py>(&'a Bound<'py, PyDict>, &'static str);
 
 impl<'py> Columns<'_, 'py> {
-    fn get(&self, name: &str) -> Option<Bound<'py, PyAny>> {
-        self.0.get_item(name).ok().flatten().filter(|value| !value.is_none())
+    /// A column by `read`, which is told its path; `None` counts as missing.
+    fn get<T>(
+        &self,
+        name: &str,
+        read: impl Fn(&Bound<'py, PyAny>, &str) -> Result<T, Error>,
+    ) -> Result<Option<T>, Error> {
+        let path = format!("{}.{name}", self.1);
+        let unreadable = |e: PyErr| Error::new(ErrorCode::Input, &path, format!("cannot be read: {e}"));
+        let value = self.0.get_item(name).map_err(unreadable)?.filter(|value| !value.is_none());
+        value.map(|value| read(&value, &path)).transpose()
     }
 
     fn numbers(&self, name: &str) -> Result<Option<Vec<f64>>, Error> {
-        self.get(name).map(|value| numbers(&value, &format!("{}.{name}", self.1))).transpose()
+        self.get(name, numbers)
     }
 
     fn path(&self) -> Result<Vec<f64>, Error> {
@@ -35,7 +43,7 @@ impl<'py> Columns<'_, 'py> {
     }
 
     fn gears(&self) -> Result<Option<Vec<i8>>, Error> {
-        self.get("directions").map(|value| gears(&value, &format!("{}.directions", self.1))).transpose()
+        self.get("directions", gears)
     }
 }
 

@@ -5,6 +5,7 @@ import copy
 import numpy as np
 import parkade
 import pytest
+from parkade import _native
 
 SCENE = parkade.scenario("perpendicular")
 
@@ -29,6 +30,16 @@ def grid_message(**more):
     }
     info = {"width": 2, "height": 1, "resolution": 1.0, "origin": origin, **more}
     return parkade.from_occupancy_grid({"info": info, "data": [0, 100]}, start=(0, 0, 0), goal=(1, 0, 0))
+
+
+class Unequal:
+    """Found where "path" is looked for, and raises when it is compared."""
+
+    def __hash__(self):
+        return hash("path")
+
+    def __eq__(self, other):
+        raise RuntimeError("no two are equal")
 
 
 DRIVEN = {"path": [[4.0, 3.0, 0.0], [4.05, 3.0, 0.0]]}
@@ -118,8 +129,13 @@ CASES = [
     (lambda: grid_message(z=1, w=0), "bad-input", "must not be turned, got 3.141593 rad: rotate the map before"),
     (lambda: grid_message(height=None), "bad-input", "info: must have the field height"),
     (lambda: parkade.from_occupancy_grid(3, start=0, goal=0), "bad-input", "message: must have the field info"),
-    (lambda: parkade.optimise(SCENE, 7), "bad-input", "plan: must be a plan, a trajectory or a dict, got int"),
+    (lambda: parkade.optimise(SCENE, 7), "bad-input", "plan: must be a plan, a trajectory or a dict, got 7"),
     (lambda: parkade.optimise(SCENE, {}), "bad-input", "plan.path: missing field"),
+    (
+        lambda: _native.optimise(SCENE, {Unequal(): 1}, {}),
+        "bad-input",
+        "plan.path: cannot be read: RuntimeError: no two are equal",
+    ),
     (lambda: parkade.optimise(SCENE, {"path": [1, 2]}), "bad-input", "plan.path: must be x, y, heading"),
     (lambda: parkade.optimise(SCENE, {"path": "way"}), "bad-input", "plan.path: must be numbers"),
     (lambda: parkade.optimise(SCENE, DRIVEN | {"directions": [2]}), "bad-input", "plan.directions[0]: must be 1 or -1"),
@@ -131,7 +147,7 @@ CASES = [
     (lambda: parkade.optimise(SCENE, DRIVEN, sped=1), "bad-config", "did you mean speed?"),
     (lambda: parkade.optimise(SCENE, DRIVEN, speed=-1), "bad-config", "speed: must be"),
     (lambda: parkade.optimise(SCENE, DRIVEN, margin="wide"), "bad-config", "margin: must be a number"),
-    (lambda: parkade.judge(SCENE, 7), "bad-input", "trajectory: must be a plan, a trajectory or a dict, got int"),
+    (lambda: parkade.judge(SCENE, 7), "bad-input", "trajectory: must be a plan, a trajectory or a dict, got 7"),
     (lambda: parkade.judge(SCENE, "a,b\n1,2"), "bad-import", "must be one of t, x, y"),
     (lambda: parkade.judge(SCENE, ""), "bad-import", "must be a header, got an empty text"),
     (lambda: parkade.judge(SCENE, DRIVEN | {"t": [0]}), "bad-input", "t: must"),

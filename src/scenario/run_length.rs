@@ -87,7 +87,7 @@ pub(super) fn unpack(text: &str) -> Result<Vec<[u32; 3]>, Error> {
         (value, shift) = (0, 0);
     }
     if gap.is_some() || shift > 0 {
-        return json::bad("", "must end with a whole run".to_owned());
+        return json::bad("", "must be a list of runs or text that ends with a whole run".to_owned());
     }
     Ok(runs)
 }
@@ -113,8 +113,8 @@ mod tests {
     #[test]
     fn broken_text_is_named_by_its_character() {
         let cases = [
-            ("C", "must end with a whole run"),
-            ("CDg", "must end with a whole run"),
+            ("C", "must be a list of runs or text that ends with a whole run"),
+            ("CDg", "must be a list of runs or text that ends with a whole run"),
             ("C-", "character 2: must be a digit of Base64"),
             ("CA", "character 2: must be a run inside a row, got 0 cells at (2, 0)"),
             ("BggE", "character 4: must be a run inside a row, got 4096 cells at (1, 0)"),

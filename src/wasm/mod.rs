@@ -231,7 +231,7 @@ impl RawPlanner {
                     let message = "no option of plan; there are trace, start, goal, onProgress";
                     #[cfg(feature = "complete")]
                     let message = "no option of plan; there are trace, traceLimit, start, goal, onProgress, prefer, \
-                        alternatives, onImproved, stickiness";
+                        alternatives, onImproved, onExpanded, stickiness";
                     return Err(refused(&name, message));
                 }
             }

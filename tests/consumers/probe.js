@@ -13,20 +13,8 @@ const until = async (what, look, ms = 30_000) => {
 let shifts = 0;
 if (PerformanceObserver.supportedEntryTypes.includes("layout-shift"))
   new PerformanceObserver((list) => {
-    for (const entry of list.getEntries()) if (!entry.hadRecentInput && isOurs(entry.sources)) shifts += entry.value;
+    for (const entry of list.getEntries()) if (!entry.hadRecentInput) shifts += entry.value;
   }).observe({ type: "layout-shift", buffered: true });
-/** Below the playground, and not because fonts or bars of the host moved it or what is around or above it. */
-function isOurs(sources) {
-  const playground = document.querySelector("parkade-playground");
-  if (!playground) return false;
-  const isAfter = (one, other) => Boolean(other.compareDocumentPosition(one) & Node.DOCUMENT_POSITION_FOLLOWING);
-  const moved = sources.filter(({ node }) => node);
-  const isPushed = moved.some(
-    ({ node, previousRect, currentRect }) =>
-      (node === playground || isAfter(playground, node)) && previousRect.top !== currentRect.top,
-  );
-  return !isPushed && moved.some(({ node }) => isAfter(node, playground));
-}
 
 /** The place that a playground takes, and where it leaves what follows. */
 function placeOf(element) {

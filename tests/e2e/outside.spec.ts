@@ -165,13 +165,13 @@ test.describe("in a frame", () => {
   const REFUSED: [message: string, rest: Record<string, unknown>, field: string, rule: string][] = [
     ["camera", { value: { x: NaN, y: 1e308, scale: -1 } }, "camera.x", "must be a number from"],
     ["camera", { value: { x: 0, y: 0, scale: 4000 } }, "camera.scale", "must be a number from 1 to 400"],
-    ["camera", { value: { x: 0, y: 0, scale: 20, z: 1 } }, "camera", "must be one of x, y, scale"],
+    ["camera", { value: { x: 0, y: 0, scale: 20, z: 1 } }, "camera.z", "must be one of x, y, scale"],
     ["camera", { value: "here" }, "camera", "must be an object of x, y, scale"],
     ["playhead", { value: "x" }, "playhead", "must be a number from 0 to 1"],
     ["playhead", { value: Infinity }, "playhead", "must be a number from 0 to 1"],
     ["seek", { args: [NaN] }, "seek", "must be a number from 0 to 1"],
     ["seek", { args: [0.5, { base: "walk" }] }, "seek.options.base", "must be one of drive, search"],
-    ["params", { value: { constructor: {} } }, "params", "must be one of four,"],
+    ["params", { value: { constructor: {} } }, "params.constructor", "must be one of four,"],
     [
       "params",
       { value: { hybrid: { maxExpansions: -1 } } },

@@ -60,7 +60,7 @@ fn settings_are_checked() {
     assert!(refused(r#"{ "stepLength": 1 }"#).starts_with("stepLength: no such setting; there are margin,"));
     assert_eq!(
         refused(r#"{ "steerSamples": "many" }"#),
-        "steerSamples: must be a whole number from 0, got \"many\""
+        "steerSamples: must be a whole number from 0 to 4294967295, got \"many\""
     );
 }
 

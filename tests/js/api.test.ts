@@ -55,7 +55,7 @@ describe("after init", () => {
       name: "ParkadeError",
       code: "bad-input",
       path: "wasm",
-      message: expect.stringContaining("must be as in the first `init`, got string"),
+      message: expect.stringContaining('must be as in the first `init`, got "bogus"'),
     });
     await expect(init()).resolves.toBeUndefined();
     const compiled = await WebAssembly.compile(new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0]));

@@ -196,7 +196,7 @@ test("the SVG picture is well formed, holds the scene, and draws each planner's 
   expect(bad({ check: { ...plan!.check, hitPoses: null } })).toThrow(
     "plan.check.hitPoses: must be an array of numbers, got null",
   );
-  expect(bad({ clearances: [1, "2"] })).toThrow('plan.clearances[1]: must be a number that fits, got "2"');
+  expect(bad({ clearances: [1, "2"] })).toThrow('plan.clearances[1]: must be a number, got "2"');
   expect(bad({ metrics: null })).toThrow("plan.metrics: must be an object, got null");
   expect(bad({ outcome: "no-path", obstruction: { kind: "gap", x: 10n, y: 1, width: 2, needed: 3 } })).toThrow(
     /^plans: must be as planners answer them: .*BigInt/,

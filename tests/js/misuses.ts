@@ -245,29 +245,29 @@ function ofCalls(): Misuse[] {
     () => parkade.scenario("scenes/a.json"),
   );
   add(
-    "",
+    "scene",
     () => parkade.sceneGeometry(any("perpendicular")),
     () => parkade.sceneGeometry(any(null)),
   );
   add(
-    "",
+    "scene",
     () => parkade.sceneGeometry(any(undefined)),
     () => parkade.sceneGeometry(any([])),
   );
   add(
-    "",
+    "scene",
     () => parkade.sceneGeometry(any(JSON.stringify(scene))),
     () => parkade.sceneGeometry(any(() => scene)),
   );
   add("map", () => parkade.sceneGeometry(any({ version: 1 })));
   add(
-    "",
+    "config",
     () => new parkade.Planner("hybrid", scene, any("margin=1")),
     () => new parkade.Planner("hybrid", scene, any([1])),
   );
-  add("", () => new parkade.Planner("hybrid", scene, any(7)));
+  add("config", () => new parkade.Planner("hybrid", scene, any(7)));
 
-  for (const value of [7, "fast", true]) add("", () => hybrid(value));
+  for (const value of [7, "fast", true, [1]]) add("options", () => hybrid(value));
   add(
     "start",
     () => hybrid({ start: 3 }),
@@ -369,11 +369,23 @@ function ofCalls(): Misuse[] {
   add("seed", () => parkade.generateScenario(any({ family: "random", size: 20, seed: -1 })));
   add("density", () => parkade.generateScenario(any({ family: "random", size: 20, seed: 1, density: 3 })));
   add(
-    "",
+    "family",
     () => parkade.generateScenario(any(7)),
     () => parkade.generateScenario(any(undefined)),
   );
   add("preset", () => parkade.generateLot(any({ preset: "twoo" })));
+  add(
+    "options",
+    () => parkade.generateLot(any(7)),
+    () => parkade.importScene({ "a.map": "x" }, any("free")),
+    () => parkade.optimise(scene, plan, any(8)),
+    () => parkade.trajectory(scene, plan, any(8)),
+    () => parkade.audit(scene, any("sedan")),
+    () => parkade.toSVG(scene, plan, any(720)),
+    () => eight((planner) => planner.layer("clearance", any(2))),
+  );
+  add("limits", () => parkade.judge(scene, "x,y\n1,2", any(7)));
+  add("angle", () => parkade.generateLot({ angle: 60 }));
   add(
     "rows",
     () => parkade.generateLot(any({ rows: 0 })),
@@ -432,10 +444,10 @@ export const COMMAND_LINES: [line: string, words: string][] = [
   ["plan empty.json", "is not JSON"],
   ["plan list.json", "list.json: must be an object"],
   ["plan a.map", 'must be "type octile"'],
-  ["plan picture.png", "must end in"],
+  ["plan picture.png", ".dxf"],
   ["plan a.json --planner hybird", "did you mean hybrid?"],
   ["plan a.json --planner", "needs a value"],
-  ["plan a.json --planner=", "there is no such planner"],
+  ["plan a.json --planner=", '--planner "": there is no such planner'],
   ["plan a.json --planner hybrid,", "there is no such planner"],
   ["plan a.json --planner eight,hybrid --format csv", "one planner at a time"],
   ["plan a.json perpendicular --format svg", "holds one scene"],
@@ -468,7 +480,7 @@ export const COMMAND_LINES: [line: string, words: string][] = [
   ["plan a.json --out missing/a.csv", "its folder does not exist"],
   ["plan a.json --out folder", "is a folder"],
   ["plan a.json -o x", "there is no such option"],
-  ["plan a.json --help=1", "takes no value"],
+  ["plan a.json --help=1", "--help: takes no value"],
   ["plann a.json", "did you mean plan?"],
   ["Plan a.json", "did you mean plan?"],
   ["--planner hybrid", "unknown command"],
@@ -488,11 +500,11 @@ export const COMMAND_LINES: [line: string, words: string][] = [
   ["judge a.json nowhere.csv", "there is no such file"],
   ["judge a.json text.json", "must be one of t, x, y"],
   ["judge a.json bad.csv", "bad.csv:2"],
-  ["judge a.json a.json", "path"],
+  ["judge a.json a.json", "a.json: path: must be"],
   ["judge a.json bad.csv more.csv", "one trajectory at a time"],
   ["judge a.json bad.csv --speed fast", "must be a number"],
   ["judge a.json good.csv --speed -1", "needs a value"],
-  ["judge a.json good.csv --speed=-1", "speed"],
+  ["judge a.json good.csv --speed=-1", "--speed: must be"],
   ["judge a.json good.csv --acceleration 0", "acceleration"],
   ["judge a.json good.csv --speeed 1", "did you mean --speed?"],
   ["bench", "which scene?"],
@@ -517,7 +529,7 @@ export const COMMAND_LINES: [line: string, words: string][] = [
   ["batch folder --sweep margin=1 --set margin=2", "is set already"],
   ["batch folder --sweep magin=1,2", "did you mean margin?"],
   ["batch folder --task audits", "must be one of plan, audit"],
-  ["batch folder --task audit --planner hybrid", "audits are hybrid's"],
+  ["batch folder --task audit --planner hybrid", "audits use hybrid"],
   ["batch folder --task audit --sweep margin=1,2", "audits have one set"],
   ["batch folder --task audit --paths", "rows of audits have no paths"],
   ["batch folder --task audit --vehicle seden", "did you mean sedan?"],
@@ -535,11 +547,11 @@ export const COMMAND_LINES: [line: string, words: string][] = [
   ["audit a.json --format html", "must be one of markdown, csv, json"],
   ["audit a.json --jobs none", "must be a whole number"],
   ["audit a.json --vehicles sedan", "did you mean --vehicle?"],
-  ["lot --preset two", "preset"],
+  ["lot --preset two", "--preset: must be"],
   ["lot --rows none", "must be a number"],
   ["lot --rows 0", "rows"],
   ["lot --seed x", "must be a number"],
-  ["lot --angle 9", "angle"],
+  ["lot --angle 9", "--angle: must be 0.5 to 1.5707963267948966 rad"],
   ["lot here", "takes options only"],
   ["vehicles --format csv", "must be one of text, json"],
   ["vehicles --list", "there is no such option"],
@@ -574,12 +586,12 @@ export const COMMAND_LINES: [line: string, words: string][] = [
   ["generate --size x", "must be a number"],
   ["generate --size 1e9", "size"],
   ["generate --size 4", "size"],
-  ["generate --size=", "must be a number"],
+  ["generate --size=", '--size "": must be a number'],
   ["generate --seed 1.5", "seed"],
   ["generate --seed -1", "needs a value"],
   ["generate --seed=-1", "seed"],
-  ["generate --density 2000", "density"],
-  ["generate --block-min 0", "block"],
+  ["generate --density 2000", "--density: must be"],
+  ["generate --block-min 0", "--block-min: must be"],
   ["generate --family trap --density 3", "density"],
   ["generate --sed 1", "did you mean --seed?"],
   ["convert", "which files?"],
@@ -587,7 +599,7 @@ export const COMMAND_LINES: [line: string, words: string][] = [
   ["convert a.json b.json", "there is no such file"],
   ["convert a.json folder/b.json", "JSON holds one"],
   ["convert text.json", "is not JSON"],
-  ["convert picture.png", "must end in"],
+  ["convert picture.png", ".dxf"],
   ["convert a.map", 'must be "type octile"'],
   ["convert a.json --unknown maybe", "must be one of blocked, free"],
   ["convert a.json --format csv", "must be one of json, jsonl"],
@@ -596,7 +608,7 @@ export const COMMAND_LINES: [line: string, words: string][] = [
   ["convert lot.geojson --role a", "must be LAYER=ROLE"],
   ["convert lot.geojson --role a=wall", "there is no such layer"],
   ["convert lot.geojson --unit x", "must be a number"],
-  ["convert bad.geojson", "bad.geojson"],
+  ["convert bad.geojson", "GeoJSON, got undefined"],
   ["convert bad.dxf", "bad.dxf"],
   ["plan bad.svg", "bad.svg"],
   ["convert room.map --resolution 0", "resolution"],

@@ -103,7 +103,7 @@ const grid = (change: Partial<OccupancyGrid["info"]>, data: ArrayLike<number> = 
 test.each<[string, () => unknown, string]>([
   ["no options", () => fromOccupancy([0], 1, undefined as never), "options: must be an object"],
   ["no cells", () => fromOccupancy(undefined as never, 1, MAP), "cells: must be an array of cells, got undefined"],
-  ["text", () => fromOccupancy("0" as never, 1, MAP), "cells: must be an array of cells, got string"],
+  ["text", () => fromOccupancy("0" as never, 1, MAP), 'cells: must be an array of cells, got "0"'],
   [
     "rows in rows",
     () => fromOccupancy([[0]] as never, 1, MAP),
@@ -127,21 +127,9 @@ test.each<[string, () => unknown, string]>([
     () => fromOccupancy([0], 1, { ...MAP, unknown: 3 as never }),
     'unknown: must be "blocked" or "free", got 3',
   ],
-  [
-    "occupied",
-    () => fromOccupancy([0], 1, { ...MAP, occupied: "1" as never }),
-    "occupied: must be a number, got string",
-  ],
-  [
-    "origin",
-    () => fromOccupancy([0], 1, { ...MAP, origin: 3 as never }),
-    "origin: must be [x, y] in metres, got number",
-  ],
-  [
-    "obstacles",
-    () => fromOccupancy([0], 1, { ...MAP, obstacles: 3 as never }),
-    "obstacles: must be a list, got number",
-  ],
+  ["occupied", () => fromOccupancy([0], 1, { ...MAP, occupied: "1" as never }), 'occupied: must be a number, got "1"'],
+  ["origin", () => fromOccupancy([0], 1, { ...MAP, origin: 3 as never }), "origin: must be [x, y] in metres, got 3"],
+  ["obstacles", () => fromOccupancy([0], 1, { ...MAP, obstacles: 3 as never }), "obstacles: must be a list, got 3"],
   [
     "few costs",
     () => fromOccupancy([0, 0], 2, { ...MAP, costs: [1] }),
@@ -163,7 +151,7 @@ test.each<[string, () => unknown, string]>([
   [
     "no position",
     () => fromOccupancyGrid(grid({ origin: { position: { x: "a" as never, y: 0 } } }), ENDS),
-    "message.info.origin.position.x: must be a number, got string",
+    'message.info.origin.position.x: must be a number, got "a"',
   ],
 ])("%s is refused in words", (_, asked, message) => {
   let error: unknown;

@@ -7,7 +7,7 @@ export default defineConfig({
   // `dist/` of the repository, copied to `public/parkade/`.
   head: [["script", { type: "module", src: "/parkade/parkade-playground.js" }]],
   themeConfig: {
-    sidebar: [
+    nav: [
       { text: "Parking", link: "/" },
       { text: "A scene of one's own", link: "/own" },
     ],

@@ -1,7 +1,8 @@
 // @ts-check
 // The options of audits, for `parkade audit` and `parkade batch --task audit`.
 import { vehicles } from "../node.js";
-import { Refused, choice, meant, settings } from "./input.js";
+import { choice, settings } from "./input.js";
+import { Refused, meant } from "./refusal.js";
 
 /** @type {import("node:util").ParseArgsConfig["options"]} */
 export const AUDIT_OPTIONS = {

@@ -5,8 +5,9 @@ import { extname } from "node:path";
 import { Tinypool } from "tinypool";
 import { auditInParts, generateLot, lotPresets, sceneGeometry, toSVG, vehicles as library } from "../node.js";
 import { auditOptions } from "./audit-options.js";
-import { Refused, choice, count, onlyOptions, scene as read } from "./input.js";
+import { choice, count, numerics, onlyOptions, scene as read } from "./input.js";
 import { table, toJSON, write } from "./output.js";
+import { Refused, byOption } from "./refusal.js";
 
 /** @typedef {import("../index.js").AuditRow} AuditRow */
 
@@ -227,13 +228,9 @@ export async function lot(places, values) {
     await write(table(["id", "title", "bays"], lines, "markdown"));
     return 0;
   }
-  /** @type {Record<string, unknown>} */
-  const options = values.preset === undefined ? {} : { preset: values.preset };
-  for (const [option, name] of Object.entries(NUMBERS)) {
-    if (values[option] === undefined) continue;
-    options[name] = Number(values[option]);
-    if (!Number.isFinite(options[name])) throw new Refused(`--${option} ${values[option]}: must be a number`);
-  }
-  await write(toJSON(generateLot(options).scene), values.out);
+  const { preset } = values,
+    options = { ...(preset !== undefined && { preset }), ...numerics(NUMBERS, values) };
+  const { scene } = byOption({ preset: "preset", ...NUMBERS }, () => generateLot(options));
+  await write(toJSON(scene), values.out);
   return 0;
 }

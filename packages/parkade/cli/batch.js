@@ -6,7 +6,8 @@ import { availableParallelism } from "node:os";
 import { Tinypool } from "tinypool";
 import { version } from "../node.js";
 import { auditOptions } from "./audit-options.js";
-import { Refused, choice, count, explained, plannerIds, reason, seconds, settings, sweep, unwritten } from "./input.js";
+import { choice, count, plannerIds, seconds, settings, sweep } from "./input.js";
+import { Refused, explained, reason, unwritten } from "./refusal.js";
 import { digest, hashOf, isFinal, isShort, mend, outline, questionOf, read } from "./results.js";
 import { scenes } from "./scenes.js";
 
@@ -30,10 +31,11 @@ export async function batch(places, values, module) {
   const shard = shardOf(values.shard);
   const out = values.out ?? (shard.of === 1 ? "results.jsonl" : `results-${shard.at}-of-${shard.of}.jsonl`);
   const isAudit = choice("task", values.task, ["plan", "audit"]) === "audit";
-  if (isAudit && values.planner !== undefined) throw new Refused("--planner: audits are hybrid's");
+  if (isAudit && values.planner !== undefined) throw new Refused("--planner: audits use hybrid; leave the option out");
   if (isAudit && values.paths)
     throw new Refused("--paths: rows of audits have no paths; `parkade audit --format json` has");
-  if (isAudit && values.sweep !== undefined) throw new Refused("--sweep: audits have one set of settings");
+  if (isAudit && values.sweep !== undefined)
+    throw new Refused("--sweep: audits have one set of settings; `--set` changes them");
   // In results, an audit stands where planners do, and its options where settings do.
   const planners = plannerIds(values.planner, "hybrid");
   /** @type {readonly Task["planner"][]} */

@@ -1,8 +1,9 @@
 // @ts-check
 // `parkade check`.
 import { checkPath, sceneGeometry } from "../node.js";
-import { Refused, choice, isMap, json, scene as read, text } from "./input.js";
+import { choice, isMap, json, scene as read, text } from "./input.js";
 import { toJSON, write } from "./output.js";
+import { Refused } from "./refusal.js";
 
 /** @type {import("./commands.js").Run} */
 export async function check([place, path, ...more], values) {

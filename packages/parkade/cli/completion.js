@@ -1,8 +1,8 @@
 // @ts-check
 // `parkade completion`: what a shell offers after `parkade`, made of the commands' own table.
 import { planners, scenarios } from "../node.js";
-import { Refused } from "./input.js";
 import { write } from "./output.js";
+import { Refused } from "./refusal.js";
 
 /** Commands whose first word is a scene. */
 const OF_SCENES = ["plan", "check", "judge", "bench", "scenario"];

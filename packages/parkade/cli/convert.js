@@ -1,8 +1,9 @@
 // @ts-check
 // `parkade scenario`, `parkade generate` and `parkade convert`: scenes as JSON.
 import { generateScenario, importScene, sceneGeometry, scenario as builtIn, scenarios } from "../node.js";
-import { Refused, choice, json, meant, onlyOptions, text, withCompanions } from "./input.js";
+import { choice, json, numeric, numerics, onlyOptions, text, withCompanions } from "./input.js";
 import { toJSON, write } from "./output.js";
+import { Refused, byOption, meant } from "./refusal.js";
 import { isSitePlan, sitePlan } from "./site-plan.js";
 
 /** @type {import("./commands.js").Run} */
@@ -29,9 +30,14 @@ const NUMBERS = {
 export async function generate(places, values) {
   onlyOptions("generate", places);
   const family = choice("family", values.family, ["random", "regular", "trap"]);
-  const given = Object.entries(NUMBERS).filter(([option]) => values[option] !== undefined);
-  const numbers = Object.fromEntries(given.map(([option, name]) => [name, numeric(option, values[option])]));
-  await write(toJSON(generateScenario(/** @type {any} */ ({ family, size: 60, seed: 1, ...numbers })), 2), values.out);
+  const asked = /** @type {any} */ ({ family, size: 60, seed: 1, ...numerics(NUMBERS, values) });
+  await write(
+    toJSON(
+      byOption(NUMBERS, () => generateScenario(asked)),
+      2,
+    ),
+    values.out,
+  );
   return 0;
 }
 
@@ -72,11 +78,4 @@ export async function convert(places, values) {
     throw new Refused(`${scenes.length} scenes: JSON holds one; --format jsonl writes each on a line of its own`);
   await write(lines ? scenes.map((scene) => toJSON(scene)).join("") : toJSON(scenes[0], 2), values.out);
   return 0;
-}
-
-/** @param {string} option @param {string} value */
-function numeric(option, value) {
-  const number = Number(value);
-  if (value.trim() === "" || !Number.isFinite(number)) throw new Refused(`--${option} ${value}: must be a number`);
-  return number;
 }

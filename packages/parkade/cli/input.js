@@ -4,9 +4,7 @@ import { readFile, stat } from "node:fs/promises";
 import { buffer } from "node:stream/consumers";
 import { basename, dirname, extname, join } from "node:path";
 import { ParkadeError, defaultConfig, importScene, planners, scenario, scenarios } from "../node.js";
-
-/** Bad input, in words for people. */
-export class Refused extends Error {}
+import { Refused, explained, given, meant, reason } from "./refusal.js";
 
 /** @param {string} path */
 export async function text(path) {
@@ -37,36 +35,13 @@ function small(path, content) {
   return content;
 }
 
-/** Meanings of the system's error codes. @type {Record<string, string>} */
-const REASONS = {
-  ENOENT: "there is no such file",
-  EISDIR: "is a folder",
-  ENOTDIR: "a part of its path is a file, not a folder",
-  EACCES: "permission denied",
-  ENOSPC: "no space left on the device",
-  EROFS: "the file system is read-only",
-  ENAMETOOLONG: "the name is too long",
-};
-
-/** @param {unknown} error */
-export function reason(error) {
-  const { code, message } = /** @type {NodeJS.ErrnoException} */ (error);
-  return (code !== undefined && REASONS[code]) || message;
-}
-
-/** A file that cannot be written. @param {string} file @param {unknown} error */
-export function unwritten(file, error) {
-  const { code } = /** @type {NodeJS.ErrnoException} */ (error);
-  return new Refused(`${file}: ${code === "ENOENT" ? "its folder does not exist" : reason(error)}`);
-}
-
 /** What is wrong with a scene, with the place that it is read from. @template T @param {string} place @param {() => T} use @returns {T} */
 export function of(place, use) {
   try {
     return use();
   } catch (error) {
     if (error instanceof ParkadeError && ["bad-scenario", "bad-vehicle"].includes(error.code))
-      throw new Refused(`${place === "-" ? "standard input" : place}: ${explained(error)}`);
+      throw new Refused(`${place === "-" ? "standard input" : place}: ${explained(error).replace(/^scene: /, "")}`);
     throw error;
   }
 }
@@ -132,9 +107,14 @@ export function onlyOptions(command, places) {
 /** True if it is a grid of another program. @param {string} [place] */
 export const isMap = (place = "") => /\.(map|ya?ml)$/.test(place);
 
+/** Ends of the names of files that scenes are read from; site plans are read elsewhere. */
+const SCENES = /\.(json|map|scen|ya?ml|pgm|csv)$/i;
+
 /** A map's questions, or the picture that a ROS map names. @param {string} place */
 export async function withCompanions(place) {
   const files = { [basename(place)]: await bytes(place) };
+  if (!SCENES.test(place))
+    throw new Refused(`${place}: must end in .json, .map, .yaml, .csv, .dxf, .svg, .geojson or .osm`);
   const content = files[basename(place)]?.toString("utf8") ?? "";
   const image = /^image:\s*['"]?([^'"\n]+?)['"]?\s*$/m.exec(content)?.[1];
   if (/\.ya?ml$/.test(place) && image) files[basename(image)] = await bytes(join(dirname(place), image));
@@ -157,7 +137,7 @@ export function settings(pairs = [], ids, option = "set") {
   const config = {};
   for (const pair of pairs) {
     const [name = "", ...value] = pair.split("=");
-    if (name === "" || value.length === 0) throw new Refused(`--${option} ${pair}: must be NAME=VALUE`);
+    if (name === "" || value.length === 0) throw new Refused(`${given(option, pair)}: must be NAME=VALUE`);
     for (const id of ids) {
       const known = Object.keys(defaultConfig(id));
       if (!known.includes(name))
@@ -187,7 +167,7 @@ export function sweep(pairs = [], base, ids) {
   let all = [base];
   for (const pair of pairs) {
     const [name = "", ...value] = pair.split("=");
-    if (name === "" || value.length === 0) throw new Refused(`--sweep ${pair}: must be NAME=VALUE,VALUE…`);
+    if (name === "" || value.length === 0) throw new Refused(`${given("sweep", pair)}: must be NAME=VALUE,VALUE…`);
     if (all.some((one) => Object.hasOwn(one, name))) throw new Refused(`--sweep ${pair}: ${name} is set already`);
     const words = value.join("=").split(",");
     const each = words.map((word) => settings([`${name}=${word}`], ids, "sweep"));
@@ -211,7 +191,7 @@ const MAX_SWEEP = 10_000;
  */
 export function choice(option, value, choices) {
   const found = value === undefined ? choices[0] : choices.find((one) => one === value);
-  if (found === undefined) throw new Refused(`--${option} ${value}: must be one of ${choices.join(", ")}`);
+  if (found === undefined) throw new Refused(`${given(option, value)}: must be one of ${choices.join(", ")}`);
   return found;
 }
 
@@ -220,8 +200,28 @@ export function count(option, value, otherwise, most) {
   if (value === undefined) return otherwise;
   const number = Number(value);
   if (!/^\d+$/.test(value) || number < 1 || number > most)
-    throw new Refused(`--${option} ${value}: must be a whole number from 1 to ${most}`);
+    throw new Refused(`${given(option, value)}: must be a whole number from 1 to ${most}`);
   return number;
+}
+
+/** A number in an option. @param {string} option @param {string} value */
+export function numeric(option, value) {
+  const number = Number(value);
+  if (value.trim() === "" || !Number.isFinite(number)) throw new Refused(`${given(option, value)}: must be a number`);
+  return number;
+}
+
+/**
+ * Numbers by their names in the API.
+ * @param {Record<string, string>} names of options, and of the same in the API
+ * @param {Record<string, string | undefined>} values
+ */
+export function numerics(names, values) {
+  const all = Object.entries(names).flatMap(([option, name]) => {
+    const value = values[option];
+    return value === undefined ? [] : [[name, numeric(option, value)]];
+  });
+  return /** @type {Record<string, number>} */ (Object.fromEntries(all));
 }
 
 /** The option `--timeout`. @param {string} [value] */
@@ -234,56 +234,8 @@ export function plannerIds(value, otherwise) {
     const id = known.find((one) => one === word.trim());
     if (id === undefined)
       throw new Refused(
-        `--planner ${word}: there is no such planner${meant(word, known) || `; there are ${known.join(", ")}`}`,
+        `${given("planner", word)}: there is no such planner${meant(word, known) || `; there are ${known.join(", ")}`}`,
       );
     return id;
   });
-}
-
-/**
- * "; did you mean …?" where a known word is near: a third of its letters may be wrong.
- * @param {string} word
- * @param {readonly string[]} known
- * @param {string} [before] what stands before each
- */
-export function meant(word, known, before = "") {
-  const near = known
-    .map((one) => ({ one, by: distance(word.toLowerCase(), one.toLowerCase()) }))
-    .sort((a, b) => a.by - b.by)[0];
-  return near !== undefined && near.by <= Math.max(1, Math.floor(near.one.length / 3))
-    ? `; did you mean ${before}${near.one}?`
-    : "";
-}
-
-/**
- * The library's message; where it lists the words that are right, with the one that was probably meant.
- * @param {{ path: string, message: string }} error
- */
-export function explained({ path, message }) {
-  const fields = /; there are (.+)$/.exec(message)?.[1],
-    [, words, got = ""] = /must be (.+), got "(.*)"$/.exec(message) ?? [];
-  if (fields !== undefined) return message + meant(path.split(".").at(-1) ?? "", fields.split(", "));
-  return words === undefined ? message : message + meant(got, words.split(/, | or /));
-}
-
-/** Damerau and Levenshtein's: letters that are wrong, missing, too many, or swapped with the next. @param {string} a @param {string} b */
-function distance(a, b) {
-  /** @type {number[][]} */
-  const rows = [Array.from({ length: b.length + 1 }, (_, i) => i)];
-  const at = (/** @type {number} */ i, /** @type {number} */ j) => rows[i]?.[j] ?? 0;
-  for (let i = 1; i <= a.length; i++) {
-    rows[i] = [i];
-    for (let j = 1; j <= b.length; j++) {
-      const isSwap = i > 1 && j > 1 && a[i - 1] === b[j - 2] && a[i - 2] === b[j - 1];
-      rows[i]?.push(
-        Math.min(
-          at(i - 1, j) + 1,
-          at(i, j - 1) + 1,
-          at(i - 1, j - 1) + (a[i - 1] === b[j - 1] ? 0 : 1),
-          isSwap ? at(i - 2, j - 2) + 1 : Infinity,
-        ),
-      );
-    }
-  }
-  return at(a.length, b.length);
 }

@@ -1,8 +1,9 @@
 // @ts-check
 // `parkade judge`.
 import { ParkadeError, judge as verdict } from "../node.js";
-import { Refused, choice, json, scene as read, text } from "./input.js";
+import { choice, json, numerics, scene as read, text } from "./input.js";
 import { toJSON, write } from "./output.js";
+import { Refused, byOption } from "./refusal.js";
 
 /** Options that are limits, and their names in the API. */
 const LIMITS = {
@@ -18,21 +19,10 @@ export async function judge([place, file, ...more], values) {
   if (file === undefined) throw new Refused("which trajectory? `parkade judge SCENE TRAJECTORY`, CSV or JSON");
   if (more.length > 0) throw new Refused(`one trajectory at a time, got also ${more.join(", ")}`);
   const scene = await read(place === undefined ? [] : [place]);
-  const found = verdictOn(scene, file, await text(file), limits(values));
+  const content = await text(file);
+  const found = byOption(LIMITS, () => verdictOn(scene, file, content, numerics(LIMITS, values)));
   await write(format === "json" ? toJSON(found, 2) : `${lines(found).join("\n")}\n`);
   return found.passes ? 0 : 1;
-}
-
-/** @param {Record<string, string | undefined>} values */
-function limits(values) {
-  const given = Object.entries(LIMITS).filter(([option]) => values[option] !== undefined);
-  return Object.fromEntries(
-    given.map(([option, name]) => {
-      const value = Number(values[option]);
-      if (!Number.isFinite(value)) throw new Refused(`--${option} ${values[option]}: must be a number`);
-      return [name, value];
-    }),
-  );
 }
 
 /**
@@ -42,11 +32,13 @@ function limits(values) {
  * @param {import("../index.js").MotionLimits} limits
  */
 function verdictOn(scene, file, content, limits) {
-  if (/^\s*[{[]/.test(content)) return verdict(scene, json(file, content), limits);
+  const trajectory = /^\s*[{[]/.test(content) ? json(file, content) : content;
   try {
-    return verdict(scene, content, limits);
+    return verdict(scene, trajectory, limits);
   } catch (error) {
-    if (error instanceof ParkadeError && error.code === "bad-import") throw new Refused(`${file}:${error.message}`);
+    if (!(error instanceof ParkadeError)) throw error;
+    if (error.code === "bad-import") throw new Refused(`${file}:${error.message}`);
+    if (error.code === "bad-input") throw new Refused(`${file}: ${error.message.replace(/^trajectory[.:] ?/, "")}`);
     throw error;
   }
 }

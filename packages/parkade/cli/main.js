@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 // @ts-check
 // The command `parkade`.
-import { reason } from "./input.js";
+import { reason } from "./refusal.js";
 import { answer } from "./run.js";
 
 // A reader that has seen enough, as `head`, is no error.

@@ -1,7 +1,7 @@
 // @ts-check
 // What the command line prints.
 import { writeFile } from "node:fs/promises";
-import { unwritten } from "./input.js";
+import { unwritten } from "./refusal.js";
 
 /** Typed arrays as lists; JSON has no NaN and no infinity. @param {unknown} value @param {number} [indent] */
 export const toJSON = (value, indent) =>

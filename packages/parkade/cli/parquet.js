@@ -3,7 +3,7 @@
 import { stat } from "node:fs/promises";
 import { asyncBufferFromFile, parquetMetadataAsync, parquetReadObjects } from "hyparquet";
 import { ParquetWriter, fileWriter } from "hyparquet-writer";
-import { Refused, reason, unwritten } from "./input.js";
+import { Refused, reason, unwritten } from "./refusal.js";
 import { read } from "./results.js";
 
 /** Version of the columns; a new column keeps it, another meaning does not. */

@@ -1,8 +1,9 @@
 // @ts-check
 // `parkade plan`.
 import { Planner, planners, optimise, toCSV, toSVG, toTrajectoryCSV } from "../node.js";
-import { Refused, choice, of, plannerIds, scenesAt, settings } from "./input.js";
+import { choice, of, plannerIds, scenesAt, settings } from "./input.js";
 import { toJSON, write } from "./output.js";
+import { Refused } from "./refusal.js";
 
 /** @typedef {import("../index.js").Layer} Layer */
 /** @typedef {{ place: string, scene: import("../index.js").Scenario }} Asked */

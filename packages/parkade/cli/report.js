@@ -1,8 +1,8 @@
 // @ts-check
 // `parkade report`: what results say of planners and settings, counted here and drawn in `report-page.js`.
 import { writeFile } from "node:fs/promises";
-import { Refused, unwritten } from "./input.js";
 import { rowsOf } from "./parquet.js";
+import { Refused, unwritten } from "./refusal.js";
 import { page } from "./report-page.js";
 
 /** @typedef {import("./parquet.js").Row} Row */

@@ -4,7 +4,7 @@ import { createHash } from "node:crypto";
 import { createReadStream } from "node:fs";
 import { open, stat } from "node:fs/promises";
 import { createInterface } from "node:readline";
-import { Refused, reason } from "./input.js";
+import { Refused, reason } from "./refusal.js";
 
 /**
  * A scene planned by a planner, or why it could not be.
@@ -101,7 +101,7 @@ export function digest(results) {
 
 /** @type {import("./commands.js").Run} */
 export async function digestFiles(files) {
-  if (files.length === 0) throw new Refused("which files?");
+  if (files.length === 0) throw new Refused("which files? Results of `parkade batch` (.jsonl)");
   /** @type {Map<string, Result>} */
   const all = new Map();
   let repeated = 0;

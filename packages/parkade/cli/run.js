@@ -5,7 +5,8 @@ import { parseArgs } from "node:util";
 import { isMainThread } from "node:worker_threads";
 import { ParkadeError, init, version } from "../node.js";
 import { COMMANDS, HELP } from "./commands.js";
-import { Refused, explained, meant, seconds } from "./input.js";
+import { seconds } from "./input.js";
+import { Refused, explained, meant } from "./refusal.js";
 
 /** @typedef {import("./commands.js").Options} Options */
 
@@ -62,7 +63,7 @@ function parsed(command, args, options) {
     return parseArgs({ args, options: { ...options, help: { type: "boolean", short: "h" } }, allowPositionals: true });
   } catch (error) {
     const [message = ""] = (error instanceof Error ? error.message : String(error)).split(". "),
-      [, unknown, name = ""] = /^(Unknown option )?.*?'(--?[\w-]*)/.exec(message) ?? [];
+      [, unknown, name = ""] = /^(Unknown option )?.*?'(?:-\w, )?(--?[\w-]*)/.exec(message) ?? [];
     if (unknown !== undefined)
       throw new Refused(
         `${name}: there is no such option${

@@ -3,7 +3,7 @@
 import { createReadStream, readFileSync } from "node:fs";
 import { readdir, stat } from "node:fs/promises";
 import { join } from "node:path";
-import { Refused, reason } from "./input.js";
+import { Refused, reason } from "./refusal.js";
 import { hashOf } from "./results.js";
 
 /**

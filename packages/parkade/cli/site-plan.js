@@ -3,7 +3,7 @@
 import { readFile } from "node:fs/promises";
 import { basename } from "node:path";
 import { readSitePlan, sceneFromSitePlan, suggestedRole, suggestedUnit } from "../siteplan.js";
-import { Refused, meant, reason } from "./input.js";
+import { Refused, meant, reason } from "./refusal.js";
 
 const ROLES = /** @type {const} */ (["none", "wall", "kerb", "column", "building", "bay", "ground"]);
 

@@ -3,7 +3,8 @@
 import { closeSync, openSync, readSync } from "node:fs";
 import Tinypool from "tinypool";
 import { ParkadeError, Planner, audit, init, version } from "../node.js";
-import { MAX_BYTES, reason, tooLarge } from "./input.js";
+import { MAX_BYTES, tooLarge } from "./input.js";
+import { reason } from "./refusal.js";
 import { hashOf, outline } from "./results.js";
 
 /** @typedef {import("./results.js").Result} Result */

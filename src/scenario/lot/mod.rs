@@ -169,7 +169,8 @@ impl Lot {
             if (least..=most).contains(&value) {
                 return Ok(());
             }
-            bad(name, format!("must be {least} to {most}, got {value}"))
+            let unit = if name == "angle" { " rad" } else { "" };
+            bad(name, format!("must be {least} to {most}{unit}, got {value}"))
         };
         let mut lot = *self;
         for (name, range, field) in COUNTS {

@@ -130,7 +130,7 @@ export const objectOf = (fields: Record<string, Rule>, optional: readonly string
   const known = oneOf(Object.keys(fields));
   return (value, field) =>
     isObject(value, field) ??
-    firstFault(Object.keys(value as object).map((key) => known(key, field))) ??
+    firstFault(Object.keys(value as object).map((key) => known(key, `${field}.${key}`))) ??
     firstFault(
       Object.entries(fields).map(([key, one]) => {
         const inner = (value as Record<string, unknown>)[key];
@@ -195,7 +195,7 @@ const ATTRIBUTES: Record<string, (text: string) => [value: unknown, rule: Rule]>
   "budget-ms": (text) => [figure(text), numberFrom(1, HOUR_MS)],
   layers: (text) => [
     text.split(/\s+/).filter(Boolean),
-    listOf(oneOf([...LAYER_PRESETS, ...ALL_LAYERS]), 0, ALL_LAYERS.length),
+    listOf(oneOf([...new Set([...LAYER_PRESETS, ...ALL_LAYERS])]), 0, ALL_LAYERS.length),
   ],
 };
 

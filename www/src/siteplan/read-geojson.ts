@@ -117,7 +117,9 @@ function geometry(value: Record<string, unknown>, path: string, tags: Tags, draw
         listOf(rings, `${at}[${i}]`).forEach((one, j) => put(positions(one, `${at}[${i}][${j}]`), true)),
       );
     default:
-      throw new SitePlanError(`${path}.type: must be a kind of GeoJSON, got ${JSON.stringify(kind.slice(0, 40))}`);
+      throw new SitePlanError(
+        `${path}.type: must be a kind of GeoJSON, got ${JSON.stringify(value["type"])?.slice(0, 40)}`,
+      );
   }
 }
 

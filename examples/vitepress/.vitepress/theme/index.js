@@ -1,4 +1,5 @@
-import theme from "vitepress/theme";
+// Without the fonts that come late and move the text.
+import theme from "vitepress/theme-without-fonts";
 import "./parkade.css";
 
 export default theme;
