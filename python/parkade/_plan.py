@@ -87,13 +87,14 @@ class Plan:
         return isinstance(other, Plan) and other.hash == self.hash
 
     def __hash__(self) -> int:
-        return int(self.hash, 16)
+        return hash(self.hash)
 
     def __repr__(self) -> str:
         if not self.found:
             return f"<Plan {self.planner}: {self.outcome}, {self.reason}>"
         length, changes = self.metrics["length"], self.metrics["directionChanges"]
-        return f"<Plan {self.planner}: found, {length:.2f} m, {changes} gear changes, check {self.check['verdict']}>"
+        gears = f"{changes} gear change{'' if changes == 1 else 's'}"
+        return f"<Plan {self.planner}: found, {length:.2f} m, {gears}, check {self.check['verdict']}>"
 
 
 class Planner:

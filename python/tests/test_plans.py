@@ -32,7 +32,7 @@ def test_a_plan_is_arrays_and_figures():
     assert plan.metrics["directionChanges"] == np.count_nonzero(np.diff(plan.directions[:-1]))
     assert plan.metrics["minClearance"] == plan.clearances.min()
     assert plan.check["verdict"] == "ok"
-    assert repr(plan).startswith("<Plan hybrid: found, 17.28 m, 1 gear changes")
+    assert repr(plan).startswith("<Plan hybrid: found, 17.28 m, 1 gear change")
 
 
 def test_plans_are_pickled_compared_and_written():

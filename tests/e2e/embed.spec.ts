@@ -127,7 +127,7 @@ test("another playground plans with the workers that rest at those before it, an
       await other.ready;
       return Object.values(other.results).map((plan) => plan?.hash);
     });
-  expect((await hashes()).filter((hash) => hash?.length === 16)).toHaveLength(3);
+  expect((await hashes()).filter((hash) => hash?.length === 33)).toHaveLength(3);
   expect(started).toBe(before);
   await quiet(urls);
   // What was lent comes back.
