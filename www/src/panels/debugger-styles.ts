@@ -8,6 +8,7 @@ export const room = css`
   @container (max-width: 960px) {
     .layout-wide { grid-template-columns: minmax(0, 1fr) min(380px, 46cqw); }
     .layout-wide > parkade-inspector { visibility: hidden; }
+    .layout-wide > parkade-debugger { grid-area: 2 / 2 / 4 / 3; } .layout-wide > parkade-timeline { grid-column: 1 / 3; }
   }
   .layout-narrow > :is(parkade-chips, parkade-sheet) { display: none; }
   .layout-narrow.rails { grid-template-columns: 49px minmax(0, 1fr) min(340px, 46cqw); }
