@@ -40,7 +40,6 @@ test("in the example book playgrounds come alive, move nothing, and leave the bo
   await page.keyboard.press("ArrowRight");
   await page.waitForURL("**/grids.html");
   await expect.poll(outcomes).toEqual(["found", "found", "found", "found", "no-path"]);
-  // The book's own fonts move its text by a few thousandths when they arrive.
   expect(Math.max(0, ...(await shifts()))).toBeLessThan(0.01);
   expect(complaints).toEqual([]);
 });

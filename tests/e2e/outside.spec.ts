@@ -204,8 +204,9 @@ test.describe("in a frame", () => {
           const { ask, heard } = window as unknown as Host;
           heard.length = 0;
           await ask(name, more);
-          await new Promise((done) => setTimeout(done, 150));
-          return heard.find(({ type }) => type === "parkade:error");
+          const told = () => heard.find(({ type }) => type === "parkade:error");
+          for (let tries = 0; tries < 200 && !told(); tries++) await new Promise((done) => setTimeout(done, 20));
+          return told();
         },
         [message, rest] as const,
       );
