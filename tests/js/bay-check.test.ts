@@ -2,6 +2,7 @@
 import { audit, init, scenario, type AuditRow, type Scenario } from "parkade";
 import { beforeAll, describe, expect, it } from "vitest";
 import { BayChecker, type BayWorker } from "../../www/src/planning/bay-checker";
+import { reportPage } from "../../www/src/panels/bay-report";
 import { bayCsv, bayLines } from "../../www/src/panels/bay-rows";
 import { buildLot, firstForm } from "../../www/src/scene/lot";
 import { changesBetween } from "../../www/src/scene/scene-changes";
@@ -154,4 +155,21 @@ describe("the table of bays", () => {
     expect(lines).toHaveLength(1 + 2 * check.rows.size);
     expect(new Set(lines.map((line) => line.replace(/"[^"]*"/g, "").split(",").length))).toEqual(new Set([14]));
   });
+});
+
+it("a lot that is larger than the largest paper is reported without its plan, which a sentence says", () => {
+  const lot = scenario("perpendicular");
+  const check = checked();
+  check.rows = new Map([[0, audit(lot, { vehicles: [SEDAN], bays: [0], whatIf: "each-free" })]]);
+  const wide = (width: number): Scenario => ({ ...lot, map: { origin: [0, 0], width, height: 100, resolution: 1 } });
+  expect(reportPage(wide(2300), check, "en")).toContain("1:2000");
+  for (const [lang, words] of [
+    ["en", "At 1:2000 the lot is larger than A0 paper"],
+    ["zh", "比例 1:2000 时，场地仍大于 A0 图纸"],
+  ] as const) {
+    const page = reportPage(wide(2400), check, lang);
+    expect(page).toContain(words);
+    expect(page).not.toContain("<svg");
+    expect(page).toContain("<tbody><tr>");
+  }
 });

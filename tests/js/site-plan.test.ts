@@ -18,6 +18,15 @@ const rolesOf = (plan: SitePlan): Record<string, Role> =>
 const converted = (plan: SitePlan, unit = suggestedUnit(plan)) =>
   sceneFromSitePlan(plan, { roles: rolesOf(plan), metresPerUnit: unit });
 
+it.each([
+  ["p-parking-large", "bay"],
+  ["PARKING STALLS", "bay"],
+  ["\uc8fc\ucc28\uad6c\ud68d", "bay"],
+  ["parking-lot", "none"],
+  ["amenity=parking", "ground"],
+  ["e-background", "none"],
+])("a layer %s is taken for %s", (name, role) => expect(suggestedRole(name)).toBe(role));
+
 describe("a lot", () => {
   it.each(Object.entries(FILES))("in %s becomes a scene that plans", (name, text) => {
     const plan = readSitePlan(name, text),

@@ -1,6 +1,7 @@
 // Pictures of the documents, of the page in dist/; `cargo xtask picture` builds it first.
 import { fileURLToPath } from "node:url";
 import { withBrowser } from "../e2e/browser.js";
+import { photographLots } from "./lots.mjs";
 import { photographQuestions } from "./questions.mjs";
 
 const FILE = fileURLToPath(new URL("../../docs/public/playground.png", import.meta.url));
@@ -18,6 +19,7 @@ await withBrowser(async (browser, url) => {
   await page.screenshot({ path: FILE });
   console.log(FILE);
   await photographQuestions(browser, url);
+  await photographLots(browser, url);
 });
 
 /** Runs in the page: every planner is loaded and timed, and no better path is looked for any more. */

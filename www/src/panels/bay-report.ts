@@ -29,13 +29,21 @@ export function saveReport({ store }: App): void {
   download(new Blob([page], { type: "text/html" }), `${fileName(scene)}-bays.html`);
 }
 
-/** The largest usual scale at which the lot fits on A4, otherwise on the paper that it needs. */
+/**
+ * The largest usual scale at which the lot fits on A4, otherwise on the paper that it needs. Where no paper is large
+ * enough, a sentence says so, and the table stands alone.
+ */
 export function reportPage(scene: Scene, check: BayCheck, lang: Lang): string {
   const drawing = siteDrawing(scene, null, { every: 0 }),
     box = boxOfDrawing(drawing),
-    scale = SCALES.find((one) => paperFor(box, one) === "A4") ?? SCALES.find((one) => paperFor(box, one)) ?? 2000;
-  const { asked, reachable, hard } = countBays(check),
-    title = scene.name || sayBays(lang, "title");
+    scale = SCALES.find((one) => paperFor(box, one) === "A4") ?? SCALES.find((one) => paperFor(box, one)),
+    title = scene.name || sayBays(lang, "title"),
+    language = lang === "zh" ? "zh-CN" : "en";
+  if (scale === undefined) {
+    const note = say(lang, "tooLarge", { scale: SCALES.at(-1)! });
+    return printPage(title, language, { svg: "", paper: "A4" }, tableOf(check, lang, title, note));
+  }
+  const { asked, reachable, hard } = countBays(check);
   const sheet: Sheet = {
     drawing,
     shown: new Set(["ground", "bays", "obstacles", "parked"]),
@@ -61,7 +69,7 @@ export function reportPage(scene: Scene, check: BayCheck, lang: Lang): string {
       { fill: "#FBECEA", text: sayBays(lang, "outOfReach"), isHatched: true },
     ],
   };
-  return printPage(title, lang === "zh" ? "zh-CN" : "en", sheetSvg(sheet), tableOf(check, lang, title));
+  return printPage(title, language, sheetSvg(sheet), tableOf(check, lang, title));
 }
 
 function areaOf(scene: Scene, check: BayCheck, index: number): SheetArea[] {
@@ -90,7 +98,7 @@ export function hashOf(check: BayCheck): string {
   return (hash >>> 0).toString(16).padStart(8, "0");
 }
 
-function tableOf(check: BayCheck, lang: Lang, title: string): string {
+function tableOf(check: BayCheck, lang: Lang, title: string, note = ""): string {
   const cell = (text: string): string => `<td>${escaped(text)}</td>`,
     moves = (row: AuditRow | undefined): string =>
       row ? (gradeOf(row) === 0 ? "\u2715" : String(row.moves)) : "\u2013";
@@ -107,5 +115,5 @@ function tableOf(check: BayCheck, lang: Lang, title: string): string {
     return `<tr>${cell(bay)}${cell(moves(headIn))}${cell(moves(reverseIn))}${figures}</tr>`;
   });
   const head = BAY_COLUMNS.map((column) => `<th>${escaped(heading(lang, column))}</th>`).join("");
-  return `<h1>${escaped(title)}</h1><table><thead><tr>${head}</tr></thead><tbody>${rows.join("")}</tbody></table>`;
+  return `<h1>${escaped(title)}</h1>${note && `<p>${escaped(note)}</p>`}<table><thead><tr>${head}</tr></thead><tbody>${rows.join("")}</tbody></table>`;
 }
