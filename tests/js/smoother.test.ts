@@ -25,7 +25,7 @@ class FakeWorker {
     this.isTerminated = true;
   }
   answer(reply: object): Promise<void> {
-    this.onmessage!({ data: { kind: "job", id: this.asked.at(-1)!.id, ...reply } });
+    this.onmessage!({ data: { kind: "call", id: this.asked.at(-1)!.id, ...reply } });
     return settle();
   }
 }

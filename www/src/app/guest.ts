@@ -1,7 +1,8 @@
 /** Somebody else's trajectory: judged by the referee in each scene, and driven beside ours until it is removed. */
 import messages from "../i18n/messages/guest.json";
 import { words } from "../i18n/words";
-import { Helper, JobError } from "../planning/job-client";
+import { CallError } from "../planning/calls";
+import { Helper } from "../planning/job-client";
 import { forPlanners } from "../scene/large-scene";
 import type { Scene } from "../store";
 import { sentence, type App } from "./app";
@@ -63,7 +64,7 @@ function verdictOf({ store: { state } }: App): string {
 }
 
 function complaint({ store: { state } }: App, name: string, error: unknown): string {
-  const { path, message } = error instanceof JobError ? error.failure : { path: "", message: sentence(error) };
+  const { path, message } = error instanceof CallError ? error.failure : { path: "", message: sentence(error) };
   const reason = sentence(path && message.startsWith(path) ? message.slice(path.length).replace(/^:\s*/, "") : message),
     [, line, column] = /^(\d+):(\d+)$/.exec(path) ?? [];
   if (line && column) return say(state.lang, "place", { name, line, column, reason });

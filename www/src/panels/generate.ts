@@ -3,7 +3,8 @@ import { css, html, nothing, type TemplateResult } from "lit";
 import { sentence } from "../app/app";
 import messages from "../i18n/messages/generate.json";
 import { words } from "../i18n/words";
-import { Helper, JobError, joined } from "../planning/job-client";
+import { CallError } from "../planning/calls";
+import { Helper, joined } from "../planning/job-client";
 import { ensureIds } from "../scene/model";
 import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
@@ -152,7 +153,7 @@ export class Generate extends AppElement {
       return ensureIds(scene!);
     } catch (error) {
       if (turn !== this.turn) return undefined;
-      const { path, message } = error instanceof JobError ? error.failure : { path: "", message: sentence(error) };
+      const { path, message } = error instanceof CallError ? error.failure : { path: "", message: sentence(error) };
       this.fault = {
         field: path,
         reason: sentence(path && message.startsWith(path) ? message.slice(path.length).replace(/^:\s*/, "") : message),

@@ -5,7 +5,8 @@ import { isTrajectory, openTrajectory } from "../app/guest";
 import { reasonIn } from "../i18n/index";
 import messages from "../i18n/messages/import.json";
 import { words } from "../i18n/words";
-import { Helper, JobError, joined } from "../planning/job-client";
+import { CallError } from "../planning/calls";
+import { Helper, joined } from "../planning/job-client";
 import { ensureIds } from "../scene/model";
 import type { Scenario } from "../scene/scenario";
 import type { Scene, State } from "../store";
@@ -184,7 +185,7 @@ export class ImportBar extends AppElement {
 
   private complaint(error: unknown, name: string): string {
     const { lang } = this.state;
-    const { path, message } = error instanceof JobError ? error.failure : { path: "", message: sentence(error) };
+    const { path, message } = error instanceof CallError ? error.failure : { path: "", message: sentence(error) };
     const reason = sentence(
       path && message.startsWith(path) ? message.slice(path.length).replace(/^:\s*/, "") : message,
     );

@@ -39,7 +39,10 @@ export class ViewControls extends AppElement {
     super.willUpdate(changed);
     const { mode, planners } = this.state;
     this.toggleAttribute("listed", mode === "overlay" && !this.compact);
-    this.style.setProperty("--list", `${LEGEND.row * Math.min(LEGEND.rows, planners.length) + LEGEND.edge + LEGEND.off}px`);
+    this.style.setProperty(
+      "--list",
+      `${LEGEND.row * Math.min(LEGEND.rows, planners.length) + LEGEND.edge + LEGEND.off}px`,
+    );
   }
 
   protected override render(): TemplateResult {

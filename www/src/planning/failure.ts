@@ -1,8 +1,8 @@
 import type { Failure } from "./protocol";
 
-/** The message of a thrown value, with ParkadeError's code and field. */
+/** The message of a thrown value, with its code, field and line. */
 export function failureOf(error: unknown): Failure {
   if (!(error instanceof Error)) return { code: "internal", path: "", message: String(error) };
-  const { code, path } = error as Partial<Failure>;
-  return { code: code ?? "internal", path: path ?? "", message: error.message };
+  const { code = "internal", path = "", line } = error as Partial<Failure>;
+  return { code, path, message: error.message, ...(line !== undefined && { line }) };
 }

@@ -52,9 +52,9 @@ import type { Scenario } from "../scene/scenario";
 import { compare, envelope, sweep, type Compared, type Engine, type Sample, type Swept } from "./comparison";
 import { cheapest, choicesOf, type Driven } from "./choices-of";
 import { driveOf } from "./drive-of";
-import { failureOf } from "./failure";
 import { judged, smoothed } from "./trajectories";
-import type { Failure, Request, Waiting } from "./protocol";
+import { answerCalls } from "./answer-calls";
+import type { Waiting } from "./protocol";
 import type { Risk } from "./road-measures";
 
 /** Lists of cells longer than this travel as numbers and as a text. */
@@ -199,44 +199,17 @@ const JOBS = {
 };
 
 export type Jobs = typeof JOBS;
-export type JobName = keyof Jobs;
-export interface JobRequest {
-  kind: "job";
-  id: number;
-  module: WebAssembly.Module;
-  name: JobName;
-  input: unknown;
-}
-export type JobReply =
-  | { kind: "job"; id: number; told: unknown }
-  | { kind: "job"; id: number; answer: unknown }
-  | { kind: "job"; id: number; error: Failure };
-
-const scope = self as unknown as {
-  onmessage: ((event: MessageEvent<Request | JobRequest>) => void) | null;
-  postMessage(reply: JobReply, transfer: Transferable[]): void;
-};
 
 /** Answers jobs and leaves everything else to who listened before. */
-export function serveJobs(): void {
-  const before = scope.onmessage;
-  scope.onmessage = (event) => (event.data.kind === "job" ? void work(event.data) : before?.call(scope, event));
-}
-
-async function work({ id, module, name, input }: JobRequest): Promise<void> {
-  try {
-    await init({ wasm: module });
-    const tell = (told: unknown): void => scope.postMessage({ kind: "job", id, told }, []);
-    const answer = (JOBS[name] as (given: unknown, tell: (told: unknown) => void) => unknown)(input, tell);
-    const { cells } = Object(answer) as Partial<Moved<unknown>>;
-    scope.postMessage(
-      { kind: "job", id, answer },
-      !Array.isArray(cells) ? [] : cells.map(({ numbers }) => numbers.buffer as ArrayBuffer),
-    );
-  } catch (error) {
-    scope.postMessage({ kind: "job", id, error: failureOf(error) }, []);
-  }
-}
+export const serveJobs = (): void =>
+  answerCalls(
+    JOBS,
+    (module: WebAssembly.Module) => init({ wasm: module }),
+    (answer) => {
+      const { cells } = Object(answer) as Partial<Moved<unknown>>;
+      return Array.isArray(cells) ? cells.map(({ numbers }) => numbers.buffer as ArrayBuffer) : [];
+    },
+  );
 
 /** Scenes without their long lists of cells, and these. */
 function apart(scenes: Scenario[]): Moved<Scenario[]> {

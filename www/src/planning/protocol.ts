@@ -48,6 +48,8 @@ export interface Failure {
   code: string;
   path: string;
   message: string;
+  /** Of a file that was read, from 1. */
+  line?: number;
 }
 export type Layers = Partial<Record<LayerName, Layer>>;
 

@@ -1,7 +1,8 @@
 /** Site plans from files, read in a worker that ends with its file. */
 import type { SitePlan } from "parkade/siteplan";
 import { MOST_BYTES, SitePlanError } from "../siteplan/site-plan";
-import type { SitePlanFile, SitePlanReply } from "./site-plan-worker";
+import { CallError, Calls } from "./calls";
+import type { SitePlanJobs } from "./site-plan-worker";
 
 export async function sitePlanOf(file: File): Promise<SitePlan> {
   if (file.size > MOST_BYTES)
@@ -9,20 +10,14 @@ export async function sitePlanOf(file: File): Promise<SitePlan> {
       `a site plan must have at most ${MOST_BYTES / 1e6} MB, got ${Math.ceil(file.size / 1e6)} MB`,
     );
   const bytes = new Uint8Array(await file.arrayBuffer());
-  const worker = new Worker(new URL("./site-plan-worker.ts", import.meta.url), { type: "module", name: "site plan" });
+  const reader = new Calls<SitePlanJobs>(
+    new Worker(new URL("./site-plan-worker.ts", import.meta.url), { type: "module", name: "site plan" }),
+  );
   try {
-    const reply = await new Promise<SitePlanReply>((resolve, reject) => {
-      worker.onmessage = ({ data }: MessageEvent<SitePlanReply>) => resolve(data);
-      worker.onerror = (event) => {
-        event.preventDefault();
-        reject(new SitePlanError(event.message || "the worker stopped"));
-      };
-      const request: SitePlanFile = { name: file.name, bytes };
-      worker.postMessage(request, [bytes.buffer]);
-    });
-    if ("plan" in reply) return reply.plan;
-    throw new SitePlanError(reply.message, reply.line);
+    return await reader.call("read", { name: file.name, bytes }, [bytes.buffer]);
+  } catch (error) {
+    throw error instanceof CallError ? new SitePlanError(error.message, error.failure.line) : error;
   } finally {
-    worker.terminate();
+    reader.stop();
   }
 }

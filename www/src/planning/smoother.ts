@@ -7,7 +7,8 @@ import type { Smoothed } from "../store/results";
 import type { PanelResult, State, Store } from "../store";
 import type { Engine } from "./engine-loader";
 import { isPage } from "./improver";
-import { Helper, JobError } from "./job-client";
+import { CallError } from "./calls";
+import { Helper } from "./job-client";
 import type { Line } from "./trajectories";
 
 /** Longer paths stay as they are planned, metres: an optimisation grows with the length. */
@@ -150,7 +151,7 @@ class Smoother {
       // A drag says nothing of the plan.
       if (!this.isDropped) this.known.set(plan!, { ...plain, failure: (error as Error).message });
       // A trap leaves the module's memory in an unknown state.
-      if (error instanceof JobError && error.failure.code === "internal") this.stop();
+      if (error instanceof CallError && error.failure.code === "internal") this.stop();
     }
     this.asked = null;
     this.idle = setTimeout(() => this.stop(), IDLE_MS);

@@ -1,0 +1,32 @@
+/** Calls of a worker's functions, the worker's side. It imports nothing that the page runs: a worker would load the page with it. */
+import type { CallReply, CallRequest, Functions } from "./calls";
+import { failureOf } from "./failure";
+
+const scope = self as unknown as {
+  onmessage: ((event: MessageEvent<CallRequest>) => void) | null;
+  postMessage(reply: CallReply, transfer: Transferable[]): void;
+};
+
+/**
+ * Answers calls, and leaves other messages to who listened before. `prepare` is given each call's context;
+ * `moved` says which buffers of an answer need not be copied.
+ */
+export function answerCalls<Jobs extends Functions>(
+  jobs: Jobs,
+  prepare: (context: never) => Promise<void> = () => Promise.resolve(),
+  moved: (answer: unknown) => Transferable[] = () => [],
+): void {
+  const before = scope.onmessage;
+  const answer = async ({ id, name, input, context }: CallRequest): Promise<void> => {
+    const reply = { kind: "call", id } as const;
+    try {
+      await prepare(context as never);
+      const tell = (told: unknown): void => scope.postMessage({ ...reply, told }, []);
+      const got = jobs[name]!(input as never, tell as never);
+      scope.postMessage({ ...reply, answer: got }, moved(got));
+    } catch (error) {
+      scope.postMessage({ ...reply, error: failureOf(error) }, []);
+    }
+  };
+  scope.onmessage = (event) => (event.data.kind === "call" ? void answer(event.data) : before?.call(scope, event));
+}
