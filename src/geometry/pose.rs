@@ -69,7 +69,12 @@ impl Pose {
     /// (sin θ′ − sin θ, cos θ − cos θ′)/κ. The heading is wrapped to (−π, π] unless the line is straight.
     #[must_use]
     pub fn advance(self, curvature: f64, length: f64) -> Self {
-        let (s0, c0) = math::sin_cos(self.heading);
+        self.advance_turned(math::sin_cos(self.heading), curvature, length)
+    }
+
+    /// [`Pose::advance`] from a pose whose heading has this sine and cosine.
+    #[must_use]
+    pub(crate) fn advance_turned(self, (s0, c0): (f64, f64), curvature: f64, length: f64) -> Self {
         if curvature == 0.0 {
             return Self::new(self.x + length * c0, self.y + length * s0, self.heading);
         }

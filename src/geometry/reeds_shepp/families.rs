@@ -16,6 +16,8 @@
 //! The straight part of a word follows from |A| or |B| alone. A word whose straight part is no shorter than the caller's
 //! bound is skipped before its arctangents are taken.
 
+use core::cell::OnceCell;
+
 use super::{Shape, Word};
 use crate::geometry::Pose;
 use crate::geometry::math::{self, FRAC_PI_2, PI, TAU};
@@ -70,8 +72,25 @@ impl Visit for Least {
 struct Side {
     reflect: bool,
     phi: f64,
-    a: [f64; 2],
-    b: [f64; 2],
+    a: Polar,
+    b: Polar,
+}
+
+/// A vector by its length and, once somebody asks, its angle.
+struct Polar {
+    vector: [f64; 2],
+    length: f64,
+    angle: OnceCell<f64>,
+}
+
+impl Polar {
+    fn new(vector @ [x, y]: [f64; 2]) -> Self {
+        Self { vector, length: (x * x + y * y).sqrt(), angle: OnceCell::new() }
+    }
+
+    fn angle(&self) -> f64 {
+        *self.angle.get_or_init(|| math::atan2(self.vector[1], self.vector[0]))
+    }
 }
 
 /// Solves all words from `from` to `to`.
@@ -82,27 +101,20 @@ pub(super) fn visit(from: Pose, to: Pose, radius: f64, visitor: &mut impl Visit)
     let (sin, cos) = math::sin_cos(phi);
     let side = |reflect: bool| {
         let (y, sin, phi) = if reflect { (-y, -sin, -phi) } else { (y, sin, phi) };
-        Side { reflect, phi, a: [x - sin, y - 1.0 + cos], b: [x + sin, y - 1.0 - cos] }
+        let (a, b) = (Polar::new([x - sin, y - 1.0 + cos]), Polar::new([x + sin, y - 1.0 - cos]));
+        Side { reflect, phi, a, b }
     };
-    let sides = [side(false), side(true)].map(|side| (side.a_pair(), side.b_pair(), side));
-    for (a, b, side) in &sides {
-        side.straight(visitor, *a, *b);
+    let sides = [side(false), side(true)];
+    for side in &sides {
+        side.straight(visitor);
     }
-    for (a, b, side) in &sides {
-        side.same_turn(visitor, *a);
-        side.other_turn(visitor, *b);
+    for side in &sides {
+        side.same_turn(visitor);
+        side.other_turn(visitor);
     }
 }
 
 impl Side {
-    fn a_pair(&self) -> (f64, f64) {
-        polar(self.a)
-    }
-
-    fn b_pair(&self) -> (f64, f64) {
-        polar(self.b)
-    }
-
     /// Both time directions: (flip, angle, φ).
     fn ways(&self, angle: f64) -> [(bool, f64, f64); 2] {
         [(false, angle, self.phi), (true, PI - angle, -self.phi)]
@@ -110,9 +122,10 @@ impl Side {
 
     /// CSC: LSL along the outer tangent of two circles (u = |A|), LSR along the inner one (u² = |B|² − 4). Circles that
     /// overlap have no inner tangent.
-    fn straight(&self, to: &mut impl Visit, (a, alpha): (f64, f64), (b, beta): (f64, f64)) {
+    fn straight(&self, to: &mut impl Visit) {
+        let (a, b) = (self.a.length, self.b.length);
         if a < to.bound() {
-            for (flip, angle, phi) in self.ways(alpha) {
+            for (flip, angle, phi) in self.ways(self.a.angle()) {
                 let (t, v) = (modulo(angle), modulo(phi - angle));
                 if t >= -EPS && v >= -EPS {
                     to.take(Shape::Lsl, flip, self.reflect, [t, a, v, 0.0, 0.0]);
@@ -126,7 +139,7 @@ impl Side {
         let u = square.sqrt();
         if u < to.bound() {
             let lead = math::atan2(2.0, u);
-            for (flip, angle, phi) in self.ways(beta) {
+            for (flip, angle, phi) in self.ways(self.b.angle()) {
                 let t = modulo(angle + lead);
                 let v = modulo(t - phi);
                 if t >= -EPS && v >= -EPS {
@@ -140,10 +153,13 @@ impl Side {
     ///
     /// LRL needs a third circle that touches both, so |A| ≤ 4; LRSL turns back a quarter circle before its straight line,
     /// which needs |A| ≥ 2.
-    fn same_turn(&self, to: &mut impl Visit, (a, alpha): (f64, f64)) {
-        if a <= 4.0 {
+    fn same_turn(&self, to: &mut impl Visit) {
+        let a = self.a.length;
+        if a <= 4.0 && to.bound() > 0.0 {
             let u = -2.0 * math::asin(a / 4.0);
-            for (flip, angle, phi) in self.ways(alpha) {
+            // None is shorter than its middle arc.
+            let ways = if -u < to.bound() { &self.ways(self.a.angle())[..] } else { &[] };
+            for &(flip, angle, phi) in ways {
                 for (backwards, angle) in [(false, angle), (true, phi - angle)] {
                     let t = modulo(angle + u / 2.0 + PI);
                     let v = modulo(phi - t + u);
@@ -163,7 +179,7 @@ impl Side {
             return;
         }
         let lead = math::atan2(straight, -2.0);
-        for (flip, angle, phi) in self.ways(alpha) {
+        for (flip, angle, phi) in self.ways(self.a.angle()) {
             for (backwards, angle) in [(false, angle), (true, phi - angle)] {
                 let t = modulo(angle + lead);
                 let v = modulo(phi - FRAC_PI_2 - t);
@@ -179,14 +195,15 @@ impl Side {
     }
 
     /// Words that start and end on different sides: LRLR, LRSR both ways round, LRSLR.
-    fn other_turn(&self, to: &mut impl Visit, (b, beta): (f64, f64)) {
-        self.four_circles(to, (b, beta));
+    fn other_turn(&self, to: &mut impl Visit) {
+        let b = self.b.length;
+        self.four_circles(to);
         if b < 2.0 {
             return;
         }
         let u = 2.0 - b;
         if FRAC_PI_2 - u < to.bound() {
-            for (flip, angle, phi) in self.ways(beta) {
+            for (flip, angle, phi) in self.ways(self.b.angle()) {
                 let t = modulo(angle + FRAC_PI_2);
                 let v = modulo(t + FRAC_PI_2 - phi);
                 if t >= -EPS && v <= EPS {
@@ -205,7 +222,7 @@ impl Side {
             return;
         }
         let lead = PI - math::atan2(4.0 - u, 2.0);
-        for (flip, angle, phi) in self.ways(beta) {
+        for (flip, angle, phi) in self.ways(self.b.angle()) {
             let t = modulo(angle + lead);
             let v = modulo(t - phi);
             if t >= -EPS && v >= -EPS {
@@ -216,38 +233,39 @@ impl Side {
 
     /// LRLR with one cusp in the middle (lengths t, u, −u, v), or with two around the middle (t, u, u, v); the two middle
     /// arcs are equally long.
-    fn four_circles(&self, to: &mut impl Visit, (b, beta): (f64, f64)) {
+    fn four_circles(&self, to: &mut impl Visit) {
+        let b = self.b.length;
         let rho = (2.0 + b) / 4.0;
-        if rho <= 1.0 {
+        if rho <= 1.0 && to.bound() > 0.0 {
             let u = math::acos(rho);
-            // sin u, cos u, sin 2u and cos 2u without another angle.
-            let (sin, cos) = ((1.0 - rho * rho).sqrt(), rho);
-            let lead = math::atan2(cos - (cos * cos - sin * sin) - 1.0, sin - 2.0 * sin * cos);
-            for (flip, angle, phi) in self.ways(beta) {
-                let t = modulo(angle - lead);
-                let v = modulo(t - 2.0 * u - phi);
-                if t >= -EPS && v <= EPS {
-                    to.take(Shape::Lrlr, flip, self.reflect, [t, u, -u, v, 0.0]);
+            if 2.0 * u < to.bound() {
+                // sin u, cos u, sin 2u and cos 2u without another angle.
+                let (sin, cos) = ((1.0 - rho * rho).sqrt(), rho);
+                let lead = math::atan2(cos - (cos * cos - sin * sin) - 1.0, sin - 2.0 * sin * cos);
+                for (flip, angle, phi) in self.ways(self.b.angle()) {
+                    let t = modulo(angle - lead);
+                    let v = modulo(t - 2.0 * u - phi);
+                    if t >= -EPS && v <= EPS {
+                        to.take(Shape::Lrlr, flip, self.reflect, [t, u, -u, v, 0.0]);
+                    }
                 }
             }
         }
         let rho = (20.0 - b * b) / 16.0;
-        if (0.0..=1.0).contains(&rho) {
+        if (0.0..=1.0).contains(&rho) && to.bound() > 0.0 {
             let u = -math::acos(rho);
-            let lead = math::atan2(rho - 2.0, -(1.0 - rho * rho).sqrt());
-            for (flip, angle, phi) in self.ways(beta) {
-                let t = modulo(angle - lead);
-                let v = modulo(t - phi);
-                if t >= -EPS && v >= -EPS {
-                    to.take(Shape::Lrlr, flip, self.reflect, [t, u, u, v, 0.0]);
+            if -2.0 * u < to.bound() {
+                let lead = math::atan2(rho - 2.0, -(1.0 - rho * rho).sqrt());
+                for (flip, angle, phi) in self.ways(self.b.angle()) {
+                    let t = modulo(angle - lead);
+                    let v = modulo(t - phi);
+                    if t >= -EPS && v >= -EPS {
+                        to.take(Shape::Lrlr, flip, self.reflect, [t, u, u, v, 0.0]);
+                    }
                 }
             }
         }
     }
-}
-
-fn polar([x, y]: [f64; 2]) -> (f64, f64) {
-    ((x * x + y * y).sqrt(), math::atan2(y, x))
 }
 
 /// The angle in [−π, π]; sums of a few angles only.

@@ -62,6 +62,18 @@ pub(super) struct State {
     pub(super) length: f64,
 }
 
+/// A move from a state, before anything but its cost is known.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Move {
+    /// Of the cell where it ends.
+    key: u64,
+    pub(super) node: NodeId,
+    /// Places aside.
+    pub(super) cost: f64,
+    arc: Arc,
+    pub(super) to: State,
+}
+
 /// One search, from `root` to `target`, in local coordinates.
 pub(super) struct StateLattice<'a> {
     pub(super) probe: &'a CollisionChecker<'a>,
@@ -80,6 +92,8 @@ pub(super) struct StateLattice<'a> {
     watch: Option<&'a RefCell<Recorder>>,
     pub(super) primitives: Vec<Arc>,
     words: Vec<(f64, Word)>,
+    /// Moves from the state at hand.
+    moves: RefCell<Vec<Move>>,
     /// States that were asked for a connection so far.
     asked: u32,
     sampling: Sampling,
@@ -138,6 +152,7 @@ impl<'a> StateLattice<'a> {
             watch: setting.watch,
             primitives,
             words: Vec::new(),
+            moves: RefCell::default(),
             asked: 0,
             sampling,
             reach: [(), ()].map(|()| RefCell::new(Reach::new(target, sampling))),
@@ -166,6 +181,10 @@ impl<'a> StateLattice<'a> {
 
     /// The number of a state's lattice cell.
     pub(super) fn node(&self, pose: Pose, gear: i8) -> NodeId {
+        self.keys.borrow_mut().id(self.key(pose, gear))
+    }
+
+    fn key(&self, pose: Pose, gear: i8) -> u64 {
         let clear_by = self.level.shuffle && self.probe.clear_by(pose, SHUFFLE_CLEARANCE);
         let (xy, yaw) = if clear_by { SHUFFLE_BINS } else { (self.level.xy, self.level.yaw) };
         // The offset keeps what lies left of or below the origin positive.
@@ -173,8 +192,7 @@ impl<'a> StateLattice<'a> {
         let bins = (math::TAU / yaw).ceil() as u64;
         let yaw = ((pose.heading + math::PI) / yaw) as u64 % bins;
         let key = (cell(pose.x) << 43) | (cell(pose.y) << 22) | (yaw << 3) | (gear + 1) as u64;
-        let key = key | u64::from(clear_by) << 2;
-        self.keys.borrow_mut().id(key)
+        key | u64::from(clear_by) << 2
     }
 
     fn free(&self, from: Pose, arc: &Arc) -> bool {
@@ -207,6 +225,32 @@ impl<'a> StateLattice<'a> {
         }
         let far = self.probe.free_length(from, arc, self.level.spacing, self.margin);
         [far, far / 2.0].map(|far| if far < MIN_SHUFFLE_MOVE { 0.0 } else { far.copysign(arc.length) })
+    }
+
+    /// The moves from a state that stay below the bound, whether or not they are free.
+    ///
+    /// All are made before the first of their cells is looked up: the look-ups then wait for memory together.
+    pub(super) fn list_moves(&self, from: Visit<f64, State>, moves: &mut Vec<Move>) {
+        let State { pose, motion, .. } = from.label;
+        let turned = self.ahead(&self.reach[0], pose).turned();
+        moves.clear();
+        for primitive in &self.primitives {
+            for length in self.lengths(pose, primitive).into_iter().filter(|&length| length != 0.0) {
+                let arc = Arc { length, ..*primitive };
+                let cost = self.costs.arc(motion, &arc);
+                #[cfg(feature = "complete")]
+                if from.g + cost >= self.level.bound {
+                    continue;
+                }
+                let (end, motion) = (pose.advance_turned(turned, arc.curvature, length), Motion::after(&arc));
+                let to = State { pose: end, motion, length };
+                moves.push(Move { key: self.key(end, motion.gear), node: 0, cost, arc, to });
+            }
+        }
+        let mut keys = self.keys.borrow_mut();
+        for one in moves {
+            one.node = keys.id(one.key);
+        }
     }
 
     /// True if a word can be driven; not, too, where words have taken too much work.
@@ -284,23 +328,12 @@ impl Domain for StateLattice<'_> {
             }
             return;
         }
-        let State { pose, motion, .. } = from.label;
-        for primitive in &self.primitives {
-            for length in self.lengths(pose, primitive).into_iter().filter(|&length| length != 0.0) {
-                let arc = Arc { length, ..*primitive };
-                let end = pose.advance(arc.curvature, arc.length);
-                let after = Motion::after(&arc);
-                let mut cost = self.costs.arc(motion, &arc);
-                #[cfg(feature = "complete")]
-                if from.g + cost >= self.level.bound {
-                    continue;
-                }
-                let node = self.node(end, after.gear);
-                if !sink.improves(node, cost) || !(self.level.shuffle || self.is_primitive_free(pose, &arc)) {
-                    continue;
-                }
-                cost += self.costs.places(self.probe, pose, &arc);
-                sink.emit(node, cost, State { pose: end, motion: after, length: arc.length });
+        let pose = from.label.pose;
+        let mut moves = self.moves.borrow_mut();
+        self.list_moves(from, &mut moves);
+        for &Move { node, cost, arc, to, .. } in &*moves {
+            if sink.improves(node, cost) && (self.level.shuffle || self.is_primitive_free(pose, &arc)) {
+                sink.emit(node, cost + self.costs.places(self.probe, pose, &arc), to);
             }
         }
         #[cfg(feature = "complete")]

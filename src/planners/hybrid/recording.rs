@@ -7,8 +7,7 @@
 //! Columns instead of structures, because all of it goes to JavaScript as typed arrays. A move costs 44 bytes beside
 //! the [`Recording::MOVE_BYTES`] of its event: three numbers of a pose, two of an arc and one owner.
 
-use super::cost::Motion;
-use super::domain::{State, StateLattice};
+use super::domain::{Move, State, StateLattice};
 use crate::geometry::Pose;
 use crate::geometry::arcs::Arc;
 use crate::search::{BACKWARD, Fate, Labelled, NodeId, Recording, Told, Visit};
@@ -96,14 +95,10 @@ impl Told for StateLattice<'_> {
         if self.is_before_roots(&from) || self.level.shuffle {
             return;
         }
-        let State { pose, motion, .. } = from.label;
-        for arc in &self.primitives {
-            let (end, after) = (pose.advance(arc.curvature, arc.length), Motion::after(arc));
-            let cost = self.costs.arc(motion, arc);
-            if from.g + cost < self.level.bound {
-                let label = State { pose: end, motion: after, length: arc.length };
-                tell(self.node(end, after.gear), cost, label, Some(Fate::Blocked));
-            }
+        let mut moves = Vec::new();
+        self.list_moves(from, &mut moves);
+        for Move { node, cost, to, .. } in moves {
+            tell(node, cost, to, Some(Fate::Blocked));
         }
     }
 }

@@ -50,6 +50,20 @@ impl Placement {
         Self { x, y, sin, cos }
     }
 
+    /// The place after an arc of signed `length` from here, where the heading is `heading`; to the bit that of
+    /// [`Pose::advance`].
+    fn after(self, heading: f64, curvature: f64, length: f64) -> Self {
+        if curvature == 0.0 {
+            return self.along(curvature, length, self.sin, self.cos);
+        }
+        let heading = heading + curvature * length;
+        let (sin, cos) = math::sin_cos(heading);
+        let place = self.along(curvature, length, sin, cos);
+        let wrapped = math::wrap(heading);
+        let (sin, cos) = if wrapped == heading { (sin, cos) } else { math::sin_cos(wrapped) };
+        Self { sin, cos, ..place }
+    }
+
     fn local(self, p: Point) -> Point {
         let (dx, dy) = (p.x - self.x, p.y - self.y);
         Point::new(dx * self.cos + dy * self.sin, dy * self.cos - dx * self.sin)
@@ -201,10 +215,11 @@ impl<'a> CollisionChecker<'a> {
         let whole = arc.length.abs();
         let radius = self.disc_radius(margin);
         let max_disc_speed = self.max_disc_speed(arc.curvature);
+        let start = Placement::of(from);
         let (mut reached, mut step) = (0.0, spacing);
         while reached < whole && step > spacing / 17.0 {
             let next = f64::min(reached + step, whole);
-            let place = Placement::of(from.advance(arc.curvature, next.copysign(arc.length)));
+            let place = start.after(from.heading, arc.curvature, next.copysign(arc.length));
             self.count(1);
             let spare = self.room(place) - radius;
             if spare > 0.0 || self.exact(place, margin - CONTACT).is_none() {

@@ -66,6 +66,11 @@ impl Reach {
         self.from
     }
 
+    /// Sine and cosine of that pose's heading.
+    pub(crate) fn turned(&self) -> (f64, f64) {
+        (self.start.sin, self.start.cos)
+    }
+
     /// True if the body is free along an arc from the pose, at full lock or straight: at every sample and at its end.
     #[inline(never)]
     pub fn is_free(&mut self, probe: &CollisionChecker, arc: &Arc) -> bool {
