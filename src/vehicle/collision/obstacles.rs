@@ -182,18 +182,25 @@ impl Obstacles {
         }
     }
 
-    /// The edges whose own box meets a box, some of them more than once, until one satisfies `wanted`.
+    /// The edges whose own box meets a box, until one satisfies `wanted`. Of the last 64, among which are those of the
+    /// outline, none comes twice; others may.
     pub(super) fn find(&self, low: Point, high: Point, mut wanted: impl FnMut(&Edge) -> bool) -> Option<u32> {
         let place = |v: f64, n: usize| (v / self.bucket).clamp(0.0, (n - 1) as f64) as usize;
         let (left, right) = (place(low.x, self.columns), place(high.x, self.columns));
+        let (last, mut seen) = (self.edges.len() as u32, 0_u64);
         for y in place(low.y, self.rows)..=place(high.y, self.rows) {
             // The buckets of a row are neighbours, and so are their members.
             let row = y * self.columns;
             let members = self.first[row + left] as usize..self.first[row + right + 1] as usize;
             for &i in &self.members[members] {
                 let edge = &self.edges[i as usize];
-                if edge.reaches(low, high) && wanted(edge) {
-                    return Some(edge.owner);
+                if edge.reaches(low, high) {
+                    // Long ones lie in many buckets.
+                    let bit = 1_u64.checked_shl(last - i - 1).unwrap_or(0);
+                    if seen & bit == 0 && wanted(edge) {
+                        return Some(edge.owner);
+                    }
+                    seen |= bit;
                 }
             }
         }
