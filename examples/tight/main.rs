@@ -4,13 +4,15 @@
 //! ```sh
 //! cargo run --release --example tight [all|promised|KIND] [count] [first seed] [members] [work] \
 //!     [verbose] [setting=value …]
+//! cargo run --release --example tight monotone [count] [first seed] [setting=value …]
 //! cargo run --release --example tight json [scenes per cell] [every]
 //! ```
 //!
 //! `all` takes every kind in turn, the cars by turns; `promised` the kerb slots that the sedan must enter. `members`
 //! asks, for each scene without a path, whether a single lattice with a far larger budget finds one. `work`
 //! compares the planner's collision checks for each path with those of the best single lattice. `verbose` prints a
-//! line a scene. `json`, for `cargo xtask bench tight`: how tight it can be over two sizes, every so-many-th cell,
+//! line a scene. `monotone` makes each kerb slot longer bit by bit and counts the lengths at which the car changes gear
+//! more than once more often than in a shorter one. `json`, for `cargo xtask bench tight`: how tight it can be over two sizes, every so-many-th cell,
 //! and 100 scenes of each kind.
 
 mod answer;
@@ -18,6 +20,7 @@ mod answer;
 mod clock;
 mod maps;
 mod members;
+mod monotone;
 mod tally;
 #[path = "../../tests/tight_scenes/mod.rs"]
 #[expect(dead_code, reason = "scenes are planned as they are drawn")]
@@ -62,6 +65,9 @@ fn main() {
         has_work: has("work"),
         is_verbose: has("verbose"),
     };
+    if what == "monotone" {
+        return monotone::print(&run);
+    }
     let (kinds, cars): (Vec<_>, _) = match what {
         "all" => (KINDS.to_vec(), &CARS[..]),
         "promised" => (PROMISED.to_vec(), &CARS[..1]),
@@ -69,7 +75,7 @@ fn main() {
     };
     assert!(
         !kinds.is_empty(),
-        "there are all, promised, json and {}",
+        "there are all, promised, monotone, json and {}",
         KINDS.map(|(name, _)| name).join(", ")
     );
     run.table(&kinds, cars);

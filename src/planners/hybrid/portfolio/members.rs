@@ -21,6 +21,11 @@ const FINE_ROCKING_LEVEL: u32 = 3;
 /// The level that is refined.
 #[cfg(feature = "complete")]
 const FINEST_PLAIN_LEVEL: u32 = FIRST_SHUFFLING_LEVEL - 1;
+/// Weight of the estimate where a search is greedy, and its expansions.
+#[cfg(feature = "complete")]
+const GREEDY_WEIGHT: f64 = 4.0;
+#[cfg(feature = "complete")]
+const GREEDY_EXPANSIONS: u32 = 100_000;
 /// Expansions of each search that rocks from the hard end, …
 #[cfg(feature = "complete")]
 const ROCKING_EXPANSIONS: u32 = 100_000;
@@ -48,6 +53,9 @@ pub(super) struct Member {
     pub(super) from: From,
     /// True if the car may rock: turn nearly on the spot.
     pub(super) is_rocking: bool,
+    /// True if it follows the estimate more than its level does.
+    #[cfg(feature = "complete")]
+    pub(super) is_greedy: bool,
     /// How much finer its lattice is than the level's; 0 where it is not.
     #[cfg(feature = "complete")]
     pub(super) refinement: usize,
@@ -64,6 +72,12 @@ impl Member {
         #[cfg(feature = "complete")]
         if self.refinement > 0 {
             return level.refined(self.refinement, config);
+        }
+        #[cfg(feature = "complete")]
+        if self.is_greedy {
+            let weight = config.heuristic_weight.unwrap_or(GREEDY_WEIGHT);
+            let max_expansions = config.max_expansions.unwrap_or(GREEDY_EXPANSIONS);
+            return Level { weight, max_expansions, ..level };
         }
         if self.level == 1 && is_least {
             // What it saves on rocking is less than it costs on detours.
@@ -111,6 +125,8 @@ fn plain(level: u32, margin: usize) -> Member {
         margin,
         from: From::Hard,
         is_rocking: false,
+        #[cfg(feature = "complete")]
+        is_greedy: false,
         #[cfg(feature = "complete")]
         refinement: 0,
     }
@@ -166,12 +182,17 @@ fn refined(levels: u32, widest: usize, margins: &[f64]) -> impl Iterator<Item = 
     margin.into_iter().flat_map(move |margin| (1..=REFINEMENTS).map(refined(margin)))
 }
 
-/// The members for open space, which the small module lacks. They rock with the least margin: on two lattices from the
-/// hard end, and from both ends.
+/// The members for open space, which the small module lacks. Where `is_unproven`, the coarsest search with the least
+/// margin goes on from where its budget ended, greedily. The others rock with the least margin: on two lattices from
+/// the hard end, and from both ends.
 #[cfg(feature = "complete")]
-pub(super) fn in_open_space(levels: u32, least: usize, may_swap: bool) -> Vec<Member> {
-    let mut members: Vec<Member> = rocking(least..least + 1).collect();
-    let coarse = members[0];
+pub(super) fn in_open_space(levels: u32, least: usize, may_swap: bool, is_unproven: bool) -> Vec<Member> {
+    let mut members: Vec<Member> = Vec::new();
+    if is_unproven {
+        members.push(Member { is_greedy: true, ..plain(1, least) });
+    }
+    let coarse = Member { is_rocking: true, ..plain(ROCKING_LEVEL, least) };
+    members.push(coarse);
     members.push(Member { level: FINE_ROCKING_LEVEL, ..coarse });
     members.push(Member { from: From::Both, ..coarse });
     members.retain(|one| one.level < levels && (may_swap || one.from == From::Hard));

@@ -202,7 +202,8 @@ impl Run<'_> {
     /// The members that are asked when a search has left every slot and found no way.
     #[cfg(feature = "complete")]
     fn in_open_space(&self) -> Vec<Member> {
-        in_open_space(self.search.config.levels(), self.floods.margins.len() - 1, self.may_swap)
+        let least = self.floods.margins.len() - 1;
+        in_open_space(self.search.config.levels(), least, self.may_swap, self.proof.is_none())
     }
 
     /// True if the body could not get there either if it moved in any direction; else more work is worth its while.
