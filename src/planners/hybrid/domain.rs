@@ -244,7 +244,8 @@ impl<'a> StateLattice<'a> {
                 }
                 let (end, motion) = (pose.advance_turned(turned, arc.curvature, length), Motion::after(&arc));
                 let to = State { pose: end, motion, length };
-                moves.push(Move { key: self.key(end, motion.gear), node: 0, cost, arc, to });
+                let key = self.key(end, motion.gear);
+                moves.push(Move { key, node: 0, cost, arc, to });
             }
         }
         let mut keys = self.keys.borrow_mut();

@@ -77,7 +77,7 @@ impl Member {
         if self.is_greedy {
             let weight = config.heuristic_weight.unwrap_or(GREEDY_WEIGHT);
             let max_expansions = config.max_expansions.unwrap_or(GREEDY_EXPANSIONS);
-            return Level { weight, max_expansions, ..level };
+            return Level { max_expansions, weight, ..level };
         }
         if self.level == 1 && is_least {
             // What it saves on rocking is less than it costs on detours.
