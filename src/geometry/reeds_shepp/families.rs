@@ -88,6 +88,7 @@ impl Polar {
         Self { vector, length: (x * x + y * y).sqrt(), angle: OnceCell::new() }
     }
 
+    #[inline(never)]
     fn angle(&self) -> f64 {
         *self.angle.get_or_init(|| math::atan2(self.vector[1], self.vector[0]))
     }
