@@ -68,6 +68,7 @@ impl Pose {
     /// Integrated exactly: θ′ = θ + κℓ, and the position moves by the integral of (cos θ, sin θ) along the arc, which is
     /// (sin θ′ − sin θ, cos θ − cos θ′)/κ. The heading is wrapped to (−π, π] unless the line is straight.
     #[must_use]
+    #[inline(never)]
     pub fn advance(self, curvature: f64, length: f64) -> Self {
         self.advance_turned(math::sin_cos(self.heading), curvature, length)
     }

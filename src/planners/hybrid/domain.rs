@@ -230,6 +230,7 @@ impl<'a> StateLattice<'a> {
     /// The moves from a state that stay below the bound, whether or not they are free.
     ///
     /// All are made before the first of their cells is looked up: the look-ups then wait for memory together.
+    #[inline(never)]
     pub(super) fn list_moves(&self, from: Visit<f64, State>, moves: &mut Vec<Move>) {
         let State { pose, motion, .. } = from.label;
         let turned = self.ahead(&self.reach[0], pose).turned();
