@@ -1,10 +1,11 @@
 //! Lots to park in and a checker that shares nothing with the planner.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::PI;
 
 use parkade::geometry::arcs::{self, Arc};
 use parkade::geometry::{Point, Pose, math};
 use parkade::planners::hybrid::{Config, Query, Report, Scratch, Status, plan};
+use parkade::scenario::{Goal, catalog};
 use parkade::vehicle::Vehicle;
 use parkade::vehicle::collision::{CollisionChecker, Obstacles, Solid};
 
@@ -25,25 +26,18 @@ pub(crate) fn pose([x, y, heading]: [f64; 3]) -> Pose {
 }
 
 impl Lot {
-    /// The paper's lot: 50 m × 25 m above y = 5 with a bay `x0..x1` of this depth below it.
-    pub(crate) fn paper(x0: f64, x1: f64, depth: f64, start: [f64; 3], goal: [f64; 3]) -> Self {
-        let low = 5.0 - depth;
-        let floor = vec![
-            [-25.0, 5.0],
-            [x0, 5.0],
-            [x0, low],
-            [x1, low],
-            [x1, 5.0],
-            [25.0, 5.0],
-            [25.0, 30.0],
-            [-25.0, 30.0],
-        ];
-        Self { floor, solids: Vec::new(), start, goal }
+    /// A scene of the catalogue in the paper's lot.
+    pub(crate) fn of(id: &str) -> Self {
+        let scene = catalog::scenario(id).expect("a scene of the catalogue");
+        let Goal::Pose(goal) = scene.goal else { panic!("{id} has no pose as its goal") };
+        let numbers = |pose: Pose| [pose.x, pose.y, pose.heading];
+        let floor = scene.map.boundary.expect("the paper's lot has a boundary");
+        Self { floor, solids: Vec::new(), start: numbers(scene.start), goal: numbers(goal) }
     }
 
-    pub(crate) fn row(id: &str) -> Self {
-        let (_, start, goal) = ROWS.into_iter().find(|row| row.0 == id).expect("a row of the paper");
-        Self::paper(-10.0, 10.0, 5.0, start, goal)
+    /// The same lot with another question.
+    pub(crate) fn between(self, start: [f64; 3], goal: [f64; 3]) -> Self {
+        Self { start, goal, ..self }
     }
 
     pub(crate) fn with(mut self, solid: &[[f64; 2]]) -> Self {
@@ -166,7 +160,7 @@ pub(crate) fn random(state: &mut u64) -> f64 {
 pub(crate) fn random_scenes(seed: u64) -> Lot {
     let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
     let mut between = |low: f64, high: f64| low + (high - low) * random(&mut state);
-    let mut lot = Lot::paper(-10.0, 10.0, 5.0, [0.0; 3], [0.0; 3]);
+    let mut lot = Lot::of("P0");
     for _ in 0..6 {
         let (x, y, turn) = (between(-24.0, 24.0), between(8.0, 29.0), between(0.0, PI));
         let (a, b) = (between(0.3, 2.5), between(0.3, 1.5));
@@ -184,15 +178,5 @@ pub(crate) fn random_scenes(seed: u64) -> Lot {
     lot
 }
 
-pub(crate) const ROWS: [(&str, [f64; 3], [f64; 3]); 10] = [
-    ("P0", [22.0, 8.19, PI], [2.5, 5.0, -FRAC_PI_2]),
-    ("P1", [24.0, 8.4, PI], [2.5, 5.0, -FRAC_PI_2]),
-    ("P2", [-20.0, 14.5, PI], [-7.0, 5.0, -FRAC_PI_2]),
-    ("P3", [16.0, 18.0, PI], [-2.0, 5.0, -FRAC_PI_2]),
-    ("P4", [-16.0, 7.5, PI], [7.0, 5.0, -FRAC_PI_2]),
-    ("L0", [20.0, 19.06, PI], [-3.0, 2.0, PI]),
-    ("L1", [18.0, 15.7, PI], [-3.0, 2.0, PI]),
-    ("L2", [16.0, 14.7, PI], [2.0, 2.0, PI]),
-    ("L3", [19.0, 15.5, PI], [-4.0, 3.0, PI]),
-    ("L4", [-8.0, 14.2, PI], [7.0, 3.0, PI]),
-];
+/// The rows of the paper's tables.
+pub(crate) const ROWS: [&str; 10] = ["P0", "P1", "P2", "P3", "P4", "L0", "L1", "L2", "L3", "L4"];

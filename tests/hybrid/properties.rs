@@ -37,7 +37,7 @@ fn random_lots_give_drivable_paths() {
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn far_from_the_origin_the_answer_is_the_same() {
     for id in ["P2", "L1", "L2"] {
-        let near = Lot::row(id);
+        let near = Lot::of(id);
         let (length, changes, _) = near.solve(id, &Config::default());
         let far = |p: &[f64; 2]| [p[0] + 1e9, p[1] - 1e9];
         let mut lot = Lot { floor: near.floor.iter().map(far).collect(), ..near.clone() };
@@ -55,9 +55,9 @@ fn far_from_the_origin_the_answer_is_the_same() {
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn the_mirror_image_is_as_long() {
     for id in ["P2", "L0", "L4"] {
-        let lot = Lot::row(id);
+        let lot = Lot::of(id);
         let flip = |[x, y, heading]: [f64; 3]| [-x, y, PI - heading];
-        let mirror = Lot::paper(-10.0, 10.0, 5.0, flip(lot.start), flip(lot.goal));
+        let mirror = Lot::of("P0").between(flip(lot.start), flip(lot.goal));
         let (one, _, _) = lot.solve(id, &Config::default());
         let (other, _, _) = mirror.solve(id, &Config::default());
         assert!((one - other).abs() <= 0.02 * one, "{id}: {one} {other}");

@@ -12,7 +12,7 @@ use crate::lot::{BORDER, CAR, Lot, pose};
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn bad_questions_are_answered_with_the_reason() {
-    let lot = Lot::row("P3");
+    let lot = Lot::of("P3");
     let ask = |lot: &Lot| lot.plan(&Config::default());
     let block =
         |x: f64, y: f64| [[x - 1.0, y - 1.0], [x + 1.0, y - 1.0], [x + 1.0, y + 1.0], [x - 1.0, y + 1.0]];
@@ -43,7 +43,7 @@ fn bad_questions_are_answered_with_the_reason() {
         ladder: false,
         ..Config::default()
     };
-    let spent = Lot::paper(-8.0, -0.8, 3.0, [10.0, 8.0, PI], [-2.65, 3.5, PI]).plan(&config);
+    let spent = Lot::of("par-7.2").plan(&config);
     assert!(matches!(spent.status, Status::BudgetExhausted(left) if left > 1.0), "{:?}", spent.status);
     assert_eq!(spent.expanded, 10);
 }
@@ -86,7 +86,7 @@ fn a_wall_is_no_solid_but_stops_the_car() {
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn a_coarse_level_alone_ends_without_a_path() {
     // More than a metre to move, so the car is not boxed in; but no primitive of 0.8 m fits.
-    let slot = Lot::paper(-8.0, -0.8, 3.0, [10.0, 8.0, PI], [-2.65, 3.5, PI]);
+    let slot = Lot::of("par-7.2");
     let report = slot.plan(&Config { ladder: false, ..Config::default() });
     assert_eq!((report.status, report.level), (Status::NoPath, 0));
     assert!(report.arcs.is_empty() && report.expanded < 100 && report.closest.is_some());
@@ -97,7 +97,7 @@ fn a_coarse_level_alone_ends_without_a_path() {
 fn a_path_that_touches_between_two_checks_is_refused() {
     // P1 starts on a wall, so it is planned without margin. A needle reaches 3 mm into what the outer front corner
     // sweeps, which lasts less than the finest checks of a level are apart.
-    let lot = Lot::row("P1");
+    let lot = Lot::of("P1");
     let plain = lot.plan(&Config::default()).arcs;
     let turn = plain.iter().position(|arc| arc.curvature != 0.0 && arc.length.abs() > 4.0).expect("a bend");
     let from = plain[..turn].iter().fold(pose(lot.start), |at, arc| at.advance(arc.curvature, arc.length));

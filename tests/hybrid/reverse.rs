@@ -88,8 +88,8 @@ fn the_profile_costs_no_path_and_never_more_than_it_saves() {
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn the_papers_rows_are_the_same_in_both_profiles() {
-    for (id, ..) in ROWS {
-        let lot = Lot::row(id);
+    for id in ROWS {
+        let lot = Lot::of(id);
         assert_eq!(lot.plan(&Config::default()).arcs, lot.plan(&shortest()).arcs, "{id}");
     }
 }

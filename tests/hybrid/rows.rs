@@ -1,7 +1,5 @@
 //! The parking paper's rows.
 
-use std::f64::consts::PI;
-
 use parkade::planners::hybrid::{Config, Profile, SearchFrom};
 
 use crate::lot::Lot;
@@ -24,7 +22,7 @@ const MUST_REACH: [(&str, f64, f64, u32); 10] = [
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn the_papers_rows_are_reached() {
     for (id, bound, length, changes) in MUST_REACH {
-        let (got, got_changes, report) = Lot::row(id).solve(id, &Config::default());
+        let (got, got_changes, report) = Lot::of(id).solve(id, &Config::default());
         println!("{id}: {got:.2} m, {got_changes} changes, {} expansions", report.expanded);
         assert!(got <= length && got_changes <= changes, "{id}: {got} m, {got_changes} changes");
         assert!((report.rs_bound - bound).abs() < 0.005, "{id}: bound {}", report.rs_bound);
@@ -37,7 +35,7 @@ fn the_papers_rows_are_reached() {
 fn the_papers_rows_are_reached_from_the_start_too() {
     let config = Config { search_from: SearchFrom::Start, ..Config::default() };
     for id in ["P0", "P3", "L3", "L4"] {
-        Lot::row(id).solve(id, &config);
+        Lot::of(id).solve(id, &config);
     }
 }
 
@@ -46,11 +44,11 @@ fn the_papers_rows_are_reached_from_the_start_too() {
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn two_trees_reach_the_papers_rows() {
     for (id, _, length, changes) in MUST_REACH {
-        let (got, got_changes, report) = Lot::row(id).solve(id, &Config::bidirectional());
+        let (got, got_changes, report) = Lot::of(id).solve(id, &Config::bidirectional());
         println!("{id}: {got:.2} m, {got_changes} changes, {} expansions", report.expanded);
         assert!(got <= length * 1.05 && got_changes <= changes, "{id}: {got} m, {got_changes} changes");
     }
-    let boxed = Lot::paper(-8.0, -1.4, 3.0, [10.0, 8.0, PI], [-2.95, 3.5, PI]);
+    let boxed = Lot::of("par-6.6");
     let report = boxed.plan(&Config { finest_level: 4, ..Config::bidirectional() });
     assert!(report.arcs.is_empty(), "{:?}", report.status);
 }
@@ -61,14 +59,14 @@ fn two_trees_reach_the_papers_rows() {
 fn the_classic_planner_is_as_poor_as_its_forerunner() {
     let rows = [("P0", 22.77, 0), ("P1", 24.72, 0), ("P3", 23.20, 0), ("L3", 26.44, 0), ("L4", 19.38, 0)];
     for (id, length, changes) in rows {
-        let (got, got_changes, _) = Lot::row(id).solve(id, &Config::classic());
+        let (got, got_changes, _) = Lot::of(id).solve(id, &Config::classic());
         assert!(
             (got - length).abs() < 0.01 && got_changes == changes,
             "{id}: {got} m, {got_changes} changes"
         );
     }
     for (id, length) in [("P2", 23.14), ("P4", 27.35), ("L0", 36.6), ("L1", 32.0), ("L2", 37.3)] {
-        let (got, got_changes, _) = Lot::row(id).solve(id, &Config::classic());
+        let (got, got_changes, _) = Lot::of(id).solve(id, &Config::classic());
         println!("{id}: {got:.2} m, {got_changes} changes; {length} m measured before");
         assert!(got >= length * 0.8 && got <= length * 1.35, "{id}: {got} m");
     }
@@ -79,7 +77,7 @@ fn the_classic_planner_is_as_poor_as_its_forerunner() {
 fn comfort_keeps_away_from_walls() {
     let config = Config { profile: Profile::Comfort, ..Config::default() };
     for (id, length, clear) in [("P4", 27.8, 0.3), ("L2", 26.0, 0.18)] {
-        let lot = Lot::row(id);
+        let lot = Lot::of(id);
         let (got, changes, report) = lot.solve(id, &config);
         let clearance = lot.clearance(&report.arcs);
         println!("{id}: {got:.2} m, {changes} changes, {clearance:.2} m clear");
@@ -93,7 +91,7 @@ fn comfort_keeps_away_from_walls() {
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn a_box_in_the_aisle_is_passed() {
-    let lot = Lot::row("P0").with(&[[11.0, 8.5], [13.0, 8.5], [13.0, 10.5], [11.0, 10.5]]);
+    let lot = Lot::of("P0").with(&[[11.0, 8.5], [13.0, 8.5], [13.0, 10.5], [11.0, 10.5]]);
     let (length, changes, _) = lot.solve("box", &Config::default());
     assert!(length <= 23.9 && changes == 0, "{length} {changes}");
 }

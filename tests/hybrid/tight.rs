@@ -1,6 +1,6 @@
 //! Slots with little room, and TPCAP's cases.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::PI;
 
 use parkade::geometry::arcs;
 use parkade::planners::hybrid::{Config, Status};
@@ -16,23 +16,20 @@ use crate::tight_scenes::{Scene, bay, corner, kerb};
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn tight_slots_are_entered() {
-    let parallel = |x1: f64, x: f64| Lot::paper(-8.0, x1, 3.0, [10.0, 8.0, PI], [x, 3.5, PI]);
-    let across =
-        |w: f64, y: f64, heading: f64| Lot::paper(0.0, w, 6.0, [16.0, 9.0, PI], [w / 2.0, y, heading]);
-    let (tail, nose) = ((0.4, FRAC_PI_2), (3.9, -FRAC_PI_2));
     // Metres, gear changes and level with the usual margin; metres and gear changes without one.
     let rows = [
-        ("par-8.0", parallel(0.0, -2.25), (24.6, 4, 1), (23.5, 2)),
-        ("par-7.2", parallel(-0.8, -2.65), (26.7, 8, 3), (24.4, 4)),
-        ("perp-tail-3.6", across(3.6, tail.0, tail.1), (25.5, 1, 0), (25.4, 1)),
-        ("perp-tail-3.2", across(3.2, tail.0, tail.1), (25.8, 1, 0), (25.6, 1)),
-        ("perp-tail-3.0", across(3.0, tail.0, tail.1), (26.2, 1, 0), (25.2, 1)),
-        ("perp-nose-3.6", across(3.6, nose.0, nose.1), (23.5, 1, 0), (21.8, 1)),
-        ("perp-nose-3.2", across(3.2, nose.0, nose.1), (26.0, 1, 0), (24.3, 1)),
-        ("perp-nose-3.0", across(3.0, nose.0, nose.1), (26.0, 1, 0), (26.0, 1)),
+        ("par-8.0", (24.6, 4, 1), (23.5, 2)),
+        ("par-7.2", (26.7, 8, 3), (24.4, 4)),
+        ("perp-tail-3.6", (25.5, 1, 0), (25.4, 1)),
+        ("perp-tail-3.2", (25.8, 1, 0), (25.6, 1)),
+        ("perp-tail-3.0", (26.2, 1, 0), (25.2, 1)),
+        ("perp-nose-3.6", (23.5, 1, 0), (21.8, 1)),
+        ("perp-nose-3.2", (26.0, 1, 0), (24.3, 1)),
+        ("perp-nose-3.0", (26.0, 1, 0), (26.0, 1)),
     ];
     let close = Config { margin: 0.0, ..Config::default() };
-    for (name, lot, (length, changes, level), (length_close, changes_close)) in rows {
+    for (name, (length, changes, level), (length_close, changes_close)) in rows {
+        let lot = Lot::of(name);
         let (got, got_changes, report) = lot.solve(name, &Config::default());
         println!("{name}: {got:.2} m, {got_changes} changes, {} expansions", report.expanded);
         assert!(got <= length * 1.05 && got_changes <= changes, "{name}: {got} m, {got_changes} changes");
@@ -40,7 +37,7 @@ fn tight_slots_are_entered() {
         let (got, got_changes, _) = lot.solve(name, &close);
         assert!(got <= length_close * 1.05 && got_changes <= changes_close, "{name}, no margin: {got} m");
     }
-    let tightest = parallel(-1.4, -2.95);
+    let tightest = Lot::of("par-6.6");
     let coarse = tightest.plan(&Config { finest_level: 4, ..Config::default() });
     assert!(matches!(coarse.status, Status::BoxedIn { at_start: false, .. }), "{:?}", coarse.status);
     let report = tightest.plan(&Config::default());
@@ -53,7 +50,7 @@ fn tight_slots_are_entered() {
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn the_margin_falls_where_it_alone_keeps_the_car_in() {
     // Seven tenths of a metre to move in between two cars.
-    let mut lot = Lot::paper(-10.0, 10.0, 5.0, [10.0, 8.5, PI], [0.0, 2.0, PI]);
+    let mut lot = Lot::of("P0").between([10.0, 8.5, PI], [0.0, 2.0, PI]);
     lot.solids.push(vec![[1.35, 0.7], [6.0, 0.7], [6.0, 3.3], [1.35, 3.3]]);
     lot.solids.push(vec![[-9.0, 0.7], [-4.85, 0.7], [-4.85, 3.3], [-9.0, 3.3]]);
     let report = lot.plan(&Config::default());

@@ -38,7 +38,7 @@ fn reached(report: &Report, root: Pose, mirrored: bool) -> Vec<Pose> {
 fn failed_connections_lead_from_the_tree_to_what_they_hit() {
     for search_from in [SearchFrom::Goal, SearchFrom::Start] {
         let config = Config { search_from, max_expansions: Some(300), ladder: false, ..Config::default() };
-        let lot = Lot::row("L2");
+        let lot = Lot::of("L2");
         let report = traced(&lot, &config);
         let plain = lot.plan(&config);
         assert_eq!((&plain.arcs, plain.collision_checks), (&report.arcs, report.collision_checks));
@@ -77,7 +77,7 @@ fn failed_connections_lead_from_the_tree_to_what_they_hit() {
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn two_trees_show_their_failed_connections() {
-    let report = traced(&Lot::row("L2"), &Config::bidirectional());
+    let report = traced(&Lot::of("L2"), &Config::bidirectional());
     assert!(report.shots.first.len() > 5);
     assert!(report.shots.expansions.windows(2).all(|w| w[0] < w[1]), "one an expansion, in order");
 }
@@ -86,7 +86,7 @@ fn two_trees_show_their_failed_connections() {
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn a_failure_has_a_place() {
     let ask = |lot: &Lot| lot.plan(&Config::default());
-    let lot = Lot::row("P3");
+    let lot = Lot::of("P3");
     assert_eq!(ask(&lot).obstruction, None);
     let block = [[13.0, 17.0], [15.0, 17.0], [15.0, 19.0], [13.0, 19.0]];
     let blocked = ask(&lot.clone().with(&block)).obstruction;
@@ -111,7 +111,7 @@ fn a_failure_has_a_place() {
     assert!((gap.width - 2.0).abs() < 0.1 && (gap.at.x - 5.0).abs() < 0.7 && (gap.at.y - 11.1).abs() < 0.7);
 
     // A slot that is too small for any shuffling names what stands before and behind.
-    let mut boxed = Lot::paper(-10.0, 10.0, 5.0, [10.0, 8.5, PI], [0.0, 2.0, PI]);
+    let mut boxed = Lot::of("P0").between([10.0, 8.5, PI], [0.0, 2.0, PI]);
     boxed.solids.push(vec![[1.05, 0.7], [6.0, 0.7], [6.0, 3.3], [1.05, 3.3]]);
     boxed.solids.push(vec![[-9.0, 0.7], [-4.55, 0.7], [-4.55, 3.3], [-9.0, 3.3]]);
     let report = ask(&boxed);
@@ -126,7 +126,7 @@ fn a_failure_has_a_place() {
 
     // Searched in vain: the place where it came nearest.
     let spent = Config { max_expansions: Some(30), ladder: false, ..Config::default() };
-    let report = Lot::paper(-8.0, -0.8, 3.0, [10.0, 8.0, PI], [-2.65, 3.5, PI]).plan(&Config {
+    let report = Lot::of("par-7.2").plan(&Config {
         motion_primitive_length: Some(0.2),
         xy_resolution: Some(0.1),
         heading_resolution: Some(0.026),
