@@ -10,7 +10,7 @@
 //! The complete module has more scenes than `core`: those with moving boxes, with roads, and those of the papers'
 //! figures.
 
-use super::paper_lot::{PAPER_ROWS, lot, paper_row};
+use super::paper_lot::{PAPER_ROWS, lot, nose_in, paper_row, tail_in};
 pub use super::scene_info::Info;
 use super::scene_info::info;
 use super::{Entry, Goal, Lean, Obstacle, Scenario, Slot, SlotGoal, SlotKind, VehicleSpec};
@@ -198,8 +198,8 @@ fn build(id: &str) -> Option<Scenario> {
         "par-8.0" => lot(-8.0, 0.0, 3.0, [10.0, 8.0, PI], [-2.25, 3.5, PI]),
         "par-7.2" => lot(-8.0, -0.8, 3.0, [10.0, 8.0, PI], [-2.65, 3.5, PI]),
         "par-6.6" => lot(-8.0, -1.4, 3.0, [10.0, 8.0, PI], [-2.95, 3.5, PI]),
-        "perp-tail-3.2" => lot(0.0, 3.2, 6.0, [16.0, 9.0, PI], [1.6, 0.4, FRAC_PI_2]),
-        "perp-nose-3.2" => lot(0.0, 3.2, 6.0, [16.0, 9.0, PI], [1.6, 3.9, -FRAC_PI_2]),
+        "perp-tail-3.2" => tail_in(3.2),
+        "perp-nose-3.2" => nose_in(3.2),
         _ => return None,
     })
 }

@@ -8,10 +8,9 @@
 //! leaves 0.2 m on either side and one of 3.6 m leaves 0.5 m.
 
 use super::generate::{Family, generate};
-use super::paper_lot::{lot, paper_row};
+use super::paper_lot::{nose_in, paper_row, tail_in};
 use super::scene_info::{Info, info};
 use super::{MapFrame, MovingObstacle, Obstacle, Scenario};
-use crate::geometry::math::{FRAC_PI_2, PI};
 
 /// The scenes in the order of the page's menu.
 pub(super) const SCENES: [Info; 13] = [
@@ -152,16 +151,6 @@ fn polygon(id: &str, points: [[f64; 2]; 4]) -> Obstacle {
     Obstacle::Polygon { id: Some(id.to_owned()), points: points.to_vec() }
 }
 
-/// A bay of this width in which the car shall stand with its tail to the wall.
-fn tail_in(width: f64) -> Scenario {
-    lot(0.0, width, 6.0, [16.0, 9.0, PI], [width / 2.0, 0.4, FRAC_PI_2])
-}
-
-/// The same bay, entered nose first; the rear axle then stands near the mouth.
-fn nose_in(width: f64) -> Scenario {
-    lot(0.0, width, 6.0, [16.0, 9.0, PI], [width / 2.0, 3.9, -FRAC_PI_2])
-}
-
 /// The same question where nothing stands and the ground goes on for ten metres beyond the paper's walls.
 fn without_walls(mut scene: Scenario) -> Scenario {
     scene.map =
@@ -185,6 +174,7 @@ fn seeded(family: Family, size: u32, seed: u64) -> Option<Scenario> {
 mod tests {
     use super::super::catalog::{scenario, scenes};
     use super::*;
+    use crate::geometry::math::{FRAC_PI_2, PI};
     use crate::plan::{Options, Planner};
 
     /// Every scene that the papers' specification names, where its car starts and ends, and how long the best known

@@ -77,3 +77,13 @@ pub(super) fn lot(x0: f64, x1: f64, depth: f64, start: [f64; 3], goal: [f64; 3])
         planners,
     }
 }
+
+/// A bay of this width in which the car shall stand with its tail to the wall.
+pub(super) fn tail_in(width: f64) -> Scenario {
+    lot(0.0, width, 6.0, [16.0, 9.0, PI], [width / 2.0, 0.4, FRAC_PI_2])
+}
+
+/// The same bay, entered nose first; the rear axle then stands near the mouth.
+pub(super) fn nose_in(width: f64) -> Scenario {
+    lot(0.0, width, 6.0, [16.0, 9.0, PI], [width / 2.0, 3.9, -FRAC_PI_2])
+}

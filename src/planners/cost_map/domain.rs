@@ -106,8 +106,9 @@ impl CostMap {
                     let lane = LaneLeg::nearest(&legs, point);
                     let (off, bend) =
                         lane.map_or((0.0, 0.0), |(leg, away)| (away / leg.half_width, leg.curvature));
-                    // The room in the middle of a lane as wide as this one.
-                    let enough = lane.map(|(leg, _)| leg.half_width - radius - frame.resolution * LEEWAY);
+                    // The room on the lattice in the middle of a lane as wide as this one.
+                    let less = radius + frame.resolution * LEEWAY + ground.thickened;
+                    let enough = lane.map(|(leg, _)| leg.half_width - less);
                     let last = enough.unwrap_or(1.0).clamp(0.1, 1.0);
                     let near = ((f64::from(kerb[index]) - radius) / last).clamp(0.0, 1.0);
                     let pace = SpeedLimit::lowest_at(&traffic.limits, point)

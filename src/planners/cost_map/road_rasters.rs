@@ -30,6 +30,8 @@ pub struct RoadRasters {
     pub clearance: Vec<f32>,
     /// No place of a cell is farther from everything than the cell's clearance and this, metres.
     pub unsure: f64,
+    /// By how much walls without thickness are thicker on the lattice, metres; 0 where there are none.
+    pub thickened: f64,
     /// Weights of the cells; `None` if all cost the same.
     pub weights: Option<Arc<Weights>>,
 }
@@ -60,7 +62,8 @@ impl RoadRasters {
         }
         // What is thin touches its cells, but need not hold their centres.
         let unsure = if is_thin { sure + corner } else { sure };
-        Self { frame, clearance: distances(&road, &frame, open), unsure, weights: None }
+        let thickened = if is_thin { frame.resolution } else { 0.0 };
+        Self { frame, clearance: distances(&road, &frame, open), unsure, thickened, weights: None }
     }
 
     /// The clearance at a cell, metres; 0 off the map.
