@@ -1,5 +1,6 @@
 /** Figures as SVG: the page's own picture of a scene and its paths, with what a paper's figure adds to it. */
 import type { Encounter, Plan, PlannerId, Scenario, Stages } from "parkade";
+import { below, isLong, STRIP } from "../../../www/src/view/camera";
 import { Planner, scenario, sceneGeometry, stopWaitGo, toSVG } from "../../../pkg/node.js";
 import { contours } from "../../../www/src/view/contour";
 import type { Figure } from "./blocks";
@@ -39,20 +40,22 @@ export function picture({ scene: id, planners, draws, svg }: Figure): string {
   }
 }
 
-function viewOf({
-  map: {
+/** Above a long road its strip is drawn. */
+function viewOf(scene: Scenario): View {
+  const {
     origin: [left, bottom],
     width,
     height,
     resolution,
-  },
-}: Scenario): View {
+  } = scene.map;
   const size = [width * resolution, height * resolution] as const,
     square = size[0] < 1.3 * size[1];
   const across = square ? SIDE : WIDTH,
     high = Math.max(120, Math.min(SIDE, square ? SIDE : (WIDTH * size[1]) / size[0] + 40));
   const scale = FIT * Math.min(across / size[0], high / size[1]);
-  return { x: left + size[0] / 2, y: bottom + size[1] / 2, scale, width: across, height: Math.round(high) };
+  const strip = isLong(scene) ? STRIP.room : 0;
+  const middle = { x: left + size[0] / 2, y: bottom + size[1] / 2, scale };
+  return { ...below(strip, middle), width: across, height: Math.round(high) + strip };
 }
 
 function over(
