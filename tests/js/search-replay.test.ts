@@ -247,7 +247,7 @@ describe("a recorded search", () => {
           goal: { x: 159.5, y: 159.5, heading: 0 },
         } as Scenario).trace,
     ],
-    ["poses", () => recordedPoses("hybrid", "random-60", { heuristic: "euclid", heuristicWeight: 0.1 }, 12_000)],
+    ["poses", () => recordedPoses("hybrid", "random-60", { heuristic: "euclid", heuristicWeight: 0.1 }, 14_000)],
   ];
   it.each(long)("of a hundred thousand events over %s takes no more memory, walked back and forth", (_, make) => {
     const replay = new SearchReplay(make());

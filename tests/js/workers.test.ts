@@ -129,7 +129,7 @@ test("bad input is refused as by the package, and leaves the planner as it was",
     threads = pool({ size: 1 });
   const planner = await threads.createPlanner("hybrid", scene);
   const wrong: [() => Promise<unknown>, string, string][] = [
-    [() => threads.createPlanner("hybrid", 4 as never), "bad-scenario", ""],
+    [() => threads.createPlanner("hybrid", 4 as never), "bad-scenario", "scene"],
     [() => threads.createPlanner("hybird" as never, scene), "unknown-planner", ""],
     [() => threads.createPlanner(3 as never, scene), "bad-input", "planner"],
     [() => threads.createPlanner("hybrid", scene, { reverseCost: -1 }), "bad-config", "reverseCost"],

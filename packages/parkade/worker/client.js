@@ -115,6 +115,7 @@ function sendable(value, path) {
       return JSON.parse(JSON.stringify(plain));
     }
   } catch (cause) {
+    if (cause instanceof ParkadeError) throw cause;
     const message = `${path}: must be plain data: ${cause instanceof Error ? cause.message : cause}`;
     throw new ParkadeError(message, "bad-input", path, { cause });
   }
