@@ -57,7 +57,7 @@ def main():
     parser.add_argument("--count", type=int, default=100_000)
     parser.add_argument("--planner", default="eight")
     parser.add_argument("--size", type=int, default=40)
-    parser.add_argument("--rows", type=int, default=1000, help="rows per part of Ray's")
+    parser.add_argument("--rows", type=int, default=5000, help="rows per part of Ray's")
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--processes", type=int, default=2)
     given = parser.parse_args()

@@ -20,7 +20,7 @@ def main():
     parser.add_argument("--family", default="random")
     parser.add_argument("--size", type=int, default=15)
     parser.add_argument("--planner", default="eight", help="one or more, with commas")
-    parser.add_argument("--rows", type=int, default=2000, help="rows per part")
+    parser.add_argument("--rows", type=int, default=5000, help="rows per part")
     given = parser.parse_args()
     scenes = [{"family": given.family, "size": given.size, "seed": seed} for seed in range(given.count)]
     tasks = batch.manifest(scenes, given.planner.split(","))
