@@ -82,8 +82,8 @@ function converted(error) {
   if (error instanceof ParkadeError) return error;
   if (error instanceof Error && error.name === "ParkadeError") {
     const { code, path } = /** @type {ParkadeError} */ (error);
-    // A value may be a whole scene.
-    return new ParkadeError(error.message.replace(/(, got .{100}).+/s, "$1…"), code, path);
+    // A value may be a whole scene; a number is said as it is natively.
+    return new ParkadeError(error.message.replace(/(, got [^\d-].{99}).+/s, "$1…"), code, path);
   }
   if (error instanceof WebAssembly.RuntimeError) state = "stopped";
   return new ParkadeError(`internal error: ${describe(error)}`, "internal", "", { cause: error });
