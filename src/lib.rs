@@ -24,13 +24,13 @@
 //!
 //! # Layers
 //!
-//! A module uses only modules before it in this list: [`error`] · `fnv` (the hash of results) · `json` (reading settings
-//! and scenes) · [`geometry`] (poses, arcs, Reeds–Shepp curves) · [`map`] (cells, rasters, distance and potential fields) · [`vehicle`]
-//! (dimensions, collision) · [`scenario`] (scenes, their JSON, built-in and generated ones) · `import` (maps of other
-//! programs) · [`search`] (best-first search over any [`search::Domain`]) · [`post`] (pruning, smoothing) ·
-//! [`metrics`] (validator, figures) · `drive` (paths in time) · `referee` (verdicts on trajectories) · [`planners`] ·
-//! `optimise` (plans as trajectories) · [`plan`] (joins all of these) · `audit` (every bay of a lot) · `papers`
-//! (the papers' tables) · `wasm` (JavaScript bindings, on wasm32 only).
+//! A module uses only modules before it in this list: [`error`] · `fnv` (the hash of results) · `json` (reading
+//! settings and scenes) · [`geometry`] (poses, arcs, Reeds–Shepp curves) · [`map`] (cells, rasters, distance and
+//! potential fields) · [`vehicle`] (dimensions, collision) · [`scenario`] (scenes, their JSON, built-in and generated
+//! ones) · `import` (maps of other programs) · [`search`] (best-first search over any [`search::Domain`]) · [`post`]
+//! (pruning, smoothing) · [`metrics`] (validator, figures) · `drive` (paths in time) · `referee` (verdicts on
+//! trajectories) · [`planners`] · `optimise` (plans as trajectories) · [`plan`] (joins all of these) · `audit` (every
+//! bay of a lot) · `papers` (the papers' tables) · `wasm` (JavaScript bindings, on wasm32 only).
 //!
 //! # Determinism
 //!

@@ -12,8 +12,8 @@
 //! asks, for each scene without a path, whether a single lattice with a far larger budget finds one. `work`
 //! compares the planner's collision checks for each path with those of the best single lattice. `verbose` prints a
 //! line a scene. `monotone` makes each kerb slot longer bit by bit and counts the lengths at which the car changes gear
-//! more than once more often than in a shorter one. `json`, for `cargo xtask bench tight`: how tight it can be over two sizes, every so-many-th cell,
-//! and 100 scenes of each kind.
+//! more than once more often than in a shorter one. `json`, for `cargo xtask bench tight`: how tight it can be over two
+//! sizes, every so-many-th cell, and 100 scenes of each kind.
 
 mod answer;
 #[path = "../clock/mod.rs"]

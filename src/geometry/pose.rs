@@ -65,8 +65,8 @@ impl Pose {
 
     /// The pose after an arc of signed `length` (metres, negative in reverse) at `curvature` (1/m, left positive).
     ///
-    /// Integrated exactly: θ′ = θ + κℓ, and the position moves by the integral of (cos θ, sin θ) along the arc, which is
-    /// (sin θ′ − sin θ, cos θ − cos θ′)/κ. The heading is wrapped to (−π, π] unless the line is straight.
+    /// Integrated exactly: θ′ = θ + κℓ, and the position moves by the integral of (cos θ, sin θ) along the arc, which
+    /// is (sin θ′ − sin θ, cos θ − cos θ′)/κ. The heading is wrapped to (−π, π] unless the line is straight.
     #[must_use]
     #[inline(never)]
     pub fn advance(self, curvature: f64, length: f64) -> Self {

@@ -1,6 +1,7 @@
 //! One value per cell.
 //!
-//! Rows lie one after the other from the south-western cell, as in ROS maps and unlike pictures, which begin in the north.
+//! Rows lie one after the other from the south-western cell, as in ROS maps and unlike pictures, which begin in the
+//! north.
 
 use super::Cell;
 

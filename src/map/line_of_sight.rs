@@ -1,9 +1,9 @@
 //! Line of sight between cell centres: one predicate for moves, pruning and any-angle checks.
 //!
 //! The line is walked cell by cell with whole numbers (as Bresenham's, but with every cell that it touches, not the
-//! nearest ones alone), so the answer is exact and the same from either end. It costs O(cells on the line). A line through
-//! a corner where four cells meet is the only case left open; [`Corner`] decides it, for a single diagonal step and for a
-//! long chord alike. One rule for all is what keeps a pruned path as legal as the cells that it replaces.
+//! nearest ones alone), so the answer is exact and the same from either end. It costs O(cells on the line). A line
+//! through a corner where four cells meet is the only case left open; [`Corner`] decides it, for a single diagonal step
+//! and for a long chord alike. One rule for all is what keeps a pruned path as legal as the cells that it replaces.
 
 use super::{Cell, Occupancy};
 use crate::json;

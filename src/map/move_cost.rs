@@ -3,9 +3,9 @@
 //! Costs are in micro-cells (a millionth of a cell), so that ties are real ties on every machine. A move costs the
 //! *ceiling* of its length and a Euclidean estimate is the *floor*: every heuristic stays exactly consistent.
 //!
-//! Consistency asks h(a) ≤ cost(a, b) + h(b). In exact numbers the triangle inequality gives it for Euclid. Rounding costs
-//! up and estimates down keeps it: ⌊x⌋ ≤ ⌈y⌉ + ⌊z⌋ wherever x ≤ y + z. Rounding both to the nearest would break it by a
-//! millionth here and there, and a closed cell would not always have its lowest cost.
+//! Consistency asks h(a) ≤ cost(a, b) + h(b). In exact numbers the triangle inequality gives it for Euclid. Rounding
+//! costs up and estimates down keeps it: ⌊x⌋ ≤ ⌈y⌉ + ⌊z⌋ wherever x ≤ y + z. Rounding both to the nearest would break
+//! it by a millionth here and there, and a closed cell would not always have its lowest cost.
 
 /// Micro-cells per cell: the cost of a straight step.
 pub const D: i64 = 1_000_000;

@@ -4,9 +4,9 @@
 //! shorter ones among equal ones. The algorithm cannot prove that there is no path: where no candidate is free, its
 //! budget is spent.
 //!
-//! A generation keeps its two fittest candidates, a tenth is drawn anew, and the rest are children of parents that each won
-//! a tournament of three. A child takes the head of one parent and the tail of another; some children are changed at
-//! random, and half of these changes repair a leg that is not free.
+//! A generation keeps its two fittest candidates, a tenth is drawn anew, and the rest are children of parents that each
+//! won a tournament of three. A child takes the head of one parent and the tail of another; some children are changed
+//! at random, and half of these changes repair a leg that is not free.
 
 use super::Outcome;
 use super::moves::{D, cost};

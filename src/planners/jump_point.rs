@@ -5,9 +5,9 @@
 //! cells only those become nodes where an obstacle forces a turn. Few expansions are not little work:
 //! [`GridReport::cells_scanned`] counts the cells looked at.
 //!
-//! A straight jump runs from a cell until it meets the goal, a wall, or a cell beside which a wall ends: behind the wall
-//! lies a *forced neighbour*, which no cheaper way reaches. A diagonal jump tries straight jumps to both of its sides at
-//! each cell. A jump ends only where a turn can be worthwhile, so a search expands turns, not cells:
+//! A straight jump runs from a cell until it meets the goal, a wall, or a cell beside which a wall ends: behind the
+//! wall lies a *forced neighbour*, which no cheaper way reaches. A diagonal jump tries straight jumps to both of its
+//! sides at each cell. A jump ends only where a turn can be worthwhile, so a search expands turns, not cells:
 //!
 //! ```text
 //! . . . # f        x jumps east; at n the wall above ends,

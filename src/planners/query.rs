@@ -1,7 +1,7 @@
 //! Queries to grid planners and their results.
 //!
-//! A query is a prepared map with two cells on it; metres, cars and headings are the business of those who ask. So one map
-//! serves any number of queries, and a planner can be tested and measured without a scene.
+//! A query is a prepared map with two cells on it; metres, cars and headings are the business of those who ask. So one
+//! map serves any number of queries, and a planner can be tested and measured without a scene.
 
 use super::Outcome;
 use crate::map::{Cell, Occupancy};

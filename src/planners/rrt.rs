@@ -4,9 +4,9 @@
 //! path: where it finds none, its budget is spent. Legs are straight lines between cells; the path's cells are where it
 //! turns.
 //!
-//! An expansion draws a free cell, finds the tree's cell nearest to it and adds a leg of at most `step` cells from there
-//! towards it, if that is free. Random cells lie more often near large unexplored regions, which is what pulls the tree
-//! outward. The nearest cell is found by looking at the whole tree, so n expansions take O(n²).
+//! An expansion draws a free cell, finds the tree's cell nearest to it and adds a leg of at most `step` cells from
+//! there towards it, if that is free. Random cells lie more often near large unexplored regions, which is what pulls
+//! the tree outward. The nearest cell is found by looking at the whole tree, so n expansions take O(n²).
 
 use super::Outcome;
 use super::moves::{D, cost, euclid};

@@ -1,7 +1,7 @@
 //! Settings that the grid planners share.
 //!
-//! Each is declared once, with its default, range, unit and the words for the page; types, checks, the inspector and the
-//! tables of the documentation are made of that. A planner may leave out a setting that makes no sense for it.
+//! Each is declared once, with its default, range, unit and the words for the page; types, checks, the inspector and
+//! the tables of the documentation are made of that. A planner may leave out a setting that makes no sense for it.
 
 use serde_json::Value;
 

@@ -3,13 +3,13 @@
 //! Weights are at least 1, so every estimate that never exceeds the plain cost stays one, and a consistent one
 //! consistent.
 //!
-//! The cost of a straight move is Σ wᵢ·lᵢ over the cells that it crosses, where lᵢ is the length of its part in cell i. It
-//! is the same in both directions and adds up: two moves along a line cost what one over both costs. Units are
+//! The cost of a straight move is Σ wᵢ·lᵢ over the cells that it crosses, where lᵢ is the length of its part in cell i.
+//! It is the same in both directions and adds up: two moves along a line cost what one over both costs. Units are
 //! micro-cells of weight 1.
 //!
-//! The wrapper asks the plain lattice for its moves and changes their costs on the way to the search. Only one rule of the
-//! plain lattice fails under weights: a cell that the previous one has seen may now be cheaper by the present one, so
-//! nothing is left out.
+//! The wrapper asks the plain lattice for its moves and changes their costs on the way to the search. Only one rule of
+//! the plain lattice fails under weights: a cell that the previous one has seen may now be cheaper by the present one,
+//! so nothing is left out.
 
 use super::moves::DIRECTIONS;
 use super::query::Query;

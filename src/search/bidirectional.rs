@@ -1,12 +1,12 @@
 //! Search from both ends at once, one node at a time in turns.
 //!
-//! The backward side follows *forward* costs against their direction ([`Reversible::predecessors`]), so costs may depend
-//! on the direction of a move.
+//! The backward side follows *forward* costs against their direction ([`Reversible::predecessors`]), so costs may
+//! depend on the direction of a move.
 //!
 //! The first meeting is not the cheapest path: two sides may touch on a dear way while a cheaper one is still open. The
-//! rules ([`Stop`]) differ in what they do about that: take it, take the best connection seen so far, or search on until no
-//! better one can exist. The last, NBA\* (Pijls and Post 2009), rejects a node if g and the bounds of both sides show that
-//! no cheaper path leads through it; each node is expanded by one side only.
+//! rules ([`Stop`]) differ in what they do about that: take it, take the best connection seen so far, or search on
+//! until no better one can exist. The last, NBA\* (Pijls and Post 2009), rejects a node if g and the bounds of both
+//! sides show that no cheaper path leads through it; each node is expanded by one side only.
 //!
 //! NBA\* in formulas. Let side s take node n with cost gₛ(n), let F be the f of the node that the other side took
 //! last, b(n) the estimate from n back to the root of side s, and M the cost of the best connection so far. A path

@@ -73,8 +73,8 @@ impl<C: Cost, L: Copy + Default> Scratch<C, L> {
         Self::default()
     }
 
-    /// Forgets everything in O(1); the open list's buckets count from `origin`. Tickets are 32 bits and count on between
-    /// searches, so the table is really cleared once in about 500 million insertions.
+    /// Forgets everything in O(1); the open list's buckets count from `origin`. Tickets are 32 bits and count on
+    /// between searches, so the table is really cleared once in about 500 million insertions.
     pub(super) fn begin(&mut self, node_count: usize, origin: C) {
         if self.open.ticket() > u32::MAX / 2 {
             self.slots.clear();

@@ -6,8 +6,9 @@
 //! others, as that of the next cell on a straight way does, and a heap for the rest.
 //!
 //! Entries are never decreased. A node that is improved gets a second entry, and the older one is recognised by its
-//! ticket when it is taken ([`Scratch`](super::Scratch)). So a push is O(1) but for entries of the current bucket, which
-//! cost O(log k) for the k entries there; every entry is moved at most twice, into a coarse and into a fine bucket.
+//! ticket when it is taken ([`Scratch`](super::Scratch)). So a push is O(1) but for entries of the current bucket,
+//! which cost O(log k) for the k entries there; every entry is moved at most twice, into a coarse and into a fine
+//! bucket.
 //!
 //! ```text
 //! origin                      current

@@ -1,9 +1,9 @@
 //! A search over a [`Domain`] written down while it runs: the domain is watched, not repeated.
 //!
 //! The search is [`best_first`](super::best_first()) or
-//! [`bidirectional_best_first`](super::bidirectional_best_first()) itself. It asks a domain that passes every question on
-//! and keeps the answers, so order, costs and counters are the planner's own; a search that nobody watches knows nothing
-//! of this. Two trees write into one recording, each with nodes of its own.
+//! [`bidirectional_best_first`](super::bidirectional_best_first()) itself. It asks a domain that passes every question
+//! on and keeps the answers, so order, costs and counters are the planner's own; a search that nobody watches knows
+//! nothing of this. Two trees write into one recording, each with nodes of its own.
 //!
 //! A step is opened by [`Domain::finish`], which the search asks once for every node that it takes, and filled by
 //! [`Domain::successors`], which follows. Between the two the recorder knows the node's g and h; what becomes of each
@@ -23,8 +23,8 @@ use super::{Domain, Finish, NodeId, Order, Relax, Scratch, Tree, Visit};
 /// A domain that can name its moves whether they were taken or not.
 /// A target may be told more than once; what the search emitted is recognised by its label.
 pub trait Told: Domain<Cost = f64, Label: PartialEq> {
-    /// Tells of all moves of a node, those that [`Domain::successors`] emits among them: target, cost of the move, label
-    /// there, and why it is not made unless its cost is against it; `None` where nothing else is.
+    /// Tells of all moves of a node, those that [`Domain::successors`] emits among them: target, cost of the move,
+    /// label there, and why it is not made unless its cost is against it; `None` where nothing else is.
     fn consider(
         &self,
         from: Visit<f64, Self::Label>,

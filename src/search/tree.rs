@@ -1,8 +1,8 @@
 //! A tree that grows from a root in the order of its open list.
 //!
-//! [`best_first`](super::best_first()) grows one, a bidirectional search two, by the same steps: take the first entry that
-//! is not stale (`pop`), close its node, try to complete a path from there, emit its moves (`expand`). Who calls them
-//! decides when to stop. A move that cannot lead to a path below the best one known is not put into the open list.
+//! [`best_first`](super::best_first()) grows one, a bidirectional search two, by the same steps: take the first entry
+//! that is not stale (`pop`), close its node, try to complete a path from there, emit its moves (`expand`). Who calls
+//! them decides when to stop. A move that cannot lead to a path below the best one known is not put into the open list.
 
 use super::node_table::{NO_PARENT, Slot};
 use super::open_list::{Entry, Kind};

@@ -13,8 +13,8 @@
 //! Time flip mirrors both across the y axis, and seen backwards A is only turned by φ, and B is the reflected B turned
 //! by φ. So four lengths and four angles serve all 48 words.
 //!
-//! The straight part of a word follows from |A| or |B| alone. A word whose straight part is no shorter than the caller's
-//! bound is skipped before its arctangents are taken.
+//! The straight part of a word follows from |A| or |B| alone. A word whose straight part is no shorter than the
+//! caller's bound is skipped before its arctangents are taken.
 
 use core::cell::OnceCell;
 
@@ -152,8 +152,8 @@ impl Side {
 
     /// Words that start and end on the same side: LRL and LRSL, both ways round.
     ///
-    /// LRL needs a third circle that touches both, so |A| ≤ 4; LRSL turns back a quarter circle before its straight line,
-    /// which needs |A| ≥ 2.
+    /// LRL needs a third circle that touches both, so |A| ≤ 4; LRSL turns back a quarter circle before its straight
+    /// line, which needs |A| ≥ 2.
     fn same_turn(&self, to: &mut impl Visit) {
         let a = self.a.length;
         if a <= 4.0 && to.bound() > 0.0 {
@@ -232,8 +232,8 @@ impl Side {
         }
     }
 
-    /// LRLR with one cusp in the middle (lengths t, u, −u, v), or with two around the middle (t, u, u, v); the two middle
-    /// arcs are equally long.
+    /// LRLR with one cusp in the middle (lengths t, u, −u, v), or with two around the middle (t, u, u, v); the two
+    /// middle arcs are equally long.
     fn four_circles(&self, to: &mut impl Visit) {
         let b = self.b.length;
         let rho = (2.0 + b) / 4.0;

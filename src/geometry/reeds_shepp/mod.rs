@@ -6,12 +6,12 @@
 //! because obstacles only lengthen paths), and a free one from an expanded pose to the target completes the path.
 //!
 //! Names and words follow the paper: C and its L, R are circles of the tightest curvature, S is a straight line;
-//! lengths t, u, v are in units of the turning radius, negative in reverse. Nine families of formulas are enough. Each is
-//! tried under time flip (driving the other way: every gear changes), reflection (L for R) and, where that gives
+//! lengths t, u, v are in units of the turning radius, negative in reverse. Nine families of formulas are enough. Each
+//! is tried under time flip (driving the other way: every gear changes), reflection (L for R) and, where that gives
 //! something new, backwards (the segments in the opposite order).
 //!
-//! All words together take some 20 inverse trigonometric functions and no allocation. A caller that has a bound passes it, and words that
-//! cannot be shorter are not solved.
+//! All words together take some 20 inverse trigonometric functions and no allocation. A caller that has a bound passes
+//! it, and words that cannot be shorter are not solved.
 //!
 //! # Examples
 //! ```

@@ -3,8 +3,9 @@
 //! Every two metres of the curve have places to both sides of it. The cheapest row of them, one at each, is found by
 //! dynamic programming. A way that turns away from the curve costs more, so that lanes are changed gently.
 //!
-//! The state of the programme is a place and the slope by which it was reached, because the price of curvature needs three
-//! places in a row. With n rows of m places and s slopes it takes O(n·m·s), as a slope changes by few places at a time.
+//! The state of the programme is a place and the slope by which it was reached, because the price of curvature needs
+//! three places in a row. With n rows of m places and s slopes it takes O(n·m·s), as a slope changes by few places at a
+//! time.
 
 use super::smooth::bilinear;
 use super::{CostMap, RoadRasters};

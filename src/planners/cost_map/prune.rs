@@ -1,8 +1,8 @@
 //! Chords instead of cells, where they keep their distance and are worth what they cost.
 //!
-//! A path of cells turns by 45° where a straight line would do. Cells near corners become candidates, and the cheapest chain
-//! of chords between them is found by dynamic programming: a chord costs what the map charges along it, a corner costs
-//! as much as ten cells. A chord keeps at least 0.8 of the room that its cells have, and half the car's width.
+//! A path of cells turns by 45° where a straight line would do. Cells near corners become candidates, and the cheapest
+//! chain of chords between them is found by dynamic programming: a chord costs what the map charges along it, a corner
+//! costs as much as ten cells. A chord keeps at least 0.8 of the room that its cells have, and half the car's width.
 //!
 //! In formulas, for candidates c₀ … cₙ in the order of the path, with the cost w of a chord and the price p of a
 //! corner:

@@ -1,8 +1,8 @@
 //! Some places of many, numbered: a bit each, and counts to find them by.
 //!
-//! A road is a narrow strip of a large map. Numbering only its cells keeps the search's tables as small as the road. The
-//! number of a place is the count of bits before it (*rank*): one stored count and one `count_ones`. The place of a number
-//! (*select*) is found by looking on from the nearest stored word.
+//! A road is a narrow strip of a large map. Numbering only its cells keeps the search's tables as small as the road.
+//! The number of a place is the count of bits before it (*rank*): one stored count and one `count_ones`. The place of a
+//! number (*select*) is found by looking on from the nearest stored word.
 
 /// The places that are in, numbered from 0 in their order. Takes a quarter of a byte a place, less for the rest.
 #[derive(Debug, Clone)]

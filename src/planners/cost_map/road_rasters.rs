@@ -1,8 +1,8 @@
 //! Rasters of a road: cells count by their centres.
 //!
 //! A cell is road if its centre is. Its clearance is the exact distance from its centre to the nearest blocked one,
-//! less half a cell; distances to kerbs and lanes' middles are in metres. Places are the middle of the car, not its rear
-//! axle.
+//! less half a cell; distances to kerbs and lanes' middles are in metres. Places are the middle of the car, not its
+//! rear axle.
 //!
 //! Obstacles count by centres, too, unless they are thinner than a cell: a wall without thickness holds no centre, so
 //! it blocks every cell that it touches. That is the conservative choice; it costs lanes beside drawn kerbs up to

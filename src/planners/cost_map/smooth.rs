@@ -1,9 +1,9 @@
 //! From chords to a curve: a penalised spline, drawn closer to the chords where it comes too near to something.
 //!
-//! The first curve is as smooth as a root mean square distance σ from the chords allows. It is then measured with the car:
-//! where the car would come nearer to something than on the chords, points there weigh more and σ falls; where it would have
-//! to turn too tightly, points near the sharp place count less and σ grows. Both loops have a limit. If no curve passes, the
-//! chords themselves are the answer, and the plan says so.
+//! The first curve is as smooth as a root mean square distance σ from the chords allows. It is then measured with the
+//! car: where the car would come nearer to something than on the chords, points there weigh more and σ falls; where it
+//! would have to turn too tightly, points near the sharp place count less and σ grows. Both loops have a limit. If no
+//! curve passes, the chords themselves are the answer, and the plan says so.
 //!
 //! The spline minimises
 //!

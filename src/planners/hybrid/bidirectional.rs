@@ -4,8 +4,8 @@
 //! so a curve between the two real poses does. Each expanded state is also tried with a curve to the other root.
 //!
 //! The tree from the goal is mirrored: it drives backwards in time, so its arcs are reversed when both are joined. Both
-//! trees charge the costs of driving forwards in time. The search ends when the least f of either tree is no less than the
-//! cost of the best path, as that tree then has nothing cheaper to offer.
+//! trees charge the costs of driving forwards in time. The search ends when the least f of either tree is no less than
+//! the cost of the best path, as that tree then has nothing cheaper to offer.
 //!
 //! A join of two poses in one cell needs a curve that begins and ends in that cell, with a turning radius of several
 //! metres. Such a curve often makes a loop or a gear change; it is one candidate among others, and the shortcut that

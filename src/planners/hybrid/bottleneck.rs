@@ -1,8 +1,8 @@
 //! How wide the widest way is at its narrowest: words for a scene in which the body fits nowhere through.
 //!
 //! A widest-path search over the cells of a distance field: like Dijkstra's, but a way counts by its least clearance
-//! instead of by the sum of its steps, and the largest is taken first. The cell with the least clearance on the widest way
-//! is the gap to name, because every other way has a narrower one.
+//! instead of by the sum of its steps, and the largest is taken first. The cell with the least clearance on the widest
+//! way is the gap to name, because every other way has a narrower one.
 //!
 //! Let c(n) be the clearance of cell n. The width of a way is twice the least c along it, and the search maximises
 //! it:

@@ -15,10 +15,10 @@
 //!
 //! Invariants:
 //!
-//! * A node's pose never changes once it is expanded, and poses are not snapped to the lattice: a path is a chain of exact
-//!   arcs, and its end is exact to rounding.
-//! * Gear is part of the state, because a gear change has a price. The curvature of the last arc is not, though the wheel's
-//!   movement has a price too: that would multiply the states by the steering angles.
+//! * A node's pose never changes once it is expanded, and poses are not snapped to the lattice: a path is a chain of
+//!   exact arcs, and its end is exact to rounding.
+//! * Gear is part of the state, because a gear change has a price. The curvature of the last arc is not, though the
+//!   wheel's movement has a price too: that would multiply the states by the steering angles.
 //! * One pose stands for a whole cell, so the search is not complete: a cell's second pose might have got through.
 //!
 //! Poses are local to the obstacles. A tree that grows from the goal is *mirrored*: it drives the path backwards,

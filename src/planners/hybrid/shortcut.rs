@@ -1,9 +1,9 @@
 //! Replacing stretches of a path by shorter Reeds–Shepp curves.
 //!
-//! A lattice has few steering angles and one step length, so its paths wind a little. The path is cut into knots; for each
-//! pair of them, the farthest apart first, the cheapest free curve replaces what lies between if it costs less by the same
-//! cost model and adds no gear change. Each replacement lowers the cost, so passes end; n knots give O(n²) pairs, which is
-//! why pairs and collision checks have limits.
+//! A lattice has few steering angles and one step length, so its paths wind a little. The path is cut into knots; for
+//! each pair of them, the farthest apart first, the cheapest free curve replaces what lies between if it costs less by
+//! the same cost model and adds no gear change. Each replacement lowers the cost, so passes end; n knots give O(n²)
+//! pairs, which is why pairs and collision checks have limits.
 //!
 //! The result is deterministic: limits count work, not time.
 //!
