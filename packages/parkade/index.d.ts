@@ -350,8 +350,8 @@ export interface ArcTrace { kind: "arcs"; arcs: Float64Array; dropped: number; s
 export type Trace = CellTrace | ArcTrace;
 
 /**
- * Every event of a search over cells: what `trace: "full"` asks for. The open list is ordered by f, then by h, then the newest entry
- * first.
+ * Every event of a search over cells: what `trace: "full"` asks for. A node is a cell. Of
+ * `cost-map` the last search, in metres; of the others the only one.
  */
 export interface SearchTrace extends SearchEvents {
   kind: "search";
@@ -361,8 +361,8 @@ export interface SearchTrace extends SearchEvents {
 }
 
 /**
- * The same of hybrid A*'s last search from one end: a node is a cell of position, heading and gear. The open list is ordered by f, then
- * the oldest entry first. 44 bytes more a move.
+ * The same of hybrid A*'s last search from one end: a node is a cell of position, heading and gear. 44 bytes more a
+ * move.
  */
 export interface PoseTrace extends SearchEvents {
   kind: "poses";
@@ -406,13 +406,15 @@ export interface SearchEvents {
    * for its deferred moves, 8 left out by the search's rule; 16 more where it leads from the node's parent.
    */
   fates: Uint8Array;
-  /** Costs of a cell or metre: a million where the planner reckons in whole micro-cells, 1 for `any-angle` and hybrid A*. */
+  /** True if the open list is ordered by f, then the oldest entry first; else by f, then by h, then the newest entry first. */
+  oldestFirst: boolean;
+  /** Costs of a cell or metre: a million where the planner reckons in whole micro-cells, 1 for `any-angle`, `cost-map` and hybrid A*. */
   unit: number;
   /** By how much f of a node that waits exceeds g + h. */
   penalty: number;
   /** True if steps beyond `traceLimit` are missing. */
   cut: boolean;
-  /** As in the plan's `stats`, of the steps that are there; of the whole search for `any-angle` and hybrid A*. */
+  /** As in the plan's `stats`, of the steps that are there; of the whole search for `any-angle`, `cost-map` and hybrid A*. */
   counters: { expanded: number; generated: number; pushes: number; openPeak: number };
 }
 

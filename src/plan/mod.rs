@@ -273,7 +273,9 @@ impl Planner {
                 found.0
             }
             #[cfg(feature = "complete")]
-            Engine::Road(engine) => engine.plan(&self.scenario, &self.world, (trace(), progress)),
+            Engine::Road(engine) => {
+                engine.plan(&self.scenario, &self.world, (trace(), progress), options.record)
+            }
         };
         #[cfg(feature = "complete")]
         if let (Engine::Grid(engine), Some(limit)) = (&self.engine, options.record)

@@ -9,7 +9,7 @@
 //! second among all cells with room for the car, where short room is dear. Counters add up, and the trace has both. A
 //! plan that keeps less than the margin says so (`less-margin`) and, where it can be proven, that none keeps it.
 
-use super::outcome::{Outcome, Plan, PlanTrace, Stats};
+use super::outcome::{Outcome, Plan, PlanTrace, Recorded, Stats};
 use super::road_curve::{Curve, ENDS, along};
 use super::road_fit::Fit;
 use super::tractrix::tractrix;
@@ -21,7 +21,7 @@ use crate::metrics::road::{self, RoadMetrics};
 use crate::metrics::{FAR, Verdict};
 use crate::planners::cost_map::{
     Config, CostMap, Curves, Exact, Query, Report, RoadRasters, Scratch, Smoothing, Traffic, corners, dense,
-    is_excluded, kerb_distances, paper_spline, plan,
+    is_excluded, kerb_distances, paper_spline, plan, record,
 };
 use crate::scenario::Scenario;
 use crate::search::{Trace, Watch};
@@ -83,8 +83,15 @@ impl Engine {
         self.costs.layer(&self.ground)
     }
 
-    /// Search, chords, curve, towing, check and figures.
-    pub(super) fn plan(&mut self, scenario: &Scenario, world: &World, mut watch: Watch) -> Plan {
+    /// Search, chords, curve, towing, check and figures. Of the last search at most `steps` steps are written down:
+    /// the one whose way the car drives.
+    pub(super) fn plan(
+        &mut self,
+        scenario: &Scenario,
+        world: &World,
+        mut watch: Watch,
+        steps: Option<usize>,
+    ) -> Plan {
         let mut scratch = std::mem::take(&mut self.scratch);
         self.turn(scenario, world);
         let mut report = plan(&self.query(world, false), &self.config, &mut scratch, &mut watch);
@@ -147,6 +154,11 @@ impl Engine {
             });
         }
         self.scratch = scratch;
+        plan.recorded = steps.map(|limit| {
+            let recording = record(&self.query(world, false), &report, limit);
+            let [width, height] = [world.frame.width, world.frame.height];
+            Box::new(Recorded::Cells { width, height, recording })
+        });
         plan.trace = watch.0.map(|t| PlanTrace::Cells { cells: t.expanded, dropped: t.dropped });
         plan
     }

@@ -42,7 +42,7 @@ pub struct Report<C, T> {
 
 /// Searches from `root` for the cheapest completion of `domain`.
 ///
-/// Nodes are expanded in the order of [`Domain::ORDER`] and never reopened, so with a consistent heuristic the
+/// Nodes are expanded in the order of [`Domain::order`] and never reopened, so with a consistent heuristic the
 /// completion is optimal. `scratch` is reused between calls; `observer` is `()` where nobody watches.
 #[inline(always)]
 pub fn best_first<D: Domain, O: Observer<D::Cost, D::Label>>(
@@ -82,7 +82,7 @@ pub fn best_first<D: Domain, O: Observer<D::Cost, D::Label>>(
                 report.end = End::Found;
                 break;
             }
-            tree.scratch.open.push(D::ORDER, best, D::Cost::default(), at.node, Kind::Goal);
+            tree.scratch.open.push(tree.domain.order(), best, D::Cost::default(), at.node, Kind::Goal);
         }
         tree.expand(at, best, observer);
     }

@@ -191,11 +191,14 @@ pub trait Domain {
     /// The completion of a path beyond its last node: `()`, or an analytic expansion.
     type Tail;
 
-    /// How equal priorities are ordered.
-    const ORDER: Order = Order::Newest;
-
     /// Number of nodes known beforehand; a domain that names nodes as it meets them may emit larger ids.
     fn node_count(&self) -> usize;
+
+    /// How equal priorities are ordered; the same throughout a search.
+    #[inline(always)]
+    fn order(&self) -> Order {
+        Order::Newest
+    }
 
     /// Emits every move out of the node: target, cost of the move, label at the target.
     ///

@@ -63,8 +63,9 @@ struct Notes<L> {
 }
 
 impl<L> Notes<L> {
-    fn new(roots: &[NodeId], limit: usize) -> Self {
-        let out = Labelled { recording: Recording::default(), labels: Vec::new() };
+    fn new(roots: &[NodeId], order: Order, limit: usize) -> Self {
+        let recording = Recording { oldest_first: order == Order::Oldest, ..Recording::default() };
+        let out = Labelled { recording, labels: Vec::new() };
         let mut known = [BTreeMap::new(), BTreeMap::new()];
         for (known, &root) in known.iter_mut().zip(roots) {
             known.insert(root, Known { g: 0.0, is_closed: false });
@@ -122,10 +123,12 @@ impl<D: Told> Domain for Watched<'_, D> {
     type Label = D::Label;
     type Tail = D::Tail;
 
-    const ORDER: Order = D::ORDER;
-
     fn node_count(&self) -> usize {
         self.domain.node_count()
+    }
+
+    fn order(&self) -> Order {
+        self.domain.order()
     }
 
     fn successors<S: Relax<f64, D::Label>>(&self, from: Visit<f64, D::Label>, sink: &mut S) {
@@ -279,7 +282,7 @@ pub fn record_best_first<D: Told, O: Observer<f64, D::Label>>(
     observer: &mut O,
     limit: usize,
 ) -> (Report<f64, D::Tail>, Labelled<D::Label>) {
-    let notes = RefCell::new(Notes::new(&[root.0], limit));
+    let notes = RefCell::new(Notes::new(&[root.0], domain.order(), limit));
     let mut watched = Watched { domain, notes: &notes, side: 0 };
     let report = best_first(&mut watched, root, limits, scratch, observer);
     let counters = [report.expanded, report.generated, report.pushes, report.open_peak];
@@ -303,7 +306,7 @@ where
     J: for<'w> Join<Watched<'w, D>>,
     O: Observer<f64, D::Label>,
 {
-    let notes = RefCell::new(Notes::new(&[first.1.0, second.1.0], limit));
+    let notes = RefCell::new(Notes::new(&[first.1.0, second.1.0], first.0.order(), limit));
     let mut domains =
         [(0, first.0), (1, second.0)].map(|(side, domain)| Watched { domain, notes: &notes, side });
     let [a, b] = &mut domains;

@@ -77,6 +77,9 @@ pub struct Recording {
     pub target_h: Vec<f64>,
     /// Per move its [`Fate`], with [`PAST`] where it leads from the node's parent.
     pub fates: Vec<u8>,
+    /// True if the oldest of the entries with the least f is taken ([`Order::Oldest`](super::Order::Oldest)), whatever
+    /// its h.
+    pub oldest_first: bool,
     /// Costs per cell or metre: a million where the search reckons in micro-cells, 1 where in `f64`.
     pub unit: f64,
     /// Steps beyond the limit are missing.

@@ -30,14 +30,14 @@ impl<'a, D: Domain> Tree<'a, D> {
     ) -> Self {
         let h = domain.heuristic(root, label);
         scratch.begin(domain.node_count(), h);
-        scratch.enter(D::ORDER, (h, h), root, (D::Cost::default(), label, NO_PARENT));
+        scratch.enter(domain.order(), (h, h), root, (D::Cost::default(), label, NO_PARENT));
         Self { domain, scratch, generated: 1, closest: (h, root) }
     }
 
     /// Takes the first entry of the open list that is not stale; its node is not expanded yet.
     #[inline(always)]
     pub(super) fn pop(&mut self) -> Option<Entry<D::Cost>> {
-        while let Some(entry) = self.scratch.open.pop(D::ORDER) {
+        while let Some(entry) = self.scratch.open.pop(self.domain.order()) {
             if entry.kind() == Kind::Goal || self.scratch.slot_mut(entry.node).is_current(entry.ticket) {
                 return Some(entry);
             }
@@ -92,7 +92,7 @@ impl<'a, D: Domain> Tree<'a, D> {
 impl<D: Domain> Tree<'_, D> {
     /// The least f of the open list, stale entries included; [`Cost::MAX`] where it is empty.
     pub(super) fn least(&mut self) -> D::Cost {
-        self.scratch.open.least(D::ORDER).unwrap_or(D::Cost::MAX)
+        self.scratch.open.least(self.domain.order()).unwrap_or(D::Cost::MAX)
     }
 
     /// A node as the tree has reached it so far, expanded or not.
@@ -158,7 +158,8 @@ impl<D: Domain, O: Observer<D::Cost, D::Label>> Sink<'_, D, O> {
         if h >= D::Cost::MAX || g + h >= self.best {
             return;
         }
-        self.generated += u32::from(self.scratch.enter(D::ORDER, (g + h, h), target, (g, label, parent)));
+        self.generated +=
+            u32::from(self.scratch.enter(self.domain.order(), (g + h, h), target, (g, label, parent)));
         self.observer.relaxed(target, parent, label, g);
     }
 }

@@ -200,6 +200,7 @@ fn events(kind: &str, r: &Recording) -> JsValue {
         ("targetG", f64s(&r.target_g)),
         ("targetH", f64s(&r.target_h)),
         ("fates", u8s(&r.fates)),
+        ("oldestFirst", r.oldest_first.into()),
         ("unit", r.unit.into()),
         ("penalty", r.penalty.into()),
         ("cut", r.is_cut.into()),

@@ -31,7 +31,7 @@ use super::{Config, Costs, RoadRasters, Traffic};
 use crate::geometry::Point;
 use crate::map::{Cell, Frame, Weights};
 use crate::scenario::{LaneLeg, SpeedLimit};
-use crate::search::{Domain, Finish, NodeId, Order, Relax, Visit};
+use crate::search::{Domain, Fate, Finish, NodeId, Order, Relax, Told, Visit};
 
 /// Speed at which no place is slow, m/s.
 const PACE: f64 = 10.0;
@@ -225,24 +225,30 @@ pub(super) struct Road<'a> {
 }
 
 impl Road<'_> {
-    /// Emits the steps to the eight cells around a node. A diagonal step needs both cells beside it to have room.
-    fn moves<S: Relax<f64, ()>>(&self, node: NodeId, sink: &mut S) {
+    /// The node of a cell that may be on the way.
+    fn open(&self, cell: Cell) -> Option<NodeId> {
+        self.map.node(cell).filter(|_| self.strict.is_none_or(|ground| !self.map.is_short(ground, cell)))
+    }
+
+    /// True if a diagonal step cuts a corner: it needs both cells beside it to have room.
+    fn cuts(&self, from: Cell, (dx, dy): (i32, i32)) -> bool {
+        let has_room = |cell: Cell| self.map.node(cell).is_some();
+        dx != 0 && dy != 0 && !(has_room(from.offset(dx, 0)) && has_room(from.offset(0, dy)))
+    }
+
+    /// Tells the steps to the eight cells around a node: cell, node and cost.
+    #[inline(always)]
+    fn steps(&self, from: Cell, node: NodeId, mut tell: impl FnMut(Cell, NodeId, f64)) {
         let map = self.map;
-        let from = map.cell(node);
         let surcharge = |node: NodeId| f64::from(map.surcharges[node as usize]);
         let (own, weight) = (surcharge(node), map.weight(node));
         for (dx, dy) in AROUND {
             let to = from.offset(dx, dy);
-            let Some(target) = map.node(to) else { continue };
-            if self.strict.is_some_and(|ground| map.is_short(ground, to)) {
+            let Some(target) = self.open(to) else { continue };
+            if self.cuts(from, (dx, dy)) {
                 continue;
             }
-            let diagonal = dx != 0 && dy != 0;
-            if diagonal && (map.node(from.offset(dx, 0)).is_none() || map.node(from.offset(0, dy)).is_none())
-            {
-                continue;
-            }
-            let step = map.frame.resolution * if diagonal { core::f64::consts::SQRT_2 } else { 1.0 };
+            let step = self.length((dx, dy));
             let other = surcharge(target);
             let cost = match map.costs {
                 // Sums of these are exact, so that equally long ways are equally good.
@@ -250,14 +256,18 @@ impl Road<'_> {
                 Costs::Paper => step + other,
                 Costs::Metre => step * (1.0 + f64::midpoint(own, other)),
             };
-            sink.emit(target, cost * f64::midpoint(f64::from(weight), f64::from(map.weight(target))), ());
+            tell(to, target, cost * f64::midpoint(f64::from(weight), f64::from(map.weight(target))));
         }
     }
 
+    /// Of a step to a neighbouring cell, metres.
+    fn length(&self, (dx, dy): (i32, i32)) -> f64 {
+        self.map.frame.resolution * if dx != 0 && dy != 0 { core::f64::consts::SQRT_2 } else { 1.0 }
+    }
+
     /// The octile distance in metres with the costs `metre`, the straight one with the others.
-    fn estimate(&self, node: NodeId) -> f64 {
+    fn estimate(&self, cell: Cell) -> f64 {
         let (map, (goal, _)) = (self.map, self.goal);
-        let cell = map.cell(node);
         let (dx, dy) = (f64::from((cell.x - goal.x).abs()), f64::from((cell.y - goal.y).abs()));
         map.frame.resolution
             * if map.costs == Costs::Metre {
@@ -266,40 +276,92 @@ impl Road<'_> {
                 (dx * dx + dy * dy).sqrt()
             }
     }
+
+    /// Of equal cells the one met first where every metre costs the same, else the one met last.
+    fn ties(&self) -> Order {
+        if self.map.costs == Costs::Steps { Order::Oldest } else { Order::Newest }
+    }
 }
 
-/// Of equal cells the one met last.
-pub(super) struct LifoTies<'a>(pub(super) Road<'a>);
-/// Of equal cells the one met first.
-pub(super) struct FifoTies<'a>(pub(super) Road<'a>);
+impl Domain for Road<'_> {
+    type Cost = f64;
+    type Label = ();
+    type Tail = ();
 
-macro_rules! domain {
-    ($name:ident, $order:expr) => {
-        impl Domain for $name<'_> {
-            type Cost = f64;
-            type Label = ();
-            type Tail = ();
+    fn node_count(&self) -> usize {
+        self.map.len()
+    }
 
-            const ORDER: Order = $order;
+    fn order(&self) -> Order {
+        self.ties()
+    }
 
-            fn node_count(&self) -> usize {
-                self.0.map.len()
-            }
+    fn successors<S: Relax<f64, ()>>(&self, from: Visit<f64, ()>, sink: &mut S) {
+        self.steps(self.map.cell(from.node), from.node, |_, target, cost| sink.emit(target, cost, ()));
+    }
 
-            fn successors<S: Relax<f64, ()>>(&self, from: Visit<f64, ()>, sink: &mut S) {
-                self.0.moves(from.node, sink);
-            }
+    fn heuristic(&self, node: NodeId, (): ()) -> f64 {
+        self.estimate(self.map.cell(node))
+    }
 
-            fn heuristic(&self, node: NodeId, (): ()) -> f64 {
-                self.0.estimate(node)
-            }
+    fn finish(&mut self, at: Visit<f64, ()>, _: f64) -> Option<Finish<f64, ()>> {
+        (at.node == self.goal.1).then_some(Finish { cost: 0.0, tail: () })
+    }
+}
 
-            fn finish(&mut self, at: Visit<f64, ()>, _: f64) -> Option<Finish<f64, ()>> {
-                (at.node == self.0.goal.1).then_some(Finish { cost: 0.0, tail: () })
+/// The same graph over the places of all cells of the map, those without room among them. A search of it is the same
+/// search, and can be told of the cells that are left out.
+pub(super) struct Places<'a>(pub(super) Road<'a>);
+
+impl Places<'_> {
+    /// Row by row, as the rasters are.
+    pub(super) fn place(&self, cell: Cell) -> NodeId {
+        self.0.map.frame.index(cell) as NodeId
+    }
+
+    fn cell(&self, place: NodeId) -> Cell {
+        self.0.map.frame.cell(place as usize)
+    }
+}
+
+impl Domain for Places<'_> {
+    type Cost = f64;
+    type Label = NodeId;
+    type Tail = ();
+
+    fn node_count(&self) -> usize {
+        self.0.map.frame.len()
+    }
+
+    fn order(&self) -> Order {
+        self.0.ties()
+    }
+
+    fn successors<S: Relax<f64, NodeId>>(&self, from: Visit<f64, NodeId>, sink: &mut S) {
+        let cell = self.cell(from.node);
+        let Some(node) = self.0.map.node(cell) else { return };
+        self.0.steps(cell, node, |to, _, cost| sink.emit(self.place(to), cost, self.place(to)));
+    }
+
+    fn heuristic(&self, place: NodeId, _: NodeId) -> f64 {
+        self.0.estimate(self.cell(place))
+    }
+
+    fn finish(&mut self, at: Visit<f64, NodeId>, _: f64) -> Option<Finish<f64, ()>> {
+        (at.node == self.place(self.0.goal.0)).then_some(Finish { cost: 0.0, tail: () })
+    }
+}
+
+impl Told for Places<'_> {
+    fn consider(&self, from: Visit<f64, NodeId>, tell: &mut dyn FnMut(NodeId, f64, NodeId, Option<Fate>)) {
+        let cell = self.cell(from.node);
+        for step in AROUND {
+            let to = cell.offset(step.0, step.1);
+            if self.0.map.frame.contains(to) {
+                let illegal = if self.0.open(to).is_none() { Some(Fate::Blocked) } else { None };
+                let illegal = illegal.or(self.0.cuts(cell, step).then_some(Fate::Corner));
+                tell(self.place(to), self.0.length(step), self.place(to), illegal);
             }
         }
-    };
+    }
 }
-
-domain!(LifoTies, Order::Newest);
-domain!(FifoTies, Order::Oldest);

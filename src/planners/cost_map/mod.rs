@@ -32,8 +32,8 @@ use super::Outcome;
 use crate::geometry::{Point, math};
 use crate::map::Cell;
 use crate::scenario::{Lane, SpeedLimit};
-use crate::search::{Limits, NodeId, Watch, best_first};
-use domain::{FifoTies, LifoTies, Road};
+use crate::search::{Limits, NodeId, Recording, Watch, best_first, record_best_first};
+use domain::{Places, Road};
 use prune::Chords;
 
 /// How far a start or goal without room may be moved to one with room, metres.
@@ -78,8 +78,10 @@ pub struct Report {
     pub cost: f64,
     /// How far start and goal were moved to have room, metres.
     pub moved: [f64; 2],
-    /// Expansions.
+    /// Expansions of all searches.
     pub expanded: u32,
+    /// Those of the last one, to which the cells and the counters below belong.
+    pub last: u32,
     /// True if all cells have the margin, by the raster.
     pub has_margin: bool,
     /// Distinct cells met.
@@ -109,6 +111,7 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, watch: &mut W
         cost: 0.0,
         moved: [0.0; 2],
         expanded: 0,
+        last: 0,
         has_margin: false,
         generated: 0,
         pushes: 0,
@@ -130,14 +133,11 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, watch: &mut W
     let is_last = query.less || config.kept() == 0.0 || ends.iter().any(|&end| map.is_short(ground, end));
     let mut found = None;
     for strict in [true, false].into_iter().skip(usize::from(is_last)) {
-        let road = Road { map, goal: (goal, last), strict: strict.then_some(ground) };
+        let mut road = Road { map, goal: (goal, last), strict: strict.then_some(ground) };
         let limits = Limits { max_expansions: config.max_expansions - report.expanded, first: false };
-        let next = if config.costs == Costs::Steps {
-            best_first(&mut FifoTies(road), (root, ()), limits, memory, watch)
-        } else {
-            best_first(&mut LifoTies(road), (root, ()), limits, memory, watch)
-        };
+        let next = best_first(&mut road, (root, ()), limits, memory, watch);
         report.expanded += next.expanded;
+        report.last = next.expanded;
         report.generated = next.generated;
         report.pushes += next.pushes;
         report.open_peak = report.open_peak.max(next.open_peak);
@@ -160,6 +160,19 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, watch: &mut W
         trace.expanded.iter_mut().for_each(|node| *node = ground.frame.index(map.cell(*node)) as u32);
     }
     report
+}
+
+/// The last search of a report with its events written down, at most `limit` of them. Its nodes are the places of cells
+/// in the rasters.
+pub fn record(query: &Query, report: &Report, limit: usize) -> Recording {
+    let [start, goal] = [query.start, query.goal].map(|place| snapped(query, place));
+    let (Some((start, ..)), Some((goal, last, _))) = (start, goal) else { return Recording::empty() };
+    let strict = report.has_margin.then_some(query.ground);
+    let mut places = Places(Road { map: query.costs, goal: (goal, last), strict });
+    let root = places.place(start);
+    let limits = Limits { max_expansions: report.last, first: false };
+    let mut memory = crate::search::Scratch::new();
+    record_best_first(&mut places, (root, root), limits, &mut memory, &mut (), limit).1.recording
 }
 
 /// The cell of a place, or the nearest one with room, and its number.

@@ -316,10 +316,12 @@ impl Domain for StateLattice<'_> {
     type Label = State;
     type Tail = Word;
 
-    const ORDER: Order = Order::Oldest;
-
     fn node_count(&self) -> usize {
         0
+    }
+
+    fn order(&self) -> Order {
+        Order::Oldest
     }
 
     fn successors<S: Relax<f64, State>>(&self, from: Visit<f64, State>, sink: &mut S) {

@@ -39,7 +39,7 @@ export function openTable(lang: Lang, replay: SearchReplay, side: number): Templ
   const head = `${replay.sides.length > 1 ? `${say(lang, side === 1 ? "side.1" : "side.0")} · ` : ""}${say(lang, "openList", { n: entries.length, all })}`;
   if (entries.length === 0) return html`<h3>${head}</h3><p class="note">${say(lang, "openEmpty")}</p>`;
   const hasPoses = replay.trace.kind === "poses";
-  return html`<h3>${head}</h3><p class="note">${say(lang, hasPoses ? "openOldest" : "openOrder")}</p>
+  return html`<h3>${head}</h3><p class="note">${say(lang, replay.trace.oldestFirst ? "openOldest" : "openOrder")}</p>
     <table><thead><tr><th></th><th>${say(lang, hasPoses ? "pose" : "place")}</th><th class="n">f</th><th class="n">h</th><th class="n">${say(lang, "age")}</th></tr></thead>
     <tbody>${entries.map((one, i) => {
       const tied = (other: (typeof entries)[number] | undefined): boolean => other?.f === one.f;

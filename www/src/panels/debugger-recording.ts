@@ -31,6 +31,8 @@ export function recordingNote({ lang, results }: State, { planner, replay: { tra
   const bytes = steps * STEP_BYTES + moves * (trace.kind === "poses" ? MOVE_BYTES + POSE_BYTES : MOVE_BYTES);
   const size = say(lang, "size", { steps, moves, mb: number(lang, bytes / 1e6, 1) });
   if (trace.cut) return `${size} ${say(lang, "cut", { n: steps })}`;
+  if (stats && counters.expanded < stats.expanded)
+    return `${size} ${say(lang, "oneOfSeveral", { expanded: counters.expanded, all: stats.expanded })}`;
   const isEqual =
     stats &&
     counters.expanded === stats.expanded &&

@@ -248,7 +248,7 @@ export class SearchReplay {
     return { node: trace.targets[move]!, g, h, f: g + h + (deferred ? trace.penalty : 0), age: entry, deferred };
   }
 
-  /** The first entries of a side's open list in their order: least f, then least h, then the newest. */
+  /** The first entries of a side's open list in their order: least f, then by age as the search has it. */
   openList(side: number, count: number): OpenEntry[] {
     const first: OpenEntry[] = [];
     for (const number of this.sides[side]?.open ?? []) {
@@ -319,7 +319,7 @@ export class SearchReplay {
 
   private precedes(a: OpenEntry, b: OpenEntry): boolean {
     if (a.f !== b.f) return a.f < b.f;
-    if (this.trace.kind === "poses") return a.age < b.age;
+    if (this.trace.oldestFirst) return a.age < b.age;
     return a.h !== b.h ? a.h < b.h : a.age > b.age;
   }
 

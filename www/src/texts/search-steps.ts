@@ -76,7 +76,7 @@ const moveShown = (replay: SearchReplay, byMoves: boolean): number =>
 /** Why a step took its entry and no other. */
 export function whyOf(lang: Lang, replay: SearchReplay, step: number): string {
   const { byF, byH } = replay.ties(step);
-  if (byF > 0 && replay.trace.kind === "poses") return say(lang, "why.oldest", { n: byF });
+  if (byF > 0 && replay.trace.oldestFirst) return say(lang, "why.oldest", { n: byF });
   if (byF === 0) return say(lang, "why.only");
   return byH === 0 ? say(lang, "why.h", { n: byF }) : say(lang, "why.age", { n: byF, m: byH });
 }
@@ -204,6 +204,7 @@ interface Shape {
   jumps: boolean;
   leaves: boolean;
   arcs: boolean;
+  oldest: boolean;
 }
 
 const shapes = new WeakMap<SearchReplay["trace"], Shape>();
@@ -220,6 +221,7 @@ function shapeOf({ trace, sides }: SearchReplay): Shape {
       jumps: trace.kind === "search" && !has(FATE.blocked) && !has(FATE.corner) && isJumping(trace),
       leaves: has(FATE.leftOut),
       arcs: trace.kind === "poses",
+      oldest: trace.oldestFirst,
     };
     shapes.set(trace, shape);
   }
@@ -239,12 +241,12 @@ function isJumping({ width, nodes, targets, first }: SearchTrace): boolean {
   return false;
 }
 
-function linesOf({ both, bounds, holds, jumps, leaves, arcs }: Shape): [Role, number, Key][] {
+function linesOf({ both, bounds, holds, jumps, leaves, arcs, oldest }: Shape): [Role, number, Key][] {
   const each: Key = arcs ? "code.eachArc" : jumps ? "code.eachJump" : holds ? "code.eachRisk" : "code.each";
   const lines: ([Role, number, Key] | false)[] = [
     ["init", 0, both ? "code.initBoth" : "code.init"],
     ["while", 0, both ? (arcs ? "code.whileFewer" : "code.whileBoth") : "code.while"],
-    ["pop", 1, arcs ? "code.popOldest" : "code.pop"],
+    ["pop", 1, oldest ? "code.popOldest" : "code.pop"],
     holds && ["deferred", 1, "code.deferred"],
     arcs
       ? ["goal", 1, "code.connect"]
