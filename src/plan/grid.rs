@@ -122,13 +122,12 @@ impl Engine {
 
 #[cfg(feature = "complete")]
 impl Engine {
-    /// The last search, between the ends of `world`, with its events written down; `None` for planners without an open
-    /// list of cells. Recording runs the search a second time, so that a plan without it pays nothing.
-    pub(super) fn record(&self, world: &World, limit: usize) -> Option<Recorded> {
+    /// The last search, between the ends of `world`, with its events written down. Recording runs the search a second time, so that a plan without it pays nothing.
+    pub(super) fn record(&self, world: &World, limit: usize) -> Recorded {
         let [start, goal] = [world.geometry.start, world.geometry.goal].map(|p| cell_of(&world.frame, p));
         let map = self.rasters.map(world);
-        let recording = self.search.record(Query { map, start, goal }, self.rasters.bits(), limit)?;
-        Some(Recorded::Cells { width: map.width(), height: map.height(), recording })
+        let recording = self.search.record(Query { map, start, goal }, self.rasters.bits(), limit);
+        Recorded::Cells { width: map.width(), height: map.height(), recording }
     }
 
     /// The risk field's potential at every cell; `None` without a risk field.

@@ -91,7 +91,7 @@ const NEAR: f64 = 1e-3;
 pub struct Options<'a> {
     /// True to keep the search trace.
     pub trace: bool,
-    /// Steps of the search to keep with all they did ([`Plan::recorded`]); only of planners with an open list.
+    /// Steps of the search to keep with all they did ([`Plan::recorded`]).
     #[cfg(feature = "complete")]
     pub record: Option<usize>,
     /// Told of the expansions so far each 16 384 cells, or 256 poses of a car, and never of more than
@@ -278,10 +278,8 @@ impl Planner {
             }
         };
         #[cfg(feature = "complete")]
-        if let (Engine::Grid(engine), Some(limit)) = (&self.engine, options.record)
-            && let Some(recorded) = engine.record(&self.world, limit)
-        {
-            plan.recorded = Some(Box::new(recorded));
+        if let (Engine::Grid(engine), Some(limit)) = (&self.engine, options.record) {
+            plan.recorded = Some(Box::new(engine.record(&self.world, limit)));
         }
         plan.planner = self.kind.id();
         plan

@@ -16,7 +16,7 @@ use super::settings::Common;
 use crate::geometry::math::sorted_by;
 use crate::map::{Cell, line_of_sight};
 use crate::scenario::generate::SplitMix64;
-use crate::search::{Budget, Observer};
+use crate::search::{Budget, Fate, Observer, Recording, StepKind};
 
 /// An expansion is a candidate and its fitness, which looks at every cell along its path.
 const SHARED: Common = Common { max_expansions: 20_000, ..Common::PLAIN };
@@ -94,9 +94,36 @@ pub fn plan<O: Observer<i64, ()>>(
     _: &mut GridScratch,
     observer: &mut O,
 ) -> GridReport {
-    if let Some(report) = query.trivial() {
-        return report;
+    query.trivial().unwrap_or_else(|| evolve(query, config, observer, &mut |_, _| {}))
+}
+
+/// The same candidates written down, at most `limit` of them.
+pub fn record(query: Query, config: &Config, limit: usize) -> Recording {
+    if query.trivial().is_some() {
+        return Recording::empty();
     }
+    let mut out = Recording::default();
+    let index = |cell: Cell| query.map.index(cell);
+    let report = evolve(query, config, &mut (), &mut |evolution, candidate| {
+        let mut far = 0;
+        let legs = legs(&query, &candidate.genes);
+        let legs = legs.windows(2).map(|leg| {
+            far += cost(leg[1].x - leg[0].x, leg[1].y - leg[0].y);
+            let fate = if evolution.is_free(leg[0], leg[1]) { Fate::Drawn } else { Fate::Blocked };
+            (index(leg[1]), fate, far)
+        });
+        let legs: Vec<_> = legs.collect();
+        out.add(limit, (StepKind::Candidate, index(query.start), [candidate.fitness, 0]), &legs);
+    });
+    out.counted([report.expanded, report.generated, report.pushes, report.open_peak])
+}
+
+fn evolve<O: Observer<i64, ()>>(
+    query: Query,
+    config: &Config,
+    observer: &mut O,
+    tell: &mut dyn FnMut(&Evolution, &Candidate),
+) -> GridReport {
     let random = SplitMix64::new(u64::from(config.seed));
     let mut evolution = Evolution { query, config: *config, random, los_calls: 0 };
     let mut budget = Budget::new(config.common.max_expansions, observer);
@@ -110,6 +137,7 @@ pub fn plan<O: Observer<i64, ()>>(
         let middle = genes.get(genes.len() / 2).copied().unwrap_or(query.start);
         let candidate = evolution.judged(genes);
         observer.expanded(query.map.index(middle), (), candidate.fitness);
+        tell(&evolution, &candidate);
         next.push(candidate);
         if next.len() == config.population as usize {
             people = fittest_first(&next);
@@ -180,9 +208,8 @@ impl Evolution<'_> {
     fn repair(&mut self, genes: &mut Vec<Cell>) -> bool {
         let cells: Vec<Cell> =
             [self.query.start].into_iter().chain(genes.iter().copied()).chain([self.query.goal]).collect();
-        let blocked: Vec<usize> = (0..cells.len() - 1)
-            .filter(|&i| !line_of_sight(self.query.map, cells[i], cells[i + 1], self.config.common.corner))
-            .collect();
+        let blocked: Vec<usize> =
+            (0..cells.len() - 1).filter(|&i| !self.is_free(cells[i], cells[i + 1])).collect();
         if blocked.is_empty() || genes.len() >= GENES {
             return false;
         }
@@ -221,12 +248,17 @@ impl Evolution<'_> {
         for leg in legs(&self.query, &genes).windows(2) {
             fitness += cost(leg[1].x - leg[0].x, leg[1].y - leg[0].y);
             self.los_calls += 1;
-            if !line_of_sight(self.query.map, leg[0], leg[1], self.config.common.corner) {
+            if !self.is_free(leg[0], leg[1]) {
                 is_free = false;
                 fitness += BLOCKED * (1 + self.blocked_between(leg[0], leg[1]));
             }
         }
         Candidate { genes, fitness, is_free }
+    }
+
+    /// True if the straight line between two cells is.
+    fn is_free(&self, from: Cell, to: Cell) -> bool {
+        line_of_sight(self.query.map, from, to, self.config.common.corner)
     }
 
     /// The blocked cells on a line, one a column or row.

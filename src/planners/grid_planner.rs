@@ -129,11 +129,10 @@ impl GridPlanner {
         }
     }
 
-    /// The search once more with its events written down, at most `limit` of them; `None` for planners without an open
-    /// list of cells.
+    /// The search once more with its events written down, at most `limit` of them.
     #[cfg(feature = "complete")]
-    pub(crate) fn record(&self, query: Query, bits: Option<&Bits>, limit: usize) -> Option<Recording> {
-        Some(match self {
+    pub(crate) fn record(&self, query: Query, bits: Option<&Bits>, limit: usize) -> Recording {
+        match self {
             Self::Neighbours(around, config) => grid_astar::record(query, *around, config, limit),
             Self::RiskField(config) => risk_field::record(query, config, limit),
             Self::Bidirectional(config) => bidirectional::record(query, config, limit),
@@ -144,7 +143,8 @@ impl GridPlanner {
             Self::Dijkstra(config) => dijkstra_greedy::record_dijkstra(query, config, limit),
             Self::Greedy(config) => dijkstra_greedy::record_greedy(query, config, limit),
             Self::AnyAngle(config) => any_angle::record(query, config, limit),
-            Self::Rrt(_) | Self::Genetic(_) => return None,
-        })
+            Self::Rrt(config) => rrt::record(query, config, limit),
+            Self::Genetic(config) => genetic::record(query, config, limit),
+        }
     }
 }

@@ -15,7 +15,7 @@ use super::query::{GridReport, GridScratch, Query};
 use super::settings::Common;
 use crate::map::{Cell, line_of_sight};
 use crate::scenario::generate::SplitMix64;
-use crate::search::{Budget, Observer};
+use crate::search::{Budget, Fate, Observer, Recording, StepKind};
 
 /// Each expansion looks at the whole tree, so the default is far below that of the other searches.
 const SHARED: Common = Common { max_expansions: 20_000, ..Common::PLAIN };
@@ -114,9 +114,43 @@ pub fn plan<O: Observer<i64, ()>>(
     _: &mut GridScratch,
     observer: &mut O,
 ) -> GridReport {
-    if let Some(report) = query.trivial() {
-        return report;
+    query.trivial().unwrap_or_else(|| grow(query, config, observer, &mut |_, _| {}))
+}
+
+/// The same tree with its events written down, at most `limit` of them.
+pub fn record(query: Query, config: &Config, limit: usize) -> Recording {
+    if query.trivial().is_some() {
+        return Recording::empty();
     }
+    let mut out = Recording::default();
+    let index = |cell: Cell| query.map.index(cell);
+    let report = grow(query, config, &mut (), &mut |tree, Draw { towards, place, to, fate }| {
+        let (from, g) = (tree.cells[place], tree.costs[place]);
+        let h = cost(towards.x - from.x, towards.y - from.y);
+        let moves =
+            [(index(towards), Fate::Drawn, 0), (index(to), fate, g + cost(to.x - from.x, to.y - from.y))];
+        out.add(limit, (StepKind::Drawn, index(from), [g, h]), &moves);
+    });
+    if report.outcome == Outcome::Found {
+        out.add(limit, (StepKind::Goal, index(query.goal), [report.cost_micro, 0]), &[]);
+    }
+    out.counted([report.expanded, report.generated, report.pushes, report.open_peak])
+}
+
+/// An expansion: the cell that was drawn, the place of the tree's nearest, the end of the leg and what became of it.
+struct Draw {
+    towards: Cell,
+    place: usize,
+    to: Cell,
+    fate: Fate,
+}
+
+fn grow<O: Observer<i64, ()>>(
+    query: Query,
+    config: &Config,
+    observer: &mut O,
+    tell: &mut dyn FnMut(&Tree, Draw),
+) -> GridReport {
     let mut tree = Tree {
         cells: vec![query.start],
         parents: vec![0],
@@ -135,11 +169,17 @@ pub fn plan<O: Observer<i64, ()>>(
         expanded += 1;
         observer.expanded(query.map.index(from), (), tree.costs[place]);
         let to = leg(from, towards, config.step);
-        if query.map.blocked(to) || tree.is_in[query.map.index(to) as usize] {
-            continue;
-        }
-        los_calls += 1;
-        if line_of_sight(query.map, from, to, config.common.corner) {
+        let fate = if query.map.blocked(to) {
+            Fate::Blocked
+        } else if tree.is_in[query.map.index(to) as usize] {
+            Fate::Closed
+        } else {
+            los_calls += 1;
+            let is_free = line_of_sight(query.map, from, to, config.common.corner);
+            if is_free { Fate::Kept } else { Fate::Corner }
+        };
+        tell(&tree, Draw { towards, place, to, fate });
+        if fate == Fate::Kept {
             tree.add(&query, to, place);
             if to == query.goal {
                 outcome = Outcome::Found;

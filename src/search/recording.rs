@@ -22,6 +22,11 @@ pub enum StepKind {
     Meet = 4,
     /// The node completes a path, and its moves were tried for a cheaper one.
     Joined = 5,
+    /// A cell was drawn at random; this node of the tree is the nearest to it, and stays in the tree.
+    Drawn = 6,
+    /// A whole path was judged: its legs are the moves, from the node on, one after another; f is its fitness, the least
+    /// the best.
+    Candidate = 7,
 }
 
 /// What became of a move that was considered.
@@ -45,6 +50,8 @@ pub enum Fate {
     Requeued = 7,
     /// The search's rule leaves the move out.
     LeftOut = 8,
+    /// No move: the cell that was drawn, or the end of a candidate's free leg.
+    Drawn = 9,
 }
 
 /// Micro-cells of a cell.
@@ -101,6 +108,27 @@ impl Recording {
     pub const STEP_BYTES: usize = 33;
     /// Bytes that a move takes.
     pub const MOVE_BYTES: usize = 21;
+
+    /// Adds a step of a planner without an open list, and what it did: target, fate and cost there. Costs are micro-cells.
+    pub(crate) fn add(
+        &mut self,
+        limit: usize,
+        (kind, node, [g, h]): (StepKind, NodeId, [i64; 2]),
+        moves: &[(NodeId, Fate, i64)],
+    ) {
+        self.is_cut |= self.nodes.len() == limit;
+        if !self.is_cut {
+            self.step(kind, 0, node, [g as f64, h as f64, (g + h) as f64]);
+            for &(target, fate, g) in moves {
+                self.offer(target, fate as u8, g as f64, 0.0);
+            }
+        }
+    }
+
+    /// With the planner's counters: expanded, generated, insertions, size.
+    pub(crate) fn counted(self, [expanded, generated, pushes, open_peak]: [u32; 4]) -> Self {
+        Self { unit: MICRO, expanded, generated, pushes, open_peak, ..self }.finish()
+    }
 
     /// A search without steps: nothing had to be searched.
     pub fn empty() -> Self {
