@@ -387,7 +387,8 @@ export interface PoseTrace extends SearchEvents {
 export interface SearchEvents {
   /**
    * Per step: 0 expanded, 1 its deferred moves tried, 2 excluded by a bound, 3 the goal, 4 where two sides meet, 5 expanded, and a path
-   * completed that a cheaper one may replace; 16 more of the side from the goal.
+   * completed that a cheaper one may replace; of `rrt` 6 a cell drawn, whose nearest in the tree the node is; of `genetic` 7 a candidate,
+   * f its fitness; 16 more of the side from the goal.
    */
   kinds: Uint8Array;
   /** Per step: its node, cost from the root, estimate, priority. */
@@ -403,7 +404,7 @@ export interface SearchEvents {
   targetH: Float64Array;
   /**
    * Per move: 0 kept, 1 improved, 2 dearer than known, 3 closed, 4 blocked, 5 cuts a corner, 6 held back, 7 the node itself waits
-   * for its deferred moves, 8 left out by the search's rule; 16 more where it leads from the node's parent.
+   * for its deferred moves, 8 left out by the search's rule, 9 the cell that `rrt` drew or the end of a free leg of a candidate of `genetic`; 16 more where it leads from the node's parent.
    */
   fates: Uint8Array;
   /** True if the open list is ordered by f, then the oldest entry first; else by f, then by h, then the newest entry first. */
@@ -1011,7 +1012,7 @@ export class Planner<Id extends PlannerId = PlannerId> {
    *
    * `trace: "full"`, not in `parkade/core`, records the search with every move that it considered and what became of it
    * ({@link SearchTrace}, {@link PoseTrace}), at most `traceLimit` steps, 1 to 1 000 000, by default 100 000. Plans without it are as
-   * fast as ever. Planners without an open list give their ordinary trace.
+   * fast as ever. 
    *
    * Hybrid only, and not in `parkade/core`: `prefer` looks for a better path than the ordinary one by that measure, gear changes
    * first for "fewest-changes"; `alternatives` looks for all that are worth choosing from. Without `prefer` the answer is

@@ -158,3 +158,38 @@ test("a task's link opens its scene with hidden answers and the debugger at its 
   await card.getByRole("button", { name: "Show the answers" }).click();
   await expect(card.getByRole("button", { name: "Show the answers" })).toHaveCount(0);
 });
+
+test("planners without an open list and the search of a road are walked through in their own words", async ({
+  page,
+}) => {
+  const complaints = complaintsOf(page);
+  await openDebugger(page, "rrt");
+  const panel = page.locator("parkade-debugger"),
+    event = panel.locator(".event"),
+    next = panel.getByRole("button", { name: "Step", exact: true });
+  const focus = (id: string): Promise<void> =>
+    page.evaluate(
+      (one) => document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ focus: one }),
+      id,
+    );
+  await expect(event).toContainText("The tree has only the start.");
+  await next.click();
+  await expect(event).toContainText(/Draw \(\d+, \d+\): of the tree, \(\d+, \d+\) is nearest to it, [\d.]+ cells away/);
+  await expect(panel.getByText("the cell drawn at random")).toBeVisible();
+  await expect(panel.locator(".code .now")).toHaveText("n ← the cell of the tree nearest to r");
+  await panel.getByRole("button", { name: "Last step" }).click();
+  await expect(event).toContainText("completes the path");
+  await expect(panel.getByText(/Tree: [\d,]+ cells/)).toBeVisible();
+  expect(await violations(page)).toEqual([]);
+  await focus("genetic");
+  await expect(event).toContainText("No candidate is judged yet.");
+  await next.click();
+  await expect(event).toContainText(/Candidate 1: (fitness|a free path)/);
+  await expect(panel.getByText(/a free leg|this leg crosses/).first()).toBeVisible();
+  await focus("cost-map");
+  await expect(event).toContainText("Nothing is expanded yet");
+  await next.click();
+  await expect(event).toContainText(/Expand \(\d+, \d+\): f [\d.]+ = g 0\.00 \+ h/);
+  await expect(panel.getByText("new: into the open list").first()).toBeVisible();
+  expect(complaints).toEqual([]);
+});

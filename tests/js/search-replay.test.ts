@@ -20,6 +20,9 @@ const PLANNERS: PlannerId[] = [
   "dijkstra",
 ];
 
+/** They have no open list. */
+const SAMPLERS: PlannerId[] = ["rrt", "genetic"];
+
 beforeAll(() => init());
 
 /** Numbers from 0 to below 1 that a seed decides. */
@@ -225,6 +228,52 @@ describe("a recorded search", () => {
     expect(replay.at).toBe(0);
   });
 
+  it.each([
+    ["metre", "road-curve"],
+    ["steps", "road-curve"],
+    ["paper", "road-straight"],
+  ] as const)("of cost-map with costs %s has the open list's order and the plan's counters", (costs, id) => {
+    const made = new Planner("cost-map", scenario(id), { costs, margin: 0 });
+    const plan = made.plan({ trace: "full", traceLimit: 3000 }),
+      trace = plan.trace as SearchTrace;
+    made.free();
+    expect(trace.oldestFirst).toBe(costs === "steps");
+    const { expanded, generated, pushes, openPeak } = plan.stats;
+    expect(trace.counters).toEqual({ expanded, generated, pushes, openPeak });
+    const replay = new SearchReplay(trace);
+    for (let step = 0; step < replay.steps; step++) {
+      const [next] = replay.openList(0, 1);
+      expect([next?.node, next?.f, next?.g]).toEqual([trace.nodes[step], trace.f[step], trace.g[step]]);
+      replay.seek(replay.endOf(step));
+    }
+    expect(replay.steps).toBeGreaterThan(500);
+  });
+
+  it.each(SAMPLERS)("of %s has the planner's counters and is the same walked back", (planner) => {
+    for (let seed = 0; seed < 12; seed++) {
+      const { trace, plan } = recorded(planner, randomScene(seed), 300);
+      if (!isSearched(trace)) continue;
+      const { expanded, generated, pushes, openPeak } = plan.stats;
+      expect(trace.counters).toEqual({ expanded, generated, pushes, openPeak });
+      const replay = new SearchReplay(trace),
+        [side] = replay.sides;
+      const picture = (): string => JSON.stringify([[...side!.open].sort(), [...side!.entry], [...side!.closed]]);
+      const before: string[] = [];
+      for (let event = 0; event <= replay.events; event++) {
+        replay.seek(event);
+        before.push(picture());
+      }
+      for (let at = replay.events; at >= 0; at--) {
+        replay.seek(at);
+        expect(picture()).toBe(before[at]);
+      }
+      const grown = [...trace.fates].filter((fate) => fate === FATE.kept).length;
+      replay.seek(replay.events);
+      const ends = trace.kinds.at(-1) === STEP.goal ? 1 : 0;
+      expect(side!.open).toHaveLength(1 + grown - ends);
+    }
+  });
+
   it("from both ends says where the trees of a car meet", () => {
     const { kinds, roots } = recordedPoses("hybrid-bidirectional", "road-roundabout");
     expect(kinds.some((kind) => (kind & 15) === STEP.meet)).toBe(true);
@@ -291,8 +340,8 @@ describe("a recorded search", () => {
 describe("words", () => {
   it("name the reason of each move and light one line of the pseudocode", () => {
     const seen = new Set<number>();
-    for (const planner of PLANNERS) {
-      const replay = new SearchReplay(recorded(planner, randomScene(5)).trace);
+    for (const planner of [...PLANNERS, ...SAMPLERS]) {
+      const replay = new SearchReplay(recorded(planner, randomScene(5), 500).trace);
       for (let event = 0; event <= replay.events; event++) {
         replay.seek(event);
         if (replay.move >= 0) seen.add(replay.trace.fates[replay.move]! & 15);

@@ -32,6 +32,9 @@ const WASM_FILE: &str = "parkade_bg.wasm";
 const COMPLETE_FLAGS: &[&str] = &["-C", "opt-level=2", "-C", "llvm-args=--inline-threshold=120"];
 /// The first download shall be small; it plans for a few seconds only, until the complete module is there.
 const CORE_FLAGS: &[&str] = &["-C", "opt-level=s", "-C", "llvm-args=--inline-threshold=5"];
+/// Constants that are added to an address become part of the access. That asks for a first kilobyte of memory without
+/// data: the stack lies there, and ends with a trap when it is full.
+const ADDRESSES: &[&str] = &["--low-memory-unused", "--optimize-added-constants-propagate"];
 /// Lets the compiler use WebAssembly's vectors, which the package does without.
 const VECTORS: &[&str] = &["-C", "target-feature=+simd128"];
 
@@ -163,7 +166,7 @@ fn build_module(workspace: &Workspace, folder: &Path, features: &[&str], flags: 
     // The first download shall be small, the complete module fast.
     let aims: &[&str] =
         if features.is_empty() { &["--gufa", "-O3"] } else { &["-O3", "-Oz", "--gufa", "-Oz"] };
-    run(node_tool("binaryen/bin/wasm-opt").args(aims).arg(&wasm).arg("-o").arg(&wasm))?;
+    run(node_tool("binaryen/bin/wasm-opt").args(ADDRESSES).args(aims).arg(&wasm).arg("-o").arg(&wasm))?;
     for name in PACKAGE_SOURCES {
         copy(&root().join("packages/parkade").join(name), &folder.join(name))?;
     }

@@ -4,7 +4,7 @@ import { number } from "../i18n/index";
 import type { FailedConnection } from "../planning/failed-connections";
 import { STEP, type SearchReplay } from "../planning/search-replay";
 import type { State } from "../store";
-import { say } from "../texts/search-steps";
+import { say } from "../texts/search-words";
 import { thingName } from "../texts/status";
 
 export function connectionCard(state: State, replay: SearchReplay, failed: FailedConnection | null): TemplateResult {

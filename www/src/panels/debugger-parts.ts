@@ -3,7 +3,10 @@ import { html, nothing, type TemplateResult } from "lit";
 import type { Explanation } from "parkade";
 import { number, type Lang } from "../i18n/index";
 import type { SearchReplay } from "../planning/search-replay";
-import { cost, estimatesAt, fateText, placeOf, placeOfStep, pseudocode, say, targetOf } from "../texts/search-steps";
+import { estimatesAt, fateText, pseudocode } from "../texts/search-steps";
+import { cost, placeOf, placeOfStep, say, targetOf } from "../texts/search-words";
+import { samplingOf } from "../texts/sampling-steps";
+import { UNITS, type Unit } from "./debugger-session";
 import { SIGNS } from "../view/layers/search-marks";
 
 const SHOWN_ENTRIES = 12;
@@ -14,7 +17,7 @@ export function movesTable(lang: Lang, replay: SearchReplay): TemplateResult | t
   if (step < 0) return nothing;
   const moves: number[] = [];
   for (let one = trace.first[step]!; one <= move; one++) moves.push(one);
-  return html`<h3>${say(lang, "moves", { place: placeOfStep(lang, replay, step) })}</h3>
+  return html`<h3>${say(lang, samplingOf(replay) === "candidates" ? "legs" : "moves", { place: placeOfStep(lang, replay, step) })}</h3>
     ${
       trace.first[step] === trace.first[step + 1]
         ? html`<p class="note">${say(lang, "moves.none")}</p>`
@@ -27,13 +30,17 @@ function moveRow(lang: Lang, replay: SearchReplay, move: number): TemplateResult
   const { trace } = replay,
     fate = replay.fateOf(move);
   const isLegal = fate !== "blocked" && fate !== "corner",
+    hasG = isLegal && !(fate === "drawn" && samplingOf(replay) === "tree"),
     hasH = fate === "kept" || fate === "improved";
   return html`<tr class="${move === replay.move ? "now" : ""} ${isLegal ? "" : "bad"}"><td class="sign" aria-hidden="true">${SIGNS[fate]}</td><td>${targetOf(lang, replay, move)}</td>
-    <td class="n">${isLegal ? cost(lang, replay, trace.targetG[move]!) : ""}</td><td class="n">${hasH ? cost(lang, replay, trace.targetH[move]!) : ""}</td><td class="why">${fateText(lang, replay, move)}</td></tr>`;
+    <td class="n">${hasG ? cost(lang, replay, trace.targetG[move]!) : ""}</td><td class="n">${hasH ? cost(lang, replay, trace.targetH[move]!) : ""}</td><td class="why">${fateText(lang, replay, move)}</td></tr>`;
 }
 
 /** The entries that come next on a side. */
 export function openTable(lang: Lang, replay: SearchReplay, side: number): TemplateResult {
+  const sampling = samplingOf(replay);
+  if (sampling)
+    return sampling === "tree" ? html`<h3>${say(lang, "tree", { n: replay.sides[side]!.open.length })}</h3>` : html``;
   const entries = replay.openList(side, SHOWN_ENTRIES),
     all = replay.sides[side]?.open.length ?? 0;
   const head = `${replay.sides.length > 1 ? `${say(lang, side === 1 ? "side.1" : "side.0")} · ` : ""}${say(lang, "openList", { n: entries.length, all })}`;
@@ -60,14 +67,31 @@ export function code(lang: Lang, replay: SearchReplay, byMoves: boolean): Templa
 export function variables(lang: Lang, replay: SearchReplay): TemplateResult | typeof nothing {
   const { step, move, trace } = replay;
   if (step < 0) return nothing;
-  const rows: [string, string][] = [
-    ["n", placeOfStep(lang, replay, step)],
-    ["g(n)", cost(lang, replay, trace.g[step]!)],
-    ["h(n)", cost(lang, replay, trace.h[step]!)],
-    ["f(n)", cost(lang, replay, trace.f[step]!)],
+  const [g, h, f] = [trace.g, trace.h, trace.f].map((column) => cost(lang, replay, column[step]!)) as [
+    string,
+    string,
+    string,
   ];
-  if (move >= 0) rows.push(["m", targetOf(lang, replay, move)], ["g(n) + c", cost(lang, replay, trace.targetG[move]!)]);
-  rows.push(["|open|", replay.sides.map(({ open }) => open.length).join(" + ")]);
+  const sampling = samplingOf(replay),
+    isCandidate = sampling === "candidates";
+  const rows: [string, string][] = isCandidate
+    ? [[say(lang, "fitness"), f]]
+    : [
+        ["n", placeOfStep(lang, replay, step)],
+        ["g(n)", g],
+        ...(sampling
+          ? [["|n − r|", h] as [string, string]]
+          : ([
+              ["h(n)", h],
+              ["f(n)", f],
+            ] as [string, string][])),
+      ];
+  if (move >= 0) {
+    rows.push(["m", targetOf(lang, replay, move)]);
+    if (!sampling) rows.push(["g(n) + c", cost(lang, replay, trace.targetG[move]!)]);
+  }
+  if (!isCandidate)
+    rows.push([sampling ? "|tree|" : "|open|", replay.sides.map(({ open }) => open.length).join(" + ")]);
   return html`<dl aria-label=${say(lang, "vars")}>${rows.map(([name, value]) => html`<div><dt>${name}</dt><dd>${value}</dd></div>`)}</dl>`;
 }
 
@@ -111,4 +135,21 @@ export function fieldCard(
   return html`<h3>${say(lang, "field", { place: `(${cell[0]}, ${cell[1]})` })}</h3>
     <p>${say(lang, "field.force", { x: two(force[0]), y: two(force[1]), ax: two(attraction[0]), ay: two(attraction[1]), rx: two(repulsion[0]), ry: two(repulsion[1]) })}</p>
     <p>${say(lang, "field.region", { table: mode === "oblique" ? 1 : 2, region, cells: cells("primary") })} ${say(lang, "field.skips", { cells: cells("held-back") })}</p>`;
+}
+
+/** The kinds of steps that a search has. */
+export function unitsOf(replay: SearchReplay): readonly Unit[] {
+  if (samplingOf(replay)) return ["step", "move", "refused"];
+  const without = replay.trace.kind === "poses" ? "held" : "failure";
+  return UNITS.filter((unit) => unit !== without);
+}
+
+/** What the colours on the map mean. */
+export function legend(lang: Lang, replay: SearchReplay): TemplateResult {
+  const sampling = samplingOf(replay),
+    hasPoses = replay.trace.kind === "poses";
+  const closed = html`<i class=${hasPoses ? "closed" : "ramp"}></i>${say(lang, hasPoses ? "legend.expanded" : "legend.closed")}`;
+  const open = html`<i class="open"></i>${say(lang, sampling ? "legend.tree" : "legend.open")}`;
+  const back = html`<i class="back"></i>${say(lang, "legend.back")}`;
+  return html`<p class="note legend">${sampling ? nothing : closed}${sampling === "candidates" ? nothing : open}${replay.sides.length > 1 ? back : nothing}</p>`;
 }

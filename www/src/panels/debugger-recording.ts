@@ -4,7 +4,8 @@ import { download } from "../app/app";
 import { number, type Lang } from "../i18n/index";
 import { traceAsJson, traceForPosthoc } from "../planning/trace-export";
 import type { State } from "../store";
-import { say } from "../texts/search-steps";
+import { say } from "../texts/search-words";
+import { samplingOf } from "../texts/sampling-steps";
 import type { Session } from "./debugger-session";
 
 const STEP_BYTES = 33,
@@ -15,11 +16,13 @@ const STEP_BYTES = 33,
 /** What a search of so many steps is likely to take. */
 export const bytesOf = (steps: number): number => steps * (STEP_BYTES + MOVES_A_STEP * MOVE_BYTES);
 
-export function saveButtons(lang: Lang, { planner, replay: { trace } }: Session): TemplateResult {
+export function saveButtons(lang: Lang, { planner, replay }: Session): TemplateResult {
+  const { trace } = replay,
+    isPosthoc = trace.kind === "search" && samplingOf(replay) !== "candidates";
   const save = (text: string, ending: string): void =>
     download(new Blob([text], { type: "application/json" }), `${planner}-search${ending}`);
   return html`<button class="button outline" @click=${() => save(traceAsJson(planner, trace), ".json")}>${say(lang, "export.json")}</button>
-    ${trace.kind === "search" ? html`<button class="button outline" @click=${() => save(traceForPosthoc(trace), ".trace.json")}>${say(lang, "export.posthoc")}</button>` : nothing}`;
+    ${isPosthoc ? html`<button class="button outline" @click=${() => save(traceForPosthoc(trace), ".trace.json")}>${say(lang, "export.posthoc")}</button>` : nothing}`;
 }
 
 /** The size of the recording, and whether its counters are those of the plan. */

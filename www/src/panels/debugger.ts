@@ -10,7 +10,8 @@ import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { icon, marker, type IconName } from "../styles/icons";
 import { hasField, plannerName } from "../styles/planner-style";
-import { eventLine, placeOf, say } from "../texts/search-steps";
+import { eventLine } from "../texts/search-steps";
+import { placeOf, say } from "../texts/search-words";
 import { drawExplained } from "../view/layers/explained";
 import { drawBreakpoints } from "../view/layers/breakpoints";
 import { drawPoseStep } from "../view/layers/pose-steps";
@@ -19,8 +20,8 @@ import { SearchStepsLayer } from "../view/layers/search-steps";
 import type { Frame } from "../view/frame";
 import { AppElement } from "./base";
 import { connectionCard, obstacleName } from "./debugger-connection";
-import { code, estimatesCard, fieldCard, movesTable, openTable, variables } from "./debugger-parts";
-import { POSE_RADIUS, Session, SPEEDS, UNITS, type Breakpoints, type Unit } from "./debugger-session";
+import { code, estimatesCard, fieldCard, legend, movesTable, openTable, unitsOf, variables } from "./debugger-parts";
+import { POSE_RADIUS, Session, SPEEDS, type Breakpoints, type Unit } from "./debugger-session";
 import { bytesOf, recordingNote, saveButtons } from "./debugger-recording";
 import { debuggerStyles, room } from "./debugger-styles";
 import { numberOf, valueOf } from "./inputs";
@@ -293,14 +294,14 @@ export class Debugger extends AppElement {
         ${press("next", "next", () => session.move(1))}${press("last", "last", () => session.seek(replay.events))}
         <select aria-label=${say(lang, "unit")} title=${say(lang, "unit")} @change=${(e: Event) => {
           session.unit = valueOf(e) as Unit;
-        }}>${UNITS.filter((unit) => replay.trace.kind === (unit === "failure" ? "poses" : unit === "held" ? "search" : replay.trace.kind)).map((unit) => html`<option value=${unit} ?selected=${unit === session.unit}>${say(lang, UNIT_KEYS[unit])}</option>`)}</select>
+        }}>${unitsOf(replay).map((unit) => html`<option value=${unit} ?selected=${unit === session.unit}>${say(lang, UNIT_KEYS[unit])}</option>`)}</select>
         <select aria-label=${say(lang, "speed")} title=${say(lang, "speed")} @change=${(e: Event) => {
           session.speed = numberOf(e);
         }}>${SPEEDS.map((speed) => html`<option value=${speed} ?selected=${speed === session.speed}>${speed}/s</option>`)}</select></div>
       <input class="slider" type="range" min="0" max=${replay.events} .value=${String(replay.at)} .style=${`--at:${(100 * replay.at) / Math.max(1, replay.events)}%`} aria-label=${say(lang, "position", { step: replay.step + 1, steps: replay.steps })}
         @input=${(e: Event) => session.seek(numberOf(e))}>
       <p class="note">${say(lang, "position", { step: replay.step + 1, steps: replay.steps })}</p>
-      <p class="note legend"><i class=${replay.trace.kind === "poses" ? "closed" : "ramp"}></i>${say(lang, replay.trace.kind === "poses" ? "legend.expanded" : "legend.closed")}<i class="open"></i>${say(lang, "legend.open")}${replay.sides.length > 1 ? html`<i class="back"></i>${say(lang, "legend.back")}` : nothing}</p>`;
+      ${legend(lang, replay)}`;
   }
 
   private breakpoints(session: Session): TemplateResult {

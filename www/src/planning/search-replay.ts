@@ -6,7 +6,16 @@
  */
 import type { Pose, PoseTrace, SearchTrace } from "parkade";
 
-export const STEP = { expand: 0, deferred: 1, rejected: 2, goal: 3, meet: 4, joined: 5 } as const;
+export const STEP = {
+  expand: 0,
+  deferred: 1,
+  rejected: 2,
+  goal: 3,
+  meet: 4,
+  joined: 5,
+  drawn: 6,
+  candidate: 7,
+} as const;
 export const FATE = {
   kept: 0,
   improved: 1,
@@ -17,6 +26,7 @@ export const FATE = {
   heldBack: 6,
   requeued: 7,
   leftOut: 8,
+  drawn: 9,
 } as const;
 export type FateName = keyof typeof FATE;
 export const FATE_NAMES = Object.keys(FATE) as FateName[];
@@ -164,7 +174,13 @@ export class SearchReplay {
     this.near = step;
     return step;
   }
+  /** True if a step takes nothing from the open list: RRT's tree keeps its cells, a candidate is a whole path. */
+  private takesNothing(step: number): boolean {
+    return this.kindOf(step) >= STEP.drawn;
+  }
+
   private take(step: number): void {
+    if (this.takesNothing(step)) return;
     const node = this.trace.nodes[step]!,
       turn = this.sideOf(step),
       side = this.sides[turn]!;
@@ -180,6 +196,7 @@ export class SearchReplay {
   }
 
   private untake(step: number): void {
+    if (this.takesNothing(step)) return;
     const node = this.trace.nodes[step]!,
       turn = this.sideOf(step),
       side = this.sides[turn]!;

@@ -58,7 +58,8 @@ export function traceForPosthoc(trace: SearchTrace): string {
         f: g + h,
       });
     }
-    if (type === "expanding") events.push({ type: "closing", ...at(node), pId: parents.get(key)!, ...costs });
+    if (type === "expanding" && kind < STEP.drawn)
+      events.push({ type: "closing", ...at(node), pId: parents.get(key)!, ...costs });
   });
   const cell = { $: "rect", fill: "${{ color[$.type] }}", width: 1, height: 1, x: "${{ $.x }}", y: "${{ $.y }}" };
   const pivot = { x: "${{ $.x + 0.5 }}", y: "${{ $.y + 0.5 }}", scale: 1 };

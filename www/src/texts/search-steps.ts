@@ -1,48 +1,15 @@
 /** A recorded search in words: the event, the reasons of moves, the pseudocode and its current line. */
-import type { Pose, SearchTrace } from "parkade";
+import type { SearchTrace } from "parkade";
 import { number, type Lang } from "../i18n/index";
-import messages from "../i18n/messages/debugger.json";
-import { words } from "../i18n/words";
+import { SAMPLING_CODE, beginOf, sampleFate, sampleLine, samplingOf } from "./sampling-steps";
 import { FATE, STEP, type FateName, type SearchReplay } from "../planning/search-replay";
-
-export const say = words("debugger", messages);
-type Key = Parameters<typeof say>[1];
-
-/** Micro-cells a cell. */
-const UNIT = 1e6;
-const DEGREES = 180 / Math.PI;
-
-/** Costs as people read them: cells or metres. */
-export const cost = (lang: Lang, { trace }: SearchReplay, value: number): string => number(lang, value / trace.unit, 2);
-
-/** Column and row of a node of a side, or its pose. */
-export function placeOf(lang: Lang, replay: SearchReplay, side: number, node: number): string {
-  const { trace } = replay;
-  return trace.kind === "search"
-    ? `(${node % trace.width}, ${Math.floor(node / trace.width)})`
-    : poseText(lang, replay.poseOf(side, node)!);
-}
-
-/** The place of the node that a step took. */
-export const placeOfStep = (lang: Lang, replay: SearchReplay, step: number): string =>
-  placeOf(lang, replay, replay.sideOf(step), replay.trace.nodes[step]!);
-
-/** Column and row of a move's target, or the pose that it leads to. */
-export function targetOf(lang: Lang, replay: SearchReplay, move: number): string {
-  const pose = replay.poseAfter(move);
-  return pose ? poseText(lang, pose) : placeOf(lang, replay, 0, replay.trace.targets[move]!);
-}
-
-function poseText(lang: Lang, { x, y, heading }: Pose): string {
-  const degrees = (((heading * DEGREES) % 360) + 360) % 360;
-  return `(${number(lang, x, 2)}, ${number(lang, y, 2)}, ${number(lang, degrees, 0)}°)`;
-}
+import { cost, placeOfStep, say, targetOf, type Key, type Role } from "./search-words";
 
 /** What the last step did, in one sentence; or, of single moves, what the last event did. */
 export function eventLine(lang: Lang, replay: SearchReplay, byMoves: boolean): string {
   const { step, trace } = replay,
     move = moveShown(replay, byMoves);
-  if (step < 0) return say(lang, "begin");
+  if (step < 0) return say(lang, beginOf(replay));
   const place = placeOfStep(lang, replay, step);
   const side = replay.sides.length > 1 ? `${say(lang, replay.sideOf(step) === 1 ? "side.1" : "side.0")} · ` : "";
   if (move >= 0) return `${side}${place} → ${targetOf(lang, replay, move)}: ${fateText(lang, replay, move)}`;
@@ -64,6 +31,9 @@ export function eventLine(lang: Lang, replay: SearchReplay, byMoves: boolean): s
       return `${side}${trace.kind === "poses" ? `${expanded()} ${say(lang, "arcs.met")}` : say(lang, "meet", values)}`;
     case STEP.joined:
       return `${side}${expanded()} ${say(lang, "joined")}`;
+    case STEP.drawn:
+    case STEP.candidate:
+      return sampleLine(lang, replay, step);
     default:
       return side + expanded();
   }
@@ -91,13 +61,16 @@ const FATE_KEYS: Record<FateName, Key> = {
   heldBack: "fate.heldBack",
   requeued: "fate.requeued",
   leftOut: "fate.leftOut",
+  drawn: "fate.drawn",
 };
 
 /** What became of a move, and by what. */
 export function fateText(lang: Lang, replay: SearchReplay, move: number): string {
   const fate = replay.fateOf(move),
     { trace } = replay;
-  const target = trace.targets[move]!;
+  const target = trace.targets[move]!,
+    sampled = sampleFate(replay, fate);
+  if (sampled) return say(lang, sampled);
   if (fate === "blocked" && trace.kind === "poses")
     return say(lang, "fate.hit", {
       thing: replay.nameOf(trace.obstacles[move]!),
@@ -117,6 +90,9 @@ export function fateText(lang: Lang, replay: SearchReplay, move: number): string
   return say(lang, FATE_KEYS[fate]);
 }
 
+/** Micro-cells a cell. */
+const UNIT = 1e6;
+
 /** Estimates of the cost from a node to the goal, micro-cells, and the least cost with the search's moves over an empty map. */
 export interface Estimates {
   least: number;
@@ -129,7 +105,7 @@ const DIAGONAL = 1_414_214;
 export function estimatesAt(replay: SearchReplay, node: number, goal: { x: number; y: number }): Estimates | null {
   const { trace } = replay;
   // Any-angle moves and arcs are longer than a step.
-  if (trace.kind !== "search" || trace.unit === 1) return null;
+  if (trace.kind !== "search" || trace.unit === 1 || samplingOf(replay)) return null;
   const reach = reachOf(trace),
     { width } = trace;
   if (reach === 0) return null;
@@ -175,10 +151,7 @@ export interface CodeLine {
   current: boolean;
 }
 
-type Role = "init" | "while" | "pop" | "goal" | "meet" | "bound" | "close" | "each" | "end" | "deferred" | FateLine;
-type FateLine = "blocked" | "leftOut" | "closed" | "dearer" | "push" | "hold";
-
-const LINE_OF: Record<FateName, FateLine> = {
+const LINE_OF: Record<FateName, Role> = {
   kept: "push",
   improved: "push",
   dearer: "dearer",
@@ -188,13 +161,15 @@ const LINE_OF: Record<FateName, FateLine> = {
   heldBack: "hold",
   requeued: "hold",
   leftOut: "leftOut",
+  drawn: "drawn",
 };
 
 /** The search as it is written down, with the line of the last event marked. */
 export function pseudocode(lang: Lang, replay: SearchReplay, byMoves: boolean): CodeLine[] {
-  const shape = shapeOf(replay),
+  const sampling = samplingOf(replay),
     now = roleNow(replay, byMoves);
-  return linesOf(shape).map(([role, indent, key]) => ({ text: say(lang, key), indent, current: role === now }));
+  const lines = sampling ? SAMPLING_CODE[sampling] : linesOf(shapeOf(replay));
+  return lines.map(([role, indent, key]) => ({ text: say(lang, key), indent, current: role === now }));
 }
 
 interface Shape {

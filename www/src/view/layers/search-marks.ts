@@ -1,4 +1,4 @@
-/** Signs for what became of a move: ✓ kept, ↻ improved, – dearer or closed, ✕ blocked, ⌀ corner, two bars held back. */
+/** Signs for what became of a move: ✓ kept, ↻ improved, – dearer or closed, ✕ blocked, ⌀ corner, two bars held back, ○ drawn. */
 import type { FateName } from "../../planning/search-replay";
 import type { Frame } from "../frame";
 
@@ -13,6 +13,7 @@ export const SIGNS: Record<FateName, string> = {
   heldBack: "II",
   requeued: "II",
   leftOut: "·",
+  drawn: "○",
 };
 
 /** Draws the sign of a fate with its middle at (x, y) and half its width, CSS pixels. */
@@ -75,6 +76,10 @@ function trace(ctx: CanvasRenderingContext2D, fate: FateName, x: number, y: numb
     case "requeued":
       line(-0.35, -0.7, -0.35, 0.7);
       line(0.35, -0.7, 0.35, 0.7);
+      return;
+    case "drawn":
+      ctx.moveTo(x + 0.6 * r, y);
+      ctx.arc(x, y, 0.6 * r, 0, 6.3);
       return;
     case "closed":
       ctx.rect(x - 0.5 * r, y - 0.5 * r, r, r);

@@ -1,6 +1,6 @@
 /** A recorded search on the map: what is closed and open, the node at hand and its moves, costs and parents where there is room. */
 import type { SearchTrace } from "parkade";
-import type { SearchReplay } from "../../planning/search-replay";
+import { STEP, type SearchReplay } from "../../planning/search-replay";
 import { inPixels, toScreen, type Frame } from "../frame";
 import { RAMP_SIZE, RAMP_WORDS } from "../ramp";
 import { newCanvas } from "../surface";
@@ -197,14 +197,16 @@ export class SearchStepsLayer {
       tokens: { colour },
     } = frame;
     inPixels(frame);
-    const [x, y] = this.middle(frame, trace.nodes[step]!),
+    const isCandidate = this.replay.kindOf(step) === STEP.candidate;
+    let [x, y] = this.middle(frame, trace.nodes[step]!);
+    const here = [x, y] as const,
       half = Math.max(3, size / 2 - 1);
     for (let one = trace.first[step]!; one <= move; one++) {
       const target = trace.targets[one]!;
       if (target === trace.nodes[step]) continue;
       const at = this.middle(frame, target);
-      if (Math.hypot(at[0] - x, at[1] - y) > size * 1.6) {
-        ctx.strokeStyle = fade(colour.accent, 0.7);
+      if (isCandidate || Math.hypot(at[0] - x, at[1] - y) > size * 1.6) {
+        ctx.strokeStyle = fade(isCandidate && this.replay.fateOf(one) === "blocked" ? colour.err : colour.accent, 0.7);
         ctx.lineWidth = 1.5;
         ctx.setLineDash([4, 3]);
         ctx.beginPath();
@@ -222,7 +224,10 @@ export class SearchStepsLayer {
         Math.min(7, Math.max(3, size * 0.24)),
         one === move,
       );
+      // A candidate's legs follow one another.
+      if (isCandidate) [x, y] = at;
     }
+    [x, y] = here;
     ctx.strokeStyle = colour.floor;
     ctx.lineWidth = 5;
     ctx.strokeRect(x - half, y - half, 2 * half, 2 * half);
