@@ -1,36 +1,7 @@
-import { expect, test, type Page } from "@playwright/test";
+import { expect, test } from "@playwright/test";
 import { PARTS } from "../../www/src/element/public-api";
 import { watchShifts } from "./playground";
-
-interface Embed extends HTMLElement {
-  ready: Promise<void>;
-  dismissPoster(): Promise<void>;
-  settled(): Promise<void>;
-}
-
-/** A page with one playground, and how it is dressed. */
-async function visit(page: Page, attributes: string, css: string, inside = ""): Promise<void> {
-  await page.emulateMedia({
-    reducedMotion: attributes.includes("autoplay") ? "no-preference" : "reduce",
-    colorScheme: "light",
-  });
-  await page.setViewportSize({ width: 1300, height: 800 });
-  await page.route("**/host/styled.html", (route) =>
-    route.fulfill({
-      contentType: "text/html",
-      body: `<!doctype html><title>Styled</title><style>parkade-playground { width: 1280px; height: 760px } ${css}</style>
-    <script type="module" src="../sub/path/parkade-playground.js"></script><parkade-playground ${attributes}>${inside}</parkade-playground>`,
-    }),
-  );
-  await page.goto("/host/styled.html");
-}
-
-const ready = (page: Page) =>
-  page.evaluate(async () => {
-    const element = document.querySelector("parkade-playground") as Embed;
-    await element.ready;
-    await element.settled();
-  });
+import { type Embed, ready, visit } from "./styled-host";
 
 test("every part takes the page's style", async ({ page }) => {
   await visit(
@@ -239,104 +210,6 @@ test("every colour, the radius and the font are the page's", async ({ page }) =>
   );
   expect(wide).toBeGreaterThan(0);
   expect(await radius()).toBe(wide / 3);
-});
-
-test("attributes are properties, and do what they say before and after the playground is there", async ({ page }) => {
-  await visit(
-    page,
-    'layout="single" controls="minimal" autoplay speed="0.01" layers="clean" wheel="always" editable',
-    "",
-  );
-  await ready(page);
-  const read = () =>
-    page.evaluate(() => {
-      const element = document.querySelector("parkade-playground") as Embed & Record<string, unknown>;
-      return {
-        layout: element["layout"],
-        autoplay: element["autoplay"],
-        speed: element["speed"],
-        wheel: element["wheel"],
-        budgetMs: element["budgetMs"],
-        camera: element["camera"],
-        playhead: element["playhead"] as number,
-      };
-    });
-  expect(await read()).toMatchObject({
-    layout: "single",
-    autoplay: true,
-    speed: "0.01",
-    wheel: "always",
-    budgetMs: null,
-    camera: null,
-  });
-  // It drives in, slowly.
-  await expect.poll(async () => (await read()).playhead).toBeLessThan(0.5);
-  await expect.poll(async () => (await read()).playhead).toBeGreaterThan(0);
-  const canvas = page.locator("parkade-playground canvas").first();
-  const wheel = async () => {
-    await canvas.hover();
-    await page.mouse.wheel(0, -60);
-  };
-  await wheel();
-  await expect.poll(async () => (await read()).camera).not.toBeNull();
-  await page.evaluate(() => Object.assign(document.querySelector("parkade-playground")!, { wheel: "none" }));
-  const { camera } = await read();
-  await page.keyboard.down("Control");
-  await wheel();
-  await page.keyboard.up("Control");
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-  expect((await read()).camera).toEqual(camera);
-  // A scene's address, a link, another scene: each in its turn; selecting is told.
-  await page.route("**/host/own.json", (route) =>
-    route.fulfill({
-      json: {
-        version: 1,
-        name: "Own",
-        map: { origin: [0, 0], width: 40, height: 30, resolution: 0.5 },
-        start: { x: 3, y: 7, heading: 0 },
-        goal: { x: 15, y: 7, heading: 0 },
-      },
-    }),
-  );
-  const names = await page.evaluate(async () => {
-    const element = document.querySelector("parkade-playground") as Embed & {
-      getScene(): Promise<{ name?: string }>;
-      openLink(link: string): Promise<void>;
-      shareURL(): Promise<string>;
-      src: string;
-      scene: string;
-    };
-    const name = async () => (await element.getScene()).name;
-    const changed = () => new Promise((done) => element.addEventListener("scene-change", done, { once: true }));
-    const seen: (string | undefined)[] = [await name()];
-    let next = changed();
-    element.src = "own.json";
-    await next;
-    seen.push(await name());
-    const link = await element.shareURL();
-    next = changed();
-    element.scene = "parallel";
-    await next;
-    seen.push(await name());
-    await element.openLink(link);
-    seen.push(await name());
-    return seen;
-  });
-  expect(names).toEqual(["perpendicular", "Own", "parallel", "Own"]);
-  const selected = page.evaluate(
-    () =>
-      new Promise((done) =>
-        document.querySelector("parkade-playground")!.addEventListener("select", (event) => {
-          if (event instanceof CustomEvent) done(event.detail);
-        }),
-      ),
-  );
-  await page.evaluate(() => (document.querySelector("parkade-playground") as Embed & { fit(): Promise<void> }).fit());
-  const box = (await canvas.boundingBox())!;
-  // The whole lot of 20 × 15 m is fitted; the start car's middle is 5.6 m left of its own.
-  const scale = (0.88 * (box.height - 28)) / 15;
-  await page.mouse.click(box.x + box.width / 2 - 5.6 * scale, box.y + (box.height + 28) / 2 + 0.5 * scale);
-  expect(await selected).toEqual({ selection: { kind: "start" } });
 });
 
 test("workers and modules come from the folders that are named", async ({ page }) => {

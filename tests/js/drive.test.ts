@@ -1,17 +1,7 @@
 import { readFileSync } from "node:fs";
 import { beforeAll, describe, expect, it, test } from "vitest";
-import {
-  type Plan,
-  ParkadeError,
-  Planner,
-  init,
-  scenario,
-  stopWaitGo,
-  toCSV,
-  toTrajectoryCSV,
-  track,
-  trajectory,
-} from "parkade";
+import { type Plan, Planner, init, scenario, stopWaitGo, toCSV, toTrajectoryCSV, track, trajectory } from "parkade";
+import { failure } from "./refused";
 
 interface Row {
   path: number[];
@@ -38,17 +28,6 @@ beforeAll(() => init());
 function planned(id: string): Plan {
   using planner = new Planner("hybrid", scenario(id));
   return planner.plan();
-}
-
-function failure(run: () => unknown) {
-  try {
-    run();
-  } catch (error) {
-    expect(error).toBeInstanceOf(ParkadeError);
-    const { code, path } = error as ParkadeError;
-    return { code, path };
-  }
-  throw new Error("nothing was thrown");
 }
 
 describe("driving has the native bytes", () => {
