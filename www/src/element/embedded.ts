@@ -11,6 +11,7 @@ import { watchScheme, type Scheme } from "./host-scheme";
 import { FIRST_SCENE, Playground } from "./playground";
 import { plain, SceneOpening } from "./scene-opening";
 import { check, faultOfAttribute, RULES, type Known } from "../app/schema";
+import { nth } from "../scene/nth";
 
 export { colours } from "./colours";
 
@@ -254,7 +255,7 @@ export class Embedded extends SceneOpening {
     if (asked !== "single") return super.arrange();
     const { planners } = this.store.state;
     const one: PlannerId[] = planners.includes("hybrid") ? ["hybrid"] : planners.slice(-1);
-    this.store.set({ planners: one, focus: one[0]!, mode: "grid" });
+    this.store.set({ planners: one, focus: nth(one, 0), mode: "grid" });
   }
 
   /** An attribute that breaks its rule changes nothing. */

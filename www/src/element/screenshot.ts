@@ -2,6 +2,7 @@ import { plannerName } from "../styles/planner-style";
 import { statusOf } from "../texts/status";
 import type { SceneView } from "../panels/scene-view";
 import type { App } from "../app/app";
+import { nth } from "../scene/nth";
 
 const TITLE = 28;
 
@@ -28,7 +29,7 @@ export async function picture(
   ctx.fillStyle = colour.panel;
   ctx.fillRect(0, 0, right - left, bottom - top);
   shown.forEach((view, i) => {
-    const box = boxes[i]!;
+    const box = nth(boxes, i);
     const x = box.left - left,
       y = box.top - top;
     const drawn = view.snapshot(ratio);

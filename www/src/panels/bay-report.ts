@@ -21,6 +21,7 @@ import { INK, RAMP } from "../view/layers/bays";
 import { BAY_COLUMNS, bayLines } from "./bay-rows";
 import { heading, say as sayBays } from "./bay-words";
 import { say, today, vehicleText } from "./sheet-words";
+import { nth } from "../scene/nth";
 
 export function saveReport({ store }: App): void {
   const { bays, scene, lang } = store.state;
@@ -80,8 +81,8 @@ function areaOf(scene: Scene, check: BayCheck, index: number): SheetArea[] {
   return [
     {
       points: slotOutline(slot),
-      fill: grade === 0 ? "#FBECEA" : RAMP.light[grade - 1]!,
-      ink: grade === 0 ? "#B3261E" : INK.light[grade - 1]!,
+      fill: grade === 0 ? "#FBECEA" : nth(RAMP.light, grade - 1),
+      ink: grade === 0 ? "#B3261E" : nth(INK.light, grade - 1),
       text: grade === 0 ? "\u2715" : String(row.moves),
       isHatched: grade === 0,
     },

@@ -9,6 +9,7 @@ import { plannerColour } from "../styles/icons";
 import { drivablePlan } from "../texts/status";
 import { distancesOf } from "../view/drive";
 import { rowAt } from "../view/playback-time";
+import { nth } from "../scene/nth";
 
 export type Axis = "path" | "time";
 export type Quantity = "curvature" | "clearance" | "speed" | "acceleration" | "steering" | "steeringRate";
@@ -124,8 +125,8 @@ function extremesOf(values: ArrayLike<number>): readonly [low: number, high: num
     let low = 0,
       high = 0;
     for (let i = 0; i < values.length; i++) {
-      if (values[i]! < low) low = values[i]!;
-      if (values[i]! > high) high = values[i]!;
+      if (nth(values, i) < low) low = nth(values, i);
+      if (nth(values, i) > high) high = nth(values, i);
     }
     extremes.set(values, (known = [low, high]));
   }
@@ -140,7 +141,9 @@ function anglesOf(drive: Drive): { steering: Float64Array; rates: Float64Array }
   if (!known) {
     const steering = drive.steering.map(degrees),
       { t } = drive;
-    const rates = steering.map((angle, i) => (i + 1 < t.length ? (steering[i + 1]! - angle) / (t[i + 1]! - t[i]!) : 0));
+    const rates = steering.map((angle, i) =>
+      i + 1 < t.length ? (nth(steering, i + 1) - angle) / (nth(t, i + 1) - nth(t, i)) : 0,
+    );
     angles.set(drive, (known = { steering, rates }));
   }
   return known;
@@ -181,11 +184,12 @@ export function valueAt(line: Line, quantity: Quantity, place: { at: number; clo
     isTimed = !ofPath(quantity) && place.clock !== null;
   const places = isTimed ? line.drive!.t : placesOf(line, quantity, "path"),
     at = isTimed ? place.clock! : place.at;
+  if (places.length === 0) return null;
   const low = rowAt(places, at),
     next = Math.min(places.length - 1, low + 1),
-    span = places[next]! - places[low]!;
-  const part = !steps && span > 0 ? Math.min(1, Math.max(0, (at - places[low]!) / span)) : 0;
-  const value = values[low]! + (values[next]! - values[low]!) * part;
+    span = nth(places, next) - nth(places, low);
+  const part = !steps && span > 0 ? Math.min(1, Math.max(0, (at - nth(places, low)) / span)) : 0;
+  const value = nth(values, low) + (nth(values, next) - nth(values, low)) * part;
   return Number.isFinite(value) ? value : null;
 }
 
@@ -226,8 +230,8 @@ function stepped(plot: Plot, places: Float64Array, values: ArrayLike<number>, to
     lastX = -MIN_STEP,
     peak = 0;
   for (let i = 0; i < places.length; i++) {
-    const value = values[i]!,
-      x = (places[i]! / total) * WIDTH,
+    const value = nth(values, i),
+      x = (nth(places, i) / total) * WIDTH,
       isInside = i < places.length - 1;
     if (!Number.isFinite(value) || (value === before && isInside)) continue;
     const y = yOf(plot, value).toFixed(1);
@@ -252,10 +256,10 @@ function joined(plot: Plot, places: Float64Array, values: ArrayLike<number>, tot
     lastX = -MIN_STEP,
     lastY = "";
   for (let i = 0; i < places.length; i++) {
-    const x = (places[i]! / total) * WIDTH,
+    const x = (nth(places, i) / total) * WIDTH,
       isInside = i > 0 && i < places.length - 1;
-    if (!Number.isFinite(values[i]!) || (isInside && x - lastX < MIN_GAP)) continue;
-    const y = yOf(plot, values[i]!).toFixed(1);
+    if (!Number.isFinite(nth(values, i)) || (isInside && x - lastX < MIN_GAP)) continue;
+    const y = yOf(plot, nth(values, i)).toFixed(1);
     if (isInside && x - lastX < MIN_STEP && y === lastY) continue;
     text += `${text ? "L" : "M"}${x.toFixed(1)} ${y}`;
     lastX = x;

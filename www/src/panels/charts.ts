@@ -25,6 +25,7 @@ import {
   type Plot,
   type Quantity,
 } from "./chart-lines";
+import { nth } from "../scene/nth";
 
 /** A place on the x axis, in metres or seconds: the focused path's place and, where it is known, its moment. */
 interface Position {
@@ -194,7 +195,10 @@ export class Charts extends AppElement {
     const index = hover ? nearestPose(plan, hover.x, hover.y, HOVER_REACH) : null;
     if (index !== null) {
       const clock = hover === this.pointed?.hover ? this.pointed!.clock : null;
-      return place(along[index]!, clock ?? (drive ? (drive.t[rowAt(drive.stations, along[index]!)] ?? null) : null));
+      return place(
+        nth(along, index),
+        clock ?? (drive ? (drive.t[rowAt(drive.stations, nth(along, index))] ?? null) : null),
+      );
     }
     if (playback.base !== "drive") return null;
     const car = drivenAt(this.state, plan, results[focus], 1);

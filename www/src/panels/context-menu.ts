@@ -15,6 +15,7 @@ import { controls } from "../styles/controls";
 import type { MenuRequest } from "../tools/controller";
 import { AppElement } from "./base";
 import { icon, type IconName } from "../styles/icons";
+import { nth } from "../scene/nth";
 
 const say = words("contextMenu", messages);
 
@@ -99,11 +100,11 @@ export class ContextMenu extends AppElement {
     const slots = ids.filter((id) => findSlot(scene, id));
     if (slots.length > 1 && slots.length === ids.length)
       return goal("slot", "slotsGoal", () => anyOfSlots(scene, slots));
-    if (slots.length === 1 && named.length > 0 && !named.includes(slots[0]!))
-      return goal("slot", "orSlot", () => anyOfSlots(scene, [...named, slots[0]!]));
-    const shape = ids.length === 1 ? findObstacle(scene, ids[0]!) : undefined;
+    if (slots.length === 1 && named.length > 0 && !named.includes(nth(slots, 0)))
+      return goal("slot", "orSlot", () => anyOfSlots(scene, [...named, nth(slots, 0)]));
+    const shape = ids.length === 1 ? findObstacle(scene, nth(ids, 0)) : undefined;
     return shape?.type === "polygon" || shape?.type === "rectangle"
-      ? goal("polygon", "region", () => anywhereIn(removeObstacle(scene, ids[0]!), cornersOf(shape)))
+      ? goal("polygon", "region", () => anywhereIn(removeObstacle(scene, nth(ids, 0)), cornersOf(shape)))
       : nothing;
   }
 
@@ -140,7 +141,7 @@ export class ContextMenu extends AppElement {
     return html`<button class="item" role="menuitem" ?disabled=${disabled} aria-keyshortcuts=${keyed ? ariaKeys(keyed) : nothing} @click=${() => {
       this.close();
       run();
-    }}>${icon(name)}${text}${keyed ? html`<span class="keys" aria-hidden="true">${shownChord(keyed.keys[0]!)}</span>` : nothing}</button>`;
+    }}>${icon(name)}${text}${keyed ? html`<span class="keys" aria-hidden="true">${shownChord(nth(keyed.keys, 0))}</span>` : nothing}</button>`;
   }
 
   private check(key: "snap" | "pen", on: boolean, run: () => void): TemplateResult {

@@ -1,6 +1,7 @@
 /** Walking through a recorded search: steps of several kinds, running, breakpoints. */
 import type { PlannerId, PoseTrace, SearchTrace } from "parkade";
 import { FATE, SearchReplay, STEP } from "../planning/search-replay";
+import { nth } from "../scene/nth";
 
 export const UNITS = ["step", "move", "improved", "tie", "refused", "held", "failure"] as const;
 export type Unit = (typeof UNITS)[number];
@@ -142,10 +143,10 @@ export class Session {
     const { trace } = this.replay,
       { cells, points, f, improved, meet } = this.breaks;
     if (step < 0) return false;
-    if (cells.has(trace.nodes[step]!)) return true;
-    const pose = points.length > 0 ? this.replay.poseOf(this.replay.sideOf(step), trace.nodes[step]!) : null;
+    if (cells.has(nth(trace.nodes, step))) return true;
+    const pose = points.length > 0 ? this.replay.poseOf(this.replay.sideOf(step), nth(trace.nodes, step)) : null;
     if (pose && points.some(({ x, y }) => Math.hypot(x - pose.x, y - pose.y) <= POSE_RADIUS)) return true;
-    if (f !== null && trace.f[step]! > f && (step === 0 || trace.f[step - 1]! <= f)) return true;
+    if (f !== null && nth(trace.f, step) > f && (step === 0 || nth(trace.f, step - 1) <= f)) return true;
     if (meet && this.replay.kindOf(step) === STEP.meet) return true;
     return (
       improved &&

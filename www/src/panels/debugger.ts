@@ -25,6 +25,7 @@ import { POSE_RADIUS, Session, SPEEDS, type Breakpoints, type Unit } from "./deb
 import { bytesOf, recordingNote, saveButtons } from "./debugger-recording";
 import { debuggerStyles, room } from "./debugger-styles";
 import { numberOf, valueOf } from "./inputs";
+import { nth } from "../scene/nth";
 
 /** A recording of more than this is asked for, bytes. */
 const ASK_BYTES = 8e6;
@@ -222,7 +223,7 @@ export class Debugger extends AppElement {
     const { at, step, trace } = session.replay;
     if (session.replay.kindOf(step) === STEP.goal) return;
     const engine = await this.app.complete();
-    const place = this.centreOf(trace.nodes[step]!);
+    const place = this.centreOf(nth(trace.nodes, step));
     const field = await helper
       .call("field", { planner: session.planner, scene: forPlanners(scene, engine.api.packRuns), at: place })
       .catch(() => null);
@@ -364,7 +365,7 @@ export class Debugger extends AppElement {
   /** The middle of the node at hand, or of the first. */
   private placeAtHand({ replay }: Session): { x: number; y: number } {
     const step = Math.max(0, replay.step),
-      node = replay.trace.nodes[step]!,
+      node = nth(replay.trace.nodes, step),
       { x, y } = replay.poseOf(replay.sideOf(step), node) ?? this.centreOf(node);
     return { x, y };
   }

@@ -16,6 +16,7 @@ import { vast } from "../view/lazy-layers";
 import { AppElement } from "./base";
 import { numberOf } from "./inputs";
 import { icon, type IconName } from "../styles/icons";
+import { nth } from "../scene/nth";
 
 const say = words("import", messages);
 
@@ -91,9 +92,9 @@ export class ImportBar extends AppElement {
 
   /** Opens files that belong together; bad ones leave everything as it was. */
   async openFiles(files: readonly File[]): Promise<void> {
-    if (files.length === 1 && IMAGE.test(files[0]!.name)) return this.openImage(files[0]!);
-    if (files.length === 1 && (await isTrajectory(files[0]!))) return openTrajectory(this.app, files[0]!);
-    if (files.length === 1 && (await isSitePlan(files[0]!))) return this.openSitePlan(files[0]!);
+    if (files.length === 1 && IMAGE.test(nth(files, 0).name)) return this.openImage(nth(files, 0));
+    if (files.length === 1 && (await isTrajectory(nth(files, 0)))) return openTrajectory(this.app, nth(files, 0));
+    if (files.length === 1 && (await isSitePlan(nth(files, 0)))) return this.openSitePlan(nth(files, 0));
     const turn = ++this.turn,
       name = files.map((file) => file.name).join(", ");
     const { lang } = this.state;
@@ -105,7 +106,7 @@ export class ImportBar extends AppElement {
       if (turn !== this.turn) return;
       // The first questions are of a few steps, the last ones lead through the whole map.
       const fair = opened.queries.findIndex(({ bucket }) => bucket >= (opened.queries.at(-1)?.bucket ?? 0) / 4);
-      const first = opened.scenes[0]!,
+      const first = nth(opened.scenes, 0),
         query = opened.queries[fair];
       this.app.preset = null;
       this.app.openScene(query ? { ...first, start: query.start, goal: query.goal } : first);
@@ -171,8 +172,8 @@ export class ImportBar extends AppElement {
       vast.load(),
     ]);
     const scenes = (await joined(moved, moved.value.scenes)).map(ensureIds);
-    this.app.catalog?.geometry(scenes[0]!);
-    await prepare(scenes[0]!, this.app.tokens());
+    this.app.catalog?.geometry(nth(scenes, 0));
+    await prepare(nth(scenes, 0), this.app.tokens());
     return { name, scenes, queries: moved.value.queries, notes: moved.value.notes };
   }
 
@@ -190,7 +191,7 @@ export class ImportBar extends AppElement {
       path && message.startsWith(path) ? message.slice(path.length).replace(/^:\s*/, "") : message,
     );
     const place = /^(.*):(\d+)$/.exec(path);
-    if (place) return say(lang, "line", { name: place[1]!, line: place[2]!, reason });
+    if (place) return say(lang, "line", { name: nth(place, 1), line: nth(place, 2), reason });
     // The sentence begins with the file's name.
     const field = path.startsWith(`${name}.`) ? path.slice(name.length + 1) : path;
     return say(lang, "bad", { name, reason: field && !name.includes(field) ? `${field}: ${reason}` : reason });
@@ -211,7 +212,7 @@ export class ImportBar extends AppElement {
         <span class="field"><input type="number" min="1" max=${many} .value=${String(this.at + 1)} aria-label=${say(lang, queries.length ? "question" : "scene")}
           @change=${(e: Event) => this.choose(Math.round(numberOf(e)) - 1)}></span>
         ${this.button("next", "next", this.at + 1, many)} ${say(lang, "of", { n: this.num(many, 0) })}</span>
-      ${queries[this.at] ? html`<span class="length">${say(lang, "shortest", { length: this.num(queries[this.at]!.length, 2) })}</span>` : nothing}
+      ${queries[this.at] ? html`<span class="length">${say(lang, "shortest", { length: this.num(nth(queries, this.at).length, 2) })}</span>` : nothing}
       <button class="icon small close" aria-label=${say(lang, "close")} title=${say(lang, "close")} @click=${() => {
         this.opened = null;
       }}>${icon("close", 14)}</button></div>`;
@@ -220,10 +221,10 @@ export class ImportBar extends AppElement {
   /** Questions come in groups of about the same length; a group's first one is chosen. */
   private groups(queries: readonly ImportedQuery[]): TemplateResult {
     const { lang } = this.state;
-    const firsts = queries.flatMap((query, i) => (i === 0 || query.bucket !== queries[i - 1]!.bucket ? [i] : []));
+    const firsts = queries.flatMap((query, i) => (i === 0 || query.bucket !== nth(queries, i - 1).bucket ? [i] : []));
     const now = firsts.findLast((first) => first <= this.at);
     return html`<label>${say(lang, "group")}<select @change=${(e: Event) => this.choose(numberOf(e))}>
-      ${firsts.map((first) => html`<option value=${first} ?selected=${first === now} .selected=${first === now}>${say(lang, "groupOf", { length: this.num(queries[first]!.length, 0) })}</option>`)}</select></label>`;
+      ${firsts.map((first) => html`<option value=${first} ?selected=${first === now} .selected=${first === now}>${say(lang, "groupOf", { length: this.num(nth(queries, first).length, 0) })}</option>`)}</select></label>`;
   }
 
   private names(scenes: readonly Scene[]): TemplateResult {

@@ -5,6 +5,7 @@ import type { PanelResult, State } from "../store";
 import { played } from "../store/results";
 import { isEncounter } from "../view/playback-time";
 import { drivablePlan, searchTime, statusOf, timeTitle, type Status } from "../texts/status";
+import { nth } from "../scene/nth";
 
 export const COLUMNS = [
   "length",
@@ -146,7 +147,7 @@ const searchesOf = ({ samples }: PanelResult): number[] => samples.map(({ search
 
 function quartiles(samples: readonly number[]): [number, number] {
   const sorted = [...samples].sort((a, b) => a - b);
-  const at = (share: number): number => sorted[Math.round(share * (sorted.length - 1))]!;
+  const at = (share: number): number => nth(sorted, Math.round(share * (sorted.length - 1)));
   return [at(0.25), at(0.75)];
 }
 

@@ -13,6 +13,7 @@ import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";
 import { AppElement } from "./base";
 import { icon, type IconName } from "../styles/icons";
+import { nth } from "../scene/nth";
 
 const say = words("objects", messages);
 
@@ -157,7 +158,7 @@ function detailOf(lang: Lang, obstacle: Obstacle): string {
 }
 
 const conePlace = (lang: Lang, points: readonly (readonly number[])[]): string =>
-  [0, 1].map((k) => number(lang, points.reduce((sum, point) => sum + point[k]!, 0) / points.length, 2)).join(", ");
+  [0, 1].map((k) => number(lang, points.reduce((sum, point) => sum + nth(point, k), 0) / points.length, 2)).join(", ");
 
 const counted = new WeakMap<readonly Run[], number>();
 

@@ -2,6 +2,7 @@
 import type { ParkingFigures, ParkingTable } from "parkade";
 import { number, type Lang } from "../i18n/index";
 import { say } from "./papers-parking-words";
+import { nth } from "../scene/nth";
 
 type Line = ParkingTable["lines"][number];
 
@@ -72,7 +73,8 @@ export function savings(
       of = tables.filter(({ row }) => (claim as readonly unknown[]).includes(row.id));
     if (of.length < 4) return [];
     const mean = (at: 0 | 1): number => of.reduce((sum, { saved }) => sum + saved[at], 0) / of.length;
-    const classic = of.reduce((sum, { lines }) => sum + 100 * (1 - lines[1]!.time / lines[3]!.time), 0) / of.length;
+    const classic =
+      of.reduce((sum, { lines }) => sum + 100 * (1 - nth(lines, 1).time / nth(lines, 3).time), 0) / of.length;
     return [{ rows: `${claim[0]}–${claim[3]}`, said, printed: mean(0), ours: mean(1), classic }];
   });
 }

@@ -2,6 +2,7 @@
 import type { RoadTable } from "parkade";
 import { number, type Lang } from "../i18n/index";
 import { FLAGS, say } from "./papers-road-words";
+import { nth } from "../scene/nth";
 
 type Line = RoadTable["lines"][number];
 type Promised = RoadTable["promises"][number]["figure"];
@@ -100,7 +101,7 @@ export function change(lang: Lang, now: number | null | undefined, was: number |
 
 /** Ours against plain A*'s; none of what can be below zero there. */
 export function changeOf(lang: Lang, figure: Figure, line: Line, table: RoadTable): string {
-  const plain = figure.of(table.lines[0]!, table),
+  const plain = figure.of(nth(table.lines, 0), table),
     value = figure.of(line, table);
   return figure.plainly || Math.min(plain ?? 0, value ?? 0) < 0 ? "" : change(lang, value, plain);
 }
@@ -113,7 +114,7 @@ export function printedOf({ row }: RoadTable, { printed, unit = 1 }: Figure): [n
 export function flagOf(lang: Lang, table: RoadTable, figure: Figure): string | null {
   if (table.row.ship) return null;
   if (figure.printed === "safety") return say(lang, "safetyFlag");
-  const road = table.lines[0]!.metrics.middleLength;
+  const road = nth(table.lines, 0).metrics.middleLength;
   return figure.printed === "length" && table.row.printed.length[0] > 1.03 * road
     ? say(lang, "lengthFlag", { length: { S2: "800", S4: "500" }[table.row.id] ?? number(lang, road, 0) })
     : null;

@@ -4,6 +4,7 @@ import { dialogs } from "../styles/dialogs";
 import { DialogElement } from "./dialog";
 import type { PapersTab } from "./papers-tab";
 import { say } from "./papers-words";
+import { nth } from "../scene/nth";
 
 type Tab = PapersTab<unknown>;
 
@@ -74,7 +75,7 @@ export class PapersDialog extends DialogElement {
     const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
     if (!step) return;
     event.preventDefault();
-    const next = NAMES[(NAMES.indexOf(this.tab) + step + NAMES.length) % NAMES.length]!;
+    const next = nth(NAMES, (NAMES.indexOf(this.tab) + step + NAMES.length) % NAMES.length);
     void this.show(next).then(() => this.renderRoot.querySelector<HTMLElement>(`#tab-${next}`)?.focus());
   };
 

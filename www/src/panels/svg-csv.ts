@@ -4,6 +4,7 @@ import type { SceneView } from "./scene-view";
 import type { State } from "../store";
 import { plannedOf, played } from "../store/results";
 import { makeTokens, type Tokens } from "../view/tokens";
+import { nth } from "../scene/nth";
 
 /** Each map where it stands in the element, as it is seen. */
 export function svgOf(host: HTMLElement, views: readonly SceneView[], state: State, tokens: Tokens): string {
@@ -16,7 +17,7 @@ export function svgOf(host: HTMLElement, views: readonly SceneView[], state: Sta
       const box = view.getBoundingClientRect(),
         plans = plansOf(state, view.planners),
         camera = view.view?.camera ?? null;
-      const layers = plans.length === 1 ? (state.results[plans[0]!.planner]?.layers ?? {}) : {};
+      const layers = plans.length === 1 ? (state.results[nth(plans, 0).planner]?.layers ?? {}) : {};
       const svg = toSVG(state.scene, plans, {
         width: Math.round(box.width),
         height: Math.round(box.height),

@@ -9,6 +9,7 @@ import "../i18n/later";
 import { translate, type Lang, type MessageKey } from "../i18n/index";
 import { icon, marker, type IconName } from "../styles/icons";
 import type { Toolbar } from "./toolbar";
+import { nth } from "../scene/nth";
 
 /** Papers are cited by authors and year; in Chinese, what is not a name is translated. */
 function cited(lang: Lang, paper: string): string {
@@ -92,7 +93,7 @@ function command(bar: Toolbar, id: CommandId): TemplateResult | typeof nothing {
   return html`<button class="item" ?disabled=${!isEnabled(state, row)} aria-keyshortcuts=${ariaKeys(row)} @click=${() => {
     bar.menus.close();
     row.run(app);
-  }}>${row.icon ? icon(row.icon) : nothing}${translate(state.lang, row.title)}<span class="keys" aria-hidden="true">${shownChord(row.keys[0]!)}</span></button>`;
+  }}>${row.icon ? icon(row.icon) : nothing}${translate(state.lang, row.title)}<span class="keys" aria-hidden="true">${shownChord(nth(row.keys, 0))}</span></button>`;
 }
 
 function item(bar: Toolbar, name: IconName, key: MessageKey, run: () => void, disabled = false): TemplateResult {

@@ -9,6 +9,7 @@ import { menus } from "../view/lazy-layers";
 import { AppElement } from "./base";
 import { icon, logo, type IconName } from "../styles/icons";
 import { Menus } from "./popover-controller";
+import { nth } from "../scene/nth";
 
 const MODES: readonly { id: State["mode"]; icon: IconName }[] = [
   { id: "grid", icon: "grid" },
@@ -221,7 +222,7 @@ export class Toolbar extends AppElement {
 
   readonly nextTheme = (): void => {
     const order = ["auto", "light", "dark"] as const;
-    this.app.store.set({ theme: order[(order.indexOf(this.state.theme) + 1) % 3]! });
+    this.app.store.set({ theme: nth(order, (order.indexOf(this.state.theme) + 1) % 3) });
   };
 
   readonly nextLang = (): void => void this.app.setLang(this.state.lang === "en" ? "zh" : "en");

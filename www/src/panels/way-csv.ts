@@ -2,18 +2,21 @@
 import type { Plan } from "parkade";
 import { markedPoses } from "../picture/site-drawing";
 import { poseAt } from "../view/drive";
+import { nth } from "../scene/nth";
 
 /** The marked poses of a way, with the clearance of the body at each. */
 export function wayCsv(plan: Plan, every: number): string {
   const poses = Array.from({ length: plan.path.length / 3 }, (_, i) => poseAt(plan, i)),
     along = [0];
   for (let i = 1; i < poses.length; i++)
-    along.push(along[i - 1]! + Math.hypot(poses[i]!.x - poses[i - 1]!.x, poses[i]!.y - poses[i - 1]!.y));
+    along.push(
+      nth(along, i - 1) + Math.hypot(nth(poses, i).x - nth(poses, i - 1).x, nth(poses, i).y - nth(poses, i - 1).y),
+    );
   const rows = markedPoses(poses, every).map((i) => {
-    const { x, y, heading } = poses[i]!,
+    const { x, y, heading } = nth(poses, i),
       clearance = plan.clearances[i];
     return (
-      [along[i]!, x, y, heading].map((value) => value.toFixed(4)).join(",") +
+      [nth(along, i), x, y, heading].map((value) => value.toFixed(4)).join(",") +
       `,${typeof clearance === "number" ? clearance.toFixed(3) : ""}`
     );
   });

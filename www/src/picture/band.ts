@@ -1,5 +1,6 @@
 /** The band that a car stays in during many drives, along a straightened path between what stands beside it; SVG text. */
 import type { Scenario } from "parkade";
+import { nth } from "../scene/nth";
 
 type Point = readonly [number, number];
 type Segment = readonly [Point, Point];
@@ -24,7 +25,7 @@ export function bandPicture(scene: Scenario, band: Float64Array, title: string, 
   const strip = (of: (one: Row) => readonly [number, number]): string =>
     `${rows.map((one, i) => `${x(i)},${y(of(one)[0])}`).join(" ")} ${[...rows.keys()]
       .reverse()
-      .map((i) => `${x(i)},${y(of(rows[i]!)[1])}`)
+      .map((i) => `${x(i)},${y(of(nth(rows, i))[1])}`)
       .join(" ")}`;
   const half = CAR_WIDTH / 2;
   const shapes = [
@@ -80,7 +81,7 @@ function free([x, y]: Point, [dx, dy]: Point, segments: readonly Segment[]): num
 
 function edges({ map, obstacles = [] }: Scenario): Segment[] {
   const closed = (points: readonly Point[]): Segment[] =>
-    points.map((point, i) => [point, points[(i + 1) % points.length]!] as const);
+    points.map((point, i) => [point, nth(points, (i + 1) % points.length)] as const);
   return [
     ...closed(map.boundary ?? []),
     ...obstacles.flatMap((one): Segment[] => {

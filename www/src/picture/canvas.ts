@@ -1,6 +1,7 @@
 /** As much of a canvas as the drawing uses; it keeps marks for an SVG file. */
 import type { Surface } from "../view/surface";
 import { apply, n, Outline, Path2D, scaleOf, times, type Matrix } from "./path";
+import { nth } from "../scene/nth";
 
 /** A shape, a text or a raster: what is fixed, and the style that a theme can change. `markup` is open at its end. */
 export interface Mark {
@@ -171,7 +172,7 @@ class Pen {
       wide = image.width;
     for (let at = 0, end = 0; at < words.length; at = end) {
       const column = at % wide,
-        word = words[at]!;
+        word = nth(words, at);
       for (end = at + 1; end % wide > 0 && words[end] === word; end++);
       if (word >>> 24) rows.set(word, `${rows.get(word) ?? ""}M${column} ${(at - column) / wide + 0.5}h${end - at}`);
     }

@@ -2,6 +2,7 @@
 /** Moving pictures of canvases: GIF, and WebM or MP4 where the browser encodes video. */
 import { GIFEncoder } from "gifenc";
 import { ColourTable } from "./colour-table";
+import { nth } from "../scene/nth";
 
 export const FORMATS = ["gif", "webm", "mp4"] as const;
 export type Format = (typeof FORMATS)[number];
@@ -72,7 +73,7 @@ async function encodeGif(movie: Movie, tell: (done: number) => boolean): Promise
         shown[p] = same;
         continue;
       }
-      const index = table.indexOf(now[p]!);
+      const index = table.indexOf(nth(now, p));
       shown[p] = before && index === indices[p] ? same : index;
       indices[p] = index;
     }

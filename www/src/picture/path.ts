@@ -1,4 +1,5 @@
 /** Outlines as the browser's `Path2D` takes them, written as an SVG path's data in pixels. */
+import { nth } from "../scene/nth";
 
 export type Matrix = readonly [number, number, number, number, number, number];
 /** In its own units; an arc has its middle, radius, angles and 1 where it turns back. */
@@ -81,7 +82,7 @@ export class Outline {
     const points = [];
     for (let i = 0; i < at.length; i += 2)
       points.push(
-        apply(matrix, at[i]!, at[i + 1]!)
+        apply(matrix, nth(at, i), nth(at, i + 1))
           .map((value) => n(value))
           .join(" "),
       );

@@ -7,6 +7,7 @@ import { slotLines } from "../scene/slots";
 import { footprint } from "../scene/vehicle";
 import { poseAt } from "../view/drive";
 import { hullsAlong, outlineOf } from "../view/swept";
+import { nth } from "../scene/nth";
 
 export const DRAWING_LAYERS = [
   "ground",
@@ -100,7 +101,7 @@ function drawManoeuvre(scene: Scene, plan: Plan, every: number, drawing: SiteDra
     poses.map(({ x, y }): Point => [x, y]),
   );
   for (const index of every > 0 ? markedPoses(poses, every) : []) {
-    const pose = poses[index]!,
+    const pose = nth(poses, index),
       clearance = plan.clearances[index];
     line("outlines", footprint(pose, vehicle), true);
     if (typeof clearance === "number" && Number.isFinite(clearance))
@@ -128,7 +129,7 @@ export function markedPoses(poses: readonly { x: number; y: number }[], every: n
   const marked = [0];
   let along = 0;
   for (let i = 1; i < poses.length; i++) {
-    along += Math.hypot(poses[i]!.x - poses[i - 1]!.x, poses[i]!.y - poses[i - 1]!.y);
+    along += Math.hypot(nth(poses, i).x - nth(poses, i - 1).x, nth(poses, i).y - nth(poses, i - 1).y);
     if (along >= marked.length * every || i === poses.length - 1) marked.push(i);
   }
   return marked;
@@ -148,7 +149,7 @@ function joined(pieces: readonly (readonly [Point, Point])[]): Point[][] {
       const next = (from.get(keyOf(points.at(-1)!)) ?? []).find((k) => !used.has(k));
       if (next === undefined) return [points];
       used.add(next);
-      points.push(pieces[next]![1]);
+      points.push(nth(pieces, next)[1]);
     }
   });
 }

@@ -1,4 +1,5 @@
 /** Small charts in rows and columns, one scale a chart, drawn as SVG text: for the page and for documents. */
+import { nth } from "../scene/nth";
 export interface Chart {
   /** Its row and its column: the setting that is changed, and the figure that is measured. */
   row: string;
@@ -60,7 +61,7 @@ export function smallMultiples(charts: readonly Chart[], title: string): string 
 }
 
 function stroke(names: readonly string[], name: string): string {
-  const [colour, dash] = INKS[names.indexOf(name) % INKS.length]!;
+  const [colour, dash] = nth(INKS, names.indexOf(name) % INKS.length);
   return `fill="none" stroke="${colour}" stroke-width="2"${dash ? ` stroke-dasharray="${dash}"` : ""}`;
 }
 
@@ -79,7 +80,7 @@ function body({ lines, mark }: Chart, names: readonly string[]): string {
   const drawn = lines
     .map(({ name, points }) => {
       const shown = points.filter(([, y]) => Number.isFinite(y)).map(at);
-      return `<polyline points="${shown.map((p) => p.map(px).join(",")).join(" ")}" ${stroke(names, name)}/>${shown.map(([x, y]) => `<circle cx="${px(x)}" cy="${px(y)}" r="2" fill="${INKS[names.indexOf(name) % INKS.length]![0]}"/>`).join("")}`;
+      return `<polyline points="${shown.map((p) => p.map(px).join(",")).join(" ")}" ${stroke(names, name)}/>${shown.map(([x, y]) => `<circle cx="${px(x)}" cy="${px(y)}" r="2" fill="${nth(INKS, names.indexOf(name) % INKS.length)[0]}"/>`).join("")}`;
     })
     .join("");
   const marked =

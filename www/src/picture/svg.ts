@@ -1,5 +1,6 @@
 /** The marks of a drawing as an SVG file; in two colour schemes where it follows the reader's. */
 import { nameOf, type Canvas, type Mark } from "./canvas";
+import { nth } from "../scene/nth";
 
 /** `drawn`: the same drawing in the light scheme and, where there are two, in the dark one. */
 export function svgOf(drawn: readonly Canvas[]): string {
@@ -21,7 +22,7 @@ function marksOf(drawn: readonly Canvas[], rules: Map<string, readonly string[]>
   for (const pen of [first!, ...others]) for (const [id, text] of pen.clips) shared.set(id, text);
   return first!.marks
     .map((mark, i) => {
-      const both = [mark, ...others.map((pen) => pen.marks[i]!)],
+      const both = [mark, ...others.map((pen) => nth(pen.marks, i))],
         texts = both.map(cssOf);
       const name = nameOf(texts.join("|"));
       if (texts[0]) rules.set(name, texts);
@@ -38,7 +39,7 @@ const cssOf = ({ style }: Mark): string =>
 
 function patternOf(marks: readonly Mark[], rules: Map<string, readonly string[]>, shared: Map<string, string>): string {
   const tiles = marks.map(({ pattern }) => pattern!.canvas),
-    { width } = tiles[0]!;
+    { width } = nth(tiles, 0);
   const text = ` patternUnits="userSpaceOnUse" width="${width}" height="${width}">${marksOf(tiles, rules, shared)}</pattern>`;
   const id = nameOf(text);
   shared.set(id, `<pattern id="${id}"${text}`);

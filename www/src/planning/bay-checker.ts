@@ -8,6 +8,7 @@ import type { AskedVehicle, BayCheck } from "../store/bay-check";
 import type { Engine } from "./engine-loader";
 import { Helper } from "./job-client";
 import { workersHere } from "./worker-count";
+import { nth } from "../scene/nth";
 
 /** From a path to something changed: within it, another path may be better. Metres. */
 const REACH = 0.5;
@@ -127,7 +128,7 @@ export class BayChecker {
     while (turn === this.turn && this.queue.length > 0) {
       // Single bays first and last: so that something is seen soon, and no worker ends long after the others.
       const share = Math.ceil(this.queue.length / (3 * this.workers.length)),
-        isFirst = this.stale.has(this.queue[0]!) || this.rows.size === 0;
+        isFirst = this.stale.has(nth(this.queue, 0)) || this.rows.size === 0;
       const bays = this.queue.splice(0, isFirst ? 1 : Math.min(MOST_AT_ONCE, share));
       for (const bay of bays) this.asked.add(bay);
       try {

@@ -1,5 +1,6 @@
 /** The road manuscript's comparison with other algorithms and its sensitivity to settings, measured through the package's interface. */
 import type { Plan, PlannerId, RoadPlan, Scenario } from "parkade";
+import { nth } from "../scene/nth";
 
 /** The functions that are called; the page's worker and the documentation have them from different builds. */
 export interface Engine {
@@ -77,7 +78,7 @@ export function compare(engine: Engine, id: string, planner: PlannerId): Compare
     length: over(({ metrics }) => metrics.length),
     turning: over(turned),
     clearance: over(({ metrics }) => metrics.minClearance),
-    hits: paths.length === 0 ? null : engine.collisionRisk(scene, { path: paths[0]!.path }).hits,
+    hits: paths.length === 0 ? null : engine.collisionRisk(scene, { path: nth(paths, 0).path }).hits,
     expanded: span(plans.map(({ stats }) => stats.expanded)),
   };
 }
@@ -86,7 +87,7 @@ export function compare(engine: Engine, id: string, planner: PlannerId): Compare
 function turned({ path }: Plan): number {
   let sum = 0;
   for (let i = 5; i < path.length; i += 3) {
-    const turn = path[i]! - path[i - 3]!;
+    const turn = nth(path, i) - nth(path, i - 3);
     sum += Math.abs(turn - 2 * Math.PI * Math.round(turn / (2 * Math.PI)));
   }
   return (sum * 180) / Math.PI;
@@ -95,8 +96,8 @@ function turned({ path }: Plan): number {
 function span(values: readonly number[]): Span {
   const sorted = [...values].sort((a, b) => a - b),
     middle = sorted.length >> 1;
-  const median = sorted.length % 2 === 1 ? sorted[middle]! : (sorted[middle - 1]! + sorted[middle]!) / 2;
-  return [median, sorted[0]!, sorted.at(-1)!];
+  const median = sorted.length % 2 === 1 ? nth(sorted, middle) : (nth(sorted, middle - 1) + nth(sorted, middle)) / 2;
+  return [median, nth(sorted, 0), sorted.at(-1)!];
 }
 
 /** The band of 1000 drives along the cost map's path. */

@@ -5,6 +5,7 @@ import { rememberPacked } from "../scene/large-scene";
 import { Calls } from "./calls";
 import type { Jobs, Moved } from "./job-worker";
 import type { Engine } from "./engine-loader";
+import { nth } from "../scene/nth";
 
 export class Helper extends Calls<Jobs> {
   constructor({ script, module }: Engine) {
@@ -21,11 +22,11 @@ export async function joined({ cells }: Moved<unknown>, scenes: readonly Scenari
   for (const { scene, obstacle, numbers, text } of cells) {
     const runs: Run[] = [];
     for (let i = 0; i < numbers.length; i += 3) {
-      runs.push([numbers[i]!, numbers[i + 1]!, numbers[i + 2]!]);
+      runs.push([nth(numbers, i), nth(numbers, i + 1), nth(numbers, i + 2)]);
       if (runs.length % SLICE === 0) await new Promise((done) => setTimeout(done));
     }
     rememberPacked(runs, text);
-    const { obstacles = [], ...rest } = whole[scene]!;
+    const { obstacles = [], ...rest } = nth(whole, scene);
     whole[scene] = {
       ...rest,
       obstacles: obstacles.map((one, i) => (i === obstacle && one.type === "cells" ? { ...one, runs } : one)),

@@ -4,6 +4,7 @@ import { workersHere, type Progress } from "./worker-count";
 import { Helper } from "./job-client";
 import type { Engine } from "./engine-loader";
 import { median } from "./medians";
+import { nth } from "../scene/nth";
 
 /** `times`: mean milliseconds per row and planner. */
 export interface Summary {
@@ -143,7 +144,7 @@ export class Papers {
     return planners.map((_, planner) => {
       const times: number[] = [];
       for (let i = planner * step + column; i < figures.length; i += width) {
-        times.push(figures[i]!);
+        times.push(nth(figures, i));
         if (!crossOriginIsolated) figures[i] = 0;
       }
       const most = 3 * median(times) + 2 * CLOCK_STEP_MS;
@@ -161,7 +162,7 @@ export class Papers {
         if (part) parts.push(part);
       }
       if (parts.length === 0) continue;
-      const width = parts[0]!.length;
+      const width = nth(parts, 0).length;
       measured[id] = new Float64Array(parts.length * width);
       parts.forEach((part, i) => measured[id]!.set(part, i * width));
       times[id] = this.takeTimes(measured[id]);

@@ -3,6 +3,7 @@ import type { PaperClaim, ParkingTable, RoadTable } from "parkade";
 import { workersHere, type Progress } from "./worker-count";
 import { Helper } from "./job-client";
 import type { Engine } from "./engine-loader";
+import { nth } from "../scene/nth";
 
 export interface Tables {
   road: RoadTable;
@@ -26,7 +27,7 @@ export class RowPapers<Name extends keyof Tables> {
     this.stop();
     const helpers = (this.helpers = Array.from({ length: workersHere() }, () => new Helper(this.engine)));
     try {
-      const rows = await helpers[0]!.call(`${this.name}Rows`, undefined as never);
+      const rows = await nth(helpers, 0).call(`${this.name}Rows`, undefined as never);
       const order = rows.map(({ id }) => id),
         waiting = [...order],
         tables = new Map<string, Tables[Name]>();

@@ -1,6 +1,7 @@
 /** Recorded searches as files: plain JSON, and the trace format of Posthoc (version 1.4.0). */
 import type { PlannerId, PoseTrace, SearchTrace } from "parkade";
 import { FATE, STEP } from "./search-replay";
+import { nth } from "../scene/nth";
 
 /** All columns as lists of numbers, by their names in the API. */
 export function traceAsJson(planner: PlannerId, trace: SearchTrace | PoseTrace): string {
@@ -31,23 +32,23 @@ export function traceForPosthoc(trace: SearchTrace): string {
   const events: PosthocEvent[] = [];
   const parents = new Map<number, number | null>();
   nodes.forEach((node, step) => {
-    const kind = kinds[step]! & 15,
-      side = kinds[step]! >> 4;
+    const kind = nth(kinds, step) & 15,
+      side = nth(kinds, step) >> 4;
     const key = node * 2 + side;
     if (!parents.has(key)) {
       parents.set(key, null);
       events.push({ type: side === 1 ? "destination" : "source", ...at(node) });
     }
-    const costs = { g: trace.g[step]! / unit, h: trace.h[step]! / unit, f: trace.f[step]! / unit };
+    const costs = { g: nth(trace.g, step) / unit, h: nth(trace.h, step) / unit, f: nth(trace.f, step) / unit };
     const type = kind === STEP.goal || kind === STEP.meet ? "end" : kind === STEP.rejected ? "closing" : "expanding";
     events.push({ type, ...at(node), pId: parents.get(key)!, ...costs });
-    for (let move = first[step]!; move < first[step + 1]!; move++) {
-      const fate = fates[move]! & 15;
+    for (let move = nth(first, step); move < nth(first, step + 1); move++) {
+      const fate = nth(fates, move) & 15;
       if (fate > FATE.improved) continue;
-      const target = targets[move]!,
-        parent = fates[move]! >= 16 ? (parents.get(key) ?? node) : node;
-      const g = trace.targetG[move]! / unit,
-        h = trace.targetH[move]! / unit;
+      const target = nth(targets, move),
+        parent = nth(fates, move) >= 16 ? (parents.get(key) ?? node) : node;
+      const g = nth(trace.targetG, move) / unit,
+        h = nth(trace.targetH, move) / unit;
       parents.set(target * 2 + side, parent);
       events.push({
         type: kind === STEP.goal ? "end" : fate === FATE.kept ? "generating" : "updating",

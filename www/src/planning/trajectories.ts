@@ -13,6 +13,7 @@ import {
 import type { Scenario } from "../scene/scenario";
 import type { Waiting } from "./protocol";
 import { columnsOf, drivenOf } from "./trajectory-columns";
+import { nth } from "../scene/nth";
 
 /** Rows that are closer along the way stand at one place, metres. */
 const SAME_PLACE = 1e-9;
@@ -45,12 +46,14 @@ export function smoothed({
 /** The poses of a drive without its standstills, with the gear and the curvature of the way on. */
 export function lineOf({ path, stations, speeds, steering }: Drive, wheelbase: number): Omit<Line, "clearances"> {
   const last = stations.length - 1;
-  const kept = Array.from(stations.keys()).filter((i) => i === last || stations[i + 1]! - stations[i]! > SAME_PLACE);
-  const gear = (i: number): number => Math.sign(speeds[i]! + (speeds[i + 1] ?? 0));
+  const kept = Array.from(stations.keys()).filter(
+    (i) => i === last || nth(stations, i + 1) - nth(stations, i) > SAME_PLACE,
+  );
+  const gear = (i: number): number => Math.sign(nth(speeds, i) + (speeds[i + 1] ?? 0));
   return {
     path: Float64Array.from(kept.flatMap((i) => [...path.subarray(3 * i, 3 * i + 3)])),
     directions: Int8Array.from(kept, (i, at) => gear(i) || gear(kept[at - 1] ?? i) || 1),
-    curvatures: Float64Array.from(kept, (i) => Math.tan(steering[i]!) / wheelbase),
+    curvatures: Float64Array.from(kept, (i) => Math.tan(nth(steering, i)) / wheelbase),
   };
 }
 

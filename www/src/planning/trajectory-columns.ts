@@ -1,5 +1,6 @@
 /** A trajectory's file as a drive to play: the referee has read it without complaint. */
 import type { Drive } from "parkade";
+import { nth } from "../scene/nth";
 
 type Name = "t" | "x" | "y" | "theta" | "v" | "phi" | "a" | "omega" | "gear";
 export type Columns = Partial<Record<Name, number[]>>;
@@ -19,7 +20,7 @@ export function columnsOf(text: string): Columns {
     .filter((line) => line.trim());
   const names = head.split(",").map((name) => name.trim() as Name);
   const columns: Columns = Object.fromEntries(names.map((name) => [name, []]));
-  for (const row of rows) row.split(",").forEach((field, i) => columns[names[i]!]?.push(Number(field)));
+  for (const row of rows) row.split(",").forEach((field, i) => columns[nth(names, i)]?.push(Number(field)));
   return columns;
 }
 
@@ -29,7 +30,7 @@ export function drivenOf(columns: Columns, wheelbase: number, duration: number):
     steps = signedSteps(columns);
   const stations = Float64Array.from(x, () => 0);
   steps.forEach((step, i) => {
-    stations[i + 1] = stations[i]! + Math.abs(step);
+    stations[i + 1] = nth(stations, i) + Math.abs(step);
   });
   const t = columns.t ? Float64Array.from(columns.t) : timesOf(steps, duration);
   const speeds = columns.v ? Float64Array.from(columns.v) : speedsOf(steps, t);
@@ -38,7 +39,7 @@ export function drivenOf(columns: Columns, wheelbase: number, duration: number):
     : Float64Array.from(x, (_, i) => Math.atan(wheelbase * curvatureAt(steps, theta, i)));
   return {
     t,
-    path: Float64Array.from(x.flatMap((at, i) => [at, y[i]!, theta[i]!])),
+    path: Float64Array.from(x.flatMap((at, i) => [at, nth(y, i), nth(theta, i)])),
     stations,
     speeds,
     accelerations: Float64Array.from(t, (_, i) => slope(speeds, t, i)),
@@ -48,14 +49,14 @@ export function drivenOf(columns: Columns, wheelbase: number, duration: number):
 }
 
 const slope = (values: Float64Array, t: Float64Array, i: number): number =>
-  i + 1 < t.length ? (values[i + 1]! - values[i]!) / (t[i + 1]! - t[i]!) : 0;
+  i + 1 < t.length ? (nth(values, i + 1) - nth(values, i)) / (nth(t, i + 1) - nth(t, i)) : 0;
 
 /** Metres from pose to pose, negative where the car moves against its heading, or as the gear says. */
 function signedSteps({ x = [], y = [], theta = [], gear }: Columns): number[] {
   return x.slice(1).map((to, i) => {
-    const dx = to - x[i]!,
-      dy = y[i + 1]! - y[i]!,
-      heading = theta[i]! + wrapAngle(theta[i + 1]! - theta[i]!) / 2;
+    const dx = to - nth(x, i),
+      dy = nth(y, i + 1) - nth(y, i),
+      heading = nth(theta, i) + wrapAngle(nth(theta, i + 1) - nth(theta, i)) / 2;
     const sign = gear?.[i] ?? (dx * Math.cos(heading) + dy * Math.sin(heading) < 0 ? -1 : 1);
     return sign * Math.hypot(dx, dy);
   });
@@ -67,12 +68,12 @@ function timesOf(steps: readonly number[], duration: number): Float64Array {
   let from = 0;
   while (from < steps.length) {
     let to = from;
-    while (to < steps.length && Math.sign(steps[to]!) !== -Math.sign(steps[from]!)) to++;
+    while (to < steps.length && Math.sign(nth(steps, to)) !== -Math.sign(nth(steps, from))) to++;
     const length = steps.slice(from, to).reduce((sum, step) => sum + Math.abs(step), 0),
-      begin = t[from]!;
+      begin = nth(t, from);
     let along = 0;
     for (let i = from; i < to; i++) {
-      along += Math.abs(steps[i]!);
+      along += Math.abs(nth(steps, i));
       t[i + 1] = begin + timeAt(along, length);
     }
     from = to;
@@ -95,13 +96,13 @@ function timeAt(along: number, length: number): number {
 /** At rest at both ends and at gear changes; between them the mean of the two ways that meet. */
 function speedsOf(steps: readonly number[], t: Float64Array): Float64Array {
   return t.map((_, i) => {
-    if (i === 0 || i === t.length - 1 || steps[i - 1]! * steps[i]! < 0) return 0;
-    return (steps[i - 1]! + steps[i]!) / (t[i + 1]! - t[i - 1]!);
+    if (i === 0 || i === t.length - 1 || nth(steps, i - 1) * nth(steps, i) < 0) return 0;
+    return (nth(steps, i - 1) + nth(steps, i)) / (nth(t, i + 1) - nth(t, i - 1));
   });
 }
 
 function curvatureAt(steps: readonly number[], theta: readonly number[], i: number): number {
   const at = Math.min(i, steps.length - 1),
     step = steps[at] ?? 0;
-  return Math.abs(step) > SHORTEST ? wrapAngle(theta[at + 1]! - theta[at]!) / step : 0;
+  return Math.abs(step) > SHORTEST ? wrapAngle(nth(theta, at + 1) - nth(theta, at)) / step : 0;
 }

@@ -4,6 +4,7 @@ import type { Scene } from "./model";
 import { distance, fromPose, intoPose, nearestOnSegment, type Point } from "./geometry";
 import { formsOf, type Form } from "./overlap";
 import type { ResolvedVehicle } from "./vehicle";
+import { nth } from "./nth";
 
 export interface Gap {
   from: Point;
@@ -81,9 +82,9 @@ const opposite = (at: Point, a: Point, b: Point): boolean =>
   (a[0] - at[0]) * (b[0] - at[0]) + (a[1] - at[1]) * (b[1] - at[1]) < 0;
 
 function nearestOn({ points, closed }: Form, p: Point): Point {
-  let best = points[0]!;
+  let best = nth(points, 0);
   for (let i = closed ? 0 : 1; i < points.length; i++) {
-    const one = nearestOnSegment(p, points.at(i - 1)!, points[i]!);
+    const one = nearestOnSegment(p, points.at(i - 1)!, nth(points, i));
     if (distance(one, p) < distance(best, p)) best = one;
   }
   return best;

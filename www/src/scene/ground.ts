@@ -5,6 +5,7 @@ import { footprint, mapOutline, resolve, type Scene } from "./model";
 import { boxOf, type Box, type Point } from "./geometry";
 import type { Scenario } from "./scenario";
 import { outlineOfThing } from "./scene-objects";
+import { nth } from "./nth";
 
 export type Side = "left" | "right" | "bottom" | "top";
 export const SIDES: readonly Side[] = ["right", "top", "left", "bottom"];
@@ -18,7 +19,7 @@ const SAME = 1e-6;
 export const axisOf = (side: Side): 0 | 1 => (side === "left" || side === "right" ? 0 : 1);
 /** Outward along the axis. */
 export const outward = (side: Side): 1 | -1 => (side === "right" || side === "top" ? 1 : -1);
-export const opposite = (side: Side): Side => SIDES[(SIDES.indexOf(side) + 2) % 4]!;
+export const opposite = (side: Side): Side => nth(SIDES, (SIDES.indexOf(side) + 2) % 4);
 
 export const groundOf = (scene: Scene): Box => boxOf(mapOutline(scene));
 
@@ -37,9 +38,9 @@ export function edgeOn(scene: Scene, side: Side): [Point, Point] | null {
   let best: [Point, Point] | null = null,
     longest = SAME;
   for (let i = 0; i < outline.length; i++) {
-    const p = outline[i]!,
-      q = outline[(i + 1) % outline.length]!,
-      length = Math.abs(q[1 - k]! - p[1 - k]!);
+    const p = nth(outline, i),
+      q = nth(outline, (i + 1) % outline.length),
+      length = Math.abs(nth(q, 1 - k) - nth(p, 1 - k));
     if (isOn(p) !== isOn(q) && length > SAME) return null;
     if (isOn(p) && isOn(q) && length > longest) [best, longest] = [[p, q], length];
   }

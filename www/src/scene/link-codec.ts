@@ -13,6 +13,7 @@ import type {
 } from "parkade";
 import type { Point } from "./geometry";
 import type { Scenario } from "./scenario";
+import { nth } from "./nth";
 
 type Item = number | string | Item[] | Record<string, unknown> | null;
 
@@ -53,8 +54,8 @@ function packPoints(points: readonly Point[]): number[] {
     y = 0;
   return points.flatMap((p) => {
     const step = [cm(p[0]) - x, cm(p[1]) - y];
-    x += step[0]!;
-    y += step[1]!;
+    x += nth(step, 0);
+    y += nth(step, 1);
     return step;
   });
 }

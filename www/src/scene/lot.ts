@@ -5,6 +5,7 @@ import type { Scenario } from "./scenario";
 import { fittingSize, leastSize } from "./slot-fit";
 import { openingOf, poseInSlot, slotCentre, slotOutline, type Entry, type SlotKind } from "./slots";
 import { vehicleOf } from "./vehicle";
+import { nth } from "./nth";
 
 export type Entrance = "left" | "right" | "bottom" | "top";
 
@@ -326,7 +327,7 @@ function rowOn(form: LotForm, sizes: Sizes, { y, heading }: Line): { slots: Omit
         type: "rectangle",
         center: [x, middle],
         size: [form.column, form.column],
-        heading: Math.atan2(side[3]![1] - side[0]![1], side[3]![0] - side[0]![0]),
+        heading: Math.atan2(nth(side, 3)[1] - nth(side, 0)[1], nth(side, 3)[0] - nth(side, 0)[0]),
       });
       along += gap;
     }

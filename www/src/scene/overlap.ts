@@ -4,6 +4,7 @@ import { mapOutline, parkedPose, type Scene } from "./model";
 import { boxOf, distance, fromPose, insidePolygon, intoPose, type Point } from "./geometry";
 import { cornersOf, rectangleCorners } from "./shapes";
 import { footprint, vehicleOf, type ResolvedVehicle } from "./vehicle";
+import { nth } from "./nth";
 
 /** `from` is on the car's side, `to` the innermost point; `shared` are the corners of what car and obstacle share. */
 export interface Overlap {
@@ -38,7 +39,7 @@ export function formsOf(scene: Scene, { obstacle: id, index }: Owner, near: read
     case "cells":
       return cellsNear(scene, obstacle.runs, near).map(area);
     case "wall":
-      return obstacle.points.slice(1).map((b, i) => wallPiece(obstacle.points[i]!, b, obstacle.thickness ?? 0));
+      return obstacle.points.slice(1).map((b, i) => wallPiece(nth(obstacle.points, i), b, obstacle.thickness ?? 0));
     default:
       return [area(cornersOf(obstacle))];
   }
@@ -114,7 +115,7 @@ export function overlapAt(scene: Scene, owner: Owner, pose: Pose, vehicle: Resol
   for (const { points, closed, outside = false } of formsOf(scene, owner, corners)) {
     const local = points.map((p) => intoPose(pose, p));
     for (let i = closed ? 0 : 1; i < local.length; i++)
-      shared.push(...(clipped(local.at(i - 1)!, local[i]!, low, high) ?? []));
+      shared.push(...(clipped(local.at(i - 1)!, nth(local, i), low, high) ?? []));
     if (closed)
       shared.push(
         ...corners

@@ -2,6 +2,7 @@
 import type { Road } from "parkade";
 import { distance, towards, wrapAngle, type Point } from "./geometry";
 import { halfOf } from "./road-width";
+import { nth } from "./nth";
 
 export const RADIUS = 20;
 /** The inner edge of a bend has at least this radius, metres. */
@@ -23,8 +24,8 @@ interface Bend {
 /** The arcs at the inner corners. */
 function bendsOf({ points, radius: wanted = RADIUS }: Road): Bend[] {
   return points.slice(1, -1).map((corner, i) => {
-    const before = points[i]!,
-      after = points[i + 2]!,
+    const before = nth(points, i),
+      after = nth(points, i + 2),
       turn = wrapAngle(towards(corner, after) - towards(before, corner));
     const half = Math.tan(Math.abs(turn) / 2);
     const room = Math.min(
@@ -45,10 +46,10 @@ export function tooTight(road: Road): number {
 /** Places along the middle line. */
 export function placesOf(road: Road): Place[] {
   const { points } = road,
-    places: Place[] = [{ at: points[0]!, heading: towards(points[0]!, points[1]!) }];
+    places: Place[] = [{ at: nth(points, 0), heading: towards(nth(points, 0), nth(points, 1)) }];
   bendsOf(road).forEach(({ turn, radius, tangent }, i) => {
-    const corner = points[i + 1]!,
-      heading = towards(points[i]!, corner),
+    const corner = nth(points, i + 1),
+      heading = towards(nth(points, i), corner),
       side = Math.sign(turn);
     const from: Point = [corner[0] - Math.cos(heading) * tangent, corner[1] - Math.sin(heading) * tangent];
     const centre: Point = [from[0] - Math.sin(heading) * radius * side, from[1] + Math.cos(heading) * radius * side];

@@ -5,6 +5,7 @@ import { cornersOf } from "./shapes";
 import type { Scenario } from "./scenario";
 import { footprint, vehicleOf } from "./vehicle";
 import type { Obstacle, Pose, Slot, Vehicle } from "parkade";
+import { nth } from "./nth";
 
 export interface SceneChanges {
   /** True if every answer may be another: the ground, the car, the start or painted costs have changed. */
@@ -72,7 +73,7 @@ export const grown = ({ minX, minY, maxX, maxY }: Box, by: number): Box => ({
 /** True if the body at any pose of a way (x, y, heading, …) comes within `reach` of a box. */
 export function sweepsNear(poses: ArrayLike<number>, vehicle: Vehicle, boxes: readonly Box[], reach: number): boolean {
   for (let i = 0; i + 2 < poses.length; i += 3) {
-    const pose = { x: poses[i]!, y: poses[i + 1]!, heading: poses[i + 2]! },
+    const pose = { x: nth(poses, i), y: nth(poses, i + 1), heading: nth(poses, i + 2) },
       body = boxOf(footprint(pose, vehicle));
     for (const box of boxes)
       if (

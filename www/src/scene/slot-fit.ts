@@ -3,6 +3,7 @@ import type { Slot, Vehicle } from "parkade";
 import { findSlot, resolve, updateSlot, type Scene } from "./model";
 import { boxOf, distance, intoPose, wrapAngle, type Box, type Point } from "./geometry";
 import { openingOf, slotAngle, slotOutline, type SlotKind, type SlotShape } from "./slots";
+import { nth } from "./nth";
 
 /** Room that a slot leaves around the car, metres: to open its doors, and to steer into a parallel slot. */
 const ROOM = { width: 0.6, length: 0.5, parallelLength: 1.7 };
@@ -55,7 +56,7 @@ export function rowOf(scene: Scene, id: string): Slot[] {
   const all = scene.slots ?? [],
     row = all.filter((slot) => slot.id === id);
   for (let i = 0; i < row.length; i++)
-    row.push(...all.filter((slot) => !row.includes(slot) && areNeighbours(row[i]!, slot)));
+    row.push(...all.filter((slot) => !row.includes(slot) && areNeighbours(nth(row, i), slot)));
   const [first] = row;
   const along = (slot: Slot): number => intoPose(first!, [slot.x, slot.y])[1];
   return row.sort((a, b) => along(b) - along(a));

@@ -4,6 +4,7 @@ import type { Slot } from "parkade";
 import { boxOf, distance, insidePolygon, towards, wrapAngle, type Box, type Point } from "../scene/geometry";
 import { chained, straightened } from "./chain";
 import { SitePlanError } from "./site-plan";
+import { nth } from "../scene/nth";
 
 export type Quad = [Point, Point, Point, Point];
 export type Segment = [Point, Point];
@@ -37,7 +38,7 @@ export function findBays(given: readonly SitePlanLine[]): FoundBays {
   let others = 0;
   for (const { points, closed } of lines) {
     const corners = straightened(points, REACH, closed);
-    if (!closed) for (let i = 1; i < corners.length; i++) open.push([corners[i - 1]!, corners[i]!]);
+    if (!closed) for (let i = 1; i < corners.length; i++) open.push([nth(corners, i - 1), nth(corners, i)]);
     else if (isBay(corners)) quads.push(corners as Quad);
     else others++;
   }
@@ -87,14 +88,14 @@ export function largestGroup(quads: readonly Quad[]): Quad[] {
     const group = [first];
     left.delete(first);
     for (const i of group)
-      for (const j of around(cellOf(middles[i]!)))
-        if (left.has(j) && distance(middles[i]!, middles[j]!) <= NEXT) {
+      for (const j of around(cellOf(nth(middles, i))))
+        if (left.has(j) && distance(nth(middles, i), nth(middles, j)) <= NEXT) {
           left.delete(j);
           group.push(j);
         }
     if (group.length > largest.length) largest = group;
   }
-  return largest.map((i) => quads[i]!);
+  return largest.map((i) => nth(quads, i));
 }
 
 /** Lines cut where others end on them or cross them. */
@@ -106,10 +107,10 @@ function split(lines: readonly Segment[]): Segment[] {
       return at !== null && at * length > SAME && (1 - at) * length > SAME ? [at] : [];
     });
     const parts = [0, ...cuts.sort((s, t) => s - t), 1].filter(
-      (t, i, all) => i === 0 || (t - all[i - 1]!) * length > SAME,
+      (t, i, all) => i === 0 || (t - nth(all, i - 1)) * length > SAME,
     );
     const at = (t: number): Point => [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t];
-    return parts.slice(1).map((t, i): Segment => [at(parts[i]!), at(t)]);
+    return parts.slice(1).map((t, i): Segment => [at(nth(parts, i)), at(t)]);
   });
 }
 
@@ -162,7 +163,7 @@ export function slotsOf({ quads, lines }: FoundBays, solid: readonly Segment[]):
   return quads.map((quad, i) => ({ id: `bay-${i + 1}`, ...slotFrom(quad, likeNeighbours(quads, open, i)) }));
 }
 
-const sidesOf = (quad: Quad): Segment[] => quad.map((corner, i): Segment => [corner, quad[(i + 1) % 4]!]);
+const sidesOf = (quad: Quad): Segment[] => quad.map((corner, i): Segment => [corner, nth(quad, (i + 1) % 4)]);
 
 function openSide(quad: Quad, all: readonly { edge: Segment; box: Box }[]): number {
   const own = new Set<Point>(quad),
@@ -172,14 +173,14 @@ function openSide(quad: Quad, all: readonly { edge: Segment; box: Box }[]): numb
       .map(({ edge }) => edge);
   const sides = sidesOf(quad),
     lengths = sides.map(([a, b]) => distance(a, b)),
-    isShort = (k: number): boolean => lengths[k]! <= Math.min(...lengths) * 1.05;
+    isShort = (k: number): boolean => nth(lengths, k) <= Math.min(...lengths) * 1.05;
   const views = sides.map((side, k) => viewFrom(side, middleOf(quad), around) * (isShort(k) ? 1 : 0.8));
   return views.indexOf(Math.max(...views));
 }
 
 /** The last bay of a row has room at its end as well: it opens to where its neighbour does. */
 function likeNeighbours(quads: readonly Quad[], open: readonly number[], i: number): number {
-  const quad = quads[i]!,
+  const quad = nth(quads, i),
     sides = sidesOf(quad),
     outOf = (one: Quad, side: number): Point => {
       const [a, b] = sidesOf(one)[side]!,
@@ -190,13 +191,13 @@ function likeNeighbours(quads: readonly Quad[], open: readonly number[], i: numb
     const other = quads.findIndex((one, j) => j !== i && sidesOf(one).some((edge) => isSame(edge, side)));
     return other < 0 ? [] : [{ k, other }];
   });
-  const neighbour = shared.length === 1 && shared[0]!.k % 2 === open[i]! % 2 ? shared[0]! : null;
-  if (!neighbour) return open[i]!;
+  const neighbour = shared.length === 1 && nth(shared, 0).k % 2 === nth(open, i) % 2 ? nth(shared, 0) : null;
+  if (!neighbour) return nth(open, i);
   const along = outOf(quad, neighbour.k),
-    out = outOf(quads[neighbour.other]!, open[neighbour.other]!);
+    out = outOf(nth(quads, neighbour.other), nth(open, neighbour.other));
   // The neighbour may be open to its own end, or to an aisle between both.
   if (Math.abs(along[0] * out[0] + along[1] * out[1]) > 0.7 * Math.hypot(...along) * Math.hypot(...out))
-    return open[i]!;
+    return nth(open, i);
   const matches = [0, 1, 2, 3].map((k) => outOf(quad, k)).map(([x, y]) => (x * out[0] + y * out[1]) / Math.hypot(x, y));
   return matches.indexOf(Math.max(...matches));
 }
@@ -223,7 +224,7 @@ function viewFrom([a, b]: Segment, middle: Point, around: readonly Segment[]): n
 }
 
 function slotFrom(quad: Quad, open: number): Slot {
-  const [a, b, c, d] = [0, 1, 2, 3].map((k) => quad[(open + k) % 4]!) as Quad;
+  const [a, b, c, d] = [0, 1, 2, 3].map((k) => nth(quad, (open + k) % 4)) as Quad;
   const mouth = middleOf([a, b]),
     inward = towards(mouth, middleOf([c, d])),
     along = towards(a, b),

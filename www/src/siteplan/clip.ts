@@ -1,11 +1,12 @@
 /** Lines and outlines within a box. */
 import type { Box, Point } from "../scene/geometry";
+import { nth } from "../scene/nth";
 
 /** The pieces of a line within a box. */
 export function clippedLine(points: readonly Point[], box: Box): Point[][] {
   const pieces: Point[][] = [];
   for (let i = 1; i < points.length; i++) {
-    const part = segmentIn(points[i - 1]!, points[i]!, box);
+    const part = segmentIn(nth(points, i - 1), nth(points, i), box);
     if (!part) continue;
     const last = pieces.at(-1)?.at(-1);
     if (last && last[0] === part[0][0] && last[1] === part[0][1]) pieces.at(-1)!.push(part[1]);

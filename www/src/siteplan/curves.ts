@@ -1,5 +1,6 @@
 /** Curves of drawings as lines. */
 import { TAU, type Point } from "../scene/geometry";
+import { nth } from "../scene/nth";
 
 /** Corners of a whole circle: a radius of 10 m is kept to 5 cm. */
 const CIRCLE_PARTS = 32;
@@ -61,22 +62,25 @@ export const bezier = (a: Point, b: Point, c: Point, d: Point, parts = 12): Poin
 export function spline(degree: number, knots: readonly number[], controls: readonly Point[]): Point[] | null {
   const n = controls.length;
   if (!(degree >= 1 && degree <= 10) || n <= degree || knots.length !== n + degree + 1) return null;
-  if (knots.some((knot, i) => i > 0 && knot < knots[i - 1]!)) return null;
-  const from = knots[degree]!,
-    to = knots[n]!,
+  if (knots.some((knot, i) => i > 0 && knot < nth(knots, i - 1))) return null;
+  const from = nth(knots, degree),
+    to = nth(knots, n),
     parts = Math.min(400, 8 * (n - degree));
   return Array.from({ length: parts + 1 }, (_, i) => {
     const t = from + ((to - from) * i) / parts;
     let k = degree;
-    while (k < n - 1 && t >= knots[k + 1]!) k++;
+    while (k < n - 1 && t >= nth(knots, k + 1)) k++;
     const d = controls.slice(k - degree, k + 1).map(([x, y]): Point => [x, y]);
     for (let r = 1; r <= degree; r++)
       for (let j = degree; j >= r; j--) {
-        const low = knots[j + k - degree]!,
-          span = knots[j + 1 + k - r]! - low,
+        const low = nth(knots, j + k - degree),
+          span = nth(knots, j + 1 + k - r) - low,
           share = span > 0 ? (t - low) / span : 0;
-        d[j] = [d[j - 1]![0] * (1 - share) + d[j]![0] * share, d[j - 1]![1] * (1 - share) + d[j]![1] * share];
+        d[j] = [
+          nth(d, j - 1)[0] * (1 - share) + nth(d, j)[0] * share,
+          nth(d, j - 1)[1] * (1 - share) + nth(d, j)[1] * share,
+        ];
       }
-    return d[degree]!;
+    return nth(d, degree);
   });
 }

@@ -4,6 +4,7 @@ import { TAU, radians, type Point } from "../scene/geometry";
 import { after, bulged, circleArc, ellipseArc, IDENTITY, mapped, spline, type Affine } from "./curves";
 import { numberIn, numberOf, recordsOf, textIn, type DxfRecord } from "./dxf-groups";
 import { PlanBuilder, SitePlanError } from "./site-plan";
+import { nth } from "../scene/nth";
 
 /** Metres per unit by the header's `$INSUNITS`. */
 const UNITS: Record<number, number> = {
@@ -79,7 +80,7 @@ function pointsIn(record: DxfRecord, code: number): Point[] {
   const xs = record.groups.filter((one) => one.code === code),
     ys = record.groups.filter((one) => one.code === code + 10);
   if (xs.length !== ys.length) throw new SitePlanError(`${record.type} must have as many y as x`, record.line);
-  return xs.map((x, i) => [numberOf(x), numberOf(ys[i]!)]);
+  return xs.map((x, i) => [numberOf(x), numberOf(nth(ys, i))]);
 }
 
 class Drawing {
@@ -93,7 +94,7 @@ class Drawing {
   /** `layer`: that of the block's place, which its entities on layer 0 take. */
   draw(records: readonly DxfRecord[], place: Affine, layer: string | null, depth: number): void {
     for (let i = 0; i < records.length; i++) {
-      const record = records[i]!,
+      const record = nth(records, i),
         own = textIn(record, 8, "0"),
         on = own === "0" && layer !== null ? layer : own;
       // Sheets for paper are no part of the site.
@@ -104,7 +105,7 @@ class Drawing {
       if (record.type === "INSERT") this.insert(record, seen, on, depth);
       else if (record.type === "POLYLINE") {
         const vertices: DxfRecord[] = [];
-        while (records[i + 1]?.type === "VERTEX") vertices.push(records[++i]!);
+        while (records[i + 1]?.type === "VERTEX") vertices.push(nth(records, ++i));
         if (records[i + 1]?.type === "SEQEND") i++;
         this.put(on, oldPolyline(record, vertices), seen, record);
       } else this.put(on, lineOf(record), seen, record);
@@ -218,8 +219,8 @@ function oldPolyline(record: DxfRecord, vertices: readonly DxfRecord[]): SitePla
 }
 
 function withBulges(corners: readonly { at: Point; bulge: number }[], closed: boolean): SitePlanLine {
-  const points: Point[] = corners.length > 0 ? [corners[0]!.at] : [];
+  const points: Point[] = corners.length > 0 ? [nth(corners, 0).at] : [];
   for (let i = 0; i < corners.length - (closed ? 0 : 1); i++)
-    points.push(...bulged(corners[i]!.at, corners[(i + 1) % corners.length]!.at, corners[i]!.bulge));
+    points.push(...bulged(nth(corners, i).at, nth(corners, (i + 1) % corners.length).at, nth(corners, i).bulge));
   return { points, closed };
 }

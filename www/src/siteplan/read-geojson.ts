@@ -4,6 +4,7 @@ import { boxOf, type Point } from "../scene/geometry";
 import { circleArc } from "./curves";
 import { areDegrees, localProjection } from "./projection";
 import { PlanBuilder, SitePlanError } from "./site-plan";
+import { nth } from "../scene/nth";
 
 /** Tags that say what a thing is, the first that a feature has counts. */
 const TELLING = ["amenity", "building", "barrier", "parking", "highway", "landuse", "natural", "area:highway"];
@@ -49,7 +50,7 @@ export function projected(drawn: readonly Drawn[], kind: "geojson" | "osm", buil
     place = isGlobe ? localProjection([(box.minX + box.maxX) / 2, (box.minY + box.maxY) / 2]) : (point: Point) => point;
   for (const { layer, points, closed, isPoint } of drawn) {
     const placed = points.map(place);
-    builder.add(layer, isPoint ? circleArc(placed[0]!, POINT_RADIUS, 0, 2 * Math.PI) : placed, closed);
+    builder.add(layer, isPoint ? circleArc(nth(placed, 0), POINT_RADIUS, 0, 2 * Math.PI) : placed, closed);
   }
   return builder.build(kind, 1);
 }

@@ -4,6 +4,7 @@ import type { Point } from "../scene/geometry";
 import { layerOf, parsed, projected } from "./read-geojson";
 import { PlanBuilder, SitePlanError } from "./site-plan";
 import { readXml } from "./xml";
+import { nth } from "../scene/nth";
 
 type Tags = Record<string, string>;
 interface Way {
@@ -58,7 +59,7 @@ function ringsOf(ways: readonly string[][]): string[][] {
   while (open.length > 0) {
     const ring = open.shift()!;
     for (let i = 0; ring[0] !== ring.at(-1) && i < open.length; ) {
-      const next = open[i]!;
+      const next = nth(open, i);
       if (next[0] === ring.at(-1)) ring.push(...next.slice(1));
       else if (next.at(-1) === ring.at(-1)) ring.push(...next.reverse().slice(1));
       else {

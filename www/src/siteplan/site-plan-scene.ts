@@ -18,6 +18,7 @@ import { findBays, largestGroup, slotsOf, type Quad, type Segment } from "./bays
 import { chained, straightened } from "./chain";
 import { clippedLine, clippedPolygon } from "./clip";
 import { SitePlanError } from "./site-plan";
+import { nth } from "../scene/nth";
 
 export const ROLES = ["none", "wall", "kerb", "column", "building", "bay", "ground"] as const satisfies readonly Role[];
 
@@ -83,7 +84,7 @@ export function sceneFromSitePlan(plan: SitePlan, options: SitePlanOptions): Sit
   const start = startFor(slots, solids, ground ?? cornersOf(map), vehicle);
   const goal =
     slots.length > 0
-      ? { slot: slots[Math.floor(slots.length / 2)]!.id!, entry: "reverse-in" as const }
+      ? { slot: nth(slots, Math.floor(slots.length / 2)).id!, entry: "reverse-in" as const }
       : aheadOf(start);
   const counts = { ...solids.counts, bay: slots.length, ground: ground ? 1 : 0 };
   return {
@@ -160,7 +161,7 @@ function solidsOf(of: ByRole, window: Box): Solids {
       if (isArea && area.length > 2 && !crossesItself(area))
         put(solids, role, { type: "polygon", points: area.map(rounded) });
       else {
-        const points = line.closed ? [...line.points, line.points[0]!] : line.points;
+        const points = line.closed ? [...line.points, nth(line.points, 0)] : line.points;
         for (const piece of clippedLine(straightened(points, STRAIGHT, false), window))
           put(solids, role, { type: "wall", points: piece.map(rounded), thickness: 0 });
       }
@@ -180,9 +181,9 @@ function put(
   const { points } = obstacle;
   solids.counts[role]++;
   solids.obstacles.push({ ...obstacle, id: `${role}-${solids.counts[role]}` });
-  for (let i = 1; i < points.length; i++) solids.segments.push([points[i - 1]!, points[i]!]);
+  for (let i = 1; i < points.length; i++) solids.segments.push([nth(points, i - 1), nth(points, i)]);
   if (obstacle.type === "polygon") {
-    solids.segments.push([points.at(-1)!, points[0]!]);
+    solids.segments.push([points.at(-1)!, nth(points, 0)]);
     solids.areas.push(points);
   }
 }
@@ -194,7 +195,8 @@ function groundOf(lines: readonly SitePlanLine[], bays: readonly Quad[]): Point[
   const area = (points: readonly Point[]): number =>
     Math.abs(
       points.reduce(
-        (sum, [x, y], i) => sum + x * points[(i + 1) % points.length]![1] - y * points[(i + 1) % points.length]![0],
+        (sum, [x, y], i) =>
+          sum + x * nth(points, (i + 1) % points.length)[1] - y * nth(points, (i + 1) % points.length)[0],
         0,
       ),
     ) / 2;
@@ -250,7 +252,8 @@ function startFor(slots: readonly Slot[], solids: Solids, outline: readonly Poin
   const isFree = (pose: Pose): boolean => {
     const body = footprint(pose, vehicle, 0.1);
     if (!body.every((corner) => insidePolygon(corner, outline))) return false;
-    if (solids.areas.some((area) => insidePolygon(body[0]!, area) || insidePolygon(area[0]!, body))) return false;
+    if (solids.areas.some((area) => insidePolygon(nth(body, 0), area) || insidePolygon(nth(area, 0), body)))
+      return false;
     if (
       parked.some(
         (other) =>
@@ -258,7 +261,9 @@ function startFor(slots: readonly Slot[], solids: Solids, outline: readonly Poin
       )
     )
       return false;
-    return !solids.segments.some(([a, b]) => body.some((corner, i) => segmentsMeet(a, b, corner, body[(i + 1) % 4]!)));
+    return !solids.segments.some(([a, b]) =>
+      body.some((corner, i) => segmentsMeet(a, b, corner, nth(body, (i + 1) % 4))),
+    );
   };
   for (const slot of slots)
     for (const [out, turn] of [3, 2.4, 1.8, 4, 5].flatMap((out) => [1, -1].map((turn) => [out, turn] as const))) {

@@ -8,6 +8,7 @@ import { distance, insidePolygon, type Point } from "../scene/geometry";
 import { distanceToShape } from "../scene/shapes";
 import type { Draft } from "../store/draft";
 import type { Bench, Input, Tool } from "./tool";
+import { nth } from "../scene/nth";
 
 abstract class StrokeTool implements Tool {
   readonly drags = true;
@@ -58,7 +59,7 @@ abstract class StrokeTool implements Tool {
       scene = this.apply(bench, scene, this.last ?? at, at);
       this.last = at;
     }
-    bench.show(this.disc(bench, this.last ?? trail[0]!));
+    bench.show(this.disc(bench, this.last ?? nth(trail, 0)));
     if (scene !== before) bench.preview(scene);
   }
 

@@ -11,6 +11,7 @@ import { sayMisfit } from "./slot-fit";
 import { constrainAngle, snapAngle, snapPoint } from "./snap";
 import type { Bench, Input, Tool } from "./tool";
 import { word } from "../view/tool-messages";
+import { nth } from "../scene/nth";
 
 type Side = "left" | "right";
 /** By how much the other side must be better than the right one. */
@@ -79,7 +80,7 @@ function shapeOf(bench: Bench, side: Side): SlotShape {
 function sideOf(bench: Bench, from: Point, to: Point, swapped: boolean): Side {
   const [right, left] = (["right", "left"] as const).map((side) => {
     const slots = slotRow(shapeOf(bench, side), from, to, side),
-      aisle = aisleOf(bench, slots[0]!.heading, from, to);
+      aisle = aisleOf(bench, nth(slots, 0).heading, from, to);
     const free = slots.filter((slot) => !isTaken(bench, slotCentre({ ...slot, id: "" }))).length / slots.length;
     return 2 * free + (aisle.width > 0 ? aisle.free / aisle.width : 1);
   }) as [number, number];

@@ -6,6 +6,7 @@ import { boxOf, type Box, type Point } from "../scene/geometry";
 import { footprint } from "../scene/vehicle";
 import { worldToScreen, type View } from "./camera";
 import { gripOf } from "./pose-handle";
+import { nth } from "../scene/nth";
 
 /** CSS pixels. */
 export const HANDLE_PX = 10;
@@ -32,8 +33,8 @@ export function handlesOn(scene: Scene, view: View): BorderHandle[] {
       along = 1 - k,
       [a, b] = edge.map((p) => worldToScreen(view, ...p)) as [Point, Point];
     const size = [view.width, view.height] as const,
-      low = Math.max(INSET_PX, Math.min(a[along]!, b[along]!)),
-      high = Math.min(size[along]! - INSET_PX, Math.max(a[along]!, b[along]!));
+      low = Math.max(INSET_PX, Math.min(nth(a, along), nth(b, along))),
+      high = Math.min(nth(size, along) - INSET_PX, Math.max(nth(a, along), nth(b, along)));
     if (high - low < 2 * HANDLE_PX || a[k] < 0 || a[k] > size[k]) return [];
     const place = (share: number, off: number): Point => {
       const middle = (low + high) / 2 + share * (high - low),

@@ -6,6 +6,7 @@ import { passageAt, sweptWidth, type Gap } from "../scene/gap";
 import { footprint, vehicleOf, type ResolvedVehicle } from "../scene/vehicle";
 import type { Scene } from "../store";
 import { distancesOf, poseAt } from "./drive";
+import { nth } from "../scene/nth";
 
 export interface Failure {
   /** Position of the mark. */
@@ -78,11 +79,11 @@ const middle = (points: readonly Point[]): Point => {
 function deepest(scene: Scene, plan: Plan, hit: Hit, vehicle: ResolvedVehicle): Overlap | null {
   const { hitPoses } = plan.check;
   let count = 1;
-  while (count < hitPoses.length && hitPoses[count] === hitPoses[count - 1]! + 1) count++;
+  while (count < hitPoses.length && hitPoses[count] === nth(hitPoses, count - 1) + 1) count++;
   const step = Math.max(1, Math.ceil(count / MOST_POSES));
   let best = overlapAt(scene, hit, hit.pose, vehicle);
   for (let i = 0; i < count; i += step) {
-    const one = overlapAt(scene, hit, poseAt(plan, hitPoses[i]!), vehicle);
+    const one = overlapAt(scene, hit, poseAt(plan, nth(hitPoses, i)), vehicle);
     if (one && one.depth > (best?.depth ?? 0)) best = one;
   }
   return best;

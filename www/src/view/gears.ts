@@ -4,6 +4,7 @@ import type { State } from "../store";
 import { played } from "../store/results";
 import { cuspsOf, distancesOf, segmentDirections } from "./drive";
 import { durationOf } from "./playback-time";
+import { nth } from "../scene/nth";
 
 type Span = [from: number, to: number];
 
@@ -23,10 +24,10 @@ export function gearsOfPath(plan: Plan): Gears {
     sense = segmentDirections(plan),
     bounds = [0, ...cusps, along.length - 1];
   const reverse = bounds.slice(1).flatMap((to, i): Span[] => {
-    const from = bounds[i]!;
-    return sense[from]! < 0 ? [[along[from]!, along[to]!]] : [];
+    const from = nth(bounds, i);
+    return (sense[from] ?? 1) < 0 ? [[nth(along, from), nth(along, to)]] : [];
   });
-  return { reverse, changes: cusps.map((at) => along[at]!) };
+  return { reverse, changes: cusps.map((at) => nth(along, at)) };
 }
 
 /** In time, seconds: a standstill belongs to the gear before it, a change is where the car moves on in the other one. */
@@ -39,10 +40,10 @@ export function gearsOfDrive({ t, speeds }: Drive): Gears {
     from = at;
   };
   for (let i = 0; i < speeds.length; i++) {
-    const now = Math.abs(speeds[i]!) < STANDING ? gear : Math.sign(speeds[i]!);
+    const now = Math.abs(nth(speeds, i)) < STANDING ? gear : Math.sign(nth(speeds, i));
     if (now === gear) continue;
     // It moves from the row before on.
-    const at = gear === 0 ? 0 : t[i - 1]!;
+    const at = gear === 0 ? 0 : nth(t, i - 1);
     end(at);
     if (gear !== 0) gears.changes.push(at);
     gear = now;

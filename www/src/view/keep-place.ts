@@ -3,6 +3,7 @@ import type { State, Store } from "../store";
 import { played } from "../store/results";
 import { distancesOf } from "./drive";
 import { drivenAt, durationOf, rowAt } from "./playback-time";
+import { nth } from "../scene/nth";
 
 /** Differences that nobody sees, as shares of the way. */
 const SAME = 1e-3;
@@ -37,7 +38,7 @@ function fractionAt(state: State, share: number): number {
     along = share * (stations.at(-1) ?? 0),
     low = rowAt(stations, along),
     next = Math.min(t.length - 1, low + 1);
-  const step = stations[next]! - stations[low]!,
-    part = step > 0 ? (along - stations[low]!) / step : 0;
-  return Math.min(1, (t[low]! + (t[next]! - t[low]!) * part) / durationOf(state));
+  const step = nth(stations, next) - nth(stations, low),
+    part = step > 0 ? (along - nth(stations, low)) / step : 0;
+  return Math.min(1, (nth(t, low) + (nth(t, next) - nth(t, low)) * part) / durationOf(state));
 }

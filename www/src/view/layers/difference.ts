@@ -3,6 +3,7 @@ import type { Plan } from "parkade";
 import type { Point } from "../../scene/geometry";
 import { inPixels, toScreen, type Frame, type Shown } from "../frame";
 import { fade } from "../tokens";
+import { nth } from "../../scene/nth";
 
 /** Poses looked at of each path. */
 const MOST = 400;
@@ -16,7 +17,7 @@ function pointsOf(plan: Plan): Point[] {
   const count = plan.path.length / 3,
     step = Math.max(1, Math.ceil(count / MOST)),
     points: Point[] = [];
-  for (let i = 0; i < count; i += step) points.push([plan.path[3 * i]!, plan.path[3 * i + 1]!]);
+  for (let i = 0; i < count; i += step) points.push([nth(plan.path, 3 * i), nth(plan.path, 3 * i + 1)]);
   sampled.set(plan, points);
   return points;
 }

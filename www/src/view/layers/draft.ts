@@ -12,6 +12,7 @@ import { fade } from "../tokens";
 import { drawBorderHandles } from "./border-handles";
 import { drawPoseCar } from "./cars";
 import { newPath } from "../surface";
+import { nth } from "../../scene/nth";
 
 export function drawDraft(frame: Frame): void {
   const { draft } = frame;
@@ -136,7 +137,7 @@ function drawLine(frame: Frame, preview: Extract<Preview, { kind: "line" }>): vo
   if (!closed) ctx.stroke(linePath(all));
   ctx.strokeStyle = colour.accent;
   ctx.lineWidth = pixels(frame, 1.5);
-  ctx.stroke(linePath(closing ? [...points, points[0]!] : points));
+  ctx.stroke(linePath(closing ? [...points, nth(points, 0)] : points));
   const last = points.at(-1);
   if (cursor && last && !closing) {
     ctx.strokeStyle = refused ? colour.err : colour.accent;
@@ -220,7 +221,7 @@ function drawSlotRow(frame: Frame, { slots, from, to, aisle }: Extract<Preview, 
     ctx.fillStyle = fade(colour.accent, i === outlines.length - 1 ? 0.04 : 0.09);
     ctx.fill(polygonPath(outline));
     linePath(i === 0 ? [nearLeft, farLeft, farRight, nearRight] : [farLeft, farRight], dividers);
-    if (i > 0) linePath(outerSide(outline, outlines[i - 1]!), dividers);
+    if (i > 0) linePath(outerSide(outline, nth(outlines, i - 1)), dividers);
   });
   ctx.lineJoin = "miter";
   ctx.lineWidth = pixels(frame, 1.5);

@@ -6,6 +6,7 @@ import { boxAt, clockOf } from "../playback-time";
 import { inPixels, toScreen, type Frame } from "../frame";
 import { labelFont, useFont } from "../text";
 import type { Point } from "../../scene/geometry";
+import { nth } from "../../scene/nth";
 
 export interface Mark {
   name: "A" | "B" | "C" | "D" | "S" | "W" | "E";
@@ -35,16 +36,16 @@ export function marksOf(frame: Frame, { waits, path, t }: Encounter): Mark[] {
   ).map(([name, at]): Mark => ({ name, of: "box", t: at, at: point(boxAt(box, at)) }));
   return [
     ...boxes,
-    { name: "S", of: "car", t: 0, at: [path[0]!, path[1]!] },
+    { name: "S", of: "car", t: 0, at: [nth(path, 0), nth(path, 1)] },
     { name: "W", of: "car", t: wait.from, at: point(wait.pose) },
-    { name: "E", of: "car", t: t[last]!, at: [path[3 * last]!, path[3 * last + 1]!] },
+    { name: "E", of: "car", t: nth(t, last), at: [nth(path, 3 * last), nth(path, 3 * last + 1)] },
   ];
 }
 
 function endOf({ points, speed, start = 0 }: NonNullable<Frame["state"]["scene"]["moving"]>[number]): number {
   let length = 0;
   for (let i = 1; i < points.length; i++)
-    length += Math.hypot(points[i]![0] - points[i - 1]![0], points[i]![1] - points[i - 1]![1]);
+    length += Math.hypot(nth(points, i)[0] - nth(points, i - 1)[0], nth(points, i)[1] - nth(points, i - 1)[1]);
   return start + length / speed;
 }
 
@@ -102,7 +103,7 @@ function strip(frame: Frame, { waits, t }: Encounter, marks: readonly Mark[]): v
   ] as const;
   for (const [of, name, y] of rows) {
     const own = marks.filter((mark) => mark.of === of),
-      from = own[0]!.t,
+      from = nth(own, 0).t,
       to = own.at(-1)!.t;
     ctx.fillStyle = colour.t2;
     ctx.fillText(name, 16, y + 4);

@@ -2,6 +2,7 @@
 import type { Point } from "../../scene/geometry";
 import { linePath } from "../frame";
 import { perSurface } from "../surface";
+import { nth } from "../../scene/nth";
 
 /** Poses closer than this, metres, are one point: a file may have very many. */
 const FINEST = 0.02;
@@ -15,7 +16,8 @@ export function metreLine(path: Float64Array): Path2D {
     for (let i = 0; i + 2 < path.length; i += 3) {
       const [x, y] = points.at(-1) ?? [Infinity, 0],
         isLast = i + 5 >= path.length;
-      if (isLast || Math.hypot(path[i]! - x, path[i + 1]! - y) >= FINEST) points.push([path[i]!, path[i + 1]!]);
+      if (isLast || Math.hypot(nth(path, i) - x, nth(path, i + 1) - y) >= FINEST)
+        points.push([nth(path, i), nth(path, i + 1)]);
     }
     lines().set(path, (line = linePath(points)));
   }

@@ -4,6 +4,7 @@ import { inMetres, inPixels, linePath, pixels, toScreen, type Frame } from "../f
 import type { Point } from "../../scene/geometry";
 import { newPath } from "../surface";
 import { fade } from "../tokens";
+import { nth } from "../../scene/nth";
 
 const CELL_PX = 1.6,
   CORNER_PX = 3.5,
@@ -14,8 +15,8 @@ export function drawStages(frame: Frame, raw: Float64Array, { pruned, arcs, shar
       ctx,
       tokens: { colour, planner },
     } = frame,
-    green = planner[2]!;
-  const cells: Point[] = Array.from({ length: raw.length / 2 }, (_, i) => [raw[2 * i]!, raw[2 * i + 1]!]);
+    green = nth(planner, 2);
+  const cells: Point[] = Array.from({ length: raw.length / 2 }, (_, i) => [nth(raw, 2 * i), nth(raw, 2 * i + 1)]);
   ctx.save();
   inMetres(frame);
   ctx.lineWidth = pixels(frame, 1);

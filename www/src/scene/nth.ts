@@ -1,0 +1,6 @@
+/** The value at a place that must be there: a list's, a string's or a column's. */
+export function nth<Value>(list: ArrayLike<Value>, place: number): Value {
+  const value = list[place];
+  if (value === undefined) throw new RangeError(`no value ${place} in a list of ${list.length}`);
+  return value;
+}
