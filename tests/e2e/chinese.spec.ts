@@ -1,6 +1,6 @@
 import { expect, test } from "@playwright/test";
 import { NAMES, english, expectChinese, set, textsOf, type Inside } from "./chinese";
-import { open, sceneOf, settled, type PlaygroundElement } from "./playground";
+import { answered, open, sceneOf, settled, type PlaygroundElement } from "./playground";
 
 test.use({ locale: "zh-CN" });
 
@@ -104,7 +104,7 @@ test("the Chinese page is Chinese: every scene, with its failures and waits", as
   });
   for (const id of ids) {
     await page.evaluate((one) => document.querySelector<Inside>("parkade-playground")!.app.openPreset(one), id);
-    await settled(page);
+    await answered(page);
     await expectChinese(page, id);
   }
 });
@@ -121,7 +121,7 @@ test("the Chinese page is Chinese: layers, cars' labels, the menu under the poin
   });
   for (const focus of planners) {
     await set(page, { planners: [focus, "four"], focus });
-    await settled(page);
+    await answered(page);
     for (const button of await page.locator("parkade-inspector").getByRole("button", { name: "更多设置" }).all())
       await button.click();
     await expectChinese(page, focus);

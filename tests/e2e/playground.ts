@@ -20,9 +20,10 @@ export interface PlaygroundElement extends HTMLElement {
       mode: string;
       lang: string;
       complete: boolean;
-      results: Record<string, { plan: Plan | null; chosen?: Plan | null; ordinary?: Plan | null }>;
+      results: Record<string, { status: string; plan: Plan | null; chosen?: Plan | null; ordinary?: Plan | null }>;
     };
     set(patch: Record<string, unknown>): void;
+    subscribe(listener: () => void): () => void;
   };
 }
 
@@ -61,6 +62,24 @@ export async function open(page: Page, hash = ""): Promise<void> {
 
 export function settled(page: Page): Promise<void> {
   return page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.settled());
+}
+
+/** Waits until every planner in sight has answered what the store holds now; `settled` waits until each has been timed as well. */
+export function answered(page: Page): Promise<void> {
+  return page.evaluate(
+    () =>
+      new Promise<void>((resolve) => {
+        const { store } = document.querySelector<PlaygroundElement>("parkade-playground")!;
+        const stop = store.subscribe(look);
+        function look(): void {
+          const { planners, results } = store.state;
+          if (!planners.every((one) => ["done", "error"].includes(results[one]?.status ?? ""))) return;
+          stop();
+          resolve();
+        }
+        look();
+      }),
+  );
 }
 
 export function sceneOf(page: Page): Promise<Scenario> {
