@@ -172,10 +172,10 @@ function thinned(points: readonly At[]): At[] {
 /** The drawing without what names and explains it, its colours by short names as rules for the page's stylesheet. */
 function shortened(svg: string): { rules: string; body: string } {
   const names = new Map<string, string>();
-  const short = svg.replace(
-    /\bk[0-9a-z]{8,}\b/g,
-    (name) => names.get(name) ?? (names.set(name, `poster-${names.size.toString(36)}`), names.get(name)!),
-  );
+  const short = svg.replace(/\bk[0-9a-z]{8,}\b/g, (name) => {
+    if (!names.has(name)) names.set(name, `poster-${names.size.toString(36)}`);
+    return names.get(name)!;
+  });
   const rules = /<style>([^]*?)<\/style>/.exec(short)?.[1] ?? "";
   const body = short
     .replace(

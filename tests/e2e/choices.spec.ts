@@ -1,9 +1,9 @@
 import { expect, test, type Page } from "@playwright/test";
-import { complaintsOf, open, settled, type PlaygroundElement } from "./playground.js";
+import { complaintsOf, open, settled, type PlaygroundElement, type Untyped } from "./playground.js";
 
 const chips = "parkade-panel[data-planner=hybrid] parkade-choices button";
 const shown = (element: PlaygroundElement): [number, number] => {
-  const { length, directionChanges } = (element.store as any).state.results.hybrid.plan.metrics;
+  const { length, directionChanges } = (element.store as Untyped).state.results.hybrid.plan.metrics;
   return [length, directionChanges];
 };
 
@@ -28,7 +28,7 @@ test("chips under hybrid's title show other paths and choose them; the link keep
   await expect
     .poll(() =>
       playground.evaluate(
-        (element: PlaygroundElement) => (element.store as any).state.preview?.plan.metrics.directionChanges,
+        (element: PlaygroundElement) => (element.store as Untyped).state.preview?.plan.metrics.directionChanges,
       ),
     )
     .toBe(0);
@@ -39,7 +39,7 @@ test("chips under hybrid's title show other paths and choose them; the link keep
   await expect(page.locator(chips).and(page.locator("[aria-pressed=true]"))).toHaveText(/52\.9 m · 0/);
   const chosen = await playground.evaluate(shown);
   const link = await playground.evaluate(
-    (element: PlaygroundElement) => (element as any).app.links.address(true) as Promise<string>,
+    (element: PlaygroundElement) => (element as Untyped).app.links.address(true) as Promise<string>,
   );
   const other = await context.newPage();
   await other.goto(link);
@@ -55,14 +55,14 @@ test("chips under hybrid's title show other paths and choose them; the link keep
 const watch = (element: PlaygroundElement): void => {
   const seen: unknown[] = [];
   Object.assign(window, { seen });
-  (element.store as any).subscribe(({ results, improving, transient }: any) => {
+  (element.store as Untyped).subscribe(({ results, improving, transient }: Untyped) => {
     const { cost, directionChanges } = results.hybrid?.plan?.metrics ?? {},
       next = JSON.stringify([cost, directionChanges, improving ?? null, transient]);
     if (seen.at(-1) !== next) seen.push(next);
   });
 };
 const seen = (page: Page): Promise<[number, number, string | null, boolean][]> =>
-  page.evaluate(() => (window as any).seen.map((text: string) => JSON.parse(text)));
+  page.evaluate(() => (window as Untyped).seen.map((text: string) => JSON.parse(text)));
 
 test("the first answer is drawn at once, cheaper ones replace it while a line runs, and a drag goes on from what is shown", async ({
   page,
@@ -76,7 +76,7 @@ test("the first answer is drawn at once, cheaper ones replace it while a line ru
   await playground.evaluate(watch);
   // The line may be gone before anybody looks.
   await choices.evaluate((element) => {
-    const lines: string[] = ((window as any).lines = []);
+    const lines: string[] = ((window as Untyped).lines = []);
     new MutationObserver(() => {
       if (element.hasAttribute("searching")) lines.push(getComputedStyle(element, "::before").height);
     }).observe(element, { attributes: true });
@@ -85,7 +85,7 @@ test("the first answer is drawn at once, cheaper ones replace it while a line ru
     element.scene = "perp-nose-3.6";
   });
   await settled(page);
-  await expect.poll(() => page.evaluate(() => (window as any).lines[0]), { timeout: 20_000 }).toBe("2px");
+  await expect.poll(() => page.evaluate(() => (window as Untyped).lines[0]), { timeout: 20_000 }).toBe("2px");
   await expect(page.locator(chips).first()).toBeVisible({ timeout: 20_000 });
   await expect(choices).not.toHaveAttribute("searching");
   // Those of the scene before cost 18.
@@ -102,7 +102,7 @@ test("the first answer is drawn at once, cheaper ones replace it while a line ru
     expect(title).toMatch(/shortest|No path can be shorter than 17\.3 m/);
   // A drag's first step keeps the path that is shown, not the planner's first answer.
   await playground.evaluate((element: PlaygroundElement) => {
-    const store = element.store as any,
+    const store = element.store as Untyped,
       { scene } = store.state;
     store.edit({ ...scene, start: { ...scene.start, x: scene.start.x + 0.02 } }, { transient: true });
   });
@@ -110,7 +110,9 @@ test("the first answer is drawn at once, cheaper ones replace it while a line ru
   await expect
     .poll(
       async () =>
-        await playground.evaluate((element: PlaygroundElement) => (element.store as any).state.results.hybrid.status),
+        await playground.evaluate(
+          (element: PlaygroundElement) => (element.store as Untyped).state.results.hybrid.status,
+        ),
     )
     .toBe("done");
   expect((await playground.evaluate(shown))[0]).toBeLessThan(23);
@@ -129,10 +131,10 @@ test("a path that cannot be shorter is said to be proven, and nothing runs for i
   await playground.evaluate(watch);
   await expect(page.locator(chips).first()).toBeVisible({ timeout: 20_000 });
   await playground.evaluate((element: PlaygroundElement) =>
-    (element.store as any).set({ prefer: { hybrid: "shortest" } }),
+    (element.store as Untyped).set({ prefer: { hybrid: "shortest" } }),
   );
   const { gapPercent, rsBound, length } = await playground.evaluate(
-    (element: PlaygroundElement) => (element.store as any).state.results.hybrid.plan.metrics,
+    (element: PlaygroundElement) => (element.store as Untyped).state.results.hybrid.plan.metrics,
   );
   expect(gapPercent).toBeCloseTo((length / rsBound - 1) * 100, 9);
   const title = await page.locator(chips).and(page.locator("[aria-pressed=true]")).getAttribute("title");
@@ -149,7 +151,7 @@ test("a drag and another scene end the search for alternatives, and old chips go
   await expect(page.locator(chips).first()).toBeVisible({ timeout: 20_000 });
   const playground = page.locator("parkade-playground");
   await playground.evaluate((element: PlaygroundElement) => {
-    const store = element.store as any,
+    const store = element.store as Untyped,
       { scene } = store.state;
     store.edit({ ...scene, start: { ...scene.start, x: scene.start.x + 0.3 } }, { transient: true });
   });
@@ -159,7 +161,7 @@ test("a drag and another scene end the search for alternatives, and old chips go
   });
   await settled(page);
   await expect
-    .poll(() => playground.evaluate((element: PlaygroundElement) => (element.store as any).state.preview))
+    .poll(() => playground.evaluate((element: PlaygroundElement) => (element.store as Untyped).state.preview))
     .toBe(null);
 });
 

@@ -1,11 +1,11 @@
 import { expect, test, type Page } from "@playwright/test";
 import type { Scenario } from "parkade";
-import { look, onScreen, open, sceneOf, settled, type PlaygroundElement } from "./playground.js";
+import { look, onScreen, open, sceneOf, settled, type PlaygroundElement, type Untyped } from "./playground.js";
 import { drag, openLot } from "./hands.js";
 
 test.use({ viewport: { width: 1400, height: 900 }, permissions: ["clipboard-read", "clipboard-write"] });
 
-const store = <T>(read: (state: Record<string, any>) => T): string =>
+const store = <T>(read: (state: Record<string, Untyped>) => T): string =>
   `(${read.toString()})(document.querySelector("parkade-playground").store.state)`;
 
 async function openPreset(page: Page, id: string): Promise<void> {
@@ -186,7 +186,7 @@ test("a shared link shows the scene as it was looked at", async ({ page }) => {
   await page.waitForFunction(
     () => document.querySelector<PlaygroundElement>("parkade-playground")!.store.state.complete,
   );
-  const looks = ({ mode, focus, planners, layers, playback, camera }: Record<string, any>) => ({
+  const looks = ({ mode, focus, planners, layers, playback, camera }: Record<string, Untyped>) => ({
     mode,
     focus,
     planners,
@@ -196,7 +196,7 @@ test("a shared link shows the scene as it was looked at", async ({ page }) => {
   });
   await page.evaluate(() => {
     const { store } = document.querySelector<PlaygroundElement>("parkade-playground")! as unknown as {
-      store: { state: Record<string, any>; set(patch: object): void };
+      store: { state: Record<string, Untyped>; set(patch: object): void };
     };
     store.set({
       mode: "overlay",

@@ -1,6 +1,15 @@
 import { expect, test, type Page } from "@playwright/test";
 import type { Goal, GoalSet, Plan, Scenario } from "parkade";
-import { complaintsOf, look, onScreen, open, sceneOf, settled, type PlaygroundElement } from "./playground.js";
+import {
+  complaintsOf,
+  look,
+  onScreen,
+  open,
+  sceneOf,
+  settled,
+  type PlaygroundElement,
+  type Untyped,
+} from "./playground.js";
 
 test.use({ viewport: { width: 1400, height: 900 } });
 
@@ -66,7 +75,7 @@ test("any free slot is led to by every planner, its slot is coloured, and undo a
   const [inTaken, inOther] = [await colourAt(page, 16.8, 5.6), await colourAt(page, 32.8, 5.6)];
   expect(inTaken).not.toBe(inOther);
   await page.evaluate(() => {
-    const { store } = document.querySelector<PlaygroundElement>("parkade-playground")! as any,
+    const { store } = document.querySelector<PlaygroundElement>("parkade-playground")! as Untyped,
       { scene } = store.state;
     store.edit({
       ...scene,

@@ -1,5 +1,5 @@
 import { expect, test } from "@playwright/test";
-import { complaintsOf, look, open, settled, type PlaygroundElement } from "./playground.js";
+import { complaintsOf, look, open, settled, type PlaygroundElement, type Untyped } from "./playground.js";
 import { drag } from "./hands.js";
 
 const hint = "parkade-hints div:not(.out)";
@@ -18,7 +18,7 @@ test("one sentence after another leads from the first drag to a wall and to a pl
   await expect(page.locator(hint)).toContainText("Drag me");
   const { x, y } = await page.evaluate(
     () =>
-      (document.querySelector<PlaygroundElement>("parkade-playground")!.store as any).state.geometry.goal as {
+      (document.querySelector<PlaygroundElement>("parkade-playground")!.store as Untyped).state.geometry.goal as {
         x: number;
         y: number;
       },
@@ -116,7 +116,7 @@ test.describe("on a phone", () => {
     const title = page.locator("parkade-stage .title");
     const focus = () =>
       page.evaluate(
-        () => (document.querySelector<PlaygroundElement>("parkade-playground")!.store.state as any).focus as string,
+        () => (document.querySelector<PlaygroundElement>("parkade-playground")!.store.state as Untyped).focus as string,
       );
     expect(await focus()).toBe("hybrid");
     const box = (await title.boundingBox())!,

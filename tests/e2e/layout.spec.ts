@@ -1,5 +1,5 @@
 import { expect, test, type Locator, type Page } from "@playwright/test";
-import { complaintsOf, open, settled, type PlaygroundElement } from "./playground.js";
+import { complaintsOf, open, settled, type PlaygroundElement, type Untyped } from "./playground.js";
 
 const DESKTOPS = [
   [1024, 768],
@@ -59,7 +59,7 @@ async function expectReachable(target: Locator, name: string): Promise<void> {
 
 async function showPlanners(page: Page, count: number): Promise<void> {
   await page.evaluate(async (wanted) => {
-    const element = document.querySelector<PlaygroundElement>("parkade-playground")! as any;
+    const element = document.querySelector<PlaygroundElement>("parkade-playground")! as Untyped;
     await element.app.complete();
     element.store.set({
       planners: element.app.catalog.planners.slice(0, wanted).map(({ id }: { id: string }) => id),
@@ -184,7 +184,7 @@ test("titles stay in their cells, and the list of planners off the cars, with an
       );
       await page.waitForFunction(
         () =>
-          (document.querySelector("parkade-playground") as any).shadowRoot
+          (document.querySelector("parkade-playground") as Untyped).shadowRoot
             .querySelector("parkade-stage")
             .shadowRoot.querySelector("parkade-scene-view")?.view,
       );
@@ -196,7 +196,7 @@ test("titles stay in their cells, and the list of planners off the cars, with an
 /** Which of the two cars an element of the stage covers, by their outlines' corners and middles. */
 function carsUnder(page: Page, query: string): Promise<string[]> {
   return page.evaluate((selector) => {
-    const element = document.querySelector<PlaygroundElement>("parkade-playground")! as any;
+    const element = document.querySelector<PlaygroundElement>("parkade-playground")! as Untyped;
     const stage = element.shadowRoot.querySelector("parkade-stage").shadowRoot,
       list = stage.querySelector(selector).getBoundingClientRect();
     const map = stage.querySelector("parkade-scene-view"),
@@ -246,12 +246,12 @@ test("a tool's settings lie over no map, and the scene's name is whole from 1280
     if (width < 1280) continue;
     const ids = await page.evaluate(
       () =>
-        (document.querySelector<PlaygroundElement>("parkade-playground")! as any).app.catalog.scenarios.map(
+        (document.querySelector<PlaygroundElement>("parkade-playground")! as Untyped).app.catalog.scenarios.map(
           ({ id }: { id: string }) => id,
         ) as string[],
     );
     const cut = await page.evaluate(async (all) => {
-      const element = document.querySelector<PlaygroundElement>("parkade-playground")! as any,
+      const element = document.querySelector<PlaygroundElement>("parkade-playground")! as Untyped,
         bar = element.shadowRoot.querySelector("parkade-toolbar");
       const wrong: string[] = [];
       for (const id of all) {

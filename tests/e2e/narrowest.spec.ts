@@ -1,5 +1,5 @@
 import { expect, test } from "@playwright/test";
-import { complaintsOf, open, settled, type PlaygroundElement } from "./playground.js";
+import { complaintsOf, open, settled, type PlaygroundElement, type Untyped } from "./playground.js";
 
 test.use({ viewport: { width: 1400, height: 900 } });
 
@@ -39,7 +39,8 @@ test("a path that keeps less than the margin asked for says how much, and where;
   const place = () =>
     page.evaluate(
       () =>
-        (document.querySelector<PlaygroundElement>("parkade-playground")!.store as any).state.preview?.place ?? null,
+        (document.querySelector<PlaygroundElement>("parkade-playground")!.store as Untyped).state.preview?.place ??
+        null,
     );
   await page.locator(sentence).hover();
   expect(await place()).toMatchObject({ body: [expect.any(Number), expect.any(Number)] });

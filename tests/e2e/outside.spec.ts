@@ -1,7 +1,15 @@
 import { expect, test, type Page } from "@playwright/test";
 import type { Scenario } from "parkade";
 import type { Embed } from "./embed";
-import { complaintsOf, expectFourAnswers, open, sceneOf, settled, type PlaygroundElement } from "./playground.js";
+import {
+  complaintsOf,
+  expectFourAnswers,
+  open,
+  sceneOf,
+  settled,
+  type PlaygroundElement,
+  type Untyped,
+} from "./playground.js";
 
 test.use({ viewport: { width: 1400, height: 900 } });
 
@@ -16,7 +24,7 @@ const looksOf = (page: Page) =>
   page.evaluate(() => {
     const { mode, focus, planners, layers, playback, camera } = (
       document.querySelector<PlaygroundElement>("parkade-playground")! as unknown as {
-        store: { state: Record<string, any> };
+        store: { state: Record<string, Untyped> };
       }
     ).store.state;
     return { mode, focus, planners, layers, base: playback.base, fraction: playback.fraction, camera };
@@ -255,7 +263,7 @@ test.describe("in a frame", () => {
     const { planners, mode, theme, speed } = await page.frames()[1]!.evaluate(() => {
       const inner = document
         .querySelector("parkade-playground")!
-        .shadowRoot!.querySelector("parkade-embedded") as unknown as { store: { state: Record<string, any> } };
+        .shadowRoot!.querySelector("parkade-embedded") as unknown as { store: { state: Record<string, Untyped> } };
       const { state } = inner.store;
       return {
         planners: state["planners"],

@@ -27,6 +27,10 @@ export interface PlaygroundElement extends HTMLElement {
   };
 }
 
+/** Insides of the page that a test reads as they are. */
+// biome-ignore lint/suspicious/noExplicitAny: a type for what one test reads once would say nothing
+export type Untyped = any;
+
 /** Collects everything the page complains about. */
 export function complaintsOf(page: Page): string[] {
   const complaints: string[] = [];

@@ -8,6 +8,7 @@ import {
   sceneOf,
   settled,
   type PlaygroundElement,
+  type Untyped,
 } from "./playground.js";
 
 test.use({ viewport: { width: 1400, height: 900 } });
@@ -35,7 +36,7 @@ async function draw(page: Page): Promise<void> {
   await look(page, 12, 10, 30);
   await page.evaluate(() => {
     const { store } = document.querySelector("parkade-playground") as unknown as {
-      store: { state: { scene: Record<string, any> }; edit(scene: object, options: object): void };
+      store: { state: { scene: Record<string, Untyped> }; edit(scene: object, options: object): void };
     };
     const { scene } = store.state;
     store.edit(
@@ -48,7 +49,7 @@ async function draw(page: Page): Promise<void> {
   await page.keyboard.press("Escape");
   await page.evaluate(() => {
     const { store } = document.querySelector("parkade-playground") as unknown as {
-      store: { state: { scene: Record<string, any> }; edit(scene: object, options: object): void };
+      store: { state: { scene: Record<string, Untyped> }; edit(scene: object, options: object): void };
     };
     const { scene } = store.state;
     store.edit(

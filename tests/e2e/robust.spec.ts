@@ -1,6 +1,14 @@
 import { AxeBuilder } from "@axe-core/playwright";
 import { expect, test, type Page } from "@playwright/test";
-import { expectFourAnswers, hashesOf, open, sceneOf, settled, type PlaygroundElement } from "./playground.js";
+import {
+  expectFourAnswers,
+  hashesOf,
+  open,
+  sceneOf,
+  settled,
+  type PlaygroundElement,
+  type Untyped,
+} from "./playground.js";
 
 test.use({ viewport: { width: 1400, height: 900 } });
 
@@ -140,7 +148,7 @@ test("a spent budget is said in words, and the last path stays in sight", async 
     await element.updateComplete;
     await element.settled();
     // An edit: a scene that is opened anew keeps no path of the one before.
-    (element as any).store.edit(
+    (element as Untyped).store.edit(
       { ...element.sceneData, planners: { hybrid: { maxExpansions: 5 } } },
       { label: "params" },
     );

@@ -10,6 +10,7 @@ import {
   sceneOf,
   settled,
   type PlaygroundElement,
+  type Untyped,
 } from "./playground.js";
 
 test.use({ viewport: { width: 1400, height: 900 }, permissions: ["clipboard-read", "clipboard-write"] });
@@ -26,7 +27,7 @@ interface Driven {
 const driven = (page: Page): Promise<Driven | null> =>
   page.evaluate(() => {
     const { state } = document.querySelector<PlaygroundElement>("parkade-playground")!.store as unknown as {
-      state: { focus: string; results: Record<string, any> };
+      state: { focus: string; results: Record<string, Untyped> };
     };
     const result = state.results[state.focus];
     if (!result?.smoothed || result.smoothed.of !== result.plan) return null;
@@ -43,7 +44,7 @@ const driven = (page: Page): Promise<Driven | null> =>
 const made = (page: Page) =>
   page.evaluate(() => {
     const { state } = document.querySelector<PlaygroundElement>("parkade-playground")!.store as unknown as {
-      state: { focus: string; results: Record<string, any> };
+      state: { focus: string; results: Record<string, Untyped> };
     };
     const { path, directions, curvatures, metrics } = state.results[state.focus].plan,
       { hash } = state.results[state.focus].smoothed.trajectory;
@@ -145,7 +146,7 @@ test("the planned path stays visible, thinner, under the trajectory", async ({ p
   // Without the plan that it was made of nothing else changes.
   await page.evaluate(() => {
     const { store } = document.querySelector<PlaygroundElement>("parkade-playground")! as unknown as {
-      store: { state: { results: Record<string, any> }; set(patch: object): void };
+      store: { state: { results: Record<string, Untyped> }; set(patch: object): void };
     };
     const { hybrid } = store.state.results;
     hybrid.smoothed.of.path = new Float64Array(6);

@@ -52,7 +52,7 @@ function driveIn(seconds: number, middle = 5): Drive {
   const t = Float64Array.of(0, seconds / 2, seconds),
     stations = Float64Array.of(0, middle, 10),
     none = new Float64Array(3);
-  const path = Float64Array.from(stations.map((x) => x)).reduce<number[]>((all, x) => [...all, x, 0, 0], []);
+  const path = [...stations].flatMap((x) => [x, 0, 0]);
   return { t, path: Float64Array.from(path), stations, speeds: none, accelerations: none, steering: none, hash: "" };
 }
 

@@ -193,7 +193,12 @@ export async function planned(pool, tasks, jobs, each, limit) {
       const ended = await inTime(pool, group, limit);
       if (ended === "late") {
         if (group.length === 1 && first && limit) each(...late(first, limit));
-        else for (const task of group.reverse()) left.push(task), alone.add(task);
+        else {
+          for (const task of group.reverse()) {
+            left.push(task);
+            alone.add(task);
+          }
+        }
         continue;
       }
       const { done, ms } = ended;

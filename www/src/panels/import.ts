@@ -202,7 +202,7 @@ export class ImportBar extends AppElement {
       opened,
       state: { lang, scene },
     } = this;
-    if (!opened || !opened.scenes.some((one) => one.map === scene.map)) return nothing;
+    if (!opened?.scenes.some((one) => one.map === scene.map)) return nothing;
     const { queries, scenes, name } = opened;
     const many = queries.length || scenes.length;
     if (many < 2) return nothing;

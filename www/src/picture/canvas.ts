@@ -54,6 +54,7 @@ const ANCHORS: Record<string, string> = { center: ' text-anchor="middle"', right
 /** About what a digit of a label is wide: nothing measures text in a file. */
 const DIGIT = 6.7;
 
+// biome-ignore lint/correctness/noUnusedVariables: it gives the class below its fields
 interface Pen extends Settings {}
 
 class Pen {

@@ -26,7 +26,10 @@ export class ColourTable {
     const total = rest.reduce((sum, one) => sum + one.length, 0);
     if (total === 0) return;
     const all = new Uint32Array(total);
-    rest.reduce((at, one) => (all.set(one, at), at + one.length), 0);
+    rest.reduce((at, one) => {
+      all.set(one, at);
+      return at + one.length;
+    }, 0);
     const others = quantize(new Uint8ClampedArray(all.buffer), COLOURS - EXACT, { format: "rgb565" });
     this.colours.push(...others.map(([red = 0, green = 0, blue = 0]): [number, number, number] => [red, green, blue]));
   }

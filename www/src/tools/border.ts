@@ -165,7 +165,7 @@ function sideAt(bench: Bench, input: Input): Side | null {
   );
   if (!found) return null;
   const hit = hitAt(bench, input, null);
-  if (!hit || hit.part !== "object") return hit ? null : found.side;
+  if (hit?.part !== "object") return hit ? null : found.side;
   const { selection } = hit,
     thing = "id" in selection ? findThing(scene, selection.id)?.thing : null;
   const isCar = !thing || ("kind" in thing ? thing.occupied : !("type" in thing) || thing.type === "car");

@@ -19,7 +19,7 @@ export class CarTool implements Tool {
   }
 
   hover(bench: Bench, input: Input | null): void {
-    if (input && input.touch) return;
+    if (input?.touch) return;
     this.show(bench, input ? input.at : null);
   }
 

@@ -55,7 +55,7 @@ const MOST_LINES = 2000;
 function multiples(step: number, from: number, to: number): number[] {
   const first = Math.ceil(from / step),
     count = Math.min(MOST_LINES, Math.floor(to / step) - first + 1);
-  return Array.from({ length: count > 0 ? count : 0 }, (_, i) => (first + i) * step);
+  return Array.from({ length: Math.max(count, 0) }, (_, i) => (first + i) * step);
 }
 
 /** The border is a wall. It lies outside the floor, whose edge is where a car touches. */

@@ -13,7 +13,7 @@ const FILL = 0.15,
 /** Only of paths the car can drive: elsewhere the hits are what matters. */
 export function drawSweep(frame: Frame, shown: Shown): void {
   const { plan, planner } = shown;
-  if (!plan || !plan.check.drivable || plan.path.length < 6) return;
+  if (!plan?.check.drivable || plan.path.length < 6) return;
   const { ctx } = frame;
   if (plan.path.length > LONG && vast()?.drawLongSweep(frame, shown)) return;
   const area = sweptArea(plan, frame.resolved.vehicle),
