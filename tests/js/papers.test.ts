@@ -69,7 +69,49 @@ describe("the papers' pages", () => {
         ),
         id,
       ).toBe(true);
+      const sentences = blocks.flatMap((block) =>
+        block.kind === "list" ? block.items : block.kind === "text" ? [block.text] : [],
+      );
+      expect(
+        sentences.filter((one) => !/[\u4e00-\u9fff]/.test(one)),
+        id,
+      ).toEqual([]);
     }
+  });
+
+  it("say in both languages what each printed figure shows", () => {
+    for (const pages of [en, zh])
+      for (const { id, blocks } of pages)
+        for (const block of blocks) {
+          if (block.kind !== "figure" || !/^(Figure|图) ?\d/.test(block.figure.caption)) continue;
+          expect(block.figure.printed, `${id} ${block.figure.id}`).toMatch(
+            pages === en ? /^Printed: .+Here/ : /^论文：.+此处/,
+          );
+        }
+  });
+
+  it("lead from each scene's name to the scene", () => {
+    const codes = (text: string): string[] => [...text.matchAll(/<<([^>]+)>>/g)].map(([, code]) => code!);
+    const named = en.map(
+      ({ id, blocks }) =>
+        [
+          id,
+          codes(
+            markdown(
+              blocks,
+              () => "",
+              (code) => `<<${code}>>`,
+            ),
+          ),
+        ] as const,
+    );
+    const rows: Readonly<Record<string, readonly string[]>> = {
+      "risk-field": ["fig8-30", "fig8-60", "fig8-100", "fig9-30", "fig9-60", "fig9-100"],
+      sixteen: ["fig8-30", "fig8-60", "fig8-100", "fig9-30", "fig9-60", "fig9-100"],
+      parking: ["P0", "P1", "P2", "P3", "P4", "L0", "L1", "L2", "L3", "L4"],
+      road: ["road-straight", "road-curve", "road-crossing", "road-narrow"],
+    };
+    for (const [id, found] of named) expect(found, id).toEqual(expect.arrayContaining([...rows[id]!]));
   });
 
   it("judge every claim", () => {
@@ -89,7 +131,12 @@ describe("the papers' pages", () => {
     expect(figures.map(({ id }) => id)).toEqual(
       expect.arrayContaining([
         "fig2",
-        "stages",
+        "fig1",
+        "fig3",
+        "fig4",
+        "fig5",
+        "fig6",
+        "fig7",
         "potential",
         "fig8-30",
         "fig8-60",
@@ -97,7 +144,10 @@ describe("the papers' pages", () => {
         "fig9-30",
         "fig9-60",
         "fig9-100",
-        "fig4",
+        "fig4-volumes",
+        "fig7-steering",
+        "fig8",
+        "fig9",
         "fig10",
         "fig11",
         "fig12",
@@ -114,7 +164,17 @@ describe("the papers' pages", () => {
     );
     expect(figures.find(({ id }) => id === "road-fig1")!.svg!.match(/<rect/g)!.length).toBe(20);
     const drawn = (id: string): string => picture(figures.find((one) => one.id === id)!);
-    expect(drawn("stages").match(/<circle/g)!.length).toBeGreaterThan(20);
+    expect(new Set(figures.map(({ id }) => id)).size).toBe(figures.length);
+    // Cells and kept points; the letters of the construction; arcs.
+    expect(drawn("fig5").match(/<circle/g)!.length).toBeGreaterThan(20);
+    for (const letter of ["S", "Q", "P", "B"]) expect(drawn("fig6")).toContain(`>${letter}<`);
+    expect(drawn("fig7").match(/ 0 0 [01] /g)!.length).toBeGreaterThan(3);
+    // Both safety spaces, the three paths, and the ends in blue and red.
+    for (const ink of ["#F2C37B", "#C9B3DE", "#D55E00", "#0072B2", "#009E73", "#B3261E"])
+      expect(drawn("fig9-60")).toContain(`"${ink}"`);
+    // Three cells of a region, and one or two beyond them.
+    expect(drawn("fig4").match(/fill="#BFE3D6"/g)!.length).toBe(9);
+    expect(drawn("fig4").match(/fill="#F2C37B"/g)!.length).toBe(4);
     expect(drawn("potential").match(/<polyline/g)!.length).toBeGreaterThan(15);
     for (const mark of "ABCDSWE") expect(drawn("fig16")).toContain(`>${mark}</text>`);
     for (const { id } of figures.filter(({ scene }) => !scene.startsWith("road")))

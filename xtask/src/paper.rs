@@ -1,6 +1,6 @@
 //! `cargo xtask paper grid`, `road` and `parking`: the papers' tables beside ours; `settings` and `volumes` beside
-//! them; `comparison`: the road manuscript's comparison with other algorithms; `all`: everything with figures, as
-//! one Markdown and one HTML file.
+//! them; `comparison`: the road manuscript's comparison with other algorithms; `verdicts`: every claim and how it is
+//! judged, the same bytes on any machine; `all`: everything with figures, as one Markdown and one HTML file.
 
 use std::fs;
 
@@ -17,11 +17,11 @@ pub(crate) fn paper(arguments: &[String]) -> Result<()> {
         let folder = Workspace::load()?.target.join("papers");
         return run(node().arg("tests/bench/papers.mjs").arg(folder).args(rest));
     }
-    if let [word] = arguments
-        && word == "comparison"
+    if let [word, rest @ ..] = arguments
+        && (word == "verdicts" || word == "comparison" && rest.is_empty())
     {
         site::package()?;
-        return run(node().arg("tests/bench/papers.mjs").arg("comparison"));
+        return run(node().arg("tests/bench/papers.mjs").arg(word).args(rest));
     }
     let mut example = cargo();
     example.args(["run", "--quiet", "--release", "--locked", "--example", "paper", "--"]).args(arguments);

@@ -6,9 +6,11 @@ export interface Figure {
   id: string;
   scene: string;
   planners: readonly string[];
-  /** What is drawn over the map besides paths. */
-  draws?: "stages" | "potential" | "marks";
+  /** What is drawn over the map besides paths, or in their place. */
+  draws?: "pruned" | "tangents" | "smoothed" | "spaces" | "potential" | "marks";
   caption: string;
+  /** What the printed figure shows, and what is different here. */
+  printed?: string;
   /** A picture that shows no scene. */
   svg?: string;
 }
@@ -30,25 +32,34 @@ export const table = (head: string[], rows: (string | number)[][]): Block => ({
 });
 export const figure = (one: Figure): Block => ({ kind: "figure", figure: one });
 
+/** The heads of a table of claims. */
+const VERDICTS: readonly (string | undefined)[] = ["verdict", "判定"];
+export const isClaims = (block: Block): boolean => block.kind === "table" && VERDICTS.includes(block.head[1]);
+
 const cell = (words: string): string => words.replaceAll("|", "\\|");
 
-/** `show` writes a figure. */
-export function markdown(blocks: readonly Block[], show: (figure: Figure) => string): string {
+/** `show` writes a figure; `named` writes what stands as `code`, such as a scene's name. */
+export function markdown(
+  blocks: readonly Block[],
+  show: (figure: Figure) => string,
+  named: (code: string) => string = (code) => `\`${code}\``,
+): string {
+  const linked = (words: string): string => words.replace(/`([^`]+)`/g, (_, code: string) => named(code));
   return `${blocks
     .map((block) => {
       switch (block.kind) {
         case "heading":
           return `${"#".repeat(block.level)} ${block.text}`;
         case "text":
-          return block.text;
+          return linked(block.text);
         case "list":
-          return block.items.map((item) => `* ${item}`).join("\n");
+          return block.items.map((item) => `* ${linked(item)}`).join("\n");
         case "table":
           return [block.head, block.head.map(() => "---"), ...block.rows]
-            .map((row) => `| ${row.map(cell).join(" | ")} |`)
+            .map((row) => `| ${row.map((one) => linked(cell(one))).join(" | ")} |`)
             .join("\n");
         case "figure":
-          return show(block.figure);
+          return [show(block.figure), ...(block.figure.printed ? [linked(block.figure.printed)] : [])].join("\n\n");
       }
     })
     .join("\n\n")}\n`;
@@ -56,10 +67,22 @@ export function markdown(blocks: readonly Block[], show: (figure: Figure) => str
 
 export const escaped = (words: string): string =>
   words.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;");
-const inline = (words: string): string => escaped(words).replace(/`([^`]+)`/g, "<code>$1</code>");
 
-/** `picture` gives a figure's SVG. */
-export function html(blocks: readonly Block[], picture: (figure: Figure) => string): string {
+/** Per scene the first figure that shows it. */
+export function firstFigures(blocks: readonly Block[]): Map<string, string> {
+  const first = new Map<string, string>();
+  for (const block of blocks)
+    if (block.kind === "figure" && block.figure.scene && !first.has(block.figure.scene))
+      first.set(block.figure.scene, block.figure.id);
+  return first;
+}
+
+/** `picture` gives a figure's SVG; a scene's name leads to the scene's first figure. Anchors begin with `prefix`. */
+export function html(blocks: readonly Block[], picture: (figure: Figure) => string, prefix: string): string {
+  const drawn = firstFigures(blocks);
+  const named = (code: string): string =>
+    drawn.has(code) ? `<a href="#${prefix}${drawn.get(code)}"><code>${code}</code></a>` : `<code>${code}</code>`;
+  const inline = (words: string): string => escaped(words).replace(/`([^`]+)`/g, (_, code: string) => named(code));
   return blocks
     .map((block) => {
       switch (block.kind) {
@@ -72,7 +95,7 @@ export function html(blocks: readonly Block[], picture: (figure: Figure) => stri
         case "table":
           return `<table><thead><tr>${block.head.map((one) => `<th>${inline(one)}</th>`).join("")}</tr></thead><tbody>${block.rows.map((row) => `<tr>${row.map((one) => `<td>${inline(one)}</td>`).join("")}</tr>`).join("")}</tbody></table>`;
         case "figure":
-          return `<figure>${picture(block.figure)}<figcaption>${inline(block.figure.caption)}</figcaption></figure>`;
+          return `<figure id="${prefix}${block.figure.id}">${picture(block.figure)}<figcaption>${inline(block.figure.caption)}${block.figure.printed ? `<br>${inline(block.figure.printed)}` : ""}</figcaption></figure>`;
       }
     })
     .join("\n");

@@ -1,6 +1,6 @@
 /** The papers' pages: their tables beside ours, computed anew while the site is built, with figures that can be played with. */
-import { init } from "../../../pkg/node.js";
-import { escaped, markdown, type Block, type Figure, type Lang } from "./blocks";
+import { init, scenarios } from "../../../pkg/node.js";
+import { escaped, heading, isClaims, markdown, type Block, type Figure, type Lang } from "./blocks";
 import { comparison, comparisonBlocks } from "./comparison";
 import { measure, type Measured } from "./measure";
 import { parking } from "./parking";
@@ -16,7 +16,7 @@ export interface Page {
   blocks: Block[];
 }
 
-export { escaped, html, markdown } from "./blocks";
+export { escaped, firstFigures, html, markdown } from "./blocks";
 export { picture } from "./figures";
 
 let kept: Measured | null = null;
@@ -28,23 +28,47 @@ export async function pages(lang: Lang, seeds = SEEDS): Promise<Page[]> {
   return [riskField(lang, measured), sixteen(lang, measured), parking(lang, measured), road(lang, measured)];
 }
 
+/** The claims of all pages alone, each with its verdict and what it is judged by. */
+export async function verdicts(lang: Lang, seeds = SEEDS): Promise<Block[]> {
+  return (await pages(lang, seeds)).flatMap(({ title, blocks }) => [heading(2, title), ...blocks.filter(isClaims)]);
+}
+
 /** The road manuscript's comparison with other algorithms alone. */
 export async function compared(lang: Lang): Promise<Block[]> {
   await init();
   return comparisonBlocks(lang, comparison());
 }
 
+/** Layers of the playground that show what a figure draws. */
+const LAYERS: Readonly<Partial<Record<NonNullable<Figure["draws"]>, string>>> = {
+  pruned: "slots obstacles path tree grid",
+  tangents: "slots obstacles path tree grid",
+  smoothed: "slots obstacles path tree grid",
+  potential: "slots obstacles path tree grid",
+  spaces: "slots obstacles path redundant grid",
+};
+
+/** A scene's name opens the scene in a playground of its own; other code stays. */
+const linked =
+  (lang: Lang, known: ReadonlySet<string>) =>
+  (code: string): string =>
+    known.has(code)
+      ? `<a href="${lang === "zh" ? "../" : ""}../../embed.html#scene=${code}&amp;controls=full&amp;lang=${lang}" target="_self"><code>${code}</code></a>`
+      : `\`${code}\``;
+
 const playground =
   (lang: Lang) =>
   ({ scene, planners, draws, caption, svg }: Figure): string =>
     svg !== undefined
       ? `<figure class="drawn">${svg}<figcaption>${escaped(caption)}</figcaption></figure>`
-      : `<parkade-playground scene="${scene}" planners="${planners.join(" ")}" layout="${planners.length > 1 ? "grid" : "single"}" controls="minimal" editable lang="${lang}"${draws === "stages" || draws === "potential" ? ' layers="slots obstacles path tree grid"' : ""} alt="${caption.replaceAll('"', "")}"></parkade-playground>\n\n*${caption}*`;
+      : `<parkade-playground scene="${scene}" planners="${planners.join(" ")}" layout="${planners.length > 1 ? "grid" : "single"}" controls="minimal" editable lang="${lang}"${draws && LAYERS[draws] ? ` layers="${LAYERS[draws]}"` : ""} alt="${caption.replaceAll('"', "")}"></parkade-playground>\n\n*${caption}*`;
 
 /** For the site. */
 export async function papers(lang: Lang = "en"): Promise<{ params: { id: string; title: string }; content: string }[]> {
-  return (await pages(lang)).map(({ id, title, blocks }) => ({
+  const all = await pages(lang),
+    known = new Set(scenarios().map(({ id }) => id));
+  return all.map(({ id, title, blocks }) => ({
     params: { id, title },
-    content: markdown(blocks, playground(lang)).replaceAll("{{", "{ {"),
+    content: markdown(blocks, playground(lang), linked(lang, known)).replaceAll("{{", "{ {"),
   }));
 }

@@ -1,8 +1,8 @@
 /** The road manuscript's page. */
-import { readFileSync } from "node:fs";
 import type { RoadTable } from "parkade";
 import { figure, heading, list, table, text, type Block, type Lang } from "./blocks";
-import { layersPicture } from "./figures";
+import roadWords from "../../../www/src/i18n/messages/papers-road.json";
+import { layersPicture } from "./drawings";
 import { comparison, comparisonBlocks } from "./comparison";
 import { claims, fixed, words, type Measured } from "./measure";
 import type { Page } from "./index";
@@ -51,9 +51,8 @@ export function road(lang: Lang, { road: all, verdicts }: Measured): Page {
       }),
     ),
   ];
-  const flags = JSON.parse(
-    readFileSync(new URL("../../../tests/data/paper-tables-road.json", import.meta.url), "utf8"),
-  ) as { flags: string[] };
+  const at = lang === "zh" ? 1 : 0,
+    flags = Object.entries(roadWords).filter(([key]) => /^papersRoad\.flag\d/.test(key));
   return {
     id: "road",
     title,
@@ -88,6 +87,10 @@ export function road(lang: Lang, { road: all, verdicts }: Measured): Page {
               ],
         ),
         caption: t("Figure 1: the system in four layers", "图 1：系统的四层架构"),
+        printed: t(
+          "Printed: the only figure of the manuscript, four layers of boxes joined by arrows: input, preparation, core, output. Here the same boxes with their words; its scenes have no picture.",
+          "论文：手稿唯一的插图，输入、预处理、核心算法、输出四层方框，以箭头相连。此处方框与文字相同；其场景没有插图。",
+        ),
       }),
       ...["road-straight", "road-curve", "road-crossing", "road-narrow"].map((scene, i) =>
         figure({
@@ -101,7 +104,7 @@ export function road(lang: Lang, { road: all, verdicts }: Measured): Page {
       ...TABLES.flatMap(compared),
       ...comparisonBlocks(lang, comparison()),
       heading(2, t("What its numbers cannot be", "数据的矛盾")),
-      list(flags.flags),
+      list(flags.map(([, both]) => both[at]!)),
     ],
   };
 }
