@@ -216,7 +216,12 @@ impl Body {
 
     /// Distance from the body to the nearest obstacle, metres, at most [`FAR`]; 0 where it overlaps.
     pub fn clearance(&self, pose: Pose) -> f64 {
-        if self.hit(pose).is_some() { 0.0 } else { self.room(pose, self.buckets.side, FAR) }
+        self.clearance_within(pose, FAR)
+    }
+
+    /// The same, at most `most` metres: the less, the sooner it is known.
+    pub(crate) fn clearance_within(&self, pose: Pose, most: f64) -> f64 {
+        if self.hit(pose).is_some() { 0.0 } else { self.room(pose, self.buckets.side, most) }
     }
 
     /// Distance to the nearest obstacle where nothing is hit, metres, at most `most`; faster the nearer above it

@@ -184,6 +184,7 @@ pub fn road_claims(tables: &[Value]) -> Result<Vec<Claim>, Error> {
 mod tests {
     use serde_json::json;
 
+    use super::super::claims::Figure;
     use super::*;
 
     fn still() -> f64 {
@@ -201,7 +202,10 @@ mod tests {
         for claim in &claims {
             println!("{}: {:?} – {}", claim.id, claim.figures, claim.holds);
         }
-        assert_eq!(claims.iter().map(|c| c.id).collect::<String>(), "K1K2K3K4K5");
+        let holds: Vec<_> = claims.iter().map(|claim| (claim.id, claim.holds)).collect();
+        assert_eq!(holds, [("K1", "no"), ("K2", "no"), ("K3", "yes"), ("K4", "yes"), ("K5", "yes")]);
+        let work = ["forward", "reverse", "worse"].map(|name| claims[2].figures[name]);
+        assert_eq!(work, [6749.0, 513.0, 0.0].map(Figure::Number));
         // Row by row, a tree from the slot is far smaller.
         for id in ["L0", "P4", "P0"] {
             let table = tables.iter().find(|t| t["row"]["id"] == id).unwrap();
@@ -223,6 +227,7 @@ mod tests {
         for claim in &claims {
             println!("{}: {:?} – {}", claim.id, claim.figures, claim.holds);
         }
-        assert!(claims.iter().all(|c| ["yes", "partly", "no"].contains(&c.holds)) && claims.len() == 5);
+        let holds: Vec<_> = claims.iter().map(|claim| (claim.id, claim.holds)).collect();
+        assert_eq!(holds, [("R1", "partly"), ("R2", "yes"), ("R3", "partly"), ("R4", "yes"), ("R5", "no")]);
     }
 }

@@ -20,7 +20,7 @@ use crate::geometry::{Point, Pose, Vector};
 use crate::metrics::road::{self, RoadMetrics};
 use crate::metrics::{FAR, Verdict};
 use crate::planners::cost_map::{
-    Config, CostMap, Curves, Exact, Query, Report, RoadRasters, Scratch, Smoothing, Traffic, corners, dense,
+    Config, CostMap, Curves, Query, Report, RoadRasters, Scratch, Smoothing, Traffic, corners, dense,
     is_excluded, kerb_distances, paper_spline, plan, record,
 };
 use crate::scenario::Scenario;
@@ -135,10 +135,6 @@ impl Engine {
             }
             let needed = radius(world) + margin - MARGIN_TOLERANCE;
             let fit = Fit::new(world, margin - MARGIN_TOLERANCE);
-            let exact = Exact {
-                room: &|place| world.body.point_clearance(place, needed + 1.0),
-                fits: &|place, half| fit.may_be_in(place, half),
-            };
             let figures = road::figures(&world.geometry, &world.body, &self.traffic.lanes, &plan.path);
             plan.metrics.road = Some(RoadMetrics {
                 cost: report.cost,
@@ -148,7 +144,7 @@ impl Engine {
                 goal_moved: report.moved[1],
                 margin,
                 margin_kept: kept,
-                margin_excluded: is_short && is_excluded(&self.ground, middles(world), needed, ENDS, &exact),
+                margin_excluded: is_short && is_excluded(&self.ground, middles(world), needed, ENDS, &fit),
                 bytes: report.bytes as u64,
                 figures,
             });

@@ -215,6 +215,21 @@ mod tests {
 
     /// |h(u) − h(v)| ≤ cost(u, v) for every move: what keeps closed cells closed.
     #[test]
+    #[cfg(feature = "complete")]
+    fn the_four_distances_are_the_papers() {
+        use Heuristic::{Chebyshev, Euclid, Manhattan, Octile};
+        use Neighbourhood::{Eight, Four, Sixteen};
+        for (dx, dy) in [(-3, 4), (4, 3), (3, -4), (-4, -3)] {
+            let over = [Manhattan, Euclid, Chebyshev, Octile].map(|h| h.estimate(Eight, dx, dy));
+            // Equation 3: √2 for each of three diagonal steps, and one straight step.
+            assert_eq!(over, [7 * D, 5 * D, 4 * D, 3 * R2 + D], "{dx} {dy}");
+        }
+        let fits = |h: Heuristic| [Four, Eight, Sixteen].map(|moves| h.is_admissible(moves));
+        assert_eq!([Manhattan, Octile].map(fits), [[true, false, false], [true, true, false]]);
+        assert_eq!([Euclid, Chebyshev].map(fits), [[true; 3]; 2]);
+    }
+
+    #[test]
     fn admissible_estimates_are_consistent() {
         use Neighbourhood::{Eight, FortyEight, Four, Sixteen, TwentyFour};
         for neighbourhood in [Four, Eight, Sixteen, TwentyFour, FortyEight] {

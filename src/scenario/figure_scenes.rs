@@ -174,8 +174,9 @@ fn seeded(family: Family, size: u32, seed: u64) -> Option<Scenario> {
 mod tests {
     use super::super::catalog::{scenario, scenes};
     use super::*;
+    use crate::geometry::Point;
     use crate::geometry::math::{FRAC_PI_2, PI};
-    use crate::plan::{Options, Planner};
+    use crate::plan::{LayerData, Options, Outcome, Planner};
 
     /// Every scene that the papers' specification names, where its car starts and ends, and how long the best known
     /// path is.
@@ -221,18 +222,41 @@ mod tests {
         }
     }
 
-    fn length(planner: &str, scene: &Scenario) -> f64 {
+    /// Length and gear changes.
+    fn driven(planner: &str, scene: &Scenario) -> (f64, u32) {
         let settings = serde_json::json!({ "profile": "shortest" });
         let mut planner = Planner::new(planner, scene, settings.as_object().unwrap()).unwrap();
-        planner.plan(Options::default()).metrics.length
+        let metrics = planner.plan(Options::default()).metrics;
+        (metrics.length, metrics.direction_changes)
+    }
+
+    #[test]
+    fn paths_of_figures_8_and_9_keep_out_of_both_safety_spaces() {
+        let mut kinds = [0; 4];
+        for id in ["fig8-30", "fig8-60", "fig8-100", "fig9-30", "fig9-60", "fig9-100"] {
+            let scene = scenario(id).unwrap();
+            for planner in ["four", "eight", "risk-field"] {
+                let mut planner = Planner::new(planner, &scene, &serde_json::Map::new()).unwrap();
+                let LayerData::Bytes(space) = planner.layer("redundant", 1).unwrap().data else { panic!() };
+                for &kind in &space {
+                    kinds[usize::from(kind)] += 1;
+                }
+                let plan = planner.plan(Options::default());
+                assert!(plan.outcome == Outcome::Found && plan.raw_path.len() > 14, "{id}");
+                // A cell is a metre, and the first one's centre is the origin.
+                let cell = |p: &Point| (p.y.round() * f64::from(scene.map.width) + p.x.round()) as usize;
+                assert!(plan.raw_path.iter().all(|p| space[cell(p)] == 0), "{id}");
+            }
+        }
+        assert!(kinds.iter().all(|&count| count > 3000), "{kinds:?}");
     }
 
     #[test]
     fn figure_12_is_the_free_optimum_and_figure_13_goes_around_its_obstacle() {
-        let free = length("hybrid", &scenario("park-free").unwrap());
-        assert!((free - 22.768).abs() < 1e-3, "{free}");
-        let around = length("hybrid", &scenario("park-fig13").unwrap());
-        assert!((23.5..=23.82 * 1.02).contains(&around), "{around}");
+        let (free, changes) = driven("hybrid", &scenario("park-free").unwrap());
+        assert!((free - 22.768).abs() < 1e-3 && changes == 0, "{free}, {changes} changes");
+        let (around, changes) = driven("hybrid", &scenario("park-fig13").unwrap());
+        assert!((23.5..=23.82 * 1.02).contains(&around) && changes == 0, "{around}, {changes} changes");
     }
 
     #[test]

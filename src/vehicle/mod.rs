@@ -176,6 +176,49 @@ mod tests {
     use super::*;
 
     #[test]
+    fn the_parking_papers_car_is_its_table_1() {
+        let car = Vehicle::PAPER;
+        assert_eq!((car.wheelbase, car.width, car.rear_to_back), (3.7, 2.6, 1.0));
+        assert_eq!((car.max_steer, car.max_steer_rate), (0.6, 0.6));
+        // The printed length of 4.5 m is that from the rear axle to the front; the printed radius is 5.408 m.
+        assert_eq!((car.rear_to_front, car.length()), (4.5, 5.5));
+        assert!((car.min_turning_radius() - 5.408).abs() < 5e-4);
+    }
+
+    #[test]
+    fn corners_are_offset_from_the_rear_axle() {
+        let (car, heading) = (Vehicle::PAPER, 0.7);
+        let (sin, cos) = math::sin_cos(heading);
+        let corners = car.outline(Pose::new(3.0, -2.0, heading));
+        // Equation 10 with the rear axle's place in that of the front axle's.
+        let (ahead, aside) = (car.rear_to_front, car.width / 2.0);
+        let a = Point::new(3.0 + ahead * cos - aside * sin, -2.0 + ahead * sin + aside * cos);
+        assert!((corners[0] - a).norm() < 1e-12, "{corners:?}");
+        let sides = [0, 1, 2, 3].map(|i| (corners[(i + 1) % 4] - corners[i]).norm());
+        for (side, expected) in sides.into_iter().zip([5.5, 2.6, 5.5, 2.6]) {
+            assert!((side - expected).abs() < 1e-12, "{sides:?}");
+        }
+        let middle = nalgebra::center(&corners[0], &corners[2]);
+        assert!((middle - Pose::new(3.0, -2.0, heading).advance(0.0, car.middle()).point()).norm() < 1e-12);
+    }
+
+    #[test]
+    fn an_arc_is_the_motion_of_equation_9() {
+        let (car, from, step) = (Vehicle::PAPER, Pose::new(1.0, 2.0, 0.4), 1e-6);
+        for steer in [-0.6, -0.3, 0.0, 0.3, 0.6] {
+            let curvature = math::tan(steer) / car.wheelbase;
+            for length in [-3.0, 0.0, 2.5] {
+                let [before, at, after] = [-step, 0.0, step].map(|by| from.advance(curvature, length + by));
+                let rate = |a: f64, b: f64| (b - a) / (2.0 * step);
+                let (sin, cos) = math::sin_cos(at.heading);
+                assert!((rate(before.x, after.x) - cos).abs() < 1e-8, "{steer} {length}");
+                assert!((rate(before.y, after.y) - sin).abs() < 1e-8, "{steer} {length}");
+                assert!((rate(before.heading, after.heading) - curvature).abs() < 1e-8, "{steer} {length}");
+            }
+        }
+    }
+
+    #[test]
     fn profiles_turn_in_the_stated_radius() {
         assert!((Vehicle::PAPER.min_turning_radius() - 5.408_275_004_188_978).abs() < 1e-12);
         assert!((Vehicle::SEDAN.min_turning_radius() - 5.5).abs() < 1e-9);

@@ -114,6 +114,39 @@ fn risk_field_plus_plans_with_its_own_settings() {
     }
 }
 
+#[cfg(feature = "complete")]
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn estimates_are_equations_10_to_12() {
+    use parkade::map::Occupancy;
+    use parkade::planners::risk_field::{Heuristic, explain};
+
+    let map = Occupancy::new(60, 60);
+    let (root, [w1, w2]) = (2_f64.sqrt(), [2.0, 1.0]);
+    let mut modes = [0, 0];
+    for (x, y) in (0..60_i32).step_by(7).flat_map(|x| (0..60_i32).step_by(5).map(move |y| (x, y))) {
+        let query = Query { map: &map, start: Cell::new(3, 1), goal: Cell::new(50, 40) };
+        let (dx, dy) = (f64::from((50 - x).abs()), f64::from((40 - y).abs()));
+        let (d1, d2) = (dx.max(dy), dx.min(dy));
+        let [h1, h2, h3] = [root * d2, d1 + d2, d1 - d2];
+        // Most of the way is diagonal, or straight.
+        let [diagonal, straight] = if h1 >= h3 { [w1, w2] } else { [w2, w1] };
+        modes[usize::from(h1 >= h3)] += 1;
+        for (heuristic, expected) in [
+            (Heuristic::Printed, diagonal * root * h1 + straight * (h2 - 2.0 * h1)),
+            (Heuristic::Corrected, diagonal * h1 + straight * h3),
+        ] {
+            let config = risk_field::Config { heuristic, ..risk_field::Config::PAPER };
+            let told = explain(query, &config, Cell::new(x, y)).unwrap();
+            assert!((told.estimate as f64 - expected * 1e6).abs() < 300.0, "{heuristic:?} {x} {y} {told:?}");
+            let weight = 1.0 + (dx * dx + dy * dy).sqrt() / (47.0_f64 * 47.0 + 39.0 * 39.0).sqrt();
+            let off = told.weighted as f64 - weight * told.estimate as f64;
+            assert!(off.abs() < 1e-6 * told.estimate.abs().max(1_000_000) as f64, "{x} {y} {told:?}");
+        }
+    }
+    assert!(modes[0] > 20 && modes[1] > 20, "{modes:?}");
+}
+
 /// Regions by angles instead of products, and candidates by what a single expansion generates.
 #[cfg(feature = "complete")]
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
@@ -171,6 +204,15 @@ fn explanations_are_the_papers_tables() {
                 let directions: Vec<_> = told.candidates[..3].iter().map(|c| c.direction).collect();
                 assert_eq!(told.candidates.iter().filter(|c| c.role == "held-back").count(), 5);
                 assert!(told.candidates[..3].iter().all(|c| c.role == "primary"), "{directions:?}");
+                // Figure 4: another cell beyond a diagonal one, or beyond a straight one.
+                let by = |c: &risk_field::Candidate| [c.cell[0] - start.x, c.cell[1] - start.y];
+                let primary: Vec<_> = told.candidates[..3].iter().map(by).collect();
+                for [dx, dy] in told.candidates.iter().filter(|c| c.role == "extension").map(by) {
+                    let steps = dx.abs().max(dy.abs());
+                    assert!((2..=config.ext_len as i32 + 1).contains(&steps), "{told:?}");
+                    assert!(primary.contains(&[dx / steps, dy / steps]), "{told:?}");
+                    assert_eq!(dx.abs() == dy.abs(), told.mode == "oblique", "{told:?}");
+                }
                 let once = risk_field::Config {
                     fallback: Fallback::None,
                     goal_shot: false,

@@ -7,6 +7,8 @@ mod choices;
 mod drags;
 mod limits;
 mod lot;
+#[cfg(feature = "complete")]
+mod paper;
 mod properties;
 mod questions;
 mod reverse;

@@ -5,7 +5,7 @@ use parkade::planners::hybrid::{Config, Profile, SearchFrom};
 use crate::lot::Lot;
 
 /// Reeds–Shepp bound, and what must be reached: metres, direction changes.
-const MUST_REACH: [(&str, f64, f64, u32); 10] = [
+pub(super) const MUST_REACH: [(&str, f64, f64, u32); 10] = [
     ("P0", 22.69, 22.80, 0),
     ("P1", 24.66, 24.75, 0),
     ("P2", 22.10, 22.20, 1),

@@ -3,7 +3,9 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use parkade::geometry::Pose;
+use std::f64::consts::PI;
+
+use parkade::geometry::{Point, Pose, math};
 use parkade::metrics::{Verdict, risk};
 use parkade::plan::{Ends, LayerData, Options, Outcome, PlanTrace, Planner, collision_risk, road_figures};
 use parkade::planners::registry::{Family, planners};
@@ -201,4 +203,37 @@ fn plans_have_the_same_hash_everywhere() {
         "7077663175a3e19a-9ed158196a6bacc1",
     ];
     assert_eq!(hashes, expected);
+}
+
+/// The roundabout's ring goes around the island against the clock, and the banned left turn is made around the median.
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn a_roundabout_is_gone_around_and_a_ban_is_obeyed() {
+    let drive = |id| {
+        let plan = Planner::new("cost-map", &catalog::scenario(id).unwrap(), &Map::new())
+            .unwrap()
+            .plan(Options::default());
+        assert_eq!((plan.outcome, plan.check.verdict), (Outcome::Found, Verdict::Ok), "{id}");
+        plan
+    };
+    let around = drive("road-roundabout");
+    // Three quarters of the ring of 13 m, from the west over the south and the east to the north.
+    let swept: f64 = around
+        .path
+        .windows(2)
+        .map(|pair| {
+            let [a, b] = [0, 1].map(|i| Point::new(pair[i].x, pair[i].y));
+            math::atan2(a.coords.perp(&b.coords), a.coords.dot(&b.coords))
+        })
+        .sum();
+    assert!((1.4 * PI..1.6 * PI).contains(&swept), "{swept}");
+    let banned = drive("road-turn-ban");
+    // To the right first, then around the end of the median 46 m east.
+    let east = banned.path.iter().map(|pose| pose.x).fold(f64::NEG_INFINITY, f64::max);
+    assert!(
+        east > 46.0 && banned.path.iter().all(|pose| pose.x > 0.0 || pose.y > 0.0 || pose.y < -6.0),
+        "{east}"
+    );
+    let crossing = banned.path.windows(2).find(|pair| pair[0].y < 0.0 && pair[1].y >= 0.0).unwrap();
+    assert!(crossing[0].x > 46.0, "{:?}", crossing[0]);
 }

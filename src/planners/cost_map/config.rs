@@ -218,3 +218,25 @@ impl Config {
         Self { costs: Costs::Steps, pruning: Pruning::None, smoothing: Curves::None, ..Self::default() }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn base_costs_are_the_manuscripts() {
+        let of = |costs, base| Config { costs, base, ..Config::default() };
+        for clearance in [1.0, 1.75, 5.0, 17.0] {
+            let cost = |costs, base| of(costs, base).base_cost(clearance, 0.95, None);
+            let [inverse, exponential] =
+                [Base::Inverse, Base::Exponential].map(|base| cost(Costs::Paper, base));
+            assert!((inverse - 5000.0 / (clearance + 1.0)).abs() < 1e-9, "{clearance}");
+            assert!((exponential - 5000.0 * math::exp(-0.05 * clearance)).abs() < 1e-9, "{clearance}");
+            let beside = clearance - 0.95;
+            let [inverse, exponential] =
+                [Base::Inverse, Base::Exponential].map(|base| cost(Costs::Metre, base));
+            assert!((inverse - 0.8 / (beside + 0.2)).abs() < 1e-9, "{clearance}");
+            assert!((exponential - 4.0 * math::exp(-1.5 * beside)).abs() < 1e-9, "{clearance}");
+        }
+    }
+}

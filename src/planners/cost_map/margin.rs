@@ -8,10 +8,15 @@
 //! Cells are too coarse where a gap is about as wide as the car. Near obstacles a cell is therefore cut into 8 × 8
 //! parts, one bit of a word each. A square of parts is closed where the room at its centre and half its diagonal are
 //! together less than the room asked for, as no place has more room than another by more than their distance;
-//! otherwise it is quartered. A single part is open only if the whole body keeps the margin there in some direction.
-//! The flood spreads over words of bits, with shifts in the place of single steps.
+//! otherwise it is quartered. The flood spreads over words of bits, with shifts in the place of single steps.
+//!
+//! A single part is open only if the whole body keeps the margin there in some direction, which takes many measures.
+//! So the flood first goes where the body is sure to fit, and looks at single parts when it has nowhere else to go: at
+//! those that it touches nearest to the goal first, and thoroughly only when no quick look helps. Where the goal can be
+//! reached few are looked at; which ones makes no difference to the answer.
 
-use std::collections::BTreeMap;
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BinaryHeap};
 
 use super::RoadRasters;
 use crate::geometry::{Point, Vector};
@@ -20,15 +25,22 @@ use crate::map::Cell;
 /// Parts of a cell in a row; their bits in a word are numbered row by row.
 const PARTS: i32 = 8;
 const ALL: u64 = u64::MAX;
+/// Squares of fewer parts in a row are looked at part by part, when they are touched.
+const COARSE: i32 = 4;
 /// With so much more room than asked the body is not looked at, metres.
 const AMPLE: f64 = 0.25;
 
-/// Exact measures.
-pub struct Exact<'a> {
+/// Exact measures. A place is the middle of the body.
+pub trait Exact {
     /// How far a place is from everything, metres.
-    pub room: &'a dyn Fn(Point) -> f64,
-    /// False if the body keeps the margin nowhere with its middle in the square around a place with half this side.
-    pub fits: &'a dyn Fn(Point, f64) -> bool,
+    fn room(&self, place: Point) -> f64;
+    /// True only if the body keeps the margin in one direction anywhere within a distance of a place.
+    fn fits_around(&self, place: Point, reach: f64) -> bool;
+    /// True only if the body keeps the margin somewhere in the square around a place with half this side; a quick look
+    /// that may miss it.
+    fn fits_easily(&self, place: Point, half: f64) -> bool;
+    /// False only if the body keeps the margin nowhere in that square.
+    fn may_fit(&self, place: Point, half: f64) -> bool;
 }
 
 /// True if every path of the car's middle from start to goal comes nearer to something than `room` metres, places
@@ -43,46 +55,89 @@ pub fn is_excluded(
     [start, goal]: [Point; 2],
     room: f64,
     ends: f64,
-    exact: &Exact,
+    exact: &dyn Exact,
 ) -> bool {
     let frame = &ground.frame;
     let [Some(first), Some(last)] = [start, goal].map(|end| frame.cell_at(end)) else { return false };
     let near = ends + frame.resolution;
     let parts = |cell: Cell| {
+        let low = frame.center(cell) - Vector::repeat(frame.resolution / 2.0);
+        Parts { low, side: frame.resolution / f64::from(PARTS), room, exact }
+    };
+    let known = |cell: Cell| {
         let (center, rough) = (frame.center(cell), ground.at(cell));
-        if rough >= room + AMPLE + frame.resolution
+        let [open, unsure] = if rough >= room + AMPLE + frame.resolution
             || [start, goal].iter().any(|end| (center - end).norm() <= near)
         {
-            ALL
+            [ALL, 0]
         } else if rough + ground.unsure < room {
-            0
+            [0, 0]
         } else {
-            let low = center - Vector::repeat(frame.resolution / 2.0);
-            Parts { low, side: frame.resolution / f64::from(PARTS), room, exact }.holding([0, 0], PARTS)
-        }
+            parts(cell).holding([0, 0], PARTS)
+        };
+        Known { open, unsure, reached: 0 }
     };
-    // Per cell met: its parts that may hold a place with the room, and those reached.
-    let mut met: BTreeMap<(i32, i32), [u64; 2]> = BTreeMap::new();
-    met.insert((first.x, first.y), [ALL, 0]);
+    let mut met: BTreeMap<(i32, i32), Known> = BTreeMap::new();
+    met.insert((first.x, first.y), Known { open: ALL, unsure: 0, reached: 0 });
     let mut open = vec![(first, ALL)];
-    while let Some((cell, entered)) = open.pop() {
-        let entry = met.entry((cell.x, cell.y)).or_insert_with(|| [parts(cell), 0]);
-        let reached = grown(entry[1] | entered & entry[0], entry[0]);
-        if reached == entry[1] {
-            continue;
-        }
-        entry[1] = reached;
-        if cell == last {
-            return false;
-        }
-        for (dx, dy) in (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (dx, dy))).filter(|to| *to != (0, 0)) {
-            let (next, entered) = (cell.offset(dx, dy), spilled(reached, dx, dy));
-            if entered != 0 && frame.contains(next) {
-                open.push((next, entered));
+    let mut touched = BinaryHeap::new();
+    loop {
+        while let Some((cell, entered)) = open.pop() {
+            let entry = met.entry((cell.x, cell.y)).or_insert_with(|| known(cell));
+            let reached = grown(entry.reached | entered & entry.open, entry.open);
+            let asked = (entered | beside(reached)) & entry.unsure;
+            entry.unsure &= !asked;
+            let away = (cell.x - last.x).abs().max((cell.y - last.y).abs());
+            for part in (0..PARTS * PARTS).filter(|part| asked >> part & 1 == 1) {
+                let parts = parts(cell);
+                let clearance = exact.room(parts.middle(part));
+                if clearance + parts.reach(1) >= room {
+                    let spare = (clearance * 1e6) as i64;
+                    touched.push((Look::Quick, Reverse(away), spare, (cell.x, cell.y), part));
+                }
+            }
+            if reached == entry.reached {
+                continue;
+            }
+            entry.reached = reached;
+            if cell == last {
+                return false;
+            }
+            let around = (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (dx, dy)));
+            for (dx, dy) in around.filter(|to| *to != (0, 0)) {
+                let (next, entered) = (cell.offset(dx, dy), spilled(reached, dx, dy));
+                if entered != 0 && frame.contains(next) {
+                    open.push((next, entered));
+                }
             }
         }
+        let Some((look, away, spare, at, part)) = touched.pop() else { return true };
+        let cell = Cell::new(at.0, at.1);
+        let (middle, half) = (parts(cell).middle(part), frame.resolution / f64::from(2 * PARTS));
+        if look == Look::Quick && !exact.fits_easily(middle, half) {
+            touched.push((Look::Thorough, away, spare, at, part));
+        } else if look == Look::Quick || exact.may_fit(middle, half) {
+            met.entry(at).and_modify(|known| known.open |= 1 << part);
+            open.push((cell, 1 << part));
+        }
     }
-    true
+}
+
+/// How a part is looked at: all of them quickly before any thoroughly.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Look {
+    Thorough,
+    Quick,
+}
+
+/// What is known of a cell, a bit for each part.
+struct Known {
+    /// Parts that may hold a place with the room.
+    open: u64,
+    /// Parts that may, if a body fits, and that nothing has touched yet.
+    unsure: u64,
+    /// Open parts that the flood has reached.
+    reached: u64,
 }
 
 /// A cell's parts.
@@ -93,28 +148,40 @@ struct Parts<'a> {
     side: f64,
     /// Distance that the middle of the body needs from everything, metres.
     room: f64,
-    exact: &'a Exact<'a>,
+    exact: &'a dyn Exact,
 }
 
 impl Parts<'_> {
-    /// Those of a square of `size` parts that may hold a place with the room.
-    fn holding(&self, [x, y]: [i32; 2], size: i32) -> u64 {
+    /// The middle of a part.
+    fn middle(&self, part: i32) -> Point {
+        let (x, y) = (part % PARTS, part / PARTS);
+        self.low + Vector::new(f64::from(2 * x + 1), f64::from(2 * y + 1)) * (self.side / 2.0)
+    }
+
+    /// How far a place in a square of so many parts may be from its middle, metres.
+    fn reach(&self, size: i32) -> f64 {
+        f64::from(size) * self.side * core::f64::consts::FRAC_1_SQRT_2
+    }
+
+    /// Those of a square of `size` parts that are sure to hold a place with the room, and those that may.
+    fn holding(&self, [x, y]: [i32; 2], size: i32) -> [u64; 2] {
         let middle =
             self.low + Vector::new(f64::from(2 * x + size), f64::from(2 * y + size)) * (self.side / 2.0);
-        let clearance = (self.exact.room)(middle);
-        let reach = f64::from(size) * self.side * core::f64::consts::FRAC_1_SQRT_2;
+        let (clearance, reach) = (self.exact.room(middle), self.reach(size));
+        let row = ((1_u64 << size) - 1) << x;
+        let all = (y..y + size).fold(0, |all, y| all | row << (PARTS * y));
         if clearance + reach < self.room {
-            0
-        } else if clearance - reach >= self.room + AMPLE {
-            let row = ((1_u64 << size) - 1) << x;
-            (y..y + size).fold(0, |all, y| all | row << (PARTS * y))
-        } else if size == 1 {
-            u64::from((self.exact.fits)(middle, self.side / 2.0)) << (PARTS * y + x)
+            [0, 0]
+        } else if clearance - reach >= self.room + AMPLE || self.exact.fits_around(middle, reach) {
+            [all, 0]
+        } else if size == COARSE {
+            [0, all]
         } else {
             let half = size / 2;
-            [[0, 0], [half, 0], [0, half], [half, half]]
-                .iter()
-                .fold(0, |all, by| all | self.holding([x + by[0], y + by[1]], half))
+            [[0, 0], [half, 0], [0, half], [half, half]].iter().fold([0, 0], |all, by| {
+                let quarter = self.holding([x + by[0], y + by[1]], half);
+                [all[0] | quarter[0], all[1] | quarter[1]]
+            })
         }
     }
 }
@@ -128,11 +195,16 @@ fn widened(bits: u64) -> u64 {
     bits | (bits & !LAST) << 1 | (bits & !FIRST) >> 1
 }
 
+/// The bits and those beside them.
+fn beside(bits: u64) -> u64 {
+    let rows = widened(bits);
+    rows | rows << 8 | rows >> 8
+}
+
 /// What can be reached from some bits over the `free` ones.
 fn grown(mut bits: u64, free: u64) -> u64 {
     loop {
-        let rows = widened(bits);
-        let next = bits | (rows | rows << 8 | rows >> 8) & free;
+        let next = bits | beside(bits) & free;
         if next == bits {
             return bits;
         }
