@@ -187,6 +187,16 @@ test("a row opens its scene, and its paths are drawn beside it", async ({ page }
   await dialog(page).locator("#L2").getByRole("button", { name: "Open the scene" }).click();
   await expect(dialog(page)).toBeHidden();
   await expect(page.locator("parkade-toolbar .scene")).toContainText("L2");
+  // So do the rows of what both ends search, and those of the volumes.
+  for (const [place, name] of [
+    [".saved", "P4"],
+    ["parkade-papers-volumes", "park-fig13"],
+  ] as const) {
+    await page.keyboard.press("y");
+    await dialog(page).locator(place).getByRole("button", { name, exact: true }).first().click();
+    await expect(dialog(page)).toBeHidden();
+  }
+  await expect(page.locator("parkade-toolbar .scene")).toContainText("13");
 });
 
 test("the comparison with other algorithms is measured, drawn and judged", async ({ page }) => {

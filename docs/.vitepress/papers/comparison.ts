@@ -110,12 +110,7 @@ export function comparisonBlocks(lang: Lang, { compared, claims, sweeps, bands }
         ),
       }),
     ),
-    list([
-      t(
-        "The scores that five experts gave (4.6.2) cannot be reproduced: they are opinions of paths that are not published, without a questionnaire or single answers.",
-        "五位专家的评分（4.6.2）无法复现：那是对未公开路径的主观意见，既无问卷，也无单项结果。",
-      ),
-    ]),
+    list([say(lang, "experts")]),
   ];
 }
 

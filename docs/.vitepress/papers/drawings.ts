@@ -70,18 +70,19 @@ export function expansionPicture(): string {
 
 /** Figure 7: five steering angles in each gear, half a turning radius long. */
 export function steeringPicture(): string {
-  const radius = 5.408,
+  const [wheelbase, most] = [3.7, 0.6],
     long = 2.7,
     scale = 44;
   const arc = (share: number, gear: 1 | -1): string => {
-    const turn = share === 0 ? 0 : (long * share) / radius;
+    const radius = wheelbase / Math.tan(Math.abs(share) * most),
+      turn = long / radius;
     const [x, y] =
-      share === 0 ? [long, 0] : [(radius / share) * Math.sin(turn), (radius / share) * (1 - Math.cos(turn))];
+      share === 0 ? [long, 0] : [radius * Math.sin(turn), Math.sign(share) * radius * (1 - Math.cos(turn))];
     const end = `${(150 + gear * x * scale).toFixed(1)} ${(100 - y * scale).toFixed(1)}`;
     const way =
       share === 0
         ? `L${end}`
-        : `A${((radius / Math.abs(share)) * scale).toFixed(1)} ${((radius / Math.abs(share)) * scale).toFixed(1)} 0 0 ${share * gear > 0 ? 0 : 1} ${end}`;
+        : `A${(radius * scale).toFixed(1)} ${(radius * scale).toFixed(1)} 0 0 ${share * gear > 0 ? 0 : 1} ${end}`;
     return `<path d="M150 100${way}" fill="none" stroke="${gear > 0 ? "#0072B2" : "#D55E00"}" stroke-width="2"/><circle cx="${end.split(" ")[0]}" cy="${end.split(" ")[1]}" r="3.5" fill="${gear > 0 ? "#0072B2" : "#D55E00"}"/>`;
   };
   return `${opened(300, 200)}${([1, -1] as const).flatMap((gear) => [-1, -0.5, 0, 0.5, 1].map((share) => arc(share, gear))).join("")}<circle cx="150" cy="100" r="4.5" fill="#1B1D20"/></svg>`;

@@ -141,7 +141,8 @@ export class PapersComparison extends PapersTab<Summary> {
       ${bands.map(
         ({ scene, band }) =>
           html`<div class="charts" tabindex="0" role="group" aria-label=${scene} .innerHTML=${bandPicture(this.app.catalog!.scenario(scene), band, scene, ACROSS)}></div>`,
-      )}`;
+      )}
+      <p class="note">${say(lang, "experts")}</p>`;
   }
 }
 
@@ -152,12 +153,11 @@ const ACROSS = 10;
 function sorted({ compared, sweeps, bands }: Summary): Summary {
   const at = <One extends object>(order: readonly Partial<One>[], one: One): number =>
     order.findIndex((it) => Object.entries(it).every(([key, value]) => one[key as keyof One] === value));
+  const placeOf = ({ scene }: Band): number => (SWEPT_SCENES as readonly string[]).indexOf(scene);
   return {
     compared: [...compared].sort((a, b) => at<Compared>(PAIRS, a) - at<Compared>(PAIRS, b)),
     sweeps: [...sweeps].sort((a, b) => at<Sweep>(SWEEPS, a) - at<Sweep>(SWEEPS, b)),
-    bands: [...bands].sort(
-      (a, b) => SWEPT_SCENES.findIndex((id) => id === a.scene) - SWEPT_SCENES.findIndex((id) => id === b.scene),
-    ),
+    bands: [...bands].sort((a, b) => placeOf(a) - placeOf(b)),
   };
 }
 

@@ -45,7 +45,7 @@ export class PapersParking extends PapersRowsTab<"parking"> {
 
   protected tables(tables: ParkingTable[]): TemplateResult {
     return html`${this.claims.length > 0 ? claimList(this.state.lang, this.claims) : nothing}${this.saved(tables)}${this.search(tables)}
-      ${tables.map((table) => this.table(table))}${this.claims.length > 0 ? html`<parkade-papers-volumes .app=${this.app}></parkade-papers-volumes>` : nothing}`;
+      ${tables.map((table) => this.table(table))}${this.claims.length > 0 ? html`<parkade-papers-volumes .app=${this.app} @parkade-open-scene=${(e: CustomEvent<{ id: string }>) => this.openScene(e.detail.id)}></parkade-papers-volumes>` : nothing}`;
   }
 
   protected markdown(tables: ParkingTable[]): string {
@@ -87,7 +87,7 @@ export class PapersParking extends PapersRowsTab<"parking"> {
       [forward, reverse] = ["hybrid-forward", "hybrid"] as const;
     if (tables.length < 10) return nothing;
     return html`<h3>${say(lang, "searched")}</h3><div class="wide"><table class="saved"><thead><tr><th>${say(lang, "rows")}</th>${[forward, reverse].map((planner) => html`<th>${say(lang, "expanded")}, ${say(lang, planner)}</th>`)}<th>${say(lang, "share")}</th>${[forward, reverse].map((planner) => html`<th>${say(lang, "milliseconds")}, ${say(lang, planner)}</th>`)}</tr></thead>
-      <tbody>${tables.map(({ row: { id }, lines: [before, after] }) => html`<tr><th scope="row">${id}</th><td>${this.num(before!.expanded, 0)}</td><td class="ours">${this.num(after!.expanded, 0)}</td><td>${this.num((100 * after!.expanded) / before!.expanded, 1)} %</td><td>${this.num(before!.milliseconds, 1)}</td><td class="ours">${this.num(after!.milliseconds, 1)}</td></tr>`)}</tbody></table></div>`;
+      <tbody>${tables.map(({ row: { id }, lines: [before, after] }) => html`<tr><th scope="row">${this.link(id, id)}</th><td>${this.num(before!.expanded, 0)}</td><td class="ours">${this.num(after!.expanded, 0)}</td><td>${this.num((100 * after!.expanded) / before!.expanded, 1)} %</td><td>${this.num(before!.milliseconds, 1)}</td><td class="ours">${this.num(after!.milliseconds, 1)}</td></tr>`)}</tbody></table></div>`;
   }
 
   private figure(table: ParkingTable, figure: Figure): TemplateResult {

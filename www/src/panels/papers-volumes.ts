@@ -25,7 +25,7 @@ export class PapersVolumes extends AppElement {
     css`
     :host { display: block; } h3 { margin: 18px 0 6px; font: inherit; font-weight: 600; } p { margin: 0 0 6px; color: var(--parkade-t2); font-size: 12px; line-height: 16px; }
     .both { display: flex; flex-wrap: wrap; gap: 12px 24px; align-items: flex-start; } svg.car { width: 220px; height: 220px; flex: none; } label { display: grid; gap: 4px; width: 220px; font-size: 12px; }
-    .wide { overflow-x: auto; flex: 1; min-width: 0; } table { border-collapse: collapse; font-size: 12px; line-height: 16px; } th, td { text-align: right; padding: 5px 8px; white-space: nowrap; font-weight: 400; } th:first-child, th:nth-child(2) { text-align: left; } thead th { color: var(--parkade-t2); } tbody tr { border-top: 1px solid var(--parkade-hair); }
+    .wide { overflow-x: auto; flex: 1; min-width: 0; } table { border-collapse: collapse; font-size: 12px; line-height: 16px; } th, td { text-align: right; padding: 5px 8px; white-space: nowrap; font-weight: 400; } th:first-child, th:nth-child(2) { text-align: left; } .link { border: 0; background: none; padding: 0; min-height: 24px; font: inherit; color: var(--parkade-accent); cursor: pointer; text-decoration: underline; } thead th { color: var(--parkade-t2); } tbody tr { border-top: 1px solid var(--parkade-hair); }
   `,
   ];
   declare heading: number;
@@ -70,10 +70,14 @@ export class PapersVolumes extends AppElement {
           volumes.map(
             (
               one,
-            ) => html`<tr><th scope="row">${scene}</th><th>${say(lang, one.volume)}</th><td>${this.num(collisions, 0)}</td><td>${this.num(one.hits, 0)}</td><td>${this.num(one.falseAlarms, 0)}</td>
+            ) => html`<tr><th scope="row"><button class="link" @click=${() => this.open(scene)}>${scene}</button></th><th>${say(lang, one.volume)}</th><td>${this.num(collisions, 0)}</td><td>${this.num(one.hits, 0)}</td><td>${this.num(one.falseAlarms, 0)}</td>
           <td>${this.num((100 * one.falseAlarms) / (poses - collisions), 1)} %</td><td>${this.num(one.missed, 0)}</td><td>${this.num(one.area, 2)}</td><td>${this.num(one.micros, 2)}</td></tr>`,
           ),
         )}</tbody></table></div></div>`;
+  }
+
+  private open(id: string): void {
+    this.dispatchEvent(new CustomEvent("parkade-open-scene", { detail: { id }, bubbles: true, composed: true }));
   }
 
   private picture(): TemplateResult {

@@ -25,9 +25,8 @@ export function foundText({ id, figures }: PaperClaim, { template, range, missin
     const value = figures[name],
       show = (one: number): string => number(one, digitsOf(id, name));
     if (value == null) return missing;
-    return typeof value === "number"
-      ? show(value)
-      : range.replace("{low}", show(value[0])).replace("{high}", show(value[1]));
+    const [low, high] = typeof value === "number" ? [show(value), show(value)] : value.map(show);
+    return low === high ? low! : range.replace("{low}", low!).replace("{high}", high!);
   };
   return template
     .replace(/\[([^\]]*)\]/g, (_, part: string) =>
