@@ -14,12 +14,12 @@
 
 use serde_json::{Map, Value};
 
-use crate::error::{Error, ErrorCode};
+use crate::error::{Error, ErrorCode, Message};
 
 type Result<T> = core::result::Result<T, Error>;
 
 /// An error about a value: the path to it from where the reader stands, and the rule that it breaks.
-pub(crate) fn bad<T>(path: &str, message: String) -> Result<T> {
+pub(crate) fn bad<T>(path: &str, message: Message) -> Result<T> {
     Err(Error::new(ErrorCode::Input, path, message))
 }
 
@@ -30,9 +30,9 @@ pub(crate) struct Fields<'a>(&'a Map<String, Value>);
 impl<'a> Fields<'a> {
     /// The fields of an object, or an error if the value is none, or has a field that is not in `known`.
     pub(crate) fn of(value: &'a Value, known: &[&str]) -> Result<Self> {
-        let Value::Object(map) = value else { return bad("", format!("must be an object, got {value}")) };
+        let Value::Object(map) = value else { return bad("", message!("must be an object, got {}", value)) };
         match map.keys().find(|k| !known.contains(&k.as_str())) {
-            Some(key) => bad(key, format!("unknown field; there are {}", known.join(", "))),
+            Some(key) => bad(key, message!("unknown field; there are {}", known.join(", "))),
             None => Ok(Self(map)),
         }
     }
@@ -49,30 +49,31 @@ impl<'a> Fields<'a> {
     pub(crate) fn need<T>(self, name: &str, read: impl Fn(&'a Value) -> Result<T>) -> Result<T> {
         match self.maybe(name, read)? {
             Some(value) => Ok(value),
-            None => bad(name, "missing field".to_owned()),
+            None => bad(name, "missing field".into()),
         }
     }
 }
 
 /// A number; integers count, strings of digits do not.
 pub(crate) fn number(value: &Value) -> Result<f64> {
-    value.as_f64().map_or_else(|| bad("", format!("must be a number, got {value}")), Ok)
+    value.as_f64().map_or_else(|| bad("", message!("must be a number, got {}", value)), Ok)
 }
 
 /// A whole number from 0 to 2³² − 1.
 pub(crate) fn count(value: &Value) -> Result<u32> {
     let whole = value.as_u64().and_then(|v| u32::try_from(v).ok());
-    whole.map_or_else(|| bad("", format!("must be a whole number from 0 to {}, got {value}", u32::MAX)), Ok)
+    whole
+        .map_or_else(|| bad("", message!("must be a whole number from 0 to {}, got {}", u32::MAX, value)), Ok)
 }
 
 /// `true` or `false`, and no other value that might stand for one.
 pub(crate) fn flag(value: &Value) -> Result<bool> {
-    value.as_bool().map_or_else(|| bad("", format!("must be true or false, got {value}")), Ok)
+    value.as_bool().map_or_else(|| bad("", message!("must be true or false, got {}", value)), Ok)
 }
 
 /// A string, borrowed.
 pub(crate) fn text(value: &Value) -> Result<&str> {
-    value.as_str().map_or_else(|| bad("", format!("must be a string, got {value}")), Ok)
+    value.as_str().map_or_else(|| bad("", message!("must be a string, got {}", value)), Ok)
 }
 
 /// A string of its own, for data that outlives the JSON.
@@ -92,7 +93,7 @@ fn index_of_word(value: &Value, words: &mut dyn Iterator<Item = &'static str>) -
     let known: Vec<_> = words.collect();
     match known.iter().position(|&word| value.as_str() == Some(word)) {
         Some(at) => Ok(at),
-        None => bad("", format!("must be {}, got {value}", known.join(" or "))),
+        None => bad("", message!("must be {}, got {}", known.join(" or "), value)),
     }
 }
 
@@ -108,7 +109,7 @@ pub(crate) fn list<T>(read: impl Fn(&Value) -> Result<T>) -> impl Fn(&Value) -> 
 /// The loop over any list: compiled once, where collecting results would be compiled for each kind of item.
 #[inline(never)]
 fn each(value: &Value, read: &mut dyn FnMut(&Value) -> Result<()>) -> Result<()> {
-    let Value::Array(items) = value else { return bad("", format!("must be an array, got {value}")) };
+    let Value::Array(items) = value else { return bad("", message!("must be an array, got {}", value)) };
     for (i, item) in items.iter().enumerate() {
         read(item).map_err(|e| e.within(&format!("[{i}]")))?;
     }
@@ -124,13 +125,13 @@ pub(crate) fn exactly<T, const N: usize>(
     move |value| {
         all(value)?
             .try_into()
-            .or_else(|items: Vec<T>| bad("", format!("must have {N} items, got {}", items.len())))
+            .or_else(|items: Vec<T>| bad("", message!("must have {} items, got {}", N, items.len())))
     }
 }
 
 /// An object whose keys are not known beforehand.
 pub(crate) fn object(value: &Value) -> Result<&Map<String, Value>> {
-    value.as_object().map_or_else(|| bad("", format!("must be an object, got {value}")), Ok)
+    value.as_object().map_or_else(|| bad("", message!("must be an object, got {}", value)), Ok)
 }
 
 /// A type whose values have names.
@@ -238,9 +239,9 @@ pub(crate) fn overlay(settings: &mut [Named], fields: &Map<String, Value>) -> Re
             setting.read(value)
         } else {
             let known: Vec<_> = settings.iter().map(|s| s.0).collect();
-            bad("", format!("no such setting; there are {}", known.join(", ")))
+            bad("", message!("no such setting; there are {}", known.join(", ")))
         };
-        read.map_err(|e| Error { code: ErrorCode::Config, ..e.within(name) })?;
+        read.map_err(|e| e.within(name).with_code(ErrorCode::Config))?;
     }
     Ok(())
 }

@@ -40,11 +40,14 @@
 //!
 //! The cargo feature `complete`, on by default, holds what the page does not need for its first picture.
 
+// First: the others use its macro.
+#[macro_use]
+pub mod error;
+
 #[cfg(feature = "complete")]
 pub mod audit;
 #[cfg(feature = "complete")]
 pub mod drive;
-pub mod error;
 mod fnv;
 pub mod geometry;
 #[cfg(feature = "complete")]

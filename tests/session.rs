@@ -245,7 +245,10 @@ fn a_map_too_large_for_a_car_is_refused_and_says_so() {
     (scene.map.width, scene.map.height, scene.map.resolution) = (101, 101, 1000.0);
     let error = Planner::new("hybrid", &scene, &Map::new()).err().unwrap();
     assert_eq!((error.code, error.path.as_str()), (ErrorCode::Input, "map"));
-    assert!(error.message.contains("at most 100000 m") && error.message.contains("got 101000 m"), "{error}");
+    assert!(
+        error.message().contains("at most 100000 m") && error.message().contains("got 101000 m"),
+        "{error}"
+    );
     (scene.map.width, scene.map.height) = (100, 100);
     assert!(Planner::new("hybrid", &scene, &Map::new()).is_ok());
 }

@@ -37,7 +37,7 @@ pub(crate) fn scene(seed: u64) -> Outcome {
     match Scenario::from_json(&value) {
         Ok(scene) => taken(r, &scene),
         Err(error) if [ErrorCode::Scenario, ErrorCode::Vehicle].contains(&error.code) => {
-            said(&error.path, &error.message)
+            said(&error.path, &error.message())
         }
         Err(error) => Err(format!("{:?}: {error}", error.code)),
     }
@@ -89,7 +89,7 @@ pub(crate) fn guided_scene(bytes: &[u8]) -> Outcome {
     let Ok(value) = serde_json::from_slice::<Value>(bytes) else { return Ok("no JSON") };
     match Scenario::from_json(&value) {
         Ok(scene) => taken(&mut Random::new(bytes.len() as u64), &scene),
-        Err(error) => said(&error.path, &error.message),
+        Err(error) => said(&error.path, &error.message()),
     }
 }
 
@@ -103,7 +103,7 @@ fn read(r: &mut Random, files: &[(&str, &[u8])]) -> Outcome {
             }
             taken(r, scene)
         }
-        Err(error) if error.code == ErrorCode::Import => said(&error.path, &error.message),
+        Err(error) if error.code == ErrorCode::Import => said(&error.path, &error.message()),
         Err(error) => Err(format!("{:?}: {error}", error.code)),
     }
 }
@@ -123,7 +123,7 @@ fn taken(r: &mut Random, scene: &Scenario) -> Outcome {
     settings.insert("maxExpansions".to_owned(), 300.into());
     match Planner::new(id, scene, &settings) {
         Ok(mut planner) => configs::answered(&planner.plan(Options::default())),
-        Err(error) => said(&error.path, &error.message),
+        Err(error) => said(&error.path, &error.message()),
     }
 }
 

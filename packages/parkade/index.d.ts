@@ -673,6 +673,10 @@ export class ParkadeError extends Error {
   readonly code: ErrorCode;
   /** The field, such as "obstacles[2].points[0]"; empty for the whole. */
   readonly path: string;
+  /** For translations: the rule with `{}` in the place of each value; absent where the message is all there is. */
+  readonly template?: string;
+  /** The values in the places of `template`. */
+  readonly values?: readonly string[];
 }
 
 /**

@@ -81,13 +81,21 @@ export function isRunning() {
 function converted(error) {
   if (error instanceof ParkadeError) return error;
   if (error instanceof Error && error.name === "ParkadeError") {
-    const { code, path } = /** @type {ParkadeError} */ (error);
+    const { code, path, template, values } = /** @type {import("./index.js").ParkadeError} */ (error);
     // A value may be a whole scene; a number is said as it is natively.
-    return new ParkadeError(error.message.replace(/(, got [^\d-].{99}).+/s, "$1…"), code, path);
+    return said(new ParkadeError(error.message.replace(/(, got [^\d-].{99}).+/s, "$1…"), code, path), template, values);
   }
   if (error instanceof WebAssembly.RuntimeError) state = "stopped";
   return new ParkadeError(`internal error: ${describe(error)}`, "internal", "", { cause: error });
 }
+
+/**
+ * The error with what its message is made of.
+ * @param {ParkadeError} error
+ * @param {string | undefined} template
+ * @param {readonly string[] | undefined} values
+ */
+export const said = (error, template, values) => Object.assign(error, { template, values });
 
 /** @param {unknown} error */
 function describe(error) {
@@ -103,7 +111,8 @@ function describe(error) {
  * @param {import("./index.js").ErrorCode} [code]
  */
 export function mismatch(value, path, rule, got = shown(value), code = "bad-input") {
-  return new ParkadeError(`${path}: must be ${rule}, got ${got}`, code, path);
+  const template = `must be ${rule}, got `;
+  return said(new ParkadeError(`${path}: ${template}${got}`, code, path), `${template}{}`, [got]);
 }
 
 /**

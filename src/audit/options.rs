@@ -104,7 +104,7 @@ impl Options {
         if entries.is_empty() || entries.len() > 2 {
             return bad(
                 "entries",
-                format!("must have one or both of head-in and reverse-in, got {}", entries.len()),
+                message!("must have one or both of head-in and reverse-in, got {}", entries.len()),
             );
         }
         let what_if = f.maybe("whatIf", word(&[("as-is", WhatIf::AsIs), ("each-free", WhatIf::EachFree)]))?;
@@ -147,7 +147,7 @@ fn named(id: &str) -> Result<AuditVehicle, Error> {
     }
     let known: Vec<&str> = library::all().iter().map(|entry| &entry.id[..]).collect();
     let known = known.join(", ");
-    let message = format!("must be paper, sedan, ship, {known} or {{ id, vehicle }}, got \"{id}\"");
+    let message = message!("must be paper, sedan, ship, {} or { id, vehicle }, got \"{}\"", known, id);
     Err(Error::new(ErrorCode::Vehicle, "", message))
 }
 
@@ -164,7 +164,7 @@ fn entrance(value: &Value) -> Result<Entrance, Error> {
     let f = Fields::of(value, &["id", "pose", "exit"])?;
     let pose = |value: &Value| {
         let pose = places::pose(value)?;
-        validate::finite_pose(pose).map(|()| pose).map_err(|e| Error { code: ErrorCode::Input, ..e })
+        validate::finite_pose(pose).map(|()| pose).map_err(|e| e.with_code(ErrorCode::Input))
     };
     Ok(Entrance { id: f.need("id", owned)?, pose: f.need("pose", pose)?, exit: f.maybe("exit", pose)? })
 }
@@ -176,7 +176,8 @@ fn bays(scene: &Scenario, value: &Value) -> Result<Vec<usize>, Error> {
             Value::String(id) => scene.slots.iter().position(|slot| slot.id.as_ref() == Some(id)),
             _ => value.as_u64().map(|at| at as usize).filter(|&at| at < scene.slots.len()),
         };
-        let rule = || format!("must be the id or index of one of {} slots, got {value}", scene.slots.len());
+        let rule =
+            || message!("must be the id or index of one of {} slots, got {}", scene.slots.len(), value);
         found.map_or_else(|| bad("", rule()), Ok)
     };
     let mut all = list(one)(value)?;
@@ -189,12 +190,12 @@ fn bays(scene: &Scenario, value: &Value) -> Result<Vec<usize>, Error> {
 fn distinct<'a>(field: &str, ids: impl ExactSizeIterator<Item = &'a String>) -> Result<(), Error> {
     let count = ids.len();
     if count == 0 || count > MAX_ITEMS {
-        return bad(field, format!("must have 1 to {MAX_ITEMS} items, got {count}"));
+        return bad(field, message!("must have 1 to {} items, got {}", MAX_ITEMS, count));
     }
     let mut seen = std::collections::BTreeSet::new();
     for id in ids {
         if !seen.insert(id) {
-            return bad(field, format!("must have different ids, got \"{id}\" twice"));
+            return bad(field, message!("must have different ids, got \"{}\" twice", id));
         }
     }
     Ok(())

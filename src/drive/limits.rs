@@ -96,7 +96,7 @@ pub(super) fn within(path: &str, value: f64, low: f64, high: f64) -> Result<(), 
     if (low..=high).contains(&value) {
         return Ok(());
     }
-    Err(Error::new(ErrorCode::Config, path, format!("must be between {low} and {high}, got {value}")))
+    Err(Error::new(ErrorCode::Config, path, message!("must be between {} and {}, got {}", low, high, value)))
 }
 
 impl Limits {

@@ -4,7 +4,7 @@
 //! stores the legs in order, each with its station, and groups them into runs without a gear change. At the end of
 //! a run the car stands still.
 
-use crate::error::{Error, ErrorCode};
+use crate::error::{Error, ErrorCode, Message};
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::{Pose, math};
 use crate::scenario::SpeedLimit;
@@ -62,7 +62,7 @@ pub struct Route {
     length: f64,
 }
 
-fn refused<T>(path: String, message: String) -> Result<T, Error> {
+fn refused<T>(path: String, message: Message) -> Result<T, Error> {
     Err(Error::new(ErrorCode::Input, path, message))
 }
 
@@ -94,7 +94,7 @@ impl Route {
         let (Some(&start), Some(&goal)) = (path.first(), path.last()) else {
             return refused(
                 "path".to_owned(),
-                "must have poses; a plan without a path cannot be driven".to_owned(),
+                "must have poses; a plan without a path cannot be driven".into(),
             );
         };
         let limit = vehicle.max_curvature() * CURVATURE_SLACK;
@@ -109,7 +109,7 @@ impl Route {
                     let at = format!("({:.2}, {:.2})", pair[0].x, pair[0].y);
                     return refused(
                         format!("path[{}]", 3 * i),
-                        format!("must have no corners, turns on the spot at {at}"),
+                        message!("must have no corners, turns on the spot at {}", at),
                     );
                 }
                 continue;
@@ -120,9 +120,10 @@ impl Route {
                 _ => turn / length * gear,
             };
             if curvature.abs() > limit {
-                let message = format!(
-                    "must turn no tighter than {:.4} 1/m, turns {curvature:.4}",
-                    vehicle.max_curvature()
+                let message = message!(
+                    "must turn no tighter than {} 1/m, turns {}",
+                    format_args!("{:.4}", vehicle.max_curvature()),
+                    format_args!("{:.4}", curvature)
                 );
                 return refused(format!("path[{}]", 3 * i), message);
             }
@@ -268,7 +269,10 @@ mod tests {
         assert_eq!(error.to_string(), "path[3]: must have no corners, turns on the spot at (3.00, 0.00)");
         let tight = [Pose::default(), Pose::default().advance(0.3, 0.1)];
         assert!(
-            Route::new(&CAR, &tight, &[1; 2], None).unwrap_err().message.starts_with("must turn no tighter")
+            Route::new(&CAR, &tight, &[1; 2], None)
+                .unwrap_err()
+                .message()
+                .starts_with("must turn no tighter")
         );
         assert!(Route::new(&CAR, &[], &[], None).is_err());
         let still = Route::new(&CAR, &[Pose::default(); 1], &[1], None).unwrap();

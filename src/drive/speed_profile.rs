@@ -96,7 +96,7 @@ impl Motion {
             let Some(phases) = phases else {
                 let (path, speed) =
                     if speeds[0] > 0.0 { ("startSpeed", speeds[0]) } else { ("goalSpeed", speeds[1]) };
-                let message = format!("must leave room to keep the limits of the way, got {speed}");
+                let message = message!("must leave room to keep the limits of the way, got {}", speed);
                 return Err(Error::new(ErrorCode::Config, path, message));
             };
             motion.push(index, &phases);
@@ -140,7 +140,11 @@ impl Motion {
     /// The motion, unless it takes too long.
     fn within_time(self) -> Result<Self, Error> {
         if self.duration > MAX_DURATION {
-            let message = format!("must be driven within {MAX_DURATION} s, takes {:.0} s", self.duration);
+            let message = message!(
+                "must be driven within {} s, takes {} s",
+                MAX_DURATION,
+                format_args!("{:.0}", self.duration)
+            );
             return Err(Error::new(ErrorCode::Config, "path", message));
         }
         Ok(self)

@@ -130,10 +130,10 @@ pub struct Trajectory {
 pub fn trajectory(vehicle: &Vehicle, route: &Route, limits: &Limits) -> Result<Trajectory, Error> {
     let motion = Motion::new(vehicle, route, limits)?;
     if motion.duration > MAX_TICKS * limits.dt {
-        let message = format!(
-            "must be at least {} for {:.0} s, got {}",
+        let message = message!(
+            "must be at least {} for {} s, got {}",
             motion.duration / MAX_TICKS,
-            motion.duration,
+            format_args!("{:.0}", motion.duration),
             limits.dt
         );
         return Err(Error::new(ErrorCode::Config, "dt", message));

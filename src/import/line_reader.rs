@@ -7,7 +7,7 @@
 use std::str::FromStr;
 
 use super::File;
-use crate::error::{Error, ErrorCode};
+use crate::error::{Error, ErrorCode, Message};
 
 /// Longest line of words, bytes.
 const LONGEST: usize = 1000;
@@ -39,7 +39,8 @@ impl<'a> Lines<'a> {
     /// The next line that must be there.
     pub(super) fn need(&mut self, what: &str) -> Result<Line<'a>, Error> {
         let number = self.number + 1;
-        self.next().ok_or_else(|| at(self.file, number, format!("must be {what}, got the end of the file")))
+        self.next()
+            .ok_or_else(|| at(self.file, number, message!("must be {}, got the end of the file", what)))
     }
 }
 
@@ -64,8 +65,8 @@ impl<'a> Iterator for Lines<'a> {
 
 impl<'a> Line<'a> {
     /// An error that names this line.
-    pub(super) fn error(&self, rule: impl Into<String>) -> Error {
-        at(self.file, self.number, rule)
+    pub(super) fn error(&self, message: impl Into<Message>) -> Error {
+        at(self.file, self.number, message)
     }
 
     /// The line as words are read from it: no format has lines as long as a file of junk may be.
@@ -74,7 +75,11 @@ impl<'a> Line<'a> {
     /// A line that is too long, or bytes that are not UTF-8.
     pub(super) fn text(&self) -> Result<&'a str, Error> {
         if self.bytes.len() > LONGEST {
-            return Err(self.error(format!("must have at most {LONGEST} bytes, got {}", self.bytes.len())));
+            return Err(self.error(message!(
+                "must have at most {} bytes, got {}",
+                LONGEST,
+                self.bytes.len()
+            )));
         }
         std::str::from_utf8(self.bytes).map_err(|_| self.error("must be text"))
     }
@@ -86,13 +91,13 @@ impl<'a> Line<'a> {
 
     /// A number in one of the line's fields.
     pub(super) fn number<T: FromStr>(&self, name: &str, text: &str, what: &str) -> Result<T, Error> {
-        text.parse().map_err(|_| self.error(format!("{name} must be {what}, got {}", quoted(text))))
+        text.parse().map_err(|_| self.error(message!("{} must be {}, got {}", name, what, quoted(text))))
     }
 }
 
 /// An error about a line.
-pub(super) fn at(file: &str, line: usize, rule: impl Into<String>) -> Error {
-    Error::new(ErrorCode::Import, format!("{file}:{line}"), rule)
+pub(super) fn at(file: &str, line: usize, message: impl Into<Message>) -> Error {
+    Error::new(ErrorCode::Import, format!("{file}:{line}"), message)
 }
 
 /// Quotes a file's text, shortened for a message.

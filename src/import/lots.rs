@@ -78,7 +78,7 @@ struct Car {
 /// assert_eq!(scenes[0].obstacles.len(), 2);
 /// ```
 pub fn scenes(lot: &Value) -> Result<Vec<Scenario>, Error> {
-    let lot: Lot = Lot::deserialize(lot).map_err(|e| Error::new(ErrorCode::Import, "", e.to_string()))?;
+    let lot: Lot = Lot::deserialize(lot).map_err(|e| Error::new(ErrorCode::Import, "", message!("{}", e)))?;
     let first = Question { start: lot.start, goal: lot.goal };
     let questions = [first].into_iter().chain(lot.alternatives.iter().map(|q| Question { ..*q }));
     (1..).zip(questions).map(|(number, question)| lot.scene(number, &question)).collect()
@@ -168,7 +168,7 @@ mod tests {
     fn a_missing_field_is_named() {
         let mut value = lot();
         value.as_object_mut().unwrap().remove("goal");
-        assert_eq!(scenes(&value).unwrap_err().message, "missing field `goal`");
+        assert_eq!(scenes(&value).unwrap_err().message(), "missing field `goal`");
         let mut value = lot();
         value["vehicle"]["width"] = json!(-1.0);
         assert_eq!(scenes(&value).unwrap_err().path, "vehicle.width");

@@ -90,8 +90,11 @@ pub fn import(files: &[File], options: &Options) -> Result<Imported, Error> {
     for file in files {
         if file.bytes.len() > MAX_BYTES {
             let line = file.bytes[..MAX_BYTES].split(|&b| b == b'\n').count();
-            let rule =
-                format!("must end the file, which may have {MAX_BYTES} bytes and has {}", file.bytes.len());
+            let rule = message!(
+                "must end the file, which may have {} bytes and has {}",
+                MAX_BYTES,
+                file.bytes.len()
+            );
             return Err(line_reader::at(file.name, line, rule));
         }
         if !MAIN.iter().any(|kind| has(file, kind)) {
@@ -106,7 +109,7 @@ pub fn import(files: &[File], options: &Options) -> Result<Imported, Error> {
         return Err(Error::new(ErrorCode::Import, "files", "must hold a file"));
     };
     if let Some(stranger) = files.iter().find(|f| !has(f, kind)) {
-        let rule = format!("must belong to {}", files[0].name);
+        let rule = message!("must belong to {}", files[0].name);
         return Err(Error::new(ErrorCode::Import, stranger.name, rule));
     }
     match kind[0] {
@@ -130,20 +133,23 @@ pub fn import(files: &[File], options: &Options) -> Result<Imported, Error> {
 /// A `.json` file with a `version` is a scene; one with `lots` is a list of lots. Anything else is an error that says
 /// so.
 fn read_scenes(file: File) -> Result<Imported, Error> {
-    let inside = |e: Error| Error { code: ErrorCode::Import, ..e.within(file.name) };
+    let inside = |e: Error| e.within(file.name).with_code(ErrorCode::Import);
     let text = std::str::from_utf8(file.bytes)
         .map_err(|_| Error::new(ErrorCode::Import, file.name, "must be text in UTF-8"))?;
     let text = text.trim_start_matches('\u{feff}');
     let done = |format, scenes| Imported { format, scenes, queries: Vec::new(), notes: Vec::new() };
     if has(&file, &["csv"]) {
         let numbered = |e: Error| match e.path.strip_prefix("line ") {
-            Some(line) => Error { path: format!("{}:{line}", file.name), ..e },
+            Some(line) => {
+                let path = format!("{}:{line}", file.name);
+                e.with_path(path)
+            }
             None => inside(e),
         };
         return Ok(done("tpcap", vec![tpcap::scene(stem(file.name), text).map_err(numbered)?]));
     }
     let value: Value = serde_json::from_str(text)
-        .map_err(|e| line_reader::at(file.name, e.line(), format!("is not JSON: {e}")))?;
+        .map_err(|e| line_reader::at(file.name, e.line(), message!("is not JSON: {}", e)))?;
     if value.get("version").is_some() {
         return Ok(done("scene", vec![Scenario::from_json(&value).map_err(inside)?]));
     }
@@ -191,7 +197,7 @@ fn the_one<'a>(files: &[File<'a>], endings: &[&str]) -> Result<Option<File<'a>>,
     let first = fitting.next().copied();
     match fitting.next() {
         Some(second) => {
-            let rule = format!("must be the only .{} file", endings[0]);
+            let rule = message!("must be the only .{} file", endings[0]);
             Err(Error::new(ErrorCode::Import, second.name, rule))
         }
         None => Ok(first),
@@ -245,7 +251,7 @@ impl Raster {
             planners: std::collections::BTreeMap::new(),
         };
         // A file may place its map beyond every scene.
-        scene.validate().map_err(|e| Error { code: ErrorCode::Import, ..e.within(file) })?;
+        scene.validate().map_err(|e| e.within(file).with_code(ErrorCode::Import))?;
         Ok(scene)
     }
 }

@@ -49,7 +49,7 @@ pub(super) fn read(map: Option<File>, scen: Option<File>, options: &Options) -> 
         Some(question) => Some(question.ends),
         None if questions.is_empty() && options.query == 0 => None,
         None => {
-            let rule = format!("must be below {}, got {}", questions.len(), options.query);
+            let rule = message!("must be below {}, got {}", questions.len(), options.query);
             return Err(Error::new(ErrorCode::Input, "query", rule));
         }
     };
@@ -78,7 +78,7 @@ fn read_map(file: File) -> Result<Occupancy, Error> {
     let first = lines.need("\"type octile\"")?;
     match first.text()?.split_ascii_whitespace().collect::<Vec<_>>()[..] {
         ["type", "octile" | "tile"] => {}
-        _ => return Err(first.error(format!("must be \"type octile\", got {}", quoted(first.text()?)))),
+        _ => return Err(first.error(message!("must be \"type octile\", got {}", quoted(first.text()?)))),
     }
     let (mut width, mut height) = (None, None);
     let body = loop {
@@ -89,14 +89,14 @@ fn read_map(file: File) -> Result<Occupancy, Error> {
             ["width", text] => width = Some(side(&line, "width", text)?),
             ["map"] => break line,
             _ => {
-                let rule = format!("must be \"height\", \"width\" or \"map\", got {}", quoted(line.text()?));
+                let rule = message!("must be \"height\", \"width\" or \"map\", got {}", quoted(line.text()?));
                 return Err(line.error(rule));
             }
         }
     };
     let (Some(width), Some(height)) = (width, height) else {
         let missing = if width.is_none() { "width" } else { "height" };
-        return Err(body.error(format!("must come after the map's {missing}")));
+        return Err(body.error(message!("must come after the map's {}", missing)));
     };
     // Room for the map is made once all of its rows are known to be there.
     let row = |number: u32| {
@@ -104,7 +104,7 @@ fn read_map(file: File) -> Result<Occupancy, Error> {
         if line.bytes.len() == width as usize {
             return Ok(line);
         }
-        Err(line.error(format!("must have {width} characters, got {}", line.bytes.len())))
+        Err(line.error(message!("must have {} characters, got {}", width, line.bytes.len())))
     };
     let rows = (1..=height).map(row).collect::<Result<Vec<_>, Error>>()?;
     let mut map = Occupancy::new(width, height);
@@ -115,13 +115,17 @@ fn read_map(file: File) -> Result<Occupancy, Error> {
                 b'@' | b'O' | b'T' | b'W' => map.set(Cell::new(x as i32, y as i32), true),
                 _ => {
                     let got = char::from(terrain);
-                    return Err(line.error(format!("column {}: must be one of .GS@OTW, got {got:?}", x + 1)));
+                    return Err(line.error(message!(
+                        "column {}: must be one of .GS@OTW, got {}",
+                        x + 1,
+                        format_args!("{:?}", got)
+                    )));
                 }
             }
         }
     }
     match lines.find(|line| !line.is_blank()) {
-        Some(line) => Err(line.error(format!("must be the end, after {height} rows"))),
+        Some(line) => Err(line.error(message!("must be the end, after {} rows", height))),
         None => Ok(map),
     }
 }
@@ -133,7 +137,7 @@ fn side(line: &Line, name: &str, text: &str) -> Result<u32, Error> {
     if (1..=MAX_CELLS).contains(&cells) {
         Ok(cells)
     } else {
-        Err(line.error(format!("{name} must be {what}, got {cells}")))
+        Err(line.error(message!("{} must be {}, got {}", name, what, cells)))
     }
 }
 
@@ -152,12 +156,12 @@ fn read_questions(scen: File, map_name: &str, map: &Occupancy, frame: &Frame) ->
     let mut words = first.text()?.split_ascii_whitespace();
     let version = (words.next(), words.next().and_then(|v| v.parse::<f64>().ok()), words.next());
     if version != (Some("version"), Some(1.0), None) {
-        return Err(first.error(format!("must be \"version 1\", got {}", quoted(first.text()?))));
+        return Err(first.error(message!("must be \"version 1\", got {}", quoted(first.text()?))));
     }
     let mut questions = Vec::new();
     for line in lines.filter(|line| !line.is_blank()) {
         if questions.len() == MAX_QUESTIONS {
-            return Err(line.error(format!("must be the end, after {MAX_QUESTIONS} questions")));
+            return Err(line.error(message!("must be the end, after {} questions", MAX_QUESTIONS)));
         }
         questions.push(read_question(&line, map_name, map, frame)?);
     }
@@ -172,14 +176,14 @@ fn read_questions(scen: File, map_name: &str, map: &Occupancy, frame: &Frame) ->
 fn read_question(line: &Line, map_name: &str, map: &Occupancy, frame: &Frame) -> Result<Read, Error> {
     let fields: Vec<&str> = line.text()?.split_ascii_whitespace().collect();
     let [bucket, name, width, height, x0, y0, x1, y1, length] = fields[..] else {
-        return Err(line.error(format!("must have 9 fields, got {}", fields.len())));
+        return Err(line.error(message!("must have 9 fields, got {}", fields.len())));
     };
     if base(name) != base(map_name) {
-        return Err(line.error(format!("must be about {}, got {}", quoted(base(map_name)), quoted(name))));
+        return Err(line.error(message!("must be about {}, got {}", quoted(base(map_name)), quoted(name))));
     }
     for (what, text, cells) in [("width", width, map.width()), ("height", height, map.height())] {
         if line.number::<u32>(what, text, "a whole number")? != cells {
-            return Err(line.error(format!("{what} must be the map's {cells}, got {}", quoted(text))));
+            return Err(line.error(message!("{} must be the map's {}, got {}", what, cells, quoted(text))));
         }
     }
     let cell = |what: [&str; 2], x: &str, y: &str| {
@@ -187,7 +191,7 @@ fn read_question(line: &Line, map_name: &str, map: &Occupancy, frame: &Frame) ->
         let inside = |name: &str, text: &str, count: u32| {
             let rule = format!("0 to {}", count - 1);
             let value: u32 = line.number(name, text, &rule)?;
-            let outside = || line.error(format!("{name} must be {rule}, got {value}"));
+            let outside = || line.error(message!("{} must be {}, got {}", name, rule, value));
             (value < count).then_some(value).ok_or_else(outside)
         };
         let (x, y) = (inside(what[0], x, columns)?, inside(what[1], y, rows)?);
@@ -197,7 +201,7 @@ fn read_question(line: &Line, map_name: &str, map: &Occupancy, frame: &Frame) ->
     let bucket = line.number("bucket", bucket, "a whole number from 0")?;
     let cells: f64 = line.number("length", length, "a number")?;
     if !(cells.is_finite() && cells >= 0.0) {
-        return Err(line.error(format!("length must be a number from 0, got {}", quoted(length))));
+        return Err(line.error(message!("length must be a number from 0, got {}", quoted(length))));
     }
     let [start, goal] = poses(frame, ends[0], ends[1]);
     Ok(Read { ends, question: Question { bucket, start, goal, length: cells * frame.resolution } })

@@ -5,7 +5,7 @@
 
 use serde_json::{Map, Value};
 
-use crate::error::{Error, ErrorCode};
+use crate::error::{Error, ErrorCode, Message};
 use crate::scenario::{VehicleSpec, places};
 
 /// Treatment of cells that are neither free nor occupied.
@@ -52,27 +52,26 @@ impl Options {
     pub fn from_json(fields: &Map<String, Value>) -> Result<Self, Error> {
         let mut options = Self::default();
         for (name, value) in fields {
-            let bad = |rule: &str| Error::new(ErrorCode::Input, name, format!("{rule}, got {value}"));
+            let bad = |template| Error::new(ErrorCode::Input, name, Message::new(template, &[value]));
             match name.as_str() {
                 "resolution" => {
                     let side = value.as_f64().filter(|v| (0.001..=1000.0).contains(v));
-                    options.resolution = Some(side.ok_or_else(|| bad("must be 0.001 to 1000 m"))?);
+                    options.resolution = Some(side.ok_or_else(|| bad("must be 0.001 to 1000 m, got {}"))?);
                 }
                 "query" => {
                     let query = value.as_u64().and_then(|v| usize::try_from(v).ok());
-                    options.query = query.ok_or_else(|| bad("must be a whole number from 0"))?;
+                    options.query = query.ok_or_else(|| bad("must be a whole number from 0, got {}"))?;
                 }
                 "unknown" => {
                     options.unknown = match value.as_str() {
                         Some("blocked") => Unknown::Blocked,
                         Some("free") => Unknown::Free,
-                        _ => return Err(bad("must be blocked or free")),
+                        _ => return Err(bad("must be blocked or free, got {}")),
                     }
                 }
                 "vehicle" => {
                     let vehicle = places::vehicle(value).and_then(|v| v.resolve().map(|_| v));
-                    options.vehicle =
-                        Some(vehicle.map_err(|e| Error { code: ErrorCode::Input, ..e.within(name) })?);
+                    options.vehicle = Some(vehicle.map_err(|e| e.within(name).with_code(ErrorCode::Input))?);
                 }
                 _ => {
                     let rule = "no option of importScene; there are resolution, query, unknown, vehicle";
@@ -88,7 +87,7 @@ impl Options {
         match self.query {
             0 => Ok(()),
             n => {
-                let rule = format!("must be 0 for maps without questions, got {n}");
+                let rule = message!("must be 0 for maps without questions, got {}", n);
                 Err(Error::new(ErrorCode::Input, "query", rule))
             }
         }

@@ -9,7 +9,7 @@
 
 use super::File;
 use super::line_reader::{at, quoted};
-use crate::error::Error;
+use crate::error::{Error, Message};
 use crate::scenario::MAX_CELLS;
 
 /// A grey picture, row by row from the top.
@@ -44,7 +44,12 @@ pub(super) fn read(file: File) -> Result<Picture, Error> {
     let least = if as_text { 2 * count } else { count * if max > 255 { 2 } else { 1 } + 1 };
     let left = file.bytes.len() - text.position;
     if left < least {
-        return Err(text.error(format!("must hold {width} × {height} values, only {left} bytes are left")));
+        return Err(text.error(message!(
+            "must hold {} × {} values, only {} bytes are left",
+            width,
+            height,
+            left
+        )));
     }
     let values = if as_text {
         (0..count)
@@ -64,9 +69,9 @@ struct Text<'a> {
 
 impl Text<'_> {
     /// An error that names the line of the present position.
-    fn error(&self, rule: impl Into<String>) -> Error {
+    fn error(&self, message: impl Into<Message>) -> Error {
         let before = &self.file.bytes[..self.position];
-        at(self.file.name, before.split(|&b| b == b'\n').count(), rule)
+        at(self.file.name, before.split(|&b| b == b'\n').count(), message)
     }
 
     /// The next byte, if there is one.
@@ -93,7 +98,7 @@ impl Text<'_> {
         }
         let start = self.position;
         if start == before {
-            return Err(self.error(format!("{name} must follow a blank")));
+            return Err(self.error(message!("{} must follow a blank", name)));
         }
         let digits = self.file.bytes[start..].iter().take(12).take_while(|b| b.is_ascii_digit()).count();
         let value =
@@ -107,7 +112,7 @@ impl Text<'_> {
             } else {
                 quoted(&String::from_utf8_lossy(&word))
             };
-            return Err(self.error(format!("{name} must be {min} to {max}, got {got}")));
+            return Err(self.error(message!("{} must be {} to {}, got {}", name, min, max, got)));
         }
         self.position += digits;
         Ok(value as u32)
@@ -133,7 +138,7 @@ impl Text<'_> {
         };
         match values.iter().position(|&v| v > max) {
             Some(index) => {
-                Err(self.error(format!("values must be 0 to {max}, got {} at {index}", values[index])))
+                Err(self.error(message!("values must be 0 to {}, got {} at {}", max, values[index], index)))
             }
             None => Ok(values),
         }

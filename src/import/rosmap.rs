@@ -19,7 +19,7 @@
 
 use super::line_reader::{Line, Lines, quoted};
 use super::{File, Imported, Options, Raster, Unknown, base, ending, lattice, pgm};
-use crate::error::{Error, ErrorCode};
+use crate::error::{Error, ErrorCode, Message};
 use crate::geometry::{Point, Pose};
 use crate::map::{Cell, Occupancy, raster};
 use crate::scenario::{MAX_CELLS, MapFrame};
@@ -137,8 +137,12 @@ fn turned(map: &Occupancy, description: &Description, yaml: File) -> Result<(Occ
     let cells = |length: f64| (length / side - 1e-9).ceil().max(1.0);
     let (width, height) = (cells(high.x - low.x), cells(high.y - low.y));
     if width > f64::from(MAX_CELLS) || height > f64::from(MAX_CELLS) {
-        let rule =
-            format!("must have at most {MAX_CELLS} cells a side, has {width} × {height} when turned upright");
+        let rule = message!(
+            "must have at most {} cells a side, has {} × {} when turned upright",
+            MAX_CELLS,
+            width,
+            height
+        );
         return Err(Error::new(ErrorCode::Import, yaml.name, rule));
     }
     let frame = MapFrame {
@@ -192,12 +196,12 @@ fn picture_of<'a>(description: &Description, yaml: File, files: &[File<'a>]) -> 
         return Ok(*file);
     }
     let image = quoted(description.image.unwrap_or_default());
-    let error = |rule| Err(Error::new(ErrorCode::Import, yaml.name, rule));
+    let error = |message: Message| Err(Error::new(ErrorCode::Import, yaml.name, message));
     let mut all = pictures();
     match (all.next(), all.next()) {
         (Some(only), None) => Ok(*only),
-        (None, _) => error(format!("must come with its picture {image} as a .pgm file")),
-        _ => error(format!("must come with its picture {image}; there are others")),
+        (None, _) => error(message!("must come with its picture {} as a .pgm file", image)),
+        _ => error(message!("must come with its picture {}; there are others", image)),
     }
 }
 
@@ -226,7 +230,7 @@ fn describe(file: File) -> Result<Description, Error> {
         }
         listing = false;
         let Some((key, value)) = text.split_once(':') else {
-            return Err(line.error(format!("must be \"key: value\", got {}", quoted(text))));
+            return Err(line.error(message!("must be \"key: value\", got {}", quoted(text))));
         };
         let (key, value) = (unquoted(key.trim()), value.trim());
         match key {
@@ -234,7 +238,7 @@ fn describe(file: File) -> Result<Description, Error> {
             "resolution" => {
                 description.resolution = number(&line, key, value)?;
                 if !(0.001..=1000.0).contains(&description.resolution) {
-                    return Err(line.error(format!("resolution must be 0.001 to 1000 m, got {value}")));
+                    return Err(line.error(message!("resolution must be 0.001 to 1000 m, got {}", value)));
                 }
             }
             "origin" => {
@@ -243,7 +247,7 @@ fn describe(file: File) -> Result<Description, Error> {
                 if !listing {
                     let inner = value.strip_prefix('[').and_then(|v| v.strip_suffix(']'));
                     let Some(inner) = inner else {
-                        return Err(line.error(format!("origin must be [x, y, yaw], got {}", quoted(value))));
+                        return Err(line.error(message!("origin must be [x, y, yaw], got {}", quoted(value))));
                     };
                     inner.split(',').try_for_each(|item| push(&line, &mut origin, item.trim()))?;
                 }
@@ -252,7 +256,7 @@ fn describe(file: File) -> Result<Description, Error> {
                 description.negate = match value {
                     "0" | "false" | "False" | "no" => false,
                     "1" | "true" | "True" | "yes" => true,
-                    _ => return Err(line.error(format!("negate must be 0 or 1, got {}", quoted(value)))),
+                    _ => return Err(line.error(message!("negate must be 0 or 1, got {}", quoted(value)))),
                 }
             }
             "occupied_thresh" => description.occupied = share(&line, key, value)?,
@@ -263,7 +267,7 @@ fn describe(file: File) -> Result<Description, Error> {
                     "scale" => Mode::Scale,
                     "raw" => Mode::Raw,
                     _ => {
-                        let rule = format!("mode must be trinary, scale or raw, got {}", quoted(value));
+                        let rule = message!("mode must be trinary, scale or raw, got {}", quoted(value));
                         return Err(line.error(rule));
                     }
                 }
@@ -272,17 +276,17 @@ fn describe(file: File) -> Result<Description, Error> {
             _ => {}
         }
     }
-    let error = |rule: String| Err(Error::new(ErrorCode::Import, file.name, rule));
+    let error = |message: Message| Err(Error::new(ErrorCode::Import, file.name, message));
     if description.resolution == 0.0 {
-        return error("must say its resolution".to_owned());
+        return error("must say its resolution".into());
     }
     let Ok(origin) = <[f64; 3]>::try_from(&origin[..]) else {
-        return error(format!("origin must have 3 numbers, got {}", origin.len()));
+        return error(message!("origin must have 3 numbers, got {}", origin.len()));
     };
     description.origin = origin;
     if description.free > description.occupied {
         let (free, occupied) = (description.free, description.occupied);
-        return error(format!("free_thresh must be at most occupied_thresh, got {free} and {occupied}"));
+        return error(message!("free_thresh must be at most occupied_thresh, got {} and {}", free, occupied));
     }
     Ok(description)
 }
@@ -310,7 +314,11 @@ fn unquoted(value: &str) -> &str {
 /// A finite number behind a key.
 fn number(line: &Line, key: &str, value: &str) -> Result<f64, Error> {
     let value: f64 = line.number(key, value, "a number")?;
-    if value.is_finite() { Ok(value) } else { Err(line.error(format!("{key} must be finite, got {value}"))) }
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(line.error(message!("{} must be finite, got {}", key, value)))
+    }
 }
 
 /// A number from 0 to 1 behind a key.
@@ -319,7 +327,7 @@ fn share(line: &Line, key: &str, value: &str) -> Result<f64, Error> {
     if (0.0..=1.0).contains(&share) {
         Ok(share)
     } else {
-        Err(line.error(format!("{key} must be 0 to 1, got {share}")))
+        Err(line.error(message!("{} must be 0 to 1, got {}", key, share)))
     }
 }
 

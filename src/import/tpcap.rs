@@ -10,7 +10,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::error::{Error, ErrorCode};
+use crate::error::{Error, ErrorCode, Message};
 use crate::geometry::Pose;
 use crate::scenario::{Goal, MAX_CELLS, MapFrame, Obstacle, Scenario, VehicleSpec};
 use crate::vehicle::Vehicle;
@@ -31,7 +31,7 @@ pub const AROUND: f64 = 15.0;
 /// Side of a map cell on cases that are small enough, metres.
 const CELL: f64 = 0.2;
 
-fn bad<T>(message: String) -> Result<T, Error> {
+fn bad<T>(message: Message) -> Result<T, Error> {
     Err(Error::new(ErrorCode::Import, "line 1", message))
 }
 
@@ -71,7 +71,7 @@ pub fn scene(name: &str, text: &str) -> Result<Scenario, Error> {
         obstacles.push(Obstacle::Polygon { id: Some(format!("obstacle {i}")), points });
     }
     if numbers.items.next().is_some() {
-        return bad(format!("must end after {} numbers, the last corner", numbers.read));
+        return bad(message!("must end after {} numbers, the last corner", numbers.read));
     }
     let scene = Scenario {
         version: 1,
@@ -121,11 +121,11 @@ impl Numbers<'_> {
     fn number(&mut self) -> Result<f64, Error> {
         self.read += 1;
         let Some(item) = self.items.next() else {
-            return bad(format!("number {} is missing", self.read));
+            return bad(message!("number {} is missing", self.read));
         };
         match item.trim().parse::<f64>() {
             Ok(value) if value.is_finite() => Ok(value),
-            _ => bad(format!("number {} must be a finite number, got \"{}\"", self.read, item.trim())),
+            _ => bad(message!("number {} must be a finite number, got \"{}\"", self.read, item.trim())),
         }
     }
 
@@ -140,7 +140,7 @@ impl Numbers<'_> {
         if value.fract() == 0.0 && (least..=1e6).contains(&value) {
             return Ok(value as u32);
         }
-        bad(format!("number {}, {what}, must be a whole number from {least}, got {value}", self.read))
+        bad(message!("number {}, {}, must be a whole number from {}, got {}", self.read, what, least, value))
     }
 }
 

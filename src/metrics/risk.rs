@@ -69,10 +69,10 @@ impl Options {
     /// # Errors
     /// [`ErrorCode::Input`] with the field and the rule.
     pub fn from_json(fields: &Map<String, Value>) -> Result<Self, Error> {
-        let input = |e: Error| Error { code: ErrorCode::Input, ..e };
+        let input = |e: Error| e.with_code(ErrorCode::Input);
         let options = Self::default().with(fields).map_err(input)?;
         if !(1..=1_000_000).contains(&options.trials) {
-            let message = format!("must be between 1 and 1000000, got {}", options.trials);
+            let message = message!("must be between 1 and 1000000, got {}", options.trials);
             return Err(Error::new(ErrorCode::Input, "trials", message));
         }
         Ok(options)

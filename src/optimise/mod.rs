@@ -118,7 +118,7 @@ impl Options {
         if (0.0..=10.0).contains(&self.margin) {
             return Ok(());
         }
-        let message = format!("must be between 0 and 10, got {}", self.margin);
+        let message = message!("must be between 0 and 10, got {}", self.margin);
         Err(Error::new(ErrorCode::Config, "margin", message))
     }
 }
@@ -351,8 +351,10 @@ impl Trials<'_> {
 }
 
 fn too_long(duration: f64) -> Error {
-    let message = format!(
-        "must be driven within {MAX_DURATION} s, takes {duration:.0} s with a stop at each step of the curvature"
+    let message = message!(
+        "must be driven within {} s, takes {} s with a stop at each step of the curvature",
+        MAX_DURATION,
+        format_args!("{duration:.0}")
     );
     Error::new(ErrorCode::Input, "path", message)
 }

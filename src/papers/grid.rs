@@ -113,7 +113,7 @@ pub const ROWS: [Row; 6] = [
 pub fn row(id: &str) -> Result<&'static Row, Error> {
     ROWS.iter().find(|row| row.id == id).ok_or_else(|| {
         let known: Vec<_> = ROWS.iter().map(|row| row.id).collect();
-        Error::new(ErrorCode::Input, "row", format!("must be one of {}, got \"{id}\"", known.join(", ")))
+        Error::new(ErrorCode::Input, "row", message!("must be one of {}, got \"{}\"", known.join(", "), id))
     })
 }
 
@@ -135,7 +135,7 @@ pub fn row(id: &str) -> Result<&'static Row, Error> {
 /// ```
 pub fn measure(row: &Row, from: u64, to: u64, clock: &mut dyn FnMut() -> f64) -> Result<Vec<f64>, Error> {
     if from > to || to - from >= MAX_SEEDS {
-        let rule = format!("must be {from} to {}, got {to}", from.saturating_add(MAX_SEEDS - 1));
+        let rule = message!("must be {} to {}, got {}", from, from.saturating_add(MAX_SEEDS - 1), to);
         return Err(Error::new(ErrorCode::Input, "to", rule));
     }
     let mut scratch = GridScratch::new();
@@ -292,11 +292,11 @@ fn printed_at(planner: &str) -> Option<usize> {
 /// [`ErrorCode::Input`] where the figures are none, not whole maps' or not numbers.
 pub fn summary(row: &Row, figures: &[f64]) -> Result<Table, Error> {
     if figures.is_empty() || !figures.len().is_multiple_of(WIDTH) {
-        let rule = format!("must have {WIDTH} figures per map, got {}", figures.len());
+        let rule = message!("must have {} figures per map, got {}", WIDTH, figures.len());
         return Err(Error::new(ErrorCode::Input, "figures", rule));
     }
     if let Some(i) = figures.iter().position(|v| !v.is_finite()) {
-        let rule = format!("must be a finite number, got {}", figures[i]);
+        let rule = message!("must be a finite number, got {}", figures[i]);
         return Err(Error::new(ErrorCode::Input, format!("figures[{i}]"), rule));
     }
     let lines = PLANNERS

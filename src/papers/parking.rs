@@ -141,10 +141,14 @@ pub struct Table {
 pub fn measure(id: &str, rounds: u32, clock: &mut dyn FnMut() -> f64) -> Result<Table, Error> {
     let row = ROWS.into_iter().find(|row| row.id == id).ok_or_else(|| {
         let ids = ROWS.map(|row| row.id).join(", ");
-        Error::new(ErrorCode::Input, "row", format!("must be one of {ids}, got {id:?}"))
+        Error::new(
+            ErrorCode::Input,
+            "row",
+            message!("must be one of {}, got {}", ids, format_args!("{:?}", id)),
+        )
     })?;
     if !(1..=1000).contains(&rounds) {
-        return Err(Error::new(ErrorCode::Input, "rounds", format!("must be 1 to 1000, got {rounds}")));
+        return Err(Error::new(ErrorCode::Input, "rounds", message!("must be 1 to 1000, got {}", rounds)));
     }
     let scene = catalog::scenario(id)?;
     let (mut lines, mut bound) = (Vec::new(), 0.0);

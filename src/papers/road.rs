@@ -102,7 +102,7 @@ pub const ROWS: [Row; 8] = [
 pub fn row(id: &str) -> Result<&'static Row, Error> {
     ROWS.iter().find(|row| row.id == id).ok_or_else(|| {
         let known: Vec<_> = ROWS.iter().map(|row| row.id).collect();
-        Error::new(ErrorCode::Input, "row", format!("must be one of {}, got \"{id}\"", known.join(", ")))
+        Error::new(ErrorCode::Input, "row", message!("must be one of {}, got \"{}\"", known.join(", "), id))
     })
 }
 
@@ -205,7 +205,7 @@ pub struct Promise {
 /// ```
 pub fn measure(row: &Row, rounds: u32, clock: &mut dyn FnMut() -> f64) -> Result<Table, Error> {
     if !(1..=1000).contains(&rounds) {
-        return Err(Error::new(ErrorCode::Input, "rounds", format!("must be 1 to 1000, got {rounds}")));
+        return Err(Error::new(ErrorCode::Input, "rounds", message!("must be 1 to 1000, got {}", rounds)));
     }
     let scene = row.scenario()?;
     let lines = row

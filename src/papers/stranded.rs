@@ -25,7 +25,7 @@ const MAX_SEEDS: u64 = 10_000;
 /// ```
 pub fn stranded(row: &Row, from: u64, to: u64) -> Result<Vec<u64>, Error> {
     if from > to || to - from >= MAX_SEEDS {
-        let rule = format!("must be {from} to {}, got {to}", from.saturating_add(MAX_SEEDS - 1));
+        let rule = message!("must be {} to {}, got {}", from, from.saturating_add(MAX_SEEDS - 1), to);
         return Err(Error::new(ErrorCode::Input, "to", rule));
     }
     let literal = Config { fallback: Fallback::None, ..Config::PAPER };

@@ -183,13 +183,13 @@ pub fn compare(
     clock: &mut dyn FnMut() -> f64,
 ) -> Result<Comparison, Error> {
     let within = |name, value, most| {
-        let rule = format!("must be 1 to {most}, got {value}");
+        let rule = message!("must be 1 to {}, got {}", most, value);
         if (1..=most).contains(&value) { Ok(()) } else { Err(Error::new(ErrorCode::Input, name, rule)) }
     };
     within("poses", poses, MAX_POSES)?;
     within("rounds", rounds, 1000)?;
     let scene = SCENES.into_iter().find(|id| *id == scene).ok_or_else(|| {
-        let rule = format!("must be one of {}, got {scene:?}", SCENES.join(", "));
+        let rule = message!("must be one of {}, got {}", SCENES.join(", "), format_args!("{:?}", scene));
         Error::new(ErrorCode::Input, "scene", rule)
     })?;
     let scenario = catalog::scenario(scene)?;

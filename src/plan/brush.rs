@@ -61,7 +61,7 @@ impl Planner {
     /// [`ErrorCode::Input`] when a run is not on the map.
     pub fn brush(&mut self, runs: &[[u32; 3]], blocked: bool) -> Result<(), Error> {
         let dab = Obstacle::Cells { id: None, runs: runs.to_vec() };
-        dab.validate(&self.scenario.map).map_err(|e| Error { code: ErrorCode::Input, ..e })?;
+        dab.validate(&self.scenario.map).map_err(|e| e.with_code(ErrorCode::Input))?;
         let Self { scenario, world, engine, brush, .. } = self;
         let brush = brush.get_or_insert_with(|| Brush::new(scenario, world));
         for cell in runs.iter().flat_map(|&[x, y, count]| (x..x + count).map(move |x| (x, y))) {

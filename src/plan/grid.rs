@@ -62,7 +62,7 @@ impl Engine {
     pub(super) fn new(world: &World, kind: PlannerId, search: GridPlanner) -> Result<Self, Error> {
         let settings = search.common();
         if world.occupancy.weights().is_some() && !kind.takes_costs() {
-            let rule = format!("must be empty for {}, for which all free cells cost the same", kind.id());
+            let rule = message!("must be empty for {}, for which all free cells cost the same", kind.id());
             return Err(Error::new(ErrorCode::Config, "costs", rule));
         }
         let rasters = Rasters::new(world, &settings);

@@ -57,8 +57,11 @@ impl Engine {
         let frame = &world.frame;
         let side = f64::from(frame.width.max(frame.height)) * frame.resolution;
         if side > MAX_LENGTH {
-            let message =
-                format!("must be at most {MAX_LENGTH} m wide and high where a car is to drive, got {side} m");
+            let message = message!(
+                "must be at most {} m wide and high where a car is to drive, got {} m",
+                MAX_LENGTH,
+                side
+            );
             return Err(Error::new(ErrorCode::Input, "map", message));
         }
         let obstacles = obstacles(&world.geometry).painted(world.paint());

@@ -57,7 +57,7 @@ impl Planner {
     pub fn layer(&self, name: &str, every: u32) -> Result<Layer, Error> {
         if every == 0 || (every > 1 && name != "risk") {
             let rule = if name == "risk" { "a whole number from 1" } else { "1 but for risk" };
-            return Err(Error::new(ErrorCode::Input, "every", format!("must be {rule}, got {every}")));
+            return Err(Error::new(ErrorCode::Input, "every", message!("must be {}, got {}", rule, every)));
         }
         let map = &self.world.occupancy;
         let data = match (name, &self.engine) {
@@ -72,27 +72,27 @@ impl Planner {
             ("redundant", Engine::Grid(engine)) => LayerData::Bytes(engine.safety(&self.world)),
             #[cfg(feature = "complete")]
             ("redundant", _) => {
-                let message = format!("{} closes no redundant cells; grid planners do", self.kind.id());
+                let message = message!("{} closes no redundant cells; grid planners do", self.kind.id());
                 return Err(Error::new(ErrorCode::Input, "name", message));
             }
             #[cfg(feature = "complete")]
             ("cost", Engine::Road(engine)) => LayerData::Floats(engine.costs()),
             #[cfg(feature = "complete")]
             ("cost", _) => {
-                let message = format!("{} has no cost map; cost-map has", self.kind.id());
+                let message = message!("{} has no cost map; cost-map has", self.kind.id());
                 return Err(Error::new(ErrorCode::Input, "name", message));
             }
             #[cfg(feature = "complete")]
             ("potential", engine) => {
                 let potential =
                     if let Engine::Grid(engine) = engine { engine.potential(&self.world) } else { None };
-                let message = || format!("{} has no risk field; risk-field has", self.kind.id());
+                let message = || message!("{} has no risk field; risk-field has", self.kind.id());
                 LayerData::Floats(potential.ok_or_else(|| Error::new(ErrorCode::Input, "name", message()))?)
             }
             ("risk", engine) => {
                 let field =
                     if let Engine::Grid(engine) = engine { engine.field(&self.world, every) } else { None };
-                let message = || format!("{} has no risk field; risk-field has", self.kind.id());
+                let message = || message!("{} has no risk field; risk-field has", self.kind.id());
                 LayerData::Floats(field.ok_or_else(|| Error::new(ErrorCode::Input, "name", message()))?)
             }
             _ => {
@@ -100,7 +100,7 @@ impl Planner {
                 let known = "occupancy, safety, redundant, clearance, risk, potential or cost";
                 #[cfg(not(feature = "complete"))]
                 let known = "occupancy, safety, clearance or risk";
-                let message = format!("must be {known}, got \"{name}\"");
+                let message = message!("must be {}, got \"{}\"", known, name);
                 return Err(Error::new(ErrorCode::Input, "name", message));
             }
         };

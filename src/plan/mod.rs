@@ -178,11 +178,11 @@ impl Planner {
         let mut settings = scenario.planners.get(id).cloned().unwrap_or_default();
         settings.extend(config.clone());
         for (name, other) in scenario.planners.iter().filter(|p| p.0 != id) {
-            let known = default_config(name)
-                .map_err(|e| Error { code: ErrorCode::Scenario, ..e.within("planners") })?;
+            let known =
+                default_config(name).map_err(|e| e.within("planners").with_code(ErrorCode::Scenario))?;
             if let Some(stranger) = other.keys().find(|k| !known.contains_key(*k)) {
                 let path = format!("planners.{name}.{stranger}");
-                return Err(Error::new(ErrorCode::Scenario, path, format!("no setting of {name}")));
+                return Err(Error::new(ErrorCode::Scenario, path, message!("no setting of {}", name)));
             }
         }
         #[cfg_attr(not(feature = "complete"), expect(unused_mut, reason = "sets of goals are moved out"))]
@@ -312,7 +312,7 @@ impl Planner {
                 return Err(Error::new(
                     ErrorCode::Input,
                     name,
-                    format!("must be a finite number, got {value}"),
+                    message!("must be a finite number, got {}", value),
                 ));
             }
         }
@@ -321,7 +321,7 @@ impl Planner {
                 Ok(engine.explain(&self.world, Point::new(x, y)))
             }
             _ => {
-                let message = format!("{} has no risk field; risk-field has", self.kind.id());
+                let message = message!("{} has no risk field; risk-field has", self.kind.id());
                 Err(Error::new(ErrorCode::Input, "planner", message))
             }
         }

@@ -30,14 +30,14 @@ impl Options<'_> {
     pub fn from_json(scene: &Scenario, fields: &Map<String, Value>) -> Result<(Self, Ends), Error> {
         let (mut options, mut ends) = (Self::default(), Ends::default());
         for (name, value) in fields.iter().filter(|field| !field.1.is_null()) {
-            let wrong = |e: Error| Error { code: ErrorCode::Input, ..e.within(name) };
+            let wrong = |e: Error| e.within(name).with_code(ErrorCode::Input);
             match name.as_str() {
                 "trace" => options.trace = json::flag(value).map_err(wrong)?,
                 "alternatives" => options.alternatives = json::flag(value).map_err(wrong)?,
                 "prefer" => options.prefer = Some(json::word(Prefer::WORDS)(value).map_err(wrong)?),
                 "stickiness" => {
                     let share = json::number(value).ok().filter(|share| (0.0..=1.0).contains(share));
-                    let rule = format!("must be between 0 and 1, got {value}");
+                    let rule = message!("must be between 0 and 1, got {}", value);
                     options.stickiness = share.ok_or_else(|| Error::new(ErrorCode::Input, name, rule))?;
                 }
                 "start" | "goal" => {

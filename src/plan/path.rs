@@ -6,7 +6,7 @@
 //! behind needs no checks of its own. An error names the list and the index of its first wrong number.
 
 use super::NEAR;
-use crate::error::{Error, ErrorCode};
+use crate::error::{Error, ErrorCode, Message};
 use crate::geometry::Pose;
 #[cfg(feature = "complete")]
 use crate::metrics::risk::{self, Risk};
@@ -17,17 +17,17 @@ use crate::metrics::{Body, Check, check};
 use crate::scenario::Scenario;
 use crate::scenario::resolve::Geometry;
 
-fn refused<T>(path: impl Into<String>, message: String) -> Result<T, Error> {
+fn refused<T>(path: impl Into<String>, message: Message) -> Result<T, Error> {
     Err(Error::new(ErrorCode::Input, path, message))
 }
 
 /// The poses of x, y, heading, ….
 pub(super) fn poses(path: &[f64]) -> Result<Vec<Pose>, Error> {
     if !path.len().is_multiple_of(3) {
-        return refused("path", format!("must be x, y, heading for each pose, got {} numbers", path.len()));
+        return refused("path", message!("must be x, y, heading for each pose, got {} numbers", path.len()));
     }
     if let Some(i) = path.iter().position(|v| !v.is_finite()) {
-        return refused(format!("path[{i}]"), format!("must be a finite number, got {}", path[i]));
+        return refused(format!("path[{i}]"), message!("must be a finite number, got {}", path[i]));
     }
     Ok(path.chunks_exact(3).map(|p| Pose::new(p[0], p[1], p[2])).collect())
 }
@@ -48,7 +48,7 @@ fn way(path: &[f64]) -> Result<Vec<Pose>, Error> {
     let poses = poses(path)?;
     let length = length(&poses);
     if length > MAX_LENGTH {
-        return refused("path", format!("must be at most {MAX_LENGTH} m long, got {length} m"));
+        return refused("path", message!("must be at most {} m long, got {} m", MAX_LENGTH, length));
     }
     Ok(poses)
 }
@@ -76,7 +76,7 @@ pub fn path_poses(path: &[f64]) -> Result<Vec<Pose>, Error> {
 pub(super) fn some_poses(path: &[f64]) -> Result<Vec<Pose>, Error> {
     let poses = way(path)?;
     if poses.is_empty() {
-        return refused("path", "must have poses; there is nothing to measure".to_owned());
+        return refused("path", "must have poses; there is nothing to measure".into());
     }
     Ok(poses)
 }
@@ -85,10 +85,10 @@ pub(super) fn some_poses(path: &[f64]) -> Result<Vec<Pose>, Error> {
 pub(super) fn gears(directions: Option<&[i8]>, poses: usize) -> Result<Vec<i8>, Error> {
     let directions = directions.map_or_else(|| vec![1; poses], <[i8]>::to_vec);
     if directions.len() != poses {
-        return refused("directions", format!("must be one per pose ({poses}), got {}", directions.len()));
+        return refused("directions", message!("must be one per pose ({}), got {}", poses, directions.len()));
     }
     match directions.iter().position(|d| d.abs() != 1) {
-        Some(i) => refused(format!("directions[{i}]"), format!("must be 1 or -1, got {}", directions[i])),
+        Some(i) => refused(format!("directions[{i}]"), message!("must be 1 or -1, got {}", directions[i])),
         None => Ok(directions),
     }
 }
@@ -108,7 +108,7 @@ pub fn route(
     let poses = way(path)?;
     let directions = gears(directions, poses.len())?;
     if let Some(curvatures) = curvatures.filter(|k| k.len() != poses.len()) {
-        let message = format!("must be one per pose ({}), got {}", poses.len(), curvatures.len());
+        let message = message!("must be one per pose ({}), got {}", poses.len(), curvatures.len());
         return refused("curvatures", message);
     }
     crate::drive::Route::new(&geometry.vehicle, &poses, &directions, curvatures)
@@ -137,7 +137,7 @@ pub fn optimise(
     let body = Body::new(&geometry);
     let check = check(&geometry, &body, &poses, &gears, NEAR);
     if !check.drivable() {
-        let message = format!("must pass its check, got \"{}\"", check.verdict.as_str());
+        let message = message!("must pass its check, got \"{}\"", check.verdict.as_str());
         return refused("plan.path", message);
     }
     let route = route.with_speed_limits(&scene.all_speed_limits());
@@ -216,7 +216,7 @@ fn drivable(
     let (geometry, poses) = (scenario.geometry()?, some_poses(path)?);
     let driven = f64::from(options.trials) * length(&poses);
     if driven > risk::MAX_DRIVEN {
-        let message = format!("must drive at most {} m together, got {driven} m", risk::MAX_DRIVEN);
+        let message = message!("must drive at most {} m together, got {} m", risk::MAX_DRIVEN, driven);
         return Err(Error::new(ErrorCode::Input, "trials", message));
     }
     Ok((geometry, poses))

@@ -41,7 +41,7 @@ pub struct Found {
 
 /// Refuses a pose with a number that is not finite or out of range, by the name of the end.
 fn checked(path: &str, pose: Pose) -> Result<Pose, Error> {
-    finite_pose(pose).map(|()| pose).map_err(|e| Error { code: ErrorCode::Input, ..e.within(path) })
+    finite_pose(pose).map(|()| pose).map_err(|e| e.within(path).with_code(ErrorCode::Input))
 }
 
 impl Planner {
@@ -69,7 +69,7 @@ impl Planner {
         let goal = ends.goal.map(|pose| checked("goal", pose)).transpose()?;
         #[cfg(feature = "complete")]
         if let Some(choice) = options.choice().filter(|_| self.kind.family() != Family::Hybrid) {
-            let message = format!("{} finds one path; hybrid has others to choose from", self.kind.id());
+            let message = message!("{} finds one path; hybrid has others to choose from", self.kind.id());
             return Err(Error::new(ErrorCode::Input, choice, message));
         }
         Ok(self.between(start.unwrap_or(self.own_ends[0]), goal, options))
@@ -100,7 +100,7 @@ impl Planner {
         directions: &[i8],
         curvatures: &[f64],
     ) -> Result<(), Error> {
-        let wrong = |message: &str| Error::new(ErrorCode::Input, "before", message);
+        let wrong = |rule: &'static str| Error::new(ErrorCode::Input, "before", rule);
         let count = path.len() / 3;
         if count == 0 || path.len() != 3 * count || directions.len() != count || curvatures.len() != count {
             return Err(wrong("must have a path, and a direction and a curvature for each of its poses"));
@@ -138,7 +138,7 @@ impl Planner {
         let pose = |point: Point| Pose::new(point.x, point.y, 0.0);
         let (start, goal) = (checked("start", pose(start))?, checked("goal", pose(goal))?);
         let Engine::Grid(engine) = &mut self.engine else {
-            let message = format!("{} has no bare search; grid planners have", self.kind.id());
+            let message = message!("{} has no bare search; grid planners have", self.kind.id());
             return Err(Error::new(ErrorCode::Input, "", message));
         };
         let report = engine.search(&self.world, start, goal, &mut Watch::default());

@@ -114,7 +114,7 @@ impl Config {
     pub fn validate_for(&self, neighbourhood: Neighbourhood) -> Result<(), Error> {
         if !self.heuristic.is_admissible(neighbourhood) {
             let names = HEURISTICS.iter().filter(|h| h.is_admissible(neighbourhood)).map(|h| h.as_str());
-            let rule = format!(
+            let rule = message!(
                 "must be {} with {} neighbours, got {}",
                 names.collect::<Vec<_>>().join(" or "),
                 neighbourhood.moves().len(),

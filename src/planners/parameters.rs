@@ -89,8 +89,9 @@ impl ParameterSpec {
 
     fn check(&self, value: &dyn Setting) -> Result<(), Error> {
         let (Some((min, max)), Some(number)) = (self.range, value.number()) else { return Ok(()) };
-        let bad =
-            |rule| Err(Error::new(ErrorCode::Config, self.name, format!("must be {rule}, got {number}")));
+        let bad = |rule| {
+            Err(Error::new(ErrorCode::Config, self.name, message!("must be {}, got {}", rule, number)))
+        };
         if !(min..=max).contains(&number) {
             return bad(format!("between {min} and {max}"));
         }

@@ -195,7 +195,7 @@ impl PlannerId {
     pub fn of(id: &str) -> Result<Self, Error> {
         ROWS.iter().find(|row| row.id == id).map(Self).ok_or_else(|| {
             let known: Vec<_> = ROWS.iter().map(|row| row.id).collect();
-            let message = format!("no planner \"{id}\"; there are {}", known.join(", "));
+            let message = message!("no planner \"{}\"; there are {}", id, known.join(", "));
             Error::new(ErrorCode::UnknownPlanner, "", message)
         })
     }

@@ -79,7 +79,7 @@ impl Setting for MinRadius {
         *self = match (value.as_f64(), value.as_str()) {
             (Some(radius), _) => Self::Cells(radius),
             (_, Some("vehicle")) => Self::Vehicle,
-            _ => return bad("", format!("must be a number of cells or \"vehicle\", got {value}")),
+            _ => return bad("", message!("must be a number of cells or \"vehicle\", got {}", value)),
         };
         Ok(())
     }

@@ -5,7 +5,7 @@
 //! rows, which are bounded; so is every line.
 
 use super::{Submission, TimedRows};
-use crate::error::{Error, ErrorCode};
+use crate::error::{Error, ErrorCode, Message};
 use crate::geometry::Pose;
 
 /// Longest line, bytes.
@@ -16,8 +16,8 @@ const MAX_ROWS: usize = 1_000_000;
 const COLUMNS: [&str; 9] = ["t", "x", "y", "theta", "v", "phi", "a", "omega", "gear"];
 
 /// A place in the text: line and column in characters, both from 1.
-fn at<T>(line: usize, column: usize, rule: impl Into<String>) -> Result<T, Error> {
-    Err(Error::new(ErrorCode::Import, format!("{line}:{column}"), rule))
+fn at<T>(line: usize, column: usize, message: impl Into<Message>) -> Result<T, Error> {
+    Err(Error::new(ErrorCode::Import, format!("{line}:{column}"), message))
 }
 
 /// A field of a line and the column where it begins. Columns count characters, not bytes, as editors do.
@@ -47,21 +47,21 @@ fn header(line: &str) -> Result<Vec<&'static str>, Error> {
     for (place, name) in fields(line) {
         let Some(&column) = COLUMNS.iter().find(|known| **known == name) else {
             let known = COLUMNS.join(", ");
-            return at(1, place, format!("must be one of {known}, got {}", quoted(name)));
+            return at(1, place, message!("must be one of {}, got {}", known, quoted(name)));
         };
         if columns.contains(&column) {
-            return at(1, place, format!("must be named once, got {column} again"));
+            return at(1, place, message!("must be named once, got {} again", column));
         }
         columns.push(column);
     }
     let is_timed = columns.contains(&"t");
     if let Some(missing) = ["x", "y", "theta"].iter().find(|name| !columns.contains(name)) {
-        return at(1, 1, format!("must have a column {missing}"));
+        return at(1, 1, message!("must have a column {}", missing));
     }
     let strangers: &[&str] = if is_timed { &["gear"] } else { &["v", "phi", "a", "omega"] };
     match columns.iter().position(|name| strangers.contains(name)) {
         Some(i) if is_timed => at(1, fields(line)[i].0, "must have no column gear beside t"),
-        Some(i) => at(1, fields(line)[i].0, format!("must have no column {} without t", columns[i])),
+        Some(i) => at(1, fields(line)[i].0, message!("must have no column {} without t", columns[i])),
         None => Ok(columns),
     }
 }
@@ -89,19 +89,19 @@ pub fn read(text: &str) -> Result<Submission, Error> {
         lines.pop();
     }
     if let Some(&(line, number)) = lines.iter().find(|(line, _)| line.len() > LONGEST) {
-        return at(number, LONGEST, format!("must have at most {LONGEST} bytes, got {}", line.len()));
+        return at(number, LONGEST, message!("must have at most {} bytes, got {}", LONGEST, line.len()));
     }
     let Some(&(first, _)) = lines.first() else { return at(1, 1, "must be a header, got an empty text") };
     let columns = header(first)?;
     if !(3..=MAX_ROWS + 1).contains(&lines.len()) {
-        return at(lines.len(), 1, format!("must have 2 to {MAX_ROWS} rows, got {}", lines.len() - 1));
+        return at(lines.len(), 1, message!("must have 2 to {} rows, got {}", MAX_ROWS, lines.len() - 1));
     }
     let mut values = vec![Vec::with_capacity(lines.len() - 1); columns.len()];
     for &(line, number) in &lines[1..] {
         let fields = fields(line);
         if fields.len() != columns.len() {
             let place = fields.get(columns.len()).map_or(line.chars().count() + 1, |field| field.0);
-            return at(number, place, format!("must have {} fields, got {}", columns.len(), fields.len()));
+            return at(number, place, message!("must have {} fields, got {}", columns.len(), fields.len()));
         }
         for ((&(place, field), name), column) in fields.iter().zip(&columns).zip(&mut values) {
             match field.parse::<f64>() {
@@ -109,13 +109,13 @@ pub fn read(text: &str) -> Result<Submission, Error> {
                     column.push(value);
                 }
                 _ if *name == "gear" => {
-                    return at(number, place, format!("gear must be 1 or -1, got {}", quoted(field)));
+                    return at(number, place, message!("gear must be 1 or -1, got {}", quoted(field)));
                 }
                 _ => {
                     return at(
                         number,
                         place,
-                        format!("{name} must be a finite number, got {}", quoted(field)),
+                        message!("{} must be a finite number, got {}", name, quoted(field)),
                     );
                 }
             }
@@ -126,7 +126,7 @@ pub fn read(text: &str) -> Result<Submission, Error> {
         Some((row, name, rule)) => {
             let place = columns.iter().position(|c| *c == name).unwrap_or(0);
             let (line, number) = lines[row + 1];
-            at(number, fields(line)[place].0, format!("{name} {rule}"))
+            at(number, fields(line)[place].0, message!("{} {}", name, rule))
         }
         None => Ok(submission),
     }

@@ -230,7 +230,11 @@ fn driven(
     let route = Route::new(&vehicle, poses, gears, None)?;
     let motion = Motion::trapezoids(&route, limits.speed, limits.acceleration, limits.deceleration)?;
     if motion.duration() > MAX_DURATION {
-        let message = format!("must be driven within {MAX_DURATION} s, takes {:.0} s", motion.duration());
+        let message = message!(
+            "must be driven within {} s, takes {} s",
+            MAX_DURATION,
+            format_args!("{:.0}", motion.duration())
+        );
         return Err(Error::new(ErrorCode::Input, "path", message));
     }
     let drive = follow(&vehicle, &route, &motion);

@@ -66,7 +66,7 @@ impl MotionLimits {
         ];
         match fields.iter().find(|(_, value, least)| !(*least..=100.0).contains(value)) {
             Some((name, value, least)) => {
-                let message = format!("must be between {least} and 100, got {value}");
+                let message = message!("must be between {} and 100, got {}", least, value);
                 Err(Error::new(ErrorCode::Config, *name, message))
             }
             None => Ok(()),

@@ -3,7 +3,7 @@
 //! Both kinds are checked in full before any work: lengths of columns, finite values within ±1e10, times that increase
 //! strictly from 0. The same rules serve the CSV reader, which turns row and column into a place in the text.
 
-use crate::error::{Error, ErrorCode};
+use crate::error::{Error, ErrorCode, Message};
 use crate::geometry::Pose;
 
 /// The longest trajectory that is judged, seconds, and the most rows: time and memory grow with them.
@@ -42,12 +42,12 @@ pub enum Submission {
     },
 }
 
-fn refused<T>(path: &str, message: String) -> Result<T, Error> {
+fn refused<T>(path: &str, message: Message) -> Result<T, Error> {
     Err(Error::new(ErrorCode::Input, path, message))
 }
 
 /// The first broken rule: which row, which column, what rule.
-pub(super) type Broken = (usize, &'static str, String);
+pub(super) type Broken = (usize, &'static str, Message);
 
 impl Submission {
     /// The first value that breaks a rule.
@@ -58,7 +58,7 @@ impl Submission {
         };
         let within = |row: usize, name: &'static str, value: f64| {
             let is_fine = value.abs() <= FARTHEST;
-            (!is_fine).then(|| (row, name, format!("must be between -1e10 and 1e10, got {value}")))
+            (!is_fine).then(|| (row, name, message!("must be between -1e10 and 1e10, got {}", value)))
         };
         let outside = poses.iter().enumerate().find_map(|(i, p)| {
             within(i, "x", p.x).or_else(|| within(i, "y", p.y)).or_else(|| within(i, "theta", p.heading))
@@ -71,12 +71,14 @@ impl Submission {
             rows.t.iter().enumerate().find_map(|(i, &t)| {
                 let before = i.checked_sub(1).map(|k| rows.t[k]);
                 match before {
-                    None if t != 0.0 => Some((i, "t", format!("must be 0 in the first row, got {t}"))),
-                    Some(before) if t.is_nan() || t <= before => {
-                        Some((i, "t", format!("must be greater than {before} in the row before, got {t}")))
-                    }
+                    None if t != 0.0 => Some((i, "t", message!("must be 0 in the first row, got {}", t))),
+                    Some(before) if t.is_nan() || t <= before => Some((
+                        i,
+                        "t",
+                        message!("must be greater than {} in the row before, got {}", before, t),
+                    )),
                     _ if t > MAX_DURATION => {
-                        Some((i, "t", format!("must be at most {MAX_DURATION}, got {t}")))
+                        Some((i, "t", message!("must be at most {}, got {}", MAX_DURATION, t)))
                     }
                     _ => None,
                 }
@@ -103,15 +105,15 @@ impl Submission {
             }
         };
         if !(2..=MAX_ROWS).contains(&count) {
-            return refused("", format!("must have 2 to {MAX_ROWS} rows, got {count}"));
+            return refused("", message!("must have 2 to {} rows, got {}", MAX_ROWS, count));
         }
         if let Some((name, length)) = lengths.into_iter().find(|(_, length)| *length != count) {
-            return refused(name, format!("must be one per pose ({count}), got {length}"));
+            return refused(name, message!("must be one per pose ({}), got {}", count, length));
         }
         if let Self::Path { gears: Some(gears), .. } = self
             && let Some(i) = gears.iter().position(|g| g.abs() != 1)
         {
-            return refused(&format!("gear[{i}]"), format!("must be 1 or -1, got {}", gears[i]));
+            return refused(&format!("gear[{i}]"), message!("must be 1 or -1, got {}", gears[i]));
         }
         match self.broken() {
             Some((row, name, rule)) => refused(&format!("{name}[{row}]"), rule),

@@ -149,7 +149,7 @@ const SCENES: [Info; 23] = [
 pub fn scenario(id: &str) -> Result<Scenario, Error> {
     let mut scene = build(id).ok_or_else(|| {
         let known: Vec<_> = scenes().map(|s| s.id).collect();
-        let message = format!("no scene \"{id}\"; there are {}", known.join(", "));
+        let message = message!("no scene \"{}\"; there are {}", id, known.join(", "));
         Error::new(ErrorCode::UnknownScenario, "", message)
     })?;
     scene.name = Some(id.to_owned());
@@ -171,7 +171,7 @@ pub fn scenario(id: &str) -> Result<Scenario, Error> {
 #[cfg(feature = "complete")]
 pub fn ship_scenario(id: &str) -> Result<Scenario, Error> {
     super::road_scenes::ship(id)
-        .ok_or_else(|| Error::new(ErrorCode::UnknownScenario, "", format!("no road scene \"{id}\"")))
+        .ok_or_else(|| Error::new(ErrorCode::UnknownScenario, "", message!("no road scene \"{}\"", id)))
 }
 
 /// A scene without its name, or `None` for an unknown id.
@@ -330,6 +330,6 @@ mod tests {
     fn an_unknown_scene_is_named() {
         let error = scenario("moon").unwrap_err();
         assert_eq!(error.code, ErrorCode::UnknownScenario);
-        assert!(error.message.starts_with("no scene \"moon\"; there are perpendicular"));
+        assert!(error.message().starts_with("no scene \"moon\"; there are perpendicular"));
     }
 }

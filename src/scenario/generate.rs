@@ -65,7 +65,7 @@ impl Family {
     /// A size that holds the family's shapes, and densities and sides within their ranges.
     fn validate(self, size: u32) -> Result<(), Error> {
         let within = |path: &str, value: u32, min: u32, max: u32| {
-            let rule = || format!("must be between {min} and {max}, got {value}");
+            let rule = || message!("must be between {} and {}, got {}", min, max, value);
             if (min..=max).contains(&value) {
                 Ok(())
             } else {
@@ -106,7 +106,7 @@ pub fn occupancy(family: Family, size: u32, seed: u64) -> Result<Occupancy, Erro
             return Ok(map);
         }
     }
-    Err(Error::new(ErrorCode::Input, "seed", format!("must give a map with a way through, got {seed}")))
+    Err(Error::new(ErrorCode::Input, "seed", message!("must give a map with a way through, got {}", seed)))
 }
 
 /// Draws a scene: one metre per cell, the centre of cell (0, 0) at the origin, and a [`CART`] to drive.
@@ -164,7 +164,7 @@ pub fn from_json(value: &serde_json::Value) -> Result<Scenario, Error> {
     let f = Fields::of(value, &["family", "size", "seed", RECTANGLES[0], RECTANGLES[1], RECTANGLES[2]])?;
     let whole = |value: &serde_json::Value| {
         let seed = value.as_u64();
-        seed.map_or_else(|| json::bad("", format!("must be a whole number from 0, got {value}")), Ok)
+        seed.map_or_else(|| json::bad("", message!("must be a whole number from 0, got {}", value)), Ok)
     };
     let families =
         json::word(&[("random", Family::RANDOM), ("regular", Family::Regular), ("trap", Family::Trap)]);
@@ -177,7 +177,7 @@ pub fn from_json(value: &serde_json::Value) -> Result<Scenario, Error> {
         other => {
             let given = RECTANGLES.iter().find(|name| value.get(name).is_some_and(|v| !v.is_null()));
             if let Some(name) = given {
-                return json::bad(name, "must be left out: only random maps have it".to_owned());
+                return json::bad(name, "must be left out: only random maps have it".into());
             }
             other
         }
@@ -370,7 +370,7 @@ mod tests {
 
     #[test]
     fn bad_parameters_are_named() {
-        let path = |family, size| occupancy(family, size, 1).unwrap_err().path;
+        let path = |family, size| occupancy(family, size, 1).unwrap_err().path.clone();
         assert_eq!(path(Family::Trap, 4), "size");
         let family = Family::Random { density_permille: 150, block_min: 3, block_max: 2 };
         assert_eq!(path(family, 30), "blockMin");

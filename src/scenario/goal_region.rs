@@ -58,7 +58,7 @@ impl GoalRegion {
         outline("region", &self.region)?;
         match self.heading {
             Some(heading) if !heading.is_finite() => {
-                bad("heading", format!("must be a finite number, got {heading}"))
+                bad("heading", message!("must be a finite number, got {}", heading))
             }
             _ => Ok(()),
         }

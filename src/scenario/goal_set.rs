@@ -232,7 +232,7 @@ fn slot_choice(value: &Value) -> Result<SlotChoice, Error> {
     match value {
         Value::String(word) if word == "free" => Ok(SlotChoice::Free),
         Value::Array(_) => list(owned)(value).map(SlotChoice::Named),
-        _ => bad("", format!("must be \"free\" or a list of slots' ids, got {value}")),
+        _ => bad("", message!("must be \"free\" or a list of slots' ids, got {}", value)),
     }
 }
 
@@ -241,7 +241,7 @@ fn bounded<T>(items: &[T]) -> Result<(), Error> {
     if (1..=MAX_ITEMS).contains(&items.len()) {
         return Ok(());
     }
-    bad("", format!("must have 1 to {MAX_ITEMS} items, got {}", items.len()))
+    bad("", message!("must have 1 to {} items, got {}", MAX_ITEMS, items.len()))
 }
 
 /// The indices of slots by their ids.
@@ -250,8 +250,8 @@ fn named(slots: &[Slot], ids: &[String]) -> Result<Vec<usize>, Error> {
     let mut indices = Vec::new();
     for (i, id) in ids.iter().enumerate() {
         let message = match slots.iter().position(|slot| slot.id.as_ref() == Some(id)) {
-            None => format!("must be the id of a slot, got \"{id}\""),
-            Some(index) if indices.contains(&index) => format!("must be named once, got \"{id}\" again"),
+            None => message!("must be the id of a slot, got \"{}\"", id),
+            Some(index) if indices.contains(&index) => message!("must be named once, got \"{}\" again", id),
             Some(index) => {
                 indices.push(index);
                 continue;

@@ -46,7 +46,7 @@ impl MovingObstacle {
     pub(super) fn validate(&self) -> Result<(), Error> {
         corners("points", &self.points, 2)?;
         if let Some(i) = self.points.windows(2).position(|pair| pair[0] == pair[1]) {
-            return bad(&format!("points[{}]", i + 1), "must differ from the point before it".to_owned());
+            return bad(&format!("points[{}]", i + 1), "must differ from the point before it".into());
         }
         positive("size[0]", self.size[0])?;
         positive("size[1]", self.size[1])?;
@@ -54,7 +54,7 @@ impl MovingObstacle {
         if self.start >= 0.0 && self.start <= 1e6 {
             return Ok(());
         }
-        bad("start", format!("must be 0 to 1e6 s, got {}", self.start))
+        bad("start", message!("must be 0 to 1e6 s, got {}", self.start))
     }
 }
 

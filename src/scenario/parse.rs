@@ -38,8 +38,8 @@ fn runs(value: &Value) -> Result<Vec<[u32; 3]>> {
 fn obstacle(value: &Value) -> Result<Obstacle> {
     let kind = match value.get("type") {
         Some(kind) => text(kind).map_err(|e| e.within("type"))?,
-        None if value.is_object() => return bad("type", "missing field".to_owned()),
-        None => return bad("", format!("must be an object, got {value}")),
+        None if value.is_object() => return bad("type", "missing field".into()),
+        None => return bad("", message!("must be an object, got {}", value)),
     };
     let id = |f: Fields| f.maybe("id", owned);
     Ok(match kind {
@@ -75,7 +75,7 @@ fn obstacle(value: &Value) -> Result<Obstacle> {
         _ => {
             return bad(
                 "type",
-                format!("must be cells, wall, polygon, rectangle, road or car, got \"{kind}\""),
+                message!("must be cells, wall, polygon, rectangle, road or car, got \"{}\"", kind),
             );
         }
     })
@@ -120,7 +120,7 @@ pub(crate) fn goal(value: &Value) -> Result<Goal> {
     if value.is_array() || value.get("slots").or(value.get("region")).is_some() {
         return bad(
             "",
-            "must be one pose or slot, got a set of goals: not in parkade/core, but in parkade".to_owned(),
+            "must be one pose or slot, got a set of goals: not in parkade/core, but in parkade".into(),
         );
     }
     if value.get("slot").or(value.get("entry")).is_none() {
@@ -152,7 +152,7 @@ impl Scenario {
     /// assert_eq!(error.to_string(), "obstacles[0].points[2][1]: must be a number, got \"north\"");
     /// ```
     pub fn from_json(value: &Value) -> Result<Self> {
-        let scenario = Self::read(value).map_err(|e| Error { code: ErrorCode::Scenario, ..e })?;
+        let scenario = Self::read(value).map_err(|e| e.with_code(ErrorCode::Scenario))?;
         scenario.validate()?;
         Ok(scenario)
     }

@@ -198,12 +198,12 @@ impl Scenario {
             Goal::Slot(goal) => goal,
             #[cfg(feature = "complete")]
             Goal::Set(_) => {
-                return bad("", "must be one pose or slot, got a set of goals".to_owned());
+                return bad("", "must be one pose or slot, got a set of goals".into());
             }
         };
         match self.slots.iter().find(|slot| slot.id.as_ref() == Some(&goal.slot)) {
             Some(slot) => Ok(slot.pose(goal.entry, &self.vehicle.resolve()?)),
-            None => bad("slot", format!("must be the id of a slot, got \"{}\"", goal.slot)),
+            None => bad("slot", message!("must be the id of a slot, got \"{}\"", goal.slot)),
         }
     }
 

@@ -82,13 +82,14 @@ impl Lane {
         finite_pose(self.start).map_err(|e| e.within("start"))?;
         positive("width", self.width)?;
         if self.pieces.is_empty() || self.pieces.len() > MAX_PIECES {
-            return bad("pieces", format!("must be 1 to {MAX_PIECES}, got {}", self.pieces.len()));
+            return bad("pieces", message!("must be 1 to {}, got {}", MAX_PIECES, self.pieces.len()));
         }
         for (i, piece) in self.pieces.iter().enumerate() {
             positive(&format!("pieces[{i}].length"), piece.length)?;
             let turn = piece.curvature * piece.length;
             if !(piece.curvature.abs() <= 10.0 && turn.abs() <= math::TAU) {
-                let message = format!("must be at most 10, less than a full circle, got {}", piece.curvature);
+                let message =
+                    message!("must be at most 10, less than a full circle, got {}", piece.curvature);
                 return bad(&format!("pieces[{i}].curvature"), message);
             }
         }

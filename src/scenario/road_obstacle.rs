@@ -97,21 +97,22 @@ impl Road {
             let [with, against] = self.lanes;
             return bad(
                 "lanes",
-                format!("must be 0 to {MOST_LANES} each, one at least, got [{with}, {against}]"),
+                message!("must be 0 to {} each, one at least, got [{}, {}]", MOST_LANES, with, against),
             );
         }
         for (i, pair) in self.points.windows(2).enumerate() {
             if pair[0] == pair[1] {
-                return bad(&format!("points[{}]", i + 1), "must differ from the point before it".to_owned());
+                return bad(&format!("points[{}]", i + 1), "must differ from the point before it".into());
             }
         }
         for (i, corner) in self.bends().into_iter().enumerate() {
             let radius = corner.curvature.abs().recip();
             if radius < self.half() + INNER {
-                let message = format!(
-                    "must turn less or have longer ways beside it: the middle's radius is {radius:.2} m, half the \
-                     road {:.2} m wide",
-                    self.half()
+                let message = message!(
+                    "must turn less or have longer ways beside it: the middle's radius is {} m, half the \
+                     road {} m wide",
+                    format_args!("{:.2}", radius),
+                    format_args!("{:.2}", self.half())
                 );
                 return bad(&format!("points[{}]", i + 1), message);
             }

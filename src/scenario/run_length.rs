@@ -12,7 +12,7 @@
 //! the last row, numbers that are too large, and characters that are no digits.
 
 use super::MAX_CELLS;
-use crate::error::Error;
+use crate::error::{Error, Message};
 use crate::json;
 
 #[cfg(feature = "complete")]
@@ -55,20 +55,20 @@ pub(super) fn unpack(text: &str) -> Result<Vec<[u32; 3]>, Error> {
     let mut runs = Vec::with_capacity(text.len() / 2);
     let (mut value, mut shift, mut gap, mut at) = (0_u32, 0, None, 0_u32);
     for (i, byte) in text.bytes().enumerate() {
-        let bad = |what: &str| json::bad("", format!("character {}: {what}", i + 1));
+        let bad = |what: Message| json::bad("", message!("character {}: {}", i + 1, what));
         let digit = match byte {
             b'A'..=b'Z' => byte - b'A',
             b'a'..=b'z' => byte - b'a' + 26,
             b'0'..=b'9' => byte - b'0' + 52,
             b'+' => 62,
             b'/' => 63,
-            _ => return bad("must be a digit of Base64"),
+            _ => return bad("must be a digit of Base64".into()),
         };
         value |= u32::from(digit & 31) << shift;
         if digit > 31 {
             shift += 5;
             if shift > 20 {
-                return bad("must end a number of at most 25 bits");
+                return bad("must end a number of at most 25 bits".into());
             }
             continue;
         }
@@ -78,7 +78,12 @@ pub(super) fn unpack(text: &str) -> Result<Vec<[u32; 3]>, Error> {
                 let start = at + gap;
                 let [x, y] = [start % MAX_CELLS, start / MAX_CELLS];
                 if y >= MAX_CELLS || value == 0 || x + value > MAX_CELLS {
-                    return bad(&format!("must be a run inside a row, got {value} cells at ({x}, {y})"));
+                    return bad(message!(
+                        "must be a run inside a row, got {} cells at ({}, {})",
+                        value,
+                        x,
+                        y
+                    ));
                 }
                 runs.push([x, y, value]);
                 at = start + value;
@@ -87,7 +92,7 @@ pub(super) fn unpack(text: &str) -> Result<Vec<[u32; 3]>, Error> {
         (value, shift) = (0, 0);
     }
     if gap.is_some() || shift > 0 {
-        return json::bad("", "must be a list of runs or text that ends with a whole run".to_owned());
+        return json::bad("", "must be a list of runs or text that ends with a whole run".into());
     }
     Ok(runs)
 }

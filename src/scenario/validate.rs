@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 #[cfg(feature = "complete")]
 use super::Goal;
 use super::{CostArea, MAX_CELLS, MapFrame, Obstacle, Scenario, Slot, SlotKind, VehicleSpec};
-use crate::error::{Error, ErrorCode};
+use crate::error::{Error, ErrorCode, Message};
 use crate::geometry::math::FRAC_PI_2;
 use crate::geometry::{Point, Pose};
 use crate::map::Weights;
@@ -28,7 +28,7 @@ const MAX_CORNERS: usize = 2000;
 /// Most that all cells of a painted map cost together, in cells: searches count to 2⁴⁴ millionths of one.
 const MAX_COSTS: u64 = 12_000_000;
 
-pub(super) fn bad<T>(path: &str, message: String) -> Result<T, Error> {
+pub(super) fn bad<T>(path: &str, message: Message) -> Result<T, Error> {
     Err(Error::new(ErrorCode::Scenario, path, message))
 }
 
@@ -39,7 +39,7 @@ impl Scenario {
     /// The first rule that is broken, with the field's path and its value.
     pub fn validate(&self) -> Result<(), Error> {
         if self.version != 1 {
-            return bad("version", format!("must be 1, got {}", self.version));
+            return bad("version", message!("must be 1, got {}", self.version));
         }
         self.map.validate().map_err(|e| e.within("map"))?;
         for (i, obstacle) in self.obstacles.iter().enumerate() {
@@ -53,7 +53,7 @@ impl Scenario {
             if let (Some(twin), Some(id)) = (twin, &slot.id) {
                 return bad(
                     &format!("slots[{i}].id"),
-                    format!("must be unique, \"{id}\" is slots[{twin}] too"),
+                    message!("must be unique, \"{}\" is slots[{}] too", id, twin),
                 );
             }
         }
@@ -96,7 +96,7 @@ impl VehicleSpec {
     pub fn resolve(&self) -> Result<Vehicle, Error> {
         match self {
             Self::Profile(name) => Vehicle::profile(name).ok_or_else(|| {
-                let message = format!("must be paper, sedan or dimensions, got \"{name}\"");
+                let message = message!("must be paper, sedan or dimensions, got \"{}\"", name);
                 Error::new(ErrorCode::Vehicle, "", message)
             }),
             Self::Custom(vehicle) => vehicle.validate().map(|()| *vehicle),
@@ -109,11 +109,11 @@ impl MapFrame {
         point("origin", self.origin)?;
         for (name, cells) in [("width", self.width), ("height", self.height)] {
             if !(1..=MAX_CELLS).contains(&cells) {
-                return bad(name, format!("must be 1 to {MAX_CELLS} cells, got {cells}"));
+                return bad(name, message!("must be 1 to {} cells, got {}", MAX_CELLS, cells));
             }
         }
         if !(self.resolution >= 0.001 && self.resolution <= 1000.0) {
-            return bad("resolution", format!("must be 0.001 to 1000 m, got {}", self.resolution));
+            return bad("resolution", message!("must be 0.001 to 1000 m, got {}", self.resolution));
         }
         let Some(boundary) = &self.boundary else { return Ok(()) };
         outline("boundary", boundary)?;
@@ -123,7 +123,10 @@ impl MapFrame {
         let y1 = y0 + f64::from(self.height) * self.resolution + slack;
         for (i, &[x, y]) in boundary.iter().enumerate() {
             if x < x0 - slack || x > x1 || y < y0 - slack || y > y1 {
-                return bad(&format!("boundary[{i}]"), format!("must be inside the map, got [{x}, {y}]"));
+                return bad(
+                    &format!("boundary[{i}]"),
+                    message!("must be inside the map, got [{}, {}]", x, y),
+                );
             }
         }
         Ok(())
@@ -137,7 +140,7 @@ impl Obstacle {
             Self::Wall { points, thickness, .. } => {
                 corners("points", points, 2)?;
                 if !(*thickness >= 0.0 && *thickness <= 1000.0) {
-                    return bad("thickness", format!("must be 0 to 1000 m, got {thickness}"));
+                    return bad("thickness", message!("must be 0 to 1000 m, got {}", thickness));
                 }
                 Ok(())
             }
@@ -163,7 +166,7 @@ fn on_map(runs: &[[u32; 3]], map: &MapFrame) -> Result<(), Error> {
         let end = u64::from(x) + u64::from(count);
         if count == 0 || end > u64::from(map.width) || y >= map.height {
             let (w, h) = (map.width, map.height);
-            let message = format!("must lie on the {w} × {h} map, got [{x}, {y}, {count}]");
+            let message = message!("must lie on the {} × {} map, got [{}, {}, {}]", w, h, x, y, count);
             return bad(&format!("runs[{i}]"), message);
         }
     }
@@ -176,13 +179,13 @@ fn costs(areas: &[CostArea], map: &MapFrame) -> Result<(), Error> {
     for (i, area) in areas.iter().enumerate() {
         on_map(&area.runs, map).map_err(|e| e.within(&format!("costs[{i}]")))?;
         if !(1..=Weights::MOST).contains(&area.weight) {
-            let message = format!("must be 1 to {}, got {}", Weights::MOST, area.weight);
+            let message = message!("must be 1 to {}, got {}", Weights::MOST, area.weight);
             return bad(&format!("costs[{i}].weight"), message);
         }
         all += area.runs.iter().map(|run| u64::from(run[2]) * u64::from(area.weight - 1)).sum::<u64>();
     }
     if !areas.is_empty() && all > MAX_COSTS {
-        let message = format!("all cells times their weights must be at most {MAX_COSTS}, are {all}");
+        let message = message!("all cells times their weights must be at most {}, are {}", MAX_COSTS, all);
         return bad("costs", message);
     }
     Ok(())
@@ -197,7 +200,7 @@ impl Slot {
         positive("length", self.length)?;
         match self.angle {
             Some(angle) if self.kind == SlotKind::Angled && !(0.1..FRAC_PI_2).contains(&angle) => {
-                bad("angle", format!("must be 0.1 to π/2, got {angle}"))
+                bad("angle", message!("must be 0.1 to π/2, got {}", angle))
             }
             _ => Ok(()),
         }
@@ -206,7 +209,7 @@ impl Slot {
 
 /// An error for NaN and infinities.
 fn finite(path: &str, value: f64) -> Result<(), Error> {
-    if value.is_finite() { Ok(()) } else { bad(path, format!("must be a finite number, got {value}")) }
+    if value.is_finite() { Ok(()) } else { bad(path, message!("must be a finite number, got {}", value)) }
 }
 
 /// A length, width or speed: above 0, at most 10⁶.
@@ -214,14 +217,17 @@ pub(super) fn positive(path: &str, value: f64) -> Result<(), Error> {
     if value > 0.0 && value <= 1e6 {
         Ok(())
     } else {
-        bad(path, format!("must be positive, at most 1e6, got {value}"))
+        bad(path, message!("must be positive, at most 1e6, got {}", value))
     }
 }
 
 /// Two coordinates within [`MAX_COORDINATE`].
 fn point(path: &str, [x, y]: [f64; 2]) -> Result<(), Error> {
     match [x, y].into_iter().find(|v| v.is_nan() || v.abs() > MAX_COORDINATE) {
-        Some(v) => bad(path, format!("must be finite, within ±{MAX_COORDINATE:e} m, got {v}")),
+        Some(v) => bad(
+            path,
+            message!("must be finite, within ±{} m, got {}", format_args!("{:e}", MAX_COORDINATE), v),
+        ),
         None => Ok(()),
     }
 }
@@ -236,7 +242,7 @@ pub(crate) fn finite_pose(pose: Pose) -> Result<(), Error> {
 /// A list of points within the bounds, `least` of them at least.
 pub(super) fn corners(path: &str, points: &[[f64; 2]], least: usize) -> Result<(), Error> {
     if points.len() < least || points.len() > MAX_CORNERS {
-        return bad(path, format!("must have {least} to {MAX_CORNERS} points, got {}", points.len()));
+        return bad(path, message!("must have {} to {} points, got {}", least, MAX_CORNERS, points.len()));
     }
     points.iter().enumerate().try_for_each(|(i, &p)| point(&format!("{path}[{i}]"), p))
 }
@@ -250,21 +256,18 @@ pub(super) fn outline(path: &str, points: &[[f64; 2]]) -> Result<(), Error> {
     let p: Vec<Point> = points.iter().map(|q| Point::new(q[0] - points[0][0], q[1] - points[0][1])).collect();
     for i in 0..n {
         if p[i] == p[(i + 1) % n] {
-            return bad(
-                &format!("{path}[{}]", (i + 1) % n),
-                "must differ from the corner before it".to_owned(),
-            );
+            return bad(&format!("{path}[{}]", (i + 1) % n), "must differ from the corner before it".into());
         }
         for j in i + 1..n {
             let adjacent = j == i + 1 || (i == 0 && j == n - 1);
             if !adjacent && touch(p[i], p[i + 1], p[j], p[(j + 1) % n]) {
-                return bad(path, format!("must not cross itself: edges {i} and {j} meet"));
+                return bad(path, message!("must not cross itself: edges {} and {} meet", i, j));
             }
         }
     }
     let area: f64 = (0..n).map(|i| cross(p[i], p[(i + 1) % n], Point::origin())).sum();
     if area == 0.0 {
-        return bad(path, "must enclose an area".to_owned());
+        return bad(path, "must enclose an area".into());
     }
     Ok(())
 }

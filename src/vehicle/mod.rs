@@ -159,12 +159,12 @@ impl Vehicle {
         ];
         for (name, value) in sizes {
             if !(LEAST..=100.0).contains(&value) {
-                let message = format!("must be {LEAST} to 100, got {value}");
+                let message = message!("must be {} to 100, got {}", LEAST, value);
                 return Err(Error::new(ErrorCode::Vehicle, name, message));
             }
         }
         if !(self.max_steer >= LEAST && self.max_steer < math::FRAC_PI_2) {
-            let message = format!("must be at least {LEAST} and less than π/2, got {}", self.max_steer);
+            let message = message!("must be at least {} and less than π/2, got {}", LEAST, self.max_steer);
             return Err(Error::new(ErrorCode::Vehicle, "maxSteer", message));
         }
         Ok(())

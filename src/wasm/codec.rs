@@ -62,7 +62,7 @@ impl<'de> Visitor<'de> for StrictVisitor {
         }
         Number::from_f64(v)
             .map(Value::Number)
-            .ok_or_else(|| E::custom(format!("must be a finite number, got {v}")))
+            .ok_or_else(|| E::custom(message!("must be a finite number, got {}", v)))
     }
 
     fn visit_str<E>(self, v: &str) -> Result<Value, E> {
@@ -116,7 +116,7 @@ pub(super) fn json(value: JsValue, code: ErrorCode) -> Result<Value, Error> {
             let mut steps: Vec<&str> =
                 message.split(STEP).map(|step| step.strip_prefix("Error: ").unwrap_or(step)).collect();
             let rule = steps.pop().unwrap_or_default();
-            steps.into_iter().rev().fold(Error::new(code, "", rule), Error::within)
+            steps.into_iter().rev().fold(Error::new(code, "", message!("{}", rule)), Error::within)
         },
     )
 }
@@ -136,6 +136,8 @@ pub(super) fn js_error(error: &Error) -> JsValue {
     js.set_name("ParkadeError");
     set(&js, "code", &error.code.as_str().into());
     set(&js, "path", &error.path.as_str().into());
+    set(&js, "template", &error.template.into());
+    set(&js, "values", &error.values.iter().map(JsValue::from).collect::<js_sys::Array>().into());
     js.into()
 }
 

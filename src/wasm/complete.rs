@@ -237,7 +237,8 @@ pub fn paper_parking(row: &str, rounds: f64, clock: &js_sys::Function) -> JsResu
 /// A whole number that JavaScript has as a float; larger ones than 9·10¹⁵ are not exact there.
 fn whole(name: &str, value: f64) -> Result<u64, Error> {
     let whole = value.fract() == 0.0 && (0.0..9e15).contains(&value);
-    let rule = || Error::new(ErrorCode::Input, name, format!("must be a whole number from 0, got {value}"));
+    let rule =
+        || Error::new(ErrorCode::Input, name, message!("must be a whole number from 0, got {}", value));
     whole.then_some(value as u64).ok_or_else(rule)
 }
 

@@ -25,7 +25,7 @@ use std::ops::ControlFlow;
 use serde_json::{Value, json as object};
 use wasm_bindgen::prelude::*;
 
-use crate::error::{Error, ErrorCode};
+use crate::error::{Error, ErrorCode, Message};
 use crate::json;
 #[cfg(feature = "complete")]
 use crate::json::Words;
@@ -119,12 +119,12 @@ fn optional(value: JsValue, code: ErrorCode) -> Result<serde_json::Map<String, V
     }
     match codec::json(value, code).map_err(|e| codec::js_error(&e))? {
         Value::Object(fields) => Ok(fields),
-        other => Err(codec::js_error(&Error::new(code, "", format!("must be an object, got {other}")))),
+        other => Err(codec::js_error(&Error::new(code, "", message!("must be an object, got {}", other)))),
     }
 }
 
 /// An error about an option.
-fn refused(path: &str, message: &str) -> JsValue {
+fn refused(path: &str, message: impl Into<Message>) -> JsValue {
     codec::js_error(&Error::new(ErrorCode::Input, path, message))
 }
 
@@ -161,7 +161,7 @@ impl RawPlanner {
             if option != "every" {
                 return Err(refused(&option, "no option of layer; there is every"));
             }
-            let rule = || refused(&option, &format!("must be a whole number from 1, got {value}"));
+            let rule = || refused(&option, message!("must be a whole number from 1, got {}", value));
             every = value.as_u64().and_then(|n| u32::try_from(n).ok()).filter(|&n| n > 0).ok_or_else(rule)?;
         }
         self.planner
@@ -191,7 +191,7 @@ impl RawPlanner {
         #[cfg(feature = "complete")]
         let mut is_full = false;
         for (name, value) in optional(options, ErrorCode::Input)? {
-            let wrong = |e: Error| codec::js_error(&Error { code: ErrorCode::Input, ..e.within(&name) });
+            let wrong = |e: Error| codec::js_error(&e.within(&name).with_code(ErrorCode::Input));
             match name.as_str() {
                 #[cfg(feature = "complete")]
                 "trace" if value == "full" => {
@@ -201,8 +201,9 @@ impl RawPlanner {
                 #[cfg(feature = "complete")]
                 "traceLimit" => {
                     let limit = value.as_u64().filter(|limit| (1..=1_000_000).contains(limit));
-                    let rule =
-                        || refused(&name, &format!("must be a whole number from 1 to 1000000, got {value}"));
+                    let rule = || {
+                        refused(&name, message!("must be a whole number from 1 to 1000000, got {}", value))
+                    };
                     asked.record = Some(limit.ok_or_else(rule)? as usize);
                 }
                 "trace" => asked.trace = json::flag(&value).map_err(wrong)?,
@@ -211,7 +212,7 @@ impl RawPlanner {
                 #[cfg(feature = "complete")]
                 "stickiness" => {
                     let share = json::number(&value).ok().filter(|share| (0.0..=1.0).contains(share));
-                    let rule = || refused(&name, &format!("must be between 0 and 1, got {value}"));
+                    let rule = || refused(&name, message!("must be between 0 and 1, got {}", value));
                     asked.stickiness = share.ok_or_else(rule)?;
                 }
                 #[cfg(feature = "complete")]

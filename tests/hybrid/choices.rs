@@ -145,7 +145,7 @@ fn planners_with_one_path_refuse_a_choice() {
     let scene = scenario("perpendicular").unwrap();
     let mut eight = Planner::new("eight", &scene, &Map::new()).unwrap();
     let refused = eight.plan_between(Ends::default(), by(Prefer::Widest)).unwrap_err();
-    assert_eq!((refused.path.as_str(), refused.message.contains("eight finds one path")), ("prefer", true));
+    assert_eq!((refused.path.as_str(), refused.message().contains("eight finds one path")), ("prefer", true));
     let wish = Options { alternatives: true, ..Options::default() };
     assert_eq!(eight.plan_between(Ends::default(), wish).unwrap_err().path, "alternatives");
 }

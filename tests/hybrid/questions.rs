@@ -52,7 +52,7 @@ fn bad_questions_are_answered_with_the_reason() {
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn settings_are_checked() {
     let error = Config { margin: f64::NAN, ..Config::default() }.validate().unwrap_err();
-    assert_eq!((error.path.as_str(), error.message.ends_with("got NaN")), ("margin", true));
+    assert_eq!((error.path.as_str(), error.message().ends_with("got NaN")), ("margin", true));
     let with = |text: &str| Config::default().with(&serde_json::from_str(text).unwrap());
     let config = with(r#"{ "searchFrom": "start", "xyResolution": 0.4 }"#).unwrap();
     assert_eq!((config.search_from, config.xy_resolution), (SearchFrom::Start, Some(0.4)));

@@ -80,7 +80,7 @@ fn mutated_files_are_scenes_or_errors() {
             }
             Err(error) => {
                 assert!(error.code == ErrorCode::Import && !error.path.is_empty(), "{error:?}");
-                assert!(error.message.chars().count() < 200, "{error}");
+                assert!(error.message().chars().count() < 200, "{error}");
                 errors += 1;
             }
         }

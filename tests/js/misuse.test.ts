@@ -6,7 +6,8 @@ import { pathToFileURL } from "node:url";
 import * as parkade from "parkade";
 import { afterAll, afterEach, beforeAll, expect, test, vi } from "vitest";
 import { check, faultOfAttribute, RULES, ValueError } from "../../www/src/app/schema";
-import { ATTRIBUTES, COMMAND_LINES, misusesOfApi } from "./misuses";
+import { ATTRIBUTES, COMMAND_LINES } from "./misuse-lines";
+import { misusesOfApi } from "./misuses";
 import { PACKAGE } from "./pack";
 import { FILES } from "./site-plan-files";
 

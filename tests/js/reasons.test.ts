@@ -1,10 +1,12 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { describe, expect, it } from "vitest";
+import { init, ParkadeError } from "parkade";
 import { chineseReasons } from "../../www/src/i18n/reasons-zh";
 import { bounded } from "../../www/src/scene/foreign";
 import catalogue from "../../www/src/i18n/reasons-zh.json";
 import type { Scenario } from "../../www/src/scene/scenario";
+import { misusesOfApi } from "./misuses";
 
 const chineseReason = chineseReasons(catalogue);
 
@@ -48,6 +50,41 @@ describe("reasons in Chinese", () => {
       !/[\u4e00-\u9fff]/.test(text) ||
       /\b(must|got|which|that|there|the|or|and|numbers|at|count|cells between)\b/.test(text);
     expect(all.filter((rule) => english(chineseReason(rule)))).toEqual([]);
+  });
+
+  it("are made of the rule and the values, whatever the values are", async () => {
+    await init();
+    const english: string[] = [],
+      templates = new Set<string>();
+    for (const { name, call } of misusesOfApi()) {
+      let thrown: unknown;
+      try {
+        call();
+      } catch (error) {
+        thrown = error;
+      }
+      expect(thrown, name).toBeInstanceOf(ParkadeError);
+      const { template, values = [], path, message } = thrown as ParkadeError;
+      // The wrapper's own refusals are for programmers.
+      if (!template) continue;
+      const filled = values.reduce((text, value) => text.replace("{}", () => value), template);
+      // The message cuts a value that is very long.
+      const said = message.replace(/…$/, "");
+      expect(
+        [filled, `${path}: ${filled}`].some((whole) => whole.startsWith(said)),
+        `${name}: ${message}`,
+      ).toBe(true);
+      // A text of the reader of JavaScript's values: it has no figures apart.
+      if (templates.has(template) || template === "{}") continue;
+      templates.add(template);
+      // Figures that no template expects: the sentence must not depend on reading them.
+      const chinese = chineseReason({ message, path, template, values: values.map((_, i) => `<${i}>`) });
+      if (/[a-z]{2,} [a-z]{2,}/i.test(chinese.replaceAll(/"[^"]*"/g, "")) || !/[\u4e00-\u9fff]/.test(chinese))
+        english.push(`${template} -> ${chinese}`);
+      values.forEach((_, i) => expect(chinese, template).toContain(`<${i}>`));
+    }
+    expect(templates.size).toBeGreaterThan(40);
+    expect(english).toEqual([]);
   });
 
   it("are there for every reason of links and files", () => {

@@ -94,7 +94,7 @@ fn the_cost_map_can_be_drawn() {
     assert!((middle - 0.32).abs() < 1e-6, "{middle}");
     assert!(at(10.25, 1.25) > 1.0);
     let error = Planner::new("eight", &scene, &Map::new()).unwrap().layer("cost", 1).unwrap_err();
-    assert_eq!(error.message, "eight has no cost map; cost-map has");
+    assert_eq!(error.message(), "eight has no cost map; cost-map has");
 }
 
 #[test]

@@ -78,7 +78,7 @@ fn damaged_files_are_refused_by_line_and_column_or_judged() {
                     (1..=there.chars().count() + 1).contains(&column),
                     "seed {seed}: {error} in {there:?}"
                 );
-                assert!(error.message.contains("must"), "seed {seed}: {error}");
+                assert!(error.message().contains("must"), "seed {seed}: {error}");
                 refused += 1;
             }
             Ok(submission) => {

@@ -1,6 +1,6 @@
 // @ts-check
 // Planners in workers, as their user sees them: `index.d.ts` documents it.
-import { ParkadeError, mismatch, text } from "../runtime.js";
+import { ParkadeError, mismatch, said, text } from "../runtime.js";
 import { packedScene } from "../cells.js";
 import { WorkerPool } from "./pool.js";
 
@@ -296,10 +296,10 @@ class WorkerPlanner {
     if (reply.kind === "failed") {
       // Where scene or settings were refused, the worker has no planner.
       this.#known = false;
-      const { message, code, path } = reply.error;
+      const { message, code, path, template, values } = reply.error;
       // After a trap the module's memory is in an unknown state.
       if (code === "internal") return this.#died(message);
-      return this.#finish(() => this.#fail(task, new ParkadeError(message, code, path)));
+      return this.#finish(() => this.#fail(task, said(new ParkadeError(message, code, path), template, values)));
     }
     this.#finish(() => {
       task.detach();

@@ -1,4 +1,4 @@
-import type { DrivenPath, ErrorCode, Expansions, HybridPlan, LayerName, OptimiseOptions, Plan, PlannerId, Scenario } from "../index.js";
+import type { DrivenPath, Expansions, HybridPlan, LayerName, OptimiseOptions, ParkadeError, Plan, PlannerId, Scenario } from "../index.js";
 
 /** To a worker. */
 export type Message = { kind: "start"; module: WebAssembly.Module } | Job;
@@ -30,4 +30,4 @@ export type Reply =
   | { kind: "expanded"; id: number; events: Expansions }
   | { kind: "done"; id: number; result: unknown }
   | { kind: "stopped"; id: number }
-  | { kind: "failed"; id: number; error: { code: ErrorCode; path: string; message: string } };
+  | { kind: "failed"; id: number; error: Pick<ParkadeError, "code" | "path" | "message" | "template" | "values"> };

@@ -90,6 +90,12 @@ export function serve(api, port) {
 
 /** @param {number} id @param {unknown} thrown @returns {Reply} */
 function failed(id, thrown) {
-  const { code = "internal", path = "", message = String(thrown) } = /** @type {any} */ (Object(thrown));
-  return { kind: "failed", id, error: { code, path, message } };
+  const {
+    code = "internal",
+    path = "",
+    message = String(thrown),
+    template,
+    values,
+  } = /** @type {any} */ (Object(thrown));
+  return { kind: "failed", id, error: { code, path, message, template, values } };
 }

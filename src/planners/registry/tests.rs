@@ -49,5 +49,5 @@ fn a_planner_is_found_by_its_id_and_its_settings_are_of_its_family() {
 #[test]
 fn an_unknown_planner_is_named() {
     let error = PlannerId::of("prm").err().unwrap();
-    assert!(error.message.starts_with("no planner \"prm\"; there are four, eight"), "{error}");
+    assert!(error.message().starts_with("no planner \"prm\"; there are four, eight"), "{error}");
 }

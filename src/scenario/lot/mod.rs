@@ -170,7 +170,7 @@ impl Lot {
                 return Ok(());
             }
             let unit = if name == "angle" { " rad" } else { "" };
-            bad(name, format!("must be {least} to {most}{unit}, got {value}"))
+            bad(name, message!("must be {} to {}{}, got {}", least, most, unit, value))
         };
         let mut lot = *self;
         for (name, range, field) in COUNTS {
@@ -217,7 +217,7 @@ impl Lot {
             let slot = free.id.clone().unwrap_or_default();
             scene.goal = Goal::Slot(super::SlotGoal { slot, entry: super::Entry::ReverseIn });
         }
-        scene.validate().map_err(|e| Error { code: ErrorCode::Input, ..e })?;
+        scene.validate().map_err(|e| e.with_code(ErrorCode::Input))?;
         Ok(DrawnLot { scene, entrances: (0..self.entrances).map(|k| plan.entrance(k)).collect() })
     }
 
@@ -238,7 +238,7 @@ impl Lot {
 /// A seed: a whole number of up to 64 bits.
 fn whole(value: &Value) -> Result<u64, Error> {
     let whole = value.as_u64();
-    whole.map_or_else(|| bad("", format!("must be a whole number from 0, got {value}")), Ok)
+    whole.map_or_else(|| bad("", message!("must be a whole number from 0, got {}", value)), Ok)
 }
 
 #[cfg(test)]

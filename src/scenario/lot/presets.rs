@@ -107,7 +107,7 @@ pub(super) fn named(value: &Value) -> Result<Lot, Error> {
     found.map(|preset| preset.lot).map_or_else(
         || {
             let ids: Vec<&str> = PRESETS.iter().map(|preset| preset.id).collect();
-            bad("", format!("must be {}, got {value}", ids.join(" or ")))
+            bad("", message!("must be {}, got {}", ids.join(" or "), value))
         },
         Ok,
     )

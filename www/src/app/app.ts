@@ -1,5 +1,5 @@
 import type { PlannerId, PlannerInfo, ScenarioInfo, SceneGeometry } from "parkade";
-import { loadLang, translate, type Lang, type MessageKey, type Values } from "../i18n/index";
+import { loadLang, translate, type Lang, type MessageKey, type Said, type Values } from "../i18n/index";
 import { introduce } from "../styles/planner-style";
 import { LAYER_PRESETS, presetLayers, presetOf } from "../store/layer-sets";
 import { extentFor, loadEngine, whenWhole, type Engine, type Folders } from "../planning/engine-loader";
@@ -83,7 +83,7 @@ export class App {
       (error) => {
         missed = true;
         if (syncAddress) document.documentElement.classList.add("failed");
-        this.refuse("app.unsupported", { reason: sentence(error) });
+        this.refuse("app.unsupported", { reason: refusal(error) });
       },
       signal,
     );
@@ -214,11 +214,11 @@ export class App {
       scene = this.catalog.scenario(id);
     } catch (error) {
       // The module of the first picture knows the first scenes only.
-      if (this.store.state.complete) this.refuse("error.load", { reason: sentence(error) });
+      if (this.store.state.complete) this.refuse("error.load", { reason: refusal(error) });
       else
         void this.complete().then(
           () => this.openPreset(id),
-          (cause: unknown) => this.refuse("error.load", { reason: sentence(cause) }),
+          (cause: unknown) => this.refuse("error.load", { reason: refusal(cause) }),
         );
       return;
     }
@@ -341,7 +341,7 @@ export class App {
       const linked = syncAddress ? await this.links.read() : null;
       if (linked) return await this.checked(linked);
     } catch (error) {
-      this.refuse("error.link", { reason: sentence(error) });
+      this.refuse("error.link", { reason: refusal(error) });
     }
     this.preset = preset;
     return this.catalog!.scenario(preset);
@@ -382,6 +382,9 @@ export function sentence(error: unknown): string {
   const text = (error instanceof Error ? error.message : String(error)).trim();
   return /[.!?。]$/.test(text) ? text : `${text}.`;
 }
+
+/** The same, with what a translation is made of. */
+export const refusal = (error: unknown): Said => ({ ...(error as Partial<Said>), message: sentence(error) });
 
 export function download(blob: Blob, name: string): void {
   const link = document.createElement("a");

@@ -5,7 +5,14 @@ import chineseUrl from "./reasons-zh.json?url";
 
 export type Lang = "en" | "zh";
 export type MessageKey = keyof typeof first | keyof typeof later;
-export type Values = Record<string, string | number>;
+export type Values = Record<string, string | number | Said>;
+/** A refusal: English words, and what they are made of: the field, and a rule with `{}` in the place of each value. */
+export interface Said {
+  message: string;
+  path?: string;
+  template?: string;
+  values?: readonly string[];
+}
 export type Translate = (key: MessageKey, values?: Values) => string;
 /** English and Chinese of each key. The build leaves the English in its place, and puts the Chinese of all files into one. */
 export type Messages = Record<string, string | string[]>;
@@ -17,8 +24,8 @@ const tables: Record<Lang, Table> = { en: {}, zh: {} };
 const plurals: Record<Lang, Intl.PluralRules> = { en: new Intl.PluralRules("en"), zh: new Intl.PluralRules("zh") };
 const formats = new Map<string, Intl.NumberFormat>();
 
-/** Reasons come in English; a language's catalogue of them comes with its words. */
-const reasons: Partial<Record<Lang, (english: string) => string>> = {};
+/** Rules come in English; a language's catalogue of them comes with its words. */
+const reasons: Partial<Record<Lang, (reason: string | Said) => string>> = {};
 
 /** `{name}` is a value; `{n|pose|poses}` picks a word by the number `n`. */
 export const textOf = (lang: Lang, key: string, values: Values = {}): string =>
@@ -41,14 +48,15 @@ export function addMessages(messages: Messages): void {
 
 addMessages(first);
 
-/** Translations of the planners' English texts. */
-export const reasonIn = (lang: Lang, english: string): string => reasons[lang]?.(english) ?? english;
+/** The planners' and readers' refusals in the page's language. */
+export const reasonIn = (lang: Lang, reason: string | Said): string =>
+  reasons[lang]?.(reason) ?? (reason as Said).message ?? reason;
 
 /** A text with its values in their places; a value named `reason` is said in the text's language. */
 export function fill(lang: Lang, text: string, values: Values): string {
   return text.replace(/\{(\w+)(?:\|([^|}]*)\|([^}]*))?\}/g, (_, name: string, one?: string, other?: string) => {
     const value = values[name] ?? "";
-    if (one === undefined) return name === "reason" ? reasonIn(lang, String(value)) : String(value);
+    if (one === undefined) return name === "reason" ? reasonIn(lang, value as string) : String(value);
     return (plurals[lang].select(Number(value)) === "one" ? one : other) ?? "";
   });
 }
@@ -92,7 +100,7 @@ export function number(lang: Lang, value: number, digits: number): string {
 
 /** Three significant figures, as times are read. */
 export function millis(lang: Lang, value: number): string {
-  return number(lang, value, value < 1 ? 2 : value < 10 ? 2 : value < 100 ? 1 : 0);
+  return number(lang, value, value < 10 ? 2 : value < 100 ? 1 : 0);
 }
 
 export function pickLang(attribute: string | null): Lang {

@@ -1,3 +1,5 @@
+import type { Said } from "./index";
+
 /** Chinese for the reasons that the planners, importers and links give, and for the papers' claims: a catalogue by their English templates. `{}` is a value. */
 export interface Catalogue {
   reasons: Record<string, string>;
@@ -31,8 +33,8 @@ function templates(table: Record<string, string>, valueOf: (text: string) => str
   };
 }
 
-/** Translates a reason into Chinese; one that the catalogue lacks stays as it is. */
-export function chineseReasons({ reasons, values }: Catalogue): (english: string) => string {
+/** Translates a refusal into Chinese; one that the catalogue lacks stays as it is. */
+export function chineseReasons({ reasons, values }: Catalogue): (reason: string | Said) => string {
   // What is quoted stays as it was written.
   const valueOf = (text: string): string => (/^["'[]/.test(text) ? text : (wordOf(text) ?? text));
   const wordOf = templates(values, valueOf),
@@ -44,7 +46,7 @@ export function chineseReasons({ reasons, values }: Catalogue): (english: string
     const ruled = plainOf(rule!);
     return ruled && (wordOf(subject) ?? `${subject} `) + ruled;
   };
-  return (text) => {
+  const textOf = (text: string): string => {
     const whole = text.replace(/\.$/, ""),
       [, path = "", rest = whole] = /^([\w.[\]]+(?: and \w+)*: )?(.*)$/s.exec(whole) ?? [];
     const [, body = rest, got] = /^(.*?)(?:, got (.*?))?$/s.exec(rest) ?? [];
@@ -55,5 +57,28 @@ export function chineseReasons({ reasons, values }: Catalogue): (english: string
     return rule === undefined
       ? text
       : `${path.replaceAll(" and ", "、").replace(": ", "：")}${rule}${got === undefined ? "" : `，实际为 ${valueOf(got)}`}。`;
+  };
+  /** A rule's Chinese, once for all values: they stand in it by their numbers. */
+  const ruleOf = remembered((template: string): string => {
+    let count = 0;
+    return textOf(template.replaceAll("{}", () => `⟨${count++}⟩`));
+  });
+  /** A value may be a whole scene. */
+  const shownOf = (value: string): string => valueOf(value.replace(/^(["[{].{99}).+/s, "$1…"));
+  return (reason) => {
+    if (typeof reason === "string") return textOf(reason);
+    const { path, template, values: given = [], message } = reason;
+    if (!template?.replaceAll("{}", "").trim()) return textOf(message);
+    const rule = ruleOf(template).replace(/⟨(\d+)⟩/g, (_, at: string) => shownOf(given[Number(at)] ?? ""));
+    return path ? `${path}：${rule}` : rule;
+  };
+}
+
+function remembered(make: (text: string) => string): (text: string) => string {
+  const known = new Map<string, string>();
+  return (text) => {
+    let made = known.get(text);
+    if (made === undefined) known.set(text, (made = make(text)));
+    return made;
   };
 }

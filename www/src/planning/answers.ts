@@ -50,6 +50,8 @@ export const sameMap = (a: Scene, b: Scene): boolean =>
   a.map === b.map || JSON.stringify(a.map) === JSON.stringify(b.map);
 
 /** What is wrong, without the field that is named beside it. */
-export function withoutPath({ path, message }: Failure): string {
-  return path && message.startsWith(path) ? message.slice(path.length).replace(/^:\s*/, "") : message;
-}
+export const withoutPath = (failure: Failure): Failure => ({
+  ...failure,
+  path: "",
+  message: failure.path ? failure.message.replace(`${failure.path}: `, "") : failure.message,
+});

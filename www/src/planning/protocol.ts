@@ -48,6 +48,9 @@ export interface Failure {
   code: string;
   path: string;
   message: string;
+  /** What the message is made of: the rule with `{}` in the place of each value. */
+  template?: string;
+  values?: readonly string[];
   /** Of a file that was read, from 1. */
   line?: number;
 }
