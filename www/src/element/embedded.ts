@@ -7,8 +7,9 @@ import { layout } from "../styles/layout";
 import { LAYER_PRESETS, layerSet, presetLayers, type LayerPreset } from "../store/layer-sets";
 import type { Beginning } from "../app/app";
 import { sceneViews } from "./arrangement";
+import { DEFAULTS } from "./defaults";
 import { watchScheme, type Scheme } from "./host-scheme";
-import { FIRST_SCENE, Playground } from "./playground";
+import { Playground } from "./playground";
 import { plain, SceneOpening } from "./scene-opening";
 import { check, faultOfAttribute, RULES, type Known } from "../app/schema";
 import { nth } from "../scene/nth";
@@ -16,18 +17,6 @@ import { nth } from "../scene/nth";
 export { colours } from "./colours";
 
 type Layout = State["mode"] | "single";
-
-/** Values of absent attributes. */
-const DEFAULTS: Record<string, string> = {
-  scene: FIRST_SCENE,
-  planners: "",
-  layout: "grid",
-  theme: "auto",
-  controls: "full",
-  layers: "",
-  wheel: "ctrl",
-  speed: "1",
-};
 
 /**
  * A playground in somebody else's page: looked at until somebody wants to edit, quiet out of sight, and never in the way of
