@@ -1,5 +1,5 @@
 import { beforeAll, describe, expect, it } from "vitest";
-import { markdown, pages, picture, type Page } from "../../docs/.vitepress/papers";
+import { markdown, pages, papers, picture, type Page } from "../../docs/.vitepress/papers";
 
 /** Two maps of each kind: what is held here does not depend on how many. */
 const SEEDS = 2;
@@ -112,6 +112,19 @@ describe("the papers' pages", () => {
       road: ["road-straight", "road-curve", "road-crossing", "road-narrow"],
     };
     for (const [id, found] of named) expect(found, id).toEqual(expect.arrayContaining([...rows[id]!]));
+  });
+
+  it("show on the site points and letters as images, and other scenes live, with links to them", async () => {
+    const [riskField, , parking] = await papers("zh", SEEDS);
+    expect(riskField!.content.match(/<img alt="图 [567]：[^"]+" [^>]*src="data:image\/svg\+xml;base64,/g)!.length).toBe(
+      3,
+    );
+    expect(riskField!.content).toContain('layers="slots obstacles path redundant grid"');
+    expect(riskField!.content).not.toContain("<style");
+    expect(parking!.content).toContain(
+      '<a href="../../../embed.html#scene=L2&amp;controls=full&amp;lang=zh" target="_self"><code>L2</code></a>',
+    );
+    expect(parking!.content).toContain("`hybrid-forward`");
   });
 
   it("judge every claim", () => {

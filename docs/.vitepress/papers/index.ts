@@ -2,6 +2,7 @@
 import { init, scenarios } from "../../../pkg/node.js";
 import { escaped, heading, isClaims, markdown, type Block, type Figure, type Lang } from "./blocks";
 import { comparison, comparisonBlocks } from "./comparison";
+import { picture } from "./figures";
 import { measure, type Measured } from "./measure";
 import { parking } from "./parking";
 import { riskField, sixteen } from "./grid";
@@ -17,7 +18,7 @@ export interface Page {
 }
 
 export { escaped, firstFigures, html, markdown } from "./blocks";
-export { picture } from "./figures";
+export { picture };
 
 let kept: Measured | null = null;
 
@@ -41,12 +42,13 @@ export async function compared(lang: Lang): Promise<Block[]> {
 
 /** Layers of the playground that show what a figure draws. */
 const LAYERS: Readonly<Partial<Record<NonNullable<Figure["draws"]>, string>>> = {
-  pruned: "slots obstacles path tree grid",
-  tangents: "slots obstacles path tree grid",
-  smoothed: "slots obstacles path tree grid",
   potential: "slots obstacles path tree grid",
   spaces: "slots obstacles path redundant grid",
 };
+/** Figures whose points and letters no layer has: their pictures, as images, since a template may hold no style. */
+const STILL: readonly Figure["draws"][] = ["pruned", "tangents", "smoothed"];
+const still = (figure: Figure): string =>
+  `<figure class="drawn"><img alt="${figure.caption.replaceAll('"', "")}" width="440" height="440" src="data:image/svg+xml;base64,${Buffer.from(picture(figure)).toString("base64")}"><figcaption>${escaped(figure.caption)}</figcaption></figure>`;
 
 /** A scene's name opens the scene in a playground of its own; other code stays. */
 const linked =
@@ -58,14 +60,20 @@ const linked =
 
 const playground =
   (lang: Lang) =>
-  ({ scene, planners, draws, caption, svg }: Figure): string =>
-    svg !== undefined
-      ? `<figure class="drawn">${svg}<figcaption>${escaped(caption)}</figcaption></figure>`
-      : `<parkade-playground scene="${scene}" planners="${planners.join(" ")}" layout="${planners.length > 1 ? "grid" : "single"}" controls="minimal" editable lang="${lang}"${draws && LAYERS[draws] ? ` layers="${LAYERS[draws]}"` : ""} alt="${caption.replaceAll('"', "")}"></parkade-playground>\n\n*${caption}*`;
+  (figure: Figure): string => {
+    const { scene, planners, draws, caption, svg } = figure;
+    if (svg !== undefined) return `<figure class="drawn">${svg}<figcaption>${escaped(caption)}</figcaption></figure>`;
+    if (STILL.includes(draws)) return still(figure);
+    const layers = draws && LAYERS[draws] ? ` layers="${LAYERS[draws]}"` : "";
+    return `<parkade-playground scene="${scene}" planners="${planners.join(" ")}" layout="${planners.length > 1 ? "grid" : "single"}" controls="minimal" editable lang="${lang}"${layers} alt="${caption.replaceAll('"', "")}"></parkade-playground>\n\n*${caption}*`;
+  };
 
 /** For the site. */
-export async function papers(lang: Lang = "en"): Promise<{ params: { id: string; title: string }; content: string }[]> {
-  const all = await pages(lang),
+export async function papers(
+  lang: Lang = "en",
+  seeds = SEEDS,
+): Promise<{ params: { id: string; title: string }; content: string }[]> {
+  const all = await pages(lang, seeds),
     known = new Set(scenarios().map(({ id }) => id));
   return all.map(({ id, title, blocks }) => ({
     params: { id, title },
