@@ -1,7 +1,8 @@
 /** What an answer brings along for the layers that are shown, what of an older one stays beside it, and its reason. */
 import type { LayerName, Plan, PlannerId, PlannerSettings } from "parkade";
 import type { PanelResult, Scene, State } from "../store";
-import { drivesCar, hasField, infoOf } from "../styles/planner-style";
+import { translate, type Lang } from "../i18n/index";
+import { drivesCar, hasField, infoOf, plannerName } from "../styles/planner-style";
 import type { Failure, Layers } from "./protocol";
 
 /** Of the risk field, that a step of a drag brings. */
@@ -55,3 +56,11 @@ export const withoutPath = (failure: Failure): Failure => ({
   path: "",
   message: failure.path ? failure.message.replace(`${failure.path}: `, "") : failure.message,
 });
+
+/** Why a planner gives no answer: its time is up, or one of its settings is refused. */
+export function failureText(lang: Lang, planner: PlannerId, error: Failure): string {
+  const name = plannerName(lang, planner);
+  return error.code === "interrupted"
+    ? translate(lang, "error.budget", { planner: name, ms: error.message })
+    : translate(lang, "error.config", { planner: name, path: error.path, reason: withoutPath(error) });
+}

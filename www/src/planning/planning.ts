@@ -8,7 +8,7 @@ import { forPlanners, isUnpacked, withoutCells } from "../scene/large-scene";
 import { emptyResult, type PanelResult, type Scene, type State, type Store } from "../store";
 import { Lane, type Job } from "./planner-queue";
 import { extentFor, type Engine } from "./engine-loader";
-import { forceEvery, isTraced, layersOf, offLattice, sameMap, withOld, withoutPath } from "./answers";
+import { failureText, forceEvery, isTraced, layersOf, offLattice, sameMap, withOld, withoutPath } from "./answers";
 import { medians } from "./medians";
 import type { Failure, Reply } from "./protocol";
 
@@ -345,12 +345,7 @@ export class Planning {
     this.update(planner, { status: newerWaits ? "planning" : "error", error });
     if (newerWaits) return;
     if (error.code !== "internal") {
-      const { lang } = this.store.state,
-        name = plannerName(lang, planner);
-      const text =
-        error.code === "interrupted"
-          ? translate(lang, "error.budget", { planner: name, ms: error.message })
-          : translate(lang, "error.config", { planner: name, path: error.path, reason: withoutPath(error) });
+      const text = failureText(this.store.state.lang, planner, error);
       this.store.set({ message: { tone: "err", text, code: error.code } });
     }
     this.afterResult();
