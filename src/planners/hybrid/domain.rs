@@ -353,7 +353,11 @@ impl Domain for StateLattice<'_> {
             Heuristic::ReedsShepp => reeds_shepp::distance(at, self.target, self.costs.radius),
             Heuristic::Max => {
                 let around = self.flood.distance(at);
-                if around.is_finite() {
+                if around.is_finite() && self.level.far_reverse > 0.0 {
+                    // A way with little of it turns round; what that costs leads the search there.
+                    let curve = reeds_shepp::distance(at, self.target, self.costs.radius);
+                    around + curve - (self.target.point() - at.point()).norm()
+                } else if around.is_finite() {
                     around.max(reeds_shepp::distance_or(at, self.target, self.costs.radius, around))
                 } else {
                     around

@@ -49,7 +49,7 @@ const FAR_REVERSE_PRICE: f64 = 5.0;
 /// Extra weight of a metre of it then. The price itself spends the budget on detours of equal promise.
 const FAR_REVERSE_WEIGHT: f64 = 2.0;
 /// Expansions of that search for each metre that it may save.
-const FAR_REVERSE_EFFORT: f64 = 100.0;
+const FAR_REVERSE_EFFORT: f64 = 50.0;
 
 /// Margins that a path is tried with, too, where less is asked for, metres.
 const COMPARED_MARGINS: [f64; 2] = [0.05, 0.1];
@@ -173,7 +173,8 @@ impl<'a> Search<'a> {
         Level { weight, max_expansions: level.max_expansions - FIRST_BUDGET, ..level }
     }
 
-    /// Searches once more where the path found reverses far: for one that hardly does.
+    /// Searches once more where the path found reverses far: for one that hardly does. Such a path turns round on the
+    /// way. An estimate that does not tell what turning costs would spend the budget around the root.
     #[inline(never)]
     fn reconsider(&self, level: Level, work: &mut Work) {
         let this = self.arrived(&work.report.arcs);
