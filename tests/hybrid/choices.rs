@@ -30,6 +30,19 @@ fn cost(id: &str, settings: &Value) -> f64 {
 
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
+fn no_ordinary_path_with_less_margin_has_fewer_changes_than_the_one_with_the_fewest() {
+    for id in ROWS {
+        let fewest = planner(id, &json!({})).plan(by(Prefer::FewestChanges)).metrics.direction_changes;
+        for margin in [0.03, 0.01, 0.002] {
+            let close = planner(id, &json!({ "margin": margin })).plan(Options::default());
+            let changes = close.metrics.direction_changes;
+            assert!(fewest <= changes, "{id}: {fewest}, {changes} with {margin} m");
+        }
+    }
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
 fn what_is_preferred_is_no_worse_than_the_ordinary_path_and_no_alternative_beats_it() {
     for id in ROWS {
         let mut planner = planner(id, &json!({}));

@@ -115,6 +115,24 @@ fn the_tightest_slots_are_entered_with_three_centimetres() {
     }
 }
 
+/// The first lattice that gets out of a slot takes 22 gear changes where a shorter slot takes 18.
+#[cfg(all(feature = "complete", not(target_arch = "wasm32")))]
+#[test]
+fn a_longer_slot_takes_hardly_more_gear_changes() {
+    let mut fewest: Vec<(f64, u32)> = Vec::new();
+    for step in 0..=16 {
+        let slack = 0.85 + 0.05 * f64::from(step);
+        let Scene { name, vehicle, obstacles, start, goal, .. } =
+            &kerb(&Vehicle::SEDAN, 36, (slack, slack), (4.2, 6.5));
+        let query = Query { obstacles, vehicle, start: *start, goal: *goal };
+        let report = plan(&query, &Config::default(), &mut Scratch::default(), false, &mut None);
+        let changes = arcs::direction_changes(&report.arcs);
+        let shorter = fewest.iter().filter(|(margin, _)| *margin >= report.margin).map(|one| one.1).min();
+        assert!(shorter.is_none_or(|shorter| changes <= shorter + 2), "{name}: {changes}, {shorter:?}");
+        fewest.push((report.margin, changes));
+    }
+}
+
 /// Lattices of single arcs lose their place in these bays.
 #[cfg(all(feature = "complete", not(target_arch = "wasm32")))]
 #[test]

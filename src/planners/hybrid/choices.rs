@@ -23,7 +23,7 @@ use super::config::{Config, Level, Profile, SearchFrom};
 use super::level::{Search, Work};
 use super::portfolio::{COMFORTABLE_MARGIN, Floods};
 use super::widest::{self, GAP_PARTS};
-use super::{Query, Report, Scratch, Status};
+use super::{MIN_MARGIN, Query, Report, Scratch, Status};
 use crate::geometry::{Pose, arcs};
 use crate::json;
 use crate::search::Progress;
@@ -54,6 +54,8 @@ const WIDER_EXPANSIONS: [u32; 2] = [3000, 8000];
 const LAYER_EXPANSIONS: [u32; 3] = [5000, 20_000, 40_000];
 /// The finest level on which fewer are looked for.
 const FINEST_LAYER_LEVEL: u32 = 3;
+/// Margins with which fewer are looked for beside the one kept, metres.
+const FEWER_CHANGES_MARGINS: [f64; 3] = [COMFORTABLE_MARGIN, 0.01, MIN_MARGIN];
 /// Extra cost of a gear change there, metres, …
 const EXTRA_CHANGE_COST: f64 = 5.0;
 /// … and expansions of each such search.
@@ -100,7 +102,8 @@ pub fn choices(
     margins.retain(|&margin| margin > first.margin);
     let parts = if goals.is_empty() { 1 } else { GAP_PARTS };
     let kept = margins.len();
-    margins.extend([first.margin, COMFORTABLE_MARGIN]);
+    margins.push(first.margin);
+    margins.extend(FEWER_CHANGES_MARGINS.into_iter().filter(|&margin| margin < first.margin));
     let mirrored = !goals.is_empty() || first.from_goal || config.search_from == SearchFrom::Both;
     let [root, target] = if mirrored { [goal, start] } else { [start, goal] };
     let floods = Floods::with(query, [target, root], margins);
@@ -171,19 +174,22 @@ impl Run<'_, '_> {
         Goes::Continue(())
     }
 
-    /// The fewest gear changes, and of those paths the shortest, with the margin kept and with 3 cm. In layers on
-    /// coarse lattices, from both ends on the coarsest; on fine ones, which would spend all they have on the first
-    /// layers, by a price that is worth a detour. From the other end fine steps only spend their budget: it is the one
-    /// with room.
+    /// The fewest gear changes, and of those paths the shortest, with the margin kept and, where less saves some, with
+    /// less. In layers on coarse lattices, from both ends on the coarsest; on fine ones, which would spend all they
+    /// have on the first layers, by a price that is worth a detour. From the other end fine steps only spend their
+    /// budget: it is the one with room.
     fn fewer_changes(&mut self) -> Goes {
-        let last = self.kept + usize::from(self.first.margin > COMFORTABLE_MARGIN);
-        for margin in self.kept..=last {
+        for margin in self.kept..self.floods.count() {
             self.layers(0, margin, false)?;
             if self.work.report.status != Status::NoPath {
                 self.layers(0, margin, true)?;
             }
+            // Who creeps does so for fewer changes, not for a shorter way with as many.
+            let creeps = margin > self.kept && self.floods.margin(margin) < COMFORTABLE_MARGIN;
             for number in 1..=FINEST_LAYER_LEVEL {
-                self.fewer_by_price(number, margin)?;
+                if !creeps {
+                    self.fewer_by_price(number, margin)?;
+                }
                 self.layers(number, margin, false)?;
             }
         }

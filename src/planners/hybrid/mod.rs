@@ -284,6 +284,12 @@ impl Report {
         }
     }
 
+    /// The answer of an earlier search, after as much work.
+    fn with_path_of(&self, known: Self) -> Self {
+        let Self { expanded, generated, pushes, open_peak, bytes, .. } = *self;
+        Self { expanded, generated, pushes, open_peak, bytes, ..known }
+    }
+
     fn keep(&mut self, tree: Option<Tree>, watch: Option<&RefCell<Recorder>>) {
         if let (Some(tree), Some(watch)) = (tree, watch) {
             #[cfg(feature = "complete")]

@@ -84,6 +84,12 @@ impl<'a> Floods<'a> {
         self.margins[at]
     }
 
+    /// How many margins there are.
+    #[cfg(feature = "complete")]
+    pub(in crate::planners::hybrid) fn count(&self) -> usize {
+        self.margins.len()
+    }
+
     /// The least margin.
     pub(in crate::planners::hybrid) fn least(&self) -> f64 {
         self.margins[self.margins.len() - 1]

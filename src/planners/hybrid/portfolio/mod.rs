@@ -17,6 +17,8 @@
 
 mod floods;
 mod members;
+#[cfg(feature = "complete")]
+mod second_look;
 
 pub(super) use floods::Floods;
 
@@ -92,6 +94,8 @@ pub(super) fn plan(search: Search, floods: &Floods, widest: usize, work: &mut Wo
     };
     run.rounds(work);
     run.conclude(work.report);
+    #[cfg(feature = "complete")]
+    second_look::look_again(search, floods, work);
 }
 
 /// True if the body could get to the other end if it moved in any direction.
@@ -340,8 +344,7 @@ impl Run<'_> {
             return;
         }
         if let Some(known) = self.best.or(self.proof) {
-            let Report { expanded, generated, pushes, open_peak, bytes, .. } = *report;
-            *report = Report { expanded, generated, pushes, open_peak, bytes, ..known };
+            *report = report.with_path_of(known);
         } else if report.status == Status::NoPath {
             report.status = self.doubt.unwrap_or(Status::BudgetExhausted(report.rs_bound));
         }
