@@ -3,12 +3,14 @@ import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { expect, test } from "@playwright/test";
 import { WORDS } from "../../docs/.vitepress/words";
+import { init, scenario } from "../../pkg/node.js";
 import { complaintsOf } from "./playground";
 
 const SITE = fileURLToPath(new URL("../../docs/.vitepress/dist/", import.meta.url));
 const BASE = "/docs/";
-/** Beside the documentation's folder. */
-const PLAYGROUND = "/index.html";
+/** Beside the documentation's folder: the page, and the same for other people's pages with a scene by name. */
+const PLAYGROUND = "/index.html",
+  EMBEDDED = "/embed.html";
 
 test.beforeAll(() => {
   test.setTimeout(240_000);
@@ -22,7 +24,9 @@ const pages = () =>
     .map((file) => file.replaceAll("\\", "/"))
     .filter((file) => file.endsWith(".html") && file !== "404.html");
 
-test("every internal link leads to a page, and every fragment to a heading", () => {
+test("every internal link leads to a page, every fragment to a heading, and every scene's name to a scene", async () => {
+  await init();
+  const scenes = new Set<string>();
   const all = new Set(pages()),
     text = (file: string) => readFileSync(SITE + file, "utf8");
   expect(all.size).toBeGreaterThan(35);
@@ -31,6 +35,10 @@ test("every internal link leads to a page, and every fragment to a heading", () 
     for (const [, href] of text(file).matchAll(/<a [^>]*href="([^"]+)"/g)) {
       const url = new URL(href!.replaceAll("&amp;", "&"), `http://site${BASE}${file}`);
       if (url.host !== "site" || url.pathname === PLAYGROUND) continue;
+      if (url.pathname === EMBEDDED) {
+        scenes.add(new URLSearchParams(url.hash.slice(1)).get("scene") ?? href!);
+        continue;
+      }
       const target = url.pathname.slice(BASE.length).replace(/(^|\/)$/, "$1index.html");
       const found = all.has(target) ? target : all.has(`${target}.html`) ? `${target}.html` : null;
       const fragment = decodeURIComponent(url.hash.slice(1));
@@ -38,6 +46,8 @@ test("every internal link leads to a page, and every fragment to a heading", () 
     }
   }
   expect(dead).toEqual([]);
+  expect(scenes.size).toBeGreaterThan(5);
+  for (const id of scenes) expect(() => scenario(id), id).not.toThrow();
 });
 
 test("each page's title is words, and no two pages of a language share one", () => {
