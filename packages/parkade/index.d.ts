@@ -351,7 +351,7 @@ export type Trace = CellTrace | ArcTrace;
 
 /**
  * Every event of a search over cells: what `trace: "full"` asks for. A node is a cell. Of
- * `cost-map` the last search, in metres; of the others the only one.
+ * `cost-map` the last search of the plan, in metres.
  */
 export interface SearchTrace extends SearchEvents {
   kind: "search";

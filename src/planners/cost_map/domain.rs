@@ -358,8 +358,12 @@ impl Told for Places<'_> {
         for step in AROUND {
             let to = cell.offset(step.0, step.1);
             if self.0.map.frame.contains(to) {
-                let illegal = if self.0.open(to).is_none() { Some(Fate::Blocked) } else { None };
-                let illegal = illegal.or(self.0.cuts(cell, step).then_some(Fate::Corner));
+                let is_blocked = self.0.open(to).is_none();
+                let illegal = (is_blocked || self.0.cuts(cell, step)).then_some(if is_blocked {
+                    Fate::Blocked
+                } else {
+                    Fate::Corner
+                });
                 tell(self.place(to), self.0.length(step), self.place(to), illegal);
             }
         }
