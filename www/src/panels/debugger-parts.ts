@@ -67,25 +67,17 @@ export function code(lang: Lang, replay: SearchReplay, byMoves: boolean): Templa
 export function variables(lang: Lang, replay: SearchReplay): TemplateResult | typeof nothing {
   const { step, move, trace } = replay;
   if (step < 0) return nothing;
-  const [g, h, f] = [trace.g, trace.h, trace.f].map((column) => cost(lang, replay, column[step]!)) as [
-    string,
-    string,
-    string,
-  ];
   const sampling = samplingOf(replay),
-    isCandidate = sampling === "candidates";
+    isCandidate = sampling === "candidates",
+    at = (column: Float64Array): string => cost(lang, replay, column[step]!);
   const rows: [string, string][] = isCandidate
-    ? [[say(lang, "fitness"), f]]
+    ? [[say(lang, "fitness"), at(trace.f)]]
     : [
         ["n", placeOfStep(lang, replay, step)],
-        ["g(n)", g],
-        ...(sampling
-          ? [["|n − r|", h] as [string, string]]
-          : ([
-              ["h(n)", h],
-              ["f(n)", f],
-            ] as [string, string][])),
+        ["g(n)", at(trace.g)],
       ];
+  if (sampling === "tree") rows.push(["|n − r|", at(trace.h)]);
+  if (!sampling) rows.push(["h(n)", at(trace.h)], ["f(n)", at(trace.f)]);
   if (move >= 0) {
     rows.push(["m", targetOf(lang, replay, move)]);
     if (!sampling) rows.push(["g(n) + c", cost(lang, replay, trace.targetG[move]!)]);
