@@ -1,6 +1,6 @@
 /** The page's commands: one key one command, each with a title in both languages and a row in the help. */
 import { beforeAll, describe, expect, it, vi } from "vitest";
-import { chordOf, commands, runChord, TOOLS, type CommandId } from "../../www/src/app/commands";
+import { chordOf, commands, join, runChord, TOOLS, type CommandId } from "../../www/src/app/commands";
 import { EDITING } from "../../www/src/app/edit-commands";
 import { SECTIONS } from "../../www/src/app/help-rows";
 import type { App } from "../../www/src/app/app";
@@ -13,6 +13,7 @@ import { loadChinese } from "./chinese";
 const press = (key: string, modifiers: Partial<KeyboardEvent> = {}) =>
   chordOf({ key, ctrlKey: false, metaKey: false, altKey: false, shiftKey: false, ...modifiers } as KeyboardEvent);
 
+join(EDITING);
 const all = Object.entries(commands);
 
 beforeAll(loadChinese);

@@ -1,6 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import type { Plan } from "parkade";
-import { Lane, GIVE_UP_AFTER_MS, type WorkerLike } from "../../www/src/planning/planner-queue";
+import { Lane, GIVE_UP_AFTER_MS } from "../../www/src/planning/planner-queue";
+import type { WorkerLike } from "../../www/src/planning/pool";
 import { WorkerPool } from "../../www/src/planning/pool";
 import type { Reply, Request } from "../../www/src/planning/protocol";
 import type { Scenario } from "../../www/src/scene/scenario";

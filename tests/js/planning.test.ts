@@ -1,7 +1,7 @@
 import type { Timing } from "../../www/src/store/results";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import type { Plan, PlannerId } from "parkade";
-import type { WorkerLike } from "../../www/src/planning/planner-queue";
+import type { WorkerLike } from "../../www/src/planning/pool";
 import type { Engine } from "../../www/src/planning/engine-loader";
 import { Planning } from "../../www/src/planning/planning";
 import { WorkerPool } from "../../www/src/planning/pool";

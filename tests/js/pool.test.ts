@@ -1,5 +1,5 @@
 import { expect, it, vi } from "vitest";
-import type { WorkerLike } from "../../www/src/planning/planner-queue";
+import type { WorkerLike } from "../../www/src/planning/pool";
 import { KEPT_MS, WorkerPool, mostWorkers, type Holder } from "../../www/src/planning/pool";
 
 class Fake implements WorkerLike {

@@ -10,7 +10,8 @@ import {
   type PlannerId,
   type Pose,
 } from "parkade";
-import { Lane, type WorkerLike } from "../../www/src/planning/planner-queue";
+import { Lane } from "../../www/src/planning/planner-queue";
+import type { WorkerLike } from "../../www/src/planning/pool";
 import { WorkerPool } from "../../www/src/planning/pool";
 import type { Reply, Request, Waiting } from "../../www/src/planning/protocol";
 import type { Scenario } from "../../www/src/scene/scenario";

@@ -9,7 +9,6 @@ import { ensureIds, isOneGoal } from "../scene/model";
 import { forPlanners } from "../scene/large-scene";
 import { createStore, FIRST_PLANNERS, type Scene, type State, type Store } from "../store";
 import { ToolController } from "../tools/controller";
-import { extras } from "../view/lazy-layers";
 import { readTokens, type Tokens } from "../view/tokens";
 import { LinkSync, type LinkView } from "./link-sync";
 import { persistently } from "./retry";
@@ -31,7 +30,7 @@ export interface Catalog {
 }
 
 /** What the element around does. */
-export type Request = "presets" | "keys" | "papers" | "inspect" | "fold" | "open" | "png";
+export type Request = "presets" | "keys" | "papers" | "inspect" | "fold" | "open" | "png" | "hints";
 
 export interface Beginning {
   preset: string;
@@ -103,11 +102,7 @@ export class App {
     this.planning = new Planning(this.store, await loadEngine("core", this.folders), () => this.complete());
     this.planning.start();
     loaded();
-    void this.controller.fetchTools().then(() => import("./edit-commands"));
-    void extras.load().then(
-      ({ follow }) => follow(this),
-      () => undefined,
-    );
+    void this.controller.fetchTools();
     await this.planning.whenSettled();
     if (drives && !looks.playback) this.player.driveIn();
     void Promise.race([wanted, whenWhole(this.folders)]).then(() =>
@@ -143,7 +138,7 @@ export class App {
   private async keepDrawing(): Promise<void> {
     const [{ startAutosave }, { workOffline }] = await Promise.all([import("./autosave"), import("./offline")]);
     void workOffline();
-    void import("../panels/hints");
+    this.ask("hints");
     // Storage may be refused; nothing depends on it.
     this.stopSaving = await startAutosave(this).catch(() => null);
   }

@@ -4,8 +4,7 @@ import { words } from "../i18n/words";
 import { pack } from "../scene/link-codec";
 import { countRuns } from "../scene/large-scene";
 import type { Scene } from "../store";
-import type { App } from "./app";
-import { keepHistory } from "./history";
+import { keepHistory, type Keeper } from "./history";
 import { keepsRule } from "./schema";
 
 const say = words("autosave", messages);
@@ -20,13 +19,18 @@ const MOST_KEPT = 5;
 /** Milliseconds; `Date` knows no later one. */
 const LAST_DATE = 8.64e15;
 
+/** Whose drawing is kept. */
+interface Drawn extends Keeper {
+  openForeign(scene: Scene): Promise<void>;
+}
+
 interface Kept {
   at: number;
   scene: Scene;
 }
 
 /** Starts keeping this tab's drawing. */
-export async function startAutosave(app: App): Promise<() => void> {
+export async function startAutosave(app: Drawn): Promise<() => void> {
   const own = await nameOf();
   let timer: ReturnType<typeof setTimeout> | undefined,
     hash: string | null = null;
@@ -99,7 +103,7 @@ function dropDamaged(): void {
 }
 
 /** Drawings of tabs that are closed; a tab that was only reloaded finds its own. */
-async function offer(app: App, own: string): Promise<void> {
+async function offer(app: Drawn, own: string): Promise<void> {
   const open = await openTabs();
   const keys = Object.keys(localStorage).filter((key) => key.startsWith(KEY) && (key === own || !open.has(key)));
   // The first module knows no sets of goals.
@@ -134,7 +138,7 @@ async function offer(app: App, own: string): Promise<void> {
   });
 }
 
-function read(key: string, { catalog }: App): Kept | null {
+function read(key: string, { catalog }: Drawn): Kept | null {
   try {
     const { at, scene } = JSON.parse(localStorage.getItem(key) ?? "") as Kept;
     return Math.abs(at) <= LAST_DATE ? { at, scene: catalog!.checked(scene) } : null;

@@ -1,7 +1,7 @@
 /** Chords as people and assistive technology read them. */
 import { translate, type Lang } from "../i18n/index";
 import "../i18n/later";
-import type { Command } from "./commands";
+import type { Command } from "./command";
 
 const isMac = /^(Mac|iP)/.test(globalThis.navigator?.platform ?? "");
 /** In the order in which each system writes them. */

@@ -1,20 +1,9 @@
-/** Commands: what keys, bars, menus and the help offer, each declared once. */
-import type { MessageKey } from "../i18n/index";
+/** The table of commands. */
 import type { State, ToolId } from "../store";
 import type { IconName } from "../styles/icons";
 import { ZOOM_STEP } from "../view/camera";
 import type { App } from "./app";
-
-export interface Command {
-  /** Chords as `chordOf` writes them. The first ones stand in tooltips. */
-  keys: readonly string[];
-  title: MessageKey;
-  icon?: IconName;
-  /** Absent for always. */
-  isEnabled?(state: State): boolean;
-  /** False where the command had nothing to do: its key then keeps its usual meaning. */
-  run(app: App): unknown;
-}
+import type { Command } from "./command";
 
 const tool = (id: ToolId & IconName, ...keys: string[]): Command => ({
   keys,
@@ -71,8 +60,13 @@ const FIRST = {
 type Editing = typeof import("./edit-commands").EDITING;
 export type CommandId = keyof typeof FIRST | keyof Editing;
 
-/** All commands that are loaded; those that edit join with the drawing tools. */
+/** All commands that are loaded. */
 export const commands: Partial<Record<CommandId, Command>> = { ...FIRST };
+
+/** Those that edit come with the drawing tools. */
+export function join(editing: Editing): void {
+  Object.assign(commands, editing);
+}
 
 export const isEnabled = (state: State, { isEnabled }: Command): boolean => isEnabled?.(state) ?? true;
 

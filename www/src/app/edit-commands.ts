@@ -10,7 +10,7 @@ import {
   turn,
 } from "../tools/edit-keys";
 import type { Store } from "../store";
-import { commands, type Command } from "./commands";
+import type { Command } from "./command";
 
 /** The tool in force shows its preview again after the change. */
 const by =
@@ -33,5 +33,3 @@ export const EDITING = {
   lowerCost: { keys: ["{"], title: "keys.weight", run: by((store) => setWeight(store, -1)) },
   higherCost: { keys: ["}"], title: "keys.weight", run: by((store) => setWeight(store, 1)) },
 } satisfies Record<string, Command>;
-
-Object.assign(commands, EDITING);

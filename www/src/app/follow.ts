@@ -1,9 +1,10 @@
-/** What follows the store once the first picture is there: better paths, trajectories, and a place of the car that stays. */
+/** What comes once the first picture is there: better paths, trajectories, a place of the car that stays, and commands that edit. */
 import { follow as followPlans } from "../planning/improver";
 import { followSmooth } from "../planning/smoother";
 import { keepPlace } from "../view/keep-place";
-import { followGuest } from "./guest";
 import type { App } from "./app";
+import { join } from "./commands";
+import { followGuest } from "./guest";
 
 const following = new WeakSet<App>();
 
@@ -14,4 +15,8 @@ export function follow(app: App): void {
   keepPlace(app.store);
   followSmooth(app);
   followGuest(app);
+  void app.controller
+    .fetchTools()
+    .then(() => import("./edit-commands"))
+    .then(({ EDITING }) => join(EDITING));
 }

@@ -1,7 +1,6 @@
 /** The steps of a tab's undo and redo, kept for as long as the tab lives, so that a reload loses nothing. */
 import { countRuns } from "../scene/large-scene";
-import type { History, Scene } from "../store";
-import type { App } from "./app";
+import type { History, Scene, Store } from "../store";
 
 export const HISTORY_KEY = "parkade.history";
 /** Characters; browsers keep about five million for a tab. */
@@ -10,6 +9,15 @@ const LARGEST = 1_000_000;
 const RUN = 8;
 /** Characters of a number that stands for a part. */
 const REFERENCE = 5;
+
+/** What has a history. */
+export interface Keeper {
+  readonly store: Store;
+  /** Null before any planner is there. */
+  readonly catalog: { checked(scene: Scene): Scene } | null;
+  /** Every planner and kind of scene. */
+  complete(): Promise<unknown>;
+}
 
 /** Scenes share most of their parts: each part once, and every scene as the numbers of its own. */
 interface Kept {
@@ -90,7 +98,7 @@ export function decodeHistory(text: string, checked: (scene: Scene) => Scene): H
 }
 
 /** Brings back what this tab had where it is at the same address still; a damaged rest is dropped. */
-export async function restoreHistory(app: App): Promise<Scene | null> {
+export async function restoreHistory(app: Keeper): Promise<Scene | null> {
   const text = sessionStorage.getItem(HISTORY_KEY);
   if (text === null) return null;
   try {
@@ -106,7 +114,7 @@ export async function restoreHistory(app: App): Promise<Scene | null> {
   }
 }
 
-export function keepHistory({ store }: App): void {
+export function keepHistory({ store }: Keeper): void {
   const text = encodeHistory(store.history, location.hash);
   if (text === null) sessionStorage.removeItem(HISTORY_KEY);
   else sessionStorage.setItem(HISTORY_KEY, text);

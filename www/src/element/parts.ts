@@ -1,4 +1,7 @@
-import { extras, menus, vast } from "../view/lazy-layers";
+import type { App } from "../app/app";
+import { laterTexts } from "../panels/lazy-texts";
+import { vast } from "../view/lazy-large-maps";
+import { laterLayers } from "../view/lazy-layers";
 
 /** Parts after the first picture, fetched at once or when opened. */
 export const PARTS = [
@@ -10,6 +13,14 @@ export const PARTS = [
   () => import("../panels/view-controls"),
   () => import("../panels/splitter"),
 ];
-extras.from(() => import("../panels/extras"));
-menus.from(() => import("../panels/toolbar-menus"));
+const extras = () => import("../panels/extras");
+laterLayers.from(extras);
+laterTexts.from(extras);
 vast.from(() => import("../view/large-map-raster"));
+
+/** What follows the store comes as soon as there is a scene. */
+export const follow = (app: App): Promise<void> =>
+  extras().then(
+    (extra) => extra.follow(app),
+    () => undefined,
+  );

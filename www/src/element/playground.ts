@@ -9,7 +9,7 @@ import type { MenuRequest } from "../tools/controller";
 import { App, download, sentence, type Beginning, type Request } from "../app/app";
 import { recall, remember } from "../store/preferences";
 import { narrow, roomOf, sceneViews, wide } from "./arrangement";
-import { PARTS } from "./parts";
+import { follow, PARTS } from "./parts";
 import "../panels/notices";
 import "../panels/stage";
 import "../panels/timeline";
@@ -299,13 +299,7 @@ export class Playground extends LitElement {
 
   protected async begin(): Promise<void> {
     try {
-      await this.app.start({
-        ...this.beginning(),
-        loaded: () => {
-          this.loaded = true;
-          this.becomeDrawable();
-        },
-      });
+      await this.app.start({ ...this.beginning(), loaded: () => this.becomeLoaded() });
       if (!this.loaded) return;
       if (this.permalink) requestAnimationFrame(() => document.getElementById("poster")?.remove());
       this.becomeReady();
@@ -313,6 +307,13 @@ export class Playground extends LitElement {
     } catch (error) {
       this.app.refuse("app.unsupported", { reason: error instanceof Error ? error.message : String(error) });
     }
+  }
+
+  /** There is a scene to draw and to edit. */
+  protected becomeLoaded(): void {
+    this.loaded = true;
+    this.becomeDrawable();
+    void follow(this.app);
   }
 
   /** The first view. */
@@ -350,6 +351,7 @@ export class Playground extends LitElement {
     if (request === "fold") this.folded = !this.folded;
     else if (request === "inspect") this.inspecting = !this.inspecting;
     else if (request === "open") this.fileInput?.click();
+    else if (request === "hints") void import("../panels/hints");
     else
       void (request === "png"
         ? this.savePicture(scale)

@@ -42,13 +42,7 @@ export abstract class SceneOpening extends Playground {
   protected override async begin(): Promise<void> {
     const { loaded: again } = this;
     try {
-      await this.app.start({
-        ...this.beginning(),
-        loaded: () => {
-          this.loaded = true;
-          this.becomeDrawable();
-        },
-      });
+      await this.app.start({ ...this.beginning(), loaded: () => this.becomeLoaded() });
       if (!this.loaded) return;
       this.becomeReady();
       if (!again) this.emit("ready", {});

@@ -2,17 +2,13 @@ import first from "./messages/first.json";
 import type later from "./messages/later.json";
 import type { Catalogue } from "./reasons-zh";
 import chineseUrl from "./reasons-zh.json?url";
+import type { Said } from "./said";
+
+export type { Said };
 
 export type Lang = "en" | "zh";
 export type MessageKey = keyof typeof first | keyof typeof later;
 export type Values = Record<string, string | number | Said>;
-/** A refusal: English words, and what they are made of: the field, and a rule with `{}` in the place of each value. */
-export interface Said {
-  message: string;
-  path?: string;
-  template?: string;
-  values?: readonly string[];
-}
 export type Translate = (key: MessageKey, values?: Values) => string;
 /** English and Chinese of each key. The build leaves the English in its place, and puts the Chinese of all files into one. */
 export type Messages = Record<string, string | string[]>;

@@ -1,4 +1,4 @@
-import type { Said } from "./index";
+import type { Said } from "./said";
 
 /** Chinese for the reasons that the planners, importers and links give, and for the papers' claims: a catalogue by their English templates. `{}` is a value. */
 export interface Catalogue {

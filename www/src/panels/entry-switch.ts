@@ -6,7 +6,6 @@ import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
 import { boxesOf, freeSpot, goalOnMap, moved, type Spot } from "./free-spot";
-import type { Hints } from "./hints";
 import { icon } from "../styles/icons";
 
 const say = words("entrySwitch", messages);
@@ -86,7 +85,7 @@ export class EntrySwitch extends AppElement {
     const { state, host } = this,
       button = this.renderRoot.querySelector("button");
     // A hint speaks of the same car.
-    const isHinted = host?.shadowRoot?.querySelector<Hints>("parkade-hints")?.bubble?.step === "hint.drag";
+    const isHinted = host?.shadowRoot?.querySelector("parkade-hints[data-step='hint.drag']");
     if (
       !button ||
       !host ||

@@ -8,7 +8,7 @@ import { Helper, joined } from "../planning/job-client";
 import { ensureIds } from "../scene/model";
 import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
-import { vast } from "../view/lazy-layers";
+import { vast } from "../view/lazy-large-maps";
 import { AppElement } from "./base";
 import { valueOf } from "./inputs";
 import { icon } from "../styles/icons";

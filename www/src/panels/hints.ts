@@ -99,7 +99,10 @@ export class Hints extends AppElement {
   }
 
   protected override updated(changed: PropertyValues): void {
-    if (changed.has("bubble")) this.host?.dispatchEvent(new Event("parkade-hint"));
+    if (changed.has("bubble")) {
+      this.dataset["step"] = this.bubble?.step ?? "";
+      this.host?.dispatchEvent(new Event("parkade-hint"));
+    }
     this.place();
   }
 

@@ -6,7 +6,7 @@ import { imageMap, MOST_CELLS, type ImageMap, type ImageOptions, type Pixels } f
 import { pixelsOf } from "../scene/image-decode";
 import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
-import { vast } from "../view/lazy-layers";
+import { vast } from "../view/lazy-large-maps";
 import { DialogElement } from "./dialog";
 import { isChecked, numberOf } from "./inputs";
 

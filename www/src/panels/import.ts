@@ -12,7 +12,7 @@ import type { Scenario } from "../scene/scenario";
 import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
 import type { SitePlanDialog } from "./site-plan-dialog";
-import { vast } from "../view/lazy-layers";
+import { vast } from "../view/lazy-large-maps";
 import { AppElement } from "./base";
 import { numberOf } from "./inputs";
 import { icon, type IconName } from "../styles/icons";

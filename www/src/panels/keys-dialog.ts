@@ -1,12 +1,14 @@
 import { css, html, type TemplateResult } from "lit";
 import { shownChord } from "../app/chord-text";
-import { commands, type CommandId } from "../app/commands";
-import "../app/edit-commands";
+import { commands, join, type CommandId } from "../app/commands";
+import { EDITING } from "../app/edit-commands";
 import { SECTIONS, type Entry } from "../app/help-rows";
 import { isMessage, type MessageKey } from "../i18n/index";
 import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
 import { DialogElement } from "./dialog";
+
+join(EDITING);
 
 /** All keys on one card. */
 export class KeysDialog extends DialogElement {

@@ -11,7 +11,8 @@ import "./charts";
 import "./inspector";
 import "./options";
 import "./table";
-import { TOOLS, type Command } from "../app/commands";
+import type { Command } from "../app/command";
+import { TOOLS } from "../app/commands";
 
 const TABS = ["draw", "results", "params"] as const;
 /** Of the sheet: closed, with the map above, with little of the map. Low pages keep some of the map. */

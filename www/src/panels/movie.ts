@@ -1,6 +1,7 @@
 import { css, html, LitElement, nothing, type TemplateResult } from "lit";
 import { download, sentence, type App } from "../app/app";
-import { canEncode, encode, FORMATS, type Format } from "../picture/movie";
+import { canEncode, encode } from "../picture/movie";
+import { FORMATS, type Format } from "../picture/movie-format";
 import { played } from "../store/results";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
@@ -9,7 +10,7 @@ import { plannerName } from "../styles/planner-style";
 import { tokens } from "../styles/tokens";
 import { fit, fitMap } from "../view/camera";
 import { makeFrame, type Shown } from "../view/frame";
-import { extras } from "../view/lazy-layers";
+import { laterLayers } from "../view/lazy-layers";
 import { SceneLayers } from "../view/scene-layers";
 import { readTokens, type Tokens } from "../view/tokens";
 import { DialogElement } from "./dialog";
@@ -182,7 +183,7 @@ export class MovieDialog extends DialogElement {
   async make(): Promise<Blob | null> {
     const { state } = this,
       { format, rate, seconds, width, base } = this.options;
-    await extras.load();
+    await laterLayers.load();
     const height = 2 * Math.round((width * ASPECT) / 2),
       frames = Math.max(2, Math.round(seconds * rate));
     const colours = await this.colours();

@@ -2,8 +2,8 @@ import { css, html, nothing, type TemplateResult } from "lit";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
+import { laterTexts } from "./lazy-texts";
 import { icon } from "../styles/icons";
-import { extras } from "../view/lazy-layers";
 
 const SETTLE_MS = 500;
 const INFO_MS = 4000;
@@ -75,7 +75,7 @@ export class Notices extends AppElement {
     this.lastResults = results;
     clearTimeout(this.quiet);
     this.quiet = setTimeout(() => {
-      this.spoken = { [this.state.lang]: extras()?.spokenOf(this.state) ?? "" };
+      this.spoken = { [this.state.lang]: laterTexts()?.spokenOf(this.state) ?? "" };
     }, SETTLE_MS);
   }
 }

@@ -3,10 +3,11 @@ import { css, html, nothing, type PropertyValues, type TemplateResult } from "li
 import { plannerName } from "../styles/planner-style";
 import { goalPose, vehicleOf } from "../scene/model";
 import type { State } from "../store";
-import { extras, waiting } from "../view/lazy-layers";
+import { waiting } from "../view/piece";
 import { controls } from "../styles/controls";
 import { cameraFor, LOW_MAP, worldToScreen } from "../view/camera";
 import { AppElement } from "./base";
+import { laterTexts } from "./lazy-texts";
 import { icon, marker } from "../styles/icons";
 import { searchTime, statusOf, timeTitle, type Status } from "../texts/status";
 import "./scene-view";
@@ -118,7 +119,7 @@ export class PlannerPanel extends AppElement {
     const hidden = state.hidden.has(planner);
     const status = statusOf(state, planner);
     const slim = this.size.height < LOW_MAP;
-    const met = extras()?.encounterOf(state, result);
+    const met = laterTexts()?.encounterOf(state, result);
     const label = this.t("panel.canvas", { planner: plannerName(state.lang, planner), status: status.chip });
     return html`
       <header class="${hidden ? "off" : ""} ${result?.status === "planning" ? "stale" : ""}" @dblclick=${this.maximise} @pointerdown=${this.takeFocus}>
@@ -135,8 +136,8 @@ export class PlannerPanel extends AppElement {
           <parkade-scene-view exportparts="canvas" .app=${this.app} .planners=${[planner]} .label=${label}></parkade-scene-view>
           <parkade-failure class=${this.isLow() ? "low" : ""} ?slim=${slim} .app=${this.app} .planner=${planner}></parkade-failure>
           ${this.thumb ? nothing : html`<parkade-choices class=${this.isLow() ? "low" : ""} .app=${this.app} .planner=${planner}></parkade-choices>`}
-          <div class="corner ${this.corner("left")}">${extras()?.readoutOf(state, planner)}</div>
-          <div class="corner right ${this.corner("right")}">${extras()?.legendOf(state, planner)}</div>`
+          <div class="corner ${this.corner("left")}">${laterTexts()?.readoutOf(state, planner)}</div>
+          <div class="corner right ${this.corner("right")}">${laterTexts()?.legendOf(state, planner)}</div>`
         }
       </div>`;
   }

@@ -4,8 +4,8 @@ import type { App } from "../app/app";
 import type { PanelResult, State } from "../store";
 import type { View } from "../view/camera";
 import type { PoseRequest } from "../view/pose-label";
-import { extras } from "../view/lazy-layers";
 import { SceneCanvas } from "../view/scene-canvas";
+import { laterTexts } from "./lazy-texts";
 
 /** Parts of the state that never show on a canvas. */
 const UNSEEN: readonly (keyof State)[] = ["message", "live", "canUndo", "canRedo"];
@@ -143,7 +143,7 @@ export class SceneView extends LitElement {
     this.late = undefined;
     const { state } = this.app.store;
     this.scene?.draw(state, this.planners, this.app.tokens(), state.draft);
-    if (this.view) extras()?.showScale(this.renderRoot, this.view, state.lang);
+    if (this.view) laterTexts()?.showScale(this.renderRoot, this.view, state.lang);
   }
 }
 

@@ -9,7 +9,7 @@ import { SitePlanError } from "../siteplan/site-plan";
 import { ROLES, sceneFromSitePlan, suggestedRole, suggestedUnit, widthOf } from "../siteplan/site-plan-scene";
 import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
-import { vast } from "../view/lazy-layers";
+import { vast } from "../view/lazy-large-maps";
 import { DialogElement } from "./dialog";
 import { numberOf, valueOf } from "./inputs";
 import "./site-plan-preview";

@@ -5,10 +5,10 @@ import type { State } from "../store";
 import { played } from "../store/results";
 import { controls } from "../styles/controls";
 import { LEGEND } from "../view/camera";
-import { extras } from "../view/lazy-layers";
 import { AppElement } from "./base";
 import { lineSample, marker } from "../styles/icons";
 import { searchTime, statusOf } from "../texts/status";
+import { laterTexts } from "./lazy-texts";
 import "./panel";
 import "./scene-view";
 
@@ -101,7 +101,7 @@ export class Stage extends AppElement {
   private notes(): TemplateResult {
     const { focus } = this.state;
     return html`${this.compact ? nothing : html`<parkade-failure .app=${this.app}></parkade-failure>`}
-      ${this.compact ? [this.heading(), extras()?.readoutOf(this.state, focus)] : this.legend()}${this.state.scene.costs ? extras()?.weightsOf(this.state) : nothing}`;
+      ${this.compact ? [this.heading(), laterTexts()?.readoutOf(this.state, focus)] : this.legend()}${this.state.scene.costs ? laterTexts()?.weightsOf(this.state) : nothing}`;
   }
 
   private heading(): TemplateResult {

@@ -1,12 +1,12 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import { mostExpanded } from "../app/player";
 import { isLong } from "../view/camera";
-import { extras } from "../view/lazy-layers";
 import { durationOf, lastOf } from "../view/playback-time";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
 import { numberOf, valueOf } from "./inputs";
+import { laterTexts } from "./lazy-texts";
 import { icon, type IconName } from "../styles/icons";
 
 const SPEEDS = [0.25, 0.5, 1, 2, 4] as const;
@@ -154,7 +154,7 @@ export class Timeline extends AppElement {
     const done = `${fraction * 100}%`;
     return html`<div class="track">
       <svg class="rails" aria-hidden="true"><line class="rail" x1="0" x2="100%" y1="16" y2="16"/><line class="done" x1="0" x2=${done} y1="16" y2="16"/></svg>
-      ${extras()?.gearMarks(this.state)}
+      ${laterTexts()?.gearMarks(this.state)}
       <input class="slider" type="range" min="0" max="1" step="0.001" .value=${String(fraction)} aria-label=${this.t("time.position")} aria-valuetext=${this.position()}
         @input=${(e: Event) => this.app.player.seek(numberOf(e))}>
     </div>`;

@@ -1,6 +1,7 @@
 /** Contents of the toolbar's menus. */
 import { html, nothing, type TemplateResult } from "lit";
 import { ALL_LAYERS, LAYER_PRESETS, presetLayers, presetOf } from "../store/layer-sets";
+import type { App } from "../app/app";
 import { saveAs } from "./exports";
 import { ariaKeys, shownChord } from "../app/chord-text";
 import { commands, isEnabled, type CommandId } from "../app/commands";
@@ -8,8 +9,20 @@ import { copySnippet } from "../app/snippets";
 import "../i18n/later";
 import { translate, type Lang, type MessageKey } from "../i18n/index";
 import { icon, marker, type IconName } from "../styles/icons";
-import type { Toolbar } from "./toolbar";
 import { nth } from "../scene/nth";
+
+/** What the menus use of the toolbar. */
+interface Bar extends HTMLElement {
+  readonly app: App;
+  readonly compact: boolean;
+  readonly rail: boolean;
+  readonly menus: { close(): void };
+  themeName(): string;
+  readonly nextTheme: () => void;
+  readonly nextLang: () => void;
+  readonly checkBays: () => void;
+  readonly share: () => void;
+}
 
 /** Papers are cited by authors and year; in Chinese, what is not a name is translated. */
 function cited(lang: Lang, paper: string): string {
@@ -18,7 +31,7 @@ function cited(lang: Lang, paper: string): string {
   return known ? translate(lang, `cited.${known}`) : paper.replace(" et al.", " 等");
 }
 
-export function planners(bar: Toolbar): TemplateResult {
+export function planners(bar: Bar): TemplateResult {
   const { app } = bar,
     { planners, lang } = app.store.state;
   return html`${app.catalog?.planners.map(
@@ -29,7 +42,7 @@ export function planners(bar: Toolbar): TemplateResult {
     <hr>${item(bar, "undo", "planners.first", () => app.showFirstPlanners())}`;
 }
 
-export function layers(bar: Toolbar): TemplateResult {
+export function layers(bar: Bar): TemplateResult {
   const { app } = bar,
     { store } = app,
     { lang, layers } = store.state,
@@ -44,7 +57,7 @@ export function layers(bar: Toolbar): TemplateResult {
     <hr>${item(bar, "planners", "bar.debugger", () => void app.fetchPart(async () => (await import("./debugger")).toggleDebugger(app, bar)))}`;
 }
 
-export function exports(bar: Toolbar): TemplateResult {
+export function exports(bar: Bar): TemplateResult {
   const { app } = bar;
   return html`${item(bar, "slot", "bar.newLot", () => void app.fetchPart(async () => (await import("./new-lot")).openNewLot(app, bar)))}
     ${item(bar, "check", "bar.checkBays", bar.checkBays)}
@@ -65,7 +78,7 @@ export function exports(bar: Toolbar): TemplateResult {
     ${item(bar, "undo", "bar.reset", () => app.reset())}`;
 }
 
-export function more(bar: Toolbar): TemplateResult {
+export function more(bar: Bar): TemplateResult {
   const { app, compact, rail } = bar;
   // What the bar has no room for.
   const folded = !bar.shadowRoot?.querySelector<HTMLElement>(".collapse-2")?.offsetParent;
@@ -81,11 +94,11 @@ export function more(bar: Toolbar): TemplateResult {
 }
 
 /** Entries that the wide toolbar shows itself. */
-const railed = (bar: Toolbar): TemplateResult =>
+const railed = (bar: Bar): TemplateResult =>
   html`${item(bar, "file", "bar.scene", () => bar.app.ask("presets"))}${command(bar, "undo")}${command(bar, "redo")}`;
 
 /** A command with its keys at the right. */
-function command(bar: Toolbar, id: CommandId): TemplateResult | typeof nothing {
+function command(bar: Bar, id: CommandId): TemplateResult | typeof nothing {
   const { app } = bar,
     { state } = app.store,
     row = commands[id];
@@ -96,7 +109,7 @@ function command(bar: Toolbar, id: CommandId): TemplateResult | typeof nothing {
   }}>${row.icon ? icon(row.icon) : nothing}${translate(state.lang, row.title)}<span class="keys" aria-hidden="true">${shownChord(nth(row.keys, 0))}</span></button>`;
 }
 
-function item(bar: Toolbar, name: IconName, key: MessageKey, run: () => void, disabled = false): TemplateResult {
+function item(bar: Bar, name: IconName, key: MessageKey, run: () => void, disabled = false): TemplateResult {
   return html`<button class="item" ?disabled=${disabled} @click=${() => {
     bar.menus.close();
     run();

@@ -1,11 +1,12 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import { ariaKeys, shownChord, tooltip } from "../app/chord-text";
 import { sentence } from "../app/app";
-import { commands, isEnabled, TOOLS, type Command, type CommandId } from "../app/commands";
+import type { Command } from "../app/command";
+import { commands, isEnabled, TOOLS, type CommandId } from "../app/commands";
 import "../i18n/later";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
-import { menus } from "../view/lazy-layers";
+import { piece } from "../view/piece";
 import { AppElement } from "./base";
 import { icon, logo, type IconName } from "../styles/icons";
 import { Menus } from "./popover-controller";
@@ -17,6 +18,8 @@ const MODES: readonly { id: State["mode"]; icon: IconName }[] = [
   { id: "focus", icon: "focus" },
 ];
 
+/** Contents of the menus. */
+const menus = piece(() => import("./toolbar-menus"));
 type MenuName = "planners" | "layers" | "export" | "more";
 
 /** The bar at the top: scene, history, tools, layers, layout, export, theme, language, share. */

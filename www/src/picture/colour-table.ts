@@ -1,3 +1,4 @@
+/// <reference path="./gifenc.d.ts" />
 /** The colours of a GIF: at most 255 of them for all frames. */
 import { quantize } from "gifenc";
 

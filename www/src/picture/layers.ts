@@ -7,9 +7,9 @@ import { drawLanes } from "../view/layers/lanes";
 import { drawContact, drawMoving } from "../view/layers/moving";
 import { drawObstruction } from "../view/layers/obstruction";
 import { drawUnsmoothed } from "../view/layers/unsmoothed";
-import { extras, type Extras } from "../view/lazy-layers";
+import { laterLayers, type LaterLayers } from "../view/lazy-layers";
 
-const held: Partial<Extras> = {
+const held: Partial<LaterLayers> = {
   drawContact,
   drawCost,
   drawCosts,
@@ -21,4 +21,4 @@ const held: Partial<Extras> = {
   drawUnsmoothed,
 };
 
-extras.hold(held as Extras);
+laterLayers.hold(held as LaterLayers);

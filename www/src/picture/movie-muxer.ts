@@ -8,7 +8,7 @@ import {
   type VideoCodec,
   WebMOutputFormat,
 } from "mediabunny";
-import type { Container } from "./movie-video";
+import type { Container } from "./movie-format";
 
 export class Muxer {
   private readonly target = new BufferTarget();

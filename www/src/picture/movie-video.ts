@@ -1,7 +1,5 @@
 /** Moving pictures as video, by the browser's own encoder. */
-import type { Movie } from "./movie";
-
-export type Container = "webm" | "mp4";
+import type { Container, Movie } from "./movie-format";
 
 /** What each container may hold, what is best first: names as encoders and as containers know them. Level 4 is 1080p. */
 const CODECS = {

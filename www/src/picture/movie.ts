@@ -1,23 +1,8 @@
-/// <reference path="./gifenc.d.ts" />
 /** Moving pictures of canvases: GIF, and WebM or MP4 where the browser encodes video. */
 import { GIFEncoder } from "gifenc";
-import { ColourTable } from "./colour-table";
 import { nth } from "../scene/nth";
-
-export const FORMATS = ["gif", "webm", "mp4"] as const;
-export type Format = (typeof FORMATS)[number];
-
-export interface Movie {
-  format: Format;
-  /** CSS pixels, even numbers: video needs them. */
-  width: number;
-  height: number;
-  frames: number;
-  /** Frames a second. */
-  rate: number;
-  /** Draws frame `i` on the canvas. */
-  draw(canvas: HTMLCanvasElement, i: number): void;
-}
+import { ColourTable } from "./colour-table";
+import type { Format, Movie } from "./movie-format";
 
 /** Frames whose colours make the palette of a GIF. */
 const SAMPLED = 5;

@@ -1,6 +1,5 @@
 import type { PlannerId } from "parkade";
-import type { WorkerLike } from "./planner-queue";
-import { WorkerPool, type PlanWorkers } from "./pool";
+import { WorkerPool, type PlanWorkers, type WorkerLike } from "./pool";
 import coreUrl from "../../../pkg/core/parkade_bg.wasm?url";
 import completeUrl from "../../../pkg/parkade_bg.wasm?url";
 

@@ -55,7 +55,6 @@ import { driveOf } from "./drive-of";
 import { judged, smoothed } from "./trajectories";
 import { answerCalls } from "./answer-calls";
 import type { Waiting } from "./protocol";
-import type { Risk } from "./road-measures";
 
 /** Lists of cells longer than this travel as numbers and as a text. */
 const MANY = 2000;
@@ -186,8 +185,16 @@ const JOBS = {
   parking: (options: { row: string }): ParkingTable => paperParking(options),
   roadRows: (): RoadRow[] => paperRoadRows(),
   roadFigures: ({ scene, path }: { scene: Scenario; path: Float64Array }): RoadFigures => roadFigures(scene, { path }),
-  risk: ({ scene, path, ...trials }: { scene: Scenario; path: Float64Array; from: number; trials: number }): Risk =>
-    collisionRisk(scene, { path }, trials),
+  risk: ({
+    scene,
+    path,
+    ...trials
+  }: {
+    scene: Scenario;
+    path: Float64Array;
+    from: number;
+    trials: number;
+  }): ReturnType<typeof collisionRisk> => collisionRisk(scene, { path }, trials),
   road: (options: { row: string }): RoadTable => paperRoad(options),
   verdicts: (tables: { parking?: ParkingTable[]; road?: RoadTable[] }): ReturnType<typeof paperVerdicts> =>
     paperVerdicts(tables),

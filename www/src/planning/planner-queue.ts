@@ -2,8 +2,8 @@ import type { Timing } from "../store/results";
 import type { Explanation, LayerName, Limits, Plan, PlannerId, Prefer } from "parkade";
 import { isGoalPose } from "../scene/model";
 import type { Scenario } from "../scene/scenario";
-import type { Holder, PlanWorkers } from "./pool";
-import type { Ends, Failure, Layers, Reply, Request, Waiting } from "./protocol";
+import type { Holder, PlanWorkers, WorkerLike } from "./pool";
+import type { Ends, Failure, Layers, Reply, Waiting } from "./protocol";
 
 /** `every`: cells from one force of the layer `risk` to the next; `budget`: milliseconds after which the plan is given up. */
 export interface Job {
@@ -17,14 +17,6 @@ export interface Job {
   prefer?: Prefer | undefined;
   shown?: Plan | null | undefined;
   budget?: number | null;
-}
-
-/** The part of a Worker that a lane needs; tests substitute their own. */
-export interface WorkerLike {
-  onmessage: ((event: MessageEvent<Reply>) => void) | null;
-  onerror: ((event: ErrorEvent) => void) | null;
-  postMessage(request: Request): void;
-  terminate(): void;
 }
 
 export interface LaneEvents {

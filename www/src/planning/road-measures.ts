@@ -1,15 +1,11 @@
 /** Figures and collision risk of plans on roads, measured beside the planners. */
-import type { Plan, RoadFigures } from "parkade";
+import type { collisionRisk, Plan, RoadFigures } from "parkade";
 import { forPlanners } from "../scene/large-scene";
 import type { Scene } from "../store";
 import { Helper } from "./job-client";
 import type { Engine } from "./engine-loader";
 
-export interface Risk {
-  trials: number;
-  hits: number;
-  discHits: number;
-}
+export type Risk = ReturnType<typeof collisionRisk>;
 
 const TRIALS = 1000,
   SLICES = 10;

@@ -1,6 +1,6 @@
 /** Which tool a press goes to: the chosen one, but for a held space bar, an armed pose, pens and other buttons. */
 import type { Store, ToolId } from "../store";
-import { piece } from "../view/lazy-layers";
+import { piece } from "../view/piece";
 import { HandTool } from "./pan";
 import { SelectTool } from "./select";
 import type { Tool } from "./tool";

@@ -4,7 +4,7 @@ import type { State } from "../store";
 import { played } from "../store/results";
 import type { Draft } from "../store/draft";
 import { cameraFor, type View } from "./camera";
-import { waiting } from "./lazy-layers";
+import { waiting } from "./piece";
 import { makeFrame, type Shown } from "./frame";
 import { SceneLayers } from "./scene-layers";
 import type { Tokens } from "./tokens";

@@ -14,7 +14,8 @@ import { RiskLayer } from "./layers/risk";
 import { SafetyLayer } from "./layers/safety";
 import { drawSweep } from "./layers/sweep";
 import type { TreeLayer } from "./layers/tree";
-import { extras, vast } from "./lazy-layers";
+import { vast } from "./lazy-large-maps";
+import { laterLayers } from "./lazy-layers";
 import { fade } from "./tokens";
 import { isLong } from "./camera";
 import { GHOST, leading, leads, type Frame, type Shown } from "./frame";
@@ -31,23 +32,23 @@ export class SceneLayers {
   draw(frame: Frame): void {
     const { layers, scene } = frame.state;
     drawFloor(frame);
-    extras()?.drawLanes(frame);
+    laterLayers()?.drawLanes(frame);
     this.drawRasters(frame);
-    if (scene.costs) extras()?.drawCosts(frame);
-    if (frame.state.bays) extras()?.drawBays(frame);
+    if (scene.costs) laterLayers()?.drawCosts(frame);
+    if (frame.state.bays) laterLayers()?.drawBays(frame);
     if (layers.slots) drawSlots(frame);
     drawBorder(frame);
     if (layers.obstacles) drawObstacles(frame);
-    if (!isOneGoal(scene.goal)) extras()?.drawGoals(frame);
-    if (scene.moving?.length) extras()?.drawMoving(frame);
+    if (!isOneGoal(scene.goal)) laterLayers()?.drawGoals(frame);
+    if (scene.moving?.length) laterLayers()?.drawMoving(frame);
     this.drawAnswers(frame);
     const steps = frame.state.searchSteps;
     if (leading(frame)?.planner === steps?.planner) steps?.draw(frame);
     drawSelection(frame);
     drawHandles(frame);
-    if (isLong(scene)) extras()?.drawLaneStrip(frame);
-    if (frame.state.bays) extras()?.drawBayNumbers(frame);
-    if (frame.draft) extras()?.drawDraft(frame);
+    if (isLong(scene)) laterLayers()?.drawLaneStrip(frame);
+    if (frame.state.bays) laterLayers()?.drawBayNumbers(frame);
+    if (frame.draft) laterLayers()?.drawDraft(frame);
     drawHover(frame);
   }
 
@@ -58,14 +59,14 @@ export class SceneLayers {
     if (!one) return;
     if (layers.heat) this.heat.draw(frame, one);
     const cost = layers.cost && one.result?.layers.cost;
-    if (cost) extras()?.drawCost(frame, cost);
+    if (cost) laterLayers()?.drawCost(frame, cost);
     if (layers.safety) this.safety.draw(frame, one);
     const redundant = layers.redundant && one.result?.layers.redundant;
     if (redundant) vast()?.drawKinds(frame, redundant, [CLOSED], fade(frame.tokens.colour.t1, 0.24), 7);
     if (layers.risk) this.risk.draw(frame, one);
     const { explained, hover, transient } = frame.state;
     if (layers.risk && explained && hover && !transient && hasField(one.planner))
-      extras()?.drawExplained(frame, explained);
+      laterLayers()?.drawExplained(frame, explained);
     if (layers.tree) (this.tree ??= treeLayer())?.draw(frame, one);
   }
 
@@ -74,29 +75,29 @@ export class SceneLayers {
     const one = leading(frame);
     const done = !searching(frame);
     if (one && layers.sweep && done) drawSweep(frame, one);
-    if (layers.ghosts) extras()?.drawOthers(frame);
+    if (layers.ghosts) laterLayers()?.drawOthers(frame);
     if (one && !frame.overlay && layers.path && done) drawCollisions(frame, one);
     if (layers.car) drawStartAndGoal(frame);
-    if (layers.difference && done) for (const shown of frame.shown) extras()?.drawDifference(frame, shown);
+    if (layers.difference && done) for (const shown of frame.shown) laterLayers()?.drawDifference(frame, shown);
     if (layers.path) {
-      if (frame.state.smooth) extras()?.drawUnsmoothed(frame);
+      if (frame.state.smooth) laterLayers()?.drawUnsmoothed(frame);
       for (const shown of inOrder(frame)) drawPath(frame, shown, strength(frame, shown) * standing(frame, shown));
     }
-    if (frame.state.preview) extras()?.drawPreview(frame);
+    if (frame.state.preview) laterLayers()?.drawPreview(frame);
     if (layers.car) drawReferences(frame);
-    if (frame.state.guest) extras()?.drawGuest(frame);
+    if (frame.state.guest) laterLayers()?.drawGuest(frame);
     if (layers.car && one) drawDrivingCar(frame, one, strength(frame, one));
-    if (one && scene.moving?.length) extras()?.drawContact(frame, one);
+    if (one && scene.moving?.length) laterLayers()?.drawContact(frame, one);
     if (frame.overlay && layers.path && done)
       for (const shown of frame.shown) if (shown !== one) drawFirstHit(frame, shown);
-    if (one && layers.path && done && one.plan && !one.plan.check.drivable) extras()?.drawFailure(frame, one);
-    for (const shown of frame.shown) if (shown.result?.plan?.obstruction) extras()?.drawObstruction(frame, shown);
+    if (one && layers.path && done && one.plan && !one.plan.check.drivable) laterLayers()?.drawFailure(frame, one);
+    for (const shown of frame.shown) if (shown.result?.plan?.obstruction) laterLayers()?.drawObstruction(frame, shown);
     if (one && layers.path) drawCusps(frame, one, strength(frame, one));
   }
 }
 
 const treeLayer = (): TreeLayer | null => {
-  const piece = extras();
+  const piece = laterLayers();
   return piece && new piece.TreeLayer();
 };
 

@@ -1,7 +1,7 @@
 /** The order in which a grid planner expanded its cells. */
 import type { Plan } from "parkade";
 import type { State } from "../../store";
-import { vast } from "../lazy-layers";
+import { vast } from "../lazy-large-maps";
 import { inPixels, toScreen, type Frame, type Shown } from "../frame";
 import { RAMP_SIZE, RAMP_WORDS } from "../ramp";
 import { newCanvas } from "../surface";

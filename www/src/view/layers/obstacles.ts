@@ -7,7 +7,7 @@ import { vehicleOf } from "../../scene/vehicle";
 import { drawCar, parkedStyle } from "../car";
 import { inMetres, linePath, pixels, polygonPath, type Frame } from "../frame";
 import { MANY } from "../../scene/large-scene";
-import { vast } from "../lazy-layers";
+import { vast } from "../lazy-large-maps";
 import { cellPaths, type CellPaths } from "../outline";
 import { perSurface } from "../surface";
 

@@ -1,7 +1,7 @@
 /** Soft safety space: hatched up to a contour of the distance to the nearest obstacle. */
 import type { Layer, MapFrame } from "parkade";
 import { contours } from "../contour";
-import { vast } from "../lazy-layers";
+import { vast } from "../lazy-large-maps";
 import { inMetres, inPixels, pixels, polygonPath, type Frame, type Shown } from "../frame";
 import { hatchPattern } from "../hatch";
 import { fade } from "../tokens";

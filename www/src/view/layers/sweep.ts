@@ -1,6 +1,6 @@
 /** The swept area: one outline, however often the car passes. */
 import { GHOST, inMetres, pixels, type Frame, type Shown } from "../frame";
-import { vast } from "../lazy-layers";
+import { vast } from "../lazy-large-maps";
 import { sweptArea } from "../swept";
 import { plannerStyle } from "../tokens";
 

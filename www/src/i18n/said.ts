@@ -1,0 +1,7 @@
+/** A refusal: English words, and what they are made of: the field, and a rule with `{}` in the place of each value. */
+export interface Said {
+  message: string;
+  path?: string;
+  template?: string;
+  values?: readonly string[];
+}
