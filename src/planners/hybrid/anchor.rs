@@ -24,9 +24,10 @@
 use super::config::{Config, Level, SearchFrom};
 use super::cost::{CostModel, Motion};
 use super::domain::take_cheapest;
-use super::level::{Search, Work};
 use super::obstacle_heuristic::ObstacleHeuristic;
-use super::{Query, Report, Scratch, Status, TIGHT_CLEARANCE, shortcut};
+use super::question::{Query, Scratch, Search, TIGHT_CLEARANCE, Work};
+use super::report::{Report, Status};
+use super::shortcut;
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::reeds_shepp::{self, Word};
 use crate::geometry::{Point, Pose, math};

@@ -30,9 +30,11 @@ use super::analytic_expansion::Recorder;
 use super::config::Level;
 use super::cost::CostModel;
 use super::domain::{self, Setting, State, StateLattice};
-use super::level::{Search, Work};
 use super::obstacle_heuristic::ObstacleHeuristic;
-use super::{PoseRecording, Status, Tree};
+use super::question::{Search, Work};
+use super::recording::PoseRecording;
+use super::report::Status;
+use super::tree::Tree;
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::reeds_shepp::{self, Word};
 use crate::search::{

@@ -20,10 +20,10 @@
 use core::ops::ControlFlow;
 
 use super::config::{Config, Level, Profile, SearchFrom};
-use super::level::{Search, Work};
 use super::portfolio::{COMFORTABLE_MARGIN, Floods};
-use super::widest::{self, GAP_PARTS};
-use super::{MIN_MARGIN, Query, Report, Scratch, Status};
+use super::question::{MIN_MARGIN, Query, Scratch, Search, Work};
+use super::report::{Report, Status};
+use super::widest::{self, GAP_PARTS, MARGIN_SHARES};
 use crate::geometry::{Pose, arcs};
 use crate::json;
 use crate::search::Progress;
@@ -46,8 +46,6 @@ json::words!(Prefer: "shortest" = Shortest, "fewest-changes" = FewestChanges, "w
 
 /// More room than this is room enough, metres.
 const ENOUGH_CLEARANCE: f64 = 1.0;
-/// Margins that are tried for more room, as shares of the room at the ends.
-pub(super) const MARGIN_SHARES: [f64; 5] = [0.95, 0.8, 0.65, 0.5, 0.35];
 /// Expansions of each level's search with one margin.
 const WIDER_EXPANSIONS: [u32; 2] = [3000, 8000];
 /// Expansions of each level's search for fewer gear changes in layers.

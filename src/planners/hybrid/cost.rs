@@ -22,8 +22,7 @@
 //! A gear change and a movement of the wheel belong to the joint of two arcs. That is why a state knows the arc by
 //! which it was reached, and why the cost of a path can be summed arc by arc.
 
-use super::Config;
-use super::config::Level;
+use super::config::{Config, Level};
 use crate::geometry::arcs::Arc;
 use crate::geometry::reeds_shepp::Word;
 use crate::geometry::{Point, Pose};

@@ -18,10 +18,11 @@
 //! The weight of 1.03 keeps many goals apart: without it, every goal whose estimate is a little below the best path
 //! has to be searched from until it is proven dearer.
 
-use super::config::Level;
-use super::level::{Search, Work};
+use super::config::{Config, Level};
 use super::obstacle_heuristic::ObstacleHeuristic;
-use super::{Config, MIN_MARGIN, Query, Report, Scratch, Status, TIGHT_CLEARANCE, empty, plan};
+use super::plan;
+use super::question::{MIN_MARGIN, Query, Scratch, Search, TIGHT_CLEARANCE, Work, nearest};
+use super::report::{Report, Status};
 use crate::geometry::{Pose, arcs, math, reeds_shepp};
 use crate::search::Progress;
 use crate::vehicle::Vehicle;
@@ -108,15 +109,6 @@ fn is_free(probe: &CollisionChecker, obstacles: &Obstacles, pose: Pose, margin: 
     obstacles.inside(pose.point()).is_none() && probe.hit(pose, margin).is_none()
 }
 
-/// The goal nearest to a pose.
-pub(super) fn nearest(goals: &[Pose], to: Pose) -> usize {
-    let apart = |goal: &Pose| {
-        let turn = math::turn(goal.heading, to.heading);
-        (goal.point() - to.point()).norm_squared() + turn * turn
-    };
-    math::argmin(&goals.iter().map(apart).collect::<Vec<_>>())
-}
-
 /// True if two poses differ by less than a micrometre and a microradian.
 fn is_same(a: Pose, b: Pose) -> bool {
     (a.point() - b.point()).norm() <= 1e-6 && math::turn(a.heading, b.heading).abs() <= 1e-6
@@ -146,7 +138,7 @@ impl Many<'_> {
         let flood = self.flood(self.margin(tightest), scratch);
         let has_room = |&at: &usize| clearances[at] >= margin;
         let (clear_by, mut tight): (Vec<usize>, Vec<usize>) = (0..self.goals.len()).partition(has_room);
-        let mut sum = Report { margin, ..empty(self.bound()) };
+        let mut sum = Report { margin, ..Report::empty(self.bound()) };
         self.at_once(&clear_by, &clearances, &flood, (&mut sum, scratch, progress));
         let mut best = self.kept(&mut sum);
         // Goals with less room only where they may be nearer than what was found with more.
@@ -304,7 +296,7 @@ impl Many<'_> {
             sum = Report { collision_checks: report.collision_checks, ..report.counters() };
             answer.get_or_insert((at, report));
         }
-        let (at, nearest) = answer.unwrap_or((0, empty(0.0)));
+        let (at, nearest) = answer.unwrap_or((0, Report::empty(0.0)));
         let status = match nearest.status {
             Status::BudgetExhausted(_) => nearest.status,
             status if is_proven => status,

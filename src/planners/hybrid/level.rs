@@ -19,20 +19,20 @@
 
 use core::cell::RefCell;
 
-#[cfg(feature = "complete")]
-use super::PoseRecording;
 use super::analytic_expansion::Recorder;
 use super::config::Level;
-use super::cost::CostModel;
 use super::domain::{self, Setting, State, StateLattice};
-use super::obstacle_heuristic::ObstacleHeuristic;
-use super::{Config, Query, Report, Scratch, Status, Tree, shortcut};
+use super::question::{Search, Work};
+#[cfg(feature = "complete")]
+use super::recording::PoseRecording;
+use super::report::Status;
+use super::shortcut;
+use super::tree::Tree;
 use crate::geometry::arcs::{self, Arc};
-use crate::geometry::{Pose, math};
+use crate::geometry::math;
 #[cfg(feature = "complete")]
 use crate::search::record_best_first;
-use crate::search::{End, Limits, Progress, best_first};
-use crate::vehicle::collision::CollisionChecker;
+use crate::search::{End, Limits, best_first};
 
 /// Spacing of the last check of a path, metres.
 const VERIFY_SPACING: f64 = 0.01;
@@ -54,47 +54,6 @@ const FAR_REVERSE_EFFORT: f64 = 50.0;
 /// Margins that a path is tried with, too, where less is asked for, metres.
 const COMPARED_MARGINS: [f64; 2] = [0.05, 0.1];
 
-/// State shared by the levels: the answer so far, the memory, and the observer of expansions.
-pub(super) struct Work<'a, 'p> {
-    /// The answer so far, with the counters of all searches.
-    pub(super) report: &'a mut Report,
-    /// Memory of the search, used again by each level.
-    pub(super) scratch: &'a mut Scratch,
-    /// Told of expansions; it may end the plan between two of them.
-    pub(super) progress: &'a mut Option<Progress<'p>>,
-}
-
-/// One question at one margin.
-///
-/// Poses are in the obstacles' coordinates. `root` and `target` are the ends of the tree, `start` and `goal` those of
-/// the path: the same two poses, swapped where the search is `mirrored`.
-#[derive(Clone, Copy)]
-pub(super) struct Search<'a> {
-    /// Obstacles, car and poses in world coordinates.
-    pub(super) query: &'a Query<'a>,
-    /// The settings that are asked for; a level may replace costs and resolution.
-    pub(super) config: &'a Config,
-    /// Counts all collision checks of the plan.
-    pub(super) probe: &'a CollisionChecker<'a>,
-    /// The ways around obstacles to `target`, for a disc with the margin of this search.
-    pub(super) flood: &'a ObstacleHeuristic,
-    /// Where the tree begins.
-    pub(super) root: Pose,
-    /// Where the tree shall arrive.
-    pub(super) target: Pose,
-    /// True if the tree grows from the goal.
-    pub(super) mirrored: bool,
-    pub(super) start: Pose,
-    pub(super) goal: Pose,
-    /// True if start or goal have little room around them.
-    pub(super) tight: bool,
-    /// True to keep the search tree and the failed analytic expansions.
-    pub(super) trace: bool,
-    /// Of several goals, those that are searched from at once; `goal` is then the one that the path at hand comes from.
-    #[cfg(feature = "complete")]
-    pub(super) goals: &'a [Pose],
-}
-
 /// How the first level ended.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum First {
@@ -104,17 +63,7 @@ pub(super) enum First {
     Cramped,
 }
 
-impl<'a> Search<'a> {
-    /// The same question from the other end.
-    pub(super) fn swapped(self, flood: &'a ObstacleHeuristic) -> Self {
-        Self { flood, root: self.target, target: self.root, mirrored: !self.mirrored, ..self }
-    }
-
-    /// Cost of the path as driven.
-    pub(super) fn costs(&self) -> CostModel {
-        CostModel::driven(self.config, self.query.vehicle.min_turning_radius(), [self.start, self.goal])
-    }
-
+impl Search<'_> {
     /// Searches the first level; tells whether there is a path. `other` is the same question from the other end.
     #[cfg_attr(feature = "complete", inline(never))]
     pub(super) fn first(&self, other: &dyn Fn() -> Option<Self>, level: Level, work: &mut Work) -> First {
@@ -235,18 +184,7 @@ impl<'a> Search<'a> {
             }
             progress.follow(work.report.expanded);
         }
-        let tree = self.trace.then(|| Tree {
-            arcs: Vec::new(),
-            dropped: 0,
-            origin: self.origin(),
-            mirrored: self.mirrored,
-            #[cfg(feature = "complete")]
-            told: 0,
-            #[cfg(feature = "complete")]
-            tell: work.progress.as_ref().and_then(|progress| progress.expansions),
-            #[cfg(not(feature = "complete"))]
-            tell: core::marker::PhantomData,
-        });
+        let tree = self.trace.then(|| Tree::new(self, work.progress.as_ref()));
         let watch = self.trace.then(|| RefCell::new(Recorder::new(self.origin())));
         #[cfg(feature = "complete")]
         {
@@ -313,19 +251,6 @@ impl<'a> Search<'a> {
         Some((arcs, status))
     }
 
-    /// The same question, asked of the one goal at which a path ends.
-    pub(super) fn arrived(&self, arcs: &[Arc]) -> Self {
-        #[cfg(feature = "complete")]
-        if !self.goals.is_empty() {
-            return Self {
-                goal: self.goals[super::goals::nearest(self.goals, arcs::end(self.start, arcs))],
-                ..*self
-            };
-        }
-        let _ = arcs;
-        *self
-    }
-
     /// The path after the shortcut, where the settings ask for one.
     fn improve(&self, arcs: Vec<Arc>, level: Level, margin: f64) -> Vec<Arc> {
         if !self.config.shortcut {
@@ -346,17 +271,5 @@ impl<'a> Search<'a> {
         });
         let off = (pose.point() - self.goal.point()).norm();
         free && off < 1e-6 && math::turn(pose.heading, self.goal.heading).abs() < 1e-6
-    }
-
-    /// The world position of the local origin.
-    pub(super) fn origin(&self) -> Pose {
-        let at = self.query.start.point() - self.start.point();
-        Pose::new(at.x, at.y, 0.0)
-    }
-
-    /// A local pose in world coordinates: shifted by the origin, never turned.
-    pub(super) fn world(&self, pose: Pose) -> Pose {
-        let origin = self.origin();
-        Pose::new(pose.x + origin.x, pose.y + origin.y, pose.heading)
     }
 }

@@ -4,8 +4,8 @@
 //! the search itself: a region that the flood could not leave, or a pose from which no arc leads far. These functions
 //! put such a place into words and world coordinates. They run only where a plan has failed.
 
-use super::Query;
 use super::obstacle_heuristic::ObstacleHeuristic;
+use super::question::Query;
 use crate::geometry::Pose;
 use crate::geometry::arcs::Arc;
 use crate::planners::{Obstruction, Region};

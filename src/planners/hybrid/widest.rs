@@ -5,11 +5,12 @@
 //! several goals each has a limit of its own, the room at the goal, and no path to it is wider. Goals with less room
 //! than the best path so far are therefore not searched for.
 
-use super::choices::MARGIN_SHARES;
 use crate::geometry::Pose;
 use crate::geometry::arcs::Arc;
 use crate::vehicle::collision::CollisionChecker;
 
+/// Margins that are tried for more room, as shares of the room at the ends.
+pub(super) const MARGIN_SHARES: [f64; 5] = [0.95, 0.8, 0.65, 0.5, 0.35];
 /// More room than this is room enough where a path may lead to one of several goals, metres. Some of them may lie in
 /// the open.
 const ENOUGH_CLEARANCE_AMONG_GOALS: f64 = 3.0;

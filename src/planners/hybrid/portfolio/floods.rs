@@ -9,9 +9,9 @@
 use core::cell::OnceCell;
 
 use crate::geometry::Pose;
-use crate::planners::hybrid::config::FIRST_SHUFFLING_LEVEL;
+use crate::planners::hybrid::config::{Config, FIRST_SHUFFLING_LEVEL};
 use crate::planners::hybrid::obstacle_heuristic::ObstacleHeuristic;
-use crate::planners::hybrid::{Config, MIN_MARGIN, Query};
+use crate::planners::hybrid::question::{MIN_MARGIN, Query};
 
 /// Margins tried where no way keeps the one asked for, metres.
 const FALLBACK_MARGINS: [f64; 4] = [0.05, 0.03, 0.01, MIN_MARGIN];

@@ -5,11 +5,14 @@
 //! order. The coarsest search with the least margin goes early, because it reaches more than any other of its level:
 //! where it ends without a path, it rules out many others at once (`outdoes`).
 
-use super::COMFORTABLE_MARGIN;
-use crate::planners::hybrid::Config;
 #[cfg(feature = "complete")]
 use crate::planners::hybrid::config::REFINEMENTS;
-use crate::planners::hybrid::config::{FIRST_SHUFFLING_LEVEL, Level};
+use crate::planners::hybrid::config::{Config, FIRST_SHUFFLING_LEVEL, Level};
+
+/// With less than this a car creeps, metres.
+pub(in crate::planners::hybrid) const COMFORTABLE_MARGIN: f64 = 0.03;
+/// Expansions of the first slice.
+pub(super) const FIRST_SLICE: u32 = 8192;
 
 /// Up to this level a search with the least margin is worth its while before finer ones with more are.
 const LAST_CHEAP_LEVEL: u32 = 3;

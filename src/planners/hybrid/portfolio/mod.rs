@@ -21,24 +21,22 @@ mod members;
 mod second_look;
 
 pub(super) use floods::Floods;
+pub(super) use members::COMFORTABLE_MARGIN;
 
-use super::config::Level;
+use super::config::{Level, SearchFrom};
 #[cfg(feature = "complete")]
 use super::holonomic;
-use super::level::{First, Search, Work};
-use super::{Report, SearchFrom, Status};
+use super::level::First;
+use super::question::{Search, Work};
+use super::report::{Report, Status};
 #[cfg(feature = "complete")]
 use crate::geometry::Pose;
 use crate::geometry::arcs;
 use crate::search::Progress;
-use members::{From, Member, arrange, members};
+use members::{FIRST_SLICE, From, Member, arrange, members};
 #[cfg(feature = "complete")]
 use members::{in_open_space, rocking};
 
-/// With less than this a car creeps, metres.
-pub(super) const COMFORTABLE_MARGIN: f64 = 0.03;
-/// Expansions of the first slice.
-const FIRST_SLICE: u32 = 8192;
 /// Expansions of all members together, where the settings say nothing.
 const TOTAL_EXPANSIONS: u32 = 150_000;
 /// Expansions for more margin once there is a path, besides as many as it took.

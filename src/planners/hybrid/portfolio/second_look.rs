@@ -5,11 +5,12 @@
 //! lattice with the same margin and from the same end. A gear change costs several metres in it, and what cannot be
 //! cheaper by that price than the known path is left out, so that the search soon ends where there is nothing to gain.
 
-use super::{FIRST_SLICE, Floods};
+use super::Floods;
+use super::members::FIRST_SLICE;
 use crate::geometry::arcs;
-use crate::planners::hybrid::Status;
 use crate::planners::hybrid::config::{FIRST_SHUFFLING_LEVEL, Level};
-use crate::planners::hybrid::level::{Search, Work};
+use crate::planners::hybrid::question::{Search, Work};
+use crate::planners::hybrid::report::Status;
 
 /// With more gear changes than this a path is held against another.
 const FEW_CHANGES: u32 = 2;

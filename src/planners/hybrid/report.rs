@@ -1,0 +1,140 @@
+//! The answer of hybrid A\*.
+
+use super::analytic_expansion::FailedExpansions;
+#[cfg(feature = "complete")]
+use super::recording::PoseRecording;
+use crate::geometry::Pose;
+use crate::geometry::arcs::Arc;
+use crate::planners::{Gap, Obstruction};
+
+/// How planning ended.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Status {
+    /// There is a path, and nothing cheaper was left to try on its level.
+    Found,
+    /// There is a path, but the budget ended before it was proven the cheapest.
+    Suboptimal,
+    /// The body overlaps this owner's obstacle at the start.
+    StartInCollision(u32),
+    /// The body overlaps this owner's obstacle at the goal.
+    GoalInCollision(u32),
+    /// Some gap on every way is narrower than the car and its margin.
+    Unreachable,
+    /// A place on every way is narrower than the body; in world coordinates.
+    TooNarrow(Gap),
+    /// The body would not fit through if it moved in any direction and turned on the spot.
+    #[cfg(feature = "complete")]
+    NoRoom,
+    /// Some level was searched to its end with the least margin.
+    NoPath,
+    /// So it was, and the car can hardly move where it starts or arrives.
+    BoxedIn {
+        /// True at the start, false at the goal.
+        at_start: bool,
+        /// Distance that it can drive ahead plus back there with its margin, metres.
+        travel: f64,
+    },
+    /// The budget ended with this estimate still to go, metres.
+    BudgetExhausted(f64),
+    /// Every path found touches something between two checks.
+    VerificationFailed,
+}
+
+/// The answer of hybrid A*.
+#[derive(Debug, Clone)]
+pub struct Report {
+    /// How it ended.
+    pub status: Status,
+    /// The path from start to goal; empty where there is none, and where start and goal are one.
+    pub arcs: Vec<Arc>,
+    /// Its cost under the settings.
+    pub cost: f64,
+    /// Length of the shortest path without obstacles, metres.
+    pub rs_bound: f64,
+    /// Level of the portfolio that gave the path, or the last one tried.
+    pub level: u32,
+    /// The margin planned with, metres: less than asked where start or goal have less, and 5 cm, 3 cm, 1 cm or 2 mm
+    /// where no way with more was found.
+    pub margin: f64,
+    /// True if the tree that gave the path, or was grown last, grew from the goal.
+    #[cfg(feature = "complete")]
+    pub from_goal: bool,
+    /// Side of that tree's position cells, metres, and width of its heading bins, radians.
+    #[cfg(feature = "complete")]
+    pub resolution: (f64, f64),
+    /// Expansions, over all levels.
+    pub expanded: u32,
+    /// Distinct states met, over all levels.
+    pub generated: u32,
+    /// Insertions into the open list, over all levels.
+    pub pushes: u32,
+    /// Largest size of the open list.
+    pub open_peak: u32,
+    /// Bytes of the obstacles' rasters and buckets, the estimate's raster, and of the level that kept most of its nodes
+    /// and open list.
+    pub bytes: u64,
+    /// Poses tested for collision.
+    pub collision_checks: u32,
+    /// The expanded pose with the least estimate to go: how near the search came.
+    pub closest: Option<Pose>,
+    /// The obstruction between the car and its goal, if known.
+    pub obstruction: Option<Obstruction>,
+    /// Arcs of the search tree as driven, in order of expansion: x, y, heading, curvature, signed length, ….
+    pub tree: Vec<f64>,
+    /// Tree arcs beyond the cap.
+    pub tree_dropped: u64,
+    /// Connections that hit something, of the same search.
+    pub shots: FailedExpansions,
+    /// The events of the same search, where [`Scratch::record`](super::Scratch::record) asks for them.
+    #[cfg(feature = "complete")]
+    pub recorded: Option<PoseRecording>,
+}
+
+impl Report {
+    /// No path, before any work.
+    pub(super) fn empty(rs_bound: f64) -> Self {
+        Self {
+            status: Status::NoPath,
+            arcs: Vec::new(),
+            cost: 0.0,
+            rs_bound,
+            level: 0,
+            margin: 0.0,
+            #[cfg(feature = "complete")]
+            from_goal: false,
+            #[cfg(feature = "complete")]
+            resolution: (0.0, 0.0),
+            expanded: 0,
+            generated: 0,
+            pushes: 0,
+            open_peak: 0,
+            bytes: 0,
+            collision_checks: 0,
+            closest: None,
+            obstruction: None,
+            tree: Vec::new(),
+            tree_dropped: 0,
+            shots: FailedExpansions::default(),
+            #[cfg(feature = "complete")]
+            recorded: None,
+        }
+    }
+
+    /// No path, after as much work.
+    pub(super) fn counters(&self) -> Self {
+        Self {
+            expanded: self.expanded,
+            generated: self.generated,
+            pushes: self.pushes,
+            open_peak: self.open_peak,
+            bytes: self.bytes,
+            ..Self::empty(self.rs_bound)
+        }
+    }
+
+    /// The answer of an earlier search, after as much work.
+    pub(super) fn with_path_of(&self, known: Self) -> Self {
+        let Self { expanded, generated, pushes, open_peak, bytes, .. } = *self;
+        Self { expanded, generated, pushes, open_peak, bytes, ..known }
+    }
+}
