@@ -1,4 +1,4 @@
-//! Connections that were tried and hit something, kept for drawing.
+//! Connections to the target: the cheapest is tried first, and those that hit something are kept for drawing.
 //!
 //! A search asks many curves at each pose whether they are free, and throws the answers away. For people the cheapest
 //! that failed tells most: where the way would be if that obstacle were not there.
@@ -17,6 +17,16 @@ use crate::vehicle::collision::CollisionChecker;
 
 /// Connections that are kept.
 const MAX_RECORDED: usize = 4000;
+
+/// Removes the cheapest of some connections, the first of equal ones.
+pub(super) fn take_cheapest(words: &mut Vec<(f64, Word)>) -> Option<(f64, Word)> {
+    let first = words.first()?.0;
+    let cheaper = |best: (usize, f64), (i, word): (usize, &(f64, Word))| {
+        if word.0 < best.1 { (i, word.0) } else { best }
+    };
+    let (index, _) = words.iter().enumerate().fold((0, first), cheaper);
+    Some(words.remove(index))
+}
 
 /// Failed connections, at most one an expansion: the cheapest that was tried.
 /// World coordinates, metres and radians, in the direction in which the car would drive.

@@ -21,9 +21,9 @@
 //! The last two are left out where the new answer runs along the old path anyway. A candidate counts only if it is
 //! near the old path, as good as the new answer to within the share asked for, and passes the caller's own check.
 
+use super::analytic_expansion::take_cheapest;
 use super::config::{Config, Level, SearchFrom};
 use super::cost::{CostModel, Motion};
-use super::domain::take_cheapest;
 use super::obstacle_heuristic::ObstacleHeuristic;
 use super::question::{Query, Scratch, Search, TIGHT_CLEARANCE, Work};
 use super::report::{Report, Status};

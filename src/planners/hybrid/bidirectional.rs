@@ -26,14 +26,15 @@
 use core::borrow::Borrow;
 use core::cell::RefCell;
 
-use super::analytic_expansion::Recorder;
+use super::analytic_expansion::{Recorder, take_cheapest};
 use super::config::Level;
 use super::cost::CostModel;
-use super::domain::{self, Setting, State, StateLattice};
+use super::domain::{Setting, StateLattice};
 use super::obstacle_heuristic::ObstacleHeuristic;
 use super::question::{Search, Work};
 use super::recording::PoseRecording;
 use super::report::Status;
+use super::state::{self, State};
 use super::tree::Tree;
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::reeds_shepp::{self, Word};
@@ -62,7 +63,7 @@ where
 
     /// The path from a node of one tree by a curve to the other root.
     fn complete(&mut self, trees: Trees<D>, side: usize, at: Visit, finish: Finish<f64, Word>) {
-        let arcs = domain::path(&trees[side].chain(at.node), &finish.tail, self.costs.radius);
+        let arcs = state::path(&trees[side].chain(at.node), &finish.tail, self.costs.radius);
         self.keep(if side == 0 { arcs } else { arcs::reversed(&arcs) });
     }
 
@@ -96,10 +97,10 @@ impl Cheapest<'_> {
         let (lattice, radius): (&StateLattice, _) = ((*trees[0].domain).borrow(), self.costs.radius);
         let words = reeds_shepp::list_below(here, there, radius, self.cost - from.g - to.g);
         let mut words: Vec<_> = words.into_iter().map(|word| (word.length(radius), word)).collect();
-        while let Some((_, word)) = domain::take_cheapest(&mut words) {
+        while let Some((_, word)) = take_cheapest(&mut words) {
             if word.direction_changes() <= lattice.max_changes && lattice.word_free(here, &word) {
-                let first = domain::path(&trees[0].chain(from.node), &word, radius);
-                let back = domain::tree_arcs(&trees[1].chain(to.node)).collect::<Vec<_>>();
+                let first = state::path(&trees[0].chain(from.node), &word, radius);
+                let back = state::tree_arcs(&trees[1].chain(to.node)).collect::<Vec<_>>();
                 self.keep(arcs::merge(first.into_iter().chain(arcs::reversed(&back))));
                 return;
             }

@@ -24,14 +24,18 @@
 //! Poses are local to the obstacles. A tree that grows from the goal is *mirrored*: it drives the path backwards,
 //! so every gear is the other one.
 
+#[cfg(feature = "complete")]
+mod rock;
+
 use core::cell::{Cell, RefCell, RefMut};
 
-use super::analytic_expansion::Recorder;
+use super::analytic_expansion::{Recorder, take_cheapest};
 use super::config::{Config, Heuristic, Level};
 use super::cost::{CostModel, Motion};
 use super::obstacle_heuristic::ObstacleHeuristic;
+use super::state::State;
 use super::state_index::StateIndex;
-use crate::geometry::arcs::{self, Arc};
+use crate::geometry::arcs::Arc;
 use crate::geometry::reeds_shepp::{self, Word};
 use crate::geometry::{Pose, math};
 use crate::search::{Domain, Finish, NodeId, Order, Relax, Visit};
@@ -52,15 +56,6 @@ const MIN_SHUFFLE_MOVE: f64 = 0.01;
 /// A key that no lattice cell has.
 #[cfg(feature = "complete")]
 const NO_CELL: u64 = u64::MAX;
-
-/// A node's real-valued state: its pose and the arc that led there.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(super) struct State {
-    pub(super) pose: Pose,
-    pub(super) motion: Motion,
-    /// Signed length of the arc that led here.
-    pub(super) length: f64,
-}
 
 /// A move from a state, before anything but its cost is known.
 #[derive(Debug, Clone, Copy)]
@@ -271,46 +266,6 @@ impl<'a> StateLattice<'a> {
     }
 }
 
-/// The three arcs of a rock whose first and last arc this is.
-#[cfg(feature = "complete")]
-fn rock_arcs(arc: Arc) -> [Arc; 3] {
-    [arc, Arc { curvature: -arc.curvature, length: -2.0 * arc.length }, arc]
-}
-
-#[cfg(feature = "complete")]
-impl StateLattice<'_> {
-    /// Turns nearly on the spot: a little way on one lock, twice as far back on the other, and the same way again. A
-    /// state between would share its cell with others, one of which is kept.
-    fn rock<S: Relax<f64, State>>(&self, from: Visit<f64, State>, sink: &mut S) {
-        let State { pose, motion, .. } = from.label;
-        let gear = if motion.gear < 0 { -1.0 } else { 1.0 };
-        for side in [1.0, -1.0] {
-            let curvature = side * gear / self.costs.radius;
-            let part = Arc { curvature, length: gear * self.costs.radius * self.level.rock / 4.0 };
-            let (mut end, mut before, mut cost) = (pose, motion, 0.0);
-            for arc in rock_arcs(part) {
-                cost += self.costs.arc(before, &arc);
-                before = Motion::after(&arc);
-                end = end.advance(arc.curvature, arc.length);
-            }
-            let node = self.node(end, before.gear);
-            if !sink.improves(node, cost) {
-                continue;
-            }
-            let mut at = pose;
-            let is_free = rock_arcs(part).iter().all(|arc| {
-                let free = self.free(at, arc);
-                at = at.advance(arc.curvature, arc.length);
-                free
-            });
-            if is_free {
-                let motion = Motion { is_rock: true, ..before };
-                sink.emit(node, cost, State { pose: end, motion, length: part.length });
-            }
-        }
-    }
-}
-
 impl Domain for StateLattice<'_> {
     type Cost = f64;
     type Label = State;
@@ -414,33 +369,6 @@ impl Domain for StateLattice<'_> {
         }
         best
     }
-}
-
-/// The first of the cheapest entries, removed.
-pub(super) fn take_cheapest(words: &mut Vec<(f64, Word)>) -> Option<(f64, Word)> {
-    let first = words.first()?.0;
-    let cheaper = |best: (usize, f64), (i, word): (usize, &(f64, Word))| {
-        if word.0 < best.1 { (i, word.0) } else { best }
-    };
-    let (index, _) = words.iter().enumerate().fold((0, first), cheaper);
-    Some(words.remove(index))
-}
-
-/// The arcs of a finished search, from its root to its target.
-pub(super) fn path(chain: &[(NodeId, State)], tail: &Word, radius: f64) -> Vec<Arc> {
-    arcs::merge(tree_arcs(chain).chain(tail.arcs(radius)))
-}
-
-/// The arcs between the nodes of a chain, one each.
-pub(super) fn tree_arcs(chain: &[(NodeId, State)]) -> impl Iterator<Item = Arc> {
-    let arc = |s: &State| Arc { curvature: s.motion.curvature, length: s.length };
-    #[cfg(feature = "complete")]
-    return chain[1..].iter().flat_map(move |(_, s)| {
-        let plain = if s.motion.is_rock { 0 } else { 2 };
-        rock_arcs(arc(s)).into_iter().skip(plain)
-    });
-    #[cfg(not(feature = "complete"))]
-    chain[1..].iter().map(move |(_, s)| arc(s))
 }
 
 #[cfg(all(test, feature = "complete"))]

@@ -21,12 +21,13 @@ use core::cell::RefCell;
 
 use super::analytic_expansion::Recorder;
 use super::config::Level;
-use super::domain::{self, Setting, State, StateLattice};
+use super::domain::{Setting, StateLattice};
 use super::question::{Search, Work};
 #[cfg(feature = "complete")]
 use super::recording::PoseRecording;
 use super::report::Status;
 use super::shortcut;
+use super::state::{self, State};
 use super::tree::Tree;
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::math;
@@ -244,7 +245,7 @@ impl Search<'_> {
             };
             return None;
         };
-        let arcs = domain::path(&scratch.search.chain(last), &tail, radius);
+        let arcs = state::path(&scratch.search.chain(last), &tail, radius);
         let arcs = if self.mirrored { arcs::reversed(&arcs) } else { arcs };
         let unproven = level.shuffle || found.end == End::BudgetSpent;
         let status = if unproven { Status::Suboptimal } else { Status::Found };

@@ -43,6 +43,7 @@ mod question;
 mod recording;
 mod report;
 mod shortcut;
+mod state;
 mod state_index;
 mod tree;
 #[cfg(feature = "complete")]

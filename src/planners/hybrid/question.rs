@@ -8,9 +8,9 @@ use core::cell::RefCell;
 
 use super::config::Config;
 use super::cost::CostModel;
-use super::domain::State;
 use super::obstacle_heuristic::ObstacleHeuristic;
 use super::report::Report;
+use super::state::State;
 use super::state_index::StateIndex;
 use crate::geometry::Pose;
 #[cfg(feature = "complete")]

@@ -7,7 +7,8 @@
 //! Columns instead of structures, because all of it goes to JavaScript as typed arrays. A move costs 44 bytes beside
 //! the [`Recording::MOVE_BYTES`] of its event: three numbers of a pose, two of an arc and one owner.
 
-use super::domain::{Move, State, StateLattice};
+use super::domain::{Move, StateLattice};
+use super::state::State;
 use crate::geometry::Pose;
 use crate::geometry::arcs::Arc;
 use crate::search::{BACKWARD, Fate, Labelled, NodeId, Recording, Told, Visit};

@@ -12,8 +12,8 @@
 //! than 1. Straight distance rules out most pairs before any curve is computed, and the reach of the body, measured
 //! once per knot and kept, rules out most curves before a collision check.
 
+use super::analytic_expansion::take_cheapest;
 use super::cost::{CostModel, Motion};
-use super::domain::take_cheapest;
 use crate::geometry::Pose;
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::reeds_shepp::{self, Word};

@@ -3,9 +3,9 @@
 use core::cell::RefCell;
 
 use super::analytic_expansion::Recorder;
-use super::domain::State;
 use super::question::Search;
 use super::report::Report;
+use super::state::State;
 use crate::geometry::Pose;
 #[cfg(feature = "complete")]
 use crate::search::{ExpansionCallback, Expansions};

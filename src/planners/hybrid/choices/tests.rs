@@ -4,8 +4,9 @@ use core::cell::RefCell;
 use std::cmp::Ordering;
 use std::collections::{BinaryHeap, HashMap, HashSet};
 
-use super::super::domain::{Setting, State, StateLattice};
+use super::super::domain::{Setting, StateLattice};
 use super::super::obstacle_heuristic::ObstacleHeuristic;
+use super::super::state::State;
 use super::super::state_index::StateIndex;
 use super::*;
 use crate::geometry::Point;

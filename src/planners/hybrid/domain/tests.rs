@@ -4,6 +4,8 @@ use core::cell::RefCell;
 
 use super::*;
 use crate::geometry::Point;
+use crate::geometry::arcs;
+use crate::planners::hybrid::state::tree_arcs;
 use crate::vehicle::collision::{Edge, Obstacles, Solid};
 
 struct Moves(Vec<(NodeId, f64, State)>);
