@@ -16,6 +16,8 @@ export default defineConfig({
   use: {
     baseURL: url,
     trace: "on-first-retry",
+    // Its installation loads every file once more; what it does is tested where it is allowed.
+    serviceWorkers: "block",
     launchOptions: launchOptions(),
   },
   webServer: { command: `node tests/e2e/server.js ${port}`, url, reuseExistingServer: false },

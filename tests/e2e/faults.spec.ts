@@ -1,8 +1,6 @@
 import { expect, test, type Page } from "@playwright/test";
 import { complaintsOf, hashesOf, open, sceneOf, settled, type PlaygroundElement } from "./playground";
 
-test.use({ serviceWorkers: "block" });
-
 const outcomes = (page: Page) =>
   page.evaluate(() =>
     Object.values(document.querySelector<PlaygroundElement>("parkade-playground")!.results).map(

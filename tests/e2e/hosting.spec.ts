@@ -1,5 +1,8 @@
 import { expect, test } from "@playwright/test";
 
+// As it is visited.
+test.use({ serviceWorkers: "allow" });
+
 test("the page loads below a sub-path, from its own host only, without a complaint", async ({ page, baseURL }) => {
   const complaints: string[] = [];
   page.on("console", (message) => {

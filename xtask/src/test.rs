@@ -25,19 +25,27 @@ struct Suite {
 
 #[derive(PartialEq)]
 enum Needs {
+    /// They leave half a machine idle, and so run beside the others when all are run.
     Sources,
     /// The package and the page, built.
     Build,
 }
 
-/// In the order in which they run.
+/// Makes what the suites of `Needs::Build` need.
+const BUILD: Suite = suite("build", Needs::Sources, || check(site::assemble()));
+/// Those of a kind in the order in which they run.
 const SUITES: &[Suite] = &[
-    suite("build", Needs::Sources, || check(site::assemble())),
+    BUILD,
     suite("sizes", Needs::Build, || check(site::check_sizes())),
+    suite("format and lint, JavaScript", Needs::Build, || {
+        check(tools::run(node_tool("@biomejs/biome/bin/biome").args(["ci", "--diagnostic-level=error"])))
+    }),
     suite("types, page", Needs::Build, || type_check("www")),
     suite("types, package and tests", Needs::Build, || type_check("tests")),
     suite("documentation", Needs::Build, || check(docs::generate())),
     suite("JavaScript", Needs::Build, vitest),
+    suite("page in a browser", Needs::Build, playwright),
+    suite("Python", Needs::Build, wheel),
     suite("format", Needs::Sources, || cargo_check(&["fmt", "--all", "--check"])),
     suite("lint, native", Needs::Sources, || lint(&["--all-targets"])),
     suite("lint, tool", Needs::Sources, || lint(&[TOOL, &["--all-targets"]].concat())),
@@ -48,42 +56,11 @@ const SUITES: &[Suite] = &[
     }),
     suite("lint, wheel", Needs::Sources, || check(python::lint_native())),
     suite("lint, documentation", Needs::Sources, rustdoc),
-    suite("format and lint, JavaScript", Needs::Sources, || {
-        check(tools::run(node_tool("@biomejs/biome/bin/biome").args(["ci", "--diagnostic-level=error"])))
-    }),
-    suite("Rust, native", Needs::Sources, || rust_tests(&[])),
+    suite("Rust, native", Needs::Sources, || rust_tests(&["--lib", "--tests"])),
+    suite("Rust, examples of the documentation", Needs::Sources, || rust_tests(&["--doc"])),
     suite("Rust, tool", Needs::Sources, || rust_tests(TOOL)),
     suite("Rust, random input", Needs::Sources, || rust_tests(FUZZ)),
-    suite("page in a browser", Needs::Build, playwright),
     suite("Rust, wasm in Node", Needs::Sources, || rust_tests(&["--target", WASM_TARGET, "--tests"])),
-    suite("Python", Needs::Build, wheel),
-];
-/// Suites that leave half a machine idle, one after the other, and those that run beside them when all are run.
-struct Shared {
-    hosts: &'static [&'static str],
-    /// They give way to the hosts: a browser that waits fails its tests.
-    guests: &'static [&'static str],
-}
-
-const SHARED: &[Shared] = &[
-    Shared {
-        hosts: &["documentation", "JavaScript"],
-        guests: &[
-            "format",
-            "lint, native",
-            "lint, tool",
-            "lint, fuzz",
-            "lint, wasm",
-            "lint, core",
-            "lint, wheel",
-            "lint, documentation",
-            "format and lint, JavaScript",
-            "Rust, native",
-            "Rust, tool",
-            "Rust, random input",
-        ],
-    },
-    Shared { hosts: &["page in a browser"], guests: &["Rust, wasm in Node", "Python"] },
 ];
 /// Before the file that a run beside another leaves its results in.
 const REPORT: &str = "--report";
@@ -127,37 +104,22 @@ pub(crate) fn test(arguments: &[String]) -> Result<()> {
 }
 
 fn run_all() -> Vec<Outcome> {
-    let mut built = false;
-    let mut outcomes = Vec::new();
-    let mut company = None;
-    for suite in SUITES {
-        if built && SHARED.iter().any(|shared| shared.guests.contains(&suite.name)) {
-            continue;
-        }
-        if suite.needs == Needs::Build && !built {
-            outcomes.push(Outcome::of(suite.name, || bail!("not run: the build failed")));
-            continue;
-        }
-        let shared = SHARED.iter().find(|shared| shared.hosts.contains(&suite.name));
-        if let Some(shared) = shared.filter(|shared| shared.hosts.first() == Some(&suite.name)) {
-            company = Some(Company::start(shared.guests));
-        }
-        let outcome = Outcome::of(suite.name, suite.run);
-        built |= suite.name == "build" && outcome.counts.failed == 0;
-        outcomes.push(outcome);
-        if let Some(shared) = shared.filter(|shared| shared.hosts.last() == Some(&suite.name))
-            && let Some(company) = company.take()
-        {
-            outcomes.extend(company.and_then(Company::results).unwrap_or_else(|error| {
-                let lost = |name: &&'static str| Outcome::of(name, || bail!("not run: {error:#}"));
-                shared.guests.iter().map(lost).collect()
-            }));
-        }
-    }
+    let names = |needs| SUITES.iter().filter(move |suite| suite.needs == needs).map(|suite| suite.name);
+    let beside: Vec<_> = names(Needs::Sources).filter(|name| *name != BUILD.name).collect();
+    let company = Company::start(&beside);
+    let build = Outcome::of(BUILD.name, BUILD.run);
+    let built = build.counts.failed == 0;
+    let mut outcomes = vec![build];
+    outcomes.extend(SUITES.iter().filter(|suite| suite.needs == Needs::Build).map(|suite| {
+        Outcome::of(suite.name, || if built { (suite.run)() } else { bail!("not run: the build failed") })
+    }));
+    outcomes.extend(company.and_then(Company::results).unwrap_or_else(|error| {
+        beside.iter().map(|name| Outcome::of(name, || bail!("not run: {error:#}"))).collect()
+    }));
     outcomes
 }
 
-/// Suites that run beside others, in a process of lower priority; what they print is shown when they have ended.
+/// Suites in a process of lower priority: a browser that waits fails its tests. What they print is shown when they have ended.
 struct Company {
     process: Child,
     log: PathBuf,
@@ -302,26 +264,10 @@ fn with_report(command: &mut Command, report: &Path, count: fn(&Value) -> Option
 
 impl fmt::Display for Outcome {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:<26}{:>6.1} s  {}", self.suite, self.seconds, self.counts)?;
+        write!(f, "{:<36}{:>6.1} s  {}", self.suite, self.seconds, self.counts)?;
         match &self.remark {
             Some(remark) => write!(f, " ({remark})"),
             None => Ok(()),
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn suites_in_company_come_after_their_hosts_and_before_the_next() {
-        let place = |name: &str| SUITES.iter().position(|suite| suite.name == name).unwrap();
-        assert_eq!(place("build"), 0);
-        for Shared { hosts, guests } in SHARED {
-            let first = place(hosts[0]);
-            let all = hosts.iter().chain(*guests).enumerate();
-            all.for_each(|(i, name)| assert_eq!(place(name), first + i, "{name}"));
         }
     }
 }
