@@ -60,7 +60,7 @@ const SUITES: &[Suite] = &[
     suite("Rust, examples of the documentation", Needs::Sources, || rust_tests(&["--doc"])),
     suite("Rust, tool", Needs::Sources, || rust_tests(TOOL)),
     suite("Rust, random input", Needs::Sources, || rust_tests(FUZZ)),
-    suite("Rust, wasm in Node", Needs::Sources, || rust_tests(&["--target", WASM_TARGET, "--tests"])),
+    suite("Rust, wasm in Node", Needs::Sources, || rust_tests(&["--target", WASM_TARGET, "--test", "*"])),
 ];
 /// Before the file that a run beside another leaves its results in.
 const REPORT: &str = "--report";
